@@ -4,6 +4,7 @@
 //! 1, columns in UTF-16 units. No other room derives `Serialize`, but for `units::Diameter`, which stands in
 //! these rows (`tests/rooms.rs`). The TypeScript types are made from these.
 
+pub mod assist;
 mod inferred_stock;
 mod manual;
 pub mod paste;
@@ -702,6 +703,7 @@ impl CodeRow {
 }
 
 /// A text with its lines: turns spans into the places people read.
+#[derive(Clone, Copy)]
 pub struct Places<'a> {
     /// The text.
     pub text: &'a [u8],

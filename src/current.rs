@@ -23,6 +23,7 @@ use crate::machine::{Simulation, SimulationResult, SimulationStep};
 use crate::motion::{MotionKind, Motions};
 use crate::parts::{Part, in_part};
 use crate::playback::clock::{Clock, Playhead};
+use crate::run::replay::{Replay, Time};
 use crate::run::{Run, TextEdit};
 use crate::scene::camera::{Pixel, Size, XPlus};
 use crate::scene::face::Face;
@@ -35,6 +36,7 @@ use crate::scene::view::View;
 use crate::scene::{Place, Plane, Scene};
 use crate::setup::{Setup, Turret};
 use crate::source::LineIndex;
+use crate::text::parser::Resume;
 use crate::units::Unit;
 use machined::{Kept, Machined};
 use per_plane::PerPlane;
@@ -248,6 +250,19 @@ impl Current {
     /// The run.
     pub fn run(&self) -> &Run {
         &self.run
+    }
+
+    /// Begins to go through the run once more, to the block at a byte.
+    pub fn replay(&self, byte: u32, time: Time) -> Replay {
+        let (text, lines) = (self.run.text(), self.lines());
+        let line = lines.line_of(byte.min(text.len() as u32));
+        let start = lines.line(text, line).start;
+        self.run.replay(Resume::inside(start, line), byte, time)
+    }
+
+    /// Goes on with a replay for at most so many blocks; true once it has ended.
+    pub fn advance_replay(&mut self, replay: &mut Replay, blocks: usize) -> bool {
+        self.run.advance_replay(replay, blocks)
     }
 
     /// The motions so far.

@@ -52,6 +52,7 @@
 //! The feature `cli`, which is on unless `default-features = false`, is the command line.
 
 pub mod api;
+pub mod assist;
 #[cfg(all(feature = "cli", not(target_arch = "wasm32")))]
 pub mod cli;
 pub mod control;

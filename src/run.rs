@@ -4,6 +4,7 @@
 //! what they do.
 
 mod edit;
+pub mod replay;
 
 use std::collections::BTreeMap;
 use std::sync::OnceLock;
@@ -23,7 +24,7 @@ use crate::message::{Diagnostic, Fix, said, sort_by_place};
 use crate::motion::Motions;
 use crate::parts::{Part, in_part};
 use crate::provenance::{self, DecimalEvidence, Foreign, Look, NumberWithoutPoint, Target};
-use crate::setup::dialect::{CodeList, DecimalChoice, DecimalRule, DialectChoice, GSystem};
+use crate::setup::dialect::{CodeList, DecimalChoice, DecimalRule, Dialect, DialectChoice, GSystem};
 use crate::setup::notes::Notes;
 use crate::setup::{Lints, Setup, tool_words};
 use crate::source::Span;
@@ -395,7 +396,9 @@ impl Run {
             let here = Here { at, next: parser.position() };
             let flow = if more {
                 self.blocks += usize::from(!self.block.is_empty());
-                self.step(&text, here)
+                let flow = self.step(&text, here);
+                self.interpreter.note_origins(self.block.span.start);
+                flow
             } else {
                 self.end_of_text(&text)
             };
@@ -483,6 +486,11 @@ impl Run {
     /// The setup.
     pub fn setup(&self) -> &Setup {
         self.interpreter.setup()
+    }
+
+    /// The switches of the control.
+    pub fn dialect(&self) -> &Dialect {
+        self.interpreter.dialect()
     }
 
     /// The setup as what happens at the machine needs it: with what prose in comments says of the tools. It

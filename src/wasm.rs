@@ -4,6 +4,7 @@
 //! plain objects for everything small, and a drawn canvas. Offsets are UTF-16 offsets into the document with
 //! every line end counted as one unit, as editors count. Knows no G-code.
 
+mod assist;
 mod decimal;
 mod files;
 mod motions;
@@ -49,6 +50,8 @@ pub struct Playground {
     painters: PerPlane<Option<Painter>>,
     /// A text that is being handed in.
     incoming: Vec<u8>,
+    /// What is asked of a block.
+    question: assist::Question,
 }
 
 #[wasm_bindgen]
@@ -63,6 +66,7 @@ impl Playground {
             current: Current::new(Vec::new(), Setup::default()),
             painters: PerPlane::default(),
             incoming: Vec::new(),
+            question: assist::Question::default(),
         }
     }
 

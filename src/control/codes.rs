@@ -5,7 +5,9 @@
 
 mod registry;
 
-pub use registry::{Effect, Function, GCode, Row, Section, g_code, m_code, rows};
+pub use registry::{
+    Effect, Function, GCode, Row, Section, function_of, g_code, m_code, m_function, rows, written,
+};
 
 use super::words::plain;
 use crate::cycles::single::Single;

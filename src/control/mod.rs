@@ -11,6 +11,7 @@ pub mod interpreter;
 pub mod macros;
 pub mod modal;
 pub mod offsets;
+pub mod origins;
 pub mod program;
 pub mod sink;
 pub mod tool_offset;

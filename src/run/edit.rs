@@ -22,13 +22,13 @@ const BLOCKS_PER_MOTION: usize = 4;
 /// numbers met are the same at all of them.
 #[derive(Clone, Debug)]
 pub(super) struct Checkpoint {
-    snapshot: Snapshot,
+    pub(super) snapshot: Snapshot,
     /// Blocks read before it.
-    blocks: usize,
+    pub(super) blocks: usize,
 }
 
 impl Checkpoint {
-    fn byte(&self) -> u32 {
+    pub(super) fn byte(&self) -> u32 {
         self.snapshot.at().byte
     }
 }

@@ -180,6 +180,11 @@ pub fn unit(unit: Unit, language: Language) -> &'static str {
     })
 }
 
+/// How a second is written after a number.
+pub fn seconds(language: Language) -> &'static str {
+    language.among(["s", "s", "с"])
+}
+
 /// How a unit of length is written on a ruler.
 pub fn unit_of_ruler(unit: units::Unit, language: Language) -> &'static str {
     language.among(match unit {

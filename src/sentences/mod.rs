@@ -1,5 +1,6 @@
 //! All texts in all languages: the sentences of the messages, and the words shown beside them.
 
+pub mod assist;
 pub mod codes;
 pub mod labels;
 mod language;

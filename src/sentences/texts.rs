@@ -1,9 +1,12 @@
 //! All that is said in one language, a part of the module each: a page loads that of its reader.
 
+use super::assist::{self, Told};
 use super::codes;
 use super::language::Language;
 use super::phrases::{self, Phrase};
+use crate::assist::role::Role;
 use crate::control::codes::{Effect, Function, Section};
+use crate::control::origins::Modal;
 use crate::parts::{Part, in_part};
 
 /// The sentences.
@@ -23,6 +26,12 @@ pub(super) struct Texts {
     pub note: fn(Effect) -> &'static str,
     /// A part of a sentence.
     pub phrase: fn(Phrase) -> &'static str,
+    /// What a word is in its block.
+    pub role: fn(Role) -> &'static str,
+    /// The name of what is in force.
+    pub modal: fn(Modal) -> &'static str,
+    /// The template of a fact about a word or block.
+    pub told: fn(Told) -> &'static str,
 }
 
 impl Language {
@@ -52,6 +61,9 @@ macro_rules! texts {
             describe: codes::$language::describe,
             note: codes::$language::note,
             phrase: phrases::$language::phrase,
+            role: assist::$language::role,
+            modal: assist::$language::modal,
+            told: assist::$language::told,
         };
         &TEXTS
     }};

@@ -96,7 +96,7 @@ fn without_comments(block: &Block) -> Span {
 }
 
 /// The `N10` at the head of a block.
-fn sequence_span(text: &[u8], start: usize, end: usize) -> Option<Span> {
+pub fn sequence_span(text: &[u8], start: usize, end: usize) -> Option<Span> {
     let bytes = &text[start..end];
     let first = bytes.iter().position(|byte| byte.eq_ignore_ascii_case(&b'N'))?;
     let length = bytes[first + 1..].iter().take_while(|byte| byte.is_ascii_digit() || **byte == b' ').count();

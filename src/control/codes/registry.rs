@@ -359,6 +359,33 @@ pub fn g_code(key: u64, list: CodeList) -> Option<&'static GCode> {
     G_CODES.get(usize::from(row))
 }
 
+impl GCode {
+    /// The row of the table it stands in.
+    pub fn function(&self) -> Function {
+        self.function
+    }
+}
+
+/// A G code as a list writes it: `G99`; `None` where the list has none.
+pub fn written(code: G, list: CodeList) -> Option<String> {
+    let found = G_CODES.iter().find(|other| other.code == code && other.keys[list as usize] != NOT_THERE)?;
+    let key = found.keys[list as usize];
+    let mut text = String::new();
+    spell(&mut text, 'G', key / 10, key % 10);
+    Some(text)
+}
+
+/// The row of the table of a G code.
+pub fn function_of(code: G) -> Option<Function> {
+    G_CODES.iter().find(|other| other.code == code).map(|found| found.function)
+}
+
+/// The row of the table of an M code.
+pub fn m_function(number: u64) -> Option<Function> {
+    let row = *M_ROWS.get(usize::try_from(number).ok()?)?;
+    M_CODES.get(usize::from(row)).map(|row| row.function)
+}
+
 /// The M code of a number; `None` for one that only some machines know.
 #[inline]
 pub fn m_code(number: u64) -> Option<M> {

@@ -10,6 +10,7 @@ use crate::control::codes::{self, Compensation, G, MotionMode, Plane};
 use crate::control::contour::{FirstBlock, Landmarks, Purpose};
 use crate::control::events::{ContourCall, Event, Observer};
 use crate::control::modal::{PathMove, State};
+use crate::control::origins::Origins;
 use crate::control::words::{Words, plain, quote};
 use crate::cycles::{Approach, Contour, Piece};
 use crate::geometry::Point;
@@ -31,6 +32,19 @@ pub(super) struct Contours {
     pub landmarks: Vec<Landmarks>,
     /// The contours of G71 to G73.
     roughed: Vec<Roughed>,
+    /// The block whose readings are kept, by its first byte, with what was seen of it.
+    watched: Option<(u32, Vec<Reading>)>,
+}
+
+/// A block that was read as a part of a contour.
+#[derive(Clone, Debug)]
+pub struct Reading {
+    /// What for.
+    pub purpose: Purpose,
+    /// The state before it, and which block set what.
+    pub before: (State, Origins),
+    /// The same after it.
+    pub after: (State, Origins),
 }
 
 /// A contour that was roughed.
@@ -162,7 +176,8 @@ impl Interpreter {
                 self.report(Diagnostic::new(message, words.span(address)));
             }
         }
-        let before = self.state.clone();
+        let (before, origins) =
+            (self.state.clone(), self.contours.watched.is_some().then(|| self.origins.clone()));
         let aside = self.observer.as_mut().map(|observer| observer.set_aside());
         let outer = self.contours.recorded.replace(Vec::new());
         let outer_purpose = self.contours.purpose.replace(purpose);
@@ -177,6 +192,9 @@ impl Interpreter {
         self.contours.purpose = outer_purpose;
         let reported = self.state.reported;
         let state = std::mem::replace(&mut self.state, before);
+        if let Some(origins) = origins {
+            self.origins = origins;
+        }
         self.state.reported = reported;
         let observer = self.go_on_observed_by(aside);
         if self.sink.is_full() {
@@ -240,6 +258,32 @@ impl Interpreter {
         }
     }
 
+    /// Keeps from here on what is read of the block at `byte` as a part of a contour.
+    pub fn watch_contours(&mut self, byte: u32) {
+        self.contours.watched = Some((byte, Vec::new()));
+    }
+
+    /// What was read of it since this was last asked.
+    pub fn take_readings(&mut self) -> Vec<Reading> {
+        self.contours.watched.as_mut().map(|(_, readings)| std::mem::take(readings)).unwrap_or_default()
+    }
+
+    /// The state before a block that is watched.
+    #[inline]
+    fn before_reading(&self, at: Resume) -> Option<(State, Origins)> {
+        let (byte, _) = self.contours.watched.as_ref()?;
+        (*byte == at.byte).then(|| (self.state.clone(), self.origins.clone()))
+    }
+
+    #[inline]
+    fn after_reading(&mut self, block: &Block, before: Option<(State, Origins)>, purpose: Purpose) {
+        let Some((_, readings)) = &mut self.contours.watched else { return };
+        self.origins.note(&self.state, block.span.start);
+        if let Some(before) = before {
+            readings.push(Reading { purpose, before, after: (self.state.clone(), self.origins.clone()) });
+        }
+    }
+
     /// Where the contour of these numbers begins that roughing has found in the program of `block`.
     fn roughed_in_program(&mut self, text: &[u8], block: &Block, named: (u32, u32)) -> Option<Resume> {
         let own = self.program.labels(text).head_at(block.span.start).byte;
@@ -298,7 +342,9 @@ impl Interpreter {
             }
             let moves = self.contours.recorded.as_ref().map_or(0, Vec::len);
             let refused = std::mem::replace(&mut self.refused, false);
+            let before = self.before_reading(at);
             let flow = self.run(text, &block, here);
+            self.after_reading(&block, before, purpose);
             if block.kind == BlockKind::Macro && matches!(flow, Flow::Jump(_)) {
                 let span = block.words_span();
                 let word = shortened(&span.quote(text));

@@ -518,6 +518,10 @@ impl Interpreter {
         let flow = self.call(block, CallKind::Macro, head, back, rounds);
         if matches!(flow, Flow::Jump(_)) {
             // Deeper than the control allows was reported by the call.
+            let given = (1..).zip(&arguments).filter(|(_, value)| value.is_some());
+            for (variable, _) in given {
+                self.origins.assigned(self.state.variables.level() + 1, variable, block.span.start);
+            }
             self.state.variables.push_level(arguments);
         }
         flow

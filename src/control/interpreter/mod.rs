@@ -41,6 +41,7 @@ mod tests;
 use super::contour::Landmarks;
 use super::events::{Event, Moment, Observer};
 use super::modal::State;
+use super::origins::Origins;
 use super::program::Program;
 use super::sink::Sink;
 use super::words::{Reading, letters, quote};
@@ -55,6 +56,7 @@ use crate::text::parser::{READS_FAULTS, Resume};
 use contours::Contours;
 
 pub use calls::Here;
+pub use contours::Reading as ContourReading;
 pub use snapshot::{Remainder, Snapshot};
 pub use trace::Executed;
 
@@ -80,6 +82,8 @@ pub struct Interpreter {
     dialect: Dialect,
     /// The state of the control after the last block.
     pub state: State,
+    /// Which block set what is in force.
+    origins: Origins,
     /// Where to read next.
     program: Program,
     /// Motions and messages.
@@ -130,6 +134,7 @@ impl Interpreter {
         Self {
             setup,
             dialect,
+            origins: Origins::new(&state),
             state,
             program: Program::default(),
             sink,
@@ -203,9 +208,25 @@ impl Interpreter {
         self.trace.is_some()
     }
 
+    /// Motions kept so far.
+    pub fn kept_motions(&self) -> usize {
+        self.sink.kept()
+    }
+
     /// Motions of the finished chunks.
     pub fn motions(&self) -> &Motions {
         &self.sink.motions
+    }
+
+    /// Which block set what is in force after the last one.
+    pub fn origins(&self) -> &Origins {
+        &self.origins
+    }
+
+    /// What is in force now was set by a block that begins at this byte, as far as it was not before.
+    #[inline]
+    pub fn note_origins(&mut self, block: u32) {
+        self.origins.note(&self.state, block);
     }
 
     /// Messages so far, in the order in which they were reported.

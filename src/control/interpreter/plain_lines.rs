@@ -41,6 +41,7 @@ impl Interpreter {
             if mode != self.state.motion {
                 self.observe(&[], Event::MotionCode { mode });
                 self.state.motion = mode;
+                self.origins.note_motion(mode, line.span.start);
             }
             if kind == MotionKind::Rapid {
                 self.observe(&[], Event::Rapid);

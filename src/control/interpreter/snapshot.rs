@@ -9,6 +9,7 @@ use super::Interpreter;
 use super::contours::Contours;
 use crate::control::events::Observer;
 use crate::control::modal::State;
+use crate::control::origins::Origins;
 use crate::message::Diagnostic;
 use crate::motion::{Chunk, Motions};
 use crate::source::shift::Shift;
@@ -21,6 +22,7 @@ pub struct Snapshot {
     /// The block to come.
     at: Resume,
     state: State,
+    origins: Origins,
     observer: Option<Box<dyn Observer>>,
     /// Chunks of motions before it.
     chunks: usize,
@@ -39,6 +41,11 @@ impl Snapshot {
     /// The block to come.
     pub fn at(&self) -> Resume {
         self.at
+    }
+
+    /// Chunks of motions before it.
+    pub fn chunks(&self) -> usize {
+        self.chunks
     }
 
     /// The first byte of the blocks of which something waits for what follows; `u32::MAX` when nothing does.
@@ -70,6 +77,7 @@ pub struct Remainder {
     hidden: usize,
     /// The state at the end.
     state: State,
+    origins: Origins,
     observer: Option<Box<dyn Observer>>,
 }
 
@@ -141,6 +149,7 @@ impl Interpreter {
         Snapshot {
             at,
             state: self.state.clone(),
+            origins: self.origins.clone(),
             observer: self.observer.clone(),
             chunks: self.sink.motions.chunks().len(),
             reported: self.sink.diagnostics.len(),
@@ -153,15 +162,34 @@ impl Interpreter {
 
     /// Goes back to a snapshot of the same run, as if nothing after it had been carried out.
     pub fn restore(&mut self, snapshot: &Snapshot) {
-        let Snapshot { at, state, observer, chunks, reported, hidden, work, failed: _, incomplete } =
+        let Snapshot { at, state, origins, observer, chunks, reported, hidden, work, failed: _, incomplete } =
             snapshot;
         let chunk = Chunk::new(at.byte, at.line, state.position);
         self.sink.back_to(*chunks, *reported, *hidden, *incomplete, chunk);
         self.state = state.clone();
+        self.origins = origins.clone();
         self.observer = observer.clone();
         self.program = std::mem::take(&mut self.program).back_at(*at, *work);
         self.contours = Contours::default();
         (self.refused, self.guessing, self.cut_is_news) = (false, false, true);
+    }
+
+    /// A control that goes on from a snapshot of another one, and that nobody listens to: with the motions from there on alone.
+    pub fn resumed(&self, snapshot: &Snapshot) -> Self {
+        let mut interpreter = self.anew();
+        interpreter.restore(&Snapshot {
+            chunks: 0,
+            reported: 0,
+            hidden: 0,
+            observer: None,
+            ..snapshot.clone()
+        });
+        interpreter
+    }
+
+    /// A control like this one at power-on, which nobody listens to.
+    pub fn anew(&self) -> Self {
+        Self::of(self.setup.clone(), self.dialect.clone())
     }
 
     /// Takes out what came after the first of some snapshots of this run, which has ended.
@@ -172,6 +200,7 @@ impl Interpreter {
             diagnostics: self.sink.diagnostics.split_off(first.reported),
             hidden: self.sink.hidden,
             state: self.state.clone(),
+            origins: self.origins.clone(),
             observer: self.observer.clone(),
             snapshots,
         })
@@ -208,8 +237,15 @@ impl Interpreter {
     /// The snapshots of that run after it are those of this run from here on. As many messages
     /// are hidden here as there.
     pub fn take_over(&mut self, other: Remainder, index: usize, shift: &Shift) -> Vec<Snapshot> {
-        let Remainder { mut snapshots, mut motions, mut diagnostics, hidden, mut state, mut observer } =
-            other;
+        let Remainder {
+            mut snapshots,
+            mut motions,
+            mut diagnostics,
+            hidden,
+            mut state,
+            origins,
+            mut observer,
+        } = other;
         let (chunks_out, reported_before) = (snapshots[0].chunks, snapshots[0].reported);
         let mut later = snapshots.split_off(index);
         let there = later.remove(0);
@@ -219,7 +255,9 @@ impl Interpreter {
         let chunks = self.sink.motions.chunks().len();
         let reported = self.sink.diagnostics.len();
         let mut incomplete = self.sink.incomplete;
+        let met = there.at.byte;
         for snapshot in &mut later {
+            snapshot.origins = snapshot.origins.after_meeting(met, &self.origins, shift);
             self.sink.incomplete |= snapshot.failed;
             snapshot.shift(shift);
             snapshot.chunks = snapshot.chunks - there.chunks + chunks;
@@ -240,6 +278,7 @@ impl Interpreter {
         if let Some(observer) = &mut observer {
             observer.shift(shift);
         }
+        self.origins = origins.after_meeting(met, &self.origins, shift);
         (self.state, self.observer) = (state, observer);
         later
     }

@@ -43,6 +43,8 @@ impl Memory for Store<'_> {
             self.interpreter.write_system(self.block, variable, value);
         }
         self.interpreter.state.variables.set_unknown(variable, self.knowledge);
+        let level = self.interpreter.state.variables.level();
+        self.interpreter.origins.assigned(level, variable, self.block.span.start);
         Ok(())
     }
 }

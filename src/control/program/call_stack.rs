@@ -88,6 +88,11 @@ impl CallStack {
         }
     }
 
+    /// The loops of the main program, the outermost first.
+    pub fn loops_of_main(&self) -> &[Loop] {
+        &self.loops
+    }
+
     /// First block of the program in force.
     pub fn program_head(&self) -> Resume {
         self.calls.last().map_or(self.head, |call| call.head)

@@ -25,6 +25,7 @@ import { editorPhrases } from './phrases';
 import { announceProblem } from './problem-announcement';
 import { problemGutter } from './problem-gutter';
 import { programText, type ProgramFile, type ProgramText } from './program-text';
+import { wordHover } from './word-hover';
 import { editorTheme } from './theme';
 import type { Language } from '../dom/language';
 import { make } from '../dom/dom';
@@ -80,7 +81,7 @@ export class Editor implements TextHolder {
           lineNumbers(), problemGutter(), highlightActiveLine(), highlightActiveLineGutter(), highlightSpecialChars(),
           history(), fileOfText(program.ends, file), programContext(events), drawSelection(), dropCursor(), bracketMatching(), highlightSelectionMatches(),
           search({ top: false }), linter(null), tooltips({ position: 'absolute', parent: aboveTheFrame }), marks, editorTheme,
-          folds(() => this.#shownLanguage),
+          folds(() => this.#shownLanguage), wordHover(events),
           EditorState.readOnly.of(access === 'readonly'), EditorView.editable.of(access === 'editable'),
           // Tab is not bound: it leaves the editor.
           keymap.of([
@@ -277,6 +278,10 @@ export class Editor implements TextHolder {
     else previousDiagnostic(this.#view);
     announceProblem(this.#view, this.#shownLanguage);
     return true;
+  }
+
+  announce(text: string): void {
+    this.#view.dispatch({ effects: EditorView.announce.of(text) });
   }
 
   focus(): void {

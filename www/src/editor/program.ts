@@ -177,6 +177,18 @@ export class Program implements TextHolder {
     this.#editor?.showNow();
   }
 
+  /** Where the line of an offset ends. */
+  endOfLine(offset: number): number {
+    const rest = this.textBetween(offset, Math.min(offset + 1000, this.length));
+    const end = rest.indexOf('\n');
+    return offset + (end < 0 ? rest.length : end);
+  }
+
+  /** Read out to those who do not see the page. */
+  announce(text: string): void {
+    this.#editor?.announce(text);
+  }
+
   /** The block whose stroke the pointer is on. */
   set hovered(span: Span | undefined) {
     this.#hovered = span;

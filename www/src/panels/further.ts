@@ -1,6 +1,7 @@
 // The panels around the picture: in each region they stand in this order, before those of `index.ts`. Loaded
 // only where they are shown, while the interpreter is on its way.
 
+import { atCursor } from './at-cursor';
 import { codes } from './codes';
 import { exports } from './exports';
 import { fileBar } from './file-bar';
@@ -29,7 +30,7 @@ import { writtenOut } from './written-out';
 import editorStyles from '../editor/editor.css?inline';
 
 export const FURTHER: readonly PanelKind[] = [
-  tabs, divider, hints, fileBar, profiles, readAs, switches, problems, setup, views, playback, statusLine, totals, units, motions, paste, solid, exports, rewrite, writtenOut, help,
+  tabs, divider, hints, fileBar, profiles, readAs, switches, problems, atCursor, setup, views, playback, statusLine, totals, units, motions, paste, solid, exports, rewrite, writtenOut, help,
   codes, presentation, print,
 ];
 

@@ -7,6 +7,7 @@
 // other panels by the services they offer. Must not know: where text and setup are kept, or how runs begin.
 
 import type { Language } from '../dom/language';
+import type { Span } from '../editor/holder';
 import type { Program } from '../editor/program';
 import type { ProgramFile, ProgramText } from '../editor/program-text';
 import type { Answer, Command, Diagnostic, Pictures, QuestionKind, Questions, Readout, Setting, SetupGroup, StepDirection, StepUnit, Stroke } from '../protocol/protocol';
@@ -50,6 +51,8 @@ export interface Panel {
   heard?(event: Heard): void;
   /** Pictures of the newest run; the images are the panel's. */
   showPictures?(pictures: Pictures): void;
+  /** The reader has moved the cursor, or typed. */
+  cursorMoved?(): void;
   /** The tool is somewhere else, or nowhere. */
   toolMoved?(place: Readout | undefined): void;
   /** A text has come into the editor at once, between these offsets. */
@@ -174,6 +177,8 @@ export interface Shell {
   changed(): void;
   /** The next change of the text is put in at once, not typed. */
   cameAtOnce(): void;
+  /** The reader wants to see a place of the program: it is selected, and has the focus. */
+  goTo(span: Span): void;
   /** The reader has chosen a stroke: its block is selected. */
   choose(stroke: Stroke, focus: 'focus' | 'keep-focus'): void;
   /** The reader has chosen a problem: its word is selected, its block and its stroke are marked. */

@@ -9,12 +9,14 @@
 import type { PartName } from '../../pkg/part-files.js';
 import type {
   Codes, Comparison, Diagnostic, Dimension, FileFormat, ProfileKind, Profiles, ReadAs, SetupOverview, FoundPiece, FoundPrograms, Palette, PictureName, Readout, Rewriting, SectionPiece, SetupAnswer, SetupForm, SetupGroup, SetupPlace, StepDirection,
-  StepUnit, StopSwitch, Stroke, Summary, Totals, Units,
+  StateHelp, StepUnit, StopSwitch, Stroke, Summary, Totals, Units, WordHelp,
 } from '../../pkg/gcode_playground.js';
 
 export type { Codes, Comparison, Diagnostic, Dimension, Palette, PictureName, Readout, Rewriting, SectionPiece, StepDirection, StepUnit, StopSwitch, Stroke, Summary, Totals, Units };
 export type { SetupOverview, FoundPiece, FoundPrograms, SetupAnswer, SetupForm, SetupGroup, SetupPlace };
 export type { ProfileKind, Profiles, ReadAs };
+export type { StateHelp, WordHelp };
+export type { HelpLine, StateRow } from '../../pkg/gcode_playground.js';
 export type { CodeRow, Edit, Fix, FoundProgram, ReadFact, Setting, SetupField, SetupState } from '../../pkg/gcode_playground.js';
 
 /** A size in CSS pixels and the device pixels each of them has. */
@@ -168,6 +170,8 @@ export interface Questions {
   /** What can be written as a cycle; offsets of the reader's selection. */
   rewritings: { ask: { readonly from: number; readonly to: number }; answer: readonly Rewriting[] };
   codes: { ask: undefined; answer: Codes };
+  /** What stands at an offset, and the state around its block: at one of the times it is carried out, or the usual one. */
+  help: { ask: { readonly offset: number; readonly time: number | undefined; readonly by: Asker; readonly state: boolean }; answer: Help | undefined };
   export: { ask: { readonly format: ExportFormat }; answer: Exported };
   /** The half-section of the part at the moment that is shown. */
   section: { ask: undefined; answer: readonly SectionPiece[] };
@@ -181,6 +185,16 @@ export interface Questions {
   'profiles-in': { ask: { readonly json: string }; answer: ProfilesRead };
   'profiles-of-run': { ask: { readonly json: string }; answer: Profiles };
   'with-profile': { ask: { readonly json: string; readonly kind: ProfileKind; readonly profile: string }; answer: string };
+}
+
+/** Who asks for help: a newer question takes the place of the one before of the same asker. */
+export type Asker = 'pointer' | 'cursor';
+
+/** Help at a place; `state` where it was asked for. */
+export interface Help {
+  readonly offset: number;
+  readonly word: WordHelp | undefined;
+  readonly state: StateHelp | undefined;
 }
 
 /** What of a setup can be kept under a name, or what is wrong with it. */
@@ -201,7 +215,7 @@ export type QuestionKind = keyof Questions;
  * others' hold as they are.
  */
 export const OF_THE_RUN = {
-  tokens: true, pick: true, play: true, seek: true, 'seek-block': true, step: true, 'go-to': true, strokes: true, readout: true, totals: true, expand: true, rewritings: true, section: true,
+  tokens: true, pick: true, play: true, seek: true, 'seek-block': true, step: true, 'go-to': true, strokes: true, readout: true, totals: true, expand: true, rewritings: true, section: true, help: true,
   dimension: true, 'read-setup': true, 'profiles-of-run': true,
   locate: false, codes: false, export: false, 'programs-in': false, 'pieces-of': false,
   'setup-form': false, 'another-tool': false, 'profiles-in': false, 'with-profile': false,

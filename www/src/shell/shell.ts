@@ -8,12 +8,12 @@
 import type { Language } from '../dom/language';
 import { words } from '../dom/words';
 import { isAnotherProgram } from '../editor/another-program';
-import type { ProgramContext } from '../editor/holder';
+import type { ProgramContext, Span } from '../editor/holder';
 import { Program } from '../editor/program';
 import { programText, type ProgramFile, type ProgramText } from '../editor/program-text';
 import { ALWAYS, PICTURES } from '../panels/index';
 import { REGIONS, type Control, type NewestQuestion, type Panel, type PanelKind, type Region, type Services, type Shell, type SwitchesSet } from '../panels/panel';
-import type { Answer, Command, Diagnostic, QuestionKind, Questions, Readout, Report, Stroke, Summary } from '../protocol/protocol';
+import type { Answer, Command, Diagnostic, QuestionKind, Questions, Readout, Report, Stroke, Summary, WordHelp } from '../protocol/protocol';
 import type { Heard } from '../worker/core-client';
 import { linesOf, oneOf, stepOf, FRAMES, SIDES } from './author';
 import { controlsOf, layout, SHOWN, type Layout, type Offered, type View } from './layout';
@@ -116,7 +116,11 @@ export class PlaygroundShell implements Shell {
         this.#runs.anotherProgram();
         this.#runIn(context, 'by-the-reader');
       },
-      cursorMoved: () => this.#runs.cursorMoved(),
+      cursorMoved: () => {
+        this.#runs.cursorMoved();
+        this.#tell((panel) => panel.cursorMoved?.());
+      },
+      wordAt: (offset) => this.#wordAt(offset),
       wanted: () => this.#tell((panel) => panel.programWanted?.()),
       settingChosen: (setting) => this.service('takeSetting')(setting),
       viewMoved: () => void this.#runs.askTokens(),
@@ -398,16 +402,39 @@ export class PlaygroundShell implements Shell {
     this.#runs.cameAtOnce();
   }
 
+  goTo(span: Span): void {
+    this.editor.select(span);
+    this.editor.focus();
+    this.#cursorPutAt(span.from);
+  }
+
   choose(stroke: Stroke, focus: 'focus' | 'keep-focus'): void {
     this.editor.select(stroke);
     if (focus === 'focus') this.editor.focus();
-    this.#runs.cursorAt(stroke.from);
+    this.#cursorPutAt(stroke.from);
     this.#events.fire('gcode-select', { stroke });
   }
 
   chooseProblem(problem: Diagnostic): void {
     this.editor.show(problem);
-    this.#runs.cursorAt(problem.from);
+    this.#cursorPutAt(problem.from);
+  }
+
+  async #wordAt(offset: number): Promise<WordHelp | undefined> {
+    const { revision } = this.editor;
+    // A run that begins meanwhile takes the answer away: the pointer still rests on the word.
+    for (let tries = 0; tries < 10 && this.editor.revision === revision; tries++) {
+      const help = await this.ask('help', { offset, time: undefined, by: 'pointer', state: false });
+      if (help !== undefined) return help.word;
+      await new Promise((done) => setTimeout(done, 100));
+    }
+    return undefined;
+  }
+
+  /** The page has moved the cursor for the reader. */
+  #cursorPutAt(offset: number): void {
+    this.#runs.cursorAt(offset);
+    this.#tell((panel) => panel.cursorMoved?.());
   }
 
   toolMoved(place: Readout | undefined): void {

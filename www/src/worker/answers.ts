@@ -6,6 +6,7 @@
 import { Playground } from '../../pkg/gcode_playground.js';
 import type { ProfilesRead, QuestionKind, Questions, WrittenOut } from '../protocol/protocol';
 import { exported } from './exports';
+import { help } from './help';
 import { piecesOf, programsIn } from './paste';
 import { toolAnswers } from './tool';
 
@@ -47,6 +48,8 @@ export const ANSWERS: { readonly [K in QuestionKind]: AnswerRow<K> } = {
   expand: { needs: ['machine', ...TOOLS], answer: writtenOut },
   rewritings: { needs: TOOLS, answer: (core, { from, to }) => core.rewritings(from, to) },
   codes: { needs: TOOLS, answer: (core) => core.codes() },
+  // A run that has not ended knows nothing of the blocks to come.
+  help: { needs: ['machine', ...TOOLS], waits: 'for-the-part', answer: help },
   // A file of a part of a program would pass for all of it.
   export: { needs: ['machine', 'tools', 'language'], waits: 'for-the-part', answer: (core, { format }) => exported(core, format) },
   section: { needs: IN_WORDS, answer: (core) => core.section() },

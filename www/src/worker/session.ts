@@ -8,6 +8,7 @@
 
 import { Drawn, type Playground } from '../../pkg/gcode_playground.js';
 import { ANSWERS, type AnswerRow } from './answers';
+import { forget } from './help';
 import { mayTellOfSwitches, SwitchFinder } from './switches-in-text';
 import {
   counts, type BeginRun, type Came, type Command, type Question, type QuestionKind, type Report, type RunEvent, type SessionEvent, type SwitchesInText, type TextChange, type TextCommand,
@@ -163,6 +164,7 @@ export class Session implements Waiter {
     clearTimeout(this.#rest);
     this.#stage = { kind: 'done' };
     this.#parts.leave(this);
+    forget(this.#core);
     this.#core.free();
   }
 

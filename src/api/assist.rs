@@ -1,0 +1,214 @@
+//! Help at a place of the program as rows of the page: the word there, and the state of the control.
+//!
+//! In: answers of `assist`, a language. Out: texts, with the UTF-16 offsets of the blocks they name.
+
+use serde::Serialize;
+#[cfg(target_arch = "wasm32")]
+use tsify::Tsify;
+
+use super::Places;
+use crate::assist::Asked;
+use crate::assist::fact::Fact;
+use crate::assist::hover::Hover;
+use crate::assist::state::{Frame, StateTable};
+use crate::motion::Motions;
+use crate::sentences::Language;
+use crate::sentences::assist::{Speaker, block_of};
+use crate::source::Span;
+use crate::units::Unit;
+
+/// The word at a place.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+#[cfg_attr(target_arch = "wasm32", derive(Tsify))]
+pub struct WordHelp {
+    /// UTF-16 offset of the word.
+    pub from: u32,
+    /// UTF-16 offset of its end.
+    pub to: u32,
+    /// The word, blanks left out.
+    pub word: String,
+    /// What it is.
+    pub title: String,
+    /// Its value with its unit.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(target_arch = "wasm32", tsify(optional))]
+    pub value: Option<String>,
+    /// What else is known, the most important first.
+    pub facts: Vec<HelpLine>,
+    /// Blocks that the word names: pairs of UTF-16 offsets.
+    pub marks: Vec<(u32, u32)>,
+}
+
+/// A sentence, and the block it names.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+#[cfg_attr(target_arch = "wasm32", derive(Tsify))]
+pub struct HelpLine {
+    /// The sentence.
+    pub text: String,
+    /// UTF-16 offset of the block.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(target_arch = "wasm32", tsify(optional))]
+    pub at: Option<u32>,
+}
+
+/// The state of the control before and after a block.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+#[cfg_attr(target_arch = "wasm32", derive(Tsify))]
+pub struct StateHelp {
+    /// Line of the block, from 1.
+    pub line: u32,
+    /// Which of the times the block is carried out, from 1; 0 where it never is, and all lists are empty.
+    pub number: u32,
+    /// How often it is carried out.
+    pub times: u32,
+    /// That a cycle reads it as a part of its contour.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(target_arch = "wasm32", tsify(optional))]
+    pub purpose: Option<&'static str>,
+    /// Where the tip stands: a row for each axis.
+    pub axes: Vec<StateRow>,
+    /// Spindle speed and cutting speed after the block, where they can be known.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(target_arch = "wasm32", tsify(optional))]
+    pub speeds: Option<String>,
+    /// What is in force.
+    pub rows: Vec<StateRow>,
+    /// The variables that have a value, those the block changes first.
+    pub variables: Vec<StateRow>,
+    /// Variables that are left out.
+    pub hidden: u32,
+    /// Calls and loops under way, the outermost first.
+    pub frames: Vec<HelpLine>,
+}
+
+/// What is in force before and after a block.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+#[cfg_attr(target_arch = "wasm32", derive(Tsify))]
+pub struct StateRow {
+    /// What it is of.
+    pub name: String,
+    /// Before the block.
+    pub before: String,
+    /// After it.
+    pub after: String,
+    /// The block changes it.
+    pub changed: bool,
+    /// Line of the block that set it, from 1; left out where it is as at the start.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(target_arch = "wasm32", tsify(optional))]
+    pub line: Option<u32>,
+    /// UTF-16 offset of that block.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(target_arch = "wasm32", tsify(optional))]
+    pub at: Option<u32>,
+}
+
+/// Whose rows they are.
+#[derive(Clone, Copy)]
+pub struct Reader<'a> {
+    /// The text.
+    pub places: Places<'a>,
+    /// Of the sentences.
+    pub language: Language,
+    /// Of lengths.
+    pub unit: Unit,
+}
+
+impl Reader<'_> {
+    /// What stands at a byte.
+    pub fn word(&self, asked: &Asked, byte: u32, notes: &[Span], motions: &Motions) -> Option<WordHelp> {
+        let hover = asked.hover(byte, notes, motions)?;
+        let (from, to) = self.places.offsets(hover.span);
+        let quoted = hover.span.quote(self.places.text);
+        let word = quoted.split_whitespace().collect::<Vec<_>>().join(" ");
+        let facts: Vec<_> = hover.facts.iter().map(|fact| self.line(fact)).collect();
+        let marks = hover.facts.iter().filter_map(|fact| match fact {
+            Fact::Contour(first, last) => Some(self.places.offsets(first.to(*last))),
+            _ => None,
+        });
+        let value = hover.quantity.map(|quantity| self.speak(|speaker| speaker.quantity(quantity)));
+        let value = value.filter(|value| *value != word);
+        Some(WordHelp { from, to, word, title: self.title(&hover), value, facts, marks: marks.collect() })
+    }
+
+    /// The state at the block.
+    pub fn state(&self, asked: &Asked) -> StateHelp {
+        let line = self.line_of(asked.block.span.start);
+        let Some(table) = asked.state() else {
+            return StateHelp {
+                line,
+                number: 0,
+                times: 0,
+                purpose: None,
+                axes: Vec::new(),
+                speeds: None,
+                rows: Vec::new(),
+                variables: Vec::new(),
+                hidden: 0,
+                frames: Vec::new(),
+            };
+        };
+        self.speak(|speaker| self.rows(line, &table, speaker))
+    }
+
+    fn rows(&self, line: u32, table: &StateTable, speaker: &Speaker) -> StateHelp {
+        let row = |name: String, before: String, after: String, since: Option<u32>| {
+            let changed = before != after;
+            let at = since.map(|byte| self.offset(byte));
+            StateRow { name, before, after, changed, line: since.map(|byte| self.line_of(byte)), at }
+        };
+        let axis = |own: &crate::assist::state::AxisRow| {
+            row(own.axis.to_string(), speaker.quantity(own.before), speaker.quantity(own.after), None)
+        };
+        let modal = |own: &crate::assist::state::Row| {
+            let name = own.modal.name(self.language).to_owned();
+            row(name, speaker.in_force(&own.before), speaker.in_force(&own.after), own.since)
+        };
+        let variable = |own: &crate::assist::state::VariableRow| {
+            let name = format!("#{}", own.number);
+            row(name, speaker.variable(own.before), speaker.variable(own.after), own.since)
+        };
+        let frame = |own: &Frame| {
+            let (Frame::Call { head, .. } | Frame::Loop { head, .. }) = *own;
+            HelpLine { text: speaker.frame(own), at: Some(self.offset(head)) }
+        };
+        StateHelp {
+            line,
+            number: table.number,
+            times: table.times,
+            purpose: table.purpose.map(|purpose| speaker.purpose(purpose)),
+            axes: table.axes.iter().map(axis).collect(),
+            speeds: table.speeds.map(|(speed, cutting)| {
+                format!("{}, {}", speaker.quantity(speed), speaker.quantity(cutting))
+            }),
+            rows: table.rows.iter().map(modal).collect(),
+            variables: table.variables.iter().map(variable).collect(),
+            hidden: u32::try_from(table.variables_hidden).unwrap_or(u32::MAX),
+            frames: table.frames.iter().map(frame).collect(),
+        }
+    }
+
+    fn title(&self, hover: &Hover) -> String {
+        let role = hover.role.map(|role| role.words(self.language));
+        let words = role.or(hover.function.map(|function| function.describe(self.language)));
+        words.unwrap_or_default().to_owned()
+    }
+
+    fn line(&self, fact: &Fact) -> HelpLine {
+        let at = block_of(fact).map(|byte| self.offset(byte));
+        HelpLine { text: self.speak(|speaker| speaker.fact(fact)), at }
+    }
+
+    fn speak<R>(&self, say: impl FnOnce(&Speaker) -> R) -> R {
+        let line_of = |byte: u32| self.line_of(byte);
+        say(&Speaker { language: self.language, unit: self.unit, line_of: &line_of })
+    }
+
+    fn line_of(&self, byte: u32) -> u32 {
+        self.places.lines.line_of(byte) + 1
+    }
+
+    fn offset(&self, byte: u32) -> u32 {
+        self.places.lines.utf16_offset(self.places.text, byte)
+    }
+}

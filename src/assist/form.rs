@@ -1,0 +1,139 @@
+//! What the words of a block belong to: a move, a cycle and which of its blocks, a call.
+//!
+//! In: a block, the state before it, the codes of the control. Out: its [`Form`]. Decided as `control::interpreter` does.
+
+use crate::control::codes::{self, G, Hole, M, MotionMode, Multiple};
+use crate::control::modal::State;
+use crate::control::words::plain;
+use crate::setup::dialect::CodeList;
+use crate::text::block::{Block, Value, Word};
+
+/// Which block of a multiple cycle it is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Half {
+    /// The one that sets the amounts.
+    First,
+    /// The one that cuts.
+    Second,
+    /// Both in one, as older controls write it.
+    Whole,
+}
+
+/// What the words of a block belong to.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Form {
+    /// A move, or a pass of a single cycle, by group 01. `own`: the code stands in the block.
+    Motion {
+        /// The code in force.
+        mode: MotionMode,
+        /// It stands in the block.
+        own: bool,
+    },
+    /// A hole cycle.
+    Hole {
+        /// The cycle.
+        hole: Hole,
+        /// It stands in the block.
+        own: bool,
+    },
+    /// G70 to G76.
+    Multiple(Multiple, Half),
+    /// A one-shot code.
+    OneShot(G),
+    /// G65, G66.
+    MacroCall,
+    /// M97, M98, M99, M198.
+    Call(M),
+    /// A macro statement.
+    Macro,
+    /// Nothing that could be carried out.
+    Nothing,
+}
+
+impl Form {
+    /// The form of a block that is carried out from a state.
+    pub fn of(block: &Block, state: &State, list: CodeList) -> Self {
+        if block.kind == crate::text::block::BlockKind::Macro {
+            return Self::Macro;
+        }
+        if block.words.is_empty() {
+            return Self::Nothing;
+        }
+        let (mut motion, mut hole, mut one_shot, mut off) = (None, None, None, false);
+        for word in &block.words {
+            match g_of(word, list) {
+                Some(G::MacroCall(_)) => return Self::MacroCall,
+                Some(G::Motion(mode)) => (motion, off) = (Some(mode), true),
+                Some(G::Hole(own)) => hole = Some(own),
+                Some(G::NoHole) => off = true,
+                Some(
+                    code @ (G::Dwell
+                    | G::CheckHome
+                    | G::Home
+                    | G::FromHome
+                    | G::OtherHome
+                    | G::Machine
+                    | G::Data
+                    | G::Setting
+                    | G::LocalFrame
+                    | G::ExtendedFrame
+                    | G::Polar(_)
+                    | G::Cylinder
+                    | G::Multiple(_)
+                    | G::NotSupported),
+                ) => one_shot = Some(code),
+                _ => {}
+            }
+        }
+        let call = block.words.iter().find_map(|word| m_of(word).filter(|code| is_call(*code)));
+        match (one_shot, hole, call) {
+            (Some(G::Multiple(cycle)), ..) => Self::Multiple(cycle, half(cycle, block)),
+            (Some(code), ..) => Self::OneShot(code),
+            (None, Some(hole), _) => Self::Hole { hole, own: true },
+            (None, None, Some(call)) => Self::Call(call),
+            (None, None, None) => match state.hole.filter(|_| !off) {
+                Some(memory) => Self::Hole { hole: memory.kind, own: false },
+                None => Self::Motion { mode: motion.unwrap_or(state.motion), own: motion.is_some() },
+            },
+        }
+    }
+}
+
+/// What the G word of a list asks for.
+pub fn g_of(word: &Word, list: CodeList) -> Option<G> {
+    let Value::Number { number, .. } = word.value else { return None };
+    let key = number.tenths().filter(|_| word.address == b'G' && !word.comma)?;
+    codes::g_code(key, list).map(|found| found.code)
+}
+
+/// What an M word asks for.
+pub fn m_of(word: &Word) -> Option<M> {
+    let number =
+        plain(word).filter(|number| word.address == b'M' && *number >= 0.0 && number.fract() == 0.0)?;
+    codes::m_code(number as u64)
+}
+
+fn is_call(code: M) -> bool {
+    matches!(code, M::Call | M::LocalCall | M::Return)
+}
+
+/// Which block of a multiple cycle it is, by its words.
+fn half(cycle: Multiple, block: &Block) -> Half {
+    let has = |letters: &[u8]| block.words.iter().any(|word| !word.comma && letters.contains(&word.address));
+    let cuts = match cycle {
+        Multiple::Finishing => true,
+        Multiple::RoughTurning | Multiple::RoughFacing | Multiple::Pattern => has(b"PQ"),
+        Multiple::FacePecking | Multiple::Grooving | Multiple::Threading => has(b"XZUW"),
+    };
+    let is_whole = match cycle {
+        Multiple::Finishing => false,
+        Multiple::RoughTurning | Multiple::RoughFacing | Multiple::Pattern => has(b"D"),
+        Multiple::FacePecking | Multiple::Grooving => has(b"IK"),
+        Multiple::Threading => has(b"K"),
+    };
+    match (cuts, is_whole) {
+        (false, _) => Half::First,
+        (true, false) => Half::Second,
+        (true, true) => Half::Whole,
+    }
+}

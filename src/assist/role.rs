@@ -1,0 +1,327 @@
+//! What a word is in its block: the first depth of cut, a coordinate of the end point, an argument.
+//!
+//! In: a word and the form of its block. Out: its [`Role`]. A role without a text in one of the languages does not
+//! build (`sentences::assist`).
+
+use super::form::{Form, Half};
+use crate::control::codes::{G, Hole, M, MotionMode, Multiple, Plane, Switch};
+use crate::cycles::single::Single;
+use crate::motion::{SpindleTurn, StopKind};
+use crate::setup::dialect::FeedMode;
+use crate::text::block::Word;
+use crate::units::Unit;
+
+/// Lists the roles once, for the enum and for the tests of all of them.
+macro_rules! roles {
+    ($($name:ident)+) => {
+        /// What a word is in its block, or which of several things its code means.
+        #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+        #[allow(missing_docs, reason = "sentences::assist says what each is")]
+        pub enum Role { $($name),+ }
+
+        impl Role {
+            /// All of them.
+            pub const ALL: &[Self] = &[$(Self::$name),+];
+        }
+    };
+}
+
+roles! {
+    // Numbers and marks
+    ProgramNumber SequenceNumber BlockSkip Percent Comment SetupNote MacroStatement Variable
+    // Codes that stand in a row with others
+    InchInput MetricInput FeedPerMinute FeedPerTurn SpindleForward SpindleReverse SpindleStop LiveTool PlaneXy PlaneZx
+    PlaneYz Absolute Incremental InitialLevel RPointLevel ProgramStop OptionalStop CAxisOn CAxisOff PullOutOn PullOutOff
+    DataInput DataEnd MacroOnce MacroModal MacroOff WorkFrame UnknownCode
+    // Places and ways
+    EndX EndZ EndC EndY WayX WayZ WayC WayY ViaX ViaZ ViaC ViaWayX ViaWayZ MachineX MachineZ OriginX OriginZ ShiftX ShiftZ LocalX LocalZ
+    // Corners and arcs
+    Chamfer Rounding LineAngle ArcRadius ArcCenterX ArcCenterZ CornerX CornerZ
+    // Feed, speed, tool
+    Feed Lead LeadChange ThreadsPerInch StartAngle SpindleSpeed CuttingSpeed HighestSpeed LowestSpeed ToolAndOffset
+    DwellSeconds DwellMilliseconds
+    // Single cycles
+    CycleEndX CycleEndZ CycleWayX CycleWayZ TaperX TaperZ Starts PullOutAcross PullOutAlong
+    // Cycles along a contour
+    ContourFirst ContourLast PassDepth PassDepthZ Escape AllowanceX AllowanceZ ReliefX ReliefZ PatternPasses FinishAfter
+    // Pecking
+    PeckRetract PeckEndX PeckEndZ PeckWayX PeckWayZ Peck StepOver BottomRelief
+    // Threading
+    ThreadPacked LeastDepth ThreadAllowance ThreadEndX ThreadEndZ ThreadWayX ThreadWayZ ThreadTaper ThreadHeight
+    FirstDepth InfeedMethod ThreadAngle
+    // Holes
+    HoleEndX HoleEndZ HoleWayX HoleWayZ HolePlaceX HolePlaceZ HoleAngle RPoint HolePeck HoleDwell Repeats
+    // Data, frames, references
+    DataNumber DataKind DataValue DataRadius DataTip ReferencePoint FrameNumber CylinderRadius
+    // Calls
+    CalledProgram CalledSequence CallRepeats BeginsAt ReturnsTo Argument
+    // The rest
+    Ignored
+}
+
+impl Role {
+    /// What an M code means, where it stands in a row with others.
+    pub fn of_m(code: M) -> Option<Self> {
+        Some(match code {
+            M::Pause(StopKind::Always) => Self::ProgramStop,
+            M::Pause(StopKind::Optional) => Self::OptionalStop,
+            M::Spindle(SpindleTurn::Forward) => Self::SpindleForward,
+            M::Spindle(SpindleTurn::Reverse) => Self::SpindleReverse,
+            M::Spindle(SpindleTurn::Stopped) => Self::SpindleStop,
+            M::LiveTool => Self::LiveTool,
+            M::CAxis(Switch::On) => Self::CAxisOn,
+            M::CAxis(Switch::Off) => Self::CAxisOff,
+            M::ThreadPullOut(Switch::On) => Self::PullOutOn,
+            M::ThreadPullOut(Switch::Off) => Self::PullOutOff,
+            M::End | M::Idle | M::Call | M::LocalCall | M::Return => return None,
+        })
+    }
+
+    /// What a G code means, where it stands in a row with others.
+    pub fn of_g(code: G) -> Option<Self> {
+        use crate::control::codes::{HoleReturn, MacroCall};
+        Some(match code {
+            G::Unit(Unit::Inch) => Self::InchInput,
+            G::Unit(Unit::Millimetre) => Self::MetricInput,
+            G::Feed(FeedMode::PerMinute) => Self::FeedPerMinute,
+            G::Feed(FeedMode::PerTurn) => Self::FeedPerTurn,
+            G::Plane(Plane::Xy) => Self::PlaneXy,
+            G::Plane(Plane::Zx) => Self::PlaneZx,
+            G::Plane(Plane::Yz) => Self::PlaneYz,
+            G::Distance { incremental: false } => Self::Absolute,
+            G::Distance { incremental: true } => Self::Incremental,
+            G::HoleReturn(HoleReturn::Initial) => Self::InitialLevel,
+            G::HoleReturn(HoleReturn::RPoint) => Self::RPointLevel,
+            G::MacroCall(MacroCall::Once) => Self::MacroOnce,
+            G::MacroCall(MacroCall::Modal) => Self::MacroModal,
+            G::NoModalMacro => Self::MacroOff,
+            G::Data => Self::DataInput,
+            G::EndOfData => Self::DataEnd,
+            G::Frame(_) => Self::WorkFrame,
+            _ => return None,
+        })
+    }
+
+    /// What a word other than of G, M, N and O is in a block of a form. `surface`: S counts as a cutting speed there;
+    /// `c_axis`: a C word is an axis.
+    pub fn of(word: &Word, form: Form, surface: bool, c_axis: bool) -> Self {
+        let letter = word.address;
+        match (letter, word.comma, form) {
+            (_, _, Form::MacroCall) if !matches!(letter, b'P' | b'L') => return Self::Argument,
+            (b'C', true, _) => return Self::Chamfer,
+            (b'R', true, _) => return Self::Rounding,
+            (b'A', true, _) => return Self::LineAngle,
+            (_, true, _) => return Self::Ignored,
+            (b'T', ..) => return Self::ToolAndOffset,
+            (b'S', _, Form::OneShot(G::Setting)) => return Self::HighestSpeed,
+            (b'Q', _, Form::OneShot(G::Setting)) => return Self::LowestSpeed,
+            (b'S', ..) if surface => return Self::CuttingSpeed,
+            (b'S', ..) => return Self::SpindleSpeed,
+            _ => {}
+        }
+        match form {
+            Form::Motion { mode, .. } => of_motion(letter, mode, c_axis),
+            Form::Hole { hole, .. } => of_hole(letter, hole),
+            Form::Multiple(cycle, half) => of_multiple(letter, cycle, half),
+            Form::OneShot(code) => of_one_shot(letter, code),
+            Form::MacroCall => {
+                if letter == b'P' {
+                    Self::CalledProgram
+                } else {
+                    Self::CallRepeats
+                }
+            }
+            Form::Call(call) => of_call(letter, call),
+            Form::Macro | Form::Nothing => Self::Ignored,
+        }
+    }
+}
+
+fn of_motion(letter: u8, mode: MotionMode, c_axis: bool) -> Role {
+    let threads = matches!(
+        mode,
+        MotionMode::Thread
+            | MotionMode::VariableThread
+            | MotionMode::Tapping
+            | MotionMode::Cycle(Single::Threading)
+    );
+    match (letter, mode) {
+        (b'F' | b'E', _) if threads => return Role::Lead,
+        (b'I', MotionMode::Thread | MotionMode::Tapping) => return Role::ThreadsPerInch,
+        (b'Q', _) if threads => return Role::StartAngle,
+        (b'K', MotionMode::VariableThread) => return Role::LeadChange,
+        (b'F', _) => return Role::Feed,
+        _ => {}
+    }
+    match mode {
+        MotionMode::Cycle(cycle) => match (letter, cycle) {
+            (b'X', _) => Role::CycleEndX,
+            (b'Z', _) => Role::CycleEndZ,
+            (b'U', _) => Role::CycleWayX,
+            (b'W', _) => Role::CycleWayZ,
+            (b'R', Single::Turning | Single::Threading) | (b'I', Single::Turning) => Role::TaperX,
+            (b'R' | b'K', Single::Facing) => Role::TaperZ,
+            (b'I', Single::Threading) => Role::ThreadsPerInch,
+            (b'L', Single::Threading) => Role::Starts,
+            (b'J', Single::Threading) => Role::PullOutAcross,
+            (b'K', Single::Threading) => Role::PullOutAlong,
+            _ => Role::Ignored,
+        },
+        MotionMode::Arc(_) => match letter {
+            b'R' => Role::ArcRadius,
+            b'I' => Role::ArcCenterX,
+            b'K' => Role::ArcCenterZ,
+            _ => of_place(letter),
+        },
+        MotionMode::Line => match letter {
+            b'C' if !c_axis => Role::Chamfer,
+            b'R' => Role::Rounding,
+            b'L' => Role::Chamfer,
+            b'D' => Role::Rounding,
+            b'I' => Role::CornerX,
+            b'K' => Role::CornerZ,
+            b'A' => Role::LineAngle,
+            _ => of_place(letter),
+        },
+        MotionMode::Rapid | MotionMode::Thread | MotionMode::VariableThread | MotionMode::Tapping => {
+            match letter {
+                b'J' if threads => Role::PullOutAcross,
+                b'K' if threads => Role::PullOutAlong,
+                _ => of_place(letter),
+            }
+        }
+    }
+}
+
+/// A coordinate of the end point.
+fn of_place(letter: u8) -> Role {
+    match letter {
+        b'X' => Role::EndX,
+        b'Z' => Role::EndZ,
+        b'C' => Role::EndC,
+        b'Y' => Role::EndY,
+        b'U' => Role::WayX,
+        b'W' => Role::WayZ,
+        b'H' => Role::WayC,
+        b'V' => Role::WayY,
+        _ => Role::Ignored,
+    }
+}
+
+fn of_multiple(letter: u8, cycle: Multiple, half: Half) -> Role {
+    let (first, whole) = (half == Half::First, half == Half::Whole);
+    if letter == b'F' {
+        return if cycle == Multiple::Threading { Role::Lead } else { Role::Feed };
+    }
+    match (cycle, letter) {
+        (Multiple::Finishing | Multiple::RoughTurning | Multiple::RoughFacing | Multiple::Pattern, b'P') => {
+            Role::ContourFirst
+        }
+        (Multiple::Finishing | Multiple::RoughTurning | Multiple::RoughFacing | Multiple::Pattern, b'Q') => {
+            Role::ContourLast
+        }
+        (Multiple::RoughTurning, b'U') if first => Role::PassDepth,
+        (Multiple::RoughFacing, b'W') if first => Role::PassDepthZ,
+        (Multiple::RoughTurning | Multiple::RoughFacing, b'R') if first => Role::Escape,
+        (Multiple::Pattern, b'U') if first => Role::ReliefX,
+        (Multiple::Pattern, b'W') if first => Role::ReliefZ,
+        (Multiple::Pattern, b'R') if first => Role::PatternPasses,
+        (Multiple::RoughTurning | Multiple::RoughFacing | Multiple::Pattern, b'U') if !first => {
+            Role::AllowanceX
+        }
+        (Multiple::RoughTurning | Multiple::RoughFacing | Multiple::Pattern, b'W') if !first => {
+            Role::AllowanceZ
+        }
+        (Multiple::RoughTurning, b'D') if whole => Role::PassDepth,
+        (Multiple::RoughFacing, b'D') if whole => Role::PassDepthZ,
+        (Multiple::RoughTurning | Multiple::RoughFacing, b'J') if !first => Role::FinishAfter,
+        (Multiple::Pattern, b'D') if whole => Role::PatternPasses,
+        (Multiple::Pattern, b'I') if whole => Role::ReliefX,
+        (Multiple::Pattern, b'K') if whole => Role::ReliefZ,
+        (Multiple::FacePecking | Multiple::Grooving, b'R') if first => Role::PeckRetract,
+        (Multiple::FacePecking | Multiple::Grooving, b'X') => Role::PeckEndX,
+        (Multiple::FacePecking | Multiple::Grooving, b'Z') => Role::PeckEndZ,
+        (Multiple::FacePecking | Multiple::Grooving, b'U') => Role::PeckWayX,
+        (Multiple::FacePecking | Multiple::Grooving, b'W') => Role::PeckWayZ,
+        (Multiple::FacePecking, b'Q' | b'K') | (Multiple::Grooving, b'P' | b'I') => Role::Peck,
+        (Multiple::FacePecking, b'P' | b'I') | (Multiple::Grooving, b'Q' | b'K') => Role::StepOver,
+        (Multiple::FacePecking | Multiple::Grooving, b'R' | b'D') => Role::BottomRelief,
+        (Multiple::Threading, b'P') if first => Role::ThreadPacked,
+        (Multiple::Threading, b'Q') if first => Role::LeastDepth,
+        (Multiple::Threading, b'R') if first => Role::ThreadAllowance,
+        (Multiple::Threading, b'X') => Role::ThreadEndX,
+        (Multiple::Threading, b'Z') => Role::ThreadEndZ,
+        (Multiple::Threading, b'U') => Role::ThreadWayX,
+        (Multiple::Threading, b'W') => Role::ThreadWayZ,
+        (Multiple::Threading, b'R') | (Multiple::Threading, b'I') if !first => Role::ThreadTaper,
+        (Multiple::Threading, b'P') if !whole => Role::ThreadHeight,
+        (Multiple::Threading, b'Q') if !whole => Role::FirstDepth,
+        (Multiple::Threading, b'K') => Role::ThreadHeight,
+        (Multiple::Threading, b'D') => Role::FirstDepth,
+        (Multiple::Threading, b'A') => Role::ThreadAngle,
+        (Multiple::Threading, b'P') => Role::InfeedMethod,
+        (Multiple::Threading, b'L') => Role::Starts,
+        _ => Role::Ignored,
+    }
+}
+
+fn of_hole(letter: u8, hole: Hole) -> Role {
+    match (letter, hole.is_face()) {
+        (b'F', _) => Role::Feed,
+        (b'R', _) => Role::RPoint,
+        (b'Q', _) => Role::HolePeck,
+        (b'P', _) => Role::HoleDwell,
+        (b'K', _) => Role::Repeats,
+        (b'C' | b'H', _) => Role::HoleAngle,
+        (b'Z', true) => Role::HoleEndZ,
+        (b'W', true) => Role::HoleWayZ,
+        (b'X', false) => Role::HoleEndX,
+        (b'U', false) => Role::HoleWayX,
+        (b'X' | b'U', true) => Role::HolePlaceX,
+        (b'Z' | b'W', false) => Role::HolePlaceZ,
+        _ => Role::Ignored,
+    }
+}
+
+fn of_one_shot(letter: u8, code: G) -> Role {
+    match (code, letter) {
+        (G::Dwell, b'X' | b'U') => Role::DwellSeconds,
+        (G::Dwell, b'P') => Role::DwellMilliseconds,
+        (G::OtherHome, b'P') => Role::ReferencePoint,
+        (G::Home | G::OtherHome | G::CheckHome | G::FromHome, b'X') => Role::ViaX,
+        (G::Home | G::OtherHome | G::CheckHome | G::FromHome, b'Z') => Role::ViaZ,
+        (G::Home | G::OtherHome | G::CheckHome | G::FromHome, b'C' | b'H') => Role::ViaC,
+        (G::Home | G::OtherHome | G::CheckHome | G::FromHome, b'U') => Role::ViaWayX,
+        (G::Home | G::OtherHome | G::CheckHome | G::FromHome, b'W') => Role::ViaWayZ,
+        (G::Machine, b'X') => Role::MachineX,
+        (G::Machine, b'Z') => Role::MachineZ,
+        (G::Setting, b'X') => Role::OriginX,
+        (G::Setting, b'Z') => Role::OriginZ,
+        (G::Setting, b'U') => Role::ShiftX,
+        (G::Setting, b'W') => Role::ShiftZ,
+        (G::LocalFrame, b'X') => Role::LocalX,
+        (G::LocalFrame, b'Z') => Role::LocalZ,
+        (G::ExtendedFrame, b'P') => Role::FrameNumber,
+        (G::ExtendedFrame, _) => of_place(letter),
+        (G::Data, b'P') => Role::DataNumber,
+        (G::Data, b'L') => Role::DataKind,
+        (G::Data, b'R' | b'C') => Role::DataRadius,
+        (G::Data, b'Q') => Role::DataTip,
+        (G::Data, b'X' | b'Z' | b'U' | b'W' | b'Y') => Role::DataValue,
+        (G::Cylinder, b'C' | b'H') => Role::CylinderRadius,
+        (_, b'F') => Role::Feed,
+        _ => Role::Ignored,
+    }
+}
+
+fn of_call(letter: u8, call: M) -> Role {
+    match (call, letter) {
+        (M::Call, b'P') => Role::CalledProgram,
+        (M::LocalCall, b'P') => Role::CalledSequence,
+        (M::Return, b'P') => Role::ReturnsTo,
+        (_, b'L') => Role::CallRepeats,
+        (M::Call, b'Q') => Role::BeginsAt,
+        (_, b'F') => Role::Feed,
+        _ => of_place(letter),
+    }
+}

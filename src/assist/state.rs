@@ -1,0 +1,349 @@
+//! The state of the control before and after a block: what is in force, and which block set it.
+//!
+//! In: a block as it was carried out. Out: rows in the order they are shown, with what the block changed.
+
+use super::Asked;
+use super::fact::Quantity;
+use super::hover::{code_in_force, feed_of};
+use super::role::Role;
+use crate::control::codes::{self, Function, G, Switch};
+use crate::control::contour::Purpose;
+use crate::control::macros::{Found, LOCALS};
+use crate::control::modal::{State, Target};
+use crate::control::origins::Modal;
+use crate::control::program::{Call, CallKind};
+use crate::geometry::Point;
+use crate::geometry::virtual_plane::Surface;
+use crate::motion::SpindleTurn;
+use crate::playback::timing;
+use crate::run::replay::{Moment, Visit};
+use crate::setup::dialect::{CodeList, GSystem};
+use crate::units::Diameter;
+
+/// A value that is in force.
+#[derive(Clone, Debug, PartialEq)]
+pub enum InForce {
+    /// A code, as the control writes it, and its row of the table of codes.
+    Code(String, Option<Function>, Option<Role>),
+    /// A number.
+    Quantity(Quantity),
+    /// Two of them: of X and Z.
+    Pair(Quantity, Quantity),
+    /// A tool: turret station and number of the offset.
+    Tool(u16, u16),
+    /// Something with a name of its own.
+    Role(Role),
+    /// Nothing so far.
+    Nothing,
+}
+
+/// A row: what is in force before and after a block.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Row {
+    /// What it is of.
+    pub modal: Modal,
+    /// Before the block.
+    pub before: InForce,
+    /// After it.
+    pub after: InForce,
+    /// The block that set what is in force after it, by its first byte; `None`: it is as at power-on.
+    pub since: Option<u32>,
+}
+
+/// Where the tip stands along an axis.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct AxisRow {
+    /// `X`, `Z`, `C`.
+    pub axis: char,
+    /// Before the block.
+    pub before: Quantity,
+    /// After it.
+    pub after: Quantity,
+    /// The way between them, in the same measure.
+    pub way: Quantity,
+}
+
+/// A macro variable.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct VariableRow {
+    /// Its number.
+    pub number: u32,
+    /// Before the block; `None`: vacant.
+    pub before: Option<f64>,
+    /// After it.
+    pub after: Option<f64>,
+    /// The block that gave it its value, by its first byte.
+    pub since: Option<u32>,
+}
+
+/// A call or a loop under way.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Frame {
+    /// A program that was called.
+    Call {
+        /// How.
+        kind: CallKind,
+        /// First byte of its first block.
+        head: u32,
+        /// First byte of the calling block.
+        caller: u32,
+        /// How often it is still run, this time included.
+        rounds_left: u32,
+    },
+    /// A loop.
+    Loop {
+        /// m of its DO.
+        number: u32,
+        /// First byte of its first block.
+        head: u32,
+    },
+}
+
+/// The state of the control at a block.
+#[derive(Clone, Debug, PartialEq)]
+pub struct StateTable {
+    /// Which of the times the block is carried out.
+    pub number: u32,
+    /// How often it is carried out.
+    pub times: u32,
+    /// Which cycle reads it as a part of its contour.
+    pub purpose: Option<Purpose>,
+    /// Where the tip stands.
+    pub axes: Vec<AxisRow>,
+    /// Spindle speed and cutting speed after the block, where they can be known.
+    pub speeds: Option<(Quantity, Quantity)>,
+    /// What is in force.
+    pub rows: Vec<Row>,
+    /// Variables that have a value before or after the block.
+    pub variables: Vec<VariableRow>,
+    /// Variables beyond those shown.
+    pub variables_hidden: usize,
+    /// Calls and loops under way, the outermost first.
+    pub frames: Vec<Frame>,
+}
+
+/// Most variables that are shown.
+const VARIABLES: usize = 200;
+
+impl Asked<'_> {
+    /// The state before and after the block; `None` where it is never carried out.
+    pub fn state(&self) -> Option<StateTable> {
+        let visit = self.visit?;
+        let (before, after) = (&visit.before, &visit.after);
+        let rows = Modal::ALL.iter().filter_map(|&modal| self.row(modal, before, after)).collect();
+        let (variables, variables_hidden) = variables(visit);
+        Some(StateTable {
+            number: visit.number,
+            times: self.times,
+            purpose: visit.purpose,
+            axes: axes(&before.state, &after.state),
+            speeds: self.speeds(&after.state),
+            rows,
+            variables,
+            variables_hidden,
+            frames: frames(&before.state),
+        })
+    }
+
+    fn row(&self, modal: Modal, before: &Moment, after: &Moment) -> Option<Row> {
+        let [was, is] = [before, after].map(|moment| in_force(modal, &moment.state, self.codes));
+        let since = after.origins.since(modal);
+        // What no program has touched, and few know, would only be in the way.
+        let is_shown = is_always_shown(modal, self.dialect.g_system)
+            || (since.is_some() && is != InForce::Nothing)
+            || before.origins.since(modal).is_some() && was != InForce::Nothing
+            || goes_with(modal).is_some_and(|other| after.origins.since(other).is_some());
+        is_shown.then_some(Row { modal, before: was, after: is, since })
+    }
+
+    fn speeds(&self, state: &State) -> Option<(Quantity, Quantity)> {
+        let x = state.position.x;
+        let speed = timing::speed_at(&state.process(), &self.setup.machine, x)?;
+        Some((Quantity::Speed(speed), Quantity::CuttingSpeed(timing::surface_speed(speed, x))))
+    }
+}
+
+/// What is shown wherever another one of the same cycle is.
+fn goes_with(modal: Modal) -> Option<Modal> {
+    match modal {
+        Modal::Escape => Some(Modal::Depth),
+        Modal::ThreadFinishing | Modal::ThreadAngle | Modal::ThreadAllowance => Some(Modal::ThreadLeast),
+        _ => None,
+    }
+}
+
+/// What is shown of every program.
+fn is_always_shown(modal: Modal, system: GSystem) -> bool {
+    match modal {
+        Modal::Motion
+        | Modal::FeedMode
+        | Modal::Feed
+        | Modal::SpeedMode
+        | Modal::Speed
+        | Modal::SpindleTurn
+        | Modal::Tool
+        | Modal::Compensation
+        | Modal::Frame
+        | Modal::Unit => true,
+        Modal::Distance => system != GSystem::A,
+        _ => false,
+    }
+}
+
+fn in_force(modal: Modal, state: &State, list: CodeList) -> InForce {
+    let (cycle, multiple) = (&state.memory, &state.parameters);
+    let length = |length: f64| InForce::Quantity(Quantity::Length(length));
+    let optional = |value: Option<f64>| value.map_or(InForce::Nothing, length);
+    match modal {
+        Modal::Motion => code(G::Motion(state.motion), list),
+        Modal::FeedMode => code(G::Feed(state.feed_mode), list),
+        Modal::SpeedMode if state.spindle.surface => code(G::SurfaceSpeed, list),
+        Modal::SpeedMode => code(G::ConstantSpeed, list),
+        Modal::Compensation => code(G::Compensation(state.compensation), list),
+        Modal::Unit => code(G::Unit(state.unit), list),
+        Modal::Distance => code(G::Distance { incremental: state.incremental }, list),
+        Modal::Plane => code(G::Plane(state.plane), list),
+        Modal::Hole => state.hole.map_or(InForce::Nothing, |memory| code(G::Hole(memory.kind), list)),
+        Modal::HoleReturn => code(G::HoleReturn(state.hole_return), list),
+        Modal::Frame => match code_in_force(modal, state, list) {
+            Some(text) => InForce::Code(text, Some(Function::Frame), Some(Role::WorkFrame)),
+            None => InForce::Nothing,
+        },
+        Modal::Zero => {
+            let zero = state.frames.offset();
+            InForce::Pair(Quantity::Diameter(Diameter::from_radius(zero.x)), Quantity::Length(zero.z))
+        }
+        Modal::Interpolation => match state.virtual_plane {
+            Some(plane) if plane.surface == Surface::Face => code(G::Polar(Switch::On), list),
+            Some(_) => code(G::Cylinder, list),
+            None => InForce::Nothing,
+        },
+        Modal::ModalMacro if state.call_stack.modal.is_some() => InForce::Role(Role::MacroModal),
+        Modal::ModalMacro => InForce::Nothing,
+        Modal::Feed => feed_of(state).map_or(InForce::Nothing, InForce::Quantity),
+        Modal::Speed if state.spindle.surface => {
+            InForce::Quantity(Quantity::CuttingSpeed(state.spindle.cutting_speed))
+        }
+        Modal::Speed => InForce::Quantity(Quantity::Speed(state.spindle.rpm)),
+        Modal::HighestSpeed => speed(state.spindle.highest),
+        Modal::LowestSpeed => speed(state.spindle.lowest),
+        Modal::SpindleTurn => InForce::Role(match state.spindle.turn {
+            SpindleTurn::Stopped => Role::SpindleStop,
+            SpindleTurn::Forward => Role::SpindleForward,
+            SpindleTurn::Reverse => Role::SpindleReverse,
+        }),
+        Modal::LiveTool if state.spindle.live_tool => InForce::Role(Role::LiveTool),
+        Modal::LiveTool => InForce::Nothing,
+        Modal::Tool if state.tool == (0, 0) => InForce::Nothing,
+        Modal::Tool => InForce::Tool(state.tool.0, state.tool.1),
+        Modal::CAxis => InForce::Role(if state.c_axis { Role::CAxisOn } else { Role::CAxisOff }),
+        Modal::ThreadPullOut => {
+            InForce::Role(if state.thread_chamfer_on { Role::PullOutOn } else { Role::PullOutOff })
+        }
+        Modal::CycleX => target(cycle.x, true),
+        Modal::CycleZ => target(cycle.z, false),
+        Modal::CycleTaper if cycle.taper == 0.0 => InForce::Nothing,
+        Modal::CycleTaper => length(cycle.taper),
+        Modal::Depth => optional(multiple.depth),
+        Modal::Escape => length(multiple.escape),
+        Modal::Relief => multiple.relief.map_or(InForce::Nothing, |relief: Point| {
+            InForce::Pair(Quantity::Length(relief.x), Quantity::Length(relief.z))
+        }),
+        Modal::PatternPasses => multiple
+            .pattern_passes
+            .map_or(InForce::Nothing, |count| InForce::Quantity(Quantity::Count(count))),
+        Modal::Retract => length(multiple.retract),
+        Modal::ThreadFinishing => InForce::Quantity(Quantity::Count(f64::from(multiple.finishing))),
+        Modal::ThreadAngle => InForce::Quantity(Quantity::Degrees(multiple.angle)),
+        Modal::ThreadLeast => optional(multiple.least_amount.map(|amount| amount.in_increments)),
+        Modal::ThreadAllowance => length(multiple.thread_allowance),
+    }
+}
+
+fn code(code: G, list: CodeList) -> InForce {
+    match codes::written(code, list) {
+        Some(text) => {
+            let function = codes::function_of(code);
+            InForce::Code(text, function, Role::of_g(code))
+        }
+        None => InForce::Nothing,
+    }
+}
+
+fn speed(speed: Option<f64>) -> InForce {
+    speed.map_or(InForce::Nothing, |speed| InForce::Quantity(Quantity::Speed(speed)))
+}
+
+fn target(target: Target, across: bool) -> InForce {
+    let place = |place: f64| match across {
+        true => Quantity::Diameter(Diameter::from_radius(place)),
+        false => Quantity::Length(place),
+    };
+    match target {
+        Target::Stay => InForce::Nothing,
+        Target::Absolute(at) => InForce::Quantity(place(at)),
+        Target::Incremental(way) => {
+            InForce::Quantity(Quantity::Length(if across { Diameter::from_radius(way).mm() } else { way }))
+        }
+    }
+}
+
+fn axes(before: &State, after: &State) -> Vec<AxisRow> {
+    let across = |radius: f64| Quantity::Diameter(Diameter::from_radius(radius));
+    let (from, to) = (before.position, after.position);
+    let mut axes = vec![
+        AxisRow {
+            axis: 'X',
+            before: across(from.x),
+            after: across(to.x),
+            way: Quantity::Length(Diameter::from_radius(to.x - from.x).mm()),
+        },
+        AxisRow {
+            axis: 'Z',
+            before: Quantity::Length(from.z),
+            after: Quantity::Length(to.z),
+            way: Quantity::Length(to.z - from.z),
+        },
+    ];
+    if before.c_axis || after.c_axis || before.c != 0.0 || after.c != 0.0 {
+        let [was, is, way] = [before.c, after.c, after.c - before.c].map(Quantity::Degrees);
+        axes.push(AxisRow { axis: 'C', before: was, after: is, way });
+    }
+    axes
+}
+
+/// The variables that have a value, those that the block changes first; and how many are left out.
+fn variables(visit: &Visit) -> (Vec<VariableRow>, usize) {
+    let value = |moment: &Moment, number: u32| match moment.state.variables.read(number) {
+        Ok(Found::Value(value)) => value,
+        _ => None,
+    };
+    let level = visit.after.state.variables.level();
+    let numbers = (1..=LOCALS as u32).chain(100..200).chain(500..1000);
+    let mut rows: Vec<_> = numbers
+        .filter_map(|number| {
+            let (before, after) = (value(&visit.before, number), value(&visit.after, number));
+            let since = visit.after.origins.set_by(level, number);
+            (before.is_some() || after.is_some()).then_some(VariableRow { number, before, after, since })
+        })
+        .collect();
+    let (changed, same): (Vec<_>, Vec<_>) = rows.drain(..).partition(|row| row.before != row.after);
+    rows.extend(changed);
+    rows.extend(same);
+    let hidden = rows.len().saturating_sub(VARIABLES);
+    rows.truncate(VARIABLES);
+    (rows, hidden)
+}
+
+fn frames(state: &State) -> Vec<Frame> {
+    let stack = &state.call_stack;
+    let loops = |loops: &[crate::control::program::Loop]| {
+        loops.iter().map(|own| Frame::Loop { number: own.number, head: own.head.byte }).collect::<Vec<_>>()
+    };
+    let mut frames = loops(stack.loops_of_main());
+    for Call { kind, head, caller, rounds, loops: own, .. } in &stack.calls {
+        frames.push(Frame::Call { kind: *kind, head: head.byte, caller: *caller, rounds_left: *rounds });
+        frames.extend(loops(own));
+    }
+    frames
+}

@@ -1,0 +1,275 @@
+//! Which block set what is in force: for whoever explains the state of the control.
+//!
+//! In: the state after each block, with the place of the block. Out: for each [`Modal`] and each macro variable, the
+//! block that gave it its present value. Nothing of a run depends on it.
+
+use std::collections::BTreeMap;
+use std::sync::Arc;
+
+use super::codes::{Compensation, MotionMode, Plane};
+use super::modal::{State, Target};
+use crate::geometry::Point;
+use crate::motion::SpindleTurn;
+use crate::setup::dialect::FeedMode;
+use crate::source::shift::Shift;
+use crate::units::Unit;
+
+/// Lists what stays in force once, for the enum and for [`Modal::ALL`].
+macro_rules! modals {
+    ($($(#[$doc:meta])* $name:ident)+) => {
+        /// What stays in force from block to block.
+        #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+        #[repr(u8)]
+        pub enum Modal { $($(#[$doc])* $name),+ }
+
+        impl Modal {
+            /// All of them, in the order they are shown.
+            pub const ALL: &[Self] = &[$(Self::$name),+];
+        }
+    };
+}
+
+modals! {
+    /// Group 01.
+    Motion
+    /// Group 05.
+    FeedMode
+    /// F.
+    Feed
+    /// Group 02: whether S is a speed or a cutting speed.
+    SpeedMode
+    /// S.
+    Speed
+    /// G50 S.
+    HighestSpeed
+    /// G50 Q.
+    LowestSpeed
+    /// M03, M04, M05.
+    SpindleTurn
+    /// M13, M14.
+    LiveTool
+    /// Turret station and offset number.
+    Tool
+    /// Group 07.
+    Compensation
+    /// Group 14: the work coordinate system.
+    Frame
+    /// The zero of the work coordinate system: G50, G52, G10.
+    Zero
+    /// Group 06.
+    Unit
+    /// Group 03 of systems B and C.
+    Distance
+    /// Group 16.
+    Plane
+    /// Group 21 and G07.1.
+    Interpolation
+    /// Group 10.
+    Hole
+    /// Group 11.
+    HoleReturn
+    /// Group 12: G66.
+    ModalMacro
+    /// M45, M46.
+    CAxis
+    /// M23, M24.
+    ThreadPullOut
+    /// X or U that a single cycle remembers.
+    CycleX
+    /// Z or W that a single cycle remembers.
+    CycleZ
+    /// R that a single cycle remembers.
+    CycleTaper
+    /// Depth of a pass of G71 and G72.
+    Depth
+    /// Escape of G71 and G72.
+    Escape
+    /// Relief of G73.
+    Relief
+    /// Passes of G73.
+    PatternPasses
+    /// Retract of G74 and G75.
+    Retract
+    /// Finishing passes of G76.
+    ThreadFinishing
+    /// Tool angle of G76.
+    ThreadAngle
+    /// Least depth of a pass of G76.
+    ThreadLeast
+    /// Finishing allowance of G76.
+    ThreadAllowance
+}
+
+/// How many there are.
+const MODALS: usize = Modal::ThreadAllowance as usize + 1;
+
+/// Nobody has set it in the program.
+const NEVER: u32 = u32::MAX;
+
+/// Which block set what is in force; blocks by their first byte.
+#[derive(Clone, Debug)]
+pub struct Origins {
+    /// The values after the last block, in a form that can only be compared.
+    values: [u64; MODALS],
+    since: [u32; MODALS],
+    /// By call level (0 in the main program and for common variables) and number.
+    variables: Arc<BTreeMap<(u8, u32), u32>>,
+}
+
+impl Origins {
+    /// At power-on.
+    pub fn new(state: &State) -> Self {
+        Self { values: values(state), since: [NEVER; MODALS], variables: Arc::default() }
+    }
+
+    /// A block was carried out. `block`: its first byte.
+    #[inline]
+    pub fn note(&mut self, state: &State, block: u32) {
+        let values = values(state);
+        if values != self.values {
+            self.differ(values, block);
+        }
+    }
+
+    #[cold]
+    fn differ(&mut self, values: [u64; MODALS], block: u32) {
+        for ((since, before), now) in self.since.iter_mut().zip(&self.values).zip(&values) {
+            if before != now {
+                *since = block;
+            }
+        }
+        self.values = values;
+    }
+
+    /// The code of group 01 is another one since a block.
+    pub fn note_motion(&mut self, mode: MotionMode, block: u32) {
+        (self.values[Modal::Motion as usize], self.since[Modal::Motion as usize]) = (motion(mode), block);
+    }
+
+    /// A block gives a variable a value. `level`: calls of macros under way.
+    pub fn assigned(&mut self, level: usize, variable: u32, block: u32) {
+        Arc::make_mut(&mut self.variables).insert(key(level, variable), block);
+    }
+
+    /// A macro was left, with the variables of its level. `level`: that of the macro.
+    pub fn left(&mut self, level: usize) {
+        if !self.variables.is_empty() {
+            Arc::make_mut(&mut self.variables).retain(|&(own, _), _| usize::from(own) < level);
+        }
+    }
+
+    /// First byte of the block that set this; `None` where it is as at power-on.
+    pub fn since(&self, modal: Modal) -> Option<u32> {
+        Some(self.since[modal as usize]).filter(|&since| since != NEVER)
+    }
+
+    /// First byte of the block that gave a variable its value.
+    pub fn set_by(&self, level: usize, variable: u32) -> Option<u32> {
+        self.variables.get(&key(level, variable)).copied()
+    }
+
+    /// Whether one of these is in force by another block, or with another value, than in `other`.
+    pub fn differs(&self, other: &Self, modal: Modal) -> bool {
+        self.values[modal as usize] != other.values[modal as usize]
+    }
+
+    /// These origins, of a run that went on as another one did, in the places of that: what was set before the two
+    /// met at byte `met` of the old text, `meeting` knows.
+    pub fn after_meeting(&self, met: u32, meeting: &Self, shift: &Shift) -> Self {
+        let place = |old: u32, own: u32| if old != NEVER && old >= met { shift.byte(old) } else { own };
+        let mut since = meeting.since;
+        since.iter_mut().zip(&self.since).for_each(|(own, old)| *own = place(*old, *own));
+        let own = |key| meeting.variables.get(key).copied().unwrap_or(NEVER);
+        let variables = self.variables.iter().map(|(key, old)| (*key, place(*old, own(key)))).collect();
+        Self { values: self.values, since, variables: Arc::new(variables) }
+    }
+}
+
+/// Local variables are those of their level.
+fn key(level: usize, variable: u32) -> (u8, u32) {
+    (if variable <= 33 { level as u8 } else { 0 }, variable)
+}
+
+/// What is in force, each as one number that is another one for each value.
+fn values(state: &State) -> [u64; MODALS] {
+    let (spindle, cycle, multiple) = (&state.spindle, &state.memory, &state.parameters);
+    let mut values = [0; MODALS];
+    let mut set = |modal: Modal, value: u64| values[modal as usize] = value;
+    set(Modal::Motion, motion(state.motion));
+    set(Modal::FeedMode, u64::from(state.feed_mode == FeedMode::PerTurn));
+    set(Modal::Feed, optional(state.feed.or(state.threads_per_inch.map(|threads| -threads))));
+    set(Modal::SpeedMode, u64::from(spindle.surface));
+    set(Modal::Speed, if spindle.surface { spindle.cutting_speed } else { spindle.rpm }.to_bits());
+    set(Modal::HighestSpeed, optional(spindle.highest));
+    set(Modal::LowestSpeed, optional(spindle.lowest));
+    set(
+        Modal::SpindleTurn,
+        match spindle.turn {
+            SpindleTurn::Stopped => 0,
+            SpindleTurn::Forward => 1,
+            SpindleTurn::Reverse => 2,
+        },
+    );
+    set(Modal::LiveTool, u64::from(spindle.live_tool));
+    set(Modal::Tool, u64::from(state.tool.0) << 16 | u64::from(state.tool.1));
+    set(
+        Modal::Compensation,
+        match state.compensation {
+            Compensation::Off => 0,
+            Compensation::Left => 1,
+            Compensation::Right => 2,
+        },
+    );
+    set(Modal::Frame, u64::from(state.frames.active));
+    set(Modal::Zero, point(state.frames.offset()));
+    set(Modal::Unit, u64::from(state.unit == Unit::Inch));
+    set(Modal::Distance, u64::from(state.incremental));
+    set(
+        Modal::Plane,
+        match state.plane {
+            Plane::Xy => 0,
+            Plane::Zx => 1,
+            Plane::Yz => 2,
+        },
+    );
+    set(Modal::Interpolation, u64::from(state.virtual_plane.is_some()));
+    set(Modal::Hole, state.hole.map_or(0, |hole| 1 + hole.kind as u64));
+    set(Modal::HoleReturn, state.hole_return as u64);
+    set(Modal::ModalMacro, state.call_stack.modal.as_ref().map_or(0, |call| 1 + u64::from(call.head.byte)));
+    set(Modal::CAxis, u64::from(state.c_axis));
+    set(Modal::ThreadPullOut, u64::from(state.thread_chamfer_on));
+    set(Modal::CycleX, target(cycle.x));
+    set(Modal::CycleZ, target(cycle.z));
+    set(Modal::CycleTaper, cycle.taper.to_bits());
+    set(Modal::Depth, optional(multiple.depth));
+    set(Modal::Escape, multiple.escape.to_bits());
+    set(Modal::Relief, multiple.relief.map_or(u64::MAX, point));
+    set(Modal::PatternPasses, optional(multiple.pattern_passes));
+    set(Modal::Retract, multiple.retract.to_bits());
+    set(Modal::ThreadFinishing, u64::from(multiple.finishing));
+    set(Modal::ThreadAngle, multiple.angle.to_bits());
+    set(Modal::ThreadLeast, multiple.least_amount.map_or(u64::MAX, |amount| amount.in_increments.to_bits()));
+    set(Modal::ThreadAllowance, multiple.thread_allowance.to_bits());
+    values
+}
+
+fn motion(mode: MotionMode) -> u64 {
+    u64::from(mode.number())
+}
+
+fn optional(value: Option<f64>) -> u64 {
+    value.map_or(u64::MAX, f64::to_bits)
+}
+
+/// Two points rarely have the same.
+fn point(point: Point) -> u64 {
+    point.x.to_bits().rotate_left(31) ^ point.z.to_bits()
+}
+
+fn target(target: Target) -> u64 {
+    match target {
+        Target::Stay => u64::MAX,
+        Target::Absolute(place) => place.to_bits(),
+        Target::Incremental(way) => way.to_bits().rotate_left(1) ^ 1,
+    }
+}

@@ -1,0 +1,409 @@
+//! A run gone through once more, up to a block: what the control knows there.
+//!
+//! In: a run, a place in its text. Out: the state before and after the block there, for one of the times it is carried
+//! out. It begins at the last snapshot before the place; where there is none (after a jump, a call, a loop or a
+//! contour), at the start of the program, and goes on in slices.
+
+use std::ops::Range;
+
+use super::{Checkpoint, Run, RunId};
+use crate::control::contour::Purpose;
+use crate::control::interpreter::Interpreter;
+use crate::control::modal::State;
+use crate::control::origins::Origins;
+use crate::control::program::Labels;
+use crate::text::block::Block;
+use crate::text::parser::{Parser, Resume};
+
+/// The control between two blocks.
+#[derive(Clone, Debug)]
+pub struct Moment {
+    /// Its state.
+    pub state: State,
+    /// Which block set what.
+    pub origins: Origins,
+}
+
+/// A block once carried out, or read as a part of a contour.
+#[derive(Clone, Debug)]
+pub struct Visit {
+    /// Which time it is, from 1.
+    pub number: u32,
+    /// What for, where a cycle reads it as a part of its contour.
+    pub purpose: Option<Purpose>,
+    /// The control before it.
+    pub before: Moment,
+    /// The control after it.
+    pub after: Moment,
+    /// Its words with values in place of expressions, where it holds any and is carried out.
+    pub values: Option<String>,
+    /// The motions that were made meanwhile; those of a corner or of compensation may come with a later block.
+    pub motions: Range<usize>,
+}
+
+/// What was found of a block.
+#[derive(Clone, Debug)]
+pub struct Found {
+    /// Where the block begins, and the one after it.
+    pub place: Range<Resume>,
+    /// How often it is carried out, or read as a part of a contour; 0: never.
+    pub times: u32,
+    /// One of these times.
+    pub visit: Option<Visit>,
+}
+
+/// Which time a block is carried out is meant.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Time {
+    /// The first that takes all its words: roughing ignores some of them in its contour.
+    Usual,
+    /// This one, from 1; the last, where there are fewer.
+    Number(u32),
+    /// The one during which the motion of this number is made; the usual one where it is made by none.
+    Motion(usize),
+}
+
+/// A replay under way.
+pub struct Replay {
+    of: RunId,
+    /// The run once more; its text is there only while it goes on.
+    run: Run,
+    place: Range<Resume>,
+    time: Time,
+    /// Motions before the first that the run once more makes.
+    motions_before: usize,
+    times: u32,
+    visit: Option<Visit>,
+    is_done: bool,
+}
+
+/// The block at a byte of a text that begins at `line`, the first byte of its line.
+pub fn block_at(text: &[u8], line: Resume, byte: u32) -> (Range<Resume>, Block) {
+    let mut parser = Parser::resume(text, line);
+    let mut block = Block::default();
+    loop {
+        let at = parser.position();
+        let more = parser.next_block(&mut block);
+        let next = parser.position();
+        if !more || next.byte > byte || next.byte as usize >= text.len() {
+            return (at..next, block);
+        }
+    }
+}
+
+impl Run {
+    /// Begins to go through the run once more, to the block at a byte; `line`: the beginning of its line. The run has
+    /// ended, and stays as it is meanwhile: after an edit the replay is of no use.
+    pub fn replay(&self, line: Resume, byte: u32, time: Time) -> Replay {
+        let (place, _) = block_at(&self.text, line, byte);
+        let before = self.checkpoints.partition_point(|checkpoint| checkpoint.byte() <= place.start.byte);
+        let checkpoint = before.checked_sub(1).map(|last| &self.checkpoints[last]);
+        let motions_before = checkpoint.map_or(0, |checkpoint| {
+            let chunks = checkpoint.snapshot.chunks();
+            self.motions().before().get(chunks).copied().unwrap_or(self.motions().len())
+        });
+        let mut run = self.once_more(checkpoint);
+        run.interpreter.watch_contours(place.start.byte);
+        let is_done = !self.finished || self.recognised.foreign.is_some() || run.finished;
+        Replay { of: self.id, run, place, time, motions_before, times: 0, visit: None, is_done }
+    }
+
+    /// Goes on with a replay for at most so many blocks; true once it has ended.
+    pub fn advance_replay(&mut self, replay: &mut Replay, blocks: usize) -> bool {
+        if replay.of != self.id {
+            replay.is_done = true;
+        }
+        if replay.is_done {
+            return true;
+        }
+        std::mem::swap(&mut self.text, &mut replay.run.text);
+        replay.advance(blocks);
+        std::mem::swap(&mut self.text, &mut replay.run.text);
+        replay.is_done
+    }
+
+    /// This run from a snapshot on, or from its beginning, without its text and without lints.
+    fn once_more(&self, checkpoint: Option<&Checkpoint>) -> Self {
+        let interpreter = match checkpoint {
+            Some(checkpoint) => self.interpreter.resumed(&checkpoint.snapshot),
+            None => self.interpreter.anew(),
+        };
+        let at = checkpoint.map_or_else(Resume::default, |checkpoint| checkpoint.snapshot.at());
+        let programs = self.programs.iter().filter(|(_, start)| **start < at.byte);
+        let mut run = Self {
+            id: RunId::next(),
+            text: Vec::new(),
+            block: Block::default(),
+            at,
+            blocks: checkpoint.map_or(0, |checkpoint| checkpoint.blocks),
+            programs: programs.map(|(number, start)| (*number, *start)).collect(),
+            recognised: self.recognised,
+            given: self.given.clone(),
+            notes: self.notes.clone(),
+            decided: self.decided,
+            numbers: None,
+            of_setup: 0,
+            has_lints: self.has_lints,
+            missing: None,
+            begun: checkpoint.is_some(),
+            ended: false,
+            finished: false,
+            stopped: false,
+            sorted: Vec::new(),
+            checkpoints: Vec::new(),
+            due: usize::MAX,
+            previous: None,
+            meeting: u32::MAX,
+            interpreter,
+        };
+        if let Some((system, _)) = self.recognised.system {
+            run.interpreter.set_system(system);
+        }
+        if checkpoint.is_none()
+            && let Some(number) = self.setup().program
+        {
+            match Labels::new(&self.text).program(number) {
+                Some(head) => run.begin_at(head),
+                None => run.finished = true,
+            }
+        }
+        run
+    }
+}
+
+impl Replay {
+    /// Share of the text that was read, 0 to 1.
+    pub fn progress(&self) -> f64 {
+        self.run.progress()
+    }
+
+    /// Which time is meant.
+    pub fn time(&self) -> Time {
+        self.time
+    }
+
+    /// What was found, once it has ended.
+    pub fn found(self) -> Found {
+        Found { place: self.place, times: self.times, visit: self.visit }
+    }
+
+    fn advance(&mut self, blocks: usize) {
+        for _ in 0..blocks {
+            // What comes after the end is only read.
+            if self.run.finished || self.run.ended {
+                self.is_done = true;
+                return;
+            }
+            let is_there = self.run.at.byte == self.place.start.byte;
+            let before = is_there.then(|| self.moment());
+            if is_there {
+                self.run.interpreter.keep_trace();
+            }
+            let first = self.kept();
+            self.run.advance(1);
+            let readings = self.run.interpreter.take_readings();
+            for reading in readings {
+                let moment = |(state, origins)| Moment { state, origins };
+                let (before, after) = (moment(reading.before), moment(reading.after));
+                self.see(Some(reading.purpose), before, after, first..self.kept(), None);
+            }
+            if let Some(before) = before {
+                let after = self.moment();
+                let values = self.run.interpreter.take_trace().pop().and_then(|executed| executed.values);
+                self.see(None, before, after, first..self.kept(), values);
+                // On the straight way no block is met twice, but for contours, which the way back is straight to.
+                self.is_done = self.run.interpreter.is_straight();
+            }
+            if self.is_done {
+                return;
+            }
+        }
+    }
+
+    fn kept(&self) -> usize {
+        self.motions_before + self.run.interpreter.kept_motions()
+    }
+
+    fn moment(&self) -> Moment {
+        let Interpreter { state, .. } = &self.run.interpreter;
+        Moment { state: state.clone(), origins: self.run.interpreter.origins().clone() }
+    }
+
+    /// The block is carried out once more, or read.
+    fn see(
+        &mut self,
+        purpose: Option<Purpose>,
+        before: Moment,
+        after: Moment,
+        motions: Range<usize>,
+        values: Option<String>,
+    ) {
+        self.times += 1;
+        let number = self.times;
+        let is_meant = match (self.time, &self.visit) {
+            (_, None) => true,
+            (Time::Usual, Some(kept)) => {
+                kept.purpose == Some(Purpose::Roughing) && purpose != Some(Purpose::Roughing)
+            }
+            (Time::Number(wanted), Some(_)) => number <= wanted,
+            (Time::Motion(wanted), Some(kept)) => {
+                !kept.motions.contains(&wanted) && motions.contains(&wanted)
+            }
+        };
+        if is_meant {
+            self.visit = Some(Visit { number, purpose, before, after, values, motions });
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::control::origins::Modal;
+    use crate::setup::Setup;
+
+    fn ended(text: &str, setup: Setup) -> Run {
+        let mut run = Run::new(text.into(), setup);
+        while !run.advance(usize::MAX) {}
+        run
+    }
+
+    fn begin_of_line(text: &str, line: usize) -> Resume {
+        let byte: usize = text.split_inclusive('\n').take(line).map(str::len).sum();
+        Resume::inside(byte as u32, line as u32)
+    }
+
+    #[track_caller]
+    fn found(run: &mut Run, line: usize, time: Time) -> Found {
+        let text = String::from_utf8(run.text().to_vec()).unwrap();
+        let line = begin_of_line(&text, line);
+        let mut replay = run.replay(line, line.byte, time);
+        while !run.advance_replay(&mut replay, 3) {}
+        assert_eq!(run.text(), text.as_bytes(), "the run has its text back");
+        replay.found()
+    }
+
+    #[test]
+    fn the_state_before_and_after_a_block() {
+        let text = "O1\nG99 G00 X50 Z2\nG01 Z-20 F0.2\nX60\nG98 F100\nM30\n";
+        let mut run = ended(text, Setup::default());
+        let found = found(&mut run, 2, Time::Usual);
+        let visit = found.visit.unwrap();
+        assert_eq!((found.times, visit.number, visit.purpose, visit.motions), (1, 1, None, 1..2));
+        assert_eq!((visit.before.state.feed, visit.after.state.feed), (None, Some(0.2)));
+        assert_eq!(visit.before.state.position.z, 2.0);
+        assert_eq!(visit.after.state.position.z, -20.0);
+        assert_eq!(visit.before.origins.since(Modal::Feed), None);
+        assert_eq!(visit.after.origins.since(Modal::Feed), Some(begin_of_line(text, 2).byte));
+        assert_eq!(visit.after.origins.since(Modal::FeedMode), None, "as at power-on");
+    }
+
+    #[test]
+    fn what_holds_was_set_where_it_became_so() {
+        let text = "O1\nG98 G00 X50 Z2\nG01 Z-20 F100\nG01 X60\nZ-30\nG0 X70\nZ2\nM30\n";
+        let mut run = ended(text, Setup::default());
+        let at = |line| Some(begin_of_line(text, line).byte);
+        let visit = found(&mut run, 4, Time::Usual).visit.unwrap();
+        assert_eq!(visit.before.origins.since(Modal::Motion), at(2));
+        assert_eq!(visit.before.origins.since(Modal::FeedMode), at(1));
+        let visit = found(&mut run, 6, Time::Usual).visit.unwrap();
+        assert_eq!(visit.before.origins.since(Modal::Motion), at(5));
+    }
+
+    #[test]
+    fn a_block_of_a_loop_is_met_in_each_round() {
+        let text = "O1\n#1=0\nWHILE[#1LT3]DO1\nG0 X[#1*10] Z0\n#1=#1+1\nEND1\nM30\n";
+        let mut run = ended(text, Setup::default());
+        for round in 1..=3 {
+            let found = found(&mut run, 3, Time::Number(round));
+            let visit = found.visit.unwrap();
+            assert_eq!((found.times, visit.number), (3, round));
+            assert_eq!(visit.after.state.position.x, 5.0 * f64::from(round - 1));
+        }
+        let by_motion = found(&mut run, 3, Time::Motion(1)).visit.unwrap();
+        assert_eq!(by_motion.number, 2);
+        let by_sum = found(&mut run, 4, Time::Number(2)).visit.unwrap();
+        assert_eq!(by_sum.before.origins.set_by(0, 1), Some(begin_of_line(text, 4).byte));
+    }
+
+    #[test]
+    fn a_block_of_a_contour_is_read_by_roughing_and_by_finishing() {
+        let text = "O1\nT0101 M3 S800\nG0 X52 Z2\nG71 U2 R1\nG71 P10 Q20 U0.4 W0.1 F0.3\nN10 G0 X30\nG1 Z-10 F0.1\nN20 X50 Z-20\nG70 P10 Q20\nM30\n";
+        let mut run = ended(text, Setup::default());
+        let found_line = found(&mut run, 7, Time::Usual);
+        let visit = found_line.visit.unwrap();
+        assert_eq!((found_line.times, visit.number, visit.purpose), (2, 2, Some(Purpose::Finishing)));
+        assert_eq!(visit.before.state.feed, Some(0.1));
+        assert_eq!(visit.before.origins.since(Modal::Feed), Some(begin_of_line(text, 6).byte));
+        let first = found(&mut run, 7, Time::Number(1)).visit.unwrap();
+        assert_eq!(first.purpose, Some(Purpose::Roughing));
+        let after = found(&mut run, 8, Time::Usual).visit.unwrap();
+        assert_eq!(after.before.state.feed, Some(0.3), "what the contour says does not outlive roughing");
+    }
+
+    #[test]
+    fn a_block_that_is_jumped_over_is_never_met() {
+        let text = "O1\nG0 X10 Z0\nGOTO 20\nX20\nN20 X30\nM30\nX40\n";
+        let mut run = ended(text, Setup::default());
+        for line in [3, 6] {
+            assert_eq!(found(&mut run, line, Time::Usual).times, 0, "line {line}");
+        }
+        assert_eq!(found(&mut run, 4, Time::Usual).times, 1);
+    }
+
+    #[test]
+    fn a_long_program_is_gone_through_from_the_last_snapshot() {
+        let mut text = String::from("O1\nG98\nG01 F100 X100 Z0\n");
+        for line in 0..2000 {
+            text += &format!("X{} Z-{}\n", 10 + line % 7, line % 11);
+        }
+        text += "F200\nX3\nM30\n";
+        let mut setup = Setup::default();
+        setup.limits.stride = 50;
+        let mut run = ended(&text, setup);
+        let line = begin_of_line(&text, 1500);
+        let mut replay = run.replay(line, line.byte, Time::Usual);
+        let mut slices = 1;
+        while !run.advance_replay(&mut replay, 10) {
+            slices += 1;
+        }
+        assert!(slices < 50, "{slices} slices of ten blocks");
+        let visit = replay.found().visit.unwrap();
+        assert_eq!(visit.motions, 1498..1499);
+        assert_eq!(visit.before.origins.since(Modal::Feed), Some(7));
+        assert_eq!(visit.before.origins.since(Modal::FeedMode), Some(3));
+    }
+
+    #[test]
+    fn after_an_edit_what_holds_was_set_where_it_stands_now() {
+        let mut text = String::from("O1\nG98\nG01 F100 X100 Z0\n");
+        for line in 0..1000 {
+            text += &format!("X{} Z-{}\n", 10 + line % 7, line % 11);
+        }
+        text += "F200\n";
+        for line in 0..500 {
+            text += &format!("X{} Z-{}\n", 10 + line % 7, line % 11);
+        }
+        text += "M30\n";
+        let mut setup = Setup::default();
+        setup.limits.stride = 50;
+        let mut run = ended(&text, setup.clone());
+        let at = begin_of_line(&text, 600).byte as usize;
+        run.edit(super::super::TextEdit { start: at, end: at, insert: b"(a remark)\n".to_vec() });
+        while !run.advance(usize::MAX) {}
+        text.insert_str(at, "(a remark)\n");
+        let mut anew = ended(&text, setup);
+        for line in [500, 700, 1003, 1004, 1005, 1400] {
+            let own = found(&mut run, line, Time::Usual).visit.unwrap();
+            let fresh = found(&mut anew, line, Time::Usual).visit.unwrap();
+            assert_eq!(own.before.state, fresh.before.state);
+            for &modal in Modal::ALL {
+                assert_eq!(
+                    own.before.origins.since(modal),
+                    fresh.before.origins.since(modal),
+                    "line {line}: {modal:?}"
+                );
+            }
+        }
+    }
+}

@@ -1,0 +1,344 @@
+//! Help at the word: roles, facts and quantities of `assist` as sentences.
+//!
+//! In: an answer, a language, the unit of the reader, the lines of the text. Out: short sentences. One exhaustive match
+//! for each language: a role without a text does not build.
+
+pub(super) mod en;
+pub(super) mod ru;
+pub(super) mod zh;
+
+use super::labels;
+use super::language::Language;
+use super::template::fill;
+use crate::assist::fact::{Fact, Quantity};
+use crate::assist::role::Role;
+use crate::assist::state::{Frame, InForce};
+use crate::control::codes::Group;
+use crate::control::contour::Purpose;
+use crate::control::origins::Modal;
+use crate::control::program::CallKind;
+use crate::message::{Arguments, Value};
+use crate::setup::dialect::FeedMode;
+use crate::setup::fields;
+use crate::units::{Unit, number};
+
+/// Lists the templates of facts once, for the enum and for the tests of all of them.
+macro_rules! told {
+    ($($name:ident),* $(,)?) => {
+        /// The template of a fact.
+        #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+        pub(super) enum Told { $($name),* }
+
+        #[cfg(test)]
+        impl Told {
+            /// Every template.
+            pub(super) const ALL: &[Self] = &[$(Self::$name),*];
+        }
+    };
+}
+
+told! {
+    // How long a code holds
+    OneShot, GroupMotion, GroupSpeed, GroupDistance, GroupFeed, GroupUnit, GroupCompensation, GroupHole, GroupFrame, GroupPlane,
+    GroupOther,
+    // What was in force
+    UnchangedSince, UnchangedFromStart, BeforeSince, BeforeFromStart, ByCodeSince, ByCodeFromStart, ByFeedSince,
+    ByFeedFromStart,
+    // What a value comes to
+    FromTo, WithoutPoint, FeedAtSpeed, SpeedAt, SpeedHeldSince, SpeedHeld, ThreadPackedOf, StationAndOffset, OffsetCancelled,
+    NoseRadius, Passes, LastPass,
+    // Other blocks
+    ContourLines, NamesLine, NamesNothing,
+    // Variables
+    VariableIs, VariableVacant, VariableSet, VariableBecomes, VariableBecomesVacant, ArgumentIs,
+    // Whether the block is carried out
+    NotCarriedOut, Skipped, IgnoredByRoughing, TakenByFinishing, TimeOf,
+    // The state
+    Vacant, CallFrame, MacroFrame, LoopFrame, ReadByRoughing, ReadByFinishing,
+}
+
+impl Role {
+    /// What it is, in a language: no sentence.
+    pub fn words(self, language: Language) -> &'static str {
+        (language.texts().role)(self)
+    }
+}
+
+impl Modal {
+    /// Its name in a language.
+    pub fn name(self, language: Language) -> &'static str {
+        (language.texts().modal)(self)
+    }
+}
+
+/// How sentences are made.
+#[derive(Clone, Copy)]
+pub struct Speaker<'a> {
+    /// Whose.
+    pub language: Language,
+    /// The unit of lengths.
+    pub unit: Unit,
+    /// The line, from 1, of a byte of the text.
+    pub line_of: &'a dyn Fn(u32) -> u32,
+}
+
+impl Speaker<'_> {
+    /// A number with its unit.
+    pub fn quantity(&self, quantity: Quantity) -> String {
+        let (language, unit) = (self.language, self.unit);
+        let length = |mm: f64| number(mm / unit.millimetres());
+        let with = |value: String, unit: &str| format!("{value} {unit}");
+        match quantity {
+            Quantity::Length(mm) => with(length(mm), labels::length(unit, language)),
+            Quantity::Diameter(diameter) => {
+                format!("Ø{}", with(length(diameter.mm()), labels::length(unit, language)))
+            }
+            Quantity::FeedPerMinute(feed) => with(
+                rounded(feed / unit.millimetres()),
+                labels::feed_unit(FeedMode::PerMinute, unit, language),
+            ),
+            Quantity::FeedPerTurn(feed) => {
+                with(number(feed / unit.millimetres()), labels::feed_unit(FeedMode::PerTurn, unit, language))
+            }
+            Quantity::ThreadsPerInch(threads) => number(threads),
+            Quantity::Speed(speed) => {
+                with(rounded(speed), labels::unit(fields::Unit::TurnsPerMinute, language))
+            }
+            Quantity::CuttingSpeed(speed) => {
+                with(rounded(speed / unit.surface_metres()), labels::surface_speed(unit, language))
+            }
+            Quantity::Degrees(degrees) => format!("{}°", number(degrees)),
+            Quantity::Seconds(seconds) => with(number(seconds), labels::seconds(language)),
+            Quantity::Count(count) => number(count),
+            Quantity::Sequence(sequence) => format!("N{sequence}"),
+            Quantity::Program(program) => format!("O{program:04}"),
+            Quantity::Variable(variable) => format!("#{variable}"),
+        }
+    }
+
+    /// A fact as a sentence.
+    pub fn fact(&self, fact: &Fact) -> String {
+        let what = |quantity: Quantity| ("what", Value::Text(self.quantity(quantity).into()));
+        let line = |byte: u32| ("line", Value::count((self.line_of)(byte) as usize));
+        let count = |count: u32| Value::Count(i64::from(count));
+        let (told, arguments): (Told, Arguments) = match *fact {
+            Fact::Group(group) => (group_told(group), Vec::new()),
+            Fact::Unchanged(Some(since)) => (Told::UnchangedSince, vec![line(since)]),
+            Fact::Unchanged(None) => (Told::UnchangedFromStart, Vec::new()),
+            Fact::CodeBefore(ref code, since) => {
+                self.since(Told::BeforeSince, Told::BeforeFromStart, code, since)
+            }
+            Fact::ValueBefore(value, since) => {
+                self.since(Told::BeforeSince, Told::BeforeFromStart, &self.quantity(value), since)
+            }
+            Fact::ByCode(ref code, since) => {
+                self.since(Told::ByCodeSince, Told::ByCodeFromStart, code, since)
+            }
+            Fact::ByFeed(feed, since) => {
+                self.since(Told::ByFeedSince, Told::ByFeedFromStart, &self.quantity(feed), since)
+            }
+            Fact::FromTo(from, to) => {
+                let place = |quantity| Value::Text(self.quantity(quantity).into());
+                (Told::FromTo, vec![("from", place(from)), ("to", place(to))])
+            }
+            Fact::WithoutPoint(increment) => (Told::WithoutPoint, vec![what(increment)]),
+            Fact::FeedAtSpeed(feed, speed) => {
+                let named = |quantity| Value::Text(self.quantity(quantity).into());
+                (Told::FeedAtSpeed, vec![("feed", named(feed)), ("speed", named(speed))])
+            }
+            Fact::SpeedAt(speed, at) => {
+                let named = |quantity| Value::Text(self.quantity(quantity).into());
+                (Told::SpeedAt, vec![("speed", named(speed)), ("at", named(at))])
+            }
+            Fact::SpeedHeld(limit, since) => {
+                self.since(Told::SpeedHeldSince, Told::SpeedHeld, &self.quantity(limit), since)
+            }
+            Fact::ThreadPacked(passes, pull, angle) => {
+                let pull = Value::Number(f64::from(pull) / 10.0);
+                (
+                    Told::ThreadPackedOf,
+                    vec![("passes", count(passes)), ("pull", pull), ("angle", count(angle))],
+                )
+            }
+            Fact::StationAndOffset(station, offset) => {
+                let told = if offset == 0 { Told::OffsetCancelled } else { Told::StationAndOffset };
+                (told, vec![("station", count(station.into())), ("offset", count(offset.into()))])
+            }
+            Fact::NoseRadius(radius) => (Told::NoseRadius, vec![what(radius)]),
+            Fact::Passes(passes) => (Told::Passes, vec![("count", count(passes))]),
+            Fact::LastPass(at) => (Told::LastPass, vec![what(at)]),
+            Fact::Contour(first, last) => {
+                let of = |byte: u32| Value::count((self.line_of)(byte) as usize);
+                (Told::ContourLines, vec![("first", of(first.start)), ("last", of(last.start))])
+            }
+            Fact::Names(block) => (Told::NamesLine, vec![line(block)]),
+            Fact::NamesNothing => (Told::NamesNothing, Vec::new()),
+            Fact::Variable(variable, value) => {
+                variable_told(Told::VariableIs, Told::VariableVacant, variable, value)
+            }
+            Fact::VariableSet(_, by) => (Told::VariableSet, vec![line(by)]),
+            Fact::VariableBecomes(variable, value) => {
+                variable_told(Told::VariableBecomes, Told::VariableBecomesVacant, variable, value)
+            }
+            Fact::Argument(variable) => (Told::ArgumentIs, vec![("number", count(variable))]),
+            Fact::NotCarriedOut => (Told::NotCarriedOut, Vec::new()),
+            Fact::Skipped(level) => {
+                let mark = if level == 1 { "/".to_owned() } else { format!("/{level}") };
+                (Told::Skipped, vec![("what", Value::Text(mark.into()))])
+            }
+            Fact::ReadBy(Purpose::Roughing) => (Told::ReadByRoughing, Vec::new()),
+            Fact::ReadBy(Purpose::Finishing) => (Told::ReadByFinishing, Vec::new()),
+            Fact::IgnoredByRoughing => (Told::IgnoredByRoughing, Vec::new()),
+            Fact::TakenByFinishing => (Told::TakenByFinishing, Vec::new()),
+            Fact::Time(number, times) => {
+                (Told::TimeOf, vec![("number", count(number)), ("times", count(times))])
+            }
+        };
+        fill((self.language.texts().told)(told), &arguments)
+    }
+
+    /// What is in force.
+    pub fn in_force(&self, value: &InForce) -> String {
+        match value {
+            InForce::Code(code, function, role) => {
+                let words = role.map(|role| role.words(self.language));
+                match words.or(function.map(|function| function.describe(self.language))) {
+                    // In a table the name alone, without what it means.
+                    Some(words) => format!("{code} – {}", words.split([':', '：']).next().unwrap_or(words)),
+                    None => code.clone(),
+                }
+            }
+            InForce::Quantity(quantity) => self.quantity(*quantity),
+            InForce::Pair(x, z) => format!("X {}, Z {}", self.quantity(*x), self.quantity(*z)),
+            InForce::Tool(station, offset) => format!("T{station:02}{offset:02}"),
+            InForce::Role(role) => role.words(self.language).to_owned(),
+            InForce::Nothing => "–".to_owned(),
+        }
+    }
+
+    /// The value of a variable.
+    pub fn variable(&self, value: Option<f64>) -> String {
+        value.map_or_else(|| (self.language.texts().told)(Told::Vacant).to_owned(), number)
+    }
+
+    /// A call or loop under way.
+    pub fn frame(&self, frame: &Frame) -> String {
+        let line = |byte: u32| Value::count((self.line_of)(byte) as usize);
+        let count = |count: u32| Value::Count(i64::from(count));
+        let (told, arguments) = match *frame {
+            Frame::Call { kind, head, caller, rounds_left } => {
+                let told = match kind {
+                    CallKind::Subprogram => Told::CallFrame,
+                    CallKind::Macro => Told::MacroFrame,
+                };
+                (told, vec![("line", line(head)), ("caller", line(caller)), ("left", count(rounds_left))])
+            }
+            Frame::Loop { number, head } => {
+                (Told::LoopFrame, vec![("number", count(number)), ("line", line(head))])
+            }
+        };
+        fill((self.language.texts().told)(told), &arguments)
+    }
+
+    /// Which cycle reads a block as a part of its contour.
+    pub fn purpose(&self, purpose: Purpose) -> &'static str {
+        (self.language.texts().told)(match purpose {
+            Purpose::Roughing => Told::ReadByRoughing,
+            Purpose::Finishing => Told::ReadByFinishing,
+        })
+    }
+
+    /// One of two templates: with the line of a block, or without.
+    fn since(&self, with: Told, without: Told, what: &str, since: Option<u32>) -> (Told, Arguments<'static>) {
+        let mut arguments = vec![("what", Value::Text(what.to_owned().into()))];
+        match since {
+            Some(since) => {
+                arguments.push(("line", Value::count((self.line_of)(since) as usize)));
+                (with, arguments)
+            }
+            None => (without, arguments),
+        }
+    }
+}
+
+/// The first byte of the block that a fact names.
+pub fn block_of(fact: &Fact) -> Option<u32> {
+    match *fact {
+        Fact::Unchanged(since)
+        | Fact::CodeBefore(_, since)
+        | Fact::ValueBefore(_, since)
+        | Fact::ByCode(_, since)
+        | Fact::ByFeed(_, since)
+        | Fact::SpeedHeld(_, since) => since,
+        Fact::Contour(first, _) => Some(first.start),
+        Fact::Names(block) | Fact::VariableSet(_, block) => Some(block),
+        _ => None,
+    }
+}
+
+fn group_told(group: Group) -> Told {
+    match group {
+        0 => Told::OneShot,
+        1 => Told::GroupMotion,
+        2 => Told::GroupSpeed,
+        3 => Told::GroupDistance,
+        5 => Told::GroupFeed,
+        6 => Told::GroupUnit,
+        7 => Told::GroupCompensation,
+        10 => Told::GroupHole,
+        14 => Told::GroupFrame,
+        16 => Told::GroupPlane,
+        _ => Told::GroupOther,
+    }
+}
+
+fn variable_told(is: Told, vacant: Told, variable: u32, value: Option<f64>) -> (Told, Arguments<'static>) {
+    let name = ("number", Value::Count(i64::from(variable)));
+    match value {
+        Some(value) => (is, vec![name, ("what", Value::Text(number(value).into()))]),
+        None => (vacant, vec![name]),
+    }
+}
+
+/// A rate as people read it: to a tenth, large ones whole.
+fn rounded(value: f64) -> String {
+    let places = if value.abs() < 100.0 { 10.0 } else { 1.0 };
+    number((value * places).round() / places)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The names in braces of a template.
+    fn names(template: &str) -> Vec<&str> {
+        let parts = template.split('{').skip(1);
+        let mut names: Vec<_> = parts.filter_map(|part| part.split_once('}').map(|(name, _)| name)).collect();
+        names.sort_unstable();
+        names
+    }
+
+    #[test]
+    fn each_template_has_the_same_arguments_in_all_languages() {
+        for &told in Told::ALL {
+            let [english, chinese, russian] = Language::ALL.map(|language| (language.texts().told)(told));
+            assert_eq!(names(english), names(chinese), "{told:?}");
+            assert_eq!(names(english), names(russian), "{told:?}");
+        }
+    }
+
+    #[test]
+    fn each_role_and_name_is_another_text() {
+        for language in Language::ALL {
+            let mut seen = std::collections::BTreeMap::new();
+            for &role in Role::ALL {
+                if let Some(other) = seen.insert(role.words(language), role) {
+                    panic!("{role:?} and {other:?} are both `{}`", role.words(language));
+                }
+            }
+            for &modal in Modal::ALL {
+                assert!(!modal.name(language).is_empty());
+            }
+        }
+    }
+}

@@ -1,0 +1,120 @@
+//! Help at a place of the program: the word there, and the state of the control.
+//!
+//! In: a place, and which time its block is carried out. Out: rows. The run is gone through once more, in slices; what
+//! was found is kept until another block is asked about, or the run is another one.
+
+use wasm_bindgen::prelude::*;
+
+use super::{Playground, to_js};
+use crate::api::assist::Reader;
+use crate::assist::Asked;
+use crate::parts::in_part;
+use crate::run::RunId;
+use crate::run::replay::{Found, Replay, Time, block_at};
+use crate::source::Span;
+
+/// What is asked of a block.
+#[derive(Default)]
+pub(super) struct Question {
+    /// The place that is asked about.
+    byte: u32,
+    replay: Option<Replay>,
+    found: Option<(RunId, Time, Found)>,
+}
+
+#[wasm_bindgen]
+impl Playground {
+    /// Asks about the block at an offset, as it is carried out at a time: of this number, from 1, or the usual one. The
+    /// run has ended. True: the answer is there.
+    #[wasm_bindgen(js_name = askBlock)]
+    pub fn ask_block(&mut self, offset: u32, time: Option<u32>) -> bool {
+        ask(self, offset, time)
+    }
+
+    /// Looks for the answer for at most so many blocks. True: it is there.
+    #[wasm_bindgen(js_name = lookForAnswer)]
+    pub fn look_for_answer(&mut self, blocks: u32) -> bool {
+        look(self, blocks)
+    }
+
+    /// The word that was asked about; nothing where there is none, or no answer yet.
+    #[wasm_bindgen(js_name = wordHelp, unchecked_return_type = "WordHelp | undefined")]
+    pub fn word_help(&self) -> Result<JsValue, JsValue> {
+        word(self)
+    }
+
+    /// The state before and after the block that was asked about; nothing where there is no answer yet.
+    #[wasm_bindgen(js_name = stateHelp, unchecked_return_type = "StateHelp | undefined")]
+    pub fn state_help(&self) -> Result<JsValue, JsValue> {
+        state(self)
+    }
+}
+
+in_part! {
+    Tools "0900"
+    fn ask(playground: &mut Playground, offset: u32, time: Option<u32>) -> bool {
+        let current = &playground.current;
+        let byte = current.lines().byte_at_utf16(current.run().text(), offset);
+        let time = time.map_or(Time::Usual, Time::Number);
+        let question = &mut playground.question;
+        (question.byte, question.replay) = (byte, None);
+        let is_known = question.found.as_ref().is_some_and(|(run, of, found)| {
+            *run == current.run().id() && *of == time && found.place.start.byte <= byte && byte < found.place.end.byte
+        });
+        if !is_known {
+            question.found = None;
+            question.replay = Some(current.replay(byte, time));
+        }
+        is_known
+    }
+
+    Tools "0901"
+    fn look(playground: &mut Playground, blocks: u32) -> bool {
+        let Playground { current, question, .. } = playground;
+        let Some(mut replay) = question.replay.take() else { return true };
+        if current.advance_replay(&mut replay, blocks as usize) {
+            question.found = Some((current.run().id(), replay.time(), replay.found()));
+            return true;
+        }
+        question.replay = Some(replay);
+        false
+    }
+
+    Tools "0902"
+    fn word(playground: &Playground) -> Result<JsValue, JsValue> {
+        let notes: Vec<Span> = playground.current.run().notes().spans().collect();
+        let (byte, motions) = (playground.question.byte, playground.current.motions());
+        with_answer(playground, |reader, asked| to_js(&reader.word(asked, byte, &notes, motions)))
+    }
+
+    Tools "0903"
+    fn state(playground: &Playground) -> Result<JsValue, JsValue> {
+        with_answer(playground, |reader, asked| to_js(&reader.state(asked)))
+    }
+}
+
+/// What is made of the answer, once it is there.
+fn with_answer(
+    playground: &Playground,
+    make: impl FnOnce(&Reader, &Asked) -> Result<JsValue, JsValue>,
+) -> Result<JsValue, JsValue> {
+    let run = playground.current.run();
+    let answer = playground.question.found.as_ref().filter(|(of, ..)| *of == run.id());
+    let Some((_, _, found)) = answer else { return Ok(JsValue::UNDEFINED) };
+    let (_, block) = block_at(run.text(), found.place.start, found.place.start.byte);
+    let asked = Asked {
+        text: run.text(),
+        block: &block,
+        visit: found.visit.as_ref(),
+        times: found.times,
+        setup: run.setup(),
+        dialect: run.dialect(),
+        codes: run.code_list(),
+    };
+    let reader = Reader {
+        places: playground.places(),
+        language: playground.language,
+        unit: playground.current.unit(),
+    };
+    make(&reader, &asked)
+}

@@ -1,0 +1,143 @@
+// Help at the word and the state at the cursor: by keys, by the pointer, in three languages.
+import { expect, test, type BasicPage, type Locator } from './engines';
+import { editor, open, tab, type } from './page';
+
+const THREAD = 'O1\nT0101\nG97 S600 M03\nG00 X34 Z4\nG76 P021260 Q100 R0.05\nG76 X27.4 Z-25 P1299 Q400 F2\nG00 X100 Z100\nM30';
+const LOOP = 'O1\n#1=40\nWHILE [#1 GT 30] DO1\nG65 P9 X#1\n#1=#1-2\nEND1\nM30\nO9\nG00 X#24 Z2\nM99';
+
+const atCursor = (page: BasicPage): Locator => page.getByRole('region', { name: /^(At the cursor|光标处|У курсора)/ });
+const row = (page: BasicPage, name: string): Locator => atCursor(page).getByRole('row').filter({ has: page.getByRole('rowheader', { name, exact: true }) });
+
+/** Puts the cursor into a line, on its nth letter, with keys. */
+async function goTo(page: BasicPage, line: number, letter: number): Promise<void> {
+  await editor(page).focus();
+  await page.keyboard.press('Control+Home');
+  for (let at = 1; at < line; at++) await page.keyboard.press('ArrowDown');
+  await page.keyboard.press('Home');
+  for (let at = 0; at < letter; at++) await page.keyboard.press('ArrowRight');
+}
+
+/** What is read out from now on; it stands there for a moment only. */
+async function announcements(page: BasicPage): Promise<() => Promise<string>> {
+  await page.locator('.cm-announced').evaluate((live) => {
+    const heard: string[] = [];
+    Object.assign(globalThis, { heard });
+    new MutationObserver(() => heard.push(live.textContent ?? '')).observe(live, { childList: true, characterData: true, subtree: true });
+  });
+  return () => page.evaluate(() => (globalThis as unknown as { heard: string[] }).heard.join(' '));
+}
+
+const IN_WORDS = {
+  en: { peck: 'first depth of cut', thread: 'multi-pass threading' },
+  zh: { peck: '第一次切深', thread: '螺纹' },
+  ru: { peck: 'глубина первого прохода', thread: 'резьб' },
+} as const;
+
+for (const locale of ['en', 'zh', 'ru'] as const) {
+  test(`what is Q here, by keys alone, ${locale}`, async ({ page }) => {
+    await open(page);
+    await page.locator('#language').selectOption(locale);
+    await type(page, THREAD);
+    await goTo(page, 6, 'G76 X27.4 Z-25 P1299 '.length);
+    const heard = await announcements(page);
+    await page.keyboard.press('F1');
+    const panel = atCursor(page);
+    await expect(panel).toContainText('Q400');
+    await expect(panel).toContainText(IN_WORDS[locale].peck);
+    await expect(panel).toContainText('0.4');
+    // It is read out, too.
+    await expect.poll(heard).toContain(IN_WORDS[locale].peck);
+    // The code of the same block, and what is in force there.
+    await page.keyboard.press('Home');
+    await expect(panel).toContainText('G76');
+    await expect(panel).toContainText(IN_WORDS[locale].thread);
+  });
+}
+
+test('the state before and after the block leads to the blocks that set it', async ({ page }) => {
+  await open(page);
+  await type(page, THREAD);
+  await goTo(page, 7, 1);
+  await page.keyboard.press('F1');
+  await expect(row(page, 'X')).toContainText('Ø34');
+  await expect(row(page, 'X')).toContainText('Ø100');
+  await expect(row(page, 'X')).toHaveAttribute('class', /changed/);
+  const speed = row(page, 'S').first();
+  await expect(speed).toContainText('600');
+  // Buttons are reached by Tab from the text, and lead back into it.
+  await speed.getByRole('button', { name: 'To line 3' }).focus();
+  await page.keyboard.press('Enter');
+  await expect(editor(page)).toBeFocused();
+  await expect(atCursor(page)).toContainText('before and after line 3');
+});
+
+test('inside a loop and a call the state is that of each time', async ({ page }) => {
+  await open(page);
+  await type(page, LOOP);
+  await goTo(page, 9, 5);
+  await page.keyboard.press('F1');
+  const panel = atCursor(page);
+  await expect(panel).toContainText('time 1 of 5');
+  await expect(panel).toContainText('#24');
+  await expect(row(page, '#24')).toContainText('40');
+  await panel.getByRole('button', { name: 'The next time' }).focus();
+  await page.keyboard.press('Enter');
+  await expect(panel).toContainText('time 2 of 5');
+  await expect(row(page, '#24')).toContainText('38');
+  // A block that nothing comes to says so.
+  await type(page, 'O1\nGOTO 5\nG00 X10\nN5 M30');
+  await goTo(page, 3, 1);
+  await expect(panel).toContainText('Line 3 is not carried out.');
+});
+
+test('the word under the pointer is explained', async ({ page }) => {
+  await open(page);
+  await type(page, THREAD);
+  const word = editor(page).locator('.cm-line').nth(4);
+  const box = (await word.boundingBox())!;
+  await page.mouse.move(box.x + 8, box.y + box.height / 2);
+  await page.mouse.move(box.x + 10, box.y + box.height / 2);
+  const card = page.locator('.word-card');
+  await expect(card).toContainText('G76');
+  await expect(card).toContainText('threading');
+  await page.mouse.move(box.x + 8, box.y + 200);
+  await expect(card).toBeHidden();
+  // Where there is a problem, that alone is shown: line 6 is too fast for its thread.
+  const wrong = (await editor(page).locator('.cm-line').nth(5).boundingBox())!;
+  await page.mouse.move(wrong.x + 8, wrong.y + wrong.height / 2);
+  await page.mouse.move(wrong.x + 10, wrong.y + wrong.height / 2);
+  await expect(page.locator('.cm-tooltip')).toContainText('S600 is too fast');
+  await expect(page.locator('.word-card')).toHaveCount(0);
+});
+
+test('an answer is that of the newest text', async ({ page }) => {
+  await open(page);
+  await type(page, 'G00 X50 Z2\nG01 Z-10 F0.2\nM30');
+  await goTo(page, 2, 9);
+  await page.keyboard.press('F1');
+  await expect(atCursor(page)).toContainText('F0.2');
+  await page.keyboard.press('End');
+  await page.keyboard.type('5');
+  await expect(atCursor(page)).toContainText('F0.25');
+});
+
+test('nothing is loaded for it before the reader is in the text', async ({ page }) => {
+  await open(page);
+  await expect(atCursor(page)).toContainText('what the word there is');
+  await editor(page).focus();
+  await page.keyboard.press('Control+End');
+  await expect(atCursor(page)).toContainText('no word');
+});
+
+test('on a phone it stands with the problems', async ({ page }) => {
+  await page.setViewportSize({ width: 460, height: 700 });
+  await open(page);
+  await tab(page, 'program').click();
+  await type(page, THREAD);
+  await goTo(page, 6, 'G76 X27.4 Z-25 P1299 '.length);
+  await tab(page, 'problems').click();
+  await expect(atCursor(page)).toContainText('Q400');
+  await atCursor(page).getByRole('button').first().click();
+  await expect(atCursor(page).getByRole('table').first()).toBeVisible();
+  expect(await page.evaluate(() => document.documentElement.scrollWidth)).toBeLessThanOrEqual(460);
+});

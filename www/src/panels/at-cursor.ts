@@ -1,0 +1,258 @@
+// At the cursor: what the word there is, and the state of the control before and after its block.
+//
+// In: answers of the interpreter about the block at the cursor, once the reader has been in the text. Out: the block that
+// the reader wants to see. Must not know: what a word or a row means.
+
+import { arrange, icon, make, name, showText } from '../dom/dom';
+import type { Language } from '../dom/language';
+import { words } from '../dom/words';
+import { factList, wordLine } from '../editor/word-help';
+import type { Help, HelpLine, StateHelp, StateRow } from '../protocol/protocol';
+import type { Heard } from '../worker/core-client';
+import type { Key, NewestQuestion, Panel, PanelKind, Shell } from './panel';
+import atCursorStyles from './at-cursor.css?inline';
+
+export const atCursor: PanelKind = { control: 'help', styles: atCursorStyles, make: (shell) => new AtCursor(shell) };
+
+class AtCursor implements Panel {
+  readonly #shell: Shell;
+  readonly #question: NewestQuestion<'help'>;
+  readonly #title = make('span', { id: 'at-cursor-name' });
+  readonly #line = make('span', { className: 'at-cursor-line' });
+  readonly #toggle = make('button', { type: 'button', className: 'at-cursor-toggle', 'aria-expanded': 'false', 'aria-controls': 'at-cursor-body' });
+  readonly #facts = make('div', { className: 'at-cursor-facts' });
+  readonly #previous = make('button', { type: 'button', className: 'small' }, icon('previous'));
+  readonly #next = make('button', { type: 'button', className: 'small' }, icon('next'));
+  readonly #time = make('span');
+  readonly #times = make('div', { className: 'at-cursor-times', hidden: true }, this.#previous, this.#time, this.#next);
+  readonly #state = make('div', { className: 'at-cursor-state' });
+  readonly #body = make('div', { className: 'at-cursor-body', id: 'at-cursor-body', hidden: true }, this.#facts, this.#times, this.#state);
+  readonly #element = make('section', { className: 'at-cursor', part: 'at-cursor', 'aria-labelledby': 'at-cursor-name caption' }, this.#toggle, this.#body);
+  /** The reader has been in the text: until then nothing is asked, and nothing is loaded for it. */
+  #wanted = false;
+  /** The next answer is read out. */
+  #speaks = false;
+  /** Which of the times the block is carried out; the usual one where nothing is chosen. */
+  #chosen: number | undefined;
+  #shown: Help | undefined;
+  #marks = false;
+  readonly places = { problems: [this.#element] };
+
+  constructor(shell: Shell) {
+    this.#shell = shell;
+    this.#question = shell.newest('help', (help) => this.#answered(help));
+    this.#toggle.append(icon('chevron'), this.#title, this.#line);
+    this.#toggle.addEventListener('click', () => this.#setOpen(this.#body.hidden === true));
+    this.#previous.addEventListener('click', () => this.#choose(-1));
+    this.#next.addEventListener('click', () => this.#choose(1));
+  }
+
+  set language(language: Language) {
+    const texts = WORDS[language];
+    showText(this.#title, texts.atCursor);
+    name(this.#previous, texts.previousTime);
+    name(this.#next, texts.nextTime);
+    this.#toggle.title = texts.hint;
+    if (this.#shown === undefined) this.#clear();
+    this.#ask();
+  }
+
+  cursorMoved(): void {
+    this.#wanted = true;
+    this.#chosen = undefined;
+    this.#ask();
+  }
+
+  heard(event: Heard): void {
+    if (event.kind === 'report') this.#ask();
+  }
+
+  outdated(): void {
+    this.#question.forget();
+    this.#mark(undefined);
+  }
+
+  lost(): void {
+    this.#question.forget();
+    this.#shown = undefined;
+    this.#clear();
+  }
+
+  pressed({ event, inside }: Key): 'own' | 'not-own' {
+    if (event.key !== 'F1' || event.ctrlKey || event.altKey || event.metaKey) return 'not-own';
+    if (inside !== 'text' && this.#shell.root.activeElement?.closest('.editor') === null) return 'not-own';
+    this.#wanted = true;
+    this.#speaks = true;
+    this.#setOpen(true);
+    return 'own';
+  }
+
+  #setOpen(open: boolean): void {
+    this.#body.hidden = !open;
+    this.#toggle.setAttribute('aria-expanded', String(open));
+    this.#ask();
+  }
+
+  #ask(): void {
+    if (!this.#wanted) return;
+    this.#question.ask({ offset: this.#place, time: this.#chosen, by: 'cursor', state: !this.#body.hidden });
+  }
+
+  /** Where the cursor is, or what is selected begins. */
+  get #place(): number {
+    const { editor } = this.#shell;
+    const { from, to } = editor.selection;
+    return from === to ? editor.cursor : from;
+  }
+
+  /** Another of the times the block is carried out. */
+  #choose(step: -1 | 1): void {
+    const state = this.#shown?.state;
+    if (state === undefined) return;
+    this.#chosen = Math.min(Math.max(state.number + step, 1), state.times);
+    this.#ask();
+  }
+
+  #answered(help: Help | undefined): void {
+    if (help === undefined) return;
+    this.#shown = help;
+    const texts = WORDS[this.#shell.language];
+    const { word, state } = help;
+    this.#line.replaceChildren(word === undefined ? texts.nothing : wordLine(word));
+    this.#facts.replaceChildren(...(word === undefined ? [] : [factList(word.facts, (offset) => this.#go(offset))]));
+    this.#mark(word?.marks[0]);
+    if (state !== undefined) this.#showState(state);
+    // An answer to an earlier question is shown, but not read out.
+    if (!this.#speaks || help.offset !== this.#place) return;
+    this.#speaks = false;
+    const said = word === undefined ? [texts.nothing] : [word.word, word.title, word.value ?? '', ...word.facts.map(({ text }) => text)];
+    this.#shell.editor.announce(said.filter((text) => text !== '').join('. '));
+  }
+
+  /** Nothing is known: the line says what can stand here. */
+  #clear(): void {
+    showText(this.#line, WORDS[this.#shell.language].empty);
+    this.#facts.replaceChildren();
+    this.#times.hidden = true;
+    this.#state.replaceChildren();
+  }
+
+  #mark(marks: readonly [number, number] | undefined): void {
+    if (marks === undefined && !this.#marks) return;
+    this.#marks = marks !== undefined;
+    this.#shell.editor.hovered = marks === undefined ? undefined : { from: marks[0], to: marks[1] };
+  }
+
+  #showState(state: StateHelp): void {
+    const texts = WORDS[this.#shell.language];
+    this.#times.hidden = state.times < 2;
+    this.#previous.disabled = state.number <= 1;
+    this.#next.disabled = state.number >= state.times;
+    showText(this.#time, texts.time(state.number, state.times));
+    if (state.number === 0) {
+      this.#state.replaceChildren(make('p', {}, texts.never(state.line)));
+      return;
+    }
+    const parts = [
+      ...(state.purpose === undefined ? [] : [make('p', {}, state.purpose)]),
+      this.#table(texts.state(state.line), [...state.axes, ...state.rows], state.speeds),
+      ...(state.variables.length === 0 ? [] : [this.#table(texts.variables, state.variables)]),
+      ...(state.hidden === 0 ? [] : [make('p', {}, texts.hidden(state.hidden))]),
+      ...(state.frames.length === 0 ? [] : [make('p', { className: 'at-cursor-heading' }, texts.frames), this.#frames(state.frames)]),
+    ];
+    arrange(this.#state, parts);
+  }
+
+  #table(caption: string, rows: readonly StateRow[], speeds?: string): HTMLTableElement {
+    const texts = WORDS[this.#shell.language];
+    const heading = (text: string): HTMLElement => make('th', { scope: 'col' }, text);
+    const head = make('tr', {}, heading(''), heading(texts.before), heading(texts.after), heading(texts.since));
+    const lines = rows.map((row) => this.#row(row));
+    if (speeds !== undefined) lines.push(make('tr', {}, make('th', { scope: 'row' }, texts.speeds), make('td', { colSpan: 2 }, speeds), make('td')));
+    return make('table', { className: 'state-table' }, make('caption', {}, caption), make('thead', {}, head), make('tbody', {}, ...lines));
+  }
+
+  #row({ name, before, after, changed, line, at }: StateRow): HTMLTableRowElement {
+    const texts = WORDS[this.#shell.language];
+    const where = make('td', { className: 'since' });
+    if (line !== undefined && at !== undefined) {
+      const button = make('button', { type: 'button', className: 'to-block', title: texts.toLine(line) }, String(line));
+      button.setAttribute('aria-label', texts.toLine(line));
+      button.addEventListener('click', () => this.#go(at));
+      where.append(button);
+    }
+    const cells = changed
+      ? [make('td', {}, before), make('td', { className: 'changed' }, make('strong', {}, after))]
+      : [make('td', { colSpan: 2 }, after)];
+    return make('tr', { className: changed ? 'changed' : '' }, make('th', { scope: 'row' }, name), ...cells, where);
+  }
+
+  #frames(frames: readonly HelpLine[]): HTMLElement {
+    return factList(frames, (offset) => this.#go(offset));
+  }
+
+  /** The reader wants to see the block at an offset. */
+  #go(offset: number): void {
+    this.#shell.goTo({ from: offset, to: this.#shell.editor.endOfLine(offset) });
+  }
+}
+
+const WORDS = words({
+  en: {
+    atCursor: 'At the cursor',
+    hint: 'What the word at the cursor is, and what is in force there (F1)',
+    empty: 'what the word there is',
+    nothing: 'no word',
+    state: (line: number) => `The control before and after line ${line}`,
+    before: 'Before',
+    after: 'After',
+    since: 'Line',
+    speeds: 'Spindle after the block',
+    variables: 'Variables',
+    hidden: (count: number) => `${count} more variables`,
+    frames: 'Calls and loops',
+    time: (number: number, times: number) => `time ${number} of ${times}`,
+    previousTime: 'The time before',
+    nextTime: 'The next time',
+    never: (line: number) => `Line ${line} is not carried out.`,
+    toLine: (line: number) => `To line ${line}`,
+  },
+  zh: {
+    atCursor: '光标处',
+    hint: '光标处的字是什么，此处哪些指令有效（F1）',
+    empty: '光标处的字是什么',
+    nothing: '没有字',
+    state: (line) => `第 ${line} 行之前与之后的系统状态`,
+    before: '之前',
+    after: '之后',
+    since: '行',
+    speeds: '本段之后的主轴',
+    variables: '变量',
+    hidden: (count) => `另有 ${count} 个变量`,
+    frames: '调用与循环',
+    time: (number, times) => `第 ${number} 次，共 ${times} 次`,
+    previousTime: '上一次',
+    nextTime: '下一次',
+    never: (line) => `第 ${line} 行不会执行。`,
+    toLine: (line) => `转到第 ${line} 行`,
+  },
+  ru: {
+    atCursor: 'У курсора',
+    hint: 'Что за слово у курсора и что здесь действует (F1)',
+    empty: 'что за слово',
+    nothing: 'слова нет',
+    state: (line) => `Система ЧПУ до и после строки ${line}`,
+    before: 'До',
+    after: 'После',
+    since: 'Строка',
+    speeds: 'Шпиндель после кадра',
+    variables: 'Переменные',
+    hidden: (count) => `Ещё переменных: ${count}`,
+    frames: 'Вызовы и циклы',
+    time: (number, times) => `раз ${number} из ${times}`,
+    previousTime: 'Предыдущий раз',
+    nextTime: 'Следующий раз',
+    never: (line) => `Строка ${line} не выполняется.`,
+    toLine: (line) => `К строке ${line}`,
+  },
+});
