@@ -281,7 +281,7 @@ mod tests {
         assert_eq!(problems(&[("core.wasm", 181_000), ("machine.wasm", 211_000)]).len(), 2);
         assert_eq!(problems(&[("machine.wasm", 211_000), ("en.wasm", 17_000)]).len(), 3);
         assert!(
-            problems(&[("core.wasm", 167_000), ("machine.wasm", 600_000)])
+            problems(&[("core.wasm", 167_000), ("machine.wasm", 700_000)])
                 .iter()
                 .any(|text| text.starts_with("all parts"))
         );
