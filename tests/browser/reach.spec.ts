@@ -32,7 +32,7 @@ test('by keyboard alone: gallery, editor, problems, playing, help, drawing', asy
   // Tab leaves the editor, and the drawing is among what follows.
   await page.keyboard.press('Tab');
   await expect(editor(page)).not.toBeFocused();
-  for (let i = 0; i < 6 && !(await drawing(page).evaluate((canvas) => canvas.matches(':focus'))); i++) {
+  for (let i = 0; i < 8 && !(await drawing(page).evaluate((canvas) => canvas.matches(':focus'))); i++) {
     await page.keyboard.press('Tab');
   }
   await expect(drawing(page)).toBeFocused();

@@ -71,6 +71,8 @@ for (const { name, width, height, by, ratio } of WINDOWS) {
         for (const part of [editor(page), problems(page), status(page)]) await expect(part).toBeInViewport();
       }
       await page.getByRole('button', { name: /^(Play|播放|Пуск)$/ }).click();
+      // What is read off while it plays takes room, too.
+      await expect(page.locator('.readout')).not.toHaveClass(/idle/);
       await measure('playing');
       info.annotations.push({ type: 'canvas', description: measured.join(', ') });
       await context.close();
