@@ -14,6 +14,8 @@ use gcode_playground::api::Places;
 use gcode_playground::api::assist::{Reader, StateHelp, WordHelp};
 use gcode_playground::assist::Asked;
 use gcode_playground::assist::role::Role;
+use gcode_playground::assist::signature::Otherwise;
+use gcode_playground::message::Severity;
 use gcode_playground::run::Run;
 use gcode_playground::run::replay::{Found, Time, block_at};
 use gcode_playground::sentences::Language;
@@ -76,7 +78,7 @@ impl Asking {
     }
 
     fn state(&mut self, byte: u32, time: Time, language: Language) -> StateHelp {
-        self.with(byte, time, language, |asked, reader, _| reader.state(asked))
+        self.with(byte, time, language, |asked, reader, run| reader.state(asked, run.motions()))
     }
 }
 
@@ -108,6 +110,12 @@ fn answers(text: &str) -> String {
                         _ = writeln!(out, "    {}", fact.text);
                     }
                 }
+            }
+        }
+        for language in Language::ALL {
+            let StateHelp { explanation, .. } = asking.state(mark, Time::Usual, language);
+            if !explanation.is_empty() {
+                _ = writeln!(out, "{explanation}");
             }
         }
         let state = asking.state(mark, Time::Usual, Language::English);
@@ -142,8 +150,14 @@ fn answers_at_the_marked_places_are_the_committed_ones() {
         let expected = path.with_extension("help");
         if std::env::var_os("UPDATE").is_some() {
             fs::write(&expected, &answered).expect("a file");
-        } else if fs::read_to_string(&expected).ok().as_ref() != Some(&answered) {
-            changed.push((path, answered));
+            continue;
+        }
+        let committed = fs::read_to_string(&expected).unwrap_or_default();
+        let differ = committed.lines().zip(answered.lines()).enumerate().find(|(_, (old, new))| old != new);
+        if let Some((line, (old, new))) = differ {
+            changed.push(format!("{}, line {}: `{new}` instead of `{old}`", expected.display(), line + 1));
+        } else if committed != answered {
+            changed.push(format!("{}: another length", expected.display()));
         }
     }
     assert!(changed.is_empty(), "{changed:#?}");
@@ -198,4 +212,75 @@ fn the_state_shown_is_that_of_stepping() {
         assert_eq!(last.after.state.position, end.position, "{id}");
         assert_eq!(last.after.state.variables, end.variables, "{id}");
     }
+}
+
+/// Blocks with all the words of their form, and what has to stand before and after them.
+const FORMS: &[(&str, &str, &str)] = &[
+    ("", "G00 X50 Z-10", ""),
+    ("", "G01 X50 Z-10 F0.2", "G01 Z-20"),
+    ("G01 Z0 F0.2\n", "G02 X70 Z-10 R12 F0.2", ""),
+    ("G01 Z0 F0.2\n", "G03 X70 Z-10 R12 F0.2", ""),
+    ("G32 W-1 F2\nG00 Z2\n", "G32 X62 Z-20 F2 Q0", ""),
+    ("", "G90 X50 Z-20 R-2 F0.2", ""),
+    ("", "G94 X50 Z-2 R-1 F0.2", ""),
+    ("G32 W-1 F2\nG00 Z2\n", "G92 X50 Z-20 R-1 F2 Q0", ""),
+    ("G71 U3 R1\n", "G71 U2 R1", "G71 P10 Q20 U0.4 W0.1 F0.3\nN10 G00 X30\nG01 Z-10\nN20 X60 Z-40"),
+    ("G71 U2 R1\n", "G71 P10 Q20 U0.4 W0.1 F0.3 S600 T0101", "N10 G00 X30\nG01 Z-10\nN20 X60 Z-40"),
+    ("", "G71 P10 Q20 U0.4 W0.1 D2000 F0.3", "N10 G00 X30\nG01 Z-10\nN20 X60 Z-40"),
+    ("G72 W2 R1\n", "G72 P10 Q20 U0.4 W0.1 F0.3 S600 T0101", "N10 G00 Z-20\nG01 X40\nN20 Z0"),
+    ("G73 U4 W2 R3\n", "G73 P10 Q20 U0.4 W0.1 F0.3 S600 T0101", "N10 G00 X30\nG01 Z-10\nN20 X60 Z-40"),
+    ("G71 U2 R1\nG71 P10 Q20 F0.3\nN10 G00 X30\nG01 Z-10\nN20 X60 Z-40\n", "G70 P10 Q20", ""),
+    ("", "G74 R1", "G74 Z-20 Q5000 F0.1"),
+    ("G00 X0\nG74 R1\n", "G74 X0 Z-20 P1000 Q5000 R0 F0.1", ""),
+    ("G75 R1\n", "G75 X40 Z-10 P3000 Q2000 R0 F0.1", ""),
+    ("", "G76 P020060 Q100 R0.05", "G76 X57.4 Z-20 P1300 Q400 F2"),
+    ("G76 P020060 Q100 R0.05\n", "G76 X57.4 Z-20 R0 P1300 Q400 F2", ""),
+    ("G00 X0\n", "G83 X0 C0 Z-20 R-3 Q5000 P500 F100 K1", "G80"),
+    ("", "G87 X40 C0 Z-10 R-3 Q5000 P500 F100 K1", "G80"),
+    ("", "G04 X1.5", ""),
+    ("", "G28 U0 W0", ""),
+    ("", "G30 P2 U0 W0", ""),
+    ("", "M98 P9100 L2", ""),
+    ("", "G65 P9100 L1 A5", ""),
+];
+
+/// Severe messages of a program, those on the block of a form.
+fn serious(head: &str, block: &str, rest: &str) -> Vec<String> {
+    let text = format!("{FORM_HEAD}{head}{block}\n{rest}\nG00 X100 Z100\nM30\nO9100\nM99\n");
+    let asking = Asking::new(&text, Setup::default());
+    let told = asking.run.diagnostics().iter().filter(|told| told.severity != Severity::Info);
+    told.map(|told| told.message.slug().to_owned()).collect()
+}
+
+const FORM_HEAD: &str = "O1\nT0101 M3 S800 G99\nG00 X62 Z2\nG01 F0.25 Z1\nG00 Z2\n";
+
+/// What a form calls necessary is missed by the control, and what it calls optional is not.
+#[test]
+fn a_form_asks_for_what_the_control_asks_for() {
+    let mut wrong = Vec::new();
+    for &(head, block, rest) in FORMS {
+        let with_all = serious(head, block, rest);
+        let text = format!("{FORM_HEAD}{head}{block}\n{rest}\nG00 X100 Z100\nM30\nO9100\nM99\n");
+        let mut asking = Asking::new(&text, Setup::default());
+        let at = (FORM_HEAD.len() + head.len()) as u32;
+        let signature = asking.with(at, Time::Usual, Language::English, |asked, _, _| asked.signature());
+        let signature = signature.unwrap_or_else(|| panic!("{block}: no form"));
+        let (_, places) = &signature.lines[signature.own];
+        let words: Vec<&str> = block.split(' ').collect();
+        for word in &words[1..] {
+            let letter = word.trim_start_matches(',').as_bytes()[0];
+            let Some(place) = places.iter().find(|place| place.slot.letters.contains(&letter)) else {
+                wrong.push(format!("{block}: the form has no {word}"));
+                continue;
+            };
+            let without = block.replacen(&format!(" {word}"), "", 1);
+            let new: Vec<String> =
+                serious(head, &without, rest).into_iter().filter(|rule| !with_all.contains(rule)).collect();
+            let has_to = place.slot.otherwise == Otherwise::Missing;
+            if new.is_empty() == has_to {
+                wrong.push(format!("{block}: without {word} {:?}: {new:?}", place.slot.otherwise));
+            }
+        }
+    }
+    assert!(wrong.is_empty(), "{wrong:#?}");
 }

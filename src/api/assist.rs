@@ -10,6 +10,7 @@ use super::Places;
 use crate::assist::Asked;
 use crate::assist::fact::Fact;
 use crate::assist::hover::Hover;
+use crate::assist::signature::{Otherwise, Place};
 use crate::assist::state::{Frame, StateTable};
 use crate::motion::Motions;
 use crate::sentences::Language;
@@ -61,6 +62,8 @@ pub struct StateHelp {
     pub number: u32,
     /// How often it is carried out.
     pub times: u32,
+    /// What the block does, in sentences with the numbers worked out; may be empty.
+    pub explanation: String,
     /// That a cycle reads it as a part of its contour.
     #[serde(skip_serializing_if = "Option::is_none")]
     #[cfg_attr(target_arch = "wasm32", tsify(optional))]
@@ -79,6 +82,45 @@ pub struct StateHelp {
     pub hidden: u32,
     /// Calls and loops under way, the outermost first.
     pub frames: Vec<HelpLine>,
+}
+
+/// The form of the block that was asked about: of a cycle, a move or a call.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+#[cfg_attr(target_arch = "wasm32", derive(Tsify))]
+pub struct FormHelp {
+    /// Its blocks: two for the multiple cycles of today.
+    pub lines: Vec<FormLine>,
+}
+
+/// A block of a form.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+#[cfg_attr(target_arch = "wasm32", derive(Tsify))]
+pub struct FormLine {
+    /// The code, as the control writes it.
+    pub code: String,
+    /// It is the block that was asked about.
+    pub own: bool,
+    /// Its words, in the order they are written.
+    pub words: Vec<FormWord>,
+}
+
+/// A place for a word.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+#[cfg_attr(target_arch = "wasm32", derive(Tsify))]
+pub struct FormWord {
+    /// The letters that can stand there: `X`, or `X/U`.
+    pub letters: String,
+    /// What the word is.
+    pub title: &'static str,
+    /// It can be left out.
+    pub optional: bool,
+    /// It stands in the block that was asked about, or has to and does not, or is left out.
+    #[cfg_attr(target_arch = "wasm32", tsify(type = "\"there\" | \"missing\" | \"left-out\""))]
+    pub state: &'static str,
+    /// What holds without it.
+    pub otherwise: String,
+    /// It is the word that was asked about.
+    pub marked: bool,
 }
 
 /// What is in force before and after a block.
@@ -131,14 +173,49 @@ impl Reader<'_> {
         Some(WordHelp { from, to, word, title: self.title(&hover), value, facts, marks: marks.collect() })
     }
 
+    /// The form of the block, with the word at a byte marked; nothing where a block has none.
+    pub fn form(&self, asked: &Asked, byte: u32) -> Option<FormHelp> {
+        let signature = asked.signature()?;
+        let own = signature.own;
+        let lines = signature.lines.iter().enumerate().map(|(index, (line, places))| FormLine {
+            code: line.code.clone(),
+            own: index == own,
+            words: places.iter().map(|place| self.form_word(place, index == own, byte)).collect(),
+        });
+        Some(FormHelp { lines: lines.collect() })
+    }
+
+    fn form_word(&self, place: &Place, own: bool, byte: u32) -> FormWord {
+        let letters: Vec<String> = place
+            .slot
+            .letters
+            .iter()
+            .map(|&letter| format!("{}{}", if place.slot.comma { "," } else { "" }, letter as char))
+            .collect();
+        let optional = place.slot.otherwise != Otherwise::Missing;
+        FormWord {
+            letters: letters.join("/"),
+            title: place.role.words(self.language),
+            optional,
+            state: match place.word {
+                Some(_) => "there",
+                None if own && !optional => "missing",
+                None => "left-out",
+            },
+            otherwise: self.speak(|speaker| speaker.otherwise(place.slot.otherwise, place.in_force)),
+            marked: place.word.is_some_and(|word| word.start <= byte && byte <= word.end),
+        }
+    }
+
     /// The state at the block.
-    pub fn state(&self, asked: &Asked) -> StateHelp {
+    pub fn state(&self, asked: &Asked, motions: &Motions) -> StateHelp {
         let line = self.line_of(asked.block.span.start);
         let Some(table) = asked.state() else {
             return StateHelp {
                 line,
                 number: 0,
                 times: 0,
+                explanation: String::new(),
                 purpose: None,
                 axes: Vec::new(),
                 speeds: None,
@@ -148,7 +225,15 @@ impl Reader<'_> {
                 frames: Vec::new(),
             };
         };
-        self.speak(|speaker| self.rows(line, &table, speaker))
+        let explanation = asked.explanation(motions);
+        self.speak(|speaker| {
+            let mut help = self.rows(line, &table, speaker);
+            help.explanation = match speaker.explanation(&explanation) {
+                moves if !moves.is_empty() || table.purpose.is_some() => moves,
+                _ => sets(&help, speaker),
+            };
+            help
+        })
     }
 
     fn rows(&self, line: u32, table: &StateTable, speaker: &Speaker) -> StateHelp {
@@ -176,6 +261,7 @@ impl Reader<'_> {
             line,
             number: table.number,
             times: table.times,
+            explanation: String::new(),
             purpose: table.purpose.map(|purpose| speaker.purpose(purpose)),
             axes: table.axes.iter().map(axis).collect(),
             speeds: table.speeds.map(|(speed, cutting)| {
@@ -211,4 +297,16 @@ impl Reader<'_> {
     fn offset(&self, byte: u32) -> u32 {
         self.places.lines.utf16_offset(self.places.text, byte)
     }
+}
+
+/// What a block sets that moves nothing.
+fn sets(help: &StateHelp, speaker: &Speaker) -> String {
+    let changed = help.rows.iter().chain(&help.variables).filter(|row| row.changed);
+    let list: Vec<String> = changed
+        .map(|row| match row.name.strip_prefix('#') {
+            Some(_) => format!("{} = {}", row.name, row.after),
+            None => speaker.named(&row.name, &row.after),
+        })
+        .collect();
+    if list.is_empty() { String::new() } else { speaker.sets(&list) }
 }

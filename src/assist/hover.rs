@@ -351,7 +351,7 @@ impl<'a> Asked<'a> {
     }
 
     /// Where the axis words of the block lead.
-    fn end(&self, state: &State, reading: Reading) -> Point {
+    pub(super) fn end(&self, state: &State, reading: Reading) -> Point {
         let mut end = state.position;
         for word in &self.block.words {
             match (word.address, reading.length(word)) {

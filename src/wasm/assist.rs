@@ -48,6 +48,12 @@ impl Playground {
     pub fn state_help(&self) -> Result<JsValue, JsValue> {
         state(self)
     }
+
+    /// The form of the block that was asked about; nothing where it has none, or there is no answer yet.
+    #[wasm_bindgen(js_name = formHelp, unchecked_return_type = "FormHelp | undefined")]
+    pub fn form_help(&self) -> Result<JsValue, JsValue> {
+        form(self)
+    }
 }
 
 in_part! {
@@ -87,9 +93,16 @@ in_part! {
         with_answer(playground, |reader, asked| to_js(&reader.word(asked, byte, &notes, motions)))
     }
 
+    Tools "0904"
+    fn form(playground: &Playground) -> Result<JsValue, JsValue> {
+        let byte = playground.question.byte;
+        with_answer(playground, |reader, asked| to_js(&reader.form(asked, byte)))
+    }
+
     Tools "0903"
     fn state(playground: &Playground) -> Result<JsValue, JsValue> {
-        with_answer(playground, |reader, asked| to_js(&reader.state(asked)))
+        let motions = playground.current.motions();
+        with_answer(playground, |reader, asked| to_js(&reader.state(asked, motions)))
     }
 }
 

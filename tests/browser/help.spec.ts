@@ -54,6 +54,23 @@ for (const locale of ['en', 'zh', 'ru'] as const) {
   });
 }
 
+test('the form of the block says what is missing and what is assumed for what is left out', async ({ page }) => {
+  await open(page);
+  await type(page, THREAD.replace(' P1299', ''));
+  await goTo(page, 6, 'G76 X27.4 Z-25 '.length);
+  await page.keyboard.press('F1');
+  const form = atCursor(page).locator('.at-cursor-form');
+  await expect(form.locator('.missing').last()).toHaveText('P thread height, on radius. Missing.');
+  await expect(form.locator('mark')).toHaveText('Q');
+  await expect(form.locator('li.left-out')).toContainText('taper of the thread');
+  // It takes room; the block it is about stays in sight.
+  await expect(page.locator('.cm-line').filter({ hasText: 'Q400' })).toBeInViewport();
+  // Written, it is missing no longer, and the block says what it makes.
+  await page.keyboard.type('P1299 ');
+  await expect(form.locator('.missing')).toHaveCount(0);
+  await expect(atCursor(page).locator('.at-cursor-state')).toContainText(/G76: \d+ passes/);
+});
+
 test('the state before and after the block leads to the blocks that set it', async ({ page }) => {
   await open(page);
   await type(page, THREAD);

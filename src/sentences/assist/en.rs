@@ -251,5 +251,41 @@ pub(in crate::sentences) const fn told(told: Told) -> &'static str {
         Told::ReadByRoughing => "Read by a roughing cycle as a part of its contour.",
         Told::ReadByFinishing => "Read by finishing (G70) as a part of its contour.",
         Told::TimeOf => "Shown here: time {number} of {times} that the block is carried out.",
+        Told::ExplainRapid => "Rapid from {from} to {to}.",
+        Told::ExplainStraight => "Cuts straight from {from} to {to}: {length}.",
+        Told::ExplainTaper => "Cuts a taper from {from} to {to}, {angle} to the Z axis.",
+        Told::ExplainClockwise => "Cuts a clockwise arc of radius {radius} to {to}.",
+        Told::ExplainCounterclockwise => "Cuts a counter-clockwise arc of radius {radius} to {to}.",
+        Told::ExplainThread => "Cuts a thread with a lead of {lead} from {from} to {to}.",
+        Told::ExplainDwell => "Waits {time}.",
+        Told::ExplainTurn => "Turns C to {to}.",
+        Told::ExplainMoves => "{count} moves from {from} to {to}.",
+        Told::ExplainPass => "{cycle}: one pass at {at}, from {from} to {to}, and back to the start.",
+        Told::ExplainPasses => {
+            "{cycle}: {passes} passes of {each}, {depth} deep on the radius in all; the last cuts at {at}."
+        }
+        Told::ExplainPassesZ => {
+            "{cycle}: {passes} passes of {each}, {depth} deep along Z in all; the last cuts at {at}."
+        }
+        Told::ExplainPassTo => "{cycle}: one pass, at {at}.",
+        Told::ExplainPassesTo => "{cycle}: {passes} passes; the last cuts at {at}.",
+        Told::ExplainPattern => "{cycle}: passes along the contour: {passes}.",
+        Told::ExplainContour => "Once along the contour: {length}.",
+        Told::ExplainPecks => "{cycle}: pecks to {at}: {pecks}.",
+        Told::ExplainPecksInColumns => "{cycle}: pecks to {at}: {pecks}, side by side in {columns} places.",
+        Told::ExplainHole => "{cycle}: a hole from {from} to {to}.",
+        Told::ExplainHoleInPecks => "{cycle}: a hole from {from} to {to}, in {pecks} pecks.",
+        Told::ExplainFeedTime => "At {feed}, in {time}.",
+        Told::ExplainFeedTimeWithoutRapids => "At {feed}, in {time} without the rapids.",
+        Told::ExplainTime => "In {time}.",
+        Told::ExplainTimeWithoutRapids => "In {time} without the rapids.",
+        Told::ExplainFeed => "At {feed}.",
+        Told::ExplainSets => "Sets: {what}.",
+        Told::SlotMissing => "Has to be there.",
+        Told::SlotStays => "Without it the axis stays where it is.",
+        Told::SlotZero => "Without it: 0.",
+        Told::SlotAsSet => "Without it: as an earlier block has set it.",
+        Told::SlotAsSetTo => "Without it: {what}, as set before.",
+        Told::SlotMay => "Can be left out.",
     }
 }

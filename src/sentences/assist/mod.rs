@@ -10,17 +10,20 @@ pub(super) mod zh;
 use super::labels;
 use super::language::Language;
 use super::template::fill;
+use crate::assist::explain::{Action, Explanation};
 use crate::assist::fact::{Fact, Quantity};
 use crate::assist::role::Role;
+use crate::assist::signature::Otherwise;
 use crate::assist::state::{Frame, InForce};
 use crate::control::codes::Group;
 use crate::control::contour::Purpose;
 use crate::control::origins::Modal;
 use crate::control::program::CallKind;
+use crate::geometry::Point;
 use crate::message::{Arguments, Value};
 use crate::setup::dialect::FeedMode;
 use crate::setup::fields;
-use crate::units::{Unit, number};
+use crate::units::{Diameter, Unit, number};
 
 /// Lists the templates of facts once, for the enum and for the tests of all of them.
 macro_rules! told {
@@ -55,6 +58,10 @@ told! {
     NotCarriedOut, Skipped, IgnoredByRoughing, TakenByFinishing, TimeOf,
     // The state
     Vacant, CallFrame, MacroFrame, LoopFrame, ReadByRoughing, ReadByFinishing,
+    // What a block does
+    ExplainRapid, ExplainStraight, ExplainTaper, ExplainClockwise, ExplainCounterclockwise, ExplainThread, ExplainDwell, ExplainTurn, ExplainMoves, ExplainPass, ExplainPasses, ExplainPassesZ, ExplainPassTo, ExplainPassesTo, ExplainPattern, ExplainContour, ExplainPecks, ExplainPecksInColumns, ExplainHole, ExplainHoleInPecks, ExplainFeedTime, ExplainFeedTimeWithoutRapids, ExplainTime, ExplainTimeWithoutRapids, ExplainFeed, ExplainSets,
+    // The form of a cycle
+    SlotMissing, SlotStays, SlotZero, SlotAsSet, SlotAsSetTo, SlotMay,
 }
 
 impl Role {
@@ -238,6 +245,121 @@ impl Speaker<'_> {
             }
         };
         fill((self.language.texts().told)(told), &arguments)
+    }
+
+    /// What holds where a word is left out.
+    pub fn otherwise(&self, otherwise: Otherwise, in_force: Option<Quantity>) -> String {
+        let texts = self.language.texts();
+        let told = match (otherwise, in_force) {
+            (Otherwise::Missing, _) => Told::SlotMissing,
+            (Otherwise::Stays, _) => Told::SlotStays,
+            (Otherwise::Zero, _) => Told::SlotZero,
+            (Otherwise::AsSet, None) => Told::SlotAsSet,
+            (Otherwise::AsSet, Some(_)) => Told::SlotAsSetTo,
+            (Otherwise::Nothing, _) => Told::SlotMay,
+        };
+        let what = in_force.map(|quantity| ("what", Value::Text(self.quantity(quantity).into())));
+        fill((texts.told)(told), &what.into_iter().collect())
+    }
+
+    /// What a block does, in sentences; nothing where it moves nothing.
+    pub fn explanation(&self, explanation: &Explanation) -> String {
+        let mut sentences: Vec<String> =
+            explanation.actions.iter().map(|action| self.action(action)).collect();
+        let named = |quantity: Quantity| Value::Text(self.quantity(quantity).into());
+        let feed = explanation.feed.map(|feed| ("feed", named(feed)));
+        let is_wait = matches!(explanation.actions[..], [Action::Dwell(_)]);
+        let time = explanation.time.filter(|_| !is_wait).map(|time| ("time", named(time)));
+        let told = match (&feed, &time, explanation.without_rapids) {
+            (None, None, _) => None,
+            (Some(_), None, _) => Some(Told::ExplainFeed),
+            (None, Some(_), false) => Some(Told::ExplainTime),
+            (None, Some(_), true) => Some(Told::ExplainTimeWithoutRapids),
+            (Some(_), Some(_), false) => Some(Told::ExplainFeedTime),
+            (Some(_), Some(_), true) => Some(Told::ExplainFeedTimeWithoutRapids),
+        };
+        let arguments: Arguments = feed.into_iter().chain(time).collect();
+        sentences.extend(told.map(|told| fill((self.language.texts().told)(told), &arguments)));
+        sentences.join(self.between_sentences())
+    }
+
+    /// That a block sets what is listed.
+    pub fn sets(&self, list: &[String]) -> String {
+        let list = list.join(if self.language == Language::Chinese { "；" } else { "; " });
+        fill((self.language.texts().told)(Told::ExplainSets), &vec![("what", Value::Text(list.into()))])
+    }
+
+    /// A value with its name.
+    pub fn named(&self, name: &str, value: &str) -> String {
+        format!("{name}{}{value}", if self.language == Language::Chinese { "：" } else { ": " })
+    }
+
+    fn between_sentences(&self) -> &'static str {
+        if self.language == Language::Chinese { "" } else { " " }
+    }
+
+    fn action(&self, action: &Action) -> String {
+        let named =
+            |name: &'static str, quantity: Quantity| (name, Value::Text(self.quantity(quantity).into()));
+        let place = |name: &'static str, at: Point| (name, Value::Text(self.place(at).into()));
+        let count = |name: &'static str, count: u32| (name, Value::Count(i64::from(count)));
+        let code = |cycle: crate::motion::Cycle| ("cycle", Value::Text(cycle.code().into()));
+        let (told, arguments): (Told, Arguments) = match *action {
+            Action::Rapid(from, to) => (Told::ExplainRapid, vec![place("from", from), place("to", to)]),
+            Action::Straight(from, to, length) => {
+                (Told::ExplainStraight, vec![place("from", from), place("to", to), named("length", length)])
+            }
+            Action::Taper(from, to, angle) => {
+                (Told::ExplainTaper, vec![place("from", from), place("to", to), named("angle", angle)])
+            }
+            Action::Arc(to, radius, clockwise) => {
+                let told = if clockwise { Told::ExplainClockwise } else { Told::ExplainCounterclockwise };
+                (told, vec![place("to", to), named("radius", radius)])
+            }
+            Action::Thread(from, to, lead) => {
+                (Told::ExplainThread, vec![place("from", from), place("to", to), named("lead", lead)])
+            }
+            Action::Dwell(time) => (Told::ExplainDwell, vec![named("time", time)]),
+            Action::Turn(to) => (Told::ExplainTurn, vec![named("to", to)]),
+            Action::Moves(moves, from, to) => {
+                (Told::ExplainMoves, vec![count("count", moves), place("from", from), place("to", to)])
+            }
+            Action::Pass(cycle, at, from, to) => {
+                (Told::ExplainPass, vec![code(cycle), named("at", at), place("from", from), place("to", to)])
+            }
+            Action::Passes { cycle, passes, each, depth, last } => {
+                let told = if matches!(last, Quantity::Diameter(_)) {
+                    Told::ExplainPasses
+                } else {
+                    Told::ExplainPassesZ
+                };
+                let depths = [named("each", each), named("depth", depth), named("at", last)];
+                (told, [code(cycle), count("passes", passes)].into_iter().chain(depths).collect())
+            }
+            Action::PassesTo(cycle, passes, at) => {
+                let told = if passes == 1 { Told::ExplainPassTo } else { Told::ExplainPassesTo };
+                (told, vec![code(cycle), count("passes", passes), named("at", at)])
+            }
+            Action::Pattern(cycle, passes) => {
+                (Told::ExplainPattern, vec![code(cycle), count("passes", passes)])
+            }
+            Action::Contour(length) => (Told::ExplainContour, vec![named("length", length)]),
+            Action::Pecks(cycle, pecks, columns, at) => {
+                let told = if columns == 1 { Told::ExplainPecks } else { Told::ExplainPecksInColumns };
+                (told, vec![code(cycle), count("pecks", pecks), count("columns", columns), named("at", at)])
+            }
+            Action::Hole(cycle, from, to, pecks) => {
+                let told = if pecks == 1 { Told::ExplainHole } else { Told::ExplainHoleInPecks };
+                (told, vec![code(cycle), named("from", from), named("to", to), count("pecks", pecks)])
+            }
+        };
+        fill((self.language.texts().told)(told), &arguments)
+    }
+
+    /// A place in the words of a block.
+    fn place(&self, at: Point) -> String {
+        let length = |mm: f64| number(mm / self.unit.millimetres());
+        format!("X{} Z{}", length(Diameter::from_radius(at.x).mm()), length(at.z))
     }
 
     /// Which cycle reads a block as a part of its contour.

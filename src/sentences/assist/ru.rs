@@ -253,5 +253,41 @@ pub(in crate::sentences) const fn told(told: Told) -> &'static str {
         Told::ReadByRoughing => "Читается черновым циклом как часть контура.",
         Told::ReadByFinishing => "Читается чистовой обработкой (G70) как часть контура.",
         Told::TimeOf => "Показано: выполнение {number} из {times}.",
+        Told::ExplainRapid => "Ускоренное перемещение из {from} в {to}.",
+        Told::ExplainStraight => "Режет по прямой из {from} в {to}: {length}.",
+        Told::ExplainTaper => "Режет конус из {from} в {to}, {angle} к оси Z.",
+        Told::ExplainClockwise => "Режет дугу по часовой стрелке радиусом {radius} в {to}.",
+        Told::ExplainCounterclockwise => "Режет дугу против часовой стрелки радиусом {radius} в {to}.",
+        Told::ExplainThread => "Режет резьбу с ходом {lead} из {from} в {to}.",
+        Told::ExplainDwell => "Выдержка {time}.",
+        Told::ExplainTurn => "Поворачивает C до {to}.",
+        Told::ExplainMoves => "Перемещений: {count}, из {from} в {to}.",
+        Told::ExplainPass => "{cycle}: один проход на {at}, из {from} в {to}, и назад в начало.",
+        Told::ExplainPasses => {
+            "{cycle}: проходов {passes} по {each}, всего {depth} на радиус; последний режет на {at}."
+        }
+        Told::ExplainPassesZ => {
+            "{cycle}: проходов {passes} по {each}, всего {depth} по Z; последний режет на {at}."
+        }
+        Told::ExplainPassTo => "{cycle}: один проход, на {at}.",
+        Told::ExplainPassesTo => "{cycle}: проходов {passes}; последний режет на {at}.",
+        Told::ExplainPattern => "{cycle}: проходов вдоль контура: {passes}.",
+        Told::ExplainContour => "Один раз вдоль контура: {length}.",
+        Told::ExplainPecks => "{cycle}: шагов врезания до {at}: {pecks}.",
+        Told::ExplainPecksInColumns => "{cycle}: шагов врезания до {at}: {pecks}, рядом в {columns} местах.",
+        Told::ExplainHole => "{cycle}: отверстие от {from} до {to}.",
+        Told::ExplainHoleInPecks => "{cycle}: отверстие от {from} до {to}, шагов врезания {pecks}.",
+        Told::ExplainFeedTime => "На {feed}, за {time}.",
+        Told::ExplainFeedTimeWithoutRapids => "На {feed}, за {time} без ускоренных перемещений.",
+        Told::ExplainTime => "За {time}.",
+        Told::ExplainTimeWithoutRapids => "За {time} без ускоренных перемещений.",
+        Told::ExplainFeed => "На {feed}.",
+        Told::ExplainSets => "Задаёт: {what}.",
+        Told::SlotMissing => "Обязательно.",
+        Told::SlotStays => "Без него ось остаётся на месте.",
+        Told::SlotZero => "Без него: 0.",
+        Told::SlotAsSet => "Без него: как задал предыдущий кадр.",
+        Told::SlotAsSetTo => "Без него: {what}, как задано раньше.",
+        Told::SlotMay => "Можно опустить.",
     }
 }

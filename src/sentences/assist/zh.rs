@@ -247,5 +247,41 @@ pub(in crate::sentences) const fn told(told: Told) -> &'static str {
         Told::ReadByRoughing => "由粗加工循环作为轮廓的一部分读取。",
         Told::ReadByFinishing => "由精加工（G70）作为轮廓的一部分读取。",
         Told::TimeOf => "此处显示：本段共执行 {times} 次，这是第 {number} 次。",
+        Told::ExplainRapid => "快速移动：从 {from} 到 {to}。",
+        Told::ExplainStraight => "直线切削：从 {from} 到 {to}，长 {length}。",
+        Told::ExplainTaper => "切削锥面：从 {from} 到 {to}，与 Z 轴夹角 {angle}。",
+        Told::ExplainClockwise => "顺时针切削圆弧：半径 {radius}，到 {to}。",
+        Told::ExplainCounterclockwise => "逆时针切削圆弧：半径 {radius}，到 {to}。",
+        Told::ExplainThread => "切削螺纹：导程 {lead}，从 {from} 到 {to}。",
+        Told::ExplainDwell => "暂停 {time}。",
+        Told::ExplainTurn => "C 轴转到 {to}。",
+        Told::ExplainMoves => "共 {count} 个动作：从 {from} 到 {to}。",
+        Told::ExplainPass => "{cycle}：一次走刀，在 {at} 处，从 {from} 到 {to}，再回到起点。",
+        Told::ExplainPasses => {
+            "{cycle}：走刀 {passes} 次，每次 {each}，半径方向总深 {depth}；最后一次在 {at}。"
+        }
+        Told::ExplainPassesZ => {
+            "{cycle}：走刀 {passes} 次，每次 {each}，Z 方向总深 {depth}；最后一次在 {at}。"
+        }
+        Told::ExplainPassTo => "{cycle}：一次走刀，在 {at}。",
+        Told::ExplainPassesTo => "{cycle}：走刀 {passes} 次；最后一次在 {at}。",
+        Told::ExplainPattern => "{cycle}：沿轮廓走刀 {passes} 次。",
+        Told::ExplainContour => "沿轮廓走刀一次：{length}。",
+        Told::ExplainPecks => "{cycle}：啄进 {pecks} 次，到 {at}。",
+        Told::ExplainPecksInColumns => "{cycle}：啄进 {pecks} 次，到 {at}，分 {columns} 处并列。",
+        Told::ExplainHole => "{cycle}：孔，从 {from} 到 {to}。",
+        Told::ExplainHoleInPecks => "{cycle}：孔，从 {from} 到 {to}，啄进 {pecks} 次。",
+        Told::ExplainFeedTime => "进给 {feed}，用时 {time}。",
+        Told::ExplainFeedTimeWithoutRapids => "进给 {feed}，不计快速移动用时 {time}。",
+        Told::ExplainTime => "用时 {time}。",
+        Told::ExplainTimeWithoutRapids => "不计快速移动用时 {time}。",
+        Told::ExplainFeed => "进给 {feed}。",
+        Told::ExplainSets => "设定：{what}。",
+        Told::SlotMissing => "必须有。",
+        Told::SlotStays => "省略时该轴不动。",
+        Told::SlotZero => "省略时：0。",
+        Told::SlotAsSet => "省略时：按前面程序段的设定。",
+        Told::SlotAsSetTo => "省略时：{what}，如前所设。",
+        Told::SlotMay => "可以省略。",
     }
 }

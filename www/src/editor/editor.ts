@@ -280,6 +280,11 @@ export class Editor implements TextHolder {
     return true;
   }
 
+  /** Scrolls to the cursor, once what stands around the text has the room it takes. */
+  keepCursorInSight(): void {
+    requestAnimationFrame(() => this.#view.dispatch({ effects: EditorView.scrollIntoView(this.#view.state.selection.main.head, { y: 'nearest', yMargin: 12 }) }));
+  }
+
   announce(text: string): void {
     this.#view.dispatch({ effects: EditorView.announce.of(text) });
   }

@@ -184,6 +184,11 @@ export class Program implements TextHolder {
     return offset + (end < 0 ? rest.length : end);
   }
 
+  /** Scrolls to the cursor, once what stands around the text has the room it takes. */
+  keepCursorInSight(): void {
+    this.#editor?.keepCursorInSight();
+  }
+
   /** Read out to those who do not see the page. */
   announce(text: string): void {
     this.#editor?.announce(text);

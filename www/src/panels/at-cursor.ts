@@ -7,7 +7,7 @@ import { arrange, icon, make, name, showText } from '../dom/dom';
 import type { Language } from '../dom/language';
 import { words } from '../dom/words';
 import { factList, wordLine } from '../editor/word-help';
-import type { Help, HelpLine, StateHelp, StateRow } from '../protocol/protocol';
+import type { FormHelp, FormLine, FormWord, Help, HelpLine, StateHelp, StateRow } from '../protocol/protocol';
 import type { Heard } from '../worker/core-client';
 import type { Key, NewestQuestion, Panel, PanelKind, Shell } from './panel';
 import atCursorStyles from './at-cursor.css?inline';
@@ -21,17 +21,20 @@ class AtCursor implements Panel {
   readonly #line = make('span', { className: 'at-cursor-line' });
   readonly #toggle = make('button', { type: 'button', className: 'at-cursor-toggle', 'aria-expanded': 'false', 'aria-controls': 'at-cursor-body' });
   readonly #facts = make('div', { className: 'at-cursor-facts' });
+  readonly #form = make('div', { className: 'at-cursor-form' });
   readonly #previous = make('button', { type: 'button', className: 'small' }, icon('previous'));
   readonly #next = make('button', { type: 'button', className: 'small' }, icon('next'));
   readonly #time = make('span');
   readonly #times = make('div', { className: 'at-cursor-times', hidden: true }, this.#previous, this.#time, this.#next);
   readonly #state = make('div', { className: 'at-cursor-state' });
-  readonly #body = make('div', { className: 'at-cursor-body', id: 'at-cursor-body', hidden: true }, this.#facts, this.#times, this.#state);
+  readonly #body = make('div', { className: 'at-cursor-body', id: 'at-cursor-body', hidden: true }, this.#facts, this.#form, this.#times, this.#state);
   readonly #element = make('section', { className: 'at-cursor', part: 'at-cursor', 'aria-labelledby': 'at-cursor-name caption' }, this.#toggle, this.#body);
   /** The reader has been in the text: until then nothing is asked, and nothing is loaded for it. */
   #wanted = false;
   /** The next answer is read out. */
   #speaks = false;
+  /** It was opened, and has not its whole height yet: the cursor may have to be looked for then. */
+  #opened = false;
   /** Which of the times the block is carried out; the usual one where nothing is chosen. */
   #chosen: number | undefined;
   #shown: Help | undefined;
@@ -90,6 +93,7 @@ class AtCursor implements Panel {
   #setOpen(open: boolean): void {
     this.#body.hidden = !open;
     this.#toggle.setAttribute('aria-expanded', String(open));
+    this.#opened = open;
     this.#ask();
   }
 
@@ -117,24 +121,48 @@ class AtCursor implements Panel {
     if (help === undefined) return;
     this.#shown = help;
     const texts = WORDS[this.#shell.language];
-    const { word, state } = help;
+    const { word, state, form } = help;
     this.#line.replaceChildren(word === undefined ? texts.nothing : wordLine(word));
     this.#facts.replaceChildren(...(word === undefined ? [] : [factList(word.facts, (offset) => this.#go(offset))]));
     this.#mark(word?.marks[0]);
+    this.#form.replaceChildren(...(form === undefined ? [] : this.#forms(form)));
     if (state !== undefined) this.#showState(state);
+    if (this.#opened) {
+      this.#opened = false;
+      this.#shell.editor.keepCursorInSight();
+    }
     // An answer to an earlier question is shown, but not read out.
     if (!this.#speaks || help.offset !== this.#place) return;
     this.#speaks = false;
-    const said = word === undefined ? [texts.nothing] : [word.word, word.title, word.value ?? '', ...word.facts.map(({ text }) => text)];
-    this.#shell.editor.announce(said.filter((text) => text !== '').join('. '));
+    const said = word === undefined ? [texts.nothing] : [`${[word.word, word.title, word.value ?? ''].join(' ').trim()}.`, ...word.facts.map(({ text }) => text)];
+    this.#shell.editor.announce([...said, state?.explanation ?? ''].join(' ').trim());
   }
 
   /** Nothing is known: the line says what can stand here. */
   #clear(): void {
     showText(this.#line, WORDS[this.#shell.language].empty);
     this.#facts.replaceChildren();
+    this.#form.replaceChildren();
     this.#times.hidden = true;
     this.#state.replaceChildren();
+  }
+
+  /** The form of the block: its words in a row, and under it what is missing or left out. */
+  #forms(form: FormHelp): HTMLElement[] {
+    const texts = WORDS[this.#shell.language];
+    const rows = form.lines.map((line) => make('p', { className: line.own ? 'form-line own' : 'form-line', lang: 'en' }, ...this.#formWords(line)));
+    const own = form.lines.filter((line) => line.own).flatMap(({ words }) => words);
+    const open = own.filter((word) => word.state !== 'there').sort((a, b) => Number(a.optional) - Number(b.optional));
+    const items = open.map((word) => make('li', { className: word.state }, make('code', { lang: 'en' }, word.letters), ` ${texts.open(word.title, word.state === 'missing' ? texts.missing : word.otherwise)}`));
+    return [make('h3', { className: 'at-cursor-heading' }, texts.form), ...rows, ...(items.length === 0 ? [] : [make('ul', { className: 'word-facts' }, ...items)])];
+  }
+
+  #formWords({ code, words }: FormLine): (HTMLElement | string)[] {
+    const shown = ({ letters, title, optional, state, marked }: FormWord): HTMLElement => {
+      const word = make(marked ? 'mark' : 'span', { className: `form-word ${state}`, title }, optional ? `[${letters}]` : letters);
+      return word;
+    };
+    return [make('b', {}, code), ...words.flatMap((word) => [' ', shown(word)])];
   }
 
   #mark(marks: readonly [number, number] | undefined): void {
@@ -154,7 +182,7 @@ class AtCursor implements Panel {
       return;
     }
     const parts = [
-      ...(state.purpose === undefined ? [] : [make('p', {}, state.purpose)]),
+      ...[state.purpose, state.explanation].filter((text): text is string => text !== undefined && text !== '').map((text) => make('p', {}, text)),
       this.#table(texts.state(state.line), [...state.axes, ...state.rows], state.speeds),
       ...(state.variables.length === 0 ? [] : [this.#table(texts.variables, state.variables)]),
       ...(state.hidden === 0 ? [] : [make('p', {}, texts.hidden(state.hidden))]),
@@ -203,6 +231,9 @@ const WORDS = words({
     hint: 'What the word at the cursor is, and what is in force there (F1)',
     empty: 'what the word there is',
     nothing: 'no word',
+    form: 'Form of the block',
+    missing: 'Missing.',
+    open: (title: string, what: string) => `${title}. ${what}`,
     state: (line: number) => `The control before and after line ${line}`,
     before: 'Before',
     after: 'After',
@@ -222,6 +253,9 @@ const WORDS = words({
     hint: '光标处的字是什么，此处哪些指令有效（F1）',
     empty: '光标处的字是什么',
     nothing: '没有字',
+    form: '本程序段的格式',
+    missing: '缺少。',
+    open: (title, what) => `${title}。${what}`,
     state: (line) => `第 ${line} 行之前与之后的系统状态`,
     before: '之前',
     after: '之后',
@@ -241,6 +275,9 @@ const WORDS = words({
     hint: 'Что за слово у курсора и что здесь действует (F1)',
     empty: 'что за слово',
     nothing: 'слова нет',
+    form: 'Форма кадра',
+    missing: 'Не хватает.',
+    open: (title, what) => `${title}. ${what}`,
     state: (line) => `Система ЧПУ до и после строки ${line}`,
     before: 'До',
     after: 'После',

@@ -9,14 +9,14 @@
 import type { PartName } from '../../pkg/part-files.js';
 import type {
   Codes, Comparison, Diagnostic, Dimension, FileFormat, ProfileKind, Profiles, ReadAs, SetupOverview, FoundPiece, FoundPrograms, Palette, PictureName, Readout, Rewriting, SectionPiece, SetupAnswer, SetupForm, SetupGroup, SetupPlace, StepDirection,
-  StateHelp, StepUnit, StopSwitch, Stroke, Summary, Totals, Units, WordHelp,
+  FormHelp, StateHelp, StepUnit, StopSwitch, Stroke, Summary, Totals, Units, WordHelp,
 } from '../../pkg/gcode_playground.js';
 
 export type { Codes, Comparison, Diagnostic, Dimension, Palette, PictureName, Readout, Rewriting, SectionPiece, StepDirection, StepUnit, StopSwitch, Stroke, Summary, Totals, Units };
 export type { SetupOverview, FoundPiece, FoundPrograms, SetupAnswer, SetupForm, SetupGroup, SetupPlace };
 export type { ProfileKind, Profiles, ReadAs };
-export type { StateHelp, WordHelp };
-export type { HelpLine, StateRow } from '../../pkg/gcode_playground.js';
+export type { FormHelp, StateHelp, WordHelp };
+export type { FormLine, FormWord, HelpLine, StateRow } from '../../pkg/gcode_playground.js';
 export type { CodeRow, Edit, Fix, FoundProgram, ReadFact, Setting, SetupField, SetupState } from '../../pkg/gcode_playground.js';
 
 /** A size in CSS pixels and the device pixels each of them has. */
@@ -195,6 +195,7 @@ export interface Help {
   readonly offset: number;
   readonly word: WordHelp | undefined;
   readonly state: StateHelp | undefined;
+  readonly form: FormHelp | undefined;
 }
 
 /** What of a setup can be kept under a name, or what is wrong with it. */

@@ -35,7 +35,7 @@ export function help(core: Playground, ask: Ask): Help | undefined | Promise<Hel
 
   function answer(): Help {
     all.sought = undefined;
-    return { offset: ask.offset, word: core.wordHelp(), state: ask.state ? core.stateHelp() : undefined };
+    return { offset: ask.offset, word: core.wordHelp(), state: ask.state ? core.stateHelp() : undefined, form: ask.state ? core.formHelp() : undefined };
   }
 
   async function later(): Promise<Help | undefined> {

@@ -1,0 +1,251 @@
+//! What a block does, with the numbers worked out: from where to where, how deep, in how many passes, how long.
+//!
+//! In: the motions of a block, and what is known of the machine. Out: an [`Explanation`], plain values that any language can be
+//! made of. Nothing is asked of the program: what a stroke of the picture belongs to is explained in the same way.
+
+use std::ops::Range;
+
+use super::Asked;
+use super::fact::Quantity;
+use crate::geometry::{Point, SAME};
+use crate::motion::{Cycle, CycleFamily, Feed, Motion, MotionKind, Motions, Step};
+use crate::playback::timing;
+use crate::setup::Machine;
+use crate::units::Diameter;
+
+/// Plain moves of a block that are named one by one.
+const NAMED: usize = 3;
+
+/// A part of what a block does. Places are those of the tip, X as a radius.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Action {
+    /// A rapid.
+    Rapid(Point, Point),
+    /// A straight cut along one axis, and its length.
+    Straight(Point, Point, Quantity),
+    /// A straight cut along both axes, and its angle with Z.
+    Taper(Point, Point, Quantity),
+    /// An arc: its end, its radius, whether it is clockwise.
+    Arc(Point, Quantity, bool),
+    /// A cut locked to the spindle, and its lead.
+    Thread(Point, Point, Quantity),
+    /// The tool waits.
+    Dwell(Quantity),
+    /// C takes part: where it ends.
+    Turn(Quantity),
+    /// So many moves, from one place to another.
+    Moves(u32, Point, Point),
+    /// One pass of a single cycle: the cycle, the diameter or Z it cuts at, from one place to another.
+    Pass(Cycle, Quantity, Point, Point),
+    /// Passes of a cycle, how deep each is and all are, and where the last one is.
+    Passes {
+        /// The cycle.
+        cycle: Cycle,
+        /// How many.
+        passes: u32,
+        /// How deep each of them is, but perhaps the last.
+        each: Quantity,
+        /// How deep all of them are.
+        depth: Quantity,
+        /// Where the last cuts: a diameter, or Z of facing.
+        last: Quantity,
+    },
+    /// Passes that are not equally deep, or follow the contour: how many, and where the last cuts.
+    PassesTo(Cycle, u32, Quantity),
+    /// Passes along the contour.
+    Pattern(Cycle, u32),
+    /// Once along the contour, and its length.
+    Contour(Quantity),
+    /// Pecks of a cycle, in columns, down to a place.
+    Pecks(Cycle, u32, u32, Quantity),
+    /// A hole: the cycle, from one place to another, in so many pecks.
+    Hole(Cycle, Quantity, Quantity, u32),
+}
+
+/// What a block does.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Explanation {
+    /// In their order.
+    pub actions: Vec<Action>,
+    /// The feed of its cuts, where it is one.
+    pub feed: Option<Quantity>,
+    /// How long it takes, as far as that can be known.
+    pub time: Option<Quantity>,
+    /// The time is that without the rapids, whose speed nobody gave.
+    pub without_rapids: bool,
+}
+
+impl Explanation {
+    /// What some motions of one block do.
+    pub fn of(motions: &Motions, own: Range<usize>, machine: &Machine) -> Self {
+        let own: Vec<Motion> =
+            (own.start..own.end.min(motions.len())).map(|index| motions.get(index)).collect();
+        let Some(first) = own.first() else { return Self::default() };
+        let cycle = own.iter().find_map(|motion| motion.cycle);
+        let actions = match cycle {
+            Some(step) => of_cycle(step.cycle, &own, first.from),
+            None if own.len() > NAMED => {
+                vec![Action::Moves(own.len() as u32, first.from, own[own.len() - 1].to)]
+            }
+            None => own.iter().map(plain).collect(),
+        };
+        let (mut seconds, mut is_known, mut without_rapids) = (0.0, true, false);
+        for motion in &own {
+            match timing::seconds(motion, machine) {
+                Some(own) => seconds += own,
+                None if motion.kind == MotionKind::Rapid => without_rapids = true,
+                None => is_known = false,
+            }
+        }
+        let cuts = own.iter().any(|motion| motion.kind.cuts());
+        let time = (is_known && (cuts || !without_rapids)).then_some(Quantity::Seconds(rounded(seconds)));
+        Self { actions, feed: feed_of_all(&own), time, without_rapids }
+    }
+}
+
+impl Asked<'_> {
+    /// What the block does; nothing of a block that a cycle reads as a part of its contour: it moves by the cycle's.
+    pub fn explanation(&self, motions: &Motions) -> Explanation {
+        match self.visit {
+            Some(visit) if visit.purpose.is_none() => {
+                Explanation::of(motions, visit.motions.clone(), &self.setup.machine)
+            }
+            _ => Explanation::default(),
+        }
+    }
+}
+
+/// The motions of the block that a motion belongs to.
+pub fn block_of(motions: &Motions, motion: usize) -> Range<usize> {
+    let span = motions.span(motion);
+    let first = (0..motion).rev().take_while(|&index| motions.span(index) == span).last().unwrap_or(motion);
+    let after = (motion..motions.len()).take_while(|&index| motions.span(index) == span).last();
+    first..after.unwrap_or(motion) + 1
+}
+
+fn plain(motion: &Motion) -> Action {
+    let (from, to) = (motion.from, motion.to);
+    if let Some(rotary) = motion.rotary {
+        return Action::Turn(Quantity::Degrees(rotary.to));
+    }
+    match motion.kind {
+        MotionKind::Rapid => Action::Rapid(from, to),
+        MotionKind::Dwell => Action::Dwell(Quantity::Seconds(motion.seconds.unwrap_or_default())),
+        MotionKind::Thread => {
+            Action::Thread(from, to, Quantity::FeedPerTurn(motion.lead.unwrap_or_default()))
+        }
+        MotionKind::ArcClockwise | MotionKind::ArcCounterclockwise => {
+            let radius = motion.center.map_or(0.0, |center| center.distance(to));
+            Action::Arc(to, Quantity::Length(radius), motion.kind == MotionKind::ArcClockwise)
+        }
+        MotionKind::Feed => {
+            let (x, z) = ((to.x - from.x).abs(), (to.z - from.z).abs());
+            if x > SAME && z > SAME {
+                Action::Taper(from, to, Quantity::Degrees(x.atan2(z).to_degrees()))
+            } else {
+                Action::Straight(from, to, Quantity::Length(x.max(z)))
+            }
+        }
+    }
+}
+
+fn of_cycle(cycle: Cycle, own: &[Motion], start: Point) -> Vec<Action> {
+    let with =
+        |wanted: Step| own.iter().filter(move |motion| motion.cycle.is_some_and(|step| step.step == wanted));
+    let cuts: Vec<&Motion> = with(Step::Cut).filter(|motion| motion.kind.cuts()).collect();
+    let contour = with(Step::Contour).filter(|motion| motion.kind.cuts());
+    let along = Action::Contour(Quantity::Length(contour.map(Motion::length).sum()));
+    let has_contour = along != Action::Contour(Quantity::Length(0.0));
+    let passes = number_of_passes(own);
+    let Some(last) = cuts.last() else {
+        return match cycle {
+            Cycle::Pattern => vec![Action::Pattern(cycle, passes)],
+            _ if has_contour => vec![along],
+            _ => vec![Action::Moves(own.len() as u32, start, own[own.len() - 1].to)],
+        };
+    };
+    let facing = matches!(cycle, Cycle::Facing | Cycle::RoughFacing);
+    let at = |point: Point| {
+        if facing { Quantity::Length(point.z) } else { Quantity::Diameter(Diameter::from_radius(point.x)) }
+    };
+    match cycle.family() {
+        CycleFamily::Turning | CycleFamily::Threading if passes == 1 => {
+            vec![Action::Pass(cycle, at(last.from), last.from, last.to)]
+        }
+        CycleFamily::Threading => vec![Action::PassesTo(cycle, passes, at(last.to))],
+        CycleFamily::Pecking => {
+            let columns = 1 + with(Step::Stepover).count() as u32;
+            let to = match cycle {
+                Cycle::Grooving => Quantity::Diameter(Diameter::from_radius(last.to.x)),
+                _ => Quantity::Length(last.to.z),
+            };
+            vec![Action::Pecks(cycle, cuts.len() as u32, columns, to)]
+        }
+        CycleFamily::FaceHole => vec![Action::Hole(
+            cycle,
+            Quantity::Length(cuts[0].from.z),
+            Quantity::Length(last.to.z),
+            cuts.len() as u32,
+        )],
+        CycleFamily::SideHole => vec![Action::Hole(
+            cycle,
+            Quantity::Diameter(Diameter::from_radius(cuts[0].from.x)),
+            Quantity::Diameter(Diameter::from_radius(last.to.x)),
+            cuts.len() as u32,
+        )],
+        CycleFamily::Turning | CycleFamily::Contour => {
+            let across = |point: Point| if facing { point.z } else { point.x };
+            let mut places: Vec<f64> = cuts.iter().map(|motion| across(motion.from)).collect();
+            places.dedup_by(|a, b| (*a - *b).abs() <= SAME);
+            let depths: Vec<f64> = places.windows(2).map(|two| (two[0] - two[1]).abs()).collect();
+            // The first begins at the start point, which roughing shifts by the allowance; the last takes what is left.
+            let each = depths.first().copied().unwrap_or_default();
+            let is_even = depths.iter().rev().skip(1).all(|depth| (depth - each).abs() <= 1e-3);
+            let mut actions = vec![if is_even && !depths.is_empty() {
+                Action::Passes {
+                    cycle,
+                    passes: places.len() as u32,
+                    each: Quantity::Length(each),
+                    depth: Quantity::Length((across(start) - across(last.from)).abs()),
+                    last: at(last.from),
+                }
+            } else {
+                Action::PassesTo(cycle, places.len() as u32, at(last.from))
+            }];
+            if has_contour {
+                actions.push(along);
+            }
+            actions
+        }
+    }
+}
+
+/// Passes are counted on while a cycle stays modal: those of this block.
+fn number_of_passes(own: &[Motion]) -> u32 {
+    let passes = own.iter().filter_map(|motion| motion.cycle.map(|step| step.pass)).filter(|pass| *pass > 0);
+    let (mut least, mut most) = (u32::MAX, 0);
+    for pass in passes {
+        (least, most) = (least.min(pass), most.max(pass));
+    }
+    (most + 1).saturating_sub(least)
+}
+
+/// The feed of the cuts, where all have the same.
+fn feed_of_all(own: &[Motion]) -> Option<Quantity> {
+    let mut feeds =
+        own.iter().filter(|motion| motion.kind.cuts() && motion.kind != MotionKind::Thread).map(|motion| {
+            match motion.process.feed {
+                Feed::Unset => None,
+                Feed::PerMinute(feed) => Some(Quantity::FeedPerMinute(feed)),
+                Feed::PerTurn(feed) => Some(Quantity::FeedPerTurn(feed)),
+            }
+        });
+    let first = feeds.next()??;
+    feeds.all(|feed| feed == Some(first)).then_some(first)
+}
+
+/// To a tenth of a second, short times to a hundredth.
+fn rounded(seconds: f64) -> f64 {
+    let places = if seconds < 1.0 { 100.0 } else { 10.0 };
+    (seconds * places).round() / places
+}

@@ -1,0 +1,305 @@
+//! The form of a cycle, a move or a call: its words in the order they are written, which of them can be left out, and what then
+//! holds.
+//!
+//! In: what the words of a block belong to. Out: one line for each block of the form, two for the multiple cycles of today.
+//! The table is checked against the control: tests leave out each word.
+
+use super::Asked;
+use super::fact::Quantity;
+use super::form::{Form, Half};
+use super::hover::feed_of;
+use super::role::Role;
+use crate::control::codes::{self, G, Hole, M, MacroCall, MotionMode, Multiple};
+use crate::control::modal::State;
+use crate::control::words::Reading;
+use crate::cycles::single::Single;
+use crate::geometry::SAME;
+use crate::setup::dialect::{Control, Dialect};
+use crate::source::Span;
+use crate::text::block::{Value, Word};
+use crate::units::Diameter;
+
+/// What holds where a word is left out.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Otherwise {
+    /// The block is wrong, or does nothing that was meant.
+    Missing,
+    /// The axis stays where it is.
+    Stays,
+    /// Zero.
+    Zero,
+    /// What an earlier block has set.
+    AsSet,
+    /// Nothing: the word is an addition.
+    Nothing,
+}
+
+/// A place for a word.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Slot {
+    /// The letters that can stand there: X or U.
+    pub letters: &'static [u8],
+    /// After a comma: `,C`.
+    pub comma: bool,
+    /// What holds without it.
+    pub otherwise: Otherwise,
+}
+
+/// A block of a form.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Line {
+    /// The code, as the control writes it.
+    pub code: String,
+    /// What the words of this block belong to.
+    pub form: Form,
+    /// Its words.
+    pub slots: &'static [Slot],
+}
+
+/// A place for a word, in the block that is asked about.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Place {
+    /// The place.
+    pub slot: Slot,
+    /// What the word there is.
+    pub role: Role,
+    /// The word that stands there.
+    pub word: Option<Span>,
+    /// What is in force, where the word is left out and an earlier block has set it.
+    pub in_force: Option<Quantity>,
+}
+
+/// The form of the block that is asked about.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Signature {
+    /// Each block of the form, and its words.
+    pub lines: Vec<(Line, Vec<Place>)>,
+    /// Which of them is asked about.
+    pub own: usize,
+}
+
+const fn must(letters: &'static [u8]) -> Slot {
+    Slot { letters, comma: false, otherwise: Otherwise::Missing }
+}
+
+const fn stays(letters: &'static [u8]) -> Slot {
+    Slot { letters, comma: false, otherwise: Otherwise::Stays }
+}
+
+const fn zero(letters: &'static [u8]) -> Slot {
+    Slot { letters, comma: false, otherwise: Otherwise::Zero }
+}
+
+const fn as_set(letters: &'static [u8]) -> Slot {
+    Slot { letters, comma: false, otherwise: Otherwise::AsSet }
+}
+
+const fn may(letters: &'static [u8]) -> Slot {
+    Slot { letters, comma: false, otherwise: Otherwise::Nothing }
+}
+
+const fn corner(letters: &'static [u8]) -> Slot {
+    Slot { letters, comma: true, otherwise: Otherwise::Nothing }
+}
+
+const RAPID: &[Slot] = &[stays(b"XU"), stays(b"ZW")];
+const LINE: &[Slot] = &[stays(b"XU"), stays(b"ZW"), as_set(b"F"), corner(b"C"), corner(b"R"), corner(b"A")];
+const ARC: &[Slot] = &[stays(b"XU"), stays(b"ZW"), must(b"RIK"), as_set(b"F")];
+const THREAD: &[Slot] = &[stays(b"XU"), stays(b"ZW"), as_set(b"F"), zero(b"Q")];
+const VARIABLE_THREAD: &[Slot] = &[stays(b"XU"), stays(b"ZW"), as_set(b"F"), must(b"K")];
+const TURNING: &[Slot] = &[as_set(b"XU"), as_set(b"ZW"), zero(b"R"), as_set(b"F")];
+const THREADING: &[Slot] = &[as_set(b"XU"), as_set(b"ZW"), zero(b"R"), as_set(b"F"), zero(b"Q")];
+const THREADING_GSK: &[Slot] =
+    &[as_set(b"XU"), as_set(b"ZW"), zero(b"R"), as_set(b"F"), may(b"J"), may(b"K"), may(b"L")];
+const CONTOUR: &[Slot] = &[must(b"P"), must(b"Q")];
+const ROUGH_TURNING: &[Slot] = &[as_set(b"U"), as_set(b"R")];
+const ROUGH_FACING: &[Slot] = &[as_set(b"W"), as_set(b"R")];
+const ROUGHING: &[Slot] =
+    &[must(b"P"), must(b"Q"), zero(b"U"), zero(b"W"), as_set(b"F"), as_set(b"S"), as_set(b"T")];
+const ROUGHING_WHOLE: &[Slot] = &[must(b"P"), must(b"Q"), zero(b"U"), zero(b"W"), must(b"D"), as_set(b"F")];
+const PATTERN: &[Slot] = &[as_set(b"U"), as_set(b"W"), as_set(b"R")];
+const PATTERN_WHOLE: &[Slot] =
+    &[must(b"P"), must(b"Q"), zero(b"U"), zero(b"W"), zero(b"I"), zero(b"K"), must(b"D"), as_set(b"F")];
+const RETRACT: &[Slot] = &[as_set(b"R")];
+const FACE_PECKING: &[Slot] = &[stays(b"XU"), stays(b"ZW"), zero(b"P"), must(b"Q"), zero(b"R"), as_set(b"F")];
+const GROOVING: &[Slot] = &[stays(b"XU"), stays(b"ZW"), must(b"P"), zero(b"Q"), zero(b"R"), as_set(b"F")];
+const FACE_PECKING_WHOLE: &[Slot] =
+    &[stays(b"XU"), stays(b"ZW"), zero(b"I"), must(b"K"), zero(b"D"), as_set(b"F")];
+const GROOVING_WHOLE: &[Slot] =
+    &[stays(b"XU"), stays(b"ZW"), must(b"I"), zero(b"K"), zero(b"D"), as_set(b"F")];
+const MULTI_THREAD_FIRST: &[Slot] = &[as_set(b"P"), as_set(b"Q"), as_set(b"R")];
+const MULTI_THREAD: &[Slot] = &[must(b"XU"), stays(b"ZW"), zero(b"R"), must(b"P"), must(b"Q"), must(b"F")];
+const MULTI_THREAD_WHOLE: &[Slot] =
+    &[must(b"XU"), stays(b"ZW"), zero(b"I"), must(b"K"), must(b"D"), must(b"F"), zero(b"A"), may(b"P")];
+const FACE_HOLE: &[Slot] =
+    &[stays(b"XU"), may(b"CH"), must(b"ZW"), zero(b"R"), may(b"Q"), zero(b"P"), as_set(b"F"), may(b"K")];
+const SIDE_HOLE: &[Slot] =
+    &[must(b"XU"), may(b"CH"), stays(b"ZW"), zero(b"R"), may(b"Q"), zero(b"P"), as_set(b"F"), may(b"K")];
+const DWELL: &[Slot] = &[must(b"XUP")];
+const HOME: &[Slot] = &[stays(b"XU"), stays(b"ZW")];
+const OTHER_HOME: &[Slot] = &[may(b"P"), stays(b"XU"), stays(b"ZW")];
+const MACHINE: &[Slot] = &[stays(b"X"), stays(b"Z")];
+const SETTING: &[Slot] = &[may(b"XU"), may(b"ZW"), may(b"S"), may(b"Q")];
+const LOCAL_FRAME: &[Slot] = &[stays(b"X"), stays(b"Z")];
+const CALL: &[Slot] = &[must(b"P"), may(b"L")];
+const MACRO_CALL: &[Slot] = &[must(b"P"), may(b"L"), may(b"ABC")];
+const RETURN: &[Slot] = &[may(b"P")];
+
+/// The blocks of a form, in their order; none where a form has no words of its own.
+pub fn lines(form: Form, dialect: &Dialect) -> Vec<Line> {
+    let list = dialect.code_list();
+    let line = |code: G, form: Form, slots: &'static [Slot]| {
+        codes::written(code, list).map(|code| Line { code, form, slots })
+    };
+    let one = |code: G, slots: &'static [Slot]| line(code, form, slots).into_iter().collect();
+    match form {
+        Form::Motion { mode, .. } => one(
+            G::Motion(mode),
+            match mode {
+                MotionMode::Rapid => RAPID,
+                MotionMode::Line => LINE,
+                MotionMode::Arc(_) => ARC,
+                MotionMode::Thread | MotionMode::Tapping => THREAD,
+                MotionMode::VariableThread => VARIABLE_THREAD,
+                MotionMode::Cycle(Single::Threading) if dialect.control == Control::Gsk => THREADING_GSK,
+                MotionMode::Cycle(Single::Threading) => THREADING,
+                MotionMode::Cycle(Single::Turning | Single::Facing) => TURNING,
+            },
+        ),
+        Form::Hole { hole, .. } => one(G::Hole(hole), of_hole(hole)),
+        Form::Multiple(cycle, half) => {
+            let own = |half: Half, slots| line(G::Multiple(cycle), Form::Multiple(cycle, half), slots);
+            match of_multiple(cycle, half) {
+                Halves::One(slots) => own(half, slots).into_iter().collect(),
+                Halves::Two(first, second) => {
+                    [own(Half::First, first), own(Half::Second, second)].into_iter().flatten().collect()
+                }
+            }
+        }
+        Form::OneShot(code) => match code {
+            G::Dwell => one(code, DWELL),
+            G::Home | G::FromHome | G::CheckHome => one(code, HOME),
+            G::OtherHome => one(code, OTHER_HOME),
+            G::Machine => one(code, MACHINE),
+            G::Setting => one(code, SETTING),
+            G::LocalFrame => one(code, LOCAL_FRAME),
+            _ => Vec::new(),
+        },
+        Form::MacroCall => one(G::MacroCall(MacroCall::Once), MACRO_CALL),
+        Form::Call(call) => {
+            let (code, slots) = match call {
+                M::LocalCall => ("M97", CALL),
+                M::Return => ("M99", RETURN),
+                _ => ("M98", CALL),
+            };
+            vec![Line { code: code.to_owned(), form, slots }]
+        }
+        Form::Macro | Form::Nothing => Vec::new(),
+    }
+}
+
+enum Halves {
+    One(&'static [Slot]),
+    Two(&'static [Slot], &'static [Slot]),
+}
+
+fn of_multiple(cycle: Multiple, half: Half) -> Halves {
+    let whole = half == Half::Whole;
+    match cycle {
+        Multiple::Finishing => Halves::One(CONTOUR),
+        Multiple::RoughTurning | Multiple::RoughFacing if whole => Halves::One(ROUGHING_WHOLE),
+        Multiple::Pattern if whole => Halves::One(PATTERN_WHOLE),
+        Multiple::FacePecking if whole => Halves::One(FACE_PECKING_WHOLE),
+        Multiple::Grooving if whole => Halves::One(GROOVING_WHOLE),
+        Multiple::Threading if whole => Halves::One(MULTI_THREAD_WHOLE),
+        Multiple::RoughTurning => Halves::Two(ROUGH_TURNING, ROUGHING),
+        Multiple::RoughFacing => Halves::Two(ROUGH_FACING, ROUGHING),
+        Multiple::Pattern => Halves::Two(PATTERN, ROUGHING),
+        Multiple::FacePecking => Halves::Two(RETRACT, FACE_PECKING),
+        Multiple::Grooving => Halves::Two(RETRACT, GROOVING),
+        Multiple::Threading => Halves::Two(MULTI_THREAD_FIRST, MULTI_THREAD),
+    }
+}
+
+fn of_hole(hole: Hole) -> &'static [Slot] {
+    if hole.is_face() { FACE_HOLE } else { SIDE_HOLE }
+}
+
+impl Asked<'_> {
+    /// The form of the block; `None` where it has no words of its own.
+    pub fn signature(&self) -> Option<Signature> {
+        let at_start;
+        let state = match self.visit {
+            Some(visit) => &visit.before.state,
+            None => {
+                at_start = State::new(self.setup, self.dialect);
+                &at_start
+            }
+        };
+        let form = Form::of(self.block, state, self.codes);
+        let lines = lines(form, self.dialect);
+        let own = lines.iter().position(|line| line.form == form)?;
+        let surface = state.spindle.surface;
+        let reading = Reading { unit: state.unit, decimal: self.dialect.decimal };
+        let (start, end) = (state.position, self.end(state, reading));
+        // A step over is wanted where the pecks stand side by side.
+        let steps_over = match form {
+            Form::Multiple(Multiple::FacePecking, _) => (end.x - start.x).abs() > SAME,
+            Form::Multiple(Multiple::Grooving, _) => (end.z - start.z).abs() > SAME,
+            _ => false,
+        };
+        let places = |index: usize, line: &Line| -> Vec<Place> {
+            line.slots
+                .iter()
+                .map(|slot| {
+                    let stands =
+                        |word: &&Word| slot.letters.contains(&word.address) && word.comma == slot.comma;
+                    let found = self.block.words.iter().find(stands).filter(|_| index == own);
+                    let letter = found.map_or(slot.letters[0], |word| word.address);
+                    let role = Role::of(&sample(letter, slot.comma), line.form, surface, state.c_axis);
+                    let mut slot = *slot;
+                    if role == Role::StepOver && steps_over {
+                        slot.otherwise = Otherwise::Missing;
+                    }
+                    let in_force = match slot.otherwise {
+                        Otherwise::AsSet if found.is_none() => in_force(role, state),
+                        _ => None,
+                    };
+                    Place { slot, role, word: found.map(|word| word.span), in_force }
+                })
+                .collect()
+        };
+        let lines = lines.into_iter().enumerate().map(|(index, line)| {
+            let places = places(index, &line);
+            (line, places)
+        });
+        Some(Signature { lines: lines.collect(), own })
+    }
+}
+
+/// A word of a letter alone.
+fn sample(address: u8, comma: bool) -> Word {
+    Word { address, comma, value: Value::Expression, span: Span::new(0, 0) }
+}
+
+/// What an earlier block has set of a word that is left out.
+fn in_force(role: Role, state: &State) -> Option<Quantity> {
+    let (cycle, multiple) = (&state.memory, &state.parameters);
+    let target = |target: crate::control::modal::Target, across: bool| match target {
+        crate::control::modal::Target::Absolute(place) if across => {
+            Some(Quantity::Diameter(Diameter::from_radius(place)))
+        }
+        crate::control::modal::Target::Absolute(place) => Some(Quantity::Length(place)),
+        _ => None,
+    };
+    match role {
+        Role::Feed | Role::Lead => feed_of(state),
+        Role::CycleEndX => target(cycle.x, true),
+        Role::CycleEndZ => target(cycle.z, false),
+        Role::PassDepth | Role::PassDepthZ => multiple.depth.map(Quantity::Length),
+        Role::Escape => Some(Quantity::Length(multiple.escape)),
+        Role::PeckRetract => Some(Quantity::Length(multiple.retract)),
+        Role::ThreadAllowance => Some(Quantity::Length(multiple.thread_allowance)),
+        _ => None,
+    }
+}
