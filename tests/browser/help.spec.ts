@@ -1,6 +1,6 @@
 // Help at the word and the state at the cursor: by keys, by the pointer, in three languages.
 import { expect, test, type BasicPage, type Locator } from './engines';
-import { editor, open, tab, type } from './page';
+import { editor, open, status, tab, type } from './page';
 
 const THREAD = 'O1\nT0101\nG97 S600 M03\nG00 X34 Z4\nG76 P021260 Q100 R0.05\nG76 X27.4 Z-25 P1299 Q400 F2\nG00 X100 Z100\nM30';
 const LOOP = 'O1\n#1=40\nWHILE [#1 GT 30] DO1\nG65 P9 X#1\n#1=#1-2\nEND1\nM30\nO9\nG00 X#24 Z2\nM99';
@@ -110,6 +110,8 @@ test('inside a loop and a call the state is that of each time', async ({ page })
 test('the word under the pointer is explained', async ({ page }) => {
   await open(page);
   await type(page, THREAD);
+  // What comes with the report moves the lines.
+  await expect(status(page)).toContainText(/\b[1-9] problem/);
   const word = editor(page).locator('.cm-line').nth(4);
   const box = (await word.boundingBox())!;
   await page.mouse.move(box.x + 8, box.y + box.height / 2);
