@@ -244,10 +244,15 @@ const FORMS: &[(&str, &str, &str)] = &[
     ("", "G65 P9100 L1 A5", ""),
 ];
 
-/// Severe messages of a program, those on the block of a form.
-fn serious(head: &str, block: &str, rest: &str) -> Vec<String> {
+/// The block of a form in a program.
+fn with_form(head: &str, block: &str, rest: &str) -> Asking {
     let text = format!("{FORM_HEAD}{head}{block}\n{rest}\nG00 X100 Z100\nM30\nO9100\nM99\n");
-    let asking = Asking::new(&text, Setup::default());
+    Asking::new(&text, Setup::default())
+}
+
+/// The rules of all messages that are more than a note.
+fn serious(head: &str, block: &str, rest: &str) -> Vec<String> {
+    let asking = with_form(head, block, rest);
     let told = asking.run.diagnostics().iter().filter(|told| told.severity != Severity::Info);
     told.map(|told| told.message.slug().to_owned()).collect()
 }
@@ -260,8 +265,7 @@ fn a_form_asks_for_what_the_control_asks_for() {
     let mut wrong = Vec::new();
     for &(head, block, rest) in FORMS {
         let with_all = serious(head, block, rest);
-        let text = format!("{FORM_HEAD}{head}{block}\n{rest}\nG00 X100 Z100\nM30\nO9100\nM99\n");
-        let mut asking = Asking::new(&text, Setup::default());
+        let mut asking = with_form(head, block, rest);
         let at = (FORM_HEAD.len() + head.len()) as u32;
         let signature = asking.with(at, Time::Usual, Language::English, |asked, _, _| asked.signature());
         let signature = signature.unwrap_or_else(|| panic!("{block}: no form"));

@@ -53,7 +53,7 @@ pub struct HelpLine {
 }
 
 /// The state of the control before and after a block.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize)]
 #[cfg_attr(target_arch = "wasm32", derive(Tsify))]
 pub struct StateHelp {
     /// Line of the block, from 1.
@@ -211,19 +211,7 @@ impl Reader<'_> {
     pub fn state(&self, asked: &Asked, motions: &Motions) -> StateHelp {
         let line = self.line_of(asked.block.span.start);
         let Some(table) = asked.state() else {
-            return StateHelp {
-                line,
-                number: 0,
-                times: 0,
-                explanation: String::new(),
-                purpose: None,
-                axes: Vec::new(),
-                speeds: None,
-                rows: Vec::new(),
-                variables: Vec::new(),
-                hidden: 0,
-                frames: Vec::new(),
-            };
+            return StateHelp { line, ..StateHelp::default() };
         };
         let explanation = asked.explanation(motions);
         self.speak(|speaker| {
@@ -301,12 +289,9 @@ impl Reader<'_> {
 
 /// What a block sets that moves nothing.
 fn sets(help: &StateHelp, speaker: &Speaker) -> String {
-    let changed = help.rows.iter().chain(&help.variables).filter(|row| row.changed);
-    let list: Vec<String> = changed
-        .map(|row| match row.name.strip_prefix('#') {
-            Some(_) => format!("{} = {}", row.name, row.after),
-            None => speaker.named(&row.name, &row.after),
-        })
-        .collect();
+    let changed = |row: &&StateRow| row.changed;
+    let rows = help.rows.iter().filter(changed).map(|row| speaker.named(&row.name, &row.after));
+    let variables = help.variables.iter().filter(changed).map(|row| format!("{} = {}", row.name, row.after));
+    let list: Vec<String> = rows.chain(variables).collect();
     if list.is_empty() { String::new() } else { speaker.sets(&list) }
 }

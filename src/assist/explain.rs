@@ -69,7 +69,7 @@ pub struct Explanation {
     pub actions: Vec<Action>,
     /// The feed of its cuts, where it is one.
     pub feed: Option<Quantity>,
-    /// How long it takes, as far as that can be known.
+    /// How long it takes, as far as that can be known; a dwell says it itself.
     pub time: Option<Quantity>,
     /// The time is that without the rapids, whose speed nobody gave.
     pub without_rapids: bool,
@@ -98,7 +98,9 @@ impl Explanation {
             }
         }
         let cuts = own.iter().any(|motion| motion.kind.cuts());
-        let time = (is_known && (cuts || !without_rapids)).then_some(Quantity::Seconds(rounded(seconds)));
+        let is_dwell = matches!(actions[..], [Action::Dwell(_)]);
+        let time = (is_known && !is_dwell && (cuts || !without_rapids))
+            .then_some(Quantity::Seconds(rounded(seconds)));
         Self { actions, feed: feed_of_all(&own), time, without_rapids }
     }
 }
@@ -113,14 +115,6 @@ impl Asked<'_> {
             _ => Explanation::default(),
         }
     }
-}
-
-/// The motions of the block that a motion belongs to.
-pub fn block_of(motions: &Motions, motion: usize) -> Range<usize> {
-    let span = motions.span(motion);
-    let first = (0..motion).rev().take_while(|&index| motions.span(index) == span).last().unwrap_or(motion);
-    let after = (motion..motions.len()).take_while(|&index| motions.span(index) == span).last();
-    first..after.unwrap_or(motion) + 1
 }
 
 fn plain(motion: &Motion) -> Action {

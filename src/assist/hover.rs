@@ -213,7 +213,7 @@ impl<'a> Asked<'a> {
 
     /// A word of a block that is never carried out: what it would be at power-on.
     fn unvisited(&self, word: &Word) -> Hover {
-        let state = State::new(self.setup, self.dialect);
+        let state = self.before();
         let form = Form::of(self.block, &state, self.codes);
         let own =
             |form| matches!(form, Form::Motion { own: true, .. } | Form::Multiple(..) | Form::OneShot(_));

@@ -12,6 +12,9 @@ pub mod role;
 pub mod signature;
 pub mod state;
 
+use std::borrow::Cow;
+
+use crate::control::modal::State;
 use crate::run::replay::Visit;
 use crate::setup::Setup;
 use crate::setup::dialect::{CodeList, Dialect};
@@ -34,4 +37,14 @@ pub struct Asked<'a> {
     pub dialect: &'a Dialect,
     /// The G codes the program is read with.
     pub codes: CodeList,
+}
+
+impl Asked<'_> {
+    /// The control before the block; where that is never carried out, as it is at power-on.
+    fn before(&self) -> Cow<'_, State> {
+        match self.visit {
+            Some(visit) => Cow::Borrowed(&visit.before.state),
+            None => Cow::Owned(State::new(self.setup, self.dialect)),
+        }
+    }
 }

@@ -10,7 +10,7 @@ use super::form::{Form, Half};
 use super::hover::feed_of;
 use super::role::Role;
 use crate::control::codes::{self, G, Hole, M, MacroCall, MotionMode, Multiple};
-use crate::control::modal::State;
+use crate::control::modal::{State, Target};
 use crate::control::words::Reading;
 use crate::cycles::single::Single;
 use crate::geometry::SAME;
@@ -170,8 +170,8 @@ pub fn lines(form: Form, dialect: &Dialect) -> Vec<Line> {
         Form::Multiple(cycle, half) => {
             let own = |half: Half, slots| line(G::Multiple(cycle), Form::Multiple(cycle, half), slots);
             match of_multiple(cycle, half) {
-                Halves::One(slots) => own(half, slots).into_iter().collect(),
-                Halves::Two(first, second) => {
+                (None, slots) => own(half, slots).into_iter().collect(),
+                (Some(first), second) => {
                     [own(Half::First, first), own(Half::Second, second)].into_iter().flatten().collect()
                 }
             }
@@ -198,26 +198,21 @@ pub fn lines(form: Form, dialect: &Dialect) -> Vec<Line> {
     }
 }
 
-enum Halves {
-    One(&'static [Slot]),
-    Two(&'static [Slot], &'static [Slot]),
-}
-
-fn of_multiple(cycle: Multiple, half: Half) -> Halves {
-    let whole = half == Half::Whole;
-    match cycle {
-        Multiple::Finishing => Halves::One(CONTOUR),
-        Multiple::RoughTurning | Multiple::RoughFacing if whole => Halves::One(ROUGHING_WHOLE),
-        Multiple::Pattern if whole => Halves::One(PATTERN_WHOLE),
-        Multiple::FacePecking if whole => Halves::One(FACE_PECKING_WHOLE),
-        Multiple::Grooving if whole => Halves::One(GROOVING_WHOLE),
-        Multiple::Threading if whole => Halves::One(MULTI_THREAD_WHOLE),
-        Multiple::RoughTurning => Halves::Two(ROUGH_TURNING, ROUGHING),
-        Multiple::RoughFacing => Halves::Two(ROUGH_FACING, ROUGHING),
-        Multiple::Pattern => Halves::Two(PATTERN, ROUGHING),
-        Multiple::FacePecking => Halves::Two(RETRACT, FACE_PECKING),
-        Multiple::Grooving => Halves::Two(RETRACT, GROOVING),
-        Multiple::Threading => Halves::Two(MULTI_THREAD_FIRST, MULTI_THREAD),
+/// The words of the first block of a multiple cycle, where it has one, and of the one that cuts.
+fn of_multiple(cycle: Multiple, half: Half) -> (Option<&'static [Slot]>, &'static [Slot]) {
+    match (cycle, half) {
+        (Multiple::Finishing, _) => (None, CONTOUR),
+        (Multiple::RoughTurning | Multiple::RoughFacing, Half::Whole) => (None, ROUGHING_WHOLE),
+        (Multiple::Pattern, Half::Whole) => (None, PATTERN_WHOLE),
+        (Multiple::FacePecking, Half::Whole) => (None, FACE_PECKING_WHOLE),
+        (Multiple::Grooving, Half::Whole) => (None, GROOVING_WHOLE),
+        (Multiple::Threading, Half::Whole) => (None, MULTI_THREAD_WHOLE),
+        (Multiple::RoughTurning, _) => (Some(ROUGH_TURNING), ROUGHING),
+        (Multiple::RoughFacing, _) => (Some(ROUGH_FACING), ROUGHING),
+        (Multiple::Pattern, _) => (Some(PATTERN), ROUGHING),
+        (Multiple::FacePecking, _) => (Some(RETRACT), FACE_PECKING),
+        (Multiple::Grooving, _) => (Some(RETRACT), GROOVING),
+        (Multiple::Threading, _) => (Some(MULTI_THREAD_FIRST), MULTI_THREAD),
     }
 }
 
@@ -228,14 +223,7 @@ fn of_hole(hole: Hole) -> &'static [Slot] {
 impl Asked<'_> {
     /// The form of the block; `None` where it has no words of its own.
     pub fn signature(&self) -> Option<Signature> {
-        let at_start;
-        let state = match self.visit {
-            Some(visit) => &visit.before.state,
-            None => {
-                at_start = State::new(self.setup, self.dialect);
-                &at_start
-            }
-        };
+        let state = &*self.before();
         let form = Form::of(self.block, state, self.codes);
         let lines = lines(form, self.dialect);
         let own = lines.iter().position(|line| line.form == form)?;
@@ -285,12 +273,10 @@ fn sample(address: u8, comma: bool) -> Word {
 /// What an earlier block has set of a word that is left out.
 fn in_force(role: Role, state: &State) -> Option<Quantity> {
     let (cycle, multiple) = (&state.memory, &state.parameters);
-    let target = |target: crate::control::modal::Target, across: bool| match target {
-        crate::control::modal::Target::Absolute(place) if across => {
-            Some(Quantity::Diameter(Diameter::from_radius(place)))
-        }
-        crate::control::modal::Target::Absolute(place) => Some(Quantity::Length(place)),
-        _ => None,
+    let target = |target: Target, across: bool| match target {
+        Target::Absolute(place) if across => Some(Quantity::Diameter(Diameter::from_radius(place))),
+        Target::Absolute(place) => Some(Quantity::Length(place)),
+        Target::Stay | Target::Incremental(_) => None,
     };
     match role {
         Role::Feed | Role::Lead => feed_of(state),

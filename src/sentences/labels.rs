@@ -14,7 +14,7 @@ use crate::units::{self, number};
 
 impl Language {
     /// The one of three texts that is in this language.
-    fn among(self, [english, chinese, russian]: [&'static str; 3]) -> &'static str {
+    pub(super) fn among(self, [english, chinese, russian]: [&'static str; 3]) -> &'static str {
         match self {
             Self::English => english,
             Self::Chinese => chinese,

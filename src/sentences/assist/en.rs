@@ -281,7 +281,7 @@ pub(in crate::sentences) const fn told(told: Told) -> &'static str {
         Told::ExplainTimeWithoutRapids => "In {time} without the rapids.",
         Told::ExplainFeed => "At {feed}.",
         Told::ExplainSets => "Sets: {what}.",
-        Told::SlotMissing => "Has to be there.",
+        Told::SlotMissing => "Missing.",
         Told::SlotStays => "Without it the axis stays where it is.",
         Told::SlotZero => "Without it: 0.",
         Told::SlotAsSet => "Without it: as an earlier block has set it.",

@@ -21,6 +21,7 @@ use crate::control::origins::Modal;
 use crate::control::program::CallKind;
 use crate::geometry::Point;
 use crate::message::{Arguments, Value};
+use crate::motion::Cycle;
 use crate::setup::dialect::FeedMode;
 use crate::setup::fields;
 use crate::units::{Diameter, Unit, number};
@@ -59,7 +60,11 @@ told! {
     // The state
     Vacant, CallFrame, MacroFrame, LoopFrame, ReadByRoughing, ReadByFinishing,
     // What a block does
-    ExplainRapid, ExplainStraight, ExplainTaper, ExplainClockwise, ExplainCounterclockwise, ExplainThread, ExplainDwell, ExplainTurn, ExplainMoves, ExplainPass, ExplainPasses, ExplainPassesZ, ExplainPassTo, ExplainPassesTo, ExplainPattern, ExplainContour, ExplainPecks, ExplainPecksInColumns, ExplainHole, ExplainHoleInPecks, ExplainFeedTime, ExplainFeedTimeWithoutRapids, ExplainTime, ExplainTimeWithoutRapids, ExplainFeed, ExplainSets,
+    ExplainRapid, ExplainStraight, ExplainTaper, ExplainClockwise, ExplainCounterclockwise, ExplainThread, ExplainDwell, ExplainTurn,
+    ExplainMoves, ExplainPass, ExplainPasses, ExplainPassesZ, ExplainPassTo, ExplainPassesTo, ExplainPattern, ExplainContour,
+    ExplainPecks, ExplainPecksInColumns, ExplainHole, ExplainHoleInPecks,
+    // How fast and how long, and what is set
+    ExplainFeedTime, ExplainFeedTimeWithoutRapids, ExplainTime, ExplainTimeWithoutRapids, ExplainFeed, ExplainSets,
     // The form of a cycle
     SlotMissing, SlotStays, SlotZero, SlotAsSet, SlotAsSetTo, SlotMay,
 }
@@ -201,7 +206,7 @@ impl Speaker<'_> {
                 (Told::TimeOf, vec![("number", count(number)), ("times", count(times))])
             }
         };
-        fill((self.language.texts().told)(told), &arguments)
+        self.filled(told, &arguments)
     }
 
     /// What is in force.
@@ -244,12 +249,11 @@ impl Speaker<'_> {
                 (Told::LoopFrame, vec![("number", count(number)), ("line", line(head))])
             }
         };
-        fill((self.language.texts().told)(told), &arguments)
+        self.filled(told, &arguments)
     }
 
     /// What holds where a word is left out.
     pub fn otherwise(&self, otherwise: Otherwise, in_force: Option<Quantity>) -> String {
-        let texts = self.language.texts();
         let told = match (otherwise, in_force) {
             (Otherwise::Missing, _) => Told::SlotMissing,
             (Otherwise::Stays, _) => Told::SlotStays,
@@ -259,7 +263,7 @@ impl Speaker<'_> {
             (Otherwise::Nothing, _) => Told::SlotMay,
         };
         let what = in_force.map(|quantity| ("what", Value::Text(self.quantity(quantity).into())));
-        fill((texts.told)(told), &what.into_iter().collect())
+        self.filled(told, &what.into_iter().collect())
     }
 
     /// What a block does, in sentences; nothing where it moves nothing.
@@ -268,8 +272,7 @@ impl Speaker<'_> {
             explanation.actions.iter().map(|action| self.action(action)).collect();
         let named = |quantity: Quantity| Value::Text(self.quantity(quantity).into());
         let feed = explanation.feed.map(|feed| ("feed", named(feed)));
-        let is_wait = matches!(explanation.actions[..], [Action::Dwell(_)]);
-        let time = explanation.time.filter(|_| !is_wait).map(|time| ("time", named(time)));
+        let time = explanation.time.map(|time| ("time", named(time)));
         let told = match (&feed, &time, explanation.without_rapids) {
             (None, None, _) => None,
             (Some(_), None, _) => Some(Told::ExplainFeed),
@@ -279,23 +282,19 @@ impl Speaker<'_> {
             (Some(_), Some(_), true) => Some(Told::ExplainFeedTimeWithoutRapids),
         };
         let arguments: Arguments = feed.into_iter().chain(time).collect();
-        sentences.extend(told.map(|told| fill((self.language.texts().told)(told), &arguments)));
-        sentences.join(self.between_sentences())
+        sentences.extend(told.map(|told| self.filled(told, &arguments)));
+        sentences.join(self.language.among([" ", "", " "]))
     }
 
     /// That a block sets what is listed.
     pub fn sets(&self, list: &[String]) -> String {
-        let list = list.join(if self.language == Language::Chinese { "；" } else { "; " });
-        fill((self.language.texts().told)(Told::ExplainSets), &vec![("what", Value::Text(list.into()))])
+        let list = list.join(self.language.among(["; ", "；", "; "]));
+        self.filled(Told::ExplainSets, &vec![("what", Value::Text(list.into()))])
     }
 
     /// A value with its name.
     pub fn named(&self, name: &str, value: &str) -> String {
-        format!("{name}{}{value}", if self.language == Language::Chinese { "：" } else { ": " })
-    }
-
-    fn between_sentences(&self) -> &'static str {
-        if self.language == Language::Chinese { "" } else { " " }
+        format!("{name}{}{value}", self.language.among([": ", "：", ": "]))
     }
 
     fn action(&self, action: &Action) -> String {
@@ -303,7 +302,7 @@ impl Speaker<'_> {
             |name: &'static str, quantity: Quantity| (name, Value::Text(self.quantity(quantity).into()));
         let place = |name: &'static str, at: Point| (name, Value::Text(self.place(at).into()));
         let count = |name: &'static str, count: u32| (name, Value::Count(i64::from(count)));
-        let code = |cycle: crate::motion::Cycle| ("cycle", Value::Text(cycle.code().into()));
+        let code = |cycle: Cycle| ("cycle", Value::Text(cycle.code().into()));
         let (told, arguments): (Told, Arguments) = match *action {
             Action::Rapid(from, to) => (Told::ExplainRapid, vec![place("from", from), place("to", to)]),
             Action::Straight(from, to, length) => {
@@ -353,7 +352,11 @@ impl Speaker<'_> {
                 (told, vec![code(cycle), named("from", from), named("to", to), count("pecks", pecks)])
             }
         };
-        fill((self.language.texts().told)(told), &arguments)
+        self.filled(told, &arguments)
+    }
+
+    fn filled(&self, told: Told, arguments: &Arguments) -> String {
+        fill((self.language.texts().told)(told), arguments)
     }
 
     /// A place in the words of a block.

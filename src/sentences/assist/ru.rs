@@ -283,7 +283,7 @@ pub(in crate::sentences) const fn told(told: Told) -> &'static str {
         Told::ExplainTimeWithoutRapids => "За {time} без ускоренных перемещений.",
         Told::ExplainFeed => "На {feed}.",
         Told::ExplainSets => "Задаёт: {what}.",
-        Told::SlotMissing => "Обязательно.",
+        Told::SlotMissing => "Не хватает.",
         Told::SlotStays => "Без него ось остаётся на месте.",
         Told::SlotZero => "Без него: 0.",
         Told::SlotAsSet => "Без него: как задал предыдущий кадр.",

@@ -277,7 +277,7 @@ pub(in crate::sentences) const fn told(told: Told) -> &'static str {
         Told::ExplainTimeWithoutRapids => "不计快速移动用时 {time}。",
         Told::ExplainFeed => "进给 {feed}。",
         Told::ExplainSets => "设定：{what}。",
-        Told::SlotMissing => "必须有。",
+        Told::SlotMissing => "缺少。",
         Told::SlotStays => "省略时该轴不动。",
         Told::SlotZero => "省略时：0。",
         Told::SlotAsSet => "省略时：按前面程序段的设定。",

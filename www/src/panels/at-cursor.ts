@@ -153,15 +153,13 @@ class AtCursor implements Panel {
     const rows = form.lines.map((line) => make('p', { className: line.own ? 'form-line own' : 'form-line', lang: 'en' }, ...this.#formWords(line)));
     const own = form.lines.filter((line) => line.own).flatMap(({ words }) => words);
     const open = own.filter((word) => word.state !== 'there').sort((a, b) => Number(a.optional) - Number(b.optional));
-    const items = open.map((word) => make('li', { className: word.state }, make('code', { lang: 'en' }, word.letters), ` ${texts.open(word.title, word.state === 'missing' ? texts.missing : word.otherwise)}`));
+    const items = open.map((word) => make('li', { className: word.state }, make('code', { lang: 'en' }, word.letters), ` ${texts.open(word.title, word.otherwise)}`));
     return [make('h3', { className: 'at-cursor-heading' }, texts.form), ...rows, ...(items.length === 0 ? [] : [make('ul', { className: 'word-facts' }, ...items)])];
   }
 
   #formWords({ code, words }: FormLine): (HTMLElement | string)[] {
-    const shown = ({ letters, title, optional, state, marked }: FormWord): HTMLElement => {
-      const word = make(marked ? 'mark' : 'span', { className: `form-word ${state}`, title }, optional ? `[${letters}]` : letters);
-      return word;
-    };
+    const shown = ({ letters, title, optional, state, marked }: FormWord): HTMLElement =>
+      make(marked ? 'mark' : 'span', { className: `form-word ${state}`, title }, optional ? `[${letters}]` : letters);
     return [make('b', {}, code), ...words.flatMap((word) => [' ', shown(word)])];
   }
 
@@ -232,7 +230,6 @@ const WORDS = words({
     empty: 'what the word there is',
     nothing: 'no word',
     form: 'Form of the block',
-    missing: 'Missing.',
     open: (title: string, what: string) => `${title}. ${what}`,
     state: (line: number) => `The control before and after line ${line}`,
     before: 'Before',
@@ -254,7 +251,6 @@ const WORDS = words({
     empty: '光标处的字是什么',
     nothing: '没有字',
     form: '本程序段的格式',
-    missing: '缺少。',
     open: (title, what) => `${title}。${what}`,
     state: (line) => `第 ${line} 行之前与之后的系统状态`,
     before: '之前',
@@ -276,7 +272,6 @@ const WORDS = words({
     empty: 'что за слово',
     nothing: 'слова нет',
     form: 'Форма кадра',
-    missing: 'Не хватает.',
     open: (title, what) => `${title}. ${what}`,
     state: (line) => `Система ЧПУ до и после строки ${line}`,
     before: 'До',
