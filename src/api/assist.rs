@@ -8,10 +8,13 @@ use tsify::Tsify;
 
 use super::Places;
 use crate::assist::Asked;
+use crate::assist::complete::{Item, What};
 use crate::assist::fact::Fact;
 use crate::assist::hover::Hover;
 use crate::assist::signature::{Otherwise, Place};
+use crate::assist::snippet::Piece;
 use crate::assist::state::{Frame, StateTable};
+use crate::control::modal::State;
 use crate::motion::Motions;
 use crate::sentences::Language;
 use crate::sentences::assist::{Speaker, block_of};
@@ -123,6 +126,38 @@ pub struct FormWord {
     pub marked: bool,
 }
 
+/// What can be written at a place.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+#[cfg_attr(target_arch = "wasm32", derive(Tsify))]
+pub struct CompletionHelp {
+    /// UTF-16 offset of what was begun.
+    pub from: u32,
+    /// UTF-16 offset of its end.
+    pub to: u32,
+    /// The likeliest first.
+    pub items: Vec<CompletionItem>,
+}
+
+/// A proposal.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+#[cfg_attr(target_arch = "wasm32", derive(Tsify))]
+pub struct CompletionItem {
+    /// Its first line.
+    pub label: String,
+    /// What is written.
+    pub text: String,
+    /// Places in it to fill, one after the other: pairs of offsets in `text`.
+    pub fills: Vec<(u32, u32)>,
+    /// What it is.
+    pub detail: String,
+    /// What kind of thing it is.
+    #[cfg_attr(
+        target_arch = "wasm32",
+        tsify(type = "\"code\" | \"word\" | \"place\" | \"variable\" | \"snippet\"")
+    )]
+    pub kind: &'static str,
+}
+
 /// What is in force before and after a block.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 #[cfg_attr(target_arch = "wasm32", derive(Tsify))]
@@ -207,6 +242,53 @@ impl Reader<'_> {
         }
     }
 
+    /// What can be written at a byte; `end`: the state after the run; `asked_for`: the reader asks for it.
+    pub fn completion(
+        &self,
+        asked: &Asked,
+        byte: u32,
+        end: &State,
+        asked_for: bool,
+    ) -> Option<CompletionHelp> {
+        let completion = asked.complete(byte, end, asked_for)?;
+        let (from, to) = self.places.offsets(completion.span);
+        let items = completion.items.iter().map(|item| self.proposal(item)).collect();
+        Some(CompletionHelp { from, to, items })
+    }
+
+    fn proposal(&self, item: &Item) -> CompletionItem {
+        let (mut text, mut fills) = (String::new(), Vec::new());
+        for piece in &item.pieces {
+            // Proposals are ASCII: bytes are UTF-16 units.
+            let from = text.len() as u32;
+            match piece {
+                Piece::Fixed(fixed) => text.push_str(fixed),
+                Piece::Fill(filled) => {
+                    text.push_str(filled);
+                    fills.push((from, text.len() as u32));
+                }
+            }
+        }
+        let label = match text.split_once('\n') {
+            Some((first, _)) => format!("{first} …"),
+            None => text.clone(),
+        };
+        let kind = match item.what {
+            What::Code(..) => "code",
+            What::Word(..) => "word",
+            What::Sequence(_) | What::NextSequence | What::Program(_) => "place",
+            What::Variable(_) => "variable",
+            What::Snippet(_) => "snippet",
+        };
+        CompletionItem {
+            label,
+            text,
+            fills,
+            detail: self.speak(|speaker| speaker.proposed(&item.what)),
+            kind,
+        }
+    }
+
     /// The state at the block.
     pub fn state(&self, asked: &Asked, motions: &Motions) -> StateHelp {
         let line = self.line_of(asked.block.span.start);
@@ -222,6 +304,11 @@ impl Reader<'_> {
             };
             help
         })
+    }
+
+    /// What the motions of the block do, in sentences; empty where it makes none.
+    pub fn explanation(&self, asked: &Asked, motions: &Motions) -> String {
+        self.speak(|speaker| speaker.explanation(&asked.explanation(motions)))
     }
 
     fn rows(&self, line: u32, table: &StateTable, speaker: &Speaker) -> StateHelp {

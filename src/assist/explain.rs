@@ -148,7 +148,8 @@ fn of_cycle(cycle: Cycle, own: &[Motion], start: Point) -> Vec<Action> {
         |wanted: Step| own.iter().filter(move |motion| motion.cycle.is_some_and(|step| step.step == wanted));
     let cuts: Vec<&Motion> = with(Step::Cut).filter(|motion| motion.kind.cuts()).collect();
     let contour = with(Step::Contour).filter(|motion| motion.kind.cuts());
-    let along = Action::Contour(Quantity::Length(contour.map(Motion::length).sum()));
+    let length: f64 = contour.map(Motion::length).sum();
+    let along = Action::Contour(Quantity::Length((length * 100.0).round() / 100.0));
     let has_contour = along != Action::Contour(Quantity::Length(0.0));
     let passes = number_of_passes(own);
     let Some(last) = cuts.last() else {

@@ -4,7 +4,7 @@
 
 use super::Asked;
 use super::fact::{Fact, Quantity};
-use super::form::{Form, Half, g_of, m_of};
+use super::form::{Form, Half, g_of};
 use super::role::Role;
 use crate::control::codes::{self, Function, G, MotionMode, Multiple};
 use crate::control::contour::Purpose;
@@ -186,7 +186,7 @@ impl<'a> Asked<'a> {
         let Some(function) = number.and_then(codes::m_function) else {
             return Hover::of(word.span, Role::UnknownCode);
         };
-        let role = m_of(word).and_then(Role::of_m);
+        let role = number.and_then(Role::of_m);
         Hover { span: word.span, function: Some(function), role, quantity: None, facts: Vec::new() }
     }
 
@@ -302,7 +302,10 @@ impl<'a> Asked<'a> {
             | DataTip | ReferencePoint | FrameNumber | FinishAfter | Argument => count()?,
             ProgramNumber | SequenceNumber | BlockSkip | Percent | Comment | SetupNote | MacroStatement
             | Variable | InchInput | MetricInput | FeedPerMinute | FeedPerTurn | SpindleForward
-            | SpindleReverse | SpindleStop | LiveTool | PlaneXy | PlaneZx | PlaneYz | Absolute
+            | SpindleReverse | SpindleStop | LiveTool | LiveToolForward | LiveToolReverse | CoolantOn
+            | CoolantOff | ChuckClamp | ChuckUnclamp | FirstOrientation | SecondOrientation
+            | TailstockForward | TailstockBack | SynchronousOn | SynchronousOff | ConveyorForward
+            | ConveyorStop | InterlockOff | InterlockOn | PlaneXy | PlaneZx | PlaneYz | Absolute
             | Incremental | InitialLevel | RPointLevel | ProgramStop | OptionalStop | CAxisOn | CAxisOff
             | PullOutOn | PullOutOff | DataInput | DataEnd | MacroOnce | MacroModal | MacroOff
             | WorkFrame | UnknownCode | Ignored | ToolAndOffset | ThreadPacked => return None,

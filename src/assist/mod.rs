@@ -4,12 +4,14 @@
 //! language can be made of: roles, facts and quantities, with the places of the blocks they name. Pure functions:
 //! nothing here runs a program, and nothing knows a language or an editor.
 
+pub mod complete;
 pub mod explain;
 pub mod fact;
 pub mod form;
 pub mod hover;
 pub mod role;
 pub mod signature;
+pub mod snippet;
 pub mod state;
 
 use std::borrow::Cow;

@@ -4,9 +4,8 @@
 //! build (`sentences::assist`).
 
 use super::form::{Form, Half};
-use crate::control::codes::{G, Hole, M, MotionMode, Multiple, Plane, Switch};
+use crate::control::codes::{G, Hole, M, MotionMode, Multiple, Plane};
 use crate::cycles::single::Single;
-use crate::motion::{SpindleTurn, StopKind};
 use crate::setup::dialect::FeedMode;
 use crate::text::block::Word;
 use crate::units::Unit;
@@ -30,9 +29,11 @@ roles! {
     // Numbers and marks
     ProgramNumber SequenceNumber BlockSkip Percent Comment SetupNote MacroStatement Variable
     // Codes that stand in a row with others
-    InchInput MetricInput FeedPerMinute FeedPerTurn SpindleForward SpindleReverse SpindleStop LiveTool PlaneXy PlaneZx
+    InchInput MetricInput FeedPerMinute FeedPerTurn SpindleForward SpindleReverse SpindleStop PlaneXy PlaneZx
     PlaneYz Absolute Incremental InitialLevel RPointLevel ProgramStop OptionalStop CAxisOn CAxisOff PullOutOn PullOutOff
     DataInput DataEnd MacroOnce MacroModal MacroOff WorkFrame UnknownCode
+    CoolantOn CoolantOff ChuckClamp ChuckUnclamp LiveTool LiveToolForward LiveToolReverse FirstOrientation SecondOrientation
+    TailstockForward TailstockBack SynchronousOn SynchronousOff ConveyorForward ConveyorStop InterlockOff InterlockOn
     // Places and ways
     EndX EndZ EndC EndY WayX WayZ WayC WayY ViaX ViaZ ViaC ViaWayX ViaWayZ MachineX MachineZ OriginX OriginZ ShiftX ShiftZ LocalX LocalZ
     // Corners and arcs
@@ -61,19 +62,34 @@ roles! {
 
 impl Role {
     /// What an M code means, where it stands in a row with others.
-    pub fn of_m(code: M) -> Option<Self> {
-        Some(match code {
-            M::Pause(StopKind::Always) => Self::ProgramStop,
-            M::Pause(StopKind::Optional) => Self::OptionalStop,
-            M::Spindle(SpindleTurn::Forward) => Self::SpindleForward,
-            M::Spindle(SpindleTurn::Reverse) => Self::SpindleReverse,
-            M::Spindle(SpindleTurn::Stopped) => Self::SpindleStop,
-            M::LiveTool => Self::LiveTool,
-            M::CAxis(Switch::On) => Self::CAxisOn,
-            M::CAxis(Switch::Off) => Self::CAxisOff,
-            M::ThreadPullOut(Switch::On) => Self::PullOutOn,
-            M::ThreadPullOut(Switch::Off) => Self::PullOutOff,
-            M::End | M::Idle | M::Call | M::LocalCall | M::Return => return None,
+    pub fn of_m(number: u64) -> Option<Self> {
+        Some(match number {
+            0 => Self::ProgramStop,
+            1 => Self::OptionalStop,
+            3 => Self::SpindleForward,
+            4 => Self::SpindleReverse,
+            5 => Self::SpindleStop,
+            7 | 8 => Self::CoolantOn,
+            9 => Self::CoolantOff,
+            10 | 68 => Self::ChuckClamp,
+            11 | 69 => Self::ChuckUnclamp,
+            13 => Self::LiveToolForward,
+            14 => Self::LiveToolReverse,
+            19 => Self::FirstOrientation,
+            20 => Self::SecondOrientation,
+            23 => Self::PullOutOn,
+            24 => Self::PullOutOff,
+            25 => Self::TailstockForward,
+            26 => Self::TailstockBack,
+            45 => Self::CAxisOn,
+            46 => Self::CAxisOff,
+            90 => Self::SynchronousOn,
+            91 => Self::SynchronousOff,
+            200 => Self::ConveyorForward,
+            201 => Self::ConveyorStop,
+            712 => Self::InterlockOff,
+            713 => Self::InterlockOn,
+            _ => return None,
         })
     }
 

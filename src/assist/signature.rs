@@ -265,6 +265,11 @@ impl Asked<'_> {
     }
 }
 
+/// What a word of a letter is in a form.
+pub fn role_of(letter: u8, form: Form, state: &State) -> Role {
+    Role::of(&sample(letter, false), form, state.spindle.surface, state.c_axis)
+}
+
 /// A word of a letter alone.
 fn sample(address: u8, comma: bool) -> Word {
     Word { address, comma, value: Value::Expression, span: Span::new(0, 0) }

@@ -6,7 +6,8 @@
 mod registry;
 
 pub use registry::{
-    Effect, Function, GCode, Row, Section, function_of, g_code, m_code, m_function, rows, written,
+    Effect, Function, GCode, Row, Section, function_of, g_code, g_codes, m_code, m_codes, m_function, rows,
+    written,
 };
 
 use super::words::plain;
@@ -229,6 +230,11 @@ pub enum Multiple {
 }
 
 impl Multiple {
+    /// It roughs a contour, which P and Q name.
+    pub fn is_roughing(self) -> bool {
+        matches!(self, Self::RoughTurning | Self::RoughFacing | Self::Pattern)
+    }
+
     /// The cycle as motions name it.
     pub fn cycle(self) -> Cycle {
         match self {

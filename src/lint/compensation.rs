@@ -145,7 +145,7 @@ impl Compensations {
             let code = cycle.cycle().code();
             let diagnostic = Diagnostic::new(said::CompensationIdle { code }, block.words_span());
             // Newer controls rough with compensation that was on before (alarm PS0328).
-            let rough = matches!(cycle, Multiple::RoughTurning | Multiple::RoughFacing | Multiple::Pattern);
+            let rough = cycle.is_roughing();
             reports.push(if rough { diagnostic.graded(Severity::Info) } else { diagnostic });
         }
     }

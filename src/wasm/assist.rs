@@ -31,6 +31,13 @@ impl Playground {
         ask(self, offset, time)
     }
 
+    /// Asks about the block of a motion, as it is carried out when the motion is made. The run has ended. True: the answer
+    /// is there.
+    #[wasm_bindgen(js_name = askMotion)]
+    pub fn ask_motion(&mut self, motion: u32) -> bool {
+        ask_motion(self, motion)
+    }
+
     /// Looks for the answer for at most so many blocks. True: it is there.
     #[wasm_bindgen(js_name = lookForAnswer)]
     pub fn look_for_answer(&mut self, blocks: u32) -> bool {
@@ -43,10 +50,23 @@ impl Playground {
         word(self)
     }
 
+    /// What the block that was asked about does; nothing where there is no answer yet.
+    #[wasm_bindgen(unchecked_return_type = "string | undefined")]
+    pub fn explanation(&self) -> Result<JsValue, JsValue> {
+        explanation(self)
+    }
+
     /// The state before and after the block that was asked about; nothing where there is no answer yet.
     #[wasm_bindgen(js_name = stateHelp, unchecked_return_type = "StateHelp | undefined")]
     pub fn state_help(&self) -> Result<JsValue, JsValue> {
         state(self)
+    }
+
+    /// What can be written at the place that was asked about; `asked_for`: the reader asks for it. Nothing where nothing
+    /// is known, or there is no answer yet.
+    #[wasm_bindgen(js_name = completionHelp, unchecked_return_type = "CompletionHelp | undefined")]
+    pub fn completion_help(&self, asked_for: bool) -> Result<JsValue, JsValue> {
+        completion(self, asked_for)
     }
 
     /// The form of the block that was asked about; nothing where it has none, or there is no answer yet.
@@ -61,17 +81,24 @@ in_part! {
     fn ask(playground: &mut Playground, offset: u32, time: Option<u32>) -> bool {
         let current = &playground.current;
         let byte = current.lines().byte_at_utf16(current.run().text(), offset);
-        let time = time.map_or(Time::Usual, Time::Number);
-        let question = &mut playground.question;
-        (question.byte, question.replay) = (byte, None);
-        let is_known = question.found.as_ref().is_some_and(|(run, of, found)| {
-            *run == current.run().id() && *of == time && found.place.start.byte <= byte && byte < found.place.end.byte
-        });
-        if !is_known {
-            question.found = None;
-            question.replay = Some(current.replay(byte, time));
+        begin(playground, byte, time.map_or(Time::Usual, Time::Number))
+    }
+
+    Tools "0906"
+    fn ask_motion(playground: &mut Playground, motion: u32) -> bool {
+        let (motions, motion) = (playground.current.motions(), motion as usize);
+        if motion >= motions.len() {
+            playground.question = Question::default();
+            return true;
         }
-        is_known
+        let byte = motions.span(motion).start;
+        begin(playground, byte, Time::Motion(motion))
+    }
+
+    Tools "0907"
+    fn explanation(playground: &Playground) -> Result<JsValue, JsValue> {
+        let motions = playground.current.motions();
+        with_answer(playground, |reader, asked| Ok(reader.explanation(asked, motions).into()))
     }
 
     Tools "0901"
@@ -93,6 +120,12 @@ in_part! {
         with_answer(playground, |reader, asked| to_js(&reader.word(asked, byte, &notes, motions)))
     }
 
+    Tools "0905"
+    fn completion(playground: &Playground, asked_for: bool) -> Result<JsValue, JsValue> {
+        let (byte, end) = (playground.question.byte, playground.current.run().state());
+        with_answer(playground, |reader, asked| to_js(&reader.completion(asked, byte, end, asked_for)))
+    }
+
     Tools "0904"
     fn form(playground: &Playground) -> Result<JsValue, JsValue> {
         let byte = playground.question.byte;
@@ -104,6 +137,21 @@ in_part! {
         let motions = playground.current.motions();
         with_answer(playground, |reader, asked| to_js(&reader.state(asked, motions)))
     }
+}
+
+/// Begins to look for the answer; true where it is there already.
+fn begin(playground: &mut Playground, byte: u32, time: Time) -> bool {
+    let Playground { current, question, .. } = playground;
+    (question.byte, question.replay) = (byte, None);
+    let is_known = question.found.as_ref().is_some_and(|(run, of, found)| {
+        let place = found.place.start.byte..found.place.end.byte;
+        *run == current.run().id() && *of == time && place.contains(&byte)
+    });
+    if !is_known {
+        question.found = None;
+        question.replay = Some(current.replay(byte, time));
+    }
+    is_known
 }
 
 /// What is made of the answer, once it is there.

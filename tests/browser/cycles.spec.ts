@@ -44,6 +44,8 @@ test('a roughing pass names its cycle, its number and its step', async ({ page }
   await page.mouse.move(place.x, place.y);
   await expect(tooltip(page)).toContainText('line 4');
   await expect(tooltip(page)).toContainText(/G71, pass 2 of 10: cut at feed to X33\.5 Z-60\.3/);
+  // The pointer rests: what the whole block does comes under it.
+  await expect(tooltip(page)).toContainText(/G71: 10 passes/);
 });
 
 test('a program is expanded, read, copied, taken over, and brought back', async ({ page }) => {

@@ -26,6 +26,10 @@ test('all motions are there in words, and the keys move the tool', async ({ page
   await page.keyboard.press('ArrowDown');
   await expect(row(2)).toBeFocused();
   await expect(marked(page)).toContainText('infeed');
+  // What the block of the row does, for who hears the row.
+  const does = page.locator('.motions .does');
+  await expect(does).toContainText('G90');
+  await expect(does).toHaveAttribute('aria-live', 'polite');
   await expect(page.locator('.cm-running-line')).toHaveText('G90 X55 Z-30 F0.2');
   await page.keyboard.press('End');
   await expect(marked(page)).toContainText('rapid to X100 Z100');

@@ -375,6 +375,22 @@ pub fn written(code: G, list: CodeList) -> Option<String> {
     Some(text)
 }
 
+/// The G codes of a list, as it writes them.
+pub fn g_codes(list: CodeList) -> impl Iterator<Item = (String, &'static GCode)> {
+    let is_there = move |code: &&GCode| code.keys[list as usize] != NOT_THERE;
+    G_CODES.iter().filter(is_there).map(move |code| {
+        let key = code.keys[list as usize];
+        let mut text = String::new();
+        spell(&mut text, 'G', key / 10, key % 10);
+        (text, code)
+    })
+}
+
+/// The M codes with their numbers.
+pub fn m_codes() -> impl Iterator<Item = (u16, M, Function)> {
+    M_CODES.iter().map(|code| (code.number, code.code, code.function))
+}
+
 /// The row of the table of a G code.
 pub fn function_of(code: G) -> Option<Function> {
     G_CODES.iter().find(|other| other.code == code).map(|found| found.function)

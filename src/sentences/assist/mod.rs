@@ -10,12 +10,14 @@ pub(super) mod zh;
 use super::labels;
 use super::language::Language;
 use super::template::fill;
+use crate::assist::complete::{What, Why};
 use crate::assist::explain::{Action, Explanation};
 use crate::assist::fact::{Fact, Quantity};
 use crate::assist::role::Role;
 use crate::assist::signature::Otherwise;
+use crate::assist::snippet::Snippet;
 use crate::assist::state::{Frame, InForce};
-use crate::control::codes::Group;
+use crate::control::codes::{self, G, Group};
 use crate::control::contour::Purpose;
 use crate::control::origins::Modal;
 use crate::control::program::CallKind;
@@ -67,6 +69,9 @@ told! {
     ExplainFeedTime, ExplainFeedTimeWithoutRapids, ExplainTime, ExplainTimeWithoutRapids, ExplainFeed, ExplainSets,
     // The form of a cycle
     SlotMissing, SlotStays, SlotZero, SlotAsSet, SlotAsSetTo, SlotMay,
+    // What can be written
+    CompleteLine, CompleteNext, SnippetHead, SnippetEnd, SnippetSubprogram, SnippetCall, SnippetLoop, SnippetCondition,
+    SnippetSecond, SnippetContour, WhyFace, WhyBack, WhyOutside, WhyBore, WhyAxis, WhyHere, WhyUsed, WhyInSetup,
 }
 
 impl Role {
@@ -266,6 +271,42 @@ impl Speaker<'_> {
         self.filled(told, &what.into_iter().collect())
     }
 
+    /// What a proposal is, and where its value comes from.
+    pub fn proposed(&self, what: &What) -> String {
+        let function = |code: G| codes::function_of(code).map_or("", |found| found.describe(self.language));
+        let named =
+            |told: Told, code: G| self.filled(told, &vec![("what", Value::Text(function(code).into()))]);
+        let alone = |told: Told| self.filled(told, &Vec::new());
+        match *what {
+            What::Code(function, role) => {
+                role.map_or(function.describe(self.language), |role| role.words(self.language)).to_owned()
+            }
+            What::Word(role, None) => role.words(self.language).to_owned(),
+            What::Word(role, Some(why)) => self.named(role.words(self.language), &alone(why_told(why))),
+            What::Sequence(at) | What::Program(at) => {
+                let line = Value::count((self.line_of)(at) as usize);
+                self.filled(Told::CompleteLine, &vec![("line", line)])
+            }
+            What::NextSequence => alone(Told::CompleteNext),
+            What::Variable(value) => format!("= {}", number(value)),
+            What::Snippet(snippet) => match snippet {
+                Snippet::Head => alone(Told::SnippetHead),
+                Snippet::End => alone(Told::SnippetEnd),
+                Snippet::Subprogram => alone(Told::SnippetSubprogram),
+                Snippet::Call => alone(Told::SnippetCall),
+                Snippet::Loop => alone(Told::SnippetLoop),
+                Snippet::Condition => alone(Told::SnippetCondition),
+                Snippet::Second(cycle) => named(Told::SnippetSecond, G::Multiple(cycle)),
+                Snippet::Cycle(cycle) if cycle.is_roughing() => {
+                    named(Told::SnippetContour, G::Multiple(cycle))
+                }
+                Snippet::Cycle(_) | Snippet::Pass(_) | Snippet::Drilling | Snippet::MacroCall => {
+                    snippet.code().map_or("", function).to_owned()
+                }
+            },
+        }
+    }
+
     /// What a block does, in sentences; nothing where it moves nothing.
     pub fn explanation(&self, explanation: &Explanation) -> String {
         let mut sentences: Vec<String> =
@@ -398,6 +439,19 @@ pub fn block_of(fact: &Fact) -> Option<u32> {
         Fact::Contour(first, _) => Some(first.start),
         Fact::Names(block) | Fact::VariableSet(_, block) => Some(block),
         _ => None,
+    }
+}
+
+fn why_told(why: Why) -> Told {
+    match why {
+        Why::Face => Told::WhyFace,
+        Why::Back => Told::WhyBack,
+        Why::Outside => Told::WhyOutside,
+        Why::Bore => Told::WhyBore,
+        Why::Axis => Told::WhyAxis,
+        Why::Here => Told::WhyHere,
+        Why::Used => Told::WhyUsed,
+        Why::InSetup => Told::WhyInSetup,
     }
 }
 

@@ -51,6 +51,9 @@ export class Editor implements TextHolder {
   readonly #follower: Follower;
   readonly #events: EditorEvents;
   readonly #language = new Compartment();
+  /** Empty until the reader is in the text. */
+  readonly #completion = new Compartment();
+  #completionIsComing = false;
   readonly #access: Access;
   /** What of the text is shown; it is folded anew around each text of the page's. */
   #shownLines: readonly LineRange[] = [];
@@ -81,7 +84,7 @@ export class Editor implements TextHolder {
           lineNumbers(), problemGutter(), highlightActiveLine(), highlightActiveLineGutter(), highlightSpecialChars(),
           history(), fileOfText(program.ends, file), programContext(events), drawSelection(), dropCursor(), bracketMatching(), highlightSelectionMatches(),
           search({ top: false }), linter(null), tooltips({ position: 'absolute', parent: aboveTheFrame }), marks, editorTheme,
-          folds(() => this.#shownLanguage), wordHover(events),
+          folds(() => this.#shownLanguage), wordHover(events), this.#completion.of([]),
           EditorState.readOnly.of(access === 'readonly'), EditorView.editable.of(access === 'editable'),
           // Tab is not bound: it leaves the editor.
           keymap.of([
@@ -299,6 +302,20 @@ export class Editor implements TextHolder {
     return [EditorView.contentAttributes.of(attributes), editorPhrases(language)];
   }
 
+  async #loadCompletion(): Promise<void> {
+    if (this.#completionIsComing || this.#access === 'readonly') return;
+    this.#completionIsComing = true;
+    try {
+      const { revision } = this;
+      const { catchUp, completion } = await import('./completion');
+      this.#view.dispatch({ effects: this.#completion.reconfigure(completion(this.#events)) });
+      if (this.revision !== revision) catchUp(this.#view);
+    } catch {
+      // Without it the text can be written all the same; it is tried again with the next visit.
+      this.#completionIsComing = false;
+    }
+  }
+
   #updated(update: ViewUpdate): void {
     const programmatic = update.transactions.some((transaction) => transaction.annotation(byProgram) === true);
     if (update.docChanged) {
@@ -307,6 +324,7 @@ export class Editor implements TextHolder {
       this.#diagnostics = [];
       this.#coming = {};
     }
+    if (update.focusChanged && this.#view.hasFocus) void this.#loadCompletion();
     if (!programmatic) {
       if (update.selectionSet || update.docChanged) this.#view.dom.classList.remove('cm-chosen');
       const context = contextOf(update.transactions);

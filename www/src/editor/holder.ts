@@ -3,7 +3,7 @@
 // Offsets count every line end as one unit, as everywhere in this page. What the page does to the text fires
 // no event; what the reader does, does.
 
-import type { Fix, Setting, TextCommand, WordHelp } from '../protocol/protocol';
+import type { CompletionHelp, Fix, Setting, TextCommand, WordHelp } from '../protocol/protocol';
 import type { ProgramFile, ProgramText } from './program-text';
 
 export interface Span {
@@ -53,6 +53,8 @@ export interface EditorEvents extends TextEvents, ContextEvents {
   cursorMoved(): void;
   /** What the word at an offset is; nothing where there is none, or nobody knows yet. */
   wordAt(offset: number): Promise<WordHelp | undefined>;
+  /** What can be written at an offset; `askedFor`: the reader asks for it. */
+  completionAt(offset: number, askedFor: boolean): Promise<CompletionHelp | undefined>;
   /** The answer to a problem is a setting. */
   settingChosen(setting: Setting): void;
   /** The program is about to get the focus: the reader is to see it. */

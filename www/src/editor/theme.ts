@@ -21,7 +21,7 @@ const squiggles = Object.fromEntries(
 );
 
 /** So many times the element's size of type; what stands in its style sheets as `rem`. */
-function rem(times: number): string {
+export function rem(times: number): string {
   return `calc(${times} * var(--playground-rem))`;
 }
 

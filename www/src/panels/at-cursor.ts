@@ -6,6 +6,7 @@
 import { arrange, icon, make, name, showText } from '../dom/dom';
 import type { Language } from '../dom/language';
 import { words } from '../dom/words';
+import { completes, setCompletes } from '../editor/completes';
 import { factList, wordLine } from '../editor/word-help';
 import type { FormHelp, FormLine, FormWord, Help, HelpLine, StateHelp, StateRow } from '../protocol/protocol';
 import type { Heard } from '../worker/core-client';
@@ -27,7 +28,10 @@ class AtCursor implements Panel {
   readonly #time = make('span');
   readonly #times = make('div', { className: 'at-cursor-times', hidden: true }, this.#previous, this.#time, this.#next);
   readonly #state = make('div', { className: 'at-cursor-state' });
-  readonly #body = make('div', { className: 'at-cursor-body', id: 'at-cursor-body', hidden: true }, this.#facts, this.#form, this.#times, this.#state);
+  readonly #completes = make('input', { type: 'checkbox' });
+  readonly #completesName = make('span');
+  readonly #switch = make('label', { className: 'at-cursor-switch' }, this.#completes, this.#completesName);
+  readonly #body = make('div', { className: 'at-cursor-body', id: 'at-cursor-body', hidden: true }, this.#facts, this.#form, this.#times, this.#state, this.#switch);
   readonly #element = make('section', { className: 'at-cursor', part: 'at-cursor', 'aria-labelledby': 'at-cursor-name caption' }, this.#toggle, this.#body);
   /** The reader has been in the text: until then nothing is asked, and nothing is loaded for it. */
   #wanted = false;
@@ -48,11 +52,15 @@ class AtCursor implements Panel {
     this.#toggle.addEventListener('click', () => this.#setOpen(this.#body.hidden === true));
     this.#previous.addEventListener('click', () => this.#choose(-1));
     this.#next.addEventListener('click', () => this.#choose(1));
+    this.#completes.checked = completes();
+    this.#completes.addEventListener('change', () => setCompletes(this.#completes.checked));
+    this.#switch.hidden = shell.readonly;
   }
 
   set language(language: Language) {
     const texts = WORDS[language];
     showText(this.#title, texts.atCursor);
+    showText(this.#completesName, texts.completes);
     name(this.#previous, texts.previousTime);
     name(this.#next, texts.nextTime);
     this.#toggle.title = texts.hint;
@@ -99,7 +107,8 @@ class AtCursor implements Panel {
 
   #ask(): void {
     if (!this.#wanted) return;
-    this.#question.ask({ offset: this.#place, time: this.#chosen, by: 'cursor', state: !this.#body.hidden });
+    const [offset, time] = [this.#place, this.#chosen];
+    this.#question.ask(this.#body.hidden ? { by: 'cursor', about: 'word', offset } : { by: 'cursor', about: 'block', offset, time });
   }
 
   /** Where the cursor is, or what is selected begins. */
@@ -132,7 +141,7 @@ class AtCursor implements Panel {
       this.#shell.editor.keepCursorInSight();
     }
     // An answer to an earlier question is shown, but not read out.
-    if (!this.#speaks || help.offset !== this.#place) return;
+    if (!this.#speaks || help.asked.about === 'motion' || help.asked.offset !== this.#place) return;
     this.#speaks = false;
     const said = word === undefined ? [texts.nothing] : [`${[word.word, word.title, word.value ?? ''].join(' ').trim()}.`, ...word.facts.map(({ text }) => text)];
     this.#shell.editor.announce([...said, state?.explanation ?? ''].join(' ').trim());
@@ -227,6 +236,7 @@ const WORDS = words({
   en: {
     atCursor: 'At the cursor',
     hint: 'What the word at the cursor is, and what is in force there (F1)',
+    completes: 'Propose words while typing (Ctrl Space asks for them)',
     empty: 'what the word there is',
     nothing: 'no word',
     form: 'Form of the block',
@@ -248,6 +258,7 @@ const WORDS = words({
   zh: {
     atCursor: '光标处',
     hint: '光标处的字是什么，此处哪些指令有效（F1）',
+    completes: '输入时给出建议（Ctrl 空格随时可用）',
     empty: '光标处的字是什么',
     nothing: '没有字',
     form: '本程序段的格式',
@@ -269,6 +280,7 @@ const WORDS = words({
   ru: {
     atCursor: 'У курсора',
     hint: 'Что за слово у курсора и что здесь действует (F1)',
+    completes: 'Предлагать слова при вводе (по запросу – Ctrl Пробел)',
     empty: 'что за слово',
     nothing: 'слова нет',
     form: 'Форма кадра',

@@ -72,6 +72,8 @@ export class Drawing {
   #work: readonly WorkShown[] = [];
   #stroke: Stroke | undefined;
   #edge: string | undefined;
+  /** What the block of a motion does. */
+  #explained: { readonly motion: number; readonly text: string } | undefined;
   #legendShown = '';
   #travel = 0;
   #panning = { dx: 0, dy: 0 };
@@ -181,6 +183,12 @@ export class Drawing {
     this.#fillTip();
   }
 
+  /** What the block of a motion does: it stands under the words of its stroke. */
+  explain(motion: number, text: string): void {
+    this.#explained = { motion, text };
+    this.#fillTip();
+  }
+
   /** The dimensions of the edge under the pointer, or nothing. */
   showEdge(text: string | undefined): void {
     this.#edge = text;
@@ -198,8 +206,10 @@ export class Drawing {
       make('span', { className: 'what' }, ...unbroken(stroke.text)),
       make('span', { className: 'facts' }, COMMON[this.#language].line(stroke.line)),
     )];
+    const does = stroke !== undefined && this.#explained?.motion === stroke.motion ? this.#explained.text : '';
+    const ofBlock = does === '' ? [] : [make('div', { className: 'does' }, ...unbroken(does))];
     const ofEdge = edge === undefined ? [] : [make('div', { className: 'edge' }, edge)];
-    this.#tip.replaceChildren(...ofStroke, ...ofEdge);
+    this.#tip.replaceChildren(...ofStroke, ...ofBlock, ...ofEdge);
     const room = this.#holder.getBoundingClientRect();
     const { width, height } = this.#tip.getBoundingClientRect();
     const x = Math.min(Math.max(this.#at.x + 14, 8), Math.max(room.width - width - 8, 8));

@@ -1,13 +1,13 @@
 // The button "Motions" and its table: all motions in words, what the drawing says to who does not see it.
 //
-// In: motions in words, a page of them at a time, and where the tool is. Out: the motion the reader wants the tool
+// In: motions in words, a page of them at a time, what the block of one does, and where the tool is. Out: the motion the reader wants the tool
 // at. It stays open while the program is played or edited, and its row follows the tool. Of a long program only
 // the rows around the tool are on the page; the keys go on beyond them. Must not know: what a motion means.
 
-import { make, name, unbroken } from '../dom/dom';
+import { make, name, showText, unbroken } from '../dom/dom';
 import type { Language } from '../dom/language';
 import { COMMON, words } from '../dom/words';
-import type { Readout, Stroke } from '../protocol/protocol';
+import type { Help, Readout, Stroke } from '../protocol/protocol';
 import type { Heard } from '../worker/core-client';
 import type { NewestQuestion, Panel, PanelKind, Shell } from './panel';
 import motionsStyles from './motions.css?inline';
@@ -21,17 +21,20 @@ export const motions: PanelKind = { control: 'tools', styles: motionsStyles, mak
 class MotionsPanel implements Panel {
   readonly #shell: Shell;
   readonly #question: NewestQuestion<'strokes'>;
+  readonly #explanation: NewestQuestion<'help'>;
   readonly #button = make('button', { type: 'button', className: 'motions-button quiet outlined', 'aria-haspopup': 'dialog', 'aria-expanded': 'false' });
   readonly #title = make('h2');
   readonly #close = make('button', { type: 'button', className: 'quiet close' }, '×');
   readonly #keys = make('p', { className: 'keys', id: 'motions-keys' });
+  /** What the block of the marked row does, as a whole. */
+  readonly #does = make('p', { className: 'does', 'aria-live': 'polite' });
   readonly #head = make('tr', { role: 'row' });
   readonly #body = make('tbody', { role: 'rowgroup' });
   readonly #table = make('table', { role: 'grid', 'aria-describedby': 'motions-keys' }, make('thead', { role: 'rowgroup' }, this.#head), this.#body);
   readonly #earlier = make('button', { type: 'button', className: 'quiet' });
   readonly #later = make('button', { type: 'button', className: 'quiet' });
   readonly #scroller = make('div', { className: 'scroller' }, this.#earlier, this.#table, this.#later);
-  readonly #element = make('div', { className: 'motions', part: 'motions', role: 'dialog', popover: 'manual' }, this.#title, this.#close, this.#keys, this.#scroller);
+  readonly #element = make('div', { className: 'motions', part: 'motions', role: 'dialog', popover: 'manual' }, this.#title, this.#close, this.#keys, this.#scroller, this.#does);
   /** Motions of the newest run. */
   #count = 0;
   /** The first motion on the page, and those that follow. */
@@ -51,6 +54,7 @@ class MotionsPanel implements Panel {
   constructor(shell: Shell) {
     this.#shell = shell;
     this.#question = shell.newest('strokes', (rows) => this.#take(rows));
+    this.#explanation = shell.newest('help', (help) => this.#explain(help));
     this.#button.addEventListener('click', () => this.#toggle());
     this.#close.addEventListener('click', () => this.#shut());
     this.#element.addEventListener('keydown', (event) => this.#key(event));
@@ -197,6 +201,12 @@ class MotionsPanel implements Panel {
       row.scrollIntoView({ block: 'nearest' });
     }
     this.#focusing = false;
+    this.#explanation.ask({ by: 'motions', about: 'motion', motion: this.#active });
+  }
+
+  /** Changed only where it says something else: it is read out then. */
+  #explain(help: Help | undefined): void {
+    if (help?.asked.about === 'motion' && help.asked.motion === this.#active) showText(this.#does, help.explanation ?? '');
   }
 }
 

@@ -7,12 +7,15 @@
 import { make } from '../dom/dom';
 import type { Language } from '../dom/language';
 import { words } from '../dom/words';
-import type { CanvasCommand, Command, LengthUnit, PictureName, Pictures as Images, Stroke, Summary } from '../protocol/protocol';
+import type { CanvasCommand, Command, Help, LengthUnit, PictureName, Pictures as Images, Stroke, Summary } from '../protocol/protocol';
 import type { Heard } from '../worker/core-client';
 import { dimensionText } from './dimension';
 import { Drawing, type DrawingEvents } from './drawing';
-import type { ClientPlace, Panel, PanelKind, Services, Shell } from './panel';
+import type { ClientPlace, NewestQuestion, Panel, PanelKind, Services, Shell } from './panel';
 import picturesStyles from './pictures.css?inline';
+
+/** So long a pointer rests before more is asked about what lies under it, ms. */
+const REST = 150;
 
 export const pictures: PanelKind = { styles: picturesStyles, make: (shell) => new Pictures(shell) };
 
@@ -39,9 +42,13 @@ class Pictures implements Panel {
   #colours = '';
   /** The motion under the pointer. */
   #hovered: number | undefined;
+  /** What its block does: asked once the pointer rests on it. */
+  readonly #explanation: NewestQuestion<'help'>;
+  #resting: ReturnType<typeof setTimeout> | undefined;
 
   constructor(shell: Shell) {
     this.#shell = shell;
+    this.#explanation = shell.newest('help', (help) => this.#explained(help));
     const edge = shell.newest('dimension', (edge) =>
       section.showEdge(edge === undefined ? undefined : dimensionText(shell.language, edge, this.#unit)));
     const onSection = this.#events('section');
@@ -134,6 +141,8 @@ class Pictures implements Panel {
       drawing.showTip(undefined);
       drawing.showEdge(undefined);
     }
+    clearTimeout(this.#resting);
+    this.#explanation.forget();
     if (this.#hovered === undefined) return;
     this.#hovered = undefined;
     this.#shell.editor.hovered = undefined;
@@ -174,6 +183,13 @@ class Pictures implements Panel {
     this.#hovered = stroke?.motion;
     this.#shell.send({ kind: 'hover', motion: stroke?.motion });
     this.#shell.editor.hovered = stroke;
+    clearTimeout(this.#resting);
+    if (stroke !== undefined) this.#resting = setTimeout(() => this.#explanation.ask({ by: 'drawing', about: 'motion', motion: stroke.motion }), REST);
+  }
+
+  #explained(help: Help | undefined): void {
+    if (help?.asked.about !== 'motion' || help.asked.motion !== this.#hovered) return;
+    for (const drawing of Object.values(this.#drawings)) drawing.explain(help.asked.motion, help.explanation ?? '');
   }
 
   /** Where a place is drawn, in the window's CSS pixels. */

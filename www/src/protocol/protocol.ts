@@ -9,13 +9,13 @@
 import type { PartName } from '../../pkg/part-files.js';
 import type {
   Codes, Comparison, Diagnostic, Dimension, FileFormat, ProfileKind, Profiles, ReadAs, SetupOverview, FoundPiece, FoundPrograms, Palette, PictureName, Readout, Rewriting, SectionPiece, SetupAnswer, SetupForm, SetupGroup, SetupPlace, StepDirection,
-  FormHelp, StateHelp, StepUnit, StopSwitch, Stroke, Summary, Totals, Units, WordHelp,
+  CompletionHelp, CompletionItem, FormHelp, StateHelp, StepUnit, StopSwitch, Stroke, Summary, Totals, Units, WordHelp,
 } from '../../pkg/gcode_playground.js';
 
 export type { Codes, Comparison, Diagnostic, Dimension, Palette, PictureName, Readout, Rewriting, SectionPiece, StepDirection, StepUnit, StopSwitch, Stroke, Summary, Totals, Units };
 export type { SetupOverview, FoundPiece, FoundPrograms, SetupAnswer, SetupForm, SetupGroup, SetupPlace };
 export type { ProfileKind, Profiles, ReadAs };
-export type { FormHelp, StateHelp, WordHelp };
+export type { CompletionHelp, CompletionItem, FormHelp, StateHelp, WordHelp };
 export type { FormLine, FormWord, HelpLine, StateRow } from '../../pkg/gcode_playground.js';
 export type { CodeRow, Edit, Fix, FoundProgram, ReadFact, Setting, SetupField, SetupState } from '../../pkg/gcode_playground.js';
 
@@ -170,8 +170,8 @@ export interface Questions {
   /** What can be written as a cycle; offsets of the reader's selection. */
   rewritings: { ask: { readonly from: number; readonly to: number }; answer: readonly Rewriting[] };
   codes: { ask: undefined; answer: Codes };
-  /** What stands at an offset, and the state around its block: at one of the times it is carried out, or the usual one. */
-  help: { ask: { readonly offset: number; readonly time: number | undefined; readonly by: Asker; readonly state: boolean }; answer: Help | undefined };
+  /** Nothing where a newer question of the same asker has come meanwhile, or another run. */
+  help: { ask: HelpWanted; answer: Help | undefined };
   export: { ask: { readonly format: ExportFormat }; answer: Exported };
   /** The half-section of the part at the moment that is shown. */
   section: { ask: undefined; answer: readonly SectionPiece[] };
@@ -188,14 +188,28 @@ export interface Questions {
 }
 
 /** Who asks for help: a newer question takes the place of the one before of the same asker. */
-export type Asker = 'pointer' | 'cursor';
+export type Asker = 'pointer' | 'cursor' | 'completion' | 'drawing' | 'motions';
 
-/** Help at a place; `state` where it was asked for. */
+/**
+ * What help is asked for: the word at an offset, all of its block (as it is carried out for one of its times, or
+ * usually), what can be written there, or what the block of a motion does.
+ */
+export type HelpWanted = { readonly by: Asker } & (
+  | { readonly about: 'word'; readonly offset: number }
+  | { readonly about: 'block'; readonly offset: number; readonly time: number | undefined }
+  | { readonly about: 'completion'; readonly offset: number; readonly askedFor: boolean }
+  | { readonly about: 'motion'; readonly motion: number }
+);
+
+/** What is known of it; the other members are not there. */
 export interface Help {
-  readonly offset: number;
-  readonly word: WordHelp | undefined;
-  readonly state: StateHelp | undefined;
-  readonly form: FormHelp | undefined;
+  readonly asked: HelpWanted;
+  readonly word?: WordHelp | undefined;
+  readonly form?: FormHelp | undefined;
+  readonly state?: StateHelp | undefined;
+  readonly completion?: CompletionHelp | undefined;
+  /** What the block of a motion does; empty where nothing is to be said. */
+  readonly explanation?: string | undefined;
 }
 
 /** What of a setup can be kept under a name, or what is wrong with it. */

@@ -13,7 +13,7 @@ import { Program } from '../editor/program';
 import { programText, type ProgramFile, type ProgramText } from '../editor/program-text';
 import { ALWAYS, PICTURES } from '../panels/index';
 import { REGIONS, type Control, type NewestQuestion, type Panel, type PanelKind, type Region, type Services, type Shell, type SwitchesSet } from '../panels/panel';
-import type { Answer, Command, Diagnostic, QuestionKind, Questions, Readout, Report, Stroke, Summary, WordHelp } from '../protocol/protocol';
+import type { Answer, Command, CompletionHelp, Diagnostic, Help, HelpWanted, QuestionKind, Questions, Readout, Report, Stroke, Summary, WordHelp } from '../protocol/protocol';
 import type { Heard } from '../worker/core-client';
 import { linesOf, oneOf, stepOf, FRAMES, SIDES } from './author';
 import { controlsOf, layout, SHOWN, type Layout, type Offered, type View } from './layout';
@@ -121,6 +121,7 @@ export class PlaygroundShell implements Shell {
         this.#tell((panel) => panel.cursorMoved?.());
       },
       wordAt: (offset) => this.#wordAt(offset),
+      completionAt: (offset, askedFor) => this.#completionAt(offset, askedFor),
       wanted: () => this.#tell((panel) => panel.programWanted?.()),
       settingChosen: (setting) => this.service('takeSetting')(setting),
       viewMoved: () => void this.#runs.askTokens(),
@@ -421,12 +422,22 @@ export class PlaygroundShell implements Shell {
   }
 
   async #wordAt(offset: number): Promise<WordHelp | undefined> {
+    // The pointer still rests on the word.
+    return (await this.#helpAt({ by: 'pointer', about: 'word', offset }, 100))?.word;
+  }
+
+  async #completionAt(offset: number, askedFor: boolean): Promise<CompletionHelp | undefined> {
+    this.flush();
+    return (await this.#helpAt({ by: 'completion', about: 'completion', offset, askedFor }, 20))?.completion;
+  }
+
+  /** A run that begins meanwhile takes an answer away: it is asked for again, while the text is the same. */
+  async #helpAt(ask: HelpWanted, pause: number): Promise<Help | undefined> {
     const { revision } = this.editor;
-    // A run that begins meanwhile takes the answer away: the pointer still rests on the word.
     for (let tries = 0; tries < 10 && this.editor.revision === revision; tries++) {
-      const help = await this.ask('help', { offset, time: undefined, by: 'pointer', state: false });
-      if (help !== undefined) return help.word;
-      await new Promise((done) => setTimeout(done, 100));
+      const help = await this.ask('help', ask);
+      if (help !== undefined) return help;
+      await new Promise((done) => setTimeout(done, pause));
     }
     return undefined;
   }

@@ -1,27 +1,25 @@
 // Help at a place of the program: the run is gone through once more up to the block there.
 //
-// In: a place, and which time its block is carried out. Out: the word and the state, or nothing where a newer question of
-// the same asker has come meanwhile, or another run. Must not know: what is answered.
+// In: what is asked of which place. Out: the answer, or nothing where a newer question of the same asker has come meanwhile,
+// or another run. Must not know: what is answered.
 
 import type { Playground } from '../../pkg/gcode_playground.js';
-import type { Asker, Help, Questions } from '../protocol/protocol';
+import type { Asker, Help, HelpWanted } from '../protocol/protocol';
 
 /** Blocks that are gone through before newer messages are looked at. */
 const BLOCKS = 20_000;
 
-type Ask = Questions['help']['ask'];
-
 /** What is asked of one program. */
 interface Asked {
-  readonly newest: Map<Asker, Ask>;
+  readonly newest: Map<Asker, HelpWanted>;
   /** The question that is being looked for; a program looks for one at a time. */
-  sought: Ask | undefined;
+  sought: HelpWanted | undefined;
 }
 
 const asked = new WeakMap<Playground, Asked>();
 
-export function help(core: Playground, ask: Ask): Help | undefined | Promise<Help | undefined> {
-  const all = asked.get(core) ?? { newest: new Map<Asker, Ask>(), sought: undefined };
+export function help(core: Playground, ask: HelpWanted): Help | undefined | Promise<Help | undefined> {
+  const all = asked.get(core) ?? { newest: new Map<Asker, HelpWanted>(), sought: undefined };
   asked.set(core, all);
   all.newest.set(ask.by, ask);
   const other = all.sought;
@@ -30,12 +28,18 @@ export function help(core: Playground, ask: Ask): Help | undefined | Promise<Hel
 
   function begun(): boolean {
     all.sought = ask;
-    return core.askBlock(ask.offset, ask.time) || core.lookForAnswer(BLOCKS);
+    const isThere = ask.about === 'motion' ? core.askMotion(ask.motion) : core.askBlock(ask.offset, ask.about === 'block' ? ask.time : undefined);
+    return isThere || core.lookForAnswer(BLOCKS);
   }
 
   function answer(): Help {
     all.sought = undefined;
-    return { offset: ask.offset, word: core.wordHelp(), state: ask.state ? core.stateHelp() : undefined, form: ask.state ? core.formHelp() : undefined };
+    switch (ask.about) {
+      case 'word': return { asked: ask, word: core.wordHelp() };
+      case 'block': return { asked: ask, word: core.wordHelp(), form: core.formHelp(), state: core.stateHelp() };
+      case 'completion': return { asked: ask, completion: core.completionHelp(ask.askedFor) };
+      case 'motion': return { asked: ask, explanation: core.explanation() };
+    }
   }
 
   async function later(): Promise<Help | undefined> {

@@ -1,0 +1,267 @@
+//! What can be written at a place: codes, words of the cycle under way with their values, numbers that exist, snippets.
+//!
+//! In: the text, a place in it, the block there as it was carried out. Out: proposals, the likeliest first, as pieces of
+//! text and what each is. Where a value comes from is said with it: nothing is proposed that is only a guess.
+
+mod around;
+mod begun;
+mod values;
+
+use self::around::Around;
+use self::begun::{Begun, begins_with, begun_at, line_around};
+use super::Asked;
+use super::form::{Form, Half};
+use super::role::Role;
+use super::snippet::{Piece, Snippet};
+use crate::control::codes::{self, Function, G, M, MotionMode, Multiple};
+use crate::control::macros::Found;
+use crate::control::modal::State;
+use crate::motion::SpindleTurn;
+use crate::order;
+use crate::run::replay::block_at;
+use crate::source::Span;
+use crate::text::parser::Resume;
+
+/// Most proposals of one kind.
+const MOST: usize = 60;
+
+/// What can be written at a place.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Completion {
+    /// What it replaces: what was begun.
+    pub span: Span,
+    /// The likeliest first.
+    pub items: Vec<Item>,
+}
+
+/// A proposal.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Item {
+    /// What is written.
+    pub pieces: Vec<Piece>,
+    /// What it is.
+    pub what: What,
+}
+
+/// What a proposal is.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum What {
+    /// A code, and what it means where it stands in a row with others.
+    Code(Function, Option<Role>),
+    /// A word, and why it has its value; its letter alone where nothing is known of the value.
+    Word(Role, Option<Why>),
+    /// A sequence number, in the block at a byte.
+    Sequence(u32),
+    /// The next sequence number that is not used.
+    NextSequence,
+    /// A program, at a byte.
+    Program(u32),
+    /// A variable with this value.
+    Variable(f64),
+    /// Several words or blocks.
+    Snippet(Snippet),
+}
+
+/// Where a value comes from.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Why {
+    /// The front face of the blank.
+    Face,
+    /// The back of the blank.
+    Back,
+    /// The outside of the blank.
+    Outside,
+    /// The bore of the blank.
+    Bore,
+    /// The axis of the spindle.
+    Axis,
+    /// Where the tool stands.
+    Here,
+    /// The program has it before.
+    Used,
+    /// The setup has the tool.
+    InSetup,
+}
+
+impl Asked<'_> {
+    /// What can be written at a byte; `end`: the state after the run, for what is not carried out; `asked_for`: the reader
+    /// asks for it, so that something is proposed where nothing was begun. `None`: nothing.
+    pub fn complete(&self, byte: u32, end: &State, asked_for: bool) -> Option<Completion> {
+        let line = line_around(self.text, byte);
+        let (begun, span) = begun_at(self.text, line.start, byte)?;
+        let state = self.visit.map_or(end, |visit| &visit.before.state);
+        let own = self.block.span.start <= byte && self.block.span.start >= line.start;
+        let around = Around::of(self.text, line, self.codes);
+        let proposing = Proposing { asked: self, state, own, span, line, around };
+        let typed = span.quote(self.text).to_ascii_uppercase();
+        let mut items = match begun {
+            Begun::Word(b'G') => proposing.g_codes(),
+            Begun::Word(b'M') => proposing.m_codes(),
+            Begun::Word(b'N') => proposing.next_sequence(),
+            Begun::Word(b'O') => proposing.snippets(),
+            Begun::Word(b'T') => proposing.tools(),
+            Begun::Word(letter) => proposing.word(letter),
+            Begun::Variable => proposing.variables(),
+            Begun::Goto => proposing.sequences(""),
+            Begun::Letters => proposing.snippets(),
+            Begun::Nothing => proposing.anything(asked_for),
+        };
+        items.retain(|item| begins_with(item, &typed, begun));
+        items.truncate(MOST);
+        // What stands there already is no proposal.
+        let is_nothing_new =
+            matches!(&items[..], [Item { pieces, .. }] if pieces[..] == [Piece::Fixed(typed)]);
+        (!items.is_empty() && !is_nothing_new).then_some(Completion { span, items })
+    }
+}
+
+/// Proposals under way.
+struct Proposing<'a> {
+    asked: &'a Asked<'a>,
+    /// The control before the block.
+    state: &'a State,
+    /// The block is that of the line.
+    own: bool,
+    /// What was begun.
+    span: Span,
+    /// The line.
+    line: Span,
+    /// What stands around it.
+    around: Around,
+}
+
+fn fixed(text: impl Into<String>, what: What) -> Item {
+    Item { pieces: vec![Piece::Fixed(text.into())], what }
+}
+
+impl Proposing<'_> {
+    // ---- codes ------------------------------------------------------------------------------------------
+
+    /// The G codes of the control, those usual here first.
+    fn g_codes(&self) -> Vec<Item> {
+        let list = self.asked.codes;
+        let mut codes: Vec<_> = codes::g_codes(list).collect();
+        order::by_key(&mut codes, |(_, code)| self.rank_g(code.code));
+        let continued = self.second_block().map(|snippet| self.snippet(snippet));
+        let codes = codes
+            .into_iter()
+            .map(|(written, code)| fixed(written, What::Code(code.function(), Role::of_g(code.code))));
+        continued.into_iter().chain(codes).collect()
+    }
+
+    /// How usual a code is here, the most usual first.
+    fn rank_g(&self, code: G) -> usize {
+        let is_cut = self.state.spindle.turn != SpindleTurn::Stopped;
+        match code {
+            // What sets up a tool comes before the first cut.
+            G::SurfaceSpeed | G::ConstantSpeed | G::Setting if !is_cut => 0,
+            G::Motion(MotionMode::Rapid | MotionMode::Line) => 1,
+            G::Motion(MotionMode::Arc(_)) => 2,
+            G::Multiple(Multiple::Finishing) if self.around.is_roughed => 1,
+            G::Multiple(_) | G::Motion(MotionMode::Cycle(_)) => 3,
+            G::SurfaceSpeed | G::ConstantSpeed | G::Setting | G::Compensation(_) => 4,
+            G::Dwell | G::Home | G::Feed(_) | G::Motion(_) => 5,
+            G::Hole(_) | G::NoHole => 6,
+            G::Idle => 8,
+            G::NotSupported => 9,
+            _ => 7,
+        }
+    }
+
+    /// The M codes, those usual here first.
+    fn m_codes(&self) -> Vec<Item> {
+        let stands = self.state.spindle.turn == SpindleTurn::Stopped;
+        let rank = |number: u16, code: M| match (number, code) {
+            (_, M::Spindle(turn)) if stands != (turn == SpindleTurn::Stopped) => 0,
+            (_, M::Spindle(_)) => 4,
+            (_, M::End) => 1,
+            (8 | 9, _) => 2,
+            (_, M::Pause(_) | M::Call | M::Return) => 3,
+            _ => 5,
+        };
+        let mut codes: Vec<_> = codes::m_codes().collect();
+        order::by_key(&mut codes, |&(number, code, _)| rank(number, code));
+        let item = |(number, _, function)| {
+            fixed(format!("M{number:02}"), What::Code(function, Role::of_m(u64::from(number))))
+        };
+        codes.into_iter().map(item).collect()
+    }
+
+    // ---- numbers that exist -----------------------------------------------------------------------------
+
+    fn next_sequence(&self) -> Vec<Item> {
+        let step = match self.around.sequences[..] {
+            [.., (before, _), (last, _)] if last > before && last - before <= 100 => last - before,
+            _ => 10,
+        };
+        vec![fixed(format!("N{}", self.around.last_sequence().saturating_add(step)), What::NextSequence)]
+    }
+
+    /// The sequence numbers of the text, those after the place first.
+    fn sequences(&self, letter: &str) -> Vec<Item> {
+        let (before, after): (Vec<_>, Vec<_>) =
+            self.around.sequences.iter().copied().partition(|&(_, at)| at <= self.span.start);
+        let item = |(number, at)| fixed(format!("{letter}{number}"), What::Sequence(at));
+        after.into_iter().chain(before).map(item).collect()
+    }
+
+    /// The programs of the text but the one the place is in.
+    fn programs(&self) -> Vec<Item> {
+        let programs = &self.around.programs;
+        let own = programs.iter().rev().find(|(_, at)| *at <= self.span.start);
+        let others = programs.iter().filter(|program| Some(*program) != own);
+        others.map(|(number, at)| fixed(format!("P{number}"), What::Program(*at))).collect()
+    }
+
+    fn variables(&self) -> Vec<Item> {
+        let numbers = (1..=33).chain(100..200).chain(500..1000);
+        let value = |number: u32| match self.state.variables.read(number) {
+            Ok(Found::Value(value)) => value,
+            _ => None,
+        };
+        let items = numbers.filter_map(|number| {
+            value(number).map(|value| fixed(format!("#{number}"), What::Variable(value)))
+        });
+        items.collect()
+    }
+
+    /// The tools of the text before and of the setup.
+    fn tools(&self) -> Vec<Item> {
+        let used = &self.around.tools;
+        let others = self.asked.setup.tools.keys().filter(|tool| !used.contains(tool));
+        let tools = used.iter().map(|tool| (tool, Why::Used)).chain(others.map(|tool| (tool, Why::InSetup)));
+        tools.map(|(tool, why)| fixed(&**tool, What::Word(Role::ToolAndOffset, Some(why)))).collect()
+    }
+
+    // ---- snippets ---------------------------------------------------------------------------------------
+
+    /// The second block of the cycle whose first block stands before.
+    fn second_block(&self) -> Option<Snippet> {
+        let last = self.around.last?;
+        let (_, block) = block_at(self.asked.text, Resume::inside(last, 0), last);
+        match Form::of(&block, self.state, self.asked.codes) {
+            Form::Multiple(cycle, Half::First) => Some(Snippet::Second(cycle)),
+            _ => None,
+        }
+    }
+
+    /// The snippets that fit here: a program has one head, and it comes first.
+    fn snippets(&self) -> Vec<Item> {
+        let has_number = self.around.programs.iter().any(|(_, at)| *at < self.line.start);
+        let is_empty = self.around.last.is_none() && !has_number;
+        let first = if is_empty { Some(Snippet::Head) } else { self.second_block() };
+        let others = Snippet::ALL.iter().copied().filter(|snippet| Some(*snippet) != first);
+        first
+            .into_iter()
+            .chain(others)
+            .filter(|snippet| !(has_number && *snippet == Snippet::Head))
+            .filter(|snippet| snippet.is_there(self.asked.dialect))
+            .map(|snippet| self.snippet(snippet))
+            .collect()
+    }
+
+    fn snippet(&self, snippet: Snippet) -> Item {
+        let pieces = snippet.pieces(self.asked, self.state, self.around.last_sequence());
+        Item { pieces, what: What::Snippet(snippet) }
+    }
+}

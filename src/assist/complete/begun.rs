@@ -1,0 +1,90 @@
+//! What was begun before a place, and which proposals go on with it.
+
+use super::{Item, What};
+use crate::assist::snippet::{Piece, Snippet};
+use crate::source::Span;
+
+/// What was begun at the place.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Begun {
+    /// Nothing: a word can begin here.
+    Nothing,
+    /// A word with this letter.
+    Word(u8),
+    /// `#` and digits.
+    Variable,
+    /// What GOTO goes to.
+    Goto,
+    /// Letters of a macro statement.
+    Letters,
+}
+
+/// The line around a byte, without its end.
+pub fn line_around(text: &[u8], byte: u32) -> Span {
+    let byte = (byte as usize).min(text.len());
+    let start = text[..byte].iter().rposition(|&at| at == b'\n').map_or(0, |at| at + 1);
+    let end =
+        text[byte..].iter().position(|&at| matches!(at, b'\n' | b'\r')).map_or(text.len(), |at| byte + at);
+    Span::new(start, end)
+}
+
+/// What was begun before a byte, and where; `None` in a comment, or after what no word begins with.
+pub fn begun_at(text: &[u8], line: u32, byte: u32) -> Option<(Begun, Span)> {
+    let (line, byte) = (line as usize, (byte as usize).min(text.len()));
+    let before = text.get(line..byte)?;
+    let is_comment = before.iter().fold(false, |is_comment, &at| match at {
+        b'(' => true,
+        b')' => false,
+        _ => is_comment,
+    });
+    if is_comment || before.contains(&b';') {
+        return None;
+    }
+    let of_number = |at: &u8| at.is_ascii_digit() || matches!(at, b'.' | b'-' | b'+');
+    let digits = before.iter().rev().take_while(|at| of_number(at)).count();
+    let head = &before[..before.len() - digits];
+    let from = |bytes: usize| Span::new(byte - bytes, byte);
+    let letters = head.iter().rev().take_while(|at| at.is_ascii_alphabetic()).count();
+    let word = |bytes: usize| head[head.len() - bytes..].to_ascii_uppercase();
+    match head.last() {
+        Some(b'#') => Some((Begun::Variable, from(digits + 1))),
+        Some(_) if letters == 1 => Some((Begun::Word(word(1)[0]), from(digits + 1))),
+        Some(_) if letters >= 4 && word(4) == b"GOTO" => Some((Begun::Goto, from(digits))),
+        Some(_) if letters > 1 && digits == 0 => Some((Begun::Letters, from(letters))),
+        Some(b' ' | b'\t') if head.trim_ascii_end().to_ascii_uppercase().ends_with(b"GOTO") => {
+            Some((Begun::Goto, from(digits)))
+        }
+        None | Some(b' ' | b'\t') if digits == 0 => Some((Begun::Nothing, from(0))),
+        _ => None,
+    }
+}
+
+/// Whether a proposal goes on with what was typed: `G1` with G01 and G10.
+pub fn begins_with(item: &Item, typed: &str, begun: Begun) -> bool {
+    let first = match item.pieces.first() {
+        Some(Piece::Fixed(text) | Piece::Fill(text)) => text.as_str(),
+        None => return false,
+    };
+    match begun {
+        // The form of a cycle may begin with its code: what was typed of it is no reason to leave it out.
+        Begun::Word(_) => {
+            let text = match item.pieces.get(1) {
+                Some(Piece::Fill(value)) if first.len() == 1 => format!("{first}{value}"),
+                _ => first.to_owned(),
+            };
+            let plain = |text: &str| match text.split_at_checked(2) {
+                Some((head @ ("G0" | "M0" | "N0" | "P0" | "T0"), rest)) if !rest.is_empty() => {
+                    format!("{}{rest}", &head[..1])
+                }
+                _ => text.to_owned(),
+            };
+            text.starts_with(typed) || plain(&text).starts_with(&plain(typed))
+        }
+        Begun::Letters => match item.what {
+            What::Snippet(Snippet::Loop) => "WHILE".starts_with(typed),
+            What::Snippet(Snippet::Condition) => "IF".starts_with(typed),
+            _ => false,
+        },
+        Begun::Nothing | Begun::Variable | Begun::Goto => first.starts_with(typed),
+    }
+}

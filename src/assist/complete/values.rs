@@ -1,0 +1,157 @@
+//! The words of a block, and the values they can have: from the blank, the tool and the text.
+
+use super::{Item, Proposing, What, Why, fixed};
+use crate::assist::form::Form;
+use crate::assist::role::Role;
+use crate::assist::signature::{Otherwise, lines, role_of};
+use crate::assist::snippet::{Piece, written};
+use crate::control::words::Reading;
+use crate::order;
+use crate::units::Diameter;
+
+#[derive(Clone, Copy)]
+enum Axis {
+    X,
+    Z,
+}
+
+/// The axis of a coordinate, and whether it is a way from where the tool is; `None` for other words.
+fn axis_of(role: Role) -> Option<(Axis, bool)> {
+    Some(match role {
+        Role::EndX | Role::CycleEndX | Role::PeckEndX | Role::HoleEndX | Role::HolePlaceX => (Axis::X, false),
+        Role::EndZ
+        | Role::CycleEndZ
+        | Role::PeckEndZ
+        | Role::ThreadEndZ
+        | Role::HoleEndZ
+        | Role::HolePlaceZ => (Axis::Z, false),
+        Role::WayX | Role::CycleWayX | Role::PeckWayX => (Axis::X, true),
+        Role::WayZ | Role::CycleWayZ | Role::PeckWayZ | Role::ThreadWayZ => (Axis::Z, true),
+        _ => return None,
+    })
+}
+
+impl Proposing<'_> {
+    fn form(&self) -> Form {
+        match self.own {
+            true => Form::of(self.asked.block, self.state, self.asked.codes),
+            false => Form::Nothing,
+        }
+    }
+
+    /// A word whose letter was begun: the values it can have.
+    pub fn word(&self, letter: u8) -> Vec<Item> {
+        let form = match self.form() {
+            // A line that begins with a word goes on with the move in force.
+            Form::Nothing => Form::Motion { mode: self.state.motion, own: false },
+            form => form,
+        };
+        let role = role_of(letter, form, self.state);
+        let value = |value: String, why: Why| {
+            fixed(format!("{}{value}", letter as char), What::Word(role, Some(why)))
+        };
+        match role {
+            Role::ContourFirst | Role::ContourLast | Role::CalledSequence | Role::ReturnsTo => {
+                return self.sequences("P").into_iter().map(|item| with_letter(item, letter)).collect();
+            }
+            Role::CalledProgram => return self.programs(),
+            Role::Ignored => return Vec::new(),
+            _ => {}
+        }
+        let mut items: Vec<Item> = self.places(role).into_iter().map(|(at, why)| value(at, why)).collect();
+        // The newest first.
+        let used = self.around.rates.iter().rev().filter(|(of, _)| *of == letter);
+        items.extend(used.map(|(_, used)| value(used.clone(), Why::Used)));
+        items.dedup_by(|one, other| one.pieces == other.pieces);
+        items
+    }
+
+    /// Where a coordinate can go: values as they are written, and where they come from.
+    fn places(&self, role: Role) -> Vec<(String, Why)> {
+        let Some((axis, is_way)) = axis_of(role) else { return Vec::new() };
+        let reading = Reading { unit: self.state.unit, decimal: self.asked.dialect.decimal };
+        let stock = self.asked.setup.stock.as_ref();
+        let targets: Vec<(f64, Why)> = match axis {
+            Axis::X => {
+                let outside = stock.map(|stock| (stock.diameter.mm(), Why::Outside));
+                let bore = stock.map(|stock| (stock.bore.mm(), Why::Bore)).filter(|&(bore, _)| bore > 0.0);
+                let fixed = [(self.here(axis), Why::Here), (0.0, Why::Axis)];
+                outside.into_iter().chain(bore).chain(fixed).collect()
+            }
+            Axis::Z => {
+                let face = (stock.map_or(0.0, |stock| stock.face), Why::Face);
+                let back = stock.map(|stock| (stock.back(), Why::Back));
+                [face, (self.here(axis), Why::Here)].into_iter().chain(back).collect()
+            }
+        };
+        let mut found: Vec<(String, Why)> = Vec::new();
+        for (at, why) in targets {
+            let text = written(if is_way { at - self.here(axis) } else { at }, reading);
+            let is_double = found.iter().any(|(other, _)| *other == text);
+            // No way leads to where the tool is.
+            let is_nowhere = is_way && why == Why::Here;
+            if !is_double && !is_nowhere {
+                found.push((text, why));
+            }
+        }
+        found
+    }
+
+    /// Where the tool is, as a program writes it: a diameter, or Z in mm.
+    fn here(&self, axis: Axis) -> f64 {
+        match axis {
+            Axis::X => Diameter::from_radius(self.state.position.x).mm(),
+            Axis::Z => self.state.position.z,
+        }
+    }
+
+    /// Where nothing was begun: the words that the form still needs, or what a block can begin with.
+    pub fn anything(&self, asked_for: bool) -> Vec<Item> {
+        let form = self.form();
+        let missing = self.missing(form, asked_for);
+        if !missing.is_empty() || !asked_for {
+            return missing;
+        }
+        if self.own && self.asked.block.words.iter().any(|word| word.span.end <= self.span.start) {
+            return Vec::new();
+        }
+        let mut items = self.snippets();
+        items.extend(self.g_codes().into_iter().take(12));
+        items
+    }
+
+    /// The words of the form that do not stand in the block; those that can be left out only where the reader asks.
+    fn missing(&self, form: Form, asked_for: bool) -> Vec<Item> {
+        if !self.own || matches!(form, Form::Motion { own: false, .. } | Form::Macro | Form::Nothing) {
+            return Vec::new();
+        }
+        let lines = lines(form, self.asked.dialect);
+        let Some(line) = lines.iter().find(|line| line.form == form) else { return Vec::new() };
+        let stands = |letters: &[u8], comma: bool| {
+            let words = &self.asked.block.words;
+            words.iter().any(|word| letters.contains(&word.address) && word.comma == comma)
+        };
+        let mut slots: Vec<_> = line
+            .slots
+            .iter()
+            .filter(|slot| !stands(slot.letters, slot.comma))
+            .filter(|slot| asked_for || slot.otherwise == Otherwise::Missing)
+            .collect();
+        order::by_key(&mut slots, |slot| slot.otherwise != Otherwise::Missing);
+        let items = slots.into_iter().map(|slot| {
+            let letter = slot.letters[0];
+            let role = role_of(letter, form, self.state);
+            let comma = if slot.comma { "," } else { "" };
+            let first = Piece::Fixed(format!("{comma}{}", letter as char));
+            Item { pieces: vec![first, Piece::Fill(String::new())], what: What::Word(role, None) }
+        });
+        items.collect()
+    }
+}
+
+fn with_letter(mut item: Item, letter: u8) -> Item {
+    if let Some(Piece::Fixed(text)) = item.pieces.first_mut() {
+        text.replace_range(..1, &(letter as char).to_string());
+    }
+    item
+}

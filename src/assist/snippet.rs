@@ -1,0 +1,429 @@
+//! Several words or blocks at once: the head of a program, a cycle with its contour, a loop.
+//!
+//! In: the control, its unit, the blank. Out: pieces of text, with places to fill. As they stand, after a head, they run without a message.
+
+use super::Asked;
+use crate::control::codes::{self, Compensation, G, Hole, MacroCall, MotionMode, Multiple};
+use crate::control::modal::State;
+use crate::control::words::Reading;
+use crate::cycles::single::Single;
+use crate::setup::dialect::{DecimalRule, Dialect, FeedMode, PqUnit};
+use crate::units::{Diameter, Unit, number};
+
+/// A piece of what is proposed.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Piece {
+    /// Written as it is.
+    Fixed(String),
+    /// A place to fill, with what stands there at first.
+    Fill(String),
+}
+
+/// Several words or blocks at once.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Snippet {
+    /// Head of a program: number, modes, tool, spindle, approach.
+    Head,
+    /// End of a program: away from the work, stop.
+    End,
+    /// A multiple cycle: both blocks, with a contour where it has one.
+    Cycle(Multiple),
+    /// The second block of a multiple cycle.
+    Second(Multiple),
+    /// A single cycle.
+    Pass(Single),
+    /// Drilling in pecks.
+    Drilling,
+    /// A subprogram.
+    Subprogram,
+    /// Its call.
+    Call,
+    /// The call of a macro.
+    MacroCall,
+    /// WHILE, DO, END.
+    Loop,
+    /// IF, GOTO.
+    Condition,
+}
+
+impl Snippet {
+    /// All of them but the second blocks.
+    pub const ALL: &[Self] = &[
+        Self::Cycle(Multiple::RoughTurning),
+        Self::Cycle(Multiple::RoughFacing),
+        Self::Cycle(Multiple::Pattern),
+        Self::Cycle(Multiple::Threading),
+        Self::Cycle(Multiple::Grooving),
+        Self::Cycle(Multiple::FacePecking),
+        Self::Pass(Single::Turning),
+        Self::Pass(Single::Facing),
+        Self::Pass(Single::Threading),
+        Self::Drilling,
+        Self::Call,
+        Self::Subprogram,
+        Self::MacroCall,
+        Self::Loop,
+        Self::Condition,
+        Self::End,
+        Self::Head,
+    ];
+
+    /// The code it is about; `None` for heads, ends and statements.
+    pub fn code(self) -> Option<G> {
+        Some(match self {
+            Self::Cycle(cycle) | Self::Second(cycle) => G::Multiple(cycle),
+            Self::Pass(cycle) => G::Motion(MotionMode::Cycle(cycle)),
+            Self::Drilling => G::Hole(Hole::G83),
+            Self::MacroCall => G::MacroCall(MacroCall::Once),
+            Self::Head | Self::End | Self::Subprogram | Self::Call | Self::Loop | Self::Condition => {
+                return None;
+            }
+        })
+    }
+
+    /// The control has it.
+    pub fn is_there(self, dialect: &Dialect) -> bool {
+        self.code().is_none_or(|code| codes::written(code, dialect.code_list()).is_some())
+    }
+
+    /// What is written; `used`: the highest sequence number of the text.
+    pub fn pieces(self, asked: &Asked, state: &State, used: u32) -> Vec<Piece> {
+        let reading = Reading { unit: state.unit, decimal: asked.dialect.decimal };
+        let stock = asked.setup.stock.as_ref();
+        let (blank, face) = (stock.map(|stock| stock.diameter.mm()), stock.map_or(0.0, |stock| stock.face));
+        let (here, from) = (Diameter::from_radius(state.position.x).mm(), state.position.z);
+        // Once the tool is at the work, cuts begin where it stands.
+        let is_near = (face..face + NEAR).contains(&from) && here > 2.0 * CLEAR;
+        let outside = match (is_near, blank) {
+            (true, Some(blank)) => blank.min(here - CLEAR),
+            (true, None) => here - CLEAR,
+            (false, blank) => blank.unwrap_or(50.0),
+        };
+        let reach = stock.map_or(30.0, |stock| (stock.length - stock.grip.unwrap_or(0.0)) / 2.0).min(30.0);
+        let mut writing = Writing {
+            asked,
+            reading,
+            feed_mode: state.feed_mode,
+            outside,
+            face,
+            before: if is_near { from.min(face + CLEAR) } else { face + CLEAR },
+            reach,
+            sequences: (used + 10, used + 20),
+            pieces: Vec::new(),
+        };
+        writing.snippet(self, state.unit);
+        writing.pieces
+    }
+}
+
+/// A length as it is written: without a point only where that means the same.
+pub fn written(mm: f64, reading: Reading) -> String {
+    let mut text = number(mm / reading.unit.millimetres());
+    if reading.decimal == DecimalRule::LeastIncrement && !text.contains('.') && text != "0" {
+        text.push('.');
+    }
+    text
+}
+
+/// From the blank to where a tool approaches it, mm of diameter and along Z.
+const CLEAR: f64 = 2.0;
+/// A tool so near to the face has come to the work, mm.
+const NEAR: f64 = 20.0;
+/// Height of the thread that is cut, mm on radius.
+const THREAD_HEIGHT: f64 = 1.3;
+/// Speed of the spindle in the head of a program, rpm.
+const SPEED: f64 = 800.0;
+
+struct Writing<'a> {
+    asked: &'a Asked<'a>,
+    reading: Reading,
+    feed_mode: FeedMode,
+    /// Diameter of the blank, mm.
+    outside: f64,
+    /// Z of its face, mm.
+    face: f64,
+    /// Z in front of it, mm: not farther than the tool is.
+    before: f64,
+    /// How far along Z it is cut, mm.
+    reach: f64,
+    /// Sequence numbers that are not used, for a contour.
+    sequences: (u32, u32),
+    pieces: Vec<Piece>,
+}
+
+impl Writing<'_> {
+    fn fixed(&mut self, text: &str) {
+        match self.pieces.last_mut() {
+            Some(Piece::Fixed(before)) => before.push_str(text),
+            _ => self.pieces.push(Piece::Fixed(text.to_owned())),
+        }
+    }
+
+    fn fill(&mut self, text: impl Into<String>) {
+        self.pieces.push(Piece::Fill(text.into()));
+    }
+
+    fn code(&mut self, code: G) {
+        let code = codes::written(code, self.asked.codes).unwrap_or_default();
+        self.fixed(&code);
+    }
+
+    /// A word with a length to fill, mm; a round one in inches, too.
+    fn length(&mut self, letter: &str, mm: f64) {
+        let round = match self.reading.unit {
+            Unit::Millimetre => mm,
+            Unit::Inch => {
+                let inches: f64 = mm / Unit::Inch.millimetres();
+                let grain = if inches.abs() < 0.1 { 1000.0 } else { 100.0 };
+                (inches * grain).round() / grain * Unit::Inch.millimetres()
+            }
+        };
+        self.fixed(&format!(" {letter}"));
+        self.fill(written(round, self.reading));
+    }
+
+    /// The feed rate of a cut: mm for each turn, or what that makes in a minute.
+    fn feed(&mut self, mm: f64) {
+        match self.feed_mode {
+            FeedMode::PerTurn => self.length("F", mm),
+            FeedMode::PerMinute => self.length("F", mm * SPEED),
+        }
+    }
+
+    /// A P or Q with a length to fill, which takes no point.
+    fn depth(&mut self, letter: &str, mm: f64) {
+        if self.asked.dialect.pq_unit == PqUnit::Mm {
+            return self.length(letter, mm);
+        }
+        self.fixed(&format!(" {letter}"));
+        let increments = mm / self.reading.unit.millimetres() / self.reading.unit.increment();
+        self.fill(number(increments.round()));
+    }
+
+    /// A diameter so much inside the blank, mm, or half way to its axis.
+    fn inward(&self, most: f64) -> f64 {
+        self.outside - most.min((self.outside / 2.0).floor())
+    }
+
+    /// Z of a part of the way that is cut, mm.
+    fn along(&self, part: f64) -> f64 {
+        let way = self.reach * part;
+        self.face - if way < 2.0 { way } else { way.round() }
+    }
+
+    fn line(&mut self) {
+        self.fixed("\n");
+    }
+
+    // ---- what each is -----------------------------------------------------------------------------------
+
+    fn snippet(&mut self, snippet: Snippet, unit: Unit) {
+        match snippet {
+            Snippet::Head => self.head(unit),
+            Snippet::End => self.end(),
+            Snippet::Cycle(Multiple::Finishing) | Snippet::Second(Multiple::Finishing) => self.finishing(),
+            Snippet::Cycle(cycle) => {
+                self.first(cycle);
+                self.line();
+                self.second(cycle);
+                self.contour(cycle);
+            }
+            Snippet::Second(cycle) => self.second(cycle),
+            Snippet::Pass(cycle) => self.pass(cycle),
+            Snippet::Drilling => {
+                self.code(G::Hole(Hole::G83));
+                self.fixed(" X0");
+                self.length("Z", self.along(2.0 / 3.0));
+                self.depth("Q", 5.0);
+                self.feed(0.1);
+                self.line();
+                self.code(G::NoHole);
+            }
+            Snippet::Subprogram => {
+                self.fixed("O");
+                self.fill("2000");
+                self.line();
+                self.fill("");
+                self.fixed("\nM99");
+            }
+            Snippet::Call => {
+                self.fixed("M98 P");
+                self.fill("2000");
+            }
+            Snippet::MacroCall => {
+                self.code(G::MacroCall(MacroCall::Once));
+                self.fixed(" P");
+                self.fill("9000");
+                self.fixed(" A");
+                self.fill("1.");
+            }
+            Snippet::Loop => {
+                self.fixed("#100=");
+                self.fill("0");
+                self.fixed("\nWHILE [#100 LT ");
+                self.fill("5");
+                self.fixed("] DO1\n");
+                self.fill("");
+                self.fixed("\n#100=#100+");
+                self.fill("1");
+                self.fixed("\nEND1");
+            }
+            Snippet::Condition => {
+                self.fixed("IF [#");
+                self.fill("100");
+                self.fixed(" GT ");
+                self.fill("0");
+                let last = self.sequences.0;
+                self.fixed(&format!("] GOTO {last}\n"));
+                self.fill("");
+                self.fixed(&format!("\nN{last}"));
+            }
+        }
+    }
+
+    fn head(&mut self, unit: Unit) {
+        self.fixed("O");
+        self.fill("0001");
+        self.line();
+        for (code, after) in [
+            (G::Unit(unit), " "),
+            (G::Compensation(Compensation::Off), " "),
+            (G::Feed(FeedMode::PerTurn), "\n"),
+        ] {
+            self.code(code);
+            self.fixed(after);
+        }
+        self.fixed("T");
+        self.fill("0101");
+        self.line();
+        self.code(G::ConstantSpeed);
+        self.fixed(" S");
+        self.fill(number(SPEED));
+        self.fixed(" M03\n");
+        self.code(G::Motion(MotionMode::Rapid));
+        self.length("X", self.outside + CLEAR);
+        self.length("Z", self.face + CLEAR);
+    }
+
+    fn end(&mut self) {
+        self.code(G::Motion(MotionMode::Rapid));
+        self.length("X", self.outside + 50.0);
+        self.length("Z", self.face + 100.0);
+        self.fixed("\nM05\nM30");
+    }
+
+    /// The block that sets the amounts.
+    fn first(&mut self, cycle: Multiple) {
+        self.code(G::Multiple(cycle));
+        match cycle {
+            Multiple::Finishing => {}
+            Multiple::RoughTurning => self.lengths(&[("U", 2.0), ("R", 1.0)]),
+            Multiple::RoughFacing => self.lengths(&[("W", 2.0), ("R", 1.0)]),
+            Multiple::Pattern => {
+                self.lengths(&[("U", 4.0), ("W", 2.0)]);
+                self.fixed(" R");
+                self.fill("3");
+            }
+            Multiple::FacePecking | Multiple::Grooving => self.length("R", 0.5),
+            Multiple::Threading => {
+                self.fixed(" P");
+                self.fill("020060");
+                self.depth("Q", 0.1);
+                self.length("R", 0.05);
+            }
+        }
+    }
+
+    /// The block that cuts.
+    fn second(&mut self, cycle: Multiple) {
+        self.code(G::Multiple(cycle));
+        match cycle {
+            Multiple::Finishing => {}
+            Multiple::RoughTurning | Multiple::RoughFacing | Multiple::Pattern => {
+                let (first, last) = self.sequences;
+                self.fixed(&format!(" P{first} Q{last}"));
+                self.lengths(&[("U", 0.4), ("W", 0.1)]);
+                self.feed(0.25);
+            }
+            Multiple::FacePecking => {
+                self.length("Z", self.along(2.0 / 3.0));
+                self.depth("Q", 5.0);
+                self.feed(0.1);
+            }
+            Multiple::Grooving => {
+                self.lengths(&[("X", self.inward(10.0)), ("Z", self.along(2.0 / 3.0))]);
+                self.depth("P", 2.0);
+                self.depth("Q", 2.0);
+                self.feed(0.1);
+            }
+            Multiple::Threading => {
+                self.lengths(&[("X", self.inward(2.0 * THREAD_HEIGHT)), ("Z", self.along(2.0 / 3.0))]);
+                self.depth("P", (self.outside - self.inward(2.0 * THREAD_HEIGHT)) / 2.0);
+                self.depth("Q", 0.4);
+                self.length("F", 2.0);
+            }
+        }
+    }
+
+    /// The contour of a cycle, and the block that finishes it.
+    fn contour(&mut self, cycle: Multiple) {
+        let (first, last) = self.sequences;
+        let (rapid, line) = (MotionMode::Rapid, MotionMode::Line);
+        let block = |writing: &mut Self, head: &str, mode: MotionMode| {
+            writing.fixed(&format!("\n{head}"));
+            writing.code(G::Motion(mode));
+        };
+        let (from, to) = (format!("N{first} "), format!("N{last} "));
+        match cycle {
+            Multiple::RoughTurning | Multiple::Pattern => {
+                block(self, &from, rapid);
+                // A pattern follows a blank that is near the contour already.
+                self.length("X", self.inward(if cycle == Multiple::Pattern { 8.0 } else { 20.0 }));
+                block(self, "", line);
+                self.length("Z", self.along(2.0 / 3.0));
+                block(self, &to, line);
+                self.lengths(&[("X", self.outside + CLEAR), ("Z", self.along(1.0))]);
+            }
+            Multiple::RoughFacing => {
+                block(self, &from, rapid);
+                self.length("Z", self.along(1.0 / 3.0));
+                block(self, "", line);
+                self.length("X", self.inward(20.0));
+                block(self, &to, line);
+                self.length("Z", self.before);
+            }
+            _ => return,
+        }
+        self.line();
+        self.finishing();
+    }
+
+    fn finishing(&mut self) {
+        let (first, last) = self.sequences;
+        self.code(G::Multiple(Multiple::Finishing));
+        self.fixed(&format!(" P{first} Q{last}"));
+    }
+
+    fn pass(&mut self, cycle: Single) {
+        self.code(G::Motion(MotionMode::Cycle(cycle)));
+        match cycle {
+            Single::Turning => {
+                self.lengths(&[("X", self.outside - 2.0), ("Z", self.along(2.0 / 3.0))]);
+                self.feed(0.2);
+            }
+            Single::Facing => {
+                self.lengths(&[("X", self.inward(20.0)), ("Z", self.face - 1.0)]);
+                self.feed(0.2);
+            }
+            Single::Threading => {
+                self.lengths(&[("X", self.outside - 0.5), ("Z", self.along(2.0 / 3.0)), ("F", 2.0)]);
+            }
+        }
+    }
+
+    fn lengths(&mut self, words: &[(&str, f64)]) {
+        for &(letter, mm) in words {
+            self.length(letter, mm);
+        }
+    }
+}

@@ -1,0 +1,62 @@
+// What can be written at the cursor: by keys alone, in three languages.
+import { expect, test, type BasicPage, type Locator } from './engines';
+import { editor, open, type } from './page';
+
+const HEAD = 'O1\nT0101\nG97 S600 M03\nG00 X34 Z4\nG76 P021260 Q100 R0.05\n';
+const list = (page: BasicPage): Locator => page.getByRole('listbox');
+const text = (page: BasicPage): Promise<string> => page.locator('gcode-playground').evaluate((element) => (element as unknown as { value: string }).value);
+
+const HEIGHT = { en: 'thread height', zh: '牙型高度', ru: 'высота профиля' } as const;
+
+for (const locale of ['en', 'zh', 'ru'] as const) {
+  test(`a G76 is completed by keys alone, ${locale}`, async ({ page }) => {
+    await open(page);
+    await page.locator('#language').selectOption(locale);
+    await type(page, HEAD);
+    await page.keyboard.press('Control+End');
+    await page.keyboard.type('G7');
+    // After the first block comes the second, with its words.
+    await expect(list(page).getByRole('option').first()).toContainText('G76 X');
+    await page.keyboard.press('Tab');
+    expect(await text(page)).toMatch(/\nG76 X[\d.]+ Z-?[\d.]+ P\d+ Q\d+ F[\d.]+$/);
+    // Its places are filled one after the other, and Escape ends it.
+    await page.keyboard.type('31.4');
+    await page.keyboard.press('Tab');
+    await page.keyboard.type('-25');
+    expect(await text(page)).toMatch(/\nG76 X31\.4 Z-25 P/);
+    await page.keyboard.press('Escape');
+    // A word that is missing is proposed after a blank, with what it is.
+    await type(page, `${HEAD}G76 X31.4 Z-25 Q400 F2`);
+    await page.keyboard.press('Control+End');
+    await page.keyboard.type(' ');
+    await expect(list(page)).toContainText(HEIGHT[locale]);
+  });
+}
+
+test('the list is turned off with one switch, which is remembered, and comes when it is asked for', async ({ page }) => {
+  await open(page);
+  await type(page, HEAD);
+  await page.keyboard.press('F1');
+  await page.getByLabel(/Propose words/).click();
+  await page.reload();
+  await open(page);
+  await type(page, HEAD);
+  await page.keyboard.press('Control+End');
+  await page.keyboard.type('G7');
+  await page.waitForTimeout(600);
+  await expect(list(page)).toHaveCount(0);
+  await page.keyboard.press('Control+Space');
+  await expect(list(page)).toContainText('G76');
+  // Tab leaves the editor where there is no list.
+  await page.keyboard.press('Escape');
+  await page.keyboard.press('Tab');
+  await expect(editor(page)).not.toBeFocused();
+});
+
+test('nothing of it is loaded before the reader is in the text', async ({ page }) => {
+  const loaded = (): Promise<number> => page.evaluate(() => performance.getEntriesByType('resource').filter(({ name }) => /\/completion-[\w-]{8}\.js$/.test(name)).length);
+  await open(page);
+  expect(await loaded()).toBe(0);
+  await editor(page).focus();
+  await expect.poll(loaded).toBe(1);
+});
