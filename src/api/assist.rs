@@ -11,13 +11,17 @@ use crate::assist::Asked;
 use crate::assist::complete::{Item, What};
 use crate::assist::fact::Fact;
 use crate::assist::hover::Hover;
+use crate::assist::names::{Name, Named};
+use crate::assist::outline::{Entry, Kind, outline};
 use crate::assist::signature::{Otherwise, Place};
 use crate::assist::snippet::Piece;
 use crate::assist::state::{Frame, StateTable};
+use crate::assist::uses::uses;
 use crate::control::modal::State;
 use crate::motion::Motions;
 use crate::sentences::Language;
 use crate::sentences::assist::{Speaker, block_of};
+use crate::setup::dialect::CodeList;
 use crate::source::Span;
 use crate::units::Unit;
 
@@ -158,6 +162,70 @@ pub struct CompletionItem {
     pub kind: &'static str,
 }
 
+/// All places of the text where the number at a place is used: a sequence number, a program, a variable.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+#[cfg_attr(target_arch = "wasm32", derive(Tsify))]
+pub struct UsesHelp {
+    /// The number, as it is written: `N10`, `O1000`, `#100`.
+    pub name: String,
+    /// The places, in the order of the text.
+    pub places: Vec<Use>,
+    /// Index of the one to go to from here.
+    pub next: u32,
+    /// There are more.
+    pub cut: bool,
+}
+
+/// A place where a number is used.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+#[cfg_attr(target_arch = "wasm32", derive(Tsify))]
+pub struct Use {
+    /// UTF-16 offset of the word.
+    pub from: u32,
+    /// UTF-16 offset of its end.
+    pub to: u32,
+    /// Line, from 1.
+    pub line: u32,
+    /// The block, cut off where it is long.
+    pub text: String,
+    /// The block of the number stands there, or the variable gets a value.
+    pub defines: bool,
+}
+
+/// The outline of a text, and what of it can be folded.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+#[cfg_attr(target_arch = "wasm32", derive(Tsify))]
+pub struct OutlineHelp {
+    /// In the order of the text.
+    pub entries: Vec<OutlineEntry>,
+    /// Pairs of UTF-16 offsets: from the end of a block to the end of the last that belongs to it.
+    pub folds: Vec<(u32, u32)>,
+    /// The text goes on after the last entry.
+    pub cut: bool,
+}
+
+/// An entry of the outline.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+#[cfg_attr(target_arch = "wasm32", derive(Tsify))]
+pub struct OutlineEntry {
+    /// What it is.
+    #[cfg_attr(
+        target_arch = "wasm32",
+        tsify(type = "\"program\" | \"tool\" | \"operation\" | \"block\" | \"cycle\"")
+    )]
+    pub kind: &'static str,
+    /// Under how many others it stands.
+    pub depth: u8,
+    /// UTF-16 offset of its block.
+    pub from: u32,
+    /// Line, from 1.
+    pub line: u32,
+    /// What it is called in the text.
+    pub name: String,
+    /// What more is said of it; may be empty.
+    pub detail: String,
+}
+
 /// What is in force before and after a block.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 #[cfg_attr(target_arch = "wasm32", derive(Tsify))]
@@ -254,6 +322,53 @@ impl Reader<'_> {
         let (from, to) = self.places.offsets(completion.span);
         let items = completion.items.iter().map(|item| self.proposal(item)).collect();
         Some(CompletionHelp { from, to, items })
+    }
+
+    /// The uses of the number at a byte; nothing where none stands.
+    pub fn uses(&self, codes: CodeList, byte: u32) -> Option<UsesHelp> {
+        let text = self.places.text;
+        let found = uses(text, codes, byte)?;
+        let place = |named: &Named| {
+            let (from, to) = self.places.offsets(named.span);
+            let line = self.line_of(named.span.start);
+            let block = self.places.lines.line(text, line - 1);
+            Use { from, to, line, text: shortened(&block.quote(text)), defines: named.defines }
+        };
+        let name = match found.name {
+            Name::Sequence(number) => format!("N{number}"),
+            Name::Program(number) => format!("O{number:04}"),
+            Name::Variable(number) => format!("#{number}"),
+        };
+        let places = found.places.iter().map(place).collect();
+        Some(UsesHelp { name, places, next: found.next as u32, cut: found.is_cut })
+    }
+
+    /// The outline of the text.
+    pub fn outline(&self, codes: CodeList) -> OutlineHelp {
+        let text = self.places.text;
+        let found = outline(text, codes);
+        let comment = |span: Span| {
+            shortened(span.quote(text).trim_matches(|c: char| matches!(c, '(' | ')' | ';' | ' ')))
+        };
+        let entry = |own: &Entry| {
+            let said = own.comment.map_or_else(String::new, comment);
+            let (kind, name, detail) = match own.kind {
+                Kind::Program => ("program", own.name.quote(text), said),
+                Kind::Tool => ("tool", own.name.quote(text), said),
+                Kind::Operation => ("operation", comment(own.name), said),
+                Kind::Sequence => ("block", shortened(&own.name.quote(text)), said),
+                Kind::Cycle(function) => {
+                    ("cycle", shortened(&own.name.quote(text)), function.describe(self.language).to_owned())
+                }
+            };
+            let (from, line) = (self.offset(own.at), self.line_of(own.at));
+            OutlineEntry { kind, depth: own.depth, from, line, name, detail }
+        };
+        OutlineHelp {
+            entries: found.entries.iter().map(entry).collect(),
+            folds: found.folds.iter().map(|fold| self.places.offsets(*fold)).collect(),
+            cut: found.is_cut,
+        }
     }
 
     fn proposal(&self, item: &Item) -> CompletionItem {
@@ -371,6 +486,16 @@ impl Reader<'_> {
 
     fn offset(&self, byte: u32) -> u32 {
         self.places.lines.utf16_offset(self.places.text, byte)
+    }
+}
+
+/// A text in one line, cut off where it is long.
+fn shortened(text: &str) -> String {
+    const MOST: usize = 60;
+    let words = text.split_whitespace().collect::<Vec<_>>().join(" ");
+    match words.char_indices().nth(MOST) {
+        Some((end, _)) => format!("{}…", &words[..end]),
+        None => words,
     }
 }
 

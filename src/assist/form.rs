@@ -118,7 +118,7 @@ fn is_call(code: M) -> bool {
 }
 
 /// Which block of a multiple cycle it is, by its words.
-fn half(cycle: Multiple, block: &Block) -> Half {
+pub fn half(cycle: Multiple, block: &Block) -> Half {
     let has = |letters: &[u8]| block.words.iter().any(|word| !word.comma && letters.contains(&word.address));
     let cuts = match cycle {
         Multiple::Finishing => true,

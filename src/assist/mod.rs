@@ -9,10 +9,13 @@ pub mod explain;
 pub mod fact;
 pub mod form;
 pub mod hover;
+pub mod names;
+pub mod outline;
 pub mod role;
 pub mod signature;
 pub mod snippet;
 pub mod state;
+pub mod uses;
 
 use std::borrow::Cow;
 

@@ -56,6 +56,18 @@ impl Playground {
         explanation(self)
     }
 
+    /// Where the number at an offset is used; nothing where none stands.
+    #[wasm_bindgen(js_name = usesAt, unchecked_return_type = "UsesHelp | undefined")]
+    pub fn uses_at(&self, offset: u32) -> Result<JsValue, JsValue> {
+        uses(self, offset)
+    }
+
+    /// The outline of the text.
+    #[wasm_bindgen(unchecked_return_type = "OutlineHelp")]
+    pub fn outline(&self) -> Result<JsValue, JsValue> {
+        outline(self)
+    }
+
     /// The state before and after the block that was asked about; nothing where there is no answer yet.
     #[wasm_bindgen(js_name = stateHelp, unchecked_return_type = "StateHelp | undefined")]
     pub fn state_help(&self) -> Result<JsValue, JsValue> {
@@ -111,6 +123,18 @@ in_part! {
         }
         question.replay = Some(replay);
         false
+    }
+
+    Tools "0908"
+    fn uses(playground: &Playground, offset: u32) -> Result<JsValue, JsValue> {
+        let run = playground.current.run();
+        let byte = playground.current.lines().byte_at_utf16(run.text(), offset);
+        to_js(&reader(playground).uses(run.code_list(), byte))
+    }
+
+    Tools "0909"
+    fn outline(playground: &Playground) -> Result<JsValue, JsValue> {
+        to_js(&reader(playground).outline(playground.current.run().code_list()))
     }
 
     Tools "0902"
@@ -172,10 +196,9 @@ fn with_answer(
         dialect: run.dialect(),
         codes: run.code_list(),
     };
-    let reader = Reader {
-        places: playground.places(),
-        language: playground.language,
-        unit: playground.current.unit(),
-    };
-    make(&reader, &asked)
+    make(&reader(playground), &asked)
+}
+
+fn reader(playground: &Playground) -> Reader<'_> {
+    Reader { places: playground.places(), language: playground.language, unit: playground.current.unit() }
 }

@@ -56,6 +56,7 @@ const ICONS = {
   plus: [{ d: 'M10 4v12M4 10h12', width: 1.8 }],
   minus: [{ d: 'M4 10h12', width: 1.8 }],
   gallery: [{ d: 'M3.5 3.5h5.5v5.5H3.5zM11 3.5h5.5v5.5H11zM3.5 11h5.5v5.5H3.5zM11 11h5.5v5.5H11z', width: 1.6 }],
+  outline: [{ d: 'M3.5 4.5h9M6.5 10h10M6.5 15.5h7', width: 1.7 }],
   chevron: [{ d: 'M5 7.5l5 5 5-5', width: 1.8 }],
   error: [{ d: 'M2.8 10a7.2 7.2 0 1 0 14.4 0 7.2 7.2 0 1 0-14.4 0' }, { d: 'M10 6v5M10 13.6v.4', width: 1.9, over: true }],
   warning: [{ d: 'M10 2.8l7.6 13.6H2.4z', width: 1.2, filled: true }, { d: 'M10 8v3.6M10 14v.3', width: 1.8, over: true }],

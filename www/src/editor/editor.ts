@@ -15,8 +15,9 @@ import {
   lineNumbers, tooltips, type ViewUpdate,
 } from '@codemirror/view';
 import { applyFix, areShown, lintDiagnostics } from './lint';
+import { folding, showFoldable } from './folding';
 import { foldOthers, folds, unfoldAt } from './folds';
-import { marks, runningLine, showHovered, showMarked, showRunning, showTokens } from './marks';
+import { marks, runningLine, showHovered, showMarked, showRunning, showTokens, showUses } from './marks';
 import { contextEffect, contextOf, programContext } from './context';
 import { docOf, fileOf, fileOfText, origin, renamed, textWithLineEnds } from './file';
 import { Follower } from './follow';
@@ -84,7 +85,7 @@ export class Editor implements TextHolder {
           lineNumbers(), problemGutter(), highlightActiveLine(), highlightActiveLineGutter(), highlightSpecialChars(),
           history(), fileOfText(program.ends, file), programContext(events), drawSelection(), dropCursor(), bracketMatching(), highlightSelectionMatches(),
           search({ top: false }), linter(null), tooltips({ position: 'absolute', parent: aboveTheFrame }), marks, editorTheme,
-          folds(() => this.#shownLanguage), wordHover(events), this.#completion.of([]),
+          folds(() => this.#shownLanguage), folding(() => this.#shownLanguage), wordHover(events), this.#completion.of([]),
           EditorState.readOnly.of(access === 'readonly'), EditorView.editable.of(access === 'editable'),
           // Tab is not bound: it leaves the editor.
           keymap.of([
@@ -217,6 +218,16 @@ export class Editor implements TextHolder {
   /** The block whose stroke the pointer is on. */
   set hovered(span: Span | undefined) {
     this.#view.dispatch({ effects: showHovered.of(span) });
+  }
+
+  /** Where the number at the cursor is used. */
+  set uses(spans: readonly Span[]) {
+    this.#view.dispatch({ effects: showUses.of(spans) });
+  }
+
+  /** What the reader can fold: from the end of a line to the end of the last that belongs to it. */
+  set foldable(spans: readonly Span[]) {
+    this.#view.dispatch({ effects: showFoldable.of(spans) });
   }
 
   /** The lines that the page around marks. */

@@ -14,7 +14,11 @@ import type { LineRange } from './holder';
 /** `language` is asked each time a button is made. */
 export function folds(language: () => Language): Extension {
   return codeFolding({
-    preparePlaceholder: ({ doc }, { from, to }) => [doc.lineAt(from).number, doc.lineAt(to).number],
+    preparePlaceholder({ doc }, { from, to }) {
+      const first = doc.lineAt(from);
+      // What the reader folds begins at the end of a line that stays.
+      return [first.from < from ? first.number + 1 : first.number, doc.lineAt(to).number];
+    },
     placeholderDOM(_, unfold, prepared) {
       const [first, last] = prepared as [number, number];
       const button = make('button', { type: 'button', className: 'folded-lines' }, WORDS[language()](first, last));

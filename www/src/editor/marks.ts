@@ -1,5 +1,5 @@
 // What is painted over the program's text: the core's tokens, the block under the
-// pointer, the block being run.
+// pointer, the places of a number, the block being run.
 //
 // In: ranges of the document, sent as effects. Out: decorations, moved along with every change of the text
 // until newer ranges come. Must not know: where the ranges come from; a token class is a number and a colour.
@@ -14,12 +14,15 @@ const TOKEN_STYLES = [
 ].map((style) => Decoration.mark({ class: `tok-${style}` }));
 
 const HOVERED = Decoration.mark({ class: 'cm-hovered-block' });
+const USED = Decoration.mark({ class: 'cm-used-number' });
 const MARKED = Decoration.line({ class: 'cm-marked-line' });
 const RUNNING = Decoration.line({ class: 'cm-running-line' });
 
 /** Triples `from, to, class`, in order. */
 export const showTokens = StateEffect.define<Uint32Array>();
 export const showHovered = StateEffect.define<Span | undefined>();
+/** Where a number is used. */
+export const showUses = StateEffect.define<readonly Span[]>();
 export const showRunning = StateEffect.define<Span | undefined>();
 export const showMarked = StateEffect.define<readonly LineRange[]>();
 
@@ -66,6 +69,17 @@ function blockField(
   });
 }
 
+const uses = StateField.define<DecorationSet>({
+  create: () => Decoration.none,
+  update(shown, transaction) {
+    const said = transaction.effects.filter((effect) => effect.is(showUses)).at(-1)?.value;
+    if (said === undefined) return transaction.docChanged ? Decoration.none : shown;
+    const { length } = transaction.newDoc;
+    return Decoration.set(said.filter(({ from, to }) => from < to && to <= length).map(({ from, to }) => USED.range(from, to)), true);
+  },
+  provide: (field) => EditorView.decorations.from(field),
+});
+
 const running = blockField(showRunning, (span, doc) => RUNNING.range(doc.lineAt(span.from).from), 'moves');
 
 /** Lines that the page around marks, by their numbers: another text has them, too. */
@@ -88,7 +102,7 @@ function lineMarks(lines: readonly LineRange[], doc: Text): DecorationSet {
   return Decoration.set(marks, true);
 }
 
-export const marks: Extension = [markedLines, tokens, blockField(showHovered, (span) => HOVERED.range(span.from, span.to), 'goes'), running];
+export const marks: Extension = [markedLines, tokens, blockField(showHovered, (span) => HOVERED.range(span.from, span.to), 'goes'), uses, running];
 
 /** Where the line of the block that runs begins now, if it is marked. */
 export function runningLine(state: EditorState): number | undefined {

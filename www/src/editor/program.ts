@@ -200,6 +200,16 @@ export class Program implements TextHolder {
     if (this.#editor !== undefined) this.#editor.hovered = span;
   }
 
+  /** Where the number at the cursor is used. */
+  set uses(spans: readonly Span[]) {
+    if (this.#editor !== undefined) this.#editor.uses = spans;
+  }
+
+  /** What the reader can fold: from the end of a line to the end of the last that belongs to it. */
+  set foldable(spans: readonly Span[]) {
+    if (this.#editor !== undefined) this.#editor.foldable = spans;
+  }
+
   /** Where the line of that block begins, also after edits; nothing when it is not marked, or gone. */
   get runningLine(): number | undefined {
     return this.#editor?.runningLine;

@@ -57,6 +57,7 @@ export const editorTheme: Extension = EditorView.theme({
   '&.cm-focused .cm-matchingBracket': { backgroundColor: 'var(--playground-selection)' },
   '&.cm-focused .cm-nonmatchingBracket': { backgroundColor: 'transparent' },
   '.cm-hovered-block': { backgroundColor: 'var(--playground-hovered-block)', borderRadius: '3px' },
+  '.cm-used-number': { backgroundColor: 'var(--playground-selection)', borderRadius: '3px' },
   '.cm-marked-line': { backgroundColor: 'var(--playground-marked-line)', boxShadow: 'inset 3px 0 0 var(--playground-highlight)' },
   '.folded-lines': {
     minBlockSize: '0',

@@ -10,7 +10,7 @@ import { completes, setCompletes } from '../editor/completes';
 import { factList, wordLine } from '../editor/word-help';
 import type { FormHelp, FormLine, FormWord, Help, HelpLine, StateHelp, StateRow } from '../protocol/protocol';
 import type { Heard } from '../worker/core-client';
-import type { Key, NewestQuestion, Panel, PanelKind, Shell } from './panel';
+import { isInProgram, type Key, type NewestQuestion, type Panel, type PanelKind, type Shell } from './panel';
 import atCursorStyles from './at-cursor.css?inline';
 
 export const atCursor: PanelKind = { control: 'help', styles: atCursorStyles, make: (shell) => new AtCursor(shell) };
@@ -21,6 +21,7 @@ class AtCursor implements Panel {
   readonly #title = make('span', { id: 'at-cursor-name' });
   readonly #line = make('span', { className: 'at-cursor-line' });
   readonly #toggle = make('button', { type: 'button', className: 'at-cursor-toggle', 'aria-expanded': 'false', 'aria-controls': 'at-cursor-body' });
+  readonly #header = make('div', { className: 'at-cursor-header' }, this.#toggle);
   readonly #facts = make('div', { className: 'at-cursor-facts' });
   readonly #form = make('div', { className: 'at-cursor-form' });
   readonly #previous = make('button', { type: 'button', className: 'small' }, icon('previous'));
@@ -32,7 +33,7 @@ class AtCursor implements Panel {
   readonly #completesName = make('span');
   readonly #switch = make('label', { className: 'at-cursor-switch' }, this.#completes, this.#completesName);
   readonly #body = make('div', { className: 'at-cursor-body', id: 'at-cursor-body', hidden: true }, this.#facts, this.#form, this.#times, this.#state, this.#switch);
-  readonly #element = make('section', { className: 'at-cursor', part: 'at-cursor', 'aria-labelledby': 'at-cursor-name caption' }, this.#toggle, this.#body);
+  readonly #element = make('section', { className: 'at-cursor', part: 'at-cursor', 'aria-labelledby': 'at-cursor-name caption' }, this.#header, this.#body);
   /** The reader has been in the text: until then nothing is asked, and nothing is loaded for it. */
   #wanted = false;
   /** The next answer is read out. */
@@ -42,6 +43,7 @@ class AtCursor implements Panel {
   /** Which of the times the block is carried out; the usual one where nothing is chosen. */
   #chosen: number | undefined;
   #shown: Help | undefined;
+  #hasNavigation = false;
   #marks = false;
   readonly places = { problems: [this.#element] };
 
@@ -64,6 +66,12 @@ class AtCursor implements Panel {
     name(this.#previous, texts.previousTime);
     name(this.#next, texts.nextTime);
     this.#toggle.title = texts.hint;
+    // Not earlier: all panels are made by then.
+    if (!this.#hasNavigation) {
+      this.#header.append(this.#shell.service('outlineButton')());
+      this.#state.after(this.#shell.service('usesSection')());
+    }
+    this.#hasNavigation = true;
     if (this.#shown === undefined) this.#clear();
     this.#ask();
   }
@@ -89,9 +97,9 @@ class AtCursor implements Panel {
     this.#clear();
   }
 
-  pressed({ event, inside }: Key): 'own' | 'not-own' {
-    if (event.key !== 'F1' || event.ctrlKey || event.altKey || event.metaKey) return 'not-own';
-    if (inside !== 'text' && this.#shell.root.activeElement?.closest('.editor') === null) return 'not-own';
+  pressed(key: Key): 'own' | 'not-own' {
+    const { event } = key;
+    if (event.key !== 'F1' || event.ctrlKey || event.altKey || event.metaKey || !isInProgram(key, this.#shell)) return 'not-own';
     this.#wanted = true;
     this.#speaks = true;
     this.#setOpen(true);

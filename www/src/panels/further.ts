@@ -9,6 +9,7 @@ import { help } from './help';
 import { hints } from './hints';
 import type { PanelKind } from './panel';
 import { motions } from './motions';
+import { navigation } from './navigation';
 import { paste } from './paste';
 import { playback } from './playback';
 import { readAs } from './read-as';
@@ -30,7 +31,7 @@ import { writtenOut } from './written-out';
 import editorStyles from '../editor/editor.css?inline';
 
 export const FURTHER: readonly PanelKind[] = [
-  tabs, divider, hints, fileBar, profiles, readAs, switches, problems, atCursor, setup, views, playback, statusLine, totals, units, motions, paste, solid, exports, rewrite, writtenOut, help,
+  tabs, divider, hints, fileBar, profiles, readAs, switches, problems, atCursor, navigation, setup, views, playback, statusLine, totals, units, motions, paste, solid, exports, rewrite, writtenOut, help,
   codes, presentation, print,
 ];
 

@@ -89,6 +89,11 @@ export interface SwitchesSet {
   readonly program: number | undefined;
 }
 
+/** Whether a key was pressed in the program, be it one that is only read. */
+export function isInProgram({ inside }: Key, { root }: Shell): boolean {
+  return inside === 'text' || (root.activeElement?.closest('.editor') ?? null) !== null;
+}
+
 /** A place in the window, CSS pixels. */
 export interface ClientPlace {
   readonly clientX: number;
@@ -129,6 +134,10 @@ export interface Services {
   openCodes(): void;
   /** `group` and `key`: the group and the field the reader comes for. */
   openSetup(group?: SetupGroup['group'], key?: string): void;
+  /** The button that opens the outline of the program. */
+  outlineButton(): HTMLElement;
+  /** Where the number at the cursor is used: empty where none stands there. */
+  usesSection(): HTMLElement;
   /** The button that says which machine the program is run on. */
   machineButton(): HTMLElement;
   /** The setup that programs of the reader's own begin with, as JSON. */

@@ -9,14 +9,14 @@
 import type { PartName } from '../../pkg/part-files.js';
 import type {
   Codes, Comparison, Diagnostic, Dimension, FileFormat, ProfileKind, Profiles, ReadAs, SetupOverview, FoundPiece, FoundPrograms, Palette, PictureName, Readout, Rewriting, SectionPiece, SetupAnswer, SetupForm, SetupGroup, SetupPlace, StepDirection,
-  CompletionHelp, CompletionItem, FormHelp, StateHelp, StepUnit, StopSwitch, Stroke, Summary, Totals, Units, WordHelp,
+  CompletionHelp, CompletionItem, FormHelp, OutlineHelp, StateHelp, StepUnit, StopSwitch, Stroke, Summary, Totals, Units, UsesHelp, WordHelp,
 } from '../../pkg/gcode_playground.js';
 
 export type { Codes, Comparison, Diagnostic, Dimension, Palette, PictureName, Readout, Rewriting, SectionPiece, StepDirection, StepUnit, StopSwitch, Stroke, Summary, Totals, Units };
 export type { SetupOverview, FoundPiece, FoundPrograms, SetupAnswer, SetupForm, SetupGroup, SetupPlace };
 export type { ProfileKind, Profiles, ReadAs };
-export type { CompletionHelp, CompletionItem, FormHelp, StateHelp, WordHelp };
-export type { FormLine, FormWord, HelpLine, StateRow } from '../../pkg/gcode_playground.js';
+export type { CompletionHelp, CompletionItem, FormHelp, OutlineHelp, StateHelp, UsesHelp, WordHelp };
+export type { FormLine, FormWord, HelpLine, OutlineEntry, StateRow, Use } from '../../pkg/gcode_playground.js';
 export type { CodeRow, Edit, Fix, FoundProgram, ReadFact, Setting, SetupField, SetupState } from '../../pkg/gcode_playground.js';
 
 /** A size in CSS pixels and the device pixels each of them has. */
@@ -172,6 +172,10 @@ export interface Questions {
   codes: { ask: undefined; answer: Codes };
   /** Nothing where a newer question of the same asker has come meanwhile, or another run. */
   help: { ask: HelpWanted; answer: Help | undefined };
+  /** Where the number at an offset is used: a sequence number, a program, a variable. */
+  uses: { ask: { readonly offset: number }; answer: UsesHelp | undefined };
+  /** The outline of the text, and what of it can be folded. */
+  outline: { ask: undefined; answer: OutlineHelp };
   export: { ask: { readonly format: ExportFormat }; answer: Exported };
   /** The half-section of the part at the moment that is shown. */
   section: { ask: undefined; answer: readonly SectionPiece[] };
@@ -230,7 +234,7 @@ export type QuestionKind = keyof Questions;
  * others' hold as they are.
  */
 export const OF_THE_RUN = {
-  tokens: true, pick: true, play: true, seek: true, 'seek-block': true, step: true, 'go-to': true, strokes: true, readout: true, totals: true, expand: true, rewritings: true, section: true, help: true,
+  tokens: true, pick: true, play: true, seek: true, 'seek-block': true, step: true, 'go-to': true, strokes: true, readout: true, totals: true, expand: true, rewritings: true, section: true, help: true, uses: true, outline: true,
   dimension: true, 'read-setup': true, 'profiles-of-run': true,
   locate: false, codes: false, export: false, 'programs-in': false, 'pieces-of': false,
   'setup-form': false, 'another-tool': false, 'profiles-in': false, 'with-profile': false,

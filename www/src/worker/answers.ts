@@ -50,6 +50,8 @@ export const ANSWERS: { readonly [K in QuestionKind]: AnswerRow<K> } = {
   codes: { needs: TOOLS, answer: (core) => core.codes() },
   // A run that has not ended knows nothing of the blocks to come.
   help: { needs: ['machine', ...TOOLS], waits: 'for-the-part', answer: help },
+  uses: { needs: TOOLS, answer: (core, { offset }) => core.usesAt(offset) },
+  outline: { needs: TOOLS, answer: (core) => core.outline() },
   // A file of a part of a program would pass for all of it.
   export: { needs: ['machine', 'tools', 'language'], waits: 'for-the-part', answer: (core, { format }) => exported(core, format) },
   section: { needs: IN_WORDS, answer: (core) => core.section() },

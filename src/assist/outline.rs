@@ -1,0 +1,255 @@
+//! The outline of a text: its programs, tools, operations, cycles, and the blocks that others go to; and what can be folded.
+//!
+//! In: the text, the codes it is read with. Out: entries in the order of the text, with their depth. Nothing has to have run.
+
+use super::form::{Half, g_of, half};
+use super::names::{Name, names};
+use crate::control::codes::{self, Function, G, MotionMode};
+use crate::control::words::plain;
+use crate::setup::dialect::CodeList;
+use crate::source::Span;
+use crate::text::block::{Block, BlockKind};
+use crate::text::parser::Parser;
+
+/// Bytes of the text that are read.
+const MOST_BYTES: usize = 4 << 20;
+/// Most entries.
+const MOST: usize = 3000;
+
+/// What an entry is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Kind {
+    /// A program.
+    Program,
+    /// A tool comes in.
+    Tool,
+    /// A comment that stands alone: an operation, in the words of the programmer.
+    Operation,
+    /// A block that others go to or name.
+    Sequence,
+    /// A cycle.
+    Cycle(Function),
+}
+
+/// An entry of the outline.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Entry {
+    /// What it is.
+    pub kind: Kind,
+    /// Under how many others it stands.
+    pub depth: u8,
+    /// Where its block begins.
+    pub at: u32,
+    /// What it is called: the word, the block, the comment.
+    pub name: Span,
+    /// The comment that says more of it.
+    pub comment: Option<Span>,
+}
+
+/// The outline of a text.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Outline {
+    /// In the order of the text.
+    pub entries: Vec<Entry>,
+    /// What can be folded: from the end of a block to the end of the last that belongs to it.
+    pub folds: Vec<Span>,
+    /// The text goes on.
+    pub is_cut: bool,
+}
+
+/// The outline of a text.
+pub fn outline(text: &[u8], codes: CodeList) -> Outline {
+    let end = text.len().min(MOST_BYTES);
+    let mut outlining = Outlining { text, codes, ..Outlining::default() };
+    let mut parser = Parser::new(&text[..end]);
+    let mut block = Block::default();
+    while parser.next_block(&mut block) && outlining.entries.len() < MOST {
+        outlining.take(&block);
+    }
+    let is_cut = end < text.len() || outlining.entries.len() >= MOST;
+    outlining.finish(is_cut)
+}
+
+#[derive(Default)]
+struct Outlining<'a> {
+    text: &'a [u8],
+    codes: CodeList,
+    entries: Vec<Entry>,
+    /// The sequence numbers that are named, and those that stand there: their entries are left out where nothing names them.
+    named: Vec<u32>,
+    sequences: Vec<(u32, Entry)>,
+    /// The last comment that stands alone, while nothing else has come after it.
+    comment: Option<Span>,
+    /// Comments are those of the head of the program.
+    is_head: bool,
+    /// Entries that are open: the program, the tool.
+    program: Option<Span>,
+    tool: Option<Span>,
+    station: Option<u32>,
+    /// The last block that is no comment.
+    last: Option<Span>,
+    /// Loops under way: the number of the DO, and its block.
+    loops: Vec<(u32, Span)>,
+    /// The contour that the last cycle names: the block of the cycle, and its first and last number.
+    contour: Option<(Span, u32)>,
+    folds: Vec<Span>,
+}
+
+impl Outlining<'_> {
+    fn take(&mut self, block: &Block) {
+        let found = names(self.text, block, self.codes);
+        self.named.extend(found.iter().filter(|named| !named.defines).filter_map(|named| match named.name {
+            Name::Sequence(number) => Some(number),
+            _ => None,
+        }));
+        if block.program.is_some() {
+            self.close_program();
+            (self.program, self.is_head) = (Some(block.span), true);
+            let name = block.program.map_or(block.span, |(_, span)| span);
+            self.add(Kind::Program, 0, block, name, block.comments.first().copied());
+        } else if block.is_empty() && block.sequence.is_none() && block.kind == BlockKind::Words {
+            self.comment_alone(block);
+            return;
+        }
+        let depth = u8::from(self.program.is_some());
+        if let Some((station, name)) = self.station_of(block) {
+            self.close_tool();
+            let own = block.comments.first().copied();
+            let before = self.comment.filter(|_| own.is_none());
+            // The comment before a tool is its name, not an operation of its own.
+            self.entries.retain(|entry| entry.kind != Kind::Operation || Some(entry.name) != before);
+            (self.station, self.tool) = (Some(station), Some(block.span));
+            self.add(Kind::Tool, depth, block, name, own.or(before));
+        }
+        let depth = depth + u8::from(self.tool.is_some());
+        if let Some(function) = self.cycle(block) {
+            self.add(Kind::Cycle(function), depth, block, block.words_span(), None);
+        } else if let Some(number) = block.sequence {
+            let (at, comment) = (block.span.start, block.comments.first().copied());
+            let name = Span { end: comment.map_or(block.span.end, |comment| comment.start), ..block.span };
+            self.sequences.push((number, Entry { kind: Kind::Sequence, depth, at, name, comment }));
+        }
+        self.fold(block);
+        if block.program.is_none() {
+            self.is_head = false;
+        }
+        self.comment = None;
+        self.last = Some(block.span);
+    }
+
+    /// A comment that stands alone: the first of several names what comes, after the head of a program the last.
+    fn comment_alone(&mut self, block: &Block) {
+        let Some(&comment) = block.comments.first() else { return };
+        if self.is_head {
+            self.comment = Some(comment);
+        } else if self.comment.is_none() {
+            self.comment = Some(comment);
+            let depth = u8::from(self.program.is_some()) + u8::from(self.tool.is_some());
+            self.add(Kind::Operation, depth, block, comment, None);
+        }
+    }
+
+    fn add(&mut self, kind: Kind, depth: u8, block: &Block, name: Span, comment: Option<Span>) {
+        self.entries.push(Entry { kind, depth, at: block.span.start, name, comment });
+    }
+
+    /// The station of a tool that comes in, and its word; cancelling its offset, or calling it again, is no new one.
+    fn station_of(&self, block: &Block) -> Option<(u32, Span)> {
+        let word = block.words.iter().find(|word| word.address == b'T')?;
+        let number = plain(word).filter(|number| *number >= 0.0)? as u32;
+        let (station, offset) = if number > 99 { (number / 100, number % 100) } else { (number, 1) };
+        let is_new = offset != 0 && station != 0 && self.station != Some(station);
+        is_new.then_some((station, word.span))
+    }
+
+    /// The cycle that a block cuts by.
+    fn cycle(&self, block: &Block) -> Option<Function> {
+        block.words.iter().find_map(|word| match g_of(word, self.codes)? {
+            code @ G::Multiple(cycle) if half(cycle, block) != Half::First => codes::function_of(code),
+            code @ (G::Motion(MotionMode::Cycle(_)) | G::Hole(_)) => codes::function_of(code),
+            _ => None,
+        })
+    }
+
+    // ---- what can be folded -----------------------------------------------------------------------------
+
+    fn fold(&mut self, block: &Block) {
+        let (text, codes) = (self.text, self.codes);
+        if self.cycle(block).is_some() {
+            // A contour follows its cycle.
+            let last = names(text, block, codes).into_iter().rev().find_map(|named| match named.name {
+                Name::Sequence(number) if !named.defines => Some(number),
+                _ => None,
+            });
+            let roughs = block
+                .words
+                .iter()
+                .any(|word| matches!(g_of(word, codes), Some(G::Multiple(cycle)) if cycle.is_roughing()));
+            self.contour = last.filter(|_| roughs).map(|last| (block.span, last));
+        } else if let Some((cycle, last)) = self.contour
+            && block.sequence == Some(last)
+        {
+            self.close(cycle, Some(block.span));
+            self.contour = None;
+        }
+        if block.kind == BlockKind::Macro {
+            let statement = block.words_span().of(text).to_ascii_uppercase();
+            let number = |at: usize| {
+                let digits: String = statement[at..]
+                    .iter()
+                    .skip_while(|byte| matches!(byte, b' ' | b'\t'))
+                    .take_while(|byte| byte.is_ascii_digit())
+                    .map(|&byte| byte as char)
+                    .collect();
+                digits.parse::<u32>().ok()
+            };
+            let of = |word: &[u8]| statement.windows(word.len()).rposition(|part| part == word);
+            if statement.starts_with(b"END") {
+                let open = number(3).and_then(|end| self.loops.iter().rposition(|&(own, _)| own == end));
+                if let Some(open) = open {
+                    let (_, head) = self.loops.swap_remove(open);
+                    self.close(head, Some(block.span));
+                    self.loops.truncate(open);
+                }
+            } else if let Some(number) = of(b"DO").and_then(|at| number(at + 2)) {
+                self.loops.push((number, block.span));
+            }
+        }
+    }
+
+    /// What began with a block can be folded down to the end of another.
+    fn close(&mut self, head: Span, last: Option<Span>) {
+        let Some(last) = last.filter(|last| last.start > head.start) else { return };
+        let is_more_than_a_line = self.text[head.end as usize..last.end as usize].contains(&b'\n');
+        if is_more_than_a_line {
+            self.folds.push(Span { start: head.end, end: last.end });
+        }
+    }
+
+    fn close_tool(&mut self) {
+        if let Some(tool) = self.tool.take() {
+            self.close(tool, self.last);
+        }
+        self.station = None;
+    }
+
+    fn close_program(&mut self) {
+        self.close_tool();
+        if let Some(program) = self.program.take() {
+            self.close(program, self.last);
+        }
+        self.loops.clear();
+        self.contour = None;
+    }
+
+    fn finish(mut self, is_cut: bool) -> Outline {
+        self.close_program();
+        self.named.sort_unstable();
+        let named = &self.named;
+        let wanted = self.sequences.into_iter().filter(|(number, _)| named.binary_search(number).is_ok());
+        self.entries.extend(wanted.map(|(_, entry)| entry));
+        crate::order::by_key(&mut self.entries, |entry| entry.at);
+        crate::order::by_key(&mut self.folds, |fold| (fold.start, std::cmp::Reverse(fold.end)));
+        Outline { entries: self.entries, folds: self.folds, is_cut }
+    }
+}

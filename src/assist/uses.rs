@@ -1,0 +1,114 @@
+//! All places where one number is used: a sequence number, a program, a variable.
+//!
+//! In: the text, a place in it. Out: the places, in the order of the text. Only lines that hold the number are read, so
+//! that a long program is looked through quickly; nothing has to have run.
+
+use super::names::{Name, Named, names};
+use crate::setup::dialect::CodeList;
+use crate::text::block::Block;
+use crate::text::parser::{Parser, Resume};
+
+/// Most places that are listed.
+const MOST: usize = 500;
+/// Variables from this number on are the same in all programs.
+const FIRST_COMMON: u32 = 100;
+
+/// Where a number is used.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Uses {
+    /// What the number names.
+    pub name: Name,
+    /// The places, in the order of the text.
+    pub places: Vec<Named>,
+    /// Where a reader goes from the place that was asked about: from a word that names a block or a program to it, from
+    /// all others to the next.
+    pub next: usize,
+    /// There are more.
+    pub is_cut: bool,
+}
+
+/// The uses of the number at a byte, or that ends there; `None` where none stands.
+pub fn uses(text: &[u8], codes: CodeList, byte: u32) -> Option<Uses> {
+    let line = text[..(byte as usize).min(text.len())].iter().rposition(|&at| at == b'\n');
+    let mut own = None;
+    read_line(text, line.map_or(0, |at| at + 1), codes, |named, _| {
+        if named.span.start <= byte && byte <= named.span.end && own.is_none() {
+            own = Some(named);
+        }
+    });
+    let own = own?;
+    let found = all(text, codes, own.name);
+    let program = found.iter().find(|(named, _)| named.span == own.span).map(|&(_, program)| program)?;
+    let is_local = match own.name {
+        Name::Sequence(_) => true,
+        Name::Program(_) => false,
+        Name::Variable(number) => number < FIRST_COMMON,
+    };
+    let mut places: Vec<Named> = found
+        .into_iter()
+        .filter(|(named, of)| !is_local || *of == program || named.anywhere || own.anywhere)
+        .map(|(named, _)| named)
+        .collect();
+    let is_cut = places.len() > MOST;
+    let at = places.iter().position(|named| named.span == own.span)?;
+    let (first, at) = if at < MOST { (0, at) } else { (at + 1 - MOST, MOST - 1) };
+    places.drain(..first);
+    places.truncate(MOST);
+    let following = (at + 1..places.len()).chain(0..at);
+    let names_another = !own.defines && !matches!(own.name, Name::Variable(_));
+    let next = following.clone().find(|&index| !names_another || places[index].defines);
+    Some(Uses { name: own.name, next: next.or(following.clone().next()).unwrap_or(at), places, is_cut })
+}
+
+/// All places of a name, with which program of the text each is in, from 0.
+fn all(text: &[u8], codes: CodeList, name: Name) -> Vec<(Named, u32)> {
+    let digits = name.number().to_string();
+    let (mut found, mut program, mut begun) = (Vec::new(), 0, false);
+    let mut start = 0;
+    while start < text.len() {
+        let end = text[start..].iter().position(|&byte| byte == b'\n').map_or(text.len(), |at| start + at);
+        let line = &text[start..end];
+        if may_begin_a_program(line) || ends_a_number(line, digits.as_bytes()) {
+            read_line(text, start, codes, |named, block| {
+                // The head of a program: a text may begin without one.
+                if block.program.is_some_and(|(_, span)| span == named.span) && begun {
+                    program += 1;
+                }
+                if named.name == name {
+                    found.push((named, program));
+                }
+            });
+        }
+        begun |= line.iter().any(|byte| byte.is_ascii_alphanumeric());
+        start = end + 1;
+    }
+    found
+}
+
+/// The names in the blocks of a line.
+fn read_line(text: &[u8], start: usize, codes: CodeList, mut take: impl FnMut(Named, &Block)) {
+    let end = text[start..].iter().position(|&byte| byte == b'\n').map_or(text.len(), |at| start + at);
+    let mut parser = Parser::resume(&text[..end], Resume::inside(start as u32, 0));
+    let mut block = Block::default();
+    while parser.next_block(&mut block) {
+        for named in names(text, &block, codes) {
+            take(named, &block);
+        }
+    }
+}
+
+/// O, or the colon of an older code.
+fn may_begin_a_program(line: &[u8]) -> bool {
+    let first = line.iter().find(|byte| !matches!(byte, b' ' | b'\t' | b'%'));
+    first.is_some_and(|byte| matches!(byte, b'O' | b'o' | b':'))
+}
+
+/// Some number of the line ends with these digits.
+fn ends_a_number(line: &[u8], digits: &[u8]) -> bool {
+    let last = digits.len() - 1;
+    line.windows(digits.len()).enumerate().any(|(at, window)| {
+        window[last] == digits[last]
+            && window == digits
+            && !line.get(at + digits.len()).is_some_and(u8::is_ascii_digit)
+    })
+}

@@ -1,0 +1,144 @@
+//! The outline of a text, what can be folded, and where a number is used.
+
+use gcode_playground::api::Places;
+use gcode_playground::api::assist::Reader;
+use gcode_playground::sentences::Language;
+use gcode_playground::setup::dialect::CodeList;
+use gcode_playground::source::LineIndex;
+use gcode_playground::units::Unit;
+
+const SHAFT: &str = "\
+O0001 (SHAFT)
+(STOCK D50 L80)
+G21 G40
+(ROUGH OUTSIDE)
+T0101
+G96 S180 M03
+G00 X52 Z2
+G71 U2 R1
+G71 P10 Q20 U0.4 W0.1 F0.25
+N10 G00 X20
+G01 Z-20
+N20 X52
+(FINISH)
+(TWO SPARK PASSES)
+G70 P10 Q20
+G00 X100 Z100 T0100
+N7 T0303 (THREAD)
+#1=0
+WHILE [#1 LT 3] DO1
+G90 X[50-#1] Z-5
+#1=#1+1
+END1
+M98 P32000
+GOTO 99
+N99 M30
+O2000
+N10 G01 W-1
+M99
+";
+
+fn with<R>(text: &str, language: Language, ask: impl FnOnce(&Reader) -> R) -> R {
+    let lines = LineIndex::new(text.as_bytes());
+    let places = Places { text: text.as_bytes(), lines: &lines };
+    ask(&Reader { places, language, unit: Unit::Millimetre })
+}
+
+#[test]
+fn the_outline_has_programs_tools_operations_cycles_and_blocks_that_are_named() {
+    let outline = with(SHAFT, Language::English, |reader| reader.outline(CodeList::A));
+    let rows = outline.entries.iter().map(|own| {
+        let indent = "  ".repeat(own.depth.into());
+        format!("{} {indent}{} {} ({})", own.line, own.kind, own.name, own.detail)
+    });
+    let expected = "\
+1 program O0001 (SHAFT)
+5   tool T0101 (ROUGH OUTSIDE)
+9     cycle G71 P10 Q20 U0.4 W0.1 F0.25 (rough turning, types I and II)
+10     block N10 G00 X20 ()
+12     block N20 X52 ()
+13     operation FINISH ()
+15     cycle G70 P10 Q20 (finishing along the contour)
+17   tool T0303 (THREAD)
+20     cycle G90 X[50-#1] Z-5 (turning cycle, straight or taper)
+25     block N99 M30 ()
+26 program O2000 ()
+27   block N10 G01 W-1 ()";
+    assert_eq!(rows.collect::<Vec<_>>().join("\n"), expected);
+    assert!(!outline.cut);
+}
+
+#[test]
+fn programs_tools_contours_and_loops_can_be_folded() {
+    let outline = with(SHAFT, Language::English, |reader| reader.outline(CodeList::A));
+    let line = |offset: u32| SHAFT[..offset as usize].matches('\n').count() + 1;
+    let lines: Vec<_> = outline.folds.iter().map(|&(from, to)| (line(from), line(to))).collect();
+    assert_eq!(lines, [(1, 25), (5, 16), (9, 12), (17, 25), (19, 22), (26, 28)]);
+}
+
+/// The places of the number at a mark as `line:word`, the one that stands itself with a star; and where one goes next.
+fn places(text: &str) -> Option<(String, Vec<String>, u32)> {
+    let byte = text.find("$0").expect("a mark") as u32;
+    let text = text.replace("$0", "");
+    let uses = with(&text, Language::English, |reader| reader.uses(CodeList::A, byte))?;
+    let place = |own: &gcode_playground::api::assist::Use| {
+        let star = if own.defines { "*" } else { "" };
+        format!("{}:{}{star}", own.line, &text[own.from as usize..own.to as usize])
+    };
+    let next = uses.places[uses.next as usize].line;
+    Some((uses.name, uses.places.iter().map(place).collect(), next))
+}
+
+fn at(word: &str, offset: usize) -> String {
+    let mut text = SHAFT.to_owned();
+    text.insert_str(SHAFT.find(word).expect(word) + offset, "$0");
+    text
+}
+
+#[test]
+fn a_number_leads_to_its_block_and_back() {
+    let uses = |list: &[&str]| list.iter().map(|own| (*own).to_owned()).collect::<Vec<_>>();
+    let contour = uses(&["9:P10", "10:N10*", "15:P10"]);
+    // N10 of the other program is another block.
+    assert_eq!(places(&at("P10 Q20 U", 1)), Some(("N10".into(), contour.clone(), 10)));
+    assert_eq!(places(&at("N10 G00", 0)), Some(("N10".into(), contour, 15)));
+    let other = places(&at("N10 G01", 2)).expect("a number");
+    assert_eq!(other.1, ["27:N10*"]);
+    assert_eq!(places(&at("99\nN99", 1)), Some(("N99".into(), uses(&["24:99", "25:N99*"]), 25)));
+    // P32000 is three times O2000.
+    let called = uses(&["23:P32000", "26:O2000*"]);
+    assert_eq!(places(&at("P32000", 3)), Some(("O2000".into(), called.clone(), 26)));
+    assert_eq!(places(&at("O2000", 0)), Some(("O2000".into(), called, 23)));
+    let variable = uses(&["18:#1*", "19:#1", "20:#1", "21:#1*", "21:#1"]);
+    assert_eq!(places(&at("#1 LT", 1)), Some(("#1".into(), variable, 20)));
+    assert_eq!(places(&at("X52 Z2", 1)), None, "a coordinate is no name");
+}
+
+#[test]
+fn local_variables_are_those_of_their_program_and_a_return_goes_to_the_caller() {
+    let text = "O1\n#1=5\n#100=#1\nM98 P2\nN50 M30\nO2\n#$01=6\n#100=7\nM99 P50\n";
+    let (name, local, _) = places(text).expect("a variable");
+    assert_eq!((name.as_str(), local), ("#1", vec!["7:#1*".to_owned()]));
+    let (_, common, _) = places(&text.replace("$0", "").replacen("#100", "#$0100", 1)).expect("a variable");
+    assert_eq!(common, ["3:#100*", "8:#100*"]);
+    let (_, back, next) = places(&text.replace("$0", "").replace("P50", "P$050")).expect("a number");
+    assert_eq!((back, next), (vec!["5:N50*".to_owned(), "9:P50".to_owned()], 5));
+}
+
+/// Every number of every seed and test program is found where it stands, and nothing panics.
+#[test]
+fn the_number_that_is_asked_about_is_among_its_uses() {
+    let mut asked = 0;
+    for program in crate::fixtures::all() {
+        let text = &program.text;
+        for (at, _) in text.match_indices(['N', 'P', 'Q', '#', 'O']) {
+            let found = with(text, Language::English, |reader| reader.uses(CodeList::A, at as u32));
+            let Some(uses) = found else { continue };
+            asked += 1;
+            let offset = text[..at].encode_utf16().count() as u32;
+            assert!(uses.places.iter().any(|own| (own.from..=own.to).contains(&offset)), "{uses:?}");
+            assert!((uses.next as usize) < uses.places.len());
+        }
+    }
+    assert!(asked > 200, "{asked}");
+}

@@ -1,0 +1,123 @@
+// Ways through a program: to all places of a number, by the outline, and folded parts. By keys, in three languages.
+import { expect, test, type BasicPage, type Locator } from './engines';
+import { editor, open, selected, type } from './page';
+
+const CONTOUR = [
+  'O1000 (SHAFT)', '(ROUGHING)', 'N1 T0101', 'G96 S180 M03', 'G00 X62 Z2', 'G71 U2 R1', 'G71 P10 Q20 U0.4 W0.1 F0.25', 'N10 G00 X30', 'G01 Z-20', 'N20 X62',
+  '(FINISHING)', 'T0303', 'G70 P10 Q20 F0.1', '#101=5', 'G00 X[#101+95] Z100', 'M30',
+].join('\n');
+
+const atCursor = (page: BasicPage): Locator => page.getByRole('region', { name: /^(At the cursor|光标处|У курсора)/ });
+const used = (page: BasicPage): Locator => page.locator('.cm-used-number');
+const entries = (page: BasicPage): Locator => page.locator('.outline-entry');
+
+/** Puts the cursor into a line, after so many letters, with keys. */
+async function goTo(page: BasicPage, line: number, letter: number): Promise<void> {
+  await editor(page).focus();
+  await page.keyboard.press('Control+Home');
+  for (let at = 1; at < line; at++) await page.keyboard.press('ArrowDown');
+  await page.keyboard.press('Home');
+  for (let at = 0; at < letter; at++) await page.keyboard.press('ArrowRight');
+}
+
+test('F12 goes from P10 to N10, and Shift F12 back', async ({ page }) => {
+  await open(page);
+  await type(page, CONTOUR);
+  await goTo(page, 7, 'G71 P1'.length);
+  await expect(used(page)).toHaveText(['P10', 'N10', 'P10']);
+  await page.keyboard.press('F12');
+  await expect.poll(() => selected(page)).toBe('N10');
+  await page.keyboard.press('Shift+F12');
+  // Back at the word it came from: typing goes in there.
+  await expect(page.locator('.cm-activeLine')).toHaveText('G71 P10 Q20 U0.4 W0.1 F0.25');
+  // A variable: from where it gets its value to where it is read.
+  await goTo(page, 14, 2);
+  await page.keyboard.press('F12');
+  await expect.poll(() => selected(page)).toBe('#101');
+  await expect(page.locator('.cm-activeLine')).toContainText('G00 X[#101+95]');
+  // Where no number stands, the key says what it is for.
+  await goTo(page, 16, 3);
+  await page.keyboard.press('F12');
+  await expect(page.getByText('F12 goes from a sequence number')).toBeVisible();
+});
+
+test('the places of the number at the cursor are listed, and lead there', async ({ page }) => {
+  await open(page);
+  await type(page, CONTOUR);
+  await goTo(page, 8, 2);
+  await page.keyboard.press('F1');
+  const places = atCursor(page).locator('.uses');
+  await expect(places).toContainText('Places of N10');
+  await expect(places.getByRole('listitem')).toHaveCount(3);
+  await places.getByRole('button', { name: /13/ }).click();
+  await expect(editor(page)).toBeFocused();
+  await expect(page.locator('.cm-activeLine')).toContainText('G70 P10 Q20');
+  // A word that is no number has none.
+  await goTo(page, 9, 1);
+  await expect(places).toHaveCount(1);
+  await expect(places).not.toBeVisible();
+});
+
+const OUTLINE = { en: 'Outline of the program', zh: '程序大纲', ru: 'Структура программы' } as const;
+
+for (const locale of ['en', 'zh', 'ru'] as const) {
+  test(`the outline is searched and left by keys alone, ${locale}`, async ({ page }) => {
+    await open(page);
+    await page.locator('#language').selectOption(locale);
+    await type(page, CONTOUR);
+    await goTo(page, 13, 4);
+    await page.keyboard.press('Control+Shift+O');
+    const dialog = page.getByRole('dialog', { name: OUTLINE[locale] });
+    await expect(dialog).toBeVisible();
+    await expect(entries(page).first()).toContainText('O1000');
+    await expect(entries(page).first()).toContainText('SHAFT');
+    // Where the cursor is.
+    await expect(dialog.locator('[aria-selected=true]')).toContainText('G70 P10 Q20');
+    await page.keyboard.insertText('rough');
+    await expect(dialog.locator('[aria-selected=true]')).toContainText('ROUGHING');
+    await page.keyboard.press('Enter');
+    await expect(dialog).not.toBeVisible();
+    await expect(editor(page)).toBeFocused();
+    await expect(page.locator('.cm-activeLine')).toContainText('N1 T0101');
+    // The cursor stays where it was when the outline is closed.
+    await page.keyboard.press('Control+Shift+O');
+    await expect(dialog).toBeVisible();
+    await page.keyboard.press('ArrowDown');
+    await page.keyboard.press('Escape');
+    await expect(dialog).not.toBeVisible();
+    await expect(page.locator('.cm-activeLine')).toContainText('N1 T0101');
+  });
+}
+
+test('the outline is a button, too, and says when nothing is found', async ({ page }) => {
+  await open(page);
+  await type(page, CONTOUR);
+  await atCursor(page).getByRole('button', { name: /^Outline/ }).click();
+  const dialog = page.getByRole('dialog', { name: OUTLINE.en });
+  await expect(dialog).toBeVisible();
+  await page.keyboard.insertText('nowhere');
+  await expect(dialog).toContainText('No entry holds these words.');
+  await page.keyboard.press('Escape');
+  await type(page, 'G00 X20 Z5');
+  await atCursor(page).getByRole('button', { name: /^Outline/ }).click();
+  await expect(dialog).toContainText('There is nothing to list');
+});
+
+test('a program, a tool and a contour can be folded, and a place in them unfolds', async ({ page }) => {
+  await open(page);
+  await type(page, CONTOUR);
+  await goTo(page, 3, 1);
+  await expect(page.locator('.fold-sign[title=Fold]').first()).toBeVisible();
+  // The bracket as the keyboard sends it with Shift.
+  await page.keyboard.press('Control+Shift+{');
+  const folded = page.locator('.folded-lines');
+  await expect(folded).toHaveText(/^Show lines 4–/);
+  await page.keyboard.press('Control+End');
+  await page.keyboard.press('Control+Shift+O');
+  // What is typed at once goes into the outline, not into the program.
+  await page.keyboard.insertText('G71');
+  await expect(page.locator('.outline-entry[aria-selected=true]')).toContainText('G71');
+  await page.keyboard.press('Enter');
+  await expect(folded).toHaveCount(0);
+  await expect(page.locator('.cm-activeLine')).toContainText('G71');
+});

@@ -1,0 +1,173 @@
+// The outline of the program: a list of its programs, tools, operations and cycles, and a field to find one.
+//
+// In: the entries, as the interpreter answers them, and where the cursor is. Out: the offset of the block that is chosen.
+// Must not know: what an entry means.
+
+import { Dialog } from '../dom/dialog';
+import { make } from '../dom/dom';
+import type { Language } from '../dom/language';
+import { counter } from '../dom/plural';
+import { COMMON, words } from '../dom/words';
+import type { OutlineEntry, OutlineHelp } from '../protocol/protocol';
+
+/** An entry that is listed, and what is looked through for it, in small letters. */
+interface Listed {
+  readonly element: HTMLElement;
+  readonly from: number;
+  readonly words: string;
+}
+
+export class OutlineDialog {
+  readonly #chosen: (offset: number) => void;
+  readonly #field = make('input', {
+    type: 'search', autocomplete: 'off', spellcheck: false, role: 'combobox', 'aria-expanded': 'true', 'aria-autocomplete': 'list', 'aria-controls': 'outline-list',
+  });
+  readonly #found = make('span', { className: 'found', role: 'log' });
+  readonly #caption = make('span');
+  readonly #empty = make('div', { className: 'outline-empty' });
+  readonly #list = make('div', { className: 'outline-list', id: 'outline-list', role: 'listbox', 'aria-labelledby': 'outline-title' });
+  readonly #dialog: Dialog;
+  #language: Language;
+  #entries: readonly Listed[] = [];
+  #cut = false;
+  #active: Listed | undefined;
+
+  constructor(language: Language, chosen: (offset: number) => void) {
+    this.#chosen = chosen;
+    this.#dialog = new Dialog('outline', [make('label', { className: 'find' }, this.#caption, this.#field, this.#found), this.#list, this.#empty]);
+    this.#field.addEventListener('input', () => this.#find());
+    this.#field.addEventListener('keydown', (event) => this.#pressed(event));
+    this.#list.addEventListener('click', ({ target }) => this.#choose(this.#entries.find(({ element }) => target instanceof Node && element.contains(target))));
+    this.element.addEventListener('close', () => {
+      this.#entries = [];
+      this.#active = undefined;
+      this.#list.replaceChildren();
+    });
+    this.#language = language;
+    this.language = language;
+  }
+
+  set language(language: Language) {
+    this.#language = language;
+    const texts = WORDS[language];
+    this.#dialog.name(texts.outline, COMMON[language].close);
+    this.#caption.textContent = texts.filter;
+    if (this.open) this.#showWhatIsThere();
+  }
+
+  get element(): HTMLElement {
+    return this.#dialog.element;
+  }
+
+  get open(): boolean {
+    return this.#dialog.open;
+  }
+
+  /** Opens it, with nothing in it yet. */
+  begin(): void {
+    if (!this.#dialog.show()) return;
+    this.#field.value = '';
+    this.#found.textContent = '';
+    this.#empty.hidden = true;
+    this.#field.focus();
+  }
+
+  /** Shows an outline; the entry that the cursor is in is chosen, where nothing is looked for yet. */
+  show({ entries, cut }: OutlineHelp, cursor: number): void {
+    this.#entries = entries.map((entry, at) => this.#listed(entry, at));
+    this.#cut = cut;
+    this.#list.replaceChildren(...this.#entries.map(({ element }) => element));
+    this.#find();
+    if (this.#field.value === '') this.#setActive(this.#entries.filter(({ from }) => from <= cursor).at(-1) ?? this.#entries[0], 'center');
+  }
+
+  close(): void {
+    this.#dialog.close();
+  }
+
+  #listed({ kind, depth, from, line, name, detail }: OutlineEntry, at: number): Listed {
+    const place = make('span', { className: 'outline-line' }, String(line));
+    const element = make(
+      'div', { className: `outline-entry ${kind}`, role: 'option', id: `outline-${at}`, 'aria-selected': 'false' },
+      make('span', { className: 'outline-name' }, name), make('span', { className: 'outline-detail' }, detail), place,
+    );
+    element.style.setProperty('--depth', String(depth));
+    return { element, from, words: `${name} ${detail}`.toLowerCase() };
+  }
+
+  get #shown(): readonly Listed[] {
+    return this.#entries.filter(({ element }) => !element.hidden);
+  }
+
+  /** The entries that hold all words that are typed. */
+  #find(): void {
+    const asked = this.#field.value.trim().toLowerCase().split(/\s+/);
+    for (const { element, words } of this.#entries) element.hidden = !asked.every((word) => words.includes(word));
+    this.#showWhatIsThere();
+    const shown = this.#shown;
+    this.#setActive(this.#active !== undefined && shown.includes(this.#active) ? this.#active : shown[0], 'nearest');
+  }
+
+  #showWhatIsThere(): void {
+    const texts = WORDS[this.#language];
+    const { length } = this.#shown;
+    this.#found.textContent = this.#field.value.trim() === '' ? '' : texts.found(length);
+    this.#empty.hidden = length > 0 && !this.#cut;
+    this.#empty.textContent = this.#entries.length === 0 ? texts.nothing : this.#cut ? texts.cut : texts.notFound;
+  }
+
+  #setActive(active: Listed | undefined, block: 'nearest' | 'center'): void {
+    this.#active?.element.setAttribute('aria-selected', 'false');
+    this.#active = active;
+    if (active === undefined) return this.#field.removeAttribute('aria-activedescendant');
+    active.element.setAttribute('aria-selected', 'true');
+    this.#field.setAttribute('aria-activedescendant', active.element.id);
+    active.element.scrollIntoView({ block });
+  }
+
+  #pressed(event: KeyboardEvent): void {
+    const shown = this.#shown;
+    const at = this.#active === undefined ? -1 : shown.indexOf(this.#active);
+    const page = Math.max(1, Math.floor(this.#list.clientHeight / (this.#active?.element.offsetHeight || 28)) - 1);
+    const to = { ArrowDown: at + 1, ArrowUp: at - 1, PageDown: at + page, PageUp: at - page }[event.key];
+    if (to !== undefined) this.#setActive(shown[Math.min(Math.max(to, 0), shown.length - 1)], 'nearest');
+    else if (event.key === 'Enter') this.#choose(this.#active);
+    // Some browsers would only empty the field.
+    else if (event.key === 'Escape') this.#dialog.close();
+    else return;
+    event.preventDefault();
+  }
+
+  #choose(entry: Listed | undefined): void {
+    if (entry === undefined) return;
+    this.#dialog.close();
+    this.#chosen(entry.from);
+  }
+}
+
+const WORDS = words({
+  en: {
+    outline: 'Outline of the program',
+    filter: 'Find',
+    found: counter('en', { one: 'entry', other: 'entries' }),
+    nothing: 'There is nothing to list: no program number, tool, cycle or comment is in this text.',
+    notFound: 'No entry holds these words.',
+    cut: 'The program goes on; the outline ends here.',
+  },
+  zh: {
+    outline: '程序大纲',
+    filter: '查找',
+    found: counter('zh', { other: '项' }),
+    nothing: '没有可列的内容：文本中没有程序号、刀具、循环或注释。',
+    notFound: '没有条目包含这些字词。',
+    cut: '程序还有后文，大纲到此为止。',
+  },
+  ru: {
+    outline: 'Структура программы',
+    filter: 'Поиск',
+    found: counter('ru', { one: 'пункт', few: 'пункта', other: 'пунктов' }),
+    nothing: 'Показать нечего: в тексте нет ни номера программы, ни инструмента, ни цикла, ни комментария.',
+    notFound: 'Пунктов с такими словами нет.',
+    cut: 'Программа продолжается, структура показана до этого места.',
+  },
+});
