@@ -23,6 +23,7 @@ use crate::machine::{Simulation, SimulationResult, SimulationStep};
 use crate::motion::{MotionKind, Motions};
 use crate::parts::{Part, in_part};
 use crate::playback::clock::{Clock, Playhead};
+use crate::playback::holds::lines_that_move;
 use crate::run::replay::{Replay, Time};
 use crate::run::{Run, TextEdit};
 use crate::scene::camera::{Pixel, Size, XPlus};
@@ -59,6 +60,8 @@ struct Derived {
     measured: bool,
     /// The clock of the motions as they are now; made when first asked for.
     clock: OnceCell<Clock>,
+    /// Lines that were asked about last, and those that move the tool in their place.
+    moving_lines: (Vec<u32>, Vec<u32>),
     material: Material,
 }
 
@@ -192,6 +195,7 @@ impl Current {
     fn grown(&mut self) {
         self.derived.measured = false;
         self.derived.clock = OnceCell::new();
+        self.derived.moving_lines = Default::default();
     }
 
     // ---- the material ---------------------------------------------------------------------------------
@@ -322,6 +326,14 @@ impl Current {
     /// The clock of the motions.
     pub fn clock(&self) -> &Clock {
         self.derived.clock.get_or_init(|| Clock::new(self.run.motions(), &self.run.setup().machine))
+    }
+
+    /// For each of these lines, from 0, the first from there on whose blocks move the tool; in order.
+    pub fn lines_that_move(&mut self, lines: &[u32]) -> Vec<u32> {
+        if self.derived.moving_lines.0 != lines {
+            self.derived.moving_lines = (lines.into(), lines_that_move(self.run.motions(), lines));
+        }
+        self.derived.moving_lines.1.clone()
     }
 
     fn machined_part(&self) -> Option<&Machined> {

@@ -4,10 +4,8 @@
 //! animation, and how long the machine takes up to there. Where the time of a motion is not known the
 //! animation goes at a usual pace, which is never reported as a time. Must not know what is drawn.
 
-use std::ops::Range;
-
 use super::timing::{self, Total};
-use crate::motion::{Motion, MotionKind, Motions, Stop, StopKind};
+use crate::motion::{Motion, MotionKind, Motions};
 use crate::setup::Machine;
 
 /// Pace of rapids whose rate is not known, mm/min.
@@ -38,15 +36,6 @@ impl Playhead {
 
     /// Before the first motion.
     pub const START: Self = Self { motion: 0, share: 0.0 };
-}
-
-/// Which stops of the program are heeded.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Stops {
-    /// M00 and M01.
-    All,
-    /// M00: the switch for optional stops is off.
-    NotOptional,
 }
 
 /// What the clock shows at a place of the program.
@@ -129,19 +118,6 @@ impl Clock {
         Playhead::end_of(self.motions.saturating_sub(1))
     }
 
-    /// The place so many seconds of the animation after another, or where the program stops on the way.
-    pub fn play(&self, motions: &Motions, from: Playhead, seconds: f64, stops: Stops) -> Playhead {
-        let to = self.place(motions, self.at(motions, from).pace + seconds.max(0.0));
-        // A motion without any time is ignored, but nothing goes back.
-        let to = if to.motion < from.motion { from } else { to };
-        // A stop at which the tool stands already was answered by going on.
-        let on_the_way = from.motion + 1 + usize::from(from.share >= 1.0)..to.motion + 1;
-        match stop_in(motions, on_the_way, stops) {
-            Some((motion, _)) => Playhead::end_of(motion - 1),
-            None => to,
-        }
-    }
-
     /// Before a motion; at the end after the last.
     fn before(&self, motions: &Motions, motion: usize) -> Reading {
         if motion >= self.motions {
@@ -161,19 +137,6 @@ impl Reading {
         self.pace += pace(motion, machine);
         self.time.add(motion, machine);
     }
-}
-
-/// The stop at which the tool stands.
-pub fn stop_at(motions: &Motions, playhead: Playhead) -> Option<Stop> {
-    let next = playhead.motion + 1;
-    (playhead.share >= 1.0).then(|| stop_in(motions, next..next + 1, Stops::All))?.map(|(_, stop)| stop)
-}
-
-fn stop_in(motions: &Motions, range: Range<usize>, stops: Stops) -> Option<(usize, Stop)> {
-    motions.stops(range).find(|(_, stop)| match (stop.kind, stops) {
-        (StopKind::Always, _) | (_, Stops::All) => true,
-        (StopKind::Optional, Stops::NotOptional) => false,
-    })
 }
 
 /// Seconds of the animation that a motion takes: its time, or what is usual.
@@ -229,14 +192,9 @@ mod tests {
         for text in ["", "M30\n", "G0 X50 Z2\nG1 Z-20 F0.2\nG4 X1\nM30\n"] {
             let (motions, clock) = run(text);
             for seconds in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY, -0.0, 1e300, 5e-324] {
-                let places = [
-                    clock.place(&motions, seconds),
-                    clock.play(&motions, Playhead::START, seconds, Stops::All),
-                ];
-                for place in places {
-                    assert!((0.0..=1.0).contains(&place.share), "{text:?} {seconds}: {place:?}");
-                    assert!(place.motion <= motions.len(), "{text:?} {seconds}: {place:?}");
-                }
+                let place = clock.place(&motions, seconds);
+                assert!((0.0..=1.0).contains(&place.share), "{text:?} {seconds}: {place:?}");
+                assert!(place.motion <= motions.len(), "{text:?} {seconds}: {place:?}");
             }
         }
     }
@@ -257,42 +215,5 @@ mod tests {
         }
         assert_eq!(clock.place(&motions, -1.0), Playhead::START);
         assert_eq!(clock.place(&motions, f64::INFINITY), Playhead::end_of(motions.len() - 1));
-    }
-
-    #[test]
-    fn the_tool_is_held_at_stops_and_goes_on_from_them() {
-        let (motions, clock) = run("G0 X50 Z2\nM3 S500\nG1 Z-10 F0.2\nM01\nG0 Z2\nM00\nG0 X40\nM30\n");
-        let codes: Vec<_> = motions
-            .stops(0..usize::MAX)
-            .map(|(index, stop)| (motions.len() - index, stop.kind.code()))
-            .collect();
-        assert_eq!(codes, [(2, "M01"), (1, "M00")]);
-        let play = |from, stops| clock.play(&motions, from, 1e6, stops);
-        let last = motions.len() - 1;
-        let first = play(Playhead::START, Stops::All);
-        assert_eq!(first, Playhead::end_of(last - 2));
-        assert_eq!(stop_at(&motions, first).map(|stop| stop.line), Some(3));
-        let second = play(first, Stops::All);
-        assert_eq!(second, Playhead::end_of(last - 1));
-        assert_eq!(play(second, Stops::All), Playhead::end_of(last));
-        assert_eq!(play(Playhead::START, Stops::NotOptional), second);
-        // Played frame by frame it is held as well.
-        let mut place = Playhead::START;
-        for _ in 0..10_000 {
-            let next = clock.play(&motions, place, 0.016, Stops::NotOptional);
-            if next == second {
-                return;
-            }
-            place = next;
-        }
-        panic!("not held: {place:?}");
-    }
-
-    #[test]
-    fn a_stop_waits_for_the_moves_before_it() {
-        // The chamfer is known with the block after M00 only; the stop is after the block that it ends.
-        let (motions, _) = run("G0 X50 Z2\nM3 S500\nG1 Z-10 ,C1 F0.2\nM00\nX60\nG0 Z2\nM30\n");
-        let (index, stop) = motions.stops(0..usize::MAX).next().expect("a stop");
-        assert_eq!((motions.line(index - 1), motions.line(index), stop.line), (2, 4, 3));
     }
 }

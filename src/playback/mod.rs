@@ -3,6 +3,7 @@
 //! In: the motions and the machine's rates. Out: times, places, totals. Must not know the part.
 
 pub mod clock;
+pub mod holds;
 pub mod steps;
 pub mod timing;
 pub mod totals;

@@ -6,7 +6,8 @@ use super::{Playground, to_js};
 use crate::api::{Readout, Shown, Totals};
 use crate::current::Current;
 use crate::parts::in_part;
-use crate::playback::clock::{Playhead, Stops};
+use crate::playback::clock::Playhead;
+use crate::playback::holds::{self, Holds, Stops};
 use crate::playback::steps::{Direction, Unit, step};
 use crate::playback::totals;
 use crate::scene::Plane;
@@ -43,6 +44,20 @@ pub enum StopSwitch {
     NotOptional = "not-optional",
 }
 
+/// What holds the tool.
+#[wasm_bindgen]
+#[derive(Clone, Copy, Debug)]
+pub enum HeldBy {
+    /// Nothing: it goes on, or is at the end.
+    Nothing = "nothing",
+    /// M00 or M01.
+    Stop = "stop",
+    /// The end of a block.
+    Block = "block",
+    /// A marked line, which comes next.
+    Line = "line",
+}
+
 #[wasm_bindgen]
 impl Playground {
     /// Seconds of the whole animation at the pace of the machine, some of them assumed.
@@ -62,13 +77,15 @@ impl Playground {
         seek(&mut self.current, share);
     }
 
-    /// Lets the tool go on for so many seconds of the animation, or to a stop of the program.
-    pub fn play(&mut self, seconds: f64, stops: StopSwitch) {
+    /// Lets the tool go on for so many seconds of the animation, or to where it is held: by a stop of the program, at the
+    /// end of a block, or before a block of one of these lines, from 0; a line that moves nothing stands for the next that
+    /// does.
+    pub fn play(&mut self, seconds: f64, stops: StopSwitch, each_block: bool, lines: &[u32]) -> HeldBy {
         let stops = match stops {
             StopSwitch::NotOptional => Stops::NotOptional,
             _ => Stops::All,
         };
-        play(&mut self.current, seconds, stops);
+        play(&mut self.current, seconds, Holds { stops, each_block, lines })
     }
 
     /// Puts the tool at the start of the block at a UTF-16 offset, or of the next one that moves it.
@@ -133,11 +150,18 @@ in_part! {
     }
 
     Machine "0043"
-    fn play(current: &mut Current, seconds: f64, stops: Stops) {
+    fn play(current: &mut Current, seconds: f64, asked: Holds) -> HeldBy {
         let from = current.view(Plane::Section).playhead.unwrap_or(Playhead::START);
-        let place = current.clock().play(current.motions(), from, seconds, stops);
+        let lines = current.lines_that_move(asked.lines);
+        let (place, by) = holds::play(current.clock(), current.motions(), from, seconds, Holds { lines: &lines, ..asked });
         current.put(Some(place));
         current.keep_tool_in_view();
+        match by {
+            None => HeldBy::Nothing,
+            Some(holds::HeldBy::Stop) => HeldBy::Stop,
+            Some(holds::HeldBy::Block) => HeldBy::Block,
+            Some(holds::HeldBy::Line) => HeldBy::Line,
+        }
     }
 
     Machine "0044"

@@ -12,8 +12,9 @@ import { highlightSelectionMatches, search, searchKeymap } from '@codemirror/sea
 import { Annotation, Compartment, EditorState, Transaction, type Extension, type StateEffect, type TransactionSpec } from '@codemirror/state';
 import {
   drawSelection, dropCursor, EditorView, highlightActiveLine, highlightActiveLineGutter, highlightSpecialChars, keymap,
-  lineNumbers, tooltips, type ViewUpdate,
+  tooltips, type ViewUpdate,
 } from '@codemirror/view';
+import { breakpoints, breakpointsOf, toggleBreakpoint } from './breakpoints';
 import { applyFix, areShown, lintDiagnostics } from './lint';
 import { folding, showFoldable } from './folding';
 import { foldOthers, folds, unfoldAt } from './folds';
@@ -82,7 +83,7 @@ export class Editor implements TextHolder {
       state: EditorState.create({
         doc: docOf(program),
         extensions: [
-          lineNumbers(), problemGutter(), highlightActiveLine(), highlightActiveLineGutter(), highlightSpecialChars(),
+          breakpoints, problemGutter(), highlightActiveLine(), highlightActiveLineGutter(), highlightSpecialChars(),
           history(), fileOfText(program.ends, file), programContext(events), drawSelection(), dropCursor(), bracketMatching(), highlightSelectionMatches(),
           search({ top: false }), linter(null), tooltips({ position: 'absolute', parent: aboveTheFrame }), marks, editorTheme,
           folds(() => this.#shownLanguage), folding(() => this.#shownLanguage), wordHover(events), this.#completion.of([]),
@@ -218,6 +219,21 @@ export class Editor implements TextHolder {
   /** The block whose stroke the pointer is on. */
   set hovered(span: Span | undefined) {
     this.#view.dispatch({ effects: showHovered.of(span) });
+  }
+
+  /** The line of an offset, from 0. */
+  lineOf(offset: number): number {
+    return this.#view.state.doc.lineAt(offset).number - 1;
+  }
+
+  /** Lines, from 0, before which the tool is held. */
+  get breakpoints(): readonly number[] {
+    return breakpointsOf(this.#view.state);
+  }
+
+  /** Marks the line of the cursor to hold the tool, or takes the mark away; says which. */
+  toggleBreakpoint(): boolean {
+    return toggleBreakpoint(this.#view, this.cursor);
   }
 
   /** Where the number at the cursor is used. */

@@ -177,6 +177,11 @@ export class Program implements TextHolder {
     this.#editor?.showNow();
   }
 
+  /** The line of an offset, from 0. */
+  lineOf(offset: number): number {
+    return this.#editor?.lineOf(offset) ?? this.textBetween(0, offset).split('\n').length - 1;
+  }
+
   /** Where the line of an offset ends. */
   endOfLine(offset: number): number {
     const rest = this.textBetween(offset, Math.min(offset + 1000, this.length));
@@ -198,6 +203,16 @@ export class Program implements TextHolder {
   set hovered(span: Span | undefined) {
     this.#hovered = span;
     if (this.#editor !== undefined) this.#editor.hovered = span;
+  }
+
+  /** Lines, from 0, before which the tool is held; the reader marks them. */
+  get breakpoints(): readonly number[] {
+    return this.#editor?.breakpoints ?? [];
+  }
+
+  /** Marks the line of the cursor to hold the tool, or takes the mark away; says which. */
+  toggleBreakpoint(): boolean {
+    return this.#editor?.toggleBreakpoint() ?? false;
   }
 
   /** Where the number at the cursor is used. */

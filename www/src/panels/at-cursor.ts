@@ -32,7 +32,11 @@ class AtCursor implements Panel {
   readonly #completes = make('input', { type: 'checkbox' });
   readonly #completesName = make('span');
   readonly #switch = make('label', { className: 'at-cursor-switch' }, this.#completes, this.#completesName);
-  readonly #body = make('div', { className: 'at-cursor-body', id: 'at-cursor-body', hidden: true }, this.#facts, this.#form, this.#times, this.#state, this.#switch);
+  readonly #playBlock = make('button', { type: 'button', className: 'framed' });
+  readonly #toCursor = make('button', { type: 'button', className: 'framed' });
+  readonly #breakpoint = make('button', { type: 'button', className: 'framed' });
+  readonly #acts = make('div', { className: 'at-cursor-acts' }, this.#playBlock, this.#toCursor, this.#breakpoint);
+  readonly #body = make('div', { className: 'at-cursor-body', id: 'at-cursor-body', hidden: true }, this.#facts, this.#acts, this.#form, this.#times, this.#state, this.#switch);
   readonly #element = make('section', { className: 'at-cursor', part: 'at-cursor', 'aria-labelledby': 'at-cursor-name caption' }, this.#header, this.#body);
   /** The reader has been in the text: until then nothing is asked, and nothing is loaded for it. */
   #wanted = false;
@@ -57,6 +61,9 @@ class AtCursor implements Panel {
     this.#completes.checked = completes();
     this.#completes.addEventListener('change', () => setCompletes(this.#completes.checked));
     this.#switch.hidden = shell.readonly;
+    this.#playBlock.addEventListener('click', () => void shell.service('playBlock')());
+    this.#toCursor.addEventListener('click', () => shell.service('playToCursor')());
+    this.#breakpoint.addEventListener('click', () => shell.service('toggleBreakpoint')());
   }
 
   set language(language: Language) {
@@ -66,6 +73,10 @@ class AtCursor implements Panel {
     name(this.#previous, texts.previousTime);
     name(this.#next, texts.nextTime);
     this.#toggle.title = texts.hint;
+    for (const [button, text, key] of [[this.#playBlock, texts.playBlock, 'F10'], [this.#toCursor, texts.toCursor, 'Ctrl F10'], [this.#breakpoint, texts.breakpoint, 'Ctrl F8']] as const) {
+      showText(button, text);
+      button.title = `${text} (${key})`;
+    }
     // Not earlier: all panels are made by then.
     if (!this.#hasNavigation) {
       this.#header.append(this.#shell.service('outlineButton')());
@@ -245,6 +256,9 @@ const WORDS = words({
     atCursor: 'At the cursor',
     hint: 'What the word at the cursor is, and what is in force there (F1)',
     completes: 'Propose words while typing (Ctrl Space asks for them)',
+    playBlock: 'Play this block',
+    toCursor: 'Play to here',
+    breakpoint: 'Stop here',
     empty: 'what the word there is',
     nothing: 'no word',
     form: 'Form of the block',
@@ -267,6 +281,9 @@ const WORDS = words({
     atCursor: '光标处',
     hint: '光标处的字是什么，此处哪些指令有效（F1）',
     completes: '输入时给出建议（Ctrl 空格随时可用）',
+    playBlock: '播放本段',
+    toCursor: '播放到此处',
+    breakpoint: '在此停下',
     empty: '光标处的字是什么',
     nothing: '没有字',
     form: '本程序段的格式',
@@ -289,6 +306,9 @@ const WORDS = words({
     atCursor: 'У курсора',
     hint: 'Что за слово у курсора и что здесь действует (F1)',
     completes: 'Предлагать слова при вводе (по запросу – Ctrl Пробел)',
+    playBlock: 'Показать кадр',
+    toCursor: 'Показать до него',
+    breakpoint: 'Пауза здесь',
     empty: 'что за слово',
     nothing: 'слова нет',
     form: 'Форма кадра',

@@ -61,6 +61,8 @@ const WORDS = words({
     shortcuts: [
       ['Ctrl Enter', 'play or pause'],
       ['Ctrl Shift Enter', 'start at the block of the cursor'],
+      ['F10  Ctrl F10', 'play the block at the cursor; play on to it'],
+      ['Ctrl F8', 'stop before the line of the cursor, or no longer (a click on its number)'],
       ['F9  Shift F9', 'next or previous motion'],
       ['Ctrl F9  Ctrl Shift F9', 'next or previous block'],
       ['Alt F9  Alt Shift F9', 'next or previous pass of a cycle'],
@@ -88,6 +90,8 @@ const WORDS = words({
     shortcuts: [
       ['Ctrl Enter', '播放或暂停'],
       ['Ctrl Shift Enter', '从光标所在程序段开始'],
+      ['F10  Ctrl F10', '播放光标处的程序段；播放到该段'],
+      ['Ctrl F8', '在光标所在行之前停下，或取消（也可单击行号）'],
       ['F9  Shift F9', '下一段或上一段运动'],
       ['Ctrl F9  Ctrl Shift F9', '下一或上一程序段'],
       ['Alt F9  Alt Shift F9', '循环的下一次或上一次走刀'],
@@ -115,6 +119,8 @@ const WORDS = words({
     shortcuts: [
       ['Ctrl Enter', 'пуск или пауза'],
       ['Ctrl Shift Enter', 'начать с кадра у курсора'],
+      ['F10  Ctrl F10', 'показать кадр у курсора; показ до него'],
+      ['Ctrl F8', 'пауза перед строкой курсора или её отмена (щелчок по номеру строки)'],
       ['F9  Shift F9', 'следующее или предыдущее перемещение'],
       ['Ctrl F9  Ctrl Shift F9', 'следующий или предыдущий кадр'],
       ['Alt F9  Alt Shift F9', 'следующий или предыдущий проход цикла'],

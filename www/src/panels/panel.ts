@@ -122,6 +122,12 @@ export interface Services {
   goTo(motion: number): Promise<void>;
   /** Puts the tool at the start of the block at an offset, or of the next one that moves it. */
   goToBlock(offset: number): Promise<void>;
+  /** The block of the cursor alone is played. */
+  playBlock(): Promise<void>;
+  /** Plays on to the block of the cursor. */
+  playToCursor(): void;
+  /** The tool is held before the line of the cursor, or no longer. */
+  toggleBreakpoint(): void;
   openFile(file: File): Promise<void>;
   saveFile(): void;
   locate(x: number, z: number): Promise<ClientPlace>;

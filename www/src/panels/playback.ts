@@ -7,7 +7,7 @@
 import { icon, make, name, unbroken } from '../dom/dom';
 import type { Language } from '../dom/language';
 import { COMMON, words } from '../dom/words';
-import type { LengthUnit, Pace, Readout, StepDirection, StepUnit, StopSwitch } from '../protocol/protocol';
+import type { HeldBy, Holds, LengthUnit, Pace, Played, Readout, StepDirection, StepUnit, StopSwitch } from '../protocol/protocol';
 import type { Heard } from '../worker/core-client';
 import type { Key, NewestQuestion, Panel, PanelKind, Services, Shell } from './panel';
 import { place as shownPlace } from './lengths';
@@ -21,6 +21,12 @@ const SPEEDS: readonly number[] = [0.5, 1, 2, 5, 10, 50];
 const UNITS: readonly StepUnit[] = ['motion', 'block', 'pass'];
 /** A frame that took longer, s, was no frame: the page was hidden, or the computer slept. */
 const LONGEST_FRAME = 0.5;
+
+/** What holds the tool in one take beside stops and marked lines: the end of its block, or a line, from 0. */
+interface Until {
+  readonly block?: true;
+  readonly line?: number;
+}
 
 export const playback: PanelKind = { control: 'playback', styles: playbackStyles, make: (shell) => new Playback(shell) };
 
@@ -39,6 +45,7 @@ class Playback implements Panel {
   readonly #slider = make('input', { type: 'range', min: '0', max: '1', step: 'any', value: '0', className: 'scrub' });
   readonly #speed = make('select', { className: 'speed' });
   readonly #optional = make('button', { type: 'button', className: 'level optional', 'aria-pressed': 'true', hidden: true }, 'M01');
+  readonly #single = make('button', { type: 'button', className: 'level single', 'aria-pressed': 'false' });
   readonly #doing = make('p', { className: 'doing', part: 'doing', 'aria-live': 'polite' });
   readonly #board: ReadoutBoard;
   readonly #wholeOptions = WHOLE.map((seconds) => make('option', { value: `whole ${seconds}` }));
@@ -54,6 +61,8 @@ class Playback implements Panel {
   #from: 'here' | 'start' = 'here';
   /** Counts what has been played, so that an answer can be too late. */
   #take = 0;
+  #until: Until = {};
+  #held: HeldBy = 'nothing';
   #doingShown = '';
   #lengths: LengthUnit = 'mm';
   readonly places: Panel['places'];
@@ -64,6 +73,9 @@ class Playback implements Panel {
     step: (unit, direction) => this.#step(unit, direction),
     goTo: (motion) => this.#put(this.#shell.ask('go-to', { motion })),
     goToBlock: (offset) => this.#put(this.#shell.ask('seek-block', { offset })),
+    playBlock: () => this.#playFromHere({ block: true }),
+    playToCursor: () => this.#playToCursor(),
+    toggleBreakpoint: () => this.#toggleBreakpoint(),
   };
 
   constructor(shell: Shell) {
@@ -79,14 +91,14 @@ class Playback implements Panel {
         make('div', { className: 'buttons' }, this.#back, this.#play, this.#forward, this.#here),
         this.#unit,
         this.#slider,
-        make('div', { className: 'place' }, this.#optional, this.#speed, this.#whole),
+        make('div', { className: 'place' }, this.#single, this.#optional, this.#speed, this.#whole),
         this.#board.element,
         this.#doing,
       ],
     };
     this.#play.addEventListener('click', () => this.#toggle());
     this.#here.hidden = !shell.showsProgram;
-    this.#here.addEventListener('click', () => void this.#playFromHere());
+    this.#here.addEventListener('click', () => void this.#playFromHere({}));
     this.#back.addEventListener('click', () => this.#step(this.#chosenUnit, 'previous'));
     this.#forward.addEventListener('click', () => this.#step(this.#chosenUnit, 'next'));
     this.#unit.addEventListener('change', () => this.#nameSteps());
@@ -94,6 +106,9 @@ class Playback implements Panel {
     this.#slider.addEventListener('input', () => this.#scrub());
     this.#optional.addEventListener('click', () => {
       this.#optional.setAttribute('aria-pressed', String(this.#stops === 'not-optional'));
+    });
+    this.#single.addEventListener('click', () => {
+      this.#single.setAttribute('aria-pressed', String(!this.#isSingle));
     });
     this.#show(undefined);
   }
@@ -108,6 +123,9 @@ class Playback implements Panel {
     name(this.#here, `${texts.fromHere} (Ctrl Shift Enter)`);
     name(this.#optional, `M01: ${texts.optionalStops}`);
     this.#optional.title = texts.optionalStopsHint;
+    this.#single.textContent = texts.single;
+    this.#single.setAttribute('aria-label', texts.singleName);
+    this.#single.title = texts.singleHint;
     name(this.#whole, texts.wholePath);
     this.#slider.setAttribute('aria-label', texts.position);
     this.#speed.setAttribute('aria-label', texts.speed);
@@ -135,7 +153,10 @@ class Playback implements Panel {
 
   pressed({ event }: Key): 'own' | 'not-own' {
     const control = event.ctrlKey || event.metaKey;
-    if (event.key === 'Enter' && control && event.shiftKey) void this.#playFromHere();
+    if (event.key === 'Enter' && control && event.shiftKey) void this.#playFromHere({});
+    else if (event.key === 'F10' && control) this.#playToCursor();
+    else if (event.key === 'F10') void this.#playFromHere({ block: true });
+    else if (event.key === 'F8' && control) this.#toggleBreakpoint();
     else if (event.key === 'Enter' && control) this.#toggle();
     else if (event.key === 'F9') this.#step(control ? 'block' : event.altKey ? 'pass' : 'motion', event.shiftKey ? 'previous' : 'next');
     else return 'not-own';
@@ -161,14 +182,15 @@ class Playback implements Panel {
   /** Another path has been drawn, of so many motions, with so many optional stops. */
   #program(motions: number, optionalStops: number): void {
     this.#stop();
-    for (const control of [this.#play, this.#back, this.#forward, this.#here, this.#slider]) control.disabled = motions <= 0;
+    for (const control of [this.#play, this.#back, this.#forward, this.#here, this.#slider, this.#single]) control.disabled = motions <= 0;
     this.#optional.hidden = optionalStops <= 0;
     this.#show(undefined);
   }
 
   /** Where the tool is now. */
-  #show(place: Readout | undefined): void {
+  #show(place: Readout | undefined, held: HeldBy = 'nothing'): void {
     this.#place = place;
+    this.#held = held;
     // While it is dragged, the hand says where the slider is, not an answer to where it was.
     if (!this.#slider.matches(':active')) this.#slider.value = String(place?.share ?? 0);
     this.#board.shown = place;
@@ -191,8 +213,9 @@ class Playback implements Panel {
     else this.#start();
   }
 
-  #start(): void {
+  #start(until: Until = {}): void {
     if (this.#playing || this.#play.disabled) return;
+    this.#until = until;
     this.#from = this.#place === undefined || this.#place.share >= 1 ? 'start' : 'here';
     this.#lastFrame = undefined;
     this.#elapsed = 0;
@@ -202,14 +225,27 @@ class Playback implements Panel {
     this.#showPlaying();
   }
 
-  /** From the block that the cursor is in. */
-  async #playFromHere(): Promise<void> {
+  /** From the block that the cursor is in; with `block` only that one. */
+  async #playFromHere(until: { readonly block?: true }): Promise<void> {
     if (this.#play.disabled) return;
     this.#stop();
     this.#shell.flush();
     const place = await this.#shell.ask('seek-block', { offset: this.#shell.editor.cursor });
     this.#showTool(place);
-    if (place !== undefined) this.#start();
+    if (place !== undefined) this.#start(until);
+  }
+
+  /** On, or from the start, to the block that the cursor is in. */
+  #playToCursor(): void {
+    this.#stop();
+    this.#shell.flush();
+    this.#start({ line: this.#shell.editor.lineOf(this.#shell.editor.cursor) });
+  }
+
+  #toggleBreakpoint(): void {
+    const { editor } = this.#shell;
+    const line = editor.lineOf(editor.cursor) + 1;
+    editor.announce(editor.toggleBreakpoint() ? this.#words.breakpointSet(line) : this.#words.breakpointGone(line));
   }
 
   #step(unit: StepUnit, direction: StepDirection): void {
@@ -245,21 +281,32 @@ class Playback implements Panel {
     const take = this.#take;
     const asked = this.#ask(this.#from, this.#elapsed);
     [this.#from, this.#elapsed] = ['here', 0];
-    void asked.then((place) => {
+    void asked.then((played) => {
       if (take !== this.#take) return;
       this.#asking = false;
-      const held = place?.stop !== undefined && (place.stop.kind === 'always' || this.#stops === 'all');
-      if (held || place === undefined || place.share >= 1) this.#stop();
-      this.#show(place);
+      const { place, held } = played ?? { place: undefined, held: 'nothing' };
+      if (held !== 'nothing' || place === undefined || place.share >= 1) this.#stop();
+      this.#show(place, held);
     });
   };
 
   /** On for so many seconds; `start` begins the program anew. */
-  async #ask(from: 'here' | 'start', seconds: number): Promise<Readout | undefined> {
-    const place = await this.#shell.ask('play', { from, seconds, pace: this.#pace, stops: this.#stops });
-    this.#shell.toolMoved(place);
-    this.#markRunning(place);
-    return place;
+  async #ask(from: 'here' | 'start', seconds: number): Promise<Played | undefined> {
+    const played = await this.#shell.ask('play', { from, seconds, pace: this.#pace, holds: this.#holds });
+    this.#shell.toolMoved(played?.place);
+    this.#markRunning(played?.place);
+    return played;
+  }
+
+  get #holds(): Holds {
+    const { block, line } = this.#until;
+    const marked = this.#shell.editor.breakpoints;
+    const lines = line === undefined || marked.includes(line) ? marked : [...marked, line].sort((a, b) => a - b);
+    return { stops: this.#stops, eachBlock: this.#isSingle || block === true, lines };
+  }
+
+  get #isSingle(): boolean {
+    return this.#single.getAttribute('aria-pressed') === 'true';
   }
 
   #showTool(place: Readout | undefined): void {
@@ -313,11 +360,13 @@ class Playback implements Panel {
   #showDoing(): void {
     const { stroke, stop } = this.#place ?? {};
     let text = '';
-    if (stop !== undefined) text = this.#words.stopped(stop.code, stop.line);
+    const atLine = this.#held === 'line' && stroke !== undefined ? stroke.line : undefined;
+    if (atLine !== undefined) text = this.#words.heldAt(atLine);
+    else if (stop !== undefined) text = this.#words.stopped(stop.code, stop.line);
     else if (stroke !== undefined) text = `${COMMON[this.#shell.language].line(stroke.line)}: ${stroke.text}`;
     if (text === this.#doingShown) return;
     this.#doingShown = text;
-    this.#doing.classList.toggle('stopped', stop !== undefined);
+    this.#doing.classList.toggle('stopped', stop !== undefined || atLine !== undefined);
     this.#doing.replaceChildren(...(text === '' ? [] : unbroken(text)));
   }
 
@@ -348,6 +397,12 @@ const WORDS = words({
     optionalStops: 'Optional stop',
     optionalStopsHint: 'When on, the playback stops at M01 too',
     stopped: (code: string, line: number) => `${code} in line ${line}: the program stops here. Play goes on.`,
+    heldAt: (line: number) => `Held before line ${line}. Play goes on.`,
+    single: 'SBK',
+    singleName: 'Single block',
+    singleHint: 'Single block: when on, the playback stops after each block that moves the tool',
+    breakpointSet: (line: number) => `The playback stops before line ${line}.`,
+    breakpointGone: (line: number) => `The playback no longer stops before line ${line}.`,
   },
   zh: {
     playback: '播放',
@@ -366,6 +421,12 @@ const WORDS = words({
     optionalStops: '选择停止',
     optionalStopsHint: '打开后，播放到 M01 时也停下',
     stopped: (code, line) => `第 ${line} 行 ${code}：程序在此停止，按“播放”继续。`,
+    heldAt: (line) => `停在第 ${line} 行之前，按“播放”继续。`,
+    single: '单段',
+    singleName: '单程序段',
+    singleHint: '单程序段：打开后，每执行完一个移动刀具的程序段就停下',
+    breakpointSet: (line) => `播放将在第 ${line} 行之前停下。`,
+    breakpointGone: (line) => `播放不再停在第 ${line} 行之前。`,
   },
   ru: {
     playback: 'Воспроизведение',
@@ -384,5 +445,11 @@ const WORDS = words({
     optionalStops: 'Останов по выбору',
     optionalStopsHint: 'Если включено, показ останавливается и на M01',
     stopped: (code, line) => `${code} в строке ${line}: здесь программа останавливается. «Пуск» — дальше.`,
+    heldAt: (line) => `Пауза перед строкой ${line}. «Пуск» — дальше.`,
+    single: 'По кадру',
+    singleName: 'Покадровая отработка',
+    singleHint: 'Покадровая отработка: показ останавливается после каждого кадра с перемещением',
+    breakpointSet: (line) => `Показ остановится перед строкой ${line}.`,
+    breakpointGone: (line) => `Показ больше не останавливается перед строкой ${line}.`,
   },
 });

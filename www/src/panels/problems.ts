@@ -83,7 +83,7 @@ class Problems implements Panel {
   }
 
   pressed({ event }: Key): 'own' | 'not-own' {
-    if (event.key !== 'F8') return 'not-own';
+    if (event.key !== 'F8' || event.ctrlKey || event.metaKey || event.altKey) return 'not-own';
     this.#shell.editor.nextProblem(event.shiftKey ? 'previous' : 'next');
     return 'own';
   }

@@ -9,12 +9,13 @@
 import type { PartName } from '../../pkg/part-files.js';
 import type {
   Codes, Comparison, Diagnostic, Dimension, FileFormat, ProfileKind, Profiles, ReadAs, SetupOverview, FoundPiece, FoundPrograms, Palette, PictureName, Readout, Rewriting, SectionPiece, SetupAnswer, SetupForm, SetupGroup, SetupPlace, StepDirection,
-  CompletionHelp, CompletionItem, FormHelp, OutlineHelp, StateHelp, StepUnit, StopSwitch, Stroke, Summary, Totals, Units, UsesHelp, WordHelp,
+  CompletionHelp, CompletionItem, FormHelp, HeldBy, OutlineHelp, StateHelp, StepUnit, StopSwitch, Stroke, Summary, Totals, Units, UsesHelp, WordHelp,
 } from '../../pkg/gcode_playground.js';
 
 export type { Codes, Comparison, Diagnostic, Dimension, Palette, PictureName, Readout, Rewriting, SectionPiece, StepDirection, StepUnit, StopSwitch, Stroke, Summary, Totals, Units };
 export type { SetupOverview, FoundPiece, FoundPrograms, SetupAnswer, SetupForm, SetupGroup, SetupPlace };
 export type { ProfileKind, Profiles, ReadAs };
+export type { HeldBy };
 export type { CompletionHelp, CompletionItem, FormHelp, OutlineHelp, StateHelp, UsesHelp, WordHelp };
 export type { FormLine, FormWord, HelpLine, OutlineEntry, StateRow, Use } from '../../pkg/gcode_playground.js';
 export type { CodeRow, Edit, Fix, FoundProgram, ReadFact, Setting, SetupField, SetupState } from '../../pkg/gcode_playground.js';
@@ -115,6 +116,19 @@ export type TextCommand =
 /** How fast it plays: so many times as fast as the machine, or the whole program in so many seconds. */
 export type Pace = { readonly kind: 'times'; readonly factor: number } | { readonly kind: 'whole'; readonly seconds: number };
 
+/** What holds the tool: stops of the program; after each block (`eachBlock`); before the blocks of lines, from 0, in order. */
+export interface Holds {
+  readonly stops: StopSwitch;
+  readonly eachBlock: boolean;
+  readonly lines: readonly number[];
+}
+
+/** Where the tool is, and what holds it there. */
+export interface Played {
+  readonly place: Readout | undefined;
+  readonly held: HeldBy;
+}
+
 /** The program with every cycle expanded; `tokens` as for `tokens`, none when the text is very long. */
 export interface WrittenOut {
   readonly text: string;
@@ -137,10 +151,10 @@ export interface Questions {
   pick: { ask: { readonly picture: PictureName; readonly x: number; readonly y: number }; answer: Stroke | undefined };
   /** The edge of the part in the section. */
   dimension: { ask: { readonly x: number; readonly y: number }; answer: Dimension | undefined };
-  /** The tool goes on for so many seconds, or to a stop. */
+  /** The tool goes on for so many seconds, or to where it is held. */
   play: {
-    ask: { readonly from: 'here' | 'start'; readonly seconds: number; readonly pace: Pace; readonly stops: StopSwitch };
-    answer: Readout | undefined;
+    ask: { readonly from: 'here' | 'start'; readonly seconds: number; readonly pace: Pace; readonly holds: Holds };
+    answer: Played;
   };
   /**
    * The tool is put where so much of the animation has been shown, 0 to 1; without

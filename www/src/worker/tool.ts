@@ -2,17 +2,17 @@
 //
 // In: the interpreter and a question. Out: the read-out. Must not know: how the tool gets there.
 
-import type { Playground, Readout } from '../../pkg/gcode_playground.js';
+import type { Playground } from '../../pkg/gcode_playground.js';
 import type { Questions } from '../protocol/protocol';
 
 type About = 'play' | 'seek' | 'seek-block' | 'step' | 'go-to' | 'readout';
 
-export const toolAnswers: { readonly [K in About]: (core: Playground, ask: Questions[K]['ask']) => Readout | undefined } = {
-  play(core, { from, seconds, pace, stops }) {
+export const toolAnswers: { readonly [K in About]: (core: Playground, ask: Questions[K]['ask']) => Questions[K]['answer'] } = {
+  play(core, { from, seconds, pace, holds }) {
     if (from === 'start') core.seek(0);
     const factor = pace.kind === 'times' ? pace.factor : core.animationSeconds() / pace.seconds;
-    core.play(seconds * factor, stops);
-    return core.readout();
+    const held = core.play(seconds * factor, holds.stops, holds.eachBlock, Uint32Array.from(holds.lines));
+    return { place: core.readout(), held };
   },
   seek(core, { share }) {
     if (share === undefined) core.showWhole();

@@ -1,0 +1,233 @@
+//! What holds the tool while it goes on: stops of the program, the end of a block, a line that the reader has marked.
+//!
+//! In: the motions that are on the way. Out: the first of them before which the tool is held, and by what.
+
+use std::ops::Range;
+
+use super::clock::{Clock, Playhead};
+use crate::motion::{Motions, Stop, StopKind};
+
+/// Which stops of the program are heeded.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Stops {
+    /// M00 and M01.
+    All,
+    /// M00: the switch for optional stops is off.
+    NotOptional,
+}
+
+/// All that may hold the tool.
+#[derive(Clone, Copy, Debug)]
+pub struct Holds<'a> {
+    /// Stops of the program.
+    pub stops: Stops,
+    /// The switch for single blocks is on: the end of each block that moves the tool.
+    pub each_block: bool,
+    /// Lines, from 0, in order: before each block of theirs.
+    pub lines: &'a [u32],
+}
+
+impl Holds<'_> {
+    /// Only stops of the program.
+    pub fn stops(stops: Stops) -> Self {
+        Self { stops, each_block: false, lines: &[] }
+    }
+}
+
+/// What holds the tool.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum HeldBy {
+    /// M00 or M01.
+    Stop,
+    /// The end of a block.
+    Block,
+    /// A line that the reader has marked: it comes next.
+    Line,
+}
+
+/// The place so many seconds of the animation after another, or where the tool is held on the way, and by what.
+pub fn play(
+    clock: &Clock,
+    motions: &Motions,
+    from: Playhead,
+    seconds: f64,
+    holds: Holds,
+) -> (Playhead, Option<HeldBy>) {
+    let to = clock.place(motions, clock.at(motions, from).pace + seconds.max(0.0));
+    // A motion without any time is ignored, but nothing goes back.
+    let to = if to.motion < from.motion { from } else { to };
+    // What holds the tool where it stands already was answered by going on.
+    let begun = |place: Playhead| place.motion + 1 + usize::from(place.share >= 1.0);
+    match first_hold(motions, begun(from)..begun(to), holds) {
+        Some((place, by)) => (place, Some(by)),
+        None => (to, None),
+    }
+}
+
+/// The first place at which the tool is held before a motion of a range, which begins after the first motion.
+fn first_hold(motions: &Motions, range: Range<usize>, holds: Holds) -> Option<(Playhead, HeldBy)> {
+    let stop = stop_in(motions, range.clone(), holds.stops).map(|(motion, _)| motion);
+    let until = stop.unwrap_or(range.end).min(motions.len());
+    let by_block = || {
+        (range.start..until).find_map(|motion| {
+            if motions.span(motion) == motions.span(motion - 1) {
+                return None;
+            }
+            if holds.lines.binary_search(&motions.line(motion)).is_ok() {
+                return Some((Playhead { motion, share: 0.0 }, HeldBy::Line));
+            }
+            holds.each_block.then(|| (Playhead::end_of(motion - 1), HeldBy::Block))
+        })
+    };
+    let looks_at_blocks = holds.each_block || !holds.lines.is_empty();
+    let by_block = if looks_at_blocks { by_block() } else { None };
+    by_block.or_else(|| stop.map(|motion| (Playhead::end_of(motion - 1), HeldBy::Stop)))
+}
+
+/// The stop at which the tool stands.
+pub fn stop_at(motions: &Motions, playhead: Playhead) -> Option<Stop> {
+    let next = playhead.motion + 1;
+    (playhead.share >= 1.0).then(|| stop_in(motions, next..next + 1, Stops::All))?.map(|(_, stop)| stop)
+}
+
+fn stop_in(motions: &Motions, range: Range<usize>, stops: Stops) -> Option<(usize, Stop)> {
+    motions.stops(range).find(|(_, stop)| match (stop.kind, stops) {
+        (StopKind::Always, _) | (_, Stops::All) => true,
+        (StopKind::Optional, Stops::NotOptional) => false,
+    })
+}
+
+/// For each of these lines, from 0, the first from there on whose blocks move the tool; in order, each once.
+pub fn lines_that_move(motions: &Motions, lines: &[u32]) -> Vec<u32> {
+    let mut next = vec![u32::MAX; lines.len()];
+    let mut last = u32::MAX;
+    for motion in 0..motions.len() {
+        let line = motions.line(motion);
+        if line == last {
+            continue;
+        }
+        last = line;
+        for (wanted, next) in lines.iter().zip(&mut next) {
+            if *wanted <= line {
+                *next = line.min(*next);
+            }
+        }
+    }
+    next.retain(|&line| line != u32::MAX);
+    next.sort_unstable();
+    next.dedup();
+    next
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::analyze;
+    use crate::setup::Setup;
+
+    fn run(text: &str) -> (Motions, Clock) {
+        let analysis = analyze(text.as_bytes(), &Setup::default());
+        let clock = Clock::new(&analysis.motions, &analysis.setup.machine);
+        (analysis.motions, clock)
+    }
+
+    const LOOP: &str = "O1\nT0101 M3 S500\nG0 X50 Z2\n#1=0\nWHILE[#1LT2]DO1\nG90 X[40-#1] Z-5 F0.2\n#1=#1+1\nEND1\nG0 X100\nM00\nZ100\nM30\n";
+
+    /// What the tool is held by and the line (from 1) it stands in, time after time, to the end.
+    fn held(text: &str, each_block: bool, lines: &[u32]) -> Vec<(HeldBy, u32)> {
+        let (motions, clock) = run(text);
+        let motions = &motions;
+        let lines = lines_that_move(motions, lines);
+        let holds = Holds { stops: Stops::All, each_block, lines: &lines };
+        let (mut at, mut found) = (Playhead::START, Vec::new());
+        for _ in 0..100_000 {
+            // As frames are played.
+            let (next, by) = play(&clock, motions, at, 0.05, holds);
+            if let Some(by) = by {
+                found.push((by, motions.line(next.motion) + 1));
+            }
+            if next == Playhead::end_of(motions.len() - 1) {
+                return found;
+            }
+            at = next;
+        }
+        panic!("it does not end: {at:?}");
+    }
+
+    #[test]
+    fn single_blocks_are_held_at_their_ends() {
+        use HeldBy::{Block, Stop};
+        assert_eq!(held(LOOP, true, &[]), [(Block, 3), (Block, 6), (Stop, 9)]);
+        // In each round of a loop.
+        let lines: Vec<u32> =
+            held(&LOOP.replace("END1", "G0 W1\nEND1"), true, &[]).iter().map(|held| held.1).collect();
+        assert_eq!(lines, [3, 6, 8, 6, 8, 10]);
+    }
+
+    #[test]
+    fn a_marked_line_holds_the_tool_in_each_round() {
+        let text = LOOP.replace("#1=#1+1\n", "#1=#1+1\nG0 W1\n");
+        assert_eq!(held(&text, false, &[5]), [(HeldBy::Line, 6), (HeldBy::Line, 6), (HeldBy::Stop, 10)]);
+        // Marked lines go first where both would hold it.
+        assert_eq!(held(&text, true, &[5])[..2], [(HeldBy::Line, 6), (HeldBy::Block, 6)]);
+    }
+
+    #[test]
+    fn a_line_that_moves_nothing_stands_for_the_next_that_does() {
+        let motions = analyze(LOOP.as_bytes(), &Setup::default()).motions;
+        // Variables and M codes; the line after the last move stands for none.
+        assert_eq!(lines_that_move(&motions, &[1, 3, 4, 11]), [2, 5]);
+        assert!(lines_that_move(&motions, &[]).is_empty());
+        assert_eq!(held(LOOP, false, &[3]), [(HeldBy::Line, 6), (HeldBy::Stop, 9)]);
+    }
+
+    #[test]
+    fn the_tool_is_held_at_stops_and_goes_on_from_them() {
+        let (motions, clock) = run("G0 X50 Z2\nM3 S500\nG1 Z-10 F0.2\nM01\nG0 Z2\nM00\nG0 X40\nM30\n");
+        let codes: Vec<_> = motions
+            .stops(0..usize::MAX)
+            .map(|(index, stop)| (motions.len() - index, stop.kind.code()))
+            .collect();
+        assert_eq!(codes, [(2, "M01"), (1, "M00")]);
+        let play = |from, stops| super::play(&clock, &motions, from, 1e6, Holds::stops(stops)).0;
+        let last = motions.len() - 1;
+        let first = play(Playhead::START, Stops::All);
+        assert_eq!(first, Playhead::end_of(last - 2));
+        assert_eq!(stop_at(&motions, first).map(|stop| stop.line), Some(3));
+        let second = play(first, Stops::All);
+        assert_eq!(second, Playhead::end_of(last - 1));
+        assert_eq!(play(second, Stops::All), Playhead::end_of(last));
+        assert_eq!(play(Playhead::START, Stops::NotOptional), second);
+        // Played frame by frame it is held as well.
+        let mut place = Playhead::START;
+        for _ in 0..10_000 {
+            let next = super::play(&clock, &motions, place, 0.016, Holds::stops(Stops::NotOptional)).0;
+            if next == second {
+                return;
+            }
+            place = next;
+        }
+        panic!("not held: {place:?}");
+    }
+
+    #[test]
+    fn a_stop_waits_for_the_moves_before_it() {
+        // The chamfer is known with the block after M00 only; the stop is after the block that it ends.
+        let (motions, _) = run("G0 X50 Z2\nM3 S500\nG1 Z-10 ,C1 F0.2\nM00\nX60\nG0 Z2\nM30\n");
+        let (index, stop) = motions.stops(0..usize::MAX).next().expect("a stop");
+        assert_eq!((motions.line(index - 1), motions.line(index), stop.line), (2, 4, 3));
+    }
+
+    #[test]
+    fn whatever_number_is_asked_for_the_tool_is_somewhere() {
+        let (motions, clock) = run("G0 X50 Z2\nG1 Z-20 F0.2\nG4 X1\nM30\n");
+        for seconds in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY, -0.0, 1e300, 5e-324] {
+            let (place, _) =
+                super::play(&clock, &motions, Playhead::START, seconds, Holds::stops(Stops::All));
+            assert!(
+                (0.0..=1.0).contains(&place.share) && place.motion < motions.len(),
+                "{seconds}: {place:?}"
+            );
+        }
+    }
+}

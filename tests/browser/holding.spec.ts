@@ -1,0 +1,74 @@
+// What holds the tool while it plays: lines that the reader marks, single blocks, the block of the cursor.
+import { expect, test, type BasicPage } from './engines';
+import { editor, open, type } from './page';
+
+const LOOP = ['O1', 'T0101 M3 S500', 'G0 X50 Z2', '#1=0', 'WHILE [#1 LT 2] DO1', 'G1 X[40-#1] F1', 'G0 Z[5-#1]', '#1=#1+1', 'END1', 'G0 X100', 'M30'].join('\n');
+
+/** Puts the cursor into a line with keys. */
+async function goTo(page: BasicPage, line: number): Promise<void> {
+  await editor(page).focus();
+  await page.keyboard.press('Control+Home');
+  for (let at = 1; at < line; at++) await page.keyboard.press('ArrowDown');
+}
+
+const runningLine = (page: BasicPage): Promise<string | null> => page.locator('.cm-running-line').textContent();
+
+test('a marked line holds the tool in each round, and moves with its text', async ({ page }) => {
+  await open(page);
+  await type(page, LOOP);
+  await page.getByRole('combobox', { name: 'Speed' }).selectOption('50×');
+  await goTo(page, 7);
+  await page.keyboard.press('Control+F8');
+  await expect(page.locator('.cm-lineNumbers .cm-breakpoint')).toHaveText('7');
+  await page.keyboard.press('Control+Enter');
+  await expect(page.getByText('Held before line 7')).toBeVisible();
+  expect(await runningLine(page)).toBe('G0 Z[5-#1]');
+  const first = await page.locator('.cell.x dd').textContent();
+  await page.keyboard.press('Control+Enter');
+  // The same line in the second round, with another X.
+  await expect.poll(() => page.locator('.cell.x dd').textContent()).not.toBe(first);
+  await expect(page.getByText('Held before line 7')).toBeVisible();
+  await page.keyboard.press('Control+Enter');
+  await expect(page.getByRole('button', { name: 'Play', exact: true })).toBeVisible();
+  // A line before it pushes it on; a click on the number takes it away.
+  await goTo(page, 1);
+  await page.keyboard.press('End');
+  await page.keyboard.press('Enter');
+  await expect(page.locator('.cm-lineNumbers .cm-breakpoint')).toHaveText('8');
+  await page.locator('.cm-lineNumbers .cm-breakpoint').click();
+  await expect(page.locator('.cm-lineNumbers .cm-breakpoint')).toHaveCount(0);
+});
+
+test('the switch for single blocks holds the tool after each of them', async ({ page }) => {
+  await open(page);
+  await type(page, LOOP);
+  await page.getByRole('combobox', { name: 'Speed' }).selectOption('50×');
+  await page.getByRole('button', { name: 'Single block' }).click();
+  const lines = [];
+  for (let press = 0; press < 4; press++) {
+    await page.keyboard.press('Control+Enter');
+    await expect(page.getByRole('button', { name: 'Play', exact: true })).toBeVisible();
+    lines.push(await runningLine(page));
+  }
+  expect(lines).toEqual(['G0 X50 Z2', 'G1 X[40-#1] F1', 'G0 Z[5-#1]', 'G1 X[40-#1] F1']);
+});
+
+test('the block at the cursor is played alone, or played up to', async ({ page }) => {
+  await open(page);
+  await type(page, LOOP);
+  await page.getByRole('combobox', { name: 'Speed' }).selectOption('50×');
+  await goTo(page, 6);
+  await page.keyboard.press('F10');
+  await expect.poll(() => page.locator('.cell.x dd').textContent()).toContain('40');
+  await expect(page.getByRole('button', { name: 'Play', exact: true })).toBeVisible();
+  expect(await runningLine(page)).toBe('G1 X[40-#1] F1');
+  await goTo(page, 10);
+  await page.keyboard.press('Control+F10');
+  await expect(page.getByText('Held before line 10')).toBeVisible();
+  // The cursor's line is marked for this once only.
+  await expect(page.locator('.cm-breakpoint')).toHaveCount(0);
+  // By buttons, too.
+  await page.keyboard.press('F1');
+  await page.getByRole('button', { name: 'Stop here' }).click();
+  await expect(page.locator('.cm-lineNumbers .cm-breakpoint')).toHaveText('10');
+});
