@@ -24,7 +24,7 @@ use crate::motion::{MotionKind, Motions};
 use crate::parts::{Part, in_part};
 use crate::playback::clock::{Clock, Playhead};
 use crate::playback::holds::lines_that_move;
-use crate::run::replay::{Replay, Time};
+use crate::run::replay::{Replay, Time, block_at};
 use crate::run::{Run, TextEdit};
 use crate::scene::camera::{Pixel, Size, XPlus};
 use crate::scene::face::Face;
@@ -262,6 +262,14 @@ impl Current {
         let line = lines.line_of(byte.min(text.len() as u32));
         let start = lines.line(text, line).start;
         self.run.replay(Resume::inside(start, line), byte, time)
+    }
+
+    /// The first byte of the block at a UTF-16 offset.
+    pub fn start_of_block(&self, offset: u32) -> u32 {
+        let (text, lines) = (self.run.text(), self.lines());
+        let byte = lines.byte_at_utf16(text, offset).min(text.len() as u32);
+        let line = lines.line_of(byte);
+        block_at(text, Resume::inside(lines.line(text, line).start, line), byte).0.start.byte
     }
 
     /// Goes on with a replay for at most so many blocks; true once it has ended.

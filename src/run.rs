@@ -5,6 +5,7 @@
 
 mod edit;
 pub mod replay;
+mod tried;
 
 use std::collections::BTreeMap;
 use std::sync::OnceLock;
@@ -149,6 +150,8 @@ pub struct Run {
     has_lints: bool,
     /// A part of the module that it needed and that had not been loaded.
     missing: Option<Part>,
+    /// How often the block of each value that is tried was met.
+    tried: Vec<u32>,
     /// Something of the main program was carried out.
     begun: bool,
     /// The main program ended; what is left is only read, for its mistakes.
@@ -218,6 +221,7 @@ impl Run {
             setup.dialect.decimal = Some(rule.into());
         }
         let (chosen, dialect) = (setup.program, setup.dialect.clone());
+        let tried = vec![0; setup.tried.len()];
         let mut run = Self {
             id: RunId::next(),
             interpreter: observed(setup),
@@ -233,6 +237,7 @@ impl Run {
             of_setup: 0,
             has_lints: LINTS.is_loaded(),
             missing: unread,
+            tried,
             begun: false,
             ended: false,
             finished: false,
@@ -391,6 +396,9 @@ impl Run {
                 left -= plain;
                 continue;
             }
+            if !self.tried.is_empty() {
+                self.try_values(at.byte);
+            }
             more = parser.next_block(&mut self.block);
             left -= 1;
             let here = Here { at, next: parser.position() };
@@ -434,7 +442,7 @@ impl Run {
     /// Carries out plain lines, at most so many and none where a snapshot is due; how many they were.
     #[inline]
     fn plain_lines(&mut self, parser: &mut Parser, most: usize) -> usize {
-        if !self.begun || self.ended || self.previous.is_some() {
+        if !self.begun || self.ended || self.previous.is_some() || !self.tried.is_empty() {
             return 0;
         }
         let plain = self.interpreter.plain_lines(parser, most.min(self.until_due()));

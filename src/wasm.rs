@@ -36,7 +36,7 @@ use crate::motion::Chunk;
 use crate::parts::{Part, in_part};
 use crate::scene::canvas::Painter;
 use crate::sentences::{Language, labels};
-use crate::setup::Setup;
+use crate::setup::{Setup, TriedValue};
 use crate::text::highlight::highlight;
 use crate::units::Unit;
 
@@ -130,9 +130,28 @@ impl Playground {
     /// `setup`.
     #[wasm_bindgen(js_name = setSetup)]
     pub fn set_setup(&mut self, json: &str) -> Result<(), JsValue> {
-        self.setup = Setup::from_json(json).map_err(|problem| error(&problem))?;
+        let setup = Setup::from_json(json).map_err(|problem| error(&problem))?;
+        self.setup = Setup { tried: std::mem::take(&mut self.setup.tried), ..setup };
         self.current.set_setup(self.setup.clone());
         Ok(())
+    }
+
+    /// What if variables had other values? Begins a run in which each gets its value before a block at an offset, one of the
+    /// times that is carried out, from 1; four lists of the same length. Lists without anything end the trial.
+    #[wasm_bindgen(js_name = tryValues)]
+    pub fn try_values(&mut self, blocks: &[u32], times: &[u32], variables: &[u32], values: &[f64]) {
+        let rest = times.iter().zip(variables).zip(values);
+        let tried = blocks.iter().zip(rest).map(|(&offset, ((&time, &variable), &value))| TriedValue {
+            block: self.current.start_of_block(offset),
+            time,
+            variable,
+            value,
+        });
+        let tried: Vec<_> = tried.collect();
+        if !(tried.is_empty() && self.setup.tried.is_empty()) {
+            self.setup.tried = tried;
+            self.current.set_setup(self.setup.clone());
+        }
     }
 
     /// Chooses the language of the messages and the pictures: `en`, `zh` or `ru`.

@@ -69,6 +69,10 @@ pub struct StateHelp {
     pub number: u32,
     /// How often it is carried out.
     pub times: u32,
+    /// UTF-16 offset of the block.
+    pub block: u32,
+    /// Which of the times it is carried out, from 1; 0 where a cycle only reads it. A value can be tried there.
+    pub execution: u32,
     /// What the block does, in sentences with the numbers worked out; may be empty.
     pub explanation: String,
     /// That a cycle reads it as a part of its contour.
@@ -246,6 +250,10 @@ pub struct StateRow {
     #[serde(skip_serializing_if = "Option::is_none")]
     #[cfg_attr(target_arch = "wasm32", tsify(optional))]
     pub at: Option<u32>,
+    /// The variable it is of.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(target_arch = "wasm32", tsify(optional))]
+    pub variable: Option<u32>,
 }
 
 /// Whose rows they are.
@@ -407,12 +415,13 @@ impl Reader<'_> {
     /// The state at the block.
     pub fn state(&self, asked: &Asked, motions: &Motions) -> StateHelp {
         let line = self.line_of(asked.block.span.start);
+        let block = self.offset(asked.block.span.start);
         let Some(table) = asked.state() else {
-            return StateHelp { line, ..StateHelp::default() };
+            return StateHelp { line, block, ..StateHelp::default() };
         };
         let explanation = asked.explanation(motions);
         self.speak(|speaker| {
-            let mut help = self.rows(line, &table, speaker);
+            let mut help = self.rows(block, line, &table, speaker);
             help.explanation = match speaker.explanation(&explanation) {
                 moves if !moves.is_empty() || table.purpose.is_some() => moves,
                 _ => sets(&help, speaker),
@@ -426,11 +435,19 @@ impl Reader<'_> {
         self.speak(|speaker| speaker.explanation(&asked.explanation(motions)))
     }
 
-    fn rows(&self, line: u32, table: &StateTable, speaker: &Speaker) -> StateHelp {
+    fn rows(&self, block: u32, line: u32, table: &StateTable, speaker: &Speaker) -> StateHelp {
         let row = |name: String, before: String, after: String, since: Option<u32>| {
             let changed = before != after;
             let at = since.map(|byte| self.offset(byte));
-            StateRow { name, before, after, changed, line: since.map(|byte| self.line_of(byte)), at }
+            StateRow {
+                name,
+                before,
+                after,
+                changed,
+                line: since.map(|byte| self.line_of(byte)),
+                at,
+                variable: None,
+            }
         };
         let axis = |own: &crate::assist::state::AxisRow| {
             row(own.axis.to_string(), speaker.quantity(own.before), speaker.quantity(own.after), None)
@@ -441,7 +458,8 @@ impl Reader<'_> {
         };
         let variable = |own: &crate::assist::state::VariableRow| {
             let name = format!("#{}", own.number);
-            row(name, speaker.variable(own.before), speaker.variable(own.after), own.since)
+            let own_row = row(name, speaker.variable(own.before), speaker.variable(own.after), own.since);
+            StateRow { variable: Some(own.number), ..own_row }
         };
         let frame = |own: &Frame| {
             let (Frame::Call { head, .. } | Frame::Loop { head, .. }) = *own;
@@ -451,6 +469,8 @@ impl Reader<'_> {
             line,
             number: table.number,
             times: table.times,
+            block,
+            execution: table.carried_out,
             explanation: String::new(),
             purpose: table.purpose.map(|purpose| speaker.purpose(purpose)),
             axes: table.axes.iter().map(axis).collect(),

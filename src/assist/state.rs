@@ -106,6 +106,8 @@ pub struct StateTable {
     pub number: u32,
     /// How often it is carried out.
     pub times: u32,
+    /// Which of the times it is carried out, not only read for a cycle; 0 where it is only read.
+    pub carried_out: u32,
     /// Which cycle reads it as a part of its contour.
     pub purpose: Option<Purpose>,
     /// Where the tip stands.
@@ -135,6 +137,7 @@ impl Asked<'_> {
         Some(StateTable {
             number: visit.number,
             times: self.times,
+            carried_out: visit.carried_out,
             purpose: visit.purpose,
             axes: axes(&before.state, &after.state),
             speeds: self.speeds(&after.state),

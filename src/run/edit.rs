@@ -206,7 +206,12 @@ impl Run {
         if self.ended || !self.interpreter.is_straight() {
             self.previous = None;
         }
-        let may_pause = self.begun && !self.ended && at.begins_line() && self.interpreter.is_straight();
+        // What is tried is counted from the start: a run with it begins there each time.
+        let may_pause = self.begun
+            && !self.ended
+            && at.begins_line()
+            && self.interpreter.is_straight()
+            && self.tried.is_empty();
         let joined = may_pause && {
             let snapshot = self.interpreter.snapshot(at);
             self.checkpoints.push(Checkpoint { snapshot, blocks: self.blocks });

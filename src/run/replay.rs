@@ -6,6 +6,7 @@
 
 use std::ops::Range;
 
+use super::tried::give;
 use super::{Checkpoint, Run, RunId};
 use crate::control::contour::Purpose;
 use crate::control::interpreter::Interpreter;
@@ -31,6 +32,8 @@ pub struct Visit {
     pub number: u32,
     /// What for, where a cycle reads it as a part of its contour.
     pub purpose: Option<Purpose>,
+    /// Which of the times it is carried out, from 1; 0 where it is only read.
+    pub carried_out: u32,
     /// The control before it.
     pub before: Moment,
     /// The control after it.
@@ -73,6 +76,7 @@ pub struct Replay {
     /// Motions before the first that the run once more makes.
     motions_before: usize,
     times: u32,
+    carried_out: u32,
     visit: Option<Visit>,
     is_done: bool,
 }
@@ -105,7 +109,17 @@ impl Run {
         let mut run = self.once_more(checkpoint);
         run.interpreter.watch_contours(place.start.byte);
         let is_done = !self.finished || self.recognised.foreign.is_some() || run.finished;
-        Replay { of: self.id, run, place, time, motions_before, times: 0, visit: None, is_done }
+        Replay {
+            of: self.id,
+            run,
+            place,
+            time,
+            motions_before,
+            times: 0,
+            carried_out: 0,
+            visit: None,
+            is_done,
+        }
     }
 
     /// Goes on with a replay for at most so many blocks; true once it has ended.
@@ -145,6 +159,7 @@ impl Run {
             of_setup: 0,
             has_lints: self.has_lints,
             missing: None,
+            tried: vec![0; self.tried.len()],
             begun: checkpoint.is_some(),
             ended: false,
             finished: false,
@@ -195,7 +210,7 @@ impl Replay {
                 return;
             }
             let is_there = self.run.at.byte == self.place.start.byte;
-            let before = is_there.then(|| self.moment());
+            let before = is_there.then(|| self.moment_of_block());
             if is_there {
                 self.run.interpreter.keep_trace();
             }
@@ -224,6 +239,18 @@ impl Replay {
         self.motions_before + self.run.interpreter.kept_motions()
     }
 
+    /// The control before the block, with the values that are tried there.
+    fn moment_of_block(&mut self) -> Moment {
+        self.carried_out += 1;
+        let mut moment = self.moment();
+        for tried in &self.run.setup().tried {
+            if (tried.block, tried.time) == (self.place.start.byte, self.carried_out) {
+                give(&mut moment.state.variables, *tried);
+            }
+        }
+        moment
+    }
+
     fn moment(&self) -> Moment {
         let Interpreter { state, .. } = &self.run.interpreter;
         Moment { state: state.clone(), origins: self.run.interpreter.origins().clone() }
@@ -240,6 +267,7 @@ impl Replay {
     ) {
         self.times += 1;
         let number = self.times;
+        let carried_out = if purpose.is_none() { self.carried_out } else { 0 };
         let is_meant = match (self.time, &self.visit) {
             (_, None) => true,
             (Time::Usual, Some(kept)) => {
@@ -251,10 +279,13 @@ impl Replay {
             }
         };
         if is_meant {
-            self.visit = Some(Visit { number, purpose, before, after, values, motions });
+            self.visit = Some(Visit { number, purpose, carried_out, before, after, values, motions });
         }
     }
 }
+
+#[cfg(all(test, not(target_arch = "wasm32")))]
+mod properties;
 
 #[cfg(test)]
 mod tests {

@@ -62,6 +62,22 @@ pub struct Setup {
     pub rules: Levels,
     /// Whether lints listen to the run.
     pub lints: Lints,
+    /// Values of variables that a reader tries. Never in a file.
+    #[serde(skip)]
+    pub tried: Vec<TriedValue>,
+}
+
+/// What if a variable had another value: it gets it before a block, one of the times that is carried out.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct TriedValue {
+    /// First byte of the block.
+    pub block: u32,
+    /// Which of the times it is carried out, from 1.
+    pub time: u32,
+    /// Number of the variable, local ones as the block sees them.
+    pub variable: u32,
+    /// Its value from there on.
+    pub value: f64,
 }
 
 /// Whether lints listen to a run: what an instructor would say though the control runs it.

@@ -27,12 +27,13 @@ import { editorPhrases } from './phrases';
 import { announceProblem } from './problem-announcement';
 import { problemGutter } from './problem-gutter';
 import { programText, type ProgramFile, type ProgramText } from './program-text';
+import { endTrial, triedOf, triedValues, tryValue } from './tried';
 import { wordHover } from './word-hover';
 import { editorTheme } from './theme';
 import type { Language } from '../dom/language';
 import { make } from '../dom/dom';
 import { COMMON } from '../dom/words';
-import type { Diagnostic, Fix, TextCommand } from '../protocol/protocol';
+import type { Diagnostic, Fix, TextCommand, TriedValue } from '../protocol/protocol';
 import { Unsent } from './unsent';
 
 /**
@@ -86,7 +87,7 @@ export class Editor implements TextHolder {
           breakpoints, problemGutter(), highlightActiveLine(), highlightActiveLineGutter(), highlightSpecialChars(),
           history(), fileOfText(program.ends, file), programContext(events), drawSelection(), dropCursor(), bracketMatching(), highlightSelectionMatches(),
           search({ top: false }), linter(null), tooltips({ position: 'absolute', parent: aboveTheFrame }), marks, editorTheme,
-          folds(() => this.#shownLanguage), folding(() => this.#shownLanguage), wordHover(events), this.#completion.of([]),
+          folds(() => this.#shownLanguage), folding(() => this.#shownLanguage), triedValues(() => this.#shownLanguage), wordHover(events), this.#completion.of([]),
           EditorState.readOnly.of(access === 'readonly'), EditorView.editable.of(access === 'editable'),
           // Tab is not bound: it leaves the editor.
           keymap.of([
@@ -219,6 +220,19 @@ export class Editor implements TextHolder {
   /** The block whose stroke the pointer is on. */
   set hovered(span: Span | undefined) {
     this.#view.dispatch({ effects: showHovered.of(span) });
+  }
+
+  /** The values of variables that the reader tries. */
+  get tried(): readonly TriedValue[] {
+    return triedOf(this.#view.state);
+  }
+
+  tryValue(value: TriedValue): void {
+    tryValue(this.#view, value);
+  }
+
+  endTrial(): void {
+    endTrial(this.#view);
   }
 
   /** The line of an offset, from 0. */
@@ -364,6 +378,9 @@ export class Editor implements TextHolder {
       transaction.changes.iterChangedRanges((_from, _to, from, to) => this.#events.pasted(from, to));
     }
     if (fileOf(update.startState) !== fileOf(update.state)) this.#events.fileChanged();
+    // Where only their blocks have moved, the run of the changed text hears of it.
+    const [before, now] = [triedOf(update.startState), triedOf(update.state)];
+    if (update.docChanged ? before.length !== now.length : before !== now) this.#events.triedChanged();
     if (update.viewportChanged) this.#events.viewMoved();
   }
 }

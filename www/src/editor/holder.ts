@@ -51,6 +51,8 @@ export interface EditorEvents extends TextEvents, ContextEvents {
   contextChanged(context: ProgramContext): void;
 
   cursorMoved(): void;
+  /** The reader tries other values of variables, or their blocks stand elsewhere. */
+  triedChanged(): void;
   /** What the word at an offset is; nothing where there is none, or nobody knows yet. */
   wordAt(offset: number): Promise<WordHelp | undefined>;
   /** What can be written at an offset; `askedFor`: the reader asks for it. */

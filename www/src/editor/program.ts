@@ -8,7 +8,7 @@
 import { make } from '../dom/dom';
 import type { Language } from '../dom/language';
 import { COMMON } from '../dom/words';
-import type { Diagnostic, Fix, TextCommand } from '../protocol/protocol';
+import type { Diagnostic, Fix, TextCommand, TriedValue } from '../protocol/protocol';
 import type { Editor } from './editor';
 import type { Access, Change, EditorEvents, LineRange, ProgramContext, Span, TextHolder } from './holder';
 import { PlainProgram } from './plain-program';
@@ -175,6 +175,20 @@ export class Program implements TextHolder {
   /** No more is to come of this run. */
   showNow(): void {
     this.#editor?.showNow();
+  }
+
+  /** The values of variables that the reader tries; the text stays as it is. */
+  get tried(): readonly TriedValue[] {
+    return this.#editor?.tried ?? [];
+  }
+
+  tryValue(value: TriedValue): void {
+    this.#editor?.tryValue(value);
+  }
+
+  /** Tries no value any more. */
+  endTrial(): void {
+    this.#editor?.endTrial();
   }
 
   /** The line of an offset, from 0. */

@@ -58,6 +58,18 @@ export const editorTheme: Extension = EditorView.theme({
   '&.cm-focused .cm-matchingBracket': { backgroundColor: 'var(--playground-selection)' },
   '&.cm-focused .cm-nonmatchingBracket': { backgroundColor: 'transparent' },
   '.cm-hovered-block': { backgroundColor: 'var(--playground-hovered-block)', borderRadius: '3px' },
+  '.tried-value': {
+    minBlockSize: '0',
+    minInlineSize: '0',
+    marginInlineStart: '1.2em',
+    padding: '0 0.5em',
+    border: '1px solid var(--playground-accent)',
+    borderRadius: '1em',
+    backgroundColor: 'var(--playground-accent-soft)',
+    color: 'var(--playground-ink)',
+    fontFamily: 'var(--playground-font)',
+    fontSize: '0.8em',
+  },
   '.cm-used-number': { backgroundColor: 'var(--playground-selection)', borderRadius: '3px' },
   '.cm-marked-line': { backgroundColor: 'var(--playground-marked-line)', boxShadow: 'inset 3px 0 0 var(--playground-highlight)' },
   '.folded-lines': {

@@ -210,23 +210,24 @@ class AtCursor implements Panel {
     const parts = [
       ...[state.purpose, state.explanation].filter((text): text is string => text !== undefined && text !== '').map((text) => make('p', {}, text)),
       this.#table(texts.state(state.line), [...state.axes, ...state.rows], state.speeds),
-      ...(state.variables.length === 0 ? [] : [this.#table(texts.variables, state.variables)]),
+      ...(state.variables.length === 0 ? [] : [this.#table(texts.variables, state.variables, undefined, state)]),
       ...(state.hidden === 0 ? [] : [make('p', {}, texts.hidden(state.hidden))]),
       ...(state.frames.length === 0 ? [] : [make('p', { className: 'at-cursor-heading' }, texts.frames), this.#frames(state.frames)]),
     ];
     arrange(this.#state, parts);
   }
 
-  #table(caption: string, rows: readonly StateRow[], speeds?: string): HTMLTableElement {
+  /** `at`: the block before which another value can be tried. */
+  #table(caption: string, rows: readonly StateRow[], speeds?: string, at?: StateHelp): HTMLTableElement {
     const texts = WORDS[this.#shell.language];
     const heading = (text: string): HTMLElement => make('th', { scope: 'col' }, text);
     const head = make('tr', {}, heading(''), heading(texts.before), heading(texts.after), heading(texts.since));
-    const lines = rows.map((row) => this.#row(row));
+    const lines = rows.map((row) => this.#row(row, at));
     if (speeds !== undefined) lines.push(make('tr', {}, make('th', { scope: 'row' }, texts.speeds), make('td', { colSpan: 2 }, speeds), make('td')));
     return make('table', { className: 'state-table' }, make('caption', {}, caption), make('thead', {}, head), make('tbody', {}, ...lines));
   }
 
-  #row({ name, before, after, changed, line, at }: StateRow): HTMLTableRowElement {
+  #row({ name, before, after, changed, line, at, variable }: StateRow, block: StateHelp | undefined): HTMLTableRowElement {
     const texts = WORDS[this.#shell.language];
     const where = make('td', { className: 'since' });
     if (line !== undefined && at !== undefined) {
@@ -238,7 +239,42 @@ class AtCursor implements Panel {
     const cells = changed
       ? [make('td', {}, before), make('td', { className: 'changed' }, make('strong', {}, after))]
       : [make('td', { colSpan: 2 }, after)];
-    return make('tr', { className: changed ? 'changed' : '' }, make('th', { scope: 'row' }, name), ...cells, where);
+    const head = make('th', { scope: 'row' }, name);
+    // What a cycle only reads is not carried out: nothing can be set before it.
+    if (variable !== undefined && block !== undefined && block.execution > 0) head.append(' ', this.#tryButton(name, variable, block));
+    return make('tr', { className: changed ? 'changed' : '' }, head, ...cells, where);
+  }
+
+  /** The way to another value of a variable: a field takes the place of the button. */
+  #tryButton(name: string, variable: number, { block, execution }: StateHelp): HTMLElement {
+    const texts = WORDS[this.#shell.language];
+    const button = make('button', { type: 'button', className: 'try-value', title: texts.tryHint(name) }, texts.tryValue);
+    button.setAttribute('aria-label', texts.tryHint(name));
+    button.addEventListener('click', () => {
+      const field = make('input', { type: 'text', inputMode: 'decimal', className: 'tried-field', size: 8, autocomplete: 'off', 'aria-label': texts.tryHint(name) });
+      const end = (): void => {
+        if (!field.isConnected) return;
+        field.replaceWith(button);
+        button.focus();
+      };
+      field.addEventListener('keydown', (event) => {
+        if (event.key === 'Escape') end();
+        else if (event.key === 'Enter') {
+          const value = numberIn(field.value);
+          field.setAttribute('aria-invalid', String(value === undefined));
+          if (value === undefined) return;
+          end();
+          // The table is another one in a moment, and the button with it.
+          this.#shell.editor.focus();
+          this.#shell.editor.tryValue({ at: block, time: execution, variable, value });
+        } else return;
+        event.preventDefault();
+        event.stopPropagation();
+      });
+      button.replaceWith(field);
+      field.focus();
+    });
+    return button;
   }
 
   #frames(frames: readonly HelpLine[]): HTMLElement {
@@ -249,6 +285,12 @@ class AtCursor implements Panel {
   #go(offset: number): void {
     this.#shell.goTo({ from: offset, to: this.#shell.editor.endOfLine(offset) });
   }
+}
+
+/** A number as a reader types it, with a point or a comma. */
+function numberIn(text: string): number | undefined {
+  const typed = text.trim().replace(',', '.');
+  return /^[+-]?(\d+\.?\d*|\.\d+)$/.test(typed) ? Number(typed) : undefined;
 }
 
 const WORDS = words({
@@ -269,6 +311,8 @@ const WORDS = words({
     since: 'Line',
     speeds: 'Spindle after the block',
     variables: 'Variables',
+    tryValue: 'what if …',
+    tryHint: (name: string) => `Try another value for ${name} from here on`,
     hidden: (count: number) => `${count} more variables`,
     frames: 'Calls and loops',
     time: (number: number, times: number) => `time ${number} of ${times}`,
@@ -294,6 +338,8 @@ const WORDS = words({
     since: '行',
     speeds: '本段之后的主轴',
     variables: '变量',
+    tryValue: '假如……',
+    tryHint: (name) => `从此处起为 ${name} 试用另一个值`,
     hidden: (count) => `另有 ${count} 个变量`,
     frames: '调用与循环',
     time: (number, times) => `第 ${number} 次，共 ${times} 次`,
@@ -319,6 +365,8 @@ const WORDS = words({
     since: 'Строка',
     speeds: 'Шпиндель после кадра',
     variables: 'Переменные',
+    tryValue: 'что если …',
+    tryHint: (name) => `Попробовать другое значение ${name} с этого места`,
     hidden: (count) => `Ещё переменных: ${count}`,
     frames: 'Вызовы и циклы',
     time: (number, times) => `раз ${number} из ${times}`,

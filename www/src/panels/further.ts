@@ -27,11 +27,12 @@ import { tabs } from './tabs';
 import { totals } from './totals';
 import { units } from './units';
 import { views } from './views';
+import { whatIf } from './what-if';
 import { writtenOut } from './written-out';
 import editorStyles from '../editor/editor.css?inline';
 
 export const FURTHER: readonly PanelKind[] = [
-  tabs, divider, hints, fileBar, profiles, readAs, switches, problems, atCursor, navigation, setup, views, playback, statusLine, totals, units, motions, paste, solid, exports, rewrite, writtenOut, help,
+  tabs, divider, hints, fileBar, profiles, readAs, switches, problems, atCursor, navigation, whatIf, setup, views, playback, statusLine, totals, units, motions, paste, solid, exports, rewrite, writtenOut, help,
   codes, presentation, print,
 ];
 

@@ -53,6 +53,8 @@ export interface Panel {
   showPictures?(pictures: Pictures): void;
   /** The reader has moved the cursor, or typed. */
   cursorMoved?(): void;
+  /** The reader tries other values of variables. */
+  triedChanged?(): void;
   /** The tool is somewhere else, or nowhere. */
   toolMoved?(place: Readout | undefined): void;
   /** A text has come into the editor at once, between these offsets. */

@@ -94,10 +94,20 @@ export interface RunChange {
   /** JSON. */
   readonly setup: string | undefined;
   readonly text: TextCommand | undefined;
+  /** All values of variables that the reader tries. */
+  readonly tried: readonly TriedValue[];
   readonly came: Came;
   readonly cursor: number | undefined;
   /** Another program is shown whole, wherever the one before was looked at. */
   readonly framing: 'fit' | 'keep';
+}
+
+/** What if a variable had another value: it gets it before the block at an offset, one of the times (from 1) that is carried out. */
+export interface TriedValue {
+  readonly at: number;
+  readonly time: number;
+  readonly variable: number;
+  readonly value: number;
 }
 
 /** Offsets are those of the text before; of several changes the last in the text comes first. */

@@ -56,7 +56,7 @@
 // Slots: `intro` above the program; `fallback`, what is shown until there is a picture.
 // CSS custom properties: --playground-height, --playground-type-size, --playground-font, --playground-code-font,
 // --playground-code-size and the colours of colours.css. Parts: frame intro bar file switches editor problems
-// drawing canvas old-picture legend tooltip setup views assumptions playback play readout doing status notice hint totals units
+// drawing canvas old-picture what-if at-cursor legend tooltip setup views assumptions playback play readout doing status notice hint totals units
 // motions written-out rewrite codes solid export-menu paste help read-as profiles caption fallback.
 //
 // What is inside is the shell's: see shell.ts, and panels/panel.ts for how to add to it.

@@ -120,6 +120,10 @@ export class PlaygroundShell implements Shell {
         this.#runs.cursorMoved();
         this.#tell((panel) => panel.cursorMoved?.());
       },
+      triedChanged: () => {
+        this.#runs.wanted('keep');
+        this.#tell((panel) => panel.triedChanged?.());
+      },
       wordAt: (offset) => this.#wordAt(offset),
       completionAt: (offset, askedFor) => this.#completionAt(offset, askedFor),
       wanted: () => this.#tell((panel) => panel.programWanted?.()),

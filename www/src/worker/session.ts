@@ -11,7 +11,7 @@ import { ANSWERS, type AnswerRow } from './answers';
 import { forget } from './help';
 import { mayTellOfSwitches, SwitchFinder } from './switches-in-text';
 import {
-  counts, type BeginRun, type Came, type Command, type Question, type QuestionKind, type Report, type RunEvent, type SessionEvent, type SwitchesInText, type TextChange, type TextCommand,
+  counts, type BeginRun, type Came, type Command, type Question, type QuestionKind, type Report, type RunEvent, type SessionEvent, type SwitchesInText, type TextChange, type TextCommand, type TriedValue,
   type Work } from '../protocol/protocol';
 import type { LateParts, PartName, Waiter } from './parts';
 import { handIn } from './text-in';
@@ -99,6 +99,8 @@ export class Session implements Waiter {
   /** The number of the current run, as the page counts them. */
   #run = 0;
   #stage: Stage = { kind: 'done' };
+  /** Values of variables are tried. */
+  #tries = false;
   /** Why the setup that was sent last was not taken. */
   #setupRejected: string | undefined;
   /** A setup whose reader has not been loaded yet. */
@@ -339,6 +341,7 @@ export class Session implements Waiter {
     this.#typedLine = undefined;
     if (change.setup !== undefined) this.#changeSetup(change.setup);
     if (change.text !== undefined) this.#changeText(change.text, change.came);
+    this.#tryValues(change.tried);
     this.#core.setCursor(change.cursor);
     this.#typedLine = this.#lineTyped(change);
     // Of a run under way there is only a part to draw: what was there stays until there is a whole one.
@@ -392,6 +395,14 @@ export class Session implements Waiter {
       if (reason instanceof WebAssembly.RuntimeError) throw reason;
       this.#setupRejected = describe(reason);
     }
+  }
+
+  /** A run begins anew with what is tried, so that nothing is said where nothing is, nor was. */
+  #tryValues(tried: readonly TriedValue[]): void {
+    if (tried.length === 0 && !this.#tries) return;
+    this.#tries = tried.length > 0;
+    const list = (of: (value: TriedValue) => number): Uint32Array => Uint32Array.from(tried, of);
+    this.#core.tryValues(list(({ at }) => at), list(({ time }) => time), list(({ variable }) => variable), Float64Array.from(tried, ({ value }) => value));
   }
 
   #changeText(text: TextCommand, came: Came): void {

@@ -1,0 +1,66 @@
+// What if a variable had another value: tried by keys alone, in three languages, while the text stays as it is.
+import { expect, test, type BasicPage, type Locator } from './engines';
+import { editor, open, type, value } from './page';
+
+const CALLS = ['O1', 'T0101 M3 S500', '#1=40', 'WHILE [#1 GT 30] DO1', 'G65 P9 X#1', '#1=#1-5', 'END1', 'M30', 'O9', 'G00 X#24 Z2', 'G01 Z-#24 F0.2', 'M99'].join('\n');
+
+const IN_WORDS = {
+  en: { held: 'Held before line 11', caller: 'called from line 5', next: 'The next time', tryIt: 'Try another value for #24 from here on', back: 'As written' },
+  zh: { held: '停在第 11 行之前', caller: '由第 5 行调用', next: '下一次', tryIt: '从此处起为 #24 试用另一个值', back: '恢复原文' },
+  ru: { held: 'Пауза перед строкой 11', caller: 'вызвана из строки 5', next: 'Следующий раз', tryIt: 'Попробовать другое значение #24 с этого места', back: 'Как написано' },
+} as const;
+
+const atCursor = (page: BasicPage): Locator => page.getByRole('region', { name: /^(At the cursor|光标处|У курсора)/ });
+const cells = (page: BasicPage, name: string): Locator => atCursor(page).locator('.state-table tr').filter({ hasText: name });
+
+/** A number that is another one where any pixel of the section is, once all of it is drawn. */
+async function picture(page: BasicPage): Promise<number> {
+  return page.locator('gcode-playground').evaluate(async (element) => {
+    await (element as unknown as { settled: Promise<unknown> }).settled;
+    const canvas = element.shadowRoot!.querySelector('canvas')!;
+    const context = Object.assign(document.createElement('canvas'), { width: canvas.width, height: canvas.height }).getContext('2d')!;
+    context.drawImage(canvas, 0, 0);
+    return context.getImageData(0, 0, canvas.width, canvas.height).data.reduce((sum, byte) => (31 * sum + byte) % 1_000_000_007, 0);
+  });
+}
+
+for (const locale of ['en', 'zh', 'ru'] as const) {
+  test(`inside a macro in a loop a variable gets another value, ${locale}`, async ({ page }) => {
+    const words = IN_WORDS[locale];
+    await open(page);
+    await page.locator('#language').selectOption(locale);
+    await type(page, CALLS);
+    await page.locator('.playback .speed:not(.unit)').selectOption('50×');
+    // Stopped inside the macro, where the loop calls it.
+    await editor(page).focus();
+    await page.keyboard.press('Control+End');
+    await page.keyboard.press('ArrowUp');
+    await page.keyboard.press('Control+F8');
+    await picture(page);
+    await page.keyboard.press('Control+Enter');
+    await expect(page.getByText(words.held)).toBeVisible();
+    await page.keyboard.press('F1');
+    await expect(cells(page, '#24')).toContainText('40');
+    await expect(atCursor(page)).toContainText(words.caller);
+    await atCursor(page).getByRole('button', { name: words.next }).focus();
+    await page.keyboard.press('Enter');
+    await expect(cells(page, '#24')).toContainText('35');
+    const before = await picture(page);
+    await atCursor(page).getByRole('button', { name: words.tryIt }).focus();
+    await page.keyboard.press('Enter');
+    await page.keyboard.type('90');
+    await page.keyboard.press('Enter');
+    // It is marked in the text, over the picture and in the table; the path is another one, the text is not.
+    await expect(page.locator('.tried-value')).toContainText('#24 = 90');
+    await expect(page.locator('.what-if')).toContainText('#24 = 90');
+    expect(await value(page)).toBe(CALLS);
+    expect(await picture(page)).not.toBe(before);
+    await expect(cells(page, '#24')).toContainText('90');
+    // One key brings the program back.
+    await page.getByRole('button', { name: words.back }).focus();
+    await page.keyboard.press('Enter');
+    await expect(page.locator('.tried-value')).toHaveCount(0);
+    await expect(page.locator('.what-if')).not.toBeVisible();
+    await expect(editor(page)).toBeFocused();
+  });
+}

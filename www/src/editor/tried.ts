@@ -1,0 +1,107 @@
+// What if a variable had another value? The values that the reader tries, each shown after the block before which it is given.
+//
+// In: values to try, and to try no longer. Out: those that are tried now; they move with every change of the text, and go with
+// their block. The text stays as it is. Must not know: what a variable is for.
+
+import { MapMode, StateEffect, StateField, type ChangeDesc, type EditorState, type Extension } from '@codemirror/state';
+import { Decoration, EditorView, WidgetType, type DecorationSet } from '@codemirror/view';
+import { make } from '../dom/dom';
+import type { Language } from '../dom/language';
+import { words } from '../dom/words';
+import type { TriedValue } from '../protocol/protocol';
+
+/** Most values at a time. */
+const MOST = 20;
+
+/** All values that are tried from now on. */
+const setTried = StateEffect.define<readonly TriedValue[]>();
+
+const tried = StateField.define<readonly TriedValue[]>({
+  create: () => [],
+  update(before, { changes, docChanged, effects }) {
+    const said = effects.filter((effect) => effect.is(setTried)).at(-1)?.value;
+    if (said !== undefined) return said;
+    return docChanged && before.length > 0 ? moved(before, changes) : before;
+  },
+});
+
+function moved(before: readonly TriedValue[], changes: ChangeDesc): readonly TriedValue[] {
+  return before.flatMap((value) => {
+    const at = changes.mapPos(value.at, 1, MapMode.TrackDel);
+    return at === null ? [] : [{ ...value, at }];
+  });
+}
+
+/** A value after its block, which ends its trial when it is clicked. */
+class Note extends WidgetType {
+  readonly #value: TriedValue;
+  readonly #language: Language;
+
+  constructor(value: TriedValue, language: Language) {
+    super();
+    this.#value = value;
+    this.#language = language;
+  }
+
+  override eq(other: Note): boolean {
+    return other.#value === this.#value && other.#language === this.#language;
+  }
+
+  override toDOM(view: EditorView): HTMLElement {
+    const texts = WORDS[this.#language];
+    const { variable, value, time } = this.#value;
+    const button = make('button', { type: 'button', className: 'tried-value', title: texts.end }, texts.tried(variable, value, time), make('span', { 'aria-hidden': 'true' }, ' ×'));
+    button.addEventListener('click', () => endTrial(view, this.#value));
+    return button;
+  }
+
+  override ignoreEvent(): boolean {
+    return true;
+  }
+}
+
+/** `language` is asked each time a note is made. */
+export function triedValues(language: () => Language): Extension {
+  const notes = (state: EditorState): DecorationSet => {
+    const shown = state.field(tried).map((value) => Decoration.widget({ widget: new Note(value, language()), side: 1 }).range(state.doc.lineAt(value.at).to));
+    return Decoration.set(shown, true);
+  };
+  return [tried, EditorView.decorations.compute([tried, 'doc'], notes)];
+}
+
+/** The values that are tried, in the order in which they were. */
+export function triedOf(state: EditorState): readonly TriedValue[] {
+  return state.field(tried);
+}
+
+/** Tries a value; one of the same variable at the same place is tried no longer. */
+export function tryValue(view: EditorView, value: TriedValue): void {
+  const others = view.state.field(tried).filter((one) => !isSame(one, value));
+  view.dispatch({ effects: setTried.of([...others, value].slice(-MOST)) });
+}
+
+/** Tries a value no longer; all of them where none is named. */
+export function endTrial(view: EditorView, value?: TriedValue): void {
+  const left = value === undefined ? [] : view.state.field(tried).filter((one) => !isSame(one, value));
+  view.dispatch({ effects: setTried.of(left) });
+}
+
+/** Whether two values are of one variable, at one place, the same time. */
+function isSame(one: TriedValue, other: TriedValue): boolean {
+  return one.at === other.at && one.time === other.time && one.variable === other.variable;
+}
+
+const WORDS = words({
+  en: {
+    tried: (variable: number, value: number, time: number) => `what if #${variable} = ${value}${time > 1 ? ` (time ${time})` : ''}`,
+    end: 'Try this value no longer',
+  },
+  zh: {
+    tried: (variable, value, time) => `假如 #${variable} = ${value}${time > 1 ? `（第 ${time} 次）` : ''}`,
+    end: '不再试用此值',
+  },
+  ru: {
+    tried: (variable, value, time) => `что если #${variable} = ${value}${time > 1 ? ` (раз ${time})` : ''}`,
+    end: 'Больше не пробовать это значение',
+  },
+});

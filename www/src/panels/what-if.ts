@@ -1,0 +1,58 @@
+// Over the picture, while the reader tries values of variables: that the picture is not that of the program as it is
+// written, and the way back.
+//
+// In: the values that are tried. Out: the end of the trial. Must not know: what the values change.
+
+import { make, showText } from '../dom/dom';
+import type { Language } from '../dom/language';
+import { words } from '../dom/words';
+import type { Panel, PanelKind, Shell } from './panel';
+import whatIfStyles from './what-if.css?inline';
+
+export const whatIf: PanelKind = { control: 'help', styles: whatIfStyles, make: (shell) => new WhatIf(shell) };
+
+class WhatIf implements Panel {
+  readonly #shell: Shell;
+  readonly #text = make('span');
+  readonly #back = make('button', { type: 'button', className: 'framed' });
+  readonly #element = make('div', { className: 'what-if', part: 'what-if', role: 'status', hidden: true }, this.#text, this.#back);
+  readonly places = { pictures: [this.#element] };
+
+  constructor(shell: Shell) {
+    this.#shell = shell;
+    this.#back.addEventListener('click', () => {
+      const isHere = shell.root.activeElement === this.#back;
+      shell.editor.endTrial();
+      // The button is gone.
+      if (isHere) shell.editor.focus();
+    });
+  }
+
+  set language(language: Language) {
+    showText(this.#back, WORDS[language].back);
+    this.triedChanged();
+  }
+
+  triedChanged(): void {
+    const texts = WORDS[this.#shell.language];
+    const { tried } = this.#shell.editor;
+    this.#element.hidden = tried.length === 0;
+    const values = tried.map(({ variable, value }) => `#${variable} = ${value}`).join(', ');
+    showText(this.#text, tried.length === 0 ? '' : texts.whatIf(values));
+  }
+}
+
+const WORDS = words({
+  en: {
+    whatIf: (values: string) => `What if ${values}? This is not the program as written.`,
+    back: 'As written',
+  },
+  zh: {
+    whatIf: (values) => `假如 ${values}：这不是程序原文的结果。`,
+    back: '恢复原文',
+  },
+  ru: {
+    whatIf: (values) => `Что если ${values}? Это не программа в том виде, как она написана.`,
+    back: 'Как написано',
+  },
+});
