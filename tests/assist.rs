@@ -12,6 +12,8 @@ mod completion;
 mod fixtures;
 #[path = "assist/navigation.rs"]
 mod navigation;
+#[path = "assist/seeds.rs"]
+mod seeds;
 
 use std::fmt::Write;
 use std::fs;

@@ -57,6 +57,7 @@ mod tests {
     use crate::setup::Setup;
     use crate::source::LineIndex;
     use crate::text::parser::Resume;
+    use crate::units::Diameter;
 
     const LOOP: &str =
         "O1\n#1=0\nWHILE[#1LT3]DO1\nG0 X[#1*10] Z0\nG65 P9 A7\n#1=#1+1\nEND1\nM30\nO9\nG0 Z#1\nM99\n";
@@ -78,7 +79,7 @@ mod tests {
 
     /// X (a diameter) and Z of the end of each motion.
     fn ends(run: &Run) -> Vec<(f64, f64)> {
-        run.motions().iter().map(|motion| (2.0 * motion.to.x, motion.to.z)).collect()
+        run.motions().iter().map(|motion| (Diameter::from_radius(motion.to.x).mm(), motion.to.z)).collect()
     }
 
     #[test]

@@ -47,6 +47,8 @@ for (const name of SETTLED) {
 }
 for (const name of PARTS) add(`part ${name}`, node('own.mjs', 'part', program(name)));
 for (const what of ['text', 'motions', 'edits']) add(what, node('own.mjs', what, program('plain')));
+const HELPED = { short: '3,000 plain lines', plain: 'a million plain lines', rounds: '3,000 lines in loops and calls: 180,000 blocks' };
+for (const name of Object.keys(HELPED)) add(`help ${name}`, node('own.mjs', 'help', program(name)));
 add('browser', node('page/measure.mjs', program('plain')));
 
 function peers() {
@@ -64,7 +66,7 @@ for (let round = 1; round <= rounds; round++) {
   for (const [name, job] of jobs) if (job.problem === undefined) measure(name, job);
   console.error(`round ${round} of ${rounds} is done`);
 }
-const report = [interpreting(), settled(), parts(), boundary(), memory(), edits(), browser()].join('\n\n') + '\n';
+const report = [interpreting(), settled(), parts(), boundary(), memory(), edits(), help(), browser()].join('\n\n') + '\n';
 console.log(report);
 if (options.report) writeFileSync(options.report, report);
 
@@ -148,6 +150,15 @@ function edits() {
   const runs = runsOf('edits');
   const row = ['median', 'p95', 'max'].map((figure) => medianOf(runs, figure).toFixed(1));
   return table('A digit changed at 200 places of the million lines, each time run to the end again, ms', ['median', '95 %', 'longest'], [row]);
+}
+
+function help() {
+  const rows = Object.entries(HELPED).map(([name, title]) => {
+    const runs = runsOf(`help ${name}`);
+    const p95 = (what) => medianOf(runs.map((run) => run[what]), 'p95').toFixed(1);
+    return [title, p95('word'), p95('state'), p95('completion')];
+  });
+  return table('Help at 200 places, each the first time its block is asked about: the 95th percentile, ms', ['program', 'word', 'state', 'what can be written'], rows);
 }
 
 function browser() {

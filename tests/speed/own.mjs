@@ -1,6 +1,6 @@
 // One measurement of the playground's wasm package in this process, as one line of JSON.
 //
-//   node tests/speed/own.mjs fresh|settled|without-lints|part|text|motions|edits FILE
+//   node tests/speed/own.mjs fresh|settled|without-lints|part|text|motions|edits|help FILE
 import { readFileSync } from 'node:fs';
 import { Playground, wasm } from './module.mjs';
 import { median, time } from './stopwatch.mjs';
@@ -10,7 +10,7 @@ const bytes = readFileSync(file);
 const encoder = new TextEncoder();
 const EDITS = 200;
 
-const measures = { fresh, settled, 'without-lints': withoutLints, part, text, motions, edits };
+const measures = { fresh, settled, 'without-lints': withoutLints, part, text, motions, edits, help };
 console.log(JSON.stringify(measures[what](bytes.toString('latin1'))));
 
 /** Text in, motions and messages there: the first time in a process. */
@@ -97,8 +97,7 @@ function edits(program) {
   const playground = new Playground();
   run(playground, program);
   playground.summary();
-  let seed = 1;
-  const random = (below) => (seed = (Math.imul(seed, 1664525) + 1013904223) >>> 0) % below;
+  const random = randomBelow();
   const times = [];
   while (times.length < EDITS) {
     const at = random(program.length);
@@ -112,6 +111,32 @@ function edits(program) {
   }
   times.sort((a, b) => a - b);
   return { median: median(times), p95: times[Math.floor(0.95 * EDITS)], max: times[EDITS - 1] };
+}
+
+/** Help asked for at places anywhere: the word there, the state before and after its block, and what can be written. */
+function help(program) {
+  const playground = new Playground();
+  run(playground, program);
+  const random = randomBelow();
+  const asks = { word: () => playground.wordHelp(), state: () => playground.stateHelp(), completion: () => playground.completionHelp(true) };
+  const rows = {};
+  for (const [name, ask] of Object.entries(asks)) {
+    const times = repeated(EDITS, () => {
+      const at = random(program.length);
+      return time(() => {
+        if (!playground.askBlock(at, undefined)) while (!playground.lookForAnswer(20_000));
+        ask();
+      });
+    }).sort((a, b) => a - b);
+    rows[name] = { median: median(times), p95: times[Math.floor(0.95 * EDITS)], max: times[EDITS - 1] };
+  }
+  return rows;
+}
+
+/** The same numbers in each process. */
+function randomBelow() {
+  let seed = 1;
+  return (below) => (seed = (Math.imul(seed, 1664525) + 1013904223) >>> 0) % below;
 }
 
 function run(playground, program) {

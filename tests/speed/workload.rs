@@ -97,6 +97,21 @@ pub fn boxes(count: u32) -> String {
     text
 }
 
+/// So many lines, all but some of them in a loop of twenty rounds that calls a program as long as its body, five times.
+pub fn rounds(lines: u32) -> String {
+    let moves = |text: &mut String, first: u32| {
+        for index in first..first + lines / 2 {
+            let _ = writeln!(text, "G1 X[{}+#1] Z-{}", 20 + index % 70, index % 90);
+        }
+    };
+    let mut text = String::from("O1\nG21 G40 G97 G99\nS900 M3\nG0 X102. Z2.\nG1 F.2\n#1=0\nWHILE[#1LT20]DO1\n");
+    moves(&mut text, 0);
+    text.push_str("M98 P50002\n#1=#1+1\nEND1\nG0 X150. Z100.\nM30\nO2\n");
+    moves(&mut text, 1);
+    text.push_str("M99\n");
+    text
+}
+
 /// Points of the contours that are measured.
 pub const POINTS: [u32; 6] = [100, 300, 1_000, 2_000, 3_000, 10_000];
 

@@ -109,6 +109,8 @@ fn write_programs(folder: &Path) -> Result {
     write("plain.nc", workload::plain(1_000_000))?;
     write("shaft.nc", workload::shaft())?;
     write("boxes.nc", workload::boxes(10_000))?;
+    write("short.nc", workload::plain(3_000))?;
+    write("rounds.nc", workload::rounds(3_000))?;
     for passes in workload::PASSES {
         write(&format!("passes-{passes}.nc"), workload::passes(passes))?;
     }
