@@ -158,7 +158,7 @@ function help() {
     const p95 = (what) => medianOf(runs.map((run) => run[what]), 'p95').toFixed(1);
     return [title, p95('word'), p95('state'), p95('completion')];
   });
-  return table('Help at 200 places, each the first time its block is asked about: the 95th percentile, ms', ['program', 'word', 'state', 'what can be written'], rows);
+  return table('Help at 60 places, each the first time its block is asked about: the 95th percentile, ms', ['program', 'word', 'state', 'what can be written'], rows);
 }
 
 function browser() {
