@@ -20,10 +20,14 @@ fn words(id: &str) -> String {
     let text = read("program.nc");
     let mut asking = Asking::new(&text, setup);
     let (mut kinds, mut out) = (BTreeSet::new(), String::new());
-    for (at, letter) in text.bytes().enumerate().filter(|(_, byte)| byte.is_ascii_uppercase() || *byte == b'#') {
+    for (at, letter) in
+        text.bytes().enumerate().filter(|(_, byte)| byte.is_ascii_uppercase() || *byte == b'#')
+    {
         let (_, block) = asking.found(at as u32, Time::Usual);
         let begins = block.words.iter().any(|word| word.span.start == at as u32) || letter == b'#';
-        let Some(english) = asking.word(at as u32, Time::Usual, Language::English).filter(|_| begins) else { continue };
+        let Some(english) = asking.word(at as u32, Time::Usual, Language::English).filter(|_| begins) else {
+            continue;
+        };
         if english.from as usize > at || !kinds.insert((letter, english.title.clone())) {
             continue;
         }

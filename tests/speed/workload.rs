@@ -104,7 +104,8 @@ pub fn rounds(lines: u32) -> String {
             let _ = writeln!(text, "G1 X[{}+#1] Z-{}", 20 + index % 70, index % 90);
         }
     };
-    let mut text = String::from("O1\nG21 G40 G97 G99\nS900 M3\nG0 X102. Z2.\nG1 F.2\n#1=0\nWHILE[#1LT20]DO1\n");
+    let mut text =
+        String::from("O1\nG21 G40 G97 G99\nS900 M3\nG0 X102. Z2.\nG1 F.2\n#1=0\nWHILE[#1LT20]DO1\n");
     moves(&mut text, 0);
     text.push_str("M98 P50002\n#1=#1+1\nEND1\nG0 X150. Z100.\nM30\nO2\n");
     moves(&mut text, 1);

@@ -13,6 +13,9 @@ import type { Heard } from '../worker/core-client';
 import { isInProgram, type Key, type NewestQuestion, type Panel, type PanelKind, type Shell } from './panel';
 import atCursorStyles from './at-cursor.css?inline';
 
+/** An answer that takes longer is on its way: the program is gone through once more, ms. */
+const SOON_MS = 250;
+
 export const atCursor: PanelKind = { control: 'help', styles: atCursorStyles, make: (shell) => new AtCursor(shell) };
 
 class AtCursor implements Panel {
@@ -47,6 +50,8 @@ class AtCursor implements Panel {
   /** Which of the times the block is carried out; the usual one where nothing is chosen. */
   #chosen: number | undefined;
   #shown: Help | undefined;
+  /** Until the answer is there. */
+  #waiting: ReturnType<typeof setTimeout> | undefined;
   #hasNavigation = false;
   #marks = false;
   readonly places = { problems: [this.#element] };
@@ -99,11 +104,13 @@ class AtCursor implements Panel {
 
   outdated(): void {
     this.#question.forget();
+    this.#waitNoLonger();
     this.#mark(undefined);
   }
 
   lost(): void {
     this.#question.forget();
+    this.#waitNoLonger();
     this.#shown = undefined;
     this.#clear();
   }
@@ -127,6 +134,7 @@ class AtCursor implements Panel {
   #ask(): void {
     if (!this.#wanted) return;
     const [offset, time] = [this.#place, this.#chosen];
+    this.#waiting ??= setTimeout(() => this.#showThatItComes(), SOON_MS);
     this.#question.ask(this.#body.hidden ? { by: 'cursor', about: 'word', offset } : { by: 'cursor', about: 'block', offset, time });
   }
 
@@ -145,8 +153,21 @@ class AtCursor implements Panel {
     this.#ask();
   }
 
+  /** What is shown is of another place, or of another time. */
+  #showThatItComes(): void {
+    this.#element.setAttribute('aria-busy', 'true');
+    showText(this.#line, WORDS[this.#shell.language].onItsWay);
+  }
+
+  #waitNoLonger(): void {
+    clearTimeout(this.#waiting);
+    this.#waiting = undefined;
+    this.#element.removeAttribute('aria-busy');
+  }
+
   #answered(help: Help | undefined): void {
     if (help === undefined) return;
+    this.#waitNoLonger();
     this.#shown = help;
     const texts = WORDS[this.#shell.language];
     const { word, state, form } = help;
@@ -303,6 +324,7 @@ const WORDS = words({
     breakpoint: 'Stop here',
     empty: 'what the word there is',
     nothing: 'no word',
+    onItsWay: 'the program is gone through once more …',
     form: 'Form of the block',
     open: (title: string, what: string) => `${title}. ${what}`,
     state: (line: number) => `The control before and after line ${line}`,
@@ -330,6 +352,7 @@ const WORDS = words({
     breakpoint: '在此停下',
     empty: '光标处的字是什么',
     nothing: '没有字',
+    onItsWay: '正在重新执行程序……',
     form: '本程序段的格式',
     open: (title, what) => `${title}。${what}`,
     state: (line) => `第 ${line} 行之前与之后的系统状态`,
@@ -357,6 +380,7 @@ const WORDS = words({
     breakpoint: 'Пауза здесь',
     empty: 'что за слово',
     nothing: 'слова нет',
+    onItsWay: 'программа проходится ещё раз …',
     form: 'Форма кадра',
     open: (title, what) => `${title}. ${what}`,
     state: (line) => `Система ЧПУ до и после строки ${line}`,
