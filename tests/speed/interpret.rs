@@ -32,6 +32,11 @@ fn ten_thousand_box_cycles(bencher: Bencher) {
     run(bencher, workload::boxes(10_000));
 }
 
+#[divan::bench]
+fn loops_and_calls(bencher: Bencher) {
+    run(bencher, workload::rounds(3_000));
+}
+
 #[divan::bench(args = workload::PASSES)]
 fn part_of_roughing_passes(bencher: Bencher, passes: u32) {
     let analysis = analyze(workload::passes(passes).as_bytes(), &Setup::default());
