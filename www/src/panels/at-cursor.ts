@@ -270,7 +270,7 @@ class AtCursor implements Panel {
   #tryButton(name: string, variable: number, { block, execution }: StateHelp): HTMLElement {
     const texts = WORDS[this.#shell.language];
     const button = make('button', { type: 'button', className: 'try-value', title: texts.tryHint(name) }, texts.tryValue);
-    button.setAttribute('aria-label', texts.tryHint(name));
+    button.setAttribute('aria-label', `${texts.tryValue} ${texts.tryHint(name)}`);
     button.addEventListener('click', () => {
       const field = make('input', { type: 'text', inputMode: 'decimal', className: 'tried-field', size: 8, autocomplete: 'off', 'aria-label': texts.tryHint(name) });
       const end = (): void => {
@@ -286,7 +286,7 @@ class AtCursor implements Panel {
           if (value === undefined) return;
           end();
           // The table is another one in a moment, and the button with it.
-          this.#shell.editor.focus();
+          this.#toggle.focus({ preventScroll: true });
           this.#shell.editor.tryValue({ at: block, time: execution, variable, value });
         } else return;
         event.preventDefault();

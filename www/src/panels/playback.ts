@@ -124,7 +124,7 @@ class Playback implements Panel {
     name(this.#optional, `M01: ${texts.optionalStops}`);
     this.#optional.title = texts.optionalStopsHint;
     this.#single.textContent = texts.single;
-    this.#single.setAttribute('aria-label', texts.singleName);
+    this.#single.setAttribute('aria-label', `${texts.single}: ${texts.singleName}`);
     this.#single.title = texts.singleHint;
     name(this.#whole, texts.wholePath);
     this.#slider.setAttribute('aria-label', texts.position);
