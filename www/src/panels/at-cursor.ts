@@ -260,10 +260,9 @@ class AtCursor implements Panel {
     const cells = changed
       ? [make('td', {}, before), make('td', { className: 'changed' }, make('strong', {}, after))]
       : [make('td', { colSpan: 2 }, after)];
-    const head = make('th', { scope: 'row' }, name);
     // What a cycle only reads is not carried out: nothing can be set before it.
-    if (variable !== undefined && block !== undefined && block.execution > 0) head.append(' ', this.#tryButton(name, variable, block));
-    return make('tr', { className: changed ? 'changed' : '' }, head, ...cells, where);
+    if (variable !== undefined && block !== undefined && block.execution > 0) cells.at(-1)?.append(' ', this.#tryButton(name, variable, block));
+    return make('tr', { className: changed ? 'changed' : '' }, make('th', { scope: 'row' }, name), ...cells, where);
   }
 
   /** The way to another value of a variable: a field takes the place of the button. */
