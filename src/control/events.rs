@@ -94,7 +94,8 @@ impl<'a> SinglePass<'a> {
     pub fn thread(&self, at: &Moment) -> Option<ThreadPass<'a>> {
         let &Self { block, words, start, end, starts, .. } = self;
         let start = Point::new(end.x + at.state.memory.taper, start.z);
-        self.lead.map(|lead| ThreadPass { block, words, start, end, lead, starts })
+        let by = ThreadedBy::Pass { outwards: self.start.x < end.x };
+        self.lead.map(|lead| ThreadPass { block, words, start, end, lead, starts, by })
     }
 }
 
@@ -113,6 +114,22 @@ pub struct ThreadPass<'a> {
     pub lead: f64,
     /// Starts of the thread.
     pub starts: u64,
+    /// What cuts it.
+    pub by: ThreadedBy,
+}
+
+/// What cuts a thread.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum ThreadedBy {
+    /// A move (G32 to G34).
+    Move,
+    /// A pass of G92, which comes from the axis where `outwards`: a bore.
+    Pass {
+        /// Deeper is a larger X.
+        outwards: bool,
+    },
+    /// All passes of G76.
+    Passes,
 }
 
 /// A move that nose radius compensation takes in.

@@ -121,6 +121,7 @@ impl Lints {
                     self.tool_changes.home(at);
                 }
                 if at.state.tool.0 != before.0 {
+                    self.threads.tool_changes();
                     self.spindle.tool_changes(reports);
                     if before.0 != 0 {
                         self.compensations.left_on(word.span, at, reports);

@@ -2,8 +2,8 @@
 
 use super::once::Once;
 use super::taper;
-use crate::control::events::{Moment, ThreadPass, ThreadingCall};
-use crate::control::words::{self, Words, quote};
+use crate::control::events::{Moment, ThreadPass, ThreadedBy, ThreadingCall};
+use crate::control::words::{self, Words, plain, quote};
 use crate::cycles::single::Single;
 use crate::cycles::threading::MultiThread;
 use crate::geometry::{Point, SAME};
@@ -20,6 +20,12 @@ const SPEED_OF_PITCH: f64 = 1200.0;
 const SPEED_MARGIN: f64 = 80.0;
 /// Pitches for which the rule was made, mm.
 const PITCHES: std::ops::RangeInclusive<f64> = 0.2..=10.0;
+/// Leads that controls take as F, mm (seed 001).
+const LEADS: std::ops::RangeInclusive<f64> = 0.001..=500.0;
+/// The same as I: 25400 to 0.06 threads per inch.
+const LEADS_OF_INCH: std::ops::RangeInclusive<f64> = 25.4 / 25400.0..=25.4 / 0.06;
+/// The finest pitch of a standard thread, mm (ISO 261: M1 fine).
+const FINEST: f64 = 0.2;
 /// Lengths this near are the same, mm.
 const NEAR: f64 = 0.001;
 /// Few slides are faster than this, mm/min.
@@ -40,12 +46,25 @@ struct Pass {
     speed: f64,
     /// Station and offset of its tool.
     tool: (u16, u16),
+    /// The number of its Q, where that is an angle.
+    angle: Option<f64>,
+}
+
+/// The passes of a thread that are compared with the next one.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+struct Passes {
+    /// X of its first pass, as a radius.
+    first: f64,
+    /// The newest first: of more starts than these there is seldom a thread.
+    recent: [Option<Pass>; 4],
+    /// 1 where a deeper pass has a larger X, -1 where it has a smaller one, 0 where that is not known yet.
+    outwards: f64,
 }
 
 /// What is remembered of threads.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Threads {
-    last: Option<Pass>,
+    passes: Passes,
     /// A tap stands in its hole: the direction in which the spindle turned it in.
     tap: Option<SpindleTurn>,
     /// That the spindle turns at a constant surface speed.
@@ -92,6 +111,8 @@ impl Threads {
         self.tap_moves(pass.block, pass.start, pass.end, at, reports);
         if code != "G33" && self.tap.is_none() {
             self.pass(pass, at, reports);
+        } else {
+            reports.extend(unusual_lead(at.text, pass.words, pass.lead, 1));
         }
     }
 
@@ -129,15 +150,58 @@ impl Threads {
 
     /// A pass, against the one before.
     pub fn pass(&mut self, pass: &ThreadPass, at: &Moment, reports: &mut Vec<Diagnostic>) {
+        let unusual = unusual_lead(at.text, pass.words, pass.lead, pass.starts);
         let spindle = &at.state.spindle;
         let speed = if spindle.surface { 0.0 } else { spindle.rpm };
-        let &ThreadPass { start, end, lead, .. } = pass;
-        let own = Pass { start, end, lead, speed, tool: at.state.tool };
-        let before = self.last.replace(own);
-        let angle = pass.words.get(b'Q').is_some();
+        let &ThreadPass { start, end, lead, by, .. } = pass;
+        let angle_word = pass.words.get(b'Q').filter(|_| by != ThreadedBy::Passes);
+        let angle = angle_word.and_then(plain);
+        let own = Pass { start, end, lead, speed, tool: at.state.tool, angle };
+        if let Some((word, angle)) = angle_word.zip(angle) {
+            reports.extend(small_angle(at.text, word.span, angle));
+        }
         let face = at.setup.stock.map(|stock| stock.face);
         let span = pass.block.words_span();
-        reports.append(&mut remarks(&own, before.as_ref(), angle, pass.starts as f64, face, span));
+        let mut passes = self.passes;
+        let before = passes.recent[0].filter(|before| is_near(&own, before));
+        if before.is_none() {
+            passes = Passes { first: end.x, ..Passes::default() };
+        }
+        if let ThreadedBy::Pass { outwards } = by {
+            passes.outwards = if outwards { 1.0 } else { -1.0 };
+        }
+        if let Some(before) = before.filter(|before| (before.lead - lead).abs() > NEAR) {
+            // It is reported where it is given; the thread goes on with the lead it had.
+            if let Some(&letter) = b"FI".iter().find(|&&letter| pass.words.get(letter).is_some()) {
+                let message = said::ThreadLeadChanged { before: before.lead, now: lead };
+                reports.push(unusual.unwrap_or_else(|| Diagnostic::new(message, pass.words.span(letter))));
+            }
+            return;
+        }
+        if let Some(unusual) = unusual {
+            reports.push(unusual);
+        } else {
+            let begun =
+                passes.recent.iter().flatten().any(|before| {
+                    is_same_thread(&own, before) && is_whole_lead(start.z - before.start.z, lead)
+                });
+            let deeper = before.filter(|_| !begun);
+            let deeper = deeper.map_or(0.0, |before| passes.outwards * (end.x - before.end.x));
+            let has_angle = pass.words.get(b'Q').is_some();
+            let starts = pass.starts as f64;
+            reports.append(&mut remarks(&own, before.as_ref(), deeper, has_angle, starts, face, span));
+        }
+        if by != ThreadedBy::Passes {
+            reports.extend(passes.not_deeper(&own, pass, at));
+        }
+        passes.recent.rotate_right(1);
+        passes.recent[0] = Some(own);
+        self.passes = passes;
+    }
+
+    /// Another tool comes: the next pass is the first of its thread.
+    pub fn tool_changes(&mut self) {
+        self.passes = Passes::default();
     }
 
     /// What `other` has reported counts as reported.
@@ -150,9 +214,76 @@ fn is_on_axis(from: Point, to: Point) -> bool {
     from.x.abs() <= SAME && to.x.abs() <= SAME
 }
 
+impl Passes {
+    /// A pass that is not deeper than the one before it from the same start.
+    fn not_deeper(&mut self, own: &Pass, pass: &ThreadPass, at: &Moment) -> Option<Diagnostic> {
+        let is_same_start = |before: &&Pass| {
+            let moved = own.start.z - before.start.z;
+            is_same_thread(own, before) && before.angle == own.angle && is_whole_lead(moved, own.lead)
+        };
+        let before = self.recent.iter().flatten().find(is_same_start)?;
+        let way = own.end.x - before.end.x;
+        if self.outwards == 0.0 {
+            // Of moves the first two passes show it.
+            if way.abs() > NEAR {
+                self.outwards = way.signum();
+            }
+            return None;
+        }
+        let deeper = self.outwards * way;
+        let before = Diameter::from_radius(before.end.x).mm();
+        let letter = *b"XU".iter().find(|&&letter| pass.words.get(letter).is_some()).unwrap_or(&b'Z');
+        let span = pass.words.get(letter).map_or_else(|| pass.block.words_span(), |word| word.span);
+        // From its first pass a thread begins anew: the same once more, for another part.
+        if deeper < -NEAR && (own.end.x - self.first).abs() > NEAR {
+            let word = quote(at.text, span);
+            return Some(Diagnostic::new(said::ThreadPassNotDeeper { word, before }, span));
+        }
+        let repeats = || Diagnostic::new(said::ThreadPassRepeats { before }, span).graded(Severity::Info);
+        (deeper.abs() <= NEAR).then(repeats)
+    }
+}
+
+/// A lead that no control takes, or no standard has, at the word that gives it.
+fn unusual_lead(text: &[u8], words: &Words, lead: f64, starts: u64) -> Option<Diagnostic> {
+    let (word, leads) = match words.get(b'F') {
+        Some(word) => (word, LEADS),
+        None => (words.get(b'I')?, LEADS_OF_INCH),
+    };
+    let quoted = || quote(text, word.span);
+    if !leads.contains(&lead) {
+        return Some(Diagnostic::new(said::LeadOutOfRange { word: quoted() }, word.span));
+    }
+    let is_fine = lead < starts as f64 * FINEST - NEAR;
+    is_fine.then(|| Diagnostic::new(said::ThreadVeryFine { word: quoted() }, word.span))
+}
+
+/// Degrees where thousandths of a degree are counted.
+fn small_angle(text: &[u8], span: Span, angle: f64) -> Option<Diagnostic> {
+    let word = quote(text, span);
+    if angle <= 0.0 || angle >= 1000.0 || word.contains('.') {
+        return None;
+    }
+    let fix = Fix::write(span, format!("Q{}", angle as u32 * 1000));
+    Some(Diagnostic::new(said::ThreadAngleSmall { word, degrees: angle / 1000.0 }, span).with(fix))
+}
+
+/// Whether two passes may be of one thread, whatever their leads: one tool, one end, nearly one diameter.
+fn is_near(own: &Pass, before: &Pass) -> bool {
+    own.tool == before.tool
+        && (own.end.z - before.end.z).abs() <= NEAR
+        && own.end.z < own.start.z
+        && (own.end.x - before.end.x).abs() <= 2.0 * own.lead.max(before.lead)
+}
+
 /// Remarks about a G76 that has its passes.
 pub fn multi_threading(call: &ThreadingCall, at: &Moment, reports: &mut Vec<Diagnostic>) {
     let &ThreadingCall { block, words, start, how, lead, angle, one_block } = call;
+    if let Some(unusual) = unusual_lead(at.text, words, lead, 1) {
+        // What else is compared with the lead would say the same.
+        reports.push(unusual);
+        return;
+    }
     reports.extend(start_clears_crest(block, start, how));
     if let Some(message) = amounts(how.height, how.first_depth, lead, angle) {
         let address = if message.is::<said::ThreadFirstDepth>() { b'Q' } else { b'P' };
@@ -208,12 +339,13 @@ fn start_clears_crest(block: &Block, start: Point, how: &MultiThread) -> Option<
     Some(if at_crest { diagnostic.graded(Severity::Info) } else { diagnostic })
 }
 
-/// Remarks about a pass: its speed, and whether it meets the pass before it. `angle`: a word gives the angle
-/// at which it starts. `starts`: of how many starts the thread is. `face`: Z of the face of the blank, if one
+/// Remarks about a pass: its speed, and whether it meets the pass before it. `deepens`: how much deeper it is, mm, from a new
+/// start; 0 where that is not known. `angle`: a word gives the angle at which it starts. `starts`: of how many starts the thread is. `face`: Z of the face of the blank, if one
 /// is known. `span`: the block.
 fn remarks(
     own: &Pass,
     before: Option<&Pass>,
+    deepens: f64,
     angle: bool,
     starts: f64,
     face: Option<f64>,
@@ -243,7 +375,9 @@ fn remarks(
     }
     let moved = own.start.z - before.start.z;
     let deeper = (own.start.x - before.start.x).abs().max((own.end.x - before.end.x).abs());
-    if !angle && !is_start_of_lead(moved, own.lead) && !is_along_flank(moved, deeper) {
+    // Another start of the thread begins anew: it goes no deeper than the pass before.
+    let is_start = is_whole_lead(moved, own.lead) || deepens <= NEAR && is_start_of_lead(moved, own.lead);
+    if !angle && !is_start && !is_along_flank(moved, deeper) {
         let (before, now) = (before.start.z, own.start.z);
         diagnostics.push(Diagnostic::new(said::ThreadStartMoved { before, now, lead: own.lead }, span));
     }
@@ -263,6 +397,12 @@ fn is_same_thread(own: &Pass, before: &Pass) -> bool {
         && (own.lead - before.lead).abs() <= NEAR
         && (own.end.z - before.end.z).abs() <= NEAR
         && own.end.z < own.start.z
+}
+
+/// Whether a shift of the start is a whole number of leads.
+fn is_whole_lead(moved: f64, lead: f64) -> bool {
+    let turns = moved / lead;
+    (turns - turns.round()).abs() * lead <= NEAR
 }
 
 /// Whether a shift of the start is a whole number of leads, or leads to another start of a thread of several.

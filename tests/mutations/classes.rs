@@ -95,6 +95,11 @@ pub const CLASSES: &[Class] = &[
     class("start inside the stock", start_inside),
     class("spindle too fast for the lead", fast_thread),
     class("missing subprogram", missing_program),
+    class("another lead in a pass", another_lead),
+    class("passes of a thread exchanged", passes_exchanged),
+    class("lead ten times too small", lead_too_small),
+    class("feed for lead", feed_for_lead),
+    unseen("start angle in degrees", angle_in_degrees),
 ];
 
 /// One mutant for each word for which there is another spelling.
@@ -577,5 +582,80 @@ fn missing_program(words: &Words) -> Vec<Mutant> {
             (other.address == 'M' && other.value == 98.0) || (other.address == 'G' && other.value == 65.0)
         });
         (call && word.address == 'P').then(|| "P7777".to_owned())
+    })
+}
+
+/// The blocks of each G92 and of the passes that go on with it.
+fn threads(words: &Words) -> Vec<Vec<usize>> {
+    let mut threads: Vec<Vec<usize>> = Vec::new();
+    let mut goes_on = false;
+    for block in 0..words.blocks.len() {
+        let has_code = words.of_block(block).any(|word| matches!(word.address, 'G' | 'M' | 'T'));
+        if words.has_g(block, 92.0) && words.find(block, 'F').is_some() {
+            threads.push(vec![block]);
+            goes_on = true;
+        } else if has_code || words.find(block, 'X').is_none() {
+            goes_on = false;
+        } else if let Some(thread) = threads.last_mut().filter(|_| goes_on) {
+            thread.push(block);
+        }
+    }
+    threads
+}
+
+/// A later pass has half the lead.
+fn another_lead(words: &Words) -> Vec<Mutant> {
+    let passes = threads(words).into_iter().flat_map(|thread| {
+        let lead = words.find(thread[0], 'F').map_or(1.0, |word| word.value);
+        thread.into_iter().skip(1).map(move |block| (block, lead))
+    });
+    let mutants = passes.filter_map(|(block, lead)| {
+        let end = words.of_block(block).last()?.end;
+        let (text, start, end) = words.replaced(end, end, &format!(" F{}", lead / 2.0));
+        Some(Mutant { text, place: Place::At(start + 1, end) })
+    });
+    mutants.collect()
+}
+
+/// Two passes that follow each other have each other's diameter: the second removes nothing.
+fn passes_exchanged(words: &Words) -> Vec<Mutant> {
+    let threads = threads(words);
+    let pairs = threads.iter().flat_map(|thread| thread.windows(2));
+    let mutants = pairs.filter_map(|pair| {
+        let (first, second) = (words.find(pair[0], 'X')?, words.find(pair[1], 'X')?);
+        let (first_text, second_text) = (words.written(first), words.written(second));
+        if first.value == second.value {
+            return None;
+        }
+        let (between, rest) = (&words.text[first.end..second.start], &words.text[second.end..]);
+        let head = format!("{}{second_text}{between}", &words.text[..first.start]);
+        let place = Place::At(head.len(), head.len() + first_text.len());
+        Some(Mutant { text: format!("{head}{first_text}{rest}"), place })
+    });
+    mutants.collect()
+}
+
+/// Each F of a thread, written in another way.
+fn each_lead(words: &Words, change: impl Fn(f64) -> Option<String>) -> Vec<Mutant> {
+    each(words, |words, word| {
+        let is_thread = [32.0, 92.0, 76.0].iter().any(|&code| words.has_g(word.block, code));
+        (word.address == 'F' && is_thread).then(|| change(word.value))?
+    })
+}
+
+fn lead_too_small(words: &Words) -> Vec<Mutant> {
+    each_lead(words, |lead| (lead < 2.0).then(|| format!("F{}", lead / 10.0)))
+}
+
+/// The F of the cuts in mm/min.
+fn feed_for_lead(words: &Words) -> Vec<Mutant> {
+    each_lead(words, |_| Some("F600".to_owned()))
+}
+
+fn angle_in_degrees(words: &Words) -> Vec<Mutant> {
+    let passes = threads(words).concat();
+    each(words, |words, word| {
+        let is_start = words.has_g(word.block, 32.0) || passes.contains(&word.block);
+        (word.address == 'Q' && is_start && word.value >= 1000.0).then(|| format!("Q{}", word.value / 1000.0))
     })
 }

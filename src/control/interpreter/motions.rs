@@ -7,7 +7,7 @@ use super::{AXES, Interpreter};
 use crate::control::arcs::{self, CenterWords};
 use crate::control::codes::{Compensation, MotionMode, Plane};
 use crate::control::doubt::{Doubt, Doubts};
-use crate::control::events::{Event, ThreadPass};
+use crate::control::events::{Event, ThreadPass, ThreadedBy};
 use crate::control::modal::{Angle, Once, Target};
 use crate::control::words::{self, Counts, Words, letters, plain, quote};
 use crate::cycles::single::Single;
@@ -342,7 +342,7 @@ impl Interpreter {
         let given = |address: u8| words.get(address).and_then(|word| reading.length(word));
         let from = self.state.position;
         let starts = self.starts(words, Single::Threading);
-        let pass = ThreadPass { block, words, start: from, end: to, lead, starts };
+        let pass = ThreadPass { block, words, start: from, end: to, lead, starts, by: ThreadedBy::Move };
         self.observe(text, Event::ThreadMove { pass, code });
         let gsk = self.dialect.control == Control::Gsk;
         let ends = match (self.state.motion, given(b'J'), given(b'K')) {

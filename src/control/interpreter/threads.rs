@@ -4,7 +4,7 @@
 //! remarks in `lint::thread`.
 
 use super::{AXES, Interpreter};
-use crate::control::events::{Event, ThreadPass, ThreadingCall};
+use crate::control::events::{Event, ThreadPass, ThreadedBy, ThreadingCall};
 use crate::control::words::{Words, plain, quote};
 use crate::cycles::single::Single;
 use crate::cycles::threading::{self, MultiThread};
@@ -54,7 +54,7 @@ impl Interpreter {
         self.observe(text, Event::Thread { block, code: "G76", to: None });
         let starts = self.starts(words, Single::Threading);
         let own_start = Point::new(end.x, start.z);
-        let pass = ThreadPass { block, words, start: own_start, end, lead, starts };
+        let pass = ThreadPass { block, words, start: own_start, end, lead, starts, by: ThreadedBy::Passes };
         self.observe(text, Event::ThreadPass(pass));
         let (height, first_depth, least_depth, method) = if one_block {
             let depth = words.get(b'D').and_then(|word| self.one_block_depth(word));

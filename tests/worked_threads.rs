@@ -1,0 +1,117 @@
+//! Threads worked out by hand: which of their passes is at fault, and which look strange but are right.
+#![cfg(not(target_arch = "wasm32"))]
+
+use gcode_playground::analyze;
+use gcode_playground::message::Severity;
+use gcode_playground::setup::Setup;
+
+/// What is said of a thread that is cut with spindle and tool ready: slug and line of its passes, the first being 1.
+/// Notes stand with a question mark.
+fn said_of(passes: &str) -> Vec<String> {
+    let head = "O0001 (STOCK D=30 LENGTH=80)\nT0303 (THREAD)\nG97 S300 M03\n";
+    let text = format!("{head}{passes}\nG00 X100 Z100\nM30\n");
+    let analysis = analyze(text.as_bytes(), &Setup::default());
+    let told = analysis.diagnostics.iter().map(|told| {
+        let line = text[..told.span.start as usize].matches('\n').count() - head.matches('\n').count() + 1;
+        let note = if told.severity == Severity::Info { "?" } else { "" };
+        format!("{}{note} {line}", told.message.slug())
+    });
+    told.collect()
+}
+
+#[track_caller]
+fn says(passes: &str, expected: &[&str]) {
+    assert_eq!(said_of(passes), expected, "{passes}");
+}
+
+const RIGHT: &str = "G00 X34 Z8\nG92 X29.2 Z-20 F1.5\nX28.6\nX28.2\nX28.04";
+
+#[test]
+fn a_thread_of_ever_deeper_passes_is_right() {
+    says(RIGHT, &[]);
+    // By moves, each from its own diameter.
+    says(
+        "G00 X34 Z8\nX29.2\nG32 Z-20 F1.5\nG00 X34\nZ8\nX28.6\nG32 Z-20\nG00 X34\nZ8\nX28.2\nG32 Z-20\nG00 X34",
+        &[],
+    );
+    // A bore: deeper is a larger diameter.
+    says("G00 X20 Z8\nG92 X22.4 Z-20 F1.5\nX23\nX23.4", &[]);
+    // A taper, and an infeed along the flank.
+    says("G00 X34 Z8\nG92 X29.2 Z-20 R-1 F1.5\nX28.6\nX28.2", &[]);
+    says("G00 X34 Z8\nG92 X29.2 Z-20 F1.5\nG00 Z7.8\nG92 X28.4 Z-20", &[]);
+}
+
+#[test]
+fn the_lead_of_a_pass_is_that_of_the_passes_before() {
+    says(&RIGHT.replace("X28.6", "X28.6 F1"), &["thread-lead-changed 3"]);
+    says(&RIGHT.replace("X28.2", "X28.2 F15"), &["thread-lead-changed 4"]);
+    // What is written once more is the same lead, in inches too.
+    says(&RIGHT.replace("X28.2", "X28.2 F1.50"), &[]);
+    // Another thread: it ends elsewhere, or is much smaller.
+    says(&format!("{RIGHT}\nG00 Z-25\nG92 X27.2 Z-40 F1\nX26.8"), &[]);
+    says(&format!("{RIGHT}\nG00 X22\nG92 X19.2 Z-20 F1\nX18.8"), &[]);
+}
+
+#[test]
+fn a_pass_is_deeper_than_the_one_before_it_from_the_same_start() {
+    says(&RIGHT.replace("X28.2", "X28.9"), &["thread-pass-not-deeper 4"]);
+    // Two passes exchanged: the second of them removes nothing.
+    says("G00 X34 Z8\nG92 X29.2 Z-20 F1.5\nX28.2\nX28.6\nX28.04", &["thread-pass-not-deeper 4"]);
+    says("G00 X20 Z8\nG92 X22.4 Z-20 F1.5\nX23\nX22.8\nX23.4", &["thread-pass-not-deeper 4"]);
+    // By moves the first two passes show which way is deeper.
+    says(
+        "G00 X34 Z8\nX29.2\nG32 Z-20 F1.5\nG00 X34\nZ8\nX28.6\nG32 Z-20\nG00 X34\nZ8\nX28.9\nG32 Z-20\nG00 X34",
+        &["thread-pass-not-deeper 11"],
+    );
+    // A spring pass at the end is a note, and so is a pass written twice.
+    says(&format!("{RIGHT}\nX28.04"), &["thread-pass-not-deeper? 6"]);
+    // The same thread once more, for the next part of the bar.
+    says(&format!("{RIGHT}\nG92 X29.2 Z-20\nX28.6\nX28.2\nX28.04"), &[]);
+}
+
+#[test]
+fn several_starts_are_each_a_thread_of_their_own() {
+    // Each depth from both starts, by their places and by angles.
+    says(
+        "G00 X34 Z9\nG92 X29.2 Z-20 F3\nG00 Z10.5\nG92 X29.2 Z-20\nG00 Z9\nG92 X28.6 Z-20\nG00 Z10.5\nG92 X28.6 Z-20",
+        &[],
+    );
+    says("G00 X34 Z9\nG92 X29.2 Z-20 F3\nX29.2 Q180000\nX28.6 Q0\nX28.6 Q180000", &[]);
+    // All of one start, then all of the other.
+    says("G00 X34 Z9\nG92 X29.2 Z-20 F3\nX28.6\nX28.2\nG00 Z10.5\nG92 X29.2 Z-20\nX28.6\nX28.2", &[]);
+    // Half a lead beside the passes before, and deeper: it cuts their crests away.
+    says("G00 X34 Z9\nG92 X29.2 Z-20 F3\nX28.6\nG00 Z10.5\nG92 X28.2 Z-20", &["thread-start-moved 5"]);
+    // Three starts need a third of the lead.
+    says(
+        "G00 X34 Z9\nG92 X29.2 Z-20 F3\nG00 Z10\nG92 X29.2 Z-20\nG00 Z11\nG92 X29.2 Z-20\nG00 Z9\nG92 X28.6 Z-20",
+        &[],
+    );
+    // Degrees for thousandths of a degree.
+    says("G00 X34 Z9\nG92 X29.2 Z-20 F3\nX29.2 Q180\nX28.6", &["thread-angle-small 3"]);
+    says("G00 X34 Z9\nX29.2\nG32 Z-20 F3 Q90", &["thread-angle-small 3"]);
+}
+
+#[test]
+fn a_lead_is_one_that_controls_take_and_standards_have() {
+    says(&RIGHT.replace("F1.5", "F600"), &["lead-out-of-range 2"]);
+    says(&RIGHT.replace("F1.5", "F0.0001"), &["lead-out-of-range 2"]);
+    says(&RIGHT.replace("F1.5", "F0.15"), &["thread-very-fine 2"]);
+    says("G00 X34 Z8\nG76 P011060 Q50 R0.05\nG76 X28.04 Z-20 P980 Q300 F600", &["lead-out-of-range 3"]);
+    says("G00 X4 Z8\nG92 X0.9 Z-3 F0.2\nX0.8", &[]);
+}
+
+#[test]
+fn a_lead_in_threads_per_inch_has_its_own_range() {
+    let said = |word: &str| {
+        let text = format!("O1\nT0303\nG97 S300 M03\nG00 X34 Z30\nX29\nG32 Z-20 {word}\nG00 X100\nM30\n");
+        let setup = Setup::from_json(r#"{"dialect": {"control": "gsk"}}"#).expect("a setup");
+        let told = analyze(text.as_bytes(), &setup).diagnostics;
+        told.iter()
+            .filter(|told| told.severity > Severity::Info)
+            .map(|told| told.message.slug())
+            .collect::<Vec<_>>()
+    };
+    assert!(said("I11").is_empty());
+    assert_eq!(said("I26000"), ["lead-out-of-range"]);
+    assert_eq!(said("I0.05"), ["lead-out-of-range"]);
+}
