@@ -19,7 +19,7 @@ use std::fmt::Write;
 use std::fs;
 
 use asking::Asking;
-use gcode_playground::api::assist::{StateHelp, WordHelp};
+use gcode_playground::api::assist::{FormHelp, StateHelp, WordHelp};
 use gcode_playground::assist::role::Role;
 use gcode_playground::assist::signature::Otherwise;
 use gcode_playground::message::Severity;
@@ -63,21 +63,58 @@ fn answers(text: &str) -> String {
                 _ = writeln!(out, "{explanation}");
             }
         }
-        let state = asking.state(mark, Time::Usual, Language::English);
-        _ = writeln!(out, "line {}, {} of {}", state.line, state.number, state.times);
-        for row in state.axes.iter().chain(&state.rows).chain(&state.variables) {
-            let sign = if row.changed { '*' } else { ' ' };
-            let since = row.line.map_or_else(String::new, |line| format!(" (line {line})"));
-            let value =
-                if row.changed { format!("{} -> {}", row.before, row.after) } else { row.after.clone() };
-            _ = writeln!(out, "  {sign} {}: {value}{since}", row.name);
+        for language in Language::ALL {
+            write_state(&mut out, &asking.state(mark, Time::Usual, language));
         }
-        for frame in state.frames {
-            _ = writeln!(out, "    {}", frame.text);
+        for language in Language::ALL {
+            write_form(&mut out, asking.form(mark, language));
+        }
+        for language in Language::ALL {
+            let proposed = asking.completion(mark, language, true);
+            let shown = proposed.iter().take(3).map(|item| format!("{} ({})", item.label, item.detail));
+            _ = writeln!(out, "proposed: {}", shown.collect::<Vec<_>>().join("; "));
+        }
+        if let Some(uses) = asking
+            .with(mark, Time::Usual, Language::English, |_, reader, run| reader.uses(run.code_list(), mark))
+        {
+            let lines: Vec<_> = uses.places.iter().map(|place| place.line.to_string()).collect();
+            _ = writeln!(out, "{} in lines {}", uses.name, lines.join(", "));
         }
         out.push('\n');
     }
+    for language in Language::ALL {
+        let outline = asking.with(0, Time::Usual, language, |_, reader, run| reader.outline(run.code_list()));
+        for entry in outline.entries {
+            let indent = "  ".repeat(entry.depth.into());
+            _ = writeln!(out, "{indent}{} {} {}", entry.line, entry.name, entry.detail);
+        }
+    }
     out
+}
+
+/// The state before and after a block.
+fn write_state(out: &mut String, state: &StateHelp) {
+    _ = writeln!(out, "line {}, {} of {}", state.line, state.number, state.times);
+    for row in state.axes.iter().chain(&state.rows).chain(&state.variables) {
+        let sign = if row.changed { '*' } else { ' ' };
+        let since = row.line.map_or_else(String::new, |line| format!(" (line {line})"));
+        let value = if row.changed { format!("{} -> {}", row.before, row.after) } else { row.after.clone() };
+        _ = writeln!(out, "  {sign} {}: {value}{since}", row.name);
+    }
+    for frame in &state.frames {
+        _ = writeln!(out, "    {}", frame.text);
+    }
+}
+
+/// The form of a block: its words, and what of them is not written.
+fn write_form(out: &mut String, form: Option<FormHelp>) {
+    for line in form.into_iter().flat_map(|form| form.lines) {
+        let words = line.words.iter().map(|word| match word.state {
+            "there" => format!("{} {}", word.letters, word.title),
+            state => format!("{} {} ({state}: {})", word.letters, word.title, word.otherwise),
+        });
+        _ = writeln!(out, "form {}: {}", line.code, words.collect::<Vec<_>>().join("; "));
+    }
 }
 
 #[test]

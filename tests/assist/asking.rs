@@ -1,7 +1,7 @@
 //! A program that was run, and the questions about it.
 
 use gcode_playground::api::Places;
-use gcode_playground::api::assist::{Reader, StateHelp, WordHelp};
+use gcode_playground::api::assist::{FormHelp, Reader, StateHelp, WordHelp};
 use gcode_playground::assist::Asked;
 use gcode_playground::run::Run;
 use gcode_playground::run::replay::{Found, Time, block_at};
@@ -62,6 +62,10 @@ impl Asking {
             let notes: Vec<Span> = run.notes().spans().collect();
             reader.word(asked, byte, &notes, run.motions())
         })
+    }
+
+    pub fn form(&mut self, byte: u32, language: Language) -> Option<FormHelp> {
+        self.with(byte, Time::Usual, language, |asked, reader, _| reader.form(asked, byte))
     }
 
     pub fn state(&mut self, byte: u32, time: Time, language: Language) -> StateHelp {

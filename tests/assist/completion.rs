@@ -10,7 +10,7 @@ use crate::asking::Asking;
 
 impl Asking {
     /// What can be written at a byte, for a reader who asks for it, or who types.
-    fn completion(&mut self, byte: u32, language: Language, asked_for: bool) -> Vec<CompletionItem> {
+    pub fn completion(&mut self, byte: u32, language: Language, asked_for: bool) -> Vec<CompletionItem> {
         let end = self.run.state().clone();
         self.with(byte, Time::Usual, language, |asked, reader, _| {
             reader.completion(asked, byte, &end, asked_for).map_or_else(Vec::new, |found| found.items)
