@@ -119,7 +119,7 @@ test('lines taken out while a long text is still looked through hide no switch',
       });
       Reflect.apply(post, this, [{ kind: 'say', session, what: { kind: 'stop' } }]);
       const edit = { kind: 'edit', changes: [{ from: 0, to: 99_000, insert: '' }] };
-      Reflect.apply(post, this, [{ kind: 'say', session, what: { kind: 'run', run, text: edit, framing: 'keep' } }]);
+      Reflect.apply(post, this, [{ kind: 'say', session, what: { kind: 'run', run, text: edit, tried: [], framing: 'keep' } }]);
     };
   });
   await open(page);
