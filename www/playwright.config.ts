@@ -17,7 +17,7 @@ const files = (...names: string[]): string[] => names.map((name) => `**/${name}.
 const CHROMIUM_ONLY = files('accessible', 'devices', 'docs', 'long-program', 'many', 'origins', 'package', 'parts', 'phone', 'playing-smoothly', 'room', 'solid');
 const NOT_IN_WEBKIT = files('encodings');
 /** What they check is worked out by the interpreter and shown by elements that other tests use in all engines. */
-const OF_THE_INTERPRETER = files('bad-input', 'codes', 'cycles', 'first-week', 'motions', 'read-as', 'repairs', 'rewrite', 'rules', 'units');
+const OF_THE_INTERPRETER = files('bad-input', 'codes', 'cycles', 'exports', 'first-week', 'motions', 'read-as', 'repairs', 'rewrite', 'rules', 'setup', 'switching', 'units');
 const LEFT_OUT = process.env['PLAYGROUND_ALL_ENGINES'] === '1' ? CHROMIUM_ONLY : [...CHROMIUM_ONLY, ...OF_THE_INTERPRETER];
 
 export default defineConfig<object, WorkerOptions>({

@@ -59,6 +59,8 @@ struct Passes {
     recent: [Option<Pass>; 4],
     /// 1 where a deeper pass has a larger X, -1 where it has a smaller one, 0 where that is not known yet.
     outwards: f64,
+    /// A pass was as deep as one before it.
+    repeats: bool,
 }
 
 /// What is remembered of threads.
@@ -109,9 +111,10 @@ impl Threads {
     /// G32 to G34 cut to a place. `pass`: the same as a pass of a thread, whose spindle goes on turning.
     pub fn cuts(&mut self, pass: &ThreadPass, code: &str, at: &Moment, reports: &mut Vec<Diagnostic>) {
         self.tap_moves(pass.block, pass.start, pass.end, at, reports);
-        if code != "G33" && self.tap.is_none() {
+        if code != "G33" && !is_on_axis(pass.start, pass.end) {
             self.pass(pass, at, reports);
-        } else {
+        } else if pass.lead > *LEADS.end() {
+            // A hole that was written out has the lead that its feed makes, however small.
             reports.extend(unusual_lead(at.text, pass.words, pass.lead, 1));
         }
     }
@@ -239,8 +242,8 @@ impl Passes {
             let word = quote(at.text, span);
             return Some(Diagnostic::new(said::ThreadPassNotDeeper { word, before }, span));
         }
-        let repeats = || Diagnostic::new(said::ThreadPassRepeats { before }, span).graded(Severity::Info);
-        (deeper.abs() <= NEAR).then(repeats)
+        let is_first = deeper.abs() <= NEAR && !std::mem::replace(&mut self.repeats, true);
+        is_first.then(|| Diagnostic::new(said::ThreadPassRepeats { before }, span).graded(Severity::Info))
     }
 }
 

@@ -37,7 +37,8 @@ test('the list is turned off with one switch, which is remembered, and comes whe
   await open(page);
   await type(page, HEAD);
   await page.keyboard.press('F1');
-  await page.getByLabel(/Propose words/).click();
+  await page.getByLabel(/Propose words/).focus();
+  await page.keyboard.press('Space');
   await page.reload();
   await open(page);
   await type(page, HEAD);
