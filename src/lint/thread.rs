@@ -114,7 +114,7 @@ impl Threads {
         if code != "G33" && !is_on_axis(pass.start, pass.end) {
             self.pass(pass, at, reports);
         } else if pass.lead > *LEADS.end() {
-            // A hole that was written out has the lead that its feed makes, however small.
+            // The moves of an expanded hole cycle have the lead that its feed makes, however small.
             reports.extend(unusual_lead(at.text, pass.words, pass.lead, 1));
         }
     }

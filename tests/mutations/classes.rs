@@ -635,21 +635,22 @@ fn passes_exchanged(words: &Words) -> Vec<Mutant> {
     mutants.collect()
 }
 
-/// Each F of a thread, written in another way.
-fn each_lead(words: &Words, change: impl Fn(f64) -> Option<String>) -> Vec<Mutant> {
+/// Each F of a thread that one of these codes cuts, written in another way.
+fn each_lead(words: &Words, codes: &[f64], change: impl Fn(f64) -> Option<String>) -> Vec<Mutant> {
     each(words, |words, word| {
-        let is_thread = [32.0, 92.0, 76.0].iter().any(|&code| words.has_g(word.block, code));
+        let is_thread = codes.iter().any(|&code| words.has_g(word.block, code));
         (word.address == 'F' && is_thread).then(|| change(word.value))?
     })
 }
 
+/// Not of G32, which taps as well: there an expanded hole cycle has any lead.
 fn lead_too_small(words: &Words) -> Vec<Mutant> {
-    each_lead(words, |lead| (lead < 2.0).then(|| format!("F{}", lead / 10.0)))
+    each_lead(words, &[92.0, 76.0], |lead| (lead < 2.0).then(|| format!("F{}", lead / 10.0)))
 }
 
 /// The F of the cuts in mm/min.
 fn feed_for_lead(words: &Words) -> Vec<Mutant> {
-    each_lead(words, |_| Some("F600".to_owned()))
+    each_lead(words, &[32.0, 92.0, 76.0], |_| Some("F600".to_owned()))
 }
 
 fn angle_in_degrees(words: &Words) -> Vec<Mutant> {
