@@ -258,18 +258,21 @@ impl Current {
 
     /// Begins to go through the run once more, to the block at a byte.
     pub fn replay(&self, byte: u32, time: Time) -> Replay {
+        self.run.replay(self.begin_of_line(byte), byte, time)
+    }
+
+    /// The beginning of the line that a byte is in.
+    fn begin_of_line(&self, byte: u32) -> Resume {
         let (text, lines) = (self.run.text(), self.lines());
         let line = lines.line_of(byte.min(text.len() as u32));
-        let start = lines.line(text, line).start;
-        self.run.replay(Resume::inside(start, line), byte, time)
+        Resume::inside(lines.line(text, line).start, line)
     }
 
     /// The first byte of the block at a UTF-16 offset.
     pub fn start_of_block(&self, offset: u32) -> u32 {
-        let (text, lines) = (self.run.text(), self.lines());
-        let byte = lines.byte_at_utf16(text, offset).min(text.len() as u32);
-        let line = lines.line_of(byte);
-        block_at(text, Resume::inside(lines.line(text, line).start, line), byte).0.start.byte
+        let text = self.run.text();
+        let byte = self.lines().byte_at_utf16(text, offset);
+        block_at(text, self.begin_of_line(byte), byte).0.start.byte
     }
 
     /// Goes on with a replay for at most so many blocks; true once it has ended.

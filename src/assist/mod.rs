@@ -20,7 +20,8 @@ pub mod uses;
 use std::borrow::Cow;
 
 use crate::control::modal::State;
-use crate::run::replay::Visit;
+use crate::run::Run;
+use crate::run::replay::{Found, Visit};
 use crate::setup::Setup;
 use crate::setup::dialect::{CodeList, Dialect};
 use crate::text::block::Block;
@@ -42,6 +43,21 @@ pub struct Asked<'a> {
     pub dialect: &'a Dialect,
     /// The G codes the program is read with.
     pub codes: CodeList,
+}
+
+impl<'a> Asked<'a> {
+    /// What a replay of a run has found of a block.
+    pub fn new(run: &'a Run, found: &'a Found, block: &'a Block) -> Self {
+        Self {
+            text: run.text(),
+            block,
+            visit: found.visit.as_ref(),
+            times: found.times,
+            setup: run.setup(),
+            dialect: run.dialect(),
+            codes: run.code_list(),
+        }
+    }
 }
 
 impl Asked<'_> {

@@ -107,8 +107,7 @@ fn words(block: &Block, codes: CodeList, found: &mut Vec<Named>) {
 fn jump(text: &[u8], statement: Span) -> Option<Named> {
     let upper = statement.of(text).to_ascii_uppercase();
     let at = upper.windows(4).position(|four| four == b"GOTO")? + 4;
-    let blanks = upper[at..].iter().take_while(|byte| matches!(byte, b' ' | b'\t' | b'N')).count();
-    let (number, span) = digits(text, statement.start as usize + at + blanks)?;
+    let (number, span) = number_after(text, statement.start as usize + at, b" \tNn")?;
     Some(Named { name: Name::Sequence(number), span, defines: false, anywhere: false })
 }
 
@@ -116,7 +115,7 @@ fn jump(text: &[u8], statement: Span) -> Option<Named> {
 fn variables(text: &[u8], within: Span, statement: bool, found: &mut Vec<Named>) {
     let (start, end) = (within.start as usize, (within.end as usize).min(text.len()));
     for hash in (start..end).filter(|&at| text[at] == b'#') {
-        let Some((number, digits)) = digits(text, hash + 1) else { continue };
+        let Some((number, digits)) = number_after(text, hash + 1, b"") else { continue };
         let after = text[digits.end as usize..end].iter().find(|byte| !matches!(byte, b' ' | b'\t'));
         let defines = statement && hash == start && after == Some(&b'=');
         let span = Span::new(hash, digits.end as usize);
@@ -124,9 +123,10 @@ fn variables(text: &[u8], within: Span, statement: bool, found: &mut Vec<Named>)
     }
 }
 
-/// The whole number at a byte, and where it stands.
-fn digits(text: &[u8], at: usize) -> Option<(u32, Span)> {
-    let count = text.get(at..)?.iter().take_while(|byte| byte.is_ascii_digit()).count();
+/// The whole number at a byte, or after the signs there that are skipped, and where it stands.
+pub fn number_after(text: &[u8], at: usize, skipped: &[u8]) -> Option<(u32, Span)> {
+    let at = at + text.get(at..)?.iter().take_while(|byte| skipped.contains(byte)).count();
+    let count = text[at..].iter().take_while(|byte| byte.is_ascii_digit()).count();
     let number = std::str::from_utf8(&text[at..at + count]).ok()?.parse().ok()?;
     Some((number, Span::new(at, at + count)))
 }

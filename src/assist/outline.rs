@@ -3,7 +3,7 @@
 //! In: the text, the codes it is read with. Out: entries in the order of the text, with their depth. Nothing has to have run.
 
 use super::form::{Half, g_of, half};
-use super::names::{Name, names};
+use super::names::{Name, Named, names, number_after};
 use crate::control::codes::{self, Function, G, MotionMode};
 use crate::control::words::plain;
 use crate::setup::dialect::CodeList;
@@ -122,14 +122,15 @@ impl Outlining<'_> {
             self.add(Kind::Tool, depth, block, name, own.or(before));
         }
         let depth = depth + u8::from(self.tool.is_some());
-        if let Some(function) = self.cycle(block) {
+        let cycle = self.cycle(block);
+        if let Some(function) = cycle {
             self.add(Kind::Cycle(function), depth, block, block.words_span(), None);
         } else if let Some(number) = block.sequence {
             let (at, comment) = (block.span.start, block.comments.first().copied());
             let name = Span { end: comment.map_or(block.span.end, |comment| comment.start), ..block.span };
             self.sequences.push((number, Entry { kind: Kind::Sequence, depth, at, name, comment }));
         }
-        self.fold(block);
+        self.fold(block, cycle.is_some(), &found);
         if block.program.is_none() {
             self.is_head = false;
         }
@@ -173,11 +174,12 @@ impl Outlining<'_> {
 
     // ---- what can be folded -----------------------------------------------------------------------------
 
-    fn fold(&mut self, block: &Block) {
+    /// `found`: what is named in the block.
+    fn fold(&mut self, block: &Block, is_cycle: bool, found: &[Named]) {
         let (text, codes) = (self.text, self.codes);
-        if self.cycle(block).is_some() {
+        if is_cycle {
             // A contour follows its cycle.
-            let last = names(text, block, codes).into_iter().rev().find_map(|named| match named.name {
+            let last = found.iter().rev().find_map(|named| match named.name {
                 Name::Sequence(number) if !named.defines => Some(number),
                 _ => None,
             });
@@ -193,22 +195,14 @@ impl Outlining<'_> {
             self.contour = None;
         }
         if block.kind == BlockKind::Macro {
-            let statement = block.words_span().of(text).to_ascii_uppercase();
-            let number = |at: usize| {
-                let digits: String = statement[at..]
-                    .iter()
-                    .skip_while(|byte| matches!(byte, b' ' | b'\t'))
-                    .take_while(|byte| byte.is_ascii_digit())
-                    .map(|&byte| byte as char)
-                    .collect();
-                digits.parse::<u32>().ok()
-            };
+            let span = block.words_span();
+            let statement = span.of(text).to_ascii_uppercase();
+            let number = |at: usize| Some(number_after(text, span.start as usize + at, b" \t")?.0);
             let of = |word: &[u8]| statement.windows(word.len()).rposition(|part| part == word);
             if statement.starts_with(b"END") {
                 let open = number(3).and_then(|end| self.loops.iter().rposition(|&(own, _)| own == end));
                 if let Some(open) = open {
-                    let (_, head) = self.loops.swap_remove(open);
-                    self.close(head, Some(block.span));
+                    self.close(self.loops[open].1, Some(block.span));
                     self.loops.truncate(open);
                 }
             } else if let Some(number) = of(b"DO").and_then(|at| number(at + 2)) {

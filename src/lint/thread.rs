@@ -11,7 +11,7 @@ use crate::message::{Diagnostic, Edit, Fix, Message, Repair, Severity, said};
 use crate::motion::SpindleTurn;
 use crate::order;
 use crate::source::Span;
-use crate::text::block::Block;
+use crate::text::block::{Block, Word};
 use crate::units::Diameter;
 
 /// n ≤ 1200 / P − K (seed 001).
@@ -175,21 +175,17 @@ impl Threads {
         }
         if let Some(before) = before.filter(|before| (before.lead - lead).abs() > NEAR) {
             // It is reported where it is given; the thread goes on with the lead it had.
-            if let Some(&letter) = b"FI".iter().find(|&&letter| pass.words.get(letter).is_some()) {
+            if let Some(word) = lead_word(pass.words) {
                 let message = said::ThreadLeadChanged { before: before.lead, now: lead };
-                reports.push(unusual.unwrap_or_else(|| Diagnostic::new(message, pass.words.span(letter))));
+                reports.push(unusual.unwrap_or_else(|| Diagnostic::new(message, word.span)));
             }
             return;
         }
         if let Some(unusual) = unusual {
             reports.push(unusual);
         } else {
-            let begun =
-                passes.recent.iter().flatten().any(|before| {
-                    is_same_thread(&own, before) && is_whole_lead(start.z - before.start.z, lead)
-                });
-            let deeper = before.filter(|_| !begun);
-            let deeper = deeper.map_or(0.0, |before| passes.outwards * (end.x - before.end.x));
+            let begun = passes.recent.iter().flatten().any(|before| is_same_start(&own, before));
+            let deeper = before.filter(|_| !begun).map_or(0.0, |before| passes.deeper(&own, &before));
             let has_angle = pass.words.get(b'Q').is_some();
             let starts = pass.starts as f64;
             reports.append(&mut remarks(&own, before.as_ref(), deeper, has_angle, starts, face, span));
@@ -218,22 +214,24 @@ fn is_on_axis(from: Point, to: Point) -> bool {
 }
 
 impl Passes {
+    /// How much deeper a pass is than another, mm; 0 where the side is not known.
+    fn deeper(&self, own: &Pass, before: &Pass) -> f64 {
+        self.outwards * (own.end.x - before.end.x)
+    }
+
     /// A pass that is not deeper than the one before it from the same start.
     fn not_deeper(&mut self, own: &Pass, pass: &ThreadPass, at: &Moment) -> Option<Diagnostic> {
-        let is_same_start = |before: &&Pass| {
-            let moved = own.start.z - before.start.z;
-            is_same_thread(own, before) && before.angle == own.angle && is_whole_lead(moved, own.lead)
-        };
-        let before = self.recent.iter().flatten().find(is_same_start)?;
-        let way = own.end.x - before.end.x;
+        let mut of_thread = self.recent.iter().flatten();
+        let before = of_thread.find(|before| before.angle == own.angle && is_same_start(own, before))?;
         if self.outwards == 0.0 {
             // Of moves the first two passes show it.
+            let way = own.end.x - before.end.x;
             if way.abs() > NEAR {
                 self.outwards = way.signum();
             }
             return None;
         }
-        let deeper = self.outwards * way;
+        let deeper = self.deeper(own, before);
         let before = Diameter::from_radius(before.end.x).mm();
         let letter = *b"XU".iter().find(|&&letter| pass.words.get(letter).is_some()).unwrap_or(&b'Z');
         let span = pass.words.get(letter).map_or_else(|| pass.block.words_span(), |word| word.span);
@@ -247,12 +245,15 @@ impl Passes {
     }
 }
 
+/// The word that gives the lead: in millimetres, or as threads per inch.
+fn lead_word<'a>(words: &Words<'a>) -> Option<&'a Word> {
+    words.get(b'F').or_else(|| words.get(b'I'))
+}
+
 /// A lead that no control takes, or no standard has, at the word that gives it.
 fn unusual_lead(text: &[u8], words: &Words, lead: f64, starts: u64) -> Option<Diagnostic> {
-    let (word, leads) = match words.get(b'F') {
-        Some(word) => (word, LEADS),
-        None => (words.get(b'I')?, LEADS_OF_INCH),
-    };
+    let word = lead_word(words)?;
+    let leads = if word.address == b'F' { LEADS } else { LEADS_OF_INCH };
     let quoted = || quote(text, word.span);
     if !leads.contains(&lead) {
         return Some(Diagnostic::new(said::LeadOutOfRange { word: quoted() }, word.span));
@@ -402,6 +403,11 @@ fn is_same_thread(own: &Pass, before: &Pass) -> bool {
         && own.end.z < own.start.z
 }
 
+/// Whether a pass of the same thread began at the same start of it, be it some leads away.
+fn is_same_start(own: &Pass, before: &Pass) -> bool {
+    is_same_thread(own, before) && is_whole_lead(own.start.z - before.start.z, own.lead)
+}
+
 /// Whether a shift of the start is a whole number of leads.
 fn is_whole_lead(moved: f64, lead: f64) -> bool {
     let turns = moved / lead;
@@ -410,11 +416,7 @@ fn is_whole_lead(moved: f64, lead: f64) -> bool {
 
 /// Whether a shift of the start is a whole number of leads, or leads to another start of a thread of several.
 fn is_start_of_lead(moved: f64, lead: f64) -> bool {
-    let turns = moved / lead;
-    (1..=STARTS).any(|starts| {
-        let parts = turns * f64::from(starts);
-        (parts - parts.round()).abs() * lead <= NEAR * f64::from(starts)
-    })
+    (1..=STARTS).any(|starts| is_whole_lead(moved, lead / f64::from(starts)))
 }
 
 /// δ1 = 3.605 · n·L / 1800: what a slide needs to reach its speed.

@@ -153,12 +153,13 @@ fn pace(motion: &Motion, machine: &Machine) -> f64 {
 }
 
 #[cfg(test)]
-mod tests {
+pub(super) mod tests {
     use super::*;
     use crate::analyze;
     use crate::setup::Setup;
 
-    fn run(text: &str) -> (Motions, Clock) {
+    /// The motions of a program, and their clock.
+    pub(in crate::playback) fn run(text: &str) -> (Motions, Clock) {
         let analysis = analyze(text.as_bytes(), &Setup::default());
         let clock = Clock::new(&analysis.motions, &analysis.setup.machine);
         (analysis.motions, clock)

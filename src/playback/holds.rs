@@ -68,20 +68,22 @@ pub fn play(
 fn first_hold(motions: &Motions, range: Range<usize>, holds: Holds) -> Option<(Playhead, HeldBy)> {
     let stop = stop_in(motions, range.clone(), holds.stops).map(|(motion, _)| motion);
     let until = stop.unwrap_or(range.end).min(motions.len());
-    let by_block = || {
-        (range.start..until).find_map(|motion| {
-            if motions.span(motion) == motions.span(motion - 1) {
-                return None;
-            }
-            if holds.lines.binary_search(&motions.line(motion)).is_ok() {
-                return Some((Playhead { motion, share: 0.0 }, HeldBy::Line));
-            }
-            holds.each_block.then(|| (Playhead::end_of(motion - 1), HeldBy::Block))
-        })
-    };
-    let looks_at_blocks = holds.each_block || !holds.lines.is_empty();
-    let by_block = if looks_at_blocks { by_block() } else { None };
-    by_block.or_else(|| stop.map(|motion| (Playhead::end_of(motion - 1), HeldBy::Stop)))
+    let at_stop = || stop.map(|motion| (Playhead::end_of(motion - 1), HeldBy::Stop));
+    block_hold(motions, range.start..until, holds).or_else(at_stop)
+}
+
+/// The same by blocks alone: the end of one, or a marked line that comes next.
+fn block_hold(motions: &Motions, range: Range<usize>, holds: Holds) -> Option<(Playhead, HeldBy)> {
+    if !holds.each_block && holds.lines.is_empty() {
+        return None;
+    }
+    let mut starts = range.filter(|&motion| motions.span(motion) != motions.span(motion - 1));
+    starts.find_map(|motion| {
+        if holds.lines.binary_search(&motions.line(motion)).is_ok() {
+            return Some((Playhead { motion, share: 0.0 }, HeldBy::Line));
+        }
+        holds.each_block.then(|| (Playhead::end_of(motion - 1), HeldBy::Block))
+    })
 }
 
 /// The stop at which the tool stands.
@@ -123,13 +125,8 @@ pub fn lines_that_move(motions: &Motions, lines: &[u32]) -> Vec<u32> {
 mod tests {
     use super::*;
     use crate::analyze;
+    use crate::playback::clock::tests::run;
     use crate::setup::Setup;
-
-    fn run(text: &str) -> (Motions, Clock) {
-        let analysis = analyze(text.as_bytes(), &Setup::default());
-        let clock = Clock::new(&analysis.motions, &analysis.setup.machine);
-        (analysis.motions, clock)
-    }
 
     const LOOP: &str = "O1\nT0101 M3 S500\nG0 X50 Z2\n#1=0\nWHILE[#1LT2]DO1\nG90 X[40-#1] Z-5 F0.2\n#1=#1+1\nEND1\nG0 X100\nM00\nZ100\nM30\n";
 

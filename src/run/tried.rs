@@ -6,18 +6,7 @@
 
 use super::Run;
 use crate::control::macros::Variables;
-use crate::parts::{Part, in_part};
 use crate::setup::TriedValue;
-
-/// The part in which values are tried: that of the macros.
-const TRIED: Part = Part::Seldom;
-
-in_part! {
-    Seldom "0910"
-    fn give_to(run: &mut Run, tried: TriedValue) {
-        run.interpreter.give(tried.variable, tried.value, tried.block);
-    }
-}
 
 impl Run {
     /// The block at a byte comes next.
@@ -32,13 +21,8 @@ impl Run {
                 continue;
             }
             self.tried[at] += 1;
-            if self.tried[at] != tried.time {
-                continue;
-            }
-            if TRIED.is_loaded() {
-                give_to(self, tried);
-            } else {
-                self.missing = Some(TRIED);
+            if self.tried[at] == tried.time {
+                self.interpreter.give(tried);
             }
         }
     }

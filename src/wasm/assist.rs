@@ -187,15 +187,7 @@ fn with_answer(
     let answer = playground.question.found.as_ref().filter(|(of, ..)| *of == run.id());
     let Some((_, _, found)) = answer else { return Ok(JsValue::UNDEFINED) };
     let (_, block) = block_at(run.text(), found.place.start, found.place.start.byte);
-    let asked = Asked {
-        text: run.text(),
-        block: &block,
-        visit: found.visit.as_ref(),
-        times: found.times,
-        setup: run.setup(),
-        dialect: run.dialect(),
-        codes: run.code_list(),
-    };
+    let asked = Asked::new(run, found, &block);
     make(&reader(playground), &asked)
 }
 

@@ -44,15 +44,7 @@ impl Asking {
     ) -> R {
         let (found, block) = self.found(byte, time);
         let run = &self.run;
-        let asked = Asked {
-            text: run.text(),
-            block: &block,
-            visit: found.visit.as_ref(),
-            times: found.times,
-            setup: run.setup(),
-            dialect: run.dialect(),
-            codes: run.code_list(),
-        };
+        let asked = Asked::new(run, &found, &block);
         let places = Places { text: run.text(), lines: &self.lines };
         say(&asked, &Reader { places, language, unit: run.state().unit }, run)
     }

@@ -8,12 +8,13 @@ use super::store::Store;
 use super::{Flow, Interpreter, shortened};
 use crate::control::codes::{self, MacroCall};
 use crate::control::doubt::Doubt;
-use crate::control::macros::{self, Action, Knowledge, Locals, MacroError, MacroErrorKind};
+use crate::control::macros::{self, Action, Knowledge, Locals, MacroError, MacroErrorKind, Stored};
 use crate::control::program::{CallKind, Loop, ModalCall, Rounds};
 use crate::control::words::{plain, quote};
 use crate::limits::LOOPS;
 use crate::message::{Diagnostic, Fix, said};
 use crate::parts::{Part, in_part};
+use crate::setup::TriedValue;
 use crate::setup::dialect::Control;
 use crate::source::Span;
 use crate::text::block::{Block, BlockKind, Value, Word};
@@ -44,6 +45,11 @@ in_part! {
     fn modal_call(control: &mut Interpreter, block: &Block, back: Resume) -> Option<Flow> {
         control.call_of_modal_macro(block, back)
     }
+
+    Seldom "0304"
+    fn give(control: &mut Interpreter, tried: TriedValue) {
+        control.give_tried(tried);
+    }
 }
 
 impl Interpreter {
@@ -51,6 +57,21 @@ impl Interpreter {
     #[cold]
     pub(super) fn macro_statement(&mut self, text: &[u8], block: &Block, here: Here) -> Flow {
         if self.has(MACROS) { macro_statement(self, text, block, here) } else { Flow::Next }
+    }
+
+    /// Gives a variable a value that a reader tries, as if its block had set it; one that cannot be written stays.
+    pub fn give(&mut self, tried: TriedValue) {
+        if self.has(MACROS) {
+            give(self, tried);
+        }
+    }
+
+    fn give_tried(&mut self, TriedValue { block, variable, value, .. }: TriedValue) {
+        let variables = &mut self.state.variables;
+        if variables.write(variable, Some(value)) == Ok(Stored::Done) {
+            variables.set_unknown(variable, Knowledge::Known);
+            self.origins.assigned(variables.level(), variable, block);
+        }
     }
 
     fn statement(&mut self, text: &[u8], block: &Block, here: Here) -> Flow {

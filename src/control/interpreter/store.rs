@@ -22,17 +22,6 @@ impl<'a> Store<'a> {
     }
 }
 
-impl Interpreter {
-    /// Gives a variable a value that a reader tries, as if the block that begins at a byte had set it; one that cannot be
-    /// written stays.
-    pub fn give(&mut self, variable: u32, value: f64, block: u32) {
-        if self.state.variables.write(variable, Some(value)) == Ok(Stored::Done) {
-            self.state.variables.set_unknown(variable, Knowledge::Known);
-            self.origins.assigned(self.state.variables.level(), variable, block);
-        }
-    }
-}
-
 impl Memory for Store<'_> {
     fn read(&mut self, variable: u32) -> Result<Option<f64>, MacroErrorKind> {
         Ok(match self.interpreter.state.variables.read(variable)? {
