@@ -1,7 +1,7 @@
 // Ten questions of a student in the first week, written down before the help was made: each is answered on the page within two
 // acts, a click on the word and one on "At the cursor".
-import { expect, test, type BasicPage, type Locator } from './engines';
-import { open, type } from './page';
+import { expect, test } from './engines';
+import { atCursor, open, type } from './page';
 
 const SHAFT = [
   'O0001 (SHAFT)', 'T0101 (ROUGHING)', 'G50 S2000', 'G96 S180 M03', 'G00 X62 Z2', 'G71 U2 R1', 'G71 P10 Q20 U0.4 W0.1 F0.25', 'N10 G00 X30',
@@ -30,7 +30,6 @@ const QUESTIONS: readonly Asked[] = [
   { question: 'What is left out of this G76, and what holds instead?', line: 19, word: 'G76', answer: { en: /R taper of the thread.*Without it: 0\./s, zh: /R .*锥/, ru: /R .*конус/ } },
 ];
 
-const atCursor = (page: BasicPage): Locator => page.getByRole('region', { name: /^(At the cursor|光标处|У курсора)/ });
 
 for (const locale of ['en', 'zh', 'ru'] as const) {
   test(`ten questions of the first week are answered within two acts, ${locale}`, async ({ page }) => {

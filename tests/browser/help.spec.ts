@@ -1,21 +1,11 @@
 // Help at the word and the state at the cursor: by keys, by the pointer, in three languages.
 import { expect, test, type BasicPage, type Locator } from './engines';
-import { editor, open, status, tab, type } from './page';
+import { atCursor, editor, goTo, open, status, tab, type } from './page';
 
 const THREAD = 'O1\nT0101\nG97 S600 M03\nG00 X34 Z4\nG76 P021260 Q100 R0.05\nG76 X27.4 Z-25 P1299 Q400 F2\nG00 X100 Z100\nM30';
 const LOOP = 'O1\n#1=40\nWHILE [#1 GT 30] DO1\nG65 P9 X#1\n#1=#1-2\nEND1\nM30\nO9\nG00 X#24 Z2\nM99';
 
-const atCursor = (page: BasicPage): Locator => page.getByRole('region', { name: /^(At the cursor|光标处|У курсора)/ });
 const row = (page: BasicPage, name: string): Locator => atCursor(page).getByRole('row').filter({ has: page.getByRole('rowheader', { name, exact: true }) });
-
-/** Puts the cursor into a line, on its nth letter, with keys. */
-async function goTo(page: BasicPage, line: number, letter: number): Promise<void> {
-  await editor(page).focus();
-  await page.keyboard.press('Control+Home');
-  for (let at = 1; at < line; at++) await page.keyboard.press('ArrowDown');
-  await page.keyboard.press('Home');
-  for (let at = 0; at < letter; at++) await page.keyboard.press('ArrowRight');
-}
 
 /** What is read out from now on; it stands there for a moment only. */
 async function announcements(page: BasicPage): Promise<() => Promise<string>> {

@@ -1,22 +1,20 @@
 // What holds the tool while it plays: lines that the reader marks, single blocks, the block of the cursor.
 import { expect, test, type BasicPage } from './engines';
-import { editor, open, type } from './page';
+import { goTo, open, type } from './page';
 
 const LOOP = ['O1', 'T0101 M3 S500', 'G0 X50 Z2', '#1=0', 'WHILE [#1 LT 2] DO1', 'G1 X[40-#1] F1', 'G0 Z[5-#1]', '#1=#1+1', 'END1', 'G0 X100', 'M30'].join('\n');
 
-/** Puts the cursor into a line with keys. */
-async function goTo(page: BasicPage, line: number): Promise<void> {
-  await editor(page).focus();
-  await page.keyboard.press('Control+Home');
-  for (let at = 1; at < line; at++) await page.keyboard.press('ArrowDown');
+/** The program, played so quickly that nobody waits. */
+async function openLoop(page: BasicPage): Promise<void> {
+  await open(page);
+  await type(page, LOOP);
+  await page.getByRole('combobox', { name: 'Speed' }).selectOption('50×');
 }
 
 const runningLine = (page: BasicPage): Promise<string | null> => page.locator('.cm-running-line').textContent();
 
 test('a marked line holds the tool in each round, and moves with its text', async ({ page }) => {
-  await open(page);
-  await type(page, LOOP);
-  await page.getByRole('combobox', { name: 'Speed' }).selectOption('50×');
+  await openLoop(page);
   await goTo(page, 7);
   await page.keyboard.press('Control+F8');
   await expect(page.locator('.cm-lineNumbers .cm-breakpoint')).toHaveText('7');
@@ -40,9 +38,7 @@ test('a marked line holds the tool in each round, and moves with its text', asyn
 });
 
 test('the switch for single blocks holds the tool after each of them', async ({ page }) => {
-  await open(page);
-  await type(page, LOOP);
-  await page.getByRole('combobox', { name: 'Speed' }).selectOption('50×');
+  await openLoop(page);
   await page.getByRole('button', { name: 'Single block' }).click();
   const lines = [];
   for (let press = 0; press < 4; press++) {
@@ -54,9 +50,7 @@ test('the switch for single blocks holds the tool after each of them', async ({ 
 });
 
 test('the block at the cursor is played alone, or played up to', async ({ page }) => {
-  await open(page);
-  await type(page, LOOP);
-  await page.getByRole('combobox', { name: 'Speed' }).selectOption('50×');
+  await openLoop(page);
   await goTo(page, 6);
   await page.keyboard.press('F10');
   await expect.poll(() => page.locator('.cell.x dd').textContent()).toContain('40');

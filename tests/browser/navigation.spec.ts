@@ -1,24 +1,14 @@
 // Ways through a program: to all places of a number, by the outline, and folded parts. By keys, in three languages.
 import { expect, test, type BasicPage, type Locator } from './engines';
-import { editor, open, selected, type } from './page';
+import { atCursor, editor, goTo, open, selected, type } from './page';
 
 const CONTOUR = [
   'O1000 (SHAFT)', '(ROUGHING)', 'N1 T0101', 'G96 S180 M03', 'G00 X62 Z2', 'G71 U2 R1', 'G71 P10 Q20 U0.4 W0.1 F0.25', 'N10 G00 X30', 'G01 Z-20', 'N20 X62',
   '(FINISHING)', 'T0303', 'G70 P10 Q20 F0.1', '#101=5', 'G00 X[#101+95] Z100', 'M30',
 ].join('\n');
 
-const atCursor = (page: BasicPage): Locator => page.getByRole('region', { name: /^(At the cursor|光标处|У курсора)/ });
 const used = (page: BasicPage): Locator => page.locator('.cm-used-number');
 const entries = (page: BasicPage): Locator => page.locator('.outline-entry');
-
-/** Puts the cursor into a line, after so many letters, with keys. */
-async function goTo(page: BasicPage, line: number, letter: number): Promise<void> {
-  await editor(page).focus();
-  await page.keyboard.press('Control+Home');
-  for (let at = 1; at < line; at++) await page.keyboard.press('ArrowDown');
-  await page.keyboard.press('Home');
-  for (let at = 0; at < letter; at++) await page.keyboard.press('ArrowRight');
-}
 
 test('F12 goes from P10 to N10, and Shift F12 back', async ({ page }) => {
   await open(page);

@@ -69,6 +69,18 @@ export async function type(page: BasicPage, text: string): Promise<void> {
   await page.keyboard.insertText(text);
 }
 
+/** What stands under the editor about the word and the block at the cursor. */
+export const atCursor = (page: BasicPage): Locator => page.getByRole('region', { name: /^(At the cursor|光标处|У курсора)/ });
+
+/** Puts the cursor into a line (from 1), after so many letters, with keys. */
+export async function goTo(page: BasicPage, line: number, letter = 0): Promise<void> {
+  await editor(page).focus();
+  await page.keyboard.press('Control+Home');
+  for (let at = 1; at < line; at++) await page.keyboard.press('ArrowDown');
+  await page.keyboard.press('Home');
+  for (let at = 0; at < letter; at++) await page.keyboard.press('ArrowRight');
+}
+
 /** Puts a text in at once, as opening a file does; for texts too long to be typed. */
 export async function openFile(page: BasicPage, name: string, bytes: Uint8Array): Promise<void> {
   await page.locator('header input[type=file]').setInputFiles({ name, mimeType: 'text/plain', buffer: Buffer.from(bytes) });

@@ -1,6 +1,6 @@
 // What if a variable had another value: tried by keys alone, in three languages, while the text stays as it is.
 import { expect, test, type BasicPage, type Locator } from './engines';
-import { editor, open, type, value } from './page';
+import { atCursor, editor, open, type, value } from './page';
 
 const CALLS = ['O1', 'T0101 M3 S500', '#1=40', 'WHILE [#1 GT 30] DO1', 'G65 P9 X#1', '#1=#1-5', 'END1', 'M30', 'O9', 'G00 X#24 Z2', 'G01 Z-#24 F0.2', 'M99'].join('\n');
 
@@ -10,7 +10,6 @@ const IN_WORDS = {
   ru: { held: 'Пауза перед строкой 11', caller: 'вызвана из строки 5', next: 'Следующий раз', tryIt: 'Попробовать другое значение #24 с этого места', back: 'Как написано' },
 } as const;
 
-const atCursor = (page: BasicPage): Locator => page.getByRole('region', { name: /^(At the cursor|光标处|У курсора)/ });
 const cells = (page: BasicPage, name: string): Locator => atCursor(page).locator('.state-table tr').filter({ hasText: name });
 
 /** A number that is another one where any pixel of the section is, once all of it is drawn. */

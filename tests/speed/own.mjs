@@ -110,8 +110,7 @@ function edits(program) {
       playground.diagnostics();
     }));
   }
-  times.sort((a, b) => a - b);
-  return { median: median(times), p95: times[Math.floor(0.95 * EDITS)], max: times[EDITS - 1] };
+  return spread(times);
 }
 
 /** Help asked for at places anywhere: the word there, the state before and after its block, and what can be written. */
@@ -122,16 +121,21 @@ function help(program) {
   const asks = { word: () => playground.wordHelp(), state: () => playground.stateHelp(), completion: () => playground.completionHelp(true) };
   const rows = {};
   for (const [name, ask] of Object.entries(asks)) {
-    const times = repeated(HELPED, () => {
+    rows[name] = spread(repeated(HELPED, () => {
       const at = random(program.length);
       return time(() => {
         if (!playground.askBlock(at, undefined)) while (!playground.lookForAnswer(20_000));
         ask();
       });
-    }).sort((a, b) => a - b);
-    rows[name] = { median: median(times), p95: times[Math.floor(0.95 * HELPED)], max: times[HELPED - 1] };
+    }));
   }
   return rows;
+}
+
+/** Median, 95th percentile and longest of some times. */
+function spread(times) {
+  const sorted = times.toSorted((a, b) => a - b);
+  return { median: median(sorted), p95: sorted[Math.floor(0.95 * sorted.length)], max: sorted.at(-1) };
 }
 
 /** The same numbers in each process. */

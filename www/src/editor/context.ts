@@ -7,6 +7,7 @@
 import { invertedEffects } from '@codemirror/commands';
 import { EditorState, StateEffect, type Extension, type Transaction, type TransactionSpec } from '@codemirror/state';
 import { isAnotherProgram, type Removed } from './another-program';
+import { lastOf } from './effects';
 import type { ContextEvents, ProgramContext } from './holder';
 
 const setContext = StateEffect.define<ProgramContext>();
@@ -44,8 +45,7 @@ export function contextEffect(context: ProgramContext): StateEffect<unknown> {
 
 /** The context that changes have brought; nothing where it stays as it is. */
 export function contextOf(transactions: readonly Transaction[]): ProgramContext | undefined {
-  const effects = transactions.flatMap(({ effects }) => effects.filter((effect) => effect.is(setContext)));
-  return effects.at(-1)?.value;
+  return lastOf(transactions.flatMap(({ effects }) => effects), setContext);
 }
 
 function isByReader(transaction: Transaction): boolean {

@@ -10,6 +10,7 @@ import { keymap } from '@codemirror/view';
 import { make } from '../dom/dom';
 import type { Language } from '../dom/language';
 import { words } from '../dom/words';
+import { lastOf } from './effects';
 import type { Span } from './holder';
 
 export const showFoldable = StateEffect.define<readonly Span[]>();
@@ -18,7 +19,7 @@ export const showFoldable = StateEffect.define<readonly Span[]>();
 const foldable = StateField.define<readonly Span[]>({
   create: () => [],
   update(before, transaction) {
-    const said = transaction.effects.filter((effect) => effect.is(showFoldable)).at(-1)?.value;
+    const said = lastOf(transaction.effects, showFoldable);
     if (said !== undefined) return said.filter(({ to }) => to <= transaction.newDoc.length);
     return transaction.docChanged ? moved(before, transaction.changes) : before;
   },

@@ -6,6 +6,7 @@
 
 import { StateEffect, StateField, type EditorState, type Extension, type Range, type Text } from '@codemirror/state';
 import { Decoration, EditorView, type DecorationSet } from '@codemirror/view';
+import { lastOf } from './effects';
 import type { LineRange, Span } from './holder';
 
 /** The names the style sheet gives to the token classes 0, 1, 2 … */
@@ -72,7 +73,7 @@ function blockField(
 const uses = StateField.define<DecorationSet>({
   create: () => Decoration.none,
   update(shown, transaction) {
-    const said = transaction.effects.filter((effect) => effect.is(showUses)).at(-1)?.value;
+    const said = lastOf(transaction.effects, showUses);
     if (said === undefined) return transaction.docChanged ? Decoration.none : shown;
     const { length } = transaction.newDoc;
     return Decoration.set(said.filter(({ from, to }) => from < to && to <= length).map(({ from, to }) => USED.range(from, to)), true);
@@ -86,7 +87,7 @@ const running = blockField(showRunning, (span, doc) => RUNNING.range(doc.lineAt(
 const markedLines = StateField.define<{ readonly lines: readonly LineRange[]; readonly shown: DecorationSet }>({
   create: () => ({ lines: [], shown: Decoration.none }),
   update(before, transaction) {
-    const said = transaction.effects.filter((effect) => effect.is(showMarked)).at(-1)?.value;
+    const said = lastOf(transaction.effects, showMarked);
     if (said === undefined && !transaction.docChanged) return before;
     const lines = said ?? before.lines;
     return { lines, shown: lineMarks(lines, transaction.newDoc) };

@@ -9,6 +9,7 @@ import { make } from '../dom/dom';
 import type { Language } from '../dom/language';
 import { words } from '../dom/words';
 import type { TriedValue } from '../protocol/protocol';
+import { lastOf } from './effects';
 
 /** Most values at a time. */
 const MOST = 20;
@@ -19,7 +20,7 @@ const setTried = StateEffect.define<readonly TriedValue[]>();
 const tried = StateField.define<readonly TriedValue[]>({
   create: () => [],
   update(before, { changes, docChanged, effects }) {
-    const said = effects.filter((effect) => effect.is(setTried)).at(-1)?.value;
+    const said = lastOf(effects, setTried);
     if (said !== undefined) return said;
     return docChanged && before.length > 0 ? moved(before, changes) : before;
   },

@@ -231,24 +231,23 @@ class AtCursor implements Panel {
     const parts = [
       ...[state.purpose, state.explanation].filter((text): text is string => text !== undefined && text !== '').map((text) => make('p', {}, text)),
       this.#table(texts.state(state.line), [...state.axes, ...state.rows], state.speeds),
-      ...(state.variables.length === 0 ? [] : [this.#table(texts.variables, state.variables, undefined, state)]),
+      ...(state.variables.length === 0 ? [] : [this.#table(texts.variables, state.variables)]),
       ...(state.hidden === 0 ? [] : [make('p', {}, texts.hidden(state.hidden))]),
       ...(state.frames.length === 0 ? [] : [make('p', { className: 'at-cursor-heading' }, texts.frames), this.#frames(state.frames)]),
     ];
     arrange(this.#state, parts);
   }
 
-  /** `at`: the block before which another value can be tried. */
-  #table(caption: string, rows: readonly StateRow[], speeds?: string, at?: StateHelp): HTMLTableElement {
+  #table(caption: string, rows: readonly StateRow[], speeds?: string): HTMLTableElement {
     const texts = WORDS[this.#shell.language];
     const heading = (text: string): HTMLElement => make('th', { scope: 'col' }, text);
     const head = make('tr', {}, heading(''), heading(texts.before), heading(texts.after), heading(texts.since));
-    const lines = rows.map((row) => this.#row(row, at));
+    const lines = rows.map((row) => this.#row(row));
     if (speeds !== undefined) lines.push(make('tr', {}, make('th', { scope: 'row' }, texts.speeds), make('td', { colSpan: 2 }, speeds), make('td')));
     return make('table', { className: 'state-table' }, make('caption', {}, caption), make('thead', {}, head), make('tbody', {}, ...lines));
   }
 
-  #row({ name, before, after, changed, line, at, variable }: StateRow, block: StateHelp | undefined): HTMLTableRowElement {
+  #row({ name, before, after, changed, line, at, variable }: StateRow): HTMLTableRowElement {
     const texts = WORDS[this.#shell.language];
     const where = make('td', { className: 'since' });
     if (line !== undefined && at !== undefined) {
@@ -261,7 +260,8 @@ class AtCursor implements Panel {
       ? [make('td', {}, before), make('td', { className: 'changed' }, make('strong', {}, after))]
       : [make('td', { colSpan: 2 }, after)];
     // What a cycle only reads is not carried out: nothing can be set before it.
-    if (variable !== undefined && block !== undefined && block.execution > 0) cells.at(-1)?.append(' ', this.#tryButton(name, variable, block));
+    const state = this.#shown?.state;
+    if (variable !== undefined && state !== undefined && state.execution > 0) cells.at(-1)?.append(' ', this.#tryButton(name, variable, state));
     return make('tr', { className: changed ? 'changed' : '' }, make('th', { scope: 'row' }, name), ...cells, where);
   }
 

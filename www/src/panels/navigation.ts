@@ -79,12 +79,14 @@ class Navigation implements Panel {
   }
 
   lost(): void {
-    this.#left();
+    this.left();
     this.#show(undefined);
   }
 
   left(): void {
-    this.#left();
+    clearTimeout(this.#pause);
+    this.#question.forget();
+    this.#folds.forget();
   }
 
   pressed(key: Key): 'own' | 'not-own' {
@@ -99,12 +101,6 @@ class Navigation implements Panel {
     if (event.shiftKey) this.#back();
     else void this.#follow();
     return 'own';
-  }
-
-  #left(): void {
-    clearTimeout(this.#pause);
-    this.#question.forget();
-    this.#folds.forget();
   }
 
   #ask(): void {

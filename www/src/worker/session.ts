@@ -99,8 +99,6 @@ export class Session implements Waiter {
   /** The number of the current run, as the page counts them. */
   #run = 0;
   #stage: Stage = { kind: 'done' };
-  /** Values of variables are tried. */
-  #tries = false;
   /** Why the setup that was sent last was not taken. */
   #setupRejected: string | undefined;
   /** A setup whose reader has not been loaded yet. */
@@ -397,10 +395,8 @@ export class Session implements Waiter {
     }
   }
 
-  /** A run begins anew with what is tried, so that nothing is said where nothing is, nor was. */
+  /** Where nothing is tried, nor was, the run goes on as it is. */
   #tryValues(tried: readonly TriedValue[]): void {
-    if (tried.length === 0 && !this.#tries) return;
-    this.#tries = tried.length > 0;
     const list = (of: (value: TriedValue) => number): Uint32Array => Uint32Array.from(tried, of);
     this.#core.tryValues(list(({ at }) => at), list(({ time }) => time), list(({ variable }) => variable), Float64Array.from(tried, ({ value }) => value));
   }
