@@ -5,6 +5,7 @@
 //! these rows (`tests/rooms.rs`). The TypeScript types are made from these.
 
 pub mod assist;
+pub mod difference;
 mod inferred_stock;
 mod manual;
 pub mod paste;
@@ -30,9 +31,10 @@ pub use units::Units;
 
 use crate::control::codes;
 use crate::geometry::Point;
-use crate::geometry::virtual_plane::{Surface, VirtualMove, Way};
+use crate::geometry::virtual_plane::{Flat, Surface, VirtualMove, Way};
 use crate::machine::compare;
 use crate::machine::feature::{Feature, Shape};
+use crate::machine::live_holes::LiveHole;
 use crate::machine::region::{Piece, Region};
 use crate::message::{self, Severity};
 use crate::motion::{self, MotionKind, Motions, StopKind};
@@ -87,6 +89,18 @@ pub struct Diagnostic {
     pub alarm: Option<String>,
     /// Repairs.
     pub fixes: Vec<Fix>,
+}
+
+/// A key of a configuration, and who says what it is.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Configured {
+    /// The key.
+    pub key: String,
+    /// Its value.
+    pub value: String,
+    /// The place that says so: a file with its line, or an option; nothing for what holds when nobody says anything.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub from: Option<String>,
 }
 
 /// A row about a file, with the name of the file first.
@@ -160,6 +174,10 @@ pub struct Place {
     #[serde(skip_serializing_if = "Option::is_none")]
     #[cfg_attr(target_arch = "wasm32", tsify(optional))]
     pub c: Option<f64>,
+    /// Y, mm, of moves on a machine with a Y axis.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(target_arch = "wasm32", tsify(optional))]
+    pub y: Option<f64>,
 }
 
 /// Where the machine stands when a program moves in a virtual plane.
@@ -199,9 +217,12 @@ pub struct Motion {
     #[serde(skip_serializing_if = "Option::is_none")]
     #[cfg_attr(target_arch = "wasm32", tsify(optional, type = "\"cw\" | \"ccw\""))]
     pub dir: Option<&'static str>,
-    /// The interpolation its end and centre are given in.
+    /// The interpolation, or the plane on a machine with a Y axis, that its end and centre are given in.
     #[serde(skip_serializing_if = "Option::is_none")]
-    #[cfg_attr(target_arch = "wasm32", tsify(optional, type = "\"polar\" | \"cylinder\""))]
+    #[cfg_attr(
+        target_arch = "wasm32",
+        tsify(optional, type = "\"polar\" | \"cylinder\" | \"xy\" | \"zx\" | \"yz\"")
+    )]
     pub mode: Option<&'static str>,
     /// Where the machine ends under that interpolation.
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -310,6 +331,24 @@ pub struct Summary {
 }
 
 impl Summary {
+    /// The counts by their names for JavaScript.
+    pub fn counts(&self) -> [(&'static str, u32); 12] {
+        [
+            ("motions", self.motions),
+            ("rapids", self.rapids),
+            ("feeds", self.feeds),
+            ("arcs", self.arcs),
+            ("threads", self.threads),
+            ("dwells", self.dwells),
+            ("errors", self.errors),
+            ("warnings", self.warnings),
+            ("infos", self.infos),
+            ("blocks", self.blocks),
+            ("lines", self.lines),
+            ("optionalStops", self.optional_stops),
+        ]
+    }
+
     /// Counts motions and messages.
     pub fn new(motions: &Motions, diagnostics: &[message::Diagnostic]) -> Self {
         let mut summary = Self { motions: motions.len() as u32, ..Self::default() };
@@ -398,6 +437,28 @@ pub fn section(region: &Region) -> Vec<SectionPiece> {
     region.pieces().map(piece).collect()
 }
 
+/// A hole that a live tool has drilled in the part, for a picture of the body.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(target_arch = "wasm32", derive(Tsify))]
+pub struct DrilledHole {
+    /// Where it enters the material, in the middle of the hole, with C.
+    pub mouth: Place,
+    /// The deepest place of its tool.
+    pub bottom: Place,
+    /// Diameter, mm.
+    pub diameter: f64,
+}
+
+/// The holes of live tools.
+pub fn holes(holes: &[LiveHole]) -> Vec<DrilledHole> {
+    let row = |hole: &LiveHole| DrilledHole {
+        mouth: Place { c: Some(rounded(hole.c)), ..place(hole.mouth) },
+        bottom: Place { c: Some(rounded(hole.c)), ..place(hole.bottom) },
+        diameter: rounded(Diameter::from_radius(hole.radius).mm()),
+    };
+    holes.iter().map(row).collect()
+}
+
 /// Two parts laid over each other.
 #[derive(Clone, Debug, Default, PartialEq, Serialize)]
 #[cfg_attr(target_arch = "wasm32", derive(Tsify))]
@@ -474,6 +535,7 @@ impl Measure {
             x: Diameter::from_radius(at.x).map(to_micrometres),
             z: to_micrometres(at.z),
             c: None,
+            y: None,
         };
         Self { length: to_micrometres(measure.length()), from: place(measure.from), to: place(measure.to) }
     }
@@ -819,7 +881,11 @@ pub fn motion(motion: &motion::Motion, line: u32, machine: &Machine) -> Motion {
         kind: kind_name(motion.kind),
         to: virtual_move.map_or_else(
             || Place { c: motion.rotary.map(|rotary| rounded(rotary.to)), ..place(motion.to) },
-            |own| place_on(own.surface, own.way.at(1.0), own.third.1),
+            |own| {
+                let turns = motion.rotary.filter(|rotary| own.has_y() && rotary.from != rotary.to);
+                let place = place_on(own.surface, own.way.at(1.0), own.third.1);
+                Place { c: turns.map(|rotary| rounded(rotary.to)).or(place.c), ..place }
+            },
         ),
         line: line + 1,
         center: arc.map(|arc| match virtual_move {
@@ -835,8 +901,12 @@ pub fn motion(motion: &motion::Motion, line: u32, machine: &Machine) -> Motion {
         mode: virtual_move.map(|own| match own.surface {
             Surface::Face => "polar",
             Surface::Cylinder { .. } => "cylinder",
+            Surface::Flat(Flat::Xy) => "xy",
+            Surface::Flat(Flat::Zx) => "zx",
+            Surface::Flat(Flat::Yz) => "yz",
         }),
         machine: virtual_move
+            .filter(|own| !own.has_y())
             .and(motion.rotary)
             .map(|rotary| MachinePlace { x: diameter(motion.to.x), c: rounded(rotary.to) }),
         lead: motion.lead.map(rounded),
@@ -854,12 +924,19 @@ pub fn motion(motion: &motion::Motion, line: u32, machine: &Machine) -> Motion {
 /// A point of a virtual plane as a program writes it.
 fn place_on(surface: Surface, point: Point, third: f64) -> Place {
     match surface {
-        Surface::Face => Place { x: diameter(point.z), z: rounded(third), c: Some(rounded(point.x)) },
+        Surface::Face => {
+            Place { x: diameter(point.z), z: rounded(third), c: Some(rounded(point.x)), y: None }
+        }
         Surface::Cylinder { radius, .. } => Place {
             x: diameter(third),
             z: rounded(point.z),
             c: Some(rounded((point.x / radius).to_degrees())),
+            y: None,
         },
+        Surface::Flat(flat) => {
+            let at = flat.space(point, third);
+            Place { x: diameter(at.x), z: rounded(at.z), c: None, y: Some(rounded(at.y)) }
+        }
     }
 }
 
@@ -891,7 +968,7 @@ fn diameter(radius: f64) -> Diameter {
 }
 
 fn place(point: Point) -> Place {
-    Place { x: diameter(point.x), z: rounded(point.z), c: None }
+    Place { x: diameter(point.x), z: rounded(point.z), c: None, y: None }
 }
 
 /// Without the dust of binary arithmetic: to a millionth.
@@ -905,4 +982,28 @@ fn rounded(value: f64) -> f64 {
 pub fn decimal_notice(run: &Run, language: Language) -> Option<String> {
     let sentence = run.decimal_message()?.message.sentence(language).message;
     Some(sentence.trim_end_matches(['.', '。']).replace('`', ""))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::setup::Setup;
+
+    #[test]
+    fn counts_have_the_names_of_the_row() {
+        let analysis = crate::analyze(
+            b"G0 X20 Z0\nM1\nG1 Z-5 F0.1\nG4 P1\nG2 X30 Z-10 R5\nG32 Z-20 F1\nG7 X1\nM30",
+            &Setup::default(),
+        );
+        let summary = Summary {
+            blocks: 7,
+            lines: 8,
+            finished: true,
+            ..Summary::new(&analysis.motions, &analysis.diagnostics)
+        };
+        let mut row = serde_json::Map::new();
+        row.extend(summary.counts().map(|(name, count)| (name.to_owned(), count.into())));
+        row.insert("finished".to_owned(), summary.finished.into());
+        assert_eq!(serde_json::to_value(&summary).unwrap(), serde_json::Value::Object(row));
+    }
 }

@@ -17,6 +17,7 @@ use std::ops::Range;
 use crate::geometry::Point;
 use crate::machine::compare::Comparison;
 use crate::machine::feature::{self, Feature};
+use crate::machine::live_holes::LiveHole;
 use crate::machine::region::Region;
 use crate::machine::resolved_setup::ResolvedSetup;
 use crate::machine::{Simulation, SimulationResult, SimulationStep};
@@ -27,12 +28,13 @@ use crate::playback::holds::lines_that_move;
 use crate::run::replay::{Replay, Time, block_at};
 use crate::run::{Run, TextEdit};
 use crate::scene::camera::{Pixel, Size, XPlus};
-use crate::scene::face::Face;
 use crate::scene::path_index::PathIndex;
 use crate::scene::pick::pick;
 use crate::scene::ruler::Scale;
+use crate::scene::side::Side;
 use crate::scene::source::{Picture, Source, Stage};
 use crate::scene::steps::labels;
+use crate::scene::surface_moves::SurfaceMoves;
 use crate::scene::view::View;
 use crate::scene::{Place, Plane, Scene};
 use crate::setup::{Setup, Turret};
@@ -68,7 +70,7 @@ struct Derived {
 /// What belongs to the reader, and stays from one run to the next.
 struct ViewState {
     /// How each picture is looked at. What is picked out and where the tool is stands in that of the
-    /// section; the face follows.
+    /// section; the others follow.
     views: PerPlane<View>,
     /// Place of the cursor, UTF-16 offset.
     cursor: Option<u32>,
@@ -104,7 +106,7 @@ impl Current {
         let views = PerPlane::new(|plane| {
             let height = match plane {
                 Plane::Section => 150.0,
-                Plane::Face => 300.0,
+                Plane::Face | Plane::Side => 300.0,
             };
             View::new(&scene.on(plane), Size { width: 300.0, height })
         });
@@ -158,10 +160,24 @@ impl Current {
         let text = self.run.text();
         let start = self.lines().byte_at_utf16(text, from) as usize;
         let end = (self.lines().byte_at_utf16(text, to) as usize).max(start);
+        let edit = TextEdit { start, end, insert: insert.into() };
+        if GOING_ON.is_loaded() {
+            go_on_edited(self, edit);
+        } else {
+            self.begin(|run, lines| {
+                *lines = OnceCell::new();
+                run.edit(edit);
+            });
+        }
+    }
+
+    /// The run goes on with the changed text, and the lines follow.
+    fn go_on_edited(&mut self, edit: TextEdit) {
+        let (place, inserted) = (edit.start..edit.end, edit.insert.len());
         self.begin(|run, lines| {
-            run.edit(TextEdit { start, end, insert: insert.into() });
+            run.edit(edit);
             if let Some(lines) = lines.get_mut() {
-                lines.edit(run.text(), start..end, insert.len());
+                lines.edit(run.text(), place, inserted);
             }
         });
     }
@@ -172,8 +188,9 @@ impl Current {
         change(&mut self.run, &mut self.lines);
         self.derived = Derived::default();
         // Strokes are picked out by their numbers, which are those of other strokes now.
-        let (section, face) = self.view_state.views.both_mut();
-        (*section, *face) = (section.bare(None), face.bare(None));
+        for view in self.view_state.views.iter_mut() {
+            *view = view.bare(None);
+        }
     }
 
     /// Runs at most so many blocks; true when the run has ended.
@@ -245,8 +262,10 @@ impl Current {
         self.section_mut().edge.clear();
         self.show();
         self.turn();
-        let (scene, view) = self.looked_at(Plane::Face);
-        view.follow(&scene);
+        for plane in Plane::SURFACES {
+            let (scene, view) = self.looked_at(plane);
+            view.follow(&scene);
+        }
     }
 
     // ---- what is known --------------------------------------------------------------------------------
@@ -324,9 +343,20 @@ impl Current {
         self.machined_part()?.part_shown(self.run.motions())
     }
 
-    /// The end face, where anything moves on it.
-    pub fn face(&self) -> Option<&Face> {
-        self.machined_part()?.face()
+    /// The holes of live tools in it.
+    pub fn holes_shown(&mut self) -> Vec<LiveHole> {
+        self.show();
+        self.machined_part().map_or_else(Vec::new, |machined| machined.holes_shown(self.run.motions()))
+    }
+
+    /// What moves over a surface; nothing where nothing does, and in the section.
+    pub fn moves(&self, plane: Plane) -> Option<&SurfaceMoves> {
+        self.machined_part()?.moves(plane)
+    }
+
+    /// The side, where anything moves over it.
+    pub fn side(&self) -> Option<&Side> {
+        self.machined_part()?.side()
     }
 
     /// Where the part differs from the one that was kept.
@@ -374,14 +404,17 @@ impl Current {
         let Picture { scene, view, .. } = self.picture(plane)?;
         let found = pick(&scene, view.camera(), at, reach, &view.highlight)?;
         let motion = found.stroke.motion;
-        match plane {
-            Plane::Section => Some((motion, found.at)),
-            Plane::Face => {
-                let motion = self.face()?.motion(motion)?;
-                let z = self.motions().get(motion).to.z;
-                Some((motion, Point::new(found.at.x.hypot(found.at.z), z)))
-            }
+        if plane == Plane::Section {
+            return Some((motion, found.at));
         }
+        let motion = self.moves(plane)?.motion(motion)?;
+        let end = self.motions().get(motion).to;
+        let at = match plane {
+            Plane::Section => found.at,
+            Plane::Face => Point::new(found.at.x.hypot(found.at.z), end.z),
+            Plane::Side => Point::new(end.x, found.at.z),
+        };
+        Some((motion, at))
     }
 
     /// Lights up the strokes of lines, from 0, as long as no block is chosen by the cursor.
@@ -433,12 +466,14 @@ impl Current {
     }
 
     /// The rulers count in the unit that is shown.
+    #[inline(never)]
     fn count_in_unit(&mut self) {
         let unit = self.unit();
         let scale = Scale { unit, symbol: self.view_state.unit_symbols[unit as usize] };
-        // The face follows the section, but only once something moves on it.
-        let (section, face) = self.view_state.views.both_mut();
-        (section.scale, face.scale) = (scale, scale);
+        // The others follow the section, but only once something moves on them.
+        for view in self.view_state.views.iter_mut() {
+            view.scale = scale;
+        }
     }
 
     /// Puts the tool somewhere; nothing shows all strokes and no tool.
@@ -523,12 +558,11 @@ impl Current {
         Scene::new(self.run.motions(), &self.path_index, None)
     }
 
-    /// A picture as it is to be painted: the section always, the end face where anything moves on it.
+    /// A picture as it is to be painted: the section always, the others where anything moves on them.
     pub fn picture(&mut self, plane: Plane) -> Option<Picture<'_>> {
         self.show();
-        match plane {
-            Plane::Section => {}
-            Plane::Face => drop(self.face()?),
+        if plane != Plane::Section {
+            self.moves(plane)?;
         }
         let source = self.source();
         let (scene, view) = self.looked_at(plane);
@@ -556,12 +590,11 @@ impl Current {
             Material::Untouched | Material::UnderWay(_) => None,
         };
         let work = machined.and_then(|machined| machined.work(plane));
-        let face = machined.and_then(|machined| machined.face());
-        let scene = match (plane, face) {
-            (Plane::Section, _) => Scene::new(run.motions(), path_index, work),
-            (Plane::Face, Some(face)) => face.scene(work),
-            // Where nothing moves on the face there is nothing to fit it to either.
-            (Plane::Face, None) => Scene::new(run.motions(), path_index, None).on(Plane::Face),
+        let scene = match machined.and_then(|machined| machined.moves(plane)) {
+            Some(moves) => moves.scene(work),
+            // Where nothing moves over a surface there is nothing to fit its picture to either.
+            None if plane != Plane::Section => Scene::new(run.motions(), path_index, None).on(plane),
+            None => Scene::new(run.motions(), path_index, work),
         };
         (scene, &mut view_state.views[plane])
     }
@@ -573,8 +606,11 @@ impl Current {
         let Self { run, derived, view_state, .. } = self;
         let Material::Off(machined) = &mut derived.material else { return };
         machined.show(run.motions(), place);
-        if let Some(face) = machined.face() {
-            follow(&mut view_state.views, face, place);
+        let (section, surfaces) = view_state.views.section_and_surfaces();
+        for (plane, view) in surfaces {
+            if let Some(moves) = machined.moves(plane) {
+                follow(section, view, moves, place);
+            }
         }
     }
 
@@ -622,7 +658,15 @@ impl Current {
 /// The part that finds what is picked out: before it is there, nothing is.
 const PICKING_OUT: Part = Part::Machine;
 
+/// The part in which a run and its lines go on with a changed text.
+const GOING_ON: Part = Part::Machine;
+
 in_part! {
+    Machine "0085"
+    fn go_on_edited(current: &mut Current, edit: TextEdit) {
+        current.go_on_edited(edit);
+    }
+
     Machine "0080"
     fn remove_material(current: &mut Current, motions: usize) -> bool {
         match std::mem::replace(&mut current.derived.material, Material::Untouched) {
@@ -671,18 +715,18 @@ in_part! {
     }
 }
 
-/// On the face the same is picked out as in the section, and the tool is where it is there.
-fn follow(views: &mut PerPlane<View>, face: &Face, place: Option<Place>) {
-    let (section, on_face) = views.both_mut();
-    on_face.palette = section.palette.clone();
-    on_face.playhead = place.map(|place| face.playhead(place));
-    on_face.hover = section.hover.and_then(|motion| face.own(motion));
-    on_face.highlight.clear();
-    for own in section.highlight.iter().flat_map(|range| range.clone().filter_map(|motion| face.own(motion)))
-    {
-        match on_face.highlight.last_mut() {
-            Some(last) if last.end == own => last.end += 1,
-            _ => on_face.highlight.push(own..own + 1),
+/// Over a surface the same is picked out as in the section, and the tool is where it is there.
+fn follow(section: &View, own: &mut View, moves: &SurfaceMoves, place: Option<Place>) {
+    own.palette = section.palette.clone();
+    own.playhead = place.map(|place| moves.playhead(place));
+    own.hover = section.hover.and_then(|motion| moves.own(motion).next());
+    own.highlight.clear();
+    for motion in section.highlight.iter().flat_map(Range::clone) {
+        let pieces = moves.own(motion);
+        match own.highlight.last_mut() {
+            _ if pieces.is_empty() => {}
+            Some(last) if last.end == pieces.start => last.end = pieces.end,
+            _ => own.highlight.push(pieces),
         }
     }
 }

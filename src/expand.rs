@@ -11,9 +11,10 @@
 
 use std::collections::BTreeMap;
 use std::fmt::Write;
+use std::mem::discriminant;
 use std::ops::Range;
 
-use crate::control::codes::{self, G, MotionMode, Switch};
+use crate::control::codes::{self, G, MotionMode, Plane, Switch};
 use crate::control::interpreter::Executed;
 use crate::control::words::plain;
 use crate::message::said;
@@ -59,6 +60,7 @@ fn write_with<'a>(text: &'a [u8], analysis: &'a Analysis, points: Points) -> Wri
         inch: false,
         incremental: false,
         in_plane: false,
+        has_y: analysis.setup.machine.has_y(),
         moved_start: false,
         any_failed: false,
         process: None,
@@ -198,8 +200,10 @@ struct Writer<'a> {
     inch: bool,
     /// G91 of systems B and C.
     incremental: bool,
-    /// Between G12.1 and G13.1, or on a cylinder: nothing is expanded there.
+    /// Between G12.1 and G13.1, on a cylinder, or in a plane of Y: nothing is expanded there.
     in_plane: bool,
+    /// The machine has a Y axis.
+    has_y: bool,
     /// The block before was expanded to moves of the path: the start of this one may have moved.
     moved_start: bool,
     /// A contour cycle could not run: first blocks are kept, for its sake.
@@ -293,6 +297,7 @@ impl Writer<'_> {
                 G::Unit(unit) => self.inch = unit == Unit::Inch,
                 G::Distance { incremental } => self.incremental = incremental,
                 G::Polar(switch) => self.in_plane = switch == Switch::On,
+                G::Plane(plane) if self.has_y => self.in_plane = plane != Plane::Zx,
                 G::Cylinder => {
                     let radius = block.words.iter().find(|word| word.address == b'C').and_then(plain);
                     self.in_plane = radius.is_some_and(|radius| radius != 0.0);
@@ -549,7 +554,7 @@ impl Writer<'_> {
                 word.span.quote(self.text).chars().filter(|ch| !ch.is_whitespace()).collect();
             let target = match (word.address, plain(word)) {
                 _ if codes::is_passage(word) => continue,
-                (b'M', Some(0.0 | 1.0 | 2.0 | 5.0 | 9.0 | 30.0)) => &mut after,
+                (b'M', Some(0.0 | 1.0 | 2.0 | 5.0 | 9.0 | 25.0 | 30.0)) => &mut after,
                 (b'M' | b'S' | b'T', _) => &mut before,
                 (b'G', _) => match code(word, self.list) {
                     Some(
@@ -577,7 +582,11 @@ impl Writer<'_> {
         let angle =
             block.words.iter().find(|word| word.address == b'Q').map(|word| word.span.quote(self.text));
         self.line(&before);
-        self.process = Some(executed.ready);
+        let counted = self.process.replace(executed.ready).map(|process| discriminant(&process.feed));
+        if counted != Some(discriminant(&executed.ready.feed)) {
+            // G98 or G99 of the block itself: F counts in another unit, and is named again.
+            self.feed = None;
+        }
         let (inch, incremental) = (self.inch && !own.is_empty(), self.incremental && !own.is_empty());
         if inch {
             self.line(self.unit_code(Unit::Millimetre));

@@ -4,12 +4,22 @@
 //! motions, one for each block and danger: a cycle that runs into something does so in every pass.
 
 use crate::machine::danger::{Axis, Danger, Finding};
+use crate::machine::removal::{Removal, Unusual};
 use crate::machine::resolved_setup::{Basis, ResolvedSetup};
+use crate::machine::thread_run_out::ShortRunOut;
 use crate::machine::{SimulationLimit, SimulationResult};
-use crate::message::{Diagnostic, Levels, Message, said};
-use crate::motion::Motions;
+use crate::message::{Diagnostic, Levels, Message, Severity, said};
+use crate::motion::{Feed, Motions, Process, SpindleSpeed};
+use crate::setup::stock::ONE_PASS_FEED;
+use crate::setup::{Side, ToolKind};
 use crate::source::Span;
 use crate::units::Diameter;
+
+/// A tool in a bore may run out so far beyond the back of the blank, mm.
+const RUN_OUT_INSIDE: f64 = 15.0;
+
+/// Of so many findings at most it is asked whether they are about the next part: each time all motions are looked at.
+const COMPARED: usize = 50;
 
 /// The messages of all findings, of a bound that was met, and of what was not looked at. `run`:
 /// what the run has reported.
@@ -31,7 +41,9 @@ pub fn diagnostics(
     told.extend(behind_left_out(simulation, motions));
     told.extend(not_shown(simulation.resolved_setup(), motions));
     for finding in simulation.findings() {
-        let (message, span) = (message(finding, motions), motions.span(finding.motion));
+        let is_feed = matches!(finding.danger, Danger::FastFeed { .. });
+        let motion = if is_feed { feed_begins(motions, finding.motion) } else { finding.motion };
+        let (message, span) = (message(finding, motions), motions.span(motion));
         // A thread that starts below its own crest was reported so.
         let is_known = |other: &Diagnostic| {
             (other.message.is::<said::ThreadStartInside>() || other.message.is::<said::ThreadStartAtCrest>())
@@ -40,12 +52,82 @@ pub fn diagnostics(
         if message.is::<said::StartInStock>() && run.iter().any(is_known) {
             continue;
         }
+        // A feed without its point was reported where it is written, perhaps in a block before.
+        if message.is::<said::FeedPerTurnHigh>()
+            && run.iter().any(|other| other.message.is::<said::LeadingZero>())
+        {
+            continue;
+        }
         let same = |other: &Diagnostic| other.span == span && other.message.slug() == message.slug();
         if !told.iter().rev().take(20).any(same) {
             told.push(Diagnostic::new(message, span));
         }
     }
+    let is_about_thread = |other: &Diagnostic| {
+        let slug = other.message.slug();
+        other.severity > Severity::Info && (slug.starts_with("thread-") || slug.starts_with("lead-"))
+    };
+    let removals = simulation.removals();
+    for (index, unusual) in removals.iter().enumerate() {
+        let span = motions.span(unusual.motion);
+        let follows = match unusual.removal {
+            // Passes that follow end at the same Z.
+            Removal::BeyondBlank { .. } => {
+                removals[..index].iter().any(|other| other.removal == unusual.removal)
+            }
+            Removal::ThreadDepth { .. } => run.iter().any(is_about_thread),
+            Removal::ThreadRunOut(_) | Removal::Nothing(_) | Removal::TooDeep { .. } => false,
+        };
+        let is_of_next_part = || index < COMPARED && cuts_next_part(unusual, motions);
+        if follows || is_meant(unusual, simulation.resolved_setup(), motions) || is_of_next_part() {
+            continue;
+        }
+        // A block that was reported has that fault: what it takes off is a consequence.
+        let is_known = |other: &Diagnostic| {
+            other.severity > Severity::Info && (span.contains(other.span) || other.span.contains(span))
+        };
+        if !run.iter().chain(&told).any(is_known) {
+            told.push(Diagnostic::new(removal(unusual), span));
+        }
+    }
     told.into_iter().filter_map(|found| levels.graded(found)).collect()
+}
+
+/// Whether what a motion takes off is unusual, but meant.
+fn is_meant(unusual: &Unusual, resolved: &ResolvedSetup, motions: &Motions) -> bool {
+    let motion = motions.get(unusual.motion);
+    match unusual.removal {
+        Removal::TooDeep { .. } => feed_per_turn(&motion.process).is_some_and(|feed| feed < ONE_PASS_FEED),
+        Removal::BeyondBlank { z, back } => {
+            let tool = &resolved.tool(&motion).tool;
+            let is_inside = tool.kind == Some(ToolKind::Boring) || tool.side == Some(Side::Inside);
+            let leads = motion.lead.map_or(0.0, |lead| 2.0 * lead.abs());
+            is_inside && back - z <= RUN_OUT_INSIDE.max(leads)
+        }
+        _ => false,
+    }
+}
+
+/// Whether a cycle that takes nothing off makes the same first cut as one before a stop or before another tool:
+/// the work was changed in between.
+fn cuts_next_part(unusual: &Unusual, motions: &Motions) -> bool {
+    if !matches!(unusual.removal, Removal::Nothing(_)) {
+        return false;
+    }
+    let first = unusual.motion;
+    let own = motions.glance(first);
+    let Some(before) = (0..first).rev().find(|&index| motions.glance(index) == own) else { return false };
+    let other_tool = (before..first).any(|index| motions.glance(index).station != own.station);
+    other_tool || motions.stops(before + 1..first + 1).next().is_some()
+}
+
+/// The feed, mm/rev, where it is known.
+fn feed_per_turn(process: &Process) -> Option<f64> {
+    match (process.feed, process.speed) {
+        (Feed::PerTurn(feed), _) => Some(feed),
+        (Feed::PerMinute(feed), SpindleSpeed::Constant(speed)) if speed > 0.0 => Some(feed / speed),
+        _ => None,
+    }
 }
 
 /// What is not taken off and not looked at after a block that was not carried out, at
@@ -74,6 +156,37 @@ pub fn not_shown(resolved: &ResolvedSetup, motions: &Motions) -> impl Iterator<I
         Diagnostic::new(said::ToolUnknown { tool }, motions.span(index))
     });
     elsewhere.into_iter().chain(unknown)
+}
+
+/// The cut with which the feed of a cut came into force, perhaps in front of the work.
+fn feed_begins(motions: &Motions, index: usize) -> usize {
+    let feed = motions.get(index).process.feed;
+    let same = (0..index).rev().take_while(|&before| motions.get(before).process.feed == feed);
+    same.filter(|&before| motions.kind(before).cuts()).last().unwrap_or(index)
+}
+
+/// The T word of a motion.
+fn tool_word(finding: &Finding, motions: &Motions, station: u16) -> String {
+    let offset = motions.get(finding.motion).process.tool.1;
+    format!("T{station:02}{offset:02}")
+}
+
+fn removal(unusual: &Unusual) -> Message {
+    let tenth = |length: f64| (10.0 * length).round() / 10.0;
+    let hundredth = |length: f64| (100.0 * length).round() / 100.0;
+    match unusual.removal {
+        Removal::Nothing(cycle) => said::CycleCutsAir { code: cycle.code() }.into(),
+        Removal::TooDeep { depth, most } => {
+            said::CutTooDeep { depth: tenth(depth), most: tenth(most) }.into()
+        }
+        Removal::ThreadDepth { depth, lead } => {
+            said::ThreadDepthUnusual { depth: hundredth(depth), lead, usual: hundredth(0.65 * lead) }.into()
+        }
+        Removal::ThreadRunOut(ShortRunOut { have, need }) => {
+            said::ThreadRunOut { have: hundredth(have), need: hundredth(need) }.into()
+        }
+        Removal::BeyondBlank { z, back } => said::CutBeyondBlank { z, back }.into(),
+    }
 }
 
 fn message(finding: &Finding, motions: &Motions) -> Message {
@@ -105,8 +218,18 @@ fn message(finding: &Finding, motions: &Motions) -> Message {
             Axis::Z => said::OverTravel { axis: 'Z', to: finding.at.z, limit }.into(),
         },
         Danger::ToolNotListed { station } => {
-            let offset = motions.get(finding.motion).process.tool.1;
-            said::ToolNotListed { tool: format!("T{station:02}{offset:02}") }.into()
+            said::ToolNotListed { tool: tool_word(finding, motions, station) }.into()
         }
+        Danger::OtherWork { kind, station } => {
+            let tool = tool_word(finding, motions, station);
+            match kind {
+                ToolKind::Drill | ToolKind::Tap => said::DrillTurns { tool }.into(),
+                ToolKind::Threading => said::ThreadingToolTurns { tool }.into(),
+                ToolKind::Turning | ToolKind::Boring | ToolKind::Grooving | ToolKind::Endmill => {
+                    said::NoThreadingTool { tool }.into()
+                }
+            }
+        }
+        Danger::FastFeed { per_turn } => said::FeedPerTurnHigh { feed: hundredth(per_turn) }.into(),
     }
 }

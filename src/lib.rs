@@ -5,33 +5,22 @@
 //!      what was written      what the control does    what happens at the machine   what you see
 //! ```
 //!
-//! # What is wrong with a program
+//! # Three calls
+//!
+//! [`check`] says what is wrong with a program, [`motions`] which motions it makes, [`repair`](crate::repair()) what it is with all safe repairs.
+//! Inside the crate X is a radius. The rows of [`api`], which these calls return, have diameters, as they are written and shown.
 //!
 //! ```
-//! use gcode_playground::{analyze, sentences::Language, setup::Setup, source::LineIndex};
+//! use gcode_playground::{check, motions, repair, sentences::Language, setup::Setup};
 //!
-//! let program = b"G00 X32 Z2\nG01 Z-30 F0.1\nG01 X\nM30\n";
-//! let analysis = analyze(program, &Setup::default());
-//! let lines = LineIndex::new(program);
-//! for found in &analysis.diagnostics {
-//!     let place = lines.line_column(program, found.span.start);
-//!     println!("line {}: {}", place.line + 1, found.sentence(Language::English).message);
+//! let setup = Setup::from_json(r#"{"dialect": {"control": "fanuc"}}"#).expect("a setup");
+//! let program = b"G00 X62 Z2\nG90 X5O Z-30 F0.2\nM30\n";
+//! for found in check(program, &setup, Language::English) {
+//!     println!("{}:{}: {} {}", found.line, found.column, found.code, found.message);
 //! }
-//! # assert!(analysis.diagnostics.iter().any(|found| lines.line_of(found.span.start) == 2));
-//! ```
-//!
-//! [`run::Analysis::check_at_machine`] adds what runs into what, where a blank or a machine is given.
-//!
-//! # Which motions it makes
-//!
-//! Inside the crate X is a radius. The rows of [`api`] have diameters, as they are written and shown.
-//!
-//! ```
-//! use gcode_playground::{analyze, motion::MotionKind, setup::Setup};
-//!
-//! let analysis = analyze(b"G00 X32 Z2\nG90 X30 Z-30 F0.1\nM30\n", &Setup::default());
-//! let cut = analysis.motions.iter().find(|motion| motion.kind == MotionKind::Feed).expect("a cut");
-//! assert_eq!((cut.to.x, cut.to.z), (15.0, -30.0));
+//! let program = repair(program, &setup).text;
+//! assert_eq!(program, b"G00 X62 Z2\nG90 X50 Z-30 F0.2\nM30\n");
+//! assert_eq!(motions(&program, &setup).len(), 5);
 //! ```
 //!
 //! # What it looks like
@@ -53,16 +42,18 @@
 
 pub mod api;
 pub mod assist;
-#[cfg(all(feature = "cli", not(target_arch = "wasm32")))]
+#[cfg(all(feature = "cli", any(not(target_arch = "wasm32"), feature = "npx")))]
 pub mod cli;
 pub mod control;
 pub mod current;
 pub mod cycles;
+pub mod difference;
 pub mod expand;
 pub mod export;
 pub mod findings;
 pub mod geometry;
 mod heap;
+pub mod library;
 pub mod limits;
 pub mod lint;
 pub mod machine;
@@ -82,7 +73,8 @@ pub mod setup;
 pub mod source;
 pub mod text;
 pub mod units;
-#[cfg(target_arch = "wasm32")]
+#[cfg(all(target_arch = "wasm32", not(feature = "npx")))]
 pub mod wasm;
 
+pub use library::{check, motions, repair};
 pub use run::analyze;

@@ -133,3 +133,9 @@ pub const PASTED_TEXT: usize = 16 << 20;
 
 /// Most programs that are listed of a text; how many more there are is said.
 pub const FOUND_PROGRAMS: usize = 200;
+
+/// Most changed blocks of two versions of a program that are listed; how many more there are is said.
+pub const CHANGED_BLOCKS: usize = 2000;
+
+/// Most characters that are shown of a changed block.
+pub const SHOWN_OF_BLOCK: usize = 400;

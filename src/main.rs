@@ -1,12 +1,17 @@
-//! The command line: `check`, `motions` and `svg`.
+//! The command line, natively and as a module for Node.
 //!
 //! In: files and options. Out: text or JSON on standard output; exit status 0 without errors, 1 where the
 //! program has errors, 2 for bad usage or a file that cannot be read. Knows no G-code.
 
 #[cfg(not(target_arch = "wasm32"))]
-fn main() -> std::process::ExitCode {
+fn main() -> gcode_playground::cli::Status {
     gcode_playground::cli::main()
 }
 
-#[cfg(target_arch = "wasm32")]
+#[cfg(all(target_arch = "wasm32", feature = "npx"))]
+fn main() {
+    gcode_playground::cli::main_in_node();
+}
+
+#[cfg(all(target_arch = "wasm32", not(feature = "npx")))]
 fn main() {}

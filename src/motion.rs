@@ -36,6 +36,14 @@ impl MotionKind {
     pub const ALL: [MotionKind; 6] =
         [Self::Rapid, Self::Feed, Self::ArcClockwise, Self::ArcCounterclockwise, Self::Thread, Self::Dwell];
 
+    /// The kind of an arc.
+    pub fn of_turn(turn: Turn) -> Self {
+        match turn {
+            Turn::Clockwise => Self::ArcClockwise,
+            Turn::Counterclockwise => Self::ArcCounterclockwise,
+        }
+    }
+
     /// Whether the tool is meant to cut.
     pub fn cuts(self) -> bool {
         !matches!(self, Self::Rapid | Self::Dwell)
@@ -284,6 +292,17 @@ impl SpindleTurn {
     }
 }
 
+/// Where the quill of the tailstock is, as far as the program has said (M25, M26 of seed 002's machine).
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Quill {
+    /// Nothing was said so far.
+    Unsaid,
+    /// M25.
+    Forward,
+    /// M26.
+    Back,
+}
+
 /// Everything about a motion that seldom changes from one to the next.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Process {
@@ -299,6 +318,8 @@ pub struct Process {
     pub lowest: Option<f64>,
     /// Turret station and offset number of the T word in force.
     pub tool: (u16, u16),
+    /// Where the quill of the tailstock is.
+    pub quill: Quill,
     /// Something that it depends on is not known: an earlier block could not be carried out.
     pub uncertain: bool,
     /// An earlier block could not be carried out: what is left of the material is not known.
@@ -930,6 +951,11 @@ impl Motions {
     /// All motions in order.
     pub fn iter(&self) -> impl Iterator<Item = Motion> + '_ {
         self.chunks.iter().flat_map(|chunk| (0..chunk.len()).map(|index| chunk.get(index)))
+    }
+
+    /// What is said of the quill of the tailstock, in order; what is said again stands there again.
+    pub fn quills(&self) -> impl Iterator<Item = Quill> + '_ {
+        self.chunks.iter().flat_map(|chunk| chunk.processes.iter().map(|process| process.quill))
     }
 
     /// The first motion after a block that could not be carried out.

@@ -24,7 +24,7 @@ pub enum Part {
     Tools,
     /// Compensation of the tool nose radius, and corners between moves. Loaded as `Seldom` is.
     Path,
-    /// What few programs use: macros, hole cycles; and what recognises other controls. A run that needs it and has not got it gives nothing, and is
+    /// What few programs use: macros, hole cycles, the Y axis; and what recognises other controls. A run that needs it and has not got it gives nothing, and is
     /// begun again when it is there ([`Run::missing`](crate::run::Run::missing)).
     Seldom,
     /// The sentences in English.

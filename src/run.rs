@@ -573,7 +573,8 @@ impl Run {
         let mut kept = self.interpreter.take_diagnostics();
         kept.truncate(self.of_setup);
         self.missing = self.missing();
-        self.interpreter = observed(setup);
+        let before = std::mem::replace(&mut self.interpreter, observed(setup));
+        self.interpreter.chronicled_like(before.chronicler());
         self.interpreter.set_system(system);
         if traced {
             self.interpreter.keep_trace();
@@ -669,9 +670,46 @@ impl Run {
         self.finish();
     }
 
+    fn finish(&mut self) {
+        self.interpreter.close();
+        self.sorted = self.reported();
+        if READING.is_loaded() {
+            complete_messages(self);
+        }
+        self.finished = true;
+    }
+
+    /// Adds what is said of the whole program, and puts all messages in order.
+    fn complete_messages(&mut self) {
+        let most = self.interpreter.setup().limits.compared_blocks;
+        let motions = self.interpreter.motions();
+        let setup = self.interpreter.setup();
+        if self.recognised.foreign.is_some() || self.stopped || setup.lints == Lints::Off || !self.has_lints {
+            // Nothing was run, or not all of it; or nobody wants to know; or the lints were not loaded yet.
+        } else if self.blocks > most || motions.len() > 10 * most {
+            let diagnostic = Diagnostic::new(said::NotCompared { most }, Span::new(0, 0));
+            self.sorted.extend(setup.rules.graded(diagnostic));
+        } else {
+            self.compare_numbers();
+        }
+        if self.begun {
+            self.report_decimal_rule();
+        }
+        sort_by_place(&mut self.sorted);
+    }
+
+    fn compare_numbers(&mut self) {
+        let interpreter = &self.interpreter;
+        let (reading, list) = (interpreter.reading(), interpreter.code_list());
+        let (motions, setup) = (interpreter.motions(), interpreter.setup());
+        lint::plausible::compare(&self.text, motions, reading, list, setup, &mut self.sorted);
+    }
+
     /// Reports what numbers without a point count, where that was concluded or looks wrong.
     fn report_decimal_rule(&mut self) {
         let Some(diagnostic) = self.decimal_message() else { return };
+        // That a time is long follows from it.
+        self.sorted.retain(|old| !old.message.is::<said::DwellLong>() || old.span != diagnostic.span);
         let is_known = self.sorted.iter().any(|old| old.is_about(diagnostic.span));
         // Where the rule is wrong, what it leads to may have been reported for the same word.
         if is_known && self.decimal_rule() == DecimalRule::Calculator {
@@ -681,29 +719,6 @@ impl Run {
         self.sorted.extend(self.interpreter.setup().rules.graded(diagnostic).filter(|_| room));
     }
 
-    fn finish(&mut self) {
-        self.interpreter.close();
-        self.sorted = self.reported();
-        let most = self.interpreter.setup().limits.compared_blocks;
-        let motions = self.interpreter.motions();
-        let setup = self.interpreter.setup();
-        if self.recognised.foreign.is_some() || self.stopped || setup.lints == Lints::Off || !self.has_lints {
-            // Nothing was run, or not all of it; or nobody wants to know; or they are not loaded yet.
-        } else if self.blocks > most || motions.len() > 10 * most {
-            let diagnostic = Diagnostic::new(said::NotCompared { most }, Span::new(0, 0));
-            self.sorted.extend(setup.rules.graded(diagnostic));
-        } else {
-            compare_numbers(self);
-        }
-        if self.begun {
-            self.report_decimal_rule();
-        }
-        if ORDER.is_loaded() {
-            sort(&mut self.sorted);
-        }
-        self.finished = true;
-    }
-
     /// What was reported, in order of time.
     fn reported(&mut self) -> Vec<Diagnostic> {
         // They stay with the control where the run may go on from a snapshot.
@@ -711,8 +726,8 @@ impl Run {
     }
 }
 
-/// The part that puts messages in order: nobody reads them without it.
-const ORDER: Part = Part::Machine;
+/// The part without which nobody reads messages: it puts them in order.
+const READING: Part = Part::Machine;
 
 /// The program ends at `span` without M02 or M30: reported, with a repair.
 fn no_end(text: &[u8], span: Span) -> Diagnostic {
@@ -733,10 +748,13 @@ fn at_machine(setup: &Setup, text: &[u8]) -> Setup {
 }
 
 /// A control at power-on, with the lints that listen to it, once they are loaded, unless the setup switches
-/// them off.
+/// them off; and with whoever notes which block sets what.
 fn observed(setup: Setup) -> Interpreter {
     let listens = setup.lints == Lints::On && LINTS.is_loaded();
-    let interpreter = Interpreter::new(setup);
+    let mut interpreter = Interpreter::new(setup);
+    if LINTS.is_loaded() {
+        chronicle(&mut interpreter);
+    }
     if listens { interpreter.observed_by(lints()) } else { interpreter }
 }
 
@@ -749,21 +767,18 @@ in_part! {
         Box::new(lint::Lints::default())
     }
 
+    Machine "0104"
+    fn chronicle(interpreter: &mut Interpreter) {
+        interpreter.begin_chronicle();
+    }
+
     Machine "0102"
-    fn sort(diagnostics: &mut [Diagnostic]) {
-        sort_by_place(diagnostics);
+    fn complete_messages(run: &mut Run) {
+        run.complete_messages();
     }
 
     Machine "0103"
     fn copied(interpreter: &Interpreter) -> Vec<Diagnostic> {
         interpreter.diagnostics().to_vec()
-    }
-
-    Machine "0101"
-    fn compare_numbers(run: &mut Run) {
-        let interpreter = &run.interpreter;
-        let (reading, list) = (interpreter.reading(), interpreter.code_list());
-        let (motions, setup) = (interpreter.motions(), interpreter.setup());
-        lint::plausible::compare(&run.text, motions, reading, list, setup, &mut run.sorted);
     }
 }

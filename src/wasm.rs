@@ -6,6 +6,7 @@
 
 mod assist;
 mod decimal;
+mod difference;
 mod files;
 mod motions;
 mod paste;
@@ -20,7 +21,7 @@ pub use motions::{MotionChunk, MotionChunkView};
 pub use picture_name::PictureName;
 pub use pictures::Drawn;
 
-use js_sys::{Float64Array, RangeError, Uint8Array};
+use js_sys::{Float64Array, RangeError, Reflect, Uint8Array};
 use serde::Serialize;
 use wasm_bindgen::prelude::*;
 
@@ -227,7 +228,13 @@ impl Playground {
         if Part::Machine.is_loaded() {
             count_findings(self, &mut summary);
         }
-        to_js(&summary)
+        // Made here by hand: what serialises other rows is not needed before the first picture.
+        let row = js_sys::Object::new();
+        for (name, count) in summary.counts() {
+            Reflect::set(&row, &JsValue::from_str(name), &JsValue::from_f64(f64::from(count)))?;
+        }
+        Reflect::set(&row, &JsValue::from_str("finished"), &JsValue::from_bool(summary.finished))?;
+        Ok(row.into())
     }
 
     /// How many motions there are so far, and how many errors of the path.
@@ -294,13 +301,7 @@ impl Playground {
 in_part! {
     Machine "0060"
     fn diagnostics(playground: &Playground) -> Result<JsValue, JsValue> {
-        let places = playground.places();
-        let mut all = playground.current.run().diagnostics().to_vec();
-        all.extend(playground.findings());
-        if let Some(chosen) = playground.current.chosen_unit() {
-            all.iter_mut().for_each(|found| found.unit = chosen);
-        }
-        sort_by_place(&mut all);
+        let (places, all) = (playground.places(), playground.all_diagnostics());
         let rows = all.iter().map(|found| places.diagnostic(found, playground.language));
         to_js(&rows.collect::<Vec<_>>())
     }
@@ -377,6 +378,17 @@ impl Playground {
         let found =
             simulation.flat_map(|simulation| findings::diagnostics(simulation, motions, levels, told));
         found.map(move |found| found.in_unit(unit))
+    }
+
+    /// All messages in order of place, in the unit that is shown.
+    fn all_diagnostics(&self) -> Vec<Diagnostic> {
+        let mut all = self.current.run().diagnostics().to_vec();
+        all.extend(self.findings());
+        if let Some(chosen) = self.current.chosen_unit() {
+            all.iter_mut().for_each(|found| found.unit = chosen);
+        }
+        sort_by_place(&mut all);
+        all
     }
 
     fn places(&self) -> Places<'_> {

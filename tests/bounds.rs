@@ -5,7 +5,7 @@ mod endless;
 
 use std::time::{Duration, Instant};
 
-use endless::{MOST_SECONDS, bounds, endless, hostile};
+use endless::{Hostile, MOST_SECONDS, bounds, endless, hostile};
 use gcode_playground::analyze;
 use gcode_playground::limits::Limits;
 use gcode_playground::message::{Diagnostic, Severity};
@@ -52,18 +52,20 @@ fn cycles_of_far_too_many_passes_are_refused_at_once() {
 
 #[test]
 fn hostile_programs_end_with_their_message() {
-    for case in hostile() {
-        let analysis = run(&case.name, case.setup, &case.text);
-        let lines = LineIndex::new(&case.text);
-        let told = |found: &Diagnostic| (found.code(), lines.line_of(found.span.start) + 1);
-        let found: Vec<_> = analysis.diagnostics.iter().map(told).collect();
-        assert!(
-            found.iter().any(|(code, line)| code == case.code && *line == case.line),
-            "{}: {found:?}",
-            case.name
-        );
-        assert!(found.len() <= Limits::default().messages + 3, "{}", case.name);
-    }
+    hostile().iter().for_each(ends_with_its_message);
+}
+
+fn ends_with_its_message(case: &Hostile) {
+    let analysis = run(&case.name, case.setup, &case.text);
+    let lines = LineIndex::new(&case.text);
+    let told = |found: &Diagnostic| (found.code(), lines.line_of(found.span.start) + 1);
+    let found: Vec<_> = analysis.diagnostics.iter().map(told).collect();
+    assert!(
+        found.iter().any(|(code, line)| code == case.code && *line == case.line),
+        "{}: {found:?}",
+        case.name
+    );
+    assert!(found.len() <= Limits::default().messages + 3, "{}", case.name);
 }
 
 /// Each bound is met by a program that stays just within it, and reported for one that goes one step further.

@@ -273,7 +273,8 @@ fn fix_writes_the_files_back() {
     let told = String::from_utf8_lossy(&output.stderr).into_owned();
     assert!(told.lines().count() == 2 && told.starts_with(&format!("{name}:2: ")), "{told}");
     // What has to be asked for is left, and reported.
-    let left: Vec<_> = rows(&output).iter().map(|row| row["slug"].as_str().unwrap().to_owned()).collect();
+    let left = rows(&output);
+    let left: Vec<_> = left.iter().filter_map(|row| row["slug"].as_str()).collect();
     assert_eq!(left, ["short-tool-word", "unknown-g-code"]);
     assert_eq!(output.status.code(), Some(1));
     // Nothing is left to do, and the file is not written again.
@@ -398,6 +399,11 @@ fn the_face_and_the_front_turret_are_drawn() {
     let svg = String::from_utf8_lossy(&face.stdout).into_owned();
     assert!(svg.contains(">C mm<") && svg.contains(r#"data-line="7""#), "{svg}");
     assert_eq!(run(&["svg", "-", "--view", "face"], b"G00 X50 Z2").status.code(), Some(2));
+    let drilled = b"(STOCK D=60 LENGTH=60)\n(TOOL T0303 TYPE=DRILL D=8)\nM45\nT0303\nG97 S900 M13\nG00 X66 Z-30 C0\nG98 G87 Z-30 C0 X30 R-1 F80\nC90\nG80\n";
+    let side = String::from_utf8(run(&["svg", "-", "--view", "side"], drilled).stdout).expect("UTF-8");
+    // The ruler counts the degrees that the program has.
+    assert!(side.contains(">C °<") && side.contains(">90<") && side.contains(r#"data-line="8""#), "{side}");
+    assert_eq!(run(&["svg", "-", "--view", "side"], b"G00 X50 Z2").status.code(), Some(2));
     let turned = |turret: &str| run(&["svg", "-", "--turret", turret], b"G00 X50 Z2\nG01 Z-30 F0.2").stdout;
     assert_ne!(turned("rear"), turned("front"));
     let by_note = run(&["svg", "-"], b"(MACHINE TURRET=FRONT)\nG00 X50 Z2\nG01 Z-30 F0.2").stdout;
@@ -410,14 +416,11 @@ fn the_face_and_the_front_turret_are_drawn() {
 #[test]
 fn an_assumed_stock_is_told_and_that_collisions_were_not_checked() {
     let program = b"O0001\nT0101\nG97 S800 M3\nG0 X40 Z2\nG1 Z-20 F0.2\nX44\nG0 X100 Z100\nM30\n";
-    for command in ["check", "summary"] {
+    // What `check` says last sums up.
+    for (command, last) in [("check", "nothing found in 1 file\n"), ("summary", "")] {
         let text = String::from_utf8(run(&[command, "-"], program).stdout).expect("UTF-8");
-        assert!(
-            text.ends_with(
-                "<stdin>: stock assumed, collisions not checked. This stock in the program: (STOCK D=44 LENGTH=25)\n"
-            ),
-            "{text}"
-        );
+        let note = "<stdin>: stock assumed, collisions not checked. This stock in the program: (STOCK D=44 LENGTH=25)\n";
+        assert!(text.ends_with(&format!("{note}{last}")), "{text}");
         let rows = rows(&run(&[command, "--format", "json", "-"], program));
         let told = rows.last().expect("a row");
         assert_eq!(
@@ -435,12 +438,13 @@ fn an_assumed_stock_is_told_and_that_collisions_were_not_checked() {
     assert!(said("ru").contains("заготовка по умолчанию, столкновения не проверялись"), "{}", said("ru"));
     // With the comment it is held against the work: nothing is left to report.
     let named = String::from_utf8_lossy(program).replace("T0101", "(STOCK D=44 LENGTH=25)\nT0101");
-    assert_eq!(run(&["check", "-"], named.as_bytes()).stdout, b"");
+    assert_eq!(run(&["check", "-", "--quiet"], named.as_bytes()).stdout, b"");
+    assert_eq!(run(&["check", "-"], named.as_bytes()).stdout, b"nothing found in 1 file\n");
     let crash = named.replace("G0 X100 Z100", "G0 Z-22 X30\nG0 X100 Z100");
     let rows = rows(&run(&["check", "--format", "json", "-"], crash.as_bytes()));
     // In, and out again.
     let slugs: Vec<_> = rows.iter().map(|row| &row["slug"]).collect();
     assert_eq!(slugs, ["rapid-through-stock", "rapid-through-stock"]);
     // Nothing is cut: nothing is assumed.
-    assert_eq!(run(&["check", "-"], b"G0 X1\nM30").stdout, b"");
+    assert_eq!(run(&["check", "--quiet", "-"], b"G0 X1\nM30").stdout, b"");
 }

@@ -37,10 +37,12 @@ fn section(current: &mut Current) -> Picture<'_> {
 }
 
 /// All that a painter draws: strokes, blank, part, dangers, and how it is looked at.
-fn seen(current: &mut Current) -> (String, View, Option<(String, View)>) {
-    let face = current.picture(Plane::Face).map(|picture| {
-        let work = picture.scene.work().map(|work| (&work.blank, &work.part));
-        (format!("{:?} {work:?}", picture.scene.strokes().collect::<Vec<_>>()), picture.view.clone())
+fn seen(current: &mut Current) -> (String, View, Vec<Option<(String, View)>>) {
+    let surfaces = Plane::SURFACES.map(|plane| {
+        current.picture(plane).map(|picture| {
+            let work = picture.scene.work().map(|work| (&work.blank, &work.part));
+            (format!("{:?} {work:?}", picture.scene.strokes().collect::<Vec<_>>()), picture.view.clone())
+        })
     });
     let picture = section(current);
     let strokes: Vec<_> = picture.scene.strokes().collect();
@@ -48,7 +50,7 @@ fn seen(current: &mut Current) -> (String, View, Option<(String, View)>) {
         .scene
         .work()
         .map(|work| (&work.blank, &work.part, &work.obstacles, &work.tool, &work.dangers, &work.compared));
-    (format!("{strokes:?} {work:?}"), picture.view.clone(), face)
+    (format!("{strokes:?} {work:?}"), picture.view.clone(), surfaces.into())
 }
 
 /// A picture that is asked for while material is taken off shows no half-cut part, neither then nor later.
@@ -96,7 +98,9 @@ fn nothing_of_a_run_outlives_it() {
         change(&mut current);
         assert_eq!(current.stage(), Stage::Running);
         assert!(
-            current.simulation().is_none() && current.face().is_none() && current.resolved_setup().is_none()
+            current.simulation().is_none()
+                && current.moves(Plane::Face).is_none()
+                && current.resolved_setup().is_none()
         );
         let picture = section(&mut current);
         assert_ne!(picture.source.run, before.run);
@@ -316,4 +320,53 @@ fn a_picture_is_fitted_to_the_part_or_to_the_path() {
     };
     let [usual, part, path] = [Frame::Usual, Frame::Part, Frame::Path].map(&mut scale);
     assert!(part >= usual && usual > 2.0 * path, "{part} {usual} {path}");
+}
+
+const OF_THE_SIDE: &str =
+    r#"{"stock": {"diameter": 60, "length": 60}, "tools": {"T0101": {"type": "endmill", "toolRadius": 5}}}"#;
+/// Lines 8 to 10 are moves over the side; the last of them goes over the seam.
+const GROOVE: &str = "M45\nT0101\nG98 G97 S1000 M13\nG00 X70 Z-20 C0\nG01 X50 F100\nG07.1 C30\n\nG01 C300\nZ-40\nC400\nG07.1 C0\nG00 X70\n";
+
+/// The side is a picture like the others: strokes are found where Z and C say, the tool is where it is in the section, and what is
+/// picked out there is picked out here, in all its pieces.
+#[test]
+fn the_side_is_picked_in_and_follows_the_section() {
+    let mut current = fresh(GROOVE, &Setup::from_json(OF_THE_SIDE).expect("a setup"));
+    let place = |current: &mut Current, z: f64, c: f64| {
+        let at = current.side().expect("a side").point(z, c);
+        current.picture(Plane::Side).expect("a side").view.camera().to_screen(at)
+    };
+    let mut found = Vec::new();
+    for (z, c) in [(-20.0, 150.0), (-30.0, 300.0), (-40.0, 330.0), (-40.0, 380.0), (-40.0, 20.0)] {
+        let at = place(&mut current, z, c);
+        let (motion, at) = current.pick(Plane::Side, at, 4.0).expect("a stroke");
+        let motions = current.picture(Plane::Section).expect("a section").scene;
+        found.push(motions.stroke(motion).expect("a stroke").line + 1);
+        assert!((at.x - 25.0).abs() < 1e-9 && (at.z - z).abs() < 0.2, "{at:?}");
+    }
+    assert_eq!(found, [8, 9, 10, 10, 10]);
+    let beside = place(&mut current, -50.0, 150.0);
+    assert!(current.pick(Plane::Side, beside, 4.0).is_none());
+    let down = place(&mut current, -20.0, 90.0).y > place(&mut current, -20.0, 10.0).y;
+    assert!(down, "seen from outside, with Z to the right, C counts downwards");
+
+    current.set_cursor(Some(GROOVE.find("C400").expect("a block") as u32));
+    let picture = current.picture(Plane::Side).expect("a side");
+    assert_eq!((picture.view.highlight.len(), picture.view.highlight[0].clone()), (1, 2..4));
+    let last = current.motions().len() - 2;
+    current.put(Some(Playhead { motion: last, share: 0.8 }));
+    let expected = current.side().expect("a side").point(-40.0, 380.0);
+    let picture = current.picture(Plane::Side).expect("a side");
+    let playhead = picture.view.playhead.expect("a playhead");
+    let at = picture.scene.place(playhead).expect("a place").at;
+    assert!(at.distance(expected) < 1e-6, "{at:?}");
+    let tool = picture.scene.work().and_then(|work| work.tool.as_ref()).expect("a tool");
+    assert!(tool.tip.distance(expected) < 1e-6);
+    current.set_hover(Some(last));
+    assert_eq!(current.picture(Plane::Side).expect("a side").view.hover, Some(2));
+    assert!(current.picture(Plane::Face).is_none());
+    current.set_text(b"G00 X50 Z2\nG01 Z-20 F0.2\n".to_vec(), Setup::default());
+    assert!(current.moves(Plane::Side).is_none());
+    run(&mut current);
+    assert!(current.picture(Plane::Side).is_none());
 }

@@ -4,6 +4,8 @@
 
 #[path = "documentation/arguments.rs"]
 mod arguments;
+#[path = "documentation/calls.rs"]
+mod calls;
 #[path = "documentation/command_line.rs"]
 mod command_line;
 #[path = "documentation/diameters.rs"]
@@ -20,10 +22,12 @@ mod project;
 mod usage;
 
 use std::collections::{BTreeSet, HashSet};
+use std::io::{BufRead, BufReader};
 use std::path::{Path, PathBuf};
-use std::process::Command;
+use std::process::{Command, Stdio};
 use std::{env, fs};
 
+use calls::PROGRAM;
 use documents::DOCUMENTS;
 use figures::{FIGURES, Held};
 use gcode_playground::analyze;
@@ -34,7 +38,11 @@ use serde_json::Value;
 
 /// Commands and snippets that no test runs, and why. `cargo xtask …` is held by a test of xtask, which
 /// reads the same documents.
-const NOT_RUN: [(&str, &str); 13] = [
+const NOT_RUN: [(&str, &str); 17] = [
+    ("python3 -m zipfile", "`tests/browser/stored.spec.ts` runs it, and unpacks it elsewhere"),
+    ("python3 -m http.server", "the same test serves the page with it"),
+    ("index.html#share=1.<count>", "the form of links; `tests/browser/links.spec.ts` makes and opens them"),
+    ("git commit", "`tests/teams/hooks.py` commits, with the hooks in place"),
     ("<style>", "`tests/browser/many.spec.ts` has it in a page, and looks for it here"),
     ("import { check, motions, svg }", "`tests/browser/package.spec.ts` runs it under Node"),
     ("npx create-docusaurus@3 site classic", "`tests/manuals/recipes.py` needs the packages of such a site"),
@@ -60,7 +68,12 @@ const NOT_RUN: [(&str, &str); 13] = [
 ];
 
 /// What the documents name and only a build makes.
-const BUILT: [(&str, &str); 8] = [
+const BUILT: [(&str, &str); 10] = [
+    (
+        "service-worker.js",
+        "`cargo xtask site`; `tests/browser/offline.spec.ts` has it answer without a network",
+    ),
+    ("gcode-playground.toml", "the reader writes it; `tests/check.rs` has some"),
     ("element.js", "`cargo xtask site`; `tests/browser/picture-only.spec.ts` puts it into a page"),
     ("www/dist/embed", "the same command; `tests/browser/embedding.spec.ts` puts its files into pages"),
     ("dist/embed", "the same"),
@@ -202,7 +215,10 @@ fn is_assignment(word: &str) -> bool {
 /// The blocks of this document are files and commands that `tests/manuals/recipes.py` uses with the tools they are for.
 const RECIPES: &str = "www/docs/manuals.md";
 
-/// What the recipes name of other tools.
+/// The blocks of this document are files and commands of `tests/example-repository`: `tests/teams.rs` holds them.
+const TEAMS: &str = "www/docs/teams.md";
+
+/// What the recipes and the ways into a repository name of other tools.
 const OF_OTHER_TOOLS: [&str; 7] = [
     "add_header",
     "additional-js",
@@ -218,7 +234,7 @@ const OF_OTHER_TOOLS: [&str; 7] = [
 fn commands() -> BTreeSet<(&'static str, String)> {
     let mut found = BTreeSet::new();
     for (document, parts) in documents() {
-        let blocks = parts.blocks.iter().filter(|_| document != RECIPES);
+        let blocks = parts.blocks.iter().filter(|_| ![RECIPES, TEAMS].contains(&document));
         let lines = blocks.flat_map(|block| block.lines());
         let lines = lines.map(|line| line.split("  ").next().unwrap_or_default());
         for text in parts.spans.iter().map(String::as_str).chain(lines) {
@@ -248,6 +264,8 @@ fn every_command_is_held_by_something() {
             // xtask reads the same documents, and runs their calls of wasm-pack.
             ["gcode-playground", ..] | ["cargo", "xtask", ..] | ["wasm-pack", "build", ..] => true,
             ["cargo", "test", "--test", name, ..] => root().join(format!("tests/{name}.rs")).is_file(),
+            // Run as the native command below, and under Node by tests/npx/compare.rs.
+            ["npx", "gcode-playground", ..] => true,
             ["npx", "playwright", "test", rest @ ..] => names_browser_tests(rest),
             _ => not_run(&command),
         };
@@ -266,42 +284,20 @@ fn what_is_not_run_is_still_in_the_documents() {
     }
 }
 
-/// A program without a fault, and one that mills the end face.
-const PROGRAM: &str = "O0001 (STOCK D=40 LENGTH=60)\nT0101\nG97 S800 M03\nG00 X42 Z2\nG90 X36 Z-20 F0.2\nX32\nG00 X100 Z100\nM30\n";
-const FACE: &str = "O0002 (STOCK D=80 LENGTH=60)\nT0101\nG98 G97 S800 M13\nM45\nG00 X100 Z2\nG12.1\nG01 X50 F100\nC20\nG13.1\nG00 X150 Z100\nM46\nM30\n";
-
 /// A call of the command line with files in place of `FILE` and the like.
 fn call(words: &[String], folder: &Path) -> Command {
-    let face = words.iter().any(|word| word == "face");
-    let program = if face { FACE } else { PROGRAM };
-    let write = |name: &str, text: &str| {
-        let path = folder.join(name);
-        fs::write(&path, text).expect(name);
-        path.to_string_lossy().into_owned()
-    };
     let mut command = Command::new(env!("CARGO_BIN_EXE_gcode-playground"));
-    for word in words {
-        match word.as_str() {
-            "FILE" | "A" | "part.nc" => command.arg(write("part.nc", program)),
-            "PAGE…" => command.arg(write("page.html", "<gcode-playground>\nM30\n</gcode-playground>\n")),
-            "MANUAL…" => command.args([
-                write("page.md", &format!("```gcode\n{program}```\n")),
-                write("page.rst", ".. code-block:: gcode\n\n   M30\n"),
-            ]),
-            "B" => command.arg(write("other.nc", &program.replace("X32", "X30"))),
-            "FILE…" => command.args([write("part.nc", program), write("second.nc", program)]),
-            "TEXT" => {
-                command.arg(write("page.txt", &format!("An example:\n\n{program}\nIt turns a step.\n")))
-            }
-            "S.json" => command.arg(write("setup.json", r#"{"stock": {"diameter": 40, "length": 60}}"#)),
-            "NAME" => command.arg("gsk"),
-            "L" => command.arg("ru"),
-            "N" => command.arg("1"),
-            out if out.starts_with("OUT") => command.arg(folder.join(out)),
-            word => command.arg(word),
-        };
-    }
+    command.args(calls::arguments(words, folder));
     command
+}
+
+/// A command that ends with the process: it says that it waits.
+fn waits(command: &mut Command) {
+    let mut child = command.stdout(Stdio::null()).stderr(Stdio::piped()).spawn().expect("it starts");
+    let said = BufReader::new(child.stderr.take().expect("standard error"));
+    let waits = said.lines().map_while(Result::ok).any(|line| line.contains("waiting for a change"));
+    child.kill().and_then(|()| child.wait()).expect("it ends");
+    assert!(waits, "it ended");
 }
 
 #[test]
@@ -315,6 +311,7 @@ fn every_call_of_the_command_line_works() {
         .map(|(name, _)| name.to_owned())
         .collect();
     for (document, line) in commands() {
+        let line = line.strip_prefix("npx ").unwrap_or(&line);
         let Some(line) = line.strip_prefix("gcode-playground ") else { continue };
         // A command that is only named, or one of its options.
         let mut words = line.split(' ');
@@ -322,9 +319,15 @@ fn every_call_of_the_command_line_works() {
             words.next().is_some_and(|name| usage.contains(name)) && words.all(|word| word.starts_with('-'));
         let line = if named { format!("{line} --help") } else { line.to_owned() };
         for words in usage::calls(&line) {
-            let output = call(&words, &folder).output().expect("the command line starts");
-            // 1 is for programs with errors, and these have none.
-            if output.status.code() != Some(0) {
+            let mut command = call(&words, &folder);
+            if words.iter().any(|word| word == "--watch") {
+                waits(&mut command);
+                continue;
+            }
+            let output = command.output().expect("the command line starts");
+            // 1 is for programs with errors, and these have none; or for `diff`, whose two programs differ.
+            let differ = words[0] == "diff" && !words.iter().any(|word| word == "--help");
+            if output.status.code() != Some(i32::from(differ)) {
                 let said = String::from_utf8_lossy(&output.stderr);
                 failed.push(format!("{document}: {} ({}): {said}", words.join(" "), output.status));
             }
@@ -348,14 +351,20 @@ fn without_script(block: &str) -> &str {
 #[test]
 fn every_snippet_is_what_it_seems() {
     let mut unknown = Vec::new();
-    for (document, parts) in documents().into_iter().filter(|(document, _)| *document != RECIPES) {
+    for (document, parts) in
+        documents().into_iter().filter(|(document, _)| ![RECIPES, TEAMS].contains(document))
+    {
         for block in parts.blocks {
             let is_commands = block.lines().all(|line| line.is_empty() || command(line).is_some());
             // xtask runs it with the package it is for.
             let is_script = block.starts_with("import ");
-            if is_commands || is_script || not_run(&block) {
+            // An example of the crate's documentation, which is a test.
+            let is_example = block.starts_with("use ") && is_example_of_the_crate(&block);
+            if is_commands || is_script || is_example || not_run(&block) {
             } else if block.starts_with('{') {
                 Setup::from_json(&block).unwrap_or_else(|error| panic!("{document}: {error}\n{block}"));
+            } else if block.starts_with("control = ") {
+                configures(document, &block);
             } else if block.starts_with('(') {
                 let analysis = analyze(format!("{block}\nM30\n").as_bytes(), &Setup::default());
                 assert!(analysis.diagnostics.is_empty(), "{document}: {:?}\n{block}", analysis.diagnostics);
@@ -372,6 +381,28 @@ fn every_snippet_is_what_it_seems() {
         }
     }
     assert!(unknown.is_empty(), "neither run nor listed as not run:\n{}", unknown.join("\n\n"));
+}
+
+fn is_example_of_the_crate(block: &str) -> bool {
+    let library = source("src/lib.rs");
+    let documentation = library.lines().filter_map(|line| line.strip_prefix("//!"));
+    let documentation: Vec<&str> = documentation.map(|line| line.strip_prefix(' ').unwrap_or(line)).collect();
+    documentation.join("\n").contains(&format!("\n```\n{block}\n```\n"))
+}
+
+/// A configuration beside the files that it names.
+fn configures(document: &str, text: &str) {
+    let folder = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join("configured");
+    fs::create_dir_all(&folder).expect("a folder");
+    let files =
+        [("machine.toml", ""), ("tools.json", "{}"), ("known.json", "[]"), ("gcode-playground.toml", text)];
+    for (name, content) in files {
+        fs::write(folder.join(name), content).expect(name);
+    }
+    let mut command = Command::new(env!("CARGO_BIN_EXE_gcode-playground"));
+    let output = command.current_dir(&folder).args(["config", "gsk/part.nc"]).output().expect("it starts");
+    let said = String::from_utf8_lossy(&output.stderr);
+    assert!(output.status.success(), "{document}: {said}\n{text}");
 }
 
 /// The attributes that the element looks at.
@@ -449,8 +480,9 @@ fn words_of_the_sources() -> HashSet<String> {
     let sources = ["src/", "www/", "xtask/", "tests/"];
     let mut words = HashSet::new();
     for file in files() {
-        let code =
-            [".rs", ".ts", ".toml", ".json", ".mjs", ".html"].iter().any(|ending| file.ends_with(ending));
+        let code = [".rs", ".ts", ".toml", ".json", ".mjs", ".html", ".yml", ".yaml"]
+            .iter()
+            .any(|ending| file.ends_with(ending));
         let named = Path::new(&file).iter().map(|part| part.to_string_lossy());
         words.extend(named.map(|part| folded(part.split('.').next().unwrap_or_default())));
         let inside = sources.iter().any(|folder| file.starts_with(folder)) || !file.contains('/');
@@ -480,7 +512,7 @@ fn every_name_in_the_documents_is_one_of_the_sources() {
             for word in
                 span.split(|letter| !part(letter)).filter(|word| word.chars().any(char::is_alphabetic))
             {
-                let of_others = document == RECIPES && OF_OTHER_TOOLS.contains(&word);
+                let of_others = [RECIPES, TEAMS].contains(&document) && OF_OTHER_TOOLS.contains(&word);
                 if !known.contains(&folded(word)) && !of_others {
                     unknown.insert(format!("{document}: `{word}` in `{span}`"));
                 }

@@ -189,6 +189,31 @@ fn generated(seed: u32) -> String {
     text + "G0 X100. Z50.\nM30\n%\n"
 }
 
+/// A program that mills with a Y axis: moves in all planes, compensation on and off.
+fn milled(seed: u32) -> String {
+    let mut number = seed;
+    let mut next = |below: u32| {
+        number = number.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
+        (number >> 8) % below
+    };
+    let mut text = String::from("O8\nG21 G40 G98\nT0101\nM45\nM13 S500\nG0 X60. Z5.\nG1 Z0 F200\n");
+    for _ in 0..120 {
+        text += &match next(12) {
+            0 => format!("G{} G{}\n", 17 + next(3), 40 + next(3)),
+            1 => format!("G0 X{}. Y{}.\n", 20 + next(60), next(9)),
+            2..5 => format!("G1 X{}. Y-{}.5\n", 20 + next(60), next(30)),
+            5 => format!("Z-{}. V{}.\n", next(9), next(3)),
+            6 => format!("G3 U2. V2. R{}.\n", 2 + next(9)),
+            7 => format!("G2 W-2. V2. R{}.\n", 2 + next(9)),
+            8 => format!("G1 Y{}. ,R0.{}\n", next(60), 1 + next(9)),
+            9 => format!("G1 X{}. Z-{}.\n", 20 + next(40), next(60)),
+            10 => "Y0\n".to_owned(),
+            _ => format!("C{}\n", 90 * next(4)),
+        };
+    }
+    text + "G0 G40 X100. Y0 Z50.\nM30\n"
+}
+
 fn changes(most: usize) -> impl Strategy<Value = Vec<(Change, Option<usize>)>> {
     let patience = prop_oneof![3 => Just(None), 1 => (0usize..60).prop_map(Some)];
     prop::collection::vec((change(), patience), 1..most)
@@ -211,6 +236,13 @@ proptest! {
     fn changed_programs_of_all_kinds_of_blocks(seed in any::<u32>(), changes in changes(30), stride in 1usize..50) {
         let setup = Setup::from_json(r#"{"tools": {"T0101": {"noseRadius": 0.4, "tip": 3}}}"#).expect("setup");
         change_again_and_again(generated(seed).into_bytes(), &setup, stride, &changes);
+    }
+
+    #[test]
+    fn changed_programs_with_a_y_axis(seed in any::<u32>(), changes in changes(20), stride in 1usize..50) {
+        let setup = r#"{"machine": {"yAxis": true}, "tools": {"T0101": {"toolRadius": 2}}}"#;
+        let setup = Setup::from_json(setup).expect("setup");
+        change_again_and_again(milled(seed).into_bytes(), &setup, stride, &changes);
     }
 
     #[test]

@@ -197,11 +197,37 @@ fn the_way_home_from_a_compensated_path_stays_the_way_home() {
 }
 
 #[test]
+fn moves_along_y_stay_as_they_are() {
+    let head = "O1\n(MACHINE YAXIS=TRUE)\n(TOOL T0101 CUTTER=5 OFFSETR=5)\nM45\nG28 H0\nT0101\nG97 S1000 M13\nG98 G00 X100 Z5\n";
+    for blocks in [
+        "G17\nG01 X40 F100\nG03 X0 Y20 I-20\nG01 Y0",
+        "G17\nG01 Z-5 F100\nG41 X40 Y-30\nY20\nX-40\nG40 X-60 Y40\nG00 Z50\nY0",
+        "G17\nG41\nG01 Z-5 F100\nX40 Y-30\nY20,R3\nX-40\nG40\nX-60 Y40\nG00 Z50\nY0",
+        "G00 X60 Y10 C90\nG01 Z-3 F100\nX30\nG28 V0",
+        "G19\nG01 Z-10 F100\nG02 Y10 Z-20 K-10\nG00 X120\nG18 Y0\nG90 X80 Z-5",
+    ] {
+        check(&format!("{head}{blocks}\nM46\nM30\n"));
+    }
+}
+
+#[test]
 fn flank_infeed_of_a_taper_thread_is_no_moved_start() {
     check(
         "O1\nT0101\nG97 S500 M03\nG00 X34 Z5\nG76 P010060 Q100 R0.05\nG76 X30 Z-20 R-1.2 P1300 Q300 F2\n\
          G00 X80 Z20\nM30",
     );
+}
+
+/// The same number of F is another feed rate after G98 and G99.
+#[test]
+fn a_cycle_that_changes_how_f_counts_names_its_feed_rate_again() {
+    for (before, after, feed) in [("G98", "G99", "F0.25"), ("G99", "G98", "F80")] {
+        for cycle in ["G94 X30 Z-1", "G90 X50 Z-10", "G74 R1\nG74 Z-10 Q3000", "G01 X30"] {
+            check(&format!(
+                "O1\nT0101\nG97 S500 M03\nG00 X62 Z2\n{before} G01 X61 {feed}\nX62\n{cycle} {after} {feed}\nG00 X80 Z20\nM30"
+            ));
+        }
+    }
 }
 
 /// Blocks that change feed, speed, tool or spindle.

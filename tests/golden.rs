@@ -37,7 +37,7 @@ fn face(Analysis { motions, setup, .. }: &Analysis) -> Option<String> {
     let simulation = SimulationResult::of(motions, setup);
     let face = Face::of(motions, &simulation)?;
     let work = face.work(&simulation, None);
-    Some(svg(&face.scene(work.as_ref()), &SvgOptions { width: 720.0, ..SvgOptions::default() }))
+    Some(svg(&face.moves().scene(work.as_ref()), &SvgOptions { width: 720.0, ..SvgOptions::default() }))
 }
 
 #[test]

@@ -4,6 +4,7 @@ use gcode_playground::analyze;
 use gcode_playground::machine::SimulationResult;
 use gcode_playground::machine::danger::Danger;
 use gcode_playground::machine::region::Region;
+use gcode_playground::message::Severity;
 use gcode_playground::setup::Setup;
 
 fn simulation(program: &str, setup: &str) -> SimulationResult {
@@ -303,4 +304,31 @@ fn threads_that_start_in_a_groove() {
     analysis.check_at_machine();
     let slugs: Vec<_> = analysis.diagnostics.iter().map(|found| found.message.slug()).collect();
     assert!(!slugs.contains(&"start-behind-face"), "{slugs:?}");
+}
+
+/// A thread that ends between two turns: the insert stands in its own groove there, and comes out of it.
+#[test]
+fn a_thread_may_end_between_two_turns() {
+    let slugs = |body: &str| {
+        let text = format!(
+            "O1 (STOCK D=30 LENGTH=80)\n(TOOL T0505 TYPE=THREADING)\nT0505\nG97 S480 M03\n{body}G00 X200 Z200\nM30\n"
+        );
+        let mut analysis = gcode_playground::analyze(text.as_bytes(), &Setup::default());
+        analysis.check_at_machine();
+        let found = analysis.diagnostics.iter().filter(|one| one.severity > Severity::Info);
+        found.map(|one| one.message.slug()).collect::<Vec<_>>()
+    };
+    for end in ["-29", "-29.3", "-29.5", "-29.9", "-30"] {
+        let passes = format!("G00 X34 Z6\nG92 X29.2 Z{end} F2\nX28.6\nX28\nX27.6\nX27.4\n");
+        assert_eq!(slugs(&passes), [""; 0], "{end}");
+        // By hand, and as a cycle whose flank infeed moves the start, straight out and over a run-out.
+        let by_hand = format!("G00 X34 Z6\nX29\nG32 Z{end} F2\nG00 X34\nZ6\nX28.4\nG32 Z{end} F2\nG00 X34\n");
+        assert_eq!(slugs(&by_hand), [""; 0], "{end}");
+        for run_out in ["00", "05", "10"] {
+            let cycle = format!("G00 X34 Z6\nG76 P02{run_out}60 Q50 R0.05\nG76 X27.4 Z{end} P1300 Q400 F2\n");
+            assert_eq!(slugs(&cycle), [""; 0], "{end} {run_out}");
+        }
+    }
+    // Into the work is still into the work.
+    assert_eq!(slugs("G00 X34 Z6\nG92 X29.2 Z-29 F2\nG00 X28 Z-40\n")[0], "rapid-through-stock");
 }

@@ -3,6 +3,10 @@
 
 #[path = "precision/harmless.rs"]
 mod harmless;
+#[path = "precision/harmless_cuts.rs"]
+mod harmless_cuts;
+#[path = "precision/harmless_threads.rs"]
+mod harmless_threads;
 #[path = "precision/judged.rs"]
 mod judged;
 #[path = "precision/minus.rs"]

@@ -15,6 +15,7 @@ use gcode_playground::machine::SimulationResult;
 use gcode_playground::motion::{Motion, MotionKind, Motions};
 use gcode_playground::run::{Analysis, Run, TextEdit};
 use gcode_playground::scene::Scene;
+use gcode_playground::scene::face::Face;
 use gcode_playground::scene::path_index::PathIndex;
 use gcode_playground::scene::svg::{SvgOptions, svg};
 use gcode_playground::scene::work::{Moment, Work};
@@ -80,6 +81,11 @@ fn check_machine(analysis: &Analysis, setup: &Setup) {
     let simulation = SimulationResult::of(motions, setup);
     for told in findings::diagnostics(&simulation, motions, &setup.rules, &[]) {
         assert!(!told.message.sentence(Language::English).message.contains("NaN"), "{told:?}");
+    }
+    if let Some(face) = Face::of(motions, &simulation) {
+        let work = face.work(&simulation, None);
+        let picture = svg(&face.moves().scene(work.as_ref()), &SvgOptions::default());
+        assert!(!picture.contains("NaN") && !picture.contains("inf"));
     }
     let (Some(blank), Some(part)) = (simulation.blank(), simulation.finished()) else { return };
     assert!(part.area() <= blank.area() + 1e-3, "{} of {}", part.area(), blank.area());
@@ -147,7 +153,7 @@ fn coded(codes: &'static [&'static str], letters: &'static str) -> impl Strategy
 
 /// A line of a program that uses all that can steer it.
 fn line() -> impl Strategy<Value = String> {
-    let paths = coded(&["G0", "G1", "G2", "G3", "", "G32"], "XZUWRIKFCHA");
+    let paths = coded(&["G0", "G1", "G2", "G3", "", "G32"], "XYZUVWRIJKFCHA");
     let corners = coded(&["G1", ""], "XZUW").prop_flat_map(|line| {
         prop::sample::select(vec![",R1", ",C1", ",A30", "R2", "C-1", "K1"])
             .prop_map(move |corner| format!("{line}{corner}"))
@@ -278,6 +284,9 @@ fn part() -> impl Strategy<Value = String> {
         ("M5 M45\nG98\nG12.1\nG1 F100\n", "G13.1\n"),
         ("G12.1\nG42 X10 C3 F9\n", "G40\nG13.1\n"),
         ("M45 G98\nG1 F9\nG7.1 C20\nC90\n", "G7.1 C0\n"),
+        ("M45 G98\nG17\nG1 Y3 F9\n", "G18\nG0 Y0\n"),
+        ("T0303\nM45 G98\nG17 G41\nG1 X10 Y3 F9\n", "G40\nG0 X50 Y0\nG18\n"),
+        ("G19\nG42 G1 Y3 Z-3 F9\n", "G40 Y0\n"),
         ("G66 P2 A2 B3\nG0 X3\n", "G67\n"),
         ("G0 X0 Z5\nG83 Z-10 R-3 Q3000 F.1\n", "G80\n"),
         ("M45\nG0 X40 Z-5\nG87 X20 R-2 Q4000 C0 F.1\nC90\n", "G80\n"),
@@ -312,6 +321,8 @@ fn any_setup() -> impl Strategy<Value = Setup> {
         r#""program": 2"#,
         r#""initial": {"x": 20, "z": 2}"#,
         r#""stock": {"diameter": 50, "length": 80}"#,
+        r#""machine": {"yAxis": true}"#,
+        r#""stock": {"diameter": 50, "length": 80}, "machine": {"yAxis": true}"#,
     ]);
     (dialect, rest).prop_map(|((control, system, more), rest)| {
         let dialect =

@@ -60,11 +60,15 @@ prop_compose! {
 
 prop_compose! {
     fn machine()(
-        (rapid_x, rapid_z, max_speed) in (maybe(), maybe(), maybe()),
+        (rapid_x, rapid_z, max_speed, thread_speed_margin) in (maybe(), maybe(), maybe(), maybe()),
         (x_min, x_max, z_min, z_max) in (maybe_diameter(), maybe_diameter(), maybe(), maybe()),
-        turret in prop_oneof![Just(Turret::Rear), Just(Turret::Front)],
+        (turret, y_axis) in (
+            prop_oneof![Just(Turret::Rear), Just(Turret::Front)],
+            proptest::option::of(any::<bool>()),
+        ),
     ) -> Machine {
-        Machine { rapid_x, rapid_z, max_speed, travel: Travel { x_min, x_max, z_min, z_max }, turret }
+        let travel = Travel { x_min, x_max, z_min, z_max };
+        Machine { rapid_x, rapid_z, max_speed, thread_speed_margin, travel, turret, y_axis }
     }
 }
 

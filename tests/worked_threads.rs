@@ -63,8 +63,11 @@ fn a_pass_is_deeper_than_the_one_before_it_from_the_same_start() {
         "G00 X34 Z8\nX29.2\nG32 Z-20 F1.5\nG00 X34\nZ8\nX28.6\nG32 Z-20\nG00 X34\nZ8\nX28.9\nG32 Z-20\nG00 X34",
         &["thread-pass-not-deeper 11"],
     );
-    // A spring pass at the end is a note, and so is a pass written twice.
-    says(&format!("{RIGHT}\nX28.04"), &["thread-pass-not-deeper? 6"]);
+    // Spring passes at the end are usual; a pass written twice is a note once a deeper one comes.
+    says(&format!("{RIGHT}\nX28.04"), &[]);
+    says(&format!("{RIGHT}\nX28.04\nX28.04"), &[]);
+    says(&RIGHT.replace("X28.6", "X28.6\nX28.6"), &["thread-pass-not-deeper? 5"]);
+    says(&RIGHT.replace("X28.6", "X28.6\nX28.6\nX28.6"), &["thread-pass-not-deeper? 6"]);
     // The same thread once more, for the next part of the bar.
     says(&format!("{RIGHT}\nG92 X29.2 Z-20\nX28.6\nX28.2\nX28.04"), &[]);
 }
@@ -79,8 +82,13 @@ fn several_starts_are_each_a_thread_of_their_own() {
     says("G00 X34 Z9\nG92 X29.2 Z-20 F3\nX29.2 Q180000\nX28.6 Q0\nX28.6 Q180000", &[]);
     // All of one start, then all of the other.
     says("G00 X34 Z9\nG92 X29.2 Z-20 F3\nX28.6\nX28.2\nG00 Z10.5\nG92 X29.2 Z-20\nX28.6\nX28.2", &[]);
-    // Half a lead beside the passes before, and deeper: it cuts their crests away.
+    // Half a lead beside the passes before, and deeper: it cuts their crests away. A third does so too, and a last
+    // pass as deep as the one before it.
     says("G00 X34 Z9\nG92 X29.2 Z-20 F3\nX28.6\nG00 Z10.5\nG92 X28.2 Z-20", &["thread-start-moved 5"]);
+    says("G00 X34 Z9\nG92 X29.2 Z-20 F3\nX28.6\nG00 Z10\nG92 X28.2 Z-20", &["thread-start-moved 5"]);
+    says("G00 X34 Z9\nG92 X29.2 Z-20 F3\nX28.6\nG00 Z10.5\nG92 X28.6 Z-20", &["thread-start-moved 5"]);
+    // A little to both sides: the groove only gets wider.
+    says("G00 X34 Z9\nG92 X29.2 Z-20 F3\nX28.6\nG00 Z9.5\nG92 X28.6 Z-20\nG00 Z8.5\nG92 X28.6 Z-20", &[]);
     // Three starts need a third of the lead.
     says(
         "G00 X34 Z9\nG92 X29.2 Z-20 F3\nG00 Z10\nG92 X29.2 Z-20\nG00 Z11\nG92 X29.2 Z-20\nG00 Z9\nG92 X28.6 Z-20",
@@ -114,4 +122,45 @@ fn a_lead_in_threads_per_inch_has_its_own_range() {
     assert!(said("I11").is_empty());
     assert_eq!(said("I26000"), ["lead-out-of-range"]);
     assert_eq!(said("I0.05"), ["lead-out-of-range"]);
+}
+
+#[test]
+fn a_pass_goes_no_more_than_twice_as_much_deeper() {
+    // 0.3 and 0.2 mm on the radius, then 0.7.
+    says(&RIGHT.replace("X28.04", "X26.8"), &["thread-pass-jumps 5"]);
+    // A pass that only scratches the work comes first; small steps may grow.
+    says("G00 X34 Z8\nG92 X29.9 Z-20 F1.5\nX29.1\nX28.5\nX28.04", &[]);
+    says("G00 X34 Z8\nG92 X29.2 Z-20 F1.5\nX29.1\nX28.5\nX28.04", &[]);
+    // What is too much is so once.
+    says("G00 X34 Z8\nG92 X29.2 Z-20 F1.5\nX29\nX28.2\nX27.4", &["thread-pass-jumps 4"]);
+}
+
+#[test]
+fn a_pass_without_its_angle_cuts_the_first_start_again() {
+    let starts =
+        "G00 X34 Z12\nG92 X29.2 Z-20 F3 Q0\nX29.2 Q180000\nX28.6 Q0\nX28.6 Q180000\nX28.2 Q0\nX28.2 Q180000";
+    says(starts, &[]);
+    says(&starts.replace("X28.6 Q180000", "X28.6"), &["thread-angle-missing 5"]);
+    // A start at 0° needs no Q, and a spring pass at the end is one.
+    says(&starts.replace(" Q0", ""), &[]);
+    says(&starts.replace(" Q0", "").replace("X28.6 Q180000", "X28.6"), &["thread-angle-missing 5"]);
+    says("G00 X34 Z8\nG92 X29.2 Z-20 F1.5\nX28.6\nX28.6", &[]);
+}
+
+#[test]
+fn the_speed_of_a_thread_follows_the_machine() {
+    let said = |machine: &str| {
+        let text = format!(
+            "O1 (MACHINE {machine})\nT0303\nG97 S600 M03\nG00 X34 Z30\nG92 X29.2 Z-20 F2\nX28.4\nG00 X100\nM30\n"
+        );
+        let told = analyze(text.as_bytes(), &Setup::default()).diagnostics;
+        told.iter()
+            .map(|told| told.message.slug())
+            .filter(|slug| *slug != "no-program-end")
+            .collect::<Vec<_>>()
+    };
+    // 1200 / 2 - 80 = 520, - 0 = 600, - 100 = 500.
+    assert_eq!(said("MAXSPEED=4000"), ["thread-spindle-too-fast"]);
+    assert!(said("THREADK=0").is_empty());
+    assert_eq!(said("THREADK=100"), ["thread-spindle-too-fast"]);
 }

@@ -4,6 +4,7 @@
 import { existsSync, readdirSync, readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { defineConfig, type Plugin } from 'vite';
+import { compiledEarly } from './compiled-early';
 
 /** The names of the package, where the build has another one. */
 const NAMES: Readonly<Record<string, string>> = { 'gcode_playground_bg.wasm': 'core.wasm', further: 'panels', 'solid-view': 'solid', index: 'codemirror' };
@@ -28,7 +29,7 @@ function licenceOf(folder: string): string {
 }
 
 export default defineConfig({
-  plugins: [licences],
+  plugins: [licences, compiledEarly],
   base: './',
   publicDir: false,
   build: {

@@ -1,6 +1,6 @@
 // The picture of a program in the gallery: its strokes, small.
 //
-// In: motions as the command line prints them, one JSON object a line, X a diameter. Out: the strokes as paths of SVG,
+// In: motions as rows, or as the command line prints them, one JSON object a line; X a diameter. Out: the strokes as paths of SVG,
 // in a box of `WIDTH` by `HEIGHT` whole units, X+ up. Must not know: how the page draws it.
 
 export const WIDTH = 240;
@@ -15,10 +15,10 @@ interface Place {
   readonly c?: number;
 }
 
-interface Row {
+export interface Row {
   readonly kind?: 'rapid' | 'feed' | 'thread' | 'arc' | 'dwell';
-  readonly to?: Place;
-  readonly center?: Place;
+  readonly to?: Place | undefined;
+  readonly center?: Place | undefined;
   readonly dir?: 'cw' | 'ccw';
   readonly mode?: string;
 }
@@ -37,7 +37,10 @@ interface Stroke {
 }
 
 export function smallPicture(jsonLines: string): SmallPicture | undefined {
-  const rows = jsonLines.split('\n').filter((line) => line !== '').map((line) => JSON.parse(line) as Row);
+  return smallPictureOf(jsonLines.split('\n').filter((line) => line !== '').map((line) => JSON.parse(line) as Row));
+}
+
+export function smallPictureOf(rows: readonly Row[]): SmallPicture | undefined {
   // Messages follow the motions: their `to` is a place in the text.
   const moving = rows.filter((row) => row.kind !== 'dwell' && typeof row.to === 'object');
   const isFace = moving.some(({ mode }) => mode === 'polar');

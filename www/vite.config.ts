@@ -1,6 +1,9 @@
 // Builds the static page into www/dist. Addresses are relative, so the folder works wherever it is put.
+import { readFileSync } from 'node:fs';
 import { defineConfig, type HtmlTagDescriptor, type Plugin } from 'vite';
+import { compiledEarly } from './compiled-early';
 import { examples } from './examples';
+import { installable } from './installable';
 
 /**
  * What the first picture needs is asked for by the page itself, at once, and not by one script after the
@@ -27,11 +30,24 @@ const preloads: Plugin = {
   },
 };
 
+/** That of the crate: texts to copy name the folder of the element after it. */
+const version = /^version = "(.*)"$/m.exec(readFileSync('../Cargo.toml', 'utf8'))?.[1] ?? '';
+
+/**
+ * A script is imported at once: a preload of itself wins nothing, and one that fails is remembered by WebKit. Firefox remembers those of
+ * what it imports as well, so what the page loads later, perhaps without a network, is not preloaded but for its styles.
+ */
+function isPreloaded(file: string, host: string): boolean {
+  return file.endsWith('.css') || !/(^|\/)index-/.test(host);
+}
+
 export default defineConfig({
   base: './',
-  plugins: [preloads, examples],
+  define: { PLAYGROUND_VERSION: JSON.stringify(version) },
+  plugins: [preloads, examples, installable, compiledEarly],
   build: {
     target: 'es2022', outDir: 'dist', emptyOutDir: true, assetsInlineLimit: 0, cssTarget: 'chrome123',
+    modulePreload: { resolveDependencies: (file, needed, { hostId, hostType }) => (hostType === 'html' ? needed : needed.filter((each) => each !== file && isPreloaded(each, hostId))) },
     rollupOptions: {
       input: { index: 'index.html', element: 'src/shell/element.ts' },
       // The element has a name that stays, for other pages.

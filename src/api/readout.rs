@@ -6,6 +6,7 @@ use serde::Serialize;
 
 use super::{Places, Stroke, rounded, tool_name};
 use crate::geometry::Point;
+use crate::geometry::virtual_plane::VirtualMove;
 use crate::machine::resolved_setup::{Basis, ResolvedSetup};
 use crate::motion::{Feed, Motion, MotionKind, Motions, SpindleTurn, StopKind};
 use crate::playback::clock::{Clock, Playhead};
@@ -31,6 +32,10 @@ pub struct Readout {
     #[serde(skip_serializing_if = "Option::is_none")]
     #[cfg_attr(target_arch = "wasm32", tsify(optional))]
     pub c: Option<f64>,
+    /// Place along Y, mm, of moves on a machine with a Y axis.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(target_arch = "wasm32", tsify(optional))]
+    pub y: Option<f64>,
     /// Feed along the path, mm/min; left out at rapid, or where it cannot be known.
     #[serde(skip_serializing_if = "Option::is_none")]
     #[cfg_attr(target_arch = "wasm32", tsify(optional))]
@@ -39,6 +44,8 @@ pub struct Readout {
     #[serde(skip_serializing_if = "Option::is_none")]
     #[cfg_attr(target_arch = "wasm32", tsify(optional))]
     pub feed_per_turn: Option<f64>,
+    /// A thread is cut: feed override counts as 100 %, and feed hold waits.
+    pub locked: bool,
     /// Spindle speed, rpm; 0 while it stands, left out where it cannot be known.
     #[serde(skip_serializing_if = "Option::is_none")]
     #[cfg_attr(target_arch = "wasm32", tsify(optional))]
@@ -119,13 +126,17 @@ impl Readout {
         let (reading, whole) = (clock.at(motions, playhead), clock.whole());
         let machine = clock.machine();
         let rpm = timing::speed_at(&motion.process, machine, at.x);
+        let own = motion.rotary.and(motion.first_part(playhead.share).rotary);
+        let y = motion.virtual_move().filter(VirtualMove::has_y).map(|own| own.y_at(playhead.share));
         let resolved_tool = resolved.map(|resolved| resolved.tool(&motion));
         Self {
             share: if whole.pace > 0.0 { reading.pace / whole.pace } else { playhead.share },
             stroke: places.stroke(motions, playhead.motion, at, *unit, language),
-            c: motion.rotary.and(motion.first_part(playhead.share).rotary).map(|own| rounded(own.to)),
+            c: own.filter(|own| y.is_none() || own.from != own.to).map(|own| rounded(own.to)),
+            y: y.map(rounded),
             feed: timing::feed_at(&motion, machine, at.x).map(rounded),
             feed_per_turn: per_turn(&motion).map(rounded),
+            locked: motion.kind == MotionKind::Thread,
             rpm: if motion.process.turn != SpindleTurn::Stopped { rpm.map(rounded) } else { Some(0.0) },
             surface_speed: rpm.map(|rpm| rounded(timing::surface_speed(rpm, at.x))),
             elapsed: Time::new(&reading.time),

@@ -6,7 +6,7 @@
 use super::{Fix, Setting};
 use crate::message::{Message, Value, said};
 use crate::sentences::{Language, labels};
-use crate::setup::fields::{self, Entry};
+use crate::setup::fields::{self, Entry, Field};
 
 /// The repairs of a message that set a setting, the likeliest first.
 pub fn fixes(message: &Message, language: Language) -> Vec<Fix> {
@@ -34,12 +34,21 @@ pub fn fixes(message: &Message, language: Language) -> Vec<Fix> {
         "pockets-not-available" => vec![fix("typeII", Some("true"))],
         "arc-radius-negative" => vec![fix("negativeArcR", Some("over180"))],
         "machine-zero-unknown" | "not-at-reference-point" => vec![fix("refPoint.x", None)],
+        "axis-not-supported" | "plane-not-supported" => {
+            let field = fields::MACHINE.iter().find(|field| field.key == "yAxis");
+            vec![written(field, "machine.yAxis", Some("true"), language)]
+        }
         _ => Vec::new(),
     }
 }
 
 fn fix(key: &'static str, value: Option<&str>, language: Language) -> Fix {
     let field = fields::DIALECT.iter().find(|field| field.key == key);
+    written(field, &format!("dialect.{key}"), value, language)
+}
+
+/// The repair that sets a field of the setup to a value.
+fn written<T>(field: Option<&Field<T>>, key: &str, value: Option<&str>, language: Language) -> Fix {
     let name = field.map_or("", |field| labels::field(field.name, language));
     let choices = field.map_or(&[][..], |field| match field.entry {
         Entry::Choice(choices) => choices,
@@ -52,7 +61,7 @@ fn fix(key: &'static str, value: Option<&str>, language: Language) -> Fix {
         title: labels::setting(name, words, language),
         safe: false,
         edits: Vec::new(),
-        setting: Some(Setting { key: format!("dialect.{key}"), value: value.map(str::to_owned) }),
+        setting: Some(Setting { key: key.to_owned(), value: value.map(str::to_owned) }),
     }
 }
 
@@ -73,7 +82,11 @@ mod tests {
         let offered = fixes(&told.message, Language::English);
         let named: Vec<_> = offered.iter().flat_map(|fix| &fix.setting).collect();
         let plain = |setting: &&Setting| (setting.key.clone(), setting.value.clone());
-        let wanted = settings.iter().map(|(key, value)| (format!("dialect.{key}"), value.map(str::to_owned)));
+        let whole = |key: &str| match key {
+            "yAxis" => format!("machine.{key}"),
+            key => format!("dialect.{key}"),
+        };
+        let wanted = settings.iter().map(|(key, value)| (whole(key), value.map(str::to_owned)));
         assert_eq!(named.iter().map(plain).collect::<Vec<_>>(), wanted.collect::<Vec<_>>());
         for setting in named {
             let text_entered = setting.value.clone().unwrap_or_else(|| "250".into());
@@ -101,5 +114,9 @@ mod tests {
         check(arc, alarm, "arc-radius-negative", &[("negativeArcR", Some("over180"))]);
         let machine = "O1\nT0101 S800 M3\nG0 X40 Z2\nG1 Z-20 F0.2\nG53 X0 Z0\nM30\n";
         check(machine, "{}", "machine-zero-unknown", &[("refPoint.x", None)]);
+        let beside = "O1\nT0101 S800 M3\nG0 X40 Z2\nG1 Y8 F0.2\nY0\nM30\n";
+        check(beside, "{}", "axis-not-supported", &[("yAxis", Some("true"))]);
+        let plane = "O1\nG17\nT0101 S800 M3\nG0 X40 Z2\nG3 X50 Z-5 R5 F0.2\nM30\n";
+        check(plane, "{}", "plane-not-supported", &[("yAxis", Some("true"))]);
     }
 }

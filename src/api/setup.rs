@@ -345,7 +345,8 @@ impl Subject<'_> {
         put(&mut all, "stock.", fields::STOCK, &stock, language);
         put(&mut all, "initial.", fields::START, &draft::start_base(), language);
         put(&mut all, "tailstock.", fields::TAILSTOCK, &NO_TAILSTOCK, language);
-        put(&mut all, "machine.", fields::MACHINE, &Machine::default(), language);
+        let machine = Machine { y_axis: Some(false), ..Machine::default() };
+        put(&mut all, "machine.", fields::MACHINE, &machine, language);
         for (key, usual) in [("stock.bore", "0"), ("stock.face", "0")] {
             let place = all.entry(key.into()).or_insert(None);
             place.get_or_insert_with(|| usual.into());

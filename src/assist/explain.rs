@@ -7,6 +7,7 @@ use std::ops::Range;
 
 use super::Asked;
 use super::fact::Quantity;
+use crate::geometry::virtual_plane::{VirtualMove, Way};
 use crate::geometry::{Point, SAME};
 use crate::motion::{Cycle, CycleFamily, Feed, Motion, MotionKind, Motions, Step};
 use crate::playback::timing;
@@ -33,6 +34,8 @@ pub enum Action {
     Dwell(Quantity),
     /// C takes part: where it ends.
     Turn(Quantity),
+    /// Y takes part: where it begins and ends.
+    AlongY(Quantity, Quantity),
     /// So many moves, from one place to another.
     Moves(u32, Point, Point),
     /// One pass of a single cycle: the cycle, the diameter or Z it cuts at, from one place to another.
@@ -87,7 +90,7 @@ impl Explanation {
             None if own.len() > NAMED => {
                 vec![Action::Moves(own.len() as u32, first.from, own[own.len() - 1].to)]
             }
-            None => own.iter().map(plain).collect(),
+            None => own.iter().flat_map(plain).collect(),
         };
         let (mut seconds, mut is_known, mut without_rapids) = (0.0, true, false);
         for motion in &own {
@@ -117,7 +120,31 @@ impl Asked<'_> {
     }
 }
 
-fn plain(motion: &Motion) -> Action {
+fn plain(motion: &Motion) -> Vec<Action> {
+    match motion.virtual_move().filter(VirtualMove::has_y) {
+        Some(own) => in_space(motion, &own),
+        None => vec![in_plane(motion)],
+    }
+}
+
+/// A move on a machine with a Y axis: what X and Z do, then Y and C where they take part.
+fn in_space(motion: &Motion, own: &VirtualMove) -> Vec<Action> {
+    let (from, to) = (motion.from, motion.to);
+    let path = match own.way {
+        _ if motion.kind == MotionKind::Rapid => Action::Rapid(from, to),
+        Way::Arc(arc) => {
+            Action::Arc(to, Quantity::Length(arc.radius()), motion.kind == MotionKind::ArcClockwise)
+        }
+        Way::Line(..) => Action::Straight(from, to, Quantity::Length((own.length() * 100.0).round() / 100.0)),
+    };
+    let y = (own.y_at(0.0), own.y_at(1.0));
+    let along_y = (y.0 != y.1).then_some(Action::AlongY(Quantity::Length(y.0), Quantity::Length(y.1)));
+    let turned = motion.rotary.filter(|rotary| rotary.from != rotary.to);
+    let turn = turned.map(|rotary| Action::Turn(Quantity::Degrees(rotary.to)));
+    [Some(path), along_y, turn].into_iter().flatten().collect()
+}
+
+fn in_plane(motion: &Motion) -> Action {
     let (from, to) = (motion.from, motion.to);
     if let Some(rotary) = motion.rotary {
         return Action::Turn(Quantity::Degrees(rotary.to));

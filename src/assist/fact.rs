@@ -70,6 +70,10 @@ pub enum Fact {
     StationAndOffset(u16, u16),
     /// The nose radius of the tool.
     NoseRadius(Quantity),
+    /// The pass before, to the same end, had another taper: the first way of roughing a cone (seed 004).
+    TaperBefore(Quantity),
+    /// The taper of the pass before goes on while the end moves: the second way (seed 004).
+    TaperKept(Quantity),
     /// The block makes so many passes.
     Passes(u32),
     /// The last of them is at this diameter.
@@ -88,6 +92,8 @@ pub enum Fact {
     VariableBecomes(u32, Option<f64>),
     /// The argument becomes a variable of the macro.
     Argument(u32),
+    /// While it cuts a thread, feed override counts as 100 % and feed hold waits.
+    ThreadLocked,
     /// The block is never carried out.
     NotCarriedOut,
     /// It is left out: a level of block skip is on.

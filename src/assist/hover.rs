@@ -6,7 +6,7 @@ use super::Asked;
 use super::fact::{Fact, Quantity};
 use super::form::{Form, Half, g_of};
 use super::role::Role;
-use crate::control::codes::{self, Function, G, MotionMode, Multiple};
+use crate::control::codes::{self, Function, G, Hole, MotionMode, Multiple};
 use crate::control::contour::Purpose;
 use crate::control::macros;
 use crate::control::modal::State;
@@ -173,6 +173,7 @@ impl<'a> Asked<'a> {
                 facts.push(Fact::CodeBefore(was, since));
             }
         }
+        facts.extend(cuts_thread(found.code).then_some(Fact::ThreadLocked));
         let (function, role) = (Some(found.function()), Role::of_g(found.code));
         let quantity = match found.code {
             G::Frame(frame) => Some(Quantity::Count(f64::from(frame + 1))),
@@ -200,6 +201,10 @@ impl<'a> Asked<'a> {
         let form = Form::of(self.block, before, self.codes);
         let surface = self.surface_in_block().unwrap_or(before.spindle.surface);
         let role = Role::of(word, form, surface, after.c_axis || before.virtual_plane.is_some());
+        let role = match form {
+            Form::Motion { mode: MotionMode::Arc(_), .. } => role.in_plane_of(word.address, before),
+            _ => role,
+        };
         let reading = Reading { unit: after.unit, decimal: self.dialect.decimal };
         let quantity = self.quantity(word, role, form, before, reading);
         let mut facts = Vec::new();
@@ -274,9 +279,10 @@ impl<'a> Asked<'a> {
             | CycleEndX | CycleEndZ | CycleWayX | CycleWayZ | PeckEndX | PeckEndZ | PeckWayX | PeckWayZ
             | ThreadEndX | ThreadEndZ | ThreadWayX | ThreadWayZ | HoleEndX | HoleEndZ | HoleWayX
             | HoleWayZ | HolePlaceX | HolePlaceZ | HoleAngle | Chamfer | Rounding | ArcRadius
-            | ArcCenterX | ArcCenterZ | CornerX | CornerZ | TaperX | TaperZ | ThreadTaper | PullOutAcross
-            | PullOutAlong | Escape | AllowanceX | AllowanceZ | ReliefX | ReliefZ | PeckRetract
-            | BottomRelief | ThreadAllowance | RPoint | DataValue | DataRadius | CylinderRadius => length()?,
+            | ArcCenterX | ArcCenterZ | ArcCenterC | ArcCenterY | CornerX | CornerZ | TaperX | TaperZ
+            | ThreadTaper | PullOutAcross | PullOutAlong | Escape | AllowanceX | AllowanceZ | ReliefX
+            | ReliefZ | PeckRetract | BottomRelief | ThreadAllowance | RPoint | DataValue | DataRadius
+            | CylinderRadius => length()?,
             PassDepth | PassDepthZ if word.address != b'D' => length()?,
             LineAngle | ThreadAngle => Quantity::Degrees(plain(word)?),
             StartAngle => Quantity::Degrees(plain(word)? / 1000.0),
@@ -383,8 +389,12 @@ impl<'a> Asked<'a> {
         let (before, after) = (&visit.before.state, &visit.after.state);
         let origins = &visit.after.origins;
         match role {
-            Role::EndX | Role::WayX => facts.push(from_to(before.position.x, after.position.x, true)),
-            Role::EndZ | Role::WayZ => facts.push(from_to(before.position.z, after.position.z, false)),
+            Role::EndX | Role::WayX => {
+                facts.push(from_to(before.turning_place().x, after.turning_place().x, true))
+            }
+            Role::EndZ | Role::WayZ => {
+                facts.push(from_to(before.turning_place().z, after.turning_place().z, false))
+            }
             Role::Feed | Role::Lead => {
                 self.about_feed(role, quantity, before, after, &visit.before.origins, facts)
             }
@@ -417,6 +427,14 @@ impl<'a> Asked<'a> {
                 facts.push(self.called(role, word))
             }
             Role::Argument => facts.extend(self.argument(word)),
+            Role::TaperX
+            | Role::TaperZ
+            | Role::CycleEndX
+            | Role::CycleEndZ
+            | Role::CycleWayX
+            | Role::CycleWayZ => {
+                facts.extend(way_of_roughing_a_cone(role, before, after));
+            }
             _ => {}
         }
         if let Form::Multiple(_, Half::Second | Half::Whole) = form
@@ -555,6 +573,24 @@ impl<'a> Asked<'a> {
     }
 }
 
+/// How this pass of a taper follows from the one before: with another R to the same end, or with the same R to another end.
+/// R of G90 and G94 alike is the start of the cut minus its end.
+fn way_of_roughing_a_cone(role: Role, before: &State, after: &State) -> Option<Fact> {
+    let (last, this) = (before.memory, after.memory);
+    let goes_on = before.motion == after.motion && this.passes > last.passes && last.passes > 0;
+    let same_end = (last.x, last.z) == (this.x, this.z);
+    let taper = last.taper;
+    if !goes_on || taper == 0.0 {
+        return None;
+    }
+    match role {
+        Role::TaperX | Role::TaperZ => {
+            (same_end && this.taper != taper).then_some(Fact::TaperBefore(Quantity::Length(taper)))
+        }
+        _ => (!same_end && this.taper == taper).then_some(Fact::TaperKept(Quantity::Length(taper))),
+    }
+}
+
 /// A value that is set again, or another one.
 fn about_value(was: Quantity, now: Option<Quantity>, origins: &Origins, modal: Modal, facts: &mut Vec<Fact>) {
     let Some(since) = origins.since(modal) else { return };
@@ -584,6 +620,20 @@ pub fn feed_of(state: &State) -> Option<Quantity> {
 }
 
 /// What a G code changes of what is in force.
+/// Whether a code cuts a thread, in which the slide is locked to the spindle.
+fn cuts_thread(code: G) -> bool {
+    match code {
+        G::Motion(mode) => match mode {
+            MotionMode::Thread | MotionMode::VariableThread | MotionMode::Tapping => true,
+            MotionMode::Cycle(cycle) => cycle == Single::Threading,
+            MotionMode::Rapid | MotionMode::Line | MotionMode::Arc(_) => false,
+        },
+        G::Multiple(cycle) => cycle == Multiple::Threading,
+        G::Hole(hole) => matches!(hole, Hole::G84 | Hole::G88),
+        _ => false,
+    }
+}
+
 fn modal_of(code: G) -> Option<Modal> {
     Some(match code {
         G::Motion(_) => Modal::Motion,

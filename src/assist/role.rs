@@ -5,7 +5,9 @@
 
 use super::form::{Form, Half};
 use crate::control::codes::{G, Hole, M, MotionMode, Multiple, Plane};
+use crate::control::modal::State;
 use crate::cycles::single::Single;
+use crate::geometry::virtual_plane::Surface;
 use crate::setup::dialect::FeedMode;
 use crate::text::block::Word;
 use crate::units::Unit;
@@ -37,7 +39,7 @@ roles! {
     // Places and ways
     EndX EndZ EndC EndY WayX WayZ WayC WayY ViaX ViaZ ViaC ViaWayX ViaWayZ MachineX MachineZ OriginX OriginZ ShiftX ShiftZ LocalX LocalZ
     // Corners and arcs
-    Chamfer Rounding LineAngle ArcRadius ArcCenterX ArcCenterZ CornerX CornerZ
+    Chamfer Rounding LineAngle ArcRadius ArcCenterX ArcCenterZ ArcCenterC ArcCenterY CornerX CornerZ
     // Feed, speed, tool
     Feed Lead LeadChange ThreadsPerInch StartAngle SpindleSpeed CuttingSpeed HighestSpeed LowestSpeed ToolAndOffset
     DwellSeconds DwellMilliseconds
@@ -149,6 +151,22 @@ impl Role {
             }
             Form::Call(call) => of_call(letter, call),
             Form::Macro | Form::Nothing => Self::Ignored,
+        }
+    }
+}
+
+impl Role {
+    /// The same of a word in an arc that does not lie in the plane of turning: on the end face (G12.1) the centre is I and
+    /// J, under G17 I and J, under G19 J and K (seed 002, figure 5-5).
+    pub fn in_plane_of(self, letter: u8, state: &State) -> Self {
+        let on_face = state.virtual_plane.is_some_and(|plane| plane.surface == Surface::Face);
+        match (self, letter, state.plane) {
+            (Self::Ignored, b'J', _) if on_face => Self::ArcCenterC,
+            (Self::Ignored, b'J', Plane::Xy | Plane::Yz) => Self::ArcCenterY,
+            (Self::ArcCenterZ, b'K', _) if on_face => Self::Ignored,
+            (Self::ArcCenterZ, b'K', Plane::Xy) => Self::Ignored,
+            (Self::ArcCenterX, b'I', Plane::Yz) if !on_face => Self::Ignored,
+            (role, ..) => role,
         }
     }
 }

@@ -9,11 +9,12 @@ use super::fact::Quantity;
 use super::form::{Form, Half};
 use super::hover::feed_of;
 use super::role::Role;
-use crate::control::codes::{self, G, Hole, M, MacroCall, MotionMode, Multiple};
+use crate::control::codes::{self, G, Hole, M, MacroCall, MotionMode, Multiple, Plane};
 use crate::control::modal::{State, Target};
 use crate::control::words::Reading;
 use crate::cycles::single::Single;
 use crate::geometry::SAME;
+use crate::geometry::virtual_plane::Surface;
 use crate::setup::dialect::{Control, Dialect};
 use crate::source::Span;
 use crate::text::block::{Value, Word};
@@ -105,6 +106,9 @@ const fn corner(letters: &'static [u8]) -> Slot {
 const RAPID: &[Slot] = &[stays(b"XU"), stays(b"ZW")];
 const LINE: &[Slot] = &[stays(b"XU"), stays(b"ZW"), as_set(b"F"), corner(b"C"), corner(b"R"), corner(b"A")];
 const ARC: &[Slot] = &[stays(b"XU"), stays(b"ZW"), must(b"RIK"), as_set(b"F")];
+const FACE_ARC: &[Slot] = &[stays(b"XU"), stays(b"CH"), must(b"RIJ"), as_set(b"F")];
+const XY_ARC: &[Slot] = &[stays(b"XU"), stays(b"YV"), must(b"RIJ"), as_set(b"F")];
+const YZ_ARC: &[Slot] = &[stays(b"YV"), stays(b"ZW"), must(b"RJK"), as_set(b"F")];
 const THREAD: &[Slot] = &[stays(b"XU"), stays(b"ZW"), as_set(b"F"), zero(b"Q")];
 const VARIABLE_THREAD: &[Slot] = &[stays(b"XU"), stays(b"ZW"), as_set(b"F"), must(b"K")];
 const TURNING: &[Slot] = &[as_set(b"XU"), as_set(b"ZW"), zero(b"R"), as_set(b"F")];
@@ -225,7 +229,20 @@ impl Asked<'_> {
     pub fn signature(&self) -> Option<Signature> {
         let state = &*self.before();
         let form = Form::of(self.block, state, self.codes);
-        let lines = lines(form, self.dialect);
+        let mut lines = lines(form, self.dialect);
+        let is_arc = matches!(form, Form::Motion { mode: MotionMode::Arc(_), .. });
+        let interpolation = state.interpolation().map(|plane| plane.surface);
+        // The plane of the arc, where it is not that of turning.
+        let other_plane = match (interpolation, state.plane) {
+            (Some(Surface::Face), _) => Some(FACE_ARC),
+            (None, Plane::Xy) => Some(XY_ARC),
+            (None, Plane::Yz) => Some(YZ_ARC),
+            _ => None,
+        };
+        let other_plane = other_plane.filter(|_| is_arc);
+        if let Some((line, slots)) = lines.first_mut().zip(other_plane) {
+            line.slots = slots;
+        }
         let own = lines.iter().position(|line| line.form == form)?;
         let surface = state.spindle.surface;
         let reading = Reading { unit: state.unit, decimal: self.dialect.decimal };
@@ -245,6 +262,7 @@ impl Asked<'_> {
                     let found = self.block.words.iter().find(stands).filter(|_| index == own);
                     let letter = found.map_or(slot.letters[0], |word| word.address);
                     let role = Role::of(&sample(letter, slot.comma), line.form, surface, state.c_axis);
+                    let role = if other_plane.is_some() { role.in_plane_of(letter, state) } else { role };
                     let mut slot = *slot;
                     if role == Role::StepOver && steps_over {
                         slot.otherwise = Otherwise::Missing;

@@ -160,7 +160,7 @@ impl Asked<'_> {
     }
 
     fn speeds(&self, state: &State) -> Option<(Quantity, Quantity)> {
-        let x = state.position.x;
+        let x = state.turning_place().x;
         let speed = timing::speed_at(&state.process(), &self.setup.machine, x)?;
         Some((Quantity::Speed(speed), Quantity::CuttingSpeed(timing::surface_speed(speed, x))))
     }
@@ -216,7 +216,7 @@ fn in_force(modal: Modal, state: &State, list: CodeList) -> InForce {
             let zero = state.frames.offset();
             InForce::Pair(Quantity::Diameter(Diameter::from_radius(zero.x)), Quantity::Length(zero.z))
         }
-        Modal::Interpolation => match state.virtual_plane {
+        Modal::Interpolation => match state.interpolation() {
             Some(plane) if plane.surface == Surface::Face => code(G::Polar(Switch::On), list),
             Some(_) => code(G::Cylinder, list),
             None => InForce::Nothing,
@@ -293,7 +293,7 @@ fn target(target: Target, across: bool) -> InForce {
 
 fn axes(before: &State, after: &State) -> Vec<AxisRow> {
     let across = |radius: f64| Quantity::Diameter(Diameter::from_radius(radius));
-    let (from, to) = (before.position, after.position);
+    let (from, to) = (before.turning_place(), after.turning_place());
     let mut axes = vec![
         AxisRow {
             axis: 'X',
@@ -308,6 +308,11 @@ fn axes(before: &State, after: &State) -> Vec<AxisRow> {
             way: Quantity::Length(to.z - from.z),
         },
     ];
+    let [was, is] = [before.place_along_y(), after.place_along_y()];
+    if was != 0.0 || is != 0.0 {
+        let [was, is, way] = [was, is, is - was].map(Quantity::Length);
+        axes.insert(1, AxisRow { axis: 'Y', before: was, after: is, way });
+    }
     if before.c_axis || after.c_axis || before.c != 0.0 || after.c != 0.0 {
         let [was, is, way] = [before.c, after.c, after.c - before.c].map(Quantity::Degrees);
         axes.push(AxisRow { axis: 'C', before: was, after: is, way });

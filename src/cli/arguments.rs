@@ -9,7 +9,7 @@ use clap::{Parser, Subcommand};
 use super::options::{
     ControlName, Destination, Form, Input, LanguageName, Texts, TurretName, ViewName, With,
 };
-use super::{clean, embed};
+use super::{check, clean, configuration, diff, embed};
 use crate::export::file::FileFormat;
 
 /// A lathe G-code playground: toolpaths and messages for FANUC and GSK turning programs.
@@ -23,28 +23,7 @@ pub(super) struct Arguments {
 #[derive(Subcommand)]
 pub(super) enum Command {
     /// Check programs and report what is wrong with them.
-    Check {
-        /// Programs; `-` reads standard input.
-        #[arg(required = true)]
-        files: Vec<PathBuf>,
-        #[command(flatten)]
-        with: With,
-        #[command(flatten)]
-        texts: Texts,
-        #[command(flatten)]
-        form: Form,
-        /// Make all repairs that do not change what the program does, and write the files back;
-        /// what is left is reported.
-        #[arg(long)]
-        fix: bool,
-        /// The files are pages of a manual (Markdown, HTML or reStructuredText, by their endings): every program
-        /// in them is checked, and messages name its place in the page.
-        #[arg(long, conflicts_with = "fix")]
-        markdown: bool,
-        /// With `--fix`: print the repaired programs instead, and report what is left on standard error.
-        #[arg(long, requires = "fix")]
-        dry_run: bool,
-    },
+    Check(check::Check),
     /// Find the programs in a text (of a PDF, a slide, a forum) and write one of them out, cleaned.
     Clean(clean::Clean),
     /// Write a program as the element `<gcode-playground>` for a page, with its picture for readers without
@@ -89,6 +68,25 @@ pub(super) enum Command {
         #[command(flatten)]
         form: Form,
     },
+    /// Explain a rule: what it looks at, why, and what to do, with an example.
+    Explain {
+        /// Its name, or the code that its messages show (`PS0010`).
+        rule: String,
+        #[command(flatten)]
+        texts: Texts,
+    },
+    /// Show what a program is run with and how it is checked, and which file or option says so.
+    Config(configuration::shown::Config),
+    /// Print what a shell needs to complete commands and options.
+    #[cfg(not(target_arch = "wasm32"))]
+    Completions {
+        /// The shell.
+        #[arg(value_enum)]
+        shell: clap_complete::Shell,
+    },
+    /// Print the manual page, as `man` reads it.
+    #[cfg(not(target_arch = "wasm32"))]
+    ManPage,
     /// Print what is left of the blank as JSON: the half-section as polygons of [z, x], x a diameter.
     Part(Input),
     /// Add up time, cutting length and extents for each tool.
@@ -125,11 +123,13 @@ pub(super) enum Command {
         #[arg(short, long)]
         output: Option<PathBuf>,
     },
+    /// Lay two versions of a program beside each other: the blocks that differ, and what each changes in the motion.
+    Diff(diff::Diff),
     /// Draw the toolpath as SVG.
     Svg {
         #[command(flatten)]
         input: Input,
-        /// The half-section, or the end face with what polar interpolation mills there.
+        /// The half-section, or the end face with what is milled there under polar interpolation or along Y, and drilled; or the side, unrolled.
         #[arg(long, value_enum, default_value = "section")]
         view: ViewName,
         /// Which side of the spindle the turret is on; X+ is drawn there. That of the setup when left out.

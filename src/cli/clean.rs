@@ -7,6 +7,7 @@ use std::io::{self, Write};
 use std::path::PathBuf;
 
 use super::options::{Destination, Texts};
+use super::system::say;
 use super::{encoding, print, read, save};
 use crate::api::paste::shortened;
 use crate::paste::{self, Found, Name, Piece, Program};
@@ -79,7 +80,7 @@ fn tell(name: &str, text: &str, program: &Program, language: Language) {
         let Some(reason) = piece.reason else { continue };
         let place = lines.line_column(text.as_bytes(), piece.span.start);
         let (line, column) = (place.line + 1, place.column + 1);
-        eprintln!("{name}:{line}:{column}: {}{}", reason.phrase(language), quoted(text, piece));
+        say(format_args!("{name}:{line}:{column}: {}{}", reason.phrase(language), quoted(text, piece)));
     }
 }
 

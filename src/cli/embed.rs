@@ -5,17 +5,19 @@
 //! wrong with the pictures of the pages, or the pages with the pictures drawn anew. Knows the attributes that change
 //! the picture; all others are passed on.
 
-use std::io::Write;
-use std::path::PathBuf;
-use std::process::ExitCode;
+use std::io::{self, Write};
+use std::path::{Path, PathBuf};
 
 use clap::ValueEnum;
 
+use super::configuration::Configurations;
 use super::manual::attributes::{self, Fault};
 use super::manual::{self, Attributes, Example, Holder, Markup};
-use super::manual_check::{self, Base, InPage, Page, counted};
+use super::manual_page::{self, Base, Page};
 use super::options::{Destination, LanguageName, TurretName, With};
-use super::{Format, Program, encoding, export, print, read, run_text, save, setup_texts, status};
+use super::system::say;
+use super::{NAME, Program, Status, counted, encoding, export, print, read, run_text, save, status};
+use crate::limits;
 use crate::message::Edit;
 use crate::rewrite::applied;
 use crate::scene;
@@ -126,7 +128,7 @@ fn attribute(text: &str) -> Result<(String, String), String> {
 }
 
 /// Runs the command.
-pub(super) fn run(embed: &Embed) -> Result<ExitCode, String> {
+pub(super) fn run(embed: &Embed) -> Result<Status, String> {
     if embed.check || embed.fix {
         return pages(&embed.files, embed.fix);
     }
@@ -165,7 +167,7 @@ fn attributes(embed: &Embed) -> Result<Vec<(String, String)>, String> {
     };
     put("view", look.view.as_ref().map(name_of));
     put("control", with.control.as_ref().map(name_of));
-    let setups = setup_texts(with)?;
+    let setups = Configurations::new(with)?.setups();
     profile::joined(&setups)?;
     put("setup", (!setups.is_empty()).then(|| profile::joined_text(&setups)));
     let levels: Vec<String> = look.block_skip.iter().map(u8::to_string).collect();
@@ -310,12 +312,11 @@ struct Counts {
 }
 
 /// Checks the pictures of some pages, or draws those that are old anew.
-fn pages(files: &[PathBuf], fix: bool) -> Result<ExitCode, String> {
+fn pages(files: &[PathBuf], fix: bool) -> Result<Status, String> {
     let mut counts = Counts::default();
     for file in files {
-        let page = Page::read(file)?;
-        let lines = LineIndex::new(&page.text);
-        let told = InPage { page: &page, lines: &lines, language: Language::English, format: Format::Text };
+        let page = Page::read(file, limits::TEXT_BUFFER as u64)?;
+        let told = InPage { page: &page, lines: &LineIndex::new(&page.text) };
         let mut edits = Vec::new();
         print(|out| {
             for example in page.examples().iter().filter(|example| example.holder != Holder::Code) {
@@ -329,17 +330,28 @@ fn pages(files: &[PathBuf], fix: bool) -> Result<ExitCode, String> {
             let text = String::from_utf8_lossy(&text);
             // What a page cannot write in its encoding is not in a picture: those of captions are in the page.
             let bytes = page.encoding.encode(&text).unwrap_or(text.as_bytes().into());
-            save(Some(file.as_path()).filter(|file| *file != std::path::Path::new("-")), &bytes)?;
+            save(Some(file.as_path()).filter(|file| *file != Path::new("-")), &bytes)?;
         }
     }
     let Counts { elements, pictures, old, faulty } = counts;
     let what = if fix { "drawn anew" } else { "out of date" };
-    eprintln!(
-        "gcode-playground: {}, {}, {old} {what}",
-        counted(elements, "element"),
-        counted(pictures, "picture")
-    );
-    Ok(ExitCode::from(u8::from(faulty > 0 || old > 0 && !fix)))
+    let (elements, pictures) = (counted(elements, "element"), counted(pictures, "picture"));
+    say(format_args!("{NAME}: {elements}, {pictures}, {old} {what}"));
+    Ok(Status::faulty_if(faulty > 0 || old > 0 && !fix))
+}
+
+/// A page, and its lines.
+struct InPage<'a> {
+    page: &'a Page,
+    lines: &'a LineIndex,
+}
+
+impl InPage<'_> {
+    /// Says something about an element.
+    fn note(&self, out: &mut dyn Write, example: &Example, message: &str) -> io::Result<()> {
+        let (line, column) = self.page.place(self.lines, example.at);
+        writeln!(out, "{}:{line}:{column}: {message}", self.page.name)
+    }
 }
 
 /// Compares the picture of an element with what its program draws; the answer is the edit that draws it anew.
@@ -349,11 +361,11 @@ fn look_at(
     example: &Example,
     fix: bool,
     counts: &mut Counts,
-) -> std::io::Result<Option<Edit>> {
-    let language = told.language;
+) -> io::Result<Option<Edit>> {
+    let language = Language::English;
     if !example.is_closed {
         counts.faulty += 1;
-        told.note(out, example, "", labels::element_not_closed(language).to_owned())?;
+        told.note(out, example, labels::element_not_closed(language))?;
         return Ok(None);
     }
     let Some(there) = &example.picture else { return Ok(None) };
@@ -365,11 +377,11 @@ fn look_at(
         Ok(setup) => setup,
         Err(reason) => {
             counts.faulty += 1;
-            told.note(out, example, "", labels::setup_unreadable(&reason, language))?;
+            told.note(out, example, &labels::setup_unreadable(&reason, language))?;
             return Ok(None);
         }
     };
-    let program = manual_check::run(&told.page.name, example, setup);
+    let program = manual_page::run(&told.page.name, example, setup);
     let now = picture(&program, &example.attributes);
     let before = String::from_utf8_lossy(there.text());
     if in_one_line(&now) == in_one_line(&before) {
@@ -379,7 +391,7 @@ fn look_at(
     if !fix {
         let name = &told.page.name;
         let said = labels::picture_out_of_date(language);
-        told.note(out, example, "", format!("{said}. To draw it anew: gcode-playground embed --fix {name}"))?;
+        told.note(out, example, &format!("{said}. To draw it anew: gcode-playground embed --fix {name}"))?;
         return Ok(None);
     }
     let is_html = told.page.markup == Markup::Html && before.contains('\n');

@@ -1,49 +1,60 @@
 //! The command line: arguments in, text or JSON out.
 //!
-//! Exit status 0: no error in the program; 1: errors found; 2: bad usage or a file that cannot be read.
+//! Exit status 0: no error in the program; 1: errors found; 2: bad usage or a file that cannot be read. Natively and under Node it is
+//! the same program: what it asks of the machine it asks through `system`.
 
 mod arguments;
+mod check;
 mod clean;
 mod compare;
+mod configuration;
+mod diff;
 mod embed;
 mod encoding;
+mod explain;
 mod export;
-mod fix;
 mod inferred_stock;
 mod manual;
-mod manual_check;
+mod manual_page;
 mod options;
 mod rewrite;
 mod rules;
+mod status;
 mod summary;
+mod system;
 mod terminal;
 
 use std::borrow::Cow;
-use std::io::{self, Read, Write};
-use std::path::{Path, PathBuf};
-use std::process::ExitCode;
+use std::io::{self, ErrorKind, Write};
+use std::path::Path;
 
+#[cfg(not(target_arch = "wasm32"))]
+use clap::CommandFactory;
 use clap::Parser;
 use serde::Serialize;
 
-use crate::api::{self, InFile, Places};
+use crate::api;
+use crate::limits;
 use crate::machine::SimulationResult;
-use crate::message::{Diagnostic, Kind, Levels};
+use crate::message::{Kind, Levels};
 use crate::run::{Analysis, Run};
 use crate::scene;
 use crate::scene::face::Face;
 use crate::scene::ruler::Scale;
+use crate::scene::side::Side;
+use crate::scene::surface_moves::SurfaceMoves;
 use crate::scene::svg::SvgOptions;
+use crate::scene::work::Work;
 use crate::sentences::Language;
 use crate::setup::Setup;
 use crate::setup::dialect::{CodeList, GSystem};
-use crate::setup::profile;
-use crate::source::LineIndex;
 
 use arguments::{Arguments, Command};
+use configuration::Configurations;
 use encoding::Encoding;
-use fix::Target;
 use options::{Format, Input, TurretName, ViewName, With};
+pub use status::Status;
+use system::{Stream, say};
 
 /// A program that was read and run.
 struct Program {
@@ -68,36 +79,48 @@ impl Program {
     }
 }
 
-/// Runs the command line of this process.
-pub fn main() -> ExitCode {
-    match run(Arguments::parse().command) {
-        Ok(code) => code,
-        Err(problem) => {
-            eprintln!("gcode-playground: {problem}");
-            ExitCode::from(2)
-        }
-    }
+/// How the program is called.
+const NAME: &str = "gcode-playground";
+
+/// Runs the command line of this process; the answer is its exit status.
+pub fn main() -> Status {
+    let done = match Arguments::try_parse_from(system::arguments()) {
+        Ok(arguments) => run(arguments.command),
+        Err(said) => return usage(&said),
+    };
+    done.unwrap_or_else(|problem| {
+        say(format_args!("{NAME}: {problem}"));
+        Status::Unusable
+    })
 }
 
-fn run(command: Command) -> Result<ExitCode, String> {
+/// The same under Node, whose process gets the exit status.
+#[cfg(target_arch = "wasm32")]
+pub fn main_in_node() {
+    system::end(main() as u8);
+}
+
+/// Writes what is said about arguments, or the help that they ask for.
+fn usage(said: &clap::Error) -> Status {
+    let (stream, status) = match said.use_stderr() {
+        true => (Stream::Error, Status::Unusable),
+        false => (Stream::Output, Status::Right),
+    };
+    let text = said.render();
+    let is_coloured = system::is_terminal(stream) && system::variable("NO_COLOR").is_none();
+    let text = if is_coloured { text.ansi().to_string() } else { text.to_string() };
+    // A reader that went away is no error.
+    let _ = system::stream(stream).write_all(text.as_bytes());
+    status
+}
+
+fn run(command: Command) -> Result<Status, String> {
     match command {
         Command::Clean(clean) => {
             clean::run(&clean)?;
-            Ok(ExitCode::SUCCESS)
+            Ok(Status::Right)
         }
-        Command::Check { files, with, texts, form, markdown: true, .. } => {
-            manual_check::files(&files, &with, texts.language(), form.format)
-        }
-        Command::Check { files, with, texts, form, fix: true, dry_run, .. } => fix::files(
-            &files,
-            &with,
-            texts.language(),
-            form.format,
-            if dry_run { Target::Output } else { Target::File },
-        ),
-        Command::Check { files, with, texts, form, .. } => {
-            check(&files, &with, texts.language(), form.format)
-        }
+        Command::Check(arguments) => check::run(&arguments),
         Command::Embed(embed) => embed::run(&embed),
         Command::Motions(input) => {
             let program = program(&input)?;
@@ -119,23 +142,42 @@ fn run(command: Command) -> Result<ExitCode, String> {
         Command::Codes { control, texts, form } => {
             let list = control.map(|name| CodeList::new(name.control(), GSystem::A));
             print(|out| codes(out, list, texts.language(), form.format))?;
-            Ok(ExitCode::SUCCESS)
+            Ok(Status::Right)
         }
         Command::Rules { setup, texts, form } => {
-            let levels = setup_of(&With { setup, control: None })?.rules;
+            let levels = setup_of(Path::new("program"), &With { setup, ..With::default() })?.rules;
             print(|out| rules::write(out, &levels, texts.language(), form.format))?;
-            Ok(ExitCode::SUCCESS)
+            Ok(Status::Right)
+        }
+        Command::Explain { rule, texts } => {
+            let mut page = Vec::new();
+            explain::write(&mut page, &rule, texts.language())?.expect("memory takes all that is written");
+            print(|out| out.write_all(&page))?;
+            Ok(Status::Right)
+        }
+        Command::Config(asked) => configuration::shown::run(&asked),
+        #[cfg(not(target_arch = "wasm32"))]
+        Command::Completions { shell } => {
+            let mut script = Vec::new();
+            clap_complete::generate(shell, &mut Arguments::command(), NAME, &mut script);
+            print(|out| out.write_all(&script))?;
+            Ok(Status::Right)
+        }
+        #[cfg(not(target_arch = "wasm32"))]
+        Command::ManPage => {
+            print(|out| clap_mangen::Man::new(Arguments::command()).render(out))?;
+            Ok(Status::Right)
         }
         Command::Part(input) => {
             let program = program(&input)?;
             let simulation = program.analysis.simulate();
             let finished = simulation.finished();
             if finished.is_none() {
-                eprintln!(
-                    "gcode-playground: {}: no part: {}",
+                say(format_args!(
+                    "{NAME}: {}: no part: {}",
                     program.name,
                     why_no_part(&program, &simulation)
-                );
+                ));
             }
             let part = finished.map(|region| api::Part::new(&region)).unwrap_or_default();
             print(|out| write_row(out, &part))?;
@@ -164,8 +206,9 @@ fn run(command: Command) -> Result<ExitCode, String> {
             if let Some(output) = output {
                 save(Some(&output), compared.svg().as_bytes())?;
             }
-            Ok(ExitCode::from(u8::from(programs.iter().any(|program| has_errors(&program.analysis)))))
+            Ok(Status::faulty_if(programs.iter().any(|program| has_errors(&program.analysis))))
         }
+        Command::Diff(arguments) => diff::run(&arguments),
         Command::Svg { input, view, turret, to } => {
             let program = program(&input)?;
             let svg = svg(&program, view, turret)?;
@@ -188,7 +231,13 @@ fn svg(program: &Program, view: ViewName, turret: Option<TurretName>) -> Result<
     let Analysis { motions, setup, .. } = &program.analysis;
     let turret = turret.map_or(setup.machine.turret, TurretName::turret);
     let simulation = program.analysis.simulate();
-    let scale = Scale::of(program.analysis.unit);
+    let of_surface = |moves: &SurfaceMoves, work: Option<Work>| {
+        let scale = Scale::of(program.analysis.unit);
+        scene::svg::svg(
+            &moves.scene(work.as_ref()),
+            &SvgOptions { width: 720.0, scale, ..SvgOptions::default() },
+        )
+    };
     match view {
         ViewName::Section => {
             let options =
@@ -196,54 +245,14 @@ fn svg(program: &Program, view: ViewName, turret: Option<TurretName>) -> Result<
             Ok(scene::svg::section(motions, Some(&simulation), &options))
         }
         ViewName::Face => {
-            let face = Face::of(motions, &simulation).ok_or_else(|| {
-                format!("{}: nothing moves on the end face: there is no G12.1", program.name)
-            })?;
-            let work = face.work(&simulation, None);
-            Ok(scene::svg::svg(
-                &face.scene(work.as_ref()),
-                &SvgOptions { width: 720.0, scale, ..SvgOptions::default() },
-            ))
+            let face = Face::of(motions, &simulation)
+                .ok_or_else(|| format!("{}: nothing is milled or drilled on the end face", program.name))?;
+            Ok(of_surface(face.moves(), face.work(&simulation, None)))
         }
-    }
-}
-
-fn check(files: &[PathBuf], with: &With, language: Language, format: Format) -> Result<ExitCode, String> {
-    let mut any_error = false;
-    for file in files {
-        let program = program_with(file, with, |run| run)?;
-        any_error |= has_errors(&program.analysis);
-        print(|out| {
-            tell(out, &program, language, format)?;
-            inferred_stock::write(out, &program, language, format)
-        })?;
-    }
-    Ok(ExitCode::from(u8::from(any_error)))
-}
-
-/// Writes the messages of a program.
-fn tell(out: &mut dyn Write, program: &Program, language: Language, format: Format) -> io::Result<()> {
-    let places = Places { text: &program.text, lines: &LineIndex::new(&program.text) };
-    tell_at(out, &program.name, places, &program.analysis.diagnostics, language, format)
-}
-
-/// Writes messages about places of a file.
-fn tell_at(
-    out: &mut dyn Write,
-    name: &str,
-    places: Places<'_>,
-    found: &[Diagnostic],
-    language: Language,
-    format: Format,
-) -> io::Result<()> {
-    match format {
-        Format::Json => found.iter().try_for_each(|diagnostic| {
-            let row = places.diagnostic(diagnostic, language);
-            write_row(out, &InFile { file: name, row })
-        }),
-        Format::Text => {
-            let Places { text, lines } = places;
-            out.write_all(terminal::render(name, text, lines, found, language).as_bytes())
+        ViewName::Side => {
+            let side = Side::of(motions, &simulation)
+                .ok_or_else(|| format!("{}: nothing is milled or drilled on the side", program.name))?;
+            Ok(of_surface(side.moves(), side.work(&simulation, None)))
         }
     }
 }
@@ -301,7 +310,7 @@ fn program_run(input: &Input, begin: impl FnOnce(Run) -> Run) -> Result<Program,
 
 /// The same with a file and a setup of their own.
 fn program_with(file: &Path, with: &With, begin: impl FnOnce(Run) -> Run) -> Result<Program, String> {
-    let setup = setup_of(with)?;
+    let setup = setup_of(file, with)?;
     let (name, text) = read(file)?;
     let (text, encoding) = encoding::decode(text);
     Ok(run_text(name, text, encoding, setup, begin))
@@ -322,64 +331,70 @@ fn run_text(
     Program { name, text, encoding, analysis }
 }
 
-/// The setup that is named.
-fn setup_of(with: &With) -> Result<Setup, String> {
-    let mut setup = profile::joined(&setup_texts(with)?)?;
-    if let Some(control) = with.control {
-        setup.dialect.control = Some(control.control());
-    }
-    Ok(setup)
-}
-
-/// The setups that are named, as JSON; each can be read.
-fn setup_texts(with: &With) -> Result<Vec<String>, String> {
-    let mut setups = Vec::new();
-    for path in &with.setup {
-        let at = |error: String| format!("{}: {error}", path.display());
-        let json = std::fs::read_to_string(path).map_err(|error| at(error.to_string()))?;
-        Setup::from_json(&json).map_err(at)?;
-        setups.push(json);
-    }
-    Ok(setups)
+/// What a program is run with: what the options name, and what its configuration says.
+fn setup_of(file: &Path, with: &With) -> Result<Setup, String> {
+    Ok(Configurations::new(with)?.settings(file)?.setup.clone())
 }
 
 /// A text made from a program, in the encoding of the program's file.
 fn encoded<'a>(program: &Program, text: &'a str) -> Cow<'a, [u8]> {
     program.encoding.encode(text).unwrap_or_else(|| {
         let (name, encoding) = (&program.name, program.encoding.name());
-        eprintln!(
-            "gcode-playground: {name}: not every character has a place in {encoding}: written as UTF-8"
-        );
+        say(format_args!("{NAME}: {name}: not every character has a place in {encoding}: written as UTF-8"));
         Cow::Borrowed(text.as_bytes())
     })
 }
 
+/// Reads a file, or standard input.
 fn read(file: &Path) -> Result<(String, Vec<u8>), String> {
-    if file == Path::new("-") {
-        let mut text = Vec::new();
-        io::stdin().read_to_end(&mut text).map_err(|error| format!("standard input: {error}"))?;
-        return Ok(("<stdin>".into(), text));
-    }
-    let name = file.display().to_string();
-    let text = std::fs::read(file).map_err(|error| format!("{name}: {error}"))?;
-    Ok((name, text))
+    read_within(file, limits::TEXT_BUFFER as u64)
 }
 
-/// Writes to a file, or to standard output.
+/// Reads a file, or standard input, of at most so many bytes. One that is larger is refused before it is read.
+fn read_within(file: &Path, most: u64) -> Result<(String, Vec<u8>), String> {
+    let is_standard_input = file == Path::new("-");
+    let name = if is_standard_input { "standard input".to_owned() } else { terminal::printable_name(file) };
+    let read = if is_standard_input { system::read_standard_input(most) } else { system::read(file, most) };
+    match read {
+        Ok(text) => Ok((if is_standard_input { "<stdin>".to_owned() } else { name }, text)),
+        Err(error) if error.kind() == ErrorKind::FileTooLarge => {
+            Err(format!("{name}: more than {} MB, the most that a program may have", most >> 20))
+        }
+        Err(error) => Err(format!("{name}: {}", system::reason(&error))),
+    }
+}
+
+/// Writes to a file, or to standard output, where a terminal gets no commands that stand in programs.
 fn save(path: Option<&Path>, content: &[u8]) -> Result<(), String> {
     match path {
+        None if system::is_terminal(Stream::Output) => {
+            print(|out| out.write_all(&terminal::without_commands(content)))
+        }
         None => print(|out| out.write_all(content)),
-        Some(path) => std::fs::write(path, content).map_err(|error| format!("{}: {error}", path.display())),
+        Some(path) => system::write(path, content)
+            .map_err(|error| format!("{}: {}", path.display(), system::reason(&error))),
     }
 }
 
 /// Writes to standard output; a reader that went away (`| head`) is no error.
 fn print(write: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> Result<(), String> {
-    let mut out = io::BufWriter::new(io::stdout().lock());
+    print_to(Stream::Output, write)
+}
+
+/// The same to any stream.
+fn print_to(to: Stream, write: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> Result<(), String> {
+    let mut out = io::BufWriter::with_capacity(1 << 16, system::stream(to));
     match write(&mut out).and_then(|()| out.flush()) {
-        Err(error) if error.kind() != io::ErrorKind::BrokenPipe => Err(format!("standard output: {error}")),
+        Err(error) if error.kind() != ErrorKind::BrokenPipe => {
+            Err(format!("standard output: {}", system::reason(&error)))
+        }
         _ => Ok(()),
     }
+}
+
+/// `1 program`, `2 programs`.
+fn counted(count: usize, what: &str) -> String {
+    format!("{count} {what}{}", if count == 1 { "" } else { "s" })
 }
 
 fn write_row(out: &mut dyn Write, row: &impl Serialize) -> io::Result<()> {
@@ -391,6 +406,6 @@ fn has_errors(analysis: &Analysis) -> bool {
     analysis.diagnostics.iter().any(|diagnostic| diagnostic.is_error())
 }
 
-fn status(analysis: &Analysis) -> ExitCode {
-    ExitCode::from(u8::from(has_errors(analysis)))
+fn status(analysis: &Analysis) -> Status {
+    Status::faulty_if(has_errors(analysis))
 }

@@ -21,12 +21,18 @@ pub(super) struct Input {
 }
 
 /// What programs are run with.
-#[derive(clap::Args)]
+#[derive(clap::Args, Default)]
 pub(super) struct With {
-    /// Setup: control, tools, stock, start point, as JSON. Given more than once (a machine, a table of tools),
+    /// Setup: control, tools, stock, start point, as JSON or TOML. Given more than once (a machine, a table of tools),
     /// of each group the last one holds.
     #[arg(long)]
     pub setup: Vec<PathBuf>,
+    /// The configuration, instead of the `gcode-playground.toml` that is in the folder of the program or above it.
+    #[arg(long, value_name = "FILE", conflicts_with = "no_config")]
+    pub config: Option<PathBuf>,
+    /// Heed no `gcode-playground.toml`.
+    #[arg(long)]
+    pub no_config: bool,
     /// The control; overrides the one of the setup.
     #[arg(long, value_enum)]
     pub control: Option<ControlName>,
@@ -35,15 +41,20 @@ pub(super) struct With {
 /// The language of what is written for people.
 #[derive(clap::Args)]
 pub(super) struct Texts {
-    /// Language of messages and other texts.
-    #[arg(long, visible_alias = "language", value_enum, default_value = "en")]
-    lang: LanguageName,
+    /// Language of messages and other texts, English when left out.
+    #[arg(long, visible_alias = "language", value_enum)]
+    lang: Option<LanguageName>,
 }
 
 impl Texts {
-    /// The language that is asked for.
+    /// The language that is asked for, English otherwise.
     pub fn language(&self) -> Language {
-        self.lang.language()
+        self.given().unwrap_or(Language::English)
+    }
+
+    /// The language that is asked for.
+    pub fn given(&self) -> Option<Language> {
+        self.lang.map(LanguageName::language)
     }
 }
 
@@ -108,6 +119,7 @@ impl LanguageName {
 pub(super) enum ViewName {
     Section,
     Face,
+    Side,
 }
 
 #[derive(Clone, Copy, ValueEnum)]

@@ -1,22 +1,22 @@
 //! Plain moves as cycles: the program on standard output, what was done to it on standard error.
 
 use std::path::Path;
-use std::process::ExitCode;
 
 use super::options::Input;
-use super::{encoded, program, save, setup_of, status};
+use super::system::say;
+use super::{Status, encoded, program, save, setup_of, status};
 use crate::rewrite::rewritten;
 use crate::sentences::Language;
 use crate::source::LineIndex;
 
 /// Writes the program with every offer taken.
-pub(super) fn write(input: &Input, language: Language, output: Option<&Path>) -> Result<ExitCode, String> {
+pub(super) fn write(input: &Input, language: Language, output: Option<&Path>) -> Result<Status, String> {
     let program = program(input)?;
-    let (text, taken) = rewritten(&program.text, &setup_of(&input.with)?);
+    let (text, taken) = rewritten(&program.text, &setup_of(&input.file, &input.with)?);
     let lines = LineIndex::new(&program.text);
     for offer in taken {
         let (first, last) = (lines.line_of(offer.span.start) + 1, lines.line_of(offer.span.end) + 1);
-        eprintln!("{}:{first}-{last}: {}", program.name, offer.title(language));
+        say(format_args!("{}:{first}-{last}: {}", program.name, offer.title(language)));
     }
     save(output, &encoded(&program, &String::from_utf8_lossy(&text)))?;
     Ok(status(&program.analysis))

@@ -1,4 +1,4 @@
-//! The list of rules.
+//! The list of rules, and the rules of a name.
 //!
 //! In: the levels of a setup. Out: text or JSON, a row for each rule: slug, severity, code, alarms, kind.
 
@@ -6,7 +6,8 @@ use std::io::{self, Write};
 
 use super::{Format, write_row};
 use crate::api;
-use crate::message::{Levels, RULES};
+use crate::message::levels::nearest;
+use crate::message::{Levels, RULES, Rule, Severity};
 use crate::sentences::{Language, labels};
 
 /// Writes the list, in the order of the slugs.
@@ -31,4 +32,26 @@ pub(super) fn write(
         }
     }
     Ok(())
+}
+
+/// The rules of a name: its own slug, or all that have this code or are in this group.
+pub(super) fn named(name: &str) -> Result<Vec<&'static str>, String> {
+    let is_named = |known: &str| known.eq_ignore_ascii_case(name);
+    let is_in_it = |rule: &Rule| rule.group.is_some_and(|group| is_named(group.name()));
+    let found: Vec<_> = RULES
+        .iter()
+        .filter(|rule| is_named(rule.slug) || is_in_it(rule) || rule.codes.iter().any(|code| is_named(code)))
+        .map(|rule| rule.slug)
+        .collect();
+    if found.is_empty() {
+        let near = nearest(name).map_or_else(String::new, |near| format!("; the nearest is `{near}`"));
+        return Err(format!("there is no rule `{name}`{near}"));
+    }
+    Ok(found)
+}
+
+/// The level of a name.
+pub(super) fn level(name: &str) -> Result<Severity, String> {
+    Severity::named(name)
+        .ok_or_else(|| format!("`{name}` is no level of a rule; it can be off, info, warning or error"))
 }

@@ -1,20 +1,21 @@
 //! Messages on the terminal, with carets under the word they are about, as rustc prints them.
 
-use annotate_snippets::{AnnotationKind, Level, Patch, Renderer, Snippet};
+use annotate_snippets::{AnnotationKind, Group, Level, Patch, Renderer, Snippet};
 
-use crate::message::{Diagnostic, Severity};
+use crate::message::{Diagnostic, Edit, Severity};
 use crate::sentences::Language;
-use crate::source::LineIndex;
+use crate::source::{LineIndex, Span};
 
-/// The messages of a program as text, coloured where the terminal is; `lines` are those of the text.
+/// The messages of a program as text; `lines` are those of the text.
 pub fn render(
     name: &str,
     text: &[u8],
     lines: &LineIndex,
     diagnostics: &[Diagnostic],
     language: Language,
+    is_coloured: bool,
 ) -> String {
-    let renderer = match std::io::IsTerminal::is_terminal(&std::io::stdout()) {
+    let renderer = match is_coloured {
         true => Renderer::styled(),
         false => Renderer::plain(),
     };
@@ -66,17 +67,67 @@ fn render_one(
     }
     let mut report = vec![group];
     let fix_titles: Vec<String> = diagnostic.fixes.iter().map(|fix| fix.title.words(language)).collect();
-    for (fix, title) in diagnostic.fixes.iter().zip(&fix_titles) {
-        let inside = |at: u32| boundary(&shown, (at as usize).clamp(window.start, window.end) - window.start);
-        let patches = fix
-            .edits
-            .iter()
-            .map(|edit| Patch::new(inside(edit.span.start)..inside(edit.span.end), edit.text.as_str()));
-        let snippet =
-            Snippet::source(shown.as_str()).line_start(line as usize + 1).path(name).patches(patches);
-        report.push(Level::HELP.secondary_title(title.as_str()).element(snippet));
+    let shown_lines: Vec<_> =
+        diagnostic.fixes.iter().map(|fix| lines_of_edits(text, lines, &fix.edits, line)).collect();
+    for ((fix, title), edited) in diagnostic.fixes.iter().zip(&fix_titles).zip(&shown_lines) {
+        let mut group = Group::with_title(Level::HELP.secondary_title(title.as_str()));
+        for shown in edited {
+            let own = fix.edits.iter().filter(|edit| shown.holds(edit));
+            let patches = own.map(|edit| Patch::new(shown.inside(edit.span), edit.text.as_str()));
+            let snippet = Snippet::source(shown.text.as_str()).line_start(shown.line as usize + 1).path(name);
+            group = group.element(snippet.patches(patches));
+        }
+        report.push(group);
     }
     renderer.render(&report)
+}
+
+/// A line with edits, as it is shown.
+struct EditedLine {
+    line: u32,
+    /// The bytes of the whole text that are shown.
+    window: std::ops::Range<usize>,
+    /// One past the end of the line with its line end.
+    end: usize,
+    text: String,
+}
+
+impl EditedLine {
+    fn holds(&self, edit: &Edit) -> bool {
+        let from = edit.span.start as usize;
+        self.window.start <= from && (from < self.end || from <= self.window.end)
+    }
+
+    /// A part of the text as a part of what is shown.
+    fn inside(&self, span: Span) -> std::ops::Range<usize> {
+        let place = |at: u32| {
+            let at = (at as usize).clamp(self.window.start, self.window.end) - self.window.start;
+            boundary(&self.text, at)
+        };
+        place(span.start)..place(span.end)
+    }
+}
+
+/// The lines that edits are on, in their order; `first` where there is no edit.
+fn lines_of_edits(text: &[u8], lines: &LineIndex, edits: &[Edit], first: u32) -> Vec<EditedLine> {
+    let mut numbers: Vec<(u32, usize)> = Vec::new();
+    for edit in edits {
+        let line = lines.line_of(edit.span.start.min(text.len() as u32));
+        if numbers.iter().all(|(own, _)| *own != line) {
+            numbers.push((line, edit.span.start as usize));
+        }
+    }
+    if numbers.is_empty() {
+        numbers.push((first, lines.line(text, first).start as usize));
+    }
+    let shown = |(line, at): (u32, usize)| {
+        let place = lines.line(text, line);
+        let window = window(place.start as usize, place.end as usize, at);
+        let next =
+            if line + 1 < lines.len() { lines.line(text, line + 1).start as usize } else { text.len() };
+        EditedLine { line, text: printable(&text[window.clone()]), window, end: next }
+    };
+    numbers.into_iter().map(shown).collect()
 }
 
 /// The part of a line to show around a fault.
@@ -100,10 +151,42 @@ fn printable(bytes: &[u8]) -> String {
     text
 }
 
+/// The name of a file without anything that a terminal would take for a command.
+pub fn printable_name(file: &std::path::Path) -> String {
+    let name = file.display().to_string();
+    name.chars().map(|letter| if letter.is_control() { '?' } else { letter }).collect()
+}
+
+/// A text without anything that a terminal would take for a command: such characters become `?`.
+pub fn without_commands(text: &[u8]) -> Vec<u8> {
+    let stays = |letter: char| matches!(letter, '\n' | '\r' | '\t') || !letter.is_control();
+    let mut shown = Vec::with_capacity(text.len());
+    for chunk in text.utf8_chunks() {
+        let valid: String =
+            chunk.valid().chars().map(|letter| if stays(letter) { letter } else { '?' }).collect();
+        shown.extend(valid.as_bytes());
+        shown.extend(chunk.invalid());
+    }
+    shown
+}
+
 fn boundary(text: &str, mut at: usize) -> usize {
     at = at.min(text.len());
     while !text.is_char_boundary(at) {
         at -= 1;
     }
     at
+}
+
+#[cfg(test)]
+mod tests {
+    use super::without_commands;
+
+    #[test]
+    fn a_terminal_gets_no_commands() {
+        let program = "O1 (a\x1b]0;x\x07 \u{9b}31m 外圆)\r\n\tG0\n".as_bytes();
+        assert_eq!(without_commands(program), "O1 (a?]0;x? ?31m 外圆)\r\n\tG0\n".as_bytes());
+        // Of a file in another encoding, too.
+        assert_eq!(without_commands(b"(\xcd\xe2\x1b)"), b"(\xcd\xe2?)");
+    }
 }

@@ -13,7 +13,7 @@ pub use registry::{
 use super::words::plain;
 use crate::cycles::single::Single;
 use crate::geometry::Turn;
-use crate::motion::{Cycle, SpindleTurn, StopKind};
+use crate::motion::{Cycle, Quill, SpindleTurn, StopKind};
 use crate::setup::dialect::{CodeList, FeedMode};
 use crate::text::block::Word;
 use crate::units::Unit;
@@ -320,10 +320,14 @@ pub enum M {
     End,
     /// M03, M04, M05.
     Spindle(SpindleTurn),
+    /// M19: the spindle stops at an angle and is held there. M20 of seed 002 is something else on many machines.
+    Orientation,
     /// M13, M14: a live tool turns.
     LiveTool,
     /// M45, M46: the C axis is connected or released.
     CAxis(Switch),
+    /// M25, M26 (the machine of seed 002): the quill of the tailstock comes forward or goes back.
+    Quill(Quill),
     /// M23, M24 (the machine of seed 002): thread pull-out on or off.
     ThreadPullOut(Switch),
     /// Accepted; the tool path does not depend on it.

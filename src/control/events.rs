@@ -222,7 +222,7 @@ pub enum Event<'a> {
     /// F, in a block that is no macro call.
     Feed,
     /// S outside of G50.
-    SpindleSpeed { value: f64 },
+    SpindleSpeed { value: f64, word: &'a Word },
     /// G96 or G97.
     SpeedMode { surface: bool, block: &'a Block, words: &'a Words<'a> },
     /// G50 S.
@@ -238,6 +238,15 @@ pub enum Event<'a> {
     CutWithoutFeed { block: &'a Block },
     /// A move at rapid.
     Rapid,
+    /// A move by G00 to G03 has words that it does not read, among the letters of `unread`; another code of the
+    /// block may read them.
+    UnreadWords { block: &'a Block, words: &'a Words<'a>, unread: u32 },
+    /// G04 waits, s.
+    Dwell { words: &'a Words<'a>, seconds: f64 },
+    /// A word is left out, since the value of its variable is vacant.
+    VacantWord { word: &'a Word },
+    /// A loop begins (`enter`), or a WHILE whose condition does not hold is skipped.
+    While { statement: Span, enter: bool },
     /// A move in a straight line at feed while compensation is on, mm.
     CompensatedLine { block: &'a Block, to: Point },
     /// A move in a straight line, at rapid or feed, from a point on the axis of the spindle, where
@@ -307,6 +316,10 @@ impl Event<'_> {
                 | Self::MotionCode { .. }
                 | Self::CycleCode { .. }
                 | Self::Rapid
+                | Self::UnreadWords { .. }
+                | Self::Dwell { .. }
+                | Self::VacantWord { .. }
+                | Self::While { .. }
                 | Self::CompensatedLine { .. }
                 | Self::FromAxis { .. }
                 | Self::Compensated(_)

@@ -16,7 +16,8 @@ use super::program::CallStack;
 use crate::cycles::units::Amount;
 use crate::geometry::Point;
 use crate::geometry::virtual_plane::Surface;
-use crate::motion::{Feed, Motion, Process, SpindleSpeed, SpindleTurn, Stop, StopKind};
+use crate::motion::{Feed, Motion, Process, Quill, SpindleSpeed, SpindleTurn, Stop, StopKind};
+use crate::parts::{Part, in_part};
 use crate::setup::Setup;
 use crate::setup::dialect::{Dialect, FeedMode};
 use crate::source::Span;
@@ -120,13 +121,13 @@ pub struct PathMove {
     pub stop: Option<StopKind>,
 }
 
-/// Polar or cylindrical interpolation in force. The position of the state is then a point of its plane.
+/// A plane beside that of turning. The position of the state is then a point of it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct VirtualPlane {
     /// The plane.
     pub surface: Surface,
     /// Along the axis that is not in the plane, mm: where the last move began and ended. Z on the face, X as
-    /// a radius on the cylinder.
+    /// a radius on the cylinder, the axis beside a plane of Y.
     pub third: (f64, f64),
     /// Angle of C after what was given out, degrees; not brought back to one turn.
     pub angle: f64,
@@ -273,6 +274,8 @@ pub struct Spindle {
     pub turn: SpindleTurn,
     /// S0 was given: the spindle stays stopped under M03 too.
     pub still: bool,
+    /// M19 holds it at an angle until M03, M04 or M05.
+    pub is_held: bool,
     /// A live tool turns.
     pub live_tool: bool,
     /// An M code of the machine's own with S or P has run since M05: it may turn this
@@ -372,9 +375,9 @@ pub struct State {
     pub tip: Option<Point>,
     /// Angle of C, degrees, outside a virtual plane.
     pub c: f64,
-    /// Place of the tip beside the plane of X and Z, mm; only 0 is drawn.
+    /// Place of the tip along Y, mm, beside the plane of X and Z.
     pub y: f64,
-    /// Polar or cylindrical interpolation.
+    /// Polar or cylindrical interpolation; or a plane of Y, while a block moves in it or a move waits there.
     pub virtual_plane: Option<VirtualPlane>,
     /// Work zero points.
     pub frames: Frames,
@@ -406,6 +409,8 @@ pub struct State {
     pub compensation: Compensation,
     /// Turret station and offset number.
     pub tool: (u16, u16),
+    /// Where the quill of the tailstock is (M25, M26).
+    pub quill: Quill,
     /// A move that waits for the next one.
     pub pending: Option<Pending>,
     /// Compensation under way.
@@ -444,6 +449,16 @@ pub struct State {
     pub reported: Reported,
 }
 
+/// The part that can give variables their values.
+pub const MACROS: Part = Part::Seldom;
+
+in_part! {
+    Seldom "0420"
+    fn may_differ(state: &State, other: &State) -> bool {
+        state.may_begin_otherwise(other)
+    }
+}
+
 impl State {
     /// The state at power-on with the tip at the setup's start point.
     pub fn new(setup: &Setup, dialect: &Dialect) -> Self {
@@ -474,11 +489,13 @@ impl State {
                 lowest: None,
                 turn: SpindleTurn::Stopped,
                 still: false,
+                is_held: false,
                 live_tool: false,
                 by_maker: false,
             },
             compensation: Compensation::Off,
             tool: (0, 0),
+            quill: Quill::Unsaid,
             pending: None,
             compensating: None,
             stop: None,
@@ -503,11 +520,41 @@ impl State {
     /// Whether a program that begins in this state may go another way than the one that began in `other`: it
     /// can see its variables, and all the rest only if it asks for it.
     pub fn may_differ_from(&self, other: &Self) -> bool {
+        // What was never loaded has given no variable a value.
+        MACROS.is_loaded() && may_differ(self, other)
+    }
+
+    fn may_begin_otherwise(&self, other: &Self) -> bool {
         let rest =
             |state: &Self| Self { call_stack: CallStack::default(), last_round: None, ..state.clone() };
         self.variables != other.variables
             || self.system != other.system
             || (self.call_stack.asks && rest(self) != rest(other))
+    }
+
+    /// Polar or cylindrical interpolation in force.
+    pub fn interpolation(&self) -> Option<&VirtualPlane> {
+        self.virtual_plane.as_ref().filter(|plane| !matches!(plane.surface, Surface::Flat(_)))
+    }
+
+    /// Place of the tip in the plane of X and Z, also while Y is in the plane of the path.
+    pub fn turning_place(&self) -> Point {
+        match self.virtual_plane {
+            Some(VirtualPlane { surface: surface @ Surface::Flat(_), third, .. }) => {
+                surface.machine(self.position, third.1)
+            }
+            _ => self.position,
+        }
+    }
+
+    /// Place of the tip along Y, mm, also while Y is in the plane of the path.
+    pub fn place_along_y(&self) -> f64 {
+        match self.virtual_plane {
+            Some(VirtualPlane { surface: Surface::Flat(flat), third, .. }) => {
+                flat.space(self.position, third.1).y
+            }
+            _ => self.y,
+        }
     }
 
     /// The first byte of the blocks whose moves wait for the next one; `u32::MAX` when none do.
@@ -580,10 +627,11 @@ impl State {
                 true => SpindleSpeed::Surface { speed: spindle.cutting_speed },
                 false => SpindleSpeed::Constant(spindle.rpm),
             },
-            turn: spindle.turn,
+            turn: if spindle.is_held { SpindleTurn::Stopped } else { spindle.turn },
             clamp: spindle.highest,
             lowest: spindle.lowest,
             tool: self.tool,
+            quill: self.quill,
             uncertain: !self.doubts.is_empty() && self.is_path_doubtful(),
             incomplete: self.incomplete,
             elsewhere: self.frames.is_elsewhere(),

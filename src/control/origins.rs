@@ -1,18 +1,182 @@
 //! Which block set what is in force: for whoever explains the state of the control.
 //!
 //! In: the state after each block, with the place of the block. Out: for each [`Modal`] and each macro variable, the
-//! block that gave it its present value. Nothing of a run depends on it.
+//! block that gave it its present value; and what a cycle read of a block in its contour. Nothing of a run depends on
+//! it. The control knows a [`Chronicler`] alone, whose code is loaded after the first picture: before that nobody asks.
 
 use std::collections::BTreeMap;
+use std::fmt;
 use std::sync::Arc;
 
 use super::codes::{Compensation, MotionMode, Plane};
+use super::contour::Purpose;
 use super::modal::{State, Target};
 use crate::geometry::Point;
 use crate::motion::SpindleTurn;
 use crate::setup::dialect::FeedMode;
 use crate::source::shift::Shift;
+use crate::text::block::Block;
+use crate::text::parser::Resume;
 use crate::units::Unit;
+
+/// Whoever notes what the blocks set, as the control carries them out. Places of blocks are their first bytes.
+pub trait Chronicler {
+    /// A block was carried out.
+    fn note(&mut self, state: &State, block: u32);
+    /// The code of group 01 is another one since a block.
+    fn note_motion(&mut self, mode: MotionMode, block: u32);
+    /// A block gives a variable a value. `level`: calls of macros under way.
+    fn assigned(&mut self, level: usize, variable: u32, block: u32);
+    /// A macro was left, with the variables of its level. `level`: that of the macro.
+    fn left(&mut self, level: usize);
+    /// The blocks of a contour are read from here on.
+    fn contour_begins(&mut self);
+    /// They have been read, and the control is as it was before.
+    fn contour_ends(&mut self);
+    /// A block of the contour comes next.
+    fn before_reading(&mut self, at: Resume, state: &State);
+    /// It was read.
+    fn after_reading(&mut self, block: &Block, state: &State, purpose: Purpose);
+    /// One who begins with a control at power-on, and watches the same block.
+    fn anew(&self, state: &State) -> Box<dyn Chronicler>;
+    /// Another one who has noted the same.
+    fn boxed(&self) -> Box<dyn Chronicler>;
+    /// What was noted.
+    fn chronicle(&self) -> &Chronicle;
+    /// The same, to be changed.
+    fn chronicle_mut(&mut self) -> &mut Chronicle;
+}
+
+// What it has noted is not shown: it would bring the code that shows a whole state.
+impl fmt::Debug for dyn Chronicler {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str("Chronicler")
+    }
+}
+
+impl Clone for Box<dyn Chronicler> {
+    fn clone(&self) -> Self {
+        self.boxed()
+    }
+}
+
+/// What was noted in a run.
+#[derive(Clone, Debug)]
+pub struct Chronicle {
+    /// Which block set what is in force.
+    pub origins: Origins,
+    /// The block whose readings are kept, by its first byte.
+    watched: Option<u32>,
+    /// The control before that block, while it is read.
+    before: Option<Box<(State, Origins)>>,
+    /// What was seen of it.
+    readings: Vec<Reading>,
+    /// The origins before the contours under way.
+    set_aside: Vec<Origins>,
+}
+
+/// A block that was read as a part of a contour.
+#[derive(Clone, Debug)]
+pub struct Reading {
+    /// What for.
+    pub purpose: Purpose,
+    /// The state before it, and which block set what.
+    pub before: (State, Origins),
+    /// The same after it.
+    pub after: (State, Origins),
+}
+
+impl Chronicle {
+    /// Nothing yet, of a control at power-on.
+    pub fn new(state: &State) -> Self {
+        Self {
+            origins: Origins::new(state),
+            watched: None,
+            before: None,
+            readings: Vec::new(),
+            set_aside: Vec::new(),
+        }
+    }
+
+    /// Keeps from here on what is read of the block at `byte` as a part of a contour.
+    pub fn watch(&mut self, byte: u32) {
+        self.watched = Some(byte);
+    }
+
+    /// What was read of it since this was last asked.
+    pub fn take_readings(&mut self) -> Vec<Reading> {
+        std::mem::take(&mut self.readings)
+    }
+
+    /// What was noted in a run that went on as another one did, in the places of that: what was set before the two
+    /// met at byte `met` of the old text, `meeting` knows.
+    pub fn after_meeting(&self, met: u32, meeting: &Self, shift: &Shift) -> Self {
+        Self { origins: self.origins.after_meeting(met, &meeting.origins, shift), ..meeting.clone() }
+    }
+}
+
+impl Chronicler for Chronicle {
+    fn note(&mut self, state: &State, block: u32) {
+        self.origins.note(state, block);
+    }
+
+    fn note_motion(&mut self, mode: MotionMode, block: u32) {
+        self.origins.note_motion(mode, block);
+    }
+
+    fn assigned(&mut self, level: usize, variable: u32, block: u32) {
+        self.origins.assigned(level, variable, block);
+    }
+
+    fn left(&mut self, level: usize) {
+        self.origins.left(level);
+    }
+
+    fn contour_begins(&mut self) {
+        if self.watched.is_some() {
+            self.set_aside.push(self.origins.clone());
+        }
+    }
+
+    fn contour_ends(&mut self) {
+        if let Some(before) = self.set_aside.pop() {
+            self.origins = before;
+        }
+    }
+
+    fn before_reading(&mut self, at: Resume, state: &State) {
+        if self.watched == Some(at.byte) {
+            self.before = Some(Box::new((state.clone(), self.origins.clone())));
+        }
+    }
+
+    fn after_reading(&mut self, block: &Block, state: &State, purpose: Purpose) {
+        if self.watched.is_none() {
+            return;
+        }
+        self.origins.note(state, block.span.start);
+        if let Some(before) = self.before.take() {
+            let after = (state.clone(), self.origins.clone());
+            self.readings.push(Reading { purpose, before: *before, after });
+        }
+    }
+
+    fn anew(&self, state: &State) -> Box<dyn Chronicler> {
+        Box::new(Self { watched: self.watched, ..Self::new(state) })
+    }
+
+    fn boxed(&self) -> Box<dyn Chronicler> {
+        Box::new(self.clone())
+    }
+
+    fn chronicle(&self) -> &Chronicle {
+        self
+    }
+
+    fn chronicle_mut(&mut self) -> &mut Chronicle {
+        self
+    }
+}
 
 /// Lists what stays in force once, for the enum and for [`Modal::ALL`].
 macro_rules! modals {
@@ -124,9 +288,10 @@ impl Origins {
 
     /// A block was carried out. `block`: its first byte.
     #[inline]
-    pub fn note(&mut self, state: &State, block: u32) {
+    fn note(&mut self, state: &State, block: u32) {
         let values = values(state);
-        if values != self.values {
+        // Pair by pair: comparing them as bytes is a call into the module from the part.
+        if values.iter().zip(&self.values).any(|(now, before)| now != before) {
             self.differ(values, block);
         }
     }
@@ -142,17 +307,17 @@ impl Origins {
     }
 
     /// The code of group 01 is another one since a block.
-    pub fn note_motion(&mut self, mode: MotionMode, block: u32) {
+    fn note_motion(&mut self, mode: MotionMode, block: u32) {
         (self.values[Modal::Motion as usize], self.since[Modal::Motion as usize]) = (motion(mode), block);
     }
 
     /// A block gives a variable a value. `level`: calls of macros under way.
-    pub fn assigned(&mut self, level: usize, variable: u32, block: u32) {
+    fn assigned(&mut self, level: usize, variable: u32, block: u32) {
         Arc::make_mut(&mut self.variables).insert(key(level, variable), block);
     }
 
     /// A macro was left, with the variables of its level. `level`: that of the macro.
-    pub fn left(&mut self, level: usize) {
+    fn left(&mut self, level: usize) {
         if !self.variables.is_empty() {
             Arc::make_mut(&mut self.variables).retain(|&(own, _), _| usize::from(own) < level);
         }
@@ -168,14 +333,9 @@ impl Origins {
         self.variables.get(&key(level, variable)).copied()
     }
 
-    /// Whether one of these is in force by another block, or with another value, than in `other`.
-    pub fn differs(&self, other: &Self, modal: Modal) -> bool {
-        self.values[modal as usize] != other.values[modal as usize]
-    }
-
     /// These origins, of a run that went on as another one did, in the places of that: what was set before the two
     /// met at byte `met` of the old text, `meeting` knows.
-    pub fn after_meeting(&self, met: u32, meeting: &Self, shift: &Shift) -> Self {
+    fn after_meeting(&self, met: u32, meeting: &Self, shift: &Shift) -> Self {
         let place = |old: u32, own: u32| if old != NEVER && old >= met { shift.byte(old) } else { own };
         let mut since = meeting.since;
         since.iter_mut().zip(&self.since).for_each(|(own, old)| *own = place(*old, *own));
@@ -232,7 +392,7 @@ fn values(state: &State) -> [u64; MODALS] {
             Plane::Yz => 2,
         },
     );
-    set(Modal::Interpolation, u64::from(state.virtual_plane.is_some()));
+    set(Modal::Interpolation, u64::from(state.interpolation().is_some()));
     set(Modal::Hole, state.hole.map_or(0, |hole| 1 + hole.kind as u64));
     set(Modal::HoleReturn, state.hole_return as u64);
     set(Modal::ModalMacro, state.call_stack.modal.as_ref().map_or(0, |call| 1 + u64::from(call.head.byte)));

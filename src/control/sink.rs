@@ -6,6 +6,7 @@
 use crate::limits::Limits;
 use crate::message::{Diagnostic, Levels, Message};
 use crate::motion::{Chunk, Motion, Motions};
+use crate::order;
 use crate::source::Span;
 
 /// Motions and messages of a run under way.
@@ -23,7 +24,7 @@ pub struct Sink {
     /// In the order in which they were reported.
     pub diagnostics: Vec<Diagnostic>,
     /// Place and rule of each of them, in order: what runs again is not reported again.
-    reported: Vec<(u32, &'static str)>,
+    reported: Vec<(u32, u16)>,
     /// Messages that were not kept.
     pub hidden: usize,
     /// A limit of the run is exceeded: nothing more is carried out.
@@ -149,7 +150,7 @@ impl Sink {
         self.motions.split_off(chunks);
         self.diagnostics.truncate(diagnostics);
         self.reported = self.diagnostics.iter().map(key).collect();
-        self.reported.sort_unstable();
+        order::by_key(&mut self.reported, |known| *known);
         (self.hidden, self.incomplete) = (hidden, incomplete);
         (self.is_full, self.fault, self.muted) = (false, None, false);
         self.chunk = chunk;
@@ -158,8 +159,8 @@ impl Sink {
 }
 
 /// What distinguishes a message from others.
-fn key(diagnostic: &Diagnostic) -> (u32, &'static str) {
-    (diagnostic.span.start, diagnostic.message.slug())
+fn key(diagnostic: &Diagnostic) -> (u32, u16) {
+    (diagnostic.span.start, diagnostic.message.rule_index())
 }
 
 #[cfg(test)]

@@ -1,17 +1,20 @@
 //! What there is once all material of a run is off.
 //!
-//! In: the [`SimulationResult`] of a run. Out: the part and its threads, the end face, the comparison with a
+//! In: the [`SimulationResult`] of a run. Out: the part and its threads, end face and side, the comparison with a
 //! part that was kept, and the work as it is shown at a moment.
 
 use super::per_plane::PerPlane;
 use crate::machine::SimulationResult;
 use crate::machine::compare::{Comparison, parts};
 use crate::machine::feature::{Thread, threads};
+use crate::machine::live_holes::{LiveHole, live_holes};
 use crate::machine::region::Region;
 use crate::motion::Motions;
 use crate::parts::in_part;
 use crate::run::Run;
 use crate::scene::face::Face;
+use crate::scene::side::Side;
+use crate::scene::surface_moves::SurfaceMoves;
 use crate::scene::work::{Moment, Work};
 use crate::scene::{Place, Plane};
 use crate::setup::Setup;
@@ -28,6 +31,7 @@ pub(super) struct Machined {
     part: Option<Region>,
     threads: Vec<Thread>,
     face: Option<Face>,
+    side: Option<Side>,
     comparison: Option<Comparison>,
     shown: Option<Shown>,
 }
@@ -49,7 +53,8 @@ impl Machined {
         let part = simulation.finished();
         let threads = threads(motions, simulation.resolved_setup());
         let face = Face::of(motions, &simulation);
-        Self { simulation, part, threads, face, comparison: None, shown: None }
+        let side = Side::of(motions, &simulation);
+        Self { simulation, part, threads, face, side, comparison: None, shown: None }
     }
 
     /// Lays the part over the one that was kept, or ends that.
@@ -78,8 +83,17 @@ impl Machined {
         &self.threads
     }
 
-    pub(super) fn face(&self) -> Option<&Face> {
-        self.face.as_ref()
+    pub(super) fn side(&self) -> Option<&Side> {
+        self.side.as_ref()
+    }
+
+    /// What moves over a surface; nothing where nothing does, and in the section.
+    pub(super) fn moves(&self, plane: Plane) -> Option<&SurfaceMoves> {
+        match plane {
+            Plane::Section => None,
+            Plane::Face => self.face.as_ref().map(Face::moves),
+            Plane::Side => self.side.as_ref().map(Side::moves),
+        }
     }
 
     pub(super) fn comparison(&self) -> Option<&Comparison> {
@@ -89,6 +103,13 @@ impl Machined {
     /// The work as it is shown in a picture.
     pub(super) fn work(&self, plane: Plane) -> Option<&Work> {
         self.shown.as_ref()?.works[plane].as_ref()
+    }
+
+    /// The holes of live tools in the part at the moment that is shown.
+    pub(super) fn holes_shown(&self, motions: &Motions) -> Vec<LiveHole> {
+        let Some(part) = self.part_shown(motions) else { return Vec::new() };
+        let until = self.shown.as_ref().and_then(|shown| shown.moment).map(|at| (at.motion, at.share));
+        live_holes(motions, self.simulation.resolved_setup(), &part, until)
     }
 
     /// What is left of the blank at the moment that is shown.
@@ -128,6 +149,7 @@ in_part! {
         let mut works = PerPlane::default();
         works[Plane::Section] = work;
         works[Plane::Face] = machined.face.as_ref().and_then(|face| face.work(&machined.simulation, place));
+        works[Plane::Side] = machined.side.as_ref().and_then(|side| side.work(&machined.simulation, place));
         machined.shown = Some(Shown { moment, works });
     }
 }

@@ -1,4 +1,4 @@
-//! One value for each picture: the section and the end face.
+//! One value for each picture: the section, the end face and the side.
 //!
 //! In: a [`Plane`]. Out: the value of its picture. Must not know what is kept.
 
@@ -6,22 +6,25 @@ use std::ops::{Index, IndexMut};
 
 use crate::scene::Plane;
 
-/// A value for each [`Plane`].
+/// A value for each [`Plane`], in the order of [`Plane::ALL`].
 #[derive(Clone, Debug, Default, PartialEq)]
-pub struct PerPlane<T> {
-    section: T,
-    face: T,
-}
+pub struct PerPlane<T>([T; Plane::ALL.len()]);
 
 impl<T> PerPlane<T> {
     /// The value that is made for each of them.
-    pub fn new(mut make: impl FnMut(Plane) -> T) -> Self {
-        Self { section: make(Plane::Section), face: make(Plane::Face) }
+    pub fn new(make: impl FnMut(Plane) -> T) -> Self {
+        Self(Plane::ALL.map(make))
     }
 
-    /// That of the section, and that of the face.
-    pub fn both_mut(&mut self) -> (&mut T, &mut T) {
-        (&mut self.section, &mut self.face)
+    /// That of the section, and those of the others.
+    pub fn section_and_surfaces(&mut self) -> (&mut T, [(Plane, &mut T); Plane::SURFACES.len()]) {
+        let [section, face, side] = &mut self.0;
+        (section, [(Plane::Face, face), (Plane::Side, side)])
+    }
+
+    /// All of them.
+    pub fn iter_mut(&mut self) -> impl Iterator<Item = &mut T> {
+        self.0.iter_mut()
     }
 }
 
@@ -29,18 +32,22 @@ impl<T> Index<Plane> for PerPlane<T> {
     type Output = T;
 
     fn index(&self, plane: Plane) -> &T {
+        let [section, face, side] = &self.0;
         match plane {
-            Plane::Section => &self.section,
-            Plane::Face => &self.face,
+            Plane::Section => section,
+            Plane::Face => face,
+            Plane::Side => side,
         }
     }
 }
 
 impl<T> IndexMut<Plane> for PerPlane<T> {
     fn index_mut(&mut self, plane: Plane) -> &mut T {
+        let [section, face, side] = &mut self.0;
         match plane {
-            Plane::Section => &mut self.section,
-            Plane::Face => &mut self.face,
+            Plane::Section => section,
+            Plane::Face => face,
+            Plane::Side => side,
         }
     }
 }

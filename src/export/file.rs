@@ -20,7 +20,7 @@ use crate::units::Unit;
 /// What can be written as a file. Its name on the command line and in JavaScript is
 /// the variant in lower case.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[cfg_attr(all(feature = "cli", not(target_arch = "wasm32")), derive(clap::ValueEnum))]
+#[cfg_attr(all(feature = "cli", any(not(target_arch = "wasm32"), feature = "npx")), derive(clap::ValueEnum))]
 #[cfg_attr(target_arch = "wasm32", derive(serde::Deserialize, tsify::Tsify), serde(rename_all = "lowercase"))]
 pub enum FileFormat {
     /// The drawing, as SVG.

@@ -1,10 +1,10 @@
-//! Polar (G12.1) and cylindrical (G07.1) interpolation: the virtual plane a program moves in, and
-//! what the machine makes of it.
+//! Polar (G12.1) and cylindrical (G07.1) interpolation, and the planes of a machine with a Y axis: the plane a
+//! program moves in, and what the machine makes of it.
 //!
-//! In: points of the virtual plane. Out: radius and length of the tool, and the angle of C. In the plane
+//! In: points of the plane. Out: radius, Y and length of the tool, and the angle of C. In the plane
 //! `z` is the first axis, to the right, and `x` the second, upwards, both in mm: X as a radius and C for
-//! the end face (seen from the tailstock), Z and the unrolled circumference for the cylinder. Knows
-//! nothing of words and blocks.
+//! the end face (seen from the tailstock), Z and the unrolled circumference for the cylinder, two of X, Y and Z
+//! as [`Flat`] says. Knows nothing of words and blocks.
 
 use super::{Arc, Point, SAME};
 
@@ -20,6 +20,50 @@ pub enum Surface {
         /// Seen from inside, so that G02 turns the other way: under G19, whose first axis is C.
         turned: bool,
     },
+    /// Two of the straight axes, on a machine with a Y axis.
+    Flat(Flat),
+}
+
+/// The planes of X, Y and Z, seen from the positive side of the third axis (seed 002, figure 5-5).
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Flat {
+    /// G17: X to the right, Y up.
+    Xy,
+    /// G18: Z to the right, X up.
+    Zx,
+    /// G19: Y to the right, Z up.
+    Yz,
+}
+
+/// A place of the tool on a machine with a Y axis, mm.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Space {
+    /// X, as a radius.
+    pub x: f64,
+    /// Y.
+    pub y: f64,
+    /// Z.
+    pub z: f64,
+}
+
+impl Flat {
+    /// The point of the plane of a place, and the place along the third axis.
+    pub fn enter(self, at: Space) -> (Point, f64) {
+        match self {
+            Self::Xy => (Point::new(at.y, at.x), at.z),
+            Self::Zx => (Point::new(at.x, at.z), at.y),
+            Self::Yz => (Point::new(at.z, at.y), at.x),
+        }
+    }
+
+    /// The place of a point of the plane.
+    pub fn space(self, plane: Point, third: f64) -> Space {
+        match self {
+            Self::Xy => Space { x: plane.z, y: plane.x, z: third },
+            Self::Zx => Space { x: plane.x, y: third, z: plane.z },
+            Self::Yz => Space { x: third, y: plane.z, z: plane.x },
+        }
+    }
 }
 
 /// Most pieces of a curve that is drawn.
@@ -91,26 +135,31 @@ impl Way {
 }
 
 impl Surface {
-    /// The point of the plane where the tool stands, with C at `c` degrees, and its place along the third
-    /// axis. On the face the second axis counts from there, wherever C stands (FANUC 15i B-63324EN p. 80).
-    pub fn enter(self, at: Point, c: f64) -> (Point, f64) {
+    /// The point of the plane where the tool stands, with Y at `y` mm and C at `c` degrees, and its place along the
+    /// third axis. On the face the second axis counts from there, wherever C stands (FANUC 15i B-63324EN p. 80).
+    pub fn enter(self, at: Point, y: f64, c: f64) -> (Point, f64) {
         match self {
             Self::Face => (Point::new(0.0, at.x), at.z),
             Self::Cylinder { radius, .. } => (Point::new(radius * c.to_radians(), at.z), at.x),
+            Self::Flat(flat) => flat.enter(Space { x: at.x, y, z: at.z }),
         }
     }
 
     /// Where the tool stands in the machine: radius and length, mm; `third` is the place along the axis that
-    /// is not in the plane, mm: Z on the face, X as a radius on the cylinder.
+    /// is not in the plane, mm: Z on the face, X as a radius on the cylinder. Y is left out.
     pub fn machine(self, plane: Point, third: f64) -> Point {
         match self {
             Self::Face => Point::new(plane.x.hypot(plane.z), third),
             Self::Cylinder { .. } => Point::new(third, plane.z),
+            Self::Flat(flat) => {
+                let at = flat.space(plane, third);
+                Point::new(at.x, at.z)
+            }
         }
     }
 
     /// How far C turns along a way, degrees. On the face the angle is followed from neighbour to neighbour,
-    /// so that a way around the centre turns C around as well.
+    /// so that a way around the centre turns C around as well. With a Y axis C has no part in it.
     pub fn turn_along(self, way: &Way) -> f64 {
         match self {
             Self::Cylinder { radius, .. } => {
@@ -118,6 +167,7 @@ impl Surface {
                 ((to.x - from.x) / radius).to_degrees()
             }
             Self::Face => way.angle_about_center().to_degrees(),
+            Self::Flat(_) => 0.0,
         }
     }
 }
@@ -137,6 +187,32 @@ impl VirtualMove {
     /// Where the machine is at a fraction `t` (0 start, 1 end) of the way.
     pub fn at(&self, t: f64) -> Point {
         self.surface.machine(self.way.at(t), self.third.0 + t * (self.third.1 - self.third.0))
+    }
+
+    /// Whether it is one of a machine with a Y axis.
+    pub fn has_y(&self) -> bool {
+        matches!(self.surface, Surface::Flat(_))
+    }
+
+    /// Where it stands along Y at a fraction `t` of the way, mm; 0 where no Y axis moves.
+    pub fn y_at(&self, t: f64) -> f64 {
+        let Surface::Flat(flat) = self.surface else { return 0.0 };
+        flat.space(self.way.at(t), self.third.0 + t * (self.third.1 - self.third.0)).y
+    }
+
+    /// The same as a move over the end face, if it is one or can be looked at from there: an arc of another plane
+    /// cannot.
+    pub fn over_face(&self) -> Option<Self> {
+        let (way, third) = match (self.surface, self.way) {
+            (Surface::Face | Surface::Flat(Flat::Xy), way) => (way, self.third),
+            (Surface::Flat(flat), Way::Line(from, to)) => {
+                let ends = [flat.space(from, self.third.0), flat.space(to, self.third.1)];
+                let [(from, from_z), (to, to_z)] = ends.map(|end| Flat::Xy.enter(end));
+                (Way::Line(from, to), (from_z, to_z))
+            }
+            (Surface::Flat(_), Way::Arc(_)) | (Surface::Cylinder { .. }, _) => return None,
+        };
+        Some(Self { surface: Surface::Face, way, third })
     }
 
     /// Length of the way, mm.
@@ -200,7 +276,7 @@ mod tests {
 
     #[test]
     fn c_follows_a_square_around_the_centre() {
-        assert_eq!(Surface::Face.enter(Point::new(35.0, -20.0), 10.0), (point(35.0, 0.0), -20.0));
+        assert_eq!(Surface::Face.enter(Point::new(35.0, -20.0), 0.0, 10.0), (point(35.0, 0.0), -20.0));
         let corners = [(35.0, 0.0), (35.0, 35.0), (-35.0, 35.0), (-35.0, -35.0), (35.0, -35.0), (35.0, 0.0)];
         let turned: f64 = corners
             .windows(2)
@@ -253,7 +329,7 @@ mod tests {
     #[test]
     fn a_cylinder_unrolls_degrees_into_millimetres() {
         let surface = Surface::Cylinder { radius: 30.0, turned: false };
-        let (at, third) = surface.enter(Point::new(28.0, -10.0), 90.0);
+        let (at, third) = surface.enter(Point::new(28.0, -10.0), 0.0, 90.0);
         assert!((at.x - 15.0 * std::f64::consts::PI).abs() < 1e-9);
         let way = Way::Line(at, Point::new(at.x + 30.0f64.to_radians() * 60.0, -20.0));
         assert!((surface.turn_along(&way) - 60.0).abs() < 1e-9);

@@ -1,6 +1,6 @@
 //! Contours of the multiple cycles: where they begin and end, and what is left.
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 
 use crate::control::contour::{Landmarks, Purpose};
 use crate::control::events::{ContourCall, FinishingCall, Moment};
@@ -12,12 +12,19 @@ use crate::geometry::{Point, SAME};
 use crate::message::{Diagnostic, Fix, Message, said};
 use crate::motion::Motion;
 use crate::setup::Stock;
+use crate::source::Span;
+use crate::source::shift::Shift;
 use crate::units::Diameter;
 
 /// Lengths this near are the same, mm.
 const NEAR: f64 = 0.001;
 /// A pass of G73 deeper than this is too deep, mm: twice the usual 3 mm of roughing.
 const DEEP: f64 = 6.0;
+/// No insert cuts so deep, mm (radius): the infeed of G71 or G72 has lost its point.
+const DEEPEST: f64 = 15.0;
+
+/// M codes at which another part comes into the chuck, or this one may be turned round: stops, ends, the chuck.
+const PART_CHANGES: [u64; 8] = [0, 1, 2, 10, 11, 30, 68, 69];
 
 /// What is remembered of contours.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -28,6 +35,22 @@ pub struct Contours {
     asked_to_rough: BTreeSet<(u32, u32)>,
     /// Words of contours that roughing ignores, with P and Q of the contour: G70 may use them yet.
     for_finishing: Vec<((u32, u32), Diagnostic)>,
+    /// How each contour was roughed last, by P and Q, if no G70 has followed it since.
+    roughed: BTreeMap<(u32, u32), Roughed>,
+}
+
+/// How a contour was roughed.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Roughed {
+    /// The cycle block.
+    block: Span,
+    code: &'static str,
+    /// Where the cycle started, where the contour begins and where it ends.
+    corners: [Point; 3],
+    allowance: Point,
+    /// Zero of the coordinates: the shifts of G50 and of G52, and the frame.
+    zero: (Point, Point, u16),
+    tool: (u16, u16),
 }
 
 impl Contours {
@@ -38,7 +61,53 @@ impl Contours {
             Purpose::Roughing => {
                 self.asked_to_rough.insert(named);
             }
-            Purpose::Finishing => self.for_finishing.retain(|other| other.0 != named),
+            Purpose::Finishing => {
+                self.for_finishing.retain(|other| other.0 != named);
+                self.roughed.remove(&named);
+            }
+        }
+    }
+
+    /// A contour is roughed: as it was before, nothing is left to rough.
+    pub fn roughs<How>(
+        &mut self,
+        code: &'static str,
+        allowance: Point,
+        call: &ContourCall<How>,
+        at: &Moment,
+        reports: &mut Vec<Diagnostic>,
+    ) {
+        let frames = &at.state.frames;
+        let own = Roughed {
+            block: call.block.span,
+            code,
+            corners: [call.contour.start, call.contour.first, call.contour.last()],
+            allowance,
+            zero: (frames.shift, frames.local, frames.active),
+            tool: at.state.tool,
+        };
+        let before = self.roughed.insert(self.named, own);
+        // A block that is carried out once more is for the next part.
+        if before
+            .is_some_and(|before| before.block != own.block && Roughed { block: own.block, ..before } == own)
+        {
+            let (first, last) = self.named;
+            let message = said::ContourRoughedTwice { code, first, last };
+            reports.push(Diagnostic::new(message, call.block.words_span()));
+        }
+    }
+
+    /// An M code: of the next part nothing was roughed yet.
+    pub fn m_code(&mut self, number: u64) {
+        if PART_CHANGES.contains(&number) {
+            self.roughed.clear();
+        }
+    }
+
+    /// Moves places along.
+    pub fn shift(&mut self, shift: &Shift) {
+        for roughed in self.roughed.values_mut() {
+            roughed.block = shift.span(roughed.block);
         }
     }
 
@@ -108,6 +177,11 @@ pub fn roughing_called(call: &ContourCall<Roughing>, at: &Moment, reports: &mut 
             roughing::Axis::Z => b'W',
         };
         reports.push(allowance_sign(call.words, address, at));
+    }
+    let depth = call.how.depth;
+    if depth >= DEEPEST - SAME {
+        let message = said::InfeedTooDeep { depth, most: DEEPEST };
+        reports.push(Diagnostic::new(message, call.block.words_span()));
     }
 }
 

@@ -7,6 +7,7 @@
 
 mod compensation;
 mod contour;
+mod dwell;
 mod feed;
 mod once;
 pub mod plausible;
@@ -16,6 +17,7 @@ mod spindle;
 mod taper;
 mod thread;
 mod tool;
+mod words;
 
 use std::any::Any;
 
@@ -32,6 +34,8 @@ pub struct Lints {
     compensations: compensation::Compensations,
     contours: contour::Contours,
     feed: feed::Feed,
+    loops: words::Loops,
+    vacant: words::Vacant,
     rotary: rotary::Rotary,
     single_cycles: single_cycle::SingleCycles,
     spindle: spindle::Spindle,
@@ -63,14 +67,21 @@ impl Observer for Lints {
     }
 
     fn shift(&mut self, shift: &Shift) {
+        self.contours.shift(shift);
         self.feed.shift(shift);
+        self.loops.shift(shift);
+        self.rotary.shift(shift);
         self.single_cycles.shift(shift);
         self.spindle.shift(shift);
     }
 
     fn first_waiting(&self) -> u32 {
-        let waiting =
-            [self.feed.first_waiting(), self.single_cycles.first_waiting(), self.spindle.first_waiting()];
+        let waiting = [
+            self.feed.first_waiting(),
+            self.rotary.first_waiting(),
+            self.single_cycles.first_waiting(),
+            self.spindle.first_waiting(),
+        ];
         waiting.into_iter().flatten().min().unwrap_or(u32::MAX)
     }
 
@@ -87,6 +98,8 @@ impl Observer for Lints {
         self.contours = std::mem::take(&mut other.contours);
         self.compensations.has_heard_of(&other.compensations);
         self.feed.has_heard_of(&other.feed);
+        self.loops.has_heard_of(&mut other.loops);
+        self.vacant.has_heard_of(&mut other.vacant);
         self.rotary = other.rotary;
         self.single_cycles.has_heard_of(&other.single_cycles);
         self.spindle.has_heard_of(&other.spindle);
@@ -107,14 +120,26 @@ impl Lints {
             }
             Event::FeedMode(mode) => self.feed.mode(mode, at),
             Event::Feed => self.feed.given(at, reports),
-            Event::SpindleSpeed { value } => self.spindle.speed(value, at),
+            Event::SpindleSpeed { value, word } => self.spindle.speed(value, word, at, reports),
+            Event::UnreadWords { block, words, unread } => words::unread(block, words, unread, at, reports),
+            Event::Dwell { words, seconds } => reports.extend(dwell::waits(words, seconds, at)),
+            Event::VacantWord { word } => reports.extend(self.vacant.meets(word, at)),
+            Event::While { statement, enter } => self.loops.meets(statement, enter, at),
             Event::SpeedMode { surface, block, words } => {
                 self.spindle.speed_mode(surface, block, words, at, reports);
             }
             Event::HighestSpeed => self.spindle.highest_speed(),
-            Event::SpindleStops { block, moved } => self.spindle.stops(block, moved, reports),
+            Event::SpindleStops { block, moved } => {
+                self.spindle.stops(block, moved, reports);
+                self.threads.spindle_stops();
+            }
             Event::MCode { number, known, word } => {
+                self.contours.m_code(number);
                 self.spindle.m_code(number, known.is_some(), word, at, reports);
+                if let Some(code) = known {
+                    reports.extend(self.rotary.m_code(code, word, at));
+                    reports.extend(self.threads.m_code(code, word));
+                }
             }
             Event::Tool { word, before, goes_home } => {
                 if goes_home {
@@ -168,7 +193,7 @@ impl Lints {
             }
             Event::LeadOfFeed { block, code, feed } => self.feed.as_lead(block, code, feed, reports),
             Event::Thread { block, code, to } => {
-                self.spindle.cut(block, self.feed.mode_named, at, reports);
+                self.spindle.thread(block, self.feed.mode_named, at, reports);
                 self.threads.begins(block, code, to, at, reports);
                 self.compensations.thread(block, code, at, reports);
             }
@@ -184,8 +209,15 @@ impl Lints {
             Event::IgnoredInRoughing { address, words } => self.contours.ignored(address, words, at),
             Event::Finishing(call) => self.contours.finishing(&call, reports),
             Event::RoughingCalled(call) => contour::roughing_called(&call, at, reports),
-            Event::Roughing(call) => contour::roughing(&call, at, reports),
-            Event::Pattern(call) => contour::pattern(&call, at, reports),
+            Event::Roughing(call) => {
+                let (code, allowance) = (call.how.direction.code(), call.how.allowance);
+                self.contours.roughs(code, allowance, &call, at, reports);
+                contour::roughing(&call, at, reports);
+            }
+            Event::Pattern(call) => {
+                self.contours.roughs("G73", call.how.allowance, &call, at, reports);
+                contour::pattern(&call, at, reports);
+            }
             Event::Milling { block } => self.mills(block, at, reports),
             Event::PlaneMove { block, words, plane } => {
                 self.mills(block, at, reports);
@@ -194,6 +226,7 @@ impl Lints {
                 }
             }
             Event::CAxis { span } => {
+                self.rotary.c_is_used();
                 reports.extend(self.rotary.c_moves(span, self.spindle.unknown_m, at));
             }
             Event::NearCenter { distance, words } => {
@@ -204,6 +237,7 @@ impl Lints {
             Event::ProgramEnds { end } => {
                 self.feed.look_at_lone_word(at, reports);
                 self.spindle.report_still_move(reports);
+                reports.extend(self.rotary.still_connected());
                 if let Some(end) = end {
                     self.compensations.left_on(end.span, at, reports);
                 }
@@ -211,7 +245,9 @@ impl Lints {
             Event::RunEnds => {
                 self.spindle.report_still_move(reports);
                 self.spindle.report_speed_clamp(reports);
+                reports.extend(self.rotary.still_connected());
                 self.contours.run_ends(reports);
+                self.loops.report(reports);
             }
         }
     }

@@ -4,10 +4,13 @@
 //! out; only who compares a block with the others sees it. So nothing is said of what occurs often in the
 //! same program: that is its style.
 
+mod exchange;
 mod increments;
 mod passes;
 mod points;
+mod reach;
 mod signs;
+mod tools;
 
 use std::collections::BTreeSet;
 
@@ -74,6 +77,12 @@ struct Row {
     sequence: Option<u32>,
     /// A tool is called, or the program ends: what stands after has nothing to do with what stood before.
     parts: bool,
+    /// What it is.
+    kind: BlockKind,
+    /// An O program begins.
+    begins: bool,
+    /// Index of its M02, M30 or M99, which nothing keeps from ending the program.
+    end: Option<usize>,
 }
 
 /// A program taken apart.
@@ -90,6 +99,8 @@ struct Program<'a> {
     increment: f64,
     /// It changes between inches and millimetres.
     has_both_units: bool,
+    /// The numbers of blocks that GOTO names; nothing for one that comes from a variable.
+    jumps: Vec<Option<u32>>,
 }
 
 /// Adds remarks about the numbers of a program that has run, in the order of importance, to all that was
@@ -102,6 +113,10 @@ pub fn compare(
     setup: &Setup,
     reported: &mut Vec<Diagnostic>,
 ) {
+    if reported.iter().any(is_of_dwell) && !(0..motions.len()).any(|index| motions.kind(index).cuts()) {
+        // Nothing is cut: the spindle warms up.
+        reported.retain(|old| !is_of_dwell(old));
+    }
     let sound = !reported.iter().any(Diagnostic::is_error);
     let diagnostics = remarks(text, motions, reading, list, sound, setup.limits.compared_blocks);
     let diagnostics = diagnostics.into_iter().map(|diagnostic| diagnostic.in_unit(reading.unit));
@@ -119,6 +134,11 @@ pub fn compare(
     }
     let room = setup.limits.messages.saturating_sub(reported.len());
     reported.extend(diagnostics.into_iter().take(room));
+}
+
+/// Whether a message is about the time of a dwell.
+fn is_of_dwell(diagnostic: &Diagnostic) -> bool {
+    diagnostic.message.is::<said::DwellLong>() || diagnostic.message.is::<said::DwellShort>()
 }
 
 /// Whether a number that is wrong makes a contour turn back.
@@ -147,6 +167,9 @@ fn remarks(
 ) -> Vec<Diagnostic> {
     let Some(program) = Program::read(text, motions, reading, list, blocks) else { return Vec::new() };
     let mut diagnostics = program.leading_zeros();
+    diagnostics.extend(program.unreached());
+    diagnostics.extend(program.other_offset());
+    diagnostics.extend(program.exchanged());
     if program.has_both_units {
         // Numbers of inches and of millimetres are not to be compared.
         return diagnostics;
@@ -273,6 +296,7 @@ impl<'a> Program<'a> {
         let (mut rows, mut words) = (Vec::new(), Vec::new());
         let mut state = BlockCodes::START;
         let mut units = BTreeSet::new();
+        let mut jumps = Vec::new();
         while parser.next_block(&mut block) {
             if rows.len() >= most {
                 return None;
@@ -324,6 +348,16 @@ impl<'a> Program<'a> {
                 role = Role::Other;
             }
             units.extend(state.inch);
+            if block.kind == BlockKind::Macro {
+                jumps.extend(jump(block.span.of(text)));
+            }
+            // M99 with P is a jump.
+            let ends = |word: &Word| {
+                word.address == b'M' && (matches!(word.value, 2.0 | 30.0) || word.value == 99.0 && !has(b"P"))
+            };
+            let is_sure =
+                block.kind == BlockKind::Words && block.delete.is_none() && block.optional.is_none();
+            let end = (first..words.len()).find(|&index| is_sure && ends(&words[index]));
             let BlockCodes { rapid, thread, arc, reads_contour, .. } = state;
             rows.push(Row {
                 span: block.span,
@@ -338,12 +372,16 @@ impl<'a> Program<'a> {
                 reads_contour,
                 sequence: block.sequence,
                 parts,
+                kind: block.kind,
+                begins: block.program.is_some(),
+                end,
             });
         }
         let (unit, decimal) = (reading.unit.millimetres(), reading.decimal);
         let increment = reading.unit.increment() * unit;
         let has_both_units = units.len() > 1;
-        let mut program = Self { text, rows, words, motions, unit, decimal, increment, has_both_units };
+        let mut program =
+            Self { text, rows, words, motions, unit, decimal, increment, has_both_units, jumps };
         program.match_motions();
         program.find_contours();
         Some(program)
@@ -429,6 +467,14 @@ impl<'a> Program<'a> {
             .iter()
             .filter(|word| is_among(b"XZUW", word.address) && self.rows[word.block].role != Role::Other)
     }
+}
+
+/// Where a macro statement jumps to: the number, if one is written; nothing where it does not jump.
+fn jump(statement: &[u8]) -> Option<Option<u32>> {
+    let at = statement.windows(4).position(|word| word.eq_ignore_ascii_case(b"GOTO"))?;
+    let number: String = Span::new(at + 4, statement.len()).quote(statement);
+    let digits: String = number.trim_start().chars().take_while(char::is_ascii_digit).collect();
+    Some(digits.parse().ok())
 }
 
 /// Whether a letter is one of a few.

@@ -2,23 +2,56 @@
 //! programmed in a virtual plane.
 
 use super::once::Once;
-use crate::control::codes::Compensation;
+use super::spindle::block_start;
+use crate::control::codes::{Compensation, M, Switch};
 use crate::control::events::Moment;
 use crate::control::modal::VirtualPlane;
 use crate::control::tool_offset;
 use crate::control::words::{Words, quote};
 use crate::geometry::virtual_plane::Surface;
-use crate::message::{Diagnostic, Severity, said};
+use crate::message::{Diagnostic, Fix, Severity, said};
+use crate::motion::SpindleTurn;
 use crate::setup::dialect::FeedMode;
 use crate::source::Span;
-use crate::text::block::Block;
+use crate::source::shift::Shift;
+use crate::text::block::{Block, Word};
 
 /// Nearest to the centre that C can follow without running away, mm.
 const CENTER: f64 = 0.1;
 
+/// How far M45 has been followed: what stands here is what a program of the machine of seed 002 does one after the
+/// other. On other machines M45 is something else, or M03 turns the live tool once C is connected.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+enum Connected {
+    /// C is released, or nothing has connected it by M45.
+    #[default]
+    No,
+    /// M45.
+    ByCode,
+    /// Then C moved.
+    Moved,
+    /// And M13 or M14 started a live tool.
+    Milled,
+}
+
+/// M03 or M04 while C is connected. If C moves again before it is released, the code turns the live tool.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+struct StartWithC {
+    /// The word.
+    word: Span,
+    /// 3 or 4.
+    number: u8,
+    /// Where a block before it would stand.
+    before: u32,
+}
+
 /// What was reported of C and of live tools.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Rotary {
+    /// What M45 has connected.
+    connected: Connected,
+    /// The spindle was started with C connected, which nothing has explained yet.
+    start: Option<StartWithC>,
     /// That C is not connected.
     c_axis: Once,
     /// That the live tool does not turn.
@@ -37,8 +70,67 @@ impl Rotary {
     /// C moves though nothing has connected it: which M code does depends on the machine. `unknown_m`:
     /// one appeared that may have.
     pub fn c_moves(&mut self, span: Span, unknown_m: bool, at: &Moment) -> Option<Diagnostic> {
-        let is_new = !at.state.c_axis && !unknown_m && self.c_axis.first();
+        // After M45 a live tool may be started by M03, which leaves C as it is.
+        let is_connected = at.state.c_axis || self.connected != Connected::No;
+        let is_new = !is_connected && !unknown_m && self.c_axis.first();
         is_new.then(|| Diagnostic::new(said::CAxisNotConnected, span))
+    }
+
+    /// C moves.
+    pub fn c_is_used(&mut self) {
+        if self.start.take().is_some() {
+            self.connected = Connected::Milled;
+        } else if self.connected == Connected::ByCode {
+            self.connected = Connected::Moved;
+        }
+    }
+
+    /// C is released, or the program ends: C has not moved since the spindle was started.
+    pub fn still_connected(&mut self) -> Option<Diagnostic> {
+        let StartWithC { word, number, before } = self.start.take()?;
+        // As it is written: M3 or M03.
+        let digits = word.len().saturating_sub(1);
+        let message = said::CAxisStillConnected { word: format!("M{number:0digits$}") };
+        let fix = Fix::insert(before, "M46\n".to_owned());
+        Some(Diagnostic::new(message, word).with(fix))
+    }
+
+    /// First byte of a word that is reported later.
+    pub fn first_waiting(&self) -> Option<u32> {
+        self.start.map(|start| start.before)
+    }
+
+    /// Moves places along.
+    pub fn shift(&mut self, shift: &Shift) {
+        self.start = self.start.map(|start| StartWithC {
+            word: shift.span(start.word),
+            before: shift.byte(start.before),
+            ..start
+        });
+    }
+
+    /// An M code that is known: M03 and M04 turn the spindle though C holds it.
+    pub fn m_code(&mut self, code: M, word: &Word, at: &Moment) -> Option<Diagnostic> {
+        match code {
+            M::CAxis(switch) => {
+                self.connected = if switch == Switch::On { Connected::ByCode } else { Connected::No };
+                return self.still_connected();
+            }
+            M::LiveTool if self.connected == Connected::Moved => self.connected = Connected::Milled,
+            M::Spindle(turn @ (SpindleTurn::Forward | SpindleTurn::Reverse)) => {
+                let before = block_start(at.text, word.span.start);
+                // Another spindle is started, such as that of the live tools.
+                if chooses_spindle(&at.text[before as usize..]) {
+                    return None;
+                }
+                if std::mem::take(&mut self.connected) == Connected::Milled {
+                    let number = if turn == SpindleTurn::Forward { 3 } else { 4 };
+                    self.start = Some(StartWithC { word: word.span, number, before });
+                }
+            }
+            _ => {}
+        }
+        None
     }
 
     /// A live tool should turn where the spindle only positions; which M code starts
@@ -92,4 +184,21 @@ impl Rotary {
         let is_new = distance < CENTER && self.center.first();
         is_new.then(|| Diagnostic::new(said::PolarCenter { distance }, words))
     }
+}
+
+/// Whether the block at the head of a text chooses the spindle of its M code: `P2`, or `S2=1000`.
+fn chooses_spindle(text: &[u8]) -> bool {
+    let block = text.iter().take_while(|byte| !matches!(byte, b'\n' | b'\r' | b';'));
+    let (mut written, mut in_comment) = (Vec::new(), false);
+    for &byte in block {
+        match byte {
+            b'(' => in_comment = true,
+            b')' => in_comment = false,
+            _ if in_comment || byte == b' ' => {}
+            _ => written.push(byte.to_ascii_uppercase()),
+        }
+    }
+    let is_p = |two: &[u8]| two[0] == b'P' && two[1].is_ascii_digit();
+    let is_numbered_s = |three: &[u8]| three[0] == b'S' && three[1].is_ascii_digit() && three[2] == b'=';
+    written.windows(2).any(is_p) || written.windows(3).any(is_numbered_s)
 }

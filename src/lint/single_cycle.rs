@@ -12,7 +12,8 @@ use crate::cycles::single::{self, Single};
 use crate::geometry::Point;
 use crate::message::{Diagnostic, Fix, Message, said};
 use crate::setup::Stock;
-use crate::setup::dialect::DecimalRule;
+use crate::setup::dialect::{DecimalRule, FeedMode};
+use crate::setup::stock::{ONE_PASS_FEED, deepest_cut};
 use crate::source::Span;
 use crate::source::shift::Shift;
 use crate::text::block::{Block, Word};
@@ -57,6 +58,8 @@ struct Reported {
     g90_as_absolute: Once,
     /// That a pass is no deeper.
     pass_not_deeper: Once,
+    /// That a pass is far too deep.
+    too_deep: Once,
     /// That a taper is not extended to the start point.
     taper_not_extended: Once,
 }
@@ -66,6 +69,7 @@ impl SingleCycles {
     pub fn ends(&mut self) {
         self.reported.taper_not_extended.forget();
         self.reported.pass_not_deeper.forget();
+        self.reported.too_deep.forget();
         self.one_shot();
         self.g90_alone = None;
     }
@@ -77,6 +81,7 @@ impl SingleCycles {
             MotionMode::Cycle(_) => {
                 self.reported.taper_not_extended.forget();
                 self.reported.pass_not_deeper.forget();
+                self.reported.too_deep.forget();
             }
             _ => self.ends(),
         }
@@ -152,6 +157,16 @@ impl SingleCycles {
             Single::Turning | Single::Threading => [b'X', b'U'],
         };
         let own_word = moved.into_iter().find(|&address| words.get(address).is_some());
+        if let (Some(before), Some(address)) = (before, own_word)
+            && !is_one_pass_feed(at)
+            && let Some(message) = too_deep(cycle, &own, &before, at.setup.stock.as_ref())
+        {
+            // The passes after it are held against those before it.
+            if self.reported.too_deep.first() {
+                reports.push(Diagnostic::new(message, words.span(address)));
+            }
+            return;
+        }
         if let (Some(before), Some(address)) = (before, own_word) {
             if let Some(message) = pass_not_deeper(cycle, &own, &before)
                 && self.reported.pass_not_deeper.first()
@@ -243,6 +258,35 @@ fn edge_depth(cycle: Single, own: &DeepestPass, surface: Option<f64>, first: boo
     // A thick bar takes a deeper cut.
     let deepest = DEEPEST_PASS.max(0.14 * surface?);
     (first && outside && depth > deepest).then_some(depth)
+}
+
+/// Whether the feed is that of small parts which are turned to size in one pass.
+fn is_one_pass_feed(at: &Moment) -> bool {
+    let millimetres = at.state.feed.map(|feed| feed * at.state.unit.millimetres());
+    at.state.feed_mode == FeedMode::PerTurn && millimetres.is_some_and(|feed| feed < ONE_PASS_FEED)
+}
+
+/// A pass that takes off far more below the pass before it than an insert bears.
+fn too_deep(
+    cycle: Single,
+    own: &DeepestPass,
+    before: &DeepestPass,
+    stock: Option<&Stock>,
+) -> Option<Message> {
+    let way = match cycle {
+        Single::Turning => before.end.x - own.end.x,
+        Single::Facing => before.end.z - own.end.z,
+        Single::Threading => return None,
+    };
+    let inward = match cycle {
+        Single::Facing => own.start.z - own.end.z,
+        _ => own.start.x - own.end.x,
+    };
+    let depth = way * inward.signum();
+    let radius = stock.map_or(own.start.x.max(own.end.x), |stock| stock.diameter.radius());
+    let most = deepest_cut(radius);
+    let tenth = |length: f64| (10.0 * length).round() / 10.0;
+    (depth > most).then_some(said::CutTooDeep { depth: tenth(depth), most: tenth(most) }.into())
 }
 
 /// The deeper of two passes.

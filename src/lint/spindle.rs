@@ -16,6 +16,20 @@ const CLAMP_OFF: u64 = 11;
 const CHUCK_CLOSE: u64 = 68;
 const CHUCK_OPEN: u64 = 69;
 
+/// M19 and M20: each stops the spindle at an angle of its own. M20 is something else on many machines.
+const ORIENTATION: u64 = 19;
+const SECOND_ORIENTATION: u64 = 20;
+/// Inserts seldom cut faster than this, m/min; programs in feet that lack their G20 do not reach it.
+const FASTEST_CUT: f64 = 1800.0;
+/// Nobody turns at so little, m/min: chilled rolls and high-speed steel in hard material come near it.
+const SLOWEST_CUT: f64 = 5.0;
+/// Sliding-head lathes come near this, rpm; a common lathe turns half of it.
+const FASTEST_TURN: f64 = 12_000.0;
+/// The same for small bars, and where no blank is given.
+const FASTEST_SMALL: f64 = 20_000.0;
+/// A bar of more than this, mm, is not small.
+const SMALL_BAR: f64 = 20.0;
+
 /// A move at feed with the spindle stopped.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 struct StillMove {
@@ -23,6 +37,8 @@ struct StillMove {
     block: Span,
     /// The words of the block.
     words: Span,
+    /// A speed is in force, with which the spindle could turn.
+    has_speed: bool,
 }
 
 /// G96 without a highest speed.
@@ -45,6 +61,8 @@ pub struct Spindle {
     /// An M code appeared whose meaning depends on the machine: it may have connected
     /// C or started a live tool.
     pub unknown_m: bool,
+    /// The orientation (M19, M20) that holds the spindle, which nothing has started since.
+    held: Option<u64>,
     /// Coolant flows (M07, M08).
     coolant: bool,
     /// That the spindle is stopped.
@@ -81,6 +99,20 @@ impl Spindle {
         }
     }
 
+    /// A thread begins. Cuts of other kinds are made with the spindle held: a keyway is shaped.
+    pub fn thread(
+        &mut self,
+        block: &Block,
+        feed_mode_named: bool,
+        at: &Moment,
+        reports: &mut Vec<Diagnostic>,
+    ) {
+        self.cut(block, feed_mode_named, at, reports);
+        if self.held == Some(ORIENTATION) && at.state.spindle.turn != SpindleTurn::Stopped {
+            self.still_cut(block, at, reports);
+        }
+    }
+
     /// Whether something that this control does not know may turn the work or a live tool.
     fn may_be_driven(&self, at: &Moment) -> bool {
         let spindle = &at.state.spindle;
@@ -95,7 +127,8 @@ impl Spindle {
         if self.may_be_driven(at) || !self.stopped.first() {
             return;
         }
-        let still = StillMove { block: block.span, words: block.words_span() };
+        let has_speed = at.state.spindle.rpm > 0.0 || at.state.spindle.cutting_speed > 0.0;
+        let still = StillMove { block: block.span, words: block.words_span(), has_speed };
         match at.contour {
             None => self.still_move = Some(still),
             // What is remembered in a contour is given up.
@@ -150,9 +183,11 @@ impl Spindle {
         reports: &mut Vec<Diagnostic>,
     ) {
         let spindle = &at.state.spindle;
-        // M11 opens the chuck on many machines.
+        // M11 opens the chuck on many machines. M69 does on machines with two spindles, which hand the part over while
+        // both turn.
         if number == CLAMP_OFF
             && spindle.turn != SpindleTurn::Stopped
+            && self.held.is_none()
             && !spindle.live_tool
             && !at.state.c_axis
         {
@@ -162,7 +197,12 @@ impl Spindle {
         match number {
             // A bar is pulled, or fed against a stop, with the spindle stopped and the chuck open.
             CLAMP_ON | CLAMP_OFF | CHUCK_CLOSE | CHUCK_OPEN => self.chuck_moves(number, at),
-            3 | 4 | 13 | 14 => self.report_still_move(reports),
+            3 | 4 => {
+                self.held = None;
+                self.report_still_move(reports);
+            }
+            13 | 14 => self.report_still_move(reports),
+            ORIENTATION | SECOND_ORIENTATION => self.held = Some(number),
             7 | 8 => self.coolant = true,
             9 => self.coolant = false,
             _ => {}
@@ -183,7 +223,8 @@ impl Spindle {
     }
 
     /// S outside of G50: S0 stops the spindle, another speed lets it turn again.
-    pub fn speed(&mut self, value: f64, at: &Moment) {
+    pub fn speed(&mut self, value: f64, word: &Word, at: &Moment, reports: &mut Vec<Diagnostic>) {
+        reports.extend(unusual_speed(value, word, at));
         if at.state.spindle.still != (value == 0.0) {
             self.stopped.forget();
         }
@@ -212,9 +253,7 @@ impl Spindle {
             }
         } else if !spindle.surface && spindle.highest.is_none() {
             let span = words.span(b'S');
-            let text = &at.text[..span.start as usize];
-            let end = text.iter().rposition(|byte| matches!(byte, b'\n' | b'\r' | b';'));
-            self.unclamped = Some(Unclamped { span, before: end.map_or(0, |end| end as u32 + 1) });
+            self.unclamped = Some(Unclamped { span, before: block_start(at.text, span.start) });
         }
     }
 
@@ -271,17 +310,58 @@ impl Spindle {
             span: shift.span(unclamped.span),
             before: shift.byte(unclamped.before),
         });
-        self.still_move = self
-            .still_move
-            .map(|still| StillMove { block: shift.span(still.block), words: shift.span(still.words) });
+        self.still_move = self.still_move.map(|still| StillMove {
+            block: shift.span(still.block),
+            words: shift.span(still.words),
+            ..still
+        });
     }
 }
 
 impl StillMove {
     #[cold]
     fn message(self) -> Diagnostic {
-        let fix = Fix::insert(self.block.start, "M03\n".to_owned());
-        Diagnostic::new(said::SpindleStopped, self.words).with(fix)
+        // With M03 alone the speed would be missing next.
+        let fix = self.has_speed.then(|| Fix::insert(self.block.start, "M03\n".to_owned()));
+        let diagnostic = Diagnostic::new(said::SpindleStopped, self.words);
+        Diagnostic { fixes: fix.into_iter().collect(), ..diagnostic }
+    }
+}
+
+/// Where the block begins that a byte stands in.
+pub fn block_start(text: &[u8], byte: u32) -> u32 {
+    let end = text[..byte as usize].iter().rposition(|byte| matches!(byte, b'\n' | b'\r' | b';'));
+    end.map_or(0, |end| end as u32 + 1)
+}
+
+/// S that is no cutting speed, or that no lathe turns.
+fn unusual_speed(value: f64, word: &Word, at: &Moment) -> Option<Diagnostic> {
+    let quoted = || quote(at.text, word.span);
+    let spindle = &at.state.spindle;
+    let message: Message = if spindle.surface {
+        let metres = value * at.state.unit.surface_metres();
+        if metres > FASTEST_CUT {
+            said::CuttingSpeedHigh { word: quoted(), metres: metres.round() }.into()
+        } else if metres > 0.0 && metres <= SLOWEST_CUT {
+            said::CuttingSpeedLow { word: quoted(), metres: (10.0 * metres).round() / 10.0 }.into()
+        } else {
+            return None;
+        }
+    } else if value > fastest_turn(at) && !spindle.live_tool && !spindle.by_maker && !at.state.c_axis {
+        said::SpindleSpeedHigh { word: quoted() }.into()
+    } else {
+        return None;
+    };
+    Some(Diagnostic::new(message, word.span))
+}
+
+/// The fastest that work is turned here, rpm.
+fn fastest_turn(at: &Moment) -> f64 {
+    let is_small = at.setup.stock.is_none_or(|stock| stock.diameter.mm() <= SMALL_BAR);
+    match at.setup.machine.max_speed {
+        Some(own) => own.max(FASTEST_TURN),
+        None if is_small => FASTEST_SMALL,
+        None => FASTEST_TURN,
     }
 }
 

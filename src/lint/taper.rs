@@ -12,6 +12,9 @@ use crate::setup::Stock;
 use crate::source::Span;
 use crate::units::{Diameter, Unit};
 
+/// A cut may go so far beyond the back of the blank, mm.
+const OVERRUN: f64 = 5.0;
+
 /// A span longer than this, bytes, is a block and not the word of a taper.
 const LONGEST_WORD: usize = 12;
 
@@ -78,7 +81,9 @@ fn taper_not_extended(
             (end.z + taper, (surface - end.x) / (start.x - end.x), 1.0, end.z, 'Z')
         }
         Single::Turning => {
-            if start.z <= stock.face + NEAR || end.z >= stock.face - NEAR {
+            // Z with a digit too many is reported by itself: the taper only follows from it.
+            let is_beyond = end.z < stock.back() - OVERRUN;
+            if start.z <= stock.face + NEAR || end.z >= stock.face - NEAR || is_beyond {
                 return None;
             }
             let diameter = |radius: f64| Diameter::from_radius(radius).mm();

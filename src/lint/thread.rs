@@ -2,6 +2,7 @@
 
 use super::once::Once;
 use super::taper;
+use crate::control::codes::M;
 use crate::control::events::{Moment, ThreadPass, ThreadedBy, ThreadingCall};
 use crate::control::words::{self, Words, plain, quote};
 use crate::cycles::single::Single;
@@ -16,7 +17,7 @@ use crate::units::Diameter;
 
 /// n ≤ 1200 / P − K (seed 001).
 const SPEED_OF_PITCH: f64 = 1200.0;
-/// K of that rule.
+/// K of that rule where the setup gives none, rpm.
 const SPEED_MARGIN: f64 = 80.0;
 /// Pitches for which the rule was made, mm.
 const PITCHES: std::ops::RangeInclusive<f64> = 0.2..=10.0;
@@ -26,12 +27,22 @@ const LEADS: std::ops::RangeInclusive<f64> = 0.001..=500.0;
 const LEADS_OF_INCH: std::ops::RangeInclusive<f64> = 25.4 / 25400.0..=25.4 / 0.06;
 /// The finest pitch of a standard thread, mm (ISO 261: M1 fine).
 const FINEST: f64 = 0.2;
+/// A pass may go so many times as much deeper as the passes before it, since each cuts on wider flanks.
+const JUMP: f64 = 2.0;
+/// A pass that goes no more deeper than this never is too deep, mm (radius).
+const DEEP_STEP: f64 = 0.3;
+/// A pass that goes less deeper than this only scratches the work, to show the lead, mm (radius).
+const SCRATCH: f64 = 0.05;
+/// Passes widen their groove by up to this share of the lead: infeed along both flanks, and finishing of them.
+const BESIDE: f64 = 0.2;
+/// A tap holder takes up this share of the lead between the way in and the way out.
+const TAKEN_UP: f64 = 0.05;
 /// Lengths this near are the same, mm.
 const NEAR: f64 = 0.001;
 /// Few slides are faster than this, mm/min.
 const FAST_SLIDE: f64 = 4000.0;
 /// Most starts of a thread that are looked for.
-const STARTS: u32 = 8;
+const STARTS: u32 = 12;
 
 /// The last pass of a thread.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -48,27 +59,42 @@ struct Pass {
     tool: (u16, u16),
     /// The number of its Q, where that is an angle.
     angle: Option<f64>,
+    /// It was as deep as the one before it from the same start.
+    repeats: bool,
 }
 
 /// The passes of a thread that are compared with the next one.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 struct Passes {
-    /// X of its first pass, as a radius.
-    first: f64,
+    /// Its first pass: X of the end, as a radius, and Z of the start.
+    first: Point,
     /// The newest first: of more starts than these there is seldom a thread.
     recent: [Option<Pass>; 4],
     /// 1 where a deeper pass has a larger X, -1 where it has a smaller one, 0 where that is not known yet.
     outwards: f64,
-    /// A pass was as deep as one before it.
-    repeats: bool,
+    /// That a pass was as deep as one before it, and a deeper one came.
+    repeated: Once,
+    /// The most that a pass went deeper than the one before it, mm; 0 before the second one.
+    step: f64,
+}
+
+/// A tap on the axis that stands in its hole.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Tap {
+    /// The direction in which the spindle turned it in.
+    turn: SpindleTurn,
+    /// The lead with which it went in, mm.
+    lead: f64,
+    /// The spindle goes on turning it in.
+    turns_on: bool,
 }
 
 /// What is remembered of threads.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Threads {
     passes: Passes,
-    /// A tap stands in its hole: the direction in which the spindle turned it in.
-    tap: Option<SpindleTurn>,
+    /// A tap stands in its hole.
+    tap: Option<Tap>,
     /// That the spindle turns at a constant surface speed.
     surface_speed: Once,
 }
@@ -110,7 +136,7 @@ impl Threads {
 
     /// G32 to G34 cut to a place. `pass`: the same as a pass of a thread, whose spindle goes on turning.
     pub fn cuts(&mut self, pass: &ThreadPass, code: &str, at: &Moment, reports: &mut Vec<Diagnostic>) {
-        self.tap_moves(pass.block, pass.start, pass.end, at, reports);
+        self.tap_moves(pass, at, reports);
         if code != "G33" && !is_on_axis(pass.start, pass.end) {
             self.pass(pass, at, reports);
         } else if pass.lead > *LEADS.end() {
@@ -119,27 +145,46 @@ impl Threads {
         }
     }
 
-    /// A tap on the axis goes in by G32 and must be turned out again by a G32 with the spindle reversed.
-    fn tap_moves(
-        &mut self,
-        block: &Block,
-        from: Point,
-        to: Point,
-        at: &Moment,
-        reports: &mut Vec<Diagnostic>,
-    ) {
-        if !is_on_axis(from, to) {
+    /// A tap on the axis goes in by G32 and must be turned out again by a G32 of the same lead, with the spindle
+    /// reversed (seed 002).
+    fn tap_moves(&mut self, pass: &ThreadPass, at: &Moment, reports: &mut Vec<Diagnostic>) {
+        let &ThreadPass { block, words, start, end, lead, .. } = pass;
+        if !is_on_axis(start, end) {
             return;
         }
         let turn = at.state.spindle.turn;
-        if to.z < from.z {
-            self.tap = Some(turn);
+        if end.z < start.z {
+            self.tap = Some(Tap { turn, lead, turns_on: turn != SpindleTurn::Stopped });
             if at.state.spindle.surface {
                 reports.push(Diagnostic::new(said::TapSurface, block.words_span()));
             }
-        } else if self.tap.take() == Some(turn) && turn != SpindleTurn::Stopped {
-            reports.push(Diagnostic::new(said::TapReverse, block.words_span()));
+            return;
         }
+        let Some(tap) = self.tap.take() else { return };
+        if tap.turn == turn && turn != SpindleTurn::Stopped {
+            reports.push(Diagnostic::new(said::TapReverse, block.words_span()));
+        } else if (tap.lead - lead).abs() > TAKEN_UP * tap.lead + NEAR {
+            let span = lead_word(words).map_or_else(|| block.words_span(), |word| word.span);
+            reports.push(Diagnostic::new(said::TapLeadChanged { into: tap.lead, out: lead }, span));
+        }
+    }
+
+    /// M05 has taken effect.
+    pub fn spindle_stops(&mut self) {
+        if let Some(tap) = &mut self.tap {
+            tap.turns_on = false;
+        }
+    }
+
+    /// An M code that is known: the spindle turns back though it has not stopped at the bottom of a tapped hole.
+    pub fn m_code(&mut self, code: M, word: &Word) -> Option<Diagnostic> {
+        if matches!(code, M::Pause(_)) {
+            // The operator has measured; what comes now is not compared with the passes before.
+            self.passes.step = 0.0;
+        }
+        let tap = self.tap.as_mut().filter(|tap| tap.turns_on && code == M::Spindle(tap.turn.reversed()))?;
+        tap.turns_on = false;
+        Some(Diagnostic::new(said::TapNotStopped, word.span))
     }
 
     /// A move other than a thread: a tap must not leave its hole by it.
@@ -159,16 +204,19 @@ impl Threads {
         let &ThreadPass { start, end, lead, by, .. } = pass;
         let angle_word = pass.words.get(b'Q').filter(|_| by != ThreadedBy::Passes);
         let angle = angle_word.and_then(plain);
-        let own = Pass { start, end, lead, speed, tool: at.state.tool, angle };
+        let mut own = Pass { start, end, lead, speed, tool: at.state.tool, angle, repeats: false };
         if let Some((word, angle)) = angle_word.zip(angle) {
             reports.extend(small_angle(at.text, word.span, angle));
         }
-        let face = at.setup.stock.map(|stock| stock.face);
+        let known = Known {
+            face: at.setup.stock.map(|stock| stock.face),
+            margin: at.setup.machine.thread_speed_margin.unwrap_or(SPEED_MARGIN),
+        };
         let span = pass.block.words_span();
         let mut passes = self.passes;
         let before = passes.recent[0].filter(|before| is_near(&own, before));
         if before.is_none() {
-            passes = Passes { first: end.x, ..Passes::default() };
+            passes = Passes { first: Point::new(end.x, start.z), ..Passes::default() };
         }
         if let ThreadedBy::Pass { outwards } = by {
             passes.outwards = if outwards { 1.0 } else { -1.0 };
@@ -184,14 +232,12 @@ impl Threads {
         if let Some(unusual) = unusual {
             reports.push(unusual);
         } else {
-            let begun = passes.recent.iter().flatten().any(|before| is_same_start(&own, before));
-            let deeper = before.filter(|_| !begun).map_or(0.0, |before| passes.deeper(&own, &before));
-            let has_angle = pass.words.get(b'Q').is_some();
+            let fits = pass.words.get(b'Q').is_some() || passes.begins_well(&own);
             let starts = pass.starts as f64;
-            reports.append(&mut remarks(&own, before.as_ref(), deeper, has_angle, starts, face, span));
+            reports.append(&mut remarks(&own, before.as_ref(), fits, starts, known, span));
         }
         if by != ThreadedBy::Passes {
-            reports.extend(passes.not_deeper(&own, pass, at));
+            reports.extend(passes.not_deeper(&mut own, pass, at));
         }
         passes.recent.rotate_right(1);
         passes.recent[0] = Some(own);
@@ -219,10 +265,41 @@ impl Passes {
         self.outwards * (own.end.x - before.end.x)
     }
 
-    /// A pass that is not deeper than the one before it from the same start.
-    fn not_deeper(&mut self, own: &Pass, pass: &ThreadPass, at: &Moment) -> Option<Diagnostic> {
-        let mut of_thread = self.recent.iter().flatten();
-        let before = of_thread.find(|before| before.angle == own.angle && is_same_start(own, before))?;
+    /// A pass without Q cuts the start at 0 a second time, as deep as `before` did: where all passes have a Q, or
+    /// where the thread has other starts and that at 0 was cut just before.
+    fn angle_is_lost(&self, own: &Pass, before: &Pass) -> bool {
+        let mut recent = self.recent.iter().flatten();
+        let all_have_one = recent.clone().all(|pass| pass.angle.is_some());
+        let has_starts = recent.any(|pass| pass.angle.is_some_and(|angle| angle != 0.0));
+        let just_before = self.recent[0].as_ref() == Some(before);
+        own.angle.is_none() && (all_have_one || has_starts && just_before)
+    }
+
+    /// Whether a pass begins in a groove that is there, or at another start of the thread.
+    fn begins_well(&self, own: &Pass) -> bool {
+        let places = || self.recent.iter().flatten().map(|pass| pass.start.z).chain([self.first.z]);
+        places().any(|place| is_in_groove(own.start.z - place, own.lead))
+            || self.begins_anew(own) && places().any(|place| is_start_of_lead(own.start.z - place, own.lead))
+    }
+
+    /// Whether the depths of a thread may begin anew with a pass: it is no deeper than the first one, or less
+    /// deep than the one before it.
+    fn begins_anew(&self, own: &Pass) -> bool {
+        let below_first = self.outwards * (own.end.x - self.first.x);
+        below_first <= NEAR || self.recent[0].is_some_and(|before| self.deeper(own, &before) < -NEAR)
+    }
+
+    /// The last pass from the same start.
+    fn of_same_start(&self, own: &Pass) -> Option<Pass> {
+        let angle = |pass: &Pass| pass.angle.unwrap_or(0.0);
+        let is_one = |before: &&Pass| angle(before) == angle(own) && is_same_start(own, before);
+        self.recent.iter().flatten().find(is_one).copied()
+    }
+
+    /// A pass that is not deeper than the one before it from the same start, goes too much deeper, or goes on after
+    /// one that was cut twice.
+    fn not_deeper(&mut self, own: &mut Pass, pass: &ThreadPass, at: &Moment) -> Option<Diagnostic> {
+        let before = self.of_same_start(own)?;
         if self.outwards == 0.0 {
             // Of moves the first two passes show it.
             let way = own.end.x - before.end.x;
@@ -231,17 +308,36 @@ impl Passes {
             }
             return None;
         }
-        let deeper = self.deeper(own, before);
+        let deeper = self.deeper(own, &before);
+        if deeper.abs() <= NEAR {
+            if self.angle_is_lost(own, &before) {
+                let word = quote(at.text, pass.block.words_span());
+                return Some(Diagnostic::new(said::ThreadAngleMissing { word }, pass.block.words_span()));
+            }
+            // A spring pass, unless a deeper one follows.
+            own.repeats = true;
+            return None;
+        }
+        let repeats = before.repeats;
         let before = Diameter::from_radius(before.end.x).mm();
         let letter = *b"XU".iter().find(|&&letter| pass.words.get(letter).is_some()).unwrap_or(&b'Z');
         let span = pass.words.get(letter).map_or_else(|| pass.block.words_span(), |word| word.span);
         // From its first pass a thread begins anew: the same once more, for another part.
-        if deeper < -NEAR && (own.end.x - self.first).abs() > NEAR {
+        if deeper < -NEAR && (own.end.x - self.first.x).abs() > NEAR {
             let word = quote(at.text, span);
             return Some(Diagnostic::new(said::ThreadPassNotDeeper { word, before }, span));
         }
-        let is_first = deeper.abs() <= NEAR && !std::mem::replace(&mut self.repeats, true);
-        is_first.then(|| Diagnostic::new(said::ThreadPassRepeats { before }, span).graded(Severity::Info))
+        // The first passes may only scratch the work; and what was left out was reported when it came.
+        let step = self.step;
+        if deeper > SCRATCH - NEAR {
+            self.step = deeper.max(step);
+        }
+        if step > 0.0 && deeper > JUMP * step && deeper > DEEP_STEP + NEAR {
+            let message = said::ThreadPassJumps { deeper, step };
+            return Some(Diagnostic::new(message, span));
+        }
+        let is_told = deeper > NEAR && repeats && self.repeated.first();
+        is_told.then(|| Diagnostic::new(said::ThreadPassRepeats { before }, span).graded(Severity::Info))
     }
 }
 
@@ -343,26 +439,35 @@ fn start_clears_crest(block: &Block, start: Point, how: &MultiThread) -> Option<
     Some(if at_crest { diagnostic.graded(Severity::Info) } else { diagnostic })
 }
 
-/// Remarks about a pass: its speed, and whether it meets the pass before it. `deepens`: how much deeper it is, mm, from a new
-/// start; 0 where that is not known. `angle`: a word gives the angle at which it starts. `starts`: of how many starts the thread is. `face`: Z of the face of the blank, if one
-/// is known. `span`: the block.
+/// What the setup says that matters for a thread.
+#[derive(Clone, Copy, Debug)]
+struct Known {
+    /// Z of the face of the blank, mm, if one is given.
+    face: Option<f64>,
+    /// K of n ≤ 1200/P − K, rpm.
+    margin: f64,
+}
+
+/// Remarks about a pass: its speed, and whether it meets the pass before it. `fits`: it begins where the thread has a
+/// groove or another start, or a word gives the angle at which it starts. `starts`: of how many starts the thread is.
+/// `known`: what the setup says. `span`: the block.
 fn remarks(
     own: &Pass,
     before: Option<&Pass>,
-    deepens: f64,
-    angle: bool,
+    fits: bool,
     starts: f64,
-    face: Option<f64>,
+    known: Known,
     span: Span,
 ) -> Vec<Diagnostic> {
     let pitch = own.lead / starts;
     let mut diagnostics = Vec::new();
     let before = before.filter(|before| is_same_thread(own, before));
     if before.is_none() {
-        let limit = SPEED_OF_PITCH / pitch - SPEED_MARGIN;
+        let Known { face, margin } = known;
+        let limit = SPEED_OF_PITCH / pitch - margin;
         if PITCHES.contains(&pitch) && own.speed > limit {
             let speed = own.speed;
-            let message = said::ThreadTooFast { speed, pitch, limit: limit.floor() };
+            let message = said::ThreadTooFast { speed, pitch, limit: limit.floor().max(0.0), margin };
             let diagnostic = Diagnostic::new(message, span);
             // The rule of thumb is for small lathes.
             let is_fast = speed * own.lead > FAST_SLIDE;
@@ -379,9 +484,7 @@ fn remarks(
     }
     let moved = own.start.z - before.start.z;
     let deeper = (own.start.x - before.start.x).abs().max((own.end.x - before.end.x).abs());
-    // Another start of the thread begins anew: it goes no deeper than the pass before.
-    let is_start = is_whole_lead(moved, own.lead) || deepens <= NEAR && is_start_of_lead(moved, own.lead);
-    if !angle && !is_start && !is_along_flank(moved, deeper) {
+    if !fits && !is_along_flank(moved, deeper) {
         let (before, now) = (before.start.z, own.start.z);
         diagnostics.push(Diagnostic::new(said::ThreadStartMoved { before, now, lead: own.lead }, span));
     }
@@ -412,6 +515,12 @@ fn is_same_start(own: &Pass, before: &Pass) -> bool {
 fn is_whole_lead(moved: f64, lead: f64) -> bool {
     let turns = moved / lead;
     (turns - turns.round()).abs() * lead <= NEAR
+}
+
+/// Whether a shift of the start leads to the same groove, or so little beside it that the groove only gets wider.
+fn is_in_groove(moved: f64, lead: f64) -> bool {
+    let turns = moved / lead;
+    (turns - turns.round()).abs() * lead <= BESIDE * lead + NEAR
 }
 
 /// Whether a shift of the start is a whole number of leads, or leads to another start of a thread of several.

@@ -9,9 +9,10 @@ use super::part::{Part, Turned, cut};
 use super::region::Region;
 use super::resolved_setup::{Basis, ResolvedSetup, ResolvedTool};
 use super::sweep::{Outline, way_of};
-use super::tool::Action;
 use crate::geometry::{Point, SAME};
-use crate::motion::{Cycle, CycleFamily, Motion, MotionKind, Step};
+use crate::motion::{
+    Cycle, CycleFamily, Feed, Motion, MotionKind, Motions, Quill, SpindleSpeed, SpindleTurn, Step,
+};
 use crate::setup::{Setup, Stock, Tailstock, ToolKind, Travel};
 use crate::units::Diameter;
 
@@ -71,12 +72,24 @@ pub enum Danger {
         /// Its station.
         station: u16,
     },
+    /// The tool of the setup is of a kind that does not do this.
+    OtherWork {
+        /// The tool.
+        kind: ToolKind,
+        /// Its station.
+        station: u16,
+    },
+    /// A cut with more feed than an insert takes.
+    FastFeed {
+        /// The feed, mm/rev.
+        per_turn: f64,
+    },
 }
 
 impl Danger {
     /// Whether there is a place of the picture to mark.
     pub fn has_place(&self) -> bool {
-        !matches!(self, Self::ToolNotListed { .. })
+        !matches!(self, Self::ToolNotListed { .. } | Self::OtherWork { .. })
     }
 }
 
@@ -95,6 +108,9 @@ const JAW: f64 = 40.0;
 /// How far beyond the axis a tip may go without a word, mm: facing goes a little past it.
 const PAST_CENTER: f64 = 0.5;
 
+/// Nearer to the spindle axis than this, mm, is on it.
+const OFF_AXIS: f64 = 0.01;
+
 /// Material that an edge takes off beside the way of the tip and that is worth a
 /// word, mm² for each mm of way.
 const BESIDE: f64 = 0.05;
@@ -111,6 +127,30 @@ const INSIDE: f64 = 0.1;
 
 /// Nearer to the blank than this, mm, no tool is changed.
 const CLEAR: f64 = 10.0;
+
+/// With so much feed no insert of a common lathe cuts, mm/rev, and on blanks of more than [`LARGE`].
+const FAST: f64 = 1.0;
+const FAST_ON_LARGE: f64 = 2.0;
+
+/// Diameter of a blank that is turned on heavy lathes, mm.
+const LARGE: f64 = 200.0;
+
+/// From here on it is reported as a feed in the other unit, mm/rev.
+const FEED_OF_OTHER_UNIT: f64 = 5.0;
+
+/// Where a tool leaves along a wall at feed: so much it may scrape off, as a share of the square of its way (an entering
+/// angle of 95° leaves that wedge), but no more than some mm².
+const WEDGE: f64 = 0.045;
+const MOST_SCRAPED: f64 = 2.0;
+
+/// A cut across that comes from a shorter way along Z, mm, leaves no shoulder: that was its depth.
+const SHOULDER: f64 = 2.0;
+
+/// From so many of its widths as a lead on, a grooving tool cuts a square or trapezoidal thread.
+const LEAD_OF_GROOVING: f64 = 1.3;
+
+/// With a larger lead, mm, a boring tool cuts an oil groove.
+const OIL_GROOVE: f64 = 8.0;
 
 /// How near a rapid may come to the surface it runs along, mm.
 const ALONG: f64 = 0.001;
@@ -132,10 +172,21 @@ pub struct DangerDetector {
     jaws: Option<Region>,
     /// The same as two, as they are drawn.
     chuck: Option<[Region; 2]>,
+    /// The centre, in a program that has it forward.
     tailstock: Option<Region>,
+    /// Where the quill is before the program says so.
+    quill: Quill,
     stock: Option<Stock>,
     travel: Travel,
     missed: Vec<u16>,
+    /// Stations that were reported to do other work.
+    misused: Vec<u16>,
+    /// The holes of drills on the axis.
+    holes: Vec<Hole>,
+    /// The motion before, dwells aside.
+    before: Option<Motion>,
+    /// The feed that was reported last, mm/rev.
+    fast: Option<f64>,
     /// Station of the tool of the last motion.
     station: Option<u16>,
     /// Axes whose place is not known, X and Z: the tool was changed at the work, and
@@ -147,6 +198,16 @@ pub struct DangerDetector {
     pass_start: Option<Point>,
     /// All that was found.
     pub findings: Vec<Finding>,
+}
+
+/// What the drill of a station has drilled on the axis.
+#[derive(Clone, Copy, Debug)]
+struct Hole {
+    station: u16,
+    /// Z of its bottom, mm.
+    bottom: f64,
+    /// The drill also bores it out: it is made for both.
+    is_bored: bool,
 }
 
 /// Most findings that are kept.
@@ -162,16 +223,23 @@ fn plunges(infeed: &Motion, part: &mut Part) -> bool {
 
 impl DangerDetector {
     /// A detector for a program with these tools and this stock.
-    pub fn new(resolved: &ResolvedSetup, setup: &Setup) -> Self {
+    pub fn new(resolved: &ResolvedSetup, motions: &Motions, setup: &Setup) -> Self {
         let given = |stock: (Stock, Basis)| (stock.1 == Basis::Given).then_some(stock.0);
         let stock = resolved.stock().and_then(given);
+        let quill = quill_at_start(motions);
+        let comes = motions.is_empty() || motions.quills().any(|said| is_forward(said, quill));
         Self {
             jaws: stock.and_then(|stock| jaws(&stock)),
             chuck: stock.and_then(|stock| chuck(&stock)),
-            tailstock: setup.tailstock.map(|tailstock| center(&tailstock)),
+            tailstock: setup.tailstock.filter(|_| comes).map(|tailstock| center(&tailstock)),
+            quill,
             stock,
             travel: setup.machine.travel,
             missed: Vec::new(),
+            misused: Vec::new(),
+            holes: Vec::new(),
+            before: None,
+            fast: None,
             station: None,
             unknown: [false; 2],
             plunges: false,
@@ -180,9 +248,11 @@ impl DangerDetector {
         }
     }
 
-    /// What stands around the work: the chuck, the tailstock.
-    pub fn obstacles(&self) -> impl Iterator<Item = &Region> {
-        self.chuck.iter().flatten().chain(&self.tailstock)
+    /// What stands around the work: the chuck, and the tailstock where it is forward. `moment`: what the program
+    /// has said of the quill by then; nothing for all of the program.
+    pub fn obstacles(&self, moment: Option<Quill>) -> impl Iterator<Item = &Region> {
+        let forward = moment.is_none_or(|said| is_forward(said, self.quill));
+        self.chuck.iter().flatten().chain(self.tailstock.iter().filter(move |_| forward))
     }
 
     /// Whether there is a chuck with jaws, and a tailstock.
@@ -200,6 +270,7 @@ impl DangerDetector {
         {
             return;
         }
+        let before = self.before.replace(*motion);
         let tool = resolved.tool(motion);
         let station = motion.process.tool.0;
         if self.station.replace(station).is_some_and(|last| last != station) && self.is_at_work(motion.from) {
@@ -216,7 +287,7 @@ impl DangerDetector {
         if self.unknown != [false; 2] {
             return;
         }
-        if motion.rotary.is_some() || tool.shape.action == Action::Live {
+        if tool.is_live_in(motion) {
             return;
         }
         self.hit_obstacles(index, motion, tool);
@@ -227,13 +298,14 @@ impl DangerDetector {
         if motion.cycle.is_some() && self.cycle_start(index, motion, part) {
             return;
         }
+        part.end_thread(motion);
         match motion.kind {
             // A tool is not changed in the work: where it comes from is not known, only where it arrives.
             MotionKind::Rapid if comes_from_elsewhere => {
                 self.rapid(index, &Motion { from: motion.to, ..*motion }, tool, part);
             }
             MotionKind::Rapid => self.rapid(index, motion, tool, part),
-            _ => self.cut(index, motion, tool, part),
+            _ => self.cut(index, motion, before.as_ref(), tool, part),
         }
     }
 
@@ -262,9 +334,10 @@ impl DangerDetector {
     }
 
     fn hit_obstacles(&mut self, index: usize, motion: &Motion, tool: &ResolvedTool) {
-        let obstacles = [(Danger::IntoJaws, &self.jaws), (Danger::IntoTailstock, &self.tailstock)];
+        let tailstock = self.tailstock.as_ref().filter(|_| is_forward(motion.process.quill, self.quill));
+        let obstacles = [(Danger::IntoJaws, self.jaws.as_ref()), (Danger::IntoTailstock, tailstock)];
         let found = obstacles.map(|(danger, obstacle)| {
-            let obstacle = obstacle.as_ref()?;
+            let obstacle = obstacle?;
             Some((danger, tool.shape.solids().find_map(|outline| hit(obstacle, outline, motion))?))
         });
         for (danger, at) in found.into_iter().flatten() {
@@ -360,18 +433,27 @@ impl DangerDetector {
         }
     }
 
-    fn cut(&mut self, index: usize, motion: &Motion, tool: &ResolvedTool, part: &mut Part) {
+    fn cut(
+        &mut self,
+        index: usize,
+        motion: &Motion,
+        before: Option<&Motion>,
+        tool: &ResolvedTool,
+        part: &mut Part,
+    ) {
         let turns = matches!(tool.tool.kind, Some(ToolKind::Turning | ToolKind::Boring | ToolKind::Grooving));
         let low = motion.from.x.min(motion.to.x);
         if turns && tool.basis == Basis::Given && low < -2.0 * tool.shape.nose - PAST_CENTER {
             self.tell(index, if motion.to.x == low { motion.to } else { motion.from }, Danger::BelowCenter);
         }
+        self.misuse(index, motion, before, tool, part);
+        self.fast_feed(index, motion, before, tool, part);
         if let Some(body) = &tool.shape.body {
             let body = body.shrunk(0.01);
             // What the edge takes off in the same motion is not in the way of the holder.
             if hit(part.now(), &body, motion).is_some() {
                 let mut left = part.now().clone();
-                left.cut(&cut(motion, Turned::default(), tool));
+                left.cut(&cut(motion, &Turned::default(), tool));
                 if let Some(at) = hit(&left, &body, motion) {
                     self.tell(index, at, Danger::HolderInStock);
                     return;
@@ -382,6 +464,140 @@ impl DangerDetector {
             self.tell(index, motion.to, danger);
         }
     }
+}
+
+/// Whether a motion stays on the spindle axis.
+fn is_on_axis(motion: &Motion) -> bool {
+    motion.from.x.abs() <= OFF_AXIS && motion.to.x.abs() <= OFF_AXIS
+}
+
+impl DangerDetector {
+    /// A tool of the setup does what another kind of tool is for: once for each station.
+    fn misuse(
+        &mut self,
+        index: usize,
+        motion: &Motion,
+        before: Option<&Motion>,
+        tool: &ResolvedTool,
+        part: &mut Part,
+    ) {
+        let Some(kind) = tool.tool.kind.filter(|_| tool.basis == Basis::Given) else { return };
+        let on_axis = is_on_axis(motion);
+        let threads = motion.kind == MotionKind::Thread;
+        let turns = motion
+            .cycle
+            .is_some_and(|tag| matches!(tag.cycle.family(), CycleFamily::Contour | CycleFamily::Turning));
+        let station = tool.station;
+        if kind == ToolKind::Drill && on_axis {
+            self.drills(station, motion.to.z);
+        }
+        let other = match kind {
+            // A live one drills beside the axis.
+            ToolKind::Drill => turns && !threads && !on_axis && !self.bores_own_hole(station, motion, before),
+            ToolKind::Tap | ToolKind::Threading => turns && !threads && !on_axis,
+            ToolKind::Turning => threads && !on_axis,
+            ToolKind::Boring | ToolKind::Grooving => threads && !on_axis && !suits_lead(motion, tool, kind),
+            ToolKind::Endmill => false,
+        };
+        if other && !self.misused.contains(&station) && is_in_material(motion, part) {
+            self.misused.push(station);
+            self.tell(index, motion.to, Danger::OtherWork { kind, station });
+        }
+    }
+
+    /// A drill goes into the work on the axis.
+    fn drills(&mut self, station: u16, z: f64) {
+        match self.holes.iter_mut().find(|hole| hole.station == station) {
+            Some(hole) => hole.bottom = hole.bottom.min(z),
+            None => self.holes.push(Hole { station, bottom: z, is_bored: false }),
+        }
+    }
+
+    /// Whether a drill turns in the hole that it has drilled, and first goes outwards to do so.
+    fn bores_own_hole(&mut self, station: u16, motion: &Motion, before: Option<&Motion>) -> bool {
+        let Some(hole) = self.holes.iter_mut().find(|hole| hole.station == station) else { return false };
+        let goes_outwards = before.is_some_and(|before| before.from.x < motion.from.x - SAME);
+        hole.is_bored |= goes_outwards;
+        hole.is_bored && motion.from.z.min(motion.to.z) >= hole.bottom - SAME
+    }
+
+    /// A cut off the axis, where no tap stands, or of a drilling cycle, with an absurd feed: once for each feed.
+    fn fast_feed(
+        &mut self,
+        index: usize,
+        motion: &Motion,
+        before: Option<&Motion>,
+        tool: &ResolvedTool,
+        part: &mut Part,
+    ) {
+        let on_axis = is_on_axis(motion);
+        let drills = motion.cycle.is_some_and(|tag| {
+            matches!(tag.cycle, Cycle::FacePecking | Cycle::Drilling | Cycle::FaceDrilling)
+        });
+        // A keyway is shaped with the spindle held.
+        if motion.process.turn == SpindleTurn::Stopped {
+            return;
+        }
+        let per_turn = match (motion.process.feed, motion.process.speed) {
+            (Feed::PerTurn(feed), _) if feed < FEED_OF_OTHER_UNIT => feed,
+            (Feed::PerMinute(feed), SpindleSpeed::Constant(speed)) if speed > 0.0 => feed / speed,
+            _ => return,
+        };
+        let is_large = self.stock.is_some_and(|stock| stock.diameter.mm() > LARGE);
+        let is_fast = per_turn >= if is_large { FAST_ON_LARGE } else { FAST };
+        let cuts_by_feed = motion.kind != MotionKind::Thread && (!on_axis || drills);
+        if is_fast
+            && cuts_by_feed
+            && self.fast != Some(per_turn)
+            && is_in_material(motion, part)
+            && !before.is_some_and(|before| is_way_out(motion, before, tool, part))
+        {
+            self.fast = Some(per_turn);
+            self.tell(index, motion.to, Danger::FastFeed { per_turn });
+        }
+    }
+}
+
+/// Whether a tool that is made for something else may cut a thread of this lead.
+fn suits_lead(motion: &Motion, tool: &ResolvedTool, kind: ToolKind) -> bool {
+    let Some(lead) = motion.lead.map(f64::abs) else { return false };
+    match kind {
+        ToolKind::Grooving => tool.tool.width.is_some_and(|width| lead >= LEAD_OF_GROOVING * width),
+        ToolKind::Boring => lead > OIL_GROOVE,
+        ToolKind::Turning | ToolKind::Threading | ToolKind::Drill | ToolKind::Tap | ToolKind::Endmill => {
+            false
+        }
+    }
+}
+
+/// Whether a tool only leaves the work: back the way it came with the cut before, or across from a shoulder that
+/// this cut has left. It takes off no more than the wedge that the edge leaves at a wall.
+fn is_way_out(motion: &Motion, before: &Motion, tool: &ResolvedTool, part: &mut Part) -> bool {
+    let way = |motion: &Motion| (motion.to.x - motion.from.x, motion.to.z - motion.from.z);
+    let ((dx, dz), (before_x, before_z)) = (way(motion), way(before));
+    let is_line = |motion: &Motion| motion.kind == MotionKind::Feed;
+    let follows = before.to.is_same(motion.from) && is_line(motion) && is_line(before);
+    let aside = (dx * before_z - dz * before_x).abs();
+    let goes_back = dx * before_x + dz * before_z < 0.0 && aside <= SAME * motion.length();
+    let leaves_shoulder = dz.abs() <= SAME && before_z.abs() >= SHOULDER;
+    if !follows || !goes_back && !leaves_shoulder {
+        return false;
+    }
+    let scraped = (WEDGE * motion.length() * motion.length()).clamp(SCRAPED, MOST_SCRAPED);
+    part.now().in_common(&cut(motion, &Turned::default(), tool)).area() <= scraped
+}
+
+/// Whether the middle of the way of the tip lies in material.
+fn is_in_material(motion: &Motion, part: &mut Part) -> bool {
+    let middle = match motion.arc() {
+        Some(arc) => arc.at(0.5),
+        None => {
+            let (from, to) = (motion.from, motion.to);
+            Point::new((from.x + to.x) / 2.0, (from.z + to.z) / 2.0)
+        }
+    };
+    // The axis itself is the edge of the work.
+    part.now().holds(Point::new(middle.x.max(OFF_AXIS), middle.z))
 }
 
 /// Whether a slope is steeper than the trailing edge of a turning tool, and the edge cuts because of it.
@@ -404,7 +620,7 @@ fn too_steep(motion: &Motion, tool: &ResolvedTool, part: &mut Part) -> Option<Da
         return None;
     }
     // What lies behind the tip, above the slope, and is taken off.
-    let behind = part.now().in_common(&cut(motion, Turned::default(), tool));
+    let behind = part.now().in_common(&cut(motion, &Turned::default(), tool));
     let above = behind.area_beside(motion.from, motion.to);
     let worth = above > BESIDE * motion.length();
     worth.then_some(Danger::SlopeTooSteep { slope: slope.to_degrees(), tool: follows.to_degrees() })
@@ -482,6 +698,20 @@ fn chuck(stock: &Stock) -> Option<[Region; 2]> {
         Region::inside(&corners.map(|(x, z)| Point::new(x, z)))
     };
     Some([block(outside, back, back + grip), block(stock.bore.radius(), back - JAW, back)])
+}
+
+/// Where the quill is before the program says so: forward, as the setup has it, unless the program first brings
+/// it there.
+fn quill_at_start(motions: &Motions) -> Quill {
+    match motions.quills().find(|&said| said != Quill::Unsaid) {
+        Some(Quill::Forward) => Quill::Back,
+        Some(Quill::Back | Quill::Unsaid) | None => Quill::Forward,
+    }
+}
+
+fn is_forward(said: Quill, at_start: Quill) -> bool {
+    let quill = if said == Quill::Unsaid { at_start } else { said };
+    quill == Quill::Forward
 }
 
 /// The centre of the tailstock: a cone of 60°, and the quill.

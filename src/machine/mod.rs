@@ -11,22 +11,27 @@ pub mod danger;
 pub mod defaults;
 pub mod feature;
 pub mod inferred;
+pub mod live_holes;
 pub mod part;
 pub mod region;
+pub mod removal;
 pub mod resolved_setup;
 mod surface;
 pub mod sweep;
+mod thread_depth;
 pub mod thread_point;
+pub mod thread_run_out;
 pub mod tool;
 mod tool_use;
 mod z_positions;
 
 use crate::limits::Limits;
-use crate::motion::Motions;
+use crate::motion::{Motion, Motions};
 use crate::setup::{Machine, Setup};
 use danger::{DangerDetector, Finding};
 use part::Part;
 use region::Region;
+use removal::{RemovalWatch, Unusual};
 use resolved_setup::ResolvedSetup;
 
 /// A program at the machine, once all its material is off or a bound was met: there is no
@@ -36,6 +41,7 @@ pub struct SimulationResult {
     resolved: ResolvedSetup,
     part: Option<Part>,
     detector: DangerDetector,
+    watch: RemovalWatch,
     machine: Machine,
     limits: Limits,
     limit: Option<SimulationLimit>,
@@ -87,13 +93,15 @@ impl Simulation {
         // With a tool that nobody knows, no part is better than a wrong one.
         let known = resolved.stock().filter(|_| resolved.unknown().is_empty());
         let part = known.map(|(stock, _)| Part::new(&stock));
-        let detector = DangerDetector::new(&resolved, setup);
+        let detector = DangerDetector::new(&resolved, motions, setup);
+        let watch = RemovalWatch::new(&resolved, motions);
         let limit =
             (motions.len() > limits.part_motions).then_some(SimulationLimit::Motions(limits.part_motions));
         let result = SimulationResult {
             resolved,
             part,
             detector,
+            watch,
             machine: setup.machine,
             limits,
             limit,
@@ -152,17 +160,27 @@ impl SimulationResult {
         let Some(part) = &mut self.part else { return true };
         for _ in 0..count {
             let index = part.done();
-            if self.limit.is_some() || index >= motions.len() {
+            if self.limit.is_some() {
+                return true;
+            }
+            if index >= motions.len() {
+                self.watch.finish();
                 return true;
             }
             let motion = motions.get(index);
             self.detector.check_motion(index, &motion, &self.resolved, part);
+            let block = || motions.span(index).start;
+            self.watch.check_motion(index, &motion, block, &self.resolved, part);
             part.step(&motion, self.resolved.tool(&motion));
             if part.corners() > self.limits.part_corners {
                 self.limit = Some(SimulationLimit::Corners(self.limits.part_corners));
             }
         }
-        self.limit.is_some() || part.done() >= motions.len()
+        let all = part.done() >= motions.len();
+        if all && self.limit.is_none() {
+            self.watch.finish();
+        }
+        self.limit.is_some() || all
     }
 
     /// The bound that was met.
@@ -175,14 +193,20 @@ impl SimulationResult {
         &self.detector.findings
     }
 
+    /// What is unusual about what is taken off.
+    pub fn removals(&self) -> &[Unusual] {
+        &self.watch.found
+    }
+
     /// Whether there is a chuck with jaws, and a tailstock.
     pub fn has_chuck_and_tailstock(&self) -> [bool; 2] {
         self.detector.has_chuck_and_tailstock()
     }
 
-    /// What stands around the work: the chuck, the tailstock.
-    pub fn obstacles(&self) -> impl Iterator<Item = &Region> {
-        self.detector.obstacles()
+    /// What stands around the work: the chuck, and the tailstock where it is forward: in this motion, or in
+    /// any.
+    pub fn obstacles(&self, motion: Option<&Motion>) -> impl Iterator<Item = &Region> {
+        self.detector.obstacles(motion.map(|motion| motion.process.quill))
     }
 
     /// Tools and blank.

@@ -56,15 +56,25 @@ struct Kept {
     region: Region,
 }
 
-/// How far the spindle is past a whole turn of the thread under way, in turns: where a thread goes on with
-/// another lead, or out of the work, its notches go on with the same turn.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Turned(f64);
+/// The thread under way: where one goes on with another lead, or out of the work, its notches go on with the
+/// same turn.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Turned {
+    /// How far the spindle is past a whole turn, in turns.
+    past: f64,
+    /// What the insert cuts where it comes out here, between two turns: it stands while the work turns on, and
+    /// cuts its groove all around, as wide as a turn at most.
+    groove: Vec<Point>,
+}
 
 impl Turned {
-    fn after(self, motion: &Motion) -> Self {
+    /// After a motion with its tool.
+    fn after(&self, motion: &Motion, tool: &ResolvedTool) -> Self {
         let turns = if motion.kind == MotionKind::Thread { turns(motion) } else { None };
-        Self(turns.map_or(0.0, |turns| (self.0 + turns).fract()))
+        let Some(past) = turns.map(|turns| (self.past + turns).fract()) else { return Self::default() };
+        let is_between = past > SAME && past < 1.0 - SAME;
+        let cuts = is_between && takes_off(motion, tool) && tool.shape.action == Action::Threading;
+        Self { past, groove: if cuts { groove(motion, tool) } else { Vec::new() } }
     }
 }
 
@@ -90,8 +100,8 @@ impl Part {
     /// Does the next motion with its tool.
     pub fn step(&mut self, motion: &Motion, tool: &ResolvedTool) {
         let before = self.waiting.len();
-        self.waiting.extend(cut(motion, self.turned, tool));
-        self.turned = self.turned.after(motion);
+        self.waiting.extend(cut(motion, &self.turned, tool));
+        self.turned = self.turned.after(motion, tool);
         self.corners += self.waiting[before..].iter().map(Vec::len).sum::<usize>();
         self.done += 1;
         // Passes of a thread have flanks in common: in one go they would cut each other
@@ -106,10 +116,20 @@ impl Part {
         }
     }
 
+    /// Takes off what a thread leaves at its end, where the next motion ends it: the insert comes out there.
+    pub fn end_thread(&mut self, next: &Motion) {
+        if let Some(groove) = left_by_thread(next, &self.turned) {
+            self.corners += groove.len();
+            self.waiting.push(groove);
+            // `step` need not take it off again.
+            self.turned.groove.clear();
+        }
+    }
+
     /// Keeps the state as it is now.
     fn keep(&mut self) {
         self.kept_corners += self.now.corners();
-        self.kept.push(Kept { done: self.done, turned: self.turned, region: self.now.clone() });
+        self.kept.push(Kept { done: self.done, turned: self.turned.clone(), region: self.now.clone() });
         if self.kept_corners > MOST_KEPT {
             let mut odd = false;
             self.kept.retain(|_| {
@@ -145,14 +165,15 @@ impl Part {
         let Kept { done: from, mut turned, mut region } = self.near(count);
         let mut outlines: Vec<Vec<Point>> = Vec::new();
         for motion in (from..count).map(|index| motions.get(index)) {
-            outlines.extend(cut(&motion, turned, resolved.tool(&motion)));
-            turned = turned.after(&motion);
+            let tool = resolved.tool(&motion);
+            outlines.extend(cut(&motion, &turned, tool));
+            turned = turned.after(&motion, tool);
         }
         region.cut(&outlines);
-        self.last.replace(Some(Kept { done: count, turned, region: region.clone() }));
+        self.last.replace(Some(Kept { done: count, turned: turned.clone(), region: region.clone() }));
         if count < motions.len() && count < self.done && share > 0.0 {
             let motion = motions.get(count);
-            region.cut(&cut_so_far(&motion, share, turned, resolved.tool(&motion)));
+            region.cut(&cut_so_far(&motion, share, &turned, resolved.tool(&motion)));
         }
         region
     }
@@ -182,27 +203,67 @@ impl Part {
 }
 
 /// What a motion takes off, as outlines that may overlap.
-pub fn cut(motion: &Motion, turned: Turned, tool: &ResolvedTool) -> Vec<Vec<Point>> {
+pub fn cut(motion: &Motion, turned: &Turned, tool: &ResolvedTool) -> Vec<Vec<Point>> {
     cut_so_far(motion, 1.0, turned, tool)
 }
 
 /// What the fraction `share` of a motion takes off.
-fn cut_so_far(motion: &Motion, share: f64, turned: Turned, tool: &ResolvedTool) -> Vec<Vec<Point>> {
-    // Where the tool went is not known.
-    if motion.process.uncertain
-        || motion.process.elsewhere
-        || !motion.kind.cuts()
-        || motion.rotary.is_some()
-        || tool.shape.action == Action::Live
-    {
-        return Vec::new();
+fn cut_so_far(motion: &Motion, share: f64, turned: &Turned, tool: &ResolvedTool) -> Vec<Vec<Point>> {
+    let mut outlines: Vec<_> = left_by_thread(motion, turned).into_iter().collect();
+    if takes_off(motion, tool) && motion.kind.cuts() {
+        outlines.extend(cut_by(motion, share, turned.past, tool));
     }
+    outlines
+}
+
+/// Whether what a motion takes off shows in the section: it is known where its tool went, and the work turned.
+fn takes_off(motion: &Motion, tool: &ResolvedTool) -> bool {
+    !motion.process.uncertain && !motion.process.elsewhere && !tool.is_live_in(motion)
+}
+
+/// What a thread leaves at its end, if `motion` is the first that is no thread.
+fn left_by_thread(motion: &Motion, turned: &Turned) -> Option<Vec<Point>> {
+    (motion.kind != MotionKind::Thread && !turned.groove.is_empty()).then(|| turned.groove.clone())
+}
+
+/// The groove of an insert that stands at the end of a thread for one turn.
+fn groove(thread: &Motion, tool: &ResolvedTool) -> Vec<Point> {
+    let outline = tool.takes.at(thread.to);
+    let is_along_z = (thread.to.z - thread.from.z).abs() >= (thread.to.x - thread.from.x).abs();
+    match thread.lead.filter(|_| is_along_z) {
+        Some(lead) => {
+            let (z, half) = (thread.to.z, lead.abs() / 2.0);
+            beyond(&beyond(&outline, z - half, 1.0), z + half, -1.0)
+        }
+        None => outline,
+    }
+}
+
+/// The part of an outline beyond a place along Z, on the side of +Z or of -Z.
+fn beyond(outline: &[Point], z: f64, side: f64) -> Vec<Point> {
+    let ahead = |point: &Point| side * (point.z - z);
+    let mut part = Vec::with_capacity(outline.len() + 2);
+    for (at, &point) in outline.iter().enumerate() {
+        let next = outline[(at + 1) % outline.len()];
+        let (own, other) = (ahead(&point), ahead(&next));
+        if own >= 0.0 {
+            part.push(point);
+        }
+        if own * other < 0.0 {
+            part.push(between(point, next, own / (own - other)));
+        }
+    }
+    part
+}
+
+/// What the fraction `share` of a motion that cuts takes off; the spindle is so far past a whole turn of a thread.
+fn cut_by(motion: &Motion, share: f64, past: f64, tool: &ResolvedTool) -> Vec<Vec<Point>> {
     let share = within(share, 0.0, 1.0);
     let edge = &tool.takes;
     let threads = tool.shape.action == Action::Threading && motion.kind == MotionKind::Thread;
     if let Some(turns) = turns(motion).filter(|&turns| threads && turns <= MOST_TURNS) {
-        let (first, last) = ((turned.0 - SAME).ceil(), (turned.0 + share * turns + SAME).floor());
-        let places = (first as u32..=last as u32).map(|turn| (f64::from(turn) - turned.0) / turns.max(SAME));
+        let (first, last) = ((past - SAME).ceil(), (past + share * turns + SAME).floor());
+        let places = (first as u32..=last as u32).map(|turn| (f64::from(turn) - past) / turns.max(SAME));
         return places
             .map(|place| edge.at(between(motion.from, motion.to, within(place, 0.0, 1.0))))
             .collect();

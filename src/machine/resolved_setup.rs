@@ -4,12 +4,15 @@
 //! In: the setup and the motions. Out: a shape for each motion. Says of everything
 //! whether it is given or inferred.
 
+use std::collections::BTreeSet;
+
 use super::inferred::InferredSetup;
 use super::sweep::Outline;
 use super::thread_point::{for_pitch, leads};
-use super::tool::{Shape, over_edge};
+use super::tool::{Action, DRILL, Shape, over_edge};
 use super::tool_use::Purpose;
-use crate::motion::{Motion, Motions};
+use crate::geometry::SAME;
+use crate::motion::{CycleFamily, Motion, Motions};
 use crate::setup::{Setup, Stock, Tool, ToolKind};
 
 /// What a tool or a blank is based on.
@@ -73,7 +76,15 @@ impl ResolvedSetup {
             (station, purpose, ResolvedTool::inferred(station, for_pitch(station, tool)))
         });
         let stock = setup.stock.map(|stock| (stock, Basis::Given));
-        let given: Vec<_> = given.collect();
+        let mut given: Vec<_> = given.collect();
+        if given.iter().any(|(.., tool)| tool.is_drill()) {
+            let stations = live_drills(motions);
+            for (station, _, tool) in &mut given {
+                if tool.is_drill() && stations.contains(station) {
+                    tool.shape.action = Action::Live;
+                }
+            }
+        }
         let mut unknown = inferred.unknown.clone();
         unknown.retain(|&index| given.iter().all(|own| own.0 != motions.get(index).process.tool.0));
         Self {
@@ -124,7 +135,44 @@ impl ResolvedSetup {
     }
 }
 
+/// The stations of drills and taps that turn themselves: those that drill the side of the work, and those between whose
+/// moves C turns, unless they drill on the axis, too.
+fn live_drills(motions: &Motions) -> BTreeSet<u16> {
+    let (mut live, mut on_axis) = (BTreeSet::new(), BTreeSet::new());
+    for motion in motions.iter() {
+        let side = motion.cycle.is_some_and(|step| step.cycle.family() == CycleFamily::SideHole);
+        let station = motion.process.tool.0;
+        if motion.rotary.is_some() || side {
+            live.insert(station);
+        } else if motion.kind.cuts() && Purpose::of(&motion) == Purpose::Hole {
+            on_axis.insert(station);
+        }
+    }
+    &live - &on_axis
+}
+
 impl ResolvedTool {
+    /// Whether the tool turns itself in a motion, which then takes nothing off all around the axis: a live cutter,
+    /// any tool while C turns and in a hole of the side, and a drill or tap in a hole cycle beside the axis.
+    pub fn is_live_in(&self, motion: &Motion) -> bool {
+        let family = motion.cycle.map(|step| step.cycle.family());
+        let reach = self.tool.diameter.unwrap_or(DRILL).radius();
+        let beside_axis = motion.from.x.min(motion.to.x) >= reach - SAME;
+        self.shape.action == Action::Live
+            || motion.rotary.is_some()
+            || family == Some(CycleFamily::SideHole)
+            || self.is_drill() && beside_axis && family == Some(CycleFamily::FaceHole)
+    }
+
+    /// Whether it is a drill or tap that turns itself in all its motions.
+    pub fn is_live_drill(&self) -> bool {
+        self.is_drill() && self.shape.action == Action::Live
+    }
+
+    fn is_drill(&self) -> bool {
+        matches!(self.tool.kind, Some(ToolKind::Drill | ToolKind::Tap))
+    }
+
     fn given(station: u16, tool: Tool) -> Self {
         let shape = Shape::of(&tool);
         Self { station, takes: shape.edge.clone(), shape, tool, basis: Basis::Given }

@@ -48,6 +48,7 @@ impl Purpose {
         match motion.cycle.map(|step| step.cycle.family()) {
             _ if motion.rotary.is_some() => Self::Live,
             Some(CycleFamily::SideHole) => Self::Live,
+            Some(CycleFamily::FaceHole) if !on_axis => Self::Live,
             Some(CycleFamily::Turning) => Self::Turning,
             Some(CycleFamily::Threading) if of_motion != Self::Hole => Self::Threading,
             Some(CycleFamily::Pecking) if of_motion == Self::Turning => Self::Grooving,

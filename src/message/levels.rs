@@ -10,6 +10,7 @@ use serde::de::{Deserialize, Deserializer, Error, MapAccess, Visitor};
 use super::diagnostic::Diagnostic;
 use super::rule::{Group, Severity};
 use super::variants::RULES;
+use crate::parts::{Part, in_part};
 
 /// The levels that are asked for, by the name of a rule or a group.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -48,7 +49,7 @@ impl Levels {
     /// A message as it is to be reported; nothing where its rule is off.
     pub fn graded(&self, mut diagnostic: Diagnostic) -> Option<Diagnostic> {
         if !self.0.is_empty()
-            && let Some(level) = self.of(diagnostic.message.slug())
+            && let Some(level) = level_of(self, &diagnostic)
         {
             diagnostic.severity = level;
         }
@@ -84,6 +85,23 @@ impl Levels {
     }
 }
 
+in_part! {
+    Setup "020c"
+    fn level_by_setup(levels: &Levels, told: &Diagnostic) -> Option<Severity> {
+        levels.of(told.message.slug())
+    }
+
+    Machine "020d"
+    fn level_at_machine(levels: &Levels, told: &Diagnostic) -> Option<Severity> {
+        levels.of(told.message.slug())
+    }
+}
+
+/// The level that is asked for. Who asks is a setup, so the part that reads it is there, or the one that needs it last.
+fn level_of(levels: &Levels, told: &Diagnostic) -> Option<Severity> {
+    if Part::Setup.is_loaded() { level_by_setup(levels, told) } else { level_at_machine(levels, told) }
+}
+
 /// Names that can be set: rules and groups.
 fn names() -> impl Iterator<Item = &'static str> {
     RULES.iter().map(|rule| rule.slug).chain(Group::ALL.map(Group::name))
@@ -96,13 +114,18 @@ pub fn known(name: &str) -> Option<&'static str> {
 
 /// The rule or group whose name is most like this one; nothing where none is much like it.
 pub fn nearest(name: &str) -> Option<&'static str> {
+    nearest_of(name, names())
+}
+
+/// The one of some names that is most like this one; nothing where none is much like it.
+pub fn nearest_of<'a>(name: &str, names: impl Iterator<Item = &'a str>) -> Option<&'a str> {
     let name = name.to_ascii_lowercase();
-    // Nobody misspells a slug by more than this, and the work stays small.
+    // Nobody misspells a name by more than this, and the work stays small.
     const LONGEST: usize = 60;
     if name.len() > LONGEST {
         return None;
     }
-    let near = names().map(|known| (distance(name.as_bytes(), known.as_bytes()), known)).min()?;
+    let near = names.map(|known| (distance(name.as_bytes(), known.as_bytes()), known)).min()?;
     (near.0 <= name.len().div_ceil(2)).then_some(near.1)
 }
 

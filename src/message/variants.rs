@@ -95,9 +95,14 @@ impl Message {
         }
     }
 
+    /// The place of its rule in `RULES`.
+    pub fn rule_index(&self) -> u16 {
+        RULE_OF[self.index()]
+    }
+
     /// The rule it belongs to.
     pub fn rule(&self) -> &'static Rule {
-        &RULES[usize::from(RULE_OF[self.index()])]
+        &RULES[usize::from(self.rule_index())]
     }
 
     /// Stable code: an identifier of this project, or the number of the alarm.
@@ -116,7 +121,7 @@ impl Message {
 
     /// How severe it usually is.
     pub fn severity(&self) -> Severity {
-        self.rule().severity
+        SEVERITIES[usize::from(self.rule_index())]
     }
 
     /// The alarm a real control raises.

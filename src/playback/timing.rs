@@ -5,6 +5,7 @@
 
 use std::f64::consts::PI;
 
+use crate::geometry::virtual_plane::VirtualMove;
 use crate::geometry::{Point, SAME, within};
 use crate::motion::{Feed, Motion, MotionKind, Process, SpindleSpeed, SpindleTurn};
 use crate::setup::Machine;
@@ -79,7 +80,11 @@ fn rapid(motion: &Motion, machine: &Machine) -> Option<f64> {
         length if length <= SAME => Some(0.0),
         length => Some(60.0 * length / rate?),
     };
-    if motion.rotary.is_some_and(|rotary| rotary.from != rotary.to) {
+    // Nobody has said at which rate C turns and Y goes.
+    let moves_y = |own: VirtualMove| own.y_at(0.0) != own.y_at(1.0);
+    if motion.rotary.is_some_and(|rotary| rotary.from != rotary.to)
+        || motion.virtual_move().is_some_and(moves_y)
+    {
         return None;
     }
     let x = axis(motion.to.x - motion.from.x, machine.rapid_x)?;

@@ -4,6 +4,7 @@ use std::collections::BTreeMap;
 use std::fmt::{Display, Write};
 
 use crate::format::message::{Argument, Message, Type};
+use crate::format::page::Text;
 use crate::format::{LANGUAGES, RuleFile};
 
 /// Variants that two messages share, each with its place.
@@ -28,6 +29,7 @@ pub fn files(rules: &[RuleFile]) -> Vec<(String, String)> {
         ("message.rs".to_owned(), message(rules)),
         ("sentences.rs".to_owned(), sentences(rules)),
         ("example_messages.rs".to_owned(), example_messages(rules)),
+        ("pages.rs".to_owned(), pages(rules)),
     ];
     for (index, tag) in LANGUAGES.iter().enumerate() {
         files.push((format!("messages.{tag}.json"), json(rules, index)));
@@ -109,8 +111,16 @@ fn tables(out: &mut String, rules: &[RuleFile]) {
             ),
         );
     }
+    put(
+        out,
+        "];\n\n/// How severe the messages of each rule usually are, apart from `RULES`: the first picture needs no more.",
+    );
+    put(out, format_args!("static SEVERITIES: [Severity; {}] = [", rules.len()));
+    for rule in rules {
+        put(out, format_args!("    Severity::{},", rule.severity));
+    }
     put(out, "];\n\n/// The place of the rule of each message in `RULES`.");
-    put(out, format_args!("static RULE_OF: [u8; {count}] = ["));
+    put(out, format_args!("static RULE_OF: [u16; {count}] = ["));
     for (index, rule) in rules.iter().enumerate() {
         put(out, format_args!("    {}", format!("{index}, ").repeat(rule.messages.len())));
     }
@@ -249,6 +259,29 @@ fn value(kind: Type, name: &str) -> String {
         Type::Length => format!("Value::Length({name})"),
         Type::Diameter => format!("Value::Length({name}.mm())"),
     }
+}
+
+/// The page of each rule, for the command line.
+fn pages(rules: &[RuleFile]) -> String {
+    let mut out = String::new();
+    put(&mut out, "/// The pages of all rules, by slug.");
+    put(&mut out, format_args!("static PAGES: [Page; {}] = [", rules.len()));
+    for RuleFile { slug, page, .. } in rules {
+        let text = |text: &Text| {
+            let [title, what, why, repair] = [&text.title, &text.what, &text.why, &text.repair].map(quote);
+            format!("Text {{ title: {title}, what: {what}, why: {why}, repair: {repair} }}")
+        };
+        let texts = page.texts.iter().map(text).collect::<Vec<_>>().join(", ");
+        let [slug, setup, wrong, right] = [slug, &page.setup, &page.wrong, &page.right].map(quote);
+        put(
+            &mut out,
+            format_args!(
+                "    Page {{ slug: {slug}, setup: {setup}, wrong: {wrong}, right: {right}, texts: [{texts}] }},"
+            ),
+        );
+    }
+    put(&mut out, "];");
+    out
 }
 
 /// A literal of Rust.

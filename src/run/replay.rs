@@ -11,7 +11,7 @@ use super::{Checkpoint, Run, RunId};
 use crate::control::contour::Purpose;
 use crate::control::interpreter::Interpreter;
 use crate::control::modal::State;
-use crate::control::origins::Origins;
+use crate::control::origins::{Chronicle, Origins};
 use crate::control::program::Labels;
 use crate::text::block::Block;
 use crate::text::parser::{Parser, Resume};
@@ -102,12 +102,15 @@ impl Run {
         let (place, _) = block_at(&self.text, line, byte);
         let before = self.checkpoints.partition_point(|checkpoint| checkpoint.byte() <= place.start.byte);
         let checkpoint = before.checked_sub(1).map(|last| &self.checkpoints[last]);
+        let checkpoint = checkpoint.filter(|checkpoint| checkpoint.snapshot.is_chronicled());
         let motions_before = checkpoint.map_or(0, |checkpoint| {
             let chunks = checkpoint.snapshot.chunks();
             self.motions().before().get(chunks).copied().unwrap_or(self.motions().len())
         });
         let mut run = self.once_more(checkpoint);
-        run.interpreter.watch_contours(place.start.byte);
+        if let Some(chronicle) = run.interpreter.chronicle_mut() {
+            chronicle.watch(place.start.byte);
+        }
         let is_done = !self.finished || self.recognised.foreign.is_some() || run.finished;
         Replay {
             of: self.id,
@@ -140,7 +143,11 @@ impl Run {
     fn once_more(&self, checkpoint: Option<&Checkpoint>) -> Self {
         let interpreter = match checkpoint {
             Some(checkpoint) => self.interpreter.resumed(&checkpoint.snapshot),
-            None => self.interpreter.anew(),
+            None => {
+                let mut interpreter = self.interpreter.anew();
+                interpreter.begin_chronicle();
+                interpreter
+            }
         };
         let at = checkpoint.map_or_else(Resume::default, |checkpoint| checkpoint.snapshot.at());
         let programs = self.programs.iter().filter(|(_, start)| **start < at.byte);
@@ -216,8 +223,8 @@ impl Replay {
             }
             let first = self.kept();
             self.run.advance(1);
-            let readings = self.run.interpreter.take_readings();
-            for reading in readings {
+            let chronicle = self.run.interpreter.chronicle_mut();
+            for reading in chronicle.map(Chronicle::take_readings).unwrap_or_default() {
                 let moment = |(state, origins)| Moment { state, origins };
                 let (before, after) = (moment(reading.before), moment(reading.after));
                 self.see(Some(reading.purpose), before, after, first..self.kept(), None);
@@ -253,7 +260,11 @@ impl Replay {
 
     fn moment(&self) -> Moment {
         let Interpreter { state, .. } = &self.run.interpreter;
-        Moment { state: state.clone(), origins: self.run.interpreter.origins().clone() }
+        let origins = match self.run.interpreter.chronicler() {
+            Some(chronicler) => chronicler.chronicle().origins.clone(),
+            None => Origins::new(state),
+        };
+        Moment { state: state.clone(), origins }
     }
 
     /// The block is carried out once more, or read.

@@ -148,7 +148,7 @@ impl Painter {
         self.sheet.clip(view)?;
         self.strokes.copy_to(&self.sheet, scene, view)?;
         self.sheet.unclip();
-        sheet::rulers(&self.sheet, scene.plane(), view)
+        sheet::rulers(&self.sheet, scene.axes(), view)
     }
 
     /// Copies the sheet to the screen, and draws what is picked out over it.

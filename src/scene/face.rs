@@ -1,42 +1,26 @@
-//! The end face: what polar interpolation (G12.1) makes of it, in a picture of its own.
+//! The end face: what polar interpolation (G12.1), the Y axis and live drills make of it, in a picture of its own.
 //!
-//! In: the motions of a run and the simulation. Out: [`Face`], whose [`Scene`] is drawn, picked in and
-//! exported as the section is: the moves of the virtual plane, as a list of motions of their own, and the
-//! area that live cutters sweep. Points have C in `x` (upwards) and X in `z` (to the right), mm, seen from
+//! In: the motions of a run and the simulation. Out: [`Face`]: the moves of the virtual plane, those along Y and the holes beside
+//! the axis, as [`SurfaceMoves`], and the area that live tools sweep. Points have C or Y in `x` (upwards) and X in `z` (to the right), mm, seen from
 //! the tailstock. Must not know of canvases.
 
-use std::f64::consts::TAU;
-
-use super::path_index::PathIndex;
-use super::work::{ToolOutline, Work};
-use super::{Place, Plane, Scene, StrokeShape};
+use super::ruler::Axis;
+use super::surface_moves::{Gathered, Origin, Passed, SurfaceMoves, circle, cutter_radius, on_way, passed};
+use super::work::Work;
+use super::{Place, Plane, StrokeShape};
 use crate::geometry::bounds::{Bounds, join};
-use crate::geometry::virtual_plane::{Surface, VirtualMove, Way};
-use crate::geometry::{Point, Turn, within};
+use crate::geometry::virtual_plane::{Flat, Surface, VirtualMove, Way};
+use crate::geometry::{Point, SAME, within};
 use crate::machine::SimulationResult;
 use crate::machine::region::Region;
 use crate::machine::resolved_setup::ResolvedTool;
-use crate::machine::sweep::{self, way_of};
-use crate::motion::{Chunk, Motion, MotionKind, Motions};
-use crate::playback::clock::Playhead;
+use crate::motion::{CycleFamily, Motion, MotionKind, Motions};
 use crate::setup::Stock;
-
-/// Most moves whose swept area is worked out; of more only the paths are drawn.
-const MOST_SWEPT: usize = 2000;
-
-/// Corners that a circle is drawn with.
-const CORNERS: u32 = 256;
 
 /// The end face and what moves over it.
 #[derive(Clone, Debug)]
 pub struct Face {
-    /// The moves, in the plane of the face.
-    motions: Motions,
-    path_index: PathIndex,
-    /// For each of them the motion of the run it is.
-    of: Vec<usize>,
-    /// For each of them what its cutter sweeps, where its radius is known and it cuts.
-    cutters: Vec<Option<f64>>,
+    moves: SurfaceMoves,
     /// For each of them the box in the section that its cutter reaches, where it cuts.
     reached: Vec<Option<Bounds>>,
 }
@@ -46,62 +30,42 @@ impl Face {
     pub fn of(motions: &Motions, simulation: &SimulationResult) -> Option<Self> {
         let stock = simulation.resolved_setup().stock().map(|(stock, _)| stock);
         let face_of_stock = stock.map_or(f64::INFINITY, |stock| stock.face);
-        let (mut of, mut cutters, mut reached) = (Vec::new(), Vec::new(), Vec::new());
-        let mut own: Option<Chunk> = None;
-        let mut index = 0;
-        for chunk in motions.chunks() {
-            for at in 0..chunk.len() {
-                let motion = chunk.get(at);
-                let place = index;
-                index += 1;
-                let Some(moved) = motion.virtual_move().filter(|moved| moved.surface == Surface::Face) else {
-                    continue;
-                };
-                let flat = in_plane(&motion, &moved);
-                own.get_or_insert_with(|| Chunk::new(0, 0, flat.from)).push(
-                    &flat,
-                    chunk.span(at),
-                    chunk.line(at),
-                );
-                of.push(place);
-                let cuts = moved.third.0.min(moved.third.1) < face_of_stock;
-                let cutter = cutter_radius(simulation.resolved_setup().tool(&motion)).filter(|_| cuts);
-                cutters.push(cutter);
-                reached.push(cutter.zip(stock).map(|(radius, stock)| reach(&moved, radius, &stock)));
+        let (mut moves, mut reached) = (Gathered::default(), Vec::new());
+        // What is up: C, or Y where nothing moves in the plane of X and C.
+        let mut up = Axis::Y;
+        let drills = simulation.resolved_setup().tools().any(ResolvedTool::is_live_drill);
+        for Passed { index, motion, block, c } in passed(motions) {
+            let milled = motion.virtual_move().and_then(|moved| moved.over_face());
+            if milled.is_none() && motion.cycle.is_none() && !drills {
+                continue;
             }
+            let tool = simulation.resolved_setup().tool(&motion);
+            let hole = || hole(&motion, tool, c);
+            let Some((moved, flat)) = milled.map(|moved| (moved, on_way(&motion, &moved.way))).or_else(hole)
+            else {
+                continue;
+            };
+            if !motion.virtual_move().is_some_and(|moved| moved.has_y()) {
+                up = Axis::FaceC;
+            }
+            let cuts = motion.kind.cuts() && moved.third.0.min(moved.third.1) < face_of_stock;
+            let cutter = cutter_radius(tool).filter(|_| cuts && is_seen_from_above(&motion));
+            moves.push(&flat, block, Origin { motion: index, shares: [0.0, 1.0], cutter });
+            // The box around holes that lie all around would be no flat.
+            let cutter = cutter.filter(|_| milled.is_some());
+            reached.push(cutter.zip(stock).map(|(radius, stock)| reach(&moved, radius, &stock)));
         }
-        let mut list = Motions::default();
-        list.push(own?);
-        let path_index = PathIndex::of(&list);
-        Some(Self { motions: list, path_index, of, cutters, reached })
+        Some(Self { moves: moves.finish(Plane::Face, [Axis::FaceX, up])?, reached })
     }
 
-    /// The picture.
-    pub fn scene<'a>(&'a self, work: Option<&'a Work>) -> Scene<'a> {
-        Scene::new(&self.motions, &self.path_index, work).on(Plane::Face)
-    }
-
-    /// The motion of the run that a move of this picture is.
-    pub fn motion(&self, own: usize) -> Option<usize> {
-        self.of.get(own).copied()
-    }
-
-    /// The move of this picture that a motion of the run is.
-    pub fn own(&self, motion: usize) -> Option<usize> {
-        self.of.binary_search(&motion).ok()
-    }
-
-    /// The playhead of this picture, when the tool is at a place of the run: on one of its
-    /// moves, or before the next one.
-    pub fn playhead(&self, place: Place) -> Playhead {
-        let motion = self.of.partition_point(|&motion| motion < place.motion);
-        let share = self.own(place.motion).map_or(0.0, |_| place.fraction);
-        Playhead { motion, share }
+    /// Its moves.
+    pub fn moves(&self) -> &SurfaceMoves {
+        &self.moves
     }
 
     /// The box in the section that cutters reach in the motions of the run before `until`; nothing where they cut nothing.
     pub fn milled(&self, until: usize) -> Option<Bounds> {
-        let count = self.of.partition_point(|&motion| motion < until);
+        let count = self.moves.before(until);
         self.reached[..count].iter().fold(None, |all, own| join(all, *own))
     }
 
@@ -113,67 +77,33 @@ impl Face {
         if stock.bore.mm() > 0.0 {
             blank.cut(&[circle(stock.bore.radius())]);
         }
-        let until = place.map_or(self.of.len(), |at| self.of.partition_point(|&motion| motion < at.motion));
         let mut left = blank.clone();
-        left.cut(&self.swept(until, place));
-        let own = place.and_then(|at| Some((at, self.own(at.motion)?)));
-        let tool = own.and_then(|(at, own)| {
-            let tip = self.scene(None).stroke(own)?.shape.at(at.fraction);
-            let radius = self.cutters[own]?;
-            let edge = sweep::Outline::around(circle(radius)).at(tip);
-            Some(ToolOutline { edge, body: None, tip })
-        });
+        left.cut(&self.moves.swept(place));
+        let tool = place.and_then(|place| self.moves.tool(place));
         Some(Work::on_face(&blank, &left, basis, tool, stock.diameter.radius()))
     }
-
-    /// What the cutters sweep in the moves before `until`, and in a part of the next one.
-    fn swept(&self, until: usize, place: Option<Place>) -> Vec<Vec<Point>> {
-        if self.of.len() > MOST_SWEPT {
-            return Vec::new();
-        }
-        let mut swept = Vec::new();
-        let mut cutter: Option<(f64, sweep::Outline)> = None;
-        for index in 0..self.of.len().min(until + 1) {
-            let Some(radius) = self.cutters[index] else { continue };
-            let mut motion = self.motions.get(index);
-            if index == until {
-                let Some(at) = place.filter(|at| self.of[index] == at.motion && at.fraction > 0.0) else {
-                    continue;
-                };
-                motion = motion.first_part(at.fraction);
-            }
-            let outline = match cutter.take() {
-                Some((own, outline)) if own == radius => outline,
-                _ => sweep::Outline::around(circle(radius)),
-            };
-            swept.extend(outline.along(&way_of(&motion)));
-            cutter = Some((radius, outline));
-        }
-        swept
-    }
 }
 
-/// A motion as it runs in the plane of the face.
-fn in_plane(motion: &Motion, moved: &VirtualMove) -> Motion {
-    let (kind, from, to, center) = match moved.way {
-        Way::Line(from, to) => (MotionKind::Feed, from, to, None),
-        Way::Arc(arc) => {
-            let kind = match arc.turn {
-                Turn::Clockwise => MotionKind::ArcClockwise,
-                Turn::Counterclockwise => MotionKind::ArcCounterclockwise,
-            };
-            (kind, arc.start, arc.end, Some(arc.center))
-        }
+/// Whether the cutter of a motion looks at the end face: under G19 it looks at the side.
+fn is_seen_from_above(motion: &Motion) -> bool {
+    motion.virtual_move().is_none_or(|moved| matches!(moved.surface, Surface::Face | Surface::Flat(Flat::Xy)))
+}
+
+/// A cut into a hole beside the axis with C at `c` degrees: as a move of the plane, and as it is drawn there, a dot.
+fn hole(motion: &Motion, tool: &ResolvedTool, c: f64) -> Option<(VirtualMove, Motion)> {
+    let is_hole = match motion.cycle {
+        Some(step) => step.cycle.family() == CycleFamily::FaceHole,
+        // Without a cycle: straight in.
+        None => tool.is_live_drill() && motion.from.x == motion.to.x && motion.to.z < motion.from.z,
     };
-    let kind = if motion.kind == MotionKind::Dwell { MotionKind::Dwell } else { kind };
-    Motion { kind, from, to, center, rotary: None, lead: None, cycle: None, ..*motion }
-}
-
-/// The radius of a live cutter, mm, where somebody has said it.
-fn cutter_radius(resolved_tool: &ResolvedTool) -> Option<f64> {
-    let tool = &resolved_tool.tool;
-    let radius = tool.cutter_radius().or(tool.geometry_r)?;
-    (radius > 0.0 && radius.is_finite()).then_some(radius)
+    if !is_hole || !motion.kind.cuts() || motion.to.x <= SAME || !tool.is_live_in(motion) {
+        return None;
+    }
+    let angle = c.to_radians();
+    let at = Point::new(motion.to.x * angle.sin(), motion.to.x * angle.cos());
+    let moved =
+        VirtualMove { surface: Surface::Face, way: Way::Line(at, at), third: (motion.from.z, motion.to.z) };
+    Some((moved, Motion { kind: MotionKind::Dwell, ..on_way(motion, &moved.way) }))
 }
 
 /// Where a cutter reaches in a move, as radius and Z, within the stock.
@@ -185,19 +115,11 @@ fn reach(moved: &VirtualMove, radius: f64, stock: &Stock) -> Bounds {
     Bounds { min: Point::new(low, back), max: Point::new(high, stock.face) }
 }
 
-/// A circle about the origin as a polygon, counter-clockwise.
-fn circle(radius: f64) -> Vec<Point> {
-    let corner = |index: u32| {
-        let angle = TAU * f64::from(index) / f64::from(CORNERS);
-        Point::new(radius * angle.sin(), radius * angle.cos())
-    };
-    (0..CORNERS).map(corner).collect()
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::analyze;
+    use crate::playback::clock::Playhead;
     use crate::setup::Setup;
 
     const SETUP: &str = r#"{"stock": {"diameter": 80, "length": 60},
@@ -223,34 +145,67 @@ mod tests {
             }
         }
         assert!((middle.area() - 2500.0).abs() < 1e-3, "{}", middle.area());
-        let lines: Vec<u32> = face.scene(None).strokes().map(|stroke| stroke.line + 1).collect();
+        let lines: Vec<u32> = face.moves().scene(None).strokes().map(|stroke| stroke.line + 1).collect();
         assert_eq!(lines, [6, 7, 8, 9, 10, 11, 12]);
         // The programmed path is the square, the cutter's centre goes 10 mm outside of it.
         let bounds = |shapes: &mut dyn Iterator<Item = super::super::StrokeShape>| {
             shapes.map(|shape| shape.bounds()).reduce(|a, b| a.union(b)).expect("shapes")
         };
-        let programmed = bounds(&mut face.scene(None).programmed());
+        let programmed = bounds(&mut face.moves().scene(None).programmed());
         assert!((programmed.min.z + 25.0).abs() < 1e-6 && (programmed.max.x - 25.0).abs() < 1e-6);
-        let cut = bounds(&mut face.scene(None).strokes().map(|stroke| stroke.shape));
+        let cut = bounds(&mut face.moves().scene(None).strokes().map(|stroke| stroke.shape));
         assert!((cut.min.z + 35.0).abs() < 1e-6 && (cut.max.x - 35.0).abs() < 1e-6);
     }
 
     #[test]
     fn the_tool_is_where_it_is_in_the_section() {
         let (face, simulation) = face(SQUARE);
-        let third = face.motion(2).expect("a motion");
+        let third = face.moves().motion(2).expect("a motion");
         let place = Place { motion: third, fraction: 0.5, at: Point::default() };
         let tool = face.work(&simulation, Some(place)).and_then(|work| work.tool).expect("a tool");
         assert!(tool.tip.is_same(Point::new(35.0, 0.0)), "{:?}", tool.tip);
-        assert_eq!(face.playhead(place), Playhead { motion: 2, share: 0.5 });
+        assert_eq!(face.moves().playhead(place), Playhead { motion: 2, share: 0.5 });
         let before = Place { motion: 0, fraction: 0.3, at: Point::default() };
-        assert_eq!(face.playhead(before), Playhead::START);
+        assert_eq!(face.moves().playhead(before), Playhead::START);
         let work = face.work(&simulation, Some(before)).expect("a blank");
         assert!(work.tool.is_none() && work.part == work.blank);
     }
 
+    /// Four holes of ⌀6 on ⌀40, a quarter of a turn apart, C0 to the right.
     #[test]
-    fn only_polar_moves_are_on_the_face() {
+    fn holes_beside_the_axis_are_on_the_face() {
+        let setup = r#"{"stock": {"diameter": 80, "length": 60}, "tools": {"T0202": {"type": "drill", "diameter": 6}}}"#;
+        let setup = Setup::from_json(setup).expect("a setup");
+        let program = "M45\nT0202\nG97 S1000 M13\nG00 X40 Z5 C0\nG98 G83 X40 C0 Z-12 R-3 F100\nC90\nC180\nC270\nG80\nG00 X100";
+        let analysis = analyze(program.as_bytes(), &setup);
+        let simulation = SimulationResult::of(&analysis.motions, &setup);
+        let face = Face::of(&analysis.motions, &simulation).expect("a face");
+        let ends: Vec<Point> = face.moves().scene(None).strokes().map(|stroke| stroke.shape.end()).collect();
+        let expected = [(0.0, 20.0), (20.0, 0.0), (0.0, -20.0), (-20.0, 0.0)];
+        assert_eq!(ends.len(), 4, "{ends:?}");
+        assert!(ends.iter().zip(expected).all(|(at, (c, x))| at.is_same(Point::new(c, x))), "{ends:?}");
+        let work = face.work(&simulation, None).expect("a blank");
+        let area = |outlines: &[Vec<Point>]| {
+            outlines.iter().map(|outline| Region::inside(outline).area()).sum::<f64>()
+        };
+        // The outside, and four holes in it, each a polygon of 256 corners.
+        assert_eq!(work.part.len(), 5);
+        let holes = area(&work.part) - area(&work.blank);
+        assert!((holes - 4.0 * std::f64::consts::PI * 9.0).abs() < 0.1, "{holes}");
+        assert!(face.milled(usize::MAX).is_none());
+        // The same holes without a cycle.
+        let program = "M45\nT0202\nG97 S1000 M13\nG00 X40 Z5 C0\nG98 G01 Z-12 F100\nG00 Z5\nC90\nG01 Z-12\nG00 Z5\nX100";
+        let analysis = analyze(program.as_bytes(), &setup);
+        let simulation = SimulationResult::of(&analysis.motions, &setup);
+        let face = Face::of(&analysis.motions, &simulation).expect("a face");
+        let ends: Vec<Point> = face.moves().scene(None).strokes().map(|stroke| stroke.shape.end()).collect();
+        assert!(ends.len() == 2 && ends[1].is_same(Point::new(20.0, 0.0)), "{ends:?}");
+        assert!(simulation.findings().is_empty());
+        assert_eq!(simulation.finished().expect("a blank").radii(-5.0), [(0.0, 40.0)]);
+    }
+
+    #[test]
+    fn what_is_turned_is_not_on_the_face() {
         let setup = Setup::from_json(SETUP).expect("a setup");
         let analysis = analyze(b"T0101\nG00 X62 Z2\nG98 G01 Z-20 F100", &setup);
         assert!(Face::of(&analysis.motions, &SimulationResult::of(&analysis.motions, &setup)).is_none());

@@ -17,8 +17,11 @@ pub mod path_index;
 pub mod pick;
 pub mod plot;
 pub mod ruler;
+mod seam;
+pub mod side;
 pub mod source;
 pub mod steps;
+pub mod surface_moves;
 pub mod svg;
 pub mod view;
 pub mod work;
@@ -32,6 +35,7 @@ use crate::playback::clock::Playhead;
 use crate::source::Span;
 
 use crate::geometry::bounds::{Bounds, join};
+use camera::XPlus;
 use path_index::{PathIndex, Stretch};
 use ruler::Axis;
 use view::Frame;
@@ -251,17 +255,26 @@ pub enum Plane {
     /// The section along the spindle axis: Z to the right, X up, the work on both sides of the axis.
     #[default]
     Section,
-    /// The end face seen from the tailstock: X to the right, C up. Points have C in `x` and X in `z`, as
+    /// The end face seen from the tailstock: X to the right, C or Y up. Points have C or Y in `x` and X in `z`, as
     /// [`virtual_plane`](crate::geometry::virtual_plane) has them.
     Face,
+    /// The side seen from outside, mostly unrolled: Z to the right, C or Y down. Points have the way around the work in `x`.
+    Side,
 }
 
 impl Plane {
+    /// All of them.
+    pub const ALL: [Self; 3] = [Self::Section, Self::Face, Self::Side];
+
+    /// Those of a surface of the work, beside the section.
+    pub const SURFACES: [Self; 2] = [Self::Face, Self::Side];
+
     /// The axes along the bottom and the left edge.
-    pub fn axes(self) -> [Axis; 2] {
+    fn axes(self) -> [Axis; 2] {
         match self {
             Self::Section => [Axis::Z, Axis::X],
             Self::Face => [Axis::FaceX, Axis::FaceC],
+            Self::Side => [Axis::Z, Axis::Y],
         }
     }
 
@@ -269,7 +282,16 @@ impl Plane {
     pub fn sides(self) -> &'static [f64] {
         match self {
             Self::Section => &[1.0, -1.0],
-            Self::Face => &[1.0],
+            Self::Face | Self::Side => &[1.0],
+        }
+    }
+
+    /// Which way its upright axis is drawn, where X+ of the section is drawn one way.
+    pub fn x_plus(self, of_section: XPlus) -> XPlus {
+        match self {
+            Self::Section => of_section,
+            Self::Face => XPlus::Up,
+            Self::Side => XPlus::Down,
         }
     }
 }
@@ -281,18 +303,30 @@ pub struct Scene<'a> {
     path_index: &'a PathIndex,
     work: Option<&'a Work>,
     plane: Plane,
+    /// The axes along the bottom and the left edge.
+    axes: [Axis; 2],
 }
 
 impl<'a> Scene<'a> {
     /// The picture of `motions`, of which `path index` was made, and of the work. Motions that the path index
     /// has not seen yet are left out.
     pub fn new(motions: &'a Motions, path_index: &'a PathIndex, work: Option<&'a Work>) -> Self {
-        Self { motions, path_index, work, plane: Plane::Section }
+        Self { motions, path_index, work, plane: Plane::Section, axes: Plane::Section.axes() }
     }
 
     /// The same with the points taken as those of another plane.
     pub fn on(self, plane: Plane) -> Self {
-        Self { plane, ..self }
+        Self { plane, axes: plane.axes(), ..self }
+    }
+
+    /// The same with other axes along the bottom and the left edge.
+    pub fn with_axes(self, axes: [Axis; 2]) -> Self {
+        Self { axes, ..self }
+    }
+
+    /// The axes along the bottom and the left edge.
+    pub fn axes(&self) -> [Axis; 2] {
+        self.axes
     }
 
     /// Which plane it shows.
@@ -398,11 +432,19 @@ impl<'a> Scene<'a> {
             Frame::Usual => self.bounds(),
             Frame::Part => {
                 let core = self.stock().or(self.path_index.cuts());
-                core.map_or_else(|| self.bounds(), with_axis)
+                core.map_or_else(|| self.bounds(), |core| self.with_axis(core))
             }
             Frame::Path => {
                 join(self.path_index.bounds(), Some(self.bounds())).unwrap_or_else(|| self.bounds())
             }
+        }
+    }
+
+    /// The box with the spindle axis in it, where there is one.
+    fn with_axis(&self, bounds: Bounds) -> Bounds {
+        match self.plane {
+            Plane::Section | Plane::Face => bounds.with(Point::new(0.0, bounds.min.z)),
+            Plane::Side => bounds,
         }
     }
 
@@ -413,6 +455,7 @@ impl<'a> Scene<'a> {
             match self.plane {
                 Plane::Section => bounds.with(Point::new(-bounds.max.x, bounds.min.z)),
                 Plane::Face => bounds.with(Point::default()),
+                Plane::Side => bounds,
             }
         })
     }
@@ -424,13 +467,13 @@ impl<'a> Scene<'a> {
         let Some(cuts) = self.path_index.cuts() else {
             let all = join(self.path_index.rapids(), stock)
                 .unwrap_or(Bounds { min: Point::new(0.0, -50.0), max: Point::new(20.0, 10.0) });
-            return with_axis(all);
+            return self.with_axis(all);
         };
         let cuts = match stock {
             Some(stock) => self.cuts_near(stock, cuts),
             None => cuts,
         };
-        let core = with_axis(join(Some(cuts), stock).unwrap_or(cuts));
+        let core = self.with_axis(join(Some(cuts), stock).unwrap_or(cuts));
         let near = core.grown(core.length().max(core.height()) / 2.0);
         let mut bounds = core;
         for stretch in self.path_index.stretches() {
@@ -481,11 +524,6 @@ impl<'a> Scene<'a> {
         let stroke = self.stroke(motion)?;
         Some(Place { motion, fraction: share, at: stroke.shape.at(share) })
     }
-}
-
-/// The box with the spindle axis in it.
-fn with_axis(bounds: Bounds) -> Bounds {
-    bounds.with(Point::new(0.0, bounds.min.z))
 }
 
 #[cfg(test)]

@@ -28,7 +28,8 @@ macro_rules! palette {
 
             /// All colours by their names for JavaScript.
             pub fn by_name(&mut self) -> impl Iterator<Item = (&'static str, &mut Cow<'static, str>)> {
-                [$(($name, &mut self.$field)),+].into_iter()
+                const NAMES: &[&str] = &[$($name),+];
+                NAMES.iter().copied().zip([$(&mut self.$field),+])
             }
         }
     };
@@ -74,6 +75,7 @@ palette! {
 }
 
 impl Default for Palette {
+    #[inline(never)]
     fn default() -> Self {
         Self::light()
     }

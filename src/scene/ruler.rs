@@ -34,7 +34,7 @@ impl Default for Scale {
 }
 
 /// An axis of the picture.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Axis {
     /// Along the bottom edge.
     Z,
@@ -44,6 +44,13 @@ pub enum Axis {
     FaceX,
     /// Along the left edge of the face view: C as a length, as under G12.1.
     FaceC,
+    /// The same where all that moves there moves along Y; and that of the side.
+    Y,
+    /// Along the left edge of the unrolled side: C in degrees.
+    Around {
+        /// By which angles are unrolled, mm.
+        radius: f64,
+    },
 }
 
 impl Axis {
@@ -53,6 +60,8 @@ impl Axis {
             Self::Z => "Z",
             Self::X | Self::FaceX => "X ⌀",
             Self::FaceC => "C",
+            Self::Y => "Y",
+            Self::Around { .. } => return "C °".to_owned(),
         };
         format!("{letter} {unit}")
     }
@@ -66,7 +75,8 @@ impl Axis {
     fn count(self, unit: Unit) -> f64 {
         let across = match self {
             Self::X | Self::FaceX => Diameter::from_radius(1.0).mm(),
-            Self::Z | Self::FaceC => 1.0,
+            Self::Z | Self::FaceC | Self::Y => 1.0,
+            Self::Around { radius } => return radius.recip().to_degrees(),
         };
         across / unit.millimetres()
     }
@@ -75,7 +85,7 @@ impl Axis {
     fn read(self, steps: i64) -> i64 {
         match self {
             Self::X => steps.abs(),
-            Self::Z | Self::FaceX | Self::FaceC => steps,
+            Self::Z | Self::FaceX | Self::FaceC | Self::Y | Self::Around { .. } => steps,
         }
     }
 
@@ -83,7 +93,7 @@ impl Axis {
     fn room(self) -> f64 {
         match self {
             Self::Z | Self::FaceX => 64.0,
-            Self::X | Self::FaceC => 44.0,
+            Self::X | Self::FaceC | Self::Y | Self::Around { .. } => 44.0,
         }
     }
 }
@@ -130,7 +140,10 @@ pub fn ticks(axis: Axis, camera: &Camera, unit: Unit) -> Vec<Tick> {
     let ends = if axis.is_level() { [low.z, high.z] } else { [low.x.min(high.x), low.x.max(high.x)] };
     let [from, to] = ends.map(|end| end * axis.count(unit));
     let pixels = camera.scale() / axis.count(unit);
-    let step = Step::at_least(axis.room() / pixels);
+    let step = match axis {
+        Axis::Around { .. } => Step::of_angle(axis.room() / pixels),
+        Axis::Z | Axis::X | Axis::FaceX | Axis::FaceC | Axis::Y => Step::at_least(axis.room() / pixels),
+    };
     let minor = step.value() / f64::from(step.parts());
     let (first, last) = ((from / minor).ceil(), (to / minor).floor());
     // Never more ticks than pixels, and none where the numbers are past counting.
@@ -138,7 +151,7 @@ pub fn ticks(axis: Axis, camera: &Camera, unit: Unit) -> Vec<Tick> {
     if !(0.0..=size.width.max(size.height)).contains(&count) || first.abs() > 1e12 {
         return Vec::new();
     }
-    (0..=count as i64)
+    (0..count as i64 + 1)
         .map(|offset| {
             let index = first as i64 + offset;
             let away = index as f64 * minor * pixels;
@@ -159,10 +172,10 @@ pub fn ticks(axis: Axis, camera: &Camera, unit: Unit) -> Vec<Tick> {
         .collect()
 }
 
-/// A round distance between labelled ticks: 1, 2 or 5 times a power of ten.
+/// A round distance between labelled ticks: 1, 2 or 5 times a power of ten; of angles also a simple part of a turn.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 struct Step {
-    /// 1, 2 or 5.
+    /// 1, 2 or 5; a number of degrees.
     digit: i64,
     /// The power of ten.
     power: i32,
@@ -179,6 +192,13 @@ impl Step {
         steps.into_iter().find(fits).unwrap_or(Step { digit: 1, power: power + 1 })
     }
 
+    /// The same of degrees.
+    fn of_angle(least: f64) -> Self {
+        let parts = [15, 30, 45, 90, 180, 360].map(|digit| Self { digit, power: 0 });
+        let fits = |step: &Step| least > 10.0 && step.value() >= least * (1.0 - 1e-9);
+        parts.into_iter().find(fits).unwrap_or_else(|| Self::at_least(least))
+    }
+
     fn value(self) -> f64 {
         match self.power {
             power if power < 0 => self.digit as f64 / 10f64.powi(-power),
@@ -189,7 +209,8 @@ impl Step {
     /// Into how many parts short ticks divide it.
     fn parts(self) -> i32 {
         match self.digit {
-            2 => 4,
+            2 | 360 => 4,
+            15 | 30 | 45 | 90 | 180 => 3,
             _ => 5,
         }
     }
@@ -210,6 +231,8 @@ impl Step {
 
 #[cfg(test)]
 mod tests {
+    use std::f64::consts::PI;
+
     use super::*;
     use crate::geometry::Point;
     use crate::geometry::bounds::Bounds;
@@ -269,6 +292,22 @@ mod tests {
         let camera = camera((-40.0, -20.0), (40.0, 20.0), 500.0, 500.0);
         assert!(labels(Axis::FaceX, &camera).contains("\u{2212}50 0 50"), "{}", labels(Axis::FaceX, &camera));
         assert!(labels(Axis::FaceC, &camera).contains("\u{2212}10 0 10"), "{}", labels(Axis::FaceC, &camera));
+    }
+
+    #[test]
+    fn the_side_reads_degrees() {
+        let radius = 30.0;
+        let bounds = Bounds::around(Point::new(-30.0 * PI, -60.0), Point::new(30.0 * PI, 0.0));
+        let axis = Axis::Around { radius };
+        let camera = Camera::fit_with(bounds, Size { width: 300.0, height: 500.0 }, XPlus::Down);
+        assert_eq!(labels(axis, &camera), "\u{2212}180 \u{2212}135 \u{2212}90 \u{2212}45 0 45 90 135 180");
+        let tick =
+            ticks(axis, &camera, Unit::Inch).into_iter().find(|tick| tick.label.as_deref() == Some("90"));
+        let quarter = camera.to_screen(Point::new(radius * PI / 2.0, 0.0)).y;
+        assert!((tick.expect("90").pixel - quarter).abs() < 1e-9 && quarter > 230.0);
+        let mut near = camera;
+        near.zoom(40.0, near.to_screen(Point::default()));
+        assert!(labels(axis, &near).contains("\u{2212}1 0 1"), "{}", labels(axis, &near));
     }
 
     #[test]

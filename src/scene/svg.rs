@@ -25,9 +25,11 @@ use super::{Plane, Scene, Stroke, StrokeShape, StrokeStyle};
 mod apart;
 mod caption;
 mod compared;
+mod overlay;
 
 use apart::Apart;
 pub use caption::{Caption, LEGEND};
+pub use overlay::{MOST_STROKES, overlay};
 
 /// How the file is to look.
 #[derive(Clone, Debug, PartialEq)]
@@ -94,10 +96,10 @@ pub fn svg(scene: &Scene, options: &SvgOptions) -> String {
     let width = options.width.max(120.0);
     let chosen = || Camera::height_for(bounds, width, HEIGHTS[0], HEIGHTS[1]);
     let height = options.height.map_or_else(chosen, |height| height.max(80.0));
-    let camera = Camera::fit_with(bounds, Size { width, height }, options.x_plus);
+    let camera = Camera::fit_with(bounds, Size { width, height }, scene.plane().x_plus(options.x_plus));
     let apart = match (options.passes, scene.plane()) {
         (Passes::Apart, Plane::Section) => Apart::of(scene, 1.0 / camera.scale()),
-        (Passes::InPlace, _) | (_, Plane::Face) => Apart::default(),
+        (Passes::InPlace, _) | (_, Plane::Face | Plane::Side) => Apart::default(),
     };
     let mut drawing = Drawing { text: String::new(), camera, apart };
     drawing.all(scene, options);
@@ -147,7 +149,7 @@ impl Drawing {
         self.line(&format!(r#"<rect class="background" width="{w}" height="{h}"/>"#));
         let (x, w, h) = (number(LEFT_RULER), number(width - LEFT_RULER), number(height - BOTTOM_RULER));
         self.line(&format!(r#"<svg x="{x}" width="{w}" height="{h}" viewBox="{x} 0 {w} {h}">"#));
-        let [along, across] = scene.plane().axes().map(|axis| ticks(axis, &self.camera, options.scale.unit));
+        let [along, across] = scene.axes().map(|axis| ticks(axis, &self.camera, options.scale.unit));
         self.grid(&along, &across);
         self.work(scene);
         self.compared(scene);
@@ -160,7 +162,7 @@ impl Drawing {
         self.dangers(scene);
         self.legend(&options.legend);
         self.line("</svg>");
-        self.rulers(scene.plane().axes().map(|axis| axis.name(options.scale.symbol)), &along, &across);
+        self.rulers(scene.axes().map(|axis| axis.name(options.scale.symbol)), &along, &across);
         if let Some((_, rows)) = under {
             self.text.push_str(&rows);
         }
@@ -197,14 +199,14 @@ impl Drawing {
             let hatching = |outlines: &[Vec<Pixel>]| -> String {
                 let lines = match scene.plane() {
                     Plane::Section => hatch(outlines, zero, camera.size()),
-                    Plane::Face => Vec::new(),
+                    Plane::Face | Plane::Side => Vec::new(),
                 };
                 lines.iter().map(|[a, b]| format!("M{}L{}", pixel(*a), pixel(*b))).collect()
             };
             let obstacles = seen(&work.obstacles, camera);
             let blank_edges = match scene.plane() {
                 Plane::Section => edges(&work.blank),
-                Plane::Face => closed(&work.blank),
+                Plane::Face | Plane::Side => closed(&work.blank),
             };
             let [cut, left] = work.part_edges(scene.plane());
             let lines = |lines: &Vec<Vec<Point>>| polylines(&seen(lines, camera), "");
@@ -245,7 +247,7 @@ impl Drawing {
         let zero = self.camera.to_screen(Point::default());
         let (from, to) = (number(LEFT_RULER), number(self.camera.size().width));
         let upright = match plane {
-            Plane::Section => String::new(),
+            Plane::Section | Plane::Side => String::new(),
             Plane::Face => {
                 format!("M{} 0V{}", sharp(zero.x), number(self.camera.size().height - BOTTOM_RULER))
             }

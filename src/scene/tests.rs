@@ -2,7 +2,7 @@
 
 use crate::geometry::{Point, Turn};
 use crate::machine::SimulationResult;
-use crate::motion::{Chunk, Feed, Motion, MotionKind, Motions, Process, SpindleSpeed, SpindleTurn};
+use crate::motion::{Chunk, Feed, Motion, MotionKind, Motions, Process, Quill, SpindleSpeed, SpindleTurn};
 use crate::playback::clock::Playhead;
 use crate::scene::work::Work;
 use crate::setup::{Setup, Stock};
@@ -87,6 +87,7 @@ impl Path {
             clamp: None,
             lowest: None,
             tool: (1, 1),
+            quill: Quill::Unsaid,
             uncertain: self.uncertain,
             incomplete: self.uncertain,
             elsewhere: false,

@@ -77,9 +77,10 @@ pub struct View {
 
 impl View {
     /// A view of a scene, fitted to a picture of `size`, CSS pixels.
+    #[inline(never)]
     pub fn new(scene: &Scene, size: Size) -> Self {
         Self {
-            camera: Camera::fit(scene.bounds(), size),
+            camera: Camera::fit_with(scene.bounds(), size, scene.plane().x_plus(XPlus::Up)),
             framing: Framing::Fitted,
             frame: Frame::default(),
             pixel_ratio: 1.0,

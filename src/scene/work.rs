@@ -30,7 +30,7 @@ pub struct Work {
     pub part: Outlines,
     /// Whether somebody has named the blank.
     pub basis: Basis,
-    /// Chuck and tailstock.
+    /// Chuck, and the tailstock where it is forward.
     pub obstacles: Outlines,
     /// The tool, where it stands.
     pub tool: Option<ToolOutline>,
@@ -40,6 +40,8 @@ pub struct Work {
     pub milled: Option<Bounds>,
     /// What only one of two compared parts has: the first, the second.
     pub compared: Option<[Outlines; 2]>,
+    /// Where it was cut open to be unrolled.
+    seams: Vec<Vec<Point>>,
     bounds: Bounds,
 }
 
@@ -74,6 +76,8 @@ impl Work {
             None => simulation.finished(),
         };
         let part = part.unwrap_or_default();
+        let last = motions.len().checked_sub(1);
+        let motion = moment.zip(last).map(|(at, last)| motions.get(at.motion.min(last)));
         let tool = moment.filter(|at| at.motion < motions.len()).map(|at| {
             let shape = &simulation.resolved_setup().tool(&motions.get(at.motion)).shape;
             ToolOutline {
@@ -87,7 +91,7 @@ impl Work {
             blank: outlines(simulation.blank()?),
             part: outlines(&part),
             basis,
-            obstacles: simulation.obstacles().flat_map(outlines).collect(),
+            obstacles: simulation.obstacles(motion.as_ref()).flat_map(outlines).collect(),
             tool,
             dangers: simulation
                 .findings()
@@ -97,6 +101,7 @@ impl Work {
                 .collect(),
             milled: None,
             compared: None,
+            seams: Vec::new(),
             bounds: Bounds {
                 min: Point::new(stock.bore.radius(), stock.back()),
                 max: Point::new(stock.diameter.radius(), stock.face),
@@ -122,8 +127,25 @@ impl Work {
             dangers: Vec::new(),
             milled: None,
             compared: None,
+            seams: Vec::new(),
             bounds: Bounds { min: Point::new(-radius, -radius), max: Point::new(radius, radius) },
         }
+    }
+
+    /// The side of the work, within a box: the points have the way around it in `x`.
+    pub fn on_side(
+        blank: &Region,
+        part: &Region,
+        basis: Basis,
+        tool: Option<ToolOutline>,
+        bounds: Bounds,
+    ) -> Self {
+        Self { bounds, ..Self::on_face(blank, part, basis, tool, 0.0) }
+    }
+
+    /// The same with lines along which it was cut open to be unrolled, which are no edges of it.
+    pub fn with_seams(self, seams: Vec<Vec<Point>>) -> Self {
+        Self { seams, ..self }
     }
 
     /// The same with something else left of the blank.
@@ -159,6 +181,10 @@ impl Work {
         let lines = match plane {
             Plane::Section => edges(&self.part),
             Plane::Face => closed(&self.part),
+            Plane::Side => {
+                let [edges, _] = without(&closed(&self.part), &self.seams);
+                edges
+            }
         };
         match self.basis {
             Basis::Given => [lines, Vec::new()],

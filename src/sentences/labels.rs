@@ -122,12 +122,18 @@ pub fn field(name: Name, language: Language) -> &'static str {
         Name::QuillDiameter => ["Quill diameter", "套筒直径", "Диаметр пиноли"],
         Name::RapidX => ["Rapid traverse X", "X 快速移动速度", "Ускоренное перемещение X"],
         Name::RapidZ => ["Rapid traverse Z", "Z 快速移动速度", "Ускоренное перемещение Z"],
+        Name::ThreadSpeedMargin => [
+            "K of threads, n ≤ 1200/P − K",
+            "螺纹转速系数 K（n ≤ 1200/P − K）",
+            "K для резьбы, n ≤ 1200/P − K",
+        ],
         Name::MaxSpeed => ["Maximum spindle speed", "主轴最高转速", "Наибольшая частота вращения"],
         Name::LeastX => ["X min (diameter)", "X 最小值（直径）", "X мин. (диаметр)"],
         Name::GreatestX => ["X max (diameter)", "X 最大值（直径）", "X макс. (диаметр)"],
         Name::LeastZ => ["Z min", "Z 最小值", "Z мин."],
         Name::GreatestZ => ["Z max", "Z 最大值", "Z макс."],
         Name::Turret => ["Turret", "刀架", "Револьверная головка"],
+        Name::YAxis => ["Y axis", "Y 轴", "Ось Y"],
         Name::Control => ["Control", "数控系统", "Система ЧПУ"],
         Name::GSystem => ["G-code system", "G 代码体系", "Система G-кодов"],
         Name::FeedMode => ["Feed mode at the start", "开始时的进给方式", "Подача в начале"],
@@ -287,8 +293,12 @@ pub fn choice(name: Name, choice: &'static str, language: Language) -> &'static 
             language.among(["arc of more than 180°", "大于 180° 的圆弧", "дуга больше 180°"])
         }
         (Name::NegativeArcR, "alarm") => language.among(["alarm", "报警", "ошибка"]),
-        (Name::Recognise | Name::Strict | Name::Pockets, "true") => language.among(["yes", "是", "да"]),
-        (Name::Recognise | Name::Strict | Name::Pockets, "false") => language.among(["no", "否", "нет"]),
+        (Name::Recognise | Name::Strict | Name::Pockets | Name::YAxis, "true") => {
+            language.among(["yes", "是", "да"])
+        }
+        (Name::Recognise | Name::Strict | Name::Pockets | Name::YAxis, "false") => {
+            language.among(["no", "否", "нет"])
+        }
         (Name::Classroom, level) => Severity::named(level).map_or(choice, |level| severity(level, language)),
         _ => ToolKind::ALL
             .into_iter()

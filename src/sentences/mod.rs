@@ -2,6 +2,7 @@
 
 pub mod assist;
 pub mod codes;
+pub mod difference;
 pub mod labels;
 mod language;
 mod phrases;

@@ -140,7 +140,7 @@ fn step(step: Step) -> Phrase {
 
 /// Where a motion ends, in the words of a block; after an arrow the position of the machine, where the
 /// program counts in a virtual plane.
-fn end_of(motion: &Motion, unit: Unit) -> String {
+pub(super) fn end_of(motion: &Motion, unit: Unit) -> String {
     let place = |template: &str, numbers: &[(&'static str, f64)]| {
         fill(template, &numbers.iter().map(|&(name, value)| (name, Value::Number(value))).collect())
     };
@@ -148,6 +148,12 @@ fn end_of(motion: &Motion, unit: Unit) -> String {
     let (x, z) = (("x", length(Diameter::from_radius(motion.to.x).mm())), ("z", length(motion.to.z)));
     let Some(rotary) = motion.rotary else { return place("X{x} Z{z}", &[x, z]) };
     let c = ("c", rotary.to);
+    let flat = rotary.virtual_move.filter(|own| own.has_y());
+    if let Some(own) = flat {
+        let y = ("y", length(own.y_at(1.0)));
+        let turns = rotary.from != rotary.to;
+        return place(if turns { "X{x} Y{y} Z{z} C{c}°" } else { "X{x} Y{y} Z{z}" }, &[x, y, z, c]);
+    }
     let own = rotary.virtual_move.filter(|own| own.surface == Surface::Face);
     let Some(end) = own.map(|own| own.way.at(1.0)) else { return place("X{x} Z{z} C{c}°", &[x, z, c]) };
     let (right, up) = (("right", length(2.0 * end.z)), ("up", length(end.x)));

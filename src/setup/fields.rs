@@ -85,11 +85,13 @@ pub enum Name {
     RapidX,
     RapidZ,
     MaxSpeed,
+    ThreadSpeedMargin,
     LeastX,
     GreatestX,
     LeastZ,
     GreatestZ,
     Turret,
+    YAxis,
     Classroom,
     Control,
     GSystem,
@@ -362,6 +364,13 @@ pub const MACHINE: &[Field<Machine>] = &[
     field(Name::RapidX, "rapidX", "RAPIDX", MM_A_MINUTE, measure!(rapid_x)),
     field(Name::RapidZ, "rapidZ", "RAPIDZ", MM_A_MINUTE, measure!(rapid_z)),
     field(Name::MaxSpeed, "maxSpeed", "MAXSPEED", Number(Unit::TurnsPerMinute), measure!(max_speed)),
+    field(
+        Name::ThreadSpeedMargin,
+        "threadSpeedMargin",
+        "THREADK",
+        Number(Unit::TurnsPerMinute),
+        measure!(thread_speed_margin),
+    ),
     field(Name::LeastX, "travel.xMin", "XMIN", MM, measure!(travel.x_min)),
     field(Name::GreatestX, "travel.xMax", "XMAX", MM, measure!(travel.x_max)),
     field(Name::LeastZ, "travel.zMin", "ZMIN", MM, measure!(travel.z_min)),
@@ -380,6 +389,7 @@ pub const MACHINE: &[Field<Machine>] = &[
             },
         ),
     ),
+    field(Name::YAxis, "yAxis", "YAXIS", Switch, switch!(y_axis)),
 ];
 
 /// Groups of rules: `(RULES CLASSROOM=WARNING)`. Single rules have no fields: there are too many.

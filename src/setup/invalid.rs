@@ -123,8 +123,8 @@ impl Setup {
     /// Whether it says nothing that can be invalid.
     fn has_nothing_to_check(&self) -> bool {
         let Self { initial, tools, stock, tailstock, machine, .. } = self;
-        let Machine { rapid_x, rapid_z, max_speed, .. } = machine;
-        let has_machine = rapid_x.or(*rapid_z).or(*max_speed).is_some();
+        let Machine { rapid_x, rapid_z, max_speed, thread_speed_margin, .. } = machine;
+        let has_machine = rapid_x.or(*rapid_z).or(*max_speed).or(*thread_speed_margin).is_some();
         tools.is_empty() && initial.is_none() && stock.is_none() && tailstock.is_none() && !has_machine
     }
 }
@@ -175,6 +175,15 @@ in_part! {
             if checker.invalid.len() > before {
                 *value = None;
             }
+        }
+        let before = checker.invalid.len();
+        checker.at(
+            "machine.threadSpeedMargin",
+            setup.machine.thread_speed_margin,
+            &[Requirement::NotNegative],
+        );
+        if checker.invalid.len() > before {
+            setup.machine.thread_speed_margin = None;
         }
         (setup, checker.invalid)
     }

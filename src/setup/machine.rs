@@ -14,10 +14,23 @@ pub struct Machine {
     pub rapid_z: Option<f64>,
     /// Highest speed of the spindle, rpm.
     pub max_speed: Option<f64>,
+    /// K of the rule of thumb for threads, n ≤ 1200/P − K, rpm (seed 001); 80 where nothing is said. A slide that
+    /// is slow to reach its speed needs more.
+    pub thread_speed_margin: Option<f64>,
     /// Where the tip can go.
     pub travel: Travel,
     /// Which side of the spindle the turret is on.
     pub turret: Turret,
+    /// Whether it has a Y axis; where nothing is said, it has none.
+    pub y_axis: Option<bool>,
+}
+
+impl Machine {
+    /// Whether the turret moves along Y. Few lathes do, and on the others a Y of a milling program is an alarm: so this
+    /// has to be said.
+    pub fn has_y(&self) -> bool {
+        self.y_axis == Some(true)
+    }
 }
 
 /// Where the tip can go, in the coordinates of the program: X a diameter, mm.

@@ -24,7 +24,7 @@ use serde::Deserialize;
 
 use crate::limits::Limits;
 use crate::message::Levels;
-use crate::parts::in_part;
+use crate::parts::{Part, in_part};
 use crate::units::Diameter;
 use dialect::DialectChoice;
 pub use machine::{Machine, Tailstock, Travel, Turret};
@@ -33,7 +33,7 @@ pub use stock::Stock;
 pub use tool::{Tool, ToolKind};
 
 /// A setup as written: every key optional, an unknown key is an error that names it.
-#[derive(Clone, Debug, Default, PartialEq, Deserialize)]
+#[derive(Debug, Default, PartialEq, Deserialize)]
 #[serde(default, deny_unknown_fields, rename_all = "camelCase")]
 pub struct Setup {
     /// The control and its switches.
@@ -60,6 +60,9 @@ pub struct Setup {
     pub limits: Limits,
     /// The severity of a rule, or of a group of rules.
     pub rules: Levels,
+    /// The severity of rules whatever comments in the program say. Never in a file.
+    #[serde(skip)]
+    pub forced_rules: Levels,
     /// Whether lints listen to the run.
     pub lints: Lints,
     /// Values of variables that a reader tries. Never in a file.
@@ -91,7 +94,41 @@ pub enum Lints {
     Off,
 }
 
+impl Clone for Setup {
+    /// Tools come with the part that reads setups, or are described to the machine: it takes one of them to copy them.
+    fn clone(&self) -> Self {
+        let mut setup = Self {
+            dialect: self.dialect.clone(),
+            initial: self.initial,
+            tools: BTreeMap::new(),
+            described_tools: BTreeMap::new(),
+            stock: self.stock,
+            tailstock: self.tailstock,
+            machine: self.machine,
+            block_skip: self.block_skip.clone(),
+            program: self.program,
+            limits: self.limits,
+            rules: self.rules.clone(),
+            forced_rules: self.forced_rules.clone(),
+            lints: self.lints,
+            tried: self.tried.clone(),
+        };
+        if self.tools.is_empty() && self.described_tools.is_empty() {
+            // Nothing to copy.
+        } else if Part::Setup.is_loaded() {
+            copy_tools_of_setup(self, &mut setup);
+        } else {
+            copy_tools_at_machine(self, &mut setup);
+        }
+        setup
+    }
+}
+
 impl Setup {
+    fn copy_tools(&self, to: &mut Self) {
+        (to.tools, to.described_tools) = (self.tools.clone(), self.described_tools.clone());
+    }
+
     /// Reads a setup from JSON; what says more than `{}` needs the part `Setup` of the module. The error says what is wrong and where, and names an unknown key or a limit
     /// that is set too high.
     pub fn from_json(json: &str) -> Result<Self, String> {
@@ -105,6 +142,16 @@ impl Setup {
 }
 
 in_part! {
+    Setup "020a"
+    fn copy_tools_of_setup(from: &Setup, to: &mut Setup) {
+        from.copy_tools(to);
+    }
+
+    Machine "020b"
+    fn copy_tools_at_machine(from: &Setup, to: &mut Setup) {
+        from.copy_tools(to);
+    }
+
     Setup "0200"
     fn read_json(json: &str) -> Result<Setup, String> {
         let setup: Setup = serde_json::from_str(json).map_err(|error| {

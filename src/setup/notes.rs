@@ -124,8 +124,7 @@ pub const DIALECT_WORDS: &str = "CONTROL=FANUC (GSK, FORUM), GSYSTEM=A (B, C), F
 const NEAREST: usize = 20;
 
 /// What can stand in a note of the machine.
-pub const MACHINE_WORDS: &str =
-    "RAPIDX=, RAPIDZ=, MAXSPEED=, XMIN=, XMAX=, ZMIN=, ZMAX=, TURRET=FRONT, TURRET=REAR";
+pub const MACHINE_WORDS: &str = "RAPIDX=, RAPIDZ=, MAXSPEED=, THREADK=, XMIN=, XMAX=, ZMIN=, ZMAX=, TURRET=FRONT, TURRET=REAR, YAXIS=TRUE (FALSE)";
 
 impl Notes {
     /// Reads the comments at the head of a text.
@@ -328,7 +327,7 @@ in_part! {
             machine: notes.machine.unwrap_or(setup.machine),
             initial: notes.start.or(setup.initial),
             dialect: fields::over(fields::DIALECT, setup.dialect, &notes.dialect),
-            rules: setup.rules.with(&notes.rules),
+            rules: setup.rules.with(&notes.rules).with(&setup.forced_rules),
             tools,
             ..setup
         }

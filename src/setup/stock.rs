@@ -29,3 +29,12 @@ impl Stock {
         self.face - self.length
     }
 }
+
+/// With less feed, mm/rev, sliding-head lathes turn small parts to size in one pass, however deep.
+pub const ONE_PASS_FEED: f64 = 0.06;
+
+/// How deep a pass may be at most in work of this radius, mm, both as a radius: a thick bar bears more, and is
+/// turned on a larger lathe. Twice what is usual, since who roughs deeper knows why.
+pub fn deepest_cut(radius: f64) -> f64 {
+    (radius / 4.0).clamp(6.0, 15.0)
+}

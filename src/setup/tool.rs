@@ -4,6 +4,7 @@ use serde::Deserialize;
 
 use super::side::Side;
 use super::thread_insert::ThreadInsert;
+use crate::parts::{Part, in_part};
 use crate::units::Diameter;
 
 /// A tool as a setup sheet names it. What is left out has the usual value of its kind.
@@ -126,15 +127,44 @@ impl Insert {
     }
 }
 
+in_part! {
+    Setup "0206"
+    fn insert_of_setup(designation: &str) -> Option<Insert> {
+        Insert::read(designation)
+    }
+
+    Machine "0207"
+    fn insert_at_machine(designation: &str) -> Option<Insert> {
+        Insert::read(designation)
+    }
+
+    Setup "0208"
+    fn thread_insert_of_setup(designation: &str) -> Option<ThreadInsert> {
+        ThreadInsert::read(designation)
+    }
+
+    Machine "0209"
+    fn thread_insert_at_machine(designation: &str) -> Option<ThreadInsert> {
+        ThreadInsert::read(designation)
+    }
+}
+
 impl Tool {
-    /// What its insert's designation says.
+    /// What its insert's designation says. A tool that has one comes with the part that reads setups, or is inferred by
+    /// the machine.
     pub fn insert(&self) -> Option<Insert> {
-        Insert::read(self.insert.as_deref()?)
+        let designation = self.insert.as_deref()?;
+        if Part::Setup.is_loaded() { insert_of_setup(designation) } else { insert_at_machine(designation) }
     }
 
     /// What its insert's designation says of a threading insert.
     pub fn thread_insert(&self) -> Option<ThreadInsert> {
-        ThreadInsert::read(self.insert.as_deref().filter(|_| self.kind == Some(ToolKind::Threading))?)
+        let designation = self.insert.as_deref().filter(|_| self.kind == Some(ToolKind::Threading))?;
+        if Part::Setup.is_loaded() {
+            thread_insert_of_setup(designation)
+        } else {
+            thread_insert_at_machine(designation)
+        }
     }
 
     /// The side of the work it is for: as given, or as its threading insert says; the

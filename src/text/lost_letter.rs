@@ -46,19 +46,27 @@ pub fn candidates(number: &str, span: Span, words: &[Word]) -> Vec<char> {
     offer('G', (leading || value == 0.0 && number.len() == 2) && number.len() == 2 && !before(b"XZUW"));
     offer('M', (leading || whole && value <= 99.0) && !has(b"M") && digits.len() <= 2 && before(b"XZS"));
     offer('G', whole && !has(b"G") && !before(b"XZUWFS") && (70.0..100.0).contains(&value));
+    let stands_first = words.iter().all(|word| word.span.start > span.start || word.address == b'G');
+    offer('G', whole && number.len() == 2 && stands_first && is_usual_code(value));
     offer('F', has_point && !negative && value < 1.0 && !has(b"F") && before(b"XZUWPQ"));
     let arc = code(&[2, 3]);
     offer('R', arc && before(b"Z") && !has(b"R"));
     offer('X', !has(b"XU") && !before(b"ZW"));
     offer('Z', !has(b"ZW") && (before(b"XU") || has(b"XU")));
     offer('F', !negative && !has(b"F") && before(b"XZUW"));
-    offer('R', !has(b"R"));
+    offer('R', !has(b"R") && !code(&[0]));
     offer('X', !has(b"XU"));
     offer('Z', !has(b"ZW"));
     offer('U', !has(b"U"));
     offer('W', !has(b"W"));
     found.truncate(OFFERED);
     found
+}
+
+/// Whether a number is a G code that often stands at the head of a block.
+fn is_usual_code(number: f64) -> bool {
+    const CODES: [u8; 16] = [17, 18, 19, 20, 21, 28, 30, 32, 34, 40, 41, 42, 50, 54, 98, 99];
+    CODES.iter().any(|&code| f64::from(code) == number)
 }
 
 /// A number of digits and at most one point, near enough to compare it with what letters take; 0 for anything

@@ -44,6 +44,11 @@ in_part! {
         parser.report_full_width(block, span);
     }
 
+    Seldom "0524"
+    fn report_second_point(parser: &Parser, block: &mut Block, span: Span) {
+        parser.report_second_point(block, span);
+    }
+
     Seldom "0523"
     fn take_torn(parser: &mut Parser, block: &mut Block, word: Torn, comma: Span, digits: Span) {
         parser.take_torn_word(block, word, comma, digits);
@@ -374,15 +379,9 @@ impl<'a> Parser<'a> {
             (number, span) = self.split_number(block, span);
         }
         if number.points > 1 {
-            let quote = span.quote(self.lexer.text());
-            let fix = without_second_point(&quote);
-            let told = Diagnostic::new(said::SecondPoint { word: quote }, span);
-            block.fault(match fix {
-                Some(text) => {
-                    told.with(Fix::replace(Repair::Write { text: text.clone() }, span, &text).asking())
-                }
-                None => told,
-            });
+            if may_read_faults(block) {
+                report_second_point(self, block, span);
+            }
             return;
         }
         if number.digits == 0 && number.mantissa == 0 && !self.has_digit(span) {
@@ -419,6 +418,16 @@ impl<'a> Parser<'a> {
                 block.word(Word { address, comma, value: Value::Number { number, negative }, span });
             }
         }
+    }
+
+    fn report_second_point(&self, block: &mut Block, span: Span) {
+        let quote = span.quote(self.lexer.text());
+        let fix = without_second_point(&quote);
+        let told = Diagnostic::new(said::SecondPoint { word: quote }, span);
+        block.fault(match fix {
+            Some(text) => told.with(Fix::replace(Repair::Write { text: text.clone() }, span, &text).asking()),
+            None => told,
+        });
     }
 
     /// Joins digits that blanks tear apart: a control does not see the blanks.

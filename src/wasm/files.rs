@@ -32,8 +32,7 @@ impl Playground {
         &mut self,
         #[wasm_bindgen(unchecked_param_type = "FileFormat")] format: &str,
     ) -> Result<Option<Vec<u8>>, JsValue> {
-        let format = file_format(format)?;
-        Ok(bytes_of(self, format))
+        bytes_of(self, format)
     }
 
     /// What the name of such a file ends in.
@@ -42,7 +41,7 @@ impl Playground {
         &self,
         #[wasm_bindgen(unchecked_param_type = "FileFormat")] format: &str,
     ) -> Result<String, JsValue> {
-        Ok(file_format(format)?.ending().to_owned())
+        ending_of(format)
     }
 
     /// Paints the picture as it is shown on another canvas, so many device pixels a CSS pixel.
@@ -64,14 +63,21 @@ impl Playground {
     pub fn section(&mut self) -> Result<JsValue, JsValue> {
         section(self)
     }
+
+    /// The holes that live tools have drilled beside the axis and into the side by then.
+    #[wasm_bindgen(unchecked_return_type = "DrilledHole[]")]
+    pub fn holes(&mut self) -> Result<JsValue, JsValue> {
+        holes(self)
+    }
 }
 
 in_part! {
     Machine "0030"
-    fn bytes_of(playground: &mut Playground, format: FileFormat) -> Option<Vec<u8>> {
+    fn bytes_of(playground: &mut Playground, format: &str) -> Result<Option<Vec<u8>>, JsValue> {
+        let format = file_format(format)?;
         playground.current.finish_part();
         let (current, setup) = (&playground.current, playground.current.run().setup_at_machine());
-        file(format, &Ran { current, setup }, playground.language)
+        Ok(file(format, &Ran { current, setup }, playground.language))
     }
 
     Machine "0031"
@@ -80,11 +86,20 @@ in_part! {
         to_js(&shown.map(|region| api::section(&region)).unwrap_or_default())
     }
 
-    Machine "0032"
-    fn file_format(name: &str) -> Result<FileFormat, JsValue> {
-        FileFormat::deserialize(name.into_deserializer())
-            .map_err(|problem: ValueError| error(&problem.to_string()))
+    Machine "0033"
+    fn holes(playground: &mut Playground) -> Result<JsValue, JsValue> {
+        to_js(&api::holes(&playground.current.holes_shown()))
     }
+
+    Machine "0032"
+    fn ending_of(format: &str) -> Result<String, JsValue> {
+        Ok(file_format(format)?.ending().to_owned())
+    }
+}
+
+fn file_format(name: &str) -> Result<FileFormat, JsValue> {
+    FileFormat::deserialize(name.into_deserializer())
+        .map_err(|problem: ValueError| error(&problem.to_string()))
 }
 
 /// The current program, all of its material off.

@@ -13,12 +13,15 @@ pub enum PictureName {
     Section = "section",
     /// The end face, seen from the tailstock.
     Face = "face",
+    /// The side, seen from outside and mostly unrolled.
+    Side = "side",
 }
 
 impl From<PictureName> for Plane {
     fn from(name: PictureName) -> Self {
         match name {
             PictureName::Face => Self::Face,
+            PictureName::Side => Self::Side,
             _ => Self::Section,
         }
     }

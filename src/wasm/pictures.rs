@@ -1,4 +1,4 @@
-//! The pictures: the section along the spindle axis and the end face, each on a canvas of its own,
+//! The pictures: the section along the spindle axis, the end face and the side, each on a canvas of its own,
 //! looked at in its own way.
 //!
 //! In: what the user does with a picture. Out: drawn canvases and small objects. Knows no G-code.
@@ -68,7 +68,7 @@ impl Playground {
         #[wasm_bindgen(unchecked_param_type = "Palette")] colours: JsValue,
     ) -> Result<(), JsValue> {
         let palette = palette(&colours)?;
-        // The face follows the section.
+        // The others follow the section.
         self.current.look(Plane::Section, |view, _| view.palette = palette);
         Ok(())
     }
@@ -76,21 +76,13 @@ impl Playground {
     /// The last images were not shown: the next ones are painted even if they are the same.
     #[wasm_bindgen(js_name = paintAgain)]
     pub fn paint_again(&mut self) {
-        for plane in [Plane::Section, Plane::Face] {
-            if let Some(painter) = &mut self.painters[plane] {
-                painter.paint_again();
-            }
-        }
+        self.painters.iter_mut().flatten().for_each(Painter::paint_again);
     }
 
     /// Gives back the memory of what is kept for the next images; these are painted anew.
     #[wasm_bindgen(js_name = releaseImages)]
     pub fn release_images(&mut self) {
-        for plane in [Plane::Section, Plane::Face] {
-            if let Some(painter) = &mut self.painters[plane] {
-                painter.release();
-            }
-        }
+        self.painters.iter_mut().flatten().for_each(Painter::release);
     }
 
     /// Shows everything worth looking at.
@@ -106,7 +98,7 @@ impl Playground {
             "path" => Frame::Path,
             _ => Frame::Usual,
         };
-        for plane in [Plane::Section, Plane::Face] {
+        for plane in Plane::ALL {
             self.current.look(plane, |view, scene| view.set_frame(scene, frame));
         }
     }
@@ -127,15 +119,15 @@ impl Playground {
         picked(self, picture.into(), Pixel::new(x, y))
     }
 
-    /// Where a place is in a picture: X a diameter in mm; then Z in the section, C on the face, in mm. Two
-    /// CSS pixels from the top left corner.
+    /// Where a place is in a picture: in the section X (a diameter) and Z, on the face X (a diameter) and C, on the side Z and what its
+    /// other ruler says: degrees of C, or Y; lengths in mm. Two CSS pixels from the top left corner.
     #[wasm_bindgen(js_name = screenOf)]
-    pub fn screen_of(&mut self, picture: PictureName, x: f64, other: f64) -> Vec<f64> {
+    pub fn screen_of(&mut self, picture: PictureName, first: f64, second: f64) -> Vec<f64> {
         let plane = Plane::from(picture);
-        let x = Diameter::new(x).radius();
         let at = match plane {
-            Plane::Section => Point::new(x, other),
-            Plane::Face => Point::new(other, x),
+            Plane::Section => Point::new(Diameter::new(first).radius(), second),
+            Plane::Face => Point::new(second, Diameter::new(first).radius()),
+            Plane::Side => on_side(&self.current, first, second),
         };
         let mut pixel = Pixel::new(0.0, 0.0);
         self.current.look(plane, |view, _| pixel = view.camera().to_screen(at));
@@ -158,10 +150,9 @@ impl Playground {
         self.painters[picture.into()].as_mut().map_or(Ok(None), Painter::take_image)
     }
 
-    /// Whether anything moves on the end face; known once all material is off.
-    #[wasm_bindgen(js_name = hasFace)]
-    pub fn has_face(&self) -> bool {
-        self.current.face().is_some()
+    /// Whether anything moves over the surface that a picture shows; known once all material is off.
+    pub fn has(&self, picture: PictureName) -> bool {
+        self.current.moves(picture.into()).is_some()
     }
 
     /// What the pictures show beside strokes, known once all material is off: `blank`, `chuck`, `tailstock`, `collision`.
@@ -231,6 +222,11 @@ in_part! {
         to_js(&all.into_iter().filter(|(_, shown)| *shown).map(|(name, _)| name).collect::<Vec<_>>())
     }
 
+    Machine "0053"
+    fn on_side(current: &Current, z: f64, other: f64) -> Point {
+        current.side().map_or(Point::default(), |side| side.point(z, other))
+    }
+
     Machine "0050"
     fn picked(playground: &mut Playground, plane: Plane, at: Pixel) -> Result<JsValue, JsValue> {
         match playground.current.pick(plane, at, REACH) {
@@ -256,7 +252,7 @@ fn palette(colours: &JsValue) -> Result<Palette, JsValue> {
     let mut palette = Palette::default();
     for (key, own) in palette.by_name() {
         let colour = js_sys::Reflect::get(colours, &JsValue::from_str(key))?.as_string();
-        let missing = || error(&["the palette has no `", key, "`"].concat());
+        let missing = || error(&format!("the palette has no `{key}`"));
         *own = colour.ok_or_else(missing)?.into();
     }
     Ok(palette)

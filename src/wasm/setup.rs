@@ -49,8 +49,7 @@ impl Playground {
         #[wasm_bindgen(unchecked_param_type = "SetupPlace")] keep: String,
         json: &str,
     ) -> Result<JsValue, JsValue> {
-        let entries = keys.into_iter().zip(texts).map(|(key, text)| Entry { key, text }).collect();
-        answer(self, entries, SetupPlace::of(&keep), json)
+        answer(self, keys, texts, keep, json)
     }
 
     /// Share of the material that has been taken off, 0 to 1.
@@ -95,7 +94,15 @@ in_part! {
     }
 
     Tools "0023"
-    fn answer(playground: &Playground, entries: Vec<Entry>, keep: SetupPlace, json: &str) -> Result<JsValue, JsValue> {
+    fn answer(
+        playground: &Playground,
+        keys: Vec<String>,
+        texts: Vec<String>,
+        keep: String,
+        json: &str,
+    ) -> Result<JsValue, JsValue> {
+        let entries: Vec<_> = keys.into_iter().zip(texts).map(|(key, text)| Entry { key, text }).collect();
+        let keep = SetupPlace::of(&keep);
         let (text, places) = (playground.current.run().text(), playground.places());
         playground.about_setup(|subject| to_js(&subject.answer(&entries, keep, json, text, &places)))
     }

@@ -101,8 +101,9 @@ for (const view of ['all', 'picture', 'playback', 'code']) {
       context.drawImage(image, 0, 0);
       const element = document.querySelector('gcode-playground')!.getBoundingClientRect();
       const { data } = context.getImageData(element.left, element.top, element.width, element.height);
+      // What is hatched is a light grey.
       let bright = 0;
-      for (let at = 0; at < data.length; at += 4) if (data[at]! + data[at + 1]! + data[at + 2]! > 600) bright++;
+      for (let at = 0; at < data.length; at += 4) if (data[at]! + data[at + 1]! + data[at + 2]! > 500) bright++;
       return bright / (data.length / 4);
     }, shot.toString('base64'));
     expect(light).toBeGreaterThan(0.7);

@@ -242,6 +242,36 @@ test('a module that cannot be loaded is reported', async ({ page }) => {
   await expect(page.getByRole('alert')).toContainText('The interpreter could not be loaded');
 });
 
+test('a module that could not be loaded comes when the network is back', async ({ page }) => {
+  let broken = true;
+  await page.route(/gcode_playground_bg-[\w-]+\.wasm$/, (route) => (broken ? route.abort() : route.continue()));
+  await page.goto('./');
+  const notice = page.getByRole('alert').filter({ hasText: 'The interpreter could not be loaded' });
+  await expect(notice).toBeVisible();
+  await notice.getByRole('button', { name: 'Try again' }).click();
+  await expect(notice).toBeVisible();
+  broken = false;
+  await page.context().setOffline(true);
+  await page.context().setOffline(false);
+  await expect(page.getByRole('status')).toContainText(/\d+ motions/);
+  await expect(notice).toBeHidden();
+});
+
+test('panels and the editor that could not be loaded come when they are tried again', async ({ page }) => {
+  let broken = true;
+  await page.route(/\/assets\/(further|editor)-[\w-]+\.js/, (route) => (broken ? route.abort() : route.continue()));
+  await page.goto('./');
+  const notice = page.getByRole('alert');
+  await expect(notice).toContainText(/What stands around the picture could not be loaded|The editor could not be loaded/);
+  broken = false;
+  await page.context().setOffline(true);
+  await page.context().setOffline(false);
+  await expect(page.getByRole('button', { name: /^Setup/ })).toBeVisible();
+  await expect(page.getByRole('textbox', { name: 'Program' })).toBeVisible();
+  await expect(page.getByRole('status')).toContainText(/\d+ motions/);
+  await expect(notice).toBeHidden();
+});
+
 test('another language while the part is being cut: its sentences are waited for', async ({ page }) => {
   await route(page, 'ru', late);
   await open(page);

@@ -85,6 +85,41 @@ test('the part is drawn, turned, followed and let go of', async ({ page }) => {
   });
 });
 
+test('holes of live tools are drawn on the body', async ({ page }) => {
+  // Three in the side, one of them in the face of the cut, and one in the end face; they take nothing off the turned part.
+  const blocks = (side: string, face: string) => `(STOCK D=60 LENGTH=60)
+(TOOL T0303 TYPE=DRILL D=12)
+M45
+G28 H0
+T0303
+G97 S1000 M13
+G00 X66 Z-30 C0
+${side}
+G80
+G00 Z5 X30
+${face}
+G80
+G00 X100 Z100
+M46
+M30`;
+  const pictures: { share: number; sum: number }[] = [];
+  await open(page, '#s003-g71');
+  for (const text of [blocks('', ''), blocks('G98 G87 Z-30 C0 X20 R-1 F80\nC120\nC240', 'G83 X30 C300 Z-12 R-1 F80')]) {
+    await type(page, text);
+    await expect(status(page)).toContainText('motions');
+    await button(page).click();
+    await expect.poll(async () => (await seen(view(page))).share).toBeGreaterThan(0.15);
+    await page.waitForTimeout(500);
+    pictures.push(await seen(view(page)));
+    await page.keyboard.press('Escape');
+    await expect(dialog(page)).toBeHidden();
+  }
+  const [plain, drilled] = pictures as [typeof pictures[0], typeof pictures[0]];
+  expect(drilled.sum).not.toBe(plain.sum);
+  // The body is where it was.
+  expect(Math.abs(drilled.share - plain.share)).toBeLessThan(0.02);
+});
+
 test('without a part the dialog says so', async ({ page }) => {
   // An example that names no blank; without a cut there is none to guess.
   await open(page, '#s003-g71');

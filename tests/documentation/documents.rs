@@ -3,7 +3,7 @@
 //! This list is shared by `tests/documentation.rs` and the tests of `xtask`.
 
 /// The documents. The change log describes the past, and only its commands and files are checked.
-pub const DOCUMENTS: [&str; 18] = [
+pub const DOCUMENTS: [&str; 23] = [
     "README.md",
     "ARCHITECTURE.md",
     "CHANGELOG.md",
@@ -19,7 +19,12 @@ pub const DOCUMENTS: [&str; 18] = [
     "www/docs/library.md",
     "www/docs/limits.md",
     "www/docs/manuals.md",
+    "www/docs/offline.md",
+    "www/docs/own-programs.md",
+    "www/docs/rule-changes.md",
     "www/docs/rules.md",
     "www/docs/setup.md",
+    "www/docs/sharing.md",
+    "www/docs/teams.md",
     "www/embed/README.md",
 ];

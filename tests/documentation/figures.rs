@@ -39,6 +39,36 @@ const fn figure(document: &'static str, words: &'static str, held: Held) -> Figu
 /// The list.
 pub const FIGURES: &[Figure] = &[
     figure(
+        "www/docs/sharing.md",
+        "longer than 2,000 characters",
+        Held::Stated("www/src/page/share-dialog.ts", "const LONG = 2000;"),
+    ),
+    figure(
+        "www/docs/sharing.md",
+        "at most 300 characters more than the program has letters",
+        Held::Stated("tests/browser/links.spec.ts", "toBeLessThanOrEqual(300 + text.length)"),
+    ),
+    figure(
+        "www/docs/sharing.md",
+        "four thirds of its UTF-8 bytes",
+        Held::Stated("tests/browser/links.spec.ts", "toBeLessThanOrEqual(300 + (bytes * 4) / 3)"),
+    ),
+    figure(
+        "www/docs/sharing.md",
+        "At most 1,000,000 characters are read",
+        Held::Stated("www/src/files/link-limit.ts", "export const LINK_LIMIT = 1_000_000;"),
+    ),
+    figure(
+        "www/docs/sharing.md",
+        "at most 4,000,000 bytes are unpacked",
+        Held::Stated("www/src/files/packed-text.ts", "export const UNPACKED_LIMIT = 4_000_000;"),
+    ),
+    figure(
+        "www/docs/teams.md",
+        "ends with the exit status 1",
+        Held::By("tests/teams.rs", "its_commands_end_as_it_says"),
+    ),
+    figure(
         "README.md",
         "all of it in 20 s",
         Held::Stated("www/src/panels/playback.ts", "const WHOLE: readonly number[] = [20, 60];"),
@@ -46,8 +76,25 @@ pub const FIGURES: &[Figure] = &[
     figure("README.md", "(20 or newer)", Held::Stated("xtask/src/setup.rs", "const NODE_MIN: u32 = 20;")),
     figure(
         "www/docs/command-line.md",
-        "Exit status 0: no errors; 1: errors found; 2: bad usage",
+        "Exit status 0: no errors; 1: errors found, or with □ a difference; 2: bad usage",
         Held::By("tests/cli.rs", "exit_status_tells_errors_from_bad_usage"),
+    ),
+    figure(
+        "www/docs/command-line.md",
+        "Exit status 0: no difference; 1: text or motion differs",
+        Held::By("tests/difference.rs", "a_diameter_is_changed"),
+    ),
+    figure(
+        "www/docs/command-line.md",
+        "is status 0: motions are the same",
+        Held::By("tests/difference.rs", "a_renumbered_contour_is_a_change_of_text_alone"),
+    ),
+    figure(
+        "www/docs/command-line.md",
+        "At most 2000 changed blocks are listed, and 20000 motions of each program drawn",
+        Held::Shown(|| {
+            assert_eq!((limits::CHANGED_BLOCKS, gcode_playground::scene::svg::MOST_STROKES), (2000, 20_000));
+        }),
     ),
     figure(
         "www/docs/command-line.md",

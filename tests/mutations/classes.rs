@@ -1,7 +1,9 @@
 //! The faults people make, each at every word it fits.
 //!
 //! In: a correct program. Out: programs with one fault each, and where a message about it should stand.
+//! Lost, doubled and swapped blocks are in `blocks`.
 
+use crate::blocks;
 use crate::text::{Word, Words};
 
 /// Where the first message should stand.
@@ -38,20 +40,34 @@ impl Mutant {
 
 type Make = fn(&Words) -> Vec<Mutant>;
 
+/// Who can know of a fault.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Known {
+    /// Who reads the program, with the blank and the tools.
+    Program,
+    /// Often only who has the drawing: what is left is a program for another part.
+    Drawing,
+}
+
 /// A kind of fault.
 pub struct Class {
     pub name: &'static str,
     pub make: Make,
     /// A control stops there though the picture stays the same: a mutant counts even so.
     pub unseen: bool,
+    pub known: Known,
 }
 
 const fn class(name: &'static str, make: Make) -> Class {
-    Class { name, make, unseen: false }
+    Class { name, make, unseen: false, known: Known::Program }
 }
 
 const fn unseen(name: &'static str, make: Make) -> Class {
-    Class { name, make, unseen: true }
+    Class { name, make, unseen: true, known: Known::Program }
+}
+
+const fn drawing(name: &'static str, make: Make) -> Class {
+    Class { name, make, unseen: false, known: Known::Drawing }
 }
 
 /// All classes.
@@ -100,6 +116,35 @@ pub const CLASSES: &[Class] = &[
     class("lead ten times too small", lead_too_small),
     class("feed for lead", feed_for_lead),
     unseen("start angle in degrees", angle_in_degrees),
+    class("another lead out of a tapped hole", tap_lead),
+    class("K for J on the end face", centre_letter),
+    unseen("word that its block does not read", unread_word),
+    class("centre of an arc with the other sign", center_sign),
+    class("dwell in the other unit", other_dwell),
+    class("offset of another tool", other_offset),
+    class("end of the program too early", early_end),
+    class("value of a vacant variable", vacant_variable),
+    class("spindle speed for cutting speed", turns_for_metres),
+    class("feed ten times too large", feed_too_large),
+    class("X and Z of a repeated place exchanged", axes_exchanged),
+    unseen("start angle lost", angle_lost),
+    class("depth of G71 ten times", depth_ten_times),
+    class("pass ten times as deep", pass_too_deep),
+    class("end far beyond the blank", end_behind_blank),
+    class("contour roughed twice", blocks::roughed_twice),
+    class("groove cut twice", blocks::doubled_groove),
+    class("lost: start of the spindle", blocks::lost_spindle),
+    class("spindle starts after the first cut", blocks::late_spindle),
+    drawing("lost: code of a cycle", blocks::lost_cycle),
+    drawing("lost: pass of a cycle", blocks::lost_pass),
+    drawing("lost: rapid", blocks::lost_rapid),
+    drawing("lost: cut", blocks::lost_cut),
+    drawing("lost: setting", blocks::lost_setting),
+    drawing("doubled: cycle or pass", blocks::doubled_cycle),
+    drawing("doubled: move by increments", blocks::doubled_increment),
+    drawing("swapped: cycles and passes", blocks::swapped_cycles),
+    drawing("swapped: moves", blocks::swapped_moves),
+    drawing("swapped: move and setting", blocks::swapped_settings),
 ];
 
 /// One mutant for each word for which there is another spelling.
@@ -658,5 +703,185 @@ fn angle_in_degrees(words: &Words) -> Vec<Mutant> {
     each(words, |words, word| {
         let is_start = words.has_g(word.block, 32.0) || passes.contains(&word.block);
         (word.address == 'Q' && is_start && word.value >= 1000.0).then(|| format!("Q{}", word.value / 1000.0))
+    })
+}
+
+/// A tap comes out of its hole with half the lead it went in with.
+fn tap_lead(words: &Words) -> Vec<Mutant> {
+    let is_tap = |block: usize| {
+        let on_axis = words.find(block, 'X').is_none() && words.find(block, 'U').is_none();
+        words.has_g(block, 32.0) && on_axis
+    };
+    each(words, |words, word| {
+        let reverses =
+            |block: usize| words.of_block(block).any(|word| word.address == 'M' && word.value == 4.0);
+        let out = word.address == 'F' && is_tap(word.block) && word.block > 0 && reverses(word.block - 1);
+        out.then(|| format!("F{}", word.value / 2.0))
+    })
+}
+
+/// The centre of an arc on the end face with the letter of turning.
+fn centre_letter(words: &Words) -> Vec<Mutant> {
+    each(words, |words, word| {
+        let is_arc = words.has_g(word.block, 2.0) || words.has_g(word.block, 3.0);
+        let written = words.written(word);
+        (word.address == 'J' && is_arc && word.value != 0.0).then(|| format!("K{}", &written[1..]))
+    })
+}
+
+/// Letters of other blocks after a move.
+fn unread_word(words: &Words) -> Vec<Mutant> {
+    let moves = (0..words.blocks.len()).filter(|&block| {
+        let codes = || words.of_block(block).filter(|word| matches!(word.address, 'G' | 'M'));
+        let is_move = |word: &Word| word.address == 'G' && word.value <= 3.0;
+        codes().next().is_some() && codes().all(is_move) && words.find(block, 'Z').is_some()
+    });
+    let mutants = moves.filter_map(|block| {
+        let end = words.of_block(block).last()?.end;
+        Some(Mutant::at(words.replaced(end, end, " Q2")))
+    });
+    mutants.collect()
+}
+
+/// I or K of an arc, in the other direction.
+fn center_sign(words: &Words) -> Vec<Mutant> {
+    each(words, |words, word| {
+        let arc = words.has_g(word.block, 2.0) || words.has_g(word.block, 3.0);
+        // A full circle has its end where it begins, whatever its centre.
+        let is_full = words.find(word.block, 'C').is_some();
+        let is_center = matches!(word.address, 'I' | 'K') && arc && !is_full && word.value != 0.0;
+        let number = &words.written(word)[1..];
+        is_center.then(|| match number.strip_prefix('-') {
+            Some(rest) => format!("{}{rest}", word.address),
+            None => format!("{}-{number}", word.address),
+        })
+    })
+}
+
+/// Seconds as milliseconds, and the reverse.
+fn other_dwell(words: &Words) -> Vec<Mutant> {
+    each(words, |words, word| match word.address {
+        _ if !words.has_g(word.block, 4.0) => None,
+        'X' | 'U' => Some(format!("{}{}", word.address, 1000.0 * word.value)),
+        'P' if word.value >= 1000.0 => Some(format!("P{}", word.value / 1000.0)),
+        _ => None,
+    })
+}
+
+/// A tool with the next offset, where there are several tools.
+fn other_offset(words: &Words) -> Vec<Mutant> {
+    let is_tool = |word: &&Word| word.address == 'T' && word.value >= 100.0 && word.value % 100.0 > 0.0;
+    let mut tools: Vec<f64> = words.words.iter().filter(is_tool).map(|word| word.value).collect();
+    tools.sort_by(f64::total_cmp);
+    tools.dedup();
+    if tools.len() < 4 {
+        return Vec::new();
+    }
+    each(words, |_, word| is_tool(&word).then(|| format!("T{:04}", word.value + 1.0)))
+}
+
+/// M30 before a block in the middle that moves.
+fn early_end(words: &Words) -> Vec<Mutant> {
+    let all = words.blocks.len();
+    let moves = (all / 2..all).filter(|&block| {
+        words.find(block, 'X').is_some() && words.find(block, 'Z').is_some() && words.has_g(block, 0.0)
+    });
+    let mutants = moves.map(|block| {
+        let (start, end) = words.blocks[block];
+        let (text, ..) = words.replaced(start, start, "M30\n");
+        Mutant { text, place: Place::At(start + 4, end + 4) }
+    });
+    mutants.collect()
+}
+
+fn vacant_variable(words: &Words) -> Vec<Mutant> {
+    let cycles = [28.0, 30.0, 50.0, 4.0, 10.0, 52.0, 65.0, 70.0, 71.0, 72.0, 73.0, 74.0, 75.0, 76.0];
+    each(words, |words, word| {
+        let other_use = cycles.iter().any(|&code| words.has_g(word.block, code));
+        (word.address == 'Z' && !other_use).then(|| "Z#33".to_owned())
+    })
+}
+
+fn turns_for_metres(words: &Words) -> Vec<Mutant> {
+    each(words, |words, word| {
+        (word.address == 'S' && words.has_g(word.block, 96.0)).then(|| "S2500".to_owned())
+    })
+}
+
+/// F of cuts under G99.
+fn feed_too_large(words: &Words) -> Vec<Mutant> {
+    let threads = [32.0, 33.0, 34.0, 76.0, 84.0, 92.0];
+    each(words, |words, word| {
+        let is_thread = threads.iter().any(|&code| words.has_g(word.block, code));
+        let is_feed = word.address == 'F' && (0.1..0.5).contains(&word.value) && !is_thread;
+        is_feed.then(|| format!("F{}", 10.0 * word.value))
+    })
+}
+
+/// A place that at least three blocks name, in one of them the other way round.
+fn axes_exchanged(words: &Words) -> Vec<Mutant> {
+    let place = |block: usize| {
+        let plain = words.of_block(block).all(|word| "GXZMNST".contains(word.address));
+        let other_use = [28.0, 30.0, 50.0, 4.0, 10.0, 52.0].iter().any(|&code| words.has_g(block, code));
+        let (x, z) = (words.find(block, 'X')?, words.find(block, 'Z')?);
+        (plain && !other_use && x.value != z.value && x.end <= z.start).then_some((x, z))
+    };
+    let places: Vec<_> = (0..words.blocks.len()).filter_map(place).collect();
+    let often = places.iter().filter(|(x, z)| {
+        places
+            .iter()
+            .filter(|(other_x, other_z)| (other_x.value, other_z.value) == (x.value, z.value))
+            .count()
+            > 2
+    });
+    let mutants = often.map(|(x, z)| {
+        let between = &words.text[x.end..z.start];
+        let with = format!("X{}{between}Z{}", &words.written(z)[1..], &words.written(x)[1..]);
+        Mutant::at(words.replaced(x.start, z.end, &with))
+    });
+    mutants.collect()
+}
+
+/// A pass of a thread of several starts without its start angle.
+fn angle_lost(words: &Words) -> Vec<Mutant> {
+    let passes = threads(words).concat();
+    let mut made = each(words, |_, word| {
+        (word.address == 'Q' && passes.contains(&word.block) && word.value >= 1000.0).then(String::new)
+    });
+    for mutant in &mut made {
+        if let Place::At(start, _) = mutant.place {
+            mutant.place = Place::Needed(start, Need::Cut);
+        }
+    }
+    made
+}
+
+/// The infeed of G71 and G72, U2 as U20.
+fn depth_ten_times(words: &Words) -> Vec<Mutant> {
+    let mut made = each(words, |words, word| {
+        let is_infeed = is_depth(words, word) && matches!(word.address, 'U' | 'W');
+        (is_infeed && word.value >= 1.0).then(|| format!("{}{}", word.address, 10.0 * word.value))
+    });
+    for mutant in &mut made {
+        if let Place::At(start, _) = mutant.place {
+            mutant.place = Place::Needed(start, Need::Cut);
+        }
+    }
+    made
+}
+
+/// A pass of G90 that takes all that is left to the axis: X46 as X4.6.
+fn pass_too_deep(words: &Words) -> Vec<Mutant> {
+    each(words, |words, word| {
+        let is_pass = single_cycle(words, word.block) == Some(90) && word.address == 'X';
+        (is_pass && word.value >= 20.0).then(|| format!("X{}", word.value / 10.0))
+    })
+}
+
+/// The end of a pass of G90, of Z-30 at Z-300.
+fn end_behind_blank(words: &Words) -> Vec<Mutant> {
+    each(words, |words, word| {
+        let is_pass = single_cycle(words, word.block) == Some(90) && word.address == 'Z';
+        (is_pass && word.value <= -10.0).then(|| format!("Z{}", 10.0 * word.value))
     })
 }

@@ -60,16 +60,21 @@ fn as_resolved(tool: &Tool, basis: Basis, pitch: f64) -> Reach {
 
 fn intervals(motions: &[(Motion, Reach)], stock: &Stock, z: f64) -> Vec<Interval> {
     let mut turned = 0.0;
-    let mut before: Option<Motion> = None;
+    let mut before: Option<(Motion, &Reach)> = None;
     let mut taken = Vec::new();
     for (motion, reach) in motions {
+        // Where a thread ends between two turns, its insert stands for one turn before it comes out.
+        let ended = before.filter(|_| motion.kind != MotionKind::Thread);
+        if let Some((thread, insert)) = ended.filter(|(_, insert)| insert.threads) {
+            taken.extend(insert.groove(&thread, turned, z));
+        }
         // A thread that goes on where another ended goes on with the same spindle revolution.
-        let goes_on = before.is_some_and(|before| before.kind == MotionKind::Thread);
+        let goes_on = before.is_some_and(|before| before.0.kind == MotionKind::Thread);
         let lead = motion.lead.filter(|_| motion.kind == MotionKind::Thread);
         turned = if goes_on && lead.is_some() { turned } else { 0.0 };
         taken.extend(reach.taken(motion, turned, z));
         turned += lead.map_or(0.0, |lead| turns(motion, lead));
-        before = Some(*motion);
+        before = Some((*motion, reach));
     }
     without_dust(&left(stock, &taken, z))
 }

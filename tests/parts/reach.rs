@@ -194,6 +194,15 @@ impl Reach {
             }
         }
     }
+
+    /// What the insert takes at a Z where a thread ends when it has `turned` so far: all around, one turn wide.
+    pub fn groove(&self, thread: &Motion, turned: f64, z: f64) -> Option<Interval> {
+        let lead = thread.lead.filter(|_| thread.kind == MotionKind::Thread)?;
+        let between = (turned - turned.round()).abs() > 1e-6;
+        let (dx, dz) = ((thread.to.x - thread.from.x).abs(), (thread.to.z - thread.from.z).abs());
+        let within = dz < dx || (z - thread.to.z).abs() <= lead.abs() / 2.0;
+        if between && within { self.along(thread.to, thread.to, z) } else { None }
+    }
 }
 
 /// Spindle revolutions in a thread.

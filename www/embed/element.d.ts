@@ -37,6 +37,8 @@ export class GcodePlayground extends HTMLElement {
   fit: string | null;
   turret: string | null;
   caption: string | null;
+  /** The page that "Open in the playground" leads to; none where it is empty. */
+  playground: string | null;
   /** Any text by which the page knows whose the program is. */
   origin: string | null;
   /** Resolved with the number of the run once all there is to show of it is shown. */
@@ -48,10 +50,20 @@ export class GcodePlayground extends HTMLElement {
   /** Keeps the part, to lay those of later programs over it. */
   keepPart(): void;
   endComparison(): void;
+  /** Where the tool stands, as `step` says it; null where all of the path is shown. */
+  currentStep(): Promise<string | null>;
+  /** The line of the cursor, from 1. */
+  readonly cursorLine: number;
+  /** All of the setup the program is run with, as JSON; nothing where it cannot be read. */
+  readonly wholeSetup: string | undefined;
+  /** The drawing, or the picture as it is shown. */
+  pictureFile(format: 'svg' | 'png'): Promise<Blob | undefined>;
   /** Where the place X (a diameter), Z in mm is in the window. */
   locate(x: number, z: number): Promise<{ readonly clientX: number; readonly clientY: number }>;
-  /** The same of the end face. */
+  /** The same of the end face: X a diameter, C in mm. */
   locateOnFace(x: number, c: number): Promise<{ readonly clientX: number; readonly clientY: number }>;
+  /** The same of the side: Z in mm, C in degrees; or Y in mm where its ruler shows Y. */
+  locateOnSide(z: number, c: number): Promise<{ readonly clientX: number; readonly clientY: number }>;
 }
 
 /** Puts elements in the place of marked scripts and `pre`s that have come into the page after it was read. */

@@ -10,6 +10,7 @@ element.style.setProperty('--playground-height', '100vh');
 function show() {
   const said = new URLSearchParams(location.hash.slice(1));
   for (const name of GcodePlayground.observedAttributes) {
+    if (name === 'playground' && !said.has(name)) continue;
     const value = name === 'program' ? null : said.get(name);
     if (value === null) element.removeAttribute(name);
     else element.setAttribute(name, value);
@@ -20,6 +21,8 @@ function show() {
   document.documentElement.lang = element.language;
 }
 
+// In a window of its own it is the playground.
+if (window.top === window) element.setAttribute('playground', '');
 show();
 if (!element.hasAttribute('loading')) element.setAttribute('loading', 'eager');
 document.body.replaceChildren(element);

@@ -93,7 +93,10 @@ impl Outcome {
         if let Some(face) = Face::of(motions, &simulation) {
             let work = face.work(&simulation, None);
             let options = SvgOptions { x_plus: SvgOptions::default().x_plus, ..options };
-            return Some(Picture { svg: svg(&face.scene(work.as_ref()), &options), marked: Marked::Nothing });
+            return Some(Picture {
+                svg: svg(&face.moves().scene(work.as_ref()), &options),
+                marked: Marked::Nothing,
+            });
         }
         let comparison = corrected.and_then(|corrected| self.small_difference(corrected));
         let marked = if comparison.is_some() { Marked::Difference } else { Marked::Nothing };

@@ -8,10 +8,16 @@ use std::path::{Path, PathBuf};
 use crate::package::{self, Module};
 use crate::run::{self, Result, command, npm, step};
 use crate::setup::Setup;
-use crate::{browser, hostile};
+use crate::{browser, hostile, packages};
 
 #[path = "../../tests/speed/workload.rs"]
 mod workload;
+
+/// A linter that people are used to.
+const RUFF: &str = "ruff==0.17.6";
+
+/// How often the command line is measured unless a number is asked for.
+const ROUNDS: u32 = 5;
 
 /// The arguments of `cargo xtask bench`.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -36,8 +42,8 @@ pub fn main(options: Options) -> Result {
     step("compiling the native run", native.args(["build", "--release", "--example", "native"]))?;
     let folder = binaries.join("bench");
     write_programs(&folder)?;
-    let [measures, hostile_times, first_picture] =
-        ["measures.md", "hostile.md", "first-picture.md"].map(|name| folder.join(name));
+    let [measures, hostile_times, first_picture, over_files] =
+        ["measures.md", "hostile.md", "first-picture.md", "command-line.md"].map(|name| folder.join(name));
     let mut node = command("node");
     node.arg("tests/speed/measure.mjs").arg(&folder).env(browser::VARIABLE, &browser);
     node.arg("--binaries").arg(binaries.join("release/examples")).arg("--peers").arg(peers.join("release"));
@@ -57,14 +63,29 @@ pub fn main(options: Options) -> Result {
         picture.arg("--rounds").arg(rounds.to_string());
     }
     step("measuring the first picture", &mut picture)?;
+    command_line(&folder, &over_files, options.rounds.unwrap_or(ROUNDS))?;
     if options.write {
         write_tables(&[
+            ("command-line", over_files),
             ("measures", measures),
             ("hostile", hostile_times),
             ("first-picture", first_picture),
         ])?;
     }
     Ok(())
+}
+
+/// Measures the command line over files, natively and under Node, beside ruff.
+fn command_line(folder: &Path, report: &Path, rounds: u32) -> Result {
+    let mut build = command("cargo");
+    step("compiling the command line", build.args(["build", "--release", "--bin", "gcode-playground"]))?;
+    let ruff = packages::python("bench/python", &[RUFF])?.join("ruff");
+    let mut python = command("python3");
+    python.arg("tests/speed/command_line.py");
+    python.arg(run::target().join("release/gcode-playground"));
+    python.arg(run::www().join("dist/embed/bin/gcode-playground.js")).arg(ruff);
+    python.arg(folder.join("plain.nc")).arg(folder).arg(report).arg(rounds.to_string());
+    step("measuring the command line", &mut python).map(|_| ())
 }
 
 /// The floor and the crates as wasm and as a native program; the packages of npm.

@@ -54,7 +54,8 @@ pub fn element(setup: &Setup) -> Result<Duration> {
 /// Adds the licences of the crates that are in the module.
 fn add_licences(setup: &Setup, file: &Path) -> Result {
     let mut tree = setup.command("cargo");
-    tree.args(["tree", "--package", "gcode-playground", "--no-default-features", "--edges", "normal"]);
+    // The module of the command line needs more than that of the page.
+    tree.args(["tree", "--package", "gcode-playground", "--features", "npx", "--edges", "normal"]);
     tree.args([
         "--target",
         "wasm32-unknown-unknown",
@@ -112,7 +113,7 @@ fn change(file: &Path, from: &str, to: &str) -> Result {
     fs::write(file, text.replace(from, to)).map_err(|error| cannot("write", file, &error))
 }
 
-fn copy_folder(from: &Path, to: &Path) -> Result {
+pub fn copy_folder(from: &Path, to: &Path) -> Result {
     fs::create_dir_all(to).map_err(|error| cannot("make", to, &error))?;
     for entry in fs::read_dir(from).map_err(|error| cannot("read", from, &error))? {
         let path = entry.map_err(|error| cannot("read", from, &error))?.path();

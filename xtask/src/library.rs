@@ -18,7 +18,7 @@ const DOCUMENT: &str = "www/docs/library.md";
 
 /// The module of the package may be at most so many bytes, compressed as a server does it. It has all that the
 /// parts of the page have, and cargo leaves link-time optimisation out of it.
-const MOST_OF_THE_MODULE: usize = 780_000;
+const MOST_OF_THE_MODULE: usize = 880_000;
 
 /// What the examples print: how many motions, and a message about the feed rate that the program lacks.
 const PRINTED: [&str; 2] = ["1 [", "line 2: "];
@@ -69,6 +69,8 @@ pub fn crate_file() -> Result<Duration> {
     let library = step("checking the crate without the command line", &mut check)?;
     let mut package = command("cargo");
     package.args(["package", "--allow-dirty", "--quiet"]);
+    // Whether it builds is all that is asked of it.
+    package.envs([("CARGO_PROFILE_DEV_OPT_LEVEL", "0"), ("CARGO_PROFILE_DEV_DEBUG", "0")]);
     Ok(library + step("building the packaged crate", &mut package)?)
 }
 

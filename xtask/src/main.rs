@@ -14,13 +14,16 @@ mod engines;
 mod hostile;
 mod library;
 mod manuals;
+mod npx;
 mod package;
+mod packages;
 mod parts;
 mod play;
 mod run;
 mod serve;
 mod setup;
 mod spelling;
+mod teams;
 mod test;
 mod tools;
 mod wasm_std;
@@ -41,6 +44,7 @@ cargo xtask bench [--own] [--write] [--rounds N]
 cargo xtask compare-linuxcnc [--programs N] [--seed N]
                                           compare random programs with LinuxCNC's interpreter
 cargo xtask manuals                       follow the recipes of www/docs/manuals.md with mdBook, Sphinx and Docusaurus
+cargo xtask teams                         follow www/docs/teams.md with pre-commit, GitHub's and GitLab's files
 cargo xtask setup                         only install what the other commands need
 ";
 
@@ -53,6 +57,7 @@ enum Task {
     Bench(bench::Options),
     Compare(Vec<String>),
     Manuals,
+    Teams,
     Setup,
     Help,
 }
@@ -75,6 +80,7 @@ fn main() -> ExitCode {
         Task::Bench(options) => bench::main(options),
         Task::Compare(options) => compare::main(&options),
         Task::Manuals => manuals::main(),
+        Task::Teams => teams::main(),
         Task::Setup => setup::main(),
         Task::Help => {
             print!("{USAGE}");
@@ -100,6 +106,7 @@ fn parse(words: &[&str]) -> run::Result<Task> {
             Ok(Task::Compare(options.iter().map(|word| (*word).to_owned()).collect()))
         }
         ["manuals"] => Ok(Task::Manuals),
+        ["teams"] => Ok(Task::Teams),
         ["setup"] => Ok(Task::Setup),
         ["help" | "--help" | "-h", ..] | [_, "--help" | "-h"] => Ok(Task::Help),
         [] => Err("which command?".to_owned()),

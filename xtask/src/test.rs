@@ -1,12 +1,12 @@
 //! In: the whole working tree. Out: whether it is in order: format, lints, fuzz targets, native tests, wasm
-//! tests under Node, hostile programs in release builds, the packages for other projects, the page's types, recipes for manuals, and the page in
-//! three browser engines. It stops at the first step that fails.
+//! tests under Node, hostile programs in release builds, the packages for other projects, the page's types, recipes for manuals, checks in a repository,
+//! and the page in three browser engines. It stops at the first step that fails.
 
 use std::time::Instant;
 
 use crate::run::{self, Result, command, pretty, step};
 use crate::setup::Setup;
-use crate::{browser, engines, hostile, library, manuals, package, spelling};
+use crate::{browser, engines, hostile, library, manuals, npx, package, spelling, teams};
 
 /// `cargo xtask test`.
 pub fn main() -> Result {
@@ -49,7 +49,9 @@ pub fn main() -> Result {
     done("page types", step("checking the page's types", &mut setup.npm(&["run", "typecheck"]))?);
     done("workflows", step("checking the workflows", command("node").arg("tests/package/workflows.mjs"))?);
     done("page", package::page(&setup)?);
+    done("command line for Node", npx::build(&setup)? + npx::compare(&setup)?);
     done("manuals", manuals::recipes()?);
+    done("teams", teams::ways()?);
     let mut playwright = setup.npm(&["run", "test:browser"]);
     playwright.env(browser::VARIABLE, browser).envs(engines);
     done("browser tests", step("browser tests", &mut playwright)?);

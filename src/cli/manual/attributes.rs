@@ -4,7 +4,7 @@
 //! `element.ts`; `tests/manuals.rs` holds the two against each other.
 
 /// An attribute, and the values it has; none where any text may be one.
-const KNOWN: [(&str, &[&str]); 17] = [
+const KNOWN: [(&str, &[&str]); 18] = [
     ("src", &[]),
     ("control", &["fanuc", "gsk", "forum"]),
     ("setup", &[]),
@@ -22,6 +22,7 @@ const KNOWN: [(&str, &[&str]); 17] = [
     ("turret", &["front", "rear"]),
     ("caption", &[]),
     ("loading", &["lazy", "eager", "click"]),
+    ("playground", &[]),
 ];
 /// Attributes that the element has beside those of its program.
 const OF_THE_PAGE: [&str; 2] = ["split", "hints"];
@@ -32,8 +33,8 @@ const OF_HTML: [&str; 13] = [
 ];
 /// What begins the names of others.
 const BEGINNINGS: [&str; 4] = ["aria-", "data-", "on", "item"];
-const CONTROLS: [&str; 9] =
-    ["none", "file", "setup", "problems", "views", "playback", "status", "tools", "help"];
+const CONTROLS: [&str; 10] =
+    ["none", "file", "setup", "problems", "views", "playback", "status", "tools", "help", "link"];
 
 /// What is wrong with an attribute.
 #[derive(Clone, Debug, PartialEq, Eq)]

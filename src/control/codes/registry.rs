@@ -7,7 +7,7 @@
 use super::{Compensation, G, Group, Hole, HoleReturn, M, MacroCall, MotionMode, Multiple, Plane, Switch};
 use crate::cycles::single::Single;
 use crate::geometry::Turn;
-use crate::motion::{SpindleTurn, StopKind};
+use crate::motion::{Quill, SpindleTurn, StopKind};
 use crate::setup::dialect::{CodeList, FeedMode};
 use crate::units::Unit;
 
@@ -250,12 +250,12 @@ static M_CODES: &[MCode] = &[
     m(69, Function::Chuck, M::Idle),
     m(13, Function::LiveTool, M::LiveTool),
     m(14, Function::LiveTool, M::LiveTool),
-    m(19, Function::Orientation, M::Idle),
+    m(19, Function::Orientation, M::Orientation),
     m(20, Function::Orientation, M::Idle),
     m(23, Function::ThreadPullOut, M::ThreadPullOut(Switch::On)),
     m(24, Function::ThreadPullOut, M::ThreadPullOut(Switch::Off)),
-    m(25, Function::Tailstock, M::Idle),
-    m(26, Function::Tailstock, M::Idle),
+    m(25, Function::Tailstock, M::Quill(Quill::Forward)),
+    m(26, Function::Tailstock, M::Quill(Quill::Back)),
     m(29, Function::RigidTapping, M::Idle),
     m(40, Function::Gear, M::Idle),
     m(41, Function::Gear, M::Idle),
@@ -305,7 +305,7 @@ static OTHERS: &[Other] = &[
 const NO_ROW: u8 = u8::MAX;
 
 /// Rows of [`G_CODES`] by list and key.
-static G_ROWS: [[u8; 1131]; CodeList::ALL.len()] = {
+const G_ROWS: [[u8; 1131]; CodeList::ALL.len()] = {
     let mut rows = [[NO_ROW; 1131]; CodeList::ALL.len()];
     let mut row = 0;
     while row < G_CODES.len() {
@@ -324,8 +324,23 @@ static G_ROWS: [[u8; 1131]; CodeList::ALL.len()] = {
     rows
 };
 
+/// The same by whole numbers, nearly all there are: a tenth of the table.
+static WHOLE_G_ROWS: [[u8; 114]; CodeList::ALL.len()] = {
+    let mut rows = [[NO_ROW; 114]; CodeList::ALL.len()];
+    let mut list = 0;
+    while list < CodeList::ALL.len() {
+        let mut number = 0;
+        while number < 114 {
+            rows[list][number] = G_ROWS[list][10 * number];
+            number += 1;
+        }
+        list += 1;
+    }
+    rows
+};
+
 /// Rows of [`M_CODES`] by number.
-static M_ROWS: [u8; 714] = {
+const M_ROWS: [u8; 714] = {
     let mut rows = [NO_ROW; 714];
     let mut row = 0;
     while row < M_CODES.len() {
@@ -333,6 +348,17 @@ static M_ROWS: [u8; 714] = {
         assert!(rows[number] == NO_ROW, "a number has one meaning");
         rows[number] = row as u8;
         row += 1;
+    }
+    rows
+};
+
+/// The same of the numbers that most programs have.
+static USUAL_M_ROWS: [u8; 100] = {
+    let mut rows = [NO_ROW; 100];
+    let mut number = 0;
+    while number < 100 {
+        rows[number] = M_ROWS[number];
+        number += 1;
     }
     rows
 };
@@ -355,8 +381,16 @@ pub fn g_code(key: u64, list: CodeList) -> Option<&'static GCode> {
         30 => return Some(const { everywhere(30) }),
         _ => {}
     }
-    let row = *G_ROWS[list as usize].get(usize::try_from(key).ok()?)?;
+    if !key.is_multiple_of(10) {
+        return with_decimal(key, list);
+    }
+    let row = *WHOLE_G_ROWS[list as usize].get(usize::try_from(key / 10).ok()?)?;
     G_CODES.get(usize::from(row))
+}
+
+#[cold]
+fn with_decimal(key: u64, list: CodeList) -> Option<&'static GCode> {
+    G_CODES.iter().find(|code| u64::from(code.keys[list as usize]) == key && key != u64::from(NOT_THERE))
 }
 
 impl GCode {
@@ -398,15 +432,21 @@ pub fn function_of(code: G) -> Option<Function> {
 
 /// The row of the table of an M code.
 pub fn m_function(number: u64) -> Option<Function> {
-    let row = *M_ROWS.get(usize::try_from(number).ok()?)?;
-    M_CODES.get(usize::from(row)).map(|row| row.function)
+    m_row(number).map(|row| row.function)
 }
 
 /// The M code of a number; `None` for one that only some machines know.
 #[inline]
 pub fn m_code(number: u64) -> Option<M> {
-    let row = *M_ROWS.get(usize::try_from(number).ok()?)?;
-    M_CODES.get(usize::from(row)).map(|row| row.code)
+    m_row(number).map(|row| row.code)
+}
+
+#[inline]
+fn m_row(number: u64) -> Option<&'static MCode> {
+    match USUAL_M_ROWS.get(usize::try_from(number).ok()?) {
+        Some(&row) => M_CODES.get(usize::from(row)),
+        None => M_CODES.iter().find(|code| u64::from(code.number) == number),
+    }
 }
 
 /// A row of the table of supported codes.
@@ -448,7 +488,7 @@ impl Row {
                 spell(codes, 'M', code.number, 0);
             }
             row.take(match code.code {
-                M::Idle | M::Pause(_) => Effect::Accepted,
+                M::Idle | M::Pause(_) | M::Orientation => Effect::Accepted,
                 _ => Effect::Done,
             });
         }

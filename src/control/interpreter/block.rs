@@ -5,15 +5,21 @@
 use super::calls::Here;
 use super::request::{OneShot, Request};
 use super::rotary::TURNS;
+use super::trace::{keep_block, keep_process};
 use super::{AXES, Flow, Interpreter};
-use crate::control::codes::{Compensation, MotionMode};
+use crate::control::codes::{Compensation, MotionMode, Plane};
 use crate::control::doubt::Doubt;
 use crate::control::events::Event;
 use crate::control::modal::{CycleMemory, Once};
 use crate::control::words::{Words, letters, plain, quote};
+use crate::geometry::Point;
+use crate::geometry::virtual_plane::Surface;
 use crate::message::{Diagnostic, Message, Severity, said};
-use crate::motion::{MotionKind, SpindleTurn};
+use crate::motion::{MotionKind, Quill, SpindleTurn};
 use crate::text::block::{Block, BlockKind, Word};
+
+/// Words that mean something in few blocks of a move.
+const SELDOM: u32 = letters(b"DIJKLPQR");
 
 impl Interpreter {
     /// Carries out one block.
@@ -38,7 +44,7 @@ impl Interpreter {
             block.is_broken()
         };
         if self.trace.is_some() {
-            self.trace_block(block, here);
+            keep_block(self, block, here);
         }
         self.state.sequence = block.sequence.unwrap_or(self.state.sequence);
         match block.kind {
@@ -95,7 +101,7 @@ impl Interpreter {
         self.set_feed_speed_tool(text, block, &request, &words);
         self.state.spindle.by_maker |= request.maker_m && words.has_any(letters(b"SP"));
         if self.trace.is_some() {
-            self.trace_process();
+            keep_process(self);
         }
         if request.drop {
             if let Some(mode) = request.motion {
@@ -133,8 +139,12 @@ impl Interpreter {
         if request.stop_spindle {
             self.observe(text, Event::SpindleStops { block, moved: request.moved });
             self.state.spindle.turn = SpindleTurn::Stopped;
+            self.state.spindle.is_held = false;
             self.state.spindle.live_tool = false;
             self.state.spindle.by_maker = false;
+        }
+        if request.quill_comes {
+            self.state.quill = Quill::Forward;
         }
         match (self.program.jump.take(), request.call_code) {
             _ if request.end || self.sink.is_full() => Flow::End,
@@ -180,12 +190,11 @@ impl Interpreter {
             self.one_shot(text, block, request, words, one_shot);
             return;
         }
-        const OTHER_AXES: u32 = letters(b"YV");
-        let has_hole = self.state.hole.is_some();
-        if words.has_any(OTHER_AXES) && (has_hole || !matches!(self.state.motion, MotionMode::Cycle(_))) {
-            self.other_axes(text, words);
+        let beside = words.has_any(letters(b"YV")) || self.state.y != 0.0 || self.state.plane != Plane::Zx;
+        if beside && self.moves_beside_plane(text, block, request, words) {
+            return;
         }
-        if has_hole {
+        if self.state.hole.is_some() {
             self.hole(text, block, request, words);
             return;
         }
@@ -196,28 +205,11 @@ impl Interpreter {
             request.drop = true;
             return;
         }
+        if words.has_any(SELDOM) {
+            self.seldom_words(text, block, words);
+        }
         match self.state.motion {
-            MotionMode::Rapid if words.has_any(AXES | TURNS) => {
-                self.settle_angle();
-                if let Some(index) = request.comma.into_iter().flatten().next() {
-                    let span = block.words[index].span;
-                    self.report(Diagnostic::new(said::CornerNoLine { word: quote(text, span) }, span));
-                    request.drop = true;
-                    return;
-                }
-                let to = self.target(text, words);
-                self.observe(text, Event::Rapid);
-                if self.is_on_axis() {
-                    self.observe(text, Event::FromAxis { block, to });
-                }
-                request.moved = words.has_any(AXES);
-                let c = self.turn_target(words);
-                if c.is_some() || !self.travel_plainly(block, MotionKind::Rapid, to, None) {
-                    let motion = self.motion(MotionKind::Rapid, to);
-                    let motion = self.turning(motion, c);
-                    self.travel(block, motion, None);
-                }
-            }
+            MotionMode::Rapid if words.has_any(AXES | TURNS) => self.rapid(text, block, request, words),
             MotionMode::Line if words.has_any(AXES | TURNS | letters(b"A")) || request.comma[2].is_some() => {
                 self.line(text, block, request, words);
             }
@@ -229,6 +221,51 @@ impl Interpreter {
             }
             MotionMode::Cycle(cycle) => self.cycle(text, block, request, words, cycle),
             _ => {}
+        }
+    }
+
+    /// G00.
+    #[inline]
+    pub(super) fn rapid(&mut self, text: &[u8], block: &Block, request: &mut Request, words: &Words) {
+        self.settle_angle();
+        if let Some(index) = request.comma.into_iter().flatten().next() {
+            let span = block.words[index].span;
+            self.report(Diagnostic::new(said::CornerNoLine { word: quote(text, span) }, span));
+            request.drop = true;
+            return;
+        }
+        let (x, z) = self.plane_targets(text, words);
+        let to = Point::new(x.from(self.state.position.x), z.from(self.state.position.z));
+        self.observe(text, Event::Rapid);
+        if self.is_on_axis() && self.state.virtual_plane.is_none() {
+            self.observe(text, Event::FromAxis { block, to });
+        }
+        request.moved = words.has_any(AXES);
+        let c = self.turn_target(words);
+        if c.is_some() || !self.travel_plainly(block, MotionKind::Rapid, to, None) {
+            let motion = self.motion(MotionKind::Rapid, to);
+            let motion = self.turning(motion, c);
+            self.travel(block, motion, None);
+        }
+    }
+
+    /// Words that mean something in few blocks: whoever listens knows whether they do in this one.
+    #[inline(never)]
+    fn seldom_words(&mut self, text: &[u8], block: &Block, words: &Words) {
+        let surface = self.state.virtual_plane.map(|plane| plane.surface);
+        if surface.is_none() && self.state.plane != Plane::Zx || !words.has_any(AXES | TURNS) {
+            return;
+        }
+        // A straight move has its corner words, an arc those of its centre.
+        let unread = match (self.state.motion, surface) {
+            (MotionMode::Rapid, _) | (MotionMode::Line, Some(_)) => SELDOM,
+            (MotionMode::Line | MotionMode::Arc(_), None) => letters(b"DJLPQ"),
+            (MotionMode::Arc(_), Some(Surface::Face)) => letters(b"DKLPQ"),
+            (MotionMode::Arc(_), Some(Surface::Cylinder { .. } | Surface::Flat(_))) => letters(b"DLPQ"),
+            _ => return,
+        };
+        if words.has_any(unread) {
+            self.observe(text, Event::UnreadWords { block, words, unread });
         }
     }
 

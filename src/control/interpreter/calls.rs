@@ -220,7 +220,9 @@ impl Interpreter {
     /// The innermost call ends.
     fn leave_call(&mut self) {
         if self.state.call_stack.calls.pop().is_some_and(|call| call.kind == CallKind::Macro) {
-            self.origins.left(self.state.variables.level());
+            if let Some(chronicler) = &mut self.chronicler {
+                chronicler.left(self.state.variables.level());
+            }
             self.state.variables.pop_level();
         }
     }

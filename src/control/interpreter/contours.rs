@@ -4,19 +4,20 @@
 //! motion list, so that everything a block can say about a path can be said in a contour too.
 
 use super::calls::Here;
+use super::repairs::REPAIRS;
 use super::request::Request;
 use super::{Flow, Interpreter, shortened};
 use crate::control::codes::{self, Compensation, G, MotionMode, Plane};
 use crate::control::contour::{FirstBlock, Landmarks, Purpose};
 use crate::control::events::{ContourCall, Event, Observer};
 use crate::control::modal::{PathMove, State};
-use crate::control::origins::Origins;
 use crate::control::words::{Words, plain, quote};
 use crate::cycles::{Approach, Contour, Piece};
 use crate::geometry::Point;
 use crate::limits::BYTES_PER_STEP;
 use crate::message::{Diagnostic, Fix, Message, Severity, said};
 use crate::motion::MotionKind;
+use crate::parts::in_part;
 use crate::source::Span;
 use crate::text::block::{Block, BlockKind, Value};
 use crate::text::parser::{Parser, Resume};
@@ -32,19 +33,6 @@ pub(super) struct Contours {
     pub landmarks: Vec<Landmarks>,
     /// The contours of G71 to G73.
     roughed: Vec<Roughed>,
-    /// The block whose readings are kept, by its first byte, with what was seen of it.
-    watched: Option<(u32, Vec<Reading>)>,
-}
-
-/// A block that was read as a part of a contour.
-#[derive(Clone, Debug)]
-pub struct Reading {
-    /// What for.
-    pub purpose: Purpose,
-    /// The state before it, and which block set what.
-    pub before: (State, Origins),
-    /// The same after it.
-    pub after: (State, Origins),
 }
 
 /// A contour that was roughed.
@@ -140,11 +128,8 @@ impl Interpreter {
         let Some(begins) = roughed.or_else(|| self.program.labels(text).find(first, block.span.start)) else {
             let word = words.quote(text, b'P');
             let diagnostic = Diagnostic::new(said::ContourNotFound { word }, words.span(b'P'));
-            let fix = self
-                .sink
-                .may_offer(&diagnostic)
-                .then(|| number_missing(text, block.span.end, first, false))
-                .flatten();
+            let may_offer = REPAIRS.is_loaded() && self.sink.may_offer(&diagnostic);
+            let fix = may_offer.then(|| number_missing(text, block.span.end, first, false)).flatten();
             self.report(Diagnostic { fixes: fix.into_iter().collect(), ..diagnostic });
             return None;
         };
@@ -156,7 +141,7 @@ impl Interpreter {
             };
             let is_missing = message.is::<said::ContourNotFound>();
             let diagnostic = Diagnostic::new(message, words.span(b'Q'));
-            let may_offer = is_missing && self.sink.may_offer(&diagnostic);
+            let may_offer = is_missing && REPAIRS.is_loaded() && self.sink.may_offer(&diagnostic);
             let fix = may_offer.then(|| number_missing(text, begins.byte, last, true)).flatten();
             self.report(Diagnostic { fixes: fix.into_iter().collect(), ..diagnostic });
             return None;
@@ -176,8 +161,10 @@ impl Interpreter {
                 self.report(Diagnostic::new(message, words.span(address)));
             }
         }
-        let (before, origins) =
-            (self.state.clone(), self.contours.watched.is_some().then(|| self.origins.clone()));
+        let before = self.state.clone();
+        if let Some(chronicler) = &mut self.chronicler {
+            chronicler.contour_begins();
+        }
         let aside = self.observer.as_mut().map(|observer| observer.set_aside());
         let outer = self.contours.recorded.replace(Vec::new());
         let outer_purpose = self.contours.purpose.replace(purpose);
@@ -192,8 +179,8 @@ impl Interpreter {
         self.contours.purpose = outer_purpose;
         let reported = self.state.reported;
         let state = std::mem::replace(&mut self.state, before);
-        if let Some(origins) = origins {
-            self.origins = origins;
+        if let Some(chronicler) = &mut self.chronicler {
+            chronicler.contour_ends();
         }
         self.state.reported = reported;
         let observer = self.go_on_observed_by(aside);
@@ -258,32 +245,6 @@ impl Interpreter {
         }
     }
 
-    /// Keeps from here on what is read of the block at `byte` as a part of a contour.
-    pub fn watch_contours(&mut self, byte: u32) {
-        self.contours.watched = Some((byte, Vec::new()));
-    }
-
-    /// What was read of it since this was last asked.
-    pub fn take_readings(&mut self) -> Vec<Reading> {
-        self.contours.watched.as_mut().map(|(_, readings)| std::mem::take(readings)).unwrap_or_default()
-    }
-
-    /// The state before a block that is watched.
-    #[inline]
-    fn before_reading(&self, at: Resume) -> Option<(State, Origins)> {
-        let (byte, _) = self.contours.watched.as_ref()?;
-        (*byte == at.byte).then(|| (self.state.clone(), self.origins.clone()))
-    }
-
-    #[inline]
-    fn after_reading(&mut self, block: &Block, before: Option<(State, Origins)>, purpose: Purpose) {
-        let Some((_, readings)) = &mut self.contours.watched else { return };
-        self.origins.note(&self.state, block.span.start);
-        if let Some(before) = before {
-            readings.push(Reading { purpose, before, after: (self.state.clone(), self.origins.clone()) });
-        }
-    }
-
     /// Where the contour of these numbers begins that roughing has found in the program of `block`.
     fn roughed_in_program(&mut self, text: &[u8], block: &Block, named: (u32, u32)) -> Option<Resume> {
         let own = self.program.labels(text).head_at(block.span.start).byte;
@@ -342,9 +303,13 @@ impl Interpreter {
             }
             let moves = self.contours.recorded.as_ref().map_or(0, Vec::len);
             let refused = std::mem::replace(&mut self.refused, false);
-            let before = self.before_reading(at);
+            if let Some(chronicler) = &mut self.chronicler {
+                chronicler.before_reading(at, &self.state);
+            }
             let flow = self.run(text, &block, here);
-            self.after_reading(&block, before, purpose);
+            if let Some(chronicler) = &mut self.chronicler {
+                chronicler.after_reading(&block, &self.state, purpose);
+            }
             if block.kind == BlockKind::Macro && matches!(flow, Flow::Jump(_)) {
                 let span = block.words_span();
                 let word = shortened(&span.quote(text));
@@ -540,9 +505,16 @@ impl Shape {
     }
 }
 
+in_part! {
+    Machine "0404"
+    fn number_missing(text: &[u8], from: u32, number: u32, last: bool) -> Option<Fix> {
+        numbered(text, from, number, last)
+    }
+}
+
 /// A sequence number for the block that begins a contour, after byte `from`, or for the one that ends it: the
 /// last before the tool leaves, another cycle or another tool.
-fn number_missing(text: &[u8], from: u32, number: u32, last: bool) -> Option<Fix> {
+fn numbered(text: &[u8], from: u32, number: u32, last: bool) -> Option<Fix> {
     /// A contour of more blocks is not searched.
     const BLOCKS: usize = 500;
     let mut parser = Parser::resume(text, Resume::inside(from, 0));

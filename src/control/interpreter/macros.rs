@@ -8,12 +8,14 @@ use super::store::Store;
 use super::{Flow, Interpreter, shortened};
 use crate::control::codes::{self, MacroCall};
 use crate::control::doubt::Doubt;
+use crate::control::events::Event;
 use crate::control::macros::{self, Action, Knowledge, Locals, MacroError, MacroErrorKind, Stored};
+use crate::control::modal::MACROS;
 use crate::control::program::{CallKind, Loop, ModalCall, Rounds};
 use crate::control::words::{plain, quote};
 use crate::limits::LOOPS;
 use crate::message::{Diagnostic, Fix, said};
-use crate::parts::{Part, in_part};
+use crate::parts::in_part;
 use crate::setup::TriedValue;
 use crate::setup::dialect::Control;
 use crate::source::Span;
@@ -21,9 +23,6 @@ use crate::text::block::{Block, BlockKind, Value, Word};
 use crate::text::lexer::Number;
 use crate::text::parser::{Parser, Resume};
 use crate::units::Unit;
-
-/// The part macros are in.
-const MACROS: Part = Part::Seldom;
 
 in_part! {
     Seldom "0300"
@@ -70,7 +69,8 @@ impl Interpreter {
         let variables = &mut self.state.variables;
         if variables.write(variable, Some(value)) == Ok(Stored::Done) {
             variables.set_unknown(variable, Knowledge::Known);
-            self.origins.assigned(variables.level(), variable, block);
+            let level = variables.level();
+            self.note_assigned(level, variable, block);
         }
     }
 
@@ -130,6 +130,7 @@ impl Interpreter {
                 self.begin_loop(text, block, number, here)
             }
             Action::While { number, enter: false } => {
+                self.observe(text, Event::While { statement: block.words_span(), enter: false });
                 self.leave_loop(here);
                 match self.behind_end(text, block, number, here) {
                     Some(behind) => {
@@ -236,6 +237,7 @@ impl Interpreter {
                 self.state.call_stack.loops().truncate(old);
             }
         }
+        self.observe(text, Event::While { statement: block.words_span(), enter: true });
         self.open_loop(Loop { number, head, rounds: Rounds::All });
         Flow::Next
     }
@@ -400,6 +402,9 @@ impl Interpreter {
             let places =
                 (!handed_over || matches!(word.address, b'P' | b'L')).then(|| self.places(word.address));
             let (number, negative) = self.value_of(text, block, word, places)?;
+            if number.is_none() && !handed_over && !self.guessing {
+                self.observe(text, Event::VacantWord { word });
+            }
             let value = number.map(|number| Word { value: Value::Number { number, negative }, ..*word });
             handed_over |= value.as_ref().is_some_and(codes::calls_macro);
             own.words.extend(value);
@@ -541,7 +546,7 @@ impl Interpreter {
             // Deeper than the control allows was reported by the call.
             let given = (1..).zip(&arguments).filter(|(_, value)| value.is_some());
             for (variable, _) in given {
-                self.origins.assigned(self.state.variables.level() + 1, variable, block.span.start);
+                self.note_assigned(self.state.variables.level() + 1, variable, block.span.start);
             }
             self.state.variables.push_level(arguments);
         }

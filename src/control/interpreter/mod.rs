@@ -25,6 +25,7 @@ mod pecks;
 mod plain_lines;
 mod read_words;
 mod reference;
+mod repairs;
 mod request;
 mod rotary;
 mod settings;
@@ -34,6 +35,7 @@ mod store;
 mod system;
 mod threads;
 mod trace;
+mod y_axis;
 
 #[cfg(test)]
 mod tests;
@@ -41,7 +43,7 @@ mod tests;
 use super::contour::Landmarks;
 use super::events::{Event, Moment, Observer};
 use super::modal::State;
-use super::origins::Origins;
+use super::origins::{Chronicle, Chronicler};
 use super::program::Program;
 use super::sink::Sink;
 use super::words::{Reading, letters, quote};
@@ -56,7 +58,6 @@ use crate::text::parser::{READS_FAULTS, Resume};
 use contours::Contours;
 
 pub use calls::Here;
-pub use contours::Reading as ContourReading;
 pub use snapshot::{Remainder, Snapshot};
 pub use trace::Executed;
 
@@ -82,8 +83,8 @@ pub struct Interpreter {
     dialect: Dialect,
     /// The state of the control after the last block.
     pub state: State,
-    /// Which block set what is in force.
-    origins: Origins,
+    /// Who notes which block set what is in force.
+    chronicler: Option<Box<dyn Chronicler>>,
     /// Where to read next.
     program: Program,
     /// Motions and messages.
@@ -134,7 +135,7 @@ impl Interpreter {
         Self {
             setup,
             dialect,
-            origins: Origins::new(&state),
+            chronicler: None,
             state,
             program: Program::default(),
             sink,
@@ -218,15 +219,39 @@ impl Interpreter {
         &self.sink.motions
     }
 
-    /// Which block set what is in force after the last one.
-    pub fn origins(&self) -> &Origins {
-        &self.origins
+    /// Notes from here on which block sets what; as one that noted it of another control at power-on, if there was one.
+    pub fn chronicled_like(&mut self, before: Option<&dyn Chronicler>) {
+        self.chronicler = before.map(|chronicler| chronicler.anew(&self.state));
+    }
+
+    /// Begins to note which block sets what is in force.
+    pub fn begin_chronicle(&mut self) {
+        self.chronicler = Some(Box::new(Chronicle::new(&self.state)));
+    }
+
+    /// Who notes it, if somebody does.
+    pub fn chronicler(&self) -> Option<&dyn Chronicler> {
+        self.chronicler.as_deref()
+    }
+
+    /// What was noted; nothing where nobody does.
+    pub fn chronicle_mut(&mut self) -> Option<&mut Chronicle> {
+        self.chronicler.as_mut().map(|chronicler| chronicler.chronicle_mut())
     }
 
     /// What is in force now was set by a block that begins at this byte, as far as it was not before.
     #[inline]
     pub fn note_origins(&mut self, block: u32) {
-        self.origins.note(&self.state, block);
+        if let Some(chronicler) = &mut self.chronicler {
+            chronicler.note(&self.state, block);
+        }
+    }
+
+    /// A block gives a variable a value. `level`: calls of macros under way.
+    fn note_assigned(&mut self, level: usize, variable: u32, block: u32) {
+        if let Some(chronicler) = &mut self.chronicler {
+            chronicler.assigned(level, variable, block);
+        }
     }
 
     /// Messages so far, in the order in which they were reported.

@@ -2,18 +2,18 @@
 //!
 //! In: the words of a block. Out: motions. Corner words and angles are answered here too.
 
+use super::repairs::offer_other_sign;
 use super::request::Request;
 use super::{AXES, Interpreter};
 use crate::control::arcs::{self, CenterWords};
 use crate::control::codes::{Compensation, MotionMode, Plane};
-use crate::control::doubt::{Doubt, Doubts};
 use crate::control::events::{Event, ThreadPass, ThreadedBy};
-use crate::control::modal::{Angle, Once, Target};
+use crate::control::modal::{Angle, Target};
 use crate::control::words::{self, Counts, Words, letters, plain, quote};
 use crate::cycles::single::Single;
-use crate::geometry::virtual_plane::Surface;
+use crate::geometry::virtual_plane::{Flat, Surface};
 use crate::geometry::{Point, SAME, Turn};
-use crate::message::{Diagnostic, Fix, Message, Severity, said};
+use crate::message::{Diagnostic, Edit, Fix, Message, Repair, Severity, said};
 use crate::motion::{Motion, MotionKind};
 use crate::setup::dialect::{Control, DecimalRule, IInG92, NegativeArcR, XuConflict};
 use crate::text::block::{Block, Value, Word};
@@ -75,33 +75,6 @@ impl Interpreter {
     #[inline]
     pub(super) fn is_on_axis(&self) -> bool {
         self.state.position.x.abs() <= SAME
-    }
-
-    /// Y and V: at Y0 they change nothing. Elsewhere it is reported once, and the motion of X and Z is
-    /// drawn as an uncertain one.
-    #[inline(never)]
-    pub(super) fn other_axes(&mut self, text: &[u8], words: &Words) {
-        let reading = self.reading();
-        for address in [b'Y', b'V'] {
-            let Some(word) = words.get(address) else { continue };
-            let way = reading.length(word).unwrap_or(0.0);
-            let absolute = address == b'Y' && !self.state.incremental;
-            self.move_y(text, word, if absolute { way } else { self.state.y + way });
-        }
-    }
-
-    /// The tip goes to a place along Y, mm.
-    pub(super) fn move_y(&mut self, text: &[u8], word: &Word, y: f64) {
-        self.state.y = y;
-        if y.abs() <= crate::geometry::SAME {
-            self.state.doubts.remove(Doubt::Y);
-            return;
-        }
-        if self.state.reported.first(Once::AxisNotHere) {
-            let message = said::AxisNotHere { word: quote(text, word.span) };
-            self.report(Diagnostic::new(message, word.span));
-        }
-        self.lose(Doubts::of(&[Doubt::Y]));
     }
 
     /// G01, with its corner and angle words.
@@ -169,7 +142,7 @@ impl Interpreter {
         if self.state.compensation != Compensation::Off {
             self.observe(text, Event::CompensatedLine { block, to });
         }
-        if self.is_on_axis() {
+        if self.is_on_axis() && self.state.virtual_plane.is_none() {
             self.observe(text, Event::FromAxis { block, to });
         }
         if joint.is_none() && c.is_none() && self.travel_plainly(block, MotionKind::Feed, to, None) {
@@ -209,21 +182,14 @@ impl Interpreter {
         turn: Turn,
     ) {
         let surface = self.state.virtual_plane.map(|plane| plane.surface);
-        if self.state.plane != Plane::Zx && surface.is_none() {
-            if self.state.reported.first(Once::PlaneNotHere) {
-                let word = if self.state.plane == Plane::Xy { "G17" } else { "G19" };
-                self.report(Diagnostic::new(said::PlaneNotHere { word }, block.words_span()));
-            }
-            request.drop = true;
-            return;
-        }
         let reading = self.reading();
         let code = if turn == Turn::Clockwise { "G02" } else { "G03" };
         let given = |address: u8| words.get(address).and_then(|word| reading.length(word));
-        // The words of the centre along the second and the first axis of the plane.
-        let (up, right) = match surface {
-            None => (b'I', b'K'),
-            Some(Surface::Face) => (b'J', b'I'),
+        // The words of the centre along the second and the first axis of the plane, and along the third.
+        let (up, right, third) = match surface {
+            None | Some(Surface::Flat(Flat::Zx)) => (b'I', b'K', b'J'),
+            Some(Surface::Face | Surface::Flat(Flat::Xy)) => (b'J', b'I', b'K'),
+            Some(Surface::Flat(Flat::Yz)) => (b'K', b'J', b'I'),
             Some(Surface::Cylinder { .. }) => {
                 if let Some(address) = [b'I', b'J', b'K'].into_iter().find(|&word| words.get(word).is_some())
                 {
@@ -232,19 +198,29 @@ impl Interpreter {
                     request.drop = true;
                     return;
                 }
-                (b'J', b'K')
+                (b'J', b'K', b'I')
             }
         };
         let turn = match surface {
             Some(Surface::Cylinder { turned: true, .. }) => turn.opposite(),
             _ => turn,
         };
+        let [first, second] = [up.min(right), up.max(right)].map(char::from);
+        let stray =
+            words.get(third).filter(|word| given(b'R').is_none() && plain(word) != Some(0.0)).map(|word| {
+                Diagnostic::new(
+                    said::CenterOutsidePlane { word: quote(text, word.span), first, second },
+                    word.span,
+                )
+            });
         let center_words = match (given(b'R'), given(up), given(right)) {
             (Some(radius), ..) => CenterWords::Radius(radius),
             (None, None, None) => {
                 let alarm = self.dialect.strict || self.dialect.control == Control::Gsk;
                 let severity = if alarm { Severity::Error } else { Severity::Warning };
-                self.report(Diagnostic::new(said::ArcNoCenter { code }, block.words_span()).graded(severity));
+                let no_center =
+                    || Diagnostic::new(said::ArcNoCenter { code, first, second }, block.words_span());
+                self.report(stray.unwrap_or_else(no_center).graded(severity));
                 if alarm {
                     request.drop = true;
                 } else {
@@ -260,8 +236,8 @@ impl Interpreter {
             && self.dialect.negative_arc_r == NegativeArcR::Alarm
         {
             let (span, word) = (words.span(b'R'), words.quote(text, b'R'));
-            let fix = Fix::write(span, words::with_other_sign(&word));
-            self.report(Diagnostic::new(said::ArcRadiusNegative { word }, span).with(fix));
+            let diagnostic = Diagnostic::new(said::ArcRadiusNegative { word }, span);
+            self.report(offer_other_sign(diagnostic, text, span));
             request.drop = true;
             return;
         }
@@ -275,6 +251,7 @@ impl Interpreter {
                 Fix::write(span, format!("R{}", words::behind_letter(&word).trim_start_matches([' ', '-'])));
             self.report(Diagnostic::new(said::ArcOverHalf { word }, span).with(fix));
         }
+        let of_center = [up, right];
         let (up, right) = self.plane_targets(text, words);
         let to = Point::new(up.from(self.state.position.x), right.from(self.state.position.z));
         if !self.may_cut(text, block, words, request) {
@@ -292,6 +269,9 @@ impl Interpreter {
         };
         match arcs::center(from, to, turn, center_words) {
             Ok(Some(center)) => {
+                if let Some(stray) = stray {
+                    self.report(stray);
+                }
                 if joint.is_none() && self.travel_plainly(block, kind, to, Some(center)) {
                     return;
                 }
@@ -299,7 +279,7 @@ impl Interpreter {
                 self.travel(block, motion, joint);
             }
             // It goes along Y, which was reported.
-            Ok(None) if words.has_any(letters(b"YV")) => {}
+            Ok(None) if words.has_any(letters(b"YV")) && surface.is_none() => {}
             Ok(None) => self.report(Diagnostic::new(said::ArcNowhere, block.words_span())),
             Err(fault) => {
                 let message: Message = match fault {
@@ -312,7 +292,15 @@ impl Interpreter {
                         said::ArcEndOffCircle { start_radius, end_radius }.into()
                     }
                 };
-                self.report(Diagnostic::new(message, block.words_span()));
+                let mut diagnostic = Diagnostic::new(message, block.words_span());
+                if let CenterWords::Offset { i, k } = center_words {
+                    let meets = |i: f64, k: f64| {
+                        matches!(arcs::center(from, to, turn, CenterWords::Offset { i, k }), Ok(Some(_)))
+                    };
+                    diagnostic.fixes.extend(center_repair(text, words, of_center, [i, k], meets));
+                }
+                // One fault, one message.
+                self.report(stray.map_or(diagnostic, |stray| stray.graded(Severity::Error)));
                 request.drop = true;
             }
         }
@@ -398,6 +386,38 @@ impl Interpreter {
         }
         lead
     }
+}
+
+/// The words of a centre, by their letters and ways, with other signs, where no others lead to the end; `meets`:
+/// whether these ways do.
+#[cold]
+#[inline(never)]
+fn center_repair(
+    text: &[u8],
+    words: &Words,
+    [first, second]: [u8; 2],
+    [i, k]: [f64; 2],
+    meets: impl Fn(f64, f64) -> bool,
+) -> Option<Fix> {
+    let turned = |letter: u8| {
+        let word = words.get(letter)?;
+        Some(Edit { span: word.span, text: words::with_other_sign(&quote(text, word.span)) })
+    };
+    let (mut edits, title) = match [i != 0.0 && meets(-i, k), k != 0.0 && meets(i, -k)] {
+        [true, false] => (vec![turned(first)?], None),
+        [false, true] => (vec![turned(second)?], None),
+        [false, false] if i != 0.0 && k != 0.0 && meets(-i, -k) => {
+            let (one, other) = (turned(first)?, turned(second)?);
+            let title = format!("{} {}", one.text, other.text);
+            (vec![one, other], Some(title))
+        }
+        _ => return None,
+    };
+    if edits[0].span.start > edits[edits.len() - 1].span.start {
+        edits.reverse();
+    }
+    let title = title.unwrap_or_else(|| edits[0].text.clone());
+    Some(Fix { title: Repair::Write { text: title }, safe: false, edits })
 }
 
 /// Pull-out of GSK's G32: K along the long axis (unsigned), J along the short one (signed, a radius for X).

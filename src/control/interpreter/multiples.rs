@@ -6,6 +6,7 @@
 
 use super::Interpreter;
 use super::contours::Shape;
+use super::repairs::offer_other_sign;
 use super::request::Request;
 use crate::control::codes::Multiple;
 use crate::control::contour::Purpose;
@@ -112,10 +113,12 @@ impl Interpreter {
                 if depth <= 0.0 {
                     let message = said::DepthNotPositive { code, depth };
                     let diagnostic = Diagnostic::new(message, words.span(depth_word));
-                    let word = words.quote(text, depth_word);
-                    let fix = (depth < 0.0)
-                        .then(|| Fix::write(words.span(depth_word), words::with_other_sign(&word)));
-                    self.report(Diagnostic { fixes: fix.into_iter().collect(), ..diagnostic });
+                    let span = words.span(depth_word);
+                    self.report(if depth < 0.0 {
+                        offer_other_sign(diagnostic, text, span)
+                    } else {
+                        diagnostic
+                    });
                     return None;
                 }
             }

@@ -294,6 +294,7 @@ impl Interpreter {
             let tip = compensating.compensator.tip();
             self.state.tip = (!tip.is_same(self.state.position)).then_some(tip);
         }
+        self.leave_flat();
     }
 
     /// An open angle that no straight move with an end point follows.

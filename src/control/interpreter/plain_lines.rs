@@ -5,7 +5,7 @@
 //! same, only slower; a line that might not is left to [`Interpreter::run`].
 
 use super::Interpreter;
-use crate::control::codes::{Compensation, MotionMode};
+use crate::control::codes::{Compensation, MotionMode, Plane};
 use crate::control::events::Event;
 use crate::control::modal::CycleMemory;
 use crate::control::words::Reading;
@@ -41,7 +41,9 @@ impl Interpreter {
             if mode != self.state.motion {
                 self.observe(&[], Event::MotionCode { mode });
                 self.state.motion = mode;
-                self.origins.note_motion(mode, line.span.start);
+                if let Some(chronicler) = &mut self.chronicler {
+                    chronicler.note_motion(mode, line.span.start);
+                }
             }
             if kind == MotionKind::Rapid {
                 self.observe(&[], Event::Rapid);
@@ -75,6 +77,8 @@ impl Interpreter {
             && state.compensating.is_none()
             && state.pending.is_none()
             && state.virtual_plane.is_none()
+            && state.y == 0.0
+            && (state.plane == Plane::Zx || !self.setup.machine.has_y())
             && state.tip.is_none()
             && state.stop.is_none()
             && state.hole.is_none()

@@ -11,7 +11,7 @@ use crate::control::doubt::{Doubt, Doubts};
 use crate::control::events::Event;
 use crate::control::words::{self, Words, quote};
 use crate::message::{Diagnostic, Fix, Severity, said};
-use crate::motion::SpindleTurn;
+use crate::motion::{Quill, SpindleTurn};
 use crate::source::Span;
 use crate::text::block::{Block, Value, Word};
 
@@ -197,11 +197,16 @@ impl Interpreter {
             Some(M::Spindle(SpindleTurn::Stopped)) => request.stop_spindle = true,
             Some(M::Spindle(turn)) => {
                 state.spindle.turn = turn;
+                state.spindle.is_held = false;
                 // A spindle that turns is no axis.
                 state.c_axis = false;
             }
+            Some(M::Orientation) => state.spindle.is_held = true,
             Some(M::LiveTool) => state.spindle.live_tool = true,
             Some(M::ThreadPullOut(switch)) => state.thread_chamfer_on = switch == Switch::On,
+            // It is no longer in the way of this block, and comes when the block is done.
+            Some(M::Quill(Quill::Forward)) => request.quill_comes = true,
+            Some(M::Quill(quill)) => state.quill = quill,
             Some(M::End) => request.end = true,
             Some(M::CAxis(switch)) => state.c_axis = switch == Switch::On,
             Some(M::Pause(kind)) => request.stop = Some(kind),

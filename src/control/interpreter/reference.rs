@@ -6,7 +6,6 @@
 use super::request::{OneShot, Request};
 use super::rotary::TURNS;
 use super::{AXES, Interpreter};
-use crate::control::doubt::Doubt;
 use crate::control::events::Event;
 use crate::control::modal::{Once, Target};
 use crate::control::offsets::{Column, EXTENDED_FRAMES, OFFSETS, STANDARD_FRAMES};
@@ -28,8 +27,7 @@ impl Interpreter {
     pub(super) fn home(&mut self, text: &[u8], block: &Block, request: &mut Request, words: &Words) {
         self.go_home(text, block, request, words);
         if words.has_any(letters(b"YV")) {
-            self.state.y = 0.0;
-            self.state.doubts.remove(Doubt::Y);
+            self.y_goes_home(block);
         }
     }
 
@@ -45,7 +43,7 @@ impl Interpreter {
             return;
         }
         self.observe(text, Event::Home);
-        self.other_axes(text, words);
+        self.other_axes(text, block, words);
         let turns = words.has_any(TURNS);
         if !words.has_any(AXES) && !turns {
             if !words.has_any(letters(b"YV")) && self.state.reported.first(Once::G28NoAxis) {
@@ -117,7 +115,7 @@ impl Interpreter {
     pub(super) fn machine_move(&mut self, text: &[u8], block: &Block, request: &mut Request, words: &Words) {
         let reading = self.reading();
         if let Some((word, y)) = words.get(b'Y').and_then(|word| Some((word, reading.length(word)?))) {
-            self.move_y(text, word, y);
+            self.move_y(text, block, word, y);
         }
         let x = words.get(b'X').and_then(|word| reading.radius(word));
         let z = words.get(b'Z').and_then(|word| reading.length(word));

@@ -51,6 +51,8 @@ pub(super) struct Request {
     pub surface: Option<bool>,
     /// M05.
     pub stop_spindle: bool,
+    /// M25: the quill of the tailstock comes forward.
+    pub quill_comes: bool,
     /// M00, M01.
     pub stop: Option<StopKind>,
     /// M02, M30.

@@ -10,7 +10,7 @@ use crate::control::codes::{Compensation, G, MotionMode, Plane, Switch};
 use crate::control::events::Event;
 use crate::control::modal::{Once, PathMove, Target, VirtualPlane};
 use crate::control::words::{Counts, Words, letters, quote};
-use crate::geometry::virtual_plane::{Surface, VirtualMove, Way};
+use crate::geometry::virtual_plane::{Flat, Surface, VirtualMove, Way};
 use crate::geometry::{Arc, Turn};
 use crate::message::{Diagnostic, Message, said};
 use crate::motion::{Motion, MotionKind, Rotary};
@@ -25,6 +25,9 @@ impl Interpreter {
     /// The G codes that may stand in polar or cylindrical interpolation; all others are an alarm.
     pub(super) fn may_stand_in_plane(&mut self, text: &[u8], code: G, word: &Word) -> bool {
         let Some(plane) = self.state.virtual_plane else { return true };
+        if matches!(plane.surface, Surface::Flat(_)) {
+            return true;
+        }
         let allowed = match code {
             G::Polar(Switch::Off) => plane.surface == Surface::Face,
             G::Cylinder => plane.surface != Surface::Face,
@@ -41,7 +44,7 @@ impl Interpreter {
         let message: Message = match plane.surface {
             Surface::Face if frame => said::PolarFrame { word: word_text }.into(),
             Surface::Face => said::PolarForbidden { word: word_text }.into(),
-            Surface::Cylinder { .. } => said::CylinderForbidden { word: word_text }.into(),
+            Surface::Cylinder { .. } | Surface::Flat(_) => said::CylinderForbidden { word: word_text }.into(),
         };
         self.report(Diagnostic::new(message, word.span));
         false
@@ -49,6 +52,8 @@ impl Interpreter {
 
     /// A tool change or the end of the program, while a virtual plane is in force.
     pub(super) fn plane_left_on(&mut self, text: &[u8], span: Span) {
+        // What waits there settles as the cutter goes.
+        self.leave_flat();
         let Some(plane) = self.state.virtual_plane else { return };
         let (code, face) = (quote(text, span), plane.surface == Surface::Face);
         let off = if face { "G13.1" } else { "G07.1 C0" };
@@ -134,9 +139,10 @@ impl Interpreter {
 
     fn enter_plane(&mut self, surface: Surface) {
         self.settle();
+        self.leave_flat();
         self.state.tip = None;
         self.state.reported.forget(Once::PlaneRapid);
-        let (at, third) = surface.enter(self.state.position, self.state.c);
+        let (at, third) = surface.enter(self.state.position, self.state.y, self.state.c);
         self.state.position = at;
         self.state.virtual_plane = Some(VirtualPlane { surface, third: (third, third), angle: self.state.c });
     }
@@ -164,6 +170,9 @@ impl Interpreter {
     /// Checks before a move in the virtual plane. False: reported.
     pub(super) fn may_move_in_plane(&mut self, text: &[u8], block: &Block, words: &Words) -> bool {
         let Some(plane) = self.state.virtual_plane else { return true };
+        if matches!(plane.surface, Surface::Flat(_)) {
+            return true;
+        }
         if !matches!(self.state.motion, MotionMode::Line | MotionMode::Arc(_)) {
             let word = match self.state.motion {
                 MotionMode::Rapid => "G00".to_owned(),
@@ -171,7 +180,7 @@ impl Interpreter {
             };
             let message: Message = match plane.surface {
                 Surface::Face => said::PolarForbidden { word }.into(),
-                Surface::Cylinder { .. } => said::CylinderForbidden { word }.into(),
+                Surface::Cylinder { .. } | Surface::Flat(_) => said::CylinderForbidden { word }.into(),
             };
             if self.state.reported.first(Once::PlaneRapid) {
                 self.report(Diagnostic::new(message, block.words_span()));
@@ -244,6 +253,16 @@ impl Interpreter {
                 let right = self.axis(text, words, b'Z', b'W', Counts::Length);
                 (up, right, self.axis(text, words, b'X', b'U', Counts::Diameter))
             }
+            Surface::Flat(flat) => {
+                let x = self.axis(text, words, b'X', b'U', Counts::Diameter);
+                let y = self.axis(text, words, b'Y', b'V', Counts::Length);
+                let z = self.axis(text, words, b'Z', b'W', Counts::Length);
+                match flat {
+                    Flat::Xy => (y, x, z),
+                    Flat::Zx => (x, z, y),
+                    Flat::Yz => (z, y, x),
+                }
+            }
         };
         if let Some(plane) = &mut self.state.virtual_plane {
             let from = plane.third.1;
@@ -274,7 +293,11 @@ impl Interpreter {
             _ => Way::Line(motion.from, motion.to),
         };
         let from = plane.angle;
-        plane.angle += plane.surface.turn_along(&way);
+        match plane.surface {
+            // C turns beside the way.
+            Surface::Flat(_) => plane.angle = self.state.c,
+            surface => plane.angle += surface.turn_along(&way),
+        }
         let own = VirtualMove { surface: plane.surface, way, third };
         motion.rotary = Some(Rotary { from, to: plane.angle, virtual_move: Some(own) });
         (motion.from, motion.to, motion.center) = (own.at(0.0), own.at(1.0), None);

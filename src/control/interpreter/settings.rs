@@ -40,8 +40,10 @@ impl Interpreter {
         if let Some(surface) = request.surface {
             self.surface_speed(text, block, surface, words);
         }
-        if let Some(value) = words.get(b'S').filter(|_| !setting).and_then(plain) {
-            self.observe(text, Event::SpindleSpeed { value });
+        if let Some(word) = words.get(b'S').filter(|_| !setting)
+            && let Some(value) = plain(word)
+        {
+            self.observe(text, Event::SpindleSpeed { value, word });
             let spindle = &mut self.state.spindle;
             spindle.still = value == 0.0;
             if spindle.surface {
@@ -144,6 +146,7 @@ impl Interpreter {
         let by_milliseconds = words.get(b'P').and_then(plain).map(|value| value / scale);
         match by_seconds.or(by_milliseconds) {
             Some(seconds) if seconds > 0.0 => {
+                self.observe(text, Event::Dwell { words, seconds });
                 let motion = self.motion(MotionKind::Dwell, self.state.position);
                 let motion = Motion { seconds: Some(seconds), ..motion };
                 self.wait_here(self.path_move(block, motion));

@@ -1,5 +1,6 @@
 //! G90, G92 and G94 as blocks call them: memory, spellings of the taper, checks (seeds 000, 001 and 004).
 
+use super::repairs::offer_other_sign;
 use super::request::Request;
 use super::{AXES, Interpreter};
 use crate::control::compensation::{Axis, cycle_shift};
@@ -26,11 +27,6 @@ in_part! {
     Machine "0400"
     fn taper_word(taper: f64) -> String {
         format!("R{}", crate::units::number(taper))
-    }
-
-    Machine "0403"
-    fn with_sign_changed(diagnostic: Diagnostic, text: &[u8], span: Span) -> Diagnostic {
-        diagnostic.with(Fix::write(span, words::with_other_sign(&words::quote(text, span))))
     }
 }
 
@@ -203,9 +199,8 @@ impl Interpreter {
             let crosses_axis = cycle != Single::Facing && end.x > 0.0 && end.x < taper;
             if let Some((text, place)) = own_word
                 && !crosses_axis
-                && QUOTING.is_loaded()
             {
-                diagnostic = with_sign_changed(diagnostic, text, place);
+                diagnostic = offer_other_sign(diagnostic, text, place);
             }
             self.report(diagnostic);
             return !error;

@@ -9,7 +9,7 @@ use super::Interpreter;
 use super::contours::Contours;
 use crate::control::events::Observer;
 use crate::control::modal::State;
-use crate::control::origins::Origins;
+use crate::control::origins::Chronicler;
 use crate::message::Diagnostic;
 use crate::motion::{Chunk, Motions};
 use crate::source::shift::Shift;
@@ -22,7 +22,7 @@ pub struct Snapshot {
     /// The block to come.
     at: Resume,
     state: State,
-    origins: Origins,
+    chronicler: Option<Box<dyn Chronicler>>,
     observer: Option<Box<dyn Observer>>,
     /// Chunks of motions before it.
     chunks: usize,
@@ -54,6 +54,11 @@ impl Snapshot {
         observer.min(self.state.first_waiting())
     }
 
+    /// Whether it is known at it which block set what is in force.
+    pub fn is_chronicled(&self) -> bool {
+        self.chronicler.is_some()
+    }
+
     /// Moves the places of the text that it holds along, when the text before them has changed.
     fn shift(&mut self, shift: &Shift) {
         self.at = self.at.shifted(shift);
@@ -77,7 +82,7 @@ pub struct Remainder {
     hidden: usize,
     /// The state at the end.
     state: State,
-    origins: Origins,
+    chronicler: Option<Box<dyn Chronicler>>,
     observer: Option<Box<dyn Observer>>,
 }
 
@@ -149,7 +154,7 @@ impl Interpreter {
         Snapshot {
             at,
             state: self.state.clone(),
-            origins: self.origins.clone(),
+            chronicler: self.chronicler.clone(),
             observer: self.observer.clone(),
             chunks: self.sink.motions.chunks().len(),
             reported: self.sink.diagnostics.len(),
@@ -162,12 +167,22 @@ impl Interpreter {
 
     /// Goes back to a snapshot of the same run, as if nothing after it had been carried out.
     pub fn restore(&mut self, snapshot: &Snapshot) {
-        let Snapshot { at, state, origins, observer, chunks, reported, hidden, work, failed: _, incomplete } =
-            snapshot;
+        let Snapshot {
+            at,
+            state,
+            chronicler,
+            observer,
+            chunks,
+            reported,
+            hidden,
+            work,
+            failed: _,
+            incomplete,
+        } = snapshot;
         let chunk = Chunk::new(at.byte, at.line, state.position);
         self.sink.back_to(*chunks, *reported, *hidden, *incomplete, chunk);
         self.state = state.clone();
-        self.origins = origins.clone();
+        self.chronicler = chronicler.clone();
         self.observer = observer.clone();
         self.program = std::mem::take(&mut self.program).back_at(*at, *work);
         self.contours = Contours::default();
@@ -200,7 +215,7 @@ impl Interpreter {
             diagnostics: self.sink.diagnostics.split_off(first.reported),
             hidden: self.sink.hidden,
             state: self.state.clone(),
-            origins: self.origins.clone(),
+            chronicler: self.chronicler.clone(),
             observer: self.observer.clone(),
             snapshots,
         })
@@ -243,7 +258,7 @@ impl Interpreter {
             mut diagnostics,
             hidden,
             mut state,
-            origins,
+            chronicler,
             mut observer,
         } = other;
         let (chunks_out, reported_before) = (snapshots[0].chunks, snapshots[0].reported);
@@ -257,7 +272,7 @@ impl Interpreter {
         let mut incomplete = self.sink.incomplete;
         let met = there.at.byte;
         for snapshot in &mut later {
-            snapshot.origins = snapshot.origins.after_meeting(met, &self.origins, shift);
+            snapshot.chronicler = self.chronicler_after(met, snapshot.chronicler.as_deref(), shift);
             self.sink.incomplete |= snapshot.failed;
             snapshot.shift(shift);
             snapshot.chunks = snapshot.chunks - there.chunks + chunks;
@@ -278,8 +293,19 @@ impl Interpreter {
         if let Some(observer) = &mut observer {
             observer.shift(shift);
         }
-        self.origins = origins.after_meeting(met, &self.origins, shift);
+        self.chronicler = self.chronicler_after(met, chronicler.as_deref(), shift);
         (self.state, self.observer) = (state, observer);
         later
+    }
+
+    /// Who noted in another run, which this one has met, which block set what: in the places of this run.
+    fn chronicler_after(
+        &self,
+        met: u32,
+        other: Option<&dyn Chronicler>,
+        shift: &Shift,
+    ) -> Option<Box<dyn Chronicler>> {
+        let own = self.chronicler()?.chronicle();
+        Some(Box::new(other?.chronicle().after_meeting(met, own, shift)))
     }
 }

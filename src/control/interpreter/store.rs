@@ -44,7 +44,7 @@ impl Memory for Store<'_> {
         }
         self.interpreter.state.variables.set_unknown(variable, self.knowledge);
         let level = self.interpreter.state.variables.level();
-        self.interpreter.origins.assigned(level, variable, self.block.span.start);
+        self.interpreter.note_assigned(level, variable, self.block.span.start);
         Ok(())
     }
 }

@@ -120,9 +120,10 @@ impl Interpreter {
                 f64::from(self.program.labels(text).number_at(at).unwrap_or(0))
             }
             System::Work(3) | System::Machine(3) => state.c,
-            System::Work(axis) => coordinate(state.position, axis),
+            System::Work(axis) => coordinate(state.turning_place(), axis),
             System::Machine(axis) => {
-                let place = Point::new(state.position.x + offset.x, state.position.z + offset.z);
+                let place = state.turning_place();
+                let place = Point::new(place.x + offset.x, place.z + offset.z);
                 coordinate(place, axis)
             }
             System::External(axis) => coordinate(state.frames.external, axis),
@@ -217,7 +218,7 @@ impl Interpreter {
                 Plane::Zx => 18,
                 Plane::Yz => 19,
             },
-            21 => 113 - u32::from(state.virtual_plane.is_some()),
+            21 => 113 - u32::from(state.interpolation().is_some()),
             _ => 0,
         }
     }

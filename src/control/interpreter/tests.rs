@@ -25,7 +25,7 @@ impl Observer for Recorder {
             Event::Cut { feed, .. } => format!("cut at {feed} from X{x} Z{z}"),
             Event::Feed => format!("F after {:?}", at.state.feed),
             Event::MCode { number, .. } => format!("M{number} while {:?}", at.state.spindle.turn),
-            Event::SpindleSpeed { value } => format!("S{value}"),
+            Event::SpindleSpeed { value, .. } => format!("S{value}"),
             Event::Rapid => "rapid".to_owned(),
             Event::MotionCode { mode: MotionMode::Line, .. } => "G01".to_owned(),
             Event::ContourNamed { named, .. } => format!("contour {named:?}"),

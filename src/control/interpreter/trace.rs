@@ -28,6 +28,16 @@ pub struct Executed {
 }
 
 in_part! {
+    Tools "0412"
+    pub(super) fn keep_block(interpreter: &mut Interpreter, block: &Block, here: Here) {
+        interpreter.trace_block(block, here);
+    }
+
+    Tools "0413"
+    pub(super) fn keep_process(interpreter: &mut Interpreter) {
+        interpreter.trace_process();
+    }
+
     Tools "0410"
     // Only tools ask for a trace.
     fn assigned(variable: u32, value: f64) -> String {
@@ -51,8 +61,7 @@ in_part! {
 
 impl Interpreter {
     /// Keeps a block that is carried out.
-    #[cold]
-    pub(super) fn trace_block(&mut self, block: &Block, here: Here) {
+    fn trace_block(&mut self, block: &Block, here: Here) {
         let first = self.sink.kept();
         let process = self.state.process();
         let Some(trace) = self.trace.as_mut().filter(|_| self.contours.recorded.is_none()) else { return };
@@ -62,8 +71,7 @@ impl Interpreter {
     }
 
     /// Keeps what the last block has made of feed, spindle and tool.
-    #[cold]
-    pub(super) fn trace_process(&mut self) {
+    fn trace_process(&mut self) {
         let process = self.state.process();
         let Some(trace) = self.trace.as_mut().filter(|_| self.contours.recorded.is_none()) else { return };
         if let Some(last) = trace.last_mut() {

@@ -9,6 +9,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use super::passes::{CENTRE, Pass};
 use super::{CORNER, Program, Role, Row, Word, is_among};
+use crate::geometry::Point;
 use crate::message::{Diagnostic, Fix, said};
 use crate::motion::{Motion, MotionKind, SpindleTurn, Step};
 
@@ -163,7 +164,15 @@ impl Program<'_> {
     /// that a rapid brought there.
     pub(super) fn lost_minus(&self) -> Vec<Diagnostic> {
         let mut diagnostics = Vec::new();
-        let lengths = self.positive_lengths();
+        // Most programs have none of them left, and then nobody has to look at all motions.
+        let may_be_lost = |(row, word, (from, to)): &(&Row, &Word, (usize, usize))| {
+            let place = word.value * self.unit;
+            match row.moves_at_rapid {
+                true => self.plunges(*to, place),
+                false => self.goes_to(*from, *to, place) && !self.faces_in_steps(row),
+            }
+        };
+        let lengths: Vec<_> = self.positive_lengths().into_iter().filter(may_be_lost).collect();
         if lengths.is_empty() {
             return Vec::new();
         }
@@ -179,8 +188,8 @@ impl Program<'_> {
                 continue;
             }
             let lost = match row.moves_at_rapid {
-                true => self.plunges_in_air(&pass, from, to, place),
-                false => !self.faces_in_steps(row) && self.leads_away(&pass, from, to, place, front),
+                true => self.is_in_air(&pass, from, place),
+                false => self.leads_away(&pass, from, to, place, front),
             };
             if lost {
                 let tool = first.station;
@@ -219,14 +228,12 @@ impl Program<'_> {
         cycle && next.is_some_and(|next| !next.negative && next.value < own.value)
     }
 
-    /// Whether a rapid led to `place`, in front of a face that is cut already, and the tool
-    /// then cuts straight in there.
-    fn plunges_in_air(&self, pass: &Pass, from: usize, to: usize, place: f64) -> bool {
-        let last = self.motions.get(to - 1);
-        if last.kind != MotionKind::Rapid || last.cycle.is_some() || (last.to.z - place).abs() > 0.001 {
+    /// Whether a rapid led to `place`, and the tool then cuts straight in and comes out there.
+    fn plunges(&self, to: usize, place: f64) -> bool {
+        let last = self.motions.glance(to - 1);
+        if last.kind != MotionKind::Rapid || last.is_of_cycle || (last.to.z - place).abs() > 0.001 {
             return false;
         }
-        let Some(face) = pass.empty_beyond(self.motions.get(from).process.tool.0) else { return false };
         let mut behind = (to..self.motions.len()).map(|index| self.motions.get(index));
         let first = behind.find(|motion| motion.kind != MotionKind::Dwell && motion.from.x != motion.to.x);
         let plunges = |cut: Motion| {
@@ -237,11 +244,25 @@ impl Program<'_> {
                 && (cut.to.z - place).abs() <= 0.001
                 && cut.to.x < cut.from.x
         };
+        if !first.is_some_and(plunges) {
+            return false;
+        }
         // Straight out again, as from a groove; a chamfer at a face goes on along Z.
         let out = behind.find(|motion| motion.kind != MotionKind::Dwell);
-        let comes_out =
-            out.is_none_or(|motion| motion.to.x > motion.from.x && (motion.to.z - place).abs() <= 0.001);
-        place > face + OVERRUN && first.is_some_and(plunges) && comes_out && !self.has_several_frames()
+        out.is_none_or(|motion| motion.to.x > motion.from.x && (motion.to.z - place).abs() <= 0.001)
+    }
+
+    /// Whether `place` is in front of a face that is cut already.
+    fn is_in_air(&self, pass: &Pass, from: usize, place: f64) -> bool {
+        let Some(face) = pass.empty_beyond(self.motions.glance(from).station) else { return false };
+        place > face + OVERRUN && !self.has_several_frames()
+    }
+
+    /// Whether a motion of a block leads toward +Z to `place`, but for what a corner takes off at the end.
+    fn goes_to(&self, from: usize, to: usize, place: f64) -> bool {
+        (from..to)
+            .map(|index| self.motions.glance(index))
+            .any(|motion| leads_to(motion.from, motion.to, place))
     }
 
     /// G55 to G59: the zero point of another spindle may lie elsewhere.
@@ -252,9 +273,7 @@ impl Program<'_> {
     /// Whether the motions of a block cut toward +Z to `place`, in front of the work,
     /// where cuts begin at `front`.
     fn leads_away(&self, pass: &Pass, from: usize, to: usize, place: f64, front: f64) -> bool {
-        // A corner takes off a little at the end.
-        let reaches = |z: f64| (place - CORNER..=place + 0.001).contains(&z);
-        let goes_there = |motion: &Motion| reaches(motion.to.z) && motion.to.z > motion.from.z + 0.001;
+        let goes_there = |motion: &Motion| leads_to(motion.from, motion.to, place);
         let leaves = |motion: &Motion| {
             motion.cycle.is_some_and(|tag| matches!(tag.step, Step::Retract | Step::Return))
         };
@@ -295,4 +314,9 @@ impl Program<'_> {
         // A retract at feed is short; a longer cut there removes nothing.
         place - cut.from.z.max(front) > if goes_on { OVERRUN } else { LEAVES }
     }
+}
+
+/// Whether a motion leads toward +Z to `place`, but for what a corner takes off at the end.
+fn leads_to(from: Point, to: Point, place: f64) -> bool {
+    (place - CORNER..=place + 0.001).contains(&to.z) && to.z > from.z + 0.001
 }

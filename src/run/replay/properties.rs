@@ -228,6 +228,12 @@ fn stepped(text: &str) -> Option<BTreeMap<u32, Vec<Stepped>>> {
     None
 }
 
+/// Whether two states are the same. That a block before failed is handed over to the motions with each snapshot, and then stands in
+/// the state no more.
+fn same(one: &State, other: &State) -> bool {
+    State { incomplete: other.incomplete, ..one.clone() } == *other
+}
+
 proptest! {
     #![proptest_config(ProptestConfig { cases: 50, ..ProptestConfig::default() })]
 
@@ -257,8 +263,8 @@ proptest! {
                 let step = &steps[carried_out];
                 carried_out += 1;
                 prop_assert_eq!(visit.carried_out as usize, carried_out);
-                prop_assert!(visit.before.state == step.before, "line {}, time {number}: before", line + 1);
-                prop_assert!(visit.after.state == step.after, "line {}, time {number}: after", line + 1);
+                prop_assert!(same(&visit.before.state, &step.before), "line {}, time {number}: before", line + 1);
+                prop_assert!(same(&visit.after.state, &step.after), "line {}, time {number}: after", line + 1);
                 prop_assert_eq!(&visit.motions, &step.motions);
             }
             prop_assert_eq!(carried_out, steps.len(), "line {}", line + 1);

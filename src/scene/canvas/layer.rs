@@ -20,9 +20,11 @@ use super::super::path_index::{Stretch, StretchKey};
 use super::super::plot::Plot;
 use super::super::view::View;
 use super::super::{Scene, StrokeShape, StrokeStyle};
+use super::OVER;
 use super::paths::{Paths, halves, path_of, under_way};
 use super::pen::{Dash, Pen, rgb};
 use super::sheet;
+use crate::parts::in_part;
 use crate::playback::clock::Playhead;
 
 /// Opacity of what has not run yet, while there is a playhead.
@@ -47,6 +49,43 @@ extern "C" {
     /// Milliseconds since the worker began.
     #[wasm_bindgen(js_namespace = performance)]
     fn now() -> f64;
+}
+
+in_part! {
+    Machine "0612"
+    fn stroke_until(
+        layer: &StrokeLayer,
+        scene: &Scene,
+        view: &View,
+        in_view: &[&Stretch],
+        until: usize,
+    ) -> Result<(), JsValue> {
+        layer.stroke_until(scene, view, in_view, until)
+    }
+
+    Machine "0613"
+    fn add(
+        layer: &mut StrokeLayer,
+        scene: &Scene,
+        view: &View,
+        done: Range<usize>,
+        motions: usize,
+    ) -> Result<(), JsValue> {
+        layer.add(scene, view, done, motions)
+    }
+
+    Machine "0614"
+    fn ink_under_way(pen: &Pen, scene: &Scene, view: &View, at: Playhead) -> Result<(), JsValue> {
+        match scene.place(at) {
+            Some(place) => ink(pen, view, &mut [&under_way(scene, place)?].into_iter()),
+            None => Ok(()),
+        }
+    }
+}
+
+/// Where the tool is, as far as it is shown.
+fn tool_of(view: &View) -> Option<Playhead> {
+    view.playhead.filter(|_| OVER.is_loaded())
 }
 
 /// Whether there is more to draw.
@@ -139,11 +178,12 @@ impl StrokeLayer {
     /// Brings the image up to date, or a part of the way.
     pub fn update(&mut self, scene: &Scene, view: &View) -> Result<Progress, JsValue> {
         let path_index = scene.path_index().id();
-        let target = Target { view: view.bare(view.playhead.map(before)), path_index };
+        let tool = tool_of(view);
+        let target = Target { view: view.bare(tool.map(before)), path_index };
         let same =
             |shown: &Target| shown.path_index == path_index && shown.view.shows_same_ground(&target.view);
         if self.shown.as_ref().is_some_and(same) {
-            match (self.made, view.playhead) {
+            match (self.made, tool) {
                 (Made::Added { tool, frames }, Some(now)) if tool != now || frames < STANDING => {
                     let frames = if tool == now { frames + 1 } else { 0 };
                     self.made = Made::Added { tool: now, frames };
@@ -158,7 +198,6 @@ impl StrokeLayer {
         if self.shown.as_ref().is_some_and(turned) {
             self.shown = None;
         }
-        let tool = view.playhead;
         let view = &target.view;
         let seen = view.camera().seen().grown(2.0 * sheet::WIDEST / view.camera().scale());
         let in_view: Vec<&Stretch> =
@@ -169,7 +208,7 @@ impl StrokeLayer {
         }
         self.plot = None;
         if let Some((done, tool)) = self.done_since(&target).zip(tool) {
-            self.add(scene, view, done, motions)?;
+            add(self, scene, view, done, motions)?;
             self.finish(target);
             self.made = Made::Added { tool, frames: 0 };
             return Ok(Progress::Waiting);
@@ -191,8 +230,8 @@ impl StrokeLayer {
         if let Some(shown) = &self.shown {
             pen.copy_moved(&self.image, &shown.view, view)?;
         }
-        match view.playhead.filter(|playhead| playhead.share < 1.0).and_then(|at| scene.place(at)) {
-            Some(place) => ink(pen, view, &mut [&under_way(scene, place)?].into_iter()),
+        match tool_of(view).filter(|playhead| playhead.share < 1.0) {
+            Some(at) => ink_under_way(pen, scene, view, at),
             None => Ok(()),
         }
     }
@@ -298,7 +337,7 @@ impl StrokeLayer {
         }
         let until = view.playhead.map(|playhead| playhead.motion);
         match until {
-            Some(until) => self.stroke_until(scene, view, in_view, until)?,
+            Some(until) => stroke_until(self, scene, view, in_view, until)?,
             None => {
                 let all = &mut in_view.iter().filter_map(|stretch| self.paths_of(stretch));
                 ink(&self.image, view, all)?;

@@ -65,7 +65,7 @@ pub fn paper(pen: &Pen, scene: &Scene, view: &View) -> Result<(), JsValue> {
     pen.block(&palette.background, Pixel::default(), Pixel::new(width, height));
     pen.clip(view)?;
     let major = |tick: &Tick| tick.weight == TickWeight::Major;
-    let [along, across] = scene.plane().axes().map(|axis| ticks(axis, camera, view.scale.unit));
+    let [along, across] = scene.axes().map(|axis| ticks(axis, camera, view.scale.unit));
     let upright =
         along.iter().filter(|tick| major(tick)).map(|tick| from_to((tick.pixel, 0.0), (tick.pixel, height)));
     pen.hairlines(view, &palette.grid, Dash::Solid, upright)?;
@@ -94,7 +94,7 @@ fn work(pen: &Pen, scene: &Scene, view: &View) -> Result<(), JsValue> {
         let (blank, part, obstacles) = (seen(&work.blank), seen(&work.part), seen(&work.obstacles));
         let blank_edges = match scene.plane() {
             Plane::Section => seen(&edges(&work.blank)),
-            Plane::Face => seen(&closed(&work.blank)),
+            Plane::Face | Plane::Side => seen(&closed(&work.blank)),
         };
         let [cut, left] = work.part_edges(scene.plane());
         pen.opacity(1.0);
@@ -156,7 +156,7 @@ fn center_lines(pen: &Pen, plane: Plane, view: &View) -> Result<(), JsValue> {
 }
 
 /// Draws the rulers over the edges of the picture.
-pub fn rulers(pen: &Pen, plane: Plane, view: &View) -> Result<(), JsValue> {
+pub fn rulers(pen: &Pen, axes: [Axis; 2], view: &View) -> Result<(), JsValue> {
     let (camera, palette) = (view.camera(), &view.palette);
     let Size { width, height } = camera.size();
     let (left, bottom) = (LEFT_RULER, height - BOTTOM_RULER);
@@ -165,7 +165,7 @@ pub fn rulers(pen: &Pen, plane: Plane, view: &View) -> Result<(), JsValue> {
     pen.block(&palette.background, Pixel::new(0.0, bottom), Pixel::new(width, height));
     let edges = [from_to((left, 0.0), (left, bottom)), from_to((left, bottom), (width, bottom))];
     pen.hairlines(view, &palette.axis, Dash::Solid, edges.into_iter())?;
-    let [along, across] = plane.axes().map(|axis| ticks(axis, camera, view.scale.unit));
+    let [along, across] = axes.map(|axis| ticks(axis, camera, view.scale.unit));
     let lines =
         along.iter().map(|tick| from_to((tick.pixel, bottom), (tick.pixel, bottom + tick.weight.length())));
     pen.hairlines(view, &palette.axis, Dash::Solid, lines)?;
@@ -178,7 +178,7 @@ pub fn rulers(pen: &Pen, plane: Plane, view: &View) -> Result<(), JsValue> {
     for tick in &across {
         label(pen, tick, "right", Pixel::new(left - 10.0, tick.pixel), palette)?;
     }
-    let [level, upright] = plane.axes();
+    let [level, upright] = axes;
     let name = |axis: Axis, align: &str, at: Pixel| {
         let text = &axis.name(view.scale.symbol);
         pen.write(&Text { text, font: NAME_FONT, align, baseline: "middle" }, at, &palette.text)

@@ -85,6 +85,8 @@ pub(in crate::sentences) const fn role(role: Role) -> &'static str {
         Role::LineAngle => "angle of the line, from the Z axis",
         Role::ArcRadius => "radius of the arc",
         Role::ArcCenterX => "from the start of the arc to its centre along X, a radius value",
+        Role::ArcCenterY => "from the start of the arc to its centre along Y",
+        Role::ArcCenterC => "from the start of the arc to its centre along C, in mm",
         Role::ArcCenterZ => "from the start of the arc to its centre along Z",
         Role::CornerX => "chamfer towards X at the end of the move",
         Role::CornerZ => "chamfer towards Z at the end of the move",
@@ -245,6 +247,10 @@ pub(in crate::sentences) const fn told(told: Told) -> &'static str {
         Told::StationAndOffset => "Turret station {station}, tool offset {offset}.",
         Told::OffsetCancelled => "Turret station {station}, tool offset cancelled.",
         Told::NoseRadius => "Tool nose radius {what}.",
+        Told::TaperBefore => {
+            "R was {what} in the pass before, to the same end: the cone is roughed with another R in each pass."
+        }
+        Told::TaperKept => "R {what} of the pass before stays in force: this pass is parallel to it.",
         Told::Passes => "This block makes {count} passes.",
         Told::LastPass => "The last is at {what}.",
         Told::ContourLines => "The contour: lines {first} to {last}.",
@@ -258,6 +264,9 @@ pub(in crate::sentences) const fn told(told: Told) -> &'static str {
         Told::ArgumentIs => "In the macro it is #{number}.",
         Told::NotCarriedOut => "This block is never carried out.",
         Told::Skipped => "Block skip {what} is on: the block is left out.",
+        Told::ThreadLocked => {
+            "While it cuts the thread, feed and spindle override count as 100 %, and feed hold waits until the tool is out."
+        }
         Told::IgnoredByRoughing => "Roughing cycles ignore it inside a contour.",
         Told::TakenByFinishing => "In the contour it counts for finishing (G70); roughing ignores it.",
         Told::Vacant => "vacant",
@@ -275,6 +284,7 @@ pub(in crate::sentences) const fn told(told: Told) -> &'static str {
         Told::ExplainThread => "Cuts a thread with a lead of {lead} from {from} to {to}.",
         Told::ExplainDwell => "Waits {time}.",
         Told::ExplainTurn => "Turns C to {to}.",
+        Told::ExplainAlongY => "Y goes from {from} to {to}.",
         Told::ExplainMoves => "{count} moves from {from} to {to}.",
         Told::ExplainPass => "{cycle}: one pass at {at}, from {from} to {to}, and back to the start.",
         Told::ExplainPasses => {

@@ -52,17 +52,17 @@ told! {
     ByFeedFromStart,
     // What a value comes to
     FromTo, WithoutPoint, FeedAtSpeed, SpeedAt, SpeedHeldSince, SpeedHeld, ThreadPackedOf, StationAndOffset, OffsetCancelled,
-    NoseRadius, Passes, LastPass,
+    NoseRadius, TaperBefore, TaperKept, Passes, LastPass,
     // Other blocks
     ContourLines, NamesLine, NamesNothing,
     // Variables
     VariableIs, VariableVacant, VariableSet, VariableBecomes, VariableBecomesVacant, ArgumentIs,
     // Whether the block is carried out
-    NotCarriedOut, Skipped, IgnoredByRoughing, TakenByFinishing, TimeOf,
+    ThreadLocked, NotCarriedOut, Skipped, IgnoredByRoughing, TakenByFinishing, TimeOf,
     // The state
     Vacant, CallFrame, MacroFrame, LoopFrame, ReadByRoughing, ReadByFinishing,
     // What a block does
-    ExplainRapid, ExplainStraight, ExplainTaper, ExplainClockwise, ExplainCounterclockwise, ExplainThread, ExplainDwell, ExplainTurn,
+    ExplainRapid, ExplainStraight, ExplainTaper, ExplainClockwise, ExplainCounterclockwise, ExplainThread, ExplainDwell, ExplainTurn, ExplainAlongY,
     ExplainMoves, ExplainPass, ExplainPasses, ExplainPassesZ, ExplainPassTo, ExplainPassesTo, ExplainPattern, ExplainContour,
     ExplainPecks, ExplainPecksInColumns, ExplainHole, ExplainHoleInPecks,
     // How fast and how long, and what is set
@@ -182,6 +182,8 @@ impl Speaker<'_> {
                 (told, vec![("station", count(station.into())), ("offset", count(offset.into()))])
             }
             Fact::NoseRadius(radius) => (Told::NoseRadius, vec![what(radius)]),
+            Fact::TaperBefore(taper) => (Told::TaperBefore, vec![what(taper)]),
+            Fact::TaperKept(taper) => (Told::TaperKept, vec![what(taper)]),
             Fact::Passes(passes) => (Told::Passes, vec![("count", count(passes))]),
             Fact::LastPass(at) => (Told::LastPass, vec![what(at)]),
             Fact::Contour(first, last) => {
@@ -205,6 +207,7 @@ impl Speaker<'_> {
             }
             Fact::ReadBy(Purpose::Roughing) => (Told::ReadByRoughing, Vec::new()),
             Fact::ReadBy(Purpose::Finishing) => (Told::ReadByFinishing, Vec::new()),
+            Fact::ThreadLocked => (Told::ThreadLocked, Vec::new()),
             Fact::IgnoredByRoughing => (Told::IgnoredByRoughing, Vec::new()),
             Fact::TakenByFinishing => (Told::TakenByFinishing, Vec::new()),
             Fact::Time(number, times) => {
@@ -361,6 +364,7 @@ impl Speaker<'_> {
             }
             Action::Dwell(time) => (Told::ExplainDwell, vec![named("time", time)]),
             Action::Turn(to) => (Told::ExplainTurn, vec![named("to", to)]),
+            Action::AlongY(from, to) => (Told::ExplainAlongY, vec![named("from", from), named("to", to)]),
             Action::Moves(moves, from, to) => {
                 (Told::ExplainMoves, vec![count("count", moves), place("from", from), place("to", to)])
             }

@@ -85,6 +85,8 @@ pub(in crate::sentences) const fn role(role: Role) -> &'static str {
         Role::LineAngle => "угол прямой к оси Z",
         Role::ArcRadius => "радиус дуги",
         Role::ArcCenterX => "от начала дуги до центра по X, на радиус",
+        Role::ArcCenterY => "от начала дуги до центра по Y",
+        Role::ArcCenterC => "от начала дуги до центра по C, в мм",
         Role::ArcCenterZ => "от начала дуги до центра по Z",
         Role::CornerX => "фаска в сторону X в конце перемещения",
         Role::CornerZ => "фаска в сторону Z в конце перемещения",
@@ -245,6 +247,10 @@ pub(in crate::sentences) const fn told(told: Told) -> &'static str {
         Told::StationAndOffset => "Позиция головки {station}, коррекция {offset}.",
         Told::OffsetCancelled => "Позиция головки {station}, коррекция отменена.",
         Told::NoseRadius => "Радиус при вершине {what}.",
+        Told::TaperBefore => {
+            "В предыдущем проходе к той же точке R был {what}: при черновой обработке конуса R меняется от прохода к проходу."
+        }
+        Told::TaperKept => "R {what} предыдущего прохода остаётся в силе: этот проход параллелен ему.",
         Told::Passes => "Кадр делает проходов: {count}.",
         Told::LastPass => "Последний – на {what}.",
         Told::ContourLines => "Контур: строки {first}–{last}.",
@@ -258,6 +264,9 @@ pub(in crate::sentences) const fn told(told: Told) -> &'static str {
         Told::ArgumentIs => "В макропрограмме это #{number}.",
         Told::NotCarriedOut => "Этот кадр не выполняется.",
         Told::Skipped => "Включён пропуск кадров {what}: кадр не выполняется.",
+        Told::ThreadLocked => {
+            "Пока нарезается резьба, ручная коррекция подачи и шпинделя равна 100 %, а останов подачи ждёт, пока инструмент не выйдет."
+        }
         Told::IgnoredByRoughing => "Черновые циклы внутри контура его игнорируют.",
         Told::TakenByFinishing => {
             "В контуре действует при чистовой обработке (G70), черновая его игнорирует."
@@ -277,6 +286,7 @@ pub(in crate::sentences) const fn told(told: Told) -> &'static str {
         Told::ExplainThread => "Режет резьбу с ходом {lead} из {from} в {to}.",
         Told::ExplainDwell => "Выдержка {time}.",
         Told::ExplainTurn => "Поворачивает C до {to}.",
+        Told::ExplainAlongY => "Ось Y идёт от {from} до {to}.",
         Told::ExplainMoves => "Перемещений: {count}, из {from} в {to}.",
         Told::ExplainPass => "{cycle}: один проход на {at}, из {from} в {to}, и назад в начало.",
         Told::ExplainPasses => {

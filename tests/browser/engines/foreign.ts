@@ -186,6 +186,12 @@ export class ForeignLocator extends Finder implements Locator {
   }
 }
 
+/**
+ * An engine that hands on changed sizes in the next frame says so to `window.onerror`. Nothing has failed, and Playwright, which hears of
+ * exceptions alone, does not report it in Chromium.
+ */
+const LATE_SIZES = 'ResizeObserver loop';
+
 export class ForeignPage extends Finder implements Page {
   readonly keyboard: Keyboard;
   readonly mouse: Mouse;
@@ -309,7 +315,8 @@ export class ForeignPage extends Finder implements Page {
     this.listeners.push(listener);
   }
   private async tellErrors(): Promise<void> {
-    for (const error of await this.tab.errors()) for (const listener of this.listeners) listener(new Error(error));
+    const errors = (await this.tab.errors()).filter((error) => !error.includes(LATE_SIZES));
+    for (const error of errors) for (const listener of this.listeners) listener(new Error(error));
   }
 
   /** A folder that lives as long as the page. */

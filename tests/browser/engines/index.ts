@@ -11,7 +11,7 @@ import type { Driver } from './driver';
 import { firefox } from './firefox';
 import { ForeignPage } from './foreign';
 import type { Page } from './interface';
-import type { EngineName, WorkerOptions } from './options';
+import type { EngineName, TestOptions, WorkerOptions } from './options';
 import { webkit } from './webkit';
 
 export { expect } from './expect';
@@ -21,9 +21,13 @@ interface WorkerFixtures extends WorkerOptions {
   driver: Driver | undefined;
 }
 
+/** Runs in the page: it finds no service workers, as in a browser that has none. */
+const withoutStoring = (): void => void Reflect.deleteProperty(Navigator.prototype, 'serviceWorker');
+
 const VIEWPORT = { width: 1440, height: 900 };
 
-const extended = base.extend<object, WorkerFixtures>({
+const extended = base.extend<TestOptions, WorkerFixtures>({
+  storing: ['off', { option: true }],
   engine: ['chromium', { option: true, scope: 'worker' }],
   server: ['', { option: true, scope: 'worker' }],
   driver: [
@@ -43,22 +47,24 @@ const extended = base.extend<object, WorkerFixtures>({
     },
     { scope: 'worker', timeout: 120_000 },
   ],
-  page: async ({ driver, browser, server }, use) => {
+  page: async ({ driver, browser, server, storing }, use) => {
     if (driver === undefined) {
       const context = await browser.newContext();
+      if (storing === 'off') await context.addInitScript(withoutStoring);
       await use(await context.newPage());
       await context.close();
       return;
     }
     const finder = readFileSync(join(__dirname, '..', '..', '..', 'www', 'test-build', 'finder.js'), 'utf8');
     const page = new ForeignPage(await driver.open(), finder, server);
+    if (storing === 'off') await page.addInitScript(withoutStoring);
     await use(page as never);
     await page.close();
   },
 });
 
 /** What a test of every engine is given, and no more. */
-interface Given {
+interface Given extends TestOptions {
   page: Page;
   engine: EngineName;
 }
@@ -69,7 +75,13 @@ export const test = extended as unknown as TestType<Given, object>;
 export type ChromiumPage = PlaywrightPage & Page;
 
 /** For what only Chromium has or reports: the page is Playwright's own, with all it can do. */
-export const chromiumTest = base as unknown as TestType<
-  Omit<PlaywrightTestArgs, 'page'> & PlaywrightTestOptions & { page: ChromiumPage },
+export const chromiumTest = base.extend<TestOptions>({
+  storing: ['off', { option: true }],
+  context: async ({ context, storing }, use) => {
+    if (storing === 'off') await context.addInitScript(withoutStoring);
+    await use(context);
+  },
+}) as unknown as TestType<
+  Omit<PlaywrightTestArgs, 'page'> & PlaywrightTestOptions & TestOptions & { page: ChromiumPage },
   PlaywrightWorkerArgs & PlaywrightWorkerOptions
 >;

@@ -38,9 +38,10 @@ const look = EditorView.theme({
   '@media (pointer: coarse)': { '.cm-tooltip.cm-tooltip-autocomplete > [role=listbox]': { maxHeight: rem(11.5) }, '.cm-tooltip.cm-tooltip-autocomplete [role=listbox] > [role=option]': { minHeight: rem(2.75), alignItems: 'center' } },
 });
 
-/** The list, as it would be open had it been there when the last word was typed. */
+/** The list, as it would be open had it been there when the last word was typed; none where no word stands. */
 export function catchUp(view: EditorView): void {
-  if (completes()) startCompletion(view);
+  const { head } = view.state.selection.main;
+  if (completes() && view.state.sliceDoc(Math.max(0, head - 1), head).trim() !== '') startCompletion(view);
 }
 
 /** Tab takes the first proposal, or the one that is chosen; where there is no list it leaves the editor, as ever. */

@@ -32,6 +32,7 @@ import { wordHover } from './word-hover';
 import { editorTheme } from './theme';
 import type { Language } from '../dom/language';
 import { make } from '../dom/dom';
+import { loaded } from '../dom/network';
 import { COMMON } from '../dom/words';
 import type { Diagnostic, Fix, TextCommand, TriedValue } from '../protocol/protocol';
 import { Unsent } from './unsent';
@@ -348,7 +349,7 @@ export class Editor implements TextHolder {
     this.#completionIsComing = true;
     try {
       const { revision } = this;
-      const { catchUp, completion } = await import('./completion');
+      const { catchUp, completion } = await loaded(() => import('./completion'));
       this.#view.dispatch({ effects: this.#completion.reconfigure(completion(this.#events)) });
       if (this.revision !== revision) catchUp(this.#view);
     } catch {

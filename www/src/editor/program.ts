@@ -7,6 +7,7 @@
 
 import { make } from '../dom/dom';
 import type { Language } from '../dom/language';
+import { loaded } from '../dom/network';
 import { COMMON } from '../dom/words';
 import type { Diagnostic, Fix, TextCommand, TriedValue } from '../protocol/protocol';
 import type { Editor } from './editor';
@@ -53,7 +54,7 @@ export class Program implements TextHolder {
 
   /** Loads the editor and puts it in its place; rejected where it cannot be had, after which it can be tried again. */
   async edit(root: ShadowRoot): Promise<void> {
-    const { Editor } = await import('./editor');
+    const { Editor } = await loaded(() => import('./editor'));
     const plain = this.#holder;
     // Another call was faster.
     if (!(plain instanceof PlainProgram)) return;

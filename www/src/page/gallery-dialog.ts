@@ -9,11 +9,8 @@ import type { Language } from '../dom/language';
 import { counter } from '../dom/plural';
 import { COMMON, words } from '../dom/words';
 import type { Listed, Subject } from './gallery';
+import { smallDrawing } from './small-drawing';
 import './gallery.css';
-
-/** As the small pictures are drawn (`small-picture.ts`). */
-const [WIDTH, HEIGHT] = [240, 144];
-const SVG = 'http://www.w3.org/2000/svg';
 
 export class GalleryDialog {
   readonly #search = make('input', { type: 'search', autocomplete: 'off', spellcheck: false });
@@ -70,7 +67,7 @@ export class GalleryDialog {
 
   #card({ id, title, shows, picture }: Listed): HTMLElement {
     const card = make('button', { type: 'button', className: 'card' });
-    card.append(drawn(picture), make('span', { className: 'title' }, title), make('span', { className: 'shows' }, shows));
+    card.append(smallDrawing(picture), make('span', { className: 'title' }, title), make('span', { className: 'shows' }, shows));
     if (id === this.#current) card.setAttribute('aria-current', 'true');
     card.addEventListener('click', () => {
       this.#dialog.close();
@@ -78,21 +75,6 @@ export class GalleryDialog {
     });
     return card;
   }
-}
-
-function drawn(picture: Listed['picture']): Element {
-  const svg = document.createElementNS(SVG, 'svg');
-  svg.setAttribute('viewBox', `0 0 ${WIDTH} ${HEIGHT}`);
-  svg.setAttribute('aria-hidden', 'true');
-  const path = (className: string, d: string): void => {
-    const drawn = svg.appendChild(document.createElementNS(SVG, 'path'));
-    drawn.setAttribute('class', className);
-    drawn.setAttribute('d', d);
-  };
-  if (picture?.axis !== undefined) path('axis', `M0 ${picture.axis}H${WIDTH}`);
-  path('rapid', picture?.rapid ?? '');
-  path('cut', picture?.cut ?? '');
-  return svg;
 }
 
 const WORDS = words({

@@ -1,17 +1,72 @@
-// A program that an address holds: `#program=…&setup=…&language=…`, percent-encoded.
+// A program that an address holds: plain text (`#program=…&setup=…`), or packed (`#share=…`, `files/shared-link.ts`).
 //
-// In: the part of an address from `#` on. Out: the program, and the setup as JSON.
-// Must not know: what they say.
+// In: the part of an address from `#` on. Out: the program and what it is shown with, or what is wrong with the address; what
+// unpacks is loaded for such an address alone. Which link the reader's own program began as is kept here. Must not know: what a program says.
 
-export interface LinkedProgram {
-  readonly text: string;
-  /** JSON */
-  readonly setup: string | null;
-  readonly language: string | null;
-}
+import { LINK_LIMIT } from '../files/link-limit';
+import type { LinkFault, Shared } from '../files/shared-link';
 
+export type LinkedProgram = Shared;
+
+export type InAddress =
+  | { readonly kind: 'linked'; readonly linked: LinkedProgram }
+  | { readonly kind: 'fault'; readonly fault: LinkFault | { readonly kind: 'not-loaded' } }
+  /** The name of an example, or nothing. */
+  | { readonly kind: 'other' };
+
+const EXAMPLE = /^#[a-z]\w*-[\w-]+$/;
+const workKey = (): string => `gcode-playground:task:${location.pathname}`;
+
+/** A program in plain text. */
 export function linkedProgram(hash: string): LinkedProgram | undefined {
+  if (hash.length > LINK_LIMIT || hash.startsWith('#share=')) return undefined;
   const said = new URLSearchParams(hash.slice(1));
   const text = said.get('program');
-  return text === null ? undefined : { text, setup: said.get('setup'), language: said.get('language') };
+  if (text === null) return undefined;
+  return {
+    text, setup: said.get('setup'), control: said.get('control'), blockSkip: said.get('block-skip'), program: null, language: said.get('language'),
+    view: said.get('view'), step: said.get('step'), readonly: said.has('readonly'), file: null, task: null,
+  };
+}
+
+export async function inAddress(hash: string): Promise<InAddress> {
+  if (hash.startsWith('#share=')) {
+    let openedLink;
+    try {
+      ({ openedLink } = await import('../files/shared-link'));
+    } catch {
+      return { kind: 'fault', fault: { kind: 'not-loaded' } };
+    }
+    const opened = await openedLink(hash);
+    return opened.kind === 'shared' ? { kind: 'linked', linked: opened.shared } : opened;
+  }
+  if (hash.length > LINK_LIMIT) return { kind: 'fault', fault: { kind: 'too-long', length: hash.length, limit: LINK_LIMIT } };
+  const linked = linkedProgram(hash);
+  if (linked !== undefined) return { kind: 'linked', linked };
+  return hash === '' || hash === '#' || EXAMPLE.test(hash) ? { kind: 'other' } : { kind: 'fault', fault: { kind: 'unknown' } };
+}
+
+// ---- what the reader makes of a task ---------------------------------------------------------------
+
+/** The kept program is the reader's work on the task of this link, or on none. */
+export function keepWorkOn(hash: string | undefined): void {
+  try {
+    if (hash === undefined) localStorage.removeItem(workKey());
+    else localStorage.setItem(workKey(), endOf(hash));
+  } catch {
+    // Nothing is kept here; the link opens as it came.
+  }
+}
+
+export function isWorkOn(hash: string): boolean {
+  try {
+    return localStorage.getItem(workKey()) === endOf(hash);
+  } catch {
+    return false;
+  }
+}
+
+/** Its check, which is that of no other link. */
+function endOf(hash: string): string {
+  return hash.slice(-40);
 }

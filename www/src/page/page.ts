@@ -9,16 +9,22 @@ import '../shell/element';
 import './page.css';
 import { icon, make, name } from '../dom/dom';
 import { acceptFiles } from '../dom/drop';
+import { loaded, whenOnline } from '../dom/network';
 import type { GcodePlayground, OpenedProgram } from '../shell/element';
 import type { ProgramContext } from '../editor/holder';
 import type { ProgramFile } from '../editor/program-text';
+import { Actions } from './actions';
 import { FIRST_EXAMPLE, loadExample, loadSubjects, type Example, type Subject } from './gallery';
 import type { GalleryDialog } from './gallery-dialog';
-import { linkedProgram, type LinkedProgram } from './linked';
+import type { Fault, InBar, LinkBar } from './link-bar';
+import { inAddress, isWorkOn, keepWorkOn, linkedProgram, type LinkedProgram } from './linked';
+import type { Offline } from './offline';
 import { LANGUAGES, languageOf, type Language } from '../dom/language';
 import { COMMON } from '../dom/words';
 import { PAGE_WORDS } from './words';
-import { choices, forgetProgram, keepChoices, keepProgram, keptProgram, type KeptProgram } from './storage';
+import { Keeping } from './keeping';
+import type { PageHost } from './page-host';
+import { choices, forgetLast, keepChoices, lastEntry, LONGEST_IN_JOURNAL, LONGEST_KEPT, type Entry, type KeptProgram, type OwnProgram } from './storage';
 
 const CONTROLS = [
   ['fanuc', 'FANUC'],
@@ -32,20 +38,26 @@ const THEMES = ['auto', 'light', 'dark'] as const;
 const TEXT_SIZES = ['87.5', '100', '125', '150', '200'] as const;
 /** For who is here for the first time. */
 const HINTS = 'edit play pick';
-/** How long the reader must pause before the program is kept. */
+/** How long a change waits to be kept, with all that is typed meanwhile. */
 const KEEP_AFTER_MS = 400;
-/** Browsers keep about five million units for a page; a longer program would only make it stand still. */
-const KEPT_LENGTH = 2_000_000;
+/** How long the reader must pause before a long program is kept: the page would stand still with each key. */
+const KEEP_LONG_AFTER_MS = 1500;
+/** Where a browser does not say when it has nothing to do. */
+const IDLE_AFTER_MS = 1000;
 
 type Above =
-  | { readonly kind: 'example' | 'restored' | 'not-loaded' }
-  | { readonly kind: 'kept'; readonly program: KeptProgram }
+  | { readonly kind: 'example' | 'restored' }
+  /** The network is missing; what is tried again when it is there. */
+  | { readonly kind: 'not-loaded'; readonly again: () => void }
+  | { readonly kind: 'kept'; readonly program: OwnProgram }
   /** The reader has changed the program that the address held. */
-  | { readonly kind: 'linked'; readonly address: string; readonly linked: LinkedProgram };
+  | { readonly kind: 'linked'; readonly address: string; readonly linked: LinkedProgram; readonly kept?: OwnProgram };
 
 /** It comes into the page with its first program, so that nothing else is run before. */
 const playground = document.createElement('gcode-playground') as GcodePlayground;
 playground.loading = 'eager';
+// It is the playground.
+playground.playground = '';
 const intro = find('intro');
 const exampleSelect = find<HTMLSelectElement>('example');
 const galleryButton = find<HTMLButtonElement>('gallery');
@@ -68,12 +80,23 @@ let isComparing = false;
 /** The examples that were shown: undo can bring each of them back. */
 const shown = new Map<string, Example>();
 let gallery: GalleryDialog | undefined;
+/** The link that was opened last, and the address that holds it. */
+let link: { readonly address: string; readonly linked: LinkedProgram } | undefined;
+/** Loaded with the first link that has more to say than its program. */
+let bar: LinkBar | undefined;
+let inBar: InBar | undefined;
+/** Which of the reader's own programs this is. */
+let ownPrograms: Keeping | undefined;
+/** Once the header is there. */
+let actions: Actions | undefined;
+/** Once the page is settled. */
+let offline: Offline | undefined;
 /** Counts what was asked to be shown, so that what is loaded can come too late. */
 let asked = 0;
 let above: Above = { kind: 'example' };
 /** What the lines above the program were made of. */
 let aboveShown: readonly unknown[] = [];
-let keeping: ReturnType<typeof setTimeout> | undefined;
+let keepingSoon: ReturnType<typeof setTimeout> | undefined;
 /** The text as it was last loaded or kept. */
 let known = '';
 
@@ -93,6 +116,30 @@ function start(): void {
   if (split !== undefined) playground.setAttribute('split', split);
   showTextSize(TEXT_SIZES.find((known) => known === textSize) ?? '100');
   showTheme(theme);
+  const host: PageHost = {
+    playground,
+    get language() { return language; },
+    get example() { return example; },
+    get program() { return programNow(); },
+    get keeping() { return keeping; },
+    async show(program) {
+      const began = await keptExample(program);
+      keepNow();
+      restore(program, began);
+      keepSoon();
+    },
+  };
+  const keeping = new Keeping({
+    playground,
+    get language() { return language; },
+    get program() { return programNow(); },
+    titleOf: (id) => shown.get(id)?.title[language],
+    show: host.show,
+    keepNow,
+    openList: () => void import('./own-programs-dialog').then(({ openOwnPrograms }) => openOwnPrograms(host)),
+  });
+  ownPrograms = keeping;
+  actions = new Actions(find('actions'), host);
   showLanguage();
   listen();
   void begin().then(() => {
@@ -102,23 +149,33 @@ function start(): void {
 
 /** The program of the address, the kept one, the example of the address, or the first one. */
 async function begin(): Promise<void> {
-  const linked = linkedProgram(location.hash);
-  if (linked !== undefined) {
-    const kept = keptProgram();
-    // The program of the link, perhaps under another setup.
-    if (kept !== undefined && kept.example === '' && inUnits(kept.text) === inUnits(linked.text)) {
-      restore(kept, undefined);
+  const found = await inAddress(location.hash);
+  const entry = lastEntry();
+  const kept = entry === undefined ? undefined : { ...entry.program, id: entry.id };
+  if (found.kind === 'linked') {
+    const { linked } = found;
+    const isSame = kept !== undefined && inUnits(kept.text) === inUnits(linked.text);
+    // The program of the link, perhaps under another setup, or what the reader has made of its task.
+    if (kept !== undefined && kept.example === '' && (isSame || (linked.task !== null && isWorkOn(location.hash)))) {
+      restoreLast(kept, undefined, entry);
       playground.origin = OF_A_LINK;
+      showAsLinked(linked);
+      if (!isSame) showAbove({ kind: 'linked', address: location.hash, linked });
       return;
     }
     loadLinked(linked);
     if (kept !== undefined && kept.text !== linked.text) showAbove({ kind: 'kept', program: kept });
     return;
   }
+  await beginWithoutLink(entry, kept);
+  if (found.kind === 'fault') showFault(found.fault);
+}
+
+/** The kept program, the example of the address, or the first one. */
+async function beginWithoutLink(entry: Entry | undefined, kept: OwnProgram | undefined): Promise<void> {
   const named = await loadExample(location.hash.slice(1));
-  const kept = keptProgram();
   if (kept !== undefined && (named === undefined || named.id === kept.example)) {
-    restore(kept, await keptExample(kept));
+    restoreLast(kept, await keptExample(kept), entry);
     return;
   }
   if ((await layUnder(named, ++asked)) === 'late') return;
@@ -138,7 +195,7 @@ async function choose(id: string): Promise<void> {
   if (own !== asked) return;
   if (chosen === undefined) {
     showExamples();
-    showAbove({ kind: 'not-loaded' });
+    showNotLoaded(() => void choose(id));
     return;
   }
   keepNow();
@@ -161,13 +218,58 @@ async function layUnder(chosen: Example | undefined, own: number): Promise<'in-t
   return 'in-time';
 }
 
+function restoreLast(kept: OwnProgram, began: Example | undefined, entry: Entry | undefined): void {
+  restore(kept, began);
+  if (ownPrograms !== undefined) ownPrograms.began = entry;
+}
+
 /** A program of the reader's own choice is no example. */
-function loadLinked({ text, setup }: LinkedProgram): void {
+function loadLinked(linked: LinkedProgram): void {
   asked++;
   load(undefined);
-  put({ control: controlOf(setup ?? '{}'), setup, origin: OF_A_LINK }, { text, file: undefined });
+  const { text, control, setup, blockSkip, program, file } = linked;
+  put({ control, setup, blockSkip, program, origin: OF_A_LINK }, { text, file: (file ?? undefined) as ProgramFile | undefined });
+  showAsLinked(linked);
   showExamples();
   showAbove({ kind: 'example' });
+}
+
+/** Language, view and step of a link, and what it says beside its program. */
+function showAsLinked(linked: LinkedProgram): void {
+  link = { address: location.hash, linked };
+  if (linked.language !== null && languageOf(linked.language) !== language) {
+    language = languageOf(linked.language);
+    showLanguage();
+  }
+  const { readonly } = linked;
+  playground.setAttribute('view', linked.view ?? 'all');
+  playground.readonly = readonly;
+  playground.step = linked.step;
+  if (linked.task !== null) showInBar({ kind: 'task', linked });
+  else if (readonly || playground.view !== 'all') showInBar({ kind: 'only-shown' });
+}
+
+/** What a link has said beside its program does not reach the next one. */
+function endLinked(): void {
+  playground.step = null;
+  playground.view = 'all';
+  playground.readonly = false;
+  showInBar(undefined);
+}
+
+function showFault(fault: Fault): void {
+  keepNow();
+  showInBar({ kind: 'fault', fault });
+}
+
+function showInBar(what: InBar | undefined): void {
+  inBar = what;
+  if (bar !== undefined) return bar.show(what, language);
+  if (what === undefined) return;
+  void import('./link-bar').then(({ LinkBar }) => {
+    bar ??= new LinkBar(find('main'), endLinked);
+    bar.show(inBar, language);
+  }, () => undefined);
 }
 
 /** A program with its context; the switches are as the setup has them. */
@@ -192,9 +294,11 @@ function endComparisonUnlessOf(chosen: Example | undefined): void {
 }
 
 function load(chosen: Example | undefined): void {
-  clearTimeout(keeping);
-  keeping = undefined;
+  clearTimeout(keepingSoon);
+  keepingSoon = undefined;
   endComparisonUnlessOf(chosen);
+  endLinked();
+  ownPrograms?.takes(undefined);
   example = chosen;
   if (chosen !== undefined) {
     const { id, setup, program: text } = chosen;
@@ -205,11 +309,31 @@ function load(chosen: Example | undefined): void {
   showAbove({ kind: 'example' });
 }
 
+/** The address is another one; what it replaces is kept, and offered. */
+async function followAddress(): Promise<void> {
+  const own = ++asked;
+  const found = await inAddress(location.hash);
+  if (own !== asked) return;
+  const from = link;
+  if (found.kind === 'fault') return showFault(found.fault);
+  if (found.kind === 'linked') {
+    keepNow();
+    const before = programNow();
+    loadLinked(found.linked);
+    const untouched = [found.linked.text, from?.linked.text, shown.get(before.example)?.program];
+    if (!untouched.includes(before.text)) showAbove({ kind: 'kept', program: before });
+    return;
+  }
+  const id = location.hash.slice(1);
+  if (id !== '' && id !== example?.id) void choose(id);
+}
+
 /** Another program has taken the place of the one before, or undo has brought it back. */
 function followOrigin(): void {
   showControl();
   const now = shown.get(playground.origin ?? '');
   if (now === example) return;
+  ownPrograms?.replaced(playground.length > LONGEST_KEPT ? undefined : playground.opened.text);
   example = now;
   endComparisonUnlessOf(now);
   // The address names the example as long as it is one.
@@ -218,11 +342,14 @@ function followOrigin(): void {
   showAbove({ kind: 'example' });
 }
 
-function restore(kept: KeptProgram, began: Example | undefined): void {
+function restore(kept: OwnProgram, began: Example | undefined): void {
   asked++;
-  clearTimeout(keeping);
-  keeping = undefined;
+  clearTimeout(keepingSoon);
+  keepingSoon = undefined;
   endComparisonUnlessOf(began);
+  endLinked();
+  ownPrograms?.takes(kept.id);
+  if (kept.id !== undefined) ownPrograms?.remember(kept.id, kept.text);
   example = began;
   if (began !== undefined) shown.set(began.id, began);
   const { text, file, setup, blockSkip = null, program = null } = kept;
@@ -244,16 +371,7 @@ function listen(): void {
   for (const [target, event] of [[playground, 'gcode-settled'], [exampleSelect, 'pointerdown'], [exampleSelect, 'focus']] as const) {
     target.addEventListener(event, listExamples, { once: true });
   }
-  window.addEventListener('hashchange', () => {
-    const linked = linkedProgram(location.hash);
-    if (linked !== undefined) {
-      keepNow();
-      loadLinked(linked);
-      return;
-    }
-    const id = location.hash.slice(1);
-    if (id !== '' && id !== example?.id) void choose(id);
-  });
+  window.addEventListener('hashchange', () => void followAddress());
   controlSelect.addEventListener('change', () => {
     playground.control = controlSelect.value;
     keepSoon();
@@ -296,7 +414,10 @@ function listen(): void {
   playground.addEventListener('gcode-hint', (event) => {
     keepChoices({ hints: (event as CustomEvent<{ readonly left: string }>).detail.left });
   });
-  playground.addEventListener('gcode-context', followOrigin);
+  playground.addEventListener('gcode-context', () => {
+    ownPrograms?.replaced(playground.length > LONGEST_KEPT ? undefined : playground.opened.text);
+    followOrigin();
+  });
   // A program that something else has put in has its own context, too.
   playground.addEventListener('gcode-report', followOrigin);
   playground.addEventListener('gcode-switch', keepSoon);
@@ -305,41 +426,81 @@ function listen(): void {
     keepSoon();
   });
   window.addEventListener('pagehide', keepNow);
+  document.addEventListener('visibilitychange', () => {
+    if (document.visibilityState === 'hidden') keepNow();
+  });
+  playground.addEventListener('gcode-settled', () => void ownPrograms?.session().catch(() => undefined), { once: true });
+  // Where there is little room it scrolls, by keys as well.
+  new ResizeObserver(() => {
+    if (intro.scrollHeight > intro.clientHeight) intro.tabIndex = 0;
+    else intro.removeAttribute('tabindex');
+  }).observe(intro);
+  // Nothing of the first picture waits for it.
+  playground.addEventListener('gcode-settled', () => void storePage(), { once: true });
+}
+
+async function storePage(): Promise<void> {
+  await new Promise((idle) => ('requestIdleCallback' in window ? requestIdleCallback(idle) : setTimeout(idle, IDLE_AFTER_MS)));
+  const part = await import('./offline').catch(() => undefined);
+  offline = part && new part.Offline({
+    playground,
+    get language() { return language; },
+    keep() {
+      keepNow();
+      return isKept() ? 'kept' : 'not-kept';
+    },
+  });
 }
 
 // ---- keeping --------------------------------------------------------------------------------------
 
 function keepSoon(): void {
-  clearTimeout(keeping);
-  keeping = setTimeout(keepNow, KEEP_AFTER_MS);
+  const isLong = playground.length > LONGEST_IN_JOURNAL;
+  if (isLong) clearTimeout(keepingSoon);
+  else if (keepingSoon !== undefined) return;
+  keepingSoon = setTimeout(keepNow, isLong ? KEEP_LONG_AFTER_MS : KEEP_AFTER_MS);
 }
 
 /** Keeps what waits to be kept; a program that is the example again needs no keeping. */
 function keepNow(): void {
-  if (playground.length > KEPT_LENGTH) {
-    clearTimeout(keeping);
-    keeping = undefined;
-    forgetProgram();
+  if (playground.length > LONGEST_KEPT) {
+    clearTimeout(keepingSoon);
+    keepingSoon = undefined;
     return;
   }
   const text = playground.value;
-  if (keeping === undefined && text === known) return;
-  clearTimeout(keeping);
-  keeping = undefined;
+  if (keepingSoon === undefined && text === known) return;
+  clearTimeout(keepingSoon);
+  keepingSoon = undefined;
   known = text;
-  const id = example?.id ?? '';
   const { file, setup, blockSkip, program } = playground;
   const asItCame = file === undefined && setup === example?.setup && blockSkip === null && program === null;
-  if (asItCame && text === example?.program && controlSelect.value === controlOf(example.setup)) forgetProgram();
-  else {
+  if (asItCame && text === example?.program && controlSelect.value === controlOf(example.setup)) {
+    // The list has what it was until now, and has it again where the reader has come back to it.
+    if (ownPrograms?.id !== undefined) ownPrograms.keep(programNow());
+    forgetLast();
+  } else {
     leaveLink(text);
-    keepProgram({
-      text: playground.opened.text, example: id, control: playground.control ?? '', setup: setup ?? '',
-      ...(file === undefined ? {} : { file }),
-      ...(blockSkip === null ? {} : { blockSkip }),
-      ...(program === null ? {} : { program }),
-    });
+    ownPrograms?.keep(programNow());
   }
+}
+
+/** Who opens the page again finds the program as it is. */
+function isKept(): boolean {
+  const { text } = playground.opened;
+  const came = example?.program ?? (link?.address === location.hash ? link.linked.text : undefined);
+  return lastEntry()?.program.text === text || (came !== undefined && inUnits(came) === playground.value);
+}
+
+/** The program with its context, as it is kept. */
+function programNow(): KeptProgram {
+  const { file, setup, blockSkip, program } = playground;
+  return {
+    text: playground.opened.text, example: example?.id ?? '', control: playground.control ?? '', setup: setup ?? '',
+    ...(file === undefined ? {} : { file }),
+    ...(blockSkip === null ? {} : { blockSkip }),
+    ...(program === null ? {} : { program }),
+  };
 }
 
 /** The address holds the program of a link until the text is another one: who comes back then finds what was kept. */
@@ -348,11 +509,14 @@ function leaveLink(text: string): void {
     history.replaceState(null, '', above.address);
     showAbove({ kind: 'example' });
   }
-  const linked = linkedProgram(location.hash);
-  if (linked === undefined || inUnits(linked.text) === text) return;
-  const address = location.hash;
-  history.replaceState(null, '', location.pathname + location.search);
-  if (playground.origin === OF_A_LINK) showAbove({ kind: 'linked', address, linked });
+  const isOfLink = playground.origin === OF_A_LINK && link?.address === location.hash;
+  const isWork = isOfLink && link?.linked.task !== null;
+  // Who comes back finds the task, and the work on it.
+  keepWorkOn(isWork ? link?.address : undefined);
+  if (link === undefined || link.address !== location.hash || inUnits(link.linked.text) === text) return;
+  const { address, linked } = link;
+  if (!isWork) history.replaceState(null, '', location.pathname + location.search);
+  if (isOfLink && above.kind !== 'linked') showAbove({ kind: 'linked', address, linked, ...(above.kind === 'kept' ? { kept: above.program } : {}) });
 }
 
 /** As the editor has it: each line end counts one. */
@@ -367,7 +531,7 @@ function showAbove(what: Above): void {
   const texts = PAGE_WORDS[language];
   const lines: HTMLElement[] = [];
   const own = playground.file !== undefined;
-  const tooLong = playground.length > KEPT_LENGTH;
+  const tooLong = playground.length > LONGEST_KEPT;
   // This follows each key, and all of the page would be laid out again.
   const shown = [what, language, example, own, tooLong];
   if (shown.every((one, i) => one === aboveShown[i])) return;
@@ -379,22 +543,38 @@ function showAbove(what: Above): void {
   if (tooLong) lines.push(make('p', { className: 'kept' }, texts.tooLongToKeep));
   if (what.kind === 'restored') {
     lines.push(offer(texts.restored, texts.startAfresh, () => {
-      forgetProgram();
+      keepNow();
+      forgetLast();
       load(example ?? FIRST_EXAMPLE);
     }));
   }
   if (what.kind === 'linked') {
     lines.push(offer(texts.linked, texts.asLinked, () => {
+      keepNow();
       history.replaceState(null, '', what.address);
       loadLinked(what.linked);
     }));
   }
-  if (what.kind === 'kept') {
-    lines.push(offer(texts.kept, texts.bringBack, () => void keptExample(what.program).then((began) => restore(what.program, began))));
+  const kept = what.kind === 'kept' ? what.program : what.kind === 'linked' ? what.kept : undefined;
+  if (kept !== undefined) {
+    lines.push(offer(texts.kept, texts.bringBack, () => void keptExample(kept).then((began) => {
+      keepNow();
+      restore(kept, began);
+    })));
   }
-  if (what.kind === 'not-loaded') lines.push(make('p', { className: 'kept' }, texts.exampleNotLoaded));
+  if (what.kind === 'not-loaded') lines.push(offer(texts.exampleNotLoaded, texts.tryAgain, what.again));
   intro.replaceChildren(...lines);
   intro.hidden = lines.length === 0;
+}
+
+/** Once the network is back it is tried again, unless the reader has gone on to something else. */
+function showNotLoaded(again: () => void): void {
+  const said: Above = { kind: 'not-loaded', again };
+  const [own, { value }] = [asked, playground];
+  showAbove(said);
+  whenOnline(() => {
+    if (above === said && own === asked && playground.value === value) again();
+  });
 }
 
 function offer(news: string, action: string, accepted: () => void): HTMLElement {
@@ -420,6 +600,10 @@ function showLanguage(): void {
   openButton.textContent = texts.openFile;
   saveButton.textContent = texts.saveFile;
   settingsToggle.textContent = texts.settings;
+  actions?.showLanguage();
+  offline?.showLanguage();
+  if (bar !== undefined) bar.language = language;
+  ownPrograms?.showLanguage();
   if (subjects.length > 0) void listExamples();
   showExamples();
   showAbove(above);
@@ -456,11 +640,12 @@ async function listExamples(): Promise<readonly Subject[]> {
 }
 
 async function openGallery(): Promise<void> {
-  const [list, dialog] = await Promise.all([listExamples(), import('./gallery-dialog').catch(() => undefined)]);
+  const [list, dialog] = await Promise.all([listExamples(), loaded(() => import('./gallery-dialog')).catch(() => undefined)]);
   if (list.length === 0 || dialog === undefined) {
-    showAbove({ kind: 'not-loaded' });
+    showNotLoaded(() => void openGallery());
     return;
   }
+  if (above.kind === 'not-loaded') showAbove({ kind: 'example' });
   if (gallery === undefined) {
     gallery = new dialog.GalleryDialog((id) => void choose(id));
     document.body.append(gallery.element);

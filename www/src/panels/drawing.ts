@@ -30,8 +30,8 @@ export interface DrawingEvents {
   clicked(x: number, y: number, keepFocus: boolean): void;
   /** The colours of the page around are others. */
   recoloured?(): void;
-  /** The buttons act on this picture too. */
-  companion?(): Drawing | undefined;
+  /** The buttons act on these pictures too. */
+  companions?(): readonly Drawing[];
 }
 
 const PALETTE: readonly (keyof Palette)[] = [
@@ -94,17 +94,15 @@ export class Drawing {
       'section',
       { className: 'drawing', part: 'drawing' },
       this.#holder,
-      // Shown once, where there are two pictures.
-      ...(events.companion === undefined ? [] : [this.#empty]),
+      // Shown once, where there are several pictures.
+      ...(events.companions === undefined ? [] : [this.#empty]),
       this.#tip,
     );
     this.viewButtons.append(this.#fit, this.#zoomIn, this.#zoomOut);
-    const both = (act: (drawing: Drawing) => void): void => {
-      for (const drawing of [this, this.#events.companion?.()]) if (drawing !== undefined) act(drawing);
-    };
-    this.#fit.addEventListener('click', () => both((drawing) => drawing.#events.fit()));
-    this.#zoomIn.addEventListener('click', () => both((drawing) => drawing.#zoomMiddle(KEY_ZOOM)));
-    this.#zoomOut.addEventListener('click', () => both((drawing) => drawing.#zoomMiddle(1 / KEY_ZOOM)));
+    const all = (act: (drawing: Drawing) => void): void => [this, ...(this.#events.companions?.() ?? [])].forEach(act);
+    this.#fit.addEventListener('click', () => all((drawing) => drawing.#events.fit()));
+    this.#zoomIn.addEventListener('click', () => all((drawing) => drawing.#zoomMiddle(KEY_ZOOM)));
+    this.#zoomOut.addEventListener('click', () => all((drawing) => drawing.#zoomMiddle(1 / KEY_ZOOM)));
     this.#holder.append(this.#canvas, this.#type);
     this.#listen(this.#canvas);
     this.#sizes.observe(this.#holder);

@@ -23,6 +23,7 @@ class Exports implements Panel {
   readonly #items: readonly { readonly format: ExportFormat; readonly button: HTMLButtonElement }[];
 
   readonly places = { foot: [this.#button], dialogs: [this.#element] };
+  readonly services = { exported: (format: ExportFormat) => this.#shell.ask('export', { format }) };
 
   constructor(shell: Shell) {
     this.#shell = shell;

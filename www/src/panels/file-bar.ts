@@ -11,6 +11,7 @@ import { bytesToSave, download, reread } from '../editor/program-files';
 import { programText, type ProgramFile } from '../editor/program-text';
 import type { Opened } from '../editor/read-program';
 import { ENCODING_NAMES, ENCODINGS, type Encoding } from '../files/encodings';
+import { late } from './late';
 import type { Key, Panel, PanelKind, Services, Shell } from './panel';
 import fileBarStyles from './file-bar.css?inline';
 
@@ -69,11 +70,11 @@ class FileBar implements Panel {
 
   /** Opens a file as the program; what it replaces can be brought back with undo. */
   async #open(file: File): Promise<void> {
-    const opening = read(file);
+    const opening = this.#read(file);
     this.#opening = opening;
     const opened = await opening;
     // The reader has opened another one since.
-    if (this.#opening !== opening) return;
+    if (this.#opening !== opening || opened === undefined) return;
     const [say, texts] = [this.#shell.service('notice'), this.#words];
     if (opened.kind === 'too-large') say(texts.fileTooLarge(opened.name));
     else if (opened.kind === 'unreadable') say(texts.fileUnreadable(opened.name));
@@ -84,6 +85,12 @@ class FileBar implements Panel {
       else if (encoding === 'utf-8') say(texts.opened(name));
       else say(texts.openedAs(name, ENCODING_NAMES[encoding]));
     }
+  }
+
+  /** What it takes to read one is loaded first; nothing where that is missing, which is said. */
+  async #read(file: File): Promise<Opened | undefined> {
+    const part = await late(this.#shell, () => import('../editor/read-program'), () => void this.#open(file));
+    return part?.readProgram(file).catch(() => ({ kind: 'unreadable', name: file.name }) as const);
   }
 
   /** Saves the program as a file, in the encoding and with the line ends it was opened with. */
@@ -122,16 +129,6 @@ class FileBar implements Panel {
         say(texts.noPlace(answer.character, chosen, present));
         break;
     }
-  }
-}
-
-/** What it takes to read one is loaded first. */
-async function read(file: File): Promise<Opened> {
-  try {
-    const { readProgram } = await import('../editor/read-program');
-    return await readProgram(file);
-  } catch {
-    return { kind: 'unreadable', name: file.name };
   }
 }
 

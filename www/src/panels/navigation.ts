@@ -8,6 +8,7 @@ import type { Language } from '../dom/language';
 import { words } from '../dom/words';
 import type { UsesHelp } from '../protocol/protocol';
 import type { Heard } from '../worker/core-client';
+import { late } from './late';
 import type { OutlineDialog } from './outline-dialog';
 import { isInProgram, type Key, type NewestQuestion, type Panel, type PanelKind, type Services, type Shell } from './panel';
 import navigationStyles from './navigation.css?inline';
@@ -165,17 +166,18 @@ class Navigation implements Panel {
     const asked = shell.ask('outline', undefined);
     const cursor = shell.editor.selection.from;
     const dialog = this.#dialog ?? (await this.#load());
+    if (dialog === undefined) return;
     dialog.begin();
     const outline = await asked;
     if (outline === undefined) dialog.close();
     else dialog.show(outline, cursor);
   }
 
-  async #load(): Promise<OutlineDialog> {
+  async #load(): Promise<OutlineDialog | undefined> {
     const shell = this.#shell;
-    const { OutlineDialog } = await import('./outline-dialog');
-    if (this.#dialog === undefined) {
-      this.#dialog = new OutlineDialog(shell.language, (offset) => this.#go(shell.editor.selection.from, { from: offset, to: shell.editor.endOfLine(offset) }));
+    const part = await late(shell, () => import('./outline-dialog'), () => void this.#open());
+    if (this.#dialog === undefined && part !== undefined) {
+      this.#dialog = new part.OutlineDialog(shell.language, (offset) => this.#go(shell.editor.selection.from, { from: offset, to: shell.editor.endOfLine(offset) }));
       shell.region('dialogs').append(this.#dialog.element);
     }
     return this.#dialog;

@@ -10,7 +10,7 @@ import type { Language } from '../dom/language';
 import type { Span } from '../editor/holder';
 import type { Program } from '../editor/program';
 import type { ProgramFile, ProgramText } from '../editor/program-text';
-import type { Answer, Command, Diagnostic, Pictures, QuestionKind, Questions, Readout, Setting, SetupGroup, StepDirection, StepUnit, Stroke } from '../protocol/protocol';
+import type { Answer, Command, Diagnostic, Exported, ExportFormat, PictureName, Pictures, QuestionKind, Questions, Readout, Setting, SetupGroup, StepDirection, StepUnit, Stroke } from '../protocol/protocol';
 import type { Heard } from '../worker/core-client';
 
 /**
@@ -20,7 +20,7 @@ export const REGIONS = ['tabs', 'notices', 'bar', 'problems', 'divider', 'views'
 export type Region = (typeof REGIONS)[number];
 
 /** What of the panels the page around can leave out. */
-export const CONTROLS = ['file', 'setup', 'problems', 'views', 'playback', 'status', 'tools', 'help'] as const;
+export const CONTROLS = ['file', 'setup', 'problems', 'views', 'playback', 'status', 'tools', 'help', 'link'] as const;
 export type Control = (typeof CONTROLS)[number];
 
 export interface PanelKind {
@@ -103,7 +103,7 @@ export interface ClientPlace {
 }
 
 /** What a notice is about; another run hides `core` and `program`. */
-export type Topic = 'file' | 'program' | 'program-setup' | 'setup' | 'core' | 'editor' | 'source';
+export type Topic = 'file' | 'program' | 'program-setup' | 'setup' | 'core' | 'editor' | 'source' | 'panels' | 'late';
 
 /** A button of a notice: what can be done about it. */
 export interface Remedy {
@@ -132,9 +132,12 @@ export interface Services {
   toggleBreakpoint(): void;
   openFile(file: File): Promise<void>;
   saveFile(): void;
-  locate(x: number, z: number): Promise<ClientPlace>;
-  locateOnFace(x: number, c: number): Promise<ClientPlace>;
-  choosePictures(pictures: 'section' | 'face' | 'both'): void;
+  /** A file as the menu "Export" makes it, without saving it; undefined where there is no worker. */
+  exported(format: ExportFormat): Promise<Exported | undefined>;
+  /** Where a place of a picture is, given as the question `locate` has it. */
+  locate(picture: PictureName, ...place: readonly [number, number]): Promise<ClientPlace>;
+  /** Shows these pictures. */
+  showOnly(pictures: readonly PictureName[]): void;
   /** Keeps the part, to lay later ones over it. */
   keepPart(): void;
   /** Ends the comparison that `keepPart` began, not one that the reader began. */

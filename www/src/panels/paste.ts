@@ -8,6 +8,7 @@
 import { make } from '../dom/dom';
 import type { Language } from '../dom/language';
 import { words } from '../dom/words';
+import { late } from './late';
 import type { Panel, PanelKind, Shell } from './panel';
 import type { PasteDialog } from './paste-dialog';
 import pasteStyles from './paste.css?inline';
@@ -68,12 +69,12 @@ class Paste implements Panel {
       return this.#shell.service('notice')(texts.fewCharacters, 'program', remedy);
     }
     if (found.programs.length === 0) return this.#say(found.tooLong ? texts.tooLong : texts.none);
-    const { PasteDialog } = await import('./paste-dialog');
+    const part = await late(this.#shell, () => import('./paste-dialog'), () => void this.#search(0, editor.length, 'asked'));
     // The text has been changed, or searched once more, while the dialog was loaded.
-    if (editor.revision !== revision || this.takesKeys) return;
+    if (part === undefined || editor.revision !== revision || this.takesKeys) return;
     this.#range = { from, to };
     if (this.#dialog === undefined) {
-      this.#dialog = new PasteDialog(this.#shell.language, {
+      this.#dialog = new part.PasteDialog(this.#shell.language, {
         chosen: (program) => void this.#choose(program),
         taken: (text) => this.#take(text),
       });

@@ -1,4 +1,4 @@
-// The pictures: the section and, beside it, the end face; the legend and the buttons to fit and
+// The pictures: the section and, beside it, the end face and the side; the legend and the buttons to fit and
 // zoom stand in the playback.
 //
 // In: images, strokes and dimensions, as the worker answers. Out: how each picture is looked at, and the
@@ -7,7 +7,7 @@
 import { make } from '../dom/dom';
 import type { Language } from '../dom/language';
 import { words } from '../dom/words';
-import type { CanvasCommand, Command, Help, LengthUnit, PictureName, Pictures as Images, Stroke, Summary } from '../protocol/protocol';
+import { PICTURES, type CanvasCommand, type Command, type Help, type LengthUnit, type PictureName, type Pictures as Images, type Stroke, type Summary } from '../protocol/protocol';
 import type { Heard } from '../worker/core-client';
 import { dimensionText } from './dimension';
 import { Drawing, type DrawingEvents } from './drawing';
@@ -24,12 +24,11 @@ class Pictures implements Panel {
   readonly #drawings: Readonly<Record<PictureName, Drawing>>;
   readonly places: Panel['places'];
   readonly services: Partial<Services> = {
-    choosePictures: (pictures) => {
-      this.#drawings.section.element.hidden = pictures === 'face';
-      this.#drawings.face.element.hidden = pictures === 'section';
+    showOnly: (pictures) => {
+      for (const picture of PICTURES) this.#drawings[picture].element.hidden = !pictures.includes(picture);
+      this.#shell.region('pictures').classList.toggle('three', pictures.length === 3);
     },
-    locate: (x, z) => this.#locate('section', x, z),
-    locateOnFace: (x, c) => this.#locate('face', x, c),
+    locate: (picture, ...place) => this.#locate(picture, place),
   };
   /** Over a picture of an earlier run. */
   readonly #old = make('p', { className: 'old-picture', part: 'old-picture', hidden: true });
@@ -64,20 +63,21 @@ class Pictures implements Panel {
         section.showEdge(undefined);
         onSection.left();
       },
-      companion: () => face,
+      companions: () => [face, side],
       recoloured: () => this.coloursChanged(),
     });
     const face = new Drawing(shell.language, this.#events('face'));
-    this.#drawings = { section, face };
-    face.element.hidden = true;
+    const side = new Drawing(shell.language, this.#events('side'));
+    this.#drawings = { section, face, side };
+    face.element.hidden = side.element.hidden = true;
+    for (const picture of PICTURES) this.#drawings[picture].element.style.setProperty('--picture', picture);
     section.element.append(this.#old);
-    this.places = { pictures: [section.element, face.element], playback: [section.legend, section.viewButtons] };
+    this.places = { pictures: [section.element, face.element, side.element], playback: [section.legend, section.viewButtons] };
   }
 
   set language(language: Language) {
-    const { drawing, faceDrawing } = WORDS[language];
-    this.#drawings.section.speak(language, drawing);
-    this.#drawings.face.speak(language, () => faceDrawing);
+    const texts = WORDS[language];
+    for (const picture of PICTURES) this.#drawings[picture].speak(language, texts[picture]);
     this.#showAge();
   }
 
@@ -100,7 +100,7 @@ class Pictures implements Panel {
       this.#age(undefined);
       if (summary !== undefined) this.#drawings.section.summary = summary;
     }
-    for (const picture of ['section', 'face'] as const) {
+    for (const picture of PICTURES) {
       const image = images[picture];
       if (image !== undefined) this.#drawings[picture].show(image);
     }
@@ -120,6 +120,8 @@ class Pictures implements Panel {
   }
 
   coloursChanged(): void {
+    // On paper colours are light at once, and a picture painted anew would come too late: the style sheet turns the one that is there.
+    if (matchMedia('print').matches) return;
     const { palette } = this.#drawings.section;
     const colours = JSON.stringify(palette);
     if (colours === this.#colours) return;
@@ -128,7 +130,7 @@ class Pictures implements Panel {
   }
 
   connected(send: (command: Command) => void): void {
-    for (const picture of ['section', 'face'] as const) {
+    for (const picture of PICTURES) {
       send({ kind: 'picture', picture, what: { kind: 'canvas', size: this.#drawings[picture].size } });
     }
     const { palette } = this.#drawings.section;
@@ -193,8 +195,8 @@ class Pictures implements Panel {
   }
 
   /** Where a place is drawn, in the window's CSS pixels. */
-  async #locate(picture: PictureName, x: number, other: number): Promise<ClientPlace> {
-    const place = await this.#shell.ask('locate', { picture, x, other });
+  async #locate(picture: PictureName, of: readonly [number, number]): Promise<ClientPlace> {
+    const place = await this.#shell.ask('locate', { picture, place: of });
     if (place === undefined) throw new Error('the playground is not in a document');
     const { origin, scale } = this.#drawings[picture];
     return { clientX: origin.x + place.x * scale, clientY: origin.y + place.y * scale };
@@ -203,20 +205,23 @@ class Pictures implements Panel {
 
 const WORDS = words({
   en: {
-    drawing: (n: number) =>
+    section: (n: number) =>
       `Drawing of the tool path, ${n} motions. Arrow keys move it, plus and minus zoom, F shows all of it.`,
     old: (run: number) => `Old picture (run ${run}), from before the block that is being typed`,
-    faceDrawing: 'Drawing of the end face, seen from the tailstock: X to the right, C up. Arrow keys move it, plus and minus zoom, F shows all of it.',
+    face: () => 'Drawing of the end face, seen from the tailstock: X to the right, C or Y up. Arrow keys move it, plus and minus zoom, F shows all of it.',
+    side: () => 'Drawing of the side, seen from outside, unrolled where C turns: Z to the right, C or Y down. Arrow keys move it, plus and minus zoom, F shows all of it.',
   },
   zh: {
-    drawing: (n) => `刀具轨迹图，共 ${n} 段运动。方向键移动，加号和减号缩放，F 键显示全图。`,
+    section: (n) => `刀具轨迹图，共 ${n} 段运动。方向键移动，加号和减号缩放，F 键显示全图。`,
     old: (run) => `旧图（第 ${run} 次运行），正在输入的程序段之前的结果`,
-    faceDrawing: '端面图，从尾座方向看：X 向右，C 向上。方向键移动，加减号缩放，F 显示全部。',
+    face: () => '端面图，从尾座方向看：X 向右，C 或 Y 向上。方向键移动，加减号缩放，F 显示全部。',
+    side: () => '圆柱面图，从外侧看，C 轴转动时为展开图：Z 向右，C 或 Y 向下。方向键移动，加减号缩放，F 显示全部。',
   },
   ru: {
-    drawing: (n) =>
+    section: (n) =>
       `Чертёж траектории, перемещений: ${n}. Стрелки сдвигают его, плюс и минус меняют масштаб, F показывает всё.`,
     old: (run) => `Прежний чертёж (прогон ${run}): до кадра, который сейчас набирается`,
-    faceDrawing: 'Чертёж торца, вид со стороны задней бабки: X вправо, C вверх. Стрелки двигают его, плюс и минус меняют масштаб, F показывает всё.',
+    face: () => 'Чертёж торца, вид со стороны задней бабки: X вправо, C или Y вверх. Стрелки двигают его, плюс и минус меняют масштаб, F показывает всё.',
+    side: () => 'Чертёж боковой поверхности, вид снаружи, с поворотами C — развёртка: Z вправо, C или Y вниз. Стрелки двигают его, плюс и минус меняют масштаб, F показывает всё.',
   },
 });

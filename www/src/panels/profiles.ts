@@ -8,6 +8,7 @@ import type { Language } from '../dom/language';
 import { words } from '../dom/words';
 import type { ProfileKind } from '../protocol/protocol';
 import type { Heard } from '../worker/core-client';
+import { late } from './late';
 import type { Panel, PanelKind, Services, Shell } from './panel';
 import type { ProfilesDialog } from './profiles-dialog';
 import { chooseMachine, chosenMachine, profile } from './profiles-kept';
@@ -64,12 +65,13 @@ class Profiles implements Panel {
   }
 
   async #open(): Promise<void> {
-    const [own, { ProfilesDialog }] = await Promise.all([
+    const [own, part] = await Promise.all([
       this.#shell.ask('profiles-of-run', { json: this.#shell.setup ?? '{}' }),
-      import('./profiles-dialog'),
+      late(this.#shell, () => import('./profiles-dialog'), () => void this.#open()),
     ]);
+    if (part === undefined) return;
     if (this.#dialog === undefined) {
-      this.#dialog = new ProfilesDialog(this.#shell.language, {
+      this.#dialog = new part.ProfilesDialog(this.#shell.language, {
         taken: (kind, name) => void this.#take(kind, name),
         read: (json) => this.#shell.ask('profiles-in', { json }),
         changed: () => void this.#compare(),

@@ -40,6 +40,7 @@ class Cell {
 export class ReadoutBoard {
   readonly element = make('dl', { className: 'readout', part: 'readout' });
   readonly #x = new Cell('x');
+  readonly #y = new Cell('y');
   readonly #z = new Cell('z');
   readonly #c = new Cell('c');
   readonly #feed = new Cell('feed');
@@ -53,7 +54,7 @@ export class ReadoutBoard {
 
   constructor(language: Language) {
     this.#language = language;
-    const cells = [this.#x, this.#z, this.#c, this.#spindle, this.#surface, this.#feed, this.#time, this.#tool];
+    const cells = [this.#x, this.#y, this.#z, this.#c, this.#spindle, this.#surface, this.#feed, this.#time, this.#tool];
     this.element.append(...cells.map((cell) => cell.element));
     this.language = language;
   }
@@ -65,6 +66,7 @@ export class ReadoutBoard {
     // Millimetres are what nobody has to be warned of.
     const unit = this.#unit === 'mm' ? '' : `, ${symbol(this.#unit, language)}`;
     this.#x.name = `X ⌀${unit}`;
+    this.#y.name = `Y${unit}`;
     this.#z.name = `Z${unit}`;
     this.#c.name = 'C';
     this.#feed.name = texts.feed;
@@ -84,10 +86,13 @@ export class ReadoutBoard {
     this.#shown = readout;
     this.element.classList.toggle('idle', readout === undefined);
     this.#c.element.hidden = readout?.c === undefined;
+    this.#y.element.hidden = readout?.y === undefined;
+    this.#y.value = readout?.y === undefined ? NOTHING : place(readout.y, this.#unit);
     this.#x.value = readout === undefined ? NOTHING : place(readout.stroke.atX, this.#unit);
     this.#z.value = readout === undefined ? NOTHING : place(readout.stroke.atZ, this.#unit);
     this.#c.value = readout?.c === undefined ? NOTHING : `${signed(readout.c, 2)}°`;
     this.#feed.value = this.#feedText(readout);
+    this.#feed.hint = readout?.locked === true ? WORDS[this.#language].locked : '';
     this.#spindle.value = this.#with(readout?.rpm, 0, WORDS[this.#language].turns);
     this.#surface.value = this.#surfaceText(readout?.surfaceSpeed);
     this.#time.value = this.#timeText(readout);
@@ -117,6 +122,7 @@ export class ReadoutBoard {
       turn === undefined ? '' : `${trimmed(turn, metric ? 4 : 5)} ${texts.perTurn(unit)}`,
       minute === undefined ? '' : `${minute < 10 ? trimmed(minute, 2) : minute.toFixed(metric || minute >= 100 ? 0 : 1)} ${texts.perMinute(unit)}`,
     ].filter((text) => text !== '');
+    if (readout?.locked === true) parts.push(texts.override);
     return parts.join(' · ') || NOTHING;
   }
 
@@ -152,6 +158,8 @@ const WORDS = words({
     tool: 'Tool',
     perMinute: (unit: string) => `${unit}/min`,
     perTurn: (unit: string) => `${unit}/rev`,
+    override: 'override 100 %',
+    locked: 'While a thread is cut, the feed and spindle override count as 100 %, and feed hold waits until the tool is out of the thread.',
     turns: 'rpm',
     metres: 'm/min',
     feet: 'ft/min',
@@ -172,6 +180,8 @@ const WORDS = words({
     tool: '刀具',
     perMinute: (unit) => `${unit}/min`,
     perTurn: (unit) => `${unit}/r`,
+    override: '倍率 100%',
+    locked: '切螺纹期间，进给倍率和主轴倍率按 100% 计，进给保持要等刀具退出螺纹后才生效。',
     turns: 'r/min',
     metres: 'm/min',
     feet: 'ft/min',
@@ -192,6 +202,8 @@ const WORDS = words({
     tool: 'Инструмент',
     perMinute: (unit) => `${unit}/мин`,
     perTurn: (unit) => `${unit}/об`,
+    override: 'коррекция 100 %',
+    locked: 'Пока нарезается резьба, ручная коррекция подачи и шпинделя равна 100 %, а останов подачи ждёт, пока инструмент не выйдет из резьбы.',
     turns: 'об/мин',
     metres: 'м/мин',
     feet: 'фут/мин',

@@ -9,6 +9,7 @@ import { words } from '../dom/words';
 import type { SetupOverview, SetupAnswer, SetupForm, SetupGroup, SetupPlace, Setting } from '../protocol/protocol';
 import type { Heard } from '../worker/core-client';
 import { InferredStock } from './inferred-stock';
+import { late } from './late';
 import type { Panel, PanelKind, Services, Shell } from './panel';
 import setupStyles from './setup.css?inline';
 import type { SetupDialog, SetupEntries } from './setup-form';
@@ -71,10 +72,11 @@ class Setup implements Panel {
   }
 
   async #open(group?: SetupGroup['group'], key?: string): Promise<void> {
-    const [form, { SetupDialog }] = await Promise.all([this.#ask(), import('./setup-form')]);
-    if (form === undefined) return;
+    const load = late(this.#shell, () => import('./setup-form'), () => void this.#open(group, key));
+    const [form, part] = await Promise.all([this.#ask(), load]);
+    if (form === undefined || part === undefined) return;
     if (this.#form === undefined) {
-      this.#form = new SetupDialog(this.#shell.language, {
+      this.#form = new part.SetupDialog(this.#shell.language, {
         read: (entries) => this.#read(entries),
         another: (word) => this.#shell.ask('another-tool', { word }),
         kept: (answer, place) => this.#keep(answer, place),

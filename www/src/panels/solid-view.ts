@@ -4,11 +4,13 @@
 // Loaded when it is first wanted, and three.js with it. Must not know: where the section comes from.
 
 import {
-  BufferAttribute, BufferGeometry, Color, DirectionalLight, DoubleSide, Group, HemisphereLight, LineBasicMaterial,
-  LineSegments, Mesh, MeshPhongMaterial, PerspectiveCamera, Scene, ShaderMaterial, ShapeUtils, Spherical, Vector2, Vector3, WebGLRenderer,
+  BufferAttribute, BufferGeometry, Color, CylinderGeometry, DirectionalLight, DoubleSide, Group, HemisphereLight, LineBasicMaterial,
+  LineSegments, Mesh, MeshBasicMaterial, MeshPhongMaterial, PerspectiveCamera, Plane, Scene, ShaderMaterial, ShapeUtils, Spherical, Vector2, Vector3,
+  WebGLRenderer,
 } from 'three';
 import { OrbitControls } from 'three/examples/jsm/controls/OrbitControls.js';
-import type { SectionPiece } from '../protocol/protocol';
+import type { DrilledHole, SectionPiece } from '../protocol/protocol';
+import { boreOf, type Bore } from './solid-holes';
 import { outlinesOf, turnedBody, type Corner } from './solid-shape';
 
 /** Where the reset view is from: the right front, a little above. */
@@ -21,6 +23,11 @@ const KEY_ZOOM = 1.15;
 const HATCH_LINES = 40;
 /** The centre line reaches out of the part by this share of its length. */
 const CENTER_LINE_OVER = 0.08;
+/** A hole is as dark as this share of the light of the surface. */
+const HOLE_LIGHT = 0.22;
+const HOLE_FLATS = 32;
+/** What is cut away: up from the axis and towards the viewer. */
+const CUT_AWAY = [new Plane(new Vector3(0, -1, 0)), new Plane(new Vector3(0, 0, -1))];
 
 /** Lines at 45° that stay sharp however near the viewer comes. */
 const HATCH = {
@@ -59,6 +66,9 @@ export class SolidView {
     ...HATCH, side: DoubleSide, polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 1,
     uniforms: { ground: { value: new Color() }, lines: { value: new Color() }, spacing: { value: 1 } },
   });
+  readonly #drilled = new Group();
+  readonly #hole = new MeshBasicMaterial({ clippingPlanes: CUT_AWAY, clipIntersection: true });
+  readonly #holeInCut = new MeshBasicMaterial({ side: DoubleSide });
   readonly #edge = new LineBasicMaterial();
   readonly #axis = new LineBasicMaterial();
   readonly #sky = new HemisphereLight(0xffffff, 0x8c8780, 1.6);
@@ -76,9 +86,10 @@ export class SolidView {
   constructor(canvas: HTMLCanvasElement, context: WebGL2RenderingContext) {
     this.canvas = canvas;
     this.#renderer = new WebGLRenderer({ canvas, context, antialias: true });
+    this.#renderer.localClippingEnabled = true;
     this.#lamp.position.set(-0.6, 1, 0.9);
     this.#camera.add(this.#lamp);
-    this.#scene.add(this.#sky, this.#camera, this.#body);
+    this.#scene.add(this.#sky, this.#camera, this.#body, this.#drilled);
     this.#controls = new OrbitControls(this.#camera, canvas);
     this.#controls.addEventListener('change', () => this.#want());
     canvas.addEventListener('keydown', (event) => this.#key(event));
@@ -89,8 +100,14 @@ export class SolidView {
     this.#resize();
   }
 
+  set holes(holes: readonly DrilledHole[]) {
+    clear(this.#drilled);
+    for (const bore of holes.map(boreOf)) this.#drilled.add(new Mesh(boreBody(bore), this.#hole), new Mesh(boreCuts(bore), this.#holeInCut));
+    this.#want();
+  }
+
   set section(pieces: readonly SectionPiece[]) {
-    this.#clear();
+    clear(this.#body);
     const corners = pieces.flatMap(outlinesOf).flat();
     if (corners.length > 0) {
       this.#build(pieces, corners);
@@ -127,8 +144,9 @@ export class SolidView {
     this.#sizes.disconnect();
     this.#dark.removeEventListener('change', this.#recolour);
     this.#controls.dispose();
-    this.#clear();
-    for (const material of [this.#surface, this.#hatch, this.#edge, this.#axis]) material.dispose();
+    clear(this.#body);
+    clear(this.#drilled);
+    for (const material of [this.#surface, this.#hatch, this.#hole, this.#holeInCut, this.#edge, this.#axis]) material.dispose();
     this.#renderer.dispose();
     this.#renderer.forceContextLoss();
     this.canvas.remove();
@@ -167,11 +185,6 @@ export class SolidView {
     const line = new BufferGeometry();
     line.setAttribute('position', new BufferAttribute(new Float32Array(places), 3));
     return new LineSegments(line, this.#axis);
-  }
-
-  #clear(): void {
-    for (const part of this.#body.children) if (part instanceof Mesh || part instanceof LineSegments) part.geometry.dispose();
-    this.#body.clear();
   }
 
   // ---- the view -----------------------------------------------------------------------------------
@@ -236,6 +249,7 @@ export class SolidView {
     this.#scene.background = colour('background');
     this.#surface.color = colour('solid');
     this.#surface.specular = new Color(0x2a2d30);
+    for (const material of [this.#hole, this.#holeInCut]) material.color = colour('solid').multiplyScalar(HOLE_LIGHT);
     this.#hatch.uniforms['ground'] = { value: colour('part') };
     this.#hatch.uniforms['lines'] = { value: colour('part-edge') };
     this.#edge.color = colour('ink');
@@ -249,6 +263,29 @@ export class SolidView {
       this.#renderer.render(this.#scene, this.#camera);
     });
   }
+}
+
+function clear(group: Group): void {
+  for (const part of group.children) if (part instanceof Mesh || part instanceof LineSegments) part.geometry.dispose();
+  group.clear();
+}
+
+function boreBody({ mouth, bottom, radius }: Bore): BufferGeometry {
+  const [first, last] = [new Vector3(...mouth), new Vector3(...bottom)];
+  const way = first.clone().sub(last);
+  const geometry = new CylinderGeometry(radius, radius, way.length(), HOLE_FLATS);
+  // A cylinder stands along the second axis; what looks somewhere looks along the third.
+  geometry.rotateX(Math.PI / 2);
+  geometry.lookAt(way);
+  return geometry.translate(...first.add(last).multiplyScalar(0.5).toArray());
+}
+
+/** Where the faces of the cut go through a hole. */
+function boreCuts({ cuts }: Bore): BufferGeometry {
+  const geometry = new BufferGeometry();
+  geometry.setAttribute('position', new BufferAttribute(new Float32Array(cuts.flat(2)), 3));
+  geometry.setIndex(cuts.flatMap((_, cut) => [0, 1, 2, 0, 2, 3].map((corner) => 4 * cut + corner)));
+  return geometry;
 }
 
 /** Both faces of the cut: one upright, one lying. Their texture's places are those of the section. */

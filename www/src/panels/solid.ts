@@ -1,34 +1,39 @@
 // The button "3D" and its dialog: the part as a turned body with a quarter cut away.
 //
-// In: the half-section at the moment that is shown, again when that moves on.
+// In: the half-section and the holes of live tools at the moment that is shown, again when that moves on.
 // What draws it is loaded when it is first opened, and let go of when it is closed.
 // Must not know: how the part came about, or how a body is drawn.
 
 import { Dialog } from '../dom/dialog';
 import { make, name } from '../dom/dom';
 import type { Language } from '../dom/language';
+import { loaded, whenOnline } from '../dom/network';
 import { COMMON, words } from '../dom/words';
-import type { SectionPiece } from '../protocol/protocol';
+import type { DrilledHole, SectionPiece } from '../protocol/protocol';
 import type { Heard } from '../worker/core-client';
 import type { NewestQuestion, Panel, PanelKind, Shell } from './panel';
 import type { SolidView } from './solid-view';
 import solidStyles from './solid.css?inline';
 
-type Missing = 'loading' | 'no-part' | 'no-webgl';
+type Missing = 'loading' | 'no-network' | 'no-part' | 'no-webgl';
 
 export const solid: PanelKind = { control: 'views', styles: solidStyles, make: (shell) => new Solid(shell) };
 
 class Solid implements Panel {
   readonly #shell: Shell;
   readonly #pieces: NewestQuestion<'section'>;
+  readonly #drilled: NewestQuestion<'holes'>;
   readonly #button = make('button', { type: 'button', className: 'solid-button quiet outlined', 'aria-haspopup': 'dialog' });
   readonly #holder = make('div', { className: 'text solid-holder' });
   readonly #message = make('p', { className: 'empty', role: 'status' });
   readonly #reset = make('button', { type: 'button', className: 'framed' });
+  readonly #again = make('button', { type: 'button', className: 'framed', hidden: true });
   readonly #dialog = new Dialog('solid', [this.#holder], [this.#reset]);
   #section: readonly SectionPiece[] | undefined;
+  #holes: readonly DrilledHole[] = [];
   #view: SolidView | undefined;
   #missing: Missing | undefined;
+  #stopWaiting: (() => void) | undefined;
 
   readonly places = { foot: [this.#button], dialogs: [this.#dialog.element] };
 
@@ -39,7 +44,13 @@ class Solid implements Panel {
       this.#section = pieces;
       this.#showSection();
     });
-    this.#holder.append(this.#message);
+    this.#drilled = shell.newest('holes', (holes) => {
+      if (holes === undefined || !this.#dialog.open) return;
+      this.#holes = holes;
+      if (this.#view !== undefined) this.#view.holes = holes;
+    });
+    this.#holder.append(this.#message, this.#again);
+    this.#again.addEventListener('click', () => void this.#draw());
     this.#button.addEventListener('click', () => void this.#show());
     this.#reset.addEventListener('click', () => this.#view?.reset());
     this.#dialog.element.addEventListener('close', () => this.#free());
@@ -53,6 +64,7 @@ class Solid implements Panel {
     this.#dialog.name(strings.solidTitle, COMMON[language].close);
     this.#dialog.about = strings.solidAbout;
     this.#reset.textContent = strings.solidReset;
+    this.#again.textContent = strings.solidAgain;
     this.#view?.canvas.setAttribute('aria-label', strings.solidView);
     this.#tell(this.#missing);
   }
@@ -76,11 +88,20 @@ class Solid implements Panel {
 
   /** Only while it is looked at. */
   #ask(): void {
-    if (this.#dialog.open) this.#pieces.ask(undefined);
+    if (!this.#dialog.open) return;
+    this.#pieces.ask(undefined);
+    this.#drilled.ask(undefined);
   }
 
   async #show(): Promise<void> {
     if (!this.#dialog.show()) return;
+    this.#ask();
+    await this.#draw();
+  }
+
+  /** Again with the network, where that was missing. */
+  async #draw(): Promise<void> {
+    this.#stopWaiting?.();
     this.#tell('loading');
     const canvas = make('canvas', { tabIndex: 0, role: 'img', 'aria-label': WORDS[this.#shell.language].solidView });
     const context = canvas.getContext('webgl2', { antialias: true });
@@ -88,13 +109,17 @@ class Solid implements Panel {
       this.#tell('no-webgl');
       return;
     }
-    this.#ask();
     // Half a megabyte that most readers never need.
-    const { SolidView } = await import('./solid-view');
+    const part = await loaded(() => import('./solid-view')).catch(() => undefined);
     // Closed meanwhile, or closed and opened again.
     if (!this.#dialog.open || this.#view !== undefined) return;
+    if (part === undefined) {
+      this.#stopWaiting = whenOnline(() => void this.#draw());
+      this.#tell('no-network');
+      return;
+    }
     this.#holder.prepend(canvas);
-    this.#view = new SolidView(canvas, context);
+    this.#view = new part.SolidView(canvas, context);
     this.#showSection();
     canvas.focus();
   }
@@ -103,22 +128,26 @@ class Solid implements Panel {
     const section = this.#section;
     if (this.#view === undefined || section === undefined) return;
     this.#view.section = section;
+    this.#view.holes = section.length === 0 ? [] : this.#holes;
     this.#tell(section.length === 0 ? 'no-part' : undefined);
   }
 
   /** What is to be said in place of a picture. */
   #tell(missing: Missing | undefined): void {
     this.#missing = missing;
-    const { solidLoading, solidNoPart, solidNoWebGl } = WORDS[this.#shell.language];
-    const texts = { loading: solidLoading, 'no-part': solidNoPart, 'no-webgl': solidNoWebGl };
+    const { solidLoading, solidNoNetwork, solidNoPart, solidNoWebGl } = WORDS[this.#shell.language];
+    const texts = { loading: solidLoading, 'no-network': solidNoNetwork, 'no-part': solidNoPart, 'no-webgl': solidNoWebGl };
     this.#message.textContent = missing === undefined ? '' : texts[missing];
+    this.#again.hidden = missing !== 'no-network';
     this.#reset.disabled = missing !== undefined;
   }
 
   #free(): void {
+    this.#stopWaiting?.();
     this.#view?.free();
     this.#view = undefined;
     this.#section = undefined;
+    this.#holes = [];
   }
 }
 
@@ -131,6 +160,8 @@ const WORDS = words({
     /** For who does not see it. */
     solidView: 'The turned part in three dimensions. Arrow keys turn it, plus and minus zoom, Home resets the view.',
     solidLoading: 'Loading …',
+    solidNoNetwork: 'The view could not be loaded: the network is missing. It is loaded when the network is back.',
+    solidAgain: 'Try again',
     solidNoPart: 'There is no part to show: nothing is left of the blank, or it is not known.',
     solidNoWebGl: 'This browser does not draw in three dimensions (WebGL is missing or switched off). The drawing shows the same part in section.',
     solidReset: 'Reset view',
@@ -142,6 +173,8 @@ const WORDS = words({
     solidAbout: '拖动或方向键旋转，滚轮或 + − 缩放，Home 键恢复初始视角。Ctrl Enter 播放程序，F9 单步。',
     solidView: '车削零件的三维视图。方向键旋转，加号和减号缩放，Home 键恢复初始视角。',
     solidLoading: '正在加载……',
+    solidNoNetwork: '三维视图无法加载：没有网络。网络恢复后会自动加载。',
+    solidAgain: '重试',
     solidNoPart: '没有可显示的零件：毛坯已无剩余，或毛坯未知。',
     solidNoWebGl: '此浏览器无法显示三维图形（缺少 WebGL 或已关闭）。平面图中可看到同一零件的剖面。',
     solidReset: '初始视角',
@@ -153,6 +186,8 @@ const WORDS = words({
     solidAbout: 'Перетаскивание и стрелки поворачивают, колесо или + и − меняют масштаб, Home сбрасывает вид. Ctrl Enter запускает программу, F9 — один шаг.',
     solidView: 'Точёная деталь в трёх измерениях. Стрелки поворачивают её, плюс и минус меняют масштаб, Home сбрасывает вид.',
     solidLoading: 'Загрузка …',
+    solidNoNetwork: 'Вид загрузить не удалось: нет сети. Загрузка повторится, когда сеть появится.',
+    solidAgain: 'Повторить',
     solidNoPart: 'Нечего показать: от заготовки ничего не осталось, или она неизвестна.',
     solidNoWebGl: 'Этот браузер не показывает трёхмерную графику (WebGL отсутствует или выключен). На чертеже та же деталь видна в разрезе.',
     solidReset: 'Сбросить вид',

@@ -6,16 +6,16 @@
 import { make } from '../dom/dom';
 import type { Language } from '../dom/language';
 import { words } from '../dom/words';
-import type { Comparison, LengthUnit, ViewsState } from '../protocol/protocol';
+import { PICTURES, type Comparison, type LengthUnit, type PictureChoice, type PictureName, type ViewsState } from '../protocol/protocol';
 import type { Heard } from '../worker/core-client';
 import { length, symbol } from './lengths';
 import type { Panel, PanelKind, Services, Shell } from './panel';
 import viewsStyles from './views.css?inline';
 
 /** Narrower than this, CSS pixels, there is room for one picture only. */
-const ROOM_FOR_BOTH = 620;
+const ROOM_FOR_ALL = 620;
 
-type Pictures = 'section' | 'face' | 'both';
+const CHOICES = [...PICTURES, 'all'] as const;
 
 export const views: PanelKind = { control: 'views', styles: viewsStyles, make: (shell) => new Views(shell) };
 
@@ -23,16 +23,17 @@ class Views implements Panel {
   readonly #shell: Shell;
   readonly #row: HTMLElement;
   readonly #choice = make('div', { className: 'choice', role: 'radiogroup', hidden: true });
-  readonly #buttons: Readonly<Record<Pictures, HTMLButtonElement>>;
+  readonly #buttons: Readonly<Record<PictureChoice, HTMLButtonElement>>;
   readonly #turret = make('button', { type: 'button', className: 'level' });
   readonly #keep = make('button', { type: 'button', className: 'small' });
   readonly #end = make('button', { type: 'button', className: 'small', hidden: true });
   readonly #differences = make('div', { className: 'differences', 'aria-live': 'polite', hidden: true });
-  #state: ViewsState = { work: [], face: false, turret: 'rear', comparison: undefined };
+  #state: ViewsState = { pictures: ['section'], work: [], turret: 'rear', comparison: undefined };
   /** The page ends a comparison of its own, not the reader's. */
   #keptBy: 'reader' | 'page' = 'reader';
-  #wanted: Pictures = 'both';
-  #told: Pictures = 'section';
+  #wanted: PictureChoice = 'all';
+  #chosen: PictureChoice = 'section';
+  #shown = '';
   #unit: LengthUnit = 'mm';
   /** Of the row, CSS pixels. */
   #width = 0;
@@ -48,14 +49,14 @@ class Views implements Panel {
   constructor(shell: Shell) {
     this.#shell = shell;
     this.#row = shell.region('views');
-    const button = (pictures: Pictures): HTMLButtonElement => {
+    const button = (pictures: PictureChoice): HTMLButtonElement => {
       const made = make('button', { type: 'button', className: 'level', role: 'radio' });
       made.addEventListener('click', () => this.#choose(pictures));
       made.addEventListener('keydown', (event) => this.#key(event));
       return made;
     };
-    this.#buttons = { section: button('section'), face: button('face'), both: button('both') };
-    this.#choice.append(...Object.values(this.#buttons));
+    this.#buttons = { section: button('section'), face: button('face'), side: button('side'), all: button('all') };
+    this.#choice.append(...CHOICES.map((choice) => this.#buttons[choice]));
     this.#turret.addEventListener('click', () =>
       shell.send({ kind: 'turret', side: this.#state.turret === 'front' ? 'rear' : 'front' }));
     this.#keep.addEventListener('click', () => this.#keepPart('reader'));
@@ -76,7 +77,8 @@ class Views implements Panel {
     const texts = WORDS[language];
     this.#row.setAttribute('aria-label', texts.views);
     this.#choice.setAttribute('aria-label', texts.view);
-    for (const pictures of ['section', 'face', 'both'] as const) this.#buttons[pictures].textContent = texts[pictures];
+    for (const picture of PICTURES) this.#buttons[picture].textContent = texts[picture];
+    this.#buttons.side.title = texts.sideHint;
     this.#turret.textContent = texts.frontTurret;
     this.#turret.title = texts.frontTurretHint;
     this.#keep.textContent = texts.keep;
@@ -98,7 +100,7 @@ class Views implements Panel {
     this.#shell.send({ kind: 'keep' });
   }
 
-  #choose(pictures: Pictures): void {
+  #choose(pictures: PictureChoice): void {
     this.#wanted = pictures;
     this.#show();
   }
@@ -106,8 +108,8 @@ class Views implements Panel {
   #key(event: KeyboardEvent): void {
     const step = { ArrowLeft: -1, ArrowUp: -1, ArrowRight: 1, ArrowDown: 1 }[event.key];
     if (step === undefined) return;
-    const order = (['section', 'face', 'both'] as const).filter((pictures) => !this.#buttons[pictures].hidden);
-    const next = order[(order.indexOf(this.#told) + step + order.length) % order.length];
+    const order = CHOICES.filter((choice) => !this.#buttons[choice].hidden);
+    const next = order[(order.indexOf(this.#chosen) + step + order.length) % order.length];
     if (next === undefined) return;
     this.#choose(next);
     this.#buttons[next].focus();
@@ -115,23 +117,35 @@ class Views implements Panel {
   }
 
   #show(): void {
-    const { face, turret, comparison } = this.#state;
-    const wide = this.#width >= ROOM_FOR_BOTH;
-    const pictures = !face ? 'section' : this.#wanted === 'both' && !wide ? 'face' : this.#wanted;
-    this.#choice.hidden = !face;
-    this.#buttons.both.hidden = !wide;
-    for (const [own, button] of Object.entries(this.#buttons)) {
-      button.setAttribute('aria-checked', String(own === pictures));
-      button.tabIndex = own === pictures ? 0 : -1;
+    const { pictures, turret, comparison } = this.#state;
+    const texts = WORDS[this.#shell.language];
+    const wide = this.#width >= ROOM_FOR_ALL;
+    this.#chosen = this.#choiceOf(pictures, wide);
+    this.#choice.hidden = pictures.length < 2;
+    this.#buttons.all.textContent = pictures.length > 2 ? texts.all : texts.both;
+    for (const choice of CHOICES) {
+      const button = this.#buttons[choice];
+      button.hidden = choice === 'all' ? !wide : !pictures.includes(choice);
+      button.setAttribute('aria-checked', String(choice === this.#chosen));
+      button.tabIndex = choice === this.#chosen ? 0 : -1;
     }
     this.#turret.setAttribute('aria-pressed', String(turret === 'front'));
     this.#keep.hidden = comparison !== undefined;
     this.#end.hidden = this.#differences.hidden = comparison === undefined;
     if (comparison !== undefined) this.#differences.replaceChildren(...this.#tell(comparison));
-    if (pictures !== this.#told) {
-      this.#told = pictures;
-      this.#shell.service('choosePictures')(pictures);
-    }
+    const chosen = this.#chosen;
+    const shown = chosen === 'all' ? pictures : [chosen];
+    if (shown.join() === this.#shown) return;
+    this.#shown = shown.join();
+    this.#shell.service('showOnly')(shown);
+  }
+
+  /** What is shown of the pictures there are: what the reader wants, if it is there and there is room; else what the section does not show. */
+  #choiceOf(pictures: readonly PictureName[], wide: boolean): PictureChoice {
+    if (pictures.length < 2) return 'section';
+    const wanted = this.#wanted;
+    if (wanted === 'all' ? wide : pictures.includes(wanted)) return wanted;
+    return wide ? 'all' : pictures.find((picture) => picture !== 'section') ?? 'section';
   }
 
   #tell({ differences, radial, axial }: Comparison): (Node | string)[] {
@@ -154,7 +168,10 @@ const WORDS = words({
     view: 'View',
     section: 'Section',
     face: 'Face',
+    side: 'Side',
+    sideHint: 'The side, unrolled where C turns',
     both: 'Both',
+    all: 'All',
     frontTurret: 'Front turret',
     frontTurretHint: 'The turret stands in front of the spindle: X+ is drawn downwards',
     keep: 'Keep this part to compare',
@@ -170,7 +187,10 @@ const WORDS = words({
     view: '视图',
     section: '剖面',
     face: '端面',
+    side: '圆柱面',
+    sideHint: '圆柱面；C 轴转动时为展开图',
     both: '两者',
+    all: '全部',
     frontTurret: '前置刀架',
     frontTurretHint: '刀架在主轴前方：X+ 向下画',
     keep: '保留此零件用于比较',
@@ -186,7 +206,10 @@ const WORDS = words({
     view: 'Вид',
     section: 'Разрез',
     face: 'Торец',
+    side: 'Развёртка',
+    sideHint: 'Боковая поверхность: развёртка, а без поворотов C — вид сверху',
     both: 'Оба',
+    all: 'Все',
     frontTurret: 'Передняя револьверная головка',
     frontTurretHint: 'Резцедержатель стоит перед осью шпинделя: X+ направлен вниз',
     keep: 'Запомнить деталь для сравнения',

@@ -10,6 +10,7 @@ import type { Language } from '../dom/language';
 import { COMMON, words } from '../dom/words';
 import type { CodeView } from '../editor/code-view';
 import type { WrittenOut } from '../protocol/protocol';
+import { late } from './late';
 import type { Panel, PanelKind, Shell } from './panel';
 import writtenOutStyles from './written-out.css?inline';
 
@@ -66,8 +67,9 @@ class WrittenOutPanel implements Panel {
     const { editor } = this.#shell;
     this.#shell.flush();
     const { revision } = editor;
-    const [written, { CodeView }] = await Promise.all([this.#shell.ask('expand', undefined), import('../editor/code-view')]);
-    if (written !== undefined && editor.revision === revision) this.#show(written, editor.text, CodeView);
+    const load = late(this.#shell, () => import('../editor/code-view'), () => void this.#open());
+    const [written, part] = await Promise.all([this.#shell.ask('expand', undefined), load]);
+    if (written !== undefined && part !== undefined && editor.revision === revision) this.#show(written, editor.text, part.CodeView);
   }
 
   /** `before` is the program as it stands in the editor. */

@@ -8,14 +8,14 @@
 
 import type { PartName } from '../../pkg/part-files.js';
 import type {
-  Codes, Comparison, Diagnostic, Dimension, FileFormat, ProfileKind, Profiles, ReadAs, SetupOverview, FoundPiece, FoundPrograms, Palette, PictureName, Readout, Rewriting, SectionPiece, SetupAnswer, SetupForm, SetupGroup, SetupPlace, StepDirection,
-  CompletionHelp, CompletionItem, FormHelp, HeldBy, OutlineHelp, StateHelp, StepUnit, StopSwitch, Stroke, Summary, Totals, Units, UsesHelp, WordHelp,
+  Codes, Comparison, Diagnostic, Dimension, DrilledHole, FileFormat, ProfileKind, Profiles, ReadAs, SetupOverview, FoundPiece, FoundPrograms, Palette, PictureName, Readout, Rewriting, SectionPiece, SetupAnswer, SetupForm, SetupGroup, SetupPlace, StepDirection,
+  CompletionHelp, CompletionItem, FormHelp, HeldBy, OutlineHelp, ProgramDifference, StateHelp, StepUnit, StopSwitch, Stroke, Summary, Totals, Units, UsesHelp, WordHelp,
 } from '../../pkg/gcode_playground.js';
 
-export type { Codes, Comparison, Diagnostic, Dimension, Palette, PictureName, Readout, Rewriting, SectionPiece, StepDirection, StepUnit, StopSwitch, Stroke, Summary, Totals, Units };
+export type { Codes, Comparison, Diagnostic, Dimension, DrilledHole, Palette, PictureName, Readout, Rewriting, SectionPiece, StepDirection, StepUnit, StopSwitch, Stroke, Summary, Totals, Units };
 export type { SetupOverview, FoundPiece, FoundPrograms, SetupAnswer, SetupForm, SetupGroup, SetupPlace };
 export type { ProfileKind, Profiles, ReadAs };
-export type { HeldBy };
+export type { HeldBy, ProgramDifference };
 export type { CompletionHelp, CompletionItem, FormHelp, OutlineHelp, StateHelp, UsesHelp, WordHelp };
 export type { FormLine, FormWord, HelpLine, OutlineEntry, StateRow, Use } from '../../pkg/gcode_playground.js';
 export type { CodeRow, Edit, Fix, FoundProgram, ReadFact, Setting, SetupField, SetupState } from '../../pkg/gcode_playground.js';
@@ -183,11 +183,11 @@ export interface Questions {
   /** Where the tool is, in the language of now. */
   readout: { ask: undefined; answer: Readout | undefined };
   /**
-   * `x` a diameter; `other` is Z in the section, C on the face; all mm. The answer is CSS pixels from the
-   * picture's top left corner.
+   * In the section X (a diameter) and Z, on the face X (a diameter) and C, on the side Z and C in degrees (or Y, where its ruler
+   * shows that); lengths in mm. The answer is CSS pixels from the picture's top left corner.
    */
   locate: {
-    ask: { readonly picture: PictureName; readonly x: number; readonly other: number };
+    ask: { readonly picture: PictureName; readonly place: readonly [number, number] };
     answer: { readonly x: number; readonly y: number };
   };
   expand: { ask: undefined; answer: WrittenOut };
@@ -203,9 +203,13 @@ export interface Questions {
   export: { ask: { readonly format: ExportFormat }; answer: Exported };
   /** The half-section of the part at the moment that is shown. */
   section: { ask: undefined; answer: readonly SectionPiece[] };
+  /** The holes that live tools have drilled by then. */
+  holes: { ask: undefined; answer: readonly DrilledHole[] };
   /** The programs found in a text, and one of them in pieces. */
   'programs-in': { ask: { readonly text: string }; answer: FoundPrograms };
   'pieces-of': { ask: { readonly program: number; readonly language: string }; answer: readonly FoundPiece[] };
+  /** What differs between another version, the first, and the program. */
+  difference: { ask: OtherVersion; answer: Differed };
   'setup-form': { ask: undefined; answer: SetupForm };
   'another-tool': { ask: { readonly word: string }; answer: SetupGroup | undefined };
   'read-setup': { ask: SetupTyped; answer: SetupAnswer };
@@ -243,6 +247,18 @@ export interface Help {
 /** What of a setup can be kept under a name, or what is wrong with it. */
 export type ProfilesRead = { readonly kind: 'profiles'; readonly profiles: Profiles } | { readonly kind: 'wrong'; readonly reason: string };
 
+/** Another version of the program; `names` are that of it and that of the program. */
+export interface OtherVersion {
+  readonly text: string;
+  readonly names: readonly [string, string];
+}
+
+/** What differs between two versions, and the tool paths of both as SVG. */
+export interface Differed {
+  readonly rows: ProgramDifference;
+  readonly drawing: string;
+}
+
 /** The texts in the fields of the setup form; `json` is the setup of the page as it is. */
 export interface SetupTyped {
   readonly keys: readonly string[];
@@ -258,8 +274,8 @@ export type QuestionKind = keyof Questions;
  * others' hold as they are.
  */
 export const OF_THE_RUN = {
-  tokens: true, pick: true, play: true, seek: true, 'seek-block': true, step: true, 'go-to': true, strokes: true, readout: true, totals: true, expand: true, rewritings: true, section: true, help: true, uses: true, outline: true,
-  dimension: true, 'read-setup': true, 'profiles-of-run': true,
+  tokens: true, pick: true, play: true, seek: true, 'seek-block': true, step: true, 'go-to': true, strokes: true, readout: true, totals: true, expand: true, rewritings: true, section: true, holes: true, help: true, uses: true, outline: true,
+  dimension: true, 'read-setup': true, 'profiles-of-run': true, difference: true,
   locate: false, codes: false, export: false, 'programs-in': false, 'pieces-of': false,
   'setup-form': false, 'another-tool': false, 'profiles-in': false, 'with-profile': false,
 } as const satisfies Readonly<Record<QuestionKind, boolean>>;
@@ -277,10 +293,10 @@ export type WorkShown = 'blank' | 'chuck' | 'tailstock' | 'collision';
 
 /** What there is to see beside the section. */
 export interface ViewsState {
+  /** The pictures that show anything: the section, and each surface that something moves over. */
+  readonly pictures: readonly PictureName[];
   /** What the pictures show beside strokes. */
   readonly work: readonly WorkShown[];
-  /** Something moves on the end face. */
-  readonly face: boolean;
   readonly turret: TurretSide;
   /** While a part is kept. */
   readonly comparison: Comparison | undefined;
@@ -327,6 +343,12 @@ export interface Report {
   /** Known once all of the text was looked at; a long one is reported later. */
   readonly switches: SwitchesInText | undefined;
 }
+
+/** All pictures, in the order in which they stand. */
+export const PICTURES = ['section', 'face', 'side'] as const satisfies readonly PictureName[];
+
+/** One of the pictures, or all that show anything. */
+export type PictureChoice = PictureName | 'all';
 
 /** What was painted; a picture that has not changed is left out. */
 export type Pictures = { readonly [K in PictureName]?: ImageBitmap };

@@ -25,6 +25,7 @@
 //   fit       part | path          what the picture shows
 //   turret    front | rear
 //   caption   a line under the element, which names it
+//   playground https://…               the page that "Open in the playground" leads to; none where it is empty
 //   loading   lazy | eager | click     when it starts: near the view, at once, or when the reader asks for it
 //   split     40                       percent of the width for the program, where it stands beside the drawing; follows the divider
 //   hints     "edit play pick"     the hints of the first minute that are still to be shown; none without it
@@ -34,14 +35,16 @@
 // text as it is in it), origin (any text by which the page knows whose the program is). Setting one, or an attribute, fires no event.
 // A text that replaces most of the one before is another program: the attributes of the program are removed and
 // `origin` becomes null, unless the page sets one of them in the same turn before the text. Undo brings all of it back. Methods: play(), pause(),
-// openFile(file), saveFile(), focus(), keepPart() to lay the parts of later programs over this one's,
-// endComparison(), and for automation
+// openFile(file), saveFile(), exported(format): the bytes of a file of the menu "Export", focus(), keepPart() to lay the parts of later programs over this one's,
+// endComparison(), differenceFrom({text, names}) for the blocks and motions in which another version differs, currentStep() and pictureFile(format),
+// both promises, cursorLine and wholeSetup, and for automation
 //   settled: Promise<number>   a property: resolved once all there is to show of the program, setup, language,
 //                              size and colours of now is shown, the part with all its material off included;
 //                              with the number of the run. Numbers grow with every change of text or setup.
 //                              Nothing settles in a tab that nobody sees.
 //   locate(x, z): Promise<{clientX, clientY}>   where a place (X a diameter, mm) is in the window
 //   locateOnFace(x, c): the same of the face
+//   locateOnSide(z, c): the same of the side, C in degrees; Y in mm where its ruler shows Y
 // Events (bubbling, only for what the reader did, and `report` for each finished run):
 //   gcode-change   detail {value}
 //   gcode-select   detail {stroke}
@@ -57,7 +60,7 @@
 // CSS custom properties: --playground-height, --playground-type-size, --playground-font, --playground-code-font,
 // --playground-code-size and the colours of colours.css. Parts: frame intro bar file switches editor problems
 // drawing canvas old-picture what-if at-cursor legend tooltip setup views assumptions playback play readout doing status notice hint totals units
-// motions written-out rewrite codes solid export-menu paste help read-as profiles caption fallback.
+// open-link motions written-out rewrite codes solid export-menu paste help read-as profiles caption fallback.
 //
 // What is inside is the shell's: see shell.ts, and panels/panel.ts for how to add to it.
 
@@ -65,10 +68,12 @@ import { make } from '../dom/dom';
 import { languageOf, type Language } from '../dom/language';
 import { programText, type ProgramFile } from '../editor/program-text';
 import { ENCODINGS } from '../files/encodings';
+import type { Differed, ExportFormat, OtherVersion } from '../protocol/protocol';
 import type { ClientPlace, Services } from '../panels/panel';
 import { controlsOf, viewOf, type View } from './layout';
 import { whenParsed } from './parsed';
 import { Settling } from './settling';
+import { mergedSetup } from './start';
 import { PlaygroundShell } from './shell';
 import { Source, textInside } from './source';
 import { adopt } from './style-sheets';
@@ -87,13 +92,13 @@ const OF_THE_PROGRAM: readonly string[] = ['control', 'setup', 'block-skip', 'pr
 /** Attributes that say what is there at all. */
 const MAKES_ANEW: readonly string[] = ['view', 'controls', 'readonly'];
 /** What the author says of lines and picture. */
-const AUTHORS: readonly string[] = ['highlight', 'lines', 'fit', 'turret', 'caption'];
+const AUTHORS: readonly string[] = ['highlight', 'lines', 'fit', 'turret', 'caption', 'playground'];
 
 /** Where Node reads this, there are no elements, and nobody makes one. */
 const Base = (globalThis as { HTMLElement?: typeof HTMLElement }).HTMLElement ?? (class {} as typeof HTMLElement);
 
 export class GcodePlayground extends Base {
-  static readonly observedAttributes = ['src', 'control', 'setup', 'block-skip', 'program', 'language', 'theme', 'view', 'controls', 'readonly', 'step', 'highlight', 'lines', 'fit', 'turret', 'caption', 'loading'];
+  static readonly observedAttributes = ['src', 'control', 'setup', 'block-skip', 'program', 'language', 'theme', 'view', 'controls', 'readonly', 'step', 'highlight', 'lines', 'fit', 'turret', 'caption', 'loading', 'playground'];
 
   /** Whose the program is: set by the page, which knows it by this; none after another program has taken its place. */
   #origin: string | null = null;
@@ -352,6 +357,15 @@ export class GcodePlayground extends Base {
     this.#setOrRemove('caption', text);
   }
 
+  /** The page that "Open in the playground" leads to: an address; none where it is empty. */
+  get playground(): string | null {
+    return this.getAttribute('playground');
+  }
+
+  set playground(address: string | null) {
+    this.#setOrRemove('playground', address);
+  }
+
   play(): void {
     this.#with('play', (play) => play());
   }
@@ -366,12 +380,17 @@ export class GcodePlayground extends Base {
 
   /** Where the place X (a diameter), Z in mm is drawn, in the window's CSS pixels. */
   async locate(x: number, z: number): Promise<ClientPlace> {
-    return this.#shell.service('locate')(x, z);
+    return this.#shell.service('locate')('section', x, z);
   }
 
   /** The same of the end face: X a diameter, C in mm. */
   async locateOnFace(x: number, c: number): Promise<ClientPlace> {
-    return this.#shell.service('locateOnFace')(x, c);
+    return this.#shell.service('locate')('face', x, c);
+  }
+
+  /** The same of the side: Z in mm, C in degrees; or Y in mm where its ruler shows Y. */
+  async locateOnSide(z: number, c: number): Promise<ClientPlace> {
+    return this.#shell.service('locate')('side', z, c);
   }
 
   /** Opens a file as the program; what it replaces can be brought back with undo. */
@@ -386,9 +405,24 @@ export class GcodePlayground extends Base {
     this.#with('saveFile', (save) => save());
   }
 
+  /** A file as the menu "Export" makes it; nothing where there is no part, or no interpreter. */
+  async exported(format: ExportFormat): Promise<Uint8Array | undefined> {
+    const shell = this.#shell;
+    await shell.complete;
+    const exported = await shell.service('exported')(format);
+    return exported?.kind === 'file' ? exported.content : undefined;
+  }
+
   /** Keeps the part, to lay those of later programs over it. */
   keepPart(): void {
     this.#with('keepPart', (keep) => keep());
+  }
+
+  /** What differs between another version, the first, and the program; nothing where the program has changed meanwhile. */
+  async differenceFrom(other: OtherVersion): Promise<Differed | undefined> {
+    const shell = this.#shell;
+    await shell.complete;
+    return shell.ask('difference', other);
   }
 
   /** Ends the comparison that `keepPart` began; one that the reader began goes on. */
@@ -428,6 +462,38 @@ export class GcodePlayground extends Base {
     const root = this.shadowRoot ?? this.attachShadow({ mode: 'open' });
     adopt(root, [colours, styles]);
     return root;
+  }
+
+  /** Where the tool stands now, as `step` says it; null where all of the path is shown. */
+  async currentStep(): Promise<string | null> {
+    const place = await this.#shell.ask('readout', undefined);
+    if (place === undefined || place.share >= 1) return null;
+    const { motion, x, z, atX, atZ } = place.stroke;
+    // On its way along a motion, or before one, the last place that has a number is the end of the one before.
+    const isAtItsEnd = Math.abs(x - atX) < 1e-6 && Math.abs(z - atZ) < 1e-6;
+    // A dwell ends where it begins; at the end of the last motion all of the path would be shown.
+    const isLast = (await this.#shell.ask('strokes', { first: motion + 1, end: motion + 2 }))?.length === 0;
+    const done = isAtItsEnd && !isLast ? motion + 1 : motion;
+    return done === 0 ? null : String(done);
+  }
+
+  /** The line of the cursor, from 1. */
+  get cursorLine(): number {
+    return this.value.slice(0, this.#shell.editor.cursor).split('\n').length;
+  }
+
+  /** All of the setup the program is run with, as JSON: that of `setup` and of the other attributes. Nothing where it cannot be read. */
+  get wholeSetup(): string | undefined {
+    const merged = mergedSetup(this.setup, this);
+    return merged.kind === 'setup' && isJson(merged.json) ? merged.json : undefined;
+  }
+
+  /** The drawing, or the picture as it is shown; nothing before there is one. */
+  async pictureFile(format: 'svg' | 'png'): Promise<Blob | undefined> {
+    const shell = this.#shell;
+    shell.flush();
+    const made = await shell.ask('export', { format });
+    return made?.kind === 'file' ? new Blob([made.content], { type: format === 'svg' ? 'image/svg+xml' : 'image/png' }) : undefined;
   }
 
   /** At once where the view has what it takes; as soon as that is loaded where it is on its way. */
@@ -515,6 +581,15 @@ const inDocument = new Set<GcodePlayground>();
 function used(element: GcodePlayground): void {
   if (!inDocument.delete(element)) return;
   inDocument.add(element);
+}
+
+function isJson(text: string): boolean {
+  try {
+    JSON.parse(text);
+    return true;
+  } catch {
+    return false;
+  }
 }
 
 /** Keys of which pages make commands of one key, and that write or move in a text, a list or a picture. */

@@ -15,7 +15,7 @@ export function viewOf(attribute: string | null): View {
 }
 
 /** The methods of the element that not every view offers. */
-export type Offered = Extract<keyof Services, 'play' | 'pause' | 'openFile' | 'saveFile' | 'keepPart' | 'endComparison'>;
+export type Offered = Extract<keyof Services, 'play' | 'pause' | 'openFile' | 'saveFile' | 'exported' | 'keepPart' | 'endComparison'>;
 
 interface Shown {
   readonly program: boolean;
@@ -25,7 +25,7 @@ interface Shown {
 }
 
 export const SHOWN: Readonly<Record<View, Shown>> = {
-  all: { program: true, picture: true, controls: CONTROLS, offers: ['play', 'pause', 'openFile', 'saveFile', 'keepPart', 'endComparison'] },
+  all: { program: true, picture: true, controls: CONTROLS, offers: ['play', 'pause', 'openFile', 'saveFile', 'exported', 'keepPart', 'endComparison'] },
   picture: { program: false, picture: true, controls: [], offers: [] },
   playback: { program: false, picture: true, controls: ['playback'], offers: ['play', 'pause'] },
   code: { program: true, picture: false, controls: ['problems'], offers: [] },

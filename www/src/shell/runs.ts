@@ -85,6 +85,13 @@ export class Runs {
     events.connected(client);
   }
 
+  /** A worker that could not be had is asked for again. */
+  again(): void {
+    if (this.#client !== undefined) return;
+    this.connect();
+    this.wanted('keep');
+  }
+
   end(): void {
     this.#client?.end();
     this.#leave();

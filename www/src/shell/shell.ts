@@ -6,17 +6,19 @@
 // picture is shown, `panels/further.ts`, which is loaded then. Must not know: G-code. What is written and what it means is the interpreter's business, behind core-client.ts.
 
 import type { Language } from '../dom/language';
+import { isOffline, loaded, whenOnline } from '../dom/network';
 import { words } from '../dom/words';
 import { isAnotherProgram } from '../editor/another-program';
 import type { ProgramContext, Span } from '../editor/holder';
 import { Program } from '../editor/program';
 import { programText, type ProgramFile, type ProgramText } from '../editor/program-text';
 import { ALWAYS, PICTURES } from '../panels/index';
-import { REGIONS, type Control, type NewestQuestion, type Panel, type PanelKind, type Region, type Services, type Shell, type SwitchesSet } from '../panels/panel';
+import { REGIONS, type Control, type NewestQuestion, type Panel, type PanelKind, type Region, type Services, type Shell, type SwitchesSet, type Topic } from '../panels/panel';
 import type { Answer, Command, CompletionHelp, Diagnostic, Help, HelpWanted, QuestionKind, Questions, Readout, Report, Stroke, Summary, WordHelp } from '../protocol/protocol';
 import type { Heard } from '../worker/core-client';
 import { linesOf, oneOf, stepOf, FRAMES, SIDES } from './author';
 import { controlsOf, layout, SHOWN, type Layout, type Offered, type View } from './layout';
+import type { OpenLink } from './open-link';
 import { Paper } from './paper';
 import { Runs, type OwnLoss } from './runs';
 import { mergedSetup, switchesSet } from './start';
@@ -34,6 +36,9 @@ export interface Host {
   readonly fit: string | null;
   readonly turret: string | null;
   readonly caption: string | null;
+  readonly playground: string | null;
+  readonly value: string;
+  getAttribute(name: string): string | null;
   control: string | null;
   setup: string | null;
   blockSkip: string | null;
@@ -59,6 +64,9 @@ interface Missed {
   isLost?: boolean;
 }
 
+/** Every copy of the element's folder has a page beside it; who bundles the element has another folder, and says where there is one. */
+const BESIDE = import.meta.url.endsWith('/element.js') ? import.meta.url.replace(/element\.js$/, 'index.html') : undefined;
+
 /** How long the editor waits for the first picture of a run that has ended. */
 const EDITOR_AFTER_MS = 500;
 
@@ -69,7 +77,7 @@ export class PlaygroundShell implements Shell {
   readonly readonly: boolean;
   readonly frame: HTMLElement;
   /** All panels of the view are there; rejected where those of it could not be loaded. */
-  readonly complete: Promise<void>;
+  complete: Promise<void>;
   readonly #host: Host;
   readonly #events: ShellEvents;
   readonly #regions: Readonly<Record<Region, HTMLElement>>;
@@ -77,6 +85,8 @@ export class PlaygroundShell implements Shell {
   readonly #controls: readonly Control[];
   readonly #layout: Layout;
   readonly #paper: Paper;
+  #openLink: OpenLink | undefined;
+  #openLinkAsked = false;
   readonly #panels: Panel[] = [];
   /** Those of them that are made for what they do for others alone. */
   readonly #unseen = new Set<Panel>();
@@ -87,8 +97,10 @@ export class PlaygroundShell implements Shell {
   /** What panels that come later have to hear of the newest run; nothing once all are there. */
   #missed: Missed | undefined = { heard: new Map() };
   /** What of the page is still to come, and the run that is shown but for that. */
-  readonly #coming: Set<'panels' | 'editor' | 'program' | 'step'>;
+  readonly #coming: Set<'panels' | 'editor' | 'program' | 'step' | 'link'>;
   #settledRun: number | undefined;
+  /** What waits for the network; the answer ends it. */
+  readonly #waiting = new Map<Topic, () => void>();
   /** The editor is there, or is being loaded. */
   #editorAsked = false;
   /** The page around has said in this turn how the program is run: that is for a text it puts in as well. */
@@ -104,7 +116,7 @@ export class PlaygroundShell implements Shell {
     this.view = host.view;
     this.readonly = host.readonly;
     this.#controls = controlsOf(this.view, host.controls);
-    this.#coming = new Set([...(FURTHER[this.view] === undefined ? [] : ['panels'] as const), ...(this.showsProgram ? ['editor'] as const : [])]);
+    this.#coming = new Set([...(FURTHER[this.view] === undefined ? [] : ['panels'] as const), ...(this.showsProgram ? ['editor'] as const : []), ...(host.playground === '' ? [] : ['link'] as const)]);
     this.editor = new Program(this.#language, host.readonly ? 'readonly' : 'editable', {
       changed: () => {
         this.#coming.delete('step');
@@ -180,6 +192,7 @@ export class PlaygroundShell implements Shell {
         this.editor.showNow();
         this.#settledRun = run;
         this.#settle();
+        void this.#offerToOpen();
       },
     });
     const made = (this.#layout = layout(this.view, this.editor.element));
@@ -191,9 +204,8 @@ export class PlaygroundShell implements Shell {
     made.whole.append(this.#paper.element);
     root.append(made.whole);
     const further = FURTHER[this.view];
-    this.complete = further === undefined ? Promise.resolve() : this.#addFurther(further);
-    // The panels have a better sheet. Whoever asks for them hears of a failure, and so does the reader.
-    this.complete.then(() => further !== undefined && this.#paper.end()).catch(() => undefined);
+    this.complete = Promise.resolve();
+    if (further !== undefined) this.#completeWith(further);
   }
 
   // ---- for the element ----------------------------------------------------------------------------
@@ -209,12 +221,14 @@ export class PlaygroundShell implements Shell {
   disconnect(): void {
     this.#dark.removeEventListener('change', this.coloursChanged);
     this.#paper.disconnect();
+    for (const stop of this.#waiting.values()) stop();
     this.#tell((panel) => panel.left?.());
     this.#runs.end();
   }
 
   languageChanged(): void {
     this.#language = this.#host.language;
+    this.#openLink?.changed();
     this.#showCaption();
     // What a panel asks then is answered in this language.
     this.send({ kind: 'language', tag: this.#language });
@@ -227,6 +241,7 @@ export class PlaygroundShell implements Shell {
     this.editor.marked = linesOf(this.#host.highlight);
     this.editor.shownLines = linesOf(this.#host.lines);
     this.#lookAsSaid((command) => this.send(command));
+    this.#openLink?.changed();
     this.#showCaption();
   }
 
@@ -247,7 +262,10 @@ export class PlaygroundShell implements Shell {
 
   /** Where the tool stands is said anew. */
   stepChanged(): void {
-    if (stepOf(this.#host.step) === undefined) return;
+    if (stepOf(this.#host.step) === undefined) {
+      if (this.#coming.has('step')) this.#arrived('step');
+      return;
+    }
     this.#coming.add('step');
     this.#events.unsettled();
     if (this.#settledRun !== undefined) void this.#takeStep();
@@ -496,10 +514,17 @@ export class PlaygroundShell implements Shell {
     return (control === undefined || this.#controls.includes(control)) && !(edits === true && this.readonly);
   }
 
+  #completeWith(further: () => Promise<Further>): void {
+    this.complete = this.#addFurther(further);
+    // The panels have a better sheet. Whoever asks for them hears of a failure, and so does the reader.
+    this.complete.then(() => this.#paper.end()).catch(() => undefined);
+  }
+
   /** The panels that the picture does not need; they hear what has been since. */
   async #addFurther(load: () => Promise<Further>): Promise<void> {
     try {
-      const { FURTHER, SHARED_STYLES } = await load();
+      const { FURTHER, SHARED_STYLES } = await loaded(load);
+      this.service('hideNotice')('panels');
       adopt(this.root, SHARED_STYLES);
       const missed = this.#missed;
       this.#missed = undefined;
@@ -512,8 +537,7 @@ export class PlaygroundShell implements Shell {
         if (report?.kind === 'report' && 'available' in panel) panel.available = hasMotions(report.report);
       }
     } catch (error) {
-      // A second try would be answered with the first one's failure in some browsers.
-      this.service('notice')(WORDS[this.#language].pageFailed(describe(error)), 'editor');
+      this.#missing((texts, reason) => texts.pageFailed(reason), error, 'panels', () => this.#completeWith(load));
       throw error;
     } finally {
       this.#arrived('panels');
@@ -536,8 +560,8 @@ export class PlaygroundShell implements Shell {
 
   #runIn(context: ProgramContext, by: 'by-the-reader' | 'by-the-page'): void {
     const before = this.#context;
-    if (CONTEXT_KEYS.every((key) => context[key] === before[key])) return;
-    Object.assign(this.#host, context);
+    // Another program can have the same context, too.
+    if (CONTEXT_KEYS.some((key) => context[key] !== before[key])) Object.assign(this.#host, context);
     if (by === 'by-the-reader') this.#events.fire('gcode-context', context);
   }
 
@@ -564,7 +588,7 @@ export class PlaygroundShell implements Shell {
   }
 
   /** There, or not to be had. */
-  #arrived(part: 'panels' | 'editor' | 'program' | 'step'): void {
+  #arrived(part: 'panels' | 'editor' | 'program' | 'step' | 'link'): void {
     this.#coming.delete(part);
     this.#settle();
   }
@@ -587,16 +611,43 @@ export class PlaygroundShell implements Shell {
       await this.editor.edit(this.root);
       this.service('hideNotice')('editor');
     } catch (error) {
-      const texts = WORDS[this.#language];
-      this.service('notice')(texts.editorFailed(describe(error)), 'editor', { title: texts.tryAgain, act: () => void this.#edit() });
+      this.#missing((texts, reason) => texts.editorFailed(reason), error, 'editor', () => void this.#edit());
     }
     this.#arrived('editor');
   }
 
+  /** The link to the playground comes after the picture; the page that is the playground has none. */
+  async #offerToOpen(): Promise<void> {
+    if (this.#openLinkAsked || !this.#coming.has('link')) return;
+    this.#openLinkAsked = true;
+    try {
+      const { OpenLink } = await import('./open-link');
+      this.#openLink = new OpenLink(this.#host, BESIDE);
+      this.frame.append(this.#openLink.element);
+    } catch {
+      // The picture is there without it.
+    }
+    this.#arrived('link');
+  }
+
   #partFailed(reason: string): void {
+    this.#missing((texts, reason) => texts.partFailed(reason), reason, 'core', () => this.send({ kind: 'load-parts' }));
+  }
+
+  /** Something could not be loaded: it is tried again when the reader wants it, and when the network returns. */
+  #missing(say: (texts: (typeof WORDS)['en'], reason: string) => string, error: unknown, topic: Topic, again: () => void): void {
     const texts = WORDS[this.#language];
-    const remedy = { title: texts.tryAgain, act: () => this.send({ kind: 'load-parts' }) };
-    this.service('notice')(texts.partFailed(reason), 'core', remedy);
+    this.#waiting.get(topic)?.();
+    const stop = whenOnline(() => {
+      this.service('hideNotice')(topic);
+      again();
+    });
+    this.#waiting.set(topic, stop);
+    const act = (): void => {
+      stop();
+      again();
+    };
+    this.service('notice')(say(texts, isOffline() ? texts.noNetwork : describe(error)), topic, { title: texts.tryAgain, act });
   }
 
   #available(available: boolean): void {
@@ -609,8 +660,8 @@ export class PlaygroundShell implements Shell {
     if (this.#missed !== undefined) this.#missed.isLost = true;
     this.#tell((panel) => panel.lost?.());
     const texts = WORDS[this.#language];
-    const text = loss.kind === 'load-failed' ? texts.loadFailed(loss.reason) : loss.kind === 'silent' ? texts.stopped : texts.crashed;
-    this.service('notice')(text, 'core');
+    if (loss.kind === 'load-failed') this.#missing((texts, reason) => texts.loadFailed(reason), loss.reason, 'core', () => this.#runs.again());
+    else this.service('notice')(loss.kind === 'silent' ? texts.stopped : texts.crashed, 'core');
     this.#editIfShown();
   }
 }
@@ -649,39 +700,42 @@ function describe(error: unknown): string {
 const WORDS = words({
   en: {
     playground: 'G-code playground',
-    loadFailed: (reason: string) => `The interpreter could not be loaded (${reason}). Reload the page to try again.`,
+    loadFailed: (reason: string) => `The interpreter could not be loaded (${reason}).`,
     partFailed: (reason: string) => `Not all of the playground could be loaded (${reason}). What is drawn is right, and you can go on editing.`,
-    pageFailed: (reason: string) => `What stands around the picture could not be loaded (${reason}). Reload the page to try again.`,
+    pageFailed: (reason: string) => `What stands around the picture could not be loaded (${reason}).`,
     programComing: (address: string) => `The program is being loaded: ${address}`,
     programFailed: (address: string, reason: string) => `The program could not be loaded from ${address} (${reason}).`,
     editorFailed: (reason: string) => `The editor could not be loaded (${reason}). The picture is right.`,
     tryAgain: 'Try again',
+    noNetwork: 'there is no network; it is tried again when the network is back',
     stopped: 'The run took too long and was stopped. Your program is still here: change it to run it again.',
     crashed: 'The interpreter failed on this program; that is our fault. Your program is still here: change it to run it again.',
     setupRejected: (reason: string) => `The setup was not accepted: ${reason}`,
   },
   zh: {
     playground: 'G 代码演练场',
-    loadFailed: (reason) => `解释器加载失败（${reason}）。请刷新页面重试。`,
+    loadFailed: (reason) => `解释器加载失败（${reason}）。`,
     partFailed: (reason) => `部分内容加载失败（${reason}）。已画出的轨迹是正确的，可以继续编辑。`,
-    pageFailed: (reason) => `图形周围的内容加载失败（${reason}）。请刷新页面重试。`,
+    pageFailed: (reason) => `图形周围的内容加载失败（${reason}）。`,
     programComing: (address) => `正在加载程序：${address}`,
     programFailed: (address, reason) => `无法从 ${address} 加载程序（${reason}）。`,
     editorFailed: (reason) => `编辑器加载失败（${reason}）。图形是正确的。`,
     tryAgain: '重试',
+    noNetwork: '没有网络；网络恢复后会自动重试',
     stopped: '运行时间过长，已停止。您的程序仍在，修改后会重新运行。',
     crashed: '解释器处理此程序时出错，这是我们的问题。您的程序仍在，修改后会重新运行。',
     setupRejected: (reason) => `设置未被接受：${reason}`,
   },
   ru: {
     playground: 'Песочница G-кода',
-    loadFailed: (reason) => `Не удалось загрузить интерпретатор (${reason}). Обновите страницу.`,
+    loadFailed: (reason) => `Не удалось загрузить интерпретатор (${reason}).`,
     partFailed: (reason) => `Загружено не всё (${reason}). То, что нарисовано, верно; можно редактировать дальше.`,
-    pageFailed: (reason) => `Не удалось загрузить то, что окружает чертёж (${reason}). Обновите страницу.`,
+    pageFailed: (reason) => `Не удалось загрузить то, что окружает чертёж (${reason}).`,
     programComing: (address) => `Программа загружается: ${address}`,
     programFailed: (address, reason) => `Не удалось загрузить программу ${address} (${reason}).`,
     editorFailed: (reason) => `Не удалось загрузить редактор (${reason}). Чертёж верен.`,
     tryAgain: 'Повторить',
+    noNetwork: 'нет сети; попытка повторится, когда сеть появится',
     stopped: 'Выполнение длилось слишком долго и было остановлено. Программа сохранена: измените её, чтобы запустить снова.',
     crashed: 'Интерпретатор не справился с этой программой — это наша ошибка. Программа сохранена: измените её, чтобы запустить снова.',
     setupRejected: (reason) => `Наладка отклонена: ${reason}`,

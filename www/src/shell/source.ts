@@ -4,6 +4,7 @@
 // In: the element, its children and how they change. Out: the program each time it is another one, as long as nobody
 // has put in one of their own; the setup as JSON. Must not know: what a program or a setup says, or how it is shown.
 
+import { loaded, whenOnline } from '../dom/network';
 import type { ProgramFile } from '../editor/program-text';
 import type { Encoding } from '../files/encodings';
 
@@ -89,7 +90,10 @@ export class Source {
       signal.throwIfAborted();
       this.#put(text, { name: nameOf(address), encoding });
     } catch (error) {
-      if (!signal.aborted) this.#events.failed(address, error instanceof Error ? error.message : String(error));
+      if (signal.aborted) return;
+      const stop = whenOnline(() => void this.#fetch(address));
+      signal.addEventListener('abort', stop);
+      this.#events.failed(address, error instanceof Error ? error.message : String(error));
     } finally {
       clearTimeout(patience);
     }
@@ -154,5 +158,5 @@ function nameOf(address: string): string {
 /** Most programs are ASCII; what recognises encodings is loaded only for others. */
 async function decoded(bytes: Uint8Array): Promise<{ readonly text: string; readonly encoding: Encoding }> {
   if (bytes.every((byte) => byte < 0x80)) return { text: new TextDecoder().decode(bytes), encoding: 'utf-8' };
-  return (await import('../files/encoding-guess')).guess(bytes);
+  return (await loaded(() => import('../files/encoding-guess'))).guess(bytes);
 }

@@ -5,6 +5,7 @@
 
 import { Playground } from '../../pkg/gcode_playground.js';
 import type { ProfilesRead, QuestionKind, Questions, WrittenOut } from '../protocol/protocol';
+import { difference } from './difference';
 import { exported } from './exports';
 import { help } from './help';
 import { piecesOf, programsIn } from './paste';
@@ -19,13 +20,15 @@ export interface AnswerRow<K extends QuestionKind> {
   /** It is answered once all material is off. */
   readonly waits?: 'for-the-part';
   /** The parts of the interpreter that answer it, where it is not the first one. */
-  readonly needs?: readonly ('setup' | 'machine' | 'tools' | 'language')[];
+  readonly needs?: readonly ('setup' | 'path' | 'seldom' | 'machine' | 'tools' | 'language')[];
   answer(core: Playground, ask: Questions[K]['ask']): Questions[K]['answer'] | Promise<Questions[K]['answer']>;
 }
 
 const IN_WORDS = ['machine', 'language'] as const;
 const TOOLS = ['tools', 'language'] as const;
 const SETUP_FORM = ['setup', ...TOOLS] as const;
+/** Nobody knows what another program needs before it has run. */
+const ANOTHER_PROGRAM = ['setup', 'path', 'seldom', 'machine', ...TOOLS] as const;
 
 export const ANSWERS: { readonly [K in QuestionKind]: AnswerRow<K> } = {
   tokens: { needs: ['machine'], answer: (core, { firstLine, endLine }) => core.tokens(firstLine, endLine) },
@@ -40,8 +43,8 @@ export const ANSWERS: { readonly [K in QuestionKind]: AnswerRow<K> } = {
   readout: { needs: IN_WORDS, answer: toolAnswers.readout },
   totals: { needs: ['machine'], answer: (core) => core.totals() },
   locate: {
-    answer(core, { picture, x, other }) {
-      const [px = 0, py = 0] = core.screenOf(picture, x, other);
+    answer(core, { picture, place }) {
+      const [px = 0, py = 0] = core.screenOf(picture, ...place);
       return { x: px, y: py };
     },
   },
@@ -55,8 +58,10 @@ export const ANSWERS: { readonly [K in QuestionKind]: AnswerRow<K> } = {
   // A file of a part of a program would pass for all of it.
   export: { needs: ['machine', 'tools', 'language'], waits: 'for-the-part', answer: (core, { format }) => exported(core, format) },
   section: { needs: IN_WORDS, answer: (core) => core.section() },
+  holes: { needs: IN_WORDS, answer: (core) => core.holes() },
   'programs-in': { needs: TOOLS, answer: (_, { text }) => programsIn(text) },
   'pieces-of': { needs: TOOLS, answer: (_, { program, language }) => piecesOf(program, language) },
+  difference: { needs: ANOTHER_PROGRAM, waits: 'for-the-part', answer: difference },
   'setup-form': { needs: SETUP_FORM, answer: (core) => core.setupForm() },
   'another-tool': { needs: SETUP_FORM, answer: (core, { word }) => core.anotherTool(word) },
   'read-setup': { needs: SETUP_FORM, answer: (core, { keys, texts, keep, json }) => core.readSetupForm([...keys], [...texts], keep, json) },

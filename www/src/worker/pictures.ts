@@ -1,12 +1,10 @@
-// The worker's half of the pictures: the section and the end face, each on a canvas of its own.
+// The worker's half of the pictures: the section, the end face and the side, each on a canvas of its own.
 //
 // In: what happens to a picture. Out: images, and what there is to see beside the section. Must not
 // know: when things are drawn.
 
 import { Drawn, type PictureName, type Playground } from '../../pkg/gcode_playground.js';
-import type { CanvasCommand, Pictures, ViewsState } from '../protocol/protocol';
-
-const PICTURES: readonly PictureName[] = ['section', 'face'];
+import { PICTURES, type CanvasCommand, type Pictures, type ViewsState } from '../protocol/protocol';
 
 type OnCanvas<K extends CanvasCommand['kind']> = (core: Playground, picture: PictureName, what: Extract<CanvasCommand, { readonly kind: K }>) => void;
 
@@ -49,5 +47,6 @@ export function takePictures(core: Playground): Pictures | undefined {
 }
 
 export function viewsState(core: Playground): ViewsState {
-  return { work: core.workShown(), face: core.hasFace(), turret: core.turret(), comparison: core.comparison() };
+  const pictures = PICTURES.filter((picture) => picture === 'section' || core.has(picture));
+  return { pictures, work: core.workShown(), turret: core.turret(), comparison: core.comparison() };
 }

@@ -1,0 +1,146 @@
+//! Findings that are known already: a list in a file, so that only new ones fail.
+//!
+//! In: findings of files, and the list. Out: the findings that are not on it. A finding is known by its file, from the folder of the list, its
+//! rule and the text of its block without spaces and without its N number, so that blocks may move and be numbered anew.
+
+use std::collections::BTreeMap;
+use std::path::{Path, PathBuf};
+
+use serde_json::{Value, json};
+
+use super::super::configuration::shown;
+use super::super::system;
+use super::finding::{Finding, Subject, What};
+use crate::source::LineIndex;
+
+/// Where the list is.
+#[derive(clap::Args)]
+pub(super) struct Files {
+    /// Findings in this list do not count.
+    #[arg(long, value_name = "FILE")]
+    baseline: Option<PathBuf>,
+    /// Write all findings into this list.
+    #[arg(long, value_name = "FILE")]
+    write_baseline: Option<PathBuf>,
+}
+
+/// What a finding is known by: file, rule, block.
+pub(super) type Entry = (String, &'static str, String);
+
+/// How often each is known.
+#[derive(Default)]
+pub(super) struct Baseline {
+    /// Where names of files start.
+    folder: PathBuf,
+    known: BTreeMap<(String, String, String), usize>,
+}
+
+impl Files {
+    /// The list that is read.
+    #[cfg(not(target_arch = "wasm32"))]
+    pub(super) fn named(&self) -> Option<PathBuf> {
+        self.baseline.clone()
+    }
+
+    /// The list that is written.
+    pub(super) fn written(&self) -> Option<&PathBuf> {
+        self.write_baseline.as_ref()
+    }
+
+    /// Reads the list; `usual` where no other is named.
+    pub(super) fn read(&self, usual: Option<&Path>) -> Result<Baseline, String> {
+        let Some(path) = self.baseline.as_deref().or(usual) else { return Ok(Baseline::default()) };
+        let at = |error: String| format!("{}: {error}", shown(path));
+        if self.write_baseline.is_some() && system::kind(path).is_err() {
+            // It is about to be made.
+            return Ok(Baseline::default());
+        }
+        let text = system::read_text(path)?;
+        let list: Value = serde_json::from_str(&text).map_err(|error| at(error.to_string()))?;
+        let mut known = BTreeMap::new();
+        for row in list.as_array().ok_or_else(|| at("it is no list of findings".to_owned()))? {
+            let text = |key: &str| row[key].as_str().map(str::to_owned);
+            let (Some(file), Some(rule), Some(block), Some(count)) =
+                (text("file"), text("rule"), text("block"), row["count"].as_u64())
+            else {
+                return Err(at(format!("no finding with file, rule, block and count: {row}")));
+            };
+            *known.entry((file, rule, block)).or_default() += count as usize;
+        }
+        Ok(Baseline { folder: folder_of(path), known })
+    }
+
+    /// What the list has of a file: all its findings. Nothing where no list is written.
+    pub(super) fn entries(&self, subject: &Subject) -> Vec<Entry> {
+        let Some(list) = &self.write_baseline else { return Vec::new() };
+        let (folder, lines) = (folder_of(list), LineIndex::new(&subject.text));
+        subject.findings.iter().filter_map(|one| entry(&folder, subject, &lines, one)).collect()
+    }
+
+    /// Writes the list, in the order of the files, a finding a line.
+    pub(super) fn write(&self, entries: Vec<Entry>) -> Result<(), String> {
+        let Some(path) = &self.write_baseline else { return Ok(()) };
+        let mut counts: BTreeMap<Entry, usize> = BTreeMap::new();
+        for entry in entries {
+            *counts.entry(entry).or_default() += 1;
+        }
+        let rows: Vec<String> = counts
+            .iter()
+            .map(|((file, rule, block), count)| {
+                json!({"file": file, "rule": rule, "block": block, "count": count}).to_string()
+            })
+            .collect();
+        let text = if rows.is_empty() { "[]\n".to_owned() } else { format!("[\n{}\n]\n", rows.join(",\n")) };
+        super::super::save(Some(path), text.as_bytes())
+    }
+}
+
+impl Baseline {
+    /// Removes the findings of a file that are known, as many of each as are known.
+    pub(super) fn remove_known(&self, subject: &mut Subject) {
+        if self.known.is_empty() {
+            return;
+        }
+        let mut left = BTreeMap::new();
+        let lines = LineIndex::new(&subject.text);
+        let findings = std::mem::take(&mut subject.findings);
+        let is_new = |one: &Finding| {
+            let Some((file, rule, block)) = entry(&self.folder, subject, &lines, one) else { return true };
+            let key = (file, rule.to_owned(), block);
+            let known = self.known.get(&key).copied().unwrap_or(0);
+            let left = left.entry(key).or_insert(known);
+            let is_known = *left > 0;
+            *left -= usize::from(is_known);
+            !is_known
+        };
+        subject.findings = findings.into_iter().filter(is_new).collect();
+    }
+}
+
+/// The folder of a list, from the root of the disk.
+fn folder_of(list: &Path) -> PathBuf {
+    let mut folder = system::absolute(list).unwrap_or_else(|_| list.to_owned());
+    folder.pop();
+    folder
+}
+
+/// What a finding is known by; nothing for what is no fault.
+fn entry(folder: &Path, subject: &Subject, lines: &LineIndex, one: &Finding) -> Option<Entry> {
+    let text = &subject.text;
+    let line = match &one.what {
+        What::Message(message) => lines.line_of(message.span.start.min(text.len() as u32)),
+        What::Remark(remark) => remark.place.0.saturating_sub(1).min(lines.len() - 1),
+        What::AssumedStock(..) => return None,
+    };
+    let place = lines.line(text, line);
+    let block = String::from_utf8_lossy(&text[place.start as usize..place.end as usize]);
+    let block: String = block.split_whitespace().collect();
+    let without_number = block
+        .strip_prefix(['N', 'n'])
+        .map_or(&*block, |rest| rest.trim_start_matches(|letter: char| letter.is_ascii_digit()));
+    // From the folder of the list, so that it does not matter where the check is started.
+    let name = system::absolute(Path::new(&subject.name)).ok();
+    let name = name.and_then(|name| name.strip_prefix(folder).ok()?.to_str().map(str::to_owned));
+    let name = name.unwrap_or_else(|| subject.name.clone()).replace('\\', "/");
+    Some((name, one.slug()?, without_number.to_owned()))
+}

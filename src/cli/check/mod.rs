@@ -1,0 +1,396 @@
+//! `check`: what is wrong with programs, in files, folders and standard input.
+//!
+//! In: what is typed after `check`. Out: the findings in one of several formats, and the exit status: 0 nothing that fails, 1 errors
+//! (or more warnings than allowed), 2 bad usage or a file that cannot be read, which does not hide what is found in the others.
+//! `paths` says which files are meant, `pages` finds what is wrong in a page of a manual, `selection` says which findings count,
+//! `baseline` which of them are known, `reports` how they are written. All options hold together: a repaired program and a page are
+//! reported as any other file.
+
+mod baseline;
+mod finding;
+mod pages;
+mod paths;
+mod reports;
+mod selection;
+#[cfg(not(target_arch = "wasm32"))]
+mod watch;
+
+use std::collections::BTreeMap;
+use std::io::{self, Write};
+use std::path::{Path, PathBuf};
+use std::sync::atomic::{AtomicUsize, Ordering};
+use std::sync::mpsc;
+use std::thread;
+
+use super::configuration::{Configurations, Settings};
+use super::manual_page::Page;
+use super::options::{Texts, With};
+use super::system::{self, Stream, say};
+use super::{NAME, Status, encoded, encoding, read_within, run_text, save};
+use crate::api::InferredStock;
+use crate::limits;
+use crate::repair::repaired;
+use crate::sentences::Language;
+use crate::source::LineIndex;
+use baseline::Baseline;
+use finding::{Finding, Programs, Subject, What};
+use reports::{Counts, Report, Wanted};
+use selection::Selection;
+
+pub(super) use reports::{Colour, ReportFormat};
+
+/// The stack of a thread that runs programs: that of a main thread.
+const STACK: usize = 8 << 20;
+/// Files that may have been checked and not yet written.
+const AHEAD: usize = 256;
+
+/// The arguments of `check`.
+#[derive(clap::Args)]
+#[command(
+    after_help = "Exit status:\n  0  no errors\n  1  errors, or more warnings than `--max-warnings` allows\n  2  bad usage, or a file that cannot be read"
+)]
+pub(super) struct Check {
+    /// Programs, and folders with programs in them; `-` reads standard input.
+    #[arg(required = true)]
+    files: Vec<PathBuf>,
+    #[command(flatten)]
+    with: With,
+    #[command(flatten)]
+    texts: Texts,
+    /// How findings are written.
+    #[arg(long, value_enum, default_value = "text")]
+    format: ReportFormat,
+    /// Where to write them; standard output when left out.
+    #[arg(short, long)]
+    output_file: Option<PathBuf>,
+    /// Whether text is coloured. `auto`: on a terminal, unless the environment variable NO_COLOR is set.
+    #[arg(long, value_enum, default_value = "auto")]
+    color: Colour,
+    /// Write findings alone: no summary, no notes.
+    #[arg(short, long)]
+    quiet: bool,
+    /// Write how often each rule was found instead of the findings.
+    #[arg(long)]
+    statistics: bool,
+    #[command(flatten)]
+    which: paths::Which,
+    #[command(flatten)]
+    selection: selection::Choice,
+    #[command(flatten)]
+    baseline: baseline::Files,
+    /// The name that findings in standard input have.
+    #[arg(long, value_name = "NAME")]
+    stdin_filename: Option<String>,
+    /// Make all repairs that do not change what the program does, and write the files back;
+    /// what is left is reported.
+    #[arg(long)]
+    fix: bool,
+    /// The files are pages of a manual (Markdown, HTML or reStructuredText, by their endings): every program
+    /// in them is checked, and messages name its place in the page.
+    #[arg(long, conflicts_with = "fix")]
+    markdown: bool,
+    /// With `--fix`: print the repaired programs instead, and report what is left on standard error.
+    #[arg(long, requires = "fix")]
+    dry_run: bool,
+    /// Check again whenever a file changes, until Ctrl C.
+    #[cfg(not(target_arch = "wasm32"))]
+    #[arg(short, long)]
+    watch: bool,
+}
+
+/// What becomes of one file.
+enum Checked {
+    /// It was checked.
+    Done(Done),
+    /// It could not be read.
+    Unreadable(String),
+}
+
+/// A file that was checked.
+struct Done {
+    /// What the report says of it.
+    text: Vec<u8>,
+    /// How much was found, without what is known.
+    counts: Counts,
+    /// All that was found, for the list that is written.
+    entries: Vec<baseline::Entry>,
+    /// What was repaired, a line each.
+    repaired: Vec<String>,
+    /// The repaired program, where it is to be printed.
+    printed: Option<Vec<u8>>,
+}
+
+/// Runs it.
+pub(super) fn run(check: &Check) -> Result<Status, String> {
+    #[cfg(not(target_arch = "wasm32"))]
+    if check.watch {
+        return watch::run(check).map(|never| match never {});
+    }
+    once(check)
+}
+
+/// The endings of files in folders, where none are asked for.
+fn usual_endings(check: &Check) -> &'static [&'static str] {
+    if check.markdown { paths::PAGES } else { paths::PROGRAMS }
+}
+
+impl Check {
+    /// Refuses outputs that no reader expects: a report in the place of a program, a table where XML is asked for.
+    fn refuse_what_would_be_lost(&self, files: &[PathBuf]) -> Result<(), String> {
+        let absolute = |path: &Path| system::absolute(path).ok();
+        for output in self.output_file.iter().chain(self.baseline.written()) {
+            if files.iter().any(|file| absolute(file) == absolute(output)) {
+                return Err(format!("{}: is checked, so nothing else is written into it", output.display()));
+            }
+        }
+        match self.format {
+            ReportFormat::Text | ReportFormat::Json => Ok(()),
+            _ if self.statistics => Err("`--statistics` is written as `--format text` or `json`".to_owned()),
+            _ => Ok(()),
+        }
+    }
+}
+
+/// Checks once.
+fn once(check: &Check) -> Result<Status, String> {
+    let configurations = Configurations::new(&check.with)?;
+    // What holds for the whole check is said where the check is started.
+    let here = configurations.of(Path::new("program"))?;
+    let keys = here.as_ref().map(|one| &one.keys);
+    let language = keys.and_then(|keys| keys.language.as_ref()).map(|said| said.value);
+    let language = check.texts.given().or(language).unwrap_or(Language::English);
+    let found = paths::find(&check.files, &check.which, usual_endings(check), &configurations)?;
+    check.refuse_what_would_be_lost(&found.files)?;
+    let has_standard_input = found.files.iter().any(|file| file == Path::new("-"));
+    let known = keys.and_then(|keys| keys.baseline.as_ref()).zip(here.as_ref());
+    let known = known.map(|(said, configuration)| configuration.file(&said.value));
+    let job = Job {
+        check,
+        selection: Selection::new(&check.selection)?,
+        known: check.baseline.read(known.as_deref())?,
+        allowed: check
+            .selection
+            .max_warnings
+            .or(keys.and_then(|keys| Some(keys.max_warnings.as_ref()?.value))),
+        report_to: match check.fix && (check.dry_run || has_standard_input) {
+            // Standard output is for the repaired programs.
+            true => Stream::Error,
+            false => Stream::Output,
+        },
+        report: Report::new(Wanted {
+            format: check.format,
+            colour: check.color,
+            to_file: check.output_file.is_some(),
+            language,
+            statistics: check.statistics,
+            quiet: check.quiet,
+            is_lone: found.files.len() == 1,
+            are_pages: check.markdown,
+        }),
+        language,
+        configurations,
+    };
+    job.run(&found)
+}
+
+/// A text whose new lines end as those of the text before it do, where all of them end as on Windows.
+fn with_line_ends_of(before: &[u8], text: Vec<u8>) -> Vec<u8> {
+    let is_lone = |text: &[u8], at: usize| text[at] == b'\n' && (at == 0 || text[at - 1] != b'\r');
+    if !before.contains(&b'\n') || (0..before.len()).any(|at| is_lone(before, at)) {
+        return text;
+    }
+    let mut ended = Vec::with_capacity(text.len());
+    for at in 0..text.len() {
+        if is_lone(&text, at) {
+            ended.push(b'\r');
+        }
+        ended.push(text[at]);
+    }
+    ended
+}
+
+/// A check of some files.
+struct Job<'a> {
+    check: &'a Check,
+    configurations: Configurations<'a>,
+    selection: Selection,
+    known: Baseline,
+    /// More warnings than this fail.
+    allowed: Option<usize>,
+    report: Report,
+    report_to: Stream,
+    language: Language,
+}
+
+impl Job<'_> {
+    fn run(&self, found: &paths::Found) -> Result<Status, String> {
+        let mut problems = found.problems.clone();
+        let mut counts = Counts::default();
+        let mut entries = Vec::new();
+        let body = |out: &mut dyn Write| {
+            out.write_all(&self.report.begin())?;
+            let mut is_first = true;
+            self.in_order(&found.files, |checked| match checked {
+                Checked::Done(done) => {
+                    counts.add(&done.counts);
+                    entries.extend(done.entries);
+                    done.repaired.iter().for_each(|line| say(format_args!("{line}")));
+                    if let Some(program) = done.printed {
+                        save(None, &program).map_err(io::Error::other)?;
+                    }
+                    if !is_first && !done.text.is_empty() {
+                        out.write_all(self.report.between())?;
+                    }
+                    is_first &= done.text.is_empty();
+                    out.write_all(&done.text)
+                }
+                Checked::Unreadable(problem) => {
+                    problems.push(problem);
+                    Ok(())
+                }
+            })?;
+            out.write_all(&self.report.end(&counts))
+        };
+        self.write(body)?;
+        problems.dedup();
+        for problem in &problems {
+            say(format_args!("{NAME}: {problem}"));
+        }
+        if self.check.markdown && !self.check.quiet {
+            say(format_args!("{NAME}: {}", reports::programs_of_pages(&counts)));
+        }
+        self.check.baseline.write(entries)?;
+        let too_many = self.allowed.filter(|most| counts.warnings > *most);
+        if let Some(most) = too_many {
+            say(format_args!("{NAME}: {} warnings; `--max-warnings` allows {most}", counts.warnings));
+        }
+        Ok(match () {
+            () if !problems.is_empty() => Status::Unusable,
+            () => Status::faulty_if(counts.errors > 0 || too_many.is_some()),
+        })
+    }
+
+    /// Writes to the output that is asked for.
+    fn write(&self, body: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> Result<(), String> {
+        let Some(path) = &self.check.output_file else { return super::print_to(self.report_to, body) };
+        let mut text = Vec::new();
+        body(&mut text).map_err(|error| format!("standard output: {}", system::reason(&error)))?;
+        save(Some(path), &text)
+    }
+
+    /// Checks files on all processors; `take` gets them in their order.
+    fn in_order(&self, files: &[PathBuf], mut take: impl FnMut(Checked) -> io::Result<()>) -> io::Result<()> {
+        let workers = system::processors().min(files.len());
+        if workers < 2 {
+            return files.iter().try_for_each(|file| take(self.file(file)));
+        }
+        let next = AtomicUsize::new(0);
+        // Nobody checks far ahead of what has been written.
+        let (send, receive) = mpsc::sync_channel(AHEAD);
+        thread::scope(|scope| {
+            for _ in 0..workers {
+                let (send, next) = (send.clone(), &next);
+                let work = move || {
+                    loop {
+                        let at = next.fetch_add(1, Ordering::Relaxed);
+                        let Some(file) = files.get(at) else { return };
+                        if send.send((at, self.file(file))).is_err() {
+                            return;
+                        }
+                    }
+                };
+                thread::Builder::new().stack_size(STACK).spawn_scoped(scope, work)?;
+            }
+            drop(send);
+            let mut waiting = BTreeMap::new();
+            let mut due = 0;
+            for (at, checked) in receive {
+                waiting.insert(at, checked);
+                while let Some(checked) = waiting.remove(&due) {
+                    take(checked)?;
+                    due += 1;
+                }
+            }
+            Ok(())
+        })
+    }
+
+    /// Checks one file.
+    fn file(&self, file: &Path) -> Checked {
+        self.look_into(file).map_or_else(Checked::Unreadable, Checked::Done)
+    }
+
+    fn look_into(&self, file: &Path) -> Result<Done, String> {
+        let is_standard_input = file == Path::new("-");
+        let given = self.check.stdin_filename.as_ref().filter(|_| is_standard_input);
+        let settings = self.configurations.settings(given.map_or(file, Path::new))?;
+        let (mut subject, repaired, printed) = match self.check.markdown {
+            true => (self.page(file, given, &settings)?, Vec::new(), None),
+            false => self.program(file, given, &settings)?,
+        };
+        let entries = self.check.baseline.entries(&subject);
+        self.known.remove_known(&mut subject);
+        let (text, counts) = self.report.subject(&subject);
+        Ok(Done { text, counts, entries, repaired, printed })
+    }
+
+    /// Checks a program, and repairs it first where that is asked for.
+    #[allow(clippy::type_complexity)]
+    fn program(
+        &self,
+        file: &Path,
+        given: Option<&String>,
+        settings: &Settings,
+    ) -> Result<(Subject, Vec<String>, Option<Vec<u8>>), String> {
+        let setup = self.selection.setup(settings);
+        let (mut name, bytes) = read_within(file, setup.limits.text as u64)?;
+        if let Some(given) = given {
+            name.clone_from(given);
+        }
+        let (mut text, encoding) = encoding::decode(bytes);
+        let (mut lines_of_repairs, mut was_repaired) = (Vec::new(), false);
+        if self.check.fix {
+            let repaired = repaired(&text, &setup);
+            let lines = LineIndex::new(&text);
+            was_repaired = !repaired.taken.is_empty();
+            lines_of_repairs.extend(repaired.taken.iter().map(|taken| {
+                let line = lines.line_of(taken.span.start) + 1;
+                format!("{name}:{line}: {}", taken.title.words(self.language))
+            }));
+            text = with_line_ends_of(&text, repaired.text);
+        }
+        let mut program = run_text(name, text, encoding, setup, |run| run);
+        let mut printed = None;
+        if self.check.fix {
+            let is_printed = self.check.dry_run || file == Path::new("-");
+            if is_printed || was_repaired {
+                let text = String::from_utf8_lossy(&program.text);
+                let bytes = encoded(&program, &text);
+                match is_printed {
+                    true => printed = Some(bytes.into_owned()),
+                    false => save(Some(file), &bytes)?,
+                }
+            }
+        }
+        self.selection.keep(settings, &mut program.analysis.diagnostics);
+        let stock = InferredStock::of(&program.analysis, self.language);
+        let messages = program.analysis.diagnostics.into_iter().map(What::Message);
+        let stock = stock.map(|stock| What::AssumedStock(None, stock));
+        let subject = Subject {
+            name: program.name,
+            text: program.text,
+            programs: Programs { checked: 1, left_out: 0 },
+            findings: messages.chain(stock).map(|what| Finding { program: 0, what }).collect(),
+        };
+        Ok((subject, lines_of_repairs, printed))
+    }
+
+    /// Checks the programs of a page.
+    fn page(&self, file: &Path, given: Option<&String>, settings: &Settings) -> Result<Subject, String> {
+        let mut page = Page::read(file, limits::TEXT_BUFFER as u64)?;
+        if let Some(given) = given {
+            page.rename(given);
+        }
+        Ok(pages::look_into(page, settings, &self.selection, self.language))
+    }
+}

@@ -1,0 +1,231 @@
+//! Which files are meant: those that are named, and the programs in folders that are named.
+//!
+//! In: paths as they are typed. Out: files in order, each once, and what could not be looked into. A file that is named is
+//! always meant, whatever it is called; in a folder its ending decides, and `.gitignore` and `.ignore` are respected (patterns by the
+//! crate `ignore`), as are hidden files left out. Links in folders are not followed.
+
+use std::collections::HashSet;
+use std::ffi::OsStr;
+use std::path::{Path, PathBuf};
+
+use ignore::gitignore::{Gitignore, GitignoreBuilder};
+
+use super::super::configuration::{self, Configurations};
+use super::super::system::{self, PathKind};
+use super::super::terminal::printable_name;
+
+/// The endings of program files. Controls of FANUC write programs without an ending, as `O0001`: these are meant as well.
+pub(super) const PROGRAMS: &[&str] =
+    &["nc", "cnc", "ngc", "gcode", "tap", "eia", "iso", "prg", "min", "mpf", "spf"];
+
+/// The endings of the pages of a manual.
+pub(super) const PAGES: &[&str] = &["md", "markdown", "mdx", "html", "htm", "rst"];
+
+/// Which files of a folder.
+#[derive(clap::Args)]
+pub(super) struct Which {
+    /// Leave out what this pattern matches, as a line of a `.gitignore` (`--exclude 'old/**'`); may be given more than once.
+    #[arg(long, value_name = "PATTERN")]
+    exclude: Vec<String>,
+    /// Leave out what `--exclude` and the configuration exclude even if it is named, as hooks name files.
+    #[arg(long)]
+    force_exclude: bool,
+    /// The endings of programs in folders, instead of the usual ones.
+    #[arg(long, value_name = "ENDING", value_delimiter = ',')]
+    extension: Vec<String>,
+}
+
+/// What is meant.
+#[derive(Debug, Default)]
+pub(super) struct Found {
+    /// The files, in order.
+    pub files: Vec<PathBuf>,
+    /// What could not be looked into, as sentences.
+    pub problems: Vec<String>,
+}
+
+/// Finds the files; `usual` are the endings where none is given. The error names a pattern that is not one.
+pub(super) fn find(
+    given: &[PathBuf],
+    which: &Which,
+    usual: &[&str],
+    configurations: &Configurations<'_>,
+) -> Result<Found, String> {
+    let mut found = Found::default();
+    let mut seen = HashSet::new();
+    for path in given {
+        if !system::kind(path).is_ok_and(|kind| kind == PathKind::Folder) {
+            let is_left_out = which.force_exclude && is_excluded(path, which, configurations)?;
+            if !is_left_out && seen.insert(path.clone()) {
+                found.files.push(path.clone());
+            }
+            continue;
+        }
+        let absolute = system::absolute(path)
+            .map_err(|error| format!("{}: {}", path.display(), system::reason(&error)))?;
+        let configuration = configurations.of(&path.join("program"))?;
+        let mut excluded = vec![which.excluded(&absolute)?];
+        let mut endings = which.extension.clone();
+        if let Some(configuration) = &configuration {
+            excluded.push(configuration.exclude.clone());
+            if endings.is_empty() {
+                endings = configuration.keys.extension.iter().map(|said| said.value.clone()).collect();
+            }
+        }
+        let before = found.files.len();
+        let mut walk = Walk { endings, usual, excluded, ignored: parents(&absolute), found, seen };
+        // `.` and `./` are how a folder is named, not a part of the names in it.
+        walk.folder(path.strip_prefix(".").unwrap_or(path), &absolute);
+        let Walk { endings, found: looked, seen: met, .. } = walk;
+        (found, seen) = (looked, met);
+        if found.files.len() == before {
+            let endings = if endings.is_empty() { usual.join(", ") } else { endings.join(", ") };
+            let others = "`--extension` names others";
+            found.problems.push(format!("{}: no file with the ending {endings}; {others}", path.display()));
+        }
+    }
+    Ok(found)
+}
+
+impl Which {
+    /// The patterns of the options, in a folder.
+    fn excluded(&self, folder: &Path) -> Result<Gitignore, String> {
+        let patterns = self.exclude.iter().map(String::as_str);
+        configuration::patterns(folder, patterns).map_err(|problem| format!("--exclude {problem}"))
+    }
+}
+
+/// Whether a file that is named is left out.
+fn is_excluded(file: &Path, which: &Which, configurations: &Configurations<'_>) -> Result<bool, String> {
+    let here = system::absolute(Path::new(".")).unwrap_or_default();
+    let file = system::absolute(file).unwrap_or_else(|_| file.to_owned());
+    let says = |patterns: &Gitignore, folder: &Path| {
+        file.starts_with(folder) && patterns.matched_path_or_any_parents(&file, false).is_ignore()
+    };
+    let by_configuration = configurations.of(&file)?.is_some_and(|own| says(&own.exclude, &own.folder));
+    Ok(by_configuration || says(&which.excluded(&here)?, &here))
+}
+
+/// A way through a folder and those in it.
+struct Walk<'a> {
+    /// The endings that are asked for.
+    endings: Vec<String>,
+    /// The endings where none is asked for.
+    usual: &'a [&'a str],
+    /// Patterns of what is left out.
+    excluded: Vec<Gitignore>,
+    /// What `.gitignore` and `.ignore` say, the innermost folder last.
+    ignored: Vec<Gitignore>,
+    found: Found,
+    seen: HashSet<PathBuf>,
+}
+
+impl Walk<'_> {
+    /// Looks into a folder, by the name it is shown with and from the root of the disk.
+    fn folder(&mut self, shown: &Path, absolute: &Path) {
+        let entries = match system::entries(absolute) {
+            Ok(entries) => entries,
+            Err(error) => {
+                let problem = format!("{}: {}", printable_name(shown), system::reason(&error));
+                self.found.problems.push(problem);
+                return;
+            }
+        };
+        self.ignored.extend(ignore_files(absolute));
+        let depth = self.ignored.len();
+        for entry in entries {
+            let file = absolute.join(&entry.name);
+            let is_folder = entry.kind == PathKind::Folder;
+            if entry.name.as_encoded_bytes().starts_with(b".") || self.is_left_out(&file, is_folder) {
+                continue;
+            }
+            let shown = shown.join(&entry.name);
+            match entry.kind {
+                PathKind::Folder => {
+                    self.folder(&shown, &file);
+                    self.ignored.truncate(depth);
+                }
+                PathKind::File if is_meant(&shown, &self.endings, self.usual) => {
+                    if self.seen.insert(shown.clone()) {
+                        self.found.files.push(shown);
+                    }
+                }
+                PathKind::File | PathKind::Other => {}
+            }
+        }
+    }
+
+    fn is_left_out(&self, file: &Path, is_folder: bool) -> bool {
+        if self.excluded.iter().any(|patterns| patterns.matched(file, is_folder).is_ignore()) {
+            return true;
+        }
+        // The innermost folder has the last word.
+        let mut said = self.ignored.iter().rev().map(|patterns| patterns.matched(file, is_folder));
+        said.find(|said| !said.is_none()).is_some_and(|said| said.is_ignore())
+    }
+}
+
+/// What the `.gitignore` and `.ignore` of a folder say; nothing where there are none.
+fn ignore_files(folder: &Path) -> Option<Gitignore> {
+    let files = [".gitignore", ".ignore"];
+    let texts: Vec<String> =
+        files.iter().filter_map(|name| system::read_text(&folder.join(name)).ok()).collect();
+    if texts.is_empty() {
+        return None;
+    }
+    let mut builder = GitignoreBuilder::new(folder);
+    for line in texts.iter().flat_map(|text| text.lines()) {
+        // A line that is no pattern is ignored, as git does.
+        let _ = builder.add_line(None, line);
+    }
+    builder.build().ok()
+}
+
+/// What the folders above say, up to the root of the repository, the innermost last.
+fn parents(folder: &Path) -> Vec<Gitignore> {
+    let is_root = |folder: &Path| system::kind(&folder.join(".git")).is_ok();
+    let mut said = Vec::new();
+    let mut folder = folder;
+    while !is_root(folder)
+        && let Some(parent) = folder.parent()
+    {
+        said.extend(ignore_files(parent));
+        folder = parent;
+    }
+    said.reverse();
+    said
+}
+
+/// Whether a file of a folder is one of those that are meant.
+fn is_meant(file: &Path, endings: &[String], usual: &[&str]) -> bool {
+    let Some(ending) = file.extension() else {
+        let name = file.file_name().and_then(OsStr::to_str).unwrap_or_default();
+        return usual == PROGRAMS && is_program_number(name);
+    };
+    let is_one = |wanted: &str| ending.eq_ignore_ascii_case(wanted.trim_start_matches('.'));
+    match endings.is_empty() {
+        true => usual.iter().any(|wanted| is_one(wanted)),
+        false => endings.iter().any(|wanted| is_one(wanted)),
+    }
+}
+
+/// `O0001`.
+fn is_program_number(name: &str) -> bool {
+    let digits = name.strip_prefix(['O', 'o']).unwrap_or_default();
+    !digits.is_empty() && digits.bytes().all(|byte| byte.is_ascii_digit())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::is_program_number;
+
+    #[test]
+    fn files_of_a_control_are_named_by_their_program() {
+        for name in ["O0001", "o12"] {
+            assert!(is_program_number(name), "{name}");
+        }
+        for name in ["O", "README", "Oslo", "0001", "O12a"] {
+            assert!(!is_program_number(name), "{name}");
+        }
+    }
+}

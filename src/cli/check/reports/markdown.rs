@@ -1,0 +1,49 @@
+//! A table for a comment or a page.
+
+use super::{api, sentence};
+use crate::sentences::{Language, labels};
+
+/// The head of the table.
+pub(super) fn begin(language: Language) -> String {
+    let head = match language {
+        Language::English => ["File", "Line", "Severity", "Code", "Finding"],
+        Language::Chinese => ["文件", "行", "级别", "代码", "问题"],
+        Language::Russian => ["Файл", "Строка", "Важность", "Код", "Замечание"],
+    };
+    format!("| {} |\n|---|---:|---|---|---|\n", head.join(" | "))
+}
+
+/// The rows of a program.
+pub(super) fn rows(name: &str, rows: impl Iterator<Item = api::Diagnostic>, language: Language) -> String {
+    rows.map(|row| {
+        let severity =
+            crate::message::Severity::named(&row.severity).unwrap_or(crate::message::Severity::Info);
+        let cells = [
+            cell(name),
+            row.line.to_string(),
+            labels::severity(severity, language).to_owned(),
+            cell(&row.code),
+            cell(&sentence(&row)),
+        ];
+        format!("| {} |\n", cells.join(" | "))
+    })
+    .collect()
+}
+
+/// Text that stays in its cell, and is no markup.
+fn cell(text: &str) -> String {
+    let mut cell = String::with_capacity(text.len());
+    for letter in text.chars() {
+        match letter {
+            '|' | '\\' | '*' | '_' | '[' | ']' | '`' | '#' => {
+                cell.push('\\');
+                cell.push(letter);
+            }
+            '<' => cell.push_str("&lt;"),
+            '&' => cell.push_str("&amp;"),
+            letter if letter.is_control() => cell.push(' '),
+            letter => cell.push(letter),
+        }
+    }
+    cell
+}

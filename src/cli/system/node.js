@@ -1,0 +1,100 @@
+// What the command line asks of Node: the same as `native.rs` asks of the standard library.
+//
+// In: paths, bytes. Out: bytes, names; errors of Node with their `code`, and `EFBIG` for a file that is too large. All calls wait:
+// the command line has nothing else to do.
+
+import { closeSync, fstatSync, openSync, readFileSync, readSync, readdirSync, statSync, writeFileSync, writeSync } from 'node:fs';
+import { resolve } from 'node:path';
+import { isatty } from 'node:tty';
+
+const CHUNK = 65_536;
+
+export function argumentsTyped() {
+  return ['gcode-playground', ...process.argv.slice(2)];
+}
+
+export function environmentVariable(name) {
+  return process.env[name];
+}
+
+export function readFile(path, most) {
+  const file = openSync(path, 'r');
+  try {
+    const found = fstatSync(file);
+    if (found.isDirectory()) throw coded('EISDIR');
+    if (found.size > most) throw coded('EFBIG');
+    // What is no file, such as a pipe, has no length.
+    return found.isFile() ? readFileSync(file) : readWithin(file, most);
+  } finally {
+    closeSync(file);
+  }
+}
+
+export function readStandardInput(most) {
+  return readWithin(0, most);
+}
+
+/** Reads no further than one byte beyond the limit. */
+function readWithin(file, most) {
+  const chunks = [];
+  let length = 0;
+  while (length <= most) {
+    const chunk = Buffer.allocUnsafe(Math.min(CHUNK, most + 1 - length));
+    const read = whenReady(() => readSync(file, chunk), 'EOF');
+    if (read === 0) return Buffer.concat(chunks);
+    chunks.push(chunk.subarray(0, read));
+    length += read;
+  }
+  throw coded('EFBIG');
+}
+
+export function writeFile(path, bytes) {
+  writeFileSync(path, bytes);
+}
+
+export function writeTo(descriptor, bytes) {
+  for (let from = 0; from < bytes.length;) from += whenReady(() => writeSync(descriptor, bytes, from));
+}
+
+/** Calls until the stream can take or give something: a pipe that others have set to answer at once says `EAGAIN`. */
+function whenReady(call, end) {
+  for (;;) {
+    try {
+      return call();
+    } catch (error) {
+      if (error.code === end) return 0;
+      if (error.code !== 'EAGAIN') throw error;
+      Atomics.wait(new Int32Array(new SharedArrayBuffer(4)), 0, 0, 1);
+    }
+  }
+}
+
+export function kindOf(path) {
+  return kindNamed(statSync(path));
+}
+
+/** Name, kind, name, kind, … */
+export function entriesOf(folder) {
+  return readdirSync(folder, { withFileTypes: true }).flatMap((entry) => [entry.name, kindNamed(entry)]);
+}
+
+export function absolutePath(path) {
+  return resolve(path);
+}
+
+export function isTerminal(descriptor) {
+  return isatty(descriptor);
+}
+
+export function endWith(status) {
+  process.exitCode = status;
+}
+
+function kindNamed(found) {
+  if (found.isFile()) return 'file';
+  return found.isDirectory() ? 'folder' : 'other';
+}
+
+function coded(code) {
+  return Object.assign(new Error(code), { code });
+}

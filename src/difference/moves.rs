@@ -1,0 +1,287 @@
+//! What blocks do, compared: the motions of a block of each version.
+//!
+//! In: motions, by block. Out: [`Change`]s, each with the value of both versions; none where the tool does the same. Where a motion
+//! begins is where the one before it ends, so that is no change of its own. Feed and spindle count for cuts alone.
+
+use super::written::Written;
+use crate::geometry::Point;
+use crate::motion::{Cycle, Feed, Motion, MotionKind, Motions, Process, SpindleSpeed, SpindleTurn, Step};
+use crate::playback::timing;
+use crate::setup::Machine;
+
+/// Places nearer than this are the same, mm.
+const SAME: f64 = 1e-5;
+
+/// Something that differs in the motion of two blocks: first version, second version.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Change {
+    /// Only one of them moves: how often, and its last motion, or its last cut.
+    Moves([Option<(usize, Box<Motion>)>; 2]),
+    /// Another cycle, or none.
+    Cycle([Option<Cycle>; 2]),
+    /// How many passes a cycle makes.
+    Passes(Cycle, [usize; 2]),
+    /// How many motions the block makes.
+    Motions([usize; 2]),
+    /// Another kind of motion: rapid for feed, say.
+    Kind([Box<Motion>; 2]),
+    /// Where it ends.
+    End([Box<Motion>; 2]),
+    /// The radius of an arc, mm.
+    Radius([f64; 2]),
+    /// The way between the same ends.
+    Way,
+    /// The feed of a cut.
+    Feed([Feed; 2]),
+    /// The lead of a thread, mm.
+    Lead([f64; 2]),
+    /// The spindle speed.
+    Speed([SpindleSpeed; 2]),
+    /// The highest spindle speed, rpm.
+    Highest([Option<f64>; 2]),
+    /// Which way the spindle turns.
+    Turn([SpindleTurn; 2]),
+    /// The tool and its offset.
+    Tool([(u16, u16); 2]),
+    /// A dwell, s.
+    Dwell([f64; 2]),
+}
+
+/// The motions of a version by the blocks that make them.
+pub(super) struct Moves<'a> {
+    motions: &'a Motions,
+    /// Where the motions of each block begin in `order`, and where the last ones end.
+    begins: Vec<u32>,
+    order: Vec<u32>,
+}
+
+/// The motions of a block, in the order in which they are made.
+pub(super) struct OfBlock<'a> {
+    motions: &'a Motions,
+    own: &'a [u32],
+}
+
+impl<'a> Moves<'a> {
+    /// Sorts the motions of a version by block.
+    pub(super) fn of(motions: &'a Motions, text: &Written) -> Self {
+        let count = motions.len();
+        let blocks: Vec<u32> = (0..count)
+            .map(|index| text.block_at(motions.span(index).start).map_or(u32::MAX, |block| block as u32))
+            .collect();
+        let mut begins = vec![0; text.len() + 1];
+        let known = |block: &u32| (*block as usize) < text.len();
+        for &block in blocks.iter().filter(|block| known(block)) {
+            begins[block as usize + 1] += 1;
+        }
+        for block in 1..begins.len() {
+            begins[block] += begins[block - 1];
+        }
+        let mut free = begins.clone();
+        let mut order = vec![0; begins.last().map_or(0, |&all| all as usize)];
+        for (index, &block) in blocks.iter().enumerate().filter(|(_, block)| known(block)) {
+            order[free[block as usize] as usize] = index as u32;
+            free[block as usize] += 1;
+        }
+        Self { motions, begins, order }
+    }
+
+    /// The motions of a block.
+    pub(super) fn block(&self, block: usize) -> OfBlock<'_> {
+        let own = &self.order[self.begins[block] as usize..self.begins[block + 1] as usize];
+        OfBlock { motions: self.motions, own }
+    }
+
+    /// Those of a block that is not there.
+    pub(super) fn none(&self) -> OfBlock<'_> {
+        OfBlock { motions: self.motions, own: &[] }
+    }
+
+    /// Time of the motions of a block, s, as far as it is known.
+    pub(super) fn seconds(&self, block: usize, machine: &Machine) -> f64 {
+        let own = self.block(block);
+        own.iter().filter_map(|motion| timing::seconds(&motion, machine)).fold(0.0, |sum, own| sum + own)
+    }
+
+    /// Whether two programs make the same motions in the same order.
+    pub(super) fn are_same([first, second]: [&Motions; 2]) -> bool {
+        let stops = |motions: &Motions| -> Vec<_> {
+            motions.stops(0..motions.len()).map(|(index, stop)| (index, stop.kind)).collect()
+        };
+        first.len() == second.len()
+            && first.iter().zip(second.iter()).all(|(first, second)| is_same(&first, &second))
+            && stops(first) == stops(second)
+    }
+}
+
+impl OfBlock<'_> {
+    fn len(&self) -> usize {
+        self.own.len()
+    }
+
+    fn get(&self, index: usize) -> Motion {
+        self.motions.get(self.own[index] as usize)
+    }
+
+    fn iter(&self) -> impl DoubleEndedIterator<Item = Motion> + '_ {
+        self.own.iter().map(|&index| self.motions.get(index as usize))
+    }
+
+    /// The motion that says most of the block: the last cut, or the last motion.
+    fn last(&self) -> Option<Motion> {
+        let cut = |motion: &Motion| match motion.cycle {
+            Some(step) => matches!(step.step, Step::Cut | Step::Contour),
+            None => true,
+        };
+        self.iter().rev().find(cut).or_else(|| self.iter().next_back())
+    }
+
+    fn cut(&self) -> Option<Motion> {
+        self.iter().find(|motion| motion.kind.cuts())
+    }
+
+    fn passes(&self) -> usize {
+        let passes = self.iter().map(|motion| motion.cycle.map_or(0, |step| step.pass));
+        passes.fold((0, 0), |(count, last), pass| (count + usize::from(pass > 0 && pass != last), pass)).0
+    }
+}
+
+/// What differs in the motion of two blocks.
+pub(super) fn changes(first: &OfBlock, second: &OfBlock) -> Vec<Change> {
+    let counts = [first.len(), second.len()];
+    if counts[0] == counts[1]
+        && first.iter().zip(second.iter()).all(|(first, second)| is_same(&first, &second))
+    {
+        return Vec::new();
+    }
+    if counts.contains(&0) {
+        let told = |own: &OfBlock| own.last().map(|motion| (own.len(), Box::new(motion)));
+        return vec![Change::Moves([told(first), told(second)])];
+    }
+    let mut found = Vec::new();
+    let cycles = [first, second].map(|own| own.get(0).cycle.map(|step| step.cycle));
+    let passes = [first.passes(), second.passes()];
+    match cycles {
+        [Some(cycle), Some(other)] if cycle == other => {
+            if passes[0] != passes[1] {
+                found.push(Change::Passes(cycle, passes));
+            }
+        }
+        [None, None] => {}
+        _ => found.push(Change::Cycle(cycles)),
+    }
+    if counts[0] != counts[1] && found.is_empty() {
+        found.push(Change::Motions(counts));
+    }
+    found.extend(path(first, second));
+    if let Some((first, second)) = first.cut().zip(second.cut()) {
+        found.extend(cut(&first, &second));
+    }
+    let tools = [first, second].map(|own| own.get(0).process.tool);
+    if tools[0] != tools[1] {
+        found.push(Change::Tool(tools));
+    }
+    found
+}
+
+/// What differs in the way of the tool.
+fn path(first: &OfBlock, second: &OfBlock) -> Vec<Change> {
+    let aligned = first.len() == second.len();
+    let is_cycle = first.get(0).cycle.is_some() || second.get(0).cycle.is_some();
+    let pair = if aligned {
+        // Of a cycle the first cut that differs, of other blocks the last motion.
+        let differing = || (0..first.len()).map(|index| (first.get(index), second.get(index)));
+        let ends = |(first, second): &(Motion, Motion)| !is_same_end(first, second);
+        let is_cut = |(first, _): &(Motion, Motion)| first.cycle.is_some_and(|step| step.step == Step::Cut);
+        let of_cycle = differing().filter(ends).find(is_cut);
+        of_cycle.or_else(|| differing().rfind(ends))
+    } else {
+        first.last().zip(second.last()).filter(|_| !is_cycle).filter(|(a, b)| !is_same_end(a, b))
+    };
+    let mut found: Vec<Change> =
+        pair.map(|(first, second)| Change::End([Box::new(first), Box::new(second)])).into_iter().collect();
+    if !aligned {
+        return found;
+    }
+    for (first, second) in first.iter().zip(second.iter()) {
+        let own = if first.kind != second.kind {
+            Some(Change::Kind([Box::new(first), Box::new(second)]))
+        } else if let Some(dwells) = both(first.seconds, second.seconds) {
+            Some(Change::Dwell(dwells))
+        } else if let Some(leads) = both(first.lead, second.lead) {
+            Some(Change::Lead(leads))
+        } else if is_same_end(&first, &second) && !is_same_way(&first, &second) {
+            let radius = |motion: &Motion| motion.arc().map(|arc| arc.center.distance(arc.end));
+            Some(both(radius(&first), radius(&second)).map_or(Change::Way, Change::Radius))
+        } else {
+            None
+        };
+        if let Some(own) = own {
+            found.push(own);
+            break;
+        }
+    }
+    found
+}
+
+/// What differs in how a cut is made.
+fn cut(first: &Motion, second: &Motion) -> Vec<Change> {
+    let processes = [first.process, second.process];
+    let mut found = Vec::new();
+    let is_thread = first.kind == MotionKind::Thread && second.kind == MotionKind::Thread;
+    if processes[0].feed != processes[1].feed && !is_thread {
+        found.push(Change::Feed(processes.map(|own| own.feed)));
+    }
+    if processes[0].speed != processes[1].speed {
+        found.push(Change::Speed(processes.map(|own| own.speed)));
+    }
+    let highest = processes.map(|own| own.clamp.filter(|_| holds_surface_speed(&own)));
+    if highest[0] != highest[1] {
+        found.push(Change::Highest(highest));
+    }
+    if processes[0].turn != processes[1].turn {
+        found.push(Change::Turn(processes.map(|own| own.turn)));
+    }
+    found
+}
+
+/// Two numbers that differ.
+fn both(first: Option<f64>, second: Option<f64>) -> Option<[f64; 2]> {
+    first
+        .zip(second)
+        .filter(|(first, second)| (first - second).abs() > SAME)
+        .map(|(first, second)| [first, second])
+}
+
+fn holds_surface_speed(process: &Process) -> bool {
+    matches!(process.speed, SpindleSpeed::Surface { .. })
+}
+
+fn is_same(first: &Motion, second: &Motion) -> bool {
+    let ways = first.kind == second.kind && is_same_end(first, second) && is_same_way(first, second);
+    let numbers = first.lead == second.lead && first.seconds == second.seconds;
+    let tools = first.process.tool == second.process.tool;
+    ways && numbers && tools && (!first.kind.cuts() || cut(first, second).is_empty())
+}
+
+fn is_same_end(first: &Motion, second: &Motion) -> bool {
+    let turns = |motion: &Motion| motion.rotary.map(|rotary| rotary.to);
+    let is_same_turn = match [turns(first), turns(second)] {
+        [Some(first), Some(second)] => (first - second).abs() <= SAME,
+        [None, None] => true,
+        [_, _] => false,
+    };
+    is_same_turn && is_near(first.to, second.to)
+}
+
+fn is_same_way(first: &Motion, second: &Motion) -> bool {
+    let is_same_arc = match [first.center, second.center] {
+        [Some(first), Some(second)] => is_near(first, second),
+        [None, None] => true,
+        [_, _] => false,
+    };
+    is_same_arc && first.virtual_move() == second.virtual_move()
+}
+
+fn is_near(first: Point, second: Point) -> bool {
+    first.distance(second) <= SAME
+}

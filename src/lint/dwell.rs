@@ -1,0 +1,40 @@
+//! G04: whether its time is one that somebody means.
+
+use crate::control::events::Moment;
+use crate::control::words::{Words, behind_letter, plain, quote};
+use crate::message::{Diagnostic, Fix, said};
+use crate::motion::SpindleTurn;
+use crate::text::block::{Value, Word};
+
+/// Seconds from which a whole number is likely milliseconds: nobody waits so long in a cut.
+const LONG: f64 = 100.0;
+
+/// Milliseconds up to which P is likely seconds: in so short a time no spindle makes a turn.
+const SHORT: f64 = 9.0;
+
+/// Seconds where milliseconds were meant, or the reverse. `seconds`: what the control waits.
+pub fn waits(words: &Words, seconds: f64, at: &Moment) -> Option<Diagnostic> {
+    // With the spindle stopped something else is waited for: the chuck, or a part that cools down.
+    let spindle = &at.state.spindle;
+    if spindle.turn == SpindleTurn::Stopped && !spindle.live_tool && !spindle.by_maker {
+        return None;
+    }
+    let whole = |word: &&Word| matches!(word.value, Value::Number { number, .. } if !number.has_point());
+    let text = |word: &Word| quote(at.text, word.span);
+    if let Some(word) = words.get(b'X').or(words.get(b'U')) {
+        let value = plain(word).filter(|_| whole(&word))?;
+        if seconds < LONG || value != seconds {
+            return None;
+        }
+        let message = said::DwellLong { word: text(word), seconds, meant: value / 1000.0 };
+        let fix = Fix::write(word.span, format!("{}{}", word.address as char, value / 1000.0));
+        return Some(Diagnostic::new(message, word.span).with(fix));
+    }
+    // Macros stop reading ahead by a dwell that is as short as it can be.
+    let is_main = at.state.variables.level() == 0;
+    let word = words.get(b'P').filter(|word| is_main && whole(word))?;
+    let value = plain(word).filter(|value| (1.0..=SHORT).contains(value) && value / 1000.0 == seconds)?;
+    let quoted = text(word);
+    let fix = Fix::write(word.span, format!("P{}000", behind_letter(&quoted).trim_start_matches(['0', '+'])));
+    Some(Diagnostic::new(said::DwellShort { word: quoted, milliseconds: value }, word.span).with(fix))
+}

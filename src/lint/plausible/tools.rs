@@ -1,0 +1,54 @@
+//! T words whose station and offset differ, where those of the whole program agree.
+
+use super::Program;
+use crate::message::{Diagnostic, Fix, said};
+use crate::source::Span;
+
+/// So many other tools must have the offset of their station.
+const LEAST: usize = 3;
+
+/// So far from its station a second offset is mostly numbered: T0111, T0121.
+const SECOND: [u64; 2] = [10, 20];
+
+/// A T word.
+struct Call {
+    station: u64,
+    offset: u64,
+    span: Span,
+}
+
+impl Program<'_> {
+    /// The one tool that is called with the offset of another station.
+    pub(super) fn other_offset(&self) -> Vec<Diagnostic> {
+        let mut calls: Vec<Call> = Vec::new();
+        for word in self.words.iter().filter(|word| word.address == b'T') {
+            let digits = word.span.of(self.text).iter().filter(|byte| byte.is_ascii_digit()).count();
+            if !matches!(digits, 3 | 4) {
+                continue;
+            }
+            let (station, offset) = (word.value as u64 / 100, word.value as u64 % 100);
+            // An offset that is switched off is none; a tool that is called again is no other tool.
+            let is_new = !calls.iter().any(|call| (call.station, call.offset) == (station, offset));
+            if offset > 0 && is_new {
+                calls.push(Call { station, offset, span: word.span });
+            }
+        }
+        let mut others = calls.iter().filter(|call| call.station != call.offset);
+        let (Some(odd), None) = (others.next(), others.next()) else { return Vec::new() };
+        let agreeing = || calls.iter().filter(|call| call.station == call.offset);
+        let has_own = agreeing().any(|call| call.station == odd.station);
+        let is_of_other = agreeing().any(|call| call.station == odd.offset);
+        // A second offset of a station that also has its own is usual, as for the other edge of a grooving insert.
+        // So is one that is numbered as a second one, where that is no other tool.
+        let is_numbered_as_second = SECOND.map(|way| odd.station + way).contains(&odd.offset)
+            && !calls.iter().any(|call| call.station == odd.offset);
+        if agreeing().count() < LEAST || has_own && !is_of_other || is_numbered_as_second {
+            return Vec::new();
+        }
+        let word = odd.span.quote(self.text);
+        let (station, offset) = (odd.station as usize, odd.offset as usize);
+        let fixes = [station, offset].map(|number| Fix::write(odd.span, format!("T{number:02}{number:02}")));
+        let message = said::ToolOffsetDiffers { word, station, offset };
+        vec![Diagnostic { fixes: fixes.into(), ..Diagnostic::new(message, odd.span) }]
+    }
+}

@@ -1,0 +1,184 @@
+//! Words that a move does not read, and words that a vacant variable takes away.
+//!
+//! In: the words of a block whose code does not ask for them. Out: that the control ignores them.
+
+use crate::control::codes::{self, G, MotionMode};
+use crate::control::doubt::Doubt;
+use crate::control::events::Moment;
+use crate::control::macros::Variables;
+use crate::control::words::{Words, behind_letter, letters, plain, quote};
+use crate::geometry::Turn;
+use crate::message::{Diagnostic, Fix, Message, Severity, said};
+use crate::setup::dialect::Control;
+use crate::source::Span;
+use crate::source::shift::Shift;
+use crate::text::block::{Block, Value, Word};
+
+/// Words of a move by G00 to G03 that no code of its block reads. `unread`: the letters that the move does
+/// not read itself.
+pub fn unread(block: &Block, words: &Words, unread: u32, at: &Moment, reports: &mut Vec<Diagnostic>) {
+    if at.state.call_stack.modal.is_some() || block.words.iter().any(|word| reads_others(word, at)) {
+        return;
+    }
+    let gsk = at.dialect.control == Control::Gsk;
+    let first = block.words.iter().find(|word| {
+        let letter = word.address;
+        // Of two words with one letter the later counts; the other was reported.
+        let counts = words.get(letter).is_some_and(|own| own.span == word.span);
+        // L and D are corner words there; P of S selects the spindle; D of G41 or T was an offset on other controls.
+        let has = |address: u8| words.get(address).is_some();
+        let is_read = match letter {
+            b'L' => gsk,
+            b'D' => gsk || has(b'T') || block.words.iter().any(switches_compensation),
+            // What is said of those of an arc the control says itself.
+            b'I' | b'J' | b'K' => matches!(at.state.motion, MotionMode::Arc(_)),
+            b'P' | b'Q' => has(b'S') || block.words.iter().any(|word| word.address == b'M'),
+            _ => false,
+        };
+        counts && !is_read && unread & letters(&[letter]) != 0
+    });
+    // One fault, one message: P and Q mostly belong together.
+    reports.extend(first.map(|word| ignored(word, at)));
+}
+
+/// Whether a code of the block may read words of its own.
+fn reads_others(word: &Word, at: &Moment) -> bool {
+    let Value::Number { number, .. } = word.value else { return false };
+    match word.address {
+        b'M' => !matches!(number.mantissa, 0..=5 | 7..=9 | 30),
+        b'G' => {
+            let code = number.tenths().and_then(|key| codes::g_code(key, at.dialect.code_list()));
+            !code.is_some_and(|found| {
+                matches!(
+                    found.code,
+                    G::Motion(_)
+                        | G::Plane(_)
+                        | G::Unit(_)
+                        | G::Compensation(_)
+                        | G::Frame(_)
+                        | G::Distance { .. }
+                        | G::Feed(_)
+                )
+            })
+        }
+        _ => false,
+    }
+}
+
+fn switches_compensation(word: &Word) -> bool {
+    word.address == b'G' && plain(word).is_some_and(|code| (40.0..=42.0).contains(&code))
+}
+
+/// A word that the control ignores.
+fn ignored(word: &Word, at: &Moment) -> Diagnostic {
+    let quoted = quote(at.text, word.span);
+    let number = behind_letter(&quoted);
+    let polar = at.state.virtual_plane.is_some();
+    let corner = match word.address {
+        b'L' => Some(format!(",C{number}")),
+        b'D' => Some(format!(",R{number}")),
+        _ => None,
+    };
+    if let Some(meant) = corner.filter(|_| at.state.motion == MotionMode::Line && !polar) {
+        let fix = Fix::write(word.span, meant.clone());
+        return Diagnostic::new(said::CornerWordIgnored { word: quoted, meant }, word.span).with(fix);
+    }
+    let code = match at.state.motion {
+        MotionMode::Rapid => "G00",
+        MotionMode::Arc(Turn::Clockwise) => "G02",
+        MotionMode::Arc(Turn::Counterclockwise) => "G03",
+        _ => "G01",
+    };
+    let fix = Fix::delete(at.text, word.span);
+    Diagnostic::new(said::WordIgnored { word: quoted, code }, word.span).with(fix)
+}
+
+/// The vacant variables that were reported: each once.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Vacant(Vec<u32>);
+
+impl Vacant {
+    /// A word is dropped because its variable is vacant.
+    pub fn meets(&mut self, word: &Word, at: &Moment) -> Option<Diagnostic> {
+        let (variable, diagnostic) = vacant(word, at)?;
+        let is_new = self.0.len() < MOST && !self.0.contains(&variable);
+        is_new.then(|| {
+            self.0.push(variable);
+            diagnostic
+        })
+    }
+
+    /// What `other` has reported counts as reported.
+    pub fn has_heard_of(&mut self, other: &mut Self) {
+        self.0 = std::mem::take(&mut other.0);
+    }
+}
+
+/// A word with a vacant variable, and its number. Arguments that a call may leave out are meant to do this.
+fn vacant(word: &Word, at: &Moment) -> Option<(u32, Diagnostic)> {
+    let quoted = quote(at.text, word.span);
+    let variable = behind_letter(quoted.trim_start_matches(',')).trim_start_matches('-').strip_prefix('#')?;
+    let variable: u32 = variable.parse().ok()?;
+    let is_handed_over = at.state.variables.level() > 0 && Variables::may_be_argument(variable);
+    // What became of an assignment that was not carried out nobody knows.
+    let is_unknown = at.state.doubts.has(Doubt::Values) || at.state.variables.lacks_arguments();
+    if variable == 0 || is_handed_over || is_unknown {
+        return None;
+    }
+    // What is kept at power off may have a value on the machine.
+    let kept = variable >= 500;
+    let message: Message = match kept {
+        true => said::VacantHere { word: quoted, variable }.into(),
+        false => said::VacantWord { word: quoted, variable }.into(),
+    };
+    let diagnostic = Diagnostic::new(message, word.span);
+    Some((variable, if kept { diagnostic.graded(Severity::Info) } else { diagnostic }))
+}
+
+/// Whether a condition asks the machine (#1000 and on) or, in a macro that is called, for its own variables (#1 to
+/// #33): its call has handed them over.
+fn asks_outside(condition: &[u8], is_called: bool) -> bool {
+    condition.split(|&byte| byte == b'#').skip(1).any(|behind| {
+        let digits = behind.iter().skip_while(|byte| byte.is_ascii_whitespace());
+        let digits: String =
+            digits.take_while(|byte| byte.is_ascii_digit()).copied().map(char::from).collect();
+        let variable = digits.parse::<u32>();
+        variable.is_ok_and(|variable| variable >= 1000 || is_called && (1..=33).contains(&variable))
+    })
+}
+
+/// What is remembered of WHILE: each loop, and whether it was entered.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Loops(Vec<(Span, bool)>);
+
+/// More loops, and more vacant variables, than a program has.
+const MOST: usize = 200;
+
+impl Loops {
+    /// A loop begins, or is skipped.
+    pub fn meets(&mut self, statement: Span, enter: bool, at: &Moment) {
+        // What comes from outside may be another value the next time.
+        let may_enter = enter || asks_outside(statement.of(at.text), at.state.variables.level() > 0);
+        if let Some(own) = self.0.iter_mut().find(|own| own.0 == statement) {
+            own.1 |= may_enter;
+        } else if self.0.len() < MOST {
+            self.0.push((statement, may_enter));
+        }
+    }
+
+    /// The run ends: what was never entered.
+    pub fn report(&mut self, reports: &mut Vec<Diagnostic>) {
+        let never = self.0.iter().filter(|own| !own.1);
+        reports.extend(never.map(|own| Diagnostic::new(said::LoopNotEntered, own.0)));
+    }
+
+    /// What `other` has seen counts as seen.
+    pub fn has_heard_of(&mut self, other: &mut Self) {
+        self.0 = std::mem::take(&mut other.0);
+    }
+
+    /// Moves places along.
+    pub fn shift(&mut self, shift: &Shift) {
+        self.0.iter_mut().for_each(|own| own.0 = shift.span(own.0));
+    }
+}

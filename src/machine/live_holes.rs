@@ -1,0 +1,112 @@
+//! The holes that live tools drill beside the axis and into the side of the work, each at its angle of C. They are no part of
+//! the turned region; a picture of the body shows where they go in.
+//!
+//! In: the motions up to a moment, the tools, the part at that moment. Out: holes with mouth and bottom. Must not know how
+//! they are drawn.
+
+use super::region::Region;
+use super::resolved_setup::{ResolvedSetup, ResolvedTool};
+use crate::geometry::{Point, SAME};
+use crate::motion::{CycleFamily, Motion, Motions};
+
+/// Most holes that are kept.
+const MOST: usize = 1000;
+
+/// A hole of a live tool: radius and Z of its ends, mm, and its angle of C.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct LiveHole {
+    /// Where the tool enters the material, in the middle of the hole.
+    pub mouth: Point,
+    /// The deepest place of its tip.
+    pub bottom: Point,
+    /// Angle of C, degrees, from that of the section, as programmed.
+    pub c: f64,
+    /// Radius of the tool, mm.
+    pub radius: f64,
+}
+
+/// The holes in a part, of the motions before `until` and a share of that one; in the order in which they are drilled.
+pub fn live_holes(
+    motions: &Motions,
+    resolved: &ResolvedSetup,
+    part: &Region,
+    until: Option<(usize, f64)>,
+) -> Vec<LiveHole> {
+    let mut holes: Vec<LiveHole> = Vec::new();
+    let mut c = 0.0;
+    for (index, motion) in motions.iter().enumerate() {
+        let motion = match until {
+            Some((last, share)) if index == last => motion.first_part(share),
+            Some((last, _)) if index > last => break,
+            _ => motion,
+        };
+        c = motion.rotary.map_or(c, |rotary| rotary.to);
+        let Some(hole) = hole(&motion, resolved.tool(&motion), part, c) else { continue };
+        // The pecks of one hole follow one another, and each begins where material was.
+        let is_same = |own: &LiveHole| {
+            own.c == hole.c && own.radius == hole.radius && is_on_line(own.mouth, own.bottom, hole.bottom)
+        };
+        let has_room = holes.len() < MOST;
+        match holes.last_mut().filter(|own| is_same(own)) {
+            Some(own) if deeper(own.bottom, hole.bottom, own.mouth) => own.bottom = hole.bottom,
+            Some(_) => {}
+            None if has_room => holes.push(hole),
+            None => break,
+        }
+    }
+    holes
+}
+
+/// Whether a motion cuts straight into the side of the work, for a hole.
+pub fn goes_into_side(motion: &Motion, tool: &ResolvedTool) -> bool {
+    let of_cycle = motion.cycle.is_some_and(|step| step.cycle.family() == CycleFamily::SideHole);
+    let straight = motion.from.z == motion.to.z && motion.to.x < motion.from.x;
+    straight && motion.kind.cuts() && (of_cycle || motion.cycle.is_none() && tool.is_live_drill())
+}
+
+/// A cut straight into the face or the side.
+fn hole(motion: &Motion, tool: &ResolvedTool, part: &Region, c: f64) -> Option<LiveHole> {
+    let (from, to) = (motion.from, motion.to);
+    let into_face = from.x == to.x && to.z < from.z && to.x > SAME;
+    let of_cycle = |family| motion.cycle.is_some_and(|step| step.cycle.family() == family);
+    let into_face =
+        into_face && (of_cycle(CycleFamily::FaceHole) || motion.cycle.is_none() && tool.is_live_drill());
+    let is_hole = into_face || goes_into_side(motion, tool);
+    let known = motion.virtual_move().is_none() && !motion.process.uncertain && !motion.process.elsewhere;
+    if !is_hole || !known || !motion.kind.cuts() || !tool.is_live_in(motion) {
+        return None;
+    }
+    let radius = tool.tool.cutter_radius().or(tool.tool.geometry_r).filter(|radius| *radius > 0.0)?;
+    Some(LiveHole { mouth: mouth(part, from, to)?, bottom: to, c, radius })
+}
+
+/// The first place of material on a straight way along an axis.
+fn mouth(part: &Region, from: Point, to: Point) -> Option<Point> {
+    let along_z = from.x == to.x;
+    let (at, low, high) = if along_z { (from.x, to.z, from.z) } else { (from.z, to.x, from.x) };
+    let turned = |point: Point| if along_z { (point.x, point.z) } else { (point.z, point.x) };
+    let mut first: Option<f64> = None;
+    for (a, b) in part.edges() {
+        let ((a_beside, a_along), (b_beside, b_along)) = (turned(a), turned(b));
+        if (a_beside - at) * (b_beside - at) > 0.0 || (a_beside - b_beside).abs() <= SAME {
+            continue;
+        }
+        let crossing = a_along + (at - a_beside) / (b_beside - a_beside) * (b_along - a_along);
+        if (low..=high).contains(&crossing) {
+            first = Some(first.map_or(crossing, |own| own.max(crossing)));
+        }
+    }
+    // A peck that goes on inside the material begins where it is.
+    let within = || part.holds(from).then_some(high);
+    let along = first.or_else(within)?;
+    Some(if along_z { Point::new(at, along) } else { Point::new(along, at) })
+}
+
+fn is_on_line(mouth: Point, bottom: Point, place: Point) -> bool {
+    let same = |a: f64, b: f64| (a - b).abs() <= SAME;
+    if same(mouth.x, bottom.x) { same(place.x, mouth.x) } else { same(place.z, mouth.z) }
+}
+
+fn deeper(bottom: Point, place: Point, mouth: Point) -> bool {
+    place.distance(mouth) > bottom.distance(mouth)
+}

@@ -1,0 +1,59 @@
+//! What is left between the end of a thread and a shoulder beyond it.
+//!
+//! In: the cuts of threads one after the other, with the work before each. Out: a [`ShortRunOut`] at the first pass of a
+//! thread whose slide cannot come to rest before the shoulder. Must not know messages.
+
+use super::region::Region;
+use super::thread_depth::crest;
+use crate::geometry::{Point, SAME};
+use crate::motion::{Motion, SpindleSpeed};
+
+/// So much above the crest of the thread begins a shoulder, mm: less is a burr or the diameter before finishing.
+const SHOULDER: f64 = 0.5;
+
+/// δ2 = n·L / 1800 (seed 001).
+const RUN_OUT: f64 = 1800.0;
+
+/// In so many steps the way beyond the end is looked at.
+const STEPS: u32 = 20;
+
+/// A thread that ends too near a shoulder. Lengths in mm.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ShortRunOut {
+    /// From its end to the shoulder.
+    pub have: f64,
+    /// The way in which the slide comes to rest.
+    pub need: f64,
+}
+
+/// The thread under way: its tool, and Z of its end.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct RunOuts(Option<((u16, u16), f64)>);
+
+impl RunOuts {
+    /// A cut along a thread; returns its run-out where that is too short and it is the first pass.
+    pub fn pass<'a>(&mut self, motion: &Motion, work: impl FnOnce() -> &'a Region) -> Option<ShortRunOut> {
+        let (from, to) = (motion.from, motion.to);
+        let lead = motion.lead?.abs();
+        let is_cylinder = (to.x - from.x).abs() <= SAME && to.x > SAME && (to.z - from.z).abs() > lead;
+        let SpindleSpeed::Constant(speed) = motion.process.speed else { return None };
+        if !is_cylinder {
+            return None;
+        }
+        let before = self.0.replace((motion.process.tool, to.z));
+        if before.is_some_and(|(tool, end)| tool == motion.process.tool && (end - to.z).abs() < lead) {
+            return None;
+        }
+        let work = work();
+        let (crest, side) = crest(work, motion, lead)?;
+        let need = speed * lead / RUN_OUT;
+        let is_wall = |way: f64| {
+            let z = to.z + (to.z - from.z).signum() * way;
+            work.holds(Point::new(crest + side * SHOULDER, z))
+        };
+        let at = |step: u32| need * f64::from(step) / f64::from(STEPS);
+        let wall = (0..STEPS).find(|&step| is_wall(at(step + 1)))?;
+        // In the shoulder itself the tool comes out at rapid: that is reported.
+        (!is_wall(-at(1))).then(|| ShortRunOut { have: at(wall), need })
+    }
+}

@@ -1,0 +1,205 @@
+//! The moves over a surface of the work: a picture of its own beside the section.
+//!
+//! In: moves as they run in the plane of the picture, each with the motion of the run it is, or the piece of it. Out:
+//! [`SurfaceMoves`], whose [`Scene`] is drawn, picked in and exported as the section is; where the tool is there, and what its
+//! cutters sweep. Must not know which surface it is.
+
+use std::f64::consts::TAU;
+use std::ops::Range;
+
+use super::path_index::PathIndex;
+use super::ruler::Axis;
+use super::work::{ToolOutline, Work};
+use super::{Place, Plane, Scene};
+use crate::geometry::virtual_plane::Way;
+use crate::geometry::{Point, Turn};
+use crate::machine::resolved_setup::ResolvedTool;
+use crate::machine::sweep::{self, way_of};
+use crate::motion::{Chunk, Motion, MotionKind, Motions};
+use crate::playback::clock::Playhead;
+use crate::source::Span;
+
+/// Most moves whose swept area is worked out; of more only the paths are drawn.
+const MOST_SWEPT: usize = 2000;
+
+/// Corners that a circle is drawn with.
+const CORNERS: u32 = 256;
+
+/// A motion of a run.
+pub(super) struct Passed {
+    /// Its number.
+    pub index: usize,
+    pub motion: Motion,
+    pub block: (Span, u32),
+    /// Where C stands after it, degrees.
+    pub c: f64,
+}
+
+/// The motions of a run, one after the other.
+pub(super) fn passed(motions: &Motions) -> impl Iterator<Item = Passed> {
+    let all = motions
+        .chunks()
+        .iter()
+        .flat_map(|chunk| (0..chunk.len()).map(move |at| (chunk.get(at), (chunk.span(at), chunk.line(at)))));
+    let mut c = 0.0;
+    all.enumerate().map(move |(index, (motion, block))| {
+        c = motion.rotary.map_or(c, |rotary| rotary.to);
+        Passed { index, motion, block, c }
+    })
+}
+
+/// Moves over a surface, and what they do there.
+#[derive(Clone, Debug)]
+pub struct SurfaceMoves {
+    /// The moves, in the plane of the picture.
+    motions: Motions,
+    path_index: PathIndex,
+    /// For each of them what it is of the run, in order.
+    of: Vec<Origin>,
+    plane: Plane,
+    axes: [Axis; 2],
+}
+
+/// What a move of the picture is of the run.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Origin {
+    /// The motion of the run.
+    pub motion: usize,
+    /// From which share of the motion it goes to which, 0 to 1.
+    pub shares: [f64; 2],
+    /// What its cutter sweeps, as a radius in mm, where that is known and it cuts.
+    pub cutter: Option<f64>,
+}
+
+/// A list of such moves in the making.
+#[derive(Default)]
+pub(super) struct Gathered {
+    own: Option<Chunk>,
+    of: Vec<Origin>,
+}
+
+impl Gathered {
+    /// One more move of the block at a place of the text.
+    pub fn push(&mut self, flat: &Motion, (span, line): (Span, u32), origin: Origin) {
+        self.own.get_or_insert_with(|| Chunk::new(0, 0, flat.from)).push(flat, span, line);
+        self.of.push(origin);
+    }
+
+    /// How many there are.
+    pub fn len(&self) -> usize {
+        self.of.len()
+    }
+
+    /// All of them, in their plane, with the axes along its bottom and its left edge; nothing where there are none.
+    pub fn finish(self, plane: Plane, axes: [Axis; 2]) -> Option<SurfaceMoves> {
+        let mut motions = Motions::default();
+        motions.push(self.own?);
+        let path_index = PathIndex::of(&motions);
+        Some(SurfaceMoves { motions, path_index, of: self.of, plane, axes })
+    }
+}
+
+impl SurfaceMoves {
+    /// The picture.
+    pub fn scene<'a>(&'a self, work: Option<&'a Work>) -> Scene<'a> {
+        Scene::new(&self.motions, &self.path_index, work).on(self.plane).with_axes(self.axes)
+    }
+
+    /// The motion of the run that a move of this picture is.
+    pub fn motion(&self, own: usize) -> Option<usize> {
+        self.of.get(own).map(|of| of.motion)
+    }
+
+    /// The moves of this picture that a motion of the run is: none, one, or its pieces.
+    pub fn own(&self, motion: usize) -> Range<usize> {
+        self.before(motion)..self.of.partition_point(|of| of.motion <= motion)
+    }
+
+    /// How many of its moves are of motions of the run before `motion`.
+    pub(super) fn before(&self, motion: usize) -> usize {
+        self.of.partition_point(|of| of.motion < motion)
+    }
+
+    /// The playhead of this picture, when the tool is at a place of the run: on one of its
+    /// moves, or before the next one.
+    pub fn playhead(&self, place: Place) -> Playhead {
+        let own = self.own(place.motion);
+        let motion = own.clone().find(|&own| place.fraction <= self.of[own].shares[1]).unwrap_or(own.start);
+        let share = if own.is_empty() { 0.0 } else { self.share_of(motion, place.fraction) };
+        Playhead { motion, share }
+    }
+
+    /// How much of one of its moves is done when so much of its motion is.
+    fn share_of(&self, own: usize, fraction: f64) -> f64 {
+        let [from, to] = self.of[own].shares;
+        if to > from { ((fraction - from) / (to - from)).clamp(0.0, 1.0) } else { 1.0 }
+    }
+
+    /// The cutter, where it is on one of the moves.
+    pub(super) fn tool(&self, place: Place) -> Option<ToolOutline> {
+        let Playhead { motion, share } = self.playhead(place);
+        let of = self.of.get(motion).filter(|of| of.motion == place.motion)?;
+        let tip = self.scene(None).stroke(motion)?.shape.at(share);
+        let edge = sweep::Outline::around(circle(of.cutter?)).at(tip);
+        Some(ToolOutline { edge, body: None, tip })
+    }
+
+    /// What the cutters sweep: in all moves, or in those before a place of the run and in a part of the one there.
+    pub(super) fn swept(&self, place: Option<Place>) -> Vec<Vec<Point>> {
+        if self.of.len() > MOST_SWEPT {
+            return Vec::new();
+        }
+        let mut swept = Vec::new();
+        let mut cutter: Option<(f64, sweep::Outline)> = None;
+        for (index, of) in self.of.iter().enumerate() {
+            let share = match place {
+                Some(at) if of.motion > at.motion => break,
+                Some(at) if of.motion == at.motion && at.fraction <= of.shares[0] => break,
+                Some(at) if of.motion == at.motion => self.share_of(index, at.fraction),
+                _ => 1.0,
+            };
+            let Some(radius) = of.cutter else { continue };
+            let motion = self.motions.get(index);
+            let motion = if share < 1.0 { motion.first_part(share) } else { motion };
+            let outline = match cutter.take() {
+                Some((own, outline)) if own == radius => outline,
+                _ => sweep::Outline::around(circle(radius)),
+            };
+            swept.extend(outline.along(&way_of(&motion)));
+            cutter = Some((radius, outline));
+        }
+        swept
+    }
+}
+
+/// A motion as it runs along a way in the plane of a picture.
+pub(super) fn on_way(motion: &Motion, way: &Way) -> Motion {
+    let (kind, from, to, center) = match *way {
+        Way::Line(from, to) => (MotionKind::Feed, from, to, None),
+        Way::Arc(arc) => {
+            let kind = match arc.turn {
+                Turn::Clockwise => MotionKind::ArcClockwise,
+                Turn::Counterclockwise => MotionKind::ArcCounterclockwise,
+            };
+            (kind, arc.start, arc.end, Some(arc.center))
+        }
+    };
+    let kind = if motion.kind.cuts() { kind } else { motion.kind };
+    Motion { kind, from, to, center, rotary: None, lead: None, cycle: None, ..*motion }
+}
+
+/// The radius of a live tool, mm, where somebody has said it.
+pub(super) fn cutter_radius(resolved_tool: &ResolvedTool) -> Option<f64> {
+    let tool = &resolved_tool.tool;
+    let radius = tool.cutter_radius().or(tool.geometry_r)?;
+    (radius > 0.0 && radius.is_finite()).then_some(radius)
+}
+
+/// A circle about the origin as a polygon, counter-clockwise.
+pub(super) fn circle(radius: f64) -> Vec<Point> {
+    let corner = |index: u32| {
+        let angle = TAU * f64::from(index) / f64::from(CORNERS);
+        Point::new(radius * angle.sin(), radius * angle.cos())
+    };
+    (0..CORNERS).map(corner).collect()
+}

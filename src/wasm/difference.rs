@@ -1,0 +1,86 @@
+//! Another version of the program beside it, for JavaScript.
+//!
+//! In: the program as it has run, and another one that has. Out: what differs, in the reader's language, and a drawing of both.
+
+use wasm_bindgen::prelude::*;
+
+use super::{Playground, to_js};
+use crate::api;
+use crate::difference::{ProgramDifference, Version};
+use crate::parts::in_part;
+use crate::scene::camera::XPlus;
+use crate::scene::ruler::Scale;
+use crate::scene::svg::{SvgOptions, overlay};
+use crate::sentences::difference::{Said, said, said_with};
+use crate::sentences::labels;
+use crate::setup::Setup;
+
+/// Parts of longer programs are not laid over each other here: the page waits for the answer.
+const MOST_MOTIONS: usize = 5_000;
+
+#[wasm_bindgen]
+impl Playground {
+    /// Another program under the same setup, in the same language. It has to run ([`Self::advance`]) and its material has to be taken
+    /// off before it is compared.
+    pub fn another(&self, text: String) -> Playground {
+        let mut other = Playground::new();
+        other.setup = Setup { tried: Vec::new(), ..self.setup.clone() };
+        other.language = self.language;
+        other.begin(text.into_bytes());
+        other
+    }
+
+    /// What differs between another version of the program, which is the first, and this one.
+    #[wasm_bindgen(js_name = differenceFrom, unchecked_return_type = "ProgramDifference")]
+    pub fn difference_from(&self, other: &Playground) -> Result<JsValue, JsValue> {
+        difference(self, other)
+    }
+
+    /// The tool paths of both as SVG, with a legend; `names` are those of the other one and of this one.
+    #[wasm_bindgen(js_name = drawnWith)]
+    pub fn drawn_with(&self, other: &Playground, first: String, second: String) -> String {
+        drawn(self, other, first, second)
+    }
+}
+
+in_part! {
+    Tools "0870"
+    fn difference(playground: &Playground, other: &Playground) -> Result<JsValue, JsValue> {
+        let both = [other, playground];
+        let found = both.map(Playground::all_diagnostics);
+        let setups = both.map(Playground::setup_to_compare);
+        let versions = [0, 1].map(|side| {
+            let run = both[side].current.run();
+            Version {
+                text: run.text(),
+                motions: run.motions(),
+                diagnostics: &found[side],
+                setup: &setups[side],
+                codes: run.code_list(),
+                unit: run.state().unit,
+            }
+        });
+        let differ = ProgramDifference::of(versions);
+        let (unit, language) = (playground.current.unit(), playground.language);
+        to_js(&api::difference::ProgramDifference::new(&differ, both.map(Playground::places), unit, language))
+    }
+
+    Tools "0871"
+    fn drawn(playground: &Playground, other: &Playground, first: String, second: String) -> String {
+        let language = playground.language;
+        let [first, second] = [first, second].map(|name| said_with(Said::OnlyIn, &name, language));
+        let legend = [first, second, said(Said::InBoth, language).to_owned()];
+        let unit = playground.current.unit();
+        let scale = Scale { symbol: labels::unit_of_ruler(unit, language), ..Scale::of(unit) };
+        let options = SvgOptions { x_plus: XPlus::from(playground.current.turret()), scale, ..SvgOptions::default() };
+        overlay([other, playground].map(|own| own.current.motions()), &legend, &options)
+    }
+}
+
+impl Playground {
+    fn setup_to_compare(&self) -> Setup {
+        let mut setup = self.current.run().setup().clone();
+        setup.limits.part_motions = setup.limits.part_motions.min(MOST_MOTIONS);
+        setup
+    }
+}

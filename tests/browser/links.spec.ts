@@ -1,0 +1,192 @@
+// What a link holds, without a page: the links that are stored, for ever; the length of new ones; broken and hostile ones.
+// What the page does with them is in `share.spec.ts`.
+import { readdirSync, readFileSync } from 'node:fs';
+import { join } from 'node:path';
+import { deflateRawSync } from 'node:zlib';
+import { LINK_LIMIT } from '../../www/src/files/link-limit';
+import { linkOf as made, NOTHING_SAID, openedLink, type LinkFault, type Shared } from '../../www/src/files/shared-link';
+import { UNPACKED_LIMIT } from '../../www/src/files/packed-text';
+import { writtenLink } from '../../www/src/files/written-link';
+import { inAddress as inPage, type InAddress } from '../../www/src/page/linked';
+import { chromiumTest as test, expect } from './engines';
+import { random, randomShared, randomText, storedLinks, wellFormed } from './links';
+
+const PROGRAMS = join(__dirname, '..', 'programs');
+
+function read(path: string): string | null {
+  try {
+    return readFileSync(join(PROGRAMS, path), 'utf8');
+  } catch {
+    return null;
+  }
+}
+
+/** As the page does it, which loads what unpacks when it is first needed. */
+async function inAddress(hash: string): Promise<InAddress> {
+  if (!hash.startsWith('#share=')) return inPage(hash);
+  const opened = await openedLink(hash);
+  return opened.kind === 'shared' ? { kind: 'linked', linked: opened.shared } : opened;
+}
+
+async function linkOf(shared: Shared): Promise<string> {
+  const link = await made(shared);
+  if (link.kind !== 'link') throw new Error(JSON.stringify(link));
+  return link.link;
+}
+
+async function opened(hash: string): Promise<Shared> {
+  const found = await inAddress(hash);
+  if (found.kind !== 'linked') throw new Error(`${hash.slice(0, 80)}: ${JSON.stringify(found)}`);
+  return found.linked;
+}
+
+async function faultOf(hash: string): Promise<LinkFault['kind'] | 'not-loaded' | 'none'> {
+  const found = await inAddress(hash);
+  return found.kind === 'fault' ? found.fault.kind : 'none';
+}
+
+/** A link whose check is right, whatever it holds. */
+function forged(body: string): string {
+  let crc = -1;
+  for (const letter of Buffer.from(body, 'latin1')) {
+    crc ^= letter;
+    for (let bit = 0; bit < 8; bit++) crc = (crc >>> 1) ^ ((crc & 1) === 0 ? 0 : 0xedb88320);
+  }
+  return `#share=1.${body.length + 8}.${body}${(~crc >>> 0).toString(16).padStart(8, '0')}`;
+}
+
+const packedJson = (value: unknown): string => forged(`z${deflateRawSync(JSON.stringify(value)).toString('base64url')}`);
+
+test('every stored link opens what it opened when it was stored', async () => {
+  const stored = storedLinks();
+  expect(new Set(stored.map(({ version }) => version))).toEqual(new Set([0, 1]));
+  for (const { what, link, opens } of stored) expect(await opened(link), what).toEqual({ ...NOTHING_SAID, ...opens });
+});
+
+test('a link of each program of the tests is at most 300 characters longer than its text, and opens it', async () => {
+  let count = 0;
+  for (const id of readdirSync(PROGRAMS)) {
+    const text = read(join(id, 'program.nc'));
+    if (text === null) continue;
+    count++;
+    const shared: Shared = { ...NOTHING_SAID, text, setup: read(join(id, 'setup.json')), control: 'fanuc', language: 'ru', step: '12', view: 'playback' };
+    const link = await linkOf(shared);
+    expect(link.length, id).toBeLessThanOrEqual(300 + text.length);
+    expect(await opened(link), id).toEqual(shared);
+  }
+  expect(count).toBeGreaterThan(50);
+});
+
+test('a link is at most 300 characters longer than any text of the letters of programs, setup and text counted', async () => {
+  const next = random(7);
+  for (let round = 0; round < 200; round++) {
+    const length = Math.floor(next() ** 3 * 30_000);
+    const letters = '0123456789.-+ABCDFGHIJKLMNOPQRSTUVWXYZ #[]()/=*;%\n';
+    const text = Array.from({ length }, () => letters[Math.floor(next() * letters.length)]).join('');
+    const shared = { ...NOTHING_SAID, text, control: 'gsk', language: 'zh', step: 'line 99', setup: round % 2 === 0 ? null : '{"stock":{"diameter":60,"length":80}}' };
+    const link = await linkOf(shared);
+    expect(link.length).toBeLessThanOrEqual(300 + text.length);
+    expect((await opened(link)).text).toBe(text);
+  }
+});
+
+test('noise of all of Unicode comes back as it was, and never takes more than four thirds of its bytes', async () => {
+  const next = random(11);
+  for (let round = 0; round < 500; round++) {
+    const shared = randomShared(next);
+    const link = await linkOf(shared);
+    const bytes = Buffer.byteLength(JSON.stringify([shared.text, shared.setup, shared.file, shared.task]));
+    expect(link.length).toBeLessThanOrEqual(300 + (bytes * 4) / 3);
+    expect(await opened(link)).toEqual(shared);
+  }
+});
+
+test('an address in plain text comes back as it was', async () => {
+  const next = random(13);
+  for (let round = 0; round < 200; round++) {
+    const shared = JSON.parse(wellFormed(JSON.stringify(randomShared(next))).replace(/\\ud[89a-f]../g, '\ufffd')) as Shared;
+    const { text, setup, control, blockSkip, language, view, step, readonly } = shared;
+    const said = { text, setup, control, blockSkip, program: null, language, view, step, readonly };
+    expect(await opened(`#${writtenLink(said)}`)).toEqual({ ...NOTHING_SAID, ...said });
+  }
+});
+
+test('what mail programs do to a link is no harm: broken lines, a full stop after it', async () => {
+  const shared = { ...NOTHING_SAID, text: randomText(random(3), 400) };
+  const link = await linkOf(shared);
+  for (const changed of [`${link}.`, `${link}).`, `${link}&utm_source=mail`, link.replace(/(.{70})/g, '$1%0A'), link.replace(/(.{70})/g, '$1 ')]) {
+    expect((await opened(changed)).text, changed.slice(-20)).toBe(shared.text);
+  }
+});
+
+test('a link that is cut anywhere says so, and how much is missing', async () => {
+  for (const { link, version } of storedLinks()) {
+    if (version === 0) continue;
+    for (let length = '#share='.length; length < link.length; length++) {
+      const found = await inAddress(link.slice(0, length));
+      expect(found, link.slice(0, length)).toMatchObject({ kind: 'fault', fault: { kind: 'cut' } });
+      const missing = found.kind === 'fault' && found.fault.kind === 'cut' ? found.fault.missing : undefined;
+      if (missing !== undefined) expect(missing).toBe(link.length - length);
+    }
+    // Without its mark it is the address of nothing we know.
+    for (let length = 2; length < '#share='.length; length++) expect(await faultOf(link.slice(0, length))).toBe('unknown');
+  }
+});
+
+test('a link with any one character changed never opens another program', async () => {
+  const next = random(5);
+  for (const { link, version } of storedLinks()) {
+    if (version === 0) continue;
+    for (let at = 1; at < link.length; at++) {
+      for (const other of ['A', '.', String.fromCharCode(33 + Math.floor(next() * 90))]) {
+        const changed = link.slice(0, at) + other + link.slice(at + 1);
+        if (changed === link) continue;
+        expect(await faultOf(changed), changed).not.toBe('none');
+      }
+    }
+  }
+});
+
+test('a link of a newer version says so, also where this one would not understand it', async () => {
+  for (const hash of ['#share=2.17.anything', '#share=2', '#share=17.%7B%7D', '#share=999999.']) expect(await faultOf(hash), hash).toBe('newer');
+  // A key that this version does not know is no reason to open half of a link.
+  expect(await faultOf(packedJson({ p: 'G0 X1', z: 'new' }))).toBe('damaged');
+});
+
+test('hostile links are refused: wrong types, missing fields, no JSON, no stream, no base64', async () => {
+  const bodies: unknown[] = [
+    null, 1, 'G0', [], {}, { p: 1 }, { p: null }, { p: ['G0'] }, { p: 'G0', s: {} }, { p: 'G0', r: true }, { p: 'G0', r: 'x' }, { p: 'G0', c: 'x'.repeat(201) }, { p: 'G0', f: 'name' }, { p: 'G0', e: 'utf-8' },
+    { p: 'G0', q: 'a task without a solution' }, { p: 'G0', a: 7 }, { p: 'G0', __proto__x: '' }, { p: 'G0', constructor: 'x' }, { s: '{}' },
+  ];
+  for (const body of bodies) expect(await faultOf(packedJson(body)), JSON.stringify(body)).toBe('damaged');
+  expect(await faultOf(forged(`z${deflateRawSync('{"p":"G0","__proto__":{"p":"G1"}}').toString('base64url')}`))).toBe('damaged');
+  for (const body of ['z', 'b', 'x', 'q123', 'z!!!!', 'b%%%', `z${Buffer.from('no stream').toString('base64url')}`, `b${Buffer.from('{"p":').toString('base64url')}`, `b${Buffer.from([0xff, 0xfe]).toString('base64url')}`]) {
+    expect(await faultOf(forged(body)), body).toBe('damaged');
+  }
+  for (const hash of ['#share=', '#share=x', '#share=-1.', '#share=0.12.b', '#share=1.-5.b', '#share=1.5.bAAAA', '#share=1.999999999999.b', '#share=1.8.b0000000']) expect(await faultOf(hash), hash).not.toBe('none');
+});
+
+test('a small link that unpacks to very much is stopped at the limit', async () => {
+  const bomb = forged(`z${deflateRawSync(Buffer.alloc(300_000_000, 'A'), { level: 9 }).toString('base64url')}`);
+  expect(bomb.length).toBeLessThan(LINK_LIMIT);
+  const before = process.memoryUsage().arrayBuffers;
+  expect(await faultOf(bomb)).toBe('unpacked-too-long');
+  expect(process.memoryUsage().arrayBuffers - before).toBeLessThan(50_000_000);
+});
+
+test('no link is made that could not be opened', async () => {
+  const next = random(17);
+  const noise = Array.from({ length: 1_200_000 }, () => String.fromCharCode(33 + Math.floor(next() * 90))).join('');
+  expect(await made({ ...NOTHING_SAID, text: noise })).toMatchObject({ kind: 'too-long', limit: LINK_LIMIT });
+  expect(await made({ ...NOTHING_SAID, text: 'G1 X1\n'.repeat(600_000) })).toMatchObject({ kind: 'too-long', limit: UNPACKED_LIMIT });
+  const long = 'G1 X1\n'.repeat(500_000);
+  expect((await opened(await linkOf({ ...NOTHING_SAID, text: long }))).text).toBe(long);
+});
+
+test('an address of two million characters is refused without a look at it', async () => {
+  for (const hash of [`#share=1.${'A'.repeat(2_000_000)}`, `#share=1.1999999.z${'A'.repeat(2_000_000)}`, `#program=${'A'.repeat(2_000_000)}`, `#${'%20'.repeat(700_000)}`]) {
+    expect(await faultOf(hash)).toBe('too-long');
+  }
+  const opened = await openedLink(`#share=1.${'A'.repeat(2_000_000)}`);
+  expect(opened).toMatchObject({ kind: 'fault', fault: { limit: LINK_LIMIT } });
+});

@@ -1,0 +1,158 @@
+// The page without a network: after the first visit all of it is there, a newer version is announced and never put in the
+// place of the one that is open, and a part that is not there says so and is tried again.
+import { join } from 'node:path';
+import { expect, test, type Page } from './engines';
+import { motionCount, editor, openFile, tab, type, value } from './page';
+import { DIST, nextBuild, storedSite, type StoredSite } from './stored-site';
+
+test.use({ storing: 'on' });
+// All of the page is fetched, and that more than once.
+test.setTimeout(180_000);
+
+/** Of the program; the line about a newer version is one, too. */
+const status = (page: Page) => page.locator('gcode-playground').getByRole('status');
+const stored = (page: Page) => page.getByText(/^(Works offline|可离线使用|Работает без сети)$/);
+const news = (page: Page) => page.getByText('There is a newer version of this page.');
+
+async function visit(page: Page, site: StoredSite, hash = ''): Promise<void> {
+  await page.goto(`${site.address}${hash}`);
+  await expect(status(page)).toContainText(/\d/);
+  await expect(status(page)).not.toContainText('…');
+}
+
+async function visitAndStore(page: Page, site: StoredSite, hash = ''): Promise<void> {
+  await visit(page, site, hash);
+  await expect.poll(() => stored(page).count(), { timeout: 60_000 }).toBe(1);
+}
+
+async function closed(page: Page): Promise<void> {
+  await page.keyboard.press('Escape');
+  await expect(page.getByRole('dialog')).toHaveCount(0);
+}
+
+test('after the first visit everything works without a network', async ({ page }) => {
+  const site = await storedSite();
+  await visitAndStore(page, site);
+  await site.stop();
+
+  await test.step('reload', async () => {
+    await page.reload();
+    await expect(status(page)).toContainText(/\d+ motions/);
+    await expect(status(page)).not.toContainText('…');
+    await expect(stored(page)).toBeVisible();
+  });
+  await test.step('gallery and another example', async () => {
+    await page.getByRole('button', { name: 'Gallery…' }).click();
+    await page.getByRole('dialog', { name: 'Gallery' }).getByRole('button', { name: /G71/ }).first().click();
+    await page.getByLabel('Example').selectOption('s003-g71');
+    await expect(status(page)).toContainText(`${motionCount('s003-g71')} motions`);
+  });
+  await test.step('the part in 3D', async () => {
+    await page.getByRole('button', { name: 'Show the part as a solid' }).click();
+    const dialog = page.getByRole('dialog', { name: 'The part, a quarter cut away' });
+    // A browser without WebGL says that.
+    await expect(dialog.getByRole('img', { name: /three dimensions/ }).or(dialog.getByText('WebGL'))).toBeVisible();
+    await closed(page);
+  });
+  await test.step('setup', async () => {
+    await page.getByRole('button', { name: /^Setup/ }).click();
+    await expect(page.getByRole('dialog', { name: /Setup/ })).toBeVisible();
+    await closed(page);
+  });
+  await test.step('export', async () => {
+    if ((await page.getByRole('button', { name: 'Export' }).count()) === 0) await tab(page, 'state').click();
+    const saved = page.waitForEvent('download');
+    await page.getByRole('button', { name: 'Export' }).click();
+    await page.getByRole('menuitem', { name: /SVG/ }).click();
+    expect((await saved).suggestedFilename()).toBe('program.svg');
+  });
+  await test.step('help at the word', async () => {
+    await editor(page).focus();
+    await page.keyboard.press('Control+Home');
+    await expect(page.getByRole('region', { name: /^At the cursor/ })).toContainText(/\w/);
+  });
+  await test.step('languages', async () => {
+    await page.getByLabel('Language').selectOption('zh');
+    await expect(status(page)).toContainText('段运动');
+    await page.getByLabel('语言').selectOption('ru');
+    await expect(status(page)).toContainText('перемещени');
+    await expect(stored(page)).toBeVisible();
+  });
+  await test.step('a program is kept', async () => {
+    await type(page, 'G00 X50 Z2\nG01 X40 Z-20 F0.2\nM30\n');
+    await expect(status(page)).toContainText('2 перемещени');
+    await page.reload();
+    await expect(status(page)).toContainText('2 перемещени');
+    expect(await value(page)).toContain('X40 Z-20');
+  });
+  await test.step('pages of rules, with their pictures', async () => {
+    await page.goto(`${site.address}rules/ru/absolute-and-incremental.html`);
+    await expect(page.getByRole('heading', { level: 1 })).toBeVisible();
+    await expect.poll(() => page.evaluate(() => [...document.images].every(({ complete, naturalWidth }) => complete && naturalWidth > 0) && document.images.length)).toBeGreaterThan(0);
+    await page.goto(`${site.address}rules/zh/`);
+    await expect(page.getByRole('heading', { level: 1 })).toBeVisible();
+  });
+  await test.step('reference', async () => {
+    await page.goto(`${site.address}docs/limits.html`);
+    await expect(page.getByRole('heading', { name: 'Limits', level: 1 })).toBeVisible();
+  });
+});
+
+test('a newer version is announced, and comes when the reader wants it', async ({ page }) => {
+  const site = await storedSite();
+  await visitAndStore(page, site);
+  site.publish(nextBuild());
+  // The tab of the first visit goes on; so does the next one, which finds the newer version.
+  await page.reload();
+  await expect.poll(() => news(page).count(), { timeout: 60_000 }).toBe(1);
+  expect(await page.evaluate(() => document.querySelector('meta[name=build]'))).toBe(null);
+  await type(page, 'G00 X50 Z2\nG01 X40 Z-20 F0.2\nM30\n');
+  await expect(status(page)).toContainText('2 motions');
+  await page.getByLabel('Example').selectOption('s003-g71');
+  await expect(status(page)).toContainText(`${motionCount('s003-g71')} motions`);
+  expect(await value(page)).not.toContain('NEXT');
+  await type(page, 'G00 X50 Z2\nG01 X40 Z-30 F0.2\nM30\n');
+
+  await page.getByRole('button', { name: 'Reload', exact: true }).click();
+  await expect.poll(() => page.evaluate(() => document.querySelector('meta[name=build]')?.getAttribute('content') ?? '').catch(() => ''), { timeout: 30_000 }).toBe('next');
+  await expect(status(page)).toContainText('2 motions');
+  expect(await value(page)).toContain('X40 Z-30');
+  await expect(news(page)).toHaveCount(0);
+  await site.stop();
+  await page.getByLabel('Example').selectOption('s003-g71');
+  await expect.poll(() => value(page)).toContain('NEXT');
+  await page.reload();
+  await expect(status(page)).toContainText(/\d+ motions/);
+});
+
+test('a page that is not stored says what is missing, and tries again', async ({ page }) => {
+  const site = await storedSite();
+  // The service worker cannot be had: nothing is stored.
+  site.publish(new Map([['service-worker.js', undefined]]));
+  await visit(page, site);
+  await expect(page.getByText('Not stored for offline use')).toBeVisible();
+  await site.stop();
+  await openFile(page, 'part.nc', Buffer.from('G00 X50 Z2\nG01 X40 Z-25 F0.2\nM30\n'));
+  const notice = page.getByRole('alert').filter({ hasText: 'the network is missing' });
+  await expect(notice).toBeVisible();
+  await page.getByRole('button', { name: 'Gallery…' }).click();
+  await expect(page.getByText('The examples could not be loaded')).toBeVisible();
+  await site.start();
+  // The gallery comes by itself, unless the reader has gone on to something else.
+  await page.evaluate(() => void dispatchEvent(new Event('online')));
+  await page.getByRole('dialog', { name: 'Gallery' }).getByRole('button', { name: 'Close', exact: true }).click();
+  // What would put another text in the place of this one waits for the reader.
+  const there = page.getByRole('alert').filter({ hasText: 'what was missing is there now' });
+  await expect(there).toBeVisible();
+  expect(await value(page)).not.toContain('Z-25');
+  await there.getByRole('button', { name: 'Open' }).click();
+  await expect.poll(() => value(page)).toContain('Z-25');
+  await site.stop();
+});
+
+test('opened from a disk the page says what to do instead', async ({ page }) => {
+  await page.goto(`file://${join(DIST, 'index.html')}`);
+  for (const text of ['From a disk a browser loads no part of this page.', '直接从磁盘打开时', 'С диска браузер эту страницу не загружает.']) await expect(page.getByText(text)).toBeVisible();
+  await expect(page.getByText('python3 -m http.server 8000 --bind 127.0.0.1').first()).toContainText(`cd "${DIST}/"`);
+  await expect(page.getByRole('combobox')).toHaveCount(0);
+});

@@ -1,0 +1,109 @@
+// The rules of the list of the reader's own programs, without a browser: which earlier states stay, what a program is
+// called, and what a file or a store of anybody's may say.
+import { chromiumTest as test, expect } from './engines';
+import type * as Rules from '../../www/src/page/own-programs';
+import type * as Storage from '../../www/src/page/storage';
+
+const [SECOND, MINUTE, HOUR, DAY] = [1000, 60_000, 3_600_000, 86_400_000];
+const NOW = Date.UTC(2026, 10, 25, 12, 0, 30);
+const PROGRAM = { text: 'G0 X1', example: '', control: '' };
+
+let rules: typeof Rules;
+let storage: typeof Storage;
+
+test.beforeAll(async () => {
+  const items = new Map<string, string>();
+  const localStorage = new Proxy({
+    getItem: (key: string) => items.get(key) ?? null,
+    setItem: (key: string, value: string) => void items.set(key, value),
+    removeItem: (key: string) => void items.delete(key),
+  }, { ownKeys: () => [...items.keys()], getOwnPropertyDescriptor: () => ({ enumerable: true, configurable: true }) });
+  Object.assign(globalThis, { location: { pathname: '/' }, localStorage });
+  storage = await import('../../www/src/page/storage');
+  rules = await import('../../www/src/page/own-programs');
+});
+
+/** Ages of states that stay, of one state each `apart` up to `oldest`. */
+function staying(apart: number, oldest: number): number[] {
+  const states = Array.from({ length: Math.floor(oldest / apart) }, (_, i) => ({ time: NOW - i * apart, length: 10 }));
+  const gone = new Set(rules.superfluous(states, NOW));
+  return states.filter((state) => !gone.has(state)).map(({ time }) => NOW - time);
+}
+
+test('of the last ten minutes all states stay, of a day one for each ten minutes, before it one for each day', () => {
+  const recent = staying(15 * SECOND, 10 * MINUTE);
+  expect(recent).toHaveLength(40);
+  const ofToday = staying(MINUTE, 8 * HOUR).filter((age) => age >= 10 * MINUTE);
+  expect(ofToday.length).toBeGreaterThanOrEqual(47);
+  expect(ofToday.length).toBeLessThanOrEqual(48);
+  const before = staying(HOUR, 60 * DAY).filter((age) => age >= DAY);
+  expect(before.length).toBeGreaterThanOrEqual(59);
+  expect(before.length).toBeLessThanOrEqual(60);
+});
+
+test('there are never more than a hundred, nor more than so many characters, and the newest stay', () => {
+  const states = Array.from({ length: 500 }, (_, i) => ({ time: NOW - i * SECOND, length: 10 }));
+  const left = states.filter((state) => !rules.superfluous(states, NOW).includes(state));
+  expect(left).toEqual(states.slice(0, rules.LIMITS.states));
+  expect(rules.LIMITS.states).toBe(100);
+  const long = states.slice(0, 10).map((state) => ({ ...state, length: rules.LIMITS.stateUnits / 4 }));
+  expect(long.filter((state) => !rules.superfluous(long, NOW).includes(state))).toEqual(long.slice(0, 4));
+});
+
+test('a text becomes a state when the last one is a quarter of a minute old', () => {
+  expect(rules.isWorthAState([], NOW)).toBe(true);
+  expect(rules.isWorthAState([{ time: NOW - 14 * SECOND, length: 1 }], NOW)).toBe(false);
+  expect(rules.isWorthAState([{ time: NOW - 15 * SECOND, length: 1 }, { time: NOW - DAY, length: 1 }], NOW)).toBe(true);
+});
+
+test('a program is called after its file, its example, its number and comment, or its first line', () => {
+  const name = (text: string, file?: string, title?: string) =>
+    rules.nameOf({ ...PROGRAM, text, ...(file === undefined ? {} : { file: { name: file, encoding: 'utf-8' } }) }, title);
+  expect(name('O0011 (SHAFT)\nG0', 'part.nc', 'Example')).toBe('part.nc');
+  expect(name('O0011 (SHAFT)\nG0', undefined, 'Turning')).toBe('Turning');
+  expect(name('%\nO0011 (SHAFT)\nG0')).toBe('O0011 SHAFT');
+  expect(name('%\r\nO0011\r\n(SHAFT)')).toBe('O0011');
+  expect(name('\n  G00 X1  \nG1')).toBe('G00 X1');
+  expect(name(' \n')).toBe('');
+  expect([...name(`(${'長'.repeat(500)})`)]).toHaveLength(rules.LIMITS.name);
+  expect(rules.nameBeside('Shaft (2)', ['Shaft', 'Shaft (2)'])).toBe('Shaft (3)');
+});
+
+/** A value of each type that JSON has. */
+const ANY: readonly unknown[] = [undefined, null, true, 0, -1, 1e300, NaN, '', 'x', [], [[]], {}, { text: 1 }];
+
+test('each stored value of each type is read without a fault, and nothing of a wrong type comes out', () => {
+  for (const of of ANY) {
+    for (const key of ['gcode-playground:choices', 'gcode-playground:last:/', 'gcode-playground:program:/', 'gcode-playground:journal:/:0123456789abcdef:0123456789abcdef']) {
+      localStorage.setItem(key, JSON.stringify(of) ?? 'undefined');
+      expect(() => [storage.choices(), storage.lastEntry(), storage.journal()], `${key} ${JSON.stringify(of)}`).not.toThrow();
+    }
+    for (const field of ['language', 'theme', 'hints', 'split', 'textSize']) {
+      localStorage.setItem('gcode-playground:choices', JSON.stringify({ [field]: of }));
+      expect(storage.choices()).toEqual(typeof of === 'string' ? { [field]: of } : {});
+    }
+    for (const field of ['text', 'example', 'control', 'file', 'setup', 'blockSkip', 'program']) {
+      const read = storage.programIn({ ...PROGRAM, [field]: of });
+      for (const [name, value] of Object.entries(read ?? {})) expect(typeof value, `${name} of ${JSON.stringify(of)}`).toBe(name === 'file' ? 'object' : 'string');
+    }
+    for (const field of ['id', 'name', 'namedBy', 'created', 'changed', 'revision', 'tab', 'seen', 'length', 'words', 'picture']) {
+      const read = rules.listedIn({ id: '0123456789abcdef', [field]: of });
+      for (const [name, value] of Object.entries(read ?? {})) expect(typeof value).toBe(['id', 'name', 'namedBy', 'tab', 'words'].includes(name) ? 'string' : name === 'picture' || name === 'seen' ? 'object' : 'number');
+    }
+    for (const field of ['id', 'name', 'namedBy', 'created', 'changed', 'program', 'states']) {
+      const filed = { id: '0123456789abcdef', name: 'a', namedBy: 'program', created: 1, changed: 1, program: PROGRAM, states: [{ time: 1, program: PROGRAM }], [field]: of };
+      const read = rules.readFile(JSON.stringify({ format: 'gcode-playground programs', version: 1, programs: [filed] }));
+      expect(read.kind).toBe('programs');
+    }
+    expect(rules.readFile(JSON.stringify(of) ?? '').kind).toBe('another-format');
+  }
+});
+
+test('a program of a file goes beside one of the same id with another text', () => {
+  const filed = { id: '0123456789abcdef', name: 'a', namedBy: 'program', created: 1, changed: 1, program: PROGRAM, states: [] } as const;
+  expect(rules.importAs(filed, undefined)).toBe('new');
+  expect(rules.importAs(filed, { ...PROGRAM })).toBe('there-already');
+  expect(rules.importAs(filed, { ...PROGRAM, control: 'gsk' })).toBe('beside');
+  const back = rules.readFile(rules.fileOf([filed]));
+  expect(back).toEqual({ kind: 'programs', programs: [filed], unreadable: 0 });
+});

@@ -1,0 +1,71 @@
+// "My machine does otherwise": the report as a text, and as a folder for tests/programs.
+import { readFileSync } from 'node:fs';
+import { unzipSync, strFromU8 } from 'fflate';
+import { chromiumTest as test, type ChromiumPage, expect } from './engines';
+import { open, type } from './page';
+
+const PROGRAM = 'O0042\n(STOCK D=60 LENGTH=80)\nT0101\nG97 S800 M03\nG00 X62 Z2\nG90 X50 Z-20 F0.2\nX40\nG00 X100 Z100\nM30\n';
+/** By the rules of G90: in, along, out, back. */
+const DRAWN = [['rapid', 40, 2], ['feed', 40, -20], ['feed', 62, -20], ['rapid', 62, 2]] as const;
+
+const WORDS = {
+  en: { more: 'More', open: 'My machine does otherwise…', machine: 'Machine and control', did: 'What the machine did', line: 'Line of the block', copy: 'Copy', save: 'Save as a folder for tests' },
+  zh: { more: '更多', open: '我的机床动作不同…', machine: '机床与数控系统', did: '机床的实际动作', line: '程序段所在行', copy: '复制', save: '保存为测试文件夹' },
+  ru: { more: 'Ещё', open: 'Мой станок делает иначе…', machine: 'Станок и система ЧПУ', did: 'Что сделал станок', line: 'Строка кадра', copy: 'Копировать', save: 'Сохранить папку для тестов' },
+} as const;
+
+async function openReport(page: ChromiumPage, language: keyof typeof WORDS): Promise<void> {
+  await page.getByRole('button', { name: WORDS[language].more }).click();
+  await page.getByRole('button', { name: WORDS[language].open }).click();
+}
+
+for (const language of ['en', 'zh', 'ru'] as const) {
+  test(`a report has program, setup, block, what is drawn and what the machine did: ${language}`, async ({ page, context }) => {
+    await context.grantPermissions(['clipboard-read', 'clipboard-write']);
+    const words = WORDS[language];
+    await open(page);
+    await type(page, PROGRAM);
+    await page.locator('#language').selectOption(language);
+    await openReport(page, language);
+    const dialog = page.getByRole('dialog');
+    await dialog.getByLabel(words.machine).fill('GSK 980TDb');
+    await dialog.getByLabel(words.line).fill('7');
+    await expect(dialog.locator('.block')).toHaveText('X40');
+    await dialog.getByLabel(words.did).fill('It stood at X60 Z2.');
+    const output = dialog.locator('#report-output');
+    await expect(output).toHaveValue(/\| feed \| 40 \| -20 \|/);
+    await expect(output).toHaveValue(/#share=1\./);
+    await dialog.getByRole('button', { name: words.copy, exact: true }).click();
+    const text = await page.evaluate(() => navigator.clipboard.readText());
+    expect(text).toBe(await output.inputValue());
+    for (const part of ['GSK 980TDb', '`X40`', 'It stood at X60 Z2.', PROGRAM.trim(), 'G-code playground 0.']) expect(text).toContain(part);
+
+    const saved = page.waitForEvent('download');
+    await dialog.getByRole('button', { name: words.save }).click();
+    const download = await saved;
+    expect(download.suggestedFilename()).toBe('machine-o0042.zip');
+    const files = unzipSync(readFileSync(await download.path()));
+    const file = (name: string): string => strFromU8(files[`machine-o0042/${name}`] ?? new Uint8Array());
+    expect(Object.keys(files).filter((name) => !name.endsWith('/')).sort()).toEqual(['about.json', 'expect.json', 'motions.jsonl', 'program.nc', 'setup.json'].map((name) => `machine-o0042/${name}`));
+    expect(file('program.nc')).toBe(PROGRAM);
+    const about = JSON.parse(file('about.json')) as { readonly seed: string; readonly source: string };
+    expect(about.seed).toBe('machine');
+    expect(about.source).toContain('GSK 980TDb, block 7: It stood at X60 Z2.');
+    expect(typeof JSON.parse(file('setup.json'))).toBe('object');
+    const motions = file('motions.jsonl').trim().split('\n').map((row) => JSON.parse(row) as { kind: string; line: number; to: { x: number; z: number } });
+    expect(motions.filter(({ line }) => line === 7).map(({ kind, to }) => [kind, to.x, to.z])).toEqual(DRAWN);
+  });
+}
+
+test('a program with backticks stays whole in its report, and the link of the report opens it', async ({ page }) => {
+  await open(page);
+  await type(page, '(A ``` B)\nG00 X40 Z2\nM30\n');
+  await openReport(page, 'en');
+  const output = page.getByRole('dialog').locator('#report-output');
+  await expect(output).toHaveValue(/````gcode\n\(A ``` B\)\nG00 X40 Z2\nM30\n````/);
+  await expect(output).toHaveValue(/#share=1\./);
+  const link = /\*\*Open it\*\*: (\S+)/.exec(await output.inputValue())?.[1] ?? '';
+  await page.goto('about:blank');
+  await page.goto(link);
+  await expect(page.getByText('(A ``` B)')).toBeVisible();
+});

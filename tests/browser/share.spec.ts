@@ -1,0 +1,459 @@
+// Sharing: the dialog makes links, and what a link opens is what was shared. A broken link gives a message and takes
+// nothing away. What a link holds has tests of its own, in `links.spec.ts`.
+import { expect, test, type Page } from './engines';
+import { openHtml, programOf, settled } from './embedded';
+import { random, randomState, storedLinks } from './links';
+import { clipboard, editor, open, openFile, type, value } from './page';
+import type { Shared } from '../../www/src/files/shared-link';
+
+const OWN = 'O0001\nT0101\nG97 S800 M03\nG00 X42 Z2\nG90 X36 Z-20 F0.2\nX32\nG00 X100 Z100\nM30\n';
+const MESSAGE = /^(This link|This address|The program of this link)/;
+
+/** What the element has of a shared state. */
+interface State {
+  readonly text: string;
+  readonly setup: string | null;
+  readonly control: string | null;
+  readonly blockSkip: string | null;
+  readonly program: string | null;
+  readonly language: string;
+  readonly view: string;
+  readonly step: string | null;
+  readonly readonly: boolean;
+  readonly file: { readonly name: string; readonly encoding: string } | null;
+}
+
+interface Playground extends HTMLElement {
+  opened: { text: string; file: { name: string; encoding: string } | undefined };
+  setup: string | null;
+  control: string | null;
+  blockSkip: string | null;
+  program: string | null;
+  origin: string | null;
+  language: string;
+  view: string;
+  step: string | null;
+  readonly: boolean;
+  readonly settled: Promise<number>;
+  currentStep(): Promise<string | null>;
+  pictureFile(format: 'svg' | 'png'): Promise<Blob | undefined>;
+}
+
+const state = (page: Page): Promise<State> =>
+  page.locator('gcode-playground').evaluate((element) => {
+    const { opened, setup, control, blockSkip, program, language, view, step, readonly } = element as unknown as Playground;
+    return { text: opened.text, file: opened.file ?? null, setup, control, blockSkip, program, language, view, step, readonly };
+  });
+
+const shareButton = (page: Page) => page.getByRole('button', { name: /^(Share…|分享…|Поделиться…)$/ });
+const output = (page: Page) => page.getByRole('textbox', { name: 'To copy' });
+
+/** Opens the dialog, and gives the link once it is made. */
+async function link(page: Page): Promise<string> {
+  await shareButton(page).click();
+  await expect.poll(() => page.locator('#share-output').inputValue()).toContain('#share=1.');
+  return page.locator('#share-output').inputValue();
+}
+
+/** As somebody else opens it, whose browser has nothing of the page. */
+async function openElsewhere(page: Page, address: string): Promise<void> {
+  await page.evaluate(() => localStorage.clear());
+  await page.goto('about:blank');
+  await open(page, address.slice(address.indexOf('#')));
+}
+
+/** Another address in the page that is there. */
+async function go(page: Page, hash: string): Promise<void> {
+  await page.evaluate((hash) => void (location.hash = hash), hash);
+}
+
+test('what is shared is what opens: program, setup, control and switches', async ({ page }) => {
+  await open(page, '#s002-g121-square');
+  await page.locator('gcode-playground').evaluate((element) => {
+    element.setAttribute('block-skip', '1,3');
+    element.setAttribute('control', 'gsk');
+  });
+  const before = await state(page);
+  expect(before.setup).not.toBeNull();
+  const address = await link(page);
+  expect(address.length).toBeLessThan(300 + before.text.length + address.indexOf('#'));
+  await page.getByRole('button', { name: 'Copy', exact: true }).click();
+  await expect(page.getByText('Copied', { exact: true })).toBeVisible();
+  await page.keyboard.press('Escape');
+  await expect.poll(() => clipboard(page)).toBe(address);
+  await openElsewhere(page, address);
+  expect(await state(page)).toEqual(before);
+  await expect(page.getByRole('combobox', { name: 'Control' })).toHaveValue('gsk');
+});
+
+test('a file keeps its name and its line ends', async ({ page }) => {
+  await open(page);
+  await openFile(page, 'вал 7.nc', Buffer.from(OWN.replaceAll('\n', '\r\n')));
+  await expect.poll(() => value(page)).toBe(OWN);
+  const before = await state(page);
+  await openElsewhere(page, await link(page));
+  expect(await state(page)).toEqual(before);
+  expect(before.file?.name).toBe('вал 7.nc');
+});
+
+test('the tool stands where it stood, in the language it was shared in', async ({ page }) => {
+  await open(page);
+  await page.getByRole('combobox', { name: 'Language' }).selectOption('ru');
+  const playground = page.locator('gcode-playground');
+  await playground.evaluate(async (element) => {
+    const own = element as unknown as Playground;
+    own.step = '7';
+    await own.settled;
+  });
+  await expect.poll(() => playground.evaluate((element) => (element as unknown as Playground).currentStep())).toBe('7');
+  await shareButton(page).click();
+  await page.getByLabel(/Инструмент там/).check();
+  await page.getByLabel(/Только для чтения/).check();
+  await expect.poll(() => page.locator('#share-output').inputValue()).toContain('#share=1.');
+  await openElsewhere(page, await page.locator('#share-output').inputValue());
+  expect(await state(page)).toMatchObject({ language: 'ru', step: '7', readonly: true });
+  expect(await playground.evaluate((element) => (element as unknown as Playground).currentStep())).toBe('7');
+  // One button makes it a program like any other.
+  await page.getByRole('button', { name: 'Открыть для правки' }).click();
+  expect(await state(page)).toMatchObject({ readonly: false, view: 'all', step: null });
+});
+
+test('before a dwell that is the last motion the tool stands at the end of the motion before it', async ({ page }) => {
+  await open(page);
+  const step = await page.locator('gcode-playground').evaluate(async (element) => {
+    const playground = element as unknown as Playground;
+    playground.opened = { text: 'T0101\nG97 S800 M03\nG00 X60 Z2\nG01 Z-5 F0.2\nG04 X1.5\nM30\n', file: undefined };
+    await playground.settled;
+    playground.step = 'line 5';
+    await playground.settled;
+    return playground.currentStep();
+  });
+  expect(step).toBe('2');
+});
+
+test('before the last motion the tool stands at the end of the one before it, also when that is shared', async ({ page }) => {
+  await open(page);
+  const steps = await page.locator('gcode-playground').evaluate(async (element) => {
+    const playground = element as unknown as Playground;
+    playground.opened = { text: 'T0101\nG97 S800 M03\nG00 X42 Z2\nG01 Z-20 F0.2\nX50\nM30\n', file: undefined };
+    await playground.settled;
+    const steps: (string | null)[] = [];
+    for (const step of ['line 5', '2', '3']) {
+      playground.step = step;
+      await playground.settled;
+      steps.push(await playground.currentStep());
+    }
+    return steps;
+  });
+  // At the end of the last motion all of the path is shown.
+  expect(steps).toEqual(['2', '2', null]);
+});
+
+test('a place of the tool that is taken back before it was taken does not keep the element waiting', async ({ page }) => {
+  await open(page);
+  const settled = page.locator('gcode-playground').evaluate(async (element) => {
+    const playground = element as unknown as Playground;
+    Object.assign(playground, { step: 'line 5', view: 'playback' });
+    playground.step = null;
+    return playground.settled;
+  });
+  expect(await settled).toBeGreaterThan(0);
+});
+
+test('a program in an open page is kept and offered when a link is opened there', async ({ page }) => {
+  await open(page);
+  await type(page, OWN);
+  await expect.poll(() => value(page)).toBe(OWN);
+  const stored = storedLinks().find(({ what }) => what === 'a program alone');
+  await go(page, stored?.link ?? '');
+  await expect.poll(() => value(page)).toBe(stored?.opens.text);
+  // Also after the program of the link was changed.
+  await editor(page).focus();
+  await page.keyboard.insertText('(X)');
+  await expect(page.getByText('This began as the program of a link')).toBeVisible();
+  await page.getByRole('button', { name: 'Bring it back' }).click();
+  await expect.poll(() => value(page)).toBe(OWN);
+});
+
+test('every stored link opens in the page', async ({ page }) => {
+  await open(page);
+  for (const { what, link, opens } of storedLinks()) {
+    await go(page, link);
+    const { task: _, ...said } = opens;
+    await expect.poll(() => state(page), what).toMatchObject({ setup: null, view: 'all', step: null, readonly: false, ...said });
+  }
+});
+
+test('broken, cut, newer and hostile links give a message and take nothing away', async ({ page }) => {
+  await open(page);
+  await type(page, OWN);
+  await expect.poll(() => value(page)).toBe(OWN);
+  const before = await state(page);
+  const good = storedLinks().find(({ what }) => what === 'all that a link can say')?.link ?? '';
+  const broken = [
+    good.slice(0, -1), good.slice(0, 40), good.slice(0, 12), '#share=', good.replace('#share=1', '#share=2'), good.replace('z', 'b'), `${good.slice(0, 60)}A${good.slice(61)}`,
+    '#share=1.9.zAAAA', '#share=1.12.z00000000000', '#shared=1', '#prog=G00', '#%00%ff', '#share=1.20.zS0wcBYNg00000000000',
+  ];
+  for (const hash of broken) {
+    await go(page, hash);
+    await expect.poll(() => page.locator('#link-bar p').textContent(), hash).toMatch(MESSAGE);
+    await expect(page.locator('#link-bar')).toBeVisible();
+    expect(await state(page), hash).toEqual(before);
+    await page.getByRole('button', { name: 'Hide', exact: true }).click();
+  }
+  await page.evaluate(() => {
+    try {
+      location.hash = `#share=1.1999990.z${'A'.repeat(1_999_980)}`;
+    } catch {
+      // Firefox itself takes no address of more than 1,048,576 characters.
+      location.hash = `#share=1.1019990.z${'A'.repeat(1_019_980)}`;
+    }
+  });
+  await expect(page.getByText(/This link is [\d,]+ characters long/)).toBeVisible();
+  expect(await state(page)).toEqual(before);
+  // What unpacks to hundreds of millions is stopped.
+  await page.evaluate(async () => {
+    const bytes = new Uint8Array(await new Response(new Blob([new Uint8Array(100_000_000)]).stream().pipeThrough(new CompressionStream('deflate-raw'))).arrayBuffer());
+    let binary = '';
+    for (const byte of bytes) binary += String.fromCharCode(byte);
+    const body = `z${btoa(binary).replaceAll('+', '-').replaceAll('/', '_').replaceAll('=', '')}`;
+    let crc = -1;
+    for (const letter of body) {
+      crc ^= letter.charCodeAt(0);
+      for (let bit = 0; bit < 8; bit++) crc = (crc >>> 1) ^ ((crc & 1) === 0 ? 0 : 0xedb88320);
+    }
+    location.hash = `#share=1.${body.length + 8}.${body}${(~crc >>> 0).toString(16).padStart(8, '0')}`;
+  });
+  await expect(page.getByText(/longer than 4,000,000 bytes/)).toBeVisible();
+  expect(await state(page)).toEqual(before);
+  // Whoever loads the page with such an address has what was there, too.
+  await go(page, good.slice(0, -5));
+  await page.reload();
+  await expect(page.getByText(/^This link is not complete: 5 characters missing/)).toBeVisible();
+  await expect.poll(() => value(page)).toBe(OWN);
+});
+
+test('the element, the frame and the Markdown that are copied show the program', async ({ page }) => {
+  await open(page);
+  const home = await page.evaluate(() => location.href.replace(/#.*/, ''));
+  const own = 'O0001 (A<B & "C" </pre></script> *D* [E](F))\n\nT0101\nG97 S800 M03\nG00 X42 Z2\nG01 Z-20 F0.2\nM30';
+  await type(page, own);
+  await expect.poll(() => value(page)).toBe(own);
+  await page.locator('gcode-playground').evaluate((element) => {
+    element.setAttribute('setup', '{"stock": {"diameter": 40, "length": 60}}');
+    element.setAttribute('program', '1');
+  });
+  await shareButton(page).click();
+  const form = page.getByRole('combobox', { name: 'As' });
+  await page.getByRole('combobox', { name: 'Shown' }).selectOption('playback');
+  await form.selectOption('markdown');
+  await expect.poll(() => output(page).inputValue()).toMatch(/^\[G-code playground\]\(<http.*#share=1\.[^<>\s]+>\)$/);
+  await form.selectOption('frame');
+  await expect.poll(() => output(page).inputValue()).toContain('<iframe');
+  const frame = await output(page).inputValue();
+  await form.selectOption('element');
+  await expect.poll(() => output(page).inputValue()).toContain('<gcode-playground');
+  const element = await output(page).inputValue();
+  await form.selectOption('qr');
+  await expect(page.getByRole('img', { name: 'QR code of the link' })).toBeVisible();
+  await form.selectOption('picture');
+  await expect(page.getByRole('img', { name: 'Picture' })).toBeVisible();
+
+  await openHtml(page, `<!doctype html><html lang="en"><title>A manual</title><body><p>before</p>${element}</body></html>`);
+  await settled(page);
+  expect(await programOf(page)).toBe(own);
+  expect(await state(page)).toMatchObject({ view: 'playback', setup: '{"stock": {"diameter": 40, "length": 60}}', program: '1', language: 'en' });
+
+  const source = await page.evaluate((html) => new DOMParser().parseFromString(html, 'text/html').querySelector('iframe')?.getAttribute('src') ?? '', frame);
+  await page.goto(`./${source.slice(home.length)}`);
+  await settled(page);
+  expect(await programOf(page)).toBe(own);
+  expect(await state(page)).toMatchObject({ view: 'playback', setup: '{"stock":{"diameter":40,"length":60},"program":1}' });
+});
+
+test('what does not fit is said: a QR code, and a link', async ({ page }) => {
+  await open(page);
+  const next = random(2);
+  const noise = (length: number): string => Array.from({ length }, () => String.fromCharCode(65 + Math.floor(next() * 26))).join('').replace(/(.{60})/g, '($1)\n');
+  const long = noise(4000);
+  await openFile(page, 'long.nc', Buffer.from(long));
+  await expect.poll(() => value(page)).toBe(long);
+  await shareButton(page).click();
+  await expect(page.getByText(/cut off links of more than 2,000/)).toBeVisible();
+  await page.getByRole('combobox', { name: 'As' }).selectOption('qr');
+  await expect(page.getByText(/too long for a QR code: [\d,]+ characters, and it holds 2,331/)).toBeVisible();
+  await page.keyboard.press('Escape');
+  const longer = noise(1_500_000);
+  await openFile(page, 'longer.nc', Buffer.from(longer));
+  await expect.poll(() => page.locator('gcode-playground').evaluate((element) => (element as unknown as { length: number }).length)).toBe(longer.length);
+  await shareButton(page).click();
+  await expect(page.getByText(/too long for a link/)).toBeVisible();
+  await expect(page.getByRole('button', { name: 'Copy', exact: true })).toBeDisabled();
+});
+
+test('a teacher gives a class a task by a link, and gets links back', async ({ page }) => {
+  // The teacher writes the solution, and takes out what the class is to find.
+  await open(page);
+  await type(page, OWN);
+  await expect.poll(() => value(page)).toBe(OWN);
+  await page.locator('gcode-playground').evaluate((element) => element.setAttribute('setup', '{"stock":{"diameter":42,"length":60}}'));
+  await shareButton(page).click();
+  await page.getByLabel('As a task').check();
+  const begin = OWN.replace('G90 X36 Z-20 F0.2\nX32\n', '\n');
+  await page.getByLabel('What is to be done').fill('Turn the shoulder to X32 with G90');
+  await page.getByLabel('What the pupil begins with').fill(begin);
+  await expect.poll(() => output(page).inputValue()).toContain('#share=1.');
+  const task = await output(page).inputValue();
+
+  const returned: string[] = [];
+  for (const answer of ['G90 X32 Z-20 F0.2', 'G90 X38 Z-20 F0.2', 'G01 X32 F0.2']) {
+    // Each pupil has a browser of their own.
+    await openElsewhere(page, task);
+    await expect(page.getByText('Task: Turn the shoulder to X32 with G90')).toBeVisible();
+    expect(await value(page)).toBe(begin);
+    await expect(page.getByText('G90 X36')).toHaveCount(0);
+    await editor(page).focus();
+    await page.keyboard.press('Control+Home');
+    for (let line = 1; line < 5; line++) await page.keyboard.press('ArrowDown');
+    await page.keyboard.insertText(answer);
+    const work = begin.replace('\n\n', `\n${answer}\n`);
+    await expect.poll(() => value(page)).toBe(work);
+    // Looking at the solution leaves the pupil's program as it is.
+    await page.getByRole('button', { name: 'Show solution' }).click();
+    await expect(page.getByRole('region', { name: 'Solution', exact: true })).toContainText('G90 X36');
+    expect(await value(page)).toBe(work);
+    // So does coming back another day, by the same link.
+    await expect(page.getByText('This began as the program of a link')).toBeVisible();
+    await page.reload();
+    await expect.poll(() => value(page)).toBe(work);
+    await expect(page.getByText('Task: Turn the shoulder')).toBeVisible();
+    await page.goto('about:blank');
+    await open(page, task.slice(task.indexOf('#')));
+    await expect.poll(() => value(page)).toBe(work);
+    returned.push(await link(page));
+  }
+  // The teacher opens one after the other.
+  for (const [at, answer] of ['G90 X32', 'G90 X38', 'G01 X32'].entries()) {
+    await openElsewhere(page, returned[at] ?? '');
+    const { text, setup } = await state(page);
+    expect(text).toContain(answer);
+    expect(setup).toBe('{"stock":{"diameter":42,"length":60}}');
+    await expect(page.getByText(/^Task:/)).toHaveCount(0);
+  }
+});
+
+test('the solution of a task opens beside it', async ({ page }) => {
+  const stored = storedLinks().find(({ what }) => what === 'a task');
+  await open(page, stored?.link);
+  await expect.poll(() => value(page)).toBe(stored?.opens.text);
+  await page.getByRole('button', { name: 'Показать решение' }).click();
+  const beside = page.getByRole('link', { name: 'Открыть решение в новой вкладке' });
+  await expect.poll(() => beside.getAttribute('href')).toContain('#share=1.');
+  await openElsewhere(page, (await beside.getAttribute('href')) ?? '');
+  expect(await state(page)).toMatchObject({ text: stored?.opens.task?.solution, setup: stored?.opens.setup });
+  await expect(page.getByRole('button', { name: 'Показать решение' })).toHaveCount(0);
+});
+
+test('an element in a page opens in the playground with all it is run with', async ({ page }) => {
+  await openHtml(page, `<!doctype html><html lang="ru"><script type="module" src="../../element.js"></script><body>
+    <gcode-playground view="picture" control="gsk" block-skip="1" program="2" step="2" setup='{"stock": {"diameter": 60, "length": 80}}'><pre>${OWN}</pre></gcode-playground>
+    <gcode-playground view="picture" playground="">G00 X1</gcode-playground>
+    <gcode-playground view="picture" playground="https://lathe.example/play/">G00 X1</gcode-playground>
+    <gcode-playground view="picture" playground="javascript:alert(1)">G00 X1</gcode-playground>
+    <gcode-playground view="picture" controls="none">G00 X1</gcode-playground></body></html>`);
+  for (let which = 0; which < 5; which++) await settled(page, which);
+  const links = page.getByRole('link', { name: 'Открыть в песочнице' });
+  await expect(links).toHaveCount(2);
+  await links.nth(1).focus();
+  await expect.poll(() => links.nth(1).getAttribute('href')).toMatch(/^https:\/\/lathe\.example\/play\/#/);
+  await links.first().focus();
+  await expect.poll(() => links.first().getAttribute('href')).toContain('#');
+  const address = (await links.first().getAttribute('href')) ?? '';
+  await page.goto('about:blank');
+  await open(page, address.slice(address.indexOf('#')));
+  expect(await state(page)).toMatchObject({
+    text: OWN.slice(0, -1), control: 'gsk', blockSkip: '1', step: '2', language: 'ru', view: 'all', setup: '{"stock":{"diameter":60,"length":80},"program":2}',
+  });
+  // The page is the playground.
+  await expect(page.getByRole('link', { name: 'Открыть в песочнице' })).toHaveCount(0);
+});
+
+test('random states are shared and opened: the same text, setup and picture', async ({ page }, { project }) => {
+  test.setTimeout(1_200_000);
+  // PLAYGROUND_STATES says how many.
+  const count = Number(process.env['PLAYGROUND_STATES'] ?? (project.name === 'chromium' ? 120 : 30));
+  const next = random(22);
+  const states = Array.from({ length: count }, () => randomState(next));
+  await open(page);
+  const shared: { readonly address: string; readonly state: State; readonly picture: string }[] = [];
+  for (const one of states) shared.push(await page.evaluate(shareOne, one as never));
+  // Backwards, so that each takes the place of another than the one it was made beside.
+  for (const [at, { address, state, picture }] of [...shared.entries()].reverse()) {
+    const opened = await page.evaluate(openOne, address);
+    expect(opened.state, `${at}: ${address}`).toEqual({ ...state, text: state.text });
+    expect(opened.picture, `${at}: ${address}`).toBe(picture);
+  }
+});
+
+/** In the page: makes a state, and shares it by the dialog. */
+async function shareOne(one: Shared): Promise<{ address: string; state: State; picture: string }> {
+  const playground = document.querySelector('gcode-playground') as unknown as Playground;
+  const { view, step, readonly, text, file, language, ...context } = one;
+  const find = <E extends HTMLElement>(id: string): E => document.getElementById(id) as E;
+  const languages = find<HTMLSelectElement>('language');
+  languages.value = language ?? 'en';
+  languages.dispatchEvent(new Event('change'));
+  Object.assign(playground, { setup: context.setup, control: context.control, blockSkip: context.blockSkip, program: context.program });
+  playground.opened = { text, file: file ?? undefined };
+  playground.step = null;
+  await playground.settled;
+  playground.step = step;
+  await playground.settled;
+  const toolAt = await playground.currentStep();
+  find('action-share').click();
+  while (!(find<HTMLDialogElement>('share-title')?.closest('dialog')?.open ?? false)) await new Promise((done) => setTimeout(done, 1));
+  const output = find<HTMLTextAreaElement>('share-output');
+  const change = (id: string, set: (input: HTMLInputElement) => void): void => {
+    set(find<HTMLInputElement>(id));
+    find(id).dispatchEvent(new Event('input', { bubbles: true }));
+  };
+  while (toolAt !== null && find('share-step').closest('label')?.hidden !== false) await new Promise((done) => setTimeout(done, 1));
+  output.value = '';
+  change('share-view', (input) => (input.value = view ?? 'all'));
+  change('share-readonly', (input) => (input.checked = readonly));
+  change('share-step', (input) => (input.checked = toolAt !== null));
+  await new Promise((done) => setTimeout(done, 5));
+  while (output.value === '') await new Promise((done) => setTimeout(done, 1));
+  let address = '';
+  while (address !== output.value) {
+    address = output.value;
+    await new Promise((done) => setTimeout(done, 5));
+  }
+  output.closest('dialog')?.close();
+  const picture = (await (await playground.pictureFile('svg'))?.text()) ?? '';
+  const { opened, setup, control, blockSkip, program } = playground;
+  return {
+    address, picture,
+    state: { text: opened.text, file: opened.file ?? null, setup, control, blockSkip, program, language: playground.language, view: view ?? 'all', step: toolAt, readonly },
+  };
+}
+
+/** In the page: opens a link. */
+async function openOne(address: string): Promise<{ state: State; picture: string }> {
+  const playground = document.querySelector('gcode-playground') as unknown as Playground;
+  const before = location.hash;
+  playground.origin = 'waiting';
+  const hash = address.slice(address.indexOf('#'));
+  if (before !== hash) {
+    const arrived = new Promise((done) => addEventListener('hashchange', done, { once: true }));
+    location.hash = hash;
+    await arrived;
+  }
+  // Unpacking takes a moment; the origin says when the program is there.
+  while (playground.origin !== '#program') await new Promise((done) => setTimeout(done, 1));
+  await playground.settled;
+  const { opened, setup, control, blockSkip, program, language, view, readonly } = playground;
+  const step = await playground.currentStep();
+  const picture = (await (await playground.pictureFile('svg'))?.text()) ?? '';
+  return { state: { text: opened.text, file: opened.file ?? null, setup, control, blockSkip, program, language, view, step, readonly }, picture };
+}

@@ -1,0 +1,222 @@
+// The stored page in two tabs and from any static server; installed; and where a program cannot be kept. In Chromium alone:
+// a second tab, the browser's network, and a server's own program are Playwright's.
+import { execFileSync, spawn, type ChildProcess } from 'node:child_process';
+import { mkdtempSync, readFileSync, rmSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import { expect } from '@playwright/test';
+import { chromiumTest as test, type ChromiumPage } from './engines';
+import { motionCount, value } from './page';
+import { DIST, nextBuild, storedSite, type StoredSite } from './stored-site';
+
+const AXE = readFileSync(join(DIST, '..', 'node_modules/axe-core/axe.min.js'), 'utf8');
+
+test.use({
+  storing: 'on',
+  // With WebGL, drawn by the processor.
+  launchOptions: {
+    ...(process.env['PLAYGROUND_CHROMIUM'] ? { executablePath: process.env['PLAYGROUND_CHROMIUM'] } : {}),
+    args: ['--no-sandbox', '--use-angle=swiftshader', '--enable-unsafe-swiftshader', '--ignore-gpu-blocklist', '--disable-quic', '--no-first-run'],
+  },
+});
+test.setTimeout(120_000);
+
+const status = (page: ChromiumPage) => page.locator('gcode-playground').getByRole('status');
+const news = (page: ChromiumPage) => page.getByText('There is a newer version of this page.');
+const build = (page: ChromiumPage) => page.evaluate(() => document.querySelector('meta[name=build]')?.getAttribute('content') ?? 'first');
+
+async function visit(page: ChromiumPage, address: string): Promise<void> {
+  await page.goto(address);
+  await expect(status(page)).toContainText(/\d/);
+  await expect(status(page)).not.toContainText('…');
+}
+
+async function visitAndStore(page: ChromiumPage, { address }: StoredSite): Promise<void> {
+  await visit(page, address);
+  await expect(page.getByText('Works offline')).toHaveCount(1, { timeout: 60_000 });
+}
+
+test('two tabs never mix files of two versions', async ({ page, context }) => {
+  const site = await storedSite();
+  await visitAndStore(page, site);
+  site.publish(nextBuild());
+  const other = (await context.newPage()) as ChromiumPage;
+  await visit(other, site.address);
+  await expect(news(other)).toBeVisible({ timeout: 60_000 });
+  expect(await build(other)).toBe('first');
+
+  await other.getByRole('button', { name: 'Reload', exact: true }).click();
+  await expect.poll(() => build(other).catch(() => '')).toBe('next');
+  await expect(status(other)).toContainText(/\d+ motions/);
+  // The first tab goes on with what it has, and hears that there is more; the server has its files no longer.
+  await expect(news(page)).toBeVisible();
+  expect(await build(page)).toBe('first');
+  await page.getByLabel('Example').selectOption('s003-g71');
+  await expect(status(page)).toContainText(`${motionCount('s003-g71')} motions`);
+  expect(await value(page)).not.toContain('NEXT');
+  await page.getByRole('button', { name: 'Show the part as a solid' }).click();
+  await expect(page.getByRole('img', { name: /three dimensions/ })).toBeVisible();
+  await page.keyboard.press('Escape');
+  await other.getByLabel('Example').selectOption('s003-g71');
+  await expect.poll(() => value(other)).toContain('NEXT');
+
+  // Both versions are kept as long as a tab has begun with them.
+  const versions = () => other.evaluate(async () => (await caches.keys()).filter((name) => /^gcode-playground .* [0-9a-f]{32}$/.test(name)).length);
+  expect(await versions()).toBe(2);
+  await page.getByRole('button', { name: 'Later' }).click();
+  await expect(news(page)).toBeHidden();
+  await page.close();
+  // A tab is taken for one that is being opened for a minute.
+  await other.clock.install();
+  await other.evaluate(async () => {
+    for (const name of (await caches.keys()).filter((name) => name.endsWith(' tabs'))) {
+      const tabs = await caches.open(name);
+      for (const request of await tabs.keys()) {
+        const tab = (await (await tabs.match(request))!.json()) as { version: string };
+        await tabs.put(request, new Response(JSON.stringify({ ...tab, since: 0 })));
+      }
+    }
+  });
+  await other.reload();
+  await expect.poll(versions).toBe(1);
+  await site.stop();
+});
+
+test('what is answered in the middle of an update is not stored', async ({ page }) => {
+  const site = await storedSite();
+  // The new service worker is there, the new examples are not.
+  const next = nextBuild();
+  site.publish(new Map([...next].filter(([path]) => path !== 'offline/examples.json')));
+  await visit(page, site.address);
+  await expect(page.getByText('Not stored for offline use')).toHaveCount(1, { timeout: 60_000 });
+  site.publish(next);
+  await page.reload();
+  await expect(page.getByText('Works offline')).toHaveCount(1, { timeout: 60_000 });
+  await site.stop();
+});
+
+test('a program that the browser cannot keep is not lost by a reload', async ({ page }) => {
+  const site = await storedSite();
+  await visitAndStore(page, site);
+  site.publish(nextBuild());
+  await page.reload();
+  await expect(news(page)).toBeVisible({ timeout: 60_000 });
+  const long = `${'G01 X40 Z-20 F0.2\n'.repeat(120_000)}M30\n`;
+  await page.locator('gcode-playground').evaluate((element, text) => void Object.assign(element, { value: text }), long);
+  await page.getByRole('button', { name: 'Reload', exact: true }).click();
+  await expect(page.getByText('The browser cannot keep this program')).toBeVisible();
+  expect((await value(page)).length).toBe(long.length);
+  expect(await build(page)).toBe('first');
+  await page.getByRole('button', { name: 'Reload all the same' }).click();
+  await expect.poll(() => build(page).catch(() => '')).toBe('next');
+  await site.stop();
+});
+
+test('the view in 3D says that the network is missing, and comes with it', async ({ page }) => {
+  await page.route(/service-worker\.js/, (route) => route.abort());
+  const site = await storedSite();
+  await visit(page, site.address);
+  await site.stop();
+  await page.context().setOffline(true);
+  await page.getByRole('button', { name: 'Show the part as a solid' }).click();
+  const dialog = page.getByRole('dialog', { name: 'The part, a quarter cut away' });
+  await expect(dialog.getByText('The view could not be loaded: the network is missing.')).toBeVisible();
+  await dialog.getByRole('button', { name: 'Try again' }).click();
+  await expect(dialog.getByText('The view could not be loaded: the network is missing.')).toBeVisible();
+  await site.start();
+  await page.context().setOffline(false);
+  await expect(dialog.getByRole('img', { name: /three dimensions/ })).toBeVisible();
+  await site.stop();
+});
+
+test('a zip of the page runs in a sub-folder of a server that knows nothing of it', async ({ page }) => {
+  const folder = mkdtempSync(join(tmpdir(), 'playground-zip-'));
+  let server: ChildProcess | undefined;
+  try {
+    const zip = join(folder, 'gcode-playground.zip');
+    // As README says, but for the place of the zip.
+    execFileSync('python3', ['-m', 'zipfile', '-c', zip, 'www/dist'], { cwd: join(DIST, '..', '..') });
+    execFileSync('python3', ['-m', 'zipfile', '-e', zip, join(folder, 'some', 'where')]);
+    server = spawn('python3', ['-u', '-m', 'http.server', '0', '--bind', '127.0.0.1'], { cwd: folder, stdio: ['ignore', 'pipe', 'ignore'] });
+    const port = await new Promise<string>((resolve) => server!.stdout!.on('data', (data: Buffer) => resolve(/port (\d+)/.exec(String(data))?.[1] ?? '')));
+    const address = `http://127.0.0.1:${port}/some/where/dist/`;
+    const outside: string[] = [];
+    page.on('request', (request) => request.url().startsWith('http') && !request.url().startsWith(address) && outside.push(request.url()));
+    await visit(page, address);
+    await expect(page.getByText('Works offline')).toHaveCount(1, { timeout: 60_000 });
+    await page.goto(`${address}rules/en/absolute-and-incremental.html`);
+    await page.getByRole('link', { name: 'G-code playground' }).click();
+    await expect(status(page)).toContainText(/\d+ motions/);
+    expect(outside.filter((url) => !url.endsWith('/favicon.ico'))).toEqual([]);
+  } finally {
+    server?.kill();
+    rmSync(folder, { recursive: true, force: true });
+  }
+});
+
+test('it can be installed: the manifest is in the language of the page, and files are opened', async ({ page }) => {
+  await page.addInitScript(() => {
+    Object.defineProperty(window, 'launchQueue', { value: { setConsumer: (consumer: unknown) => Reflect.set(window, 'launch', consumer) } });
+  });
+  const site = await storedSite();
+  await visitAndStore(page, site);
+  for (const [language, name] of [['en', 'G-code playground'], ['zh', 'G 代码演练场'], ['ru', 'Песочница G-кода']] as const) {
+    await page.locator('#language').selectOption(language);
+    const manifest = await page.evaluate(async () => (await fetch(document.querySelector<HTMLLinkElement>('link[rel=manifest]')!.href)).json() as Promise<{ name: string; icons: { src: string }[] }>);
+    expect(manifest.name).toBe(name);
+    for (const { src } of manifest.icons) expect(readFileSync(join(DIST, src)).length).toBeGreaterThan(100);
+  }
+  // What Chromium itself finds missing.
+  const session = await page.context().newCDPSession(page);
+  const { installabilityErrors } = await session.send('Page.getInstallabilityErrors');
+  expect(installabilityErrors.filter(({ errorId }) => errorId !== 'in-incognito')).toEqual([]);
+  await page.evaluate(() => {
+    const launch = Reflect.get(window, 'launch') as (launched: object) => void;
+    launch({ files: [{ getFile: () => Promise.resolve(new File(['G00 X50 Z2\nG01 Z-9 F0.2\n'], 'part.nc')) }] });
+  });
+  await expect.poll(() => value(page)).toContain('Z-9');
+  await site.stop();
+});
+
+test('the element in another page stores nothing', async ({ page }) => {
+  const site = await storedSite();
+  site.publish(new Map([['manual.html', `<!doctype html><title>Manual</title><script type="module" src="embed/element.js"></script><gcode-playground>G00 X50 Z2\nG01 Z-9 F0.2\nM30</gcode-playground>`]]));
+  await visit(page, `${site.address}manual.html`);
+  await page.locator('gcode-playground').evaluate((element) => (element as HTMLElement & { settled: Promise<number> }).settled);
+  await page.waitForTimeout(2500);
+  expect(await page.evaluate(async () => [(await navigator.serviceWorker.getRegistrations()).length, (await caches.keys()).length])).toEqual([0, 0]);
+  expect(site.asked.filter((path) => /service-worker|offline\//.test(path))).toEqual([]);
+  await site.stop();
+});
+
+for (const [locale, colorScheme, said, wanted] of [['en', 'light', 'Works offline', 'Reload'], ['zh', 'dark', '可离线使用', '重新加载'], ['ru', 'light', 'Работает без сети', 'Обновить']] as const) {
+  test(`axe finds nothing in what is said of versions and storing, on a phone and on a desk: ${locale}`, async ({ browser }) => {
+    const context = await browser.newContext({ locale, colorScheme, viewport: { width: 390, height: 844 } });
+    const page = (await context.newPage()) as ChromiumPage;
+    const site = await storedSite();
+    await visit(page, site.address);
+    const settings = page.locator('#settings-toggle');
+    await settings.click();
+    await expect(page.getByText(said, { exact: true })).toBeVisible({ timeout: 60_000 });
+    site.publish(nextBuild());
+    await page.reload();
+    const reload = page.getByRole('button', { name: wanted, exact: true });
+    await expect(reload).toBeVisible({ timeout: 60_000 });
+    const box = (await reload.boundingBox())!;
+    expect(box.x + box.width).toBeLessThanOrEqual(390);
+    await settings.click();
+    await page.evaluate(AXE);
+    const wrong = async (): Promise<string[]> => page.evaluate(async () => {
+      interface Axe {
+        run(context: Document): Promise<{ violations: { id: string; nodes: { target: unknown }[] }[] }>;
+      }
+      const { violations } = await (Reflect.get(window, 'axe') as Axe).run(document);
+      return violations.flatMap(({ id, nodes }) => nodes.map(({ target }) => `${id} ${JSON.stringify(target)}`));
+    });
+    expect(await wrong()).toEqual([]);
+    await page.setViewportSize({ width: 1280, height: 800 });
+    expect(await wrong()).toEqual([]);
+    await context.close();
+    await site.stop();
+  });
+}

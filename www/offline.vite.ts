@@ -1,0 +1,57 @@
+// Builds what the page needs to work without a network, once all else is in www/dist: the service worker with the list of
+// the page's files, and beside it `offline/`: one file for each folder of many small pages. `cargo xtask site` runs it last.
+//
+// Not listed: `embed`, which is for other people's pages, and `from-disk.js`, which no server's reader needs.
+import { createHash } from 'node:crypto';
+import { readdirSync, readFileSync } from 'node:fs';
+import { join, relative, sep } from 'node:path';
+import { defineConfig, type Plugin } from 'vite';
+import { packOf, type Listed } from './src/offline/list';
+
+const DIST = join(import.meta.dirname, 'dist');
+const NOT_LISTED = /^(embed\/|offline\/|service-worker\.js$|from-disk\.js$|\.)/;
+
+function paths(): string[] {
+  const entries = readdirSync(DIST, { recursive: true, withFileTypes: true }).filter((entry) => entry.isFile());
+  const all = entries.map((entry) => relative(DIST, join(entry.parentPath, entry.name)).split(sep).join('/'));
+  return all.filter((path) => !NOT_LISTED.test(path)).sort();
+}
+
+const hashOf = (content: string | Buffer): string => createHash('sha256').update(content).digest('hex').slice(0, 32);
+
+/** The list, and the files that are made for it. */
+function build(): { readonly listed: Listed; readonly packs: ReadonlyMap<string, string> } {
+  const gathered = new Map<string, Record<string, string>>();
+  const files: Record<string, string> = {};
+  for (const path of paths()) {
+    const bytes = readFileSync(join(DIST, path));
+    const pack = packOf(path);
+    if (pack === undefined) files[path] = hashOf(bytes);
+    else gathered.set(pack, { ...gathered.get(pack), [path]: bytes.toString('utf8') });
+  }
+  const packs = new Map([...gathered].map(([name, pages]) => [name, JSON.stringify(pages)]));
+  for (const [name, text] of packs) files[name] = hashOf(text);
+  const entry = /assets\/index-[\w-]+\.js/.exec(readFileSync(join(DIST, 'index.html'), 'utf8'))?.[0];
+  if (entry === undefined) throw new Error('index.html names no script');
+  return { listed: { version: hashOf(JSON.stringify(files)), files, entry }, packs };
+}
+
+const { listed, packs } = build();
+
+const emitted: Plugin = {
+  name: 'packs',
+  generateBundle() {
+    for (const [fileName, source] of packs) this.emitFile({ type: 'asset', fileName, source });
+  },
+};
+
+export default defineConfig({
+  plugins: [emitted],
+  publicDir: false,
+  define: { LISTED_BY_THE_BUILD: JSON.stringify(listed) },
+  build: {
+    target: 'es2022', outDir: 'dist', emptyOutDir: false, modulePreload: false,
+    // A module would not be taken by every browser as a service worker.
+    rollupOptions: { input: 'src/offline/service-worker.ts', output: { format: 'iife', entryFileNames: 'service-worker.js' } },
+  },
+});

@@ -1,0 +1,111 @@
+// A text as characters that any address can hold: compressed by the browser's own streams, then base64url.
+//
+// In: a text, or such characters. Out: the other; unpacking stops at a limit, whatever it was made of. The characters
+// carry their number in front and a check at their end, so that a cut one is known from a changed one. Must not know:
+// what the text says.
+//
+//   <count>.<how><body><check>   `count` of all that follows the full stop; `how`: z compressed, b not; `check`: CRC-32 of
+//   what stands before it, 8 hexadecimal digits, so that the last character is one that no mail program leaves out.
+
+/** UTF-8 bytes that are unpacked at most. */
+export const UNPACKED_LIMIT = 4_000_000;
+
+const CHECK_LENGTH = 8;
+/** `String.fromCharCode` takes no more arguments than this in any browser. */
+const PIECE = 1 << 13;
+
+export type Unpacked =
+  | { readonly kind: 'text'; readonly text: string }
+  /** Characters are missing at its end: so many, where their number is still there. */
+  | { readonly kind: 'cut'; readonly missing: number | undefined }
+  | { readonly kind: 'damaged' }
+  | { readonly kind: 'too-long'; readonly limit: number }
+  /** A browser without such streams. */
+  | { readonly kind: 'not-here' };
+
+/** Nothing where it is too long to be unpacked. */
+export async function packed(text: string): Promise<string | undefined> {
+  const bytes = new TextEncoder().encode(text);
+  if (bytes.length > UNPACKED_LIMIT) return undefined;
+  const plain = `b${base64url(bytes)}`;
+  const smaller = typeof CompressionStream === 'undefined' ? undefined : `z${base64url(await through(bytes, new CompressionStream('deflate-raw'), Infinity))}`;
+  const body = smaller !== undefined && smaller.length < plain.length ? smaller : plain;
+  return `${body.length + CHECK_LENGTH}.${body}${checkOf(body)}`;
+}
+
+/** What stands after its last character is no part of it: mail programs take a full stop along. */
+export async function unpacked(characters: string): Promise<Unpacked> {
+  const head = /^(\d{1,9})\./.exec(characters);
+  if (head === null) return /^\d{0,9}$/.test(characters) ? { kind: 'cut', missing: undefined } : { kind: 'damaged' };
+  const count = Number(head[1]);
+  const rest = characters.slice(head[0].length);
+  if (count <= CHECK_LENGTH) return { kind: 'damaged' };
+  if (rest.length < count) return { kind: 'cut', missing: count - rest.length };
+  const body = rest.slice(0, count - CHECK_LENGTH);
+  if (rest.slice(body.length, count) !== checkOf(body)) return { kind: 'damaged' };
+  const bytes = bytesOf(body.slice(1));
+  if (bytes === undefined) return { kind: 'damaged' };
+  if (body.startsWith('b')) return bytes.length > UNPACKED_LIMIT ? { kind: 'too-long', limit: UNPACKED_LIMIT } : decoded(bytes);
+  if (!body.startsWith('z')) return { kind: 'damaged' };
+  if (typeof DecompressionStream === 'undefined') return { kind: 'not-here' };
+  try {
+    return decoded(await through(bytes, new DecompressionStream('deflate-raw'), UNPACKED_LIMIT));
+  } catch (error) {
+    return error instanceof RangeError ? { kind: 'too-long', limit: UNPACKED_LIMIT } : { kind: 'damaged' };
+  }
+}
+
+function decoded(bytes: Uint8Array): Unpacked {
+  try {
+    return { kind: 'text', text: new TextDecoder('utf-8', { fatal: true, ignoreBOM: true }).decode(bytes) };
+  } catch {
+    return { kind: 'damaged' };
+  }
+}
+
+/** What a stream makes of bytes; a `RangeError` where it is more than the limit. */
+async function through(bytes: Uint8Array<ArrayBuffer>, stream: CompressionStream | DecompressionStream, limit: number): Promise<Uint8Array<ArrayBuffer>> {
+  const reader = new Blob([bytes]).stream().pipeThrough(stream).getReader() as ReadableStreamDefaultReader<Uint8Array>;
+  const pieces: Uint8Array[] = [];
+  let length = 0;
+  for (let read = await reader.read(); !read.done; read = await reader.read()) {
+    length += read.value.length;
+    if (length > limit) {
+      void reader.cancel().catch(() => undefined);
+      throw new RangeError(`more than ${limit} bytes`);
+    }
+    pieces.push(read.value);
+  }
+  const all = new Uint8Array(length);
+  let at = 0;
+  for (const piece of pieces) {
+    all.set(piece, at);
+    at += piece.length;
+  }
+  return all;
+}
+
+function base64url(bytes: Uint8Array): string {
+  let binary = '';
+  for (let at = 0; at < bytes.length; at += PIECE) binary += String.fromCharCode(...bytes.subarray(at, at + PIECE));
+  return btoa(binary).replaceAll('+', '-').replaceAll('/', '_').replaceAll('=', '');
+}
+
+function bytesOf(characters: string): Uint8Array<ArrayBuffer> | undefined {
+  if (/[^\w-]/.test(characters)) return undefined;
+  try {
+    return Uint8Array.from(atob(characters.replaceAll('-', '+').replaceAll('_', '/')), (letter) => letter.charCodeAt(0));
+  } catch {
+    return undefined;
+  }
+}
+
+/** CRC-32 of ASCII characters. */
+function checkOf(characters: string): string {
+  let crc = -1;
+  for (let at = 0; at < characters.length; at++) {
+    crc ^= characters.charCodeAt(at);
+    for (let bit = 0; bit < 8; bit++) crc = (crc >>> 1) ^ ((crc & 1) === 0 ? 0 : 0xedb88320);
+  }
+  return (~crc >>> 0).toString(16).padStart(CHECK_LENGTH, '0');
+}

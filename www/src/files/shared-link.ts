@@ -1,0 +1,130 @@
+// What a link holds: a program with all that it is shown with, after the `#` of an address.
+//
+// In: a program with its context, or the part of an address from `#` on. Out: the other, or what is wrong with it. Links are
+// what other people have sent: every field is checked, nothing is believed. Must not know: what a program or a setup says.
+//
+//   #share=1.<packed>      version 1: `packed-text.ts` of a JSON object, whose keys are those of `KEYS`; what is not said is left out
+//   #program=…&setup=…     version 0, percent-encoded, as people and other programs write it; its other keys are the attributes of
+//                          the element: control, block-skip, language, view, step, readonly
+// Both are read for ever: a change makes another version. `tests/links.json` has links of each, with what they open.
+
+import { LINK_LIMIT } from './link-limit';
+import { packed, unpacked, UNPACKED_LIMIT } from './packed-text';
+
+const VERSION = 1;
+
+/** A program, and all it is shown with; null where nothing is said. */
+export interface Shared {
+  /** With its own line ends. */
+  readonly text: string;
+  /** JSON */
+  readonly setup: string | null;
+  readonly control: string | null;
+  readonly blockSkip: string | null;
+  /** The O number that is run. */
+  readonly program: string | null;
+  readonly language: string | null;
+  readonly view: string | null;
+  readonly step: string | null;
+  readonly readonly: boolean;
+  readonly file: { readonly name: string; readonly encoding: string } | null;
+  /** The text is what somebody is to make a program of. */
+  readonly task: { readonly sentence: string; readonly solution: string } | null;
+}
+
+export const NOTHING_SAID: Shared = {
+  text: '', setup: null, control: null, blockSkip: null, program: null, language: null, view: null, step: null, readonly: false, file: null, task: null,
+};
+
+export type LinkFault =
+  | { readonly kind: 'too-long'; readonly length: number; readonly limit: number }
+  | { readonly kind: 'unpacked-too-long'; readonly limit: number }
+  | { readonly kind: 'newer'; readonly version: number }
+  | { readonly kind: 'cut'; readonly missing: number | undefined }
+  | { readonly kind: 'damaged' }
+  | { readonly kind: 'browser-too-old' }
+  /** It names nothing that a link of ours names. */
+  | { readonly kind: 'unknown' };
+
+export type Opened = { readonly kind: 'shared'; readonly shared: Shared } | { readonly kind: 'fault'; readonly fault: LinkFault };
+
+/** The keys of version 1. */
+const KEYS = {
+  text: 'p', setup: 's', control: 'c', blockSkip: 'k', program: 'o', language: 'l', view: 'v', step: 't', readonly: 'r', fileName: 'f', encoding: 'e', sentence: 'q', solution: 'a',
+} as const;
+const KNOWN: ReadonlySet<string> = new Set(Object.values(KEYS));
+/** Texts that are no program, setup or sentence. */
+const SHORT = 200;
+
+export type MadeLink =
+  | { readonly kind: 'link'; readonly link: string }
+  /** Such a link would not be read. */
+  | { readonly kind: 'too-long'; readonly length: number; readonly limit: number };
+
+/** The part of an address from `#` on. */
+export async function linkOf(shared: Shared): Promise<MadeLink> {
+  const { text, setup, control, blockSkip, program, language, view, step, file, task } = shared;
+  const said = [
+    [KEYS.text, text], [KEYS.setup, setup], [KEYS.control, control], [KEYS.blockSkip, blockSkip], [KEYS.program, program], [KEYS.language, language], [KEYS.view, view],
+    [KEYS.step, step], [KEYS.readonly, shared.readonly ? 1 : null], [KEYS.fileName, file?.name ?? null], [KEYS.encoding, file?.encoding ?? null],
+    [KEYS.sentence, task?.sentence ?? null], [KEYS.solution, task?.solution ?? null],
+  ] as const;
+  const json = JSON.stringify(Object.fromEntries(said.filter(([, value]) => value !== null)));
+  const characters = await packed(json);
+  if (characters === undefined) return { kind: 'too-long', length: json.length, limit: UNPACKED_LIMIT };
+  const link = `#share=${VERSION}.${characters}`;
+  return link.length > LINK_LIMIT ? { kind: 'too-long', length: link.length, limit: LINK_LIMIT } : { kind: 'link', link };
+}
+
+/** `hash` begins with `#share=`. */
+export async function openedLink(hash: string): Promise<Opened> {
+  // Mail programs break long lines.
+  const said = hash.length > LINK_LIMIT ? hash : hash.replace(/^#share=/, '').replace(/\s|%20|%0[AD]/gi, '');
+  if (said.length > LINK_LIMIT) return fault({ kind: 'too-long', length: said.length, limit: LINK_LIMIT });
+  const version = /^(\d{1,6})(?:\.|$)/.exec(said);
+  if (version === null) return fault(said === '' ? { kind: 'cut', missing: undefined } : { kind: 'damaged' });
+  if (Number(version[1]) > VERSION) return fault({ kind: 'newer', version: Number(version[1]) });
+  if (Number(version[1]) !== VERSION) return fault({ kind: 'damaged' });
+  const found = await unpacked(said.slice(version[0].length));
+  switch (found.kind) {
+    case 'text': {
+      const shared = sharedOf(found.text);
+      return shared === undefined ? fault({ kind: 'damaged' }) : { kind: 'shared', shared };
+    }
+    case 'cut': return fault(found);
+    case 'damaged': return fault(found);
+    case 'too-long': return fault({ kind: 'unpacked-too-long', limit: found.limit });
+    case 'not-here': return fault({ kind: 'browser-too-old' });
+  }
+}
+
+function fault(fault: LinkFault): Opened {
+  return { kind: 'fault', fault };
+}
+
+/** Nothing where a field is not what it has to be, or one is there that this version does not have. */
+function sharedOf(json: string): Shared | undefined {
+  let parsed: unknown;
+  try {
+    parsed = JSON.parse(json);
+  } catch {
+    return undefined;
+  }
+  if (typeof parsed !== 'object' || parsed === null || Array.isArray(parsed)) return undefined;
+  const said = new Map<string, unknown>(Object.entries(parsed));
+  const flag = said.get(KEYS.readonly);
+  said.delete(KEYS.readonly);
+  if (flag !== undefined && flag !== 1) return undefined;
+  for (const [key, value] of said) if (!KNOWN.has(key) || typeof value !== 'string') return undefined;
+  const field = (key: keyof typeof KEYS): string | null => (said.get(KEYS[key]) as string | undefined) ?? null;
+  const short = [field('control'), field('blockSkip'), field('program'), field('language'), field('view'), field('step'), field('encoding')];
+  const [text, solution, fileName, encoding] = [field('text'), field('solution'), field('fileName'), field('encoding')];
+  if (text === null || short.some((text) => (text?.length ?? 0) > SHORT) || (fileName === null) !== (encoding === null)) return undefined;
+  if (field('sentence') !== null && solution === null) return undefined;
+  return {
+    text, setup: field('setup'), control: field('control'), blockSkip: field('blockSkip'), program: field('program'), language: field('language'),
+    view: field('view'), step: field('step'), readonly: flag === 1,
+    file: fileName === null || encoding === null ? null : { name: fileName, encoding },
+    task: solution === null ? null : { sentence: field('sentence') ?? '', solution },
+  };
+}

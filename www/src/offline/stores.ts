@@ -1,0 +1,153 @@
+// What is stored in the browser: a store for each version of the page, and which version each tab has begun with.
+//
+// In: the list of a build, the network. Out: whole stores, of files that are what the build has listed: what a server
+// answers in the middle of being updated, or a network that wants a password first, is not stored. A store goes once no tab
+// needs it. Must not know: who asks for a file.
+
+import { packOf, typeOf, type Listed } from './list';
+
+declare const self: ServiceWorkerGlobalScope;
+
+/** Other playgrounds may stand in other folders of the same origin. */
+const OWN = `gcode-playground ${new URL(self.registration.scope).pathname} `;
+const TABS = `${OWN}tabs`;
+/** In a store: the list of its files, once all of them are there. */
+const WHOLE = 'offline-files.json';
+/** Requests at a time: the page has the line first. */
+const AT_ONCE = 4;
+/** A tab that is just being opened is not among those the browser names. */
+const OPENS_WITHIN_MS = 60_000;
+
+type Files = Listed['files'];
+type Pack = Readonly<Record<string, string>>;
+
+interface Tab {
+  readonly version: string;
+  readonly since: number;
+}
+
+const address = (path: string): string => new URL(path, self.registration.scope).href;
+const store = (version: string): Promise<Cache> => caches.open(OWN + version);
+
+/** The versions that are stored, the newest last. */
+async function versions(): Promise<string[]> {
+  return (await caches.keys()).filter((name) => name.startsWith(OWN) && name !== TABS).map((name) => name.slice(OWN.length));
+}
+
+/** Stores a build; what an earlier one has in common with it is not fetched again. */
+export async function fill({ version, files, entry }: Listed): Promise<void> {
+  const own = await store(version);
+  const there = new Set((await own.keys()).map(({ url }) => url));
+  const before = await Promise.all((await versions()).filter((other) => other !== version).map(async (other) => ({ store: await store(other), files: await filesOf(other) })));
+  const missing = Object.entries(files).filter(([path]) => !there.has(address(path)));
+  const copy = async (path: string, hash: string): Promise<Response | undefined> => {
+    const other = before.find(({ files }) => files[path] === hash);
+    return other?.store.match(address(path));
+  };
+  const next = async (): Promise<void> => {
+    for (let file = missing.shift(); file !== undefined; file = missing.shift()) {
+      const [path, hash] = file;
+      await own.put(address(path), (await copy(path, hash)) ?? (await fetched(path, hash, entry)));
+    }
+  };
+  await Promise.all(Array.from({ length: AT_ONCE }, next));
+  await own.put(address(WHOLE), new Response(JSON.stringify(files)));
+}
+
+async function filesOf(version: string): Promise<Files> {
+  const list = await (await store(version)).match(address(WHOLE));
+  return list === undefined ? {} : ((await list.json()) as Files);
+}
+
+/** A file as it was listed, and no other. */
+async function fetched(path: string, hash: string, entry: string): Promise<Response> {
+  const response = await fetch(address(path), { cache: 'no-cache', credentials: 'same-origin' });
+  const bytes = await response.arrayBuffer();
+  // Some servers put a line of their own into a page: it is the right one if it names the right script.
+  const isListed = response.ok && ((await hashOf(bytes)).startsWith(hash) || (path === 'index.html' && new TextDecoder().decode(bytes).includes(entry)));
+  if (!isListed) throw new Error(`${path} is not what was listed (${response.status})`);
+  // Made anew, since one that was redirected is none for a page.
+  return new Response(bytes, { headers: headers(response, path) });
+}
+
+/** Those of the server, its policies among them; how it sent the bytes is of no interest any more. */
+function headers(response: Response, path: string): Headers {
+  const all = new Headers(response.headers);
+  for (const name of ['content-encoding', 'content-length']) all.delete(name);
+  all.set('content-type', typeOf(path));
+  return all;
+}
+
+async function hashOf(bytes: ArrayBuffer): Promise<string> {
+  return Array.from(new Uint8Array(await crypto.subtle.digest('SHA-256', bytes)), (byte) => byte.toString(16).padStart(2, '0')).join('');
+}
+
+// ---- finding --------------------------------------------------------------------------------------
+
+/** Packs that were read, by version and name. */
+const packs = new Map<string, Promise<{ readonly pack: Pack; readonly response: Response } | undefined>>();
+
+/** A file of a version; of any other where that has none: names of scripts are made of what is in them. */
+export async function find(path: string, version: string): Promise<Response | undefined> {
+  const own = await findIn(path, version);
+  if (own !== undefined || !path.startsWith('assets/')) return own;
+  for (const other of await versions()) {
+    const found = await findIn(path, other);
+    if (found !== undefined) return found;
+  }
+  return undefined;
+}
+
+async function findIn(path: string, version: string): Promise<Response | undefined> {
+  const name = packOf(path);
+  if (name === undefined) return (await store(version)).match(address(path));
+  const found = await readPack(name, version);
+  const text = found?.pack[path];
+  return found === undefined || text === undefined ? undefined : new Response(text, { headers: headers(found.response, path) });
+}
+
+function readPack(name: string, version: string): Promise<{ readonly pack: Pack; readonly response: Response } | undefined> {
+  const key = `${version} ${name}`;
+  const known = packs.get(key);
+  if (known !== undefined) return known;
+  const reading = (async () => {
+    const response = await (await store(version)).match(address(name));
+    return response === undefined ? undefined : { pack: (await response.clone().json()) as Pack, response };
+  })();
+  packs.set(key, reading);
+  return reading;
+}
+
+// ---- tabs -----------------------------------------------------------------------------------------
+
+/** A tab begins with a version, and keeps it. */
+export async function begin(tab: string, version: string): Promise<void> {
+  const entry: Tab = { version, since: Date.now() };
+  await (await caches.open(TABS)).put(address(`tabs/${tab}`), new Response(JSON.stringify(entry)));
+}
+
+/** The version that a tab has begun with, if that is known. */
+export async function begunWith(tab: string): Promise<string | undefined> {
+  const entry = await (await caches.open(TABS)).match(address(`tabs/${tab}`));
+  return entry === undefined ? undefined : ((await entry.json()) as Tab).version;
+}
+
+/** Tabs that came from the network have what is the newest now. */
+export async function adopt(version: string): Promise<void> {
+  for (const { id } of await self.clients.matchAll({ type: 'window' })) if ((await begunWith(id)) === undefined) await begin(id, version);
+}
+
+/** Removes the stores that no tab needs; `current` stays, and all while another version is on its way. */
+export async function tidy(current: string): Promise<void> {
+  if (self.registration.installing !== null || self.registration.waiting !== null) return;
+  const open = new Set((await self.clients.matchAll({ type: 'all', includeUncontrolled: true })).map(({ id }) => address(`tabs/${id}`)));
+  const tabs = await caches.open(TABS);
+  const used = new Set([current]);
+  for (const request of await tabs.keys()) {
+    const tab = (await (await tabs.match(request))?.json()) as Tab | undefined;
+    if (tab === undefined) continue;
+    if (open.has(request.url) || Date.now() - tab.since < OPENS_WITHIN_MS) used.add(tab.version);
+    else await tabs.delete(request);
+  }
+  for (const version of await versions()) if (!used.has(version)) await caches.delete(OWN + version);
+}

@@ -1,0 +1,117 @@
+// What can be done with the program beyond writing it: buttons of the header, and a menu for what is done seldom.
+//
+// In: the table of actions, and what the page lends them. Out: their buttons; what an action does is loaded when it
+// is first asked for. Must not know: what that is.
+
+import { icon, make, name, type IconName } from '../dom/dom';
+import { words, type Words } from '../dom/words';
+import type { PageHost } from './page-host';
+
+export interface Action {
+  readonly id: string;
+  /** In the header, or in its menu for what is done seldom. */
+  readonly place: 'header' | 'more';
+  readonly label: Words<string>;
+  /** What stands for the label in a narrow header. */
+  readonly icon?: IconName;
+  readonly load: () => Promise<(host: PageHost) => void>;
+}
+
+/** In the order in which they stand. */
+const ACTIONS: readonly Action[] = [
+  {
+    id: 'own-programs', place: 'header', icon: 'folder', label: { en: 'My programs', zh: '我的程序', ru: 'Мои программы' },
+    load: async () => (await import('./own-programs-dialog')).openOwnPrograms,
+  },
+  {
+    id: 'share', place: 'header', icon: 'share', label: words({ en: 'Share', zh: '分享', ru: 'Поделиться' }),
+    load: async () => (await import('./share-dialog')).share,
+  },
+  {
+    id: 'compare', place: 'more',
+    label: words({ en: 'Compare with another version', zh: '与其他版本比较', ru: 'Сравнить с другой версией' }),
+    load: async () => (await import('./compare-dialog')).compare,
+  },
+  {
+    id: 'report', place: 'more',
+    label: words({ en: 'My machine does otherwise', zh: '我的机床动作不同', ru: 'Мой станок делает иначе' }),
+    load: async () => (await import('./report-dialog')).report,
+  },
+];
+
+export class Actions {
+  readonly #host: PageHost;
+  readonly #buttons = new Map<Action, HTMLButtonElement>();
+  readonly #more = make('button', { type: 'button', id: 'more', 'aria-expanded': 'false', 'aria-controls': 'more-actions' }, icon('more'));
+  readonly #menu = make('div', { id: 'more-actions', hidden: true });
+  readonly #failed = make('p', { id: 'action-failed', role: 'status' });
+
+  /** Puts the buttons into `into`. */
+  constructor(into: HTMLElement, host: PageHost) {
+    this.#host = host;
+    for (const action of ACTIONS) this.#buttons.set(action, this.#button(action));
+    const placed = (place: Action['place']): HTMLButtonElement[] => ACTIONS.flatMap((action) => (action.place === place ? (this.#buttons.get(action) ?? []) : []));
+    into.append(...placed('header'));
+    const seldom = placed('more');
+    if (seldom.length > 0) {
+      this.#menu.append(...seldom);
+      into.append(make('div', { className: 'more' }, this.#more, this.#menu));
+    }
+    into.append(this.#failed);
+    this.#more.addEventListener('click', () => this.#open(this.#menu.hidden ? 'open' : 'closed'));
+    into.addEventListener('keydown', (event) => {
+      if (event.key !== 'Escape' || this.#menu.hidden) return;
+      this.#open('closed');
+      this.#more.focus();
+    });
+    document.addEventListener('pointerdown', (event) => {
+      if (!event.composedPath().includes(this.#menu) && !event.composedPath().includes(this.#more)) this.#open('closed');
+    });
+    this.showLanguage();
+  }
+
+  showLanguage(): void {
+    for (const [action, button] of this.#buttons) {
+      const label = `${action.label[this.#host.language]}…`;
+      if (action.icon === undefined) button.textContent = label;
+      else {
+        button.title = label;
+        button.replaceChildren(icon(action.icon), make('span', { className: 'label' }, label));
+      }
+    }
+    name(this.#more, WORDS[this.#host.language].more);
+    this.#failed.textContent = '';
+  }
+
+  #open(state: 'open' | 'closed'): void {
+    this.#menu.hidden = state === 'closed';
+    this.#more.setAttribute('aria-expanded', String(state === 'open'));
+  }
+
+  #button(action: Action): HTMLButtonElement {
+    const button = make('button', { type: 'button', id: `action-${action.id}`, 'aria-haspopup': 'dialog' });
+    button.addEventListener('click', () => {
+      this.#open('closed');
+      void this.#do(action);
+    });
+    return button;
+  }
+
+  async #do(action: Action): Promise<void> {
+    let act: (host: PageHost) => void;
+    try {
+      act = await action.load();
+    } catch {
+      this.#failed.textContent = WORDS[this.#host.language].notLoaded;
+      return;
+    }
+    this.#failed.textContent = '';
+    act(this.#host);
+  }
+}
+
+const WORDS = words({
+  en: { more: 'More', notLoaded: 'This could not be loaded. Try again when the network is there.' },
+  zh: { more: '更多', notLoaded: '加载失败。请在网络恢复后重试。' },
+  ru: { more: 'Ещё', notLoaded: 'Не удалось загрузить. Повторите, когда появится сеть.' },
+});

@@ -1,0 +1,139 @@
+// Another version of the program beside it: which blocks differ, what each changes in the motion, and both tool paths.
+//
+// In: the host, and a text that the reader pastes, opens, links to, or chooses among own programs (`compare-own`); whoever has
+// a program already calls `compareWith`. Out: a dialog. The other version is the first, the program of the page the second. Must not know: how programs are compared.
+
+import './compare.css';
+import { Dialog } from '../dom/dialog';
+import { make } from '../dom/dom';
+import { acceptFiles } from '../dom/drop';
+import type { Language } from '../dom/language';
+import { COMMON } from '../dom/words';
+import { offerOwn, type OtherProgram } from './compare-own';
+import { result } from './compare-result';
+import { COMPARE_WORDS } from './compare-words';
+import { inAddress } from './linked';
+import type { PageHost } from './page-host';
+
+let dialog: CompareDialog | undefined;
+
+/** Asks for the other version. */
+export function compare(host: PageHost): void {
+  dialog ??= new CompareDialog();
+  dialog.open(host);
+}
+
+/** Compares with a program that was chosen elsewhere. */
+export function compareWith(host: PageHost, other: OtherProgram): void {
+  compare(host);
+  void dialog?.show(other);
+}
+
+class CompareDialog {
+  readonly #caption = make('span');
+  readonly #text = make('textarea', { rows: 6, spellcheck: false, autocomplete: 'off' });
+  readonly #file = make('input', { type: 'file', hidden: true });
+  readonly #open = make('button', { type: 'button', className: 'framed' });
+  readonly #compare = make('button', { type: 'button', className: 'framed' });
+  readonly #own = make('select', { hidden: true });
+  readonly #status = make('p', { role: 'status', className: 'compared' });
+  readonly #result = make('div', { className: 'result', tabIndex: 0, role: 'region' });
+  readonly #body = make(
+    'div', { className: 'body' },
+    make('label', { className: 'other' }, this.#caption, this.#text), make('p', { className: 'choose' }, this.#compare, this.#open, this.#own, this.#file),
+    this.#status, this.#result,
+  );
+  readonly #dialog = new Dialog('compare', [this.#body]);
+  #host: PageHost | undefined;
+  /** A file is read, or two programs are compared: counts, since answers can come late. */
+  #asked = 0;
+
+  constructor() {
+    document.body.append(this.#dialog.element);
+    this.#open.addEventListener('click', () => this.#file.click());
+    this.#file.addEventListener('change', () => {
+      const [file] = this.#file.files ?? [];
+      this.#file.value = '';
+      if (file !== undefined) void this.#read(file);
+    });
+    acceptFiles(this.#dialog.element, { hint: () => COMMON[this.#language].dropHere, dropped: (file) => void this.#read(file) });
+    this.#compare.addEventListener('click', () => void this.#typed().then((other) => this.show(other)));
+    this.#dialog.element.addEventListener('close', () => this.#asked++);
+  }
+
+  get #language(): Language {
+    return this.#host?.language ?? 'en';
+  }
+
+  open(host: PageHost): void {
+    this.#host = host;
+    const texts = COMPARE_WORDS[host.language];
+    this.#dialog.name(texts.title, COMMON[host.language].close);
+    this.#dialog.about = texts.about;
+    this.#caption.textContent = texts.other;
+    this.#text.placeholder = texts.hint;
+    this.#compare.textContent = texts.compare;
+    this.#open.textContent = texts.openFile;
+    this.#result.setAttribute('aria-label', texts.result);
+    this.#own.setAttribute('aria-label', texts.own);
+    void offerOwn(this.#own, host, host.language, (other) => void this.show(other));
+    this.#say('', undefined);
+    this.#dialog.show();
+    this.#text.focus();
+  }
+
+  /** Compares with a version and shows what differs. */
+  async show(other: OtherProgram): Promise<void> {
+    const host = this.#host;
+    if (host === undefined) return;
+    const texts = COMPARE_WORDS[host.language];
+    if (other.text.trim() === '') {
+      this.#say(texts.nothing, undefined);
+      return;
+    }
+    const own = ++this.#asked;
+    this.#say(texts.comparing, undefined);
+    const names = [other.name, host.program.file?.name ?? host.example?.title[host.language] ?? texts.thisProgram] as const;
+    const found = await host.playground.differenceFrom({ text: other.text, names }).catch(() => undefined);
+    if (own !== this.#asked) return;
+    if (found === undefined) {
+      this.#say(texts.failed, undefined);
+      return;
+    }
+    const { sameText, sameMotions, hunks } = found.rows;
+    const differ = sameMotions ? texts.textAlone : texts.differ(hunks.length);
+    this.#say(sameText && sameMotions ? texts.same : differ, result(found, names, host.language));
+  }
+
+  /** What stands in the field: a program, or a link that holds one. */
+  async #typed(): Promise<OtherProgram> {
+    const text = this.#text.value;
+    const { otherVersion } = COMPARE_WORDS[this.#language];
+    const address = text.trim();
+    if (/^https?:\/\/\S+$/.test(address) && URL.canParse(address)) {
+      const found = await inAddress(new URL(address).hash);
+      return { name: otherVersion, text: found.kind === 'linked' ? found.linked.text : '' };
+    }
+    return { name: otherVersion, text };
+  }
+
+  async #read(file: File): Promise<void> {
+    const own = ++this.#asked;
+    const texts = COMPARE_WORDS[this.#language];
+    this.#say(texts.comparing, undefined);
+    const { readProgram } = await import('../editor/read-program');
+    const opened = await readProgram(file);
+    if (own !== this.#asked) return;
+    if (opened.kind !== 'text') {
+      this.#say(opened.kind === 'too-large' ? texts.tooLarge(opened.name) : texts.unreadable(opened.name), undefined);
+      return;
+    }
+    await this.show({ name: file.name, text: opened.program.pieces.join('') });
+  }
+
+  #say(status: string, shown: HTMLElement | undefined): void {
+    this.#status.textContent = status;
+    this.#result.replaceChildren(...(shown === undefined ? [] : [shown]));
+    this.#result.hidden = shown === undefined;
+  }
+}

@@ -1,0 +1,124 @@
+// What differs between two versions, as elements.
+//
+// In: the answer of the interpreter, whose words are in the reader's language already. Out: one element: blocks side by side with
+// what they change, totals, messages, the drawing. Must not know: where it is shown.
+
+import { make, prose } from '../dom/dom';
+import type { Language } from '../dom/language';
+import type { Differed, ProgramDifference } from '../protocol/protocol';
+import { COMPARE_WORDS } from './compare-words';
+
+type Hunk = ProgramDifference['hunks'][number];
+type Row = Hunk['rows'][number];
+type Change = Row['changes'][number];
+type Later = Hunk['later'];
+type Block = NonNullable<Row['first']>;
+type Names = readonly [string, string];
+
+/** More hunks than this are counted: a page of them all would stand still. */
+const MOST_HUNKS = 200;
+
+export function result({ rows, drawing }: Differed, names: Names, language: Language): HTMLElement {
+  const texts = COMPARE_WORDS[language];
+  const shown = make('div', { className: 'difference' });
+  if (rows.readAs.length > 0) shown.append(changes(rows.readAs));
+  for (const hunk of rows.hunks.slice(0, MOST_HUNKS)) shown.append(hunkShown(hunk, names, language));
+  const blocks = rows.hunks.slice(MOST_HUNKS).reduce((sum, hunk) => sum + hunk.rows.length, rows.moreBlocks);
+  if (blocks > 0) shown.append(make('p', {}, texts.more(blocks)));
+  if (rows.unexplained.blocks > 0) shown.append(later(rows.unexplained, texts.unexplained(rows.unexplained.blocks), language));
+  if (rows.sameText && rows.sameMotions) return shown;
+  shown.append(make('h3', {}, texts.totals), totals(rows.totals, names, texts.what));
+  shown.append(make('h3', {}, texts.part), part(rows, names, language));
+  for (const [heading, found] of [[texts.gone, rows.gone], [texts.new, rows.new]] as const) {
+    if (found.length === 0) continue;
+    const items = found.map(({ line, code, message }) => make('li', {}, `${texts.line(line)}: ${code} `, ...prose(message)));
+    shown.append(make('h3', {}, heading), make('ul', {}, ...items));
+  }
+  const picture = drawn(drawing, `${texts.drawing}: ${names.join(', ')}`);
+  if (picture !== undefined) shown.append(make('h3', {}, texts.drawing), make('div', { className: 'paths' }, picture), legend(names, language));
+  return shown;
+}
+
+function hunkShown(hunk: Hunk, names: Names, language: Language): HTMLElement {
+  const texts = COMPARE_WORDS[language];
+  const section = make('section', {});
+  for (const row of hunk.rows) {
+    section.append(make('div', { className: 'pair' }, block(row.first, 'del', names[0], language), block(row.second, 'ins', names[1], language)));
+    if (row.changes.length > 0) section.append(changes(row.changes));
+  }
+  const still = hunk.later.blocks === 0 && hunk.rows.every((row) => row.changes.length === 0);
+  if (still) section.append(make('p', { className: 'still' }, texts.still));
+  if (hunk.later.blocks > 0) section.append(later(hunk.later, texts.later(hunk.later.blocks), language));
+  return section;
+}
+
+function block(own: Block | undefined, tag: 'del' | 'ins', name: string, language: Language): HTMLElement {
+  const texts = COMPARE_WORDS[language];
+  if (own === undefined) return make('div', { className: `block ${tag} none` }, make('span', { className: 'line' }, texts.noBlock));
+  const line = make('span', { className: 'line' }, `${name}, ${texts.line(own.line)}`);
+  return make('div', { className: `block ${tag}` }, line, make(tag, {}, make('code', { lang: 'en' }, own.text)));
+}
+
+function changes(all: readonly Change[]): HTMLElement {
+  return make('ul', { className: 'changes' }, ...all.map((change) => make('li', {}, told(change))));
+}
+
+function told({ name, first, second }: Change): string {
+  return first === '' && second === '' ? name : `${name}: ${first} → ${second}`;
+}
+
+function later(all: Later, heading: string, language: Language): HTMLElement {
+  const texts = COMPARE_WORDS[language];
+  const items = all.rows.map((row) => {
+    const own = row.second ?? row.first;
+    const code = make('code', { lang: 'en' }, own?.text ?? '');
+    return make('li', {}, `${texts.line(own?.line ?? 0)}: `, code, ` · ${row.changes.map(told).join('; ')}`);
+  });
+  return make('div', { className: 'later' }, make('p', {}, heading), make('ul', {}, ...items));
+}
+
+function totals(rows: readonly Change[], names: Names, what: string): HTMLElement {
+  const head = make('tr', {}, ...[what, ...names].map((text) => make('th', { scope: 'col' }, text)));
+  const lines = rows.map(({ name, first, second }) =>
+    make('tr', { className: first === second ? '' : 'differs' }, make('th', { scope: 'row' }, name), make('td', {}, first), make('td', {}, second)));
+  return make('table', {}, make('thead', {}, head), make('tbody', {}, ...lines));
+}
+
+function part({ part: found }: ProgramDifference, names: Names, language: Language): HTMLElement {
+  const texts = COMPARE_WORDS[language];
+  if (found === undefined) return make('p', {}, texts.noPart);
+  if (found.differences.length === 0) return make('p', {}, texts.samePart);
+  const places = found.differences.map(({ only, radial, z }) => {
+    const [from, to] = [radial.from.x, radial.to.x].map(shortened);
+    const [back, front] = z.map(shortened);
+    return make('li', {}, `${texts.onlyIn(only === 'first' ? names[0] : names[1])}: X${from} … X${to}, Z${back} … Z${front}`);
+  });
+  return make('ul', {}, ...places);
+}
+
+function shortened(mm: number): string {
+  return String(Number(mm.toFixed(4)));
+}
+
+/** What the strokes are, in the size of the page's words: the drawing may be small. */
+function legend(names: Names, language: Language): HTMLElement {
+  const texts = COMPARE_WORDS[language];
+  const entries = [['first', texts.onlyIn(names[0])], ['second', texts.onlyIn(names[1])], ['both', texts.inBoth]] as const;
+  return make('ul', { className: 'strokes' }, ...entries.map(([owner, text]) => make('li', { className: owner }, text)));
+}
+
+/** The drawing with the colours of the page in place of its own, and without its legend. */
+function drawn(svg: string, label: string): Element | undefined {
+  const parsed = new DOMParser().parseFromString(svg, 'image/svg+xml').documentElement;
+  if (parsed.localName !== 'svg') return undefined;
+  for (const style of parsed.querySelectorAll('style, title')) style.remove();
+  for (const text of parsed.querySelectorAll('text.legend')) {
+    text.previousElementSibling?.remove();
+    text.remove();
+  }
+  for (const inner of parsed.querySelectorAll('svg')) inner.setAttribute('role', 'presentation');
+  parsed.setAttribute('aria-label', label);
+  parsed.removeAttribute('width');
+  parsed.removeAttribute('height');
+  return document.importNode(parsed, true);
+}

@@ -1,0 +1,30 @@
+// The HTML and Markdown in which a program stands in somebody else's page.
+//
+// In: a program with its context, and addresses. Out: text to copy, in which nothing of the program can be taken for markup.
+// Must not know: what the text is copied into.
+
+import type { Shared } from '../files/shared-link';
+import { writtenLink } from '../files/written-link';
+
+/** The element with its program in a `pre`: readable without JavaScript. */
+export function elementText(shared: Shared, script: string): string {
+  const { text, control, setup, blockSkip, program, language, view, step, readonly } = shared;
+  const said = [['view', view], ['control', control], ['block-skip', blockSkip], ['program', program], ['language', language], ['step', step], ['setup', setup]] as const;
+  const attributes = said.flatMap(([name, value]) => (value === null ? [] : [` ${name}="${escaped(value)}"`])).join('');
+  // A line end after the tag is none of the text.
+  return `<script type="module" src="${escaped(script)}"></script>\n<gcode-playground${attributes}${readonly ? ' readonly' : ''}><pre>\n${escaped(text)}\n</pre></gcode-playground>\n`;
+}
+
+/** A frame with the page that is one element; for platforms that allow no scripts. */
+export function frameText(shared: Shared, page: string, title: string): string {
+  return `<iframe sandbox="allow-scripts allow-popups allow-popups-to-escape-sandbox" title="${escaped(title)}" width="100%" height="480"\n  src="${escaped(`${page}#${writtenLink(shared)}`)}"></iframe>\n`;
+}
+
+/** A link whose text cannot be taken for the end of it. */
+export function markdownText(title: string, link: string): string {
+  return `[${title.replace(/\s+/g, ' ').replace(/[\\[\]<>*_`]/g, '\\$&')}](<${link}>)`;
+}
+
+function escaped(text: string): string {
+  return text.replaceAll('&', '&amp;').replaceAll('<', '&lt;').replaceAll('"', '&quot;');
+}

@@ -1,0 +1,34 @@
+// Fields of a dialog with their captions, and a text that is copied from one.
+//
+// In: the field. Out: its label; whether its text was copied. Must not know: what it is for.
+
+import { make } from '../dom/dom';
+
+export interface Field {
+  readonly label: HTMLLabelElement;
+  readonly caption: HTMLElement;
+}
+
+/** The caption stands over it. */
+export function field(input: HTMLElement): Field {
+  const caption = make('span');
+  return { label: make('label', { className: 'field-of-dialog' }, caption, input), caption };
+}
+
+/** The caption stands beside it. */
+export function check(input: HTMLInputElement): Field {
+  const caption = make('span');
+  return { label: make('label', { className: 'check' }, input, caption), caption };
+}
+
+/** Selects all of a text, and copies it. */
+export async function copied(output: HTMLTextAreaElement): Promise<'copied' | 'not-copied'> {
+  output.select();
+  try {
+    await navigator.clipboard.writeText(output.value);
+    return 'copied';
+  } catch {
+    // Where a page may not write there, the old way may still work.
+    return document.execCommand('copy') ? 'copied' : 'not-copied';
+  }
+}

@@ -1,0 +1,85 @@
+// Which of the reader's own programs is in this tab, and keeping it.
+//
+// In: the program, each time it is to be kept; which one takes its place. Out: an entry of the journal, at once, and
+// then a row of the list (`own-programs-session.ts`, loaded after the first picture). So what was typed is safe when
+// the tab is killed (the journal is written in the same turn) and when the browser is (the database is written a
+// moment later; browsers write the journal's store to the disk only after some seconds).
+// Must not know: the database, or what is shown of a program.
+
+import type { Session } from './own-programs-session';
+import type { KeepingHost, ProgramOfTab } from './page-host';
+import { keepInJournal, LONGEST_IN_JOURNAL, newId, TAB, type Entry, type KeptProgram } from './storage';
+
+/** How long the list waits for the first picture. */
+const LATEST_MS = 10_000;
+/** Undo brings back one of these at most. */
+const MOST_REMEMBERED = 20;
+
+export class Keeping implements ProgramOfTab {
+  readonly host: KeepingHost;
+  /** The newest revision of a program that this tab has seen. */
+  readonly known = new Map<string, number>();
+  /** The entry that the page began with. */
+  began: Entry | undefined;
+  #id: string | undefined;
+  /** The programs this tab has had, as they were kept last. */
+  readonly #had = new Map<string, string>();
+  #session: Promise<Session> | undefined;
+  #lastTime = 0;
+
+  constructor(host: KeepingHost) {
+    this.host = host;
+  }
+
+  /** The program of the list that is in the editor; none, where it is an example as it came. */
+  get id(): string | undefined {
+    return this.#id;
+  }
+
+  /** A program of the list is in the editor, or one that the list does not have. */
+  takes(id: string | undefined): void {
+    this.#id = id;
+  }
+
+  /** Another text has taken the place of the one before, or undo has brought back one; nothing: it is too long to be kept. */
+  replaced(text: string | undefined): void {
+    this.#id = [...this.#had].find(([, before]) => before === text)?.[0];
+  }
+
+  keep(program: KeptProgram): void {
+    const id = (this.#id ??= newId());
+    this.#lastTime = Math.max(Date.now(), this.#lastTime + 1);
+    const entry: Entry = { id, tab: TAB, time: this.#lastTime, base: this.known.get(id) ?? this.#baseAtStart(id), program };
+    this.remember(id, program.text);
+    const journal = program.text.length > LONGEST_IN_JOURNAL ? 'refused' : keepInJournal(entry, this.began);
+    void this.session().then((session) => session.keep(entry, journal), () => undefined);
+  }
+
+  remember(id: string, text: string): void {
+    this.#had.delete(id);
+    this.#had.set(id, text);
+    const [oldest] = this.#had.keys();
+    if (this.#had.size > MOST_REMEMBERED && oldest !== undefined) this.#had.delete(oldest);
+  }
+
+  /** The list, once the first picture is there, or does not come; what could not be loaded is asked for again the next time. */
+  session(): Promise<Session> {
+    this.#session ??= this.#firstPicture().then(() => import('./own-programs-session')).then(({ Session }) => new Session(this));
+    this.#session.catch(() => {
+      this.#session = undefined;
+    });
+    return this.#session;
+  }
+
+  showLanguage(): void {
+    void this.#session?.then((session) => session.showLanguage(), () => undefined);
+  }
+
+  async #firstPicture(): Promise<void> {
+    await Promise.race([this.host.playground.settled, new Promise((done) => setTimeout(done, LATEST_MS))]);
+  }
+
+  #baseAtStart(id: string): number {
+    return this.began?.id === id ? this.began.base : 0;
+  }
+}

@@ -1,0 +1,190 @@
+// The page without a network: it is stored in the browser once it has settled, and a newer version is announced, never put in the
+// place of the one that the reader has.
+//
+// In: what the service worker (`offline/service-worker`) has come to; whether the program is kept. Out: the service worker; the manifest
+// in the reader's language; "works offline" among the settings; a line about a newer version; files that the system opens with the
+// installed page. Must not know: which files there are, or how they are stored.
+
+import { make } from '../dom/dom';
+import type { Language } from '../dom/language';
+import { words } from '../dom/words';
+import { TAKE_OVER } from '../offline/take-over';
+import type { GcodePlayground } from '../shell/element';
+import './offline.css';
+
+/** A tab that is open for days looks for a newer version so often, at most. */
+const LOOK_EVERY_MS = 3_600_000;
+
+export interface OfflineHost {
+  readonly playground: GcodePlayground;
+  readonly language: Language;
+  /** Keeps the program for the next visit. */
+  keep(): 'kept' | 'not-kept';
+}
+
+type State = 'unknown' | 'stored' | 'not-stored';
+type News = 'none' | 'newer' | 'not-kept';
+
+/** What is used of file handling, which the library of types does not have yet. */
+interface LaunchQueue {
+  setConsumer(consumer: (launched: { readonly files?: readonly { getFile(): Promise<File> }[] }) => void): void;
+}
+
+export class Offline {
+  readonly #host: OfflineHost;
+  readonly #said = make('span');
+  readonly #status = make('p', { id: 'offline', hidden: true }, this.#said);
+  readonly #text = make('p', { role: 'status' });
+  readonly #reload = make('button', { type: 'button' });
+  readonly #later = make('button', { type: 'button' });
+  readonly #news = make('div', { id: 'news', hidden: true }, this.#text, this.#reload, this.#later);
+  readonly #manifest = make('link', { rel: 'manifest' });
+  #registration: ServiceWorkerRegistration | undefined;
+  #state: State = 'unknown';
+  #saidNews: News = 'none';
+  /** The reader wants the newer version. */
+  #wanted = false;
+  #lookedAt = performance.now();
+
+  constructor(host: OfflineHost) {
+    this.#host = host;
+    // Heard when it comes, since nobody waits for it.
+    this.#status.setAttribute('aria-live', 'polite');
+    document.getElementById('settings')?.append(this.#status);
+    document.querySelector('header')?.after(this.#news);
+    document.head.append(this.#manifest);
+    this.#reload.addEventListener('click', () => this.#takeNewer());
+    this.#later.addEventListener('click', () => this.#say('none'));
+    this.showLanguage();
+    this.#openLaunched();
+    // Only here: http of another computer has no service workers, nor has a frame that may store nothing.
+    if ('serviceWorker' in navigator) void this.#store(navigator.serviceWorker);
+  }
+
+  showLanguage(): void {
+    const { language } = this.#host;
+    const texts = WORDS[language];
+    this.#manifest.href = new URL(`manifest-${language}.webmanifest`, document.baseURI).href;
+    this.#reload.textContent = this.#saidNews === 'not-kept' ? texts.reloadAllTheSame : texts.reload;
+    this.#later.textContent = texts.later;
+    this.#text.textContent = { none: '', newer: texts.newer, 'not-kept': texts.notKept }[this.#saidNews];
+    const said = { unknown: '', stored: texts.stored, 'not-stored': texts.notStored }[this.#state];
+    this.#status.hidden = said === '';
+    this.#said.textContent = said;
+    this.#status.dataset['state'] = this.#state;
+    this.#status.title = this.#state === 'stored' ? `${said}. ${texts.storedHint}` : said;
+  }
+
+  async #store(container: ServiceWorkerContainer): Promise<void> {
+    let { controller } = container;
+    container.addEventListener('controllerchange', () => {
+      const had = controller;
+      controller = container.controller;
+      // Another tab has taken the newer version; this one goes on with what it has begun with.
+      if (had !== null && !this.#wanted) this.#say('newer');
+    });
+    try {
+      this.#registration = await container.register(new URL('service-worker.js', document.baseURI), { updateViaCache: 'none' });
+    } catch {
+      this.#show('not-stored');
+      this.#tryWithNetwork(container);
+      return;
+    }
+    const registration = this.#registration;
+    registration.addEventListener('updatefound', () => this.#follow(registration.installing));
+    this.#follow(registration.installing);
+    this.#lookWhatIsThere();
+    document.addEventListener('visibilitychange', () => {
+      if (document.visibilityState === 'visible' && performance.now() - this.#lookedAt > LOOK_EVERY_MS) this.#look();
+    });
+    addEventListener('online', () => this.#look());
+  }
+
+  #tryWithNetwork(container: ServiceWorkerContainer): void {
+    addEventListener('online', () => void this.#store(container), { once: true });
+  }
+
+  #look(): void {
+    this.#lookedAt = performance.now();
+    // Without a network there is nothing newer.
+    this.#registration?.update().catch(() => undefined);
+  }
+
+  #follow(worker: ServiceWorker | null): void {
+    worker?.addEventListener('statechange', () => {
+      if (worker.state === 'redundant' && this.#registration?.active === null) this.#show('not-stored');
+      else this.#lookWhatIsThere();
+    });
+  }
+
+  #lookWhatIsThere(): void {
+    const active = this.#registration?.active ?? undefined;
+    const waiting = this.#registration?.waiting ?? undefined;
+    if (active?.state === 'activated') this.#show('stored');
+    if (active !== undefined && waiting !== undefined && this.#saidNews === 'none') this.#say('newer');
+  }
+
+  #takeNewer(): void {
+    if (this.#host.keep() === 'not-kept' && this.#saidNews !== 'not-kept') return this.#say('not-kept');
+    this.#wanted = true;
+    const waiting = this.#registration?.waiting ?? undefined;
+    if (waiting === undefined) return location.reload();
+    waiting.addEventListener('statechange', () => {
+      if (waiting.state === 'activated') location.reload();
+    });
+    waiting.postMessage(TAKE_OVER);
+  }
+
+  #show(state: State): void {
+    this.#state = state;
+    this.showLanguage();
+  }
+
+  #say(news: News): void {
+    this.#saidNews = news;
+    this.#news.hidden = news === 'none';
+    this.showLanguage();
+  }
+
+  /** Files that the reader opens from the system, where the page is installed. */
+  #openLaunched(): void {
+    const queue = (window as { launchQueue?: LaunchQueue }).launchQueue;
+    queue?.setConsumer(({ files = [] }) => {
+      const [first] = files;
+      if (first !== undefined) void first.getFile().then((file) => this.#host.playground.openFile(file));
+    });
+  }
+}
+
+const WORDS = words({
+  en: {
+    stored: 'Works offline',
+    storedHint: 'The page with all its parts is stored in the browser: it needs no network.',
+    notStored: 'Not stored for offline use',
+    newer: 'There is a newer version of this page. Your program is kept.',
+    notKept: 'The browser cannot keep this program: save it as a file before you reload.',
+    reload: 'Reload',
+    reloadAllTheSame: 'Reload all the same',
+    later: 'Later',
+  },
+  zh: {
+    stored: '可离线使用',
+    storedHint: '页面及其所有部分已保存在浏览器中，无需网络。',
+    notStored: '未保存，不能离线使用',
+    newer: '本页面有新版本。您的程序会保留。',
+    notKept: '浏览器无法保留此程序：请先保存为文件，再重新加载。',
+    reload: '重新加载',
+    reloadAllTheSame: '仍要重新加载',
+    later: '稍后',
+  },
+  ru: {
+    stored: 'Работает без сети',
+    storedHint: 'Страница со всеми частями сохранена в браузере: сеть ей не нужна.',
+    notStored: 'Не сохранено для работы без сети',
+    newer: 'Есть новая версия страницы. Ваша программа сохранится.',
+    notKept: 'Браузер не может сохранить эту программу: перед обновлением сохраните её в файл.',
+    reload: 'Обновить',
+    reloadAllTheSame: 'Всё равно обновить',
+    later: 'Позже',
+  },
+});

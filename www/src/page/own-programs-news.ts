@@ -1,0 +1,69 @@
+// The line under the header that says what became of keeping the program.
+//
+// In: a piece of news, the language, what can be done about it. Out: an element for the page, which is seen
+// whichever part of the program is; empty where there is nothing to say. Must not know: how programs are kept.
+
+import { make } from '../dom/dom';
+import type { Language } from '../dom/language';
+import { NEWS_WORDS } from './own-programs-words';
+import './own-programs-news.css';
+
+export type News =
+  /** Another tab has changed the program that is shown here. */
+  | { readonly kind: 'changed-elsewhere' }
+  /** Both tabs have changed it: this one goes on under a name of its own. */
+  | { readonly kind: 'both-kept'; readonly name: string }
+  | { readonly kind: 'deleted-elsewhere' }
+  /** `last-only`: the journal still has the last program. */
+  | { readonly kind: 'full' | 'refused' | 'last-only' | 'cleared' | 'too-many' };
+
+export type NewsAct = 'show' | 'keep-both' | 'save-file' | 'open-list';
+
+/** What is offered with each. */
+const OFFERED: Readonly<Record<News['kind'], readonly NewsAct[]>> = {
+  'changed-elsewhere': ['show', 'keep-both'],
+  'both-kept': ['open-list'],
+  'deleted-elsewhere': [],
+  full: ['save-file', 'open-list'],
+  refused: ['save-file'],
+  'last-only': ['save-file'],
+  cleared: ['save-file'],
+  'too-many': ['save-file', 'open-list'],
+};
+
+export class NewsLine {
+  readonly element = make('div', { id: 'own-news', role: 'status' });
+  readonly #act: (act: NewsAct) => void;
+  #news: News | undefined;
+  #language: Language = 'en';
+
+  constructor(act: (act: NewsAct) => void) {
+    this.#act = act;
+  }
+
+  get news(): News['kind'] | undefined {
+    return this.#news?.kind;
+  }
+
+  set language(language: Language) {
+    if (language === this.#language) return;
+    this.#language = language;
+    this.show(this.#news);
+  }
+
+  show(news: News | undefined): void {
+    this.#news = news;
+    if (news === undefined) {
+      this.element.replaceChildren();
+      return;
+    }
+    const texts = NEWS_WORDS[this.#language];
+    const said = news.kind === 'both-kept' ? texts.said[news.kind](news.name) : texts.said[news.kind];
+    const buttons = OFFERED[news.kind].map((act) => {
+      const button = make('button', { type: 'button', className: 'link' }, texts.acts[act]);
+      button.addEventListener('click', () => this.#act(act));
+      return button;
+    });
+    this.element.replaceChildren(make('p', {}, said), ...buttons);
+  }
+}

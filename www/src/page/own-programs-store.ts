@@ -1,0 +1,307 @@
+// The list of the reader's own programs in the browser's database.
+//
+// In: programs with the revision they were made of. Out: what became of them; the list, texts, earlier states. Each
+// change is one transaction over all stores, in which the revision is compared: so tabs need no locks, and what
+// another tab has written is never overwritten (`conflict`). `idb` makes promises of the database's events. Loaded
+// after the first picture. Must not know: the page, or what a program says.
+
+import { openDB, type DBSchema, type IDBPDatabase, type IDBPTransaction } from 'idb';
+import { importAs, isSame, isWorthAState, LIMITS, listedIn, nameBeside, superfluous, withSeen, wordsOf, type FiledProgram, type Listed, type State } from './own-programs';
+import { newId, programIn, TAB, type Entry, type KeptProgram } from './storage';
+import type { SmallPicture } from '../../small-picture';
+
+type StateKey = [id: string, time: number, length: number];
+
+interface Schema extends DBSchema {
+  programs: { key: string; value: Listed };
+  texts: { key: string; value: KeptProgram };
+  states: { key: StateKey; value: KeptProgram };
+}
+
+type Stores = ['programs', 'texts', 'states'];
+type Writing = IDBPTransaction<Schema, Stores, 'readwrite'>;
+
+const NAME = `gcode-playground:programs:${location.pathname}`;
+const STORES: Stores = ['programs', 'texts', 'states'];
+
+/** What the database says by itself. */
+export interface StoreEvents {
+  /** What was kept has been deleted, or the database was closed by the browser. */
+  closed(): void;
+}
+
+let opened: Promise<IDBPDatabase<Schema>> | undefined;
+let events: StoreEvents = { closed: () => undefined };
+
+export function listen(to: StoreEvents): void {
+  events = to;
+}
+
+function database(): Promise<IDBPDatabase<Schema>> {
+  opened ??= openDB<Schema>(NAME, 1, {
+    upgrade(db) {
+      db.createObjectStore('programs', { keyPath: 'id' });
+      db.createObjectStore('texts');
+      db.createObjectStore('states');
+    },
+    // Somebody wants to delete the database, or a newer page to change it: it is let go of, and asked for again.
+    blocking(_now, _wanted, event) {
+      (event.target as IDBDatabase).close();
+      closed();
+    },
+    terminated: closed,
+  });
+  opened.catch(() => {
+    opened = undefined;
+  });
+  return opened;
+}
+
+function closed(): void {
+  opened = undefined;
+  events.closed();
+}
+
+async function change<Outcome>(act: (transaction: Writing) => Promise<Outcome>): Promise<Outcome> {
+  const transaction = (await database()).transaction(STORES, 'readwrite', { durability: 'relaxed' });
+  try {
+    const outcome = await act(transaction);
+    await transaction.done;
+    return outcome;
+  } catch (error) {
+    try {
+      transaction.abort();
+    } catch {
+      // It has ended by itself.
+    }
+    // Both are about the same; only one of them may say that there is no room.
+    const why: unknown = await transaction.done.then(() => undefined, (reason: unknown) => reason);
+    throw isFull(why) ? why : error;
+  }
+}
+
+/** Whether the browser has no room left. */
+export function isFull(error: unknown): boolean {
+  return error instanceof DOMException && error.name === 'QuotaExceededError';
+}
+
+// ---- reading --------------------------------------------------------------------------------------
+
+/** All programs, the one that was changed last at first. */
+export async function listPrograms(): Promise<readonly Listed[]> {
+  const rows = await (await database()).getAll('programs');
+  return rows.flatMap((row) => listedIn(row) ?? []).sort((a, b) => b.changed - a.changed);
+}
+
+export async function listed(id: string): Promise<Listed | undefined> {
+  return listedIn(await (await database()).get('programs', id));
+}
+
+export async function programOf(id: string): Promise<KeptProgram | undefined> {
+  return programIn(await (await database()).get('texts', id));
+}
+
+/** The earlier states of a program, the newest first. */
+export async function statesOf(id: string): Promise<readonly State[]> {
+  const keys = await (await database()).getAllKeys('states', allOf(id));
+  return keys.map(([, time, length]) => ({ time, length })).sort((a, b) => b.time - a.time);
+}
+
+export async function programOfState(id: string, { time, length }: State): Promise<KeptProgram | undefined> {
+  return programIn(await (await database()).get('states', [id, time, length]));
+}
+
+/** All programs with their states, as a file has them. */
+export async function everything(): Promise<readonly FiledProgram[]> {
+  const all = await listPrograms();
+  return (await Promise.all(all.map(({ id }) => filed(id)))).flatMap((one) => one ?? []);
+}
+
+/** One program with its states. */
+export async function filed(id: string): Promise<FiledProgram | undefined> {
+  const transaction = (await database()).transaction(STORES, 'readonly');
+  const row = listedIn(await transaction.objectStore('programs').get(id));
+  const program = programIn(await transaction.objectStore('texts').get(id));
+  if (row === undefined || program === undefined) return undefined;
+  const [keys, texts] = await Promise.all([transaction.objectStore('states').getAllKeys(allOf(id)), transaction.objectStore('states').getAll(allOf(id))]);
+  const states = keys.flatMap(([, time], i) => {
+    const then = programIn(texts[i]);
+    return then === undefined ? [] : [{ time, program: then }];
+  });
+  const { name, namedBy, created, changed } = row;
+  return { id, name, namedBy, created, changed, program, states };
+}
+
+// ---- changing -------------------------------------------------------------------------------------
+
+export type Written =
+  | { readonly kind: 'written'; readonly row: Listed; readonly was: 'new' | 'there' | 'same' }
+  /** Another tab has changed it since; nothing was written. */
+  | { readonly kind: 'conflict'; readonly row: Listed }
+  | { readonly kind: 'too-many' };
+
+export interface Wanted extends Entry {
+  /** What the program is called by itself. */
+  readonly name: string;
+  /** The text that was there becomes an earlier state: when it is time, or now. */
+  readonly state: 'in-time' | 'now';
+}
+
+export function writeProgram(wanted: Wanted): Promise<Written> {
+  return change((transaction) => write(transaction, wanted));
+}
+
+async function write(transaction: Writing, { id, tab, time, base, program, name, state }: Wanted): Promise<Written> {
+  const [programs, texts] = [transaction.objectStore('programs'), transaction.objectStore('texts')];
+  const row = listedIn(await programs.get(id));
+  const before = programIn(await texts.get(id));
+  if (row === undefined || before === undefined) {
+    if ((await programs.count()) >= LIMITS.programs) return { kind: 'too-many' };
+    const created: Listed = { id, name, namedBy: 'program', created: time, changed: time, revision: base + 1, tab, seen: { [tab]: time }, length: program.text.length, words: wordsOf(program.text) };
+    await Promise.all([programs.put(created), texts.put(program, id)]);
+    return { kind: 'written', row: created, was: 'new' };
+  }
+  // An entry of the journal that the list has had.
+  if ((row.seen[tab] ?? 0) >= time) return { kind: 'written', row, was: 'same' };
+  const seen = withSeen(row, tab, time);
+  if (isSame(before, program)) {
+    await programs.put({ ...row, seen });
+    return { kind: 'written', row, was: 'same' };
+  }
+  if (row.revision !== base && row.tab !== tab) return { kind: 'conflict', row };
+  // What another tab has written is no step on the way of this one.
+  await keepState(transaction, row, before, time, row.tab === tab ? state : 'now');
+  // The picture stays until there is a new one.
+  const changed: Listed = {
+    ...row, name: row.namedBy === 'reader' ? row.name : name, changed: time, revision: row.revision + 1, tab, seen,
+    length: program.text.length, words: wordsOf(program.text),
+  };
+  await Promise.all([programs.put(changed), texts.put(program, id)]);
+  return { kind: 'written', row: changed, was: 'there' };
+}
+
+/** Puts an entry that another tab's text stands in the way of beside that: a program of its own, which the reader names. */
+export function writeBeside({ id, tab, time, program }: Entry): Promise<Listed | 'too-many'> {
+  return change(async (transaction) => {
+    const programs = transaction.objectStore('programs');
+    const all = (await programs.getAll()).flatMap((row) => listedIn(row) ?? []);
+    if (all.length >= LIMITS.programs) return 'too-many';
+    const there = all.find((row) => row.id === id);
+    const beside: Listed = {
+      id: newId(), name: nameBeside(there?.name ?? '', all.map(({ name }) => name)), namedBy: 'reader', created: time, changed: time, revision: 1, tab,
+      seen: {}, length: program.text.length, words: wordsOf(program.text),
+    };
+    await Promise.all([programs.put(beside), transaction.objectStore('texts').put(program, beside.id)]);
+    if (there !== undefined) await programs.put({ ...there, seen: withSeen(there, tab, time) });
+    return beside;
+  });
+}
+
+async function keepState(transaction: Writing, { id, changed }: Listed, before: KeptProgram, now: number, when: Wanted['state']): Promise<void> {
+  const states = transaction.objectStore('states');
+  const there = (await states.getAllKeys(allOf(id))).map(([, time, length]) => ({ time, length }));
+  if (when === 'in-time' && !isWorthAState(there, now)) return;
+  const added: State = { time: changed, length: before.text.length };
+  await states.put(before, keyOf(id, added));
+  const gone = superfluous([...there, added], now);
+  await Promise.all(gone.map((state) => states.delete(keyOf(id, state))));
+}
+
+/** An earlier state becomes the program; what it was until now is an earlier state from then on. */
+export async function restoreState(id: string, state: State): Promise<KeptProgram | undefined> {
+  return change(async (transaction) => {
+    const [row, then] = await Promise.all([transaction.objectStore('programs').get(id), transaction.objectStore('states').get(keyOf(id, state))]);
+    const [now, program] = [listedIn(row), programIn(then)];
+    if (now === undefined || program === undefined) return undefined;
+    await write(transaction, { id, tab: TAB, time: Math.max(Date.now(), now.changed + 1), base: now.revision, program, name: now.name, state: 'now' });
+    return program;
+  });
+}
+
+/** The reader names it; an empty name: as the program names itself. */
+export async function rename(id: string, name: string, byItself: (program: KeptProgram) => string): Promise<void> {
+  await change(async (transaction) => {
+    const programs = transaction.objectStore('programs');
+    const row = listedIn(await programs.get(id));
+    const program = programIn(await transaction.objectStore('texts').get(id));
+    if (row === undefined || program === undefined) return;
+    await programs.put(name === '' ? { ...row, name: byItself(program), namedBy: 'program' } : { ...row, name, namedBy: 'reader' });
+  });
+}
+
+/** The picture of a revision, as long as that is the newest. */
+export async function keepPicture(id: string, revision: number, picture: SmallPicture | undefined): Promise<void> {
+  await change(async (transaction) => {
+    const programs = transaction.objectStore('programs');
+    const row = listedIn(await programs.get(id));
+    if (row === undefined || row.revision !== revision) return;
+    const { picture: _, ...rest } = row;
+    await programs.put(picture === undefined ? rest : { ...rest, picture });
+  });
+}
+
+/** A program of its own, with the same text. */
+export async function duplicate(id: string): Promise<Listed | 'too-many' | undefined> {
+  return change(async (transaction) => {
+    const programs = transaction.objectStore('programs');
+    const all = (await programs.getAll()).flatMap((row) => listedIn(row) ?? []);
+    const row = all.find((one) => one.id === id);
+    const program = programIn(await transaction.objectStore('texts').get(id));
+    if (row === undefined || program === undefined) return undefined;
+    if (all.length >= LIMITS.programs) return 'too-many';
+    const now = Date.now();
+    const copy: Listed = { ...row, id: newId(), name: nameBeside(row.name, all.map(({ name }) => name)), namedBy: 'reader', created: now, changed: now, revision: 1, tab: TAB, seen: {} };
+    await Promise.all([programs.put(copy), transaction.objectStore('texts').put(program, copy.id)]);
+    return copy;
+  });
+}
+
+/** Deletes a program with its states, and answers with them, so that they can be put back. */
+export async function deleteProgram(id: string): Promise<FiledProgram | undefined> {
+  const whole = await filed(id);
+  await change(async (transaction) => {
+    await Promise.all([
+      transaction.objectStore('programs').delete(id), transaction.objectStore('texts').delete(id), transaction.objectStore('states').delete(allOf(id)),
+    ]);
+  });
+  return whole;
+}
+
+export interface Imported {
+  readonly added: number;
+  readonly alreadyThere: number;
+  readonly noRoom: number;
+}
+
+/** Adds programs; what is there already stays as it is. */
+export async function addPrograms(programs: readonly FiledProgram[]): Promise<Imported> {
+  return change(async (transaction) => {
+    let [added, alreadyThere, noRoom] = [0, 0, 0];
+    for (const one of programs) {
+      const as = importAs(one, programIn(await transaction.objectStore('texts').get(one.id)));
+      if (as === 'there-already') alreadyThere++;
+      else if ((await transaction.objectStore('programs').count()) >= LIMITS.programs) noRoom++;
+      else {
+        await add(transaction, as === 'new' ? one : { ...one, id: newId() });
+        added++;
+      }
+    }
+    return { added, alreadyThere, noRoom };
+  });
+}
+
+async function add(transaction: Writing, { id, name, namedBy, created, changed, program, states }: FiledProgram): Promise<void> {
+  const row: Listed = { id, name, namedBy, created, changed, revision: 1, tab: TAB, seen: {}, length: program.text.length, words: wordsOf(program.text) };
+  await Promise.all([transaction.objectStore('programs').put(row), transaction.objectStore('texts').put(program, id)]);
+  const earlier = states.map((state) => ({ ...state, length: state.program.text.length }));
+  const gone = new Set(superfluous(earlier, Date.now()));
+  for (const state of earlier) if (!gone.has(state)) await transaction.objectStore('states').put(state.program, keyOf(id, state));
+}
+
+function keyOf(id: string, { time, length }: State): StateKey {
+  return [id, time, length];
+}
+
+function allOf(id: string): IDBKeyRange {
+  return IDBKeyRange.bound([id], [id, []]);
+}

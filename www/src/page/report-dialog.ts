@@ -1,0 +1,134 @@
+// The dialog "My machine does otherwise": a report with the program, its setup, the block and what is drawn there.
+//
+// In: what the page lends to an action, and what the reader says. Out: a text to copy, and a zip with a folder for
+// `tests/programs`. Must not know: what a motion is.
+
+import { Dialog } from '../dom/dialog';
+import { make } from '../dom/dom';
+import type { Language } from '../dom/language';
+import { COMMON } from '../dom/words';
+import { download } from '../editor/program-files';
+import { linkOf } from '../files/shared-link';
+import { copied, field } from './fields';
+import { LONGEST_FOR_TABLE, motionRows, type MotionRow } from './motion-table';
+import type { PageHost } from './page-host';
+import { blockAt, fixture, reportText, type Reported } from './report';
+import { REPORT_WORDS } from './report-words';
+import { sharedProgram } from './shared-program';
+import './share.css';
+
+/** Put in by the build. */
+declare const PLAYGROUND_VERSION: string;
+
+let dialog: ReportDialog | undefined;
+
+/** Opens it for the program of now, at the block of the cursor. */
+export function report(host: PageHost): void {
+  dialog ??= new ReportDialog();
+  dialog.open(host);
+}
+
+class ReportDialog {
+  readonly #machine = make('input', { type: 'text', id: 'report-machine', maxLength: 200 });
+  readonly #line = make('input', { type: 'number', id: 'report-line', min: '1', step: '1' });
+  readonly #block = make('code', { className: 'block', lang: 'en' });
+  readonly #did = make('textarea', { id: 'report-did', rows: 3, maxLength: 5000 });
+  readonly #output = make('textarea', { id: 'report-output', readOnly: true, rows: 7, spellcheck: false });
+  readonly #said = make('p', { className: 'said', role: 'status' });
+  readonly #copy = make('button', { type: 'button', className: 'framed' });
+  readonly #save = make('button', { type: 'button', className: 'framed' });
+  readonly #fields = { machine: field(this.#machine), line: field(this.#line), did: field(this.#did), output: field(this.#output) };
+  readonly #dialog = new Dialog('report', [
+    make('div', { id: 'report-fields' }, this.#fields.machine.label, this.#fields.line.label, this.#block, this.#fields.did.label),
+    this.#fields.output.label, this.#said,
+  ], [this.#copy, this.#save]);
+  #host: PageHost | undefined;
+  #motions: readonly MotionRow[] | undefined;
+  #link: string | undefined;
+  /** Counts how often it was opened: what comes late is dropped. */
+  #opened = 0;
+
+  constructor() {
+    // It looks like that dialog.
+    this.#dialog.element.classList.add('share');
+    document.body.append(this.#dialog.element);
+    for (const input of [this.#machine, this.#line, this.#did]) input.addEventListener('input', () => this.#show());
+    this.#copy.addEventListener('click', () => void this.#copied());
+    this.#save.addEventListener('click', () => void this.#saved());
+  }
+
+  get #language(): Language {
+    return this.#host?.language ?? 'en';
+  }
+
+  open(host: PageHost): void {
+    const own = ++this.#opened;
+    this.#host = host;
+    const texts = REPORT_WORDS[host.language];
+    this.#dialog.name(texts.title, COMMON[host.language].close);
+    this.#dialog.about = texts.about;
+    const { machine, line, did, output } = this.#fields;
+    for (const [{ caption }, text] of [[machine, texts.machine], [line, texts.lineLabel], [did, texts.did], [output, texts.output]] as const) caption.textContent = text;
+    this.#machine.placeholder = texts.machineHint;
+    this.#did.placeholder = texts.didHint;
+    this.#copy.textContent = texts.copy;
+    this.#save.textContent = texts.saveFolder;
+    this.#line.value = String(host.playground.cursorLine);
+    [this.#motions, this.#link] = [undefined, undefined];
+    this.#show();
+    this.#dialog.show();
+    this.#machine.focus();
+    void this.#ask(host).then(() => own === this.#opened && this.#show());
+  }
+
+  /** What is drawn, and the link that opens it. */
+  async #ask(host: PageHost): Promise<void> {
+    const { playground } = host;
+    const [table, made] = await Promise.all([
+      playground.length > LONGEST_FOR_TABLE ? undefined : playground.exported('csv').catch(() => undefined),
+      linkOf(sharedProgram(host.program)).catch(() => undefined),
+    ]);
+    this.#motions = table && motionRows(table);
+    this.#link = made?.kind === 'link' ? `${location.href.replace(/#.*$/s, '')}${made.link}` : undefined;
+  }
+
+  #reported(host: PageHost, setup: string): Reported {
+    return {
+      text: host.program.text, setup, line: Number(this.#line.value), motions: this.#motions,
+      machine: this.#machine.value, did: this.#did.value, versions: `G-code playground ${PLAYGROUND_VERSION}, ${navigator.userAgent}`, link: this.#link,
+    };
+  }
+
+  #show(): void {
+    const host = this.#host;
+    if (host === undefined) return;
+    const texts = REPORT_WORDS[host.language];
+    const setup = host.playground.wholeSetup;
+    this.#block.textContent = blockAt(host.program.text, Number(this.#line.value));
+    this.#said.textContent = setup === undefined ? texts.unreadableSetup : '';
+    this.#output.value = setup === undefined ? '' : reportText(this.#reported(host, setup), texts);
+    this.#copy.disabled = setup === undefined;
+    this.#save.disabled = setup === undefined || this.#motions === undefined;
+  }
+
+  async #copied(): Promise<void> {
+    const texts = REPORT_WORDS[this.#language];
+    this.#said.textContent = (await copied(this.#output)) === 'copied' ? texts.copied : texts.notCopied;
+  }
+
+  async #saved(): Promise<void> {
+    const host = this.#host;
+    const setup = host?.playground.wholeSetup;
+    if (host === undefined || setup === undefined) return;
+    const texts = REPORT_WORDS[host.language];
+    const zip = await import('fflate').catch(() => undefined);
+    if (zip === undefined) {
+      this.#said.textContent = texts.notLoaded;
+      return;
+    }
+    const { name, files } = fixture(this.#reported(host, setup));
+    const packed = Object.fromEntries(Object.entries(files).map(([file, text]) => [file, zip.strToU8(text)]));
+    download(`${name}.zip`, new Uint8Array(zip.zipSync({ [name]: packed })));
+    this.#said.textContent = texts.saved(`${name}.zip`);
+  }
+}

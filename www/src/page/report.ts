@@ -1,0 +1,110 @@
+// A report that the machine does otherwise than the playground: as a text to send, and as a folder for
+// `tests/programs`.
+//
+// In: the program with its setup, the block, the motions that are drawn, and what the reader says. Out: Markdown, and
+// the files of the folder by name. Must not know: where they go.
+
+import type { MotionRow } from './motion-table';
+import type { ReportWords } from './report-words';
+
+export interface Reported {
+  /** With its own line ends. */
+  readonly text: string;
+  /** All of the setup, JSON. */
+  readonly setup: string;
+  /** The line of the block, from 1. */
+  readonly line: number;
+  /** The motions of all blocks; nothing where the program is too long for them. */
+  readonly motions: readonly MotionRow[] | undefined;
+  readonly machine: string;
+  /** What the machine did. */
+  readonly did: string;
+  /** Of the playground, and of the browser. */
+  readonly versions: string;
+  /** Opens all of it; nothing where it is too long for a link. */
+  readonly link: string | undefined;
+}
+
+/** Motions of one block in the text; a cycle may have thousands. */
+const MOST_SHOWN = 40;
+const SHOWN = ['kind', 'x', 'z', 'c', 'r', 'dir', 'lead', 'feed', 'rpm'] as const;
+
+export function blockAt(text: string, line: number): string {
+  return text.split(/\r\n|\r|\n/)[line - 1] ?? '';
+}
+
+export function reportText(reported: Reported, words: ReportWords): string {
+  const { text, setup, line, motions, machine, did, versions, link } = reported;
+  const drawn = motions?.filter((row) => row['line'] === String(line));
+  const parts = [
+    `# ${words.title}`,
+    `**${words.machine}**: ${machine.trim() === '' ? words.notSaid : machine.trim()}`,
+    `**${words.block(line)}**: ${inCode(blockAt(text, line).trim())}`,
+    `**${words.did}**`,
+    did.trim() === '' ? words.notSaid : did.trim(),
+    `**${words.drawn}**`,
+    drawn === undefined ? words.tooLong : drawn.length === 0 ? words.nothingDrawn : table(drawn, words),
+    `**${words.versions}**: ${versions}`,
+    ...(link === undefined ? [] : [`**${words.open}**: ${link}`]),
+    `## ${words.setup}`,
+    fenced('json', setup),
+    `## ${words.program}`,
+    fenced('gcode', text.replace(/\r\n?/g, '\n')),
+  ];
+  return `${parts.join('\n\n')}\n`;
+}
+
+/** The name of the folder, and its files. */
+export function fixture(reported: Reported): { readonly name: string; readonly files: Readonly<Record<string, string>> } {
+  const { text, setup, line, motions = [], machine, did, versions } = reported;
+  const number = /^\s*[O:](\d{1,8})/im.exec(text)?.[1];
+  const source = `${machine.trim()}, block ${line}: ${did.trim()} (${versions})`;
+  const json = (value: unknown): string => `${JSON.stringify(value, undefined, 2)}\n`;
+  return {
+    name: `machine-${number === undefined ? 'program' : `o${number}`}`,
+    files: {
+      'program.nc': text,
+      'setup.json': json(JSON.parse(setup)),
+      'about.json': json({ seed: 'machine', source }),
+      'expect.json': json({}),
+      // As they are drawn: whoever adds the folder puts in what the machine did.
+      'motions.jsonl': motions.map((row) => `${JSON.stringify(expected(row))}\n`).join(''),
+    },
+  };
+}
+
+/** A motion as `tests/programs` has it. */
+function expected(row: MotionRow): object {
+  const number = (name: string): number | undefined => (row[name] === undefined || row[name] === '' ? undefined : Number(row[name]));
+  const place = (before: string): object | undefined =>
+    number(`${before}x`) === undefined ? undefined : { x: number(`${before}x`), z: number(`${before}z`), c: number(`${before}c`) };
+  // JSON leaves out what is undefined.
+  return {
+    kind: row['kind'], to: place(''), line: Number(row['line']), center: place('center_'), r: number('r'),
+    dir: row['dir'] === '' ? undefined : row['dir'], lead: number('lead'),
+  };
+}
+
+function table(rows: readonly MotionRow[], words: ReportWords): string {
+  const shown = rows.slice(0, MOST_SHOWN);
+  const used = SHOWN.filter((name) => shown.some((row) => (row[name] ?? '') !== ''));
+  const line = (cells: readonly string[]): string => `| ${cells.join(' | ')} |`;
+  const lines = [line(used), line(used.map(() => '---')), ...shown.map((row) => line(used.map((name) => row[name] ?? '')))];
+  return `${lines.join('\n')}${rows.length > MOST_SHOWN ? `\n\n${words.more(rows.length - MOST_SHOWN)}` : ''}`;
+}
+
+/** Program text may have backticks: what stands around it has more of them. */
+function fenced(kind: string, text: string): string {
+  const fence = '`'.repeat(Math.max(3, longestTicks(text) + 1));
+  return `${fence}${kind}\n${text.replace(/\n$/, '')}\n${fence}`;
+}
+
+function inCode(text: string): string {
+  if (text === '') return '–';
+  const ticks = '`'.repeat(longestTicks(text) + 1);
+  return ticks.length === 1 ? `\`${text}\`` : `${ticks} ${text} ${ticks}`;
+}
+
+function longestTicks(text: string): number {
+  return Math.max(0, ...(text.match(/`+/g) ?? []).map((ticks) => ticks.length));
+}

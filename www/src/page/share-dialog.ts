@@ -1,0 +1,213 @@
+// The dialog "Share": a link that holds the program and all it is shown with, in the forms in which it is passed on.
+//
+// In: what the page lends to an action. Out: texts to copy, a QR code, a picture. Nothing leaves the page but by the reader's
+// own hand. Must not know: how a link holds what it holds.
+
+import { Dialog } from '../dom/dialog';
+import { make } from '../dom/dom';
+import { COMMON } from '../dom/words';
+import { download } from '../editor/program-files';
+import { linkOf, type Shared } from '../files/shared-link';
+import { elementText, frameText, markdownText } from './embed-text';
+import { check, copied, field } from './fields';
+import type { PageHost } from './page-host';
+import { FORMS, SHARE_WORDS, VIEWS, type Form, type SharedView, type ShareWords } from './share-words';
+import { sharedProgram } from './shared-program';
+import './share.css';
+
+/** Above this, programs that pass links on are known to cut them off. */
+const LONG = 2000;
+/** The forms that hold a whole link of the page, and so a task. */
+const WITH_TASK: readonly Form[] = ['link', 'markdown', 'qr'];
+
+/** Put in by the build. */
+declare const PLAYGROUND_VERSION: string;
+
+let dialog: ShareDialog | undefined;
+
+/** Opens it for the program of now. */
+export function share(host: PageHost): void {
+  if (dialog === undefined) {
+    dialog = new ShareDialog();
+    document.body.append(dialog.element);
+  }
+  dialog.open(host);
+}
+
+class ShareDialog {
+  readonly #form = make('select', { id: 'share-form' });
+  readonly #view = make('select', { id: 'share-view' });
+  readonly #language = make('input', { type: 'checkbox', id: 'share-language' });
+  readonly #step = make('input', { type: 'checkbox', id: 'share-step' });
+  readonly #readonly = make('input', { type: 'checkbox', id: 'share-readonly' });
+  readonly #task = make('input', { type: 'checkbox', id: 'share-task', 'aria-controls': 'share-task-fields' });
+  readonly #sentence = make('input', { type: 'text', id: 'share-sentence', autocomplete: 'off', maxLength: 1000 });
+  readonly #start = make('textarea', { id: 'share-start', rows: 6, spellcheck: false, dir: 'ltr' });
+  readonly #taskAbout = make('p', { className: 'about' });
+  readonly #output = make('textarea', { id: 'share-output', readOnly: true, rows: 5, spellcheck: false, dir: 'ltr' });
+  readonly #drawn = make('div', { className: 'drawn' });
+  readonly #length = make('p', { className: 'length' });
+  readonly #said = make('p', { className: 'said', role: 'status' });
+  readonly #copy = make('button', { type: 'button', className: 'framed' });
+  readonly #send = make('button', { type: 'button', className: 'framed' });
+  readonly #saveSvg = make('button', { type: 'button', className: 'framed' });
+  readonly #savePng = make('button', { type: 'button', className: 'framed' });
+  readonly #fields = {
+    form: field(this.#form), view: field(this.#view), language: check(this.#language), step: check(this.#step), readonly: check(this.#readonly), task: check(this.#task),
+    sentence: field(this.#sentence), start: field(this.#start), output: field(this.#output),
+  };
+  readonly #taskFields = make('div', { id: 'share-task-fields' }, this.#taskAbout, this.#fields.sentence.label, this.#fields.start.label);
+  readonly #dialog = new Dialog('share', [
+    make('div', { className: 'choices' },
+      this.#fields.form.label, this.#fields.view.label, this.#fields.language.label, this.#fields.step.label, this.#fields.readonly.label, this.#fields.task.label, this.#taskFields),
+    this.#fields.output.label, this.#drawn, this.#length, this.#said,
+  ], [this.#copy, this.#send, this.#saveSvg, this.#savePng]);
+  #host: PageHost | undefined;
+  #toolAt: string | null = null;
+  /** Counts what was asked for, so that what is made too late is dropped. */
+  #asked = 0;
+
+  constructor() {
+    this.#form.append(...FORMS.map((value) => make('option', { value })));
+    this.#view.append(...VIEWS.map((value) => make('option', { value })));
+    this.#dialog.element.addEventListener('input', () => void this.#show());
+    this.#copy.addEventListener('click', () => void this.#copied());
+    this.#send.addEventListener('click', () => void navigator.share({ url: this.#output.value }).catch(() => undefined));
+    this.#saveSvg.addEventListener('click', () => void this.#save('svg'));
+    this.#savePng.addEventListener('click', () => void this.#save('png'));
+  }
+
+  get element(): HTMLElement {
+    return this.#dialog.element;
+  }
+
+  open(host: PageHost): void {
+    this.#host = host;
+    const texts = SHARE_WORDS[host.language];
+    this.#dialog.name(texts.title, COMMON[host.language].close);
+    this.#dialog.about = texts.about;
+    for (const option of this.#form.options) option.textContent = texts.forms[option.value as Form];
+    for (const option of this.#view.options) option.textContent = texts.views[option.value as SharedView];
+    const { form, view, language, readonly, task, sentence, start, output } = this.#fields;
+    for (const [field, text] of [
+      [form, texts.as], [view, texts.view], [language, texts.language], [readonly, texts.readonly], [task, texts.task], [sentence, texts.sentence], [start, texts.start], [output, texts.output],
+    ] as const) field.caption.textContent = text;
+    this.#taskAbout.textContent = texts.taskAbout;
+    for (const [button, text] of [[this.#copy, texts.copy], [this.#send, texts.send], [this.#saveSvg, texts.saveSvg], [this.#savePng, texts.savePng]] as const) button.textContent = text;
+    this.#form.value = 'link';
+    this.#view.value = 'all';
+    this.#language.checked = true;
+    for (const box of [this.#step, this.#readonly, this.#task]) box.checked = false;
+    this.#sentence.value = '';
+    this.#start.value = host.example?.program ?? host.program.text;
+    this.#toolAt = null;
+    this.#fields.step.label.hidden = true;
+    void this.#show();
+    this.#dialog.show();
+    this.#form.focus();
+    void host.playground.currentStep().then((step) => {
+      if (step === null) return;
+      this.#toolAt = step;
+      this.#fields.step.caption.textContent = texts.step(step);
+      this.#fields.step.label.hidden = false;
+    }, () => undefined);
+  }
+
+  /** What goes along. */
+  #shared(host: PageHost): Shared {
+    const program = sharedProgram(host.program);
+    const view = this.#view.value === 'all' ? null : this.#view.value;
+    const isTask = this.#task.checked && WITH_TASK.includes(this.#form.value as Form);
+    return {
+      ...program,
+      text: isTask ? this.#start.value : program.text,
+      language: this.#language.checked ? host.language : null, view, step: this.#step.checked ? this.#toolAt : null,
+      readonly: this.#readonly.checked && !isTask,
+      task: isTask ? { sentence: this.#sentence.value.trim(), solution: program.text } : null,
+    };
+  }
+
+  async #show(): Promise<void> {
+    const host = this.#host;
+    if (host === undefined) return;
+    const own = ++this.#asked;
+    const texts = SHARE_WORDS[host.language];
+    const form = this.#form.value as Form;
+    const isPicture = form === 'picture';
+    const { view, language, readonly, task, output } = this.#fields;
+    for (const { label } of [view, language]) label.hidden = isPicture;
+    task.label.hidden = !WITH_TASK.includes(form);
+    readonly.label.hidden = isPicture || (this.#task.checked && !task.label.hidden);
+    this.#fields.step.label.hidden = isPicture || this.#toolAt === null;
+    this.#taskFields.hidden = task.label.hidden || !this.#task.checked;
+    output.label.hidden = form === 'qr' || isPicture;
+    this.#copy.hidden = output.label.hidden;
+    this.#send.hidden = form !== 'link' || !('share' in navigator);
+    this.#saveSvg.hidden = this.#savePng.hidden = !isPicture;
+    this.#said.textContent = '';
+    // What is copied is never that of the choices before.
+    this.#output.value = '';
+    this.#copy.disabled = this.#send.disabled = true;
+    const made: Made = isPicture ? { text: '', length: '', drawn: await this.#picture(host) } : await this.#made(form, this.#shared(host), host, texts).catch(() => ({ text: '', length: texts.notMade }));
+    if (own !== this.#asked) return;
+    this.#output.value = made.text;
+    this.#copy.disabled = this.#send.disabled = made.text === '';
+    this.#length.textContent = made.length;
+    this.#drawn.replaceChildren(...(made.drawn === undefined ? [] : [made.drawn]));
+    this.#dialog.element.dataset['form'] = form;
+  }
+
+  async #made(form: Form, shared: Shared, host: PageHost, texts: ShareWords): Promise<Made> {
+    const page = location.href.replace(/#.*$/s, '');
+    const title = host.example?.title[host.language] ?? host.program.file?.name ?? document.title;
+    // Files of a folder with the version in its name never change.
+    const embedded = (file: string): string => new URL(`embed/${PLAYGROUND_VERSION}/${file}`, page).href;
+    if (form === 'element' || form === 'frame') {
+      const text = form === 'element' ? elementText(shared, embedded('element.js')) : frameText(shared, embedded('index.html'), title);
+      return { text, length: texts.length(text.length) };
+    }
+    const made = await linkOf(shared);
+    if (made.kind === 'too-long') return { text: '', length: texts.tooLong(made.length, made.limit) };
+    const link = `${page}${made.link}`;
+    if (form === 'qr') {
+      const { qrCode, QR_LIMIT } = await import('./qr');
+      const drawn = qrCode(link);
+      if (drawn === undefined) return { text: '', length: texts.qrTooLong(link.length, QR_LIMIT) };
+      drawn.setAttribute('role', 'img');
+      drawn.setAttribute('aria-label', texts.qrName);
+      return { text: '', length: texts.length(link.length), drawn };
+    }
+    const text = form === 'markdown' ? markdownText(title, link) : link;
+    return { text, length: `${texts.length(text.length)}${text.length > LONG ? ` · ${texts.longer}` : ''}` };
+  }
+
+  async #picture(host: PageHost): Promise<Element> {
+    const texts = SHARE_WORDS[host.language];
+    const file = await host.playground.pictureFile('png').catch(() => undefined);
+    if (file === undefined) return make('p', {}, texts.noPicture);
+    const address = URL.createObjectURL(file);
+    const image = make('img', { src: address, alt: texts.forms.picture });
+    image.addEventListener('load', () => URL.revokeObjectURL(address), { once: true });
+    return image;
+  }
+
+  async #save(format: 'svg' | 'png'): Promise<void> {
+    const host = this.#host;
+    const file = await host?.playground.pictureFile(format).catch(() => undefined);
+    if (host === undefined) return;
+    if (file === undefined) this.#said.textContent = SHARE_WORDS[host.language].noPicture;
+    else download(`${(host.program.file?.name ?? '').replace(/\.[^.]*$/, '') || 'program'}.${format}`, new Uint8Array(await file.arrayBuffer()));
+  }
+
+  async #copied(): Promise<void> {
+    const texts = SHARE_WORDS[this.#host?.language ?? 'en'];
+    this.#said.textContent = (await copied(this.#output)) === 'copied' ? texts.copied : texts.notCopied;
+  }
+}
+
+/** A text to copy, what is said under it, and what is shown instead of it. */
+interface Made {
+  readonly text: string;
+  readonly length: string;
+  readonly drawn?: Element;
+}

@@ -1,0 +1,55 @@
+// The holes of live tools in the turned body, as plain numbers for whoever draws it.
+//
+// In: holes with mouth and bottom. Out: for each its two ends in space and its radius, and where the faces of the cut go through it.
+// The axes are those of `solid-shape`: the spindle axis first, up the second, the viewer at the far end of the third; C 0 is up, and
+// C turns towards the viewer. Must not know: how it is drawn.
+
+import type { DrilledHole } from '../protocol/protocol';
+
+export type InSpace = readonly [z: number, up: number, near: number];
+
+export interface Bore {
+  readonly mouth: InSpace;
+  readonly bottom: InSpace;
+  /** mm. */
+  readonly radius: number;
+  /** Rectangles in the faces of the cut: four corners each, in turn. */
+  readonly cuts: readonly (readonly [InSpace, InSpace, InSpace, InSpace])[];
+}
+
+/** So far a hole stands out of the material, that it is seen; mm. */
+export const OUT = 0.05;
+/** An axis whose angle differs less from that of a face of the cut lies in it, as a sine. */
+const IN_PLANE = 1e-6;
+
+export function boreOf({ mouth, bottom, diameter }: DrilledHole): Bore {
+  const angle = ((mouth.c ?? 0) * Math.PI) / 180;
+  const [cos, sin] = [Math.cos(angle), Math.sin(angle)];
+  const at = (z: number, r: number): InSpace => [z, r * cos, r * sin];
+  const radius = diameter / 2;
+  const [inner, outer] = [bottom.x / 2, mouth.x / 2];
+  // Into the face it keeps its distance from the axis, into the side its Z.
+  const intoFace = Math.abs(mouth.x - bottom.x) < Math.abs(mouth.z - bottom.z);
+  const first = intoFace ? at(mouth.z + OUT, outer) : at(mouth.z, outer + OUT);
+  const cuts: [InSpace, InSpace, InSpace, InSpace][] = [];
+  for (const [along, beside, place] of [
+    [cos, sin, (z: number, r: number): InSpace => [z, r, OUT]],
+    [sin, cos, (z: number, r: number): InSpace => [z, OUT, r]],
+  ] as const) {
+    if (along <= 0) continue;
+    const [low, high, left, right] = intoFace
+      ? span(outer * along, halfChord(radius, outer * beside), bottom.z, mouth.z)
+      : [inner, outer, ...(Math.abs(beside) < IN_PLANE ? [mouth.z - radius, mouth.z + radius] as const : [0, 0] as const)];
+    if (high > low && right > left) cuts.push([place(left, low), place(right, low), place(right, high), place(left, high)]);
+  }
+  return { mouth: first, bottom: at(bottom.z, inner), radius, cuts };
+}
+
+function span(middle: number, half: number, left: number, right: number): [number, number, number, number] {
+  return [middle - half, middle + half, left, right];
+}
+
+/** Half of what a plane at a distance from the axis of a round hole cuts out of it. */
+function halfChord(radius: number, distance: number): number {
+  return Math.sqrt(Math.max(radius * radius - distance * distance, 0));
+}

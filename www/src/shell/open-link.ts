@@ -1,0 +1,72 @@
+// "Open in the playground": a link beside what an element of somebody's page shows, to all that the playground has.
+//
+// In: the element's attributes and its program. Out: an anchor whose address is made when somebody comes near it, since a program
+// can be long. Must not know: how the page reads it.
+
+import { icon, make, name } from '../dom/dom';
+import type { Language } from '../dom/language';
+import { words } from '../dom/words';
+import { writtenLink } from '../files/written-link';
+
+/** What an element says of itself. */
+export interface Opens {
+  readonly language: Language;
+  readonly playground: string | null;
+  readonly controls: string | null;
+  readonly value: string;
+  getAttribute(name: string): string | null;
+}
+
+export class OpenLink {
+  readonly element = make('a', { className: 'open-link', part: 'open-link', target: '_blank', rel: 'noopener', hidden: true }, icon('open'));
+  readonly #host: Opens;
+  readonly #beside: string | undefined;
+
+  /** `beside`: the page where the attribute names none. */
+  constructor(host: Opens, beside: string | undefined) {
+    this.#host = host;
+    this.#beside = beside;
+    // Before a click, a middle click or the menu of the right button.
+    for (const near of ['pointerenter', 'pointerdown', 'focus', 'click']) this.element.addEventListener(near, () => this.#address());
+    this.changed();
+  }
+
+  /** An attribute or the language is another one. */
+  changed(): void {
+    const { language, controls } = this.#host;
+    name(this.element, WORDS[language].open);
+    const page = this.#page;
+    this.element.hidden = page === undefined || (controls !== null && !/\blink\b/.test(controls));
+    // It is a link, though nobody has come near it.
+    if (page !== undefined) this.element.href = page.href;
+  }
+
+  get #page(): URL | undefined {
+    const { playground } = this.#host;
+    const address = playground ?? this.#beside ?? '';
+    if (address === '') return undefined;
+    try {
+      const page = new URL(address, document.baseURI);
+      return /^https?:$/.test(page.protocol) ? page : undefined;
+    } catch {
+      return undefined;
+    }
+  }
+
+  #address(): void {
+    const page = this.#page;
+    if (page === undefined) return;
+    const { value: text, language } = this.#host;
+    const said = (name: string): string | null => this.#host.getAttribute(name);
+    page.hash = writtenLink({
+      text, language, setup: said('setup'), control: said('control'), blockSkip: said('block-skip'), program: said('program'), view: null, step: said('step'), readonly: false,
+    });
+    this.element.href = page.href;
+  }
+}
+
+const WORDS = words({
+  en: { open: 'Open in the playground' },
+  zh: { open: '在演练场中打开' },
+  ru: { open: 'Открыть в песочнице' },
+});

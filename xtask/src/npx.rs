@@ -1,0 +1,85 @@
+//! In: the sources of the command line. Out: the same program as a module for Node, in `target/npx`, which the npm package has in its folder
+//! `bin`; and whether it writes what the native one writes, to the byte.
+
+use std::fs;
+use std::path::PathBuf;
+use std::time::{Duration, Instant};
+
+use crate::embed::copy_folder;
+use crate::package::FEATURES;
+use crate::run::{self, Result, step};
+use crate::setup::Setup;
+
+/// The profile of Cargo.toml: that of the page, so that what both need is compiled once.
+const PROFILE: &str = "page";
+
+/// Where the module is built.
+fn folder() -> PathBuf {
+    run::target().join("npx")
+}
+
+/// Builds the module.
+pub fn build(setup: &Setup) -> Result<Duration> {
+    let mut cargo = setup.command("cargo");
+    cargo.args(["rustc", "--bin", "gcode-playground", "--features", "npx", "--profile", PROFILE]);
+    cargo.args(["--target", "wasm32-unknown-unknown"]);
+    let compiled = step("compiling the command line to wasm", &mut cargo)?;
+    let _ = fs::remove_dir_all(folder());
+    let mut bindgen = setup.command("wasm-bindgen");
+    bindgen.args([
+        "--target",
+        "experimental-nodejs-module",
+        "--no-typescript",
+        "--out-name",
+        "command-line",
+        "--out-dir",
+    ]);
+    let module = run::target().join("wasm32-unknown-unknown").join(PROFILE).join("gcode-playground.wasm");
+    let bound = step("building the command line for Node", bindgen.arg(folder()).arg(module))?;
+    let begun = Instant::now();
+    let module = folder().join("command-line_bg.wasm");
+    let mut wasm_opt = setup.command("wasm-opt");
+    wasm_opt.args(FEATURES).arg("-O2").arg(&module).arg("-o").arg(&module);
+    run::quiet("optimising the command line for Node", &mut wasm_opt)?;
+    // The package that it goes into has one of its own.
+    let _ = fs::remove_file(folder().join("package.json"));
+    let starts = folder().join("gcode-playground.js");
+    fs::write(&starts, "#!/usr/bin/env node\nimport './command-line.js';\n")
+        .map_err(|error| format!("cannot write {}: {error}", starts.display()))?;
+    executable(&starts)?;
+    let bin = run::www().join("dist/embed/bin");
+    let _ = fs::remove_dir_all(&bin);
+    copy_folder(&folder(), &bin)?;
+    Ok(compiled + bound + begun.elapsed())
+}
+
+#[cfg(unix)]
+fn executable(file: &std::path::Path) -> Result {
+    use std::os::unix::fs::PermissionsExt;
+    let permissions = fs::Permissions::from_mode(0o755);
+    fs::set_permissions(file, permissions)
+        .map_err(|error| format!("cannot change {}: {error}", file.display()))
+}
+
+#[cfg(not(unix))]
+fn executable(_: &std::path::Path) -> Result {
+    Ok(())
+}
+
+/// Whether the package that others install writes what the native program writes.
+pub fn compare(setup: &Setup) -> Result<Duration> {
+    let begun = Instant::now();
+    let scratch = run::target().join("npx-installed");
+    let _ = fs::remove_dir_all(&scratch);
+    fs::create_dir_all(&scratch).map_err(|error| format!("cannot make {}: {error}", scratch.display()))?;
+    let mut pack = setup.npm(&["pack", "./dist/embed", "--silent", "--pack-destination"]);
+    step("packing the npm package", pack.arg(&scratch))?;
+    let package = scratch.join(format!("gcode-playground-{}.tgz", env!("CARGO_PKG_VERSION")));
+    let mut install = setup.npm(&["install", "--silent", "--no-audit", "--no-fund", "--prefix"]);
+    step("installing it", install.arg(&scratch).arg(&package))?;
+    let mut compare = run::command("cargo");
+    compare.args(["run", "--quiet", "--example", "npx", "--"]);
+    compare.arg(scratch.join("node_modules/.bin/gcode-playground"));
+    step("the command line under Node beside the native one", &mut compare)?;
+    Ok(begun.elapsed())
+}

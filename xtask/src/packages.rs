@@ -1,0 +1,58 @@
+//! In: names of packages of Python and npm with their versions, and the name of a place for them. Out: the place in the cache of the
+//! user where they are, installed once. It does not know what the packages are for.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use crate::run::{self, Result, command};
+use crate::tools;
+
+/// The folder of the programs that packages of Python bring; `python` is one of them.
+pub fn python(place: &str, packages: &[&str]) -> Result<PathBuf> {
+    let folder = tools::cache()?.join(place);
+    let bin = folder.join(if cfg!(windows) { "Scripts" } else { "bin" });
+    let stamp = folder.join("installed");
+    if !is_installed(&stamp, packages) {
+        let mut python = command("python3");
+        run::quiet(
+            &format!("making a place for {}", packages.join(", ")),
+            python.args(["-m", "venv", "--clear"]).arg(&folder),
+        )?;
+        let mut pip = command(bin.join("pip"));
+        run::quiet(
+            &format!("installing {} (once)", packages.join(", ")),
+            pip.args(["install", "--quiet"]).args(packages),
+        )?;
+        write(&stamp, &packages.join(" "))?;
+    }
+    Ok(bin)
+}
+
+/// The folder of a site that has packages of npm; their scripts are not run.
+pub fn npm(place: &str, packages: &[&str]) -> Result<PathBuf> {
+    let folder = tools::cache()?.join(place);
+    let stamp = folder.join("installed");
+    if !is_installed(&stamp, packages) {
+        fs::create_dir_all(&folder).map_err(|error| format!("cannot make {}: {error}", folder.display()))?;
+        write(
+            &folder.join("package.json"),
+            "{\"name\": \"site\", \"private\": true, \"version\": \"0.0.0\"}\n",
+        )?;
+        let mut npm = run::npm();
+        npm.current_dir(&folder)
+            .args(["install", "--no-audit", "--no-fund", "--ignore-scripts"])
+            .args(packages);
+        run::quiet(&format!("installing {} (once)", packages[0]), &mut npm)?;
+        write(&stamp, &packages.join(" "))?;
+    }
+    Ok(folder)
+}
+
+/// Whether these very packages are what was installed last.
+fn is_installed(stamp: &Path, packages: &[&str]) -> bool {
+    fs::read_to_string(stamp).is_ok_and(|installed| installed == packages.join(" "))
+}
+
+fn write(path: &Path, text: &str) -> Result {
+    fs::write(path, text).map_err(|error| format!("cannot write {}: {error}", path.display()))
+}

@@ -1,0 +1,50 @@
+//! The ways in which programs are checked in a repository (`www/docs/teams.md`), followed by `tests/teams/run.py` with the real tools.
+//!
+//! In: the built command line; the built package. Out: whether reports are valid, and whether each way refuses what it
+//! should. The tools are installed once, in fixed versions, into the cache of the user.
+
+use std::env;
+use std::time::Duration;
+
+use crate::run::{self, Result, command, step};
+use crate::{debian, packages};
+
+/// What validates, and what runs hooks.
+const PYTHON: [&str; 2] = ["check-jsonschema==0.39.0", "pre-commit==4.7.0"];
+
+/// The schema of SARIF, and what runs the jobs of GitLab; the newest one needs a newer Node.
+const NODE: [&str; 2] = ["@microsoft/jest-sarif@1.0.0-beta.0", "gitlab-ci-local@4.68.1"];
+
+/// What is followed.
+const WAYS: [&str; 4] = ["sarif", "hooks", "action", "gitlab"];
+
+/// `cargo xtask teams`.
+pub fn main() -> Result {
+    ways().map(|_| ())
+}
+
+/// Follows all ways.
+pub fn ways() -> Result<Duration> {
+    rsync()?;
+    step("the command line", command("cargo").args(["build", "--bin", "gcode-playground"]))?;
+    let program = run::target().join("debug").join(format!("gcode-playground{}", env::consts::EXE_SUFFIX));
+    let python = packages::python("teams/python", &PYTHON)?;
+    let node = packages::npm("teams/node", &NODE)?;
+    let mut ways = command(python.join("python"));
+    ways.arg("tests/teams/run.py").arg(&program).arg(run::www().join("dist/embed"));
+    ways.arg(node.join("node_modules")).args(WAYS);
+    step("checks in a repository", &mut ways)
+}
+
+/// Finds `rsync`, with which `gitlab-ci-local` copies a repository, or installs it.
+fn rsync() -> Result {
+    let is_there = || run::succeeds(command("rsync").arg("--version"));
+    if !is_there() && debian::available() {
+        debian::install("installing `rsync` for the jobs of GitLab", &["rsync"])?;
+    }
+    if is_there() {
+        Ok(())
+    } else {
+        Err("`rsync` is needed, to run the jobs of GitLab: install it".to_owned())
+    }
+}
