@@ -6,7 +6,7 @@ use super::Interpreter;
 use crate::control::modal::PathMove;
 use crate::geometry::Point;
 use crate::message::said;
-use crate::motion::{Motion, MotionKind, Stop, StopKind};
+use crate::motion::{Motion, MotionKind, Process, Stop, StopKind};
 use crate::text::block::Block;
 
 impl Interpreter {
@@ -23,7 +23,8 @@ impl Interpreter {
             programmed: None,
             rotary: None,
             cycle: None,
-            process: self.state.process(),
+            // Whether a block has failed is known when it is kept: it may wait for the next one.
+            process: Process { incomplete: false, ..self.state.process() },
         }
     }
 
