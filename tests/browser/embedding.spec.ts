@@ -41,9 +41,9 @@ element.addEventListener('gcode-settled', () => {
 const look = setInterval(() => {
   const notice = element.shadowRoot?.querySelector('[part~=notice]');
   if (notice !== null && notice !== undefined && notice.textContent !== '' && !notice.hidden) send({ says: notice.textContent });
+  if (isSent) clearInterval(look);
 }, 20);
 setTimeout(() => {
-  clearInterval(look);
   if (!customElements.get('gcode-playground')) send({ says: 'not defined: ' + element.innerText });
 }, 4000);
 `;

@@ -20,6 +20,8 @@ async function paste(page: Page, text: string): Promise<void> {
   await editor(page).focus();
   await page.keyboard.press('Control+A');
   await page.keyboard.press('Control+V');
+  // Engines ask the system for the clipboard, and go on meanwhile.
+  await expect.poll(() => value(page)).toBe(text);
 }
 
 test('a program is chosen, its question answered, and undo brings the text back', async ({ page }) => {

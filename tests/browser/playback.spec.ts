@@ -1,7 +1,7 @@
 // Playing a program: steps, stops, the read-out, the text that follows. What it costs is measured in
 // playing-smoothly.spec.ts.
 import { expect, test, type Page } from './engines';
-import { editor, motionCount, open, openFile, program, status } from './page';
+import { editor, motionCount, open, openFile, program, status, type } from './page';
 
 const slider = (page: Page) => page.getByRole('slider', { name: 'Position along the path' });
 const share = async (page: Page): Promise<number> => Number(await slider(page).inputValue());
@@ -141,6 +141,24 @@ test('it plays from the block at the cursor', async ({ page }) => {
   await page.getByRole('button', { name: /^Start at the block/ }).click();
   await expect(page.getByRole('button', { name: 'Pause' })).toBeVisible();
 });
+
+for (const [key, line, atX] of [
+  ['Control+Enter', 'G01 X40 F20', '40.000'], ['F9', 'G98 G00 X50 Z2', '50.000'], ['F10', 'G01 X40 F20', '40.000'],
+  ['Control+Shift+Enter', 'G01 X40 F20', '40.000'], ['Control+F10', 'G01 X40 F20', '50.000'],
+] as const) {
+  test(`${key} right after typing waits for the path of what was typed`, async ({ page }) => {
+    await open(page);
+    await page.getByRole('combobox', { name: 'Speed' }).selectOption('50×');
+    // Where nothing moves there is nothing to play yet.
+    await type(page, '(EMPTY)');
+    await expect(page.getByRole('button', { name: 'Next motion' })).toBeDisabled();
+    await type(page, 'G98 G00 X50 Z2\nG01 X40 F20');
+    await page.keyboard.press(key);
+    await expect(shown(page, 'X ⌀')).toHaveText(atX);
+    await expect(page.getByRole('button', { name: 'Play', exact: true })).toBeVisible();
+    await expect(running(page)).toHaveText(line);
+  });
+}
 
 test('an edit keeps the tool at its block', async ({ page }) => {
   await open(page);

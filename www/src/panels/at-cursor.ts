@@ -39,7 +39,7 @@ class AtCursor implements Panel {
   readonly #toCursor = make('button', { type: 'button', className: 'framed' });
   readonly #breakpoint = make('button', { type: 'button', className: 'framed' });
   readonly #acts = make('div', { className: 'at-cursor-acts' }, this.#playBlock, this.#toCursor, this.#breakpoint);
-  readonly #body = make('div', { className: 'at-cursor-body', id: 'at-cursor-body', hidden: true }, this.#facts, this.#acts, this.#form, this.#times, this.#state, this.#switch);
+  readonly #body = make('div', { className: 'at-cursor-body', id: 'at-cursor-body', hidden: true }, this.#acts, this.#facts, this.#form, this.#times, this.#state, this.#switch);
   readonly #element = make('section', { className: 'at-cursor', part: 'at-cursor', 'aria-labelledby': 'at-cursor-name caption' }, this.#header, this.#body);
   /** The reader has been in the text: until then nothing is asked, and nothing is loaded for it. */
   #wanted = false;
@@ -66,7 +66,7 @@ class AtCursor implements Panel {
     this.#completes.checked = completes();
     this.#completes.addEventListener('change', () => setCompletes(this.#completes.checked));
     this.#switch.hidden = shell.readonly;
-    this.#playBlock.addEventListener('click', () => void shell.service('playBlock')());
+    this.#playBlock.addEventListener('click', () => shell.service('playBlock')());
     this.#toCursor.addEventListener('click', () => shell.service('playToCursor')());
     this.#breakpoint.addEventListener('click', () => shell.service('toggleBreakpoint')());
   }

@@ -125,7 +125,7 @@ export interface Services {
   /** Puts the tool at the start of the block at an offset, or of the next one that moves it. */
   goToBlock(offset: number): Promise<void>;
   /** The block of the cursor alone is played. */
-  playBlock(): Promise<void>;
+  playBlock(): void;
   /** Plays on to the block of the cursor. */
   playToCursor(): void;
   /** The tool is held before the line of the cursor, or no longer. */

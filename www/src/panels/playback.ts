@@ -28,6 +28,13 @@ interface Until {
   readonly line?: number;
 }
 
+/** What the reader asked for before the path of the text was there. */
+interface Wish {
+  readonly act: () => void;
+  /** The tool is to move on by itself. */
+  readonly plays: boolean;
+}
+
 export const playback: PanelKind = { control: 'playback', styles: playbackStyles, make: (shell) => new Playback(shell) };
 
 class Playback implements Panel {
@@ -62,12 +69,16 @@ class Playback implements Panel {
   /** Counts what has been played, so that an answer can be too late. */
   #take = 0;
   #until: Until = {};
+  /** Counts changes of the text and its setup, and says which of them the path that is there belongs to. */
+  #changes = 0;
+  #pathOf = -1;
+  #wish: Wish | undefined;
   #held: HeldBy = 'nothing';
   #doingShown = '';
   #lengths: LengthUnit = 'mm';
   readonly places: Panel['places'];
   readonly services: Partial<Services> = {
-    play: () => this.#start(),
+    play: () => this.#start({}),
     pause: () => this.#stop(),
     playOrPause: () => this.#toggle(),
     step: (unit, direction) => this.#step(unit, direction),
@@ -98,7 +109,7 @@ class Playback implements Panel {
     };
     this.#play.addEventListener('click', () => this.#toggle());
     this.#here.hidden = !shell.showsProgram;
-    this.#here.addEventListener('click', () => void this.#playFromHere({}));
+    this.#here.addEventListener('click', () => this.#playFromHere({}));
     this.#back.addEventListener('click', () => this.#step(this.#chosenUnit, 'previous'));
     this.#forward.addEventListener('click', () => this.#step(this.#chosenUnit, 'next'));
     this.#unit.addEventListener('change', () => this.#nameSteps());
@@ -143,9 +154,7 @@ class Playback implements Panel {
     if (stage === 'whole' || stage === 'path') {
       const line = this.#place === undefined ? undefined : this.#shell.editor.runningLine;
       this.#program(summary.motions, summary.optionalStops);
-      // After an edit the tool stands at the block that it was in.
-      if (line === undefined) this.#showTool(undefined);
-      else void this.#shell.ask('seek-block', { offset: line }).then((place) => this.#showTool(place));
+      void this.#pathCame(line);
     } else if (stage === 'again' && this.#place !== undefined) {
       void this.#shell.ask('readout', undefined).then((place) => this.#showTool(place));
     }
@@ -153,9 +162,9 @@ class Playback implements Panel {
 
   pressed({ event }: Key): 'own' | 'not-own' {
     const control = event.ctrlKey || event.metaKey;
-    if (event.key === 'Enter' && control && event.shiftKey) void this.#playFromHere({});
+    if (event.key === 'Enter' && control && event.shiftKey) this.#playFromHere({});
     else if (event.key === 'F10' && control) this.#playToCursor();
-    else if (event.key === 'F10') void this.#playFromHere({ block: true });
+    else if (event.key === 'F10') this.#playFromHere({ block: true });
     else if (event.key === 'F8' && control) this.#toggleBreakpoint();
     else if (event.key === 'Enter' && control) this.#toggle();
     else if (event.key === 'F9') this.#step(control ? 'block' : event.altKey ? 'pass' : 'motion', event.shiftKey ? 'previous' : 'next');
@@ -165,10 +174,13 @@ class Playback implements Panel {
 
   outdated(): void {
     this.#stop();
+    this.#changes++;
   }
 
   lost(): void {
+    this.#stop();
     this.#program(0, 0);
+    this.#show(undefined);
   }
 
   left(): void {
@@ -181,10 +193,33 @@ class Playback implements Panel {
 
   /** Another path has been drawn, of so many motions, with so many optional stops. */
   #program(motions: number, optionalStops: number): void {
-    this.#stop();
+    this.#halt();
     for (const control of [this.#play, this.#back, this.#forward, this.#here, this.#slider, this.#single]) control.disabled = motions <= 0;
     this.#optional.hidden = optionalStops <= 0;
-    this.#show(undefined);
+  }
+
+  /**
+   * After an edit the tool stands at the block that it was in, also where the next edit comes before that is answered;
+   * then comes what the reader asked for meanwhile.
+   */
+  async #pathCame(line: number | undefined): Promise<void> {
+    const changes = this.#changes;
+    const place = line === undefined ? undefined : await this.#shell.ask('seek-block', { offset: line });
+    if (changes !== this.#changes) return;
+    this.#showTool(place);
+    this.#pathOf = changes;
+    const wish = this.#wish;
+    this.#wish = undefined;
+    wish?.act();
+    this.#showPlaying();
+  }
+
+  /** Does it as soon as the path of the text as it is now is there. */
+  #onceThere(wish: Wish): void {
+    this.#shell.flush();
+    if (this.#pathOf === this.#changes) return wish.act();
+    this.#wish = wish;
+    this.#showPlaying();
   }
 
   /** Where the tool is now. */
@@ -209,11 +244,15 @@ class Playback implements Panel {
   }
 
   #toggle(): void {
-    if (this.#playing) this.#stop();
-    else this.#start();
+    if (this.#playing || this.#wish?.plays === true) this.#stop();
+    else this.#start({});
   }
 
-  #start(until: Until = {}): void {
+  #start(until: Until): void {
+    if (!this.#playing) this.#onceThere({ plays: true, act: () => this.#startNow(until) });
+  }
+
+  #startNow(until: Until): void {
     if (this.#playing || this.#play.disabled) return;
     this.#until = until;
     this.#from = this.#place === undefined || this.#place.share >= 1 ? 'start' : 'here';
@@ -226,19 +265,19 @@ class Playback implements Panel {
   }
 
   /** From the block that the cursor is in; with `block` only that one. */
-  async #playFromHere(until: { readonly block?: true }): Promise<void> {
-    if (this.#play.disabled) return;
+  #playFromHere(until: { readonly block?: true }): void {
     this.#stop();
-    this.#shell.flush();
-    const place = await this.#shell.ask('seek-block', { offset: this.#shell.editor.cursor });
-    this.#showTool(place);
-    if (place !== undefined) this.#start(until);
+    const act = async (): Promise<void> => {
+      const place = await this.#shell.ask('seek-block', { offset: this.#shell.editor.cursor });
+      this.#showTool(place);
+      if (place !== undefined) this.#startNow(until);
+    };
+    this.#onceThere({ plays: true, act: () => void act() });
   }
 
   /** On, or from the start, to the block that the cursor is in. */
   #playToCursor(): void {
     this.#stop();
-    this.#shell.flush();
     this.#start({ line: this.#shell.editor.lineOf(this.#shell.editor.cursor) });
   }
 
@@ -249,12 +288,15 @@ class Playback implements Panel {
   }
 
   #step(unit: StepUnit, direction: StepDirection): void {
-    if (this.#play.disabled) return;
     this.#stop();
-    this.#shell.editor.follow();
-    // The block is shown even if it is the same one.
-    this.#running = undefined;
-    void this.#shell.ask('step', { unit, direction }).then((place) => this.#showTool(place));
+    const act = (): void => {
+      if (this.#play.disabled) return;
+      this.#shell.editor.follow();
+      // The block is shown even if it is the same one.
+      this.#running = undefined;
+      void this.#shell.ask('step', { unit, direction }).then((place) => this.#showTool(place));
+    };
+    this.#onceThere({ plays: false, act });
   }
 
   async #put(asked: Promise<Readout | undefined>): Promise<void> {
@@ -328,7 +370,15 @@ class Playback implements Panel {
     this.#seek.ask({ share: this.#slider.valueAsNumber });
   }
 
+  /** The tool stands, and nothing that the reader asked for is still to come. */
   #stop(): void {
+    const waited = this.#wish !== undefined;
+    this.#wish = undefined;
+    this.#halt();
+    if (waited) this.#showPlaying();
+  }
+
+  #halt(): void {
     if (this.#frame === undefined) return;
     cancelAnimationFrame(this.#frame);
     this.#frame = undefined;
@@ -371,8 +421,9 @@ class Playback implements Panel {
   }
 
   #showPlaying(): void {
-    const text = this.#playing ? this.#words.pause : this.#words.play;
-    this.#playIcon.replaceChildren(icon(this.#playing ? 'pause' : 'play'));
+    const isUnderWay = this.#playing || this.#wish?.plays === true;
+    const text = isUnderWay ? this.#words.pause : this.#words.play;
+    this.#playIcon.replaceChildren(icon(isUnderWay ? 'pause' : 'play'));
     this.#playText.textContent = text;
     this.#play.title = `${text} (Ctrl Enter)`;
     this.#doing.setAttribute('aria-live', this.#playing ? 'off' : 'polite');
