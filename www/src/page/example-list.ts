@@ -1,0 +1,93 @@
+// The list of examples in the header, and the gallery.
+//
+// In: which example is shown. Out: the one that the reader has chosen. The list is loaded after the first picture, or when somebody
+// looks for it, the gallery's dialog when it is opened. Must not know: how an example is loaded.
+
+import { icon, make, name } from '../dom/dom';
+import type { Language } from '../dom/language';
+import { loaded } from '../dom/network';
+import type { GcodePlayground } from '../shell/element';
+import { find, label } from './find';
+import { loadSubjects, type Example, type Subject } from './gallery';
+import type { GalleryDialog } from './gallery-dialog';
+import { PAGE_WORDS } from './words';
+
+/** What the page lends to the list of examples. */
+interface ExamplesHost {
+  readonly playground: GcodePlayground;
+  readonly language: Language;
+  readonly example: Example | undefined;
+  choose(id: string): void;
+  /** The gallery could not be loaded, and how that is tried again; nothing: it is there. */
+  missing(again: (() => void) | undefined): void;
+}
+
+export class ExampleList {
+  readonly #host: ExamplesHost;
+  readonly #select = find<HTMLSelectElement>('example');
+  readonly #button = find<HTMLButtonElement>('gallery');
+  /** In the language of the page, once they are there. */
+  #subjects: readonly Subject[] = [];
+  #dialog: GalleryDialog | undefined;
+
+  constructor(host: ExamplesHost) {
+    this.#host = host;
+    this.#button.append(icon('gallery'));
+    this.#button.addEventListener('click', () => void this.#openGallery());
+    this.#select.addEventListener('change', () => host.choose(this.#select.value));
+    for (const [target, event] of [[host.playground, 'gcode-settled'], [this.#select, 'pointerdown'], [this.#select, 'focus']] as const) {
+      target.addEventListener(event, () => void this.#load(), { once: true });
+    }
+  }
+
+  showLanguage(): void {
+    const texts = PAGE_WORDS[this.#host.language];
+    label(this.#select, texts.example);
+    name(this.#button, texts.gallery);
+    if (this.#subjects.length > 0) void this.#load();
+    this.show();
+  }
+
+  /** The list, once it is there; until then the example that is shown. */
+  show(): void {
+    const { example, language } = this.#host;
+    const options = this.#subjects.map(({ subject, examples }) => {
+      const group = make('optgroup', { label: subject });
+      group.append(...examples.map(({ id, title }) => make('option', { value: id }, title)));
+      return group;
+    });
+    const listed = this.#subjects.some(({ examples }) => examples.some(({ id }) => id === example?.id));
+    const alone = example === undefined
+      ? make('option', { value: '', hidden: true }, PAGE_WORDS[language].ownProgram)
+      : make('option', { value: example.id, hidden: this.#subjects.length > 0 }, example.title[language]);
+    this.#select.replaceChildren(...(listed ? [] : [alone]), ...options);
+    this.#select.value = example?.id ?? '';
+  }
+
+  /** Loads the list in the language of the page; the reader can go on without it. */
+  async #load(): Promise<readonly Subject[]> {
+    const { language } = this.#host;
+    try {
+      const list = await loadSubjects(language);
+      if (language === this.#host.language && this.#subjects !== list) {
+        this.#subjects = list;
+        this.show();
+      }
+      return list;
+    } catch {
+      return [];
+    }
+  }
+
+  async #openGallery(): Promise<void> {
+    const host = this.#host;
+    const [list, part] = await Promise.all([this.#load(), loaded(() => import('./gallery-dialog')).catch(() => undefined)]);
+    if (list.length === 0 || part === undefined) return host.missing(() => void this.#openGallery());
+    host.missing(undefined);
+    if (this.#dialog === undefined) {
+      this.#dialog = new part.GalleryDialog((id) => host.choose(id));
+      document.body.append(this.#dialog.element);
+    }
+    this.#dialog.open(list, host.language, host.example?.id ?? '');
+  }
+}
