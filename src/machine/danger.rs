@@ -5,10 +5,12 @@
 //! tool that nobody has named only the tip counts, and nothing is found in a blank that nobody has
 //! named. Must not know messages.
 
+use super::live_way::LiveCuts;
 use super::part::{Part, Turned, cut};
 use super::region::Region;
 use super::resolved_setup::{Basis, ResolvedSetup, ResolvedTool};
 use super::sweep::{Outline, way_of};
+use super::tool::Action;
 use crate::geometry::{Point, SAME};
 use crate::motion::{
     Cycle, CycleFamily, Feed, Motion, MotionKind, Motions, Quill, SpindleSpeed, SpindleTurn, Step,
@@ -183,6 +185,10 @@ pub struct DangerDetector {
     misused: Vec<u16>,
     /// The holes of drills on the axis.
     holes: Vec<Hole>,
+    /// What live tools have cut.
+    live_cuts: LiveCuts,
+    /// Where C stands, degrees.
+    c: f64,
     /// The motion before, dwells aside.
     before: Option<Motion>,
     /// The feed that was reported last, mm/rev.
@@ -238,6 +244,8 @@ impl DangerDetector {
             missed: Vec::new(),
             misused: Vec::new(),
             holes: Vec::new(),
+            live_cuts: LiveCuts::default(),
+            c: 0.0,
             before: None,
             fast: None,
             station: None,
@@ -263,11 +271,16 @@ impl DangerDetector {
     /// Looks at the next motion, before its material is off.
     pub fn check_motion(&mut self, index: usize, motion: &Motion, resolved: &ResolvedSetup, part: &mut Part) {
         let process = &motion.process;
+        let c = self.c;
+        self.c = motion.rotary.map_or(c, |rotary| rotary.to);
         if self.findings.len() >= MOST
             || motion.kind == MotionKind::Dwell
             || process.uncertain
             || process.elsewhere
         {
+            if motion.kind.cuts() {
+                self.live_cuts.lose();
+            }
             return;
         }
         let before = self.before.replace(*motion);
@@ -285,9 +298,16 @@ impl DangerDetector {
         }
         self.travel(index, motion);
         if self.unknown != [false; 2] {
+            if motion.kind.cuts() {
+                self.live_cuts.lose();
+            }
             return;
         }
+        // A tool is not changed in the work: where it comes from is not known, only where it arrives.
+        let arrives = Motion { from: motion.to, ..*motion };
+        let rapid = if comes_from_elsewhere { &arrives } else { motion };
         if tool.is_live_in(motion) {
+            self.live(index, if motion.kind.cuts() { motion } else { rapid }, c, tool, part);
             return;
         }
         self.hit_obstacles(index, motion, tool);
@@ -300,12 +320,24 @@ impl DangerDetector {
         }
         part.end_thread(motion);
         match motion.kind {
-            // A tool is not changed in the work: where it comes from is not known, only where it arrives.
-            MotionKind::Rapid if comes_from_elsewhere => {
-                self.rapid(index, &Motion { from: motion.to, ..*motion }, tool, part);
-            }
-            MotionKind::Rapid => self.rapid(index, motion, tool, part),
+            MotionKind::Rapid => self.rapid(index, rapid, tool, part),
             _ => self.cut(index, motion, before.as_ref(), tool, part),
+        }
+    }
+
+    /// A motion of a tool that turns itself: of its way only the tip is known.
+    fn live(&mut self, index: usize, motion: &Motion, c: f64, tool: &ResolvedTool, part: &mut Part) {
+        let Some(stock) = self.stock.filter(|_| !motion.process.incomplete) else { return };
+        if motion.kind.cuts() {
+            self.live_cuts.cut(motion, c, tool);
+            return;
+        }
+        let is_near = motion.rotary.is_some() || near(&stock, &[motion.from, motion.to]);
+        if tool.shape.action == Action::Live
+            && is_near
+            && let Some(at) = self.live_cuts.rapid(motion, c, part.now())
+        {
+            self.tell(index, at, Danger::RapidThroughStock);
         }
     }
 

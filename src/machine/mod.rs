@@ -12,6 +12,7 @@ pub mod defaults;
 pub mod feature;
 pub mod inferred;
 pub mod live_holes;
+mod live_way;
 pub mod part;
 pub mod region;
 pub mod removal;
