@@ -20,7 +20,7 @@ use crate::control::words;
 use crate::findings;
 use crate::lint;
 use crate::machine::resolved_setup::ResolvedSetup;
-use crate::machine::{SimulationResult, danger};
+use crate::machine::{SimulationResult, detector};
 use crate::message::{Diagnostic, Fix, said, sort_by_place};
 use crate::motion::Motions;
 use crate::parts::{Part, in_part};
@@ -70,7 +70,7 @@ impl Analysis {
     /// Adds what is to be reported about what happens at the machine: what runs into what, where a blank or a
     /// machine is given to hold it against, and which tools are not known.
     pub fn check_at_machine(&mut self) {
-        if danger::can_be_found(&self.setup) {
+        if detector::can_be_found(&self.setup) {
             let simulation = self.simulate();
             let found =
                 findings::diagnostics(&simulation, &self.motions, &self.setup.rules, &self.diagnostics);

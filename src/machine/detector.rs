@@ -1,0 +1,489 @@
+//! What runs into what.
+//!
+//! In: each motion with its tool, and the work as it stands. Out: [`Finding`]s. What only touches is no
+//! finding: outlines are held against the work a hundredth of a millimetre smaller than they are. Of a
+//! tool that nobody has named only the tip counts, and nothing is found in a blank that nobody has
+//! named. Must not know messages.
+
+use super::danger::{Axis, Danger, Finding};
+use super::live_way::LiveCuts;
+use super::misuse::{Cut, Misuse, SCRAPED};
+use super::part::{Part, Turned, cut};
+use super::region::Region;
+use super::resolved_setup::{Basis, ResolvedSetup, ResolvedTool};
+use super::sweep::{Outline, way_of};
+use super::tool::Action;
+use crate::geometry::{Point, SAME};
+use crate::motion::{Cycle, CycleFamily, Motion, MotionKind, Motions, Quill, Step};
+use crate::setup::{Setup, Stock, Tailstock, ToolKind, Travel};
+use crate::units::Diameter;
+
+/// Length of the jaws across the axis, and of the chuck body, mm.
+const JAW: f64 = 40.0;
+
+/// How far beyond the axis a tip may go without a word, mm: facing goes a little past it.
+const PAST_CENTER: f64 = 0.5;
+
+/// Material that an edge takes off beside the way of the tip and that is worth a
+/// word, mm² for each mm of way.
+const BESIDE: f64 = 0.05;
+
+/// Where a bore is looked at, in front of the tip, mm.
+const IN_FRONT: f64 = 0.5;
+
+/// How far within the material the start of a cycle may lie without a word, mm.
+const INSIDE: f64 = 0.1;
+
+/// Nearer to the blank than this, mm, no tool is changed.
+const CLEAR: f64 = 10.0;
+
+/// How near a rapid may come to the surface it runs along, mm.
+const ALONG: f64 = 0.001;
+
+/// How deep below the outside of the blank it is looked whether that still stands, and
+/// along how much of the way, mm.
+const SKIN: f64 = 0.05;
+const STANDS: f64 = 0.5;
+
+/// Whether a setup says anything that motions can be held against.
+pub fn can_be_found(setup: &Setup) -> bool {
+    setup.stock.is_some() || setup.tailstock.is_some() || setup.machine.travel != Travel::default()
+}
+
+/// Looks at motions, one after the other.
+#[derive(Clone, Debug)]
+pub struct DangerDetector {
+    /// The jaws and the body of the chuck, as one: what meets both meets one thing.
+    jaws: Option<Region>,
+    /// The same as two, as they are drawn.
+    chuck: Option<[Region; 2]>,
+    /// The centre, in a program that has it forward.
+    tailstock: Option<Region>,
+    /// Where the quill is before the program says so.
+    quill: Quill,
+    stock: Option<Stock>,
+    travel: Travel,
+    missed: Vec<u16>,
+    misuse: Misuse,
+    /// What live tools have cut.
+    live_cuts: LiveCuts,
+    /// Where C stands, degrees.
+    c: f64,
+    /// The motion before, dwells aside.
+    before: Option<Motion>,
+    /// Station of the tool of the last motion.
+    station: Option<u16>,
+    /// Axes whose place is not known, X and Z: the tool was changed at the work, and
+    /// they have not moved since.
+    unknown: [bool; 2],
+    /// The thread under way begins within the work.
+    plunges: bool,
+    /// Where the pass of a cycle under way began.
+    pass_start: Option<Point>,
+    /// All that was found.
+    pub findings: Vec<Finding>,
+}
+
+/// Most findings that are kept.
+const MOST: usize = 1000;
+
+/// Whether the first pass of a thread goes down to its depth within the work: the tip, a little
+/// above its end, in material.
+fn plunges(infeed: &Motion, part: &mut Part) -> bool {
+    let (from, to) = (infeed.from, infeed.to);
+    let way = to.x - from.x;
+    way.abs() > INSIDE && part.now().holds(Point::new(to.x - INSIDE * way.signum(), to.z))
+}
+
+impl DangerDetector {
+    /// A detector for a program with these tools and this stock.
+    pub fn new(resolved: &ResolvedSetup, motions: &Motions, setup: &Setup) -> Self {
+        let given = |stock: (Stock, Basis)| (stock.1 == Basis::Given).then_some(stock.0);
+        let stock = resolved.stock().and_then(given);
+        let quill = quill_at_start(motions);
+        let comes = motions.is_empty() || motions.quills().any(|said| is_forward(said, quill));
+        Self {
+            jaws: stock.and_then(|stock| jaws(&stock)),
+            chuck: stock.and_then(|stock| chuck(&stock)),
+            tailstock: setup.tailstock.filter(|_| comes).map(|tailstock| center(&tailstock)),
+            quill,
+            stock,
+            travel: setup.machine.travel,
+            missed: Vec::new(),
+            misuse: Misuse::default(),
+            live_cuts: LiveCuts::default(),
+            c: 0.0,
+            before: None,
+            station: None,
+            unknown: [false; 2],
+            plunges: false,
+            pass_start: None,
+            findings: Vec::new(),
+        }
+    }
+
+    /// What stands around the work: the chuck, and the tailstock where it is forward. `moment`: what the program
+    /// has said of the quill by then; nothing for all of the program.
+    pub fn obstacles(&self, moment: Option<Quill>) -> impl Iterator<Item = &Region> {
+        let forward = moment.is_none_or(|said| is_forward(said, self.quill));
+        self.chuck.iter().flatten().chain(self.tailstock.iter().filter(move |_| forward))
+    }
+
+    /// Whether there is a chuck with jaws, and a tailstock.
+    pub fn has_chuck_and_tailstock(&self) -> [bool; 2] {
+        [self.jaws.is_some(), self.tailstock.is_some()]
+    }
+
+    /// Looks at the next motion, before its material is off.
+    pub fn check_motion(&mut self, index: usize, motion: &Motion, resolved: &ResolvedSetup, part: &mut Part) {
+        let process = &motion.process;
+        let c = self.c;
+        self.c = motion.rotary.map_or(c, |rotary| rotary.to);
+        if self.findings.len() >= MOST
+            || motion.kind == MotionKind::Dwell
+            || process.uncertain
+            || process.elsewhere
+        {
+            if motion.kind.cuts() {
+                self.live_cuts.lose();
+            }
+            return;
+        }
+        let before = self.before.replace(*motion);
+        let tool = resolved.tool(motion);
+        let station = motion.process.tool.0;
+        if self.station.replace(station).is_some_and(|last| last != station) && self.is_at_work(motion.from) {
+            self.unknown = [true; 2];
+        }
+        let comes_from_elsewhere = self.unknown != [false; 2];
+        self.unknown[0] &= (motion.to.x - motion.from.x).abs() <= SAME;
+        self.unknown[1] &= (motion.to.z - motion.from.z).abs() <= SAME;
+        if motion.kind.cuts() && resolved.misses(station) && !self.missed.contains(&station) {
+            self.missed.push(station);
+            self.tell(index, motion.from, Danger::ToolNotListed { station });
+        }
+        self.travel(index, motion);
+        if self.unknown != [false; 2] {
+            if motion.kind.cuts() {
+                self.live_cuts.lose();
+            }
+            return;
+        }
+        // A tool is not changed in the work: where it comes from is not known, only where it arrives.
+        let arrives = Motion { from: motion.to, ..*motion };
+        let rapid = if comes_from_elsewhere { &arrives } else { motion };
+        if tool.is_live_in(motion) {
+            self.live(index, if motion.kind.cuts() { motion } else { rapid }, c, tool, part);
+            return;
+        }
+        self.hit_obstacles(index, motion, tool);
+        // After a block that was not carried out it is not known what is in the way.
+        if self.stock.is_none() || motion.process.incomplete {
+            return;
+        }
+        if motion.cycle.is_some() && self.cycle_start(index, motion, part) {
+            return;
+        }
+        part.end_thread(motion);
+        match motion.kind {
+            MotionKind::Rapid => self.rapid(index, rapid, tool, part),
+            _ => self.cut(index, motion, before.as_ref(), tool, part),
+        }
+    }
+
+    /// A motion of a tool that turns itself: of its way only the tip is known.
+    fn live(&mut self, index: usize, motion: &Motion, c: f64, tool: &ResolvedTool, part: &mut Part) {
+        let Some(stock) = self.stock.filter(|_| !motion.process.incomplete) else { return };
+        if motion.kind.cuts() {
+            self.live_cuts.cut(motion, c, tool);
+            return;
+        }
+        let is_near = motion.rotary.is_some() || near(&stock, &[motion.from, motion.to]);
+        if tool.shape.action == Action::Live
+            && is_near
+            && let Some(at) = self.live_cuts.rapid(motion, c, part.now())
+        {
+            self.tell(index, at, Danger::RapidThroughStock);
+        }
+    }
+
+    /// Whether a place is in the blank or near it.
+    fn is_at_work(&self, at: Point) -> bool {
+        self.stock.is_some_and(|stock| at.x < stock.diameter.radius() + CLEAR && at.z < stock.face + CLEAR)
+    }
+
+    fn tell(&mut self, motion: usize, at: Point, danger: Danger) {
+        self.findings.push(Finding { motion, at, danger });
+    }
+
+    fn travel(&mut self, index: usize, motion: &Motion) {
+        let Travel { x_min, x_max, z_min, z_max } = self.travel;
+        let Point { x, z } = motion.to;
+        let beyond = |low: Option<f64>, high: Option<f64>, value: f64| {
+            low.filter(|&low| value < low - SAME).or(high.filter(|&high| value > high + SAME))
+        };
+        let [low, high] = [x_min, x_max].map(|end| end.map(Diameter::mm));
+        let x = beyond(low, high, Diameter::from_radius(x).mm());
+        for (axis, limit) in [(Axis::X, x), (Axis::Z, beyond(z_min, z_max, z))] {
+            if let Some(limit) = limit {
+                self.tell(index, motion.to, Danger::OverTravel { axis, limit });
+            }
+        }
+    }
+
+    fn hit_obstacles(&mut self, index: usize, motion: &Motion, tool: &ResolvedTool) {
+        let tailstock = self.tailstock.as_ref().filter(|_| is_forward(motion.process.quill, self.quill));
+        let obstacles = [(Danger::IntoJaws, self.jaws.as_ref()), (Danger::IntoTailstock, tailstock)];
+        let found = obstacles.map(|(danger, obstacle)| {
+            let obstacle = obstacle?;
+            Some((danger, tool.shape.solids().find_map(|outline| hit(obstacle, outline, motion))?))
+        });
+        for (danger, at) in found.into_iter().flatten() {
+            self.tell(index, at, danger);
+        }
+    }
+
+    /// Whether a cycle starts in the material: each pass comes back at rapid to the start, along the work.
+    fn cycle_start(&mut self, index: usize, motion: &Motion, part: &mut Part) -> bool {
+        let Some(tag) = motion.cycle else { return false };
+        let facing = match tag.cycle.family() {
+            CycleFamily::Turning => tag.cycle == Cycle::Facing,
+            CycleFamily::Threading => false,
+            CycleFamily::Contour | CycleFamily::Pecking | CycleFamily::FaceHole | CycleFamily::SideHole => {
+                return false;
+            }
+        };
+        match tag.step {
+            Step::Infeed => {
+                self.pass_start = Some(motion.from);
+                if tag.cycle == Cycle::Turning || facing {
+                    return false;
+                }
+                if tag.pass == 1 {
+                    self.plunges = plunges(motion, part);
+                    if let Some(stock) = self.stock.filter(|_| self.plunges) {
+                        self.tell(index, motion.from, Danger::BehindFace { face: stock.face });
+                    }
+                }
+                // Of the later passes it is known.
+                return self.plunges;
+            }
+            Step::Cut if !self.plunges => {}
+            _ => return false,
+        }
+        let Some(start) = self.pass_start.take().filter(|_| tag.pass == 1) else { return false };
+        // A short distance before the start of the cut.
+        let behind = |start: f64, cut: f64| start + INSIDE * (start - cut).signum();
+        let (from, to) = (motion.from, motion.to);
+        let line = match facing {
+            false => [Point::new(behind(start.x, to.x), from.z), Point::new(behind(start.x, to.x), to.z)],
+            true => [Point::new(from.x, behind(start.z, to.z)), Point::new(to.x, behind(start.z, to.z))],
+        };
+        let shares = (1..=9).map(|tenth| f64::from(tenth) / 10.0);
+        let now = part.now();
+        let between = |share: f64, from: f64, to: f64| from + share * (to - from);
+        let mut places = shares.map(|share| {
+            Point::new(between(share, line[0].x, line[1].x), between(share, line[0].z, line[1].z))
+        });
+        let found = places.any(|place| now.holds(place));
+        if found {
+            let face = self.stock.map_or(0.0, |stock| stock.face);
+            self.tell(index, start, if facing { Danger::BehindFace { face } } else { Danger::CycleStart });
+        }
+        found
+    }
+
+    fn rapid(&mut self, index: usize, motion: &Motion, tool: &ResolvedTool, part: &mut Part) {
+        let Some(stock) = self.stock else { return };
+        let outlines = || tool.shape.solids();
+        // Far from the blank nothing needs to be worked out.
+        let far = |outline: &Outline, way: &[Point]| outline.along(way).all(|swept| !near(&stock, &swept));
+        let straight = [motion.from, motion.to];
+        if !outlines().all(|outline| far(outline, &straight)) {
+            let now = part.now();
+            if let Some(at) = outlines().find_map(|outline| hit(now, outline, motion)) {
+                let from = motion.from;
+                // Material begins beyond the tip all along the way to the wall: it stands in a bore.
+                // Looked at a little in front of the tip, which may stand at the bottom or touch the wall.
+                let in_bore = from.z < stock.face
+                    && motion.to.x > from.x
+                    && now
+                        .radii(from.z + IN_FRONT)
+                        .first()
+                        .is_some_and(|material| material.0 > from.x - IN_FRONT && material.0 > 0.0);
+                let danger = if in_bore { Danger::LeavesBore } else { Danger::RapidThroughStock };
+                self.tell(index, at, danger);
+                return;
+            }
+        }
+        if let Some(at) = along_outside(&stock, motion, part) {
+            self.tell(index, at, Danger::RapidAlongStock);
+            return;
+        }
+        let Some(dogleg) = dogleg(motion) else { return };
+        if !outlines().all(|outline| far(outline, &dogleg)) {
+            let now = part.now();
+            let legs = dogleg.windows(2).map(|ends| Motion { from: ends[0], to: ends[1], ..*motion });
+            let found = legs.flat_map(|leg| outlines().find_map(|outline| hit(now, outline, &leg))).next();
+            if let Some(at) = found {
+                self.tell(index, at, Danger::DoglegThroughStock);
+            }
+        }
+    }
+
+    fn cut(
+        &mut self,
+        index: usize,
+        motion: &Motion,
+        before: Option<&Motion>,
+        tool: &ResolvedTool,
+        part: &mut Part,
+    ) {
+        let turns = matches!(tool.tool.kind, Some(ToolKind::Turning | ToolKind::Boring | ToolKind::Grooving));
+        let low = motion.from.x.min(motion.to.x);
+        if turns && tool.basis == Basis::Given && low < -2.0 * tool.shape.nose - PAST_CENTER {
+            self.tell(index, if motion.to.x == low { motion.to } else { motion.from }, Danger::BelowCenter);
+        }
+        for danger in self.misuse.next(&Cut { motion, before, tool, blank: self.stock }, part) {
+            self.tell(index, motion.to, danger);
+        }
+        if let Some(body) = &tool.shape.body {
+            let body = body.shrunk(0.01);
+            // What the edge takes off in the same motion is not in the way of the holder.
+            if hit(part.now(), &body, motion).is_some() {
+                let mut left = part.now().clone();
+                left.cut(&cut(motion, &Turned::default(), tool));
+                if let Some(at) = hit(&left, &body, motion) {
+                    self.tell(index, at, Danger::HolderInStock);
+                    return;
+                }
+            }
+        }
+        if let Some(danger) = too_steep(motion, tool, part) {
+            self.tell(index, motion.to, danger);
+        }
+    }
+}
+
+/// Whether a slope is steeper than the trailing edge of a turning tool, and the edge cuts because of it.
+fn too_steep(motion: &Motion, tool: &ResolvedTool, part: &mut Part) -> Option<Danger> {
+    if tool.basis == Basis::Inferred || motion.arc().is_some() || motion.kind != MotionKind::Feed {
+        return None;
+    }
+    let side = match tool.tool.kind? {
+        ToolKind::Turning if tool.tool.tip_direction() == 3 => 1.0,
+        ToolKind::Boring if tool.tool.tip_direction() == 2 => -1.0,
+        _ => return None,
+    };
+    let (dx, dz) = (side * (motion.to.x - motion.from.x), motion.to.z - motion.from.z);
+    if dx > -SAME || dz > -SAME {
+        return None;
+    }
+    let slope = (-dx).atan2(-dz);
+    let follows = tool.shape.trailing?;
+    if slope <= follows + 0.01 {
+        return None;
+    }
+    // What lies behind the tip, above the slope, and is taken off.
+    let behind = part.now().in_common(&cut(motion, &Turned::default(), tool));
+    let above = behind.area_beside(motion.from, motion.to);
+    let worth = above > BESIDE * motion.length();
+    worth.then_some(Danger::SlopeTooSteep { slope: slope.to_degrees(), tool: follows.to_degrees() })
+}
+
+/// Where an outline first meets a region on the way of a motion.
+fn hit(region: &Region, outline: &Outline, motion: &Motion) -> Option<Point> {
+    if outline.points().len() < 3 {
+        return None;
+    }
+    let from = motion.from;
+    outline.along(&way_of(motion)).filter(|swept| region.meets(swept)).find_map(|swept| {
+        let common = region.in_common(&[swept]);
+        if common.area() < SCRAPED {
+            return None;
+        }
+        common.outlines().flatten().min_by(|a, b| a.distance(from).total_cmp(&b.distance(from)))
+    })
+}
+
+/// Whether an outline comes near the box of the blank.
+fn near(stock: &Stock, outline: &[Point]) -> bool {
+    let radius = stock.diameter.radius();
+    outline.iter().any(|point| point.x < radius)
+        && outline.iter().any(|point| point.z < stock.face)
+        && outline.iter().any(|point| point.z > stock.back())
+}
+
+/// A rapid that runs along the outside of the blank where that still stands, and where it begins to.
+fn along_outside(stock: &Stock, motion: &Motion, part: &mut Part) -> Option<Point> {
+    let (from, to) = (motion.from, motion.to);
+    let on = |point: Point| (point.x - stock.diameter.radius()).abs() <= ALONG;
+    let (low, high) = (from.z.min(to.z).max(stock.back()), from.z.max(to.z).min(stock.face));
+    if !on(from) || !on(to) || high - low <= ALONG {
+        return None;
+    }
+    let skin = [(from.x - SKIN, low), (from.x - SKIN, high), (from.x, high), (from.x, low)];
+    let (now, skin) = (part.now(), skin.map(|(x, z)| Point::new(x, z)));
+    let stands = now.meets(&skin) && now.in_common(&[skin]).area() > SKIN * STANDS.min((high - low) / 2.0);
+    stands.then(|| Point::new(from.x, if from.z > to.z { high } else { low }))
+}
+
+/// The way of a rapid whose axes move at the same rate until the shorter one is there; nothing for
+/// one that is straight anyway.
+fn dogleg(motion: &Motion) -> Option<[Point; 3]> {
+    let (from, to) = (motion.from, motion.to);
+    let (dx, dz) = (to.x - from.x, to.z - from.z);
+    let both = dx.abs().min(dz.abs());
+    let differs = both > SAME && (dx.abs() - dz.abs()).abs() > SAME;
+    differs.then(|| [from, Point::new(from.x + both * dx.signum(), from.z + both * dz.signum()), to])
+}
+
+/// The jaws around the end of the blank, with the chuck body.
+fn jaws(stock: &Stock) -> Option<Region> {
+    let grip = stock.grip.filter(|&grip| grip > 0.0)?;
+    let (outside, back) = (stock.diameter.radius(), stock.back());
+    let corners = [
+        (outside, back),
+        (outside, back + grip),
+        (outside + JAW, back + grip),
+        (outside + JAW, back - JAW),
+        (stock.bore.radius(), back - JAW),
+        (stock.bore.radius(), back),
+    ];
+    Some(Region::inside(&corners.map(|(x, z)| Point::new(x, z))))
+}
+
+/// The jaws, and the body that they stand on.
+fn chuck(stock: &Stock) -> Option<[Region; 2]> {
+    let grip = stock.grip.filter(|&grip| grip > 0.0)?;
+    let (outside, back) = (stock.diameter.radius(), stock.back());
+    let block = |inner: f64, from: f64, to: f64| {
+        let outer = outside + JAW;
+        let corners = [(inner, from), (inner, to), (outer, to), (outer, from)];
+        Region::inside(&corners.map(|(x, z)| Point::new(x, z)))
+    };
+    Some([block(outside, back, back + grip), block(stock.bore.radius(), back - JAW, back)])
+}
+
+/// Where the quill is before the program says so: forward, as the setup has it, unless the program first brings
+/// it there.
+fn quill_at_start(motions: &Motions) -> Quill {
+    match motions.quills().find(|&said| said != Quill::Unsaid) {
+        Some(Quill::Forward) => Quill::Back,
+        Some(Quill::Back | Quill::Unsaid) | None => Quill::Forward,
+    }
+}
+
+fn is_forward(said: Quill, at_start: Quill) -> bool {
+    let quill = if said == Quill::Unsaid { at_start } else { said };
+    quill == Quill::Forward
+}
+
+/// The centre of the tailstock: a cone of 60°, and the quill.
+fn center(tailstock: &Tailstock) -> Region {
+    let Tailstock { z, diameter } = *tailstock;
+    let radius = diameter.radius();
+    let shoulder = z + radius / 30f64.to_radians().tan();
+    let corners = [(0.0, z), (0.0, shoulder + 200.0), (radius, shoulder + 200.0), (radius, shoulder)];
+    Region::inside(&corners.map(|(x, z)| Point::new(x, z)))
+}
