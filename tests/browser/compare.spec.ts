@@ -35,8 +35,13 @@ test('a pasted version is laid beside the program: blocks, what they change, tot
   await expect(result.getByRole('img', { name: /^Tool paths of both/ })).toBeVisible();
   // The program is as it was, and the text that was pasted is still there.
   await expect(field(page)).toHaveValue(OTHER);
-  await dialog(page).getByRole('button', { name: 'Close' }).click();
-  await expect(editor(page)).toContainText('G00 X50');
+  // A line of the program leads there.
+  await result.getByRole('button', { name: /line 5$/ }).click();
+  await expect(dialog(page)).toBeHidden();
+  await expect(page.locator('.cm-activeLine')).toHaveText('G00 X50');
+  await page.keyboard.press('ArrowLeft');
+  await page.keyboard.type('/');
+  await expect(editor(page)).toContainText('/G00 X50');
 });
 
 test('numbers and blanks are no difference, and an empty field says what is missing', async ({ page }) => {

@@ -11,7 +11,7 @@ import { join } from 'node:path';
 import { chromiumTest as test, type ChromiumPage, expect } from './engines';
 import { editor, program, status, value } from './page';
 
-const KILLS = Number(process.env['PLAYGROUND_KILLS'] ?? 20);
+const KILLS = Number(process.env['PLAYGROUND_KILLS'] ?? 8);
 /** What may be missing, ms. */
 const MOST_MISSING = 1000;
 

@@ -57,6 +57,26 @@ for (const language of ['en', 'zh', 'ru'] as const) {
   });
 }
 
+test('until what is drawn is there the report waits, and is not copied', async ({ page }) => {
+  await open(page);
+  await type(page, PROGRAM);
+  // The table of motions is kept back for a while.
+  await page.locator('gcode-playground').evaluate((element: HTMLElement & { exported(format: string): Promise<unknown> }) => {
+    const own = element.exported.bind(element);
+    element.exported = async (format) => {
+      await new Promise((done) => setTimeout(done, 1500));
+      return own(format);
+    };
+  });
+  await openReport(page, 'en');
+  const dialog = page.getByRole('dialog');
+  await expect(dialog.getByText('The report is being put together…')).toBeVisible();
+  await expect(dialog.getByRole('button', { name: 'Copy', exact: true })).toBeDisabled();
+  await expect(dialog.locator('#report-output')).toHaveValue('');
+  await expect(dialog.locator('#report-output')).toHaveValue(/What the playground draws there/);
+  await expect(dialog.getByRole('button', { name: 'Copy', exact: true })).toBeEnabled();
+});
+
 test('a program with backticks stays whole in its report, and the link of the report opens it', async ({ page }) => {
   await open(page);
   await type(page, '(A ``` B)\nG00 X40 Z2\nM30\n');

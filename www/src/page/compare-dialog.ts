@@ -102,7 +102,7 @@ class CompareDialog {
     }
     const { sameText, sameMotions, hunks } = found.rows;
     const differ = sameMotions ? texts.textAlone : texts.differ(hunks.length);
-    this.#say(sameText && sameMotions ? texts.same : differ, result(found, names, host.language));
+    this.#say(sameText && sameMotions ? texts.same : differ, result(found, { names, language: host.language, goTo: (line) => this.#goTo(line) }));
   }
 
   /** What stands in the field: a program, or a link that holds one. */
@@ -129,6 +129,12 @@ class CompareDialog {
       return;
     }
     await this.show({ name: file.name, text: opened.program.pieces.join('') });
+  }
+
+  /** A line of the program of the page, which lies under the dialog. */
+  #goTo(line: number): void {
+    this.#dialog.close();
+    this.#host?.playground.goToLine(line);
   }
 
   #say(status: string, shown: HTMLElement | undefined): void {

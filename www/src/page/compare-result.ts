@@ -15,23 +15,32 @@ type Later = Hunk['later'];
 type Block = NonNullable<Row['first']>;
 type Names = readonly [string, string];
 
+/** What the result is shown with. */
+interface Shown {
+  readonly names: Names;
+  readonly language: Language;
+  /** The reader wants to see a line of the second version, from 1. */
+  readonly goTo: (line: number) => void;
+}
+
 /** More hunks than this are counted: a page of them all would stand still. */
 const MOST_HUNKS = 200;
 
-export function result({ rows, drawing }: Differed, names: Names, language: Language): HTMLElement {
+export function result({ rows, drawing }: Differed, shownWith: Shown): HTMLElement {
+  const { names, language } = shownWith;
   const texts = COMPARE_WORDS[language];
   const shown = make('div', { className: 'difference' });
   if (rows.readAs.length > 0) shown.append(changes(rows.readAs));
-  for (const hunk of rows.hunks.slice(0, MOST_HUNKS)) shown.append(hunkShown(hunk, names, language));
+  for (const hunk of rows.hunks.slice(0, MOST_HUNKS)) shown.append(hunkShown(hunk, shownWith));
   const blocks = rows.hunks.slice(MOST_HUNKS).reduce((sum, hunk) => sum + hunk.rows.length, rows.moreBlocks);
   if (blocks > 0) shown.append(make('p', {}, texts.more(blocks)));
-  if (rows.unexplained.blocks > 0) shown.append(later(rows.unexplained, texts.unexplained(rows.unexplained.blocks), language));
+  if (rows.unexplained.blocks > 0) shown.append(later(rows.unexplained, texts.unexplained(rows.unexplained.blocks), shownWith));
   if (rows.sameText && rows.sameMotions) return shown;
   shown.append(make('h3', {}, texts.totals), totals(rows.totals, names, texts.what));
   shown.append(make('h3', {}, texts.part), part(rows, names, language));
-  for (const [heading, found] of [[texts.gone, rows.gone], [texts.new, rows.new]] as const) {
+  for (const [heading, found, which] of [[texts.gone, rows.gone, 'first'], [texts.new, rows.new, 'second']] as const) {
     if (found.length === 0) continue;
-    const items = found.map(({ line, code, message }) => make('li', {}, `${texts.line(line)}: ${code} `, ...prose(message)));
+    const items = found.map(({ line, code, message }) => make('li', {}, lineShown(which, line, texts.line(line), shownWith), `: ${code} `, ...prose(message)));
     shown.append(make('h3', {}, heading), make('ul', {}, ...items));
   }
   const picture = drawn(drawing, `${texts.drawing}: ${names.join(', ')}`);
@@ -39,24 +48,34 @@ export function result({ rows, drawing }: Differed, names: Names, language: Lang
   return shown;
 }
 
-function hunkShown(hunk: Hunk, names: Names, language: Language): HTMLElement {
+function hunkShown(hunk: Hunk, shownWith: Shown): HTMLElement {
+  const { names, language } = shownWith;
   const texts = COMPARE_WORDS[language];
   const section = make('section', {});
   for (const row of hunk.rows) {
-    section.append(make('div', { className: 'pair' }, block(row.first, 'del', names[0], language), block(row.second, 'ins', names[1], language)));
+    section.append(make('div', { className: 'pair' }, block('first', row.first, names[0], shownWith), block('second', row.second, names[1], shownWith)));
     if (row.changes.length > 0) section.append(changes(row.changes));
   }
   const still = hunk.later.blocks === 0 && hunk.rows.every((row) => row.changes.length === 0);
   if (still) section.append(make('p', { className: 'still' }, texts.still));
-  if (hunk.later.blocks > 0) section.append(later(hunk.later, texts.later(hunk.later.blocks), language));
+  if (hunk.later.blocks > 0) section.append(later(hunk.later, texts.later(hunk.later.blocks), shownWith));
   return section;
 }
 
-function block(own: Block | undefined, tag: 'del' | 'ins', name: string, language: Language): HTMLElement {
-  const texts = COMPARE_WORDS[language];
+function block(which: 'first' | 'second', own: Block | undefined, name: string, shownWith: Shown): HTMLElement {
+  const texts = COMPARE_WORDS[shownWith.language];
+  const tag = which === 'first' ? 'del' : 'ins';
   if (own === undefined) return make('div', { className: `block ${tag} none` }, make('span', { className: 'line' }, texts.noBlock));
-  const line = make('span', { className: 'line' }, `${name}, ${texts.line(own.line)}`);
+  const line = make('span', { className: 'line' }, lineShown(which, own.line, `${name}, ${texts.line(own.line)}`, shownWith));
   return make('div', { className: `block ${tag}` }, line, make(tag, {}, make('code', { lang: 'en' }, own.text)));
+}
+
+/** The line of a version; one of the program of the page leads there. */
+function lineShown(which: 'first' | 'second', line: number, text: string, { goTo }: Shown): HTMLElement | string {
+  if (which === 'first') return text;
+  const button = make('button', { type: 'button', className: 'link' }, text);
+  button.addEventListener('click', () => goTo(line));
+  return button;
 }
 
 function changes(all: readonly Change[]): HTMLElement {
@@ -67,12 +86,13 @@ function told({ name, first, second }: Change): string {
   return first === '' && second === '' ? name : `${name}: ${first} → ${second}`;
 }
 
-function later(all: Later, heading: string, language: Language): HTMLElement {
-  const texts = COMPARE_WORDS[language];
+function later(all: Later, heading: string, shownWith: Shown): HTMLElement {
+  const texts = COMPARE_WORDS[shownWith.language];
   const items = all.rows.map((row) => {
     const own = row.second ?? row.first;
     const code = make('code', { lang: 'en' }, own?.text ?? '');
-    return make('li', {}, `${texts.line(own?.line ?? 0)}: `, code, ` · ${row.changes.map(told).join('; ')}`);
+    const line = lineShown(row.second === undefined ? 'first' : 'second', own?.line ?? 0, texts.line(own?.line ?? 0), shownWith);
+    return make('li', {}, line, ': ', code, ` · ${row.changes.map(told).join('; ')}`);
   });
   return make('div', { className: 'later' }, make('p', {}, heading), make('ul', {}, ...items));
 }

@@ -20,6 +20,9 @@ import './share.css';
 /** Put in by the build. */
 declare const PLAYGROUND_VERSION: string;
 
+/** So long a report waits for its motions: where the interpreter was lost they never come. */
+const LATEST_MS = 8000;
+
 let dialog: ReportDialog | undefined;
 
 /** Opens it for the program of now, at the block of the cursor. */
@@ -45,6 +48,8 @@ class ReportDialog {
   #host: PageHost | undefined;
   #motions: readonly MotionRow[] | undefined;
   #link: string | undefined;
+  /** What is drawn, and the link, are still to come: the report is not whole. */
+  #waits = false;
   /** Counts how often it was opened: what comes late is dropped. */
   #opened = 0;
 
@@ -74,18 +79,23 @@ class ReportDialog {
     this.#copy.textContent = texts.copy;
     this.#save.textContent = texts.saveFolder;
     this.#line.value = String(host.playground.cursorLine);
-    [this.#motions, this.#link] = [undefined, undefined];
+    [this.#motions, this.#link, this.#waits] = [undefined, undefined, true];
     this.#show();
     this.#dialog.show();
     this.#machine.focus();
-    void this.#ask(host).then(() => own === this.#opened && this.#show());
+    void this.#ask(host).then(() => {
+      if (own !== this.#opened) return;
+      this.#waits = false;
+      this.#show();
+    });
   }
 
   /** What is drawn, and the link that opens it. */
   async #ask(host: PageHost): Promise<void> {
     const { playground } = host;
+    const late = new Promise<undefined>((done) => setTimeout(done, LATEST_MS));
     const [table, made] = await Promise.all([
-      playground.length > LONGEST_FOR_TABLE ? undefined : playground.exported('csv').catch(() => undefined),
+      playground.length > LONGEST_FOR_TABLE ? undefined : Promise.race([playground.exported('csv').catch(() => undefined), late]),
       linkOf(sharedProgram(host.program)).catch(() => undefined),
     ]);
     this.#motions = table && motionRows(table);
@@ -105,10 +115,11 @@ class ReportDialog {
     const texts = REPORT_WORDS[host.language];
     const setup = host.playground.wholeSetup;
     this.#block.textContent = blockAt(host.program.text, Number(this.#line.value));
-    this.#said.textContent = setup === undefined ? texts.unreadableSetup : '';
-    this.#output.value = setup === undefined ? '' : reportText(this.#reported(host, setup), texts);
-    this.#copy.disabled = setup === undefined;
-    this.#save.disabled = setup === undefined || this.#motions === undefined;
+    const isThere = setup !== undefined && !this.#waits;
+    this.#said.textContent = setup === undefined ? texts.unreadableSetup : this.#waits ? texts.comes : '';
+    this.#output.value = isThere ? reportText(this.#reported(host, setup), texts) : '';
+    this.#copy.disabled = !isThere;
+    this.#save.disabled = !isThere || this.#motions === undefined;
   }
 
   async #copied(): Promise<void> {

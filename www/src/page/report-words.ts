@@ -20,7 +20,7 @@ export interface ReportWords {
   readonly didHint: string;
   readonly drawn: string;
   readonly nothingDrawn: string;
-  readonly tooLong: string;
+  readonly notListed: string;
   readonly more: (n: number) => string;
   readonly notSaid: string;
   readonly versions: string;
@@ -34,6 +34,7 @@ export interface ReportWords {
   readonly saveFolder: string;
   readonly saved: (name: string) => string;
   readonly unreadableSetup: string;
+  readonly comes: string;
   readonly notLoaded: string;
 }
 
@@ -49,7 +50,7 @@ export const REPORT_WORDS = words<ReportWords>({
     didHint: 'For example: after the cycle it stood at X40 Z2, not at X42 Z2.',
     drawn: 'What the playground draws there',
     nothingDrawn: 'No motion.',
-    tooLong: 'The program is too long to list its motions.',
+    notListed: 'The motions are not listed: the program is too long, or it could not be run.',
     more: (n) => `… and ${MORE.en(n)} more`,
     notSaid: '(not said)',
     versions: 'Versions',
@@ -62,6 +63,7 @@ export const REPORT_WORDS = words<ReportWords>({
     notCopied: 'The browser does not allow copying: the text is selected, press Ctrl C.',
     saveFolder: 'Save as a folder for tests',
     saved: (name) => `${name}: unpack it in tests/programs, and put what the machine did into motions.jsonl.`,
+    comes: 'The report is being put together…',
     unreadableSetup: 'The setup cannot be read: fix it first.',
     notLoaded: 'This could not be loaded. Try again when the network is there.',
   },
@@ -76,7 +78,7 @@ export const REPORT_WORDS = words<ReportWords>({
     didHint: '例如：循环结束后停在 X40 Z2，而不是 X42 Z2。',
     drawn: '演练场在此处画出的运动',
     nothingDrawn: '没有运动。',
-    tooLong: '程序太长，不列出运动。',
+    notListed: '没有列出运动：程序太长，或者无法运行。',
     more: (n) => `……另有 ${MORE.zh(n)}`,
     notSaid: '（未填写）',
     versions: '版本',
@@ -89,6 +91,7 @@ export const REPORT_WORDS = words<ReportWords>({
     notCopied: '浏览器不允许复制：文本已选中，请按 Ctrl C。',
     saveFolder: '保存为测试文件夹',
     saved: (name) => `${name}：解压到 tests/programs，并在 motions.jsonl 中写入机床的实际动作。`,
+    comes: '正在生成报告…',
     unreadableSetup: '无法读取设置：请先修正。',
     notLoaded: '加载失败。请在网络恢复后重试。',
   },
@@ -103,7 +106,7 @@ export const REPORT_WORDS = words<ReportWords>({
     didHint: 'Например: после цикла он остановился в X40 Z2, а не в X42 Z2.',
     drawn: 'Что рисует песочница',
     nothingDrawn: 'Нет перемещений.',
-    tooLong: 'Программа слишком длинная, перемещения не перечислены.',
+    notListed: 'Перемещения не перечислены: программа слишком длинная или её не удалось выполнить.',
     more: (n) => `… и ещё ${MORE.ru(n)}`,
     notSaid: '(не указано)',
     versions: 'Версии',
@@ -116,6 +119,7 @@ export const REPORT_WORDS = words<ReportWords>({
     notCopied: 'Браузер не разрешает копирование: текст выделен, нажмите Ctrl C.',
     saveFolder: 'Сохранить папку для тестов',
     saved: (name) => `${name}: распакуйте в tests/programs и запишите в motions.jsonl то, что сделал станок.`,
+    comes: 'Отчёт составляется…',
     unreadableSetup: 'Наладка не читается: сначала исправьте её.',
     notLoaded: 'Не удалось загрузить. Повторите, когда появится сеть.',
   },

@@ -14,7 +14,7 @@ export interface Reported {
   readonly setup: string;
   /** The line of the block, from 1. */
   readonly line: number;
-  /** The motions of all blocks; nothing where the program is too long for them. */
+  /** The motions of all blocks; nothing where the program is too long for them, or they did not come. */
   readonly motions: readonly MotionRow[] | undefined;
   readonly machine: string;
   /** What the machine did. */
@@ -43,7 +43,7 @@ export function reportText(reported: Reported, words: ReportWords): string {
     `**${words.did}**`,
     did.trim() === '' ? words.notSaid : did.trim(),
     `**${words.drawn}**`,
-    drawn === undefined ? words.tooLong : drawn.length === 0 ? words.nothingDrawn : table(drawn, words),
+    drawn === undefined ? words.notListed : drawn.length === 0 ? words.nothingDrawn : table(drawn, words),
     `**${words.versions}**: ${versions}`,
     ...(link === undefined ? [] : [`**${words.open}**: ${link}`]),
     `## ${words.setup}`,

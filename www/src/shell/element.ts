@@ -37,7 +37,7 @@
 // `origin` becomes null, unless the page sets one of them in the same turn before the text. Undo brings all of it back. Methods: play(), pause(),
 // openFile(file), saveFile(), exported(format): the bytes of a file of the menu "Export", focus(), keepPart() to lay the parts of later programs over this one's,
 // endComparison(), differenceFrom({text, names}) for the blocks and motions in which another version differs, currentStep() and pictureFile(format),
-// both promises, cursorLine and wholeSetup, and for automation
+// both promises, cursorLine, goToLine(line) and wholeSetup, and for automation
 //   settled: Promise<number>   a property: resolved once all there is to show of the program, setup, language,
 //                              size and colours of now is shown, the part with all its material off included;
 //                              with the number of the run. Numbers grow with every change of text or setup.
@@ -480,6 +480,15 @@ export class GcodePlayground extends Base {
   /** The line of the cursor, from 1. */
   get cursorLine(): number {
     return this.value.slice(0, this.#shell.editor.cursor).split('\n').length;
+  }
+
+  /** Puts the cursor into a line, from 1, and marks it; where there is no such line nothing happens. */
+  goToLine(line: number): void {
+    const lines = this.value.split('\n');
+    const text = lines[line - 1];
+    if (text === undefined) return;
+    const from = lines.slice(0, line - 1).reduce((length, before) => length + before.length + 1, 0);
+    this.#shell.goTo({ from, to: from + text.length });
   }
 
   /** All of the setup the program is run with, as JSON: that of `setup` and of the other attributes. Nothing where it cannot be read. */
