@@ -315,6 +315,7 @@ impl<'a> Parser<'a> {
             return;
         }
         let mut negative = false;
+        let mut signs = 0;
         let mut after = self.lexer.position();
         let start = comma.unwrap_or(first);
         if comma.is_none() && self.misread_word(block, first.start) {
@@ -325,11 +326,19 @@ impl<'a> Parser<'a> {
             match token.map(|token| token.kind) {
                 Some(TokenKind::Number(number)) => {
                     let span = start.to(token.map_or(first, |token| token.span));
+                    if signs > 1 {
+                        self.two_signs(block, span, negative);
+                    }
                     return self.word(block, letter, comma.is_some(), negative, number, span);
                 }
-                Some(TokenKind::Blank | TokenKind::Plus) => {}
-                Some(TokenKind::Minus) => negative = true,
+                Some(TokenKind::Blank) => {}
+                Some(TokenKind::Plus) => signs += 1,
+                Some(TokenKind::Minus) => {
+                    signs += 1;
+                    negative = true;
+                }
                 Some(TokenKind::PrintedMinus) => {
+                    signs += 1;
                     negative = true;
                     let span = token.map_or(first, |token| token.span);
                     let message = said::PrintedMinus;
@@ -361,6 +370,17 @@ impl<'a> Parser<'a> {
         self.lexer.seek(after);
         let message = said::NumberMissing { address: letter as char };
         block.fault(Diagnostic::new(message, start));
+    }
+
+    /// A number has more than one sign; where one of them is a minus, that may be meant.
+    #[cold]
+    fn two_signs(&self, block: &mut Block, span: Span, negative: bool) {
+        let word = span.quote(self.lexer.text());
+        let letter = word.find(['-', '+', '–', '−', '－']).unwrap_or(1);
+        let digits = word.find(|letter: char| letter.is_ascii_digit() || letter == '.').unwrap_or(word.len());
+        let sign = if negative { "-" } else { "" };
+        let fix = Fix::write(span, format!("{}{sign}{}", word[..letter].trim_end(), &word[digits..]));
+        block.fault(Diagnostic::new(said::TwoSigns { word }, span).with(fix));
     }
 
     /// Stores a complete word, or what its number is worth complaining about.
@@ -952,6 +972,8 @@ mod tests {
         assert_eq!(read("X-"), ["!number-missing"]);
         assert_eq!(read("X."), ["!number-missing"]);
         assert_eq!(read("Z–20"), ["Z-20 !printed-minus"]);
+        assert_eq!(read("Z--20 X+-3"), ["Z-20 X-3 !minus-not-allowed !minus-not-allowed"]);
+        assert_eq!(read("Z -20 X+3"), ["Z-20 X3"]);
         assert_eq!(read("00006;\nN10 X1"), ["O6 !zero-for-letter-o", "", "N10 X1"]);
         assert_eq!(read("hello world"), ["!text-outside-comment"]);
         assert_eq!(read("G0 (open"), ["G0 !comment-not-closed"]);
