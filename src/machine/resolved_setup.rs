@@ -11,9 +11,9 @@ use super::sweep::Outline;
 use super::thread_point::{for_pitch, leads};
 use super::tool::{Action, DRILL, Shape, over_edge};
 use super::tool_use::Purpose;
-use crate::geometry::SAME;
+use crate::geometry::{Point, SAME};
 use crate::motion::{CycleFamily, Motion, Motions};
-use crate::setup::{Setup, Stock, Tool, ToolKind};
+use crate::setup::{Setup, Side, Stock, Tool, ToolKind};
 
 /// What a tool or a blank is based on.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -183,12 +183,28 @@ impl ResolvedTool {
         // Where in a threading tool its point is, is not known either.
         shape.core = match tool.kind {
             Some(ToolKind::Threading) => Outline::default(),
-            _ => shape.edge.shrunk(DEPTH).near_tip(TIP),
+            _ => inner(&tool, &shape.edge).near_tip(TIP),
         };
         shape.body = None;
         let takes = over_edge(&tool, &shape);
         Self { station, shape, takes, tool, basis: Basis::Inferred }
     }
+}
+
+/// What of the edge of an inferred tool lies [`DEPTH`] within it. Of a needle and of a narrow grooving insert nothing does on all
+/// sides: what lies that deep along their own axis.
+fn inner(tool: &Tool, edge: &Outline) -> Outline {
+    let inner = edge.shrunk(DEPTH);
+    if inner.points().len() > 2 {
+        return inner;
+    }
+    let inside = if tool.kind == Some(ToolKind::Boring) { Side::Inside } else { Side::Outside };
+    let inwards = match tool.side.unwrap_or(inside) {
+        Side::Outside => Point::new(1.0, 0.0),
+        Side::Inside => Point::new(-1.0, 0.0),
+        Side::Face => Point::new(0.0, 1.0),
+    };
+    edge.beyond(DEPTH, inwards)
 }
 
 /// Station and offset of a T word such as `T0101`.

@@ -105,6 +105,12 @@ impl Outline {
         Self { points: points.collect() }
     }
 
+    /// The part of it that lies at least `by` mm from the tip in a direction of length 1.
+    pub fn beyond(&self, by: f64, direction: Point) -> Self {
+        let depth = |point: Point| point.x * direction.x + point.z * direction.z - by;
+        Self { points: cut_off(&self.points, depth) }
+    }
+
     /// The same outline, smaller by `by` mm on all sides; nothing is left of a very small one.
     pub fn shrunk(&self, by: f64) -> Self {
         let count = self.points.len();
