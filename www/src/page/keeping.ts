@@ -19,7 +19,7 @@ export class Keeping implements ProgramOfTab {
   readonly host: KeepingHost;
   /** The newest revision of a program that this tab has seen. */
   readonly known = new Map<string, number>();
-  /** The entry that the page began with. */
+  /** The entry of the journal that the page began with, or the program of a task. */
   began: Entry | undefined;
   #id: string | undefined;
   /** The programs this tab has had, as they were kept last. */
@@ -43,6 +43,8 @@ export class Keeping implements ProgramOfTab {
 
   /** Another text has taken the place of the one before, or undo has brought back one; nothing: it is too long to be kept. */
   replaced(text: string | undefined): void {
+    // Two programs can have the same text.
+    if (this.#id !== undefined && text !== undefined && this.#had.get(this.#id) === text) return;
     this.#id = [...this.#had].find(([, before]) => before === text)?.[0];
   }
 

@@ -1,7 +1,7 @@
 // A program that an address holds: plain text (`#program=…&setup=…`), or packed (`#share=…`, `files/shared-link.ts`).
 //
 // In: the part of an address from `#` on. Out: the program and what it is shown with, or what is wrong with the address; what
-// unpacks is loaded for such an address alone. Which link the reader's own program began as is kept here. Must not know: what a program says.
+// unpacks is loaded for such an address alone. Must not know: what a program says.
 
 import { LINK_LIMIT } from '../files/link-limit';
 import type { LinkFault, Shared } from '../files/shared-link';
@@ -15,7 +15,6 @@ export type InAddress =
   | { readonly kind: 'other' };
 
 const EXAMPLE = /^#[a-z]\w*-[\w-]+$/;
-const workKey = (): string => `gcode-playground:task:${location.pathname}`;
 
 /** A program in plain text. */
 export function linkedProgram(hash: string): LinkedProgram | undefined {
@@ -44,29 +43,4 @@ export async function inAddress(hash: string): Promise<InAddress> {
   const linked = linkedProgram(hash);
   if (linked !== undefined) return { kind: 'linked', linked };
   return hash === '' || hash === '#' || EXAMPLE.test(hash) ? { kind: 'other' } : { kind: 'fault', fault: { kind: 'unknown' } };
-}
-
-// ---- what the reader makes of a task ---------------------------------------------------------------
-
-/** The kept program is the reader's work on the task of this link, or on none. */
-export function keepWorkOn(hash: string | undefined): void {
-  try {
-    if (hash === undefined) localStorage.removeItem(workKey());
-    else localStorage.setItem(workKey(), endOf(hash));
-  } catch {
-    // Nothing is kept here; the link opens as it came.
-  }
-}
-
-export function isWorkOn(hash: string): boolean {
-  try {
-    return localStorage.getItem(workKey()) === endOf(hash);
-  } catch {
-    return false;
-  }
-}
-
-/** Its check, which is that of no other link. */
-function endOf(hash: string): string {
-  return hash.slice(-40);
 }

@@ -19,12 +19,13 @@ import { ExampleList } from './example-list';
 import { find, label } from './find';
 import { FIRST_EXAMPLE, loadExample, type Example } from './gallery';
 import type { Fault } from './link-bar';
-import { inAddress, isWorkOn, keepWorkOn, linkedProgram, type LinkedProgram } from './linked';
+import { inAddress, linkedProgram, type InAddress, type LinkedProgram } from './linked';
 import type { Offline } from './offline';
 import { OpenedLink } from './opened-link';
 import { LANGUAGES, languageOf, type Language } from '../dom/language';
 import { COMMON } from '../dom/words';
 import { PAGE_WORDS } from './words';
+import { isWorkOn, keepWorkOn, lastWorkOn, workOn, type FoundWork, type Work } from './task-work';
 import { Keeping } from './keeping';
 import { choices, forgetLast, keepChoices, lastEntry, LONGEST_IN_JOURNAL, LONGEST_KEPT, type Entry, type KeptProgram, type OwnProgram } from './storage';
 
@@ -65,6 +66,10 @@ let isComparing = false;
 const shown = new Map<string, Example>();
 /** Counts what was asked to be shown, so that what is loaded can come too late. */
 let asked = 0;
+/** The page has looked at the address that it begins with. */
+let begun = false;
+/** The link that each program of this tab began as: undo can bring back one of another link. */
+const beganAs = new Map<string, string>();
 let keepingSoon: ReturnType<typeof setTimeout> | undefined;
 /** The text as it was last loaded or kept. */
 let known = '';
@@ -83,7 +88,7 @@ const host = {
   async show(program: OwnProgram): Promise<void> {
     const began = await keptExample(program);
     keepNow();
-    restore(program, began);
+    putBack(program, began);
     keepSoon();
   },
   titleOf: (id: string) => shown.get(id)?.title[language],
@@ -105,7 +110,7 @@ const host = {
   },
   bringBack: (program: OwnProgram) => void keptExample(program).then((began) => {
     keepNow();
-    restore(program, began);
+    putBack(program, began);
   }),
 };
 const above = new AboveProgram(host);
@@ -134,26 +139,36 @@ function start(): void {
 
 /** The program of the address, the kept one, the example of the address, or the first one. */
 async function begin(): Promise<void> {
-  const found = await inAddress(location.hash);
+  const { found, work } = await lookUp('last-at-once');
+  begun = true;
   const entry = lastEntry();
   const kept = entry === undefined ? undefined : { ...entry.program, id: entry.id };
   if (found.kind === 'linked') {
     const { linked } = found;
-    const isSame = kept !== undefined && inUnits(kept.text) === inUnits(linked.text);
-    // The program of the link, perhaps under another setup, or what the reader has made of its task.
-    if (kept !== undefined && kept.example === '' && (isSame || (linked.task !== null && isWorkOn(location.hash)))) {
-      restoreLast(kept, undefined, entry);
-      playground.origin = OF_A_LINK;
-      showAsLinked(linked);
-      if (!isSame) above.show({ kind: 'linked', address: location.hash, linked });
-      return;
-    }
+    if (work.kind === 'work') return showWork(work.work, linked);
+    // The program of the link, perhaps under another setup.
+    if (kept !== undefined && entry !== undefined && kept.example === '' && inUnits(kept.text) === inUnits(linked.text)) return showWork({ program: kept, entry }, linked);
     loadLinked(linked);
     if (kept !== undefined && kept.text !== linked.text) above.show({ kind: 'kept', program: kept });
+    offerLater(work);
     return;
   }
   await beginWithoutLink(entry, kept);
   if (found.kind === 'fault') showFault(found.fault);
+}
+
+/** What the address holds, and what the reader has made of its task; the address can become another one meanwhile. */
+async function lookUp(last: 'last-at-once' | 'as-listed'): Promise<{ readonly found: InAddress; readonly work: FoundWork }> {
+  for (;;) {
+    const { hash } = location;
+    const found = await inAddress(hash);
+    let work: FoundWork = { kind: 'none' };
+    if (found.kind === 'linked' && found.linked.task !== null) {
+      const atOnce = last === 'last-at-once' ? lastWorkOn(hash) : undefined;
+      work = atOnce === undefined ? await workOn(hash) : { kind: 'work', work: atOnce };
+    }
+    if (location.hash === hash) return { found, work };
+  }
 }
 
 /** The kept program, the example of the address, or the first one. */
@@ -219,6 +234,36 @@ function loadLinked(linked: LinkedProgram): void {
   above.show({ kind: 'example' });
 }
 
+/** What the reader has made of the program of the link in the address. */
+function showWork({ program, entry, revision }: Work, linked: LinkedProgram): void {
+  const { id, text } = program;
+  restore(program, undefined, OF_A_LINK);
+  if (entry !== undefined) ownPrograms.began = entry;
+  if (revision !== undefined) ownPrograms.known.set(id, revision);
+  beganAs.set(id, location.hash);
+  showAsLinked(linked);
+  if (inUnits(text) !== inUnits(linked.text)) above.show({ kind: 'linked', address: location.hash, linked });
+}
+
+/** The program is there again: as the work on the task in the address, where it is that. */
+function putBack(program: OwnProgram, began: Example | undefined): void {
+  const open = link.inAddress;
+  const { id } = program;
+  if (id !== undefined && open !== undefined && open.linked.task !== null && isWorkOn(open.address, id)) showWork({ program: { ...program, id } }, open.linked);
+  else restore(program, began);
+}
+
+/** The task is shown as it came; the work on it is offered when it is found, unless the reader has gone on to something else. */
+function offerLater(work: FoundWork): void {
+  if (work.kind !== 'late') return;
+  const own = asked;
+  void work.coming.then((found) => {
+    if (found === undefined || own !== asked) return;
+    const { now } = above;
+    above.show(now.kind === 'linked' ? { ...now, kept: found.program } : { kind: 'kept', program: found.program });
+  });
+}
+
 /** Language, view and step of a link, and what it says beside its program. */
 function showAsLinked(linked: LinkedProgram): void {
   if (linked.language !== null && languageOf(linked.language) !== language) {
@@ -272,17 +317,32 @@ function load(chosen: Example | undefined): void {
 
 /** The address is another one; what it replaces is kept, and offered. */
 async function followAddress(): Promise<void> {
+  // The page looks at it before it begins.
+  if (!begun) return;
   const own = ++asked;
-  const found = await inAddress(location.hash);
+  keepNow('address-stays');
+  const { found, work } = await lookUp('as-listed');
   if (own !== asked) return;
   const from = link.last;
   if (found.kind === 'fault') return showFault(found.fault);
   if (found.kind === 'linked') {
-    keepNow();
-    const before = programNow();
-    loadLinked(found.linked);
-    const untouched = [found.linked.text, from?.linked.text, shown.get(before.example)?.program];
-    if (!untouched.includes(before.text)) above.show({ kind: 'kept', program: before });
+    const { linked } = found;
+    keepNow('address-stays');
+    const { id } = ownPrograms;
+    const before: OwnProgram = { ...programNow(), ...(id === undefined ? {} : { id }) };
+    const untouched = [linked.text, from?.linked.text, shown.get(before.example)?.program];
+    const offered = untouched.includes(before.text) ? undefined : before;
+    if (work.kind === 'work') {
+      // What was typed meanwhile is newer.
+      const isHere = work.work.program.id === id;
+      showWork(isHere ? { program: { ...before, id } } : work.work, linked);
+      const { now } = above;
+      if (!isHere && offered !== undefined) above.show(now.kind === 'linked' ? { ...now, kept: offered } : { kind: 'kept', program: offered });
+      return;
+    }
+    loadLinked(linked);
+    if (offered !== undefined) above.show({ kind: 'kept', program: offered });
+    offerLater(work);
     return;
   }
   const id = location.hash.slice(1);
@@ -303,7 +363,7 @@ function followOrigin(): void {
   above.show({ kind: 'example' });
 }
 
-function restore(kept: OwnProgram, began: Example | undefined): void {
+function restore(kept: OwnProgram, began: Example | undefined, origin: string | null = began?.id ?? null): void {
   asked++;
   clearTimeout(keepingSoon);
   keepingSoon = undefined;
@@ -319,7 +379,7 @@ function restore(kept: OwnProgram, began: Example | undefined): void {
   put({
     control: kept.control === '' ? null : kept.control,
     setup: setup === undefined ? unsaid : setup === '' ? null : setup,
-    origin: example?.id ?? null, blockSkip, program,
+    origin, blockSkip, program,
   }, { text, file: file as ProgramFile | undefined });
   examples.show();
   above.show({ kind: 'restored' });
@@ -372,7 +432,7 @@ function listen(): void {
     showControl();
     keepSoon();
   });
-  window.addEventListener('pagehide', keepNow);
+  window.addEventListener('pagehide', () => keepNow());
   document.addEventListener('visibilitychange', () => {
     if (document.visibilityState === 'hidden') keepNow();
   });
@@ -400,11 +460,11 @@ function keepSoon(): void {
   const isLong = playground.length > LONGEST_IN_JOURNAL;
   if (isLong) clearTimeout(keepingSoon);
   else if (keepingSoon !== undefined) return;
-  keepingSoon = setTimeout(keepNow, isLong ? KEEP_LONG_AFTER_MS : KEEP_AFTER_MS);
+  keepingSoon = setTimeout(() => keepNow(), isLong ? KEEP_LONG_AFTER_MS : KEEP_AFTER_MS);
 }
 
 /** Keeps what waits to be kept; a program that is the example again needs no keeping. */
-function keepNow(): void {
+function keepNow(address: 'follows' | 'address-stays' = 'follows'): void {
   if (playground.length > LONGEST_KEPT) {
     clearTimeout(keepingSoon);
     keepingSoon = undefined;
@@ -422,8 +482,9 @@ function keepNow(): void {
     if (ownPrograms.id !== undefined) ownPrograms.keep(programNow());
     forgetLast();
   } else {
-    leaveLink(text);
+    if (address === 'follows') leaveLink(text);
     ownPrograms.keep(programNow());
+    keepAsWork();
   }
 }
 
@@ -449,18 +510,27 @@ function programNow(): KeptProgram {
 function leaveLink(text: string): void {
   const before = above.now;
   if (before.kind === 'linked' && inUnits(before.linked.text) === text) {
-    history.replaceState(null, '', before.address);
+    // Another address may be on its way to be shown.
+    if (location.hash === '') history.replaceState(null, '', before.address);
     above.show({ kind: 'example' });
   }
   const open = link.inAddress;
-  const isOfLink = playground.origin === OF_A_LINK && open !== undefined;
-  const isWork = isOfLink && open.linked.task !== null;
-  // Who comes back finds the task, and the work on it.
-  keepWorkOn(isWork ? open.address : undefined);
   if (open === undefined || inUnits(open.linked.text) === text) return;
-  if (!isWork) history.replaceState(null, '', location.pathname + location.search);
+  const isOfLink = playground.origin === OF_A_LINK;
+  // Who comes back finds the task, and the work on it.
+  if (!isOfLink || open.linked.task === null) history.replaceState(null, '', location.pathname + location.search);
   const { now } = above;
   if (isOfLink && now.kind !== 'linked') above.show({ kind: 'linked', ...open, ...(now.kind === 'kept' ? { kept: now.program } : {}) });
+}
+
+/** The link of a task finds the program that began as it. */
+function keepAsWork(): void {
+  const { id } = ownPrograms;
+  const { last } = link;
+  if (id === undefined || last === undefined || playground.origin !== OF_A_LINK) return;
+  const began = beganAs.get(id) ?? last.address;
+  beganAs.set(id, began);
+  if (last.linked.task !== null && began === last.address) keepWorkOn(began, id);
 }
 
 /** As the editor has it: each line end counts one. */

@@ -1,4 +1,5 @@
-// What the browser keeps in its small, synchronous store: the journal of the reader's programs, and the choices.
+// What the browser keeps in its small, synchronous store: the journal of the reader's programs, which of them is the work on
+// a task, and the choices.
 //
 // In and out: plain values. The journal has an entry for each program and tab, written at once; the list of programs
 // (`own-programs-store.ts`) takes entries over and lets go of them. The last one stays: the page begins with it,
@@ -53,6 +54,8 @@ const OF_BEFORE = `gcode-playground:program:${location.pathname}`;
 const JOURNAL = `gcode-playground:journal:${location.pathname}:`;
 /** Which entry the page begins with. */
 const LAST = `gcode-playground:last:${location.pathname}`;
+/** Which of the reader's programs is the work on a task. */
+const WORKS = `gcode-playground:task:${location.pathname}`;
 const CHOICES = 'gcode-playground:choices';
 const CHOSEN = ['language', 'theme', 'hints', 'split', 'textSize'] as const;
 /** As `newId` makes them. */
@@ -61,6 +64,9 @@ const ID = /^[\da-f]{16,32}$/;
 /** Units of a program that is kept at all, and of one that the journal has room for: browsers keep about five million there. */
 export const LONGEST_KEPT = 10_000_000;
 export const LONGEST_IN_JOURNAL = 2_000_000;
+
+/** Tasks whose work is remembered. */
+const MOST_WORKS = 100;
 
 /** This tab, as long as the page is there. */
 export const TAB = newId();
@@ -117,6 +123,24 @@ export function forgetAllOf(id: string): void {
     if (isLast(each)) forgetLast();
     remove(keyOf(each));
   }
+}
+
+/** The program that is the reader's work on a task; whether it is still there, the list knows. */
+export function workOf(task: string): string | undefined {
+  return works().get(task);
+}
+
+/** `task`: what no other task is called. */
+export function keepWorkOf(task: string, id: string): void {
+  const all = works();
+  if (all.get(task) === id) return;
+  // The newest is the last one.
+  all.delete(task);
+  write(WORKS, Object.fromEntries([...all, [task, id]].slice(-MOST_WORKS)));
+}
+
+function works(): Map<string, string> {
+  return new Map(Object.entries(read(WORKS)).filter((one): one is [string, string] => isId(one[1])));
 }
 
 export function choices(): Choices {

@@ -1,0 +1,255 @@
+// The work on a task: each link of a task finds the pupil's own work again, whatever was opened in between; what was
+// deleted does not come back, and no store keeps the page from starting.
+import { expect, test, type BasicPage } from './engines';
+import { editor, open, value } from './page';
+
+interface Task {
+  readonly sentence: string;
+  readonly begin: string;
+  readonly link: string;
+}
+
+const FIRST: Omit<Task, 'link'> = { sentence: 'Turn the shoulder', begin: 'O0001\nT0101\nG97 S800 M03\nG00 X42 Z2\n\nM30\n' };
+const SECOND: Omit<Task, 'link'> = { sentence: 'Face the blank', begin: 'O0002\nT0202\nG97 S600 M03\nG00 X44 Z0\n\nM30\n' };
+
+const list = (page: BasicPage) => page.getByRole('dialog', { name: 'My programs' });
+const items = (page: BasicPage) => list(page).getByRole('listitem');
+
+/** The link of a task, made as the page packs links, but not compressed. */
+function linkTo({ sentence, begin }: Omit<Task, 'link'>): string {
+  const body = `b${Buffer.from(JSON.stringify({ p: begin, q: sentence, a: `${begin}(solved)` })).toString('base64url')}`;
+  let crc = -1;
+  for (let at = 0; at < body.length; at++) {
+    crc ^= body.charCodeAt(at);
+    for (let bit = 0; bit < 8; bit++) crc = (crc >>> 1) ^ ((crc & 1) === 0 ? 0 : 0xedb88320);
+  }
+  return `#share=1.${body.length + 8}.${body}${(~crc >>> 0).toString(16).padStart(8, '0')}`;
+}
+
+const first: Task = { ...FIRST, link: linkTo(FIRST) };
+const second: Task = { ...SECOND, link: linkTo(SECOND) };
+
+/** Opens an address as in a new tab. */
+async function openAfresh(page: BasicPage, hash = ''): Promise<void> {
+  await page.goto('about:blank');
+  await open(page, hash);
+}
+
+/** Another address in the page that is there. */
+async function go(page: BasicPage, hash: string): Promise<void> {
+  await page.evaluate((hash) => void (location.hash = hash), hash);
+}
+
+/** Writes into the empty line of a task, and gives the whole text. */
+async function work(page: BasicPage, { begin }: Task, answer: string): Promise<string> {
+  await editor(page).focus();
+  await page.keyboard.press('Control+Home');
+  for (let line = 1; line < 5; line++) await page.keyboard.press('ArrowDown');
+  await page.keyboard.insertText(answer);
+  const done = begin.replace('\n\n', `\n${answer}\n`);
+  await expect.poll(() => value(page)).toBe(done);
+  return done;
+}
+
+/** At most a second after a key, what was typed is kept. */
+const kept = (page: BasicPage): Promise<void> => page.waitForTimeout(900);
+
+async function isShown(page: BasicPage, { sentence }: Task, text: string): Promise<void> {
+  await expect.poll(() => value(page)).toBe(text);
+  await expect(page.getByText(`Task: ${sentence}`)).toBeVisible();
+  await expect(page.getByText('This began as the program of a link')).toBeVisible();
+}
+
+async function hasPrograms(page: BasicPage, count: number): Promise<void> {
+  await page.getByRole('button', { name: 'My programs…' }).first().click();
+  await expect(list(page).getByRole('status')).toHaveText(count === 1 ? '1 program' : `${count} programs`);
+  await expect(items(page)).toHaveCount(count);
+  await list(page).getByRole('button', { name: 'Close' }).click();
+}
+
+test('two tasks: each link finds its own work, and goes on with it', async ({ page }) => {
+  await open(page, first.link);
+  const onFirst = await work(page, first, 'G90 X32 Z-20 F0.2');
+  await kept(page);
+  await openAfresh(page, second.link);
+  const onSecond = await work(page, second, 'G01 X-1 F0.2');
+  await kept(page);
+  await openAfresh(page, first.link);
+  await isShown(page, first, onFirst);
+  await expect(page.getByText('Your last program is kept')).toHaveCount(0);
+  await editor(page).focus();
+  await page.keyboard.press('Control+End');
+  await page.keyboard.insertText('(MORE)');
+  const more = `${onFirst}(MORE)`;
+  await expect.poll(() => value(page)).toBe(more);
+  await kept(page);
+  await openAfresh(page, second.link);
+  await isShown(page, second, onSecond);
+  await openAfresh(page, first.link);
+  await isShown(page, first, more);
+  await hasPrograms(page, 2);
+});
+
+test('an example that was changed meanwhile, on the bare page, takes nothing away', async ({ page }) => {
+  await open(page, first.link);
+  const done = await work(page, first, 'G90 X32 Z-20 F0.2');
+  await kept(page);
+  await openAfresh(page);
+  await page.goto('about:blank');
+  await open(page, '#s003-g71');
+  await editor(page).focus();
+  await page.keyboard.insertText('(MINE)');
+  await kept(page);
+  await openAfresh(page, first.link);
+  await isShown(page, first, done);
+});
+
+test('in one tab: another link, and back by the link of the task', async ({ page }) => {
+  await open(page, first.link);
+  const done = await work(page, first, 'G90 X32 Z-20 F0.2');
+  // At once, before it is kept by itself.
+  await go(page, second.link);
+  await expect.poll(() => value(page)).toBe(second.begin);
+  const onSecond = await work(page, second, 'G01 X-1 F0.2');
+  await go(page, first.link);
+  await isShown(page, first, done);
+  await editor(page).focus();
+  await page.keyboard.press('Control+End');
+  await page.keyboard.insertText('(MORE)');
+  await kept(page);
+  await go(page, '#program=G00%20X1%20Z1');
+  await expect.poll(() => value(page)).toBe('G00 X1 Z1');
+  await go(page, first.link);
+  await isShown(page, first, `${done}(MORE)`);
+  await go(page, second.link);
+  await isShown(page, second, onSecond);
+  await hasPrograms(page, 2);
+});
+
+test('in one tab: the bare address, loaded or not, and back by the link of the task', async ({ page }) => {
+  await open(page, first.link);
+  const done = await work(page, first, 'G90 X32 Z-20 F0.2');
+  await kept(page);
+  await go(page, '');
+  await page.waitForTimeout(300);
+  await go(page, first.link);
+  await isShown(page, first, done);
+  await openAfresh(page);
+  await expect.poll(() => value(page)).toBe(done);
+  await editor(page).focus();
+  await page.keyboard.press('Control+End');
+  await page.keyboard.insertText('(MORE)');
+  await go(page, first.link);
+  await isShown(page, first, `${done}(MORE)`);
+  await expect(page.getByText('Your last program is kept')).toHaveCount(0);
+  await hasPrograms(page, 1);
+});
+
+test('"Open the link again" begins anew, and from then on that is the work', async ({ page }) => {
+  await open(page, first.link);
+  await work(page, first, 'G90 X32 Z-20 F0.2');
+  await kept(page);
+  await page.getByRole('button', { name: 'Open the link again' }).click();
+  await expect.poll(() => value(page)).toBe(first.begin);
+  const anew = await work(page, first, 'G01 X32 F0.2');
+  await kept(page);
+  await openAfresh(page, second.link);
+  await openAfresh(page, first.link);
+  await isShown(page, first, anew);
+  await hasPrograms(page, 2);
+});
+
+test('a line break or a full stop that a mail program has added makes no other task', async ({ page }) => {
+  await open(page, first.link);
+  const done = await work(page, first, 'G90 X32 Z-20 F0.2');
+  await kept(page);
+  await openAfresh(page, second.link);
+  await openAfresh(page, `${first.link.slice(0, 60)}%0A${first.link.slice(60)}.`);
+  await isShown(page, first, done);
+});
+
+test('work that the reader has deleted does not come back, unless by undo', async ({ page }) => {
+  await open(page, first.link);
+  const done = await work(page, first, 'G90 X32 Z-20 F0.2');
+  await kept(page);
+  await openAfresh(page, second.link);
+  await page.getByRole('button', { name: 'My programs…' }).first().click();
+  await expect(items(page)).toHaveCount(1);
+  await list(page).getByRole('button', { name: 'What can be done with O0001', exact: true }).click();
+  await list(page).getByRole('button', { name: 'Delete', exact: true }).click();
+  await expect(items(page)).toHaveCount(0);
+  await go(page, first.link);
+  await expect.poll(() => value(page)).toBe(first.begin);
+  await expect(page.getByText('Bring it back')).toHaveCount(0);
+  await list(page).getByRole('button', { name: 'Undo' }).click();
+  await expect(items(page)).toHaveCount(1);
+  await list(page).getByRole('button', { name: 'Close' }).click();
+  await openAfresh(page, first.link);
+  await isShown(page, first, done);
+  await page.getByRole('button', { name: 'My programs…' }).first().click();
+  await list(page).getByRole('button', { name: 'What can be done with O0001', exact: true }).click();
+  await list(page).getByRole('button', { name: 'Delete', exact: true }).click();
+  await expect(items(page)).toHaveCount(0);
+  await openAfresh(page, first.link);
+  await expect.poll(() => value(page)).toBe(first.begin);
+  await expect(page.getByText('Bring it back')).toHaveCount(0);
+});
+
+test('whatever stands where the work is noted, the task opens', async ({ page }) => {
+  await open(page, first.link);
+  const done = await work(page, first, 'G90 X32 Z-20 F0.2');
+  await kept(page);
+  await openAfresh(page, second.link);
+  const key = await page.evaluate(() => Object.keys(localStorage).find((key) => key.startsWith('gcode-playground:task:')) ?? '');
+  const noted = await page.evaluate((key) => localStorage.getItem(key), key);
+  const check = first.link.slice(-40);
+  const hostile = [
+    'null', '1', '"text"', '[]', '{', '', check, '[["__proto__", 1]]', '{"__proto__": {"a": 1}}', JSON.stringify({ [check]: 7 }), JSON.stringify({ [check]: { id: 'a' } }),
+    JSON.stringify({ [check]: '../x' }), JSON.stringify({ [check]: '0123456789abcdef0123' }), JSON.stringify(Object.fromEntries(Array.from({ length: 5000 }, (_, i) => [`n${i}`, i]))),
+  ];
+  for (const value of hostile) await test.step(value.slice(0, 60), async () => {
+    await page.evaluate(({ key, value }) => localStorage.setItem(key, value), { key, value });
+    await openAfresh(page, first.link);
+    await expect(page.getByText(`Task: ${first.sentence}`)).toBeVisible();
+    expect(await page.locator('gcode-playground').evaluate((element) => (element as HTMLElement & { value: string }).value)).toMatch(/^O0001/);
+  });
+  await page.evaluate(({ key, noted }) => localStorage.setItem(key, noted ?? ''), { key, noted });
+  await openAfresh(page, first.link);
+  await isShown(page, first, done);
+});
+
+test('of a hundred tasks the newest are remembered', async ({ page }) => {
+  await open(page, first.link);
+  const key = await page.evaluate(() => `gcode-playground:task:${location.pathname}`);
+  await page.evaluate((key) => localStorage.setItem(key, JSON.stringify(Object.fromEntries(Array.from({ length: 100 }, (_, i) => [`task-${i}`, '0123456789abcdef0123'])))), key);
+  await work(page, first, 'G90 X32 Z-20 F0.2');
+  await kept(page);
+  const all = await page.evaluate((key) => Object.keys(JSON.parse(localStorage.getItem(key) ?? '{}') as object), key);
+  expect(all).toHaveLength(100);
+  expect(all).not.toContain('task-0');
+  expect(all.at(-1)).toBe(first.link.slice(-40));
+});
+
+test('a database that gives no answer keeps the picture waiting no longer than a moment', async ({ page }) => {
+  await open(page, first.link);
+  const done = await work(page, first, 'G90 X32 Z-20 F0.2');
+  await kept(page);
+  await openAfresh(page, second.link);
+  await work(page, second, 'G01 X-1 F0.2');
+  await kept(page);
+  await page.addInitScript(() => {
+    const opens = IDBFactory.prototype.open;
+    const waits = new Promise<void>((done) => Object.assign(window, { answer: done }));
+    IDBFactory.prototype.open = function (this: IDBFactory, ...args: [string, number?]): IDBOpenDBRequest {
+      const request = opens.apply(this, args);
+      const listens = request.addEventListener.bind(request) as (type: string, listener: (event: Event) => void) => void;
+      request.addEventListener = (type: string, listener: (event: Event) => void) => listens(type, (event) => void waits.then(() => listener(event)));
+      return request;
+    };
+  });
+  await openAfresh(page, first.link);
+  await expect.poll(() => value(page)).toBe(first.begin);
+  await page.evaluate(() => (window as unknown as { answer(): void }).answer());
+  await page.getByRole('button', { name: 'Bring it back' }).click();
+  await isShown(page, first, done);
+});
