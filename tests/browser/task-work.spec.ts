@@ -67,6 +67,17 @@ async function hasPrograms(page: BasicPage, count: number): Promise<void> {
   await list(page).getByRole('button', { name: 'Close' }).click();
 }
 
+/** Adds to the text as a reader does, in a tab that nobody may see. */
+async function addUnseen(page: BasicPage, text: string): Promise<void> {
+  await page.locator('gcode-playground').evaluate((element, added) => {
+    const text = element.shadowRoot?.querySelector('.cm-content') as HTMLElement;
+    text.focus();
+    document.getSelection()?.selectAllChildren(text);
+    document.getSelection()?.collapseToEnd();
+    document.execCommand('insertText', false, added);
+  }, text);
+}
+
 test('two tasks: each link finds its own work, and goes on with it', async ({ page }) => {
   await open(page, first.link);
   const onFirst = await work(page, first, 'G90 X32 Z-20 F0.2');
@@ -193,6 +204,33 @@ test('work that the reader has deleted does not come back, unless by undo', asyn
   await openAfresh(page, first.link);
   await expect.poll(() => value(page)).toBe(first.begin);
   await expect(page.getByText('Bring it back')).toHaveCount(0);
+});
+
+test('what another tab has made of the task meanwhile is what the link finds, and it goes on as one program', async ({ page }) => {
+  await open(page, first.link);
+  const done = await work(page, first, 'G90 X32 Z-20 F0.2');
+  await kept(page);
+  await page.evaluate(() => {
+    const beside = Object.assign(document.createElement('a'), { href: location.href, target: '_blank', textContent: 'second tab' });
+    beside.style.cssText = 'position: fixed; inset: 0 auto auto 0; z-index: 99';
+    document.body.append(beside);
+  });
+  const coming = page.waitForEvent('popup');
+  await page.getByRole('link', { name: 'second tab' }).click();
+  const other = await coming;
+  await expect.poll(() => value(other)).toBe(done);
+  await other.waitForTimeout(1000);
+  await go(page, second.link);
+  await expect.poll(() => value(page)).toBe(second.begin);
+  await addUnseen(other, '(OF THE OTHER)');
+  await kept(other);
+  await go(page, first.link);
+  await isShown(page, first, `${done}(OF THE OTHER)`);
+  await addUnseen(page, '(OF THIS)');
+  await kept(page);
+  await page.getByRole('button', { name: 'My programs…' }).first().evaluate((element) => element.click());
+  await expect(items(page)).toHaveCount(1);
+  expect(await value(page)).toBe(`${done}(OF THE OTHER)(OF THIS)`);
 });
 
 test('whatever stands where the work is noted, the task opens', async ({ page }) => {
