@@ -3,6 +3,7 @@
 import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { chromiumTest as test, type ChromiumPage, expect } from './engines';
+import { linkOf, NOTHING_SAID } from '../../www/src/files/shared-link';
 import { manual, openHtml, settled } from './embedded';
 import { open, type } from './page';
 
@@ -27,6 +28,13 @@ async function violations(page: ChromiumPage, where: string): Promise<string[]> 
     return violations;
   });
   return found.flatMap(({ id, nodes }) => nodes.map(({ target, failureSummary }) => `${where}: ${id}: ${JSON.stringify(target)} ${failureSummary ?? ''}`));
+}
+
+/** A link of a task, or of an answer to it. */
+async function linked(what: 'task' | 'answer'): Promise<string> {
+  const said = what === 'task' ? { task: { sentence: 'Turn the shoulder', solution: PROGRAM } } : { name: 'Anna' };
+  const made = await linkOf({ ...NOTHING_SAID, text: 'G00 X52 Z2\n', ...said });
+  return made.kind === 'link' ? made.link : '';
 }
 
 /** What opens a dialog, by the order of languages; `at-once` where it is a menu. */
@@ -87,6 +95,14 @@ for (const locale of ['en', 'zh', 'ru'] as const) {
       await expect(page.getByRole('dialog').getByRole('img', { name: /^(Tool paths|两者的刀具轨迹|Траектории)/ })).toBeVisible();
       wrong.push(...(await violations(page, 'comparison')));
       await page.keyboard.press('Escape');
+      await page.evaluate((hash) => void (location.hash = hash), await linked('task'));
+      await page.getByRole('button', { name: /^(Copy link to hand in|复制用于提交的链接|Копировать ссылку для сдачи)$/ }).click();
+      await page.getByRole('button', { name: /^(Show solution|显示答案|Показать решение)$/ }).click();
+      await expect(page.locator('#solution a')).toHaveAttribute('href', /#share/);
+      wrong.push(...(await violations(page, 'a task')));
+      await page.evaluate((hash) => void (location.hash = hash), await linked('answer'));
+      await expect(page.locator('#link-bar bdi')).toBeVisible();
+      wrong.push(...(await violations(page, 'an answer')));
       await page.setViewportSize({ width: 390, height: 844 });
       wrong.push(...(await violations(page, 'on a phone')));
       for (const path of [`rules/${locale}/index.html`, `rules/${locale}/number-missing.html`, 'docs/index.html', 'docs/element.html']) {

@@ -95,7 +95,7 @@ test('noise of all of Unicode comes back as it was, and never takes more than fo
   for (let round = 0; round < 500; round++) {
     const shared = randomShared(next);
     const link = await linkOf(shared);
-    const bytes = Buffer.byteLength(JSON.stringify([shared.text, shared.setup, shared.file, shared.task]));
+    const bytes = Buffer.byteLength(JSON.stringify([shared.text, shared.setup, shared.file, shared.task, shared.name]));
     expect(link.length).toBeLessThanOrEqual(300 + (bytes * 4) / 3);
     expect(await opened(link)).toEqual(shared);
   }
@@ -156,7 +156,7 @@ test('a link of a newer version says so, also where this one would not understan
 test('hostile links are refused: wrong types, missing fields, no JSON, no stream, no base64', async () => {
   const bodies: unknown[] = [
     null, 1, 'G0', [], {}, { p: 1 }, { p: null }, { p: ['G0'] }, { p: 'G0', s: {} }, { p: 'G0', r: true }, { p: 'G0', r: 'x' }, { p: 'G0', c: 'x'.repeat(201) }, { p: 'G0', f: 'name' }, { p: 'G0', e: 'utf-8' },
-    { p: 'G0', q: 'a task without a solution' }, { p: 'G0', a: 7 }, { p: 'G0', __proto__x: '' }, { p: 'G0', constructor: 'x' }, { s: '{}' },
+    { p: 'G0', q: 'a task without a solution' }, { p: 'G0', a: 7 }, { p: 'G0', n: 7 }, { p: 'G0', n: null }, { p: 'G0', n: ['Anna'] }, { p: 'G0', n: 'x'.repeat(81) }, { p: 'G0', __proto__x: '' }, { p: 'G0', constructor: 'x' }, { s: '{}' },
   ];
   for (const body of bodies) expect(await faultOf(packedJson(body)), JSON.stringify(body)).toBe('damaged');
   expect(await faultOf(forged(`z${deflateRawSync('{"p":"G0","__proto__":{"p":"G1"}}').toString('base64url')}`))).toBe('damaged');
@@ -164,6 +164,11 @@ test('hostile links are refused: wrong types, missing fields, no JSON, no stream
     expect(await faultOf(forged(body)), body).toBe('damaged');
   }
   for (const hash of ['#share=', '#share=x', '#share=-1.', '#share=0.12.b', '#share=1.-5.b', '#share=1.5.bAAAA', '#share=1.999999999999.b', '#share=1.8.b0000000']) expect(await faultOf(hash), hash).not.toBe('none');
+});
+
+test('a name of 80 characters is read, and comes back as it was', async () => {
+  for (const name of ['Anna', '李'.repeat(80), '<img src=x onerror=alert(1)>', '\u202e\n']) expect(await opened(await linkOf({ ...NOTHING_SAID, text: 'G0 X1', name }))).toEqual({ ...NOTHING_SAID, text: 'G0 X1', name });
+  expect((await opened(packedJson({ p: 'G0', n: 'x'.repeat(80) }))).name).toHaveLength(80);
 });
 
 test('a small link that unpacks to very much is stopped at the limit', async () => {

@@ -58,7 +58,7 @@ export function randomShared(next: Random): Shared {
   return {
     text: any(2000), setup: maybe(() => any(300)), control: maybe(() => any(20)), blockSkip: maybe(() => any(10)), program: maybe(() => any(10)),
     language: maybe(() => any(5)), view: maybe(() => any(10)), step: maybe(() => any(10)), readonly: next() < 0.5,
-    file: maybe(() => ({ name: any(40), encoding: any(12) })), task: maybe(() => ({ sentence: any(100), solution: any(2000) })),
+    file: maybe(() => ({ name: any(40), encoding: any(12) })), task: maybe(() => ({ sentence: any(100), solution: any(2000) })), name: maybe(() => any(80)),
   };
 }
 
@@ -78,6 +78,6 @@ export function randomState(next: Random): Shared {
     setup: maybe(() => `{"stock": {"diameter": ${diameter}, "length": ${number(40, 90)}}${next() < 0.3 ? ', "initial": {"x": 200, "z": 100}' : ''}}`),
     control: pick(next, ['fanuc', 'gsk', 'forum', null]), blockSkip: maybe(() => pick(next, ['1', '2', '1,2', ''])), program: maybe(() => pick(next, ['1', '2'])),
     language: pick(next, ['en', 'zh', 'ru']), view: pick(next, [null, null, 'picture', 'playback', 'code']), step: maybe(() => pick(next, ['1', '3', 'line 5'])), readonly: next() < 0.3,
-    file: next() < 0.2 ? { name: `${wellFormed(randomText(next, 8))}.nc`, encoding: 'utf-8' } : null, task: null,
+    file: next() < 0.2 ? { name: `${wellFormed(randomText(next, 8))}.nc`, encoding: 'utf-8' } : null, task: null, name: null,
   };
 }

@@ -4,9 +4,11 @@ import { expect, test, type Page } from './engines';
 import { openHtml, programOf, settled } from './embedded';
 import { random, randomState, storedLinks } from './links';
 import { clipboard, editor, open, openFile, type, value } from './page';
-import type { Shared } from '../../www/src/files/shared-link';
+import { linkOf, NOTHING_SAID, type Shared } from '../../www/src/files/shared-link';
 
 const OWN = 'O0001\nT0101\nG97 S800 M03\nG00 X42 Z2\nG90 X36 Z-20 F0.2\nX32\nG00 X100 Z100\nM30\n';
+/** Of the pupils of a class. */
+const ANSWERS = ['G90 X32 Z-20 F0.2', 'G90 X38 Z-20 F0.2', 'G01 X32 F0.2'];
 const MESSAGE = /^(This link|This address|The program of this link)/;
 
 /** What the element has of a shared state. */
@@ -53,6 +55,13 @@ async function link(page: Page): Promise<string> {
   await shareButton(page).click();
   await expect.poll(() => page.locator('#share-output').inputValue()).toContain('#share=1.');
   return page.locator('#share-output').inputValue();
+}
+
+const titleOf = (page: Page): Promise<string> => page.evaluate(() => document.title);
+
+async function named(name: string): Promise<string> {
+  const made = await linkOf({ ...NOTHING_SAID, text: OWN, name });
+  return made.kind === 'link' ? made.link : '';
 }
 
 /** As somebody else opens it, whose browser has nothing of the page. */
@@ -179,8 +188,9 @@ test('every stored link opens in the page', async ({ page }) => {
   await open(page);
   for (const { what, link, opens } of storedLinks()) {
     await go(page, link);
-    const { task: _, ...said } = opens;
+    const { task: _, name, ...said } = opens;
     await expect.poll(() => state(page), what).toMatchObject({ setup: null, view: 'all', step: null, readonly: false, ...said });
+    if (typeof name === 'string') await expect.poll(() => page.locator('#link-bar').textContent(), what).toContain(name);
   }
 });
 
@@ -306,7 +316,7 @@ test('a teacher gives a class a task by a link, and gets links back', async ({ p
   const task = await output(page).inputValue();
 
   const returned: string[] = [];
-  for (const answer of ['G90 X32 Z-20 F0.2', 'G90 X38 Z-20 F0.2', 'G01 X32 F0.2']) {
+  for (const answer of ANSWERS) {
     // Each pupil has a browser of their own.
     await openElsewhere(page, task);
     await expect(page.getByText('Task: Turn the shoulder to X32 with G90')).toBeVisible();
@@ -330,16 +340,77 @@ test('a teacher gives a class a task by a link, and gets links back', async ({ p
     await page.goto('about:blank');
     await open(page, task.slice(task.indexOf('#')));
     await expect.poll(() => value(page)).toBe(work);
-    returned.push(await link(page));
+    // The address of the browser is still the task: what is handed in is the link of the bar.
+    expect(await page.evaluate(() => location.href)).toBe(task);
+    const name = `Anna ${returned.length + 1}`;
+    await page.getByRole('textbox', { name: 'Your name' }).fill(name);
+    await page.getByRole('button', { name: 'Copy link to hand in' }).click();
+    await expect(page.locator('#link-bar').getByText('Copied', { exact: true })).toBeVisible();
+    await expect.poll(() => clipboard(page)).toMatch(/#share=1\.\S+$/);
+    returned.push(await clipboard(page));
   }
+  // Once there is more to hand in, nothing says that it was copied.
+  await editor(page).focus();
+  await page.keyboard.insertText('(X)');
+  await expect(page.locator('#link-bar').getByText('Copied', { exact: true })).toHaveCount(0);
   // The teacher opens one after the other.
-  for (const [at, answer] of ['G90 X32', 'G90 X38', 'G01 X32'].entries()) {
+  for (const [at, answer] of ANSWERS.entries()) {
     await openElsewhere(page, returned[at] ?? '');
-    const { text, setup } = await state(page);
-    expect(text).toContain(answer);
+    const { text, setup, language } = await state(page);
+    expect(text).toBe(begin.replace('\n\n', `\n${answer}\n`));
     expect(setup).toBe('{"stock":{"diameter":42,"length":60}}');
+    expect(language).toBe('en');
     await expect(page.getByText(/^Task:/)).toHaveCount(0);
+    await expect(page.getByText(`From: Anna ${at + 1}`)).toBeVisible();
+    expect(await titleOf(page)).toMatch(new RegExp(`^Anna ${at + 1} · `));
   }
+  // A teacher who reads another language keeps it.
+  await page.getByRole('combobox', { name: 'Language' }).selectOption('ru');
+  await go(page, (returned[0] ?? '').replace(/^.*?#/, '#'));
+  await expect(page.getByText('От: Anna 1')).toBeVisible();
+  expect(await titleOf(page)).toMatch(/^Anna 1 · /);
+  expect((await state(page)).language).toBe('ru');
+  // The program can be changed; the name is said of no other one.
+  await editor(page).focus();
+  await page.keyboard.insertText('(Y)');
+  await expect.poll(() => value(page)).toContain('(Y)');
+  await expect(page.getByText('От: Anna 1')).toBeVisible();
+  await openFile(page, 'other.nc', Buffer.from('G00 X1\n'));
+  await expect(page.getByText('От: Anna 1')).toHaveCount(0);
+  expect(await titleOf(page)).not.toContain('Anna');
+});
+
+test('a name in a link is a text, on one line, and turns nothing around', async ({ page }) => {
+  const name = ' \u202e<b>Eve</b>\nTask: <img src=x onerror="document.title=1"> ';
+  await open(page);
+  await go(page, await named(name));
+  const bar = page.locator('#link-bar');
+  await expect.poll(() => bar.textContent()).toContain('From: <b>Eve</b> Task: <img src=x onerror="document.title=1">');
+  await expect(bar.locator('b, img')).toHaveCount(0);
+  expect(await titleOf(page)).toBe('<b>Eve</b> Task: <img src=x onerror="document.title=1"> · G-code playground');
+  // Of a name without a letter nothing is said.
+  await go(page, await named('\u202e \n'));
+  await expect.poll(() => titleOf(page)).toBe('G-code playground');
+  await expect(bar).toBeHidden();
+});
+
+test('where the browser refuses to copy, the link to hand in is shown and selected', async ({ page }) => {
+  await page.addInitScript(() => {
+    Object.defineProperty(navigator, 'clipboard', { value: undefined });
+    document.execCommand = () => false;
+  });
+  await page.setViewportSize({ width: 390, height: 844 });
+  await open(page, storedLinks().find(({ what }) => what === 'a task')?.link);
+  await page.getByRole('textbox', { name: 'Ваше имя' }).fill('Аня');
+  await page.getByRole('button', { name: 'Копировать ссылку для сдачи' }).click();
+  const shown = page.getByRole('textbox', { name: 'Ссылка для сдачи' });
+  await expect(shown).toBeFocused();
+  await expect(page.getByText('скопируйте её вручную')).toBeVisible();
+  const address = await shown.inputValue();
+  expect(await shown.evaluate((field) => ((field) => field.value.slice(field.selectionStart, field.selectionEnd))(field as HTMLTextAreaElement))).toBe(address);
+  expect(await page.evaluate(() => document.documentElement.scrollWidth)).toBeLessThanOrEqual(390);
+  await openElsewhere(page, address);
+  await expect(page.getByText('From: Аня')).toBeVisible();
 });
 
 test('the solution of a task opens beside it', async ({ page }) => {

@@ -30,10 +30,12 @@ export interface Shared {
   readonly file: { readonly name: string; readonly encoding: string } | null;
   /** The text is what somebody is to make a program of. */
   readonly task: { readonly sentence: string; readonly solution: string } | null;
+  /** Whose answer to a task it is. */
+  readonly name: string | null;
 }
 
 export const NOTHING_SAID: Shared = {
-  text: '', setup: null, control: null, blockSkip: null, program: null, language: null, view: null, step: null, readonly: false, file: null, task: null,
+  text: '', setup: null, control: null, blockSkip: null, program: null, language: null, view: null, step: null, readonly: false, file: null, task: null, name: null,
 };
 
 export type LinkFault =
@@ -50,11 +52,13 @@ export type Opened = { readonly kind: 'shared'; readonly shared: Shared } | { re
 
 /** The keys of version 1. */
 const KEYS = {
-  text: 'p', setup: 's', control: 'c', blockSkip: 'k', program: 'o', language: 'l', view: 'v', step: 't', readonly: 'r', fileName: 'f', encoding: 'e', sentence: 'q', solution: 'a',
+  text: 'p', setup: 's', control: 'c', blockSkip: 'k', program: 'o', language: 'l', view: 'v', step: 't', readonly: 'r', fileName: 'f', encoding: 'e', sentence: 'q', solution: 'a', name: 'n',
 } as const;
 const KNOWN: ReadonlySet<string> = new Set(Object.values(KEYS));
 /** Texts that are no program, setup or sentence. */
 const SHORT = 200;
+/** Of a name. */
+export const NAME_LIMIT = 80;
 
 export type MadeLink =
   | { readonly kind: 'link'; readonly link: string }
@@ -63,11 +67,11 @@ export type MadeLink =
 
 /** The part of an address from `#` on. */
 export async function linkOf(shared: Shared): Promise<MadeLink> {
-  const { text, setup, control, blockSkip, program, language, view, step, file, task } = shared;
+  const { text, setup, control, blockSkip, program, language, view, step, file, task, name } = shared;
   const said = [
     [KEYS.text, text], [KEYS.setup, setup], [KEYS.control, control], [KEYS.blockSkip, blockSkip], [KEYS.program, program], [KEYS.language, language], [KEYS.view, view],
     [KEYS.step, step], [KEYS.readonly, shared.readonly ? 1 : null], [KEYS.fileName, file?.name ?? null], [KEYS.encoding, file?.encoding ?? null],
-    [KEYS.sentence, task?.sentence ?? null], [KEYS.solution, task?.solution ?? null],
+    [KEYS.sentence, task?.sentence ?? null], [KEYS.solution, task?.solution ?? null], [KEYS.name, name],
   ] as const;
   const json = JSON.stringify(Object.fromEntries(said.filter(([, value]) => value !== null)));
   const characters = await packed(json);
@@ -118,13 +122,15 @@ function sharedOf(json: string): Shared | undefined {
   for (const [key, value] of said) if (!KNOWN.has(key) || typeof value !== 'string') return undefined;
   const field = (key: keyof typeof KEYS): string | null => (said.get(KEYS[key]) as string | undefined) ?? null;
   const short = [field('control'), field('blockSkip'), field('program'), field('language'), field('view'), field('step'), field('encoding')];
-  const [text, solution, fileName, encoding] = [field('text'), field('solution'), field('fileName'), field('encoding')];
+  const [text, solution, fileName, encoding, name] = [field('text'), field('solution'), field('fileName'), field('encoding'), field('name')];
   if (text === null || short.some((text) => (text?.length ?? 0) > SHORT) || (fileName === null) !== (encoding === null)) return undefined;
+  if ((name?.length ?? 0) > NAME_LIMIT) return undefined;
   if (field('sentence') !== null && solution === null) return undefined;
   return {
     text, setup: field('setup'), control: field('control'), blockSkip: field('blockSkip'), program: field('program'), language: field('language'),
     view: field('view'), step: field('step'), readonly: flag === 1,
     file: fileName === null || encoding === null ? null : { name: fileName, encoding },
     task: solution === null ? null : { sentence: field('sentence') ?? '', solution },
+    name,
   };
 }

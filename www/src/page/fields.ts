@@ -21,14 +21,16 @@ export function check(input: HTMLInputElement): Field {
   return { label: make('label', { className: 'check' }, input, caption), caption };
 }
 
-/** Selects all of a text, and copies it. */
-export async function copied(output: HTMLTextAreaElement): Promise<'copied' | 'not-copied'> {
+/** Selects all of a text, and copies it; `show` is called where the text has to be seen, to be copied by hand. */
+export async function copied(output: HTMLTextAreaElement, show = (): void => undefined): Promise<'copied' | 'not-copied'> {
   output.select();
   try {
     await navigator.clipboard.writeText(output.value);
     return 'copied';
   } catch {
     // Where a page may not write there, the old way may still work.
+    show();
+    output.select();
     return document.execCommand('copy') ? 'copied' : 'not-copied';
   }
 }

@@ -1,14 +1,17 @@
-// The line under the header that says what a link has brought: a task with its solution, a program that is only shown, or
-// that the link could not be read.
+// The line under the header that says what a link has brought: a task with its solution and how to hand in, whose answer it is, a
+// program that is only shown, or that the link could not be read.
 //
-// In: what there is to say. Out: what the reader wants of it. Loaded only where there is something. Must not know: how
+// In: what there is to say; the program, when it is handed in. Out: what the reader wants of it, and the link to hand in. Loaded only where there is something. Must not know: how
 // a program is shown, or what an address looks like.
 
 import { make } from '../dom/dom';
 import type { Language } from '../dom/language';
-import { linkOf, type Shared } from '../files/shared-link';
+import { linkOf, NAME_LIMIT, type MadeLink, type Shared } from '../files/shared-link';
+import { copied } from './fields';
 import type { InAddress } from './linked';
-import { FAULTS, LINK_WORDS } from './share-words';
+import { FAULTS, LINK_WORDS, SHARE_WORDS } from './share-words';
+import { sharedProgram } from './shared-program';
+import type { KeptProgram } from './storage';
 import './link-bar.css';
 
 export type Fault = Extract<InAddress, { readonly kind: 'fault' }>['fault'];
@@ -16,24 +19,54 @@ export type Fault = Extract<InAddress, { readonly kind: 'fault' }>['fault'];
 export type InBar =
   | { readonly kind: 'fault'; readonly fault: Fault }
   | { readonly kind: 'task'; readonly linked: Shared }
-  | { readonly kind: 'only-shown' };
+  /** Somebody's answer to a task. */
+  | { readonly kind: 'from'; readonly from: string }
+  | { readonly kind: 'only-shown'; readonly from: string | undefined };
+
+/** What the page lends to the bar. */
+interface BarHost {
+  /** All that the page has is wanted, and a program that can be changed. */
+  everything(): void;
+  /** The program as it is now. */
+  program(): KeptProgram;
+}
 
 export class LinkBar {
   readonly #said = make('p');
   readonly #buttons = make('div', { className: 'link-bar-actions' });
   readonly #solution = make('div', { id: 'solution', hidden: true });
-  readonly #element = make('section', { id: 'link-bar', hidden: true }, this.#said, this.#buttons, this.#solution);
-  readonly #everything: () => void;
+  /** Kept as long as the page is open, and nowhere else. */
+  readonly #name = make('input', { type: 'text', id: 'hand-in-name', autocomplete: 'name', maxLength: NAME_LIMIT });
+  readonly #nameCaption = make('span');
+  readonly #copy = make('button', { type: 'button', id: 'hand-in' });
+  readonly #news = make('span', { className: 'hand-in-news', role: 'status' });
+  readonly #link = make('textarea', { id: 'hand-in-link', readOnly: true, rows: 2, spellcheck: false, dir: 'ltr', hidden: true });
+  readonly #handIn = make('div', { className: 'hand-in', hidden: true }, make('label', { htmlFor: this.#name.id }, this.#nameCaption, this.#name), this.#copy, this.#news, this.#link);
+  readonly #element = make('section', { id: 'link-bar', hidden: true }, this.#said, this.#handIn, this.#buttons, this.#solution);
+  readonly #host: BarHost;
   #shown: InBar | undefined;
+  #language: Language = 'en';
+  #made: { readonly of: string; readonly link: Promise<MadeLink> } | undefined;
 
-  /** Stands before `place`; `everything`: all that the page has is wanted, and a program that can be changed. */
-  constructor(place: HTMLElement, everything: () => void) {
-    this.#everything = everything;
+  /** Stands before `place`. */
+  constructor(place: HTMLElement, host: BarHost) {
+    this.#host = host;
     place.before(this.#element);
+    // Some browsers copy only what is there at the press: the link is made before it.
+    for (const near of ['pointerenter', 'pointerdown', 'focus']) this.#copy.addEventListener(near, () => void this.#linkToHandIn());
+    this.#copy.addEventListener('click', () => void this.#copied());
+    this.#name.addEventListener('input', () => this.programChanged());
+  }
+
+  /** What was copied is no longer what there is. */
+  programChanged(): void {
+    this.#news.textContent = '';
+    this.#link.hidden = true;
   }
 
   show(shown: InBar | undefined, language: Language): void {
     this.#shown = shown;
+    this.#language = language;
     this.#element.hidden = shown === undefined;
     const texts = LINK_WORDS[language];
     // It comes with the page where it is no fault.
@@ -41,6 +74,11 @@ export class LinkBar {
     else this.#said.removeAttribute('role');
     this.#element.setAttribute('aria-label', texts.bar);
     this.#element.dataset['kind'] = shown?.kind ?? '';
+    this.#handIn.hidden = shown?.kind !== 'task';
+    this.#nameCaption.textContent = texts.name;
+    this.#copy.textContent = texts.handIn;
+    this.#link.setAttribute('aria-label', texts.linkToHandIn);
+    this.programChanged();
     const hide = (): HTMLElement => this.#button(texts.hide, () => this.show(undefined, language));
     switch (shown?.kind) {
       case 'fault':
@@ -50,7 +88,12 @@ export class LinkBar {
         return this.#say(`${texts.task} ${linked.task?.sentence ?? ''}`.trim(), this.#solutionButton(linked, language), hide());
       }
       case 'only-shown':
-        return this.#say(texts.onlyShown, this.#button(texts.everything, this.#everything));
+        this.#say(texts.onlyShown, this.#button(texts.everything, () => this.#host.everything()));
+        if (shown.from !== undefined) this.#said.prepend(...this.#from(shown.from), '\n');
+        return;
+      case 'from':
+        this.#say('', hide());
+        return this.#said.replaceChildren(...this.#from(shown.from));
       case undefined:
         return this.#say('');
     }
@@ -58,6 +101,11 @@ export class LinkBar {
 
   set language(language: Language) {
     this.show(this.#shown, language);
+  }
+
+  /** A name is a text whatever it holds, and turns nothing beside it around. */
+  #from(name: string): readonly (Node | string)[] {
+    return [`${LINK_WORDS[this.#language].from} `, make('bdi', {}, name)];
   }
 
   #say(text: string, ...buttons: readonly HTMLElement[]): void {
@@ -79,13 +127,49 @@ export class LinkBar {
       const text = linked.task?.solution ?? '';
       const beside = make('a', { target: '_blank', rel: 'noopener' }, texts.openSolution);
       this.#solution.append(make('pre', { tabIndex: 0, role: 'region', 'aria-label': texts.solution, dir: 'ltr' }, text), beside);
-      void linkOf({ ...linked, text, task: null }).then((made) => {
+      void linkOf({ ...linked, text, task: null, name: null }).then((made) => {
         if (made.kind === 'link') beside.href = made.link;
       });
     });
     button.setAttribute('aria-expanded', 'false');
     button.setAttribute('aria-controls', this.#solution.id);
     return button;
+  }
+
+  // ---- handing in ------------------------------------------------------------------------------------
+
+  /** The program of the reader under the setup of the task; nothing of the task itself, and in no language. */
+  async #linkToHandIn(): Promise<MadeLink | undefined> {
+    if (this.#shown?.kind !== 'task') return undefined;
+    const { setup, control, blockSkip, program } = this.#shown.linked;
+    const name = this.#name.value.trim();
+    const shared: Shared = { ...sharedProgram(this.#host.program()), setup, control, blockSkip, program, name: name === '' ? null : name };
+    const of = JSON.stringify(shared);
+    if (this.#made?.of !== of) this.#made = { of, link: linkOf(shared) };
+    return this.#made.link.catch(() => undefined);
+  }
+
+  async #copied(): Promise<void> {
+    const [texts, share] = [LINK_WORDS[this.#language], SHARE_WORDS[this.#language]];
+    this.programChanged();
+    const made = await this.#linkToHandIn();
+    if (made?.kind !== 'link') {
+      this.#made = undefined;
+      this.#news.textContent = made === undefined ? texts.notMade : share.tooLong(made.length, made.limit);
+      return;
+    }
+    this.#link.value = `${location.href.replace(/#.*$/s, '')}${made.link}`;
+    const isCopied = (await copied(this.#link, () => {
+      this.#link.hidden = false;
+      this.#link.focus();
+    })) === 'copied';
+    if (!isCopied) {
+      this.#news.textContent = texts.copyByHand;
+      return;
+    }
+    if (!this.#link.hidden) this.#copy.focus();
+    this.#link.hidden = true;
+    this.#news.textContent = share.copied;
   }
 
   #button(text: string, act: () => void): HTMLElement {

@@ -24,7 +24,7 @@ export function linkedProgram(hash: string): LinkedProgram | undefined {
   if (text === null) return undefined;
   return {
     text, setup: said.get('setup'), control: said.get('control'), blockSkip: said.get('block-skip'), program: null, language: said.get('language'),
-    view: said.get('view'), step: said.get('step'), readonly: said.has('readonly'), file: null, task: null,
+    view: said.get('view'), step: said.get('step'), readonly: said.has('readonly'), file: null, task: null, name: null,
   };
 }
 
