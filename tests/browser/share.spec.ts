@@ -1,10 +1,10 @@
 // Sharing: the dialog makes links, and what a link opens is what was shared. A broken link gives a message and takes
 // nothing away. What a link holds has tests of its own, in `links.spec.ts`.
-import { expect, test, type Page } from './engines';
+import { expect, test, type Locator, type Page } from './engines';
 import { openHtml, programOf, settled } from './embedded';
 import { random, randomState, storedLinks } from './links';
 import { clipboard, editor, open, openFile, type, value } from './page';
-import { linkOf, NOTHING_SAID, type Shared } from '../../www/src/files/shared-link';
+import { linkOf, NOTHING_SAID, openedLink, type Shared } from '../../www/src/files/shared-link';
 
 const OWN = 'O0001\nT0101\nG97 S800 M03\nG00 X42 Z2\nG90 X36 Z-20 F0.2\nX32\nG00 X100 Z100\nM30\n';
 /** Of the pupils of a class. */
@@ -308,18 +308,26 @@ test('a teacher gives a class a task by a link, and gets links back', async ({ p
   await expect.poll(() => value(page)).toBe(OWN);
   await page.locator('gcode-playground').evaluate((element) => element.setAttribute('setup', '{"stock":{"diameter":42,"length":60}}'));
   await shareButton(page).click();
+  // A class reads it in the languages it has chosen, and so do those who read the answers.
+  await expect(page.getByLabel('Opens in English')).toBeChecked();
   await page.getByLabel('As a task').check();
+  await expect(page.getByLabel('Opens in English')).not.toBeChecked();
+  await expect(page.getByText('The pupil begins with the solution: take out what is to be found.')).toBeVisible();
   const begin = OWN.replace('G90 X36 Z-20 F0.2\nX32\n', '\n');
-  await page.getByLabel('What is to be done').fill('Turn the shoulder to X32 with G90');
+  await page.getByLabel('What is to be done').fill('Turn the shoulder to X32 with G90.\nAt most 2 mm per pass.');
   await page.getByLabel('What the pupil begins with').fill(begin);
+  await expect(page.getByText('The pupil begins with the solution')).toHaveCount(0);
   await expect.poll(() => output(page).inputValue()).toContain('#share=1.');
   const task = await output(page).inputValue();
+  const made = await openedLink(task.slice(task.indexOf('#')));
+  expect(made.kind === 'shared' && made.shared).toMatchObject({ language: null, name: null, task: { sentence: 'Turn the shoulder to X32 with G90.\nAt most 2 mm per pass.', solution: OWN } });
 
   const returned: string[] = [];
   for (const answer of ANSWERS) {
     // Each pupil has a browser of their own.
     await openElsewhere(page, task);
-    await expect(page.getByText('Task: Turn the shoulder to X32 with G90')).toBeVisible();
+    await expect(page.getByText('Task: Turn the shoulder to X32 with G90.')).toBeVisible();
+    await expect.poll(() => page.locator('#link-bar p').evaluate((line) => line.innerText)).toContain('G90.\nAt most');
     expect(await value(page)).toBe(begin);
     await expect(page.getByText('G90 X36')).toHaveCount(0);
     await editor(page).focus();
@@ -379,6 +387,62 @@ test('a teacher gives a class a task by a link, and gets links back', async ({ p
   await expect(page.getByText('От: Anna 1')).toHaveCount(0);
   expect(await titleOf(page)).not.toContain('Anna');
 });
+
+test('what was written for a task is kept when the dialog is closed, until the program is another one', async ({ page }) => {
+  await open(page);
+  await type(page, OWN);
+  await expect.poll(() => value(page)).toBe(OWN);
+  const [sentence, start] = [page.getByLabel('What is to be done'), page.getByLabel('What the pupil begins with')];
+  await shareButton(page).click();
+  await page.getByLabel('As a task').check();
+  await sentence.fill('Turn it.\nQuickly.');
+  await start.fill('T0101\n');
+  await page.getByLabel('Opens in English').check();
+  await page.keyboard.press('Escape');
+  await shareButton(page).click();
+  await expect(page.getByLabel('As a task')).toBeChecked();
+  await expect(page.getByLabel('Opens in English')).toBeChecked();
+  await expect(sentence).toHaveValue('Turn it.\nQuickly.');
+  await expect(start).toHaveValue('T0101\n');
+  await page.keyboard.press('Escape');
+  await type(page, 'G00 X1\n');
+  await shareButton(page).click();
+  await expect(page.getByLabel('As a task')).not.toBeChecked();
+  await expect(page.getByLabel('Opens in English')).toBeChecked();
+  await page.getByLabel('As a task').check();
+  await expect(sentence).toHaveValue('');
+  await expect(start).toHaveValue('G00 X1\n');
+});
+
+for (const [width, height] of [[1280, 800], [1280, 600], [390, 844]] as const) {
+  test(`the QR code of a task is seen whole, with its length and "Close": ${width} × ${height}`, async ({ page }, info) => {
+    await page.setViewportSize({ width, height });
+    const whole = (part: Locator): Promise<void> => expect.poll(async () => {
+      const box = await part.boundingBox();
+      return box !== null && box.x >= 0 && box.y >= 0 && box.x + box.width <= width && box.y + box.height <= height;
+    }).toBe(true);
+    await open(page);
+    await shareButton(page).click();
+    await page.getByLabel('As a task').check();
+    await page.getByLabel('What is to be done').fill('Turn the shoulder');
+    // Once something was copied, the buttons are where they were.
+    await expect(page.getByRole('button', { name: 'Copy', exact: true })).toBeEnabled();
+    await page.getByRole('button', { name: 'Copy', exact: true }).click();
+    await whole(page.getByText('Copied', { exact: true }));
+    await whole(page.getByRole('button', { name: 'Close', exact: true }));
+    await page.screenshot({ path: info.outputPath('copied.png') });
+    await page.getByRole('combobox', { name: 'As' }).selectOption('qr');
+    const code = page.getByRole('img', { name: 'QR code of the link' });
+    await whole(code);
+    await whole(page.locator('.share .length'));
+    await whole(page.getByRole('button', { name: 'Close', exact: true }));
+    await page.screenshot({ path: info.outputPath('qr.png') });
+    // Nothing of the dialog lies over it, and it is large enough for a camera.
+    const [box, buttons] = [await code.boundingBox(), await page.locator('.share .actions').boundingBox()];
+    expect((box?.y ?? 0) + (box?.height ?? 0)).toBeLessThanOrEqual(buttons?.y ?? 0);
+    expect(Math.min(box?.width ?? 0, box?.height ?? 0)).toBeGreaterThanOrEqual(300);
+  });
+}
 
 test('a name in a link is a text, on one line, and turns nothing around', async ({ page }) => {
   const name = ' \u202e<b>Eve</b>\nTask: <img src=x onerror="document.title=1"> ';

@@ -4,7 +4,7 @@
 // own hand. Must not know: how a link holds what it holds.
 
 import { Dialog } from '../dom/dialog';
-import { make } from '../dom/dom';
+import { make, showText } from '../dom/dom';
 import { COMMON } from '../dom/words';
 import { download } from '../editor/program-files';
 import { linkOf, type Shared } from '../files/shared-link';
@@ -13,6 +13,7 @@ import { check, copied, field } from './fields';
 import type { PageHost } from './page-host';
 import { FORMS, SHARE_WORDS, VIEWS, type Form, type SharedView, type ShareWords } from './share-words';
 import { sharedProgram } from './shared-program';
+import { PAGE_WORDS } from './words';
 import './share.css';
 
 /** Above this, programs that pass links on are known to cut them off. */
@@ -41,8 +42,9 @@ class ShareDialog {
   readonly #step = make('input', { type: 'checkbox', id: 'share-step' });
   readonly #readonly = make('input', { type: 'checkbox', id: 'share-readonly' });
   readonly #task = make('input', { type: 'checkbox', id: 'share-task', 'aria-controls': 'share-task-fields' });
-  readonly #sentence = make('input', { type: 'text', id: 'share-sentence', autocomplete: 'off', maxLength: 1000 });
-  readonly #start = make('textarea', { id: 'share-start', rows: 6, spellcheck: false, dir: 'ltr' });
+  readonly #sentence = make('textarea', { id: 'share-sentence', autocomplete: 'off', rows: 2, maxLength: 1000 });
+  readonly #start = make('textarea', { id: 'share-start', rows: 6, spellcheck: false, dir: 'ltr', 'aria-describedby': 'share-start-news' });
+  readonly #startNews = make('p', { id: 'share-start-news', className: 'start-news', role: 'status' });
   readonly #taskAbout = make('p', { className: 'about' });
   readonly #output = make('textarea', { id: 'share-output', readOnly: true, rows: 5, spellcheck: false, dir: 'ltr' });
   readonly #drawn = make('div', { className: 'drawn' });
@@ -56,21 +58,29 @@ class ShareDialog {
     form: field(this.#form), view: field(this.#view), language: check(this.#language), step: check(this.#step), readonly: check(this.#readonly), task: check(this.#task),
     sentence: field(this.#sentence), start: field(this.#start), output: field(this.#output),
   };
-  readonly #taskFields = make('div', { id: 'share-task-fields' }, this.#taskAbout, this.#fields.sentence.label, this.#fields.start.label);
+  readonly #taskFields = make('div', { id: 'share-task-fields' }, this.#taskAbout, this.#fields.sentence.label, this.#fields.start.label, this.#startNews);
   readonly #dialog = new Dialog('share', [
     make('div', { className: 'choices' },
       this.#fields.form.label, this.#fields.view.label, this.#fields.language.label, this.#fields.step.label, this.#fields.readonly.label, this.#fields.task.label, this.#taskFields),
-    this.#fields.output.label, this.#drawn, this.#length, this.#said,
-  ], [this.#copy, this.#send, this.#saveSvg, this.#savePng]);
+    this.#fields.output.label, this.#drawn, this.#length,
+  ], [this.#said, this.#copy, this.#send, this.#saveSvg, this.#savePng]);
   #host: PageHost | undefined;
   #toolAt: string | null = null;
+  /** The solution that the task was written for. */
+  #taskOf: string | undefined;
+  #wasTask = false;
   /** Counts what was asked for, so that what is made too late is dropped. */
   #asked = 0;
 
   constructor() {
     this.#form.append(...FORMS.map((value) => make('option', { value })));
     this.#view.append(...VIEWS.map((value) => make('option', { value })));
-    this.#dialog.element.addEventListener('input', () => void this.#show());
+    this.#dialog.element.addEventListener('input', ({ target }) => {
+      this.#followTask();
+      void this.#show().then(() => {
+        if (target === this.#form) this.#showDrawn();
+      });
+    });
     this.#copy.addEventListener('click', () => void this.#copied());
     this.#send.addEventListener('click', () => void navigator.share({ url: this.#output.value }).catch(() => undefined));
     this.#saveSvg.addEventListener('click', () => void this.#save('svg'));
@@ -96,10 +106,17 @@ class ShareDialog {
     for (const [button, text] of [[this.#copy, texts.copy], [this.#send, texts.send], [this.#saveSvg, texts.saveSvg], [this.#savePng, texts.savePng]] as const) button.textContent = text;
     this.#form.value = 'link';
     this.#view.value = 'all';
-    this.#language.checked = true;
-    for (const box of [this.#step, this.#readonly, this.#task]) box.checked = false;
-    this.#sentence.value = '';
-    this.#start.value = host.example?.program ?? host.program.text;
+    this.#step.checked = this.#readonly.checked = false;
+    const { text } = host.program;
+    // What was written for this program is there again, until the program is another one.
+    if (this.#taskOf !== text) {
+      this.#taskOf = text;
+      this.#task.checked = false;
+      this.#sentence.value = '';
+      this.#start.value = host.example?.program ?? text;
+    }
+    if (!this.#task.checked) this.#language.checked = true;
+    this.#followTask();
     this.#toolAt = null;
     this.#fields.step.label.hidden = true;
     void this.#show();
@@ -113,11 +130,28 @@ class ShareDialog {
     }, () => undefined);
   }
 
+  get #isTask(): boolean {
+    return this.#task.checked && WITH_TASK.includes(this.#form.value as Form);
+  }
+
+  /** A class reads a task in the language it has chosen, unless the teacher wants another. */
+  #followTask(): void {
+    const isTask = this.#isTask;
+    if (isTask !== this.#wasTask) this.#language.checked = !isTask;
+    this.#wasTask = isTask;
+  }
+
+  /** On a phone what is drawn comes after a screen of choices. */
+  #showDrawn(): void {
+    const { element } = this.#dialog;
+    if (this.#drawn.childElementCount > 0) element.scrollTop = element.scrollHeight;
+  }
+
   /** What goes along. */
   #shared(host: PageHost): Shared {
     const program = sharedProgram(host.program);
     const view = this.#view.value === 'all' ? null : this.#view.value;
-    const isTask = this.#task.checked && WITH_TASK.includes(this.#form.value as Form);
+    const isTask = this.#isTask;
     return {
       ...program,
       text: isTask ? this.#start.value : program.text,
@@ -140,11 +174,14 @@ class ShareDialog {
     readonly.label.hidden = isPicture || (this.#task.checked && !task.label.hidden);
     this.#fields.step.label.hidden = isPicture || this.#toolAt === null;
     this.#taskFields.hidden = task.label.hidden || !this.#task.checked;
+    const isSolution = inUnits(this.#start.value) === inUnits(host.program.text);
+    showText(this.#startNews, isSolution && !this.#taskFields.hidden ? texts.startIsSolution : '');
     output.label.hidden = form === 'qr' || isPicture;
     this.#copy.hidden = output.label.hidden;
     this.#send.hidden = form !== 'link' || !('share' in navigator);
     this.#saveSvg.hidden = this.#savePng.hidden = !isPicture;
     this.#said.textContent = '';
+    this.#dialog.element.dataset['form'] = form;
     // What is copied is never that of the choices before.
     this.#output.value = '';
     this.#copy.disabled = this.#send.disabled = true;
@@ -154,12 +191,11 @@ class ShareDialog {
     this.#copy.disabled = this.#send.disabled = made.text === '';
     this.#length.textContent = made.length;
     this.#drawn.replaceChildren(...(made.drawn === undefined ? [] : [made.drawn]));
-    this.#dialog.element.dataset['form'] = form;
   }
 
   async #made(form: Form, shared: Shared, host: PageHost, texts: ShareWords): Promise<Made> {
     const page = location.href.replace(/#.*$/s, '');
-    const title = host.example?.title[host.language] ?? host.program.file?.name ?? document.title;
+    const title = host.example?.title[host.language] ?? host.program.file?.name ?? PAGE_WORDS[host.language].title;
     // Files of a folder with the version in its name never change.
     const embedded = (file: string): string => new URL(`embed/${PLAYGROUND_VERSION}/${file}`, page).href;
     if (form === 'element' || form === 'frame') {
@@ -210,4 +246,9 @@ interface Made {
   readonly text: string;
   readonly length: string;
   readonly drawn?: Element;
+}
+
+/** As a field has it: each line end counts one; blank lines at the end are none of the program. */
+function inUnits(text: string): string {
+  return text.replace(/\r\n?/g, '\n').trimEnd();
 }
