@@ -372,6 +372,16 @@ test('a teacher gives a class a task by a link, and gets links back', async ({ p
     await expect(page.getByText(`From: Anna ${at + 1}`)).toBeVisible();
     expect(await titleOf(page)).toMatch(new RegExp(`^Anna ${at + 1} · `));
   }
+  // The part of each answer is laid over that of the solution, in one tab.
+  const solution = await linkOf({ ...NOTHING_SAID, text: OWN, setup: '{"stock":{"diameter":42,"length":60}}' });
+  await openElsewhere(page, solution.kind === 'link' ? solution.link : '');
+  await page.getByRole('button', { name: 'Keep this part to compare' }).click();
+  for (const [at, same] of [1, 0, 0].entries()) {
+    await go(page, (returned[at] ?? '').replace(/^.*?#/, '#'));
+    await expect(page.getByText(`From: Anna ${at + 1}`)).toBeVisible();
+    await page.locator('gcode-playground').evaluate(async (element) => void (await (element as unknown as Playground).settled));
+    await expect(page.getByText('Same as the kept part')).toHaveCount(same);
+  }
   // A teacher who reads another language keeps it.
   await page.getByRole('combobox', { name: 'Language' }).selectOption('ru');
   await go(page, (returned[0] ?? '').replace(/^.*?#/, '#'));

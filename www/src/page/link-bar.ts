@@ -58,8 +58,14 @@ export class LinkBar {
     this.#name.addEventListener('input', () => this.programChanged());
   }
 
-  /** What was copied is no longer what there is. */
+  /** Nothing says that it was copied once there is something else to hand in. */
   programChanged(): void {
+    if (this.#news.textContent === '') return;
+    const shared = this.#toHandIn();
+    if (shared === undefined || JSON.stringify(shared) !== this.#made?.of) this.#endNews();
+  }
+
+  #endNews(): void {
     this.#news.textContent = '';
     this.#link.hidden = true;
   }
@@ -78,7 +84,7 @@ export class LinkBar {
     this.#nameCaption.textContent = texts.name;
     this.#copy.textContent = texts.handIn;
     this.#link.setAttribute('aria-label', texts.linkToHandIn);
-    this.programChanged();
+    this.#endNews();
     const hide = (): HTMLElement => this.#button(texts.hide, () => this.show(undefined, language));
     switch (shown?.kind) {
       case 'fault':
@@ -139,11 +145,16 @@ export class LinkBar {
   // ---- handing in ------------------------------------------------------------------------------------
 
   /** The program of the reader under the setup of the task; nothing of the task itself, and in no language. */
-  async #linkToHandIn(): Promise<MadeLink | undefined> {
+  #toHandIn(): Shared | undefined {
     if (this.#shown?.kind !== 'task') return undefined;
     const { setup, control, blockSkip, program } = this.#shown.linked;
     const name = this.#name.value.trim();
-    const shared: Shared = { ...sharedProgram(this.#host.program()), setup, control, blockSkip, program, name: name === '' ? null : name };
+    return { ...sharedProgram(this.#host.program()), setup, control, blockSkip, program, name: name === '' ? null : name };
+  }
+
+  async #linkToHandIn(): Promise<MadeLink | undefined> {
+    const shared = this.#toHandIn();
+    if (shared === undefined) return undefined;
     const of = JSON.stringify(shared);
     if (this.#made?.of !== of) this.#made = { of, link: linkOf(shared) };
     return this.#made.link.catch(() => undefined);
@@ -151,7 +162,7 @@ export class LinkBar {
 
   async #copied(): Promise<void> {
     const [texts, share] = [LINK_WORDS[this.#language], SHARE_WORDS[this.#language]];
-    this.programChanged();
+    this.#endNews();
     const made = await this.#linkToHandIn();
     if (made?.kind !== 'link') {
       this.#made = undefined;
