@@ -56,7 +56,8 @@ fn a_cycle_takes_something_off() {
 #[test]
 fn a_rapid_through_the_work_is_found_with_tools_that_are_narrow() {
     // Nobody names the tool, and what is left before Z-20 leaves only a needle that does all of it.
-    let shaft = "G00 X62 Z2\nG90 X36.4 Z-39.9 F0.2\nX32.4 Z-19.9\nX28.4\nG00 X20 Z2\nG00 Z-20\nX36\nG01 Z-40\nX66";
+    let shaft =
+        "G00 X62 Z2\nG90 X36.4 Z-39.9 F0.2\nX32.4 Z-19.9\nX28.4\nG00 X20 Z2\nG00 Z-20\nX36\nG01 Z-40\nX66";
     says(shaft, &["cut-too-deep 2", "rapid-through-stock 6"]);
     says(&shaft.replace("G00 Z-20", "G01 Z-20"), &["cut-too-deep 2"]);
     // A plunge of a narrow insert that lost its G01, and goes on at rapid beside the groove.
