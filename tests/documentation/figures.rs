@@ -55,6 +55,11 @@ pub const FIGURES: &[Figure] = &[
     ),
     figure(
         "www/docs/sharing.md",
+        "for the last 100 tasks",
+        Held::Stated("www/src/page/storage.ts", "const MOST_WORKS = 100;"),
+    ),
+    figure(
+        "www/docs/sharing.md",
         "At most 1,000,000 characters are read",
         Held::Stated("www/src/files/link-limit.ts", "export const LINK_LIMIT = 1_000_000;"),
     ),
@@ -175,7 +180,7 @@ pub const FIGURES: &[Figure] = &[
         "chord (0.002 mm)",
         Held::Stated("src/machine/sweep.rs", "const CHORD: f64 = 0.002;"),
     ),
-    figure("ARCHITECTURE.md", "0.01 mm smaller", Held::Stated("src/machine/danger.rs", "shrunk(0.01)")),
+    figure("ARCHITECTURE.md", "0.01 mm smaller", Held::Stated("src/machine/detector.rs", "shrunk(0.01)")),
     figure("README.md", "\"G90, pass 3: retract at feed to X40 Z-20\"", Held::Shown(stroke)),
     figure(
         "www/docs/codes.md",
