@@ -44,6 +44,11 @@ in_part! {
         parser.report_full_width(block, span);
     }
 
+    Seldom "0526"
+    fn report_two_signs(parser: &Parser, block: &mut Block, span: Span, negative: bool) {
+        parser.report_two_signs(block, span, negative);
+    }
+
     Seldom "0524"
     fn report_second_point(parser: &Parser, block: &mut Block, span: Span) {
         parser.report_second_point(block, span);
@@ -326,8 +331,8 @@ impl<'a> Parser<'a> {
             match token.map(|token| token.kind) {
                 Some(TokenKind::Number(number)) => {
                     let span = start.to(token.map_or(first, |token| token.span));
-                    if signs > 1 {
-                        self.two_signs(block, span, negative);
+                    if signs > 1 && may_read_faults(block) {
+                        report_two_signs(self, block, span, negative);
                     }
                     return self.word(block, letter, comma.is_some(), negative, number, span);
                 }
@@ -370,17 +375,6 @@ impl<'a> Parser<'a> {
         self.lexer.seek(after);
         let message = said::NumberMissing { address: letter as char };
         block.fault(Diagnostic::new(message, start));
-    }
-
-    /// A number has more than one sign; where one of them is a minus, that may be meant.
-    #[cold]
-    fn two_signs(&self, block: &mut Block, span: Span, negative: bool) {
-        let word = span.quote(self.lexer.text());
-        let letter = word.find(['-', '+', '–', '−', '－']).unwrap_or(1);
-        let digits = word.find(|letter: char| letter.is_ascii_digit() || letter == '.').unwrap_or(word.len());
-        let sign = if negative { "-" } else { "" };
-        let fix = Fix::write(span, format!("{}{sign}{}", word[..letter].trim_end(), &word[digits..]));
-        block.fault(Diagnostic::new(said::TwoSigns { word }, span).with(fix));
     }
 
     /// Stores a complete word, or what its number is worth complaining about.
@@ -517,6 +511,16 @@ impl<'a> Parser<'a> {
         if may_read_faults(block) {
             report_full_width(self, block, span);
         }
+    }
+
+    /// A number has more than one sign; where one of them is a minus, that may be meant.
+    fn report_two_signs(&self, block: &mut Block, span: Span, negative: bool) {
+        let word = span.quote(self.lexer.text());
+        let letter = word.find(['-', '+', '–', '−', '－']).unwrap_or(1);
+        let digits = word.find(|letter: char| letter.is_ascii_digit() || letter == '.').unwrap_or(word.len());
+        let sign = if negative { "-" } else { "" };
+        let fix = Fix::write(span, format!("{}{sign}{}", word[..letter].trim_end(), &word[digits..]));
+        block.fault(Diagnostic::new(said::TwoSigns { word }, span).with(fix));
     }
 
     fn report_full_width(&self, block: &mut Block, span: Span) {
