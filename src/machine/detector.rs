@@ -144,9 +144,7 @@ impl DangerDetector {
             || process.uncertain
             || process.elsewhere
         {
-            if motion.kind.cuts() {
-                self.live_cuts.lose();
-            }
+            self.passes_over(motion);
             return;
         }
         let before = self.before.replace(*motion);
@@ -164,16 +162,17 @@ impl DangerDetector {
         }
         self.travel(index, motion);
         if self.unknown != [false; 2] {
-            if motion.kind.cuts() {
-                self.live_cuts.lose();
-            }
+            self.passes_over(motion);
             return;
         }
-        // A tool is not changed in the work: where it comes from is not known, only where it arrives.
-        let arrives = Motion { from: motion.to, ..*motion };
-        let rapid = if comes_from_elsewhere { &arrives } else { motion };
+        // A tool is not changed in the work: where a rapid comes from is not known, only where it arrives.
+        let known = if comes_from_elsewhere && !motion.kind.cuts() {
+            Motion { from: motion.to, ..*motion }
+        } else {
+            *motion
+        };
         if tool.is_live_in(motion) {
-            self.live(index, if motion.kind.cuts() { motion } else { rapid }, c, tool, part);
+            self.live(index, &known, c, tool, part);
             return;
         }
         self.hit_obstacles(index, motion, tool);
@@ -186,8 +185,15 @@ impl DangerDetector {
         }
         part.end_thread(motion);
         match motion.kind {
-            MotionKind::Rapid => self.rapid(index, rapid, tool, part),
+            MotionKind::Rapid => self.rapid(index, &known, tool, part),
             _ => self.cut(index, motion, before.as_ref(), tool, part),
+        }
+    }
+
+    /// A motion is not looked at: a cut may have gone anywhere.
+    fn passes_over(&mut self, motion: &Motion) {
+        if motion.kind.cuts() {
+            self.live_cuts.lose();
         }
     }
 

@@ -516,10 +516,10 @@ impl<'a> Parser<'a> {
     /// A number has more than one sign; where one of them is a minus, that may be meant.
     fn report_two_signs(&self, block: &mut Block, span: Span, negative: bool) {
         let word = span.quote(self.lexer.text());
-        let letter = word.find(['-', '+', '–', '−', '－']).unwrap_or(1);
+        let address = word.find(['-', '+', '–', '−', '－']).unwrap_or(1);
         let digits = word.find(|letter: char| letter.is_ascii_digit() || letter == '.').unwrap_or(word.len());
         let sign = if negative { "-" } else { "" };
-        let fix = Fix::write(span, format!("{}{sign}{}", word[..letter].trim_end(), &word[digits..]));
+        let fix = Fix::write(span, format!("{}{sign}{}", word[..address].trim_end(), &word[digits..]));
         block.fault(Diagnostic::new(said::TwoSigns { word }, span).with(fix));
     }
 

@@ -2,6 +2,7 @@
 // programs go into one file and come out of it, and what cannot be kept is said while the text stays.
 import { readFileSync } from 'node:fs';
 import { expect, test, type BasicPage, type Locator, type Page } from './engines';
+import { addUnseen, items, kept, list, secondTab } from './own-programs';
 import { editor, open, openFile, program, type, value } from './page';
 
 const SHAFT = 'O0011 (SHAFT)\nG00 X32 Z2\nG01 Z-30 F0.2\nM30\n';
@@ -9,12 +10,7 @@ const BUSH = 'O0012 (BUSH)\nG00 X42 Z2\nG01 Z-10 F0.2\nG00 X60\nM30\n';
 const EXAMPLE = 's000-o0002';
 
 const button = (page: BasicPage) => page.getByRole('button', { name: 'My programs…' }).first();
-const list = (page: BasicPage) => page.getByRole('dialog', { name: 'My programs' });
-const items = (page: BasicPage) => list(page).getByRole('listitem');
 const said = (page: BasicPage) => page.locator('#own-news');
-
-/** At most a second after a key, what was typed is kept. */
-const kept = (page: BasicPage): Promise<void> => page.waitForTimeout(900);
 
 async function openList(page: BasicPage): Promise<void> {
   await button(page).click();
@@ -256,37 +252,8 @@ test('a list that is full takes no more, and says so; what is in the editor stay
 
 // ---- two tabs ---------------------------------------------------------------------------------------
 
-/** The same page in a second tab. */
-async function secondTab(page: Page): Promise<Page> {
-  await page.evaluate(() => {
-    const link = Object.assign(document.createElement('a'), { href: location.pathname, target: '_blank', textContent: 'second tab' });
-    link.style.cssText = 'position: fixed; inset: 0 auto auto 0; z-index: 99';
-    document.body.append(link);
-  });
-  const coming = page.waitForEvent('popup');
-  await page.getByRole('link', { name: 'second tab' }).click();
-  const second = await coming;
-  await page.evaluate(() => document.querySelector('body > a')?.remove());
-  await expect(second.getByRole('status').first()).toContainText(/\d/);
-  await second.locator('gcode-playground').evaluate((element) => (element as unknown as { settled: Promise<number> }).settled);
-  // The list comes after the first picture.
-  await second.waitForTimeout(500);
-  return second;
-}
-
 /** A click in a tab that nobody may see, where nothing is painted. */
 const press = (button: Locator): Promise<void> => button.evaluate((element) => element.click());
-
-/** Puts a text in as a reader does, in a tab that nobody may see. */
-async function edit(page: BasicPage, text: string): Promise<void> {
-  await page.locator('gcode-playground').evaluate((element, text) => {
-    const { EditorView } = { EditorView: element.shadowRoot?.querySelector('.cm-content') as HTMLElement };
-    EditorView.focus();
-    document.getSelection()?.selectAllChildren(EditorView);
-    document.getSelection()?.collapseToEnd();
-    document.execCommand('insertText', false, text);
-  }, text);
-}
 
 async function openListUnseen(page: BasicPage): Promise<void> {
   await press(button(page));
@@ -299,7 +266,7 @@ test('what another tab does to the same program is said, and shown where the rea
   await kept(page);
   const second = await secondTab(page);
   await expect.poll(() => value(second)).toBe(SHAFT);
-  await edit(second, '(of the second tab)');
+  await addUnseen(second, '(of the second tab)');
   await expect(said(page)).toContainText('This program was changed in another tab.');
   const theirs = await value(second);
   expect(theirs).toContain('(of the second tab)');
@@ -307,7 +274,7 @@ test('what another tab does to the same program is said, and shown where the rea
   await expect.poll(() => value(page)).toBe(theirs);
   await expect(said(page)).toBeHidden();
   await test.step('and it goes on as one program', async () => {
-    await edit(page, '(of the first)');
+    await addUnseen(page, '(of the first)');
     await expect(said(second)).toContainText('This program was changed in another tab.');
     await openListUnseen(page);
     await expect(items(page)).toHaveCount(1);
@@ -319,9 +286,9 @@ test('two tabs that change the same program keep both texts', async ({ page }) =
   await type(page, SHAFT);
   await kept(page);
   const second = await secondTab(page);
-  await edit(second, '(of the second tab)');
+  await addUnseen(second, '(of the second tab)');
   await expect(said(page)).toContainText('This program was changed in another tab.');
-  await edit(page, '(of the first)');
+  await addUnseen(page, '(of the first)');
   await expect(said(page)).toContainText('Both are kept: this one is now “O0011 SHAFT (2)”.');
   const mine = await value(page);
   await openListUnseen(page);
@@ -331,7 +298,7 @@ test('two tabs that change the same program keep both texts', async ({ page }) =
   await press(items(page).filter({ hasText: 'O0011 SHAFT' }).last().getByRole('button').first());
   await expect.poll(() => value(page)).toContain('(of the second tab)');
   await test.step('or at once where the reader says so', async () => {
-    await edit(second, '(more)');
+    await addUnseen(second, '(more)');
     await press(said(page).getByRole('button', { name: 'Keep both' }));
     await expect(said(page)).toContainText('Both are kept');
     await openListUnseen(page);

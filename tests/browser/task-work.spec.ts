@@ -1,6 +1,7 @@
 // The work on a task: each link of a task finds the pupil's own work again, whatever was opened in between; what was
 // deleted does not come back, and no store keeps the page from starting.
 import { expect, test, type BasicPage } from './engines';
+import { addUnseen, items, kept, list, secondTab } from './own-programs';
 import { editor, open, value } from './page';
 
 interface Task {
@@ -11,9 +12,6 @@ interface Task {
 
 const FIRST: Omit<Task, 'link'> = { sentence: 'Turn the shoulder', begin: 'O0001\nT0101\nG97 S800 M03\nG00 X42 Z2\n\nM30\n' };
 const SECOND: Omit<Task, 'link'> = { sentence: 'Face the blank', begin: 'O0002\nT0202\nG97 S600 M03\nG00 X44 Z0\n\nM30\n' };
-
-const list = (page: BasicPage) => page.getByRole('dialog', { name: 'My programs' });
-const items = (page: BasicPage) => list(page).getByRole('listitem');
 
 /** The link of a task, made as the page packs links, but not compressed. */
 function linkTo({ sentence, begin }: Omit<Task, 'link'>): string {
@@ -51,9 +49,6 @@ async function work(page: BasicPage, { begin }: Task, answer: string): Promise<s
   return done;
 }
 
-/** At most a second after a key, what was typed is kept. */
-const kept = (page: BasicPage): Promise<void> => page.waitForTimeout(900);
-
 async function isShown(page: BasicPage, { sentence }: Task, text: string): Promise<void> {
   await expect.poll(() => value(page)).toBe(text);
   await expect(page.getByText(`Task: ${sentence}`)).toBeVisible();
@@ -65,17 +60,6 @@ async function hasPrograms(page: BasicPage, count: number): Promise<void> {
   await expect(list(page).getByRole('status')).toHaveText(count === 1 ? '1 program' : `${count} programs`);
   await expect(items(page)).toHaveCount(count);
   await list(page).getByRole('button', { name: 'Close' }).click();
-}
-
-/** Adds to the text as a reader does, in a tab that nobody may see. */
-async function addUnseen(page: BasicPage, text: string): Promise<void> {
-  await page.locator('gcode-playground').evaluate((element, added) => {
-    const text = element.shadowRoot?.querySelector('.cm-content') as HTMLElement;
-    text.focus();
-    document.getSelection()?.selectAllChildren(text);
-    document.getSelection()?.collapseToEnd();
-    document.execCommand('insertText', false, added);
-  }, text);
 }
 
 test('two tasks: each link finds its own work, and goes on with it', async ({ page }) => {
@@ -210,14 +194,7 @@ test('what another tab has made of the task meanwhile is what the link finds, an
   await open(page, first.link);
   const done = await work(page, first, 'G90 X32 Z-20 F0.2');
   await kept(page);
-  await page.evaluate(() => {
-    const beside = Object.assign(document.createElement('a'), { href: location.href, target: '_blank', textContent: 'second tab' });
-    beside.style.cssText = 'position: fixed; inset: 0 auto auto 0; z-index: 99';
-    document.body.append(beside);
-  });
-  const coming = page.waitForEvent('popup');
-  await page.getByRole('link', { name: 'second tab' }).click();
-  const other = await coming;
+  const other = await secondTab(page, first.link);
   await expect.poll(() => value(other)).toBe(done);
   await other.waitForTimeout(1000);
   await go(page, second.link);

@@ -76,6 +76,11 @@ export class AboveProgram {
     this.#element.hidden = lines.length === 0;
   }
 
+  /** A program that gave way can be brought back, whatever else there is to say. */
+  offer(program: OwnProgram): void {
+    this.show(this.#now.kind === 'linked' ? { ...this.#now, kept: program } : { kind: 'kept', program });
+  }
+
   /** After a change of the language, of the program, or of its length. */
   showAgain(): void {
     this.show(this.#now);

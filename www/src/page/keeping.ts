@@ -6,6 +6,7 @@
 // moment later; browsers write the journal's store to the disk only after some seconds).
 // Must not know: the database, or what is shown of a program.
 
+import { inTime } from '../dom/in-time';
 import type { Session } from './own-programs-session';
 import type { KeepingHost, ProgramOfTab } from './page-host';
 import { keepInJournal, LONGEST_IN_JOURNAL, newId, TAB, type Entry, type KeptProgram } from './storage';
@@ -78,7 +79,7 @@ export class Keeping implements ProgramOfTab {
   }
 
   async #firstPicture(): Promise<void> {
-    await Promise.race([this.host.playground.settled, new Promise((done) => setTimeout(done, LATEST_MS))]);
+    await inTime(this.host.playground.settled, LATEST_MS);
   }
 
   #baseAtStart(id: string): number {

@@ -8,7 +8,7 @@ import { make } from '../dom/dom';
 import type { Language } from '../dom/language';
 import { linkOf, NAME_LIMIT, type MadeLink, type Shared } from '../files/shared-link';
 import { copied } from './fields';
-import type { InAddress } from './linked';
+import { pageAddress, type InAddress } from './linked';
 import { FAULTS, LINK_WORDS, SHARE_WORDS } from './share-words';
 import { sharedProgram } from './shared-program';
 import type { KeptProgram } from './storage';
@@ -169,7 +169,7 @@ export class LinkBar {
       this.#news.textContent = made === undefined ? texts.notMade : share.tooLong(made.length, made.limit);
       return;
     }
-    this.#link.value = `${location.href.replace(/#.*$/s, '')}${made.link}`;
+    this.#link.value = `${pageAddress()}${made.link}`;
     const isCopied = (await copied(this.#link, () => {
       this.#link.hidden = false;
       this.#link.focus();

@@ -16,6 +16,11 @@ export type InAddress =
 
 const EXAMPLE = /^#[a-z]\w*-[\w-]+$/;
 
+/** The address of the page itself, before its `#`. */
+export function pageAddress(): string {
+  return location.href.replace(/#.*$/s, '');
+}
+
 /** A program in plain text. */
 export function linkedProgram(hash: string): LinkedProgram | undefined {
   if (hash.length > LINK_LIMIT || hash.startsWith('#share=')) return undefined;

@@ -12,6 +12,7 @@ import { acceptFiles } from '../dom/drop';
 import type { GcodePlayground, OpenedProgram } from '../shell/element';
 import type { ProgramContext } from '../editor/holder';
 import type { ProgramFile } from '../editor/program-text';
+import { folded } from '../files/line-ends';
 import { AboveProgram } from './above';
 import { Actions } from './actions';
 import { Appearance } from './appearance';
@@ -86,9 +87,7 @@ const host = {
   get keeping() { return ownPrograms; },
   keepNow,
   async show(program: OwnProgram): Promise<void> {
-    const began = await keptExample(program);
-    keepNow();
-    putBack(program, began);
+    await bringBack(program);
     keepSoon();
   },
   titleOf: (id: string) => shown.get(id)?.title[language],
@@ -108,10 +107,7 @@ const host = {
     history.replaceState(null, '', address);
     loadLinked(linked);
   },
-  bringBack: (program: OwnProgram) => void keptExample(program).then((began) => {
-    keepNow();
-    putBack(program, began);
-  }),
+  bringBack: (program: OwnProgram) => void bringBack(program),
 };
 const above = new AboveProgram(host);
 const examples = new ExampleList(host);
@@ -147,7 +143,7 @@ async function begin(): Promise<void> {
     const { linked } = found;
     if (work.kind === 'work') return showWork(work.work, linked);
     // The program of the link, perhaps under another setup.
-    if (kept !== undefined && entry !== undefined && kept.example === '' && inUnits(kept.text) === inUnits(linked.text)) return showWork({ program: kept, entry }, linked);
+    if (kept !== undefined && entry !== undefined && kept.example === '' && folded(kept.text) === folded(linked.text)) return showWork({ program: kept, entry }, linked);
     loadLinked(linked);
     if (kept !== undefined && kept.text !== linked.text) above.show({ kind: 'kept', program: kept });
     offerLater(work);
@@ -175,7 +171,8 @@ async function lookUp(last: 'last-at-once' | 'as-listed'): Promise<{ readonly fo
 async function beginWithoutLink(entry: Entry | undefined, kept: OwnProgram | undefined): Promise<void> {
   const named = await loadExample(location.hash.slice(1));
   if (kept !== undefined && (named === undefined || named.id === kept.example)) {
-    restoreLast(kept, await keptExample(kept), entry);
+    restore(kept, await keptExample(kept));
+    ownPrograms.began = entry;
     return;
   }
   if ((await layUnder(named, ++asked)) === 'late') return;
@@ -218,11 +215,6 @@ async function layUnder(chosen: Example | undefined, own: number): Promise<'in-t
   return 'in-time';
 }
 
-function restoreLast(kept: OwnProgram, began: Example | undefined, entry: Entry | undefined): void {
-  restore(kept, began);
-  ownPrograms.began = entry;
-}
-
 /** A program of the reader's own choice is no example. */
 function loadLinked(linked: LinkedProgram): void {
   asked++;
@@ -242,11 +234,13 @@ function showWork({ program, entry, revision }: Work, linked: LinkedProgram): vo
   if (revision !== undefined) ownPrograms.known.set(id, revision);
   beganAs.set(id, location.hash);
   showAsLinked(linked);
-  if (inUnits(text) !== inUnits(linked.text)) above.show({ kind: 'linked', address: location.hash, linked });
+  if (folded(text) !== folded(linked.text)) above.show({ kind: 'linked', address: location.hash, linked });
 }
 
-/** The program is there again: as the work on the task in the address, where it is that. */
-function putBack(program: OwnProgram, began: Example | undefined): void {
+/** The program is there again, in place of the one that is kept: as the work on the task in the address, where it is that. */
+async function bringBack(program: OwnProgram): Promise<void> {
+  const began = await keptExample(program);
+  keepNow();
   const open = link.inAddress;
   const { id } = program;
   if (id !== undefined && open !== undefined && open.linked.task !== null && isWorkOn(open.address, id)) showWork({ program: { ...program, id } }, open.linked);
@@ -258,9 +252,7 @@ function offerLater(work: FoundWork): void {
   if (work.kind !== 'late') return;
   const own = asked;
   void work.coming.then((found) => {
-    if (found === undefined || own !== asked) return;
-    const { now } = above;
-    above.show(now.kind === 'linked' ? { ...now, kept: found.program } : { kind: 'kept', program: found.program });
+    if (found !== undefined && own === asked) above.offer(found.program);
   });
 }
 
@@ -300,8 +292,7 @@ function endComparisonUnlessOf(chosen: Example | undefined): void {
 }
 
 function load(chosen: Example | undefined): void {
-  clearTimeout(keepingSoon);
-  keepingSoon = undefined;
+  waitNoLonger();
   endComparisonUnlessOf(chosen);
   link.end();
   ownPrograms.takes(undefined);
@@ -336,8 +327,7 @@ async function followAddress(): Promise<void> {
       // What was typed meanwhile is newer.
       const isHere = work.work.program.id === id;
       showWork(isHere ? { program: { ...before, id } } : work.work, linked);
-      const { now } = above;
-      if (!isHere && offered !== undefined) above.show(now.kind === 'linked' ? { ...now, kept: offered } : { kind: 'kept', program: offered });
+      if (!isHere && offered !== undefined) above.offer(offered);
       return;
     }
     loadLinked(linked);
@@ -365,8 +355,7 @@ function followOrigin(): void {
 
 function restore(kept: OwnProgram, began: Example | undefined, origin: string | null = began?.id ?? null): void {
   asked++;
-  clearTimeout(keepingSoon);
-  keepingSoon = undefined;
+  waitNoLonger();
   endComparisonUnlessOf(began);
   link.end();
   ownPrograms.takes(kept.id);
@@ -456,6 +445,12 @@ async function storePage(): Promise<void> {
 
 // ---- keeping --------------------------------------------------------------------------------------
 
+/** Nothing waits to be kept any more. */
+function waitNoLonger(): void {
+  clearTimeout(keepingSoon);
+  keepingSoon = undefined;
+}
+
 function keepSoon(): void {
   const isLong = playground.length > LONGEST_IN_JOURNAL;
   if (isLong) clearTimeout(keepingSoon);
@@ -465,15 +460,10 @@ function keepSoon(): void {
 
 /** Keeps what waits to be kept; a program that is the example again needs no keeping. */
 function keepNow(address: 'follows' | 'address-stays' = 'follows'): void {
-  if (playground.length > LONGEST_KEPT) {
-    clearTimeout(keepingSoon);
-    keepingSoon = undefined;
-    return;
-  }
+  if (playground.length > LONGEST_KEPT) return waitNoLonger();
   const text = playground.value;
   if (keepingSoon === undefined && text === known) return;
-  clearTimeout(keepingSoon);
-  keepingSoon = undefined;
+  waitNoLonger();
   known = text;
   const { file, setup, blockSkip, program } = playground;
   const asItCame = file === undefined && setup === example?.setup && blockSkip === null && program === null;
@@ -491,8 +481,8 @@ function keepNow(address: 'follows' | 'address-stays' = 'follows'): void {
 /** Who opens the page again finds the program as it is. */
 function isKept(): boolean {
   const { text } = playground.opened;
-  const came = example?.program ?? (link.inAddress?.linked.text);
-  return lastEntry()?.program.text === text || (came !== undefined && inUnits(came) === playground.value);
+  const came = example?.program ?? link.inAddress?.linked.text;
+  return lastEntry()?.program.text === text || (came !== undefined && folded(came) === playground.value);
 }
 
 /** The program with its context, as it is kept. */
@@ -509,13 +499,13 @@ function programNow(): KeptProgram {
 /** The address holds the program of a link until the text is another one: who comes back then finds what was kept. */
 function leaveLink(text: string): void {
   const before = above.now;
-  if (before.kind === 'linked' && inUnits(before.linked.text) === text) {
+  if (before.kind === 'linked' && folded(before.linked.text) === text) {
     // Another address may be on its way to be shown.
     if (location.hash === '') history.replaceState(null, '', before.address);
     above.show({ kind: 'example' });
   }
   const open = link.inAddress;
-  if (open === undefined || inUnits(open.linked.text) === text) return;
+  if (open === undefined || folded(open.linked.text) === text) return;
   const isOfLink = playground.origin === OF_A_LINK;
   // Who comes back finds the task, and the work on it.
   if (!isOfLink || open.linked.task === null) history.replaceState(null, '', location.pathname + location.search);
@@ -533,17 +523,11 @@ function keepAsWork(): void {
   if (last.linked.task !== null && began === last.address) keepWorkOn(began, id);
 }
 
-/** As the editor has it: each line end counts one. */
-function inUnits(text: string): string {
-  return text.replace(/\r\n?/g, '\n');
-}
-
 // ---- showing --------------------------------------------------------------------------------------
 
 function showLanguage(): void {
   const texts = PAGE_WORDS[language];
   document.documentElement.lang = language;
-  document.title = texts.title;
   find('title').textContent = texts.title;
   playground.language = language;
   languageSelect.value = language;

@@ -5,11 +5,13 @@
 
 import { Dialog } from '../dom/dialog';
 import { make } from '../dom/dom';
+import { inTime } from '../dom/in-time';
 import type { Language } from '../dom/language';
 import { COMMON } from '../dom/words';
 import { download } from '../editor/program-files';
 import { linkOf } from '../files/shared-link';
 import { copied, field } from './fields';
+import { pageAddress } from './linked';
 import { LONGEST_FOR_TABLE, motionRows, type MotionRow } from './motion-table';
 import type { PageHost } from './page-host';
 import { blockAt, fixture, reportText, type Reported } from './report';
@@ -93,13 +95,12 @@ class ReportDialog {
   /** What is drawn, and the link that opens it. */
   async #ask(host: PageHost): Promise<void> {
     const { playground } = host;
-    const late = new Promise<undefined>((done) => setTimeout(done, LATEST_MS));
     const [table, made] = await Promise.all([
-      playground.length > LONGEST_FOR_TABLE ? undefined : Promise.race([playground.exported('csv').catch(() => undefined), late]),
+      playground.length > LONGEST_FOR_TABLE ? undefined : inTime(playground.exported('csv').catch(() => undefined), LATEST_MS),
       linkOf(sharedProgram(host.program)).catch(() => undefined),
     ]);
-    this.#motions = table && motionRows(table);
-    this.#link = made?.kind === 'link' ? `${location.href.replace(/#.*$/s, '')}${made.link}` : undefined;
+    this.#motions = table === 'late' ? undefined : table && motionRows(table);
+    this.#link = made?.kind === 'link' ? `${pageAddress()}${made.link}` : undefined;
   }
 
   #reported(host: PageHost, setup: string): Reported {

@@ -4,6 +4,7 @@
 // In: the program with its setup, the block, the motions that are drawn, and what the reader says. Out: Markdown, and
 // the files of the folder by name. Must not know: where they go.
 
+import { folded } from '../files/line-ends';
 import type { MotionRow } from './motion-table';
 import type { ReportWords } from './report-words';
 
@@ -49,7 +50,7 @@ export function reportText(reported: Reported, words: ReportWords): string {
     `## ${words.setup}`,
     fenced('json', setup),
     `## ${words.program}`,
-    fenced('gcode', text.replace(/\r\n?/g, '\n')),
+    fenced('gcode', folded(text)),
   ];
   return `${parts.join('\n\n')}\n`;
 }

@@ -7,9 +7,11 @@ import { Dialog } from '../dom/dialog';
 import { make, showText } from '../dom/dom';
 import { COMMON } from '../dom/words';
 import { download } from '../editor/program-files';
+import { folded } from '../files/line-ends';
 import { linkOf, type Shared } from '../files/shared-link';
 import { elementText, frameText, markdownText } from './embed-text';
 import { check, copied, field } from './fields';
+import { pageAddress } from './linked';
 import type { PageHost } from './page-host';
 import { FORMS, SHARE_WORDS, VIEWS, type Form, type SharedView, type ShareWords } from './share-words';
 import { sharedProgram } from './shared-program';
@@ -174,7 +176,7 @@ class ShareDialog {
     readonly.label.hidden = isPicture || (this.#task.checked && !task.label.hidden);
     this.#fields.step.label.hidden = isPicture || this.#toolAt === null;
     this.#taskFields.hidden = task.label.hidden || !this.#task.checked;
-    const isSolution = inUnits(this.#start.value) === inUnits(host.program.text);
+    const isSolution = asField(this.#start.value) === asField(host.program.text);
     showText(this.#startNews, isSolution && !this.#taskFields.hidden ? texts.startIsSolution : '');
     output.label.hidden = form === 'qr' || isPicture;
     this.#copy.hidden = output.label.hidden;
@@ -194,7 +196,7 @@ class ShareDialog {
   }
 
   async #made(form: Form, shared: Shared, host: PageHost, texts: ShareWords): Promise<Made> {
-    const page = location.href.replace(/#.*$/s, '');
+    const page = pageAddress();
     const title = host.example?.title[host.language] ?? host.program.file?.name ?? PAGE_WORDS[host.language].title;
     // Files of a folder with the version in its name never change.
     const embedded = (file: string): string => new URL(`embed/${PLAYGROUND_VERSION}/${file}`, page).href;
@@ -249,6 +251,6 @@ interface Made {
 }
 
 /** As a field has it: each line end counts one; blank lines at the end are none of the program. */
-function inUnits(text: string): string {
-  return text.replace(/\r\n?/g, '\n').trimEnd();
+function asField(text: string): string {
+  return folded(text).trimEnd();
 }

@@ -4,6 +4,7 @@
 // or of the list, for which the page waits a moment only. The list (`own-programs-store.ts`) is loaded for such an address alone. Must
 // not know: how a program is shown.
 
+import { inTime } from '../dom/in-time';
 import { journal, keepWorkOf, lastEntry, workOf, type Entry, type OwnProgram } from './storage';
 
 export interface Work {
@@ -43,7 +44,7 @@ export async function workOn(address: string): Promise<FoundWork> {
   if (id === undefined) return { kind: 'none' };
   const [newest] = journal().filter((entry) => entry.id === id).sort((a, b) => b.time - a.time);
   const coming = inList(id, newest).catch(() => newest && workIn(newest));
-  const found = await Promise.race([coming, new Promise<'late'>((done) => setTimeout(() => done('late'), LATEST_MS))]);
+  const found = await inTime(coming, LATEST_MS);
   if (found !== 'late') return found === undefined ? { kind: 'none' } : { kind: 'work', work: found };
   return newest === undefined ? { kind: 'late', coming } : { kind: 'work', work: workIn(newest) };
 }

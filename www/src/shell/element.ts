@@ -479,7 +479,8 @@ export class GcodePlayground extends Base {
 
   /** The line of the cursor, from 1. */
   get cursorLine(): number {
-    return this.value.slice(0, this.#shell.editor.cursor).split('\n').length;
+    const { editor } = this.#shell;
+    return editor.lineOf(editor.cursor) + 1;
   }
 
   /** Puts the cursor into a line, from 1, and marks it; where there is no such line nothing happens. */

@@ -7,6 +7,7 @@
 import { loaded, whenOnline } from '../dom/network';
 import type { ProgramFile } from '../editor/program-text';
 import type { Encoding } from '../files/encodings';
+import { folded } from '../files/line-ends';
 
 /** An address that gives no answer for so long is reported. */
 const PATIENCE_MS = 700;
@@ -126,7 +127,7 @@ function child(element: HTMLElement, selector: string): Element | undefined {
 export function textInside(element: HTMLElement): string {
   const holder = child(element, PROGRAM_SCRIPT) ?? child(element, 'pre');
   const text = holder === undefined ? own(element).map(textOf).join('') : own(holder).map((node) => node.textContent ?? '').join('');
-  const lines = text.replace(/\r\n?/g, '\n').split('\n');
+  const lines = folded(text).split('\n');
   while (lines.length > 0 && lines[0]?.trim() === '') lines.shift();
   while (lines.length > 0 && lines.at(-1)?.trim() === '') lines.pop();
   const indents = lines.filter((line) => line.trim() !== '').map((line) => line.length - line.trimStart().length);

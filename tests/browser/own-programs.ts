@@ -1,0 +1,37 @@
+// What the tests know of "My programs", and of the same page in a second tab, which nobody may see.
+import { expect, type BasicPage, type Locator, type Page } from './engines';
+
+export const list = (page: BasicPage): Locator => page.getByRole('dialog', { name: 'My programs' });
+export const items = (page: BasicPage): Locator => list(page).getByRole('listitem');
+
+/** At most a second after a key, what was typed is kept. */
+export const kept = (page: BasicPage): Promise<void> => page.waitForTimeout(900);
+
+/** The page in a second tab, with what the address says after its `#`. */
+export async function secondTab(page: Page, hash = ''): Promise<Page> {
+  await page.evaluate((hash) => {
+    const link = Object.assign(document.createElement('a'), { href: `${location.pathname}${hash}`, target: '_blank', textContent: 'second tab' });
+    link.style.cssText = 'position: fixed; inset: 0 auto auto 0; z-index: 99';
+    document.body.append(link);
+  }, hash);
+  const coming = page.waitForEvent('popup');
+  await page.getByRole('link', { name: 'second tab' }).click();
+  const second = await coming;
+  await page.evaluate(() => document.querySelector('body > a')?.remove());
+  await expect(second.getByRole('status').first()).toContainText(/\d/);
+  await second.locator('gcode-playground').evaluate((element) => (element as unknown as { settled: Promise<number> }).settled);
+  // The list comes after the first picture.
+  await second.waitForTimeout(500);
+  return second;
+}
+
+/** Adds to the text as a reader does, in a tab that nobody may see. */
+export async function addUnseen(page: BasicPage, text: string): Promise<void> {
+  await page.locator('gcode-playground').evaluate((element, added) => {
+    const content = element.shadowRoot?.querySelector('.cm-content') as HTMLElement;
+    content.focus();
+    document.getSelection()?.selectAllChildren(content);
+    document.getSelection()?.collapseToEnd();
+    document.execCommand('insertText', false, added);
+  }, text);
+}
