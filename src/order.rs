@@ -29,6 +29,13 @@ pub fn by<T>(list: &mut [T], compare: impl Fn(&T, &T) -> Ordering) {
     }
 }
 
+/// A map or a set of what comes, one after the other. `collect` sorts it all first, which is 3 kB of code for each type.
+pub fn gathered<All: Default + Extend<T>, T>(items: impl IntoIterator<Item = T>) -> All {
+    let mut all = All::default();
+    all.extend(items);
+    all
+}
+
 /// The indices of a list in the order that a comparison of two of them says: stretches that are in order are merged,
 /// two at a time.
 #[inline(never)]

@@ -280,7 +280,7 @@ impl<'a> Told<'a> {
         let number = word_number(word).filter(|_| word.address == b'T')?.integer()?;
         let w = words(self.language);
         let (station, offset) = if number < 100 { (number, number) } else { (number / 100, number % 100) };
-        Some(format!("{} {station}, {} {offset}", w.tool.to_lowercase(), w.offset))
+        Some(format!("{} {station}, {} {offset}", w.its_tool, w.offset))
     }
 
     fn moves(&self, own: &[Motion]) -> Vec<String> {

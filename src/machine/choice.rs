@@ -13,6 +13,7 @@ use super::tool_use::{LOOKED_AT, Purpose, ToolUse};
 use super::z_positions::{Places, ZPositions};
 use crate::geometry::SAME;
 use crate::motion::{Motion, Motions, Process};
+use crate::order;
 use crate::setup::{Side, Stock, Tool, ToolKind};
 
 /// Widths of grooving inserts that are tried, mm.
@@ -87,7 +88,7 @@ pub(super) fn decide(
 /// The stations of the turret that have cuts which are left out.
 fn with_uncertain_cuts(motions: &Motions) -> BTreeSet<u16> {
     let cuts = motions.iter().take(LOOKED_AT).filter(|motion| motion.kind.cuts());
-    cuts.filter(|cut| cut.process.uncertain).map(|cut| cut.process.tool.0).collect()
+    order::gathered(cuts.filter(|cut| cut.process.uncertain).map(|cut| cut.process.tool.0))
 }
 
 /// An inferred tool with what comments say of it, as far as they name the same kind of tool.

@@ -223,10 +223,11 @@ pub fn put_into_json(json: &str, setup: &Setup) -> String {
     put("stock", setup.stock.map_or_else(Map::new, |stock| object(fields::STOCK, &stock)));
     let tools =
         setup.tools.iter().map(|(name, tool)| (name.clone(), Json::Object(object(fields::TOOL, tool))));
-    put("tools", tools.collect());
+    put("tools", order::gathered(tools));
     put("tailstock", setup.tailstock.map_or_else(Map::new, |own| object(fields::TAILSTOCK, &own)));
     put("machine", object(fields::MACHINE, &setup.machine));
-    put("rules", setup.rules.iter().map(|(name, level)| (name.into(), level.name().into())).collect());
+    let levels = setup.rules.iter().map(|(name, level)| (name.into(), level.name().into()));
+    put("rules", order::gathered(levels));
     put("initial", setup.initial.map_or_else(Map::new, |start| object(fields::START, &start)));
     if all.is_empty() { String::new() } else { Json::Object(all).to_string() }
 }

@@ -6,6 +6,7 @@
 //! Terms are in `terms`. A comment belongs to the tool it names, else to the T word in its line, else to the
 //! T word before it, else to the one after it.
 
+mod capitals;
 mod numbers;
 mod terms;
 
@@ -83,7 +84,7 @@ pub fn read(text: &[u8]) -> BTreeMap<u16, Tool> {
 
 /// What the words of a comment say of a tool.
 pub fn described(comment: &str, unit: Unit) -> Tool {
-    let text = comment.to_uppercase();
+    let text = capitals::in_capitals(comment);
     let mut tool = terms::insert(&text).unwrap_or_default();
     let kind = terms::kind(&text);
     // `14MM DRILL XCMT`: the word has priority over the insert.
@@ -169,7 +170,7 @@ fn tool_number<'a>(code: impl Iterator<Item = &'a str>) -> Option<u16> {
 fn named(comment: &str) -> Option<u16> {
     const WORDS: [&str; 8] =
         ["TOOL", "FERRAMENTA", "HERRAMIENTA", "WERKZEUG", "UTENSILE", "OUTIL", "ИНСТРУМЕНТ", "T"];
-    let text = comment.to_uppercase();
+    let text = capitals::in_capitals(comment);
     let found = numbers::after_letters(&text, &WORDS).filter_map(station).next();
     found.filter(|&number| number > 0)
 }

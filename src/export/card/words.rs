@@ -36,6 +36,8 @@ pub(super) struct Words {
     pub passes: &'static str,
     pub moves: &'static str,
     pub more_blocks: &'static str,
+    /// In a sentence, before a number.
+    pub its_tool: &'static str,
     pub offset: &'static str,
 }
 
@@ -187,6 +189,7 @@ static EN: Words = Words {
     passes: "{} passes",
     moves: "{} moves",
     more_blocks: "… and {} more blocks",
+    its_tool: "tool",
     offset: "offset",
 };
 
@@ -218,6 +221,7 @@ static ZH: Words = Words {
     passes: "共 {} 次走刀",
     moves: "共 {} 段运动",
     more_blocks: "……还有 {} 个程序段",
+    its_tool: "刀具号",
     offset: "刀补",
 };
 
@@ -249,5 +253,6 @@ static RU: Words = Words {
     passes: "проходов: {}",
     moves: "перемещений: {}",
     more_blocks: "… и ещё кадров: {}",
+    its_tool: "инструмент",
     offset: "коррекция",
 };

@@ -4,6 +4,7 @@ use std::collections::BTreeMap;
 
 use super::{Program, Role, Word, is_among, round};
 use crate::message::{Diagnostic, Fix, said};
+use crate::order;
 use crate::setup::dialect::DecimalRule;
 use crate::units::Diameter;
 
@@ -89,7 +90,7 @@ impl Program<'_> {
             *counts.entry(other.decimals.unwrap_or_default()).or_default() += 1;
         }
         let mut usual: Vec<(u8, usize)> = counts.into_iter().collect();
-        usual.sort_by_key(|&(decimals, count)| (std::cmp::Reverse(count), decimals));
+        order::by_key(&mut usual, |&(decimals, count)| (std::cmp::Reverse(count), decimals));
         let mut decimals: Vec<u8> = usual.into_iter().map(|(decimals, _)| decimals).collect();
         decimals.extend([1, 2, 3]);
         // Others have it at their end.

@@ -4,6 +4,7 @@ use std::collections::BTreeSet;
 
 use super::{Program, is_among};
 use crate::message::{Diagnostic, said};
+use crate::order;
 use crate::text::block::BlockKind;
 
 impl Program<'_> {
@@ -64,7 +65,7 @@ impl Named {
         let by_word = program.words.iter().filter(|word| is_among(b"PQ", word.address));
         let jumps = program.jumps.iter().copied().flatten();
         Self {
-            numbers: by_word.map(|word| word.value as u32).chain(jumps).collect(),
+            numbers: order::gathered(by_word.map(|word| word.value as u32).chain(jumps)),
             any: program.jumps.contains(&None),
         }
     }
