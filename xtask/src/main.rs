@@ -3,11 +3,12 @@
 //! command line is not understood.
 //!
 //! Dependencies: as few as can be, because every user compiles this first. `flate2`
-//! compresses what is served.
+//! compresses what is served, `wasmparser` reads what the compiler has made.
 
 mod bench;
 mod browser;
 mod compare;
+mod core_functions;
 mod debian;
 mod embed;
 mod engines;
@@ -17,6 +18,7 @@ mod manuals;
 mod npx;
 mod package;
 mod packages;
+mod panics;
 mod parts;
 mod play;
 mod run;

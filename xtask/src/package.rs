@@ -18,13 +18,16 @@ use flate2::write::GzEncoder;
 
 use crate::run::{self, Result};
 use crate::setup::Setup;
-use crate::{embed, npx, parts};
+use crate::{core_functions, embed, npx, parts};
 
 /// What has to be loaded before the first picture may be at most so many bytes, compressed as a server does it.
-const MOST_OF_THE_CORE: u64 = 153_000;
+const MOST_OF_THE_CORE: u64 = 150_000;
 
 /// The same of all parts together.
-const MOST_OF_ALL: u64 = 905_000;
+const MOST_OF_ALL: u64 = 815_000;
+
+/// The profile in which a module that is cut is built first: that of the page, so that functions have the same names in both.
+const FIRST_PROFILE: &str = "page-first";
 
 /// What the compiler may use of WebAssembly.
 pub const FEATURES: [&str; 6] = [
@@ -82,15 +85,8 @@ impl Module<'_> {
     /// Builds the package. cargo decides whether the module has changed; wasm-bindgen and wasm-opt, which
     /// take longer than all else, run only if it has.
     pub fn build(&self, setup: &Setup) -> Result<Duration> {
-        let mut cargo = setup.command("cargo");
-        cargo.current_dir(&self.folder).env("CARGO_TARGET_DIR", &self.target);
-        cargo.args(["rustc", "--lib", "--crate-type", "cdylib", "--profile", self.profile]);
-        cargo.args(["--target", "wasm32-unknown-unknown"]).args(self.features);
-        if self.is_cut {
-            // What refers to what: the linker forgets it, unless it is asked to keep it.
-            cargo.args(["--", "--cfg", "parts", "-C", "link-arg=--emit-relocs", "-C", "strip=none"]);
-        }
-        let compiled = run::step(&format!("compiling {} to wasm", self.name), &mut cargo)?;
+        let compiled =
+            if self.is_cut { self.compile_twice(setup)? } else { self.compile(setup, self.profile, None)? };
         let stamp = self.package.join(".built-by-xtask");
         let shipped = self.package.join(format!("{}_bg.wasm", self.name));
         let built = || {
@@ -106,10 +102,13 @@ impl Module<'_> {
         let _ = fs::remove_file(&stamp);
         let _ = fs::remove_dir_all(&self.package);
         self.remove_modules();
-        let cut = self.is_cut.then(|| parts::cut(setup, &self.compiled(), self.name)).transpose()?;
+        let cut =
+            self.is_cut.then(|| parts::cut(setup, &self.compiled(self.profile), self.name)).transpose()?;
         let mut bindgen = setup.command("wasm-bindgen");
         bindgen.args(["--target", "web", "--out-name", self.name, "--out-dir"]);
-        bindgen.arg(&self.package).arg(cut.as_ref().map_or(self.compiled(), |cut| cut.main.clone()));
+        bindgen
+            .arg(&self.package)
+            .arg(cut.as_ref().map_or(self.compiled(self.profile), |cut| cut.main.clone()));
         // The parts bring functions into the table of the module.
         bindgen.args(cut.iter().map(|_| "--keep-lld-exports"));
         let bound = run::step("building the wasm package", &mut bindgen)?;
@@ -142,9 +141,41 @@ impl Module<'_> {
         }
     }
 
-    /// The module as the compiler leaves it.
-    fn compiled(&self) -> PathBuf {
-        let folder = self.target.join("wasm32-unknown-unknown").join(self.profile);
+    /// Compiles a module that is cut, and then again, so that only its core is as large as it has to be to be quick.
+    fn compile_twice(&self, setup: &Setup) -> Result<Duration> {
+        let first = self.compile(setup, FIRST_PROFILE, None)?;
+        let module = self.compiled(FIRST_PROFILE);
+        let whole = read(&module)?;
+        // Cargo looks at the name of the file alone, so other arguments have another name.
+        let mut hasher = DefaultHasher::new();
+        (&whole, include_str!("core_functions.rs"), include_str!("panics.rs")).hash(&mut hasher);
+        let arguments = module.with_extension(format!("{:016x}.arguments", hasher.finish()));
+        if !arguments.is_file() {
+            let core = read(&parts::cut(setup, &module, self.name)?.main)?;
+            write(&arguments, &core_functions::arguments(&core, &whole)?)?;
+        }
+        let second = self.compile(setup, self.profile, Some(&arguments))?;
+        core_functions::are_named_in(&read(&arguments)?, &read(&self.compiled(self.profile))?)?;
+        Ok(first + second)
+    }
+
+    /// Compiles the module in a profile, for one that is cut with more arguments, from a file.
+    fn compile(&self, setup: &Setup, profile: &str, arguments: Option<&Path>) -> Result<Duration> {
+        let mut cargo = setup.command("cargo");
+        cargo.current_dir(&self.folder).env("CARGO_TARGET_DIR", &self.target);
+        cargo.args(["rustc", "--lib", "--crate-type", "cdylib", "--profile", profile]);
+        cargo.args(["--target", "wasm32-unknown-unknown"]).args(self.features);
+        if self.is_cut {
+            // What refers to what: the linker forgets it, unless it is asked to keep it.
+            cargo.args(["--", "--cfg", "parts", "-C", "link-arg=--emit-relocs", "-C", "strip=none"]);
+        }
+        cargo.args(arguments.map(|file| format!("@{}", file.display())));
+        run::step(&format!("compiling {} to wasm", self.name), &mut cargo)
+    }
+
+    /// The module as the compiler leaves it in a profile.
+    fn compiled(&self, profile: &str) -> PathBuf {
+        let folder = self.target.join("wasm32-unknown-unknown").join(profile);
         folder.join(format!("{}.wasm", self.name))
     }
 
@@ -152,10 +183,15 @@ impl Module<'_> {
     /// the version of wasm-bindgen.
     fn fingerprint(&self) -> Option<String> {
         let mut hasher = DefaultHasher::new();
-        for path in [self.compiled(), self.folder.join("Cargo.lock")] {
+        for path in [self.compiled(self.profile), self.folder.join("Cargo.lock")] {
             fs::read(path).ok()?.hash(&mut hasher);
         }
-        let scripts = [include_str!("parts.js"), include_str!("part-files.js"), include_str!("parts.rs")];
+        let scripts = [
+            include_str!("parts.js"),
+            include_str!("part-files.js"),
+            include_str!("parts.rs"),
+            include_str!("panics.rs"),
+        ];
         (FEATURES, self.optimised, self.is_cut, scripts).hash(&mut hasher);
         Some(format!("{:016x}", hasher.finish()))
     }
@@ -270,6 +306,10 @@ pub fn page(setup: &Setup) -> Result<Duration> {
 
 fn write(path: &Path, text: &str) -> Result {
     fs::write(path, text).map_err(|error| format!("cannot write {}: {error}", path.display()))
+}
+
+fn read(path: &Path) -> Result<Vec<u8>> {
+    fs::read(path).map_err(|error| format!("cannot read {}: {error}", path.display()))
 }
 
 #[cfg(test)]

@@ -9,6 +9,7 @@ use std::collections::BTreeMap;
 use std::fs;
 use std::path::{Path, PathBuf};
 
+use crate::panics;
 use crate::run::{self, Result};
 use crate::setup::Setup;
 
@@ -26,12 +27,16 @@ pub struct Cut {
     parts: BTreeMap<String, Vec<String>>,
 }
 
-/// Cuts a module into a folder beside it.
+/// Cuts a module into a folder beside it. Panics are traps from here on.
 pub fn cut(setup: &Setup, module: &Path, name: &str) -> Result<Cut> {
     let folder = module.with_extension("parts");
     let _ = fs::remove_dir_all(&folder);
+    let whole = module.with_extension("traps.wasm");
+    let linked = fs::read(module).map_err(|error| format!("cannot read {}: {error}", module.display()))?;
+    fs::write(&whole, panics::as_traps(linked)?)
+        .map_err(|error| format!("cannot write {}: {error}", whole.display()))?;
     let mut split = setup.command("wasm-split-cli");
-    split.arg(module).arg(&folder).args(["--out-name", name]);
+    split.arg(&whole).arg(&folder).args(["--out-name", name]);
     run::quiet("cutting the module into its parts", &mut split)?;
     let script = folder.join(LINK_SCRIPT);
     let script =
