@@ -194,6 +194,37 @@ test('a program that gave way to another one is kept with its last key', async (
   await expect.poll(() => value(page)).toBe(`${SHAFT}G4 X1`);
 });
 
+// A browser can put a page aside as it is, with what it was about to write, and show it again when the reader goes back.
+test('a page that is left while the list is written keeps no other waiting, and goes on when it is shown again', async ({ page }) => {
+  await open(page, '#program=O1%0AG00%20X1');
+  for (let round = 1; round <= 4; round++) {
+    await typeAtEnd(page, `(${round})`);
+    await page.goto('about:blank');
+    if (round < 4) {
+      await open(page, `#program=O${round + 1}%0AG00%20X1`);
+      await openList(page);
+      await expect(items(page)).toHaveCount(round);
+      await close(page);
+    } else await page.evaluate(() => history.back());
+  }
+  await expect.poll(() => value(page)).toContain('(4)');
+  await typeAtEnd(page, '(5)');
+  await kept(page);
+  await openList(page);
+  await expect(items(page)).toHaveCount(4);
+  await expect(items(page).first()).toContainText('O4');
+});
+
+test('a page that is left before its list is open goes on when it is shown again', async ({ page }) => {
+  await open(page, '#program=O1%0AG00%20X1');
+  await typeAtEnd(page, '(A)');
+  await page.goto('about:blank');
+  await page.evaluate(() => history.back());
+  await expect.poll(() => value(page)).toContain('(A)');
+  await openList(page);
+  await expect(items(page)).toHaveCount(1);
+});
+
 test('a link takes the place of the program, which stays in the list', async ({ page }) => {
   await open(page);
   await type(page, SHAFT);

@@ -17,6 +17,9 @@ import { smallDrawing } from './small-drawing';
 import { forgetAllOf } from './storage';
 import './own-programs.css';
 
+/** As long as the database may think about it before the reader hears of it. */
+const NO_ANSWER_MS = 5000;
+
 let dialog: OwnProgramsDialog | undefined;
 
 export function openOwnPrograms(host: PageHost): void {
@@ -70,6 +73,7 @@ class OwnProgramsDialog {
     this.#frame();
     this.#dialog.show();
     this.#search.focus();
+    const late = setTimeout(() => this.#say(texts.notRead), NO_ANSWER_MS);
     await this.#try(async () => {
       this.#host.keeping.host.keepNow();
       if (this.#session === undefined) {
@@ -81,6 +85,7 @@ class OwnProgramsDialog {
       this.#say(undefined);
       if (this.#rows.length > 0) askToPersist();
     });
+    clearTimeout(late);
   }
 
   get #texts(): (typeof LIST_WORDS)['en'] {

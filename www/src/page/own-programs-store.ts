@@ -2,8 +2,9 @@
 //
 // In: programs with the revision they were made of. Out: what became of them; the list, texts, earlier states. Each
 // change is one transaction over all stores, in which the revision is compared: so tabs need no locks, and what
-// another tab has written is never overwritten (`conflict`). `idb` makes promises of the database's events. Loaded
-// after the first picture. Must not know: the page, or what a program says.
+// another tab has written is never overwritten (`conflict`). A page that a browser puts aside lets go of the database
+// and begins again when it is shown. `idb` makes promises of the database's events. Loaded after the first picture.
+// Must not know: the page, or what a program says.
 
 import { openDB, type DBSchema, type IDBPDatabase, type IDBPTransaction } from 'idb';
 import { importAs, isSame, isWorthAState, LIMITS, listedIn, nameBeside, superfluous, withSeen, wordsOf, type FiledProgram, type Listed, type State } from './own-programs';
@@ -19,7 +20,10 @@ interface Schema extends DBSchema {
 }
 
 type Stores = ['programs', 'texts', 'states'];
-type Writing = IDBPTransaction<Schema, Stores, 'readwrite'>;
+type Mode = 'readonly' | 'readwrite';
+type Transaction<As extends Mode> = IDBPTransaction<Schema, Stores, As>;
+type Writing = Transaction<'readwrite'>;
+type Act<As extends Mode, Outcome> = (transaction: Transaction<As>) => Promise<Outcome>;
 
 const NAME = `gcode-playground:programs:${location.pathname}`;
 const STORES: Stores = ['programs', 'texts', 'states'];
@@ -62,18 +66,66 @@ function closed(): void {
   events.closed();
 }
 
-async function change<Outcome>(act: (transaction: Writing) => Promise<Outcome>): Promise<Outcome> {
-  const transaction = (await database()).transaction(STORES, 'readwrite', { durability: 'relaxed' });
-  try {
-    const outcome = await act(transaction);
-    await transaction.done;
-    return outcome;
-  } catch (error) {
+// A page that is put aside, to be shown again when the reader goes back, hears of its database no more (Firefox), and
+// its transactions make those of all other pages wait for ever (WebKit). So it lets go of all of them, and begins again
+// when it is shown; the journal has what was written.
+
+const running = new Set<AbortController>();
+let away: Promise<void> | undefined;
+
+addEventListener('pagehide', ({ persisted }) => {
+  if (!persisted) return;
+  away ??= new Promise((back) => addEventListener('pageshow', () => {
+    away = undefined;
+    back();
+  }, { once: true }));
+  void opened?.then((open) => open.close(), () => undefined);
+  opened = undefined;
+  for (const attempt of running) attempt.abort();
+});
+
+function read<Outcome>(act: Act<'readonly', Outcome>): Promise<Outcome> {
+  return inTransaction('readonly', act);
+}
+
+function change<Outcome>(act: Act<'readwrite', Outcome>): Promise<Outcome> {
+  return inTransaction('readwrite', act);
+}
+
+async function inTransaction<As extends Mode, Outcome>(mode: As, act: Act<As, Outcome>): Promise<Outcome> {
+  for (;;) {
+    await away;
+    const attempt = new AbortController();
+    const { signal } = attempt;
+    const letGo = new Promise<undefined>((end) => signal.addEventListener('abort', () => end(undefined)));
+    running.add(attempt);
+    try {
+      const done = await Promise.race([transact(mode, act, signal), letGo]);
+      if (done !== undefined) return done.outcome;
+    } finally {
+      running.delete(attempt);
+    }
+  }
+}
+
+async function transact<As extends Mode, Outcome>(mode: As, act: Act<As, Outcome>, signal: AbortSignal): Promise<{ readonly outcome: Outcome }> {
+  const open = await database();
+  signal.throwIfAborted();
+  const transaction = open.transaction(STORES, mode, { durability: 'relaxed' });
+  const abort = (): void => {
     try {
       transaction.abort();
     } catch {
       // It has ended by itself.
     }
+  };
+  signal.addEventListener('abort', abort);
+  try {
+    const outcome = await act(transaction);
+    await transaction.done;
+    return { outcome };
+  } catch (error) {
+    abort();
     // Both are about the same; only one of them may say that there is no room.
     const why: unknown = await transaction.done.then(() => undefined, (reason: unknown) => reason);
     throw isFull(why) ? why : error;
@@ -89,26 +141,26 @@ export function isFull(error: unknown): boolean {
 
 /** All programs, the one that was changed last at first. */
 export async function listPrograms(): Promise<readonly Listed[]> {
-  const rows = await (await database()).getAll('programs');
+  const rows = await read((transaction) => transaction.objectStore('programs').getAll());
   return rows.flatMap((row) => listedIn(row) ?? []).sort((a, b) => b.changed - a.changed);
 }
 
 export async function listed(id: string): Promise<Listed | undefined> {
-  return listedIn(await (await database()).get('programs', id));
+  return listedIn(await read((transaction) => transaction.objectStore('programs').get(id)));
 }
 
 export async function programOf(id: string): Promise<KeptProgram | undefined> {
-  return programIn(await (await database()).get('texts', id));
+  return programIn(await read((transaction) => transaction.objectStore('texts').get(id)));
 }
 
 /** The earlier states of a program, the newest first. */
 export async function statesOf(id: string): Promise<readonly State[]> {
-  const keys = await (await database()).getAllKeys('states', allOf(id));
+  const keys = await read((transaction) => transaction.objectStore('states').getAllKeys(allOf(id)));
   return keys.map(([, time, length]) => ({ time, length })).sort((a, b) => b.time - a.time);
 }
 
-export async function programOfState(id: string, { time, length }: State): Promise<KeptProgram | undefined> {
-  return programIn(await (await database()).get('states', [id, time, length]));
+export async function programOfState(id: string, state: State): Promise<KeptProgram | undefined> {
+  return programIn(await read((transaction) => transaction.objectStore('states').get(keyOf(id, state))));
 }
 
 /** All programs with their states, as a file has them. */
@@ -118,18 +170,19 @@ export async function everything(): Promise<readonly FiledProgram[]> {
 }
 
 /** One program with its states. */
-export async function filed(id: string): Promise<FiledProgram | undefined> {
-  const transaction = (await database()).transaction(STORES, 'readonly');
-  const row = listedIn(await transaction.objectStore('programs').get(id));
-  const program = programIn(await transaction.objectStore('texts').get(id));
-  if (row === undefined || program === undefined) return undefined;
-  const [keys, texts] = await Promise.all([transaction.objectStore('states').getAllKeys(allOf(id)), transaction.objectStore('states').getAll(allOf(id))]);
-  const states = keys.flatMap(([, time], i) => {
-    const then = programIn(texts[i]);
-    return then === undefined ? [] : [{ time, program: then }];
+export function filed(id: string): Promise<FiledProgram | undefined> {
+  return read(async (transaction) => {
+    const row = listedIn(await transaction.objectStore('programs').get(id));
+    const program = programIn(await transaction.objectStore('texts').get(id));
+    if (row === undefined || program === undefined) return undefined;
+    const [keys, texts] = await Promise.all([transaction.objectStore('states').getAllKeys(allOf(id)), transaction.objectStore('states').getAll(allOf(id))]);
+    const states = keys.flatMap(([, time], i) => {
+      const then = programIn(texts[i]);
+      return then === undefined ? [] : [{ time, program: then }];
+    });
+    const { name, namedBy, created, changed } = row;
+    return { id, name, namedBy, created, changed, program, states };
   });
-  const { name, namedBy, created, changed } = row;
-  return { id, name, namedBy, created, changed, program, states };
 }
 
 // ---- changing -------------------------------------------------------------------------------------
