@@ -2,7 +2,7 @@
 // machine that is chosen; those of the page keep theirs.
 import { readFileSync } from 'node:fs';
 import { expect, test, type Locator, type Page } from './engines';
-import { copy, editor, open, openFile, status } from './page';
+import { copy, editor, open, openFile, status, value } from './page';
 
 const PROGRAM = 'O0001\nT0101\nG97 S800 M3\nG0 X40 Z2\nG1 Z-20 F0.2\nX44\nG0 X100 Z100\nM30\n';
 const SHOP = { dialect: { control: 'gsk', refPoint: { x: 250, z: 300 } }, machine: { rapidX: 8000, turret: 'front' }, tailstock: { z: 2, diameter: 20 } };
@@ -74,7 +74,7 @@ test('machine and tools of a program are kept apart, and a file that is no setup
   await dialog(page).getByRole('button', { name: 'Close' }).click();
 
   await openFile(page, 'other.nc', Buffer.from(PROGRAM));
-  await expect.poll(() => setup(page)).toEqual({});
+  await expect.poll(() => value(page)).toBe(PROGRAM);
   await machine(page).click();
   await dialog(page).getByRole('button', { name: 'Use: Set A' }).click();
   await expect.poll(() => setup(page)).toEqual({ tools: { T0101: { type: 'turning', noseRadius: 0.8 } } });
