@@ -19,7 +19,7 @@ fn folder() -> PathBuf {
 }
 
 /// Builds the module.
-pub fn build(setup: &Setup) -> Result<Duration> {
+pub fn module(setup: &Setup) -> Result<Duration> {
     let mut cargo = setup.command("cargo");
     cargo.args(["rustc", "--bin", "gcode-playground", "--features", "npx", "--profile", PROFILE]);
     cargo.args(["--target", "wasm32-unknown-unknown"]);
@@ -47,10 +47,14 @@ pub fn build(setup: &Setup) -> Result<Duration> {
     fs::write(&starts, "#!/usr/bin/env node\nimport './command-line.js';\n")
         .map_err(|error| format!("cannot write {}: {error}", starts.display()))?;
     executable(&starts)?;
+    Ok(compiled + bound + begun.elapsed())
+}
+
+/// Puts the module that is built into the built package.
+pub fn put_into_package() -> Result {
     let bin = run::www().join("dist/embed/bin");
     let _ = fs::remove_dir_all(&bin);
-    copy_folder(&folder(), &bin)?;
-    Ok(compiled + bound + begun.elapsed())
+    copy_folder(&folder(), &bin)
 }
 
 #[cfg(unix)]

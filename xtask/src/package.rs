@@ -5,6 +5,7 @@
 //! cargo leaves link-time optimisation out of a library that is both. `cargo rustc` can ask for the one kind
 //! alone, which makes the module a tenth smaller and faster.
 
+use std::cmp::Reverse;
 use std::collections::BTreeMap;
 use std::collections::hash_map::DefaultHasher;
 use std::fs;
@@ -113,14 +114,17 @@ impl Module<'_> {
         bindgen.args(cut.iter().map(|_| "--keep-lld-exports"));
         let bound = run::step("building the wasm package", &mut bindgen)?;
         let begun = Instant::now();
-        let optimise = |from: &Path, to: &Path| {
+        let mut modules = vec![(shipped.clone(), shipped.clone())];
+        let later = cut.iter().flat_map(|cut| &cut.files);
+        modules.extend(later.map(|(from, name)| (from.clone(), self.package.join(name))));
+        // The large ones first: at the end none is left alone.
+        modules.sort_by_key(|(from, _)| Reverse(fs::metadata(from).map_or(0, |file| file.len())));
+        run::for_each(&modules, |(from, to)| {
             let mut wasm_opt = setup.command("wasm-opt");
             wasm_opt.args(FEATURES).args(self.optimised).arg(from).arg("-o").arg(to);
             run::quiet(&format!("optimising {}", to.display()), &mut wasm_opt)
-        };
-        optimise(&shipped, &shipped)?;
+        })?;
         if let Some(cut) = &cut {
-            cut.files.iter().try_for_each(|(from, name)| optimise(from, &self.package.join(name)))?;
             cut.scripts().iter().try_for_each(|(name, text)| write(&self.package.join(name), text))?;
         }
         let optimised = begun.elapsed();
@@ -278,9 +282,8 @@ fn stated_sizes(document: &str) -> BTreeMap<String, u64> {
 
 /// Builds the whole static site into www/dist.
 pub fn site(setup: &Setup) -> Result {
-    wasm(setup)?;
-    page(setup)?;
-    npx::build(setup)?;
+    run::both(|| npx::module(setup), || wasm(setup).and_then(|_| page(setup)))?;
+    npx::put_into_package()?;
     run::say(format_args!("the site is in {}", run::www().join("dist").display()));
     Ok(())
 }

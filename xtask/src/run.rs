@@ -1,11 +1,14 @@
 //! In: a command and a line saying what it is for. Out: the command run, timed and, when it fails, named in a
 //! message a person can act on. It knows nothing of what the commands are.
 
-use std::env;
 use std::fmt::Display;
+use std::num::NonZero;
+use std::panic::resume_unwind;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output, Stdio};
+use std::sync::atomic::{AtomicUsize, Ordering};
 use std::time::{Duration, Instant};
+use std::{env, iter, thread};
 
 /// What went wrong, in words for the person at the terminal.
 pub type Result<T = ()> = std::result::Result<T, String>;
@@ -96,6 +99,35 @@ pub fn quiet(what: &str, command: &mut Command) -> Result {
         shown(command),
         text.join("\n")
     ))
+}
+
+/// Does the same with each of these, with as many at a time as there are processors. After a failure no other is begun.
+pub fn for_each<T: Sync>(items: &[T], act: impl Fn(&T) -> Result + Sync) -> Result {
+    let next = AtomicUsize::new(0);
+    let work = || {
+        let outcome = iter::from_fn(|| items.get(next.fetch_add(1, Ordering::Relaxed))).try_for_each(&act);
+        if outcome.is_err() {
+            next.store(items.len(), Ordering::Relaxed);
+        }
+        outcome
+    };
+    let processors = thread::available_parallelism().map_or(1, NonZero::get);
+    thread::scope(|scope| {
+        let workers: Vec<_> = (0..processors).map(|_| scope.spawn(work)).collect();
+        workers.into_iter().try_for_each(|worker| worker.join().unwrap_or_else(|panic| resume_unwind(panic)))
+    })
+}
+
+/// Does two things at the same time, neither of which keeps all processors busy. What they print is mixed.
+pub fn both<One: Send, Other>(
+    one: impl FnOnce() -> Result<One> + Send,
+    other: impl FnOnce() -> Result<Other>,
+) -> Result<(One, Other)> {
+    thread::scope(|scope| {
+        let one = scope.spawn(one);
+        let other = other();
+        Ok((one.join().unwrap_or_else(|panic| resume_unwind(panic))?, other?))
+    })
 }
 
 /// What a program prints on standard output, trimmed; `None` when it cannot be started or fails.
