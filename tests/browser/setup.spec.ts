@@ -82,6 +82,46 @@ test('an assumed stock can be taken over, and collisions are looked for', async 
   });
 });
 
+test('what was filled in and not applied is still there when the form is opened again, until another program is', async ({ page }) => {
+  await begin(page);
+  const left = form(page).getByText('not applied yet');
+  await openForm(page);
+  await expect(left).toBeHidden();
+  await field(page, 'Stock', 'Diameter').fill('50');
+  await form(page).getByLabel('Another tool').fill('T0303');
+  await form(page).getByRole('button', { name: 'Add' }).click();
+  await field(page, 'Tool T0303', 'Kind').selectOption('grooving');
+  await form(page).getByLabel('in the program, as comments').check();
+  await page.keyboard.press('Escape');
+  await expect(form(page)).toBeHidden();
+  expect(await attribute(page)).toBeNull();
+
+  await openForm(page);
+  await expect(left).toBeVisible();
+  await expect(field(page, 'Stock', 'Diameter')).toHaveValue('50');
+  await expect(field(page, 'Tool T0303', 'Kind')).toHaveValue('grooving');
+  await expect(form(page).getByLabel('in the program, as comments')).toBeChecked();
+  await form(page).getByRole('button', { name: 'Discard it' }).click();
+  await expect(left).toBeHidden();
+  await expect(field(page, 'Stock', 'Diameter')).toHaveValue('');
+  await expect(form(page).getByRole('region', { name: 'Tool T0303' })).toHaveCount(0);
+
+  // What is applied is left no more.
+  await field(page, 'Stock', 'Diameter').fill('52');
+  await page.keyboard.press('Enter');
+  await expect(form(page)).toBeHidden();
+  await openForm(page);
+  await expect(left).toBeHidden();
+  await expect(field(page, 'Stock', 'Diameter')).toHaveValue('52');
+  await field(page, 'Stock', 'Diameter').fill('54');
+  await form(page).getByRole('button', { name: 'Close' }).click();
+  await openFile(page, 'other.nc', Buffer.from(PROGRAM.replace('T0101', 'T0202')));
+  await expect.poll(() => value(page)).toContain('T0202');
+  await openForm(page);
+  await expect(left).toBeHidden();
+  await expect(field(page, 'Stock', 'Diameter')).toHaveValue('');
+});
+
 test('kept in the program it stands in comments, which one undo takes out', async ({ page }) => {
   await begin(page);
   await openForm(page);

@@ -26,6 +26,13 @@ export interface SetupFormEvents {
   kept(answer: SetupAnswer, place: SetupPlace): void;
 }
 
+/** What was filled in when the form was left without being applied. */
+interface Left {
+  readonly texts: ReadonlyMap<string, string>;
+  readonly added: readonly SetupGroup[];
+  readonly keep: SetupPlace;
+}
+
 /** Groups that are seldom filled in are folded. */
 const FOLDED: ReadonlySet<SetupGroup['group']> = new Set(['start', 'machine', 'tailstock', 'control', 'rules']);
 
@@ -40,8 +47,12 @@ export class SetupDialog {
   readonly #word = make('input', { type: 'text', autocomplete: 'off', spellcheck: false, size: 8, id: 'another-tool' });
   readonly #add = make('button', { type: 'button', className: 'framed' });
   readonly #noTool = make('p', { className: 'error', id: 'another-tool-error', hidden: true });
+  readonly #left = make('p', { className: 'left', role: 'status', hidden: true });
   readonly #dialog: Dialog;
   #language: Language;
+  /** The form as it came; nothing once it is applied. */
+  #came: SetupForm | undefined;
+  #added: SetupGroup[] = [];
   #inputs: SetupInput[] = [];
   /** The first field of each group. */
   readonly #first = new Map<SetupGroup['group'] | undefined, SetupInput>();
@@ -55,7 +66,7 @@ export class SetupDialog {
     this.#events = events;
     this.#apply.setAttribute('form', 'setup-form');
     this.#form.append(this.#groups);
-    this.#dialog = new Dialog('setup', [this.#form, this.#place], [this.#news, this.#apply]);
+    this.#dialog = new Dialog('setup', [this.#left, this.#form, this.#place], [this.#news, this.#apply]);
     this.#form.addEventListener('submit', (event) => {
       event.preventDefault();
       void this.#submit();
@@ -89,8 +100,13 @@ export class SetupDialog {
   }
 
   /** `opened` and `key`: the group and the field the reader comes for. */
-  show({ groups, place }: SetupForm, opened?: SetupGroup['group'], key?: string): void {
-    this.#wasIn = this.#keep = place;
+  show(form: SetupForm, opened?: SetupGroup['group'], key?: string): void {
+    const left = this.#leftIn(form);
+    const { groups, place } = form;
+    this.#came = form;
+    this.#wasIn = place;
+    this.#keep = left?.keep ?? place;
+    this.#added = [...(left?.added ?? [])];
     this.#inputs = [];
     this.#first.clear();
     this.#word.value = '';
@@ -103,14 +119,40 @@ export class SetupDialog {
     const elements = groups.map((group) => this.#group(group, opened));
     // After the last tool, or the stock.
     const last = groups.findLastIndex(({ group }) => group === 'tool' || group === 'stock');
-    elements.splice(last + 1, 0, another);
+    elements.splice(last + 1, 0, ...this.#added.map((group) => this.#group(group)), another);
     this.#groups.replaceChildren(...elements);
+    this.#fillIn(left);
     this.#showPlace();
     this.#news.textContent = '';
     this.#dialog.show();
     this.#form.scrollTop = 0;
     (this.#inputs.find((input) => input.key === key) ?? this.#first.get(opened) ?? this.#inputs[0])?.focus();
     void this.#ask();
+  }
+
+  // ---- what was left ------------------------------------------------------------------------------
+
+  /** What is filled in now, if this form comes with the values that the one of before came with. */
+  #leftIn(form: SetupForm): Left | undefined {
+    if (this.#came === undefined || valuesOf(this.#came) !== valuesOf(form)) return undefined;
+    const texts = new Map(this.#inputs.filter(({ isChanged }) => isChanged).map(({ key, text }) => [key, text]));
+    const added = this.#added.filter(({ fields }) => fields.some(({ key }) => texts.has(key)));
+    return texts.size === 0 ? undefined : { texts, added, keep: this.#keep };
+  }
+
+  #fillIn(left: Left | undefined): void {
+    this.#left.hidden = left === undefined;
+    this.#left.replaceChildren();
+    if (left === undefined) return;
+    for (const input of this.#inputs) input.text = left.texts.get(input.key) ?? input.text;
+    const texts = WORDS[this.#language];
+    const discard = make('button', { type: 'button', className: 'quiet clear' }, texts.discard);
+    discard.addEventListener('click', () => {
+      const form = this.#came;
+      this.#came = undefined;
+      if (form !== undefined) this.show(form);
+    });
+    this.#left.append(texts.left, ' ', discard);
   }
 
   // ---- building -----------------------------------------------------------------------------------
@@ -195,6 +237,7 @@ export class SetupDialog {
       this.#inputs.find(({ key }) => key === error.key)?.focus();
       return;
     }
+    this.#came = undefined;
     this.#dialog.close();
     this.#events.kept(answer, keep);
   }
@@ -207,11 +250,19 @@ export class SetupDialog {
       return;
     }
     const known = this.#inputs.find(({ key }) => key === group.fields[0]?.key);
-    if (known === undefined) this.#word.closest('.another')?.before(this.#group(group));
+    if (known === undefined) {
+      this.#added.push(group);
+      this.#word.closest('.another')?.before(this.#group(group));
+    }
     this.#word.value = '';
     this.#inputs.find(({ key }) => key === group.fields[0]?.key)?.focus();
     void this.#ask();
   }
+}
+
+/** The values of a form and where they are kept, in whatever language it is. */
+function valuesOf({ groups, place }: SetupForm): string {
+  return JSON.stringify([place, ...groups.flatMap(({ fields }) => fields.map(({ key, value }) => [key, value]))]);
 }
 
 const WORDS = words({
@@ -224,6 +275,8 @@ const WORDS = words({
     keepOnPage: 'on this page',
     programFirst: 'Comments of the program override the setup of the page.',
     willMove: 'The comments are taken out of the program.',
+    left: 'What you filled in before is still here; it is not applied yet.',
+    discard: 'Discard it',
     apply: 'Apply',
     clear: (group: string) => `Clear: ${group}`,
     clearShort: 'Clear',
@@ -242,6 +295,8 @@ const WORDS = words({
     keepOnPage: '保存在本页',
     programFirst: '程序注释优先于本页的设置。',
     willMove: '程序中的这些注释将被删除。',
+    left: '之前填写的内容还在，尚未应用。',
+    discard: '放弃',
     apply: '应用',
     clear: (group) => `清除：${group}`,
     clearShort: '清除',
@@ -260,6 +315,8 @@ const WORDS = words({
     keepOnPage: 'на этой странице',
     programFirst: 'Комментарии программы важнее наладки страницы.',
     willMove: 'Комментарии будут убраны из программы.',
+    left: 'Заполненное раньше сохранено, но ещё не применено.',
+    discard: 'Отменить',
     apply: 'Применить',
     clear: (group) => `Очистить: ${group}`,
     clearShort: 'Очистить',

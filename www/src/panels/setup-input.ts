@@ -15,6 +15,8 @@ export class SetupInput {
   /** The option of a choice that says nothing. */
   readonly #none: HTMLOptionElement | undefined;
   readonly #error: HTMLElement;
+  /** As the field came. */
+  readonly #value: string;
 
   constructor(field: SetupField, language: Language, changed: () => void) {
     const { key, label, unit, entry, choices, value } = field;
@@ -29,6 +31,7 @@ export class SetupInput {
       this.#input = make('input', { id, type: 'text', inputMode: mode, autocomplete: 'off', spellcheck: false });
     }
     this.#input.value = value;
+    this.#value = this.text;
     this.#input.addEventListener('input', changed);
     this.#error = make('p', { className: 'error', id: `${id}-error`, hidden: true });
     const unitText = make('span', { className: 'unit', id: `${id}-unit` }, unit);
@@ -43,6 +46,10 @@ export class SetupInput {
 
   get text(): string {
     return this.#input.value;
+  }
+
+  get isChanged(): boolean {
+    return this.text !== this.#value;
   }
 
   set text(text: string) {
