@@ -173,7 +173,7 @@ test('after a reload, and after undoing another file, a program is still saved a
   await expect(encoding(page)).toHaveValue('windows-1252');
   expect(await save(page)).toEqual({ name: 'first.nc', bytes: first });
 
-  await page.getByRole('button', { name: 'Reset example' }).click();
+  await page.getByRole('button', { name: 'Open the first example' }).click();
   await expect(encoding(page)).toHaveCount(0);
   await editor(page).focus();
   const waiting = page.waitForEvent('download');

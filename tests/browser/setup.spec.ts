@@ -106,6 +106,22 @@ test('what was filled in and not applied is still there when the form is opened 
   await expect(field(page, 'Stock', 'Diameter')).toHaveValue('');
   await expect(form(page).getByRole('region', { name: 'Tool T0303' })).toHaveCount(0);
 
+  // It stays while the program goes on, also in a group that is folded.
+  await form(page).getByText('Machine', { exact: true }).click();
+  const rapid = form(page).getByLabel('Rapid traverse X', { exact: true });
+  await rapid.fill('9000');
+  await page.keyboard.press('Escape');
+  await editor(page).focus();
+  await page.keyboard.press('Control+Home');
+  await page.keyboard.press('ArrowDown');
+  await page.keyboard.insertText('T0404\n');
+  await expect.poll(() => value(page)).toContain('O0001\nT0404');
+  await openForm(page);
+  await expect(left).toBeVisible();
+  await expect(rapid).toBeVisible();
+  await expect(rapid).toHaveValue('9000');
+  await form(page).getByRole('button', { name: 'Discard it' }).click();
+
   // What is applied is left no more.
   await field(page, 'Stock', 'Diameter').fill('52');
   await page.keyboard.press('Enter');
@@ -115,8 +131,8 @@ test('what was filled in and not applied is still there when the form is opened 
   await expect(field(page, 'Stock', 'Diameter')).toHaveValue('52');
   await field(page, 'Stock', 'Diameter').fill('54');
   await form(page).getByRole('button', { name: 'Close' }).click();
-  await openFile(page, 'other.nc', Buffer.from(PROGRAM.replace('T0101', 'T0202')));
-  await expect.poll(() => value(page)).toContain('T0202');
+  await openFile(page, 'other.nc', Buffer.from(PROGRAM));
+  await expect.poll(() => value(page)).toBe(PROGRAM);
   await openForm(page);
   await expect(left).toBeHidden();
   await expect(field(page, 'Stock', 'Diameter')).toHaveValue('');

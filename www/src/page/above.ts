@@ -27,7 +27,7 @@ interface AboveHost {
   readonly example: Example | undefined;
   /** Counts what was asked to be shown. */
   readonly asked: number;
-  /** The example as it came, in place of what the reader has made of it. */
+  /** The example as it came, in place of what the reader has made of it; the first one where it was none. */
   startAfresh(): void;
   /** The program of a link as it came. */
   openAgain(address: string, linked: LinkedProgram): void;
@@ -105,7 +105,7 @@ export class AboveProgram {
       case 'example':
         return [];
       case 'restored':
-        return [offer(texts.restored, texts.startAfresh, () => host.startAfresh())];
+        return [offer(texts.restored, host.example === undefined ? texts.firstExample : texts.startAfresh, () => host.startAfresh())];
       case 'linked': {
         const asItCame = offer(texts.linked, texts.asLinked, () => host.openAgain(what.address, what.linked));
         return what.kept === undefined ? [asItCame] : [asItCame, bringBack(what.kept)];

@@ -27,6 +27,10 @@ export class Keeping implements ProgramOfTab {
   readonly #had = new Map<string, string>();
   #session: Promise<Session> | undefined;
   #lastTime = 0;
+  /** Of each program the newest entry that is too long for the journal, until the list has it. */
+  readonly #onlyHere = new Map<string, number>();
+  /** The page is not left without a question as long as there is such an entry. */
+  readonly #ask = (event: Event): void => event.preventDefault();
 
   constructor(host: KeepingHost) {
     this.host = host;
@@ -54,8 +58,23 @@ export class Keeping implements ProgramOfTab {
     this.#lastTime = Math.max(Date.now(), this.#lastTime + 1);
     const entry: Entry = { id, tab: TAB, time: this.#lastTime, base: this.known.get(id) ?? this.#baseAtStart(id), program };
     this.remember(id, program.text);
-    const journal = program.text.length > LONGEST_IN_JOURNAL ? 'refused' : keepInJournal(entry, this.began);
+    const isTooLong = program.text.length > LONGEST_IN_JOURNAL;
+    if (isTooLong) this.#onlyHere.set(id, entry.time);
+    else this.#onlyHere.delete(id);
+    this.#askOrNot();
+    const journal = isTooLong ? 'refused' : keepInJournal(entry, this.began);
     void this.session().then((session) => session.keep(entry, journal), () => undefined);
+  }
+
+  isInList({ id, time }: Entry): void {
+    if (time >= (this.#onlyHere.get(id) ?? Infinity)) this.#onlyHere.delete(id);
+    this.#askOrNot();
+  }
+
+  /** Heard only where it is needed: a page that hears it is not put aside by every browser. */
+  #askOrNot(): void {
+    if (this.#onlyHere.size > 0) addEventListener('beforeunload', this.#ask);
+    else removeEventListener('beforeunload', this.#ask);
   }
 
   remember(id: string, text: string): void {

@@ -73,13 +73,14 @@ class OwnProgramsDialog {
     this.#frame();
     this.#dialog.show();
     this.#search.focus();
-    const late = setTimeout(() => this.#say(texts.notRead), NO_ANSWER_MS);
+    let late: ReturnType<typeof setTimeout> | undefined;
     await this.#try(async () => {
       this.#host.keeping.host.keepNow();
       if (this.#session === undefined) {
         this.#session = await this.#host.keeping.session();
         this.#session.follow(() => void this.#refresh());
       }
+      late = setTimeout(() => this.#say(texts.notRead), NO_ANSWER_MS);
       await this.#session.written();
       await this.#load();
       this.#say(undefined);

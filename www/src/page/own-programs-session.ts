@@ -47,6 +47,9 @@ export class Session implements KeptList {
     document.querySelector('header')?.after(this.#news.element);
     this.#tabs = new Tabs((news) => void this.#heard(news));
     store.listen({ closed: () => void this.#closed() });
+    addEventListener('pageshow', ({ persisted }) => {
+      if (persisted) void this.#isShownAgain();
+    });
     playground.addEventListener('gcode-settled', () => {
       const { news } = this.#news;
       if (news !== undefined && OF_A_PROGRAM.includes(news) && this.#newsOf !== this.#keeping.id) this.#say(undefined);
@@ -91,27 +94,38 @@ export class Session implements KeptList {
     if (this.#working) return;
     this.#working = true;
     try {
-      const late = setTimeout(() => this.#failed(undefined), NO_ANSWER_MS);
-      await this.#ready;
-      clearTimeout(late);
+      await this.#inTime(this.#ready);
       for (;;) {
         const [next] = this.#waiting.values();
         if (next === undefined) return;
         this.#waiting.delete(next.id);
-        // A database that gives no answer keeps nothing either.
-        const late = setTimeout(() => this.#failed(undefined), NO_ANSWER_MS);
         try {
-          if ((await this.#write(next)) === 'waits') return;
+          if ((await this.#inTime(this.#write(next))) === 'waits') return;
         } catch (error) {
           if (!this.#waiting.has(next.id)) this.#waiting.set(next.id, next);
           this.#failed(error);
           return;
-        } finally {
-          clearTimeout(late);
         }
       }
     } finally {
       this.#working = false;
+    }
+  }
+
+  /** A database that gives no answer keeps nothing either; as long as the page is put aside, none is due. */
+  async #inTime<T>(answer: Promise<T>): Promise<T> {
+    const wait = (): ReturnType<typeof setTimeout> => setTimeout(() => this.#failed(undefined), NO_ANSWER_MS);
+    let late = wait();
+    const waitAgain = (): void => {
+      clearTimeout(late);
+      late = wait();
+    };
+    addEventListener('pageshow', waitAgain);
+    try {
+      return await answer;
+    } finally {
+      clearTimeout(late);
+      removeEventListener('pageshow', waitAgain);
     }
   }
 
@@ -128,8 +142,13 @@ export class Session implements KeptList {
         return this.#goOnBeside(entry);
       case 'written': {
         this.#succeeded();
-        this.knows(outcome.row);
         this.#settle(entry);
+        // What is typed from here on becomes a program beside that of the other tab.
+        if (outcome.was === 'overtaken') {
+          if (id === this.#keeping.id && entry.tab === TAB) this.#say({ kind: 'changed-elsewhere' });
+          return 'done';
+        }
+        this.knows(outcome.row);
         if (outcome.was === 'new' && base > 0) this.#say({ kind: 'cleared' });
         if (outcome.was !== 'same') this.changed({ kind: 'changed', id, revision: outcome.row.revision });
         this.#drawSoon();
@@ -169,6 +188,7 @@ export class Session implements KeptList {
 
   /** The list has an entry: the journal lets go of it, now or when it is the last one no more. */
   #settle(entry: Entry): 'done' {
+    this.#keeping.isInList(entry);
     this.#written.set(`${entry.id}:${entry.tab}`, entry);
     for (const [key, written] of this.#written) if (forgetWritten(written) === 'gone') this.#written.delete(key);
     return 'done';
@@ -243,6 +263,15 @@ export class Session implements KeptList {
       const row = await store.listed(news.id).catch(() => undefined);
       if (row !== undefined && row.tab !== TAB && news.id === this.#keeping.id) this.#say({ kind: 'changed-elsewhere' });
     }
+  }
+
+  /** What other tabs did while the page was put aside, it has not heard. */
+  async #isShownAgain(): Promise<void> {
+    const { id, known } = this.#keeping;
+    if (id === undefined || !known.has(id)) return;
+    const row = await store.listed(id).catch(() => 'unknown' as const);
+    if (row === 'unknown') return;
+    await this.#heard(row === undefined ? { kind: 'deleted', id } : { kind: 'changed', id, revision: row.revision });
   }
 
   #forget(id: string): void {

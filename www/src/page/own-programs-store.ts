@@ -35,6 +35,7 @@ export interface StoreEvents {
 }
 
 let opened: Promise<IDBPDatabase<Schema>> | undefined;
+let upgrading: { abort(): void } | undefined;
 let events: StoreEvents = { closed: () => undefined };
 
 export function listen(to: StoreEvents): void {
@@ -42,8 +43,10 @@ export function listen(to: StoreEvents): void {
 }
 
 function database(): Promise<IDBPDatabase<Schema>> {
-  opened ??= openDB<Schema>(NAME, 1, {
-    upgrade(db) {
+  if (opened !== undefined) return opened;
+  const opening = openDB<Schema>(NAME, 1, {
+    upgrade(db, _old, _new, transaction) {
+      upgrading = transaction;
       db.createObjectStore('programs', { keyPath: 'id' });
       db.createObjectStore('texts');
       db.createObjectStore('states');
@@ -55,10 +58,11 @@ function database(): Promise<IDBPDatabase<Schema>> {
     },
     terminated: closed,
   });
-  opened.catch(() => {
-    opened = undefined;
+  opened = opening;
+  opening.catch(() => {
+    if (opened === opening) opened = undefined;
   });
-  return opened;
+  return opening;
 }
 
 function closed(): void {
@@ -68,7 +72,8 @@ function closed(): void {
 
 // A page that is put aside, to be shown again when the reader goes back, hears of its database no more (Firefox), and
 // its transactions make those of all other pages wait for ever (WebKit). So it lets go of all of them, and begins again
-// when it is shown; the journal has what was written.
+// when it is shown. Meanwhile the journal has what was written; about what is too long for it the reader is asked
+// (`Keeping`). An act can be done again though the first one was committed: doing it twice is as doing it once.
 
 const running = new Set<AbortController>();
 let away: Promise<void> | undefined;
@@ -81,6 +86,7 @@ addEventListener('pagehide', ({ persisted }) => {
   }, { once: true }));
   void opened?.then((open) => open.close(), () => undefined);
   opened = undefined;
+  if (upgrading !== undefined) abort(upgrading);
   for (const attempt of running) attempt.abort();
 });
 
@@ -112,23 +118,26 @@ async function transact<As extends Mode, Outcome>(mode: As, act: Act<As, Outcome
   const open = await database();
   signal.throwIfAborted();
   const transaction = open.transaction(STORES, mode, { durability: 'relaxed' });
-  const abort = (): void => {
-    try {
-      transaction.abort();
-    } catch {
-      // It has ended by itself.
-    }
-  };
-  signal.addEventListener('abort', abort);
+  signal.addEventListener('abort', () => abort(transaction));
   try {
     const outcome = await act(transaction);
+    // From here on it ends by itself, also where the page is put aside.
+    transaction.commit();
     await transaction.done;
     return { outcome };
   } catch (error) {
-    abort();
+    abort(transaction);
     // Both are about the same; only one of them may say that there is no room.
     const why: unknown = await transaction.done.then(() => undefined, (reason: unknown) => reason);
     throw isFull(why) ? why : error;
+  }
+}
+
+function abort(transaction: { abort(): void }): void {
+  try {
+    transaction.abort();
+  } catch {
+    // It has ended by itself.
   }
 }
 
@@ -188,7 +197,8 @@ export function filed(id: string): Promise<FiledProgram | undefined> {
 // ---- changing -------------------------------------------------------------------------------------
 
 export type Written =
-  | { readonly kind: 'written'; readonly row: Listed; readonly was: 'new' | 'there' | 'same' }
+  /** `overtaken`: the list has had it, and another tab has gone on from there. */
+  | { readonly kind: 'written'; readonly row: Listed; readonly was: 'new' | 'there' | 'same' | 'overtaken' }
   /** Another tab has changed it since; nothing was written. */
   | { readonly kind: 'conflict'; readonly row: Listed }
   | { readonly kind: 'too-many' };
@@ -215,7 +225,7 @@ async function write(transaction: Writing, { id, tab, time, base, program, name,
     return { kind: 'written', row: created, was: 'new' };
   }
   // An entry of the journal that the list has had.
-  if ((row.seen[tab] ?? 0) >= time) return { kind: 'written', row, was: 'same' };
+  if ((row.seen[tab] ?? 0) >= time) return { kind: 'written', row, was: row.tab === tab || isSame(before, program) ? 'same' : 'overtaken' };
   const seen = withSeen(row, tab, time);
   if (isSame(before, program)) {
     await programs.put({ ...row, seen });
@@ -235,13 +245,16 @@ async function write(transaction: Writing, { id, tab, time, base, program, name,
 
 /** Puts an entry that another tab's text stands in the way of beside that: a program of its own, which the reader names. */
 export function writeBeside({ id, tab, time, program }: Entry): Promise<Listed | 'too-many'> {
+  const idBeside = newId();
   return change(async (transaction) => {
     const programs = transaction.objectStore('programs');
     const all = (await programs.getAll()).flatMap((row) => listedIn(row) ?? []);
+    const done = all.find((row) => row.id === idBeside);
+    if (done !== undefined) return done;
     if (all.length >= LIMITS.programs) return 'too-many';
     const there = all.find((row) => row.id === id);
     const beside: Listed = {
-      id: newId(), name: nameBeside(there?.name ?? '', all.map(({ name }) => name)), namedBy: 'reader', created: time, changed: time, revision: 1, tab,
+      id: idBeside, name: nameBeside(there?.name ?? '', all.map(({ name }) => name)), namedBy: 'reader', created: time, changed: time, revision: 1, tab,
       seen: {}, length: program.text.length, words: wordsOf(program.text),
     };
     await Promise.all([programs.put(beside), transaction.objectStore('texts').put(program, beside.id)]);
@@ -295,15 +308,18 @@ export async function keepPicture(id: string, revision: number, picture: SmallPi
 
 /** A program of its own, with the same text. */
 export async function duplicate(id: string): Promise<Listed | 'too-many' | undefined> {
+  const idOfCopy = newId();
   return change(async (transaction) => {
     const programs = transaction.objectStore('programs');
     const all = (await programs.getAll()).flatMap((row) => listedIn(row) ?? []);
+    const done = all.find((row) => row.id === idOfCopy);
+    if (done !== undefined) return done;
     const row = all.find((one) => one.id === id);
     const program = programIn(await transaction.objectStore('texts').get(id));
     if (row === undefined || program === undefined) return undefined;
     if (all.length >= LIMITS.programs) return 'too-many';
     const now = Date.now();
-    const copy: Listed = { ...row, id: newId(), name: nameBeside(row.name, all.map(({ name }) => name)), namedBy: 'reader', created: now, changed: now, revision: 1, tab: TAB, seen: {} };
+    const copy: Listed = { ...row, id: idOfCopy, name: nameBeside(row.name, all.map(({ name }) => name)), namedBy: 'reader', created: now, changed: now, revision: 1, tab: TAB, seen: {} };
     await Promise.all([programs.put(copy), transaction.objectStore('texts').put(program, copy.id)]);
     return copy;
   });
@@ -328,14 +344,15 @@ export interface Imported {
 
 /** Adds programs; what is there already stays as it is. */
 export async function addPrograms(programs: readonly FiledProgram[]): Promise<Imported> {
+  const given = programs.map((one) => ({ one, idBeside: newId() }));
   return change(async (transaction) => {
     let [added, alreadyThere, noRoom] = [0, 0, 0];
-    for (const one of programs) {
+    for (const { one, idBeside } of given) {
       const as = importAs(one, programIn(await transaction.objectStore('texts').get(one.id)));
-      if (as === 'there-already') alreadyThere++;
+      if (as === 'there-already' || (await transaction.objectStore('programs').getKey(idBeside)) !== undefined) alreadyThere++;
       else if ((await transaction.objectStore('programs').count()) >= LIMITS.programs) noRoom++;
       else {
-        await add(transaction, as === 'new' ? one : { ...one, id: newId() });
+        await add(transaction, as === 'new' ? one : { ...one, id: idBeside });
         added++;
       }
     }

@@ -35,6 +35,8 @@ export interface ProgramOfTab {
   takes(id: string | undefined): void;
   remember(id: string, text: string): void;
   keep(program: KeptProgram): void;
+  /** The list has this entry. */
+  isInList(entry: Entry): void;
 }
 
 /** What a tab does about the list of the reader's own programs (`own-programs-session.ts`). */

@@ -57,6 +57,8 @@ export interface Panel {
   triedChanged?(): void;
   /** The tool is somewhere else, or nowhere. */
   toolMoved?(place: Readout | undefined): void;
+  /** Another program is put in the place of the one that is there. */
+  programReplaced?(): void;
   /** A text has come into the editor at once, between these offsets. */
   textArrived?(from: number, to: number): void;
   /** The reader is to see the program now: it gets the focus. */

@@ -26,13 +26,6 @@ export interface SetupFormEvents {
   kept(answer: SetupAnswer, place: SetupPlace): void;
 }
 
-/** What was filled in when the form was left without being applied. */
-interface Left {
-  readonly texts: ReadonlyMap<string, string>;
-  readonly added: readonly SetupGroup[];
-  readonly keep: SetupPlace;
-}
-
 /** Groups that are seldom filled in are folded. */
 const FOLDED: ReadonlySet<SetupGroup['group']> = new Set(['start', 'machine', 'tailstock', 'control', 'rules']);
 
@@ -50,9 +43,12 @@ export class SetupDialog {
   readonly #left = make('p', { className: 'left', role: 'status', hidden: true });
   readonly #dialog: Dialog;
   #language: Language;
-  /** The form as it came; nothing once it is applied. */
-  #came: SetupForm | undefined;
-  #added: SetupGroup[] = [];
+  #shown: SetupForm | undefined;
+  /** What was filled in and not applied, by the key of its field, and instead of which value. */
+  readonly #unapplied = new Map<string, { readonly instead: string; readonly text: string }>();
+  /** Groups of tools that the program does not name. */
+  #added: readonly SetupGroup[] = [];
+  #placeChosen: SetupPlace | undefined;
   #inputs: SetupInput[] = [];
   /** The first field of each group. */
   readonly #first = new Map<SetupGroup['group'] | undefined, SetupInput>();
@@ -101,15 +97,14 @@ export class SetupDialog {
 
   /** `opened` and `key`: the group and the field the reader comes for. */
   show(form: SetupForm, opened?: SetupGroup['group'], key?: string): void {
-    const left = this.#leftIn(form);
+    this.#remember();
     const { groups, place } = form;
-    this.#came = form;
+    this.#shown = form;
     this.#wasIn = place;
-    this.#keep = left?.keep ?? place;
-    this.#added = [...(left?.added ?? [])];
+    const there = new Set(groups.flatMap(({ fields }) => fields.map(({ key }) => key)));
+    this.#added = this.#added.filter(({ fields }) => fields.some(({ key }) => this.#unapplied.has(key) && !there.has(key)));
     this.#inputs = [];
     this.#first.clear();
-    this.#word.value = '';
     this.#noTool.hidden = true;
     const texts = WORDS[this.#language];
     const another = make(
@@ -121,7 +116,8 @@ export class SetupDialog {
     const last = groups.findLastIndex(({ group }) => group === 'tool' || group === 'stock');
     elements.splice(last + 1, 0, ...this.#added.map((group) => this.#group(group)), another);
     this.#groups.replaceChildren(...elements);
-    this.#fillIn(left);
+    this.#fillIn();
+    this.#keep = (this.#left.hidden ? undefined : this.#placeChosen) ?? place;
     this.#showPlace();
     this.#news.textContent = '';
     this.#dialog.show();
@@ -132,27 +128,39 @@ export class SetupDialog {
 
   // ---- what was left ------------------------------------------------------------------------------
 
-  /** What is filled in now, if this form comes with the values that the one of before came with. */
-  #leftIn(form: SetupForm): Left | undefined {
-    if (this.#came === undefined || valuesOf(this.#came) !== valuesOf(form)) return undefined;
-    const texts = new Map(this.#inputs.filter(({ isChanged }) => isChanged).map(({ key, text }) => [key, text]));
-    const added = this.#added.filter(({ fields }) => fields.some(({ key }) => texts.has(key)));
-    return texts.size === 0 ? undefined : { texts, added, keep: this.#keep };
+  /** Another program is there, or all is applied: what was filled in is of no use any more. */
+  forget(): void {
+    this.#unapplied.clear();
+    this.#added = [];
+    this.#inputs = [];
+    this.#placeChosen = undefined;
+    this.#word.value = '';
   }
 
-  #fillIn(left: Left | undefined): void {
-    this.#left.hidden = left === undefined;
-    this.#left.replaceChildren();
-    if (left === undefined) return;
-    for (const input of this.#inputs) input.text = left.texts.get(input.key) ?? input.text;
+  /** Remembers what is filled in and not applied. */
+  #remember(): void {
+    for (const { key, value, text } of this.#inputs) {
+      if (text === value) this.#unapplied.delete(key);
+      else this.#unapplied.set(key, { instead: value, text });
+    }
+  }
+
+  /** Fills in what was left, where the field still has the value that it had. */
+  #fillIn(): void {
+    const left = this.#inputs.flatMap((input) => {
+      const { instead, text } = this.#unapplied.get(input.key) ?? {};
+      return text !== undefined && instead === input.value ? [{ input, text }] : [];
+    });
+    for (const { input, text } of left) input.fillIn(text);
+    this.#left.hidden = left.length === 0;
     const texts = WORDS[this.#language];
     const discard = make('button', { type: 'button', className: 'quiet clear' }, texts.discard);
     discard.addEventListener('click', () => {
-      const form = this.#came;
-      this.#came = undefined;
+      const form = this.#shown;
+      this.forget();
       if (form !== undefined) this.show(form);
     });
-    this.#left.append(texts.left, ' ', discard);
+    this.#left.replaceChildren(texts.left, ' ', discard);
   }
 
   // ---- building -----------------------------------------------------------------------------------
@@ -184,7 +192,7 @@ export class SetupDialog {
     const choice = (place: SetupPlace, text: string): HTMLElement => {
       const radio = make('input', { type: 'radio', name: 'place', value: place, checked: this.#keep === place });
       radio.addEventListener('change', () => {
-        this.#keep = place;
+        this.#keep = this.#placeChosen = place;
         this.#showMoves();
       });
       return make('label', {}, radio, text);
@@ -237,7 +245,7 @@ export class SetupDialog {
       this.#inputs.find(({ key }) => key === error.key)?.focus();
       return;
     }
-    this.#came = undefined;
+    this.forget();
     this.#dialog.close();
     this.#events.kept(answer, keep);
   }
@@ -251,18 +259,13 @@ export class SetupDialog {
     }
     const known = this.#inputs.find(({ key }) => key === group.fields[0]?.key);
     if (known === undefined) {
-      this.#added.push(group);
+      this.#added = [...this.#added, group];
       this.#word.closest('.another')?.before(this.#group(group));
     }
     this.#word.value = '';
     this.#inputs.find(({ key }) => key === group.fields[0]?.key)?.focus();
     void this.#ask();
   }
-}
-
-/** The values of a form and where they are kept, in whatever language it is. */
-function valuesOf({ groups, place }: SetupForm): string {
-  return JSON.stringify([place, ...groups.flatMap(({ fields }) => fields.map(({ key, value }) => [key, value]))]);
 }
 
 const WORDS = words({

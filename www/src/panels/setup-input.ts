@@ -16,7 +16,7 @@ export class SetupInput {
   readonly #none: HTMLOptionElement | undefined;
   readonly #error: HTMLElement;
   /** As the field came. */
-  readonly #value: string;
+  readonly value: string;
 
   constructor(field: SetupField, language: Language, changed: () => void) {
     const { key, label, unit, entry, choices, value } = field;
@@ -31,7 +31,7 @@ export class SetupInput {
       this.#input = make('input', { id, type: 'text', inputMode: mode, autocomplete: 'off', spellcheck: false });
     }
     this.#input.value = value;
-    this.#value = this.text;
+    this.value = this.text;
     this.#input.addEventListener('input', changed);
     this.#error = make('p', { className: 'error', id: `${id}-error`, hidden: true });
     const unitText = make('span', { className: 'unit', id: `${id}-unit` }, unit);
@@ -48,8 +48,11 @@ export class SetupInput {
     return this.#input.value;
   }
 
-  get isChanged(): boolean {
-    return this.text !== this.#value;
+  /** Fills in what was left; where it stands in a group that is folded, that is opened. */
+  fillIn(text: string): void {
+    this.text = text;
+    const folded = this.element.closest('details');
+    if (folded !== null) folded.open = true;
   }
 
   set text(text: string) {

@@ -61,6 +61,10 @@ class Setup implements Panel {
     return this.#form?.open ?? false;
   }
 
+  programReplaced(): void {
+    this.#form?.forget();
+  }
+
   heard(event: Heard): void {
     if (event.kind !== 'report') return;
     this.#overview = this.#inferredStock.overview = event.report.overview;

@@ -562,6 +562,7 @@ export class PlaygroundShell implements Shell {
     const before = this.#context;
     // Another program can have the same context, too.
     if (CONTEXT_KEYS.some((key) => context[key] !== before[key])) Object.assign(this.#host, context);
+    this.#tell((panel) => panel.programReplaced?.());
     if (by === 'by-the-reader') this.#events.fire('gcode-context', context);
   }
 
