@@ -266,6 +266,19 @@ test('what another tab makes of a program, while the page that it was typed in i
   if (isShownAgain) expect(await textsInList(page)).toContain('O1\nG00 X1(A)(C)');
 });
 
+test('a program that is too long for the journal is not left without a question until the list has it', async ({ page }) => {
+  const asks = (): Promise<boolean> => page.evaluate(() => !dispatchEvent(new Event('beforeunload', { cancelable: true })));
+  await open(page);
+  await page.locator('gcode-playground').evaluate((element) => void ((element as unknown as { value: string }).value = `O1\n${`(${'LONG '.repeat(20)})\n`.repeat(21_000)}M30\n`));
+  await expect.poll(() => value(page)).toContain('M30');
+  await editor(page).focus();
+  await page.keyboard.press('Control+Home');
+  await page.keyboard.insertText('%\n');
+  await expect.poll(asks).toBe(true);
+  await expect.poll(asks).toBe(false);
+  expect((await textsInList(page)).map((text) => text.slice(0, 4))).toEqual(['%\nO1']);
+});
+
 test('a link takes the place of the program, which stays in the list', async ({ page }) => {
   await open(page);
   await type(page, SHAFT);

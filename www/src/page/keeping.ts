@@ -29,7 +29,8 @@ export class Keeping implements ProgramOfTab {
   #lastTime = 0;
   /** Of each program the newest entry that is too long for the journal, until the list has it. */
   readonly #onlyHere = new Map<string, number>();
-  /** The page is not left without a question as long as there is such an entry. */
+  #longComes = false;
+  /** The page is not left without a question as long as there is such an entry, or one comes. */
   readonly #ask = (event: Event): void => event.preventDefault();
 
   constructor(host: KeepingHost) {
@@ -66,6 +67,12 @@ export class Keeping implements ProgramOfTab {
     void this.session().then((session) => session.keep(entry, journal), () => undefined);
   }
 
+  /** A program that is too long for the journal waits to be kept, or no longer. */
+  set longComes(comes: boolean) {
+    this.#longComes = comes;
+    this.#askOrNot();
+  }
+
   isInList({ id, time }: Entry): void {
     if (time >= (this.#onlyHere.get(id) ?? Infinity)) this.#onlyHere.delete(id);
     this.#askOrNot();
@@ -73,7 +80,7 @@ export class Keeping implements ProgramOfTab {
 
   /** Heard only where it is needed: a page that hears it is not put aside by every browser. */
   #askOrNot(): void {
-    if (this.#onlyHere.size > 0) addEventListener('beforeunload', this.#ask);
+    if (this.#longComes || this.#onlyHere.size > 0) addEventListener('beforeunload', this.#ask);
     else removeEventListener('beforeunload', this.#ask);
   }
 

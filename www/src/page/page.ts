@@ -449,10 +449,12 @@ async function storePage(): Promise<void> {
 function waitNoLonger(): void {
   clearTimeout(keepingSoon);
   keepingSoon = undefined;
+  ownPrograms.longComes = false;
 }
 
 function keepSoon(): void {
   const isLong = playground.length > LONGEST_IN_JOURNAL;
+  ownPrograms.longComes = isLong;
   if (isLong) clearTimeout(keepingSoon);
   else if (keepingSoon !== undefined) return;
   keepingSoon = setTimeout(() => keepNow(), isLong ? KEEP_LONG_AFTER_MS : KEEP_AFTER_MS);
