@@ -1,6 +1,6 @@
 // A student's first minutes: type a program, read the picture, make a mistake, find the block of a stroke.
 import { expect, test } from './engines';
-import { between, editor, locate, open, problems, program, selected, status, tooltip, type } from './page';
+import { between, editor, locate, open, problems, program, selected, status, tooltip, type, value } from './page';
 
 test('types O0002, reads its strokes, breaks a line, selects a block from the picture', async ({ page }) => {
   await open(page);
@@ -87,8 +87,20 @@ test('what was typed is there again after a reload, and can be let go', async ({
   await expect(status(page)).toContainText(/^2 motions/);
   await page.reload();
   await expect(status(page)).toContainText(/^2 motions/);
-  await page.getByRole('button', { name: 'Reset example' }).click();
+  await page.getByRole('button', { name: 'Open the first example' }).click();
   await expect(status(page)).toContainText(/^42 motions/);
+});
+
+test('an example that was changed is there again after a reload, and can be reset', async ({ page }) => {
+  await open(page, '#s003-g71');
+  await expect.poll(() => value(page)).toBe(program('s003-g71'));
+  await editor(page).focus();
+  await page.keyboard.insertText('(MINE)');
+  await page.waitForTimeout(900);
+  await page.reload();
+  await expect.poll(() => value(page)).toContain('(MINE)');
+  await page.getByRole('button', { name: 'Reset example' }).click();
+  await expect.poll(() => value(page)).toBe(program('s003-g71'));
 });
 
 test('play moves the tool and marks its block; steps end at the ends of motions', async ({ page }) => {

@@ -78,7 +78,7 @@ test('switches show for the levels and programs of the text, and are put into th
   });
 
   await test.step('another program begins with the switches as it came', async () => {
-    await page.getByRole('button', { name: 'Reset example' }).click();
+    await page.getByRole('button', { name: 'Open the first example' }).click();
     expect(await setup()).not.toHaveProperty('blockSkip');
     expect(await setup()).not.toHaveProperty('program');
   });
