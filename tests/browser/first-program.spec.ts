@@ -1,5 +1,6 @@
 // A student's first minutes: type a program, read the picture, make a mistake, find the block of a stroke.
 import { expect, test } from './engines';
+import { kept } from './own-programs';
 import { between, editor, locate, open, problems, program, selected, status, tooltip, type, value } from './page';
 
 test('types O0002, reads its strokes, breaks a line, selects a block from the picture', async ({ page }) => {
@@ -96,7 +97,7 @@ test('an example that was changed is there again after a reload, and can be rese
   await expect.poll(() => value(page)).toBe(program('s003-g71'));
   await editor(page).focus();
   await page.keyboard.insertText('(MINE)');
-  await page.waitForTimeout(900);
+  await kept(page);
   await page.reload();
   await expect.poll(() => value(page)).toContain('(MINE)');
   await page.getByRole('button', { name: 'Reset example' }).click();

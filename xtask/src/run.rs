@@ -3,12 +3,12 @@
 
 use std::fmt::Display;
 use std::num::NonZero;
-use std::panic::resume_unwind;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output, Stdio};
 use std::sync::atomic::{AtomicUsize, Ordering};
+use std::thread::{self, ScopedJoinHandle};
 use std::time::{Duration, Instant};
-use std::{env, iter, thread};
+use std::{env, iter};
 
 /// What went wrong, in words for the person at the terminal.
 pub type Result<T = ()> = std::result::Result<T, String>;
@@ -114,7 +114,7 @@ pub fn for_each<T: Sync>(items: &[T], act: impl Fn(&T) -> Result + Sync) -> Resu
     let processors = thread::available_parallelism().map_or(1, NonZero::get);
     thread::scope(|scope| {
         let workers: Vec<_> = (0..processors).map(|_| scope.spawn(work)).collect();
-        workers.into_iter().try_for_each(|worker| worker.join().unwrap_or_else(|panic| resume_unwind(panic)))
+        workers.into_iter().try_for_each(joined)
     })
 }
 
@@ -126,8 +126,13 @@ pub fn both<One: Send, Other>(
     thread::scope(|scope| {
         let one = scope.spawn(one);
         let other = other();
-        Ok((one.join().unwrap_or_else(|panic| resume_unwind(panic))?, other?))
+        Ok((joined(one)?, other?))
     })
+}
+
+/// What a thread has ended with.
+pub fn joined<T>(task: ScopedJoinHandle<'_, Result<T>>) -> Result<T> {
+    task.join().unwrap_or_else(|_| Err("a step ended unexpectedly".to_owned()))
 }
 
 /// What a program prints on standard output, trimmed; `None` when it cannot be started or fails.

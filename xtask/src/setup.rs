@@ -4,10 +4,10 @@
 use std::ffi::{OsStr, OsString};
 use std::path::PathBuf;
 use std::process::Command;
-use std::thread::{self, ScopedJoinHandle};
+use std::thread;
 use std::{env, fs};
 
-use crate::run::{self, Result};
+use crate::run::{self, Result, joined};
 use crate::wasm_std::{self, Toolchain};
 use crate::{browser, engines, spelling, tools};
 
@@ -115,8 +115,4 @@ fn node() -> Result {
         }
         None => Err(format!("Node.js {NODE_MIN} or newer is needed, with npm: see https://nodejs.org")),
     }
-}
-
-fn joined<T>(task: ScopedJoinHandle<'_, Result<T>>) -> Result<T> {
-    task.join().unwrap_or_else(|_| Err("a step of the set-up ended unexpectedly".to_owned()))
 }

@@ -37,11 +37,11 @@ pub fn main() -> Result {
     clippy.args(["--", "-D", "warnings"]);
     done("wasm lints", step("lints, wasm32", &mut clippy)?);
     done("native tests", step("native tests", command("cargo").args(["test", "--workspace"]))?);
-    let mut wasm = setup.command("cargo");
-    wasm.args(["test", "--target", "wasm32-unknown-unknown", "--test", "wasm"]);
-    wasm.env("CARGO_TARGET_WASM32_UNKNOWN_UNKNOWN_RUNNER", "wasm-bindgen-test-runner");
-    wasm.env("WASM_BINDGEN_TEST_ONLY_NODE", "1");
-    done("wasm tests", step("wasm tests under Node", &mut wasm)?);
+    let mut under_node = setup.command("cargo");
+    under_node.args(["test", "--target", "wasm32-unknown-unknown", "--test", "wasm"]);
+    under_node.env("CARGO_TARGET_WASM32_UNKNOWN_UNKNOWN_RUNNER", "wasm-bindgen-test-runner");
+    under_node.env("WASM_BINDGEN_TEST_ONLY_NODE", "1");
+    done("wasm tests", step("wasm tests under Node", &mut under_node)?);
     // A module that is optimised as a whole keeps one processor busy.
     let (wasm, packages) = run::both(|| package::wasm(&setup), || library::packages(&setup))?;
     done("wasm package", wasm);

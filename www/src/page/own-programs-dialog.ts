@@ -6,6 +6,7 @@
 
 import { Dialog } from '../dom/dialog';
 import { icon, make, name as nameButton } from '../dom/dom';
+import { inTime } from '../dom/in-time';
 import { COMMON } from '../dom/words';
 import { download } from '../editor/program-files';
 import type { KeptList, PageHost } from './page-host';
@@ -73,20 +74,18 @@ class OwnProgramsDialog {
     this.#frame();
     this.#dialog.show();
     this.#search.focus();
-    let late: ReturnType<typeof setTimeout> | undefined;
     await this.#try(async () => {
       this.#host.keeping.host.keepNow();
       if (this.#session === undefined) {
         this.#session = await this.#host.keeping.session();
         this.#session.follow(() => void this.#refresh());
       }
-      late = setTimeout(() => this.#say(texts.notRead), NO_ANSWER_MS);
-      await this.#session.written();
-      await this.#load();
+      const read = this.#session.written().then(() => this.#load());
+      if ((await inTime(read, NO_ANSWER_MS)) === 'late') this.#say(texts.notRead);
+      await read;
       this.#say(undefined);
       if (this.#rows.length > 0) askToPersist();
     });
-    clearTimeout(late);
   }
 
   get #texts(): (typeof LIST_WORDS)['en'] {

@@ -94,13 +94,13 @@ export class Session implements KeptList {
     if (this.#working) return;
     this.#working = true;
     try {
-      await this.#inTime(this.#ready);
+      await this.#reportIfLate(this.#ready);
       for (;;) {
         const [next] = this.#waiting.values();
         if (next === undefined) return;
         this.#waiting.delete(next.id);
         try {
-          if ((await this.#inTime(this.#write(next))) === 'waits') return;
+          if ((await this.#reportIfLate(this.#write(next))) === 'waits') return;
         } catch (error) {
           if (!this.#waiting.has(next.id)) this.#waiting.set(next.id, next);
           this.#failed(error);
@@ -112,8 +112,8 @@ export class Session implements KeptList {
     }
   }
 
-  /** A database that gives no answer keeps nothing either; as long as the page is put aside, none is due. */
-  async #inTime<T>(answer: Promise<T>): Promise<T> {
+  /** Reports an answer that does not come: a database without one keeps nothing either. As long as the page is put aside, none is due. */
+  async #reportIfLate<T>(answer: Promise<T>): Promise<T> {
     const wait = (): ReturnType<typeof setTimeout> => setTimeout(() => this.#failed(undefined), NO_ANSWER_MS);
     let late = wait();
     const waitAgain = (): void => {

@@ -40,7 +40,9 @@ export class SetupDialog {
   readonly #word = make('input', { type: 'text', autocomplete: 'off', spellcheck: false, size: 8, id: 'another-tool' });
   readonly #add = make('button', { type: 'button', className: 'framed' });
   readonly #noTool = make('p', { className: 'error', id: 'another-tool-error', hidden: true });
-  readonly #left = make('p', { className: 'left', role: 'status', hidden: true });
+  readonly #leftText = make('span');
+  readonly #discard = make('button', { type: 'button', className: 'quiet clear' });
+  readonly #left = make('p', { className: 'left', role: 'status', hidden: true }, this.#leftText, ' ', this.#discard);
   readonly #dialog: Dialog;
   #language: Language;
   #shown: SetupForm | undefined;
@@ -67,6 +69,11 @@ export class SetupDialog {
       event.preventDefault();
       void this.#submit();
     });
+    this.#discard.addEventListener('click', () => {
+      const form = this.#shown;
+      this.forget();
+      if (form !== undefined) this.show(form);
+    });
     this.#add.addEventListener('click', () => void this.#another());
     this.#word.addEventListener('keydown', (event) => {
       if (event.key !== 'Enter') return;
@@ -85,6 +92,8 @@ export class SetupDialog {
     this.#add.textContent = texts.add;
     this.#word.placeholder = texts.anotherHint;
     this.#noTool.textContent = texts.noTool;
+    this.#leftText.textContent = texts.left;
+    this.#discard.textContent = texts.discard;
   }
 
   get element(): HTMLElement {
@@ -151,16 +160,11 @@ export class SetupDialog {
       const { instead, text } = this.#unapplied.get(input.key) ?? {};
       return text !== undefined && instead === input.value ? [{ input, text }] : [];
     });
-    for (const { input, text } of left) input.fillIn(text);
+    for (const { input, text } of left) {
+      input.text = text;
+      input.unfold();
+    }
     this.#left.hidden = left.length === 0;
-    const texts = WORDS[this.#language];
-    const discard = make('button', { type: 'button', className: 'quiet clear' }, texts.discard);
-    discard.addEventListener('click', () => {
-      const form = this.#shown;
-      this.forget();
-      if (form !== undefined) this.show(form);
-    });
-    this.#left.replaceChildren(texts.left, ' ', discard);
   }
 
   // ---- building -----------------------------------------------------------------------------------

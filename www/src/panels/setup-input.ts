@@ -48,13 +48,6 @@ export class SetupInput {
     return this.#input.value;
   }
 
-  /** Fills in what was left; where it stands in a group that is folded, that is opened. */
-  fillIn(text: string): void {
-    this.text = text;
-    const folded = this.element.closest('details');
-    if (folded !== null) folded.open = true;
-  }
-
   set text(text: string) {
     this.#input.value = text;
   }
@@ -70,8 +63,13 @@ export class SetupInput {
     this.#error.hidden = error === undefined;
     this.#error.textContent = error ?? '';
     this.#input.setAttribute('aria-invalid', String(error !== undefined));
+    if (error !== undefined) this.unfold();
+  }
+
+  /** Where it stands in a group that is folded, that is opened. */
+  unfold(): void {
     const folded = this.element.closest('details');
-    if (error !== undefined && folded !== null) folded.open = true;
+    if (folded !== null) folded.open = true;
   }
 
   focus(): void {
