@@ -6,6 +6,7 @@ const HEAD = 'O1\nT0101\nG97 S600 M03\nG00 X34 Z4\nG76 P021260 Q100 R0.05\n';
 const list = (page: BasicPage): Locator => page.getByRole('listbox');
 const text = (page: BasicPage): Promise<string> => page.locator('gcode-playground').evaluate((element) => (element as unknown as { value: string }).value);
 
+const SECOND_BLOCK = /\nG76 X[\d.]+ Z-?[\d.]+ P\d+ Q\d+ F[\d.]+$/;
 const HEIGHT = { en: 'thread height', zh: '牙型高度', ru: 'высота профиля' } as const;
 
 for (const locale of ['en', 'zh', 'ru'] as const) {
@@ -18,7 +19,7 @@ for (const locale of ['en', 'zh', 'ru'] as const) {
     // After the first block comes the second, with its words.
     await expect(list(page).getByRole('option').first()).toContainText('G76 X');
     await page.keyboard.press('Tab');
-    expect(await text(page)).toMatch(/\nG76 X[\d.]+ Z-?[\d.]+ P\d+ Q\d+ F[\d.]+$/);
+    await expect.poll(() => text(page)).toMatch(SECOND_BLOCK);
     // Its places are filled one after the other, and Escape ends it.
     await page.keyboard.type('31.4');
     await page.keyboard.press('Tab');
@@ -32,6 +33,20 @@ for (const locale of ['en', 'zh', 'ru'] as const) {
     await expect(list(page)).toContainText(HEIGHT[locale]);
   });
 }
+
+test('a key for the list is not lost while the list catches up with the last letter', async ({ page }) => {
+  await open(page);
+  for (const keys of [['Tab'], ['ArrowDown', 'Enter'], ['ArrowUp', 'ArrowDown', 'Tab']]) {
+    await type(page, HEAD);
+    await page.keyboard.press('Control+End');
+    await page.keyboard.type('G');
+    await expect(list(page).getByRole('option').first()).toContainText('G76 X');
+    await page.keyboard.type('7');
+    for (const key of keys) await page.keyboard.press(key);
+    await expect.poll(() => text(page), keys.join(' ')).toMatch(SECOND_BLOCK);
+    await expect(editor(page)).toBeFocused();
+  }
+});
 
 test('the list is turned off with one switch, which is remembered, and comes when it is asked for', async ({ page }) => {
   await open(page);

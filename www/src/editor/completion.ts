@@ -5,7 +5,7 @@
 import { acceptCompletion, autocompletion, closeCompletion, completionStatus, hasNextSnippetField, moveCompletionSelection, nextSnippetField, selectedCompletionIndex, snippet, startCompletion } from '@codemirror/autocomplete';
 import type { Completion, CompletionContext, CompletionResult } from '@codemirror/autocomplete';
 import { Prec, type Extension } from '@codemirror/state';
-import { EditorView, keymap } from '@codemirror/view';
+import { EditorView, keymap, ViewPlugin, type Command, type ViewUpdate } from '@codemirror/view';
 import type { CompletionItem } from '../protocol/protocol';
 import { completes } from './completes';
 import type { EditorEvents } from './holder';
@@ -21,7 +21,15 @@ export function completion(events: EditorEvents): Extension {
   return [
     // Nothing is chosen at first: Enter ends the block, unless the reader went into the list.
     autocompletion({ override: [source], icons: false, maxRenderedOptions: 60, selectOnOpen: false, interactionDelay: 0 }),
-    Prec.highest(keymap.of([{ key: 'Tab', run: take }])),
+    keysAhead,
+    Prec.highest(keymap.of([
+      { key: 'Tab', run: (view) => take(view) || ahead(take)(view) },
+      { key: 'ArrowDown', run: ahead(moveCompletionSelection(true)) },
+      { key: 'ArrowUp', run: ahead(moveCompletionSelection(false)) },
+      { key: 'PageDown', run: ahead(moveCompletionSelection(true, 'page')) },
+      { key: 'PageUp', run: ahead(moveCompletionSelection(false, 'page')) },
+      { key: 'Enter', run: (view) => view.plugin(keysAhead)?.isWaiting === true && ahead(acceptCompletion)(view) },
+    ])),
     look,
   ];
 }
@@ -55,6 +63,44 @@ function take(view: EditorView): boolean {
   if (!isChosen) moveCompletionSelection(true)(view);
   acceptCompletion(view);
   return true;
+}
+
+/**
+ * The keys for the list that came while it was still that of the letter before: the list stands there, and the editor
+ * refuses them. They are done when the list has caught up, and forgotten when the reader types on or leaves.
+ */
+const keysAhead = ViewPlugin.fromClass(
+  class {
+    #commands: Command[] = [];
+
+    get isWaiting(): boolean {
+      return this.#commands.length > 0;
+    }
+
+    add(command: Command): void {
+      this.#commands.push(command);
+    }
+
+    update({ docChanged, selectionSet, state, view }: ViewUpdate): void {
+      if (!this.isWaiting) return;
+      const status = completionStatus(state);
+      if (!docChanged && !selectionSet && status === 'pending') return;
+      const commands = this.#commands;
+      this.#commands = [];
+      // The editor takes no changes within an update.
+      if (!docChanged && !selectionSet && status === 'active') queueMicrotask(() => commands.forEach((command) => command(view)));
+    }
+  },
+);
+
+/** Does `command` once the list that is shown has caught up with what was typed; not handled where none is shown. */
+function ahead(command: Command): Command {
+  return (view) => {
+    const isShown = view.contentDOM.getAttribute('aria-haspopup') === 'listbox';
+    if (!isShown || completionStatus(view.state) !== 'pending') return false;
+    view.plugin(keysAhead)?.add(command);
+    return true;
+  };
 }
 
 function option({ label, text, fills, detail, kind }: CompletionItem): Completion {
