@@ -490,6 +490,25 @@ test('where the browser refuses to copy, the link to hand in is shown and select
   await expect(page.getByText('From: Аня')).toBeVisible();
 });
 
+test('a link to hand in that takes long to make is copied all the same', async ({ page }) => {
+  await page.addInitScript(() => {
+    const read = ReadableStreamDefaultReader.prototype.read;
+    ReadableStreamDefaultReader.prototype.read = async function <T>(this: ReadableStreamDefaultReader<T>) {
+      if (Reflect.get(window, 'slow') === true) await new Promise((done) => setTimeout(done, 1000));
+      return read.call(this) as ReturnType<ReadableStreamDefaultReader<T>['read']>;
+    };
+  });
+  await open(page, storedLinks().find(({ what }) => what === 'a task')?.link);
+  await page.evaluate(() => Reflect.set(window, 'slow', true));
+  await page.getByRole('textbox', { name: 'Ваше имя' }).fill('Аня');
+  await page.getByRole('button', { name: 'Копировать ссылку для сдачи' }).click();
+  await expect(page.locator('#link-bar').getByText('Скопировано', { exact: true })).toBeVisible();
+  await page.evaluate(() => Reflect.set(window, 'slow', false));
+  const address = await clipboard(page);
+  await openElsewhere(page, address);
+  await expect(page.getByText('From: Аня')).toBeVisible();
+});
+
 test('the solution of a task opens beside it', async ({ page }) => {
   const stored = storedLinks().find(({ what }) => what === 'a task');
   await open(page, stored?.link);

@@ -34,3 +34,22 @@ export async function copied(output: HTMLTextAreaElement, show = (): void => und
     return document.execCommand('copy') ? 'copied' : 'not-copied';
   }
 }
+
+/**
+ * Copies a text that is still being made at the press, to be called at the press itself: Safari refuses what a page writes
+ * more than a second after it. False where the browser cannot, may not, or there is no text.
+ */
+export async function copiedOnceMade(text: Promise<string | undefined>): Promise<boolean> {
+  try {
+    const made = text.then((text) => {
+      if (text === undefined) throw new Error('there is nothing to copy');
+      return new Blob([text], { type: 'text/plain' });
+    });
+    // Where the browser takes none, nobody else hears that it failed.
+    made.catch(() => undefined);
+    await navigator.clipboard.write([new ClipboardItem({ 'text/plain': made })]);
+    return true;
+  } catch {
+    return false;
+  }
+}

@@ -7,7 +7,7 @@
 import { make } from '../dom/dom';
 import type { Language } from '../dom/language';
 import { linkOf, NAME_LIMIT, type MadeLink, type Shared } from '../files/shared-link';
-import { copied } from './fields';
+import { copied, copiedOnceMade } from './fields';
 import { pageAddress, type InAddress } from './linked';
 import { FAULTS, LINK_WORDS, SHARE_WORDS } from './share-words';
 import { sharedProgram } from './shared-program';
@@ -52,7 +52,7 @@ export class LinkBar {
   constructor(place: HTMLElement, host: BarHost) {
     this.#host = host;
     place.before(this.#element);
-    // Some browsers copy only what is there at the press: the link is made before it.
+    // Most often it is there at the press, then.
     for (const near of ['pointerenter', 'pointerdown', 'focus']) this.#copy.addEventListener(near, () => void this.#linkToHandIn());
     this.#copy.addEventListener('click', () => void this.#copied());
     this.#name.addEventListener('input', () => this.programChanged());
@@ -163,14 +163,16 @@ export class LinkBar {
   async #copied(): Promise<void> {
     const [texts, share] = [LINK_WORDS[this.#language], SHARE_WORDS[this.#language]];
     this.#endNews();
-    const made = await this.#linkToHandIn();
+    const making = this.#linkToHandIn();
+    const isCopiedAlready = copiedOnceMade(making.then((made) => (made?.kind === 'link' ? addressOf(made) : undefined)));
+    const made = await making;
     if (made?.kind !== 'link') {
       this.#made = undefined;
       this.#news.textContent = made === undefined ? texts.notMade : share.tooLong(made.length, made.limit);
       return;
     }
-    this.#link.value = `${pageAddress()}${made.link}`;
-    const isCopied = (await copied(this.#link, () => {
+    this.#link.value = addressOf(made);
+    const isCopied = (await isCopiedAlready) || (await copied(this.#link, () => {
       this.#link.hidden = false;
       this.#link.focus();
     })) === 'copied';
@@ -188,4 +190,8 @@ export class LinkBar {
     button.addEventListener('click', act);
     return button;
   }
+}
+
+function addressOf({ link }: { readonly link: string }): string {
+  return `${pageAddress()}${link}`;
 }
