@@ -1,6 +1,6 @@
 // Ways through a program: to all places of a number, by the outline, and folded parts. By keys, in three languages.
 import { expect, test, type BasicPage, type Locator } from './engines';
-import { atCursor, editor, goTo, open, selected, type } from './page';
+import { atCursor, editor, goTo, open, runAgain, selected, type } from './page';
 
 const CONTOUR = [
   'O1000 (SHAFT)', '(ROUGHING)', 'N1 T0101', 'G96 S180 M03', 'G00 X62 Z2', 'G71 U2 R1', 'G71 P10 Q20 U0.4 W0.1 F0.25', 'N10 G00 X30', 'G01 Z-20', 'N20 X62',
@@ -39,6 +39,8 @@ test('the places of the number at the cursor are listed, and lead there', async 
   const places = atCursor(page).locator('.uses');
   await expect(places).toContainText('Places of N10');
   await expect(places.getByRole('listitem')).toHaveCount(3);
+  // What is above them comes a moment later.
+  await expect(atCursor(page)).toContainText('The control before and after line 8');
   await places.getByRole('button', { name: /13/ }).click();
   await expect(editor(page)).toBeFocused();
   await expect(page.locator('.cm-activeLine')).toContainText('G70 P10 Q20');
@@ -46,6 +48,24 @@ test('the places of the number at the cursor are listed, and lead there', async 
   await goTo(page, 9, 1);
   await expect(places).toHaveCount(1);
   await expect(places).not.toBeVisible();
+});
+
+test('a button that is pressed while the program runs once more does what it says', async ({ page }) => {
+  await open(page);
+  await type(page, CONTOUR);
+  await goTo(page, 8, 2);
+  await page.keyboard.press('F1');
+  for (const [button, block] of [[atCursor(page).locator('.uses').getByRole('button', { name: /13/ }), 'G70 P10 Q20'], [atCursor(page).locator('.state-table').getByRole('button').first(), /./]] as const) {
+    await expect(atCursor(page)).toContainText('The control before and after line');
+    await button.scrollIntoViewIfNeeded();
+    const box = (await button.boundingBox())!;
+    await page.mouse.move(box.x + box.width / 2, box.y + box.height / 2);
+    await page.mouse.down();
+    await runAgain(page);
+    await page.mouse.up();
+    await expect(editor(page)).toBeFocused();
+    await expect(page.locator('.cm-activeLine')).toContainText(block);
+  }
 });
 
 const OUTLINE = { en: 'Outline of the program', zh: '程序大纲', ru: 'Структура программы' } as const;

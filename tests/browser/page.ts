@@ -147,6 +147,15 @@ export async function clipboard(page: BasicPage): Promise<string> {
   });
 }
 
+/** Runs the same text once more, in which no block is skipped, and waits until what is said of it has been answered. */
+export async function runAgain(page: BasicPage): Promise<void> {
+  await page.locator('gcode-playground').evaluate(async (element) => {
+    element.setAttribute('block-skip', element.getAttribute('block-skip') === '9' ? '8' : '9');
+    await (element as Playground).settled;
+  });
+  await page.waitForTimeout(500);
+}
+
 /** The text the reader has selected in the editor. */
 export async function selected(page: BasicPage): Promise<string> {
   return page.evaluate(() => {

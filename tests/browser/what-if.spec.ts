@@ -1,6 +1,6 @@
 // What if a variable had another value: tried by keys alone, in three languages, while the text stays as it is.
 import { expect, test, type BasicPage, type Locator } from './engines';
-import { atCursor, editor, open, type, value } from './page';
+import { atCursor, editor, goTo, open, runAgain, type, value } from './page';
 
 const CALLS = ['O1', 'T0101 M3 S500', '#1=40', 'WHILE [#1 GT 30] DO1', 'G65 P9 X#1', '#1=#1-5', 'END1', 'M30', 'O9', 'G00 X#24 Z2', 'G01 Z-#24 F0.2', 'M99'].join('\n');
 
@@ -63,3 +63,18 @@ for (const locale of ['en', 'zh', 'ru'] as const) {
     await expect(editor(page)).toBeFocused();
   });
 }
+
+test('a value that is being typed stays when the program runs once more', async ({ page }) => {
+  await open(page);
+  await type(page, CALLS);
+  await goTo(page, 6, 1);
+  await page.keyboard.press('F1');
+  await atCursor(page).getByRole('button', { name: 'Try another value for #1 from here on' }).focus();
+  await page.keyboard.press('Enter');
+  await page.keyboard.type('3');
+  await runAgain(page);
+  await page.keyboard.type('3');
+  await page.keyboard.press('Enter');
+  await expect(page.locator('.what-if')).toContainText('#1 = 33');
+  expect(await value(page)).toBe(CALLS);
+});

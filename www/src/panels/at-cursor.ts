@@ -50,6 +50,8 @@ class AtCursor implements Panel {
   /** Which of the times the block is carried out; the usual one where nothing is chosen. */
   #chosen: number | undefined;
   #shown: Help | undefined;
+  /** That and its language, as text; none once something else is shown. */
+  #shownAs: string | undefined;
   /** Until the answer is there. */
   #waiting: ReturnType<typeof setTimeout> | undefined;
   #hasNavigation = false;
@@ -167,15 +169,18 @@ class AtCursor implements Panel {
 
   #answered(help: Help | undefined): void {
     if (help === undefined) return;
+    const isBusy = this.#element.hasAttribute('aria-busy');
     this.#waitNoLonger();
     this.#shown = help;
     const texts = WORDS[this.#shell.language];
-    const { word, state, form } = help;
-    this.#line.replaceChildren(word === undefined ? texts.nothing : wordLine(word));
-    this.#facts.replaceChildren(...(word === undefined ? [] : [factList(word.facts, (offset) => this.#go(offset))]));
+    const { word, state } = help;
+    const shownAs = JSON.stringify([this.#shell.language, help]);
+    const isOther = shownAs !== this.#shownAs;
+    this.#shownAs = shownAs;
+    if (isOther || isBusy) this.#line.replaceChildren(word === undefined ? texts.nothing : wordLine(word));
+    // A run that changes nothing of it takes no button from under the pointer, and no field from a reader who types.
+    if (isOther) this.#showHelp(help);
     this.#mark(word?.marks[0]);
-    this.#form.replaceChildren(...(form === undefined ? [] : this.#forms(form)));
-    if (state !== undefined) this.#showState(state);
     if (this.#opened) {
       this.#opened = false;
       this.#shell.editor.keepCursorInSight();
@@ -187,8 +192,15 @@ class AtCursor implements Panel {
     this.#shell.editor.announce([...said, state?.explanation ?? ''].join(' ').trim());
   }
 
+  #showHelp({ word, form, state }: Help): void {
+    this.#facts.replaceChildren(...(word === undefined ? [] : [factList(word.facts, (offset) => this.#go(offset))]));
+    this.#form.replaceChildren(...(form === undefined ? [] : this.#forms(form)));
+    if (state !== undefined) this.#showState(state);
+  }
+
   /** Nothing is known: the line says what can stand here. */
   #clear(): void {
+    this.#shownAs = undefined;
     showText(this.#line, WORDS[this.#shell.language].empty);
     this.#facts.replaceChildren();
     this.#form.replaceChildren();

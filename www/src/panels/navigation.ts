@@ -32,6 +32,8 @@ class Navigation implements Panel {
   #wanted = false;
   /** What is shown now. */
   #uses: UsesHelp | undefined;
+  /** That, the place of the cursor and the language, as text. */
+  #shownAs = '';
   /** Where the reader came from, the newest last. */
   #trail: number[] = [];
   #pause: ReturnType<typeof setTimeout> | undefined;
@@ -137,10 +139,14 @@ class Navigation implements Panel {
     this.#uses = uses = (uses?.places.length ?? 0) < 2 ? undefined : uses;
     const places = uses?.places ?? [];
     if (isMarked || places.length > 0) this.#shell.editor.uses = places;
+    const here = this.#shell.editor.selection.from;
+    const shownAs = uses === undefined ? '' : JSON.stringify([this.#shell.language, here, uses]);
+    // A run that changes nothing of it takes no button from under the pointer.
+    if (shownAs === this.#shownAs) return;
+    this.#shownAs = shownAs;
     this.#section.hidden = uses === undefined;
     if (uses === undefined) return this.#section.replaceChildren();
     const texts = WORDS[this.#shell.language];
-    const here = this.#shell.editor.selection.from;
     const own = places.findIndex(({ from, to }) => from <= here && here <= to);
     const first = Math.max(0, Math.min(own - LISTED / 2, places.length - LISTED));
     const shown = places.slice(first, first + LISTED);
