@@ -7,6 +7,7 @@ import { createServer, type IncomingMessage, type Server, type ServerResponse } 
 import { readFile } from 'node:fs/promises';
 import type { AddressInfo } from 'node:net';
 import { extname, join, normalize } from 'node:path';
+import { listenOnNewPort } from './engines/new-port';
 
 export type Headers = Readonly<Record<string, string>>;
 
@@ -56,7 +57,7 @@ export async function serve(files: string, site: (origin: string) => Site): Prom
     }
     void answer(path, site(originOf(server)), files, response);
   });
-  await new Promise<void>((resolve) => server.listen(0, '127.0.0.1', resolve));
+  await listenOnNewPort(server);
   return {
     origin: originOf(server),
     asked,

@@ -7,8 +7,8 @@ import { createHash } from 'node:crypto';
 import { readdirSync, readFileSync } from 'node:fs';
 import { readFile } from 'node:fs/promises';
 import { createServer, type IncomingMessage, type ServerResponse } from 'node:http';
-import type { AddressInfo } from 'node:net';
 import { basename, extname, join, normalize } from 'node:path';
+import { listenOnNewPort } from './engines/new-port';
 
 export const DIST = join(__dirname, '..', '..', 'www', 'dist');
 
@@ -42,12 +42,7 @@ export async function storedSite(at = '/', folder = DIST): Promise<StoredSite> {
     else response.writeHead(200, { 'content-type': TYPES[extname(path)] ?? 'application/octet-stream' }).end(bytes);
   };
   const server = createServer((request, response) => void answer(request, response));
-  const listen = (port: number): Promise<void> => new Promise((resolve, reject) => {
-    server.once('error', reject);
-    server.listen(port, '127.0.0.1', resolve);
-  });
-  await listen(0);
-  const { port } = server.address() as AddressInfo;
+  const port = await listenOnNewPort(server);
   return {
     address: `http://127.0.0.1:${port}${at}`,
     asked,
@@ -55,7 +50,10 @@ export async function storedSite(at = '/', folder = DIST): Promise<StoredSite> {
       server.close(() => resolve());
       server.closeAllConnections();
     }),
-    start: () => listen(port),
+    start: () => new Promise((resolve, reject) => {
+      server.once('error', reject);
+      server.listen(port, '127.0.0.1', resolve);
+    }),
     publish(build) {
       changes = build;
     },

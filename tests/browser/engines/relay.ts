@@ -1,6 +1,7 @@
 // A server in front of the page's own, which puts scripts into each document before all others. WebDriver has
 // no way to run a script so early, and none to hear of errors: both are done by what is put in.
 import { createServer } from 'node:http';
+import { listenOnNewPort } from './new-port';
 
 export interface Relay {
   /** What is put in. */
@@ -32,11 +33,7 @@ export async function relay(server: string): Promise<Relay> {
       response.end(body);
     })().catch((error: unknown) => response.writeHead(502).end(String(error)));
   });
-  await new Promise<void>((resolve, reject) => {
-    http.once('error', reject);
-    http.listen(0, '127.0.0.1', resolve);
-  });
-  const own = `http://127.0.0.1:${(http.address() as { port: number }).port}`;
+  const own = `http://127.0.0.1:${await listenOnNewPort(http)}`;
   const swapped = (address: string, from: string, to: string): string => (address.startsWith(from) ? to + address.slice(from.length) : address);
   return {
     scripts,
