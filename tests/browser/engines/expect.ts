@@ -62,12 +62,12 @@ function is(actual: unknown, wanted: Text): boolean {
 }
 
 /** Asks until the answers are as wanted. */
-async function until<T>(what: string, patience: Patience, look: () => Promise<T>, good: (seen: T) => boolean): Promise<void> {
+async function until<T>(page: ForeignPage, what: string, patience: Patience, look: () => Promise<T>, good: (seen: T) => boolean): Promise<void> {
   const end = Date.now() + (patience.timeout ?? PATIENCE);
   for (;;) {
     const seen = await look();
     if (good(seen)) return;
-    if (Date.now() > end) throw new Error(`${what}; it was ${JSON.stringify(seen)}`);
+    if (Date.now() > end) throw new Error(`${what}; it was ${JSON.stringify(seen)}; ${await page.condition()}`);
     await pause(PAUSE);
   }
 }
@@ -78,7 +78,7 @@ function matchers(of: ForeignLocator, wantsIt: boolean): Matchers {
    * matcher nor its opposite does.
    */
   const one = (name: string, question: Question, good: (answer: unknown) => boolean, patience: Patience = {}, none?: boolean): Promise<void> =>
-    until(`${of}: ${wantsIt ? '' : 'not '}${name}`, patience, () => of.ask(question), (seen) =>
+    until(of.owner, `${of}: ${wantsIt ? '' : 'not '}${name}`, patience, () => of.ask(question), (seen) =>
       seen.length === 1 ? good(seen[0]) === wantsIt : seen.length === 0 && none === wantsIt,
     );
   return {
@@ -87,7 +87,7 @@ function matchers(of: ForeignLocator, wantsIt: boolean): Matchers {
     },
     toHaveText: (text, patience) =>
       Array.isArray(text)
-        ? until(`${of}: toHaveText ${JSON.stringify(text)}`, patience ?? {}, () => of.ask('text'), (seen) =>
+        ? until(of.owner, `${of}: toHaveText ${JSON.stringify(text)}`, patience ?? {}, () => of.ask('text'), (seen) =>
             (seen.length === text.length && seen.every((each, i) => is(each, (text as Text[])[i]!))) === wantsIt)
         : one(`toHaveText ${String(text)}`, 'text', (seen) => is(seen, text as Text), patience),
     toContainText: (text, patience) =>
@@ -97,7 +97,7 @@ function matchers(of: ForeignLocator, wantsIt: boolean): Matchers {
       one(`toHaveAttribute ${name} ${String(value)}`, { attribute: name }, (seen) => (value instanceof RegExp ? is(seen, value) : seen === value), patience),
     toHaveJSProperty: (name, value, patience) => one(`toHaveJSProperty ${name} ${String(value)}`, { property: name }, (seen) => seen === value, patience),
     toHaveCount: (count, patience) =>
-      until(`${of}: toHaveCount ${count}`, patience ?? {}, () => of.count(), (seen) => (seen === count) === wantsIt),
+      until(of.owner, `${of}: toHaveCount ${count}`, patience ?? {}, () => of.count(), (seen) => (seen === count) === wantsIt),
     toBeVisible: (patience) => one('toBeVisible', 'visible', (seen) => seen === true, patience, false),
     toBeHidden: (patience) => one('toBeHidden', 'visible', (seen) => seen === false, patience, true),
     toBeFocused: (patience) => one('toBeFocused', 'focused', (seen) => seen === true, patience),
@@ -109,5 +109,5 @@ function matchers(of: ForeignLocator, wantsIt: boolean): Matchers {
 }
 
 function pageMatchers(of: ForeignPage): PageMatchers {
-  return { toHaveURL: (url, patience) => until(`the address: toHaveURL ${url}`, patience ?? {}, () => of.look(), (seen) => url.test(seen)) };
+  return { toHaveURL: (url, patience) => until(of, `the address: toHaveURL ${url}`, patience ?? {}, () => of.look(), (seen) => url.test(seen)) };
 }

@@ -319,6 +319,12 @@ export class ForeignPage extends Finder implements Page {
     for (const error of errors) for (const listener of this.listeners) listener(new Error(error));
   }
 
+  /** For the message of a failure: where the page is, how far it has come, and its errors. */
+  async condition(): Promise<string> {
+    const [state, ...errors] = [await this.tab.evaluate(call('() => `${location.href} is ${document.readyState}, ${document.visibilityState}`', [])), ...(await this.tab.errors())];
+    return [state, ...errors].join('; ');
+  }
+
   /** A folder that lives as long as the page. */
   scratch(): Promise<string> {
     return (this.folder ??= mkdtemp(join(tmpdir(), 'playground-page-')));
