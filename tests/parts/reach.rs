@@ -276,3 +276,33 @@ pub fn without_dust(intervals: &[Interval]) -> Vec<Interval> {
     kept.retain(|(low, high)| high - low > DUST);
     kept
 }
+
+/// Each interval with both ends moved outwards by `by`, or inwards where it is negative; those that meet are one.
+pub fn moved(intervals: &[Interval], by: f64) -> Vec<Interval> {
+    union(&intervals.iter().map(|(low, high)| (low - by, high + by)).collect::<Vec<_>>())
+}
+
+/// All that lies in one of them, in order; what turned inside out is nothing.
+pub fn union(intervals: &[Interval]) -> Vec<Interval> {
+    let mut all: Vec<Interval> = intervals.iter().copied().filter(|(low, high)| low < high).collect();
+    all.sort_by(|a, b| a.0.total_cmp(&b.0));
+    let mut kept: Vec<Interval> = Vec::new();
+    for (low, high) in all {
+        match kept.last_mut() {
+            Some(last) if low <= last.1 => last.1 = last.1.max(high),
+            _ => kept.push((low, high)),
+        }
+    }
+    kept
+}
+
+/// What lies in both.
+pub fn common(one: &[Interval], other: &[Interval]) -> Vec<Interval> {
+    let pairs = one.iter().flat_map(|a| other.iter().map(move |b| (a.0.max(b.0), a.1.min(b.1))));
+    union(&pairs.collect::<Vec<_>>())
+}
+
+/// Whether all of `inner` lies in `outer`, whose intervals do not meet.
+pub fn within(inner: &[Interval], outer: &[Interval]) -> bool {
+    inner.iter().all(|a| outer.iter().any(|b| b.0 <= a.0 && a.1 <= b.1))
+}
