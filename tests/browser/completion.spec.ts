@@ -48,6 +48,34 @@ test('a key for the list is not lost while the list catches up with the last let
   }
 });
 
+test('a key that came for a list that is no longer there does what it does without one', async ({ page }) => {
+  await open(page);
+  await type(page, `${HEAD}M`);
+  await page.keyboard.press('Control+End');
+  await page.keyboard.type('3');
+  await expect(list(page)).toBeVisible();
+  await page.keyboard.type('0');
+  await page.keyboard.press('ArrowUp');
+  await expect(page.locator('.cm-activeLine')).toContainText('G76 P021260');
+  expect(await text(page)).toBe(`${HEAD}M30`);
+});
+
+test('a proposal that is pressed while the list catches up is taken', async ({ page }) => {
+  await open(page);
+  await type(page, HEAD);
+  await page.keyboard.press('Control+End');
+  await page.keyboard.type('G');
+  const first = list(page).getByRole('option').first();
+  await expect(first).toContainText('G76 X');
+  const box = (await first.boundingBox())!;
+  await page.mouse.move(box.x + box.width / 2, box.y + box.height / 2);
+  await page.keyboard.type('7');
+  await page.mouse.down();
+  await page.mouse.up();
+  await expect.poll(() => text(page)).toMatch(SECOND_BLOCK);
+  await expect(editor(page)).toBeFocused();
+});
+
 test('the list is turned off with one switch, which is remembered, and comes when it is asked for', async ({ page }) => {
   await open(page);
   await type(page, HEAD);

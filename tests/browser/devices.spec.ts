@@ -40,7 +40,10 @@ for (const width of [320, 375]) {
         await touch('touchStart', at.y);
         for (let y = at.y; y > at.y - 90; y -= 10) await touch('touchMove', y);
         await touch('touchEnd', at.y - 90);
-        await page.waitForTimeout(300);
+        // A page that was flung comes to rest.
+        await page.evaluate(async () => {
+          for (let last = NaN; last !== scrollY; await new Promise((done) => setTimeout(done, 300))) last = scrollY;
+        });
       };
       const state = (): Promise<{ scrolled: number; shown: number }> =>
         page.locator('gcode-playground').evaluate(async (element) => {

@@ -55,8 +55,9 @@ test('a button that is pressed while the program runs once more does what it say
   await type(page, CONTOUR);
   await goTo(page, 8, 2);
   await page.keyboard.press('F1');
-  for (const [button, block] of [[atCursor(page).locator('.uses').getByRole('button', { name: /13/ }), 'G70 P10 Q20'], [atCursor(page).locator('.state-table').getByRole('button').first(), /./]] as const) {
-    await expect(atCursor(page)).toContainText('The control before and after line');
+  const [place, since] = [atCursor(page).locator('.uses').getByRole('button', { name: /13/ }), atCursor(page).getByRole('button', { name: 'To line 4', exact: true }).first()];
+  for (const [line, button, block] of [[8, place, 'G70 P10 Q20'], [13, since, 'G96 S180 M03']] as const) {
+    await expect(atCursor(page)).toContainText(`The control before and after line ${line}`);
     await button.scrollIntoViewIfNeeded();
     const box = (await button.boundingBox())!;
     await page.mouse.move(box.x + box.width / 2, box.y + box.height / 2);

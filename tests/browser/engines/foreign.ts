@@ -315,14 +315,19 @@ export class ForeignPage extends Finder implements Page {
     this.listeners.push(listener);
   }
   private async tellErrors(): Promise<void> {
-    const errors = (await this.tab.errors()).filter((error) => !error.includes(LATE_SIZES));
-    for (const error of errors) for (const listener of this.listeners) listener(new Error(error));
+    for (const error of await this.errors()) for (const listener of this.listeners) listener(new Error(error));
   }
 
   /** For the message of a failure: where the page is, how far it has come, and its errors. */
   async condition(): Promise<string> {
-    const [state, ...errors] = [await this.tab.evaluate(call('() => `${location.href} is ${document.readyState}, ${document.visibilityState}`', [])), ...(await this.tab.errors())];
-    return [state, ...errors].join('; ');
+    const told = async (): Promise<string> => {
+      const state = await this.tab.evaluate(call('() => `${location.href} is ${document.readyState}, ${document.visibilityState}`', []));
+      return [state, ...(await this.errors())].join('; ');
+    };
+    return Promise.race([told(), pause(3000, 'the page gives no answer')]).catch((error: unknown) => String(error));
+  }
+  private async errors(): Promise<string[]> {
+    return (await this.tab.errors()).filter((error) => !error.includes(LATE_SIZES));
   }
 
   /** A folder that lives as long as the page. */

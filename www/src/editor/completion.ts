@@ -2,14 +2,21 @@
 //
 // In: proposals of the interpreter, in their order. Out: what the reader takes of them. Must not know: what is proposed.
 
-import { acceptCompletion, autocompletion, closeCompletion, completionStatus, hasNextSnippetField, moveCompletionSelection, nextSnippetField, selectedCompletionIndex, snippet, startCompletion } from '@codemirror/autocomplete';
+import {
+  acceptCompletion, autocompletion, closeCompletion, completionStatus, currentCompletions, hasNextSnippetField, moveCompletionSelection, nextSnippetField,
+  selectedCompletionIndex, setSelectedCompletion, snippet, startCompletion,
+} from '@codemirror/autocomplete';
 import type { Completion, CompletionContext, CompletionResult } from '@codemirror/autocomplete';
+import { cursorLineDown, cursorLineUp, cursorPageDown, cursorPageUp, insertNewlineAndIndent } from '@codemirror/commands';
 import { Prec, type Extension } from '@codemirror/state';
-import { EditorView, keymap, ViewPlugin, type Command, type ViewUpdate } from '@codemirror/view';
+import { EditorView, keymap, ViewPlugin, type Command, type KeyBinding, type ViewUpdate } from '@codemirror/view';
 import type { CompletionItem } from '../protocol/protocol';
 import { completes } from './completes';
 import type { EditorEvents } from './holder';
 import { rem } from './theme';
+
+/** A list that has not caught up by then is closed, ms. */
+const LONGEST_WAIT_MS = 1000;
 
 export function completion(events: EditorEvents): Extension {
   const source = async (context: CompletionContext): Promise<CompletionResult | null> => {
@@ -20,23 +27,20 @@ export function completion(events: EditorEvents): Extension {
   };
   return [
     // Nothing is chosen at first: Enter ends the block, unless the reader went into the list.
-    autocompletion({ override: [source], icons: false, maxRenderedOptions: 60, selectOnOpen: false, interactionDelay: 0 }),
-    keysAhead,
-    Prec.highest(keymap.of([
-      { key: 'Tab', run: (view) => take(view) || ahead(take)(view) },
-      { key: 'ArrowDown', run: ahead(moveCompletionSelection(true)) },
-      { key: 'ArrowUp', run: ahead(moveCompletionSelection(false)) },
-      { key: 'PageDown', run: ahead(moveCompletionSelection(true, 'page')) },
-      { key: 'PageUp', run: ahead(moveCompletionSelection(false, 'page')) },
-      { key: 'Enter', run: (view) => view.plugin(keysAhead)?.isWaiting === true && ahead(acceptCompletion)(view) },
-    ])),
+    wishes,
+    Prec.highest(keymap.of(LIST_KEYS)),
+    autocompletion({
+      override: [source], icons: false, maxRenderedOptions: 60, selectOnOpen: false, interactionDelay: 0,
+      addToOptions: [{ render: pressed, position: 100 }],
+    }),
     look,
   ];
 }
 
 const look = EditorView.theme({
   '.cm-tooltip.cm-tooltip-autocomplete > [role=listbox]': { maxHeight: rem(16), minWidth: rem(14), maxWidth: `min(${rem(36)}, 95vw)`, fontFamily: 'var(--playground-font)' },
-  '.cm-tooltip.cm-tooltip-autocomplete [role=listbox] > [role=option]': { display: 'flex', gap: rem(0.75), alignItems: 'baseline', padding: `${rem(0.2)} ${rem(0.6)}`, lineHeight: '1.4' },
+  '.cm-tooltip.cm-tooltip-autocomplete [role=listbox] > [role=option]': { display: 'flex', gap: rem(0.75), alignItems: 'baseline', padding: `${rem(0.2)} ${rem(0.6)}`, lineHeight: '1.4', position: 'relative' },
+  '.cm-pressed-proposal': { position: 'absolute', inset: '0' },
   '.cm-tooltip.cm-tooltip-autocomplete [role=option][aria-selected]': { backgroundColor: 'var(--playground-accent)', color: 'var(--playground-on-accent)' },
   '.cm-completionLabel': { fontFamily: 'var(--playground-code-font)', flex: 'none' },
   '.cm-completionDetail': { flex: '1 1 auto', marginLeft: '0', fontStyle: 'normal', color: 'var(--playground-muted)', overflow: 'hidden', textOverflow: 'ellipsis' },
@@ -65,42 +69,119 @@ function take(view: EditorView): boolean {
   return true;
 }
 
-/**
- * The keys for the list that came while it was still that of the letter before: the list stands there, and the editor
- * refuses them. They are done when the list has caught up, and forgotten when the reader types on or leaves.
- */
-const keysAhead = ViewPlugin.fromClass(
-  class {
-    #commands: Command[] = [];
+/** What the reader asks of the list. */
+interface Wish {
+  /** Whether it could be done. */
+  readonly run: Command;
+  /** What the key does where there is no list. */
+  readonly otherwise: Command;
+}
 
-    get isWaiting(): boolean {
-      return this.#commands.length > 0;
+/**
+ * Wishes that came while the list was still that of the letter before: it stands there, and the editor refuses them. They
+ * are carried out when the list has caught up or has gone, and forgotten when the reader types on or leaves.
+ */
+const wishes = ViewPlugin.fromClass(
+  class {
+    readonly #view: EditorView;
+    #waiting: Wish[] = [];
+    #limit: ReturnType<typeof setTimeout> | undefined;
+
+    constructor(view: EditorView) {
+      this.#view = view;
     }
 
-    add(command: Command): void {
-      this.#commands.push(command);
+    get isWaiting(): boolean {
+      return this.#waiting.length > 0;
+    }
+
+    add(wish: Wish): void {
+      this.#waiting.push(wish);
+      // Nobody is kept in the list by an answer that does not come.
+      this.#limit ??= setTimeout(() => {
+        this.forget();
+        closeCompletion(this.#view);
+      }, LONGEST_WAIT_MS);
+    }
+
+    forget(): void {
+      clearTimeout(this.#limit);
+      this.#limit = undefined;
+      this.#waiting = [];
     }
 
     update({ docChanged, selectionSet, state, view }: ViewUpdate): void {
       if (!this.isWaiting) return;
-      const status = completionStatus(state);
-      if (!docChanged && !selectionSet && status === 'pending') return;
-      const commands = this.#commands;
-      this.#commands = [];
+      if (docChanged || selectionSet || !view.hasFocus) return this.forget();
+      if (completionStatus(state) === 'pending') return;
+      const waiting = this.#waiting;
+      this.forget();
       // The editor takes no changes within an update.
-      if (!docChanged && !selectionSet && status === 'active') queueMicrotask(() => commands.forEach((command) => command(view)));
+      queueMicrotask(() => {
+        for (const { run, otherwise } of waiting) if (!run(view)) otherwise(view);
+      });
+    }
+
+    destroy(): void {
+      this.forget();
     }
   },
 );
 
-/** Does `command` once the list that is shown has caught up with what was typed; not handled where none is shown. */
-function ahead(command: Command): Command {
+/** Keeps a wish until the list that is shown has caught up with what was typed; false where it need not wait. */
+function later(view: EditorView, wish: Wish): boolean {
+  const isShown = view.contentDOM.getAttribute('aria-haspopup') === 'listbox';
+  if (!isShown || completionStatus(view.state) !== 'pending') return false;
+  view.plugin(wishes)?.add(wish);
+  return true;
+}
+
+/** A key of the list; while the list catches up, it waits. Otherwise the editor has it. */
+function listKey(key: string, run: Command, otherwise: Command): KeyBinding {
+  return { key, run: (view) => later(view, { run, otherwise }) };
+}
+
+const LIST_KEYS: readonly KeyBinding[] = [
+  {
+    key: 'Tab',
+    // To the next place to fill there is no need to wait: nothing is chosen in a list that catches up.
+    run: (view) => take(view) || ((isWaiting(view) || !hasNextSnippetField(view.state)) && later(view, { run: take, otherwise: nextSnippetField })),
+  },
+  listKey('ArrowDown', moveCompletionSelection(true), cursorLineDown),
+  listKey('ArrowUp', moveCompletionSelection(false), cursorLineUp),
+  listKey('PageDown', moveCompletionSelection(true, 'page'), cursorPageDown),
+  listKey('PageUp', moveCompletionSelection(false, 'page'), cursorPageUp),
+  // Alone it ends the block.
+  { key: 'Enter', run: (view) => isWaiting(view) && later(view, { run: acceptCompletion, otherwise: insertNewlineAndIndent }) },
+  {
+    key: 'Escape',
+    run: (view) => {
+      view.plugin(wishes)?.forget();
+      return false;
+    },
+  },
+];
+
+function isWaiting(view: EditorView): boolean {
+  return view.plugin(wishes)?.isWaiting === true;
+}
+
+/** Takes the proposal with this label, where the list has it. */
+function takeLabel(label: string): Command {
   return (view) => {
-    const isShown = view.contentDOM.getAttribute('aria-haspopup') === 'listbox';
-    if (!isShown || completionStatus(view.state) !== 'pending') return false;
-    view.plugin(keysAhead)?.add(command);
-    return true;
+    const at = currentCompletions(view.state).findIndex((each) => each.label === label);
+    if (at < 0) return false;
+    view.dispatch({ effects: setSelectedCompletion(at) });
+    return acceptCompletion(view);
   };
+}
+
+/** What is pressed of a proposal: the editor hears nothing of it while the list catches up. */
+function pressed({ label }: Completion, _state: unknown, view: EditorView): Node {
+  const surface = document.createElement('span');
+  surface.className = 'cm-pressed-proposal';
+  surface.addEventListener('mousedown', () => void later(view, { run: takeLabel(label), otherwise: () => true }));
+  return surface;
 }
 
 function option({ label, text, fills, detail, kind }: CompletionItem): Completion {

@@ -52,7 +52,7 @@ export class LinkBar {
   constructor(place: HTMLElement, host: BarHost) {
     this.#host = host;
     place.before(this.#element);
-    // Most often it is there at the press, then.
+    // So that the link most often is made at the press.
     for (const near of ['pointerenter', 'pointerdown', 'focus']) this.#copy.addEventListener(near, () => void this.#linkToHandIn());
     this.#copy.addEventListener('click', () => void this.#copied());
     this.#name.addEventListener('input', () => this.programChanged());

@@ -42,6 +42,7 @@ class OwnProgramsDialog {
   readonly #dialog = new Dialog('own-programs', [this.#field, this.#found, this.#shelf, this.#file], [this.#back, this.#import, this.#export]);
   #session: KeptList | undefined;
   #rows: readonly Listed[] = [];
+  #dates: { readonly language: string; readonly format: Intl.DateTimeFormat } | undefined;
   /** The program whose buttons are shown, and whether it is being renamed. */
   #acting: { readonly id: string; readonly renaming: boolean } | undefined;
   /** The program whose earlier states are shown. */
@@ -329,7 +330,10 @@ class OwnProgramsDialog {
   // ---- helpers ------------------------------------------------------------------------------------
 
   #date(time: number): string {
-    return new Intl.DateTimeFormat(this.#host.language, { dateStyle: 'medium', timeStyle: 'medium' }).format(time);
+    const { language } = this.#host;
+    // A browser takes some milliseconds to make one.
+    if (this.#dates?.language !== language) this.#dates = { language, format: new Intl.DateTimeFormat(language, { dateStyle: 'medium', timeStyle: 'medium' }) };
+    return this.#dates.format.format(time);
   }
 
   #focus(name: string): void {

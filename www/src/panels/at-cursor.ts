@@ -50,8 +50,8 @@ class AtCursor implements Panel {
   /** Which of the times the block is carried out; the usual one where nothing is chosen. */
   #chosen: number | undefined;
   #shown: Help | undefined;
-  /** That and its language, as text; none once something else is shown. */
-  #shownAs: string | undefined;
+  /** What each part shows, and in which language, as text; nothing where it shows something else. */
+  readonly #shownAs = new Map<HTMLElement, string>();
   /** Until the answer is there. */
   #waiting: ReturnType<typeof setTimeout> | undefined;
   #hasNavigation = false;
@@ -159,6 +159,7 @@ class AtCursor implements Panel {
   #showThatItComes(): void {
     this.#element.setAttribute('aria-busy', 'true');
     showText(this.#line, WORDS[this.#shell.language].onItsWay);
+    this.#shownAs.delete(this.#line);
   }
 
   #waitNoLonger(): void {
@@ -169,17 +170,21 @@ class AtCursor implements Panel {
 
   #answered(help: Help | undefined): void {
     if (help === undefined) return;
-    const isBusy = this.#element.hasAttribute('aria-busy');
     this.#waitNoLonger();
     this.#shown = help;
     const texts = WORDS[this.#shell.language];
-    const { word, state } = help;
-    const shownAs = JSON.stringify([this.#shell.language, help]);
-    const isOther = shownAs !== this.#shownAs;
-    this.#shownAs = shownAs;
-    if (isOther || isBusy) this.#line.replaceChildren(word === undefined ? texts.nothing : wordLine(word));
-    // A run that changes nothing of it takes no button from under the pointer, and no field from a reader who types.
-    if (isOther) this.#showHelp(help);
+    const { word, form, state } = help;
+    // What a run leaves as it was stays: no button goes from under the pointer, and no field from a reader who types.
+    const isOther = (what: HTMLElement, of: unknown): boolean => {
+      const as = JSON.stringify([this.#shell.language, of]);
+      const before = this.#shownAs.get(what);
+      this.#shownAs.set(what, as);
+      return as !== before;
+    };
+    if (isOther(this.#line, word)) this.#line.replaceChildren(word === undefined ? texts.nothing : wordLine(word));
+    if (isOther(this.#facts, word)) this.#facts.replaceChildren(...(word === undefined ? [] : [factList(word.facts, (offset) => this.#go(offset))]));
+    if (isOther(this.#form, form)) this.#form.replaceChildren(...(form === undefined ? [] : this.#forms(form)));
+    if (state !== undefined && isOther(this.#state, state)) this.#showState(state);
     this.#mark(word?.marks[0]);
     if (this.#opened) {
       this.#opened = false;
@@ -192,15 +197,9 @@ class AtCursor implements Panel {
     this.#shell.editor.announce([...said, state?.explanation ?? ''].join(' ').trim());
   }
 
-  #showHelp({ word, form, state }: Help): void {
-    this.#facts.replaceChildren(...(word === undefined ? [] : [factList(word.facts, (offset) => this.#go(offset))]));
-    this.#form.replaceChildren(...(form === undefined ? [] : this.#forms(form)));
-    if (state !== undefined) this.#showState(state);
-  }
-
   /** Nothing is known: the line says what can stand here. */
   #clear(): void {
-    this.#shownAs = undefined;
+    this.#shownAs.clear();
     showText(this.#line, WORDS[this.#shell.language].empty);
     this.#facts.replaceChildren();
     this.#form.replaceChildren();
@@ -296,7 +295,7 @@ class AtCursor implements Panel {
           field.setAttribute('aria-invalid', String(value === undefined));
           if (value === undefined) return;
           end();
-          // The table is another one in a moment, and the button with it.
+          // The table is most often another one in a moment, and the button with it.
           this.#toggle.focus({ preventScroll: true });
           this.#shell.editor.tryValue({ at: block, time: execution, variable, value });
         } else return;

@@ -40,6 +40,8 @@ class MotionsPanel implements Panel {
   /** The first motion on the page, and those that follow. */
   #first = 0;
   #rows: readonly Stroke[] = [];
+  /** The rows of the table, as text. */
+  #shownAs = '';
   /** The motion the tool is on. */
   #at: number | undefined;
   /** The motion whose row gets the keys, and whether it is to have them once it is there. */
@@ -122,6 +124,7 @@ class MotionsPanel implements Panel {
     this.#button.setAttribute('aria-expanded', 'false');
     this.#rows = [];
     this.#body.replaceChildren();
+    this.#shownAs = '';
     this.#button.focus();
   }
 
@@ -174,9 +177,14 @@ class MotionsPanel implements Panel {
     this.#table.setAttribute('aria-rowcount', String(this.#count + 1));
     this.#earlier.hidden = this.#first === 0;
     this.#later.hidden = this.#first + rows.length >= this.#count;
-    const hadFocus = this.#body.contains(this.#shell.root.activeElement);
-    this.#body.replaceChildren(...rows.map((row) => this.#row(row)));
-    this.#focusing ||= hadFocus;
+    // Rows that say the same stay: one may just be pressed.
+    const shownAs = JSON.stringify(rows);
+    if (shownAs !== this.#shownAs) {
+      const hadFocus = this.#body.contains(this.#shell.root.activeElement);
+      this.#body.replaceChildren(...rows.map((row) => this.#row(row)));
+      this.#focusing ||= hadFocus;
+    }
+    this.#shownAs = shownAs;
     this.#mark();
   }
 
