@@ -15,6 +15,7 @@ mod engines;
 mod hostile;
 mod library;
 mod manuals;
+mod native;
 mod npx;
 mod package;
 mod packages;

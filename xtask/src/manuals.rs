@@ -7,7 +7,7 @@ use std::env;
 use std::time::Duration;
 
 use crate::run::{self, Result, command, step};
-use crate::{packages, tools};
+use crate::{native, packages, tools};
 
 /// The Sphinx that the recipe is tried with.
 const SPHINX: &str = "sphinx==9.0.4";
@@ -28,8 +28,7 @@ pub fn main() -> Result {
 
 /// Follows all recipes.
 pub fn recipes() -> Result<Duration> {
-    step("the command line", command("cargo").args(["build", "--bin", "gcode-playground"]))?;
-    let program = run::target().join("debug").join(format!("gcode-playground{}", env::consts::EXE_SUFFIX));
+    let program = native::command_line()?;
     let mdbook = tools::mdbook()?;
     let sphinx = packages::python(&format!("manuals/{}", SPHINX.replace("==", "-")), &[SPHINX])?;
     let site = packages::npm("manuals/site", &DOCUSAURUS)?;

@@ -6,6 +6,7 @@ use std::path::PathBuf;
 use std::time::{Duration, Instant};
 
 use crate::embed::copy_folder;
+use crate::native;
 use crate::package::FEATURES;
 use crate::run::{self, Result, step};
 use crate::setup::Setup;
@@ -81,8 +82,9 @@ pub fn compare(setup: &Setup) -> Result<Duration> {
     let package = scratch.join(format!("gcode-playground-{}.tgz", env!("CARGO_PKG_VERSION")));
     let mut install = setup.npm(&["install", "--silent", "--no-audit", "--no-fund", "--prefix"]);
     step("installing it", install.arg(&scratch).arg(&package))?;
-    let mut compare = run::command("cargo");
-    compare.args(["run", "--quiet", "--example", "npx", "--"]);
+    // It stands beside the example, which starts it.
+    native::command_line()?;
+    let mut compare = native::example("npx")?;
     compare.arg(scratch.join("node_modules/.bin/gcode-playground"));
     step("the command line under Node beside the native one", &mut compare)?;
     Ok(begun.elapsed())

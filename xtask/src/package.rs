@@ -19,7 +19,7 @@ use flate2::write::GzEncoder;
 
 use crate::run::{self, Result};
 use crate::setup::Setup;
-use crate::{core_functions, embed, npx, parts};
+use crate::{core_functions, embed, native, npx, parts};
 
 /// What has to be loaded before the first picture may be at most so many bytes, compressed as a server does it.
 const MOST_OF_THE_CORE: u64 = 150_000;
@@ -292,11 +292,11 @@ pub fn site(setup: &Setup) -> Result {
 /// makes the page work without a network.
 pub fn page(setup: &Setup) -> Result<Duration> {
     let page = run::step("building the page", &mut setup.npm(&["run", "build"]))?;
-    let mut rules = run::command("cargo");
-    rules.args(["run", "--quiet", "--example", "rule-pages", "--"]).arg(run::www().join("dist/rules"));
+    let mut rules = native::example("rule-pages")?;
+    rules.arg(run::www().join("dist/rules"));
     let rules = run::step("writing the pages of the rules", &mut rules)?;
-    let mut docs = run::command("cargo");
-    docs.args(["run", "--quiet", "--example", "docs", "--"]).arg(run::www().join("dist/docs"));
+    let mut docs = native::example("docs")?;
+    docs.arg(run::www().join("dist/docs"));
     let docs = run::step("writing the reference", &mut docs)?;
     let element = embed::element(setup)?;
     // It lists what is there, so it comes last.

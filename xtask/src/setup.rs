@@ -4,10 +4,9 @@
 use std::ffi::{OsStr, OsString};
 use std::path::PathBuf;
 use std::process::Command;
-use std::thread;
 use std::{env, fs};
 
-use crate::run::{self, Result, joined};
+use crate::run::{self, Result};
 use crate::wasm_std::{self, Toolchain};
 use crate::{browser, engines, spelling, tools};
 
@@ -25,25 +24,20 @@ impl Setup {
     /// Gets everything a build of the page needs.
     pub fn for_building() -> Result<Self> {
         // Slow when cold, each on its own: programs from source, the standard library, the npm packages.
-        let (wasm_bindgen, wasm_split, packages, toolchain) = thread::scope(|scope| {
-            let wasm_bindgen = scope.spawn(tools::wasm_bindgen);
-            let wasm_split = scope.spawn(tools::wasm_split);
-            let packages = scope.spawn(npm_packages);
-            (joined(wasm_bindgen), joined(wasm_split), joined(packages), wasm_std::ensure())
-        });
-        let folders = wasm_bindgen?.into_iter().chain([wasm_split?, packages?]);
+        let ((wasm_bindgen, wasm_split), (packages, toolchain)) = run::both(
+            || run::both(tools::wasm_bindgen, tools::wasm_split),
+            || run::both(npm_packages, wasm_std::ensure),
+        )?;
+        let folders = wasm_bindgen.into_iter().chain([wasm_split, packages]);
         let path = before(folders, &env::var_os("PATH").unwrap_or_default())?;
-        Ok(Setup { toolchain: toolchain?, path })
+        Ok(Setup { toolchain, path })
     }
 
     /// Gets what the tests need besides: wasm-pack, whose build takes longer than that of all the rest.
     pub fn for_testing() -> Result<Self> {
-        let (wasm_pack, setup) = thread::scope(|scope| {
-            let wasm_pack = scope.spawn(tools::wasm_pack);
-            (joined(wasm_pack), Setup::for_building())
-        });
-        let Setup { toolchain, path } = setup?;
-        Ok(Setup { toolchain, path: before(wasm_pack?, &path)? })
+        let (wasm_pack, setup) = run::both(tools::wasm_pack, Setup::for_building)?;
+        let Setup { toolchain, path } = setup;
+        Ok(Setup { toolchain, path: before(wasm_pack, &path)? })
     }
 
     /// A program that builds for wasm32 and finds all tools, started from the root of the repository.

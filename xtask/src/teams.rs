@@ -3,11 +3,10 @@
 //! In: the built command line; the built package. Out: whether reports are valid, and whether each way refuses what it
 //! should. The tools are installed once, in fixed versions, into the cache of the user.
 
-use std::env;
 use std::time::Duration;
 
 use crate::run::{self, Result, command, step};
-use crate::{debian, packages};
+use crate::{debian, native, packages};
 
 /// What validates, and what runs hooks.
 const PYTHON: [&str; 2] = ["check-jsonschema==0.39.0", "pre-commit==4.7.0"];
@@ -26,8 +25,7 @@ pub fn main() -> Result {
 /// Follows all ways.
 pub fn ways() -> Result<Duration> {
     rsync()?;
-    step("the command line", command("cargo").args(["build", "--bin", "gcode-playground"]))?;
-    let program = run::target().join("debug").join(format!("gcode-playground{}", env::consts::EXE_SUFFIX));
+    let program = native::command_line()?;
     let python = packages::python("teams/python", &PYTHON)?;
     let node = packages::npm("teams/node", &NODE)?;
     let mut ways = command(python.join("python"));

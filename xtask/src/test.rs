@@ -55,9 +55,12 @@ pub fn main() -> Result {
     done("workflows", step("checking the workflows", command("node").arg("tests/package/workflows.mjs"))?);
     done("page", package::page(&setup)?);
     npx::put_into_package()?;
-    done("command line for Node", npx::compare(&setup)?);
-    done("manuals", manuals::recipes()?);
-    done("teams", teams::ways()?);
+    // Each of the two starts one program after the other.
+    let (teams, (node, manuals)) =
+        run::both(teams::ways, || Ok((npx::compare(&setup)?, manuals::recipes()?)))?;
+    done("command line for Node", node);
+    done("manuals", manuals);
+    done("teams", teams);
     let mut playwright = setup.npm(&["run", "test:browser"]);
     playwright.env(browser::VARIABLE, browser).envs(engines);
     done("browser tests", step("browser tests", &mut playwright)?);
