@@ -10,6 +10,23 @@ use crate::run::{self, Result};
 /// Names the browser to use: read here, and passed on to the browser tests.
 pub const VARIABLE: &str = "PLAYGROUND_CHROMIUM";
 
+/// Chromium without windows, as Debian packs it: it starts a page in half the time.
+const HEADLESS_SHELL: &str = "chromium-headless-shell";
+
+/// Finds or installs the browser of the tests: the one that is named, or the headless shell, or else what [`ensure`] finds.
+pub fn for_tests() -> Result<PathBuf> {
+    let is_named = env::var_os(VARIABLE).is_some_and(|value| !value.is_empty());
+    let shell = || on_path(&[HEADLESS_SHELL]).find(is_there);
+    if is_named {
+        return ensure();
+    }
+    // Debian has it since version 12; where it cannot be had, every other Chromium does.
+    if shell().is_none() && installed().is_none() && debian::available() {
+        let _ = debian::install("installing the Chromium browser without windows", &[HEADLESS_SHELL]);
+    }
+    shell().map_or_else(ensure, Ok)
+}
+
 /// Finds a browser or installs one. The page's npm packages must be there: Playwright's
 /// own browser is the last way.
 pub fn ensure() -> Result<PathBuf> {
@@ -60,12 +77,21 @@ fn installed() -> Option<PathBuf> {
         "chrome",
         "microsoft-edge-stable",
     ];
+    on_path(&NAMES).chain(usual_places()).find(is_there)
+}
+
+fn is_there(path: &PathBuf) -> bool {
+    path.is_file() && works(path)
+}
+
+/// Where programs with these names can stand.
+fn on_path<'a>(names: &'a [&str]) -> impl Iterator<Item = PathBuf> + 'a {
     let folders: Vec<PathBuf> =
         env::var_os("PATH").map(|path| env::split_paths(&path).collect()).unwrap_or_default();
-    let on_path = NAMES.iter().flat_map(|name| {
-        folders.iter().map(move |folder| folder.join(format!("{name}{}", env::consts::EXE_SUFFIX)))
-    });
-    on_path.chain(usual_places()).find(|path| path.is_file() && works(path))
+    names.iter().flat_map(move |name| {
+        let file = format!("{name}{}", env::consts::EXE_SUFFIX);
+        folders.iter().map(|folder| folder.join(&file)).collect::<Vec<_>>()
+    })
 }
 
 fn usual_places() -> Vec<PathBuf> {

@@ -66,7 +66,7 @@ fn before(folders: impl IntoIterator<Item = PathBuf>, path: &OsStr) -> Result<Os
 pub fn main() -> Result {
     spelling::ensure()?;
     let setup = Setup::for_testing()?;
-    let browser = browser::ensure()?;
+    let browser = browser::for_tests()?;
     let engines = engines::ensure()?;
     run::say(format_args!("wasm32 is built by: {}", setup.toolchain));
     run::say(format_args!("the browser tests use: {}", browser.display()));

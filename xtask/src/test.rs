@@ -28,7 +28,7 @@ pub fn main() -> Result {
     let setting_up = Instant::now();
     spelling::ensure()?;
     let setup = Setup::for_testing()?;
-    let browser = browser::ensure()?;
+    let browser = browser::for_tests()?;
     let engines = engines::ensure()?;
     done("set-up", setting_up.elapsed());
 

@@ -49,7 +49,8 @@ const extended = base.extend<TestOptions, WorkerFixtures>({
   ],
   page: async ({ driver, browser, server, storing }, use) => {
     if (driver === undefined) {
-      const context = await browser.newContext();
+      // As for a page with windows: without them Chromium refuses what a page copies at a press.
+      const context = await browser.newContext({ permissions: ['clipboard-write'] });
       if (storing === 'off') await context.addInitScript(withoutStoring);
       await use(await context.newPage());
       await context.close();
