@@ -49,7 +49,7 @@ const extended = base.extend<TestOptions, WorkerFixtures>({
   ],
   page: async ({ driver, browser, server, storing }, use) => {
     if (driver === undefined) {
-      // As for a page with windows: without them Chromium refuses what a page copies at a press.
+      // With windows Chromium lets a page copy at a press; without them it has to be told.
       const context = await browser.newContext({ permissions: ['clipboard-write'] });
       if (storing === 'off') await context.addInitScript(withoutStoring);
       await use(await context.newPage());
