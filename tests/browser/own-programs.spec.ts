@@ -194,6 +194,28 @@ test('all programs go into one file, and come back without overwriting any', asy
   });
 });
 
+test('what is asked for at once is done in turn: a file of programs taken while one is being deleted', async ({ page }) => {
+  await open(page);
+  await type(page, SHAFT);
+  await kept(page);
+  await openList(page);
+  const saving = page.waitForEvent('download');
+  await list(page).getByRole('button', { name: 'Export all' }).click();
+  const file = readFileSync(await (await saving).path()).toString();
+  await list(page).getByRole('button', { name: 'What can be done with O0011 SHAFT', exact: true }).click();
+  await page.evaluate((file) => {
+    const dialog = document.querySelector('dialog[open]')!;
+    [...dialog.querySelectorAll('button')].find((button) => button.textContent === 'Delete')?.click();
+    const chosen = new DataTransfer();
+    chosen.items.add(new File([file], 'programs.json', { type: 'application/json' }));
+    const field = dialog.querySelector<HTMLInputElement>('input[type=file]')!;
+    field.files = chosen.files;
+    field.dispatchEvent(new Event('change', { bubbles: true }));
+  }, file);
+  await expect(list(page).getByRole('status')).toHaveText('Added: 1 program.');
+  await expect(items(page)).toHaveCount(1);
+});
+
 test('a program that gave way to another one is kept with its last key', async ({ page }) => {
   await open(page);
   await type(page, SHAFT);
@@ -217,7 +239,7 @@ test('a page that is left while the list is written keeps no other waiting, and 
       await openList(page);
       await expect(items(page)).toHaveCount(round);
       await close(page);
-    } else await page.evaluate(() => history.back());
+    } else await page.goBack();
   }
   await expect.poll(() => value(page)).toContain('(4)');
   await typeAtEnd(page, '(5)');
@@ -232,7 +254,7 @@ test('a page that is left before its list is open goes on when it is shown again
   await page.evaluate(() => addEventListener('pageshow', ({ persisted }) => void (document.title = `shown again: ${persisted}`)));
   await typeAtEnd(page, '(A)');
   await page.goto('about:blank');
-  await page.evaluate(() => history.back());
+  await page.goBack();
   await expect.poll(() => value(page)).toContain('(A)');
   // Chromium puts no page aside that a test drives, and loads it anew.
   if (engine !== 'chromium') await expect.poll(() => page.evaluate(() => document.title)).toBe('shown again: true');
@@ -251,7 +273,8 @@ test('what another tab makes of a program, while the page that it was typed in i
   await typeAtEnd(page, '(B)');
   await kept(page);
   const next = await page.evaluate(() => performance.timeOrigin);
-  await page.evaluate(() => history.go(-2));
+  await page.goBack();
+  await page.goBack();
   // On the way there is no page to ask.
   await expect.poll(() => page.evaluate(() => performance.timeOrigin).catch(() => next)).not.toBe(next);
   await expect.poll(() => value(page)).toContain('O1');

@@ -13,6 +13,8 @@ export interface Tab {
   /** Resolves when the document has loaded. */
   goto(address: string): Promise<void>;
   reload(): Promise<void>;
+  /** To the page before, as with the button of the browser. */
+  back(): Promise<void>;
   url(): Promise<string>;
   /** Runs in every document before its own scripts. */
   addInitScript(source: string): Promise<void>;

@@ -2,6 +2,7 @@
 import { mkdtemp, rm } from 'node:fs/promises';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
+import { setTimeout as pause } from 'node:timers/promises';
 import { launch, type Browser, type BrowserContext, type ElementHandle, type KeyInput, type Page } from 'puppeteer-core';
 import { type Driver, type Tab, within } from './driver';
 import { program } from './programs';
@@ -56,6 +57,12 @@ class FirefoxTab implements Tab {
   }
   async reload(): Promise<void> {
     await this.page.reload({ waitUntil: 'load', timeout: 60_000 });
+  }
+  async back(): Promise<void> {
+    // puppeteer would wait for a document to load, and one that was put aside does not.
+    const here = await this.evaluate('performance.timeOrigin');
+    await this.evaluate('void setTimeout(() => history.back())');
+    while ((await this.evaluate('performance.timeOrigin').catch(() => here)) === here) await pause(20);
   }
   url(): Promise<string> {
     return this.evaluate('location.href') as Promise<string>;

@@ -226,6 +226,10 @@ export class ForeignPage extends Finder implements Page {
     await this.tellErrors();
     await this.tab.reload();
   }
+  async goBack(): Promise<void> {
+    await this.tellErrors();
+    await this.tab.back();
+  }
   /** As it was when `look` was last called. */
   url(): string {
     return this.address;

@@ -49,7 +49,7 @@ const extended = base.extend<TestOptions, WorkerFixtures>({
   ],
   page: async ({ driver, browser, server, storing }, use) => {
     if (driver === undefined) {
-      // With windows Chromium lets a page copy at a press; without them it has to be told.
+      // With windows Chromium lets a page copy at a press; without them it needs this permission.
       const context = await browser.newContext({ permissions: ['clipboard-write'] });
       if (storing === 'off') await context.addInitScript(withoutStoring);
       await use(await context.newPage());

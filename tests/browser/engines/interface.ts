@@ -90,6 +90,8 @@ export interface BasicPage extends Finds {
   readonly mouse: Mouse;
   goto(address: string): Promise<unknown>;
   reload(): Promise<unknown>;
+  /** To the page before, as with the button of the browser. */
+  goBack(): Promise<unknown>;
   url(): string;
   /**
    * Evaluates a function in the page; it uses nothing from outside itself, and its

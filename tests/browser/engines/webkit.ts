@@ -199,6 +199,9 @@ class WebKitTab implements Tab {
   async reload(): Promise<void> {
     await this.call('POST', '/refresh', {});
   }
+  async back(): Promise<void> {
+    await this.call('POST', '/back', {});
+  }
   async url(): Promise<string> {
     return this.relay.behind((await this.call('GET', '/url')) as string);
   }

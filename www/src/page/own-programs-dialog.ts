@@ -47,17 +47,19 @@ class OwnProgramsDialog {
   #acting: { readonly id: string; readonly renaming: boolean } | undefined;
   /** The program whose earlier states are shown. */
   #statesOf: Listed | undefined;
+  /** When all that was asked for so far is done. */
+  #asked: Promise<void> = Promise.resolve();
 
   constructor(host: PageHost) {
     this.#host = host;
     this.#search.addEventListener('input', () => this.#showList());
     this.#back.addEventListener('click', () => void this.#leaveStates());
-    this.#export.addEventListener('click', () => void this.#try(() => this.#exportAll()));
+    this.#export.addEventListener('click', () => this.#inTurn(() => this.#exportAll()));
     this.#import.addEventListener('click', () => this.#file.click());
     this.#file.addEventListener('change', () => {
       const file = this.#file.files?.[0];
       this.#file.value = '';
-      if (file !== undefined) void this.#try(() => this.#importFile(file));
+      if (file !== undefined) this.#inTurn(() => this.#importFile(file));
     });
     document.body.append(this.#dialog.element);
   }
@@ -117,6 +119,11 @@ class OwnProgramsDialog {
     if (focused !== null && focused !== undefined) this.#focus(focused);
   }
 
+  /** What the reader asks for, each after what was asked for before: what is said last is of the last. */
+  #inTurn(act: () => Promise<void>): void {
+    this.#asked = this.#asked.then(() => this.#try(act));
+  }
+
   /** What could not be done is said. */
   async #try(act: () => Promise<void>): Promise<void> {
     try {
@@ -151,7 +158,7 @@ class OwnProgramsDialog {
     this.#found.textContent = outcome;
     if (undo === undefined) return;
     const button = make('button', { type: 'button', 'data-focus': 'undo' }, this.#texts.undo);
-    button.addEventListener('click', () => void this.#try(undo));
+    button.addEventListener('click', () => this.#inTurn(undo));
     this.#found.append(button);
   }
 
@@ -165,7 +172,7 @@ class OwnProgramsDialog {
     const when = `${this.#date(row.changed)}${isHere ? ` · ${this.#texts.here}` : ''}`;
     const card = make('button', { type: 'button', className: 'card', 'data-focus': `open:${row.id}` });
     card.append(smallDrawing(row.picture), make('span', { className: 'title' }, name), make('span', { className: 'when' }, when));
-    card.addEventListener('click', () => void this.#try(() => this.#open(row.id)));
+    card.addEventListener('click', () => this.#inTurn(() => this.#open(row.id)));
     const isActing = this.#acting?.id === row.id;
     const more = make('button', { type: 'button', className: 'more-of', 'aria-expanded': String(isActing), 'data-focus': `more:${row.id}` }, icon('more'));
     nameButton(more, this.#texts.more(name));
@@ -182,22 +189,22 @@ class OwnProgramsDialog {
 
   #acts(row: Listed): HTMLElement {
     const { acts } = this.#texts;
-    const button = (text: string, act: () => Promise<void>): HTMLElement => {
+    const button = (text: string, act: () => void): HTMLElement => {
       const made = make('button', { type: 'button' }, text);
-      made.addEventListener('click', () => void this.#try(act));
+      made.addEventListener('click', act);
       return made;
     };
     if (this.#acting?.renaming === true) return make('div', { className: 'acts' }, this.#renaming(row));
     return make(
       'div', { className: 'acts' },
-      button(acts.rename, async () => {
+      button(acts.rename, () => {
         this.#acting = { id: row.id, renaming: true };
         this.#showList();
         this.#shelf.querySelector<HTMLInputElement>('form input')?.select();
       }),
-      button(acts.duplicate, () => this.#duplicate(row)),
-      button(acts.states, () => this.#showStates(row)),
-      button(acts.delete, () => this.#delete(row)),
+      button(acts.duplicate, () => this.#inTurn(() => this.#duplicate(row))),
+      button(acts.states, () => this.#inTurn(() => this.#showStates(row))),
+      button(acts.delete, () => this.#inTurn(() => this.#delete(row))),
     );
   }
 
@@ -219,7 +226,7 @@ class OwnProgramsDialog {
     });
     form.addEventListener('submit', (event) => {
       event.preventDefault();
-      void this.#try(async () => {
+      this.#inTurn(async () => {
         await store.rename(row.id, cut(input.value), (program) => nameOf(program, this.#host.keeping.host.titleOf(program.example)));
         await leave();
         this.#session?.changed({ kind: 'list' });
@@ -282,7 +289,7 @@ class OwnProgramsDialog {
   #state(row: Listed, state: State): HTMLElement {
     const when = this.#date(state.time);
     const restore = make('button', { type: 'button', 'aria-label': `${this.#texts.restore}: ${when}` }, this.#texts.restore);
-    restore.addEventListener('click', () => void this.#try(() => this.#restore(row, state)));
+    restore.addEventListener('click', () => this.#inTurn(() => this.#restore(row, state)));
     return make('li', { className: 'state' }, make('span', {}, when, make('span', { className: 'when' }, this.#texts.length(state.length))), restore);
   }
 
