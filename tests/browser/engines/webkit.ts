@@ -261,9 +261,9 @@ class WebKitTab implements Tab {
       await this.call('POST', '/window/rect', { x: 0, y: 0, width: width + barsWide, height: height + barsHigh });
       seen = (await this.evaluate('[innerWidth, innerHeight]')) as [number, number];
       if (seen[0] === width && seen[1] === height) return;
-      // The bars around the page take the rest.
+      // The bars around the page take the rest. The window may have its new size before the page has.
       const window = (await this.call('GET', '/window/rect')) as { width: number; height: number };
-      [barsWide, barsHigh] = [window.width - seen[0], window.height - seen[1]];
+      [barsWide, barsHigh] = [Math.max(window.width - seen[0], 0), Math.max(window.height - seen[1], 0)];
     }
     throw new Error(`WebKit: the page does not become ${width} × ${height} but ${seen.join(' × ')}`);
   }
