@@ -1,6 +1,6 @@
 // The problems of a program: one count, one line for each rule and code, what of them is shown, and how they lead to
 // the program and to the drawing.
-import { expect, test, type Page } from './engines';
+import { chromiumTest, expect, test, type Page } from './engines';
 import { between, drawing, editor, open, problems, selected, status, tooltip, type, value } from './page';
 
 /** Sixty-six M codes nobody knows, one dear mistake among them, and a warning. */
@@ -213,6 +213,44 @@ test('while a word is typed in a contour the picture of before stays, labelled w
     await expect(old).toBeHidden();
     await expect(drawing(page)).not.toHaveAttribute('aria-label', new RegExp(`\\b${motions} motions`));
   });
+});
+
+chromiumTest('who leaves the block while its run is under way sees what the program does now', async ({ page }) => {
+  // The worker gets the run and the move of the cursor after it at once, so that the run is not done in between.
+  await page.route(/\/worker-[\w-]{8}\.js$/, async (route) => {
+    const response = await route.fetch();
+    const hook = `{
+      let held;
+      self.addEventListener('message', (event) => {
+        const what = event.data?.what;
+        if (what?.kind === 'run' && self.holdsRuns === true) {
+          event.stopImmediatePropagation();
+          held = event.data;
+          self.holdsRuns = false;
+        } else if (what?.kind === 'cursor' && held !== undefined) {
+          const run = held;
+          held = undefined;
+          self.dispatchEvent(new MessageEvent('message', { data: run }));
+        }
+      });
+    }\n`;
+    await route.fulfill({ response, body: hook + (await response.text()) });
+  });
+  await open(page);
+  await type(page, CONTOUR);
+  await settled(page);
+  await page.keyboard.press('Control+Home');
+  for (let i = 0; i < 7; i++) await page.keyboard.press('ArrowDown');
+  await page.keyboard.press('End');
+  await page.keyboard.press('Backspace');
+  await settled(page);
+  await page.workers()[0]!.evaluate(() => Object.assign(self, { holdsRuns: true }));
+  await page.keyboard.press('Backspace');
+  await expect.poll(() => page.workers()[0]!.evaluate(() => (self as unknown as { holdsRuns: boolean }).holdsRuns)).toBe(false);
+  await page.keyboard.press('ArrowDown');
+  await settled(page);
+  await expect(page.getByText(/^Old picture \(run \d+\)/)).toBeHidden();
+  await expect(rows(page).first().getByRole('button', { name: /^Error: / })).toBeVisible();
 });
 
 /** What a few pixels of the drawing around a place look like. */

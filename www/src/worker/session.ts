@@ -177,18 +177,23 @@ export class Session implements Waiter {
     }
     const row = Session.#COMMANDS[message.kind] as CommandRow<Command['kind']>;
     row.act(this, message);
+    // Who leaves the line while the run of it is under way has left it when that is done.
+    if (this.#typedLine !== undefined && this.#leaves(message, this.#typedLine)) this.#typedLine = undefined;
     if (this.#keepsOld !== undefined && this.#oldPictureStays(message, this.#keepsOld.line)) return;
     if (row.draws !== 'no') this.#wantDraw(row.draws);
   }
 
-  /** Whether an old picture is still the one to show: the reader has neither left the line nor moved the picture. */
+  /** Whether the reader has left the line, or moved the picture. What is said of a new run takes room: that is no move. */
+  #leaves(message: Command, line: number): boolean {
+    if (message.kind === 'cursor') return message.offset === undefined || this.#core.lineAt(message.offset) !== line;
+    return message.kind === 'picture' && message.what.kind !== 'resize' && message.what.kind !== 'paint-again';
+  }
+
+  /** Whether an old picture is still the one to show. */
   #oldPictureStays(message: Command, line: number): boolean {
     switch (message.kind) {
-      case 'cursor':
-        return message.offset !== undefined && this.#core.lineAt(message.offset) === line ? true : this.#showCurrent();
-      case 'picture':
-        // What is said of the new run takes room.
-        return message.what.kind === 'resize' || message.what.kind === 'paint-again' ? true : this.#showCurrent();
+      case 'cursor': case 'picture':
+        return this.#leaves(message, line) ? this.#showCurrent() : true;
       case 'run': case 'shown': case 'hover': case 'leave-edge': case 'load-parts': case 'stop':
         return true;
       case 'palette': case 'language': case 'unit': case 'turret': case 'mark': case 'frame': case 'keep': case 'end-comparison':
