@@ -6,6 +6,7 @@ import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { program } from './page';
 import { serve } from './sites';
+import { runBeforeWorker } from './worker-script';
 
 const FILES = join(__dirname, '..', '..', 'www', 'dist', 'embed');
 
@@ -65,16 +66,12 @@ async function settled(page: ChromiumPage, which: number): Promise<void> {
 
 /** The worker does this in the midst of the run of any text that contains `(FAULT)`. */
 async function injectFault(page: ChromiumPage, fault: string): Promise<void> {
-  await page.route(/\/worker-[\w-]{8}\.js$/, async (route) => {
-    const response = await route.fetch();
-    const hook = `{
-      let isHit = false;
-      self.addEventListener('message', ({ data }) => { if (JSON.stringify(data?.what ?? '').includes('(FAULT)')) isHit = true; });
-      const now = performance.now.bind(performance);
-      performance.now = () => { if (isHit) { isHit = false; ${fault} } return now(); };
-    }\n`;
-    await route.fulfill({ response, body: hook + (await response.text()) });
-  });
+  await runBeforeWorker(page, `
+    let isHit = false;
+    self.addEventListener('message', ({ data }) => { if (JSON.stringify(data?.what ?? '').includes('(FAULT)')) isHit = true; });
+    const now = performance.now.bind(performance);
+    performance.now = () => { if (isHit) { isHit = false; ${fault} } return now(); };
+  `);
 }
 
 test('thirty elements have one worker, and ask for each file once', async ({ page }) => {

@@ -1,7 +1,8 @@
 // The problems of a program: one count, one line for each rule and code, what of them is shown, and how they lead to
 // the program and to the drawing.
-import { chromiumTest, expect, test, type Page } from './engines';
+import { chromiumTest, expect, test, type BasicPage, type Page } from './engines';
 import { between, drawing, editor, open, problems, selected, status, tooltip, type, value } from './page';
+import { runBeforeWorker } from './worker-script';
 
 /** Sixty-six M codes nobody knows, one dear mistake among them, and a warning. */
 const MANY = [
@@ -172,15 +173,20 @@ const CONTOUR = [
   'G70 P10 Q20 F0.1', 'G00 X100 Z100', 'M30',
 ].join('\n');
 
+/** Puts the cursor after `X30 Z-25` of the contour. */
+async function toTypedBlock(page: BasicPage): Promise<void> {
+  await page.keyboard.press('Control+Home');
+  for (let i = 0; i < 7; i++) await page.keyboard.press('ArrowDown');
+  await page.keyboard.press('End');
+}
+
 test('while a word is typed in a contour the picture of before stays, labelled with its run', async ({ page }) => {
   await open(page);
   await type(page, CONTOUR);
   await settled(page);
   const motions = Number(/(\d+) motions/.exec((await drawing(page).getAttribute('aria-label')) ?? '')?.[1]);
   expect(motions).toBeGreaterThan(20);
-  await page.keyboard.press('Control+Home');
-  for (let i = 0; i < 7; i++) await page.keyboard.press('ArrowDown');
-  await page.keyboard.press('End');
+  await toTypedBlock(page);
   await settled(page);
   const place = await between(page, { x: 30, z: -25 }, { x: 40, z: -25 });
   const old = page.getByText(/^Old picture \(run \d+\)/);
@@ -216,33 +222,32 @@ test('while a word is typed in a contour the picture of before stays, labelled w
 });
 
 chromiumTest('who leaves the block while its run is under way sees what the program does now', async ({ page }) => {
-  // The worker gets the run and the move of the cursor after it at once, so that the run is not done in between.
-  await page.route(/\/worker-[\w-]{8}\.js$/, async (route) => {
-    const response = await route.fetch();
-    const hook = `{
-      let held;
-      self.addEventListener('message', (event) => {
-        const what = event.data?.what;
-        if (what?.kind === 'run' && self.holdsRuns === true) {
-          event.stopImmediatePropagation();
-          held = event.data;
-          self.holdsRuns = false;
-        } else if (what?.kind === 'cursor' && held !== undefined) {
-          const run = held;
-          held = undefined;
-          self.dispatchEvent(new MessageEvent('message', { data: run }));
-        }
-      });
-    }\n`;
-    await route.fulfill({ response, body: hook + (await response.text()) });
-  });
+  // The worker gets the move of the cursor after the first slice of the run.
+  await runBeforeWorker(page, `
+    let held;
+    self.addEventListener('message', (event) => {
+      const what = event.data?.what;
+      if (what?.kind === 'run' && self.holdsRuns === true) {
+        event.stopImmediatePropagation();
+        held = event.data;
+        self.holdsRuns = false;
+      } else if (what?.kind === 'cursor' && held !== undefined) {
+        const run = held;
+        held = undefined;
+        // Its first slice is over at once.
+        const now = performance.now;
+        let late = 0;
+        performance.now = () => now.call(performance) + (late += 1_000);
+        self.dispatchEvent(new MessageEvent('message', { data: run }));
+        performance.now = now;
+      }
+    });
+  `);
   await open(page);
-  await type(page, CONTOUR);
+  const further = Array.from({ length: 2_000 }, (_, at) => `G01 X${60 + (at % 40)} Z${5 + (at % 7)} F0.2`).join('\n');
+  await type(page, `${CONTOUR.replace('M30', further)}\nM30`);
   await settled(page);
-  await page.keyboard.press('Control+Home');
-  for (let i = 0; i < 7; i++) await page.keyboard.press('ArrowDown');
-  await page.keyboard.press('End');
-  await page.keyboard.press('Backspace');
+  await toTypedBlock(page);
   await settled(page);
   await page.workers()[0]!.evaluate(() => Object.assign(self, { holdsRuns: true }));
   await page.keyboard.press('Backspace');

@@ -114,7 +114,7 @@ export class Session implements Waiter {
   #onTheWay = false;
   /** The last picture that was painted of a whole path. */
   #pictured: Pictured | undefined;
-  /** The line in which the current run was typed; undefined where its text came otherwise. */
+  /** The line in which the current run was typed; undefined where its text came otherwise, or the reader has left the line. */
   #typedLine: number | undefined;
   /** The picture on the page is that of an earlier run, as long as the reader stays in this line. */
   #keepsOld: { readonly line: number } | undefined;
