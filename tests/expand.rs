@@ -131,7 +131,7 @@ fn the_programs_of_the_gallery_and_the_fixtures_do_the_same() {
 #[test]
 fn the_corrected_programs_of_the_rule_pages_do_the_same() {
     let (mut slips, mut checked) = (Vec::new(), 0);
-    for (name, rule) in format::all() {
+    for (name, rule) in format::all(env!("CARGO_MANIFEST_DIR")) {
         let page = rule.expect(&name).page;
         let setup = Setup::from_json(&page.setup).expect(&name);
         slips.extend(difference(&page.right, &setup).map(|why| format!("{name}: {why}")));

@@ -43,7 +43,7 @@ fn motions_and_errors_of_the_programs_are_the_same_without_lints() {
 #[test]
 fn without_lints_the_control_reports_its_own_faults() {
     let mut of_lints = Vec::new();
-    for (name, rule) in format::all() {
+    for (name, rule) in format::all(env!("CARGO_MANIFEST_DIR")) {
         let Ok(rule) = rule else { continue };
         let setup = Setup::from_json(&rule.page.setup).expect(&name);
         let told = compared(&name, rule.page.wrong.as_bytes(), &setup);

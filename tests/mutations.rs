@@ -280,7 +280,7 @@ fn the_first_message_stands_at_the_fault() {
     let programs = fixtures.map(|program| Correct::new(program.id, program.text, &program.setup));
     // The corrected programs of the rule pages are fixtures as well; not those about
     // bounds, which are set low there.
-    let rules = format::all().into_iter().filter_map(|(_, rule)| rule.ok());
+    let rules = format::all(env!("CARGO_MANIFEST_DIR")).into_iter().filter_map(|(_, rule)| rule.ok());
     let rules = rules.filter(|rule| !rule.page.setup.contains("limits"));
     let corrected = rules.map(|rule| Correct::new(rule.slug, rule.page.right, &rule.page.setup));
     let mut programs: Vec<Correct> = programs.collect();

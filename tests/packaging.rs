@@ -15,10 +15,9 @@ fn cargo(arguments: &[&str]) -> Vec<String> {
     String::from_utf8(output.stdout).expect("UTF-8").lines().map(str::to_owned).collect()
 }
 
-/// The crates that are compiled into a program that uses this one.
-fn dependencies(features: &[&str]) -> BTreeSet<String> {
-    let mut arguments =
-        vec!["tree", "--package", "gcode-playground", "--edges", "normal", "--prefix", "none"];
+/// The crates that are compiled with a package, by name.
+fn dependencies(package: &str, edges: &str, features: &[&str]) -> BTreeSet<String> {
+    let mut arguments = vec!["tree", "--package", package, "--edges", edges, "--prefix", "none"];
     arguments.extend(["--format", "{p}", "--locked"]);
     arguments.extend(features);
     let name = |line: &String| line.split(' ').next().map(str::to_owned);
@@ -30,12 +29,25 @@ const OF_THE_COMMAND_LINE: [&str; 4] = ["annotate-snippets", "clap", "encoding_r
 
 #[test]
 fn a_library_brings_nothing_of_the_command_line() {
-    let (library, command_line) = (dependencies(&["--no-default-features"]), dependencies(&[]));
+    let of = |features| dependencies("gcode-playground", "normal", features);
+    let (library, command_line) = (of(&["--no-default-features"]), of(&[]));
     for name in OF_THE_COMMAND_LINE {
         assert!(!library.contains(name), "{library:?}");
         assert!(command_line.contains(name), "{command_line:?}");
     }
     assert!(library.len() < command_line.len() && library.contains("i_overlay"), "{library:?}");
+}
+
+/// Building the site compiles neither the dependencies of the tests nor those of the command line.
+#[test]
+fn the_writers_of_pages_bring_nothing_of_the_tests() {
+    for package in ["gcode-playground-rule-pages", "gcode-playground-reference"] {
+        let needed = dependencies(package, "all", &[]);
+        assert!(needed.contains(package), "{needed:?}");
+        for name in ["clap", "divan", "proptest"] {
+            assert!(!needed.contains(name), "{package} needs {name}: {needed:?}");
+        }
+    }
 }
 
 /// What a user of the crate needs: sources, the rules that the build script reads, the reference, the licences.

@@ -6,12 +6,14 @@
 mod site;
 
 use std::fs;
+use std::path::Path;
+
+const DOCUMENTS: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/www/docs");
 
 #[test]
 fn every_document_becomes_a_page_that_all_pages_list() {
-    let files = site::files().unwrap_or_else(|mistakes| panic!("{mistakes}"));
-    let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/www/docs");
-    let names = fs::read_dir(folder).expect("www/docs").flatten().map(|entry| entry.file_name());
+    let files = site::files(Path::new(DOCUMENTS)).unwrap_or_else(|mistakes| panic!("{mistakes}"));
+    let names = fs::read_dir(DOCUMENTS).expect("www/docs").flatten().map(|entry| entry.file_name());
     let documents: Vec<_> =
         names.filter_map(|name| name.to_string_lossy().strip_suffix(".md").map(str::to_owned)).collect();
     assert!(documents.len() >= 8, "{documents:?}");
@@ -28,12 +30,11 @@ fn every_document_becomes_a_page_that_all_pages_list() {
 
 #[test]
 fn every_row_of_every_table_is_on_its_page() {
-    let files = site::files().unwrap_or_else(|mistakes| panic!("{mistakes}"));
+    let files = site::files(Path::new(DOCUMENTS)).unwrap_or_else(|mistakes| panic!("{mistakes}"));
     let mut rows = 0;
     for (name, page) in files.iter().filter(|(name, _)| name.ends_with(".html")) {
         let document = name.replace("index.html", "README.html").replace(".html", ".md");
-        let path = format!("{}/www/docs/{document}", env!("CARGO_MANIFEST_DIR"));
-        let text = fs::read_to_string(path).expect("a document");
+        let text = fs::read_to_string(Path::new(DOCUMENTS).join(document)).expect("a document");
         let written = text.lines().filter(|line| line.starts_with('|') && !line.starts_with("|--")).count();
         assert_eq!(page.matches("<tr>").count(), written, "{name}");
         rows += written;

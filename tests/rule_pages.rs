@@ -26,12 +26,13 @@ use outcome::{Marked, Outcome};
 
 /// All rule files that can be read.
 fn rules() -> Vec<RuleFile> {
-    format::all().into_iter().filter_map(|(_, rule)| rule.ok()).collect()
+    format::all(env!("CARGO_MANIFEST_DIR")).into_iter().filter_map(|(_, rule)| rule.ok()).collect()
 }
 
 #[test]
 fn every_rule_has_a_page_and_every_page_a_rule() {
-    let files: Vec<String> = format::all().into_iter().map(|(name, _)| name).collect();
+    let files: Vec<String> =
+        format::all(env!("CARGO_MANIFEST_DIR")).into_iter().map(|(name, _)| name).collect();
     assert_eq!(files, RULES.map(|rule| rule.slug));
 }
 
@@ -40,7 +41,7 @@ fn pages_do_what_they_say() {
     let only = std::env::var("RULE_PAGES").unwrap_or_default();
     let only: Vec<&str> = only.split(',').filter(|slug| !slug.is_empty()).collect();
     let mut all = Vec::new();
-    for (name, rule) in format::all() {
+    for (name, rule) in format::all(env!("CARGO_MANIFEST_DIR")) {
         if only.is_empty() || only.contains(&name.as_str()) {
             let slips = rule
                 .map_or_else(|found| found.iter().map(ToString::to_string).collect(), |rule| slips(&rule));

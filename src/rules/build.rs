@@ -1,9 +1,8 @@
-//! The build script: makes Rust and JSON of the rule files.
+//! The build script: makes Rust code of the rule files.
 //!
 //! In: `src/rules/<slug>.md`. Out, in `OUT_DIR`: `message.rs` (the types of messages and the table of rules),
-//! `sentences.rs` (the templates in three languages), `example_messages.rs` (a value of each
-//! message, for tests), and `messages.<language>.json` for the page. A mistake in a rule file fails
-//! the build with file and line.
+//! `sentences.rs` (the templates in three languages), `example_messages.rs` (a value of each message, for tests)
+//! and `pages.rs` (the rule pages, for the command line). A mistake in a rule file fails the build with file and line.
 
 mod format;
 mod generate;
@@ -16,7 +15,7 @@ fn main() -> ExitCode {
     println!("cargo::rerun-if-changed=src/rules");
     let mut mistakes = Vec::new();
     let mut rules = Vec::new();
-    for (name, rule) in format::all() {
+    for (name, rule) in format::all(env!("CARGO_MANIFEST_DIR")) {
         match rule {
             Ok(rule) => rules.push(rule),
             Err(found) => {

@@ -1,4 +1,4 @@
-//! Rust and JSON of rule files that were read without a mistake.
+//! Rust code made of rule files that were read without a mistake.
 
 use std::collections::BTreeMap;
 use std::fmt::{Display, Write};
@@ -25,16 +25,12 @@ pub fn duplicates(rules: &[RuleFile]) -> Vec<String> {
 
 /// The files by name.
 pub fn files(rules: &[RuleFile]) -> Vec<(String, String)> {
-    let mut files = vec![
+    vec![
         ("message.rs".to_owned(), message(rules)),
         ("sentences.rs".to_owned(), sentences(rules)),
         ("example_messages.rs".to_owned(), example_messages(rules)),
         ("pages.rs".to_owned(), pages(rules)),
-    ];
-    for (index, tag) in LANGUAGES.iter().enumerate() {
-        files.push((format!("messages.{tag}.json"), json(rules, index)));
-    }
-    files
+    ]
 }
 
 /// All messages, each with its rule.
@@ -200,34 +196,6 @@ fn example_messages(rules: &[RuleFile]) -> String {
     out
 }
 
-/// The sentences of one language: of each message by its name the rule, the types of the
-/// arguments, and the templates.
-fn json(rules: &[RuleFile], language: usize) -> String {
-    let mut out = String::from("{\n");
-    let last = messages(rules).count() - 1;
-    for (index, (rule, message)) in messages(rules).enumerate() {
-        let said = &message.sentences[language];
-        let arguments: Vec<_> = quoted(message)
-            .map(|Argument { name, kind, .. }| format!("{}: {}", json_text(name), json_text(kind.name())))
-            .collect();
-        let help =
-            said.help.iter().map(|help| format!(", \"help\": {}", json_text(help))).collect::<String>();
-        let comma = if index == last { "" } else { "," };
-        put(
-            &mut out,
-            format_args!(
-                "{}: {{\"rule\": {}, \"arguments\": {{{}}}, \"message\": {}{help}}}{comma}",
-                json_text(&message.name),
-                json_text(&rule.slug),
-                arguments.join(", "),
-                json_text(&said.message),
-            ),
-        );
-    }
-    out.push_str("}\n");
-    out
-}
-
 /// The arguments that sentences quote.
 fn quoted(message: &Message) -> impl Iterator<Item = &Argument> {
     message.arguments.iter().filter(|argument| argument.kind != Type::Alarm)
@@ -287,19 +255,6 @@ fn pages(rules: &[RuleFile]) -> String {
 /// A literal of Rust.
 fn quote(text: impl AsRef<str>) -> String {
     format!("{:?}", text.as_ref())
-}
-
-/// A string of JSON.
-fn json_text(text: &str) -> String {
-    let mut out = String::from("\"");
-    for letter in text.chars() {
-        match letter {
-            '"' | '\\' => out.extend(['\\', letter]),
-            letter if letter.is_control() => drop(write!(out, "\\u{:04x}", u32::from(letter))),
-            letter => out.push(letter),
-        }
-    }
-    out + "\""
 }
 
 fn put(out: &mut String, line: impl Display) {

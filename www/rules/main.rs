@@ -8,23 +8,19 @@ mod book;
 #[path = "../../src/rules/format/mod.rs"]
 mod format;
 mod outcome;
+mod templates;
 mod words;
 
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::process::ExitCode;
 use std::{env, fs, io};
 
-/// The templates of each language, which the build script of the library made.
-const SENTENCES: [(&str, &str); 3] = [
-    ("en", include_str!(concat!(env!("OUT_DIR"), "/messages.en.json"))),
-    ("zh", include_str!(concat!(env!("OUT_DIR"), "/messages.zh.json"))),
-    ("ru", include_str!(concat!(env!("OUT_DIR"), "/messages.ru.json"))),
-];
+/// The folder of the project.
+const PROJECT: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../..");
 
 fn main() -> ExitCode {
-    // cargo puts options of its own after ours.
-    let folder = env::args().skip(1).find(|argument| !argument.starts_with('-'));
-    match write(&PathBuf::from(folder.unwrap_or_else(|| "target/rules".into()))) {
+    let folder = env::args_os().nth(1).unwrap_or_else(|| "target/rules".into());
+    match write(Path::new(&folder)) {
         Ok(count) => {
             println!("{count} files of rule pages");
             ExitCode::SUCCESS
@@ -38,7 +34,7 @@ fn main() -> ExitCode {
 
 fn write(folder: &Path) -> Result<usize, String> {
     let (mut rules, mut mistakes) = (Vec::new(), Vec::new());
-    for (name, rule) in format::all() {
+    for (name, rule) in format::all(PROJECT) {
         match rule {
             Ok(rule) => rules.push(rule),
             Err(found) => mistakes.extend(found.iter().map(|mistake| format!("{name}.md: {mistake}"))),
@@ -48,8 +44,8 @@ fn write(folder: &Path) -> Result<usize, String> {
         return Err(mistakes.join("\n"));
     }
     let mut files = book::files(&rules)?;
-    for (language, sentences) in SENTENCES {
-        files.insert(format!("{language}/messages.json"), sentences.to_owned());
+    for (index, language) in format::LANGUAGES.iter().enumerate() {
+        files.insert(format!("{language}/messages.json"), templates::json(&rules, index));
     }
     let saved = || -> io::Result<()> {
         for (name, content) in &files {

@@ -1,6 +1,8 @@
-//! In: the sources. Out: the programs that run on this machine, in `target/debug`: the command line and the examples.
+//! In: the sources. Out: the programs that run on this machine: the command line, the examples and the writers of
+//! pages.
 //!
-//! They are built with the features that the tests give to the whole workspace: after the tests nothing is compiled anew.
+//! After the tests they are built in `target/debug`, with the features that the tests give to the whole workspace, so
+//! that nothing is compiled again. For the site alone the writers of pages are built without the dependencies of the tests.
 
 use std::env;
 use std::path::PathBuf;
@@ -8,22 +10,65 @@ use std::process::Command;
 
 use crate::run::{self, Result, step};
 
+/// Arguments of `cargo build` that give a program the features of the tests: an example has the dev-dependencies.
+const WITH_TESTS: [&str; 3] = ["--workspace", "--example", "npx"];
+
+/// The profile of the writers of pages without the tests. In the folder of the tests, the library with fewer
+/// features would make theirs stale: cargo names a cdylib without a hash.
+const PAGES: &str = "pages";
+
+/// What else is built from the same sources in this command.
+#[derive(Clone, Copy)]
+pub enum Beside {
+    /// The tests have been built, or will be.
+    Tests,
+    /// Nothing.
+    Nothing,
+}
+
 /// The command line, built.
 pub fn command_line() -> Result<PathBuf> {
-    // The example brings the features of the tests.
-    build(&["--bin", "gcode-playground", "--example", "npx"])?;
-    Ok(run::target().join("debug").join(format!("gcode-playground{}", env::consts::EXE_SUFFIX)))
+    build("gcode-playground", &[&WITH_TESTS[..], &["--bin", "gcode-playground"]].concat())?;
+    Ok(program("debug", "gcode-playground"))
 }
 
 /// An example, built and ready to be started from the root of the repository.
 pub fn example(name: &str) -> Result<Command> {
-    build(&["--example", name])?;
-    let program = run::target().join("debug/examples").join(format!("{name}{}", env::consts::EXE_SUFFIX));
-    Ok(run::command(program))
+    build(name, &["--workspace", "--example", name])?;
+    Ok(run::command(program("debug/examples", name)))
 }
 
-fn build(what: &[&str]) -> Result {
+/// The program that writes the rule pages into the folder of its argument.
+pub fn rule_pages(beside: Beside) -> Result<Command> {
+    page_writer("gcode-playground-rule-pages", "rule-pages", beside)
+}
+
+/// The program that writes the reference into the folder of its argument.
+pub fn reference(beside: Beside) -> Result<Command> {
+    page_writer("gcode-playground-reference", "reference", beside)
+}
+
+fn page_writer(package: &str, name: &str, beside: Beside) -> Result<Command> {
+    let folder = match beside {
+        Beside::Tests => {
+            build(name, &[&WITH_TESTS[..], &["--bin", name]].concat())?;
+            "debug"
+        }
+        Beside::Nothing => {
+            build(name, &["--package", package, "--profile", PAGES])?;
+            PAGES
+        }
+    };
+    Ok(run::command(program(folder, name)))
+}
+
+fn build(name: &str, arguments: &[&str]) -> Result {
     let mut cargo = run::command("cargo");
-    cargo.args(["build", "--workspace"]).args(what);
-    step(&format!("building {}", what[1]), &mut cargo).map(|_| ())
+    cargo.arg("build").args(arguments);
+    step(&format!("building {name}"), &mut cargo).map(drop)
+}
+
+/// The file of a program in a folder of the target folder.
+fn program(folder: &str, name: &str) -> PathBuf {
+    run::target().join(folder).join(format!("{name}{}", env::consts::EXE_SUFFIX))
 }

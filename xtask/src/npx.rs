@@ -7,12 +7,12 @@ use std::time::{Duration, Instant};
 
 use crate::embed::copy_folder;
 use crate::native;
-use crate::package::FEATURES;
 use crate::run::{self, Result, step};
 use crate::setup::Setup;
+use crate::tools::WASM_FEATURES;
 
-/// The profile of Cargo.toml: that of the page, so that what both need is compiled once.
-const PROFILE: &str = "page";
+/// The profile of Cargo.toml: that of the page, in a folder apart from it.
+const PROFILE: &str = "node";
 
 /// Where the module is built.
 fn folder() -> PathBuf {
@@ -40,7 +40,7 @@ pub fn module(setup: &Setup) -> Result<Duration> {
     let begun = Instant::now();
     let module = folder().join("command-line_bg.wasm");
     let mut wasm_opt = setup.command("wasm-opt");
-    wasm_opt.args(FEATURES).arg("-O2").arg(&module).arg("-o").arg(&module);
+    wasm_opt.args(WASM_FEATURES).arg("-O2").arg(&module).arg("-o").arg(&module);
     run::quiet("optimising the command line for Node", &mut wasm_opt)?;
     // The package that it goes into has one of its own.
     let _ = fs::remove_file(folder().join("package.json"));

@@ -19,6 +19,7 @@ use flate2::write::GzEncoder;
 
 use crate::run::{self, Result};
 use crate::setup::Setup;
+use crate::tools::WASM_FEATURES;
 use crate::{core_functions, embed, native, npx, parts};
 
 /// What has to be loaded before the first picture may be at most so many bytes, compressed as a server does it.
@@ -29,16 +30,6 @@ const MOST_OF_ALL: u64 = 815_000;
 
 /// The profile in which a module that is cut is built first: that of the page, so that functions have the same names in both.
 const FIRST_PROFILE: &str = "page-first";
-
-/// What the compiler may use of WebAssembly.
-pub const FEATURES: [&str; 6] = [
-    "--enable-bulk-memory",
-    "--enable-nontrapping-float-to-int",
-    "--enable-sign-ext",
-    "--enable-mutable-globals",
-    "--enable-reference-types",
-    "--enable-multivalue",
-];
 
 /// A crate that becomes a module for JavaScript.
 pub struct Module<'a> {
@@ -66,7 +57,7 @@ pub fn wasm(setup: &Setup) -> Result<Duration> {
         name: "gcode_playground",
         folder: run::root(),
         profile: "page",
-        features: &[],
+        features: &["--no-default-features"],
         target: run::target(),
         package: run::www().join("pkg"),
         // A function with one caller stays a function: merged into it, it compresses worse. Functions of like
@@ -121,7 +112,7 @@ impl Module<'_> {
         modules.sort_by_key(|(from, _)| Reverse(fs::metadata(from).map_or(0, |file| file.len())));
         run::for_each(&modules, |(from, to)| {
             let mut wasm_opt = setup.command("wasm-opt");
-            wasm_opt.args(FEATURES).args(self.optimised).arg(from).arg("-o").arg(to);
+            wasm_opt.args(WASM_FEATURES).args(self.optimised).arg(from).arg("-o").arg(to);
             run::quiet(&format!("optimising {}", to.display()), &mut wasm_opt)
         })?;
         if let Some(cut) = &cut {
@@ -196,7 +187,7 @@ impl Module<'_> {
             include_str!("parts.rs"),
             include_str!("panics.rs"),
         ];
-        (FEATURES, self.optimised, self.is_cut, scripts).hash(&mut hasher);
+        (WASM_FEATURES, self.optimised, self.is_cut, scripts).hash(&mut hasher);
         Some(format!("{:016x}", hasher.finish()))
     }
 
@@ -282,7 +273,7 @@ fn stated_sizes(document: &str) -> BTreeMap<String, u64> {
 
 /// Builds the whole static site into www/dist.
 pub fn site(setup: &Setup) -> Result {
-    run::both(|| npx::module(setup), || wasm(setup).and_then(|_| page(setup)))?;
+    run::both(|| npx::module(setup), || wasm(setup).and_then(|_| page(setup, native::Beside::Nothing)))?;
     npx::put_into_package()?;
     run::say(format_args!("the site is in {}", run::www().join("dist").display()));
     Ok(())
@@ -290,12 +281,12 @@ pub fn site(setup: &Setup) -> Result {
 
 /// Builds the page into www/dist, and next to it the rule pages, the reference, the element for other pages and what
 /// makes the page work without a network.
-pub fn page(setup: &Setup) -> Result<Duration> {
+pub fn page(setup: &Setup, beside: native::Beside) -> Result<Duration> {
     let page = run::step("building the page", &mut setup.npm(&["run", "build"]))?;
-    let mut rules = native::example("rule-pages")?;
+    let mut rules = native::rule_pages(beside)?;
     rules.arg(run::www().join("dist/rules"));
     let rules = run::step("writing the pages of the rules", &mut rules)?;
-    let mut docs = native::example("docs")?;
+    let mut docs = native::reference(beside)?;
     docs.arg(run::www().join("dist/docs"));
     let docs = run::step("writing the reference", &mut docs)?;
     let element = embed::element(setup)?;

@@ -6,7 +6,7 @@ use std::time::Instant;
 
 use crate::run::{self, Result, command, pretty, step};
 use crate::setup::Setup;
-use crate::{browser, engines, hostile, library, manuals, npx, package, spelling, teams};
+use crate::{browser, engines, hostile, library, manuals, native, npx, package, spelling, teams};
 
 /// `cargo xtask test`.
 pub fn main() -> Result {
@@ -53,7 +53,7 @@ pub fn main() -> Result {
     done("crate", library::crate_file()?);
     done("page types", step("checking the page's types", &mut setup.npm(&["run", "typecheck"]))?);
     done("workflows", step("checking the workflows", command("node").arg("tests/package/workflows.mjs"))?);
-    done("page", package::page(&setup)?);
+    done("page", package::page(&setup, native::Beside::Tests)?);
     npx::put_into_package()?;
     // Each of the two starts one program after the other.
     let (teams, (node, manuals)) =

@@ -7,6 +7,16 @@ use std::{env, fs};
 
 use crate::run::{self, Result};
 
+/// The features of WebAssembly that the compiler uses, as options of wasm-opt.
+pub const WASM_FEATURES: [&str; 6] = [
+    "--enable-bulk-memory",
+    "--enable-nontrapping-float-to-int",
+    "--enable-sign-ext",
+    "--enable-mutable-globals",
+    "--enable-reference-types",
+    "--enable-multivalue",
+];
+
 /// The version installed where no fitting one is found.
 const WASM_PACK: &str = "0.15.1";
 

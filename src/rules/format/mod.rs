@@ -180,14 +180,9 @@ impl RuleFile {
     }
 }
 
-/// The folder of the rule files.
-pub fn folder() -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).join("src/rules")
-}
-
-/// Every rule file by its name, sorted; or what is wrong with it.
-pub fn all() -> Vec<(String, Result<RuleFile, Vec<Mistake>>)> {
-    let folder = folder();
+/// Every rule file of the project in this folder, sorted by name; or its mistakes.
+pub fn all(project: &str) -> Vec<(String, Result<RuleFile, Vec<Mistake>>)> {
+    let folder = Path::new(project).join("src/rules");
     let entries = fs::read_dir(&folder).unwrap_or_else(|error| panic!("{}: {error}", folder.display()));
     let paths = entries.map(|entry| entry.unwrap_or_else(|error| panic!("{error}")).path());
     let mut paths: Vec<PathBuf> =

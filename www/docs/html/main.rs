@@ -5,14 +5,16 @@
 
 mod site;
 
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::process::ExitCode;
 use std::{env, fs, io};
 
+/// The folder of the documents.
+const DOCUMENTS: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/..");
+
 fn main() -> ExitCode {
-    // cargo appends options of its own.
-    let folder = env::args().skip(1).find(|argument| !argument.starts_with('-'));
-    match write(&PathBuf::from(folder.unwrap_or_else(|| "target/docs".into()))) {
+    let folder = env::args_os().nth(1).unwrap_or_else(|| "target/docs".into());
+    match write(Path::new(&folder)) {
         Ok(count) => {
             println!("{count} files of the reference");
             ExitCode::SUCCESS
@@ -25,7 +27,7 @@ fn main() -> ExitCode {
 }
 
 fn write(folder: &Path) -> Result<usize, String> {
-    let files = site::files()?;
+    let files = site::files(Path::new(DOCUMENTS))?;
     let save = || -> io::Result<()> {
         fs::create_dir_all(folder)?;
         for (name, content) in &files {

@@ -9,7 +9,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::{fs, io};
 
 use pulldown_cmark::{CowStr, Event, Options, Parser, Tag, TagEnd, html};
@@ -19,8 +19,8 @@ const STYLES: [&str; 3] =
     [include_str!("../../src/colours.css"), include_str!("../../rules/rules.css"), include_str!("docs.css")];
 
 /// All files by name, or every mistake in the documents.
-pub fn files() -> Result<BTreeMap<String, String>, String> {
-    let documents = documents().map_err(|error| format!("www/docs: {error}"))?;
+pub fn files(folder: &Path) -> Result<BTreeMap<String, String>, String> {
+    let documents = documents(folder).map_err(|error| format!("www/docs: {error}"))?;
     let mut mistakes = Vec::new();
     let mut pages = Vec::new();
     for (name, text) in &documents {
@@ -44,8 +44,7 @@ pub fn files() -> Result<BTreeMap<String, String>, String> {
 }
 
 /// Name without ending, and text, of each document.
-fn documents() -> io::Result<BTreeMap<String, String>> {
-    let folder = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("www/docs");
+fn documents(folder: &Path) -> io::Result<BTreeMap<String, String>> {
     let mut found = BTreeMap::new();
     for entry in fs::read_dir(folder)? {
         let path = entry?.path();
