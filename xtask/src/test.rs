@@ -21,7 +21,7 @@ pub fn main() -> Result {
     done("lints", step("lints, native", &mut clippy)?);
 
     let mut fuzz = command("cargo");
-    fuzz.args(["check", "--manifest-path", "tests/fuzz/Cargo.toml", "--no-default-features"]);
+    fuzz.args(["check", "--locked", "--manifest-path", "tests/fuzz/Cargo.toml", "--no-default-features"]);
     fuzz.args(["--target-dir", "target/fuzz"]);
     done("fuzz targets", step("checking the fuzz targets", &mut fuzz)?);
 
