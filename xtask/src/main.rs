@@ -16,6 +16,7 @@ mod hostile;
 mod library;
 mod manuals;
 mod native;
+mod notices;
 mod npx;
 mod package;
 mod packages;
@@ -48,6 +49,7 @@ cargo xtask compare-linuxcnc [--programs N] [--seed N]
                                           compare random programs with LinuxCNC's interpreter
 cargo xtask manuals                       follow the recipes of www/docs/manuals.md with mdBook, Sphinx and Docusaurus
 cargo xtask teams                         follow www/docs/teams.md with pre-commit, GitHub's and GitLab's files
+cargo xtask notices                       write the licences of the packages in the native program into target/notices
 cargo xtask setup                         only install what the other commands need
 ";
 
@@ -61,6 +63,7 @@ enum Task {
     Compare(Vec<String>),
     Manuals,
     Teams,
+    Notices,
     Setup,
     Help,
 }
@@ -84,6 +87,7 @@ fn main() -> ExitCode {
         Task::Compare(options) => compare::main(&options),
         Task::Manuals => manuals::main(),
         Task::Teams => teams::main(),
+        Task::Notices => notices::main(),
         Task::Setup => setup::main(),
         Task::Help => {
             print!("{USAGE}");
@@ -110,6 +114,7 @@ fn parse(words: &[&str]) -> run::Result<Task> {
         }
         ["manuals"] => Ok(Task::Manuals),
         ["teams"] => Ok(Task::Teams),
+        ["notices"] => Ok(Task::Notices),
         ["setup"] => Ok(Task::Setup),
         ["help" | "--help" | "-h", ..] | [_, "--help" | "-h"] => Ok(Task::Help),
         [] => Err("which command?".to_owned()),
