@@ -5,6 +5,7 @@
 //! Dependencies: as few as can be, because every user compiles this first. `flate2`
 //! compresses what is served, `wasmparser` reads what the compiler has made.
 
+mod advisories;
 mod bench;
 mod browser;
 mod compare;
@@ -49,6 +50,7 @@ cargo xtask compare-linuxcnc [--programs N] [--seed N]
                                           compare random programs with LinuxCNC's interpreter
 cargo xtask manuals                       follow the recipes of www/docs/manuals.md with mdBook, Sphinx and Docusaurus
 cargo xtask teams                         follow www/docs/teams.md with pre-commit, GitHub's and GitLab's files
+cargo xtask advisories                    check the licences and advisories of all packages
 cargo xtask notices                       write the licences of the packages in the native program into target/notices
 cargo xtask setup                         only install what the other commands need
 ";
@@ -63,6 +65,7 @@ enum Task {
     Compare(Vec<String>),
     Manuals,
     Teams,
+    Advisories,
     Notices,
     Setup,
     Help,
@@ -87,6 +90,7 @@ fn main() -> ExitCode {
         Task::Compare(options) => compare::main(&options),
         Task::Manuals => manuals::main(),
         Task::Teams => teams::main(),
+        Task::Advisories => advisories::main(),
         Task::Notices => notices::main(),
         Task::Setup => setup::main(),
         Task::Help => {
@@ -114,6 +118,7 @@ fn parse(words: &[&str]) -> run::Result<Task> {
         }
         ["manuals"] => Ok(Task::Manuals),
         ["teams"] => Ok(Task::Teams),
+        ["advisories"] => Ok(Task::Advisories),
         ["notices"] => Ok(Task::Notices),
         ["setup"] => Ok(Task::Setup),
         ["help" | "--help" | "-h", ..] | [_, "--help" | "-h"] => Ok(Task::Help),

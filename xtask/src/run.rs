@@ -156,7 +156,8 @@ pub fn shown(command: &Command) -> String {
     line
 }
 
-fn capture(command: &mut Command) -> Result<Output> {
+/// Runs a program to its end, and returns its output.
+pub fn capture(command: &mut Command) -> Result<Output> {
     command.stdin(Stdio::null()).output().map_err(|error| not_started(command, &error))
 }
 

@@ -23,6 +23,9 @@ const WASM_PACK: &str = "0.15.1";
 /// The mdBook that the recipe is tried with.
 const MDBOOK: &str = "0.5.4";
 
+/// The cargo-deny that checks licences and advisories.
+const CARGO_DENY: &str = "0.20.2";
+
 /// The version of wasm-split: xtask reads the script it writes.
 const WASM_SPLIT: &str = "0.2.4";
 
@@ -76,6 +79,11 @@ pub fn mdbook() -> Result<PathBuf> {
     cargo_install("mdbook", MDBOOK, &["mdbook"])
 }
 
+/// The folder of cargo-deny.
+pub fn cargo_deny() -> Result<PathBuf> {
+    cargo_install("cargo-deny", CARGO_DENY, &["cargo-deny"])
+}
+
 fn cargo_install(package: &str, version: &str, programs: &[&str]) -> Result<PathBuf> {
     let prefix = cache()?.join("tools").join(format!("{package}-{version}"));
     let bin = prefix.join("bin");
@@ -87,6 +95,10 @@ fn cargo_install(package: &str, version: &str, programs: &[&str]) -> Result<Path
     cargo.args(["install", package, "--version", &format!("={version}"), "--force", "--root"]).arg(&prefix);
     if package == "wasm_split_cli_support" {
         cargo.args(["--features", "build-binary"]);
+    }
+    if package == "cargo-deny" {
+        // Its authors ask for the versions that they have tried.
+        cargo.arg("--locked");
     }
     if package == "mdbook" {
         // It only builds books here: no server, no search.
