@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 
 use crate::notices;
-use crate::run::{self, Result};
+use crate::run::{self, Result, cannot, copy};
 use crate::setup::Setup;
 
 /// Files of the project that go with the element.
@@ -75,12 +75,4 @@ pub fn copy_folder(from: &Path, to: &Path) -> Result {
         if path.is_dir() { copy_folder(&path, &copied)? } else { copy(&path, &copied)? }
     }
     Ok(())
-}
-
-pub fn copy(from: &Path, to: &Path) -> Result {
-    fs::copy(from, to).map(drop).map_err(|error| cannot("copy", from, &error))
-}
-
-pub fn cannot(act: &str, path: &Path, error: &std::io::Error) -> String {
-    format!("cannot {act} {}: {error}", path.display())
 }

@@ -6,8 +6,7 @@ use std::path::{Path, PathBuf};
 use std::process::Command;
 use std::{env, fs};
 
-use crate::embed::{cannot, copy};
-use crate::run::{self, Result};
+use crate::run::{self, Result, cannot, copy};
 
 /// The file with the licences of all packages.
 pub const FILE: &str = "THIRD-PARTY-LICENSES.txt";

@@ -8,7 +8,7 @@ use std::process::{Command, Output, Stdio};
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::thread::{self, ScopedJoinHandle};
 use std::time::{Duration, Instant};
-use std::{env, iter};
+use std::{env, fs, io, iter};
 
 /// What went wrong, in words for the person at the terminal.
 pub type Result<T = ()> = std::result::Result<T, String>;
@@ -159,6 +159,16 @@ pub fn shown(command: &Command) -> String {
 /// Runs a program to its end, and returns its output.
 pub fn capture(command: &mut Command) -> Result<Output> {
     command.stdin(Stdio::null()).output().map_err(|error| not_started(command, &error))
+}
+
+/// Copies a file.
+pub fn copy(from: &Path, to: &Path) -> Result {
+    fs::copy(from, to).map(drop).map_err(|error| cannot("copy", from, &error))
+}
+
+/// The message of a file that cannot be read, written or copied.
+pub fn cannot(act: &str, path: &Path, error: &io::Error) -> String {
+    format!("cannot {act} {}: {error}", path.display())
 }
 
 /// What is said of a program that cannot be started.
