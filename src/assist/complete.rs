@@ -8,7 +8,7 @@ mod begun;
 mod values;
 
 use self::around::Around;
-use self::begun::{Begun, begins_with, begun_at, line_around};
+use self::begun::{Begun, begins_with, begun_at};
 use super::Asked;
 use super::form::{Form, Half};
 use super::role::Role;
@@ -19,7 +19,7 @@ use crate::control::modal::State;
 use crate::motion::SpindleTurn;
 use crate::order;
 use crate::run::replay::block_at;
-use crate::source::Span;
+use crate::source::{Span, line_around};
 use crate::text::parser::Resume;
 
 /// Most proposals of one kind.
@@ -87,7 +87,7 @@ impl Asked<'_> {
     /// What can be written at a byte; `end`: the state after the run, for what is not carried out; `asked_for`: the reader
     /// asks for it, so that something is proposed where nothing was begun. `None`: nothing.
     pub fn complete(&self, byte: u32, end: &State, asked_for: bool) -> Option<Completion> {
-        let line = line_around(self.text, byte);
+        let line = line_around(self.text, byte as usize);
         let (begun, span) = begun_at(self.text, line.start, byte)?;
         let state = self.visit.map_or(end, |visit| &visit.before.state);
         let own = self.block.span.start <= byte && self.block.span.start >= line.start;

@@ -7,7 +7,7 @@ use super::names::{Name, Named, names, number_after};
 use crate::control::codes::{self, Function, G, MotionMode};
 use crate::control::words::plain;
 use crate::setup::dialect::CodeList;
-use crate::source::Span;
+use crate::source::{Span, line_end};
 use crate::text::block::{Block, BlockKind};
 use crate::text::parser::Parser;
 
@@ -214,7 +214,7 @@ impl Outlining<'_> {
     /// What began with a block can be folded down to the end of another.
     fn close(&mut self, head: Span, last: Option<Span>) {
         let Some(last) = last.filter(|last| last.start > head.start) else { return };
-        let is_more_than_a_line = self.text[head.end as usize..last.end as usize].contains(&b'\n');
+        let is_more_than_a_line = line_end(self.text, head.end as usize) < last.end as usize;
         if is_more_than_a_line {
             self.folds.push(Span { start: head.end, end: last.end });
         }

@@ -5,6 +5,7 @@
 
 use super::names::{Name, Named, names};
 use crate::setup::dialect::CodeList;
+use crate::source::{Span, line_around};
 use crate::text::block::Block;
 use crate::text::parser::{Parser, Resume};
 
@@ -29,12 +30,9 @@ pub struct Uses {
 
 /// The uses of the number at a byte, or that ends there; `None` where none stands.
 pub fn uses(text: &[u8], codes: CodeList, byte: u32) -> Option<Uses> {
-    let line = text[..(byte as usize).min(text.len())].iter().rposition(|&at| at == b'\n');
     let mut own = None;
-    read_line(text, line.map_or(0, |at| at + 1), codes, |named, _| {
-        if named.span.start <= byte && byte <= named.span.end && own.is_none() {
-            own = Some(named);
-        }
+    read_line(text, line_around(text, byte as usize), codes, |named, _| {
+        own = own.or(named.iter().find(|named| named.span.start <= byte && byte <= named.span.end).copied());
     });
     let own = own?;
     let found = all(text, codes, own.name);
@@ -66,41 +64,39 @@ fn all(text: &[u8], codes: CodeList, name: Name) -> Vec<(Named, u32)> {
     let (mut found, mut program, mut begun) = (Vec::new(), 0, false);
     let mut start = 0;
     while start < text.len() {
-        let end = text[start..].iter().position(|&byte| byte == b'\n').map_or(text.len(), |at| start + at);
-        let line = &text[start..end];
-        if may_begin_a_program(line) || ends_a_number(line, digits.as_bytes()) {
-            read_line(text, start, codes, |named, block| {
+        let line = line_around(text, start);
+        let own = line.of(text);
+        if may_begin_a_program(own) || ends_a_number(own, digits.as_bytes()) {
+            read_line(text, line, codes, |named, block| {
                 // The head of a program: a text may begin without one.
-                if block.program.is_some_and(|(_, span)| span == named.span) && begun {
-                    program += 1;
-                }
-                if named.name == name {
-                    found.push((named, program));
-                }
+                program += u32::from(block.program.is_some() && begun);
+                begun |= block.program.is_some() || !block.is_empty();
+                found.extend(
+                    named.into_iter().filter(|named| named.name == name).map(|named| (named, program)),
+                );
             });
         }
-        begun |= line.iter().any(|byte| byte.is_ascii_alphanumeric());
-        start = end + 1;
+        begun |= own.iter().any(|byte| byte.is_ascii_alphanumeric());
+        start = line.end as usize + 1;
     }
     found
 }
 
-/// The names in the blocks of a line.
-fn read_line(text: &[u8], start: usize, codes: CodeList, mut take: impl FnMut(Named, &Block)) {
-    let end = text[start..].iter().position(|&byte| byte == b'\n').map_or(text.len(), |at| start + at);
-    let mut parser = Parser::resume(&text[..end], Resume::inside(start as u32, 0));
+/// The blocks of a line, with the names in each.
+fn read_line(text: &[u8], line: Span, codes: CodeList, mut take: impl FnMut(Vec<Named>, &Block)) {
+    let mut parser = Parser::resume(&text[..line.end as usize], Resume::inside(line.start, 0));
     let mut block = Block::default();
     while parser.next_block(&mut block) {
-        for named in names(text, &block, codes) {
-            take(named, &block);
-        }
+        take(names(text, &block, codes), &block);
     }
 }
 
-/// O, or the colon of an older code.
+/// Whether a block of the line may begin with O, or with the colon of an older code.
 fn may_begin_a_program(line: &[u8]) -> bool {
-    let first = line.iter().find(|byte| !matches!(byte, b' ' | b'\t' | b'%'));
-    first.is_some_and(|byte| matches!(byte, b'O' | b'o' | b':'))
+    line.split(|&byte| byte == b';').any(|block| {
+        let first = block.iter().find(|byte| !matches!(byte, b' ' | b'\t' | b'%'));
+        first.is_some_and(|byte| matches!(byte, b'O' | b'o' | b':'))
+    })
 }
 
 /// Some number of the line ends with these digits.

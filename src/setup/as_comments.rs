@@ -7,7 +7,7 @@ use super::fields::{self, Field};
 use super::notes::Notes;
 use super::{Setup, Stock};
 use crate::order;
-use crate::source::Span;
+use crate::source::{self, Span};
 
 /// Text to put in place of a stretch of a program.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -60,7 +60,7 @@ pub fn changes(text: &[u8], lines: &[String]) -> Vec<Change> {
         return Vec::new();
     }
     // A note that has a line of its own gives its place to the new ones.
-    let own_line = |span: &&Span| span.of(text).ends_with(b"\n");
+    let own_line = |span: &&Span| span.of(text).ends_with(b"\n") || span.of(text).ends_with(b"\r");
     let place = going.iter().find(own_line).map(|span| span.start);
     let mut changes: Vec<Change> = going
         .into_iter()
@@ -71,7 +71,7 @@ pub fn changes(text: &[u8], lines: &[String]) -> Vec<Change> {
         .collect();
     if place.is_none() && !lines.is_empty() {
         let at = behind_number(text);
-        let is_behind_line = at == 0 || text[at - 1] == b'\n';
+        let is_behind_line = at == 0 || matches!(text[at - 1], b'\n' | b'\r');
         let insert = if is_behind_line { written } else { format!("\n{written}") };
         let index = changes.partition_point(|change| (change.span.start as usize) < at);
         changes.insert(index, Change { span: Span::new(at, at), insert });
@@ -84,9 +84,8 @@ pub fn changes(text: &[u8], lines: &[String]) -> Vec<Change> {
 fn whole(text: &[u8], inside: Span) -> Span {
     let (mut start, mut end) = (inside.start as usize - 1, inside.end as usize);
     end += usize::from(matches!(text.get(end), Some(b')' | b']')));
-    let line_start = text[..start].iter().rposition(|&byte| byte == b'\n').map_or(0, |at| at + 1);
-    let line_end =
-        text[end..].iter().position(|&byte| byte == b'\n').map_or(text.len(), |length| end + length + 1);
+    let line_start = source::line_around(text, start).start as usize;
+    let line_end = source::behind_line_end(text, source::line_end(text, end));
     let before = text[line_start..start].trim_ascii();
     let behind = text[end..line_end].trim_ascii();
     if before.is_empty() && behind.is_empty() {
@@ -104,9 +103,10 @@ fn whole(text: &[u8], inside: Span) -> Span {
 /// The first place after `%` and the O number of a program.
 fn behind_number(text: &[u8]) -> usize {
     let (mut at, mut behind) = (0, 0);
-    for line in text.split_inclusive(|&byte| byte == b'\n').take(20) {
-        at += line.len();
-        match line.trim_ascii() {
+    for _ in 0..20 {
+        let line = source::line_around(text, at);
+        at = source::behind_line_end(text, line.end as usize);
+        match line.of(text).trim_ascii() {
             [] => {}
             [b'%', ..] => behind = at,
             [b'O' | b'o' | b':', b'0'..=b'9', ..] => return at,

@@ -15,6 +15,7 @@ use std::collections::BTreeMap;
 
 use super::notes::HEAD;
 use super::{Side, Tool, ToolKind};
+use crate::text::lexer;
 use crate::units::Diameter;
 use numbers::Unit;
 
@@ -42,9 +43,9 @@ pub fn read(text: &[u8]) -> BTreeMap<u16, Tool> {
     let mut found: Vec<(Tie, u16, Tool)> = Vec::new();
     let mut above: Vec<Tool> = Vec::new();
     let mut station: Option<u16> = None;
-    for line in text.lines() {
-        let Line { code, comments } = split(line);
-        let called = tool_number(code.iter().copied());
+    for block in lexer::blocks(text.as_bytes()) {
+        let Line { code, comments } = split(&text[block.start as usize..block.end as usize]);
+        let called = tool_number(&code);
         if called.is_some() {
             station = called;
         }
@@ -140,27 +141,28 @@ fn fill(known: &mut Tool, other: &Tool) {
     }
 }
 
-/// A line: what the control reads, in pieces, and what stands in parentheses.
+/// A block: its code in capitals, in pieces, and its comments.
 struct Line<'a> {
-    code: Vec<&'a str>,
+    code: Vec<String>,
     comments: Vec<&'a str>,
 }
 
 fn split(line: &str) -> Line<'_> {
     let (mut code, mut comments, mut rest) = (Vec::new(), Vec::new(), line);
     while let Some((before, behind)) = rest.split_once('(') {
-        code.push(before);
+        code.push(before.to_ascii_uppercase());
         let (comment, behind) = behind.split_once(')').unwrap_or((behind, ""));
         comments.push(comment);
         rest = behind;
     }
-    code.push(rest);
+    code.push(rest.to_ascii_uppercase());
     Line { code, comments }
 }
 
 /// The station of the last T word of three digits or more: shorter ones call no station.
-fn tool_number<'a>(code: impl Iterator<Item = &'a str>) -> Option<u16> {
-    code.flat_map(|piece| numbers::after_letters(piece, &["T"]))
+fn tool_number(code: &[String]) -> Option<u16> {
+    code.iter()
+        .flat_map(|piece| numbers::after_letters(piece, &["T"]))
         .filter(|digits| digits.len() > 2)
         .filter_map(station)
         .last()
@@ -191,9 +193,9 @@ fn is_note(comment: &str) -> bool {
     words.next().is_some_and(|word| word.eq_ignore_ascii_case("TOOL")) && comment.contains('=')
 }
 
-/// Whether a line moves an axis.
-fn moves(code: &[&str]) -> bool {
-    let is_axis = |byte: u8| matches!(byte.to_ascii_uppercase(), b'X' | b'Z' | b'U' | b'W');
+/// Whether a block moves an axis.
+fn moves(code: &[String]) -> bool {
+    let is_axis = |byte: u8| matches!(byte, b'X' | b'Z' | b'U' | b'W');
     let goes_home = code.iter().any(|piece| piece.contains("G28") || piece.contains("G30"));
     let mut pairs = code.iter().flat_map(|piece| piece.as_bytes().windows(2));
     !goes_home && pairs.any(|pair| is_axis(pair[0]) && matches!(pair[1], b'0'..=b'9' | b'.' | b'-' | b'#'))

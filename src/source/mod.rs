@@ -7,7 +7,7 @@ pub mod shift;
 
 use std::ops::Range;
 
-use memchr::{memchr, memchr_iter};
+use memchr::{memchr, memchr_iter, memchr2, memrchr2};
 
 /// A run of bytes of the program text, `start..end`.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
@@ -233,6 +233,31 @@ impl LineIndex {
             units += 1;
         }
     }
+}
+
+/// Whether a character is not to be shown as it is: a control character other than LF and tab, which a terminal may
+/// take for a command and XML forbids, or one that changes the direction of the text behind it.
+pub fn is_unprintable(letter: char) -> bool {
+    (letter.is_control() && !matches!(letter, '\n' | '\t'))
+        || matches!(letter, '\u{202a}'..='\u{202e}' | '\u{2066}'..='\u{2069}')
+}
+
+/// The line around a byte, without its end, which is LF, CR LF or CR.
+pub fn line_around(text: &[u8], byte: usize) -> Span {
+    let byte = byte.min(text.len());
+    let start = memrchr2(b'\n', b'\r', &text[..byte]).map_or(0, |end| end + 1);
+    Span::new(start, line_end(text, byte))
+}
+
+/// Where the line ends that holds a byte; the end itself is not part of it.
+pub fn line_end(text: &[u8], byte: usize) -> usize {
+    memchr2(b'\n', b'\r', &text[byte..]).map_or(text.len(), |length| byte + length)
+}
+
+/// The first byte of the line after the line that ends at byte `end`.
+pub fn behind_line_end(text: &[u8], end: usize) -> usize {
+    let width = if text[end..].starts_with(b"\r\n") { 2 } else { 1 };
+    text.len().min(end + width)
 }
 
 /// First byte of each line, and whether every byte is one UTF-16 unit.

@@ -383,6 +383,19 @@ fn digits(text: &[u8], mut at: usize, before: u64) -> (usize, u64) {
     (at, integer)
 }
 
+/// The blocks of a text, without their ends: a line end, or a `;` outside of comments.
+pub fn blocks(text: &[u8]) -> impl Iterator<Item = Span> + '_ {
+    let mut lexer = Lexer::new(text, 0);
+    let mut start = Some(0);
+    std::iter::from_fn(move || {
+        let from = start?;
+        let ends = |token: &Token| matches!(token.kind, TokenKind::LineEnd | TokenKind::Semicolon);
+        let end = lexer.by_ref().find(ends);
+        start = end.map(|end| end.span.end as usize);
+        Some(Span::new(from, end.map_or(text.len(), |end| end.span.start as usize)))
+    })
+}
+
 impl Iterator for Lexer<'_> {
     type Item = Token;
 
@@ -397,6 +410,24 @@ mod tests {
 
     fn kinds(text: &str) -> Vec<TokenKind> {
         Lexer::new(text.as_bytes(), 0).map(|token| token.kind).collect()
+    }
+
+    #[test]
+    fn every_line_end_and_every_semicolon_ends_a_block() {
+        let split = |text: &'static str| {
+            blocks(text.as_bytes())
+                .map(|block| &text[block.start as usize..block.end as usize])
+                .collect::<Vec<_>>()
+        };
+        let expected = ["O1", "G0 X1", "(A;B)", ""];
+        for end in ["\n", "\r\n", "\r", ";"] {
+            let text: &'static str = expected.join(end).leak();
+            assert_eq!(split(text), expected, "{text:?}");
+        }
+        assert_eq!(split(""), [""]);
+        assert_eq!(split("X1;\r\n"), ["X1", "", ""]);
+        // A comment that is not closed ends with its line.
+        assert_eq!(split("(A;B\rX1"), ["(A;B", "X1"]);
     }
 
     #[test]

@@ -19,8 +19,8 @@ use super::plain_line::PlainLine;
 use crate::limits::DIGITS;
 use crate::message::{Diagnostic, Fix, Message, Repair, Severity, said};
 use crate::parts::{Part, in_part};
-use crate::source::Span;
 use crate::source::shift::Shift;
+use crate::source::{Span, line_end};
 
 /// Most faults of one block that are reported; one mistake easily upsets the words after it.
 const FAULTS_PER_BLOCK: usize = 3;
@@ -625,7 +625,7 @@ impl<'a> Parser<'a> {
     fn ends_tape(&self) -> bool {
         const SEARCHED: usize = 200;
         let behind = &self.lexer.text()[self.lexer.position()..];
-        let line = behind.iter().position(|&byte| byte == b'\n').unwrap_or(behind.len());
+        let line = line_end(behind, 0);
         let next = behind.iter().take(SEARCHED).find(|byte| !byte.is_ascii_whitespace() && **byte != b';');
         let blank = behind[..line].iter().all(|byte| byte.is_ascii_whitespace() || *byte == b';');
         blank && next.is_none_or(|byte| matches!(byte, b'%' | b'O' | b'o' | b':' | 0 | 0x1A))

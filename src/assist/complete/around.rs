@@ -3,7 +3,7 @@
 use crate::assist::form::g_of;
 use crate::control::codes::G;
 use crate::setup::dialect::CodeList;
-use crate::source::Span;
+use crate::source::{Span, line_around};
 use crate::text::block::{Block, BlockKind};
 use crate::text::parser::{Parser, Resume};
 
@@ -32,8 +32,8 @@ impl Around {
     pub fn of(text: &[u8], line: Span, codes: CodeList) -> Self {
         let end = text.len().min(line.end as usize + FAR);
         let from = (line.start as usize).saturating_sub(FAR);
-        let from = text[..from].iter().rposition(|&at| at == b'\n').map_or(0, |at| at + 1);
-        let mut parser = Parser::resume(&text[..end], Resume::inside(from as u32, 0));
+        let from = line_around(text, from).start;
+        let mut parser = Parser::resume(&text[..end], Resume::inside(from, 0));
         let (mut around, mut block) = (Self::default(), Block::default());
         while parser.next_block(&mut block) {
             let at = block.span.start;

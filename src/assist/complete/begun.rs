@@ -19,15 +19,6 @@ pub enum Begun {
     Letters,
 }
 
-/// The line around a byte, without its end.
-pub fn line_around(text: &[u8], byte: u32) -> Span {
-    let byte = (byte as usize).min(text.len());
-    let start = text[..byte].iter().rposition(|&at| at == b'\n').map_or(0, |at| at + 1);
-    let end =
-        text[byte..].iter().position(|&at| matches!(at, b'\n' | b'\r')).map_or(text.len(), |at| byte + at);
-    Span::new(start, end)
-}
-
 /// What was begun before a byte, and where; `None` in a comment, or after what no word begins with.
 pub fn begun_at(text: &[u8], line: u32, byte: u32) -> Option<(Begun, Span)> {
     let (line, byte) = (line as usize, (byte as usize).min(text.len()));

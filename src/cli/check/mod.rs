@@ -193,8 +193,12 @@ fn once(check: &Check) -> Result<Status, String> {
     job.run(&found)
 }
 
-/// A text whose new lines end as those of the text before it do, where all of them end as on Windows.
-fn with_line_ends_of(before: &[u8], text: Vec<u8>) -> Vec<u8> {
+/// A text with the line ends of the text before it, where all of those are CR LF, or all are CR.
+fn with_line_ends_of(before: &[u8], mut text: Vec<u8>) -> Vec<u8> {
+    if before.contains(&b'\r') && !before.contains(&b'\n') {
+        text.iter_mut().filter(|byte| **byte == b'\n').for_each(|byte| *byte = b'\r');
+        return text;
+    }
     let is_lone = |text: &[u8], at: usize| text[at] == b'\n' && (at == 0 || text[at - 1] != b'\r');
     if !before.contains(&b'\n') || (0..before.len()).any(|at| is_lone(before, at)) {
         return text;

@@ -48,8 +48,8 @@ pub fn unit_of(text: &str) -> Unit {
     while let Some(found) = bytes[at..].iter().position(|byte| matches!(byte, b'G' | b'g' | b'(')) {
         at += found;
         if bytes[at] == b'(' {
-            at +=
-                bytes[at..].iter().position(|byte| matches!(byte, b')' | b'\n')).unwrap_or(bytes.len() - at);
+            let ends = |byte: &u8| matches!(byte, b')' | b'\n' | b'\r');
+            at += bytes[at..].iter().position(ends).unwrap_or(bytes.len() - at);
             continue;
         }
         let digits = &bytes[at + 1..bytes.len().min(at + 4)];
