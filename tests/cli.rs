@@ -448,3 +448,125 @@ fn an_assumed_stock_is_told_and_that_collisions_were_not_checked() {
     // Nothing is cut: nothing is assumed.
     assert_eq!(run(&["check", "--quiet", "-"], b"G0 X1\nM30").stdout, b"");
 }
+
+/// Every control character but the ends of lines and tabs, and those that turn the text behind them round.
+fn control_characters() -> String {
+    let controls = (1..=0x9fu32).filter_map(char::from_u32).filter(|letter| letter.is_control());
+    let controls = controls.filter(|letter| !matches!(letter, '\t' | '\n' | '\r'));
+    controls
+        .chain("\u{202a}\u{202b}\u{202c}\u{202d}\u{202e}\u{2066}\u{2067}\u{2068}\u{2069}".chars())
+        .collect()
+}
+
+/// Whatever is written about a program has none of its control characters, on both streams. `with_cr`: a table whose
+/// lines end with CR LF.
+#[track_caller]
+fn has_no_commands(arguments: &[&str], input: &[u8], with_cr: bool) -> usize {
+    let output = run(arguments, input);
+    for (stream, bytes) in [("output", &output.stdout), ("error", &output.stderr)] {
+        let text = std::str::from_utf8(bytes).expect("UTF-8");
+        let is_command = |letter: &char| {
+            letter.is_control() && !matches!(letter, '\n' | '\t') && !(with_cr && *letter == '\r')
+                || "\u{202a}\u{202b}\u{202c}\u{202d}\u{202e}\u{2066}\u{2067}\u{2068}\u{2069}"
+                    .contains(*letter)
+        };
+        let found: Vec<char> = text.chars().filter(is_command).collect();
+        assert!(found.is_empty(), "{arguments:?}: {found:?} on standard {stream}\n{text}");
+    }
+    output.stdout.len() + output.stderr.len()
+}
+
+#[test]
+fn no_output_has_a_control_character_of_a_program() {
+    let controls = control_characters();
+    let program = |depth: &str| {
+        format!(
+            "O0001 (STOCK D=50 LENGTH=60 GRIP=20)\nT0101 (TURNING {controls} R0.8)\n({controls})\nG97 S800 M03\n\
+             G00 X46 Z2 retract{controls} now\nG01 Z{depth} F0.2; turn {controls} x\nX{controls}52\nG777 {controls}X60\n\
+             G00 X200 \x1b]0;title\x07 Z200\n\x1b[31mX1\nN10 #3000=1 (STOP {controls})\nM30\n"
+        )
+    };
+    // The title of a program in prose.
+    let text =
+        format!("The {controls} part\nG00 X46 Z2\nG01 Z-5 F0.2 {controls} and \x1b[31mwords\nX50\nG00 X60\n");
+    let folder = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join("controls");
+    std::fs::create_dir_all(&folder).expect("a folder");
+    let write = |name: &str, content: &str| -> String {
+        let path = folder.join(name);
+        std::fs::write(&path, content).expect("a file");
+        path.to_str().expect("UTF-8").to_owned()
+    };
+    // Files whose names are commands, where a file can be called so.
+    let names = if cfg!(windows) {
+        ["one.nc", "other.nc"]
+    } else {
+        ["one\x1b]0;x\x07\u{9b}\u{202e}.nc", "other\x1b.nc"]
+    };
+    let files = [write(names[0], &program("-30")), write(names[1], &program("-20"))];
+    let [one, other] = [files[0].as_str(), files[1].as_str()];
+    let missing = folder.join("no\x1b[31m.nc");
+    let missing = missing.to_str().expect("UTF-8");
+    for format in ["text", "json", "sarif", "github", "junit", "markdown"] {
+        for language in ["en", "zh", "ru"] {
+            let check = ["check", one, other, "--format", format, "--lang", language];
+            assert!(has_no_commands(&check, b"", false) > 1000, "{format}");
+        }
+        has_no_commands(&["check", "-", "--format", format], program("-9").as_bytes(), false);
+        let report = folder.join("report");
+        let report = report.to_str().expect("UTF-8");
+        has_no_commands(&["check", one, "--format", format, "--output-file", report], b"", false);
+        let written = std::fs::read_to_string(report).expect("a report");
+        assert!(
+            !written.contains(|letter: char| letter.is_control() && letter != '\n'),
+            "{format}\n{written}"
+        );
+    }
+    for form in ["text", "json"] {
+        has_no_commands(&["summary", one, "--format", form], b"", false);
+        has_no_commands(&["compare", one, other, "--format", form], b"", false);
+    }
+    for form in ["text", "json", "markdown"] {
+        has_no_commands(&["diff", one, other, "--format", form], b"", false);
+    }
+    for format in ["svg", "csv", "card", "dxf"] {
+        has_no_commands(&["export", format, one], b"", matches!(format, "csv" | "dxf"));
+    }
+    for arguments in [
+        &["motions", one][..],
+        &["part", one],
+        &["svg", one],
+        &["check", one, "--statistics"],
+        &["check", missing],
+        &["diff", one, missing],
+        &["config", one],
+        &["explain", "no\x1b[31m-rule"],
+        &["check", "--\x1b[31m"],
+        &["check", one, "--control", "\x1b[31m"],
+    ] {
+        has_no_commands(arguments, b"", false);
+    }
+    assert!(has_no_commands(&["clean", "-", "--list"], text.as_bytes(), false) > 0);
+    // A program that is written is no report: it keeps its bytes.
+    let kept = run(&["expand", "-"], b"(A\x07)\nG00 X1\nM30\n");
+    assert_eq!(kept.stdout, b"(A\x07)\nG00 X1\nM30\n");
+}
+
+/// The only escape sequences of a coloured report are its colours.
+#[test]
+fn a_coloured_report_has_no_command_of_a_program() {
+    let program = "O1\nG00 X1 Z2 \x1b[31mred\x07 text\nM30\n";
+    let output = run(&["check", "-", "--color", "always"], program.as_bytes());
+    let text = String::from_utf8(output.stdout).expect("UTF-8");
+    assert!(text.contains("\x1b["), "{text}");
+    // Sequences that set a colour, each ended by `m`, and nothing of the program's.
+    let rest = text.split('\x1b').skip(1).all(|part| part.starts_with('[') && part.contains('m'));
+    assert!(rest && !text.contains('\x07') && !text.contains("\x1b[31mred"), "{text:?}");
+}
+
+#[test]
+fn fix_keeps_line_ends_that_are_cr_alone() {
+    let path = file("carriage-returns.nc", "O1\rG00 X50 Z2\rGO1 Z-5 F0.1\r");
+    run(&["check", "--fix", path.to_str().expect("UTF-8")], b"");
+    let fixed = std::fs::read_to_string(path).expect("a program");
+    assert!(fixed.contains("\rG01 Z-5 F0.1\rM30") && !fixed.contains('\n'), "{fixed:?}");
+}

@@ -8,7 +8,7 @@ use clap::ValueEnum;
 
 use super::options::{Texts, With};
 use super::system::say;
-use super::{NAME, Program, Status, print, program_with, save, terminal, write_row};
+use super::{NAME, Program, Status, print, program_with, save, write_row};
 use crate::api::difference::{Change, Later, ProgramDifference, Row};
 use crate::api::{Diagnostic, Places};
 use crate::difference::{self, Version};
@@ -66,7 +66,7 @@ pub(super) fn run(arguments: &Diff) -> Result<Status, String> {
     let written = Report { rows: &rows, names: &names, language };
     print(|out| match format {
         DiffFormat::Json => write_row(out, &rows),
-        DiffFormat::Text => out.write_all(&terminal::without_commands(written.text().as_bytes())),
+        DiffFormat::Text => out.write_all(written.text().as_bytes()),
         DiffFormat::Markdown => out.write_all(written.markdown().as_bytes()),
     })?;
     if let Some(output) = output {

@@ -107,10 +107,17 @@ fn usage(said: &clap::Error) -> Status {
         false => (Stream::Output, Status::Right),
     };
     let text = said.render();
-    let is_coloured = system::is_terminal(stream) && system::variable("NO_COLOR").is_none();
-    let text = if is_coloured { text.ansi().to_string() } else { text.to_string() };
+    let plain = text.to_string();
+    let is_coloured = system::is_terminal(stream)
+        && system::variable("NO_COLOR").is_none()
+        && !plain.contains(crate::source::is_unprintable);
+    let text = if is_coloured {
+        text.ansi().to_string().into()
+    } else {
+        terminal::without_commands(plain.as_bytes())
+    };
     // A reader that went away is no error.
-    let _ = system::stream(stream).write_all(text.as_bytes());
+    let _ = system::stream(stream).write_all(&text);
     status
 }
 
@@ -364,25 +371,34 @@ fn read_within(file: &Path, most: u64) -> Result<(String, Vec<u8>), String> {
     }
 }
 
-/// Writes to a file, or to standard output, where a terminal gets no commands that stand in programs.
+/// Writes a program or another file, to standard output where no path is named. A terminal gets it without commands,
+/// everything else byte for byte.
 fn save(path: Option<&Path>, content: &[u8]) -> Result<(), String> {
     match path {
-        None if system::is_terminal(Stream::Output) => {
-            print(|out| out.write_all(&terminal::without_commands(content)))
-        }
-        None => print(|out| out.write_all(content)),
+        None if system::is_terminal(Stream::Output) => print(|out| out.write_all(content)),
+        None => print_bytes(Stream::Output, |out| out.write_all(content)),
         Some(path) => system::write(path, content)
             .map_err(|error| format!("{}: {}", path.display(), system::reason(&error))),
     }
 }
 
-/// Writes to standard output; a reader that went away (`| head`) is no error.
+/// Writes to standard output, without control characters of programs.
 fn print(write: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> Result<(), String> {
     print_to(Stream::Output, write)
 }
 
 /// The same to any stream.
 fn print_to(to: Stream, write: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> Result<(), String> {
+    // The buffer hands on whole pieces, so no character is torn.
+    print_bytes(to, |out| {
+        let mut out = io::BufWriter::with_capacity(1 << 16, terminal::Masked(out));
+        write(&mut out)?;
+        out.flush()
+    })
+}
+
+/// Writes bytes as they are to a stream; a reader that went away (`| head`) is no error.
+fn print_bytes(to: Stream, write: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> Result<(), String> {
     let mut out = io::BufWriter::with_capacity(1 << 16, system::stream(to));
     match write(&mut out).and_then(|()| out.flush()) {
         Err(error) if error.kind() != ErrorKind::BrokenPipe => {
@@ -398,8 +414,7 @@ fn counted(count: usize, what: &str) -> String {
 }
 
 fn write_row(out: &mut dyn Write, row: &impl Serialize) -> io::Result<()> {
-    serde_json::to_writer(&mut *out, row)?;
-    out.write_all(b"\n")
+    writeln!(out, "{}", terminal::json(row)?)
 }
 
 fn has_errors(analysis: &Analysis) -> bool {

@@ -1,10 +1,13 @@
-//! Messages on the terminal, with carets under the word they are about, as rustc prints them.
+//! Messages on the terminal, with carets under the word they are about, as rustc prints them; and the masking of control
+//! characters for all output.
+
+use std::io::{self, Write};
 
 use annotate_snippets::{AnnotationKind, Group, Level, Patch, Renderer, Snippet};
 
 use crate::message::{Diagnostic, Edit, Severity};
 use crate::sentences::Language;
-use crate::source::{LineIndex, Span};
+use crate::source::{LineIndex, Span, is_unprintable};
 
 /// The messages of a program as text; `lines` are those of the text.
 pub fn render(
@@ -35,7 +38,7 @@ fn render_one(
     language: Language,
     renderer: &Renderer,
 ) -> String {
-    let sentence = diagnostic.sentence(language);
+    let (name, sentence) = (masked(name), diagnostic.sentence(language));
     let level = match diagnostic.severity {
         Severity::Error => Level::ERROR,
         Severity::Warning => Level::WARNING,
@@ -54,27 +57,30 @@ fn render_one(
     let range = boundary(&shown, start)..boundary(&shown, end.max(start));
     let snippet = Snippet::source(shown.as_str())
         .line_start(line as usize + 1)
-        .path(name)
+        .path(name.as_str())
         .annotation(AnnotationKind::Primary.span(range));
     let code = diagnostic.code();
     let title = match diagnostic.message.alarm() {
         Some(alarm) if alarm != code => format!("{} ({alarm})", sentence.message),
         _ => sentence.message,
     };
+    let (title, help) = (masked(&title), sentence.help.as_deref().map(masked));
     let mut group = level.primary_title(title.as_str()).id(code.as_str()).element(snippet);
-    if let Some(help) = &sentence.help {
+    if let Some(help) = &help {
         group = group.element(Level::HELP.message(help.as_str()));
     }
     let mut report = vec![group];
-    let fix_titles: Vec<String> = diagnostic.fixes.iter().map(|fix| fix.title.words(language)).collect();
+    let fix_titles: Vec<String> =
+        diagnostic.fixes.iter().map(|fix| masked(&fix.title.words(language))).collect();
     let shown_lines: Vec<_> =
         diagnostic.fixes.iter().map(|fix| lines_of_edits(text, lines, &fix.edits, line)).collect();
     for ((fix, title), edited) in diagnostic.fixes.iter().zip(&fix_titles).zip(&shown_lines) {
         let mut group = Group::with_title(Level::HELP.secondary_title(title.as_str()));
         for shown in edited {
             let own = fix.edits.iter().filter(|edit| shown.holds(edit));
-            let patches = own.map(|edit| Patch::new(shown.inside(edit.span), edit.text.as_str()));
-            let snippet = Snippet::source(shown.text.as_str()).line_start(shown.line as usize + 1).path(name);
+            let patches = own.map(|edit| Patch::new(shown.inside(edit.span), masked(&edit.text)));
+            let snippet =
+                Snippet::source(shown.text.as_str()).line_start(shown.line as usize + 1).path(name.as_str());
             group = group.element(snippet.patches(patches));
         }
         report.push(group);
@@ -143,9 +149,12 @@ fn window(start: usize, end: usize, at: usize) -> std::ops::Range<usize> {
 fn printable(bytes: &[u8]) -> String {
     let mut text = String::with_capacity(bytes.len());
     for chunk in bytes.utf8_chunks() {
-        text.extend(
-            chunk.valid().chars().map(|ch| if ch.is_ascii_control() && ch != '\t' { '?' } else { ch }),
-        );
+        for letter in chunk.valid().chars() {
+            match is_unprintable(letter) || letter == '\n' {
+                true => text.extend(std::iter::repeat_n('?', letter.len_utf8())),
+                false => text.push(letter),
+            }
+        }
         text.extend(chunk.invalid().iter().map(|_| '?'));
     }
     text
@@ -154,17 +163,53 @@ fn printable(bytes: &[u8]) -> String {
 /// The name of a file without anything that a terminal would take for a command.
 pub fn printable_name(file: &std::path::Path) -> String {
     let name = file.display().to_string();
-    name.chars().map(|letter| if letter.is_control() { '?' } else { letter }).collect()
+    let is_shown = |letter: char| !is_unprintable(letter) && !matches!(letter, '\n' | '\t');
+    name.chars().map(|letter| if is_shown(letter) { letter } else { '?' }).collect()
 }
 
-/// A text without anything that a terminal would take for a command: such characters become `?`.
+/// A text with `?` in place of characters that are not to be shown.
+pub fn masked(text: &str) -> String {
+    text.chars().map(|letter| if is_unprintable(letter) { '?' } else { letter }).collect()
+}
+
+/// A value as JSON in one line, where such characters are escaped.
+pub fn json(value: &impl serde::Serialize) -> io::Result<String> {
+    let text = serde_json::to_string(value)?;
+    if !text.contains(is_unprintable) {
+        return Ok(text);
+    }
+    let escaped = text.chars().map(|letter| match is_unprintable(letter) {
+        true => format!("\\u{:04x}", u32::from(letter)),
+        false => letter.to_string(),
+    });
+    Ok(escaped.collect())
+}
+
+/// Writes what it is given [without commands](without_commands). Each piece ends with a whole character.
+pub struct Masked<W>(pub W);
+
+impl<W: Write> Write for Masked<W> {
+    fn write(&mut self, text: &[u8]) -> io::Result<usize> {
+        // Most output is printable ASCII.
+        match text.iter().all(|byte| matches!(byte, b'\n' | b'\t' | b' '..=b'~')) {
+            true => self.0.write_all(text)?,
+            false => self.0.write_all(&without_commands(text))?,
+        }
+        Ok(text.len())
+    }
+
+    fn flush(&mut self) -> io::Result<()> {
+        self.0.flush()
+    }
+}
+
+/// A text without anything that a terminal would take for a command: such characters become `?`, and each line end LF.
+/// Bytes that are not UTF-8 stay: they are text in another encoding.
 pub fn without_commands(text: &[u8]) -> Vec<u8> {
-    let stays = |letter: char| matches!(letter, '\n' | '\r' | '\t') || !letter.is_control();
     let mut shown = Vec::with_capacity(text.len());
     for chunk in text.utf8_chunks() {
-        let valid: String =
-            chunk.valid().chars().map(|letter| if stays(letter) { letter } else { '?' }).collect();
-        shown.extend(valid.as_bytes());
+        let lines = chunk.valid().replace("\r\n", "\n").replace('\r', "\n");
+        shown.extend(masked(&lines).as_bytes());
         shown.extend(chunk.invalid());
     }
     shown
@@ -185,7 +230,8 @@ mod tests {
     #[test]
     fn a_terminal_gets_no_commands() {
         let program = "O1 (a\x1b]0;x\x07 \u{9b}31m 外圆)\r\n\tG0\n".as_bytes();
-        assert_eq!(without_commands(program), "O1 (a?]0;x? ?31m 外圆)\r\n\tG0\n".as_bytes());
+        assert_eq!(without_commands(program), "O1 (a?]0;x? ?31m 外圆)\n\tG0\n".as_bytes());
+        assert_eq!(without_commands("X1\rX\u{202e}2\u{2069}\x7f".as_bytes()), b"X1\nX?2??");
         // Of a file in another encoding, too.
         assert_eq!(without_commands(b"(\xcd\xe2\x1b)"), b"(\xcd\xe2?)");
     }

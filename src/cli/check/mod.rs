@@ -26,7 +26,7 @@ use super::configuration::{Configurations, Settings};
 use super::manual_page::Page;
 use super::options::{Texts, With};
 use super::system::{self, Stream, say};
-use super::{NAME, Status, encoded, encoding, read_within, run_text, save};
+use super::{NAME, Status, encoded, encoding, read_within, run_text, save, terminal};
 use crate::api::InferredStock;
 use crate::limits;
 use crate::repair::repaired;
@@ -276,9 +276,15 @@ impl Job<'_> {
 
     /// Writes to the output that is asked for.
     fn write(&self, body: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> Result<(), String> {
-        let Some(path) = &self.check.output_file else { return super::print_to(self.report_to, body) };
+        // A coloured report has masked what it takes from programs.
+        let is_coloured = self.report.is_coloured();
+        let Some(path) = &self.check.output_file else {
+            let to = self.report_to;
+            return if is_coloured { super::print_bytes(to, body) } else { super::print_to(to, body) };
+        };
         let mut text = Vec::new();
-        body(&mut text).map_err(|error| format!("standard output: {}", system::reason(&error)))?;
+        let written = if is_coloured { body(&mut text) } else { body(&mut terminal::Masked(&mut text)) };
+        written.map_err(|error| format!("standard output: {}", system::reason(&error)))?;
         save(Some(path), &text)
     }
 

@@ -4,6 +4,7 @@
 
 use super::super::{Scene, StrokeStyle};
 use super::{Drawing, number};
+use crate::source::is_unprintable;
 
 /// From one row to the next, CSS pixels.
 const LEADING: f64 = 20.0;
@@ -112,7 +113,7 @@ pub(super) fn escaped(text: &str) -> String {
             '&' => escaped.push_str("&amp;"),
             '<' => escaped.push_str("&lt;"),
             '>' => escaped.push_str("&gt;"),
-            c if c.is_control() => {}
+            c if c.is_control() || is_unprintable(c) => {}
             c => escaped.push(c),
         }
     }

@@ -155,6 +155,11 @@ impl Report {
         Self { wanted, is_coloured }
     }
 
+    /// Whether it contains the commands of a terminal that colour it.
+    pub(super) fn is_coloured(&self) -> bool {
+        self.is_coloured && self.wanted.format == ReportFormat::Text
+    }
+
     /// What stands before all programs.
     pub(super) fn begin(&self) -> Vec<u8> {
         match self.wanted.format {
@@ -207,10 +212,10 @@ impl Report {
                 terminal::render(name, text, lines, found, self.wanted.language, self.is_coloured)
             }
             What::Remark(Remark { place: (line, column), message, .. }) => {
-                format!("{name}:{line}:{column}: {message}\n")
+                terminal::masked(&format!("{name}:{line}:{column}: {message}\n"))
             }
             What::AssumedStock(None, stock) if self.wanted.is_lone && !self.wanted.quiet => {
-                format!("{name}: {}\n", stock.message)
+                terminal::masked(&format!("{name}: {}\n", stock.message))
             }
             What::AssumedStock(..) => String::new(),
         }

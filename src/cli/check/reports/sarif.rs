@@ -4,7 +4,7 @@
 
 use serde_json::{Value, json};
 
-use super::{Counts, address, api, in_memory};
+use super::{Counts, address, api, in_memory, terminal};
 use crate::message::{RULES, Severity};
 
 /// What stands before the results.
@@ -19,7 +19,7 @@ pub(super) fn results(name: &str, rows: impl Iterator<Item = api::Diagnostic>) -
             if at > 0 {
                 out.write_all(b",\n")?;
             }
-            serde_json::to_writer(&mut *out, &result(name, &row))?;
+            out.write_all(terminal::json(&result(name, &row))?.as_bytes())?;
         }
         Ok(())
     })
