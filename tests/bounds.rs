@@ -159,6 +159,10 @@ fn rounds_of_the_main_program_end_by_what_they_ask_for() {
     ] {
         assert_eq!(slugs(text), Vec::<&str>::new(), "{text}");
     }
+    for text in ["G0 X5\n#1=5\nM99\n", "N5 #1=5\nG0 X#1\nM99 P5\n", "#500=5\nG0 X[#500]\nM99\n"] {
+        assert_eq!(run(text, "{}", text).motions.len(), 1, "{text}");
+        assert_eq!(slugs(text), ["main-program-without-end"], "{text}");
+    }
     for text in ["G0 U-1\nM99\n", "#1=3\nG0 X#1\nM99\n", "G0 X5\n#1=#5041\nM99\n"] {
         assert_eq!(slugs(text), ["main-program-without-end"], "{text}");
     }

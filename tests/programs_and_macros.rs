@@ -50,6 +50,43 @@ fn a_block_behind_then_is_a_block_like_any_other() {
     check("IF[1EQ1]THEN G98 G0 X5\nIF[1EQ1]THEN M98 P2\nM30\nO2\nW-1\nM99", "R(5,50) R(5,49)");
 }
 
+/// M99 of a main program begins another pass only where a value that the pass reads before it assigns it has changed.
+#[test]
+fn a_pass_of_the_main_program_is_made_again_only_where_it_reads_another_value() {
+    // Assigned before it is read, or not read at all.
+    check("O1\nG0 X50\n#1=5\nM99", "R(50,50)");
+    check("O1\nG0 X50\n#500=5\nM99", "R(50,50)");
+    check("O1\n#1=5\nG0 X#1\nM99", "R(5,50)");
+    check("O1\n#100=2\n#[#100+1]=7\nG0 X#3\nM99", "R(7,50)");
+    check("O1\n#1=3\nWHILE[#1GT1]DO1\nG0 X#1\n#1=#1-1\nEND1\nM99", "R(3,50) R(2,50)");
+    check("O1\n#1=5\nIF[#1EQ5]GOTO 3\nG0 X1\nN3 G0 X9\n#1=6\nM99", "R(9,50)");
+    check("O1\n#1=4\nM98 P2\n#1=3\nM99\nO2\nG0 X#1\nM99", "R(4,50)");
+    check("O1\n#1=4\nG65 P2 A#1\n#1=3\nM99\nO2\nG0 X#1\n#1=9\nM99", "R(4,50)");
+    // The pass that M99 P begins.
+    check("O1\n#1=5\nN10 G0 X#1\nM99 P10", "R(5,50)");
+    check("O1\n#1=5\n#2=1\nN10 #2=3\nG0 X#2\n#2=7\nM99 P10", "R(3,50)");
+    check("O1\n#1=5\nN10 G0 X#1\n#1=#1-1\nIF[#1LT3]GOTO 20\nM99 P10\nN20 M30", "R(5,50) R(4,50) R(3,50)");
+    // Read before it is assigned: once more, until nothing changes or the program ends.
+    check("O1\nG0 X[10+#500]\n#500=3\nM99", "R(10,50) R(13,50)");
+    check("O1\n#501=#501+1\nG0 X#501\nIF[#501GT2]GOTO 9\nM99\nN9 M30", "R(1,50) R(2,50) R(3,50)");
+    check(
+        "O1\nM98 P2\nIF[#100GT2]GOTO 9\nM99\nN9 M30\nO2\n#100=#100+1\nG0 X#100\nM99",
+        "R(1,50) R(2,50) R(3,50)",
+    );
+    // Positions and modal codes.
+    check("O1\nG0 X20\n#1=#5041\nX[#1+1]\nM99", "R(20,50) R(21,50)");
+    check("O1\nG28 U0\n#1=#5041\nG0 X60\nM99", "R(300,50) R(60,50)");
+    check("O1\nG99\n#1=#4005\nG0 X#1\nG98\nM99", "R(99,50)");
+    check(
+        "O1\n#1=#5041\nG0 X[#1/2]\nIF[#1LT20]GOTO 9\nM99\nN9 M30",
+        "R(50,50) R(25,50) R(12.5,50) R(6.25,50)",
+    );
+    check("O1\nG0 U-40\nIF[#5041LT30]GOTO 9\nM99\nN9 M30", "R(60,50) R(20,50)");
+    // A block that is left out assigns nothing.
+    let skip = r#"{"initial": {"x": 100, "z": 50}, "blockSkip": [1]}"#;
+    check_with(skip, "O1\n/#500=#500+1\nG0 X5\nM99", "R(5,50)");
+}
+
 #[test]
 fn loops_inside_each_other_and_jumps_out_of_them() {
     let nested = "WHILE[#1LT2]DO1\n#2=0\nWHILE[#2LT2]DO2\nG0 U-1\n#2=#2+1\nEND2\n#1=#1+1\nEND1\nM30";

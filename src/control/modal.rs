@@ -17,7 +17,7 @@ use crate::cycles::units::Amount;
 use crate::geometry::Point;
 use crate::geometry::virtual_plane::Surface;
 use crate::motion::{Feed, Motion, Process, Quill, SpindleSpeed, SpindleTurn, Stop, StopKind};
-use crate::parts::{Part, in_part};
+use crate::parts::Part;
 use crate::setup::Setup;
 use crate::setup::dialect::{Dialect, FeedMode};
 use crate::source::Span;
@@ -429,8 +429,6 @@ pub struct State {
     pub thread_chamfer_on: bool,
     /// Calls and loops under way.
     pub call_stack: CallStack,
-    /// The state when M99 of the main program was met, to be compared with a later one.
-    pub last_round: Option<Box<State>>,
     /// Macro variables.
     pub variables: Variables,
     /// System variables that are only kept.
@@ -451,13 +449,6 @@ pub struct State {
 
 /// The part that can give variables their values.
 pub const MACROS: Part = Part::Seldom;
-
-in_part! {
-    Seldom "0420"
-    fn may_differ(state: &State, other: &State) -> bool {
-        state.may_begin_otherwise(other)
-    }
-}
 
 impl State {
     /// The state at power-on with the tip at the setup's start point.
@@ -505,7 +496,6 @@ impl State {
             thread_chamfer: dialect.thread_chamfer,
             thread_chamfer_on: true,
             call_stack: CallStack::default(),
-            last_round: None,
             variables: Variables::default(),
             system: Arc::default(),
             sequence: 0,
@@ -515,21 +505,6 @@ impl State {
             incomplete: false,
             reported: Reported::default(),
         }
-    }
-
-    /// Whether a program that begins in this state may go another way than the one that began in `other`: it
-    /// can see its variables, and all the rest only if it asks for it.
-    pub fn may_differ_from(&self, other: &Self) -> bool {
-        // What was never loaded has given no variable a value.
-        MACROS.is_loaded() && may_differ(self, other)
-    }
-
-    fn may_begin_otherwise(&self, other: &Self) -> bool {
-        let rest =
-            |state: &Self| Self { call_stack: CallStack::default(), last_round: None, ..state.clone() };
-        self.variables != other.variables
-            || self.system != other.system
-            || (self.call_stack.asks && rest(self) != rest(other))
     }
 
     /// Polar or cylindrical interpolation in force.
@@ -578,6 +553,7 @@ impl State {
             stop.shift(shift);
         }
         self.call_stack.head = self.call_stack.head.shifted(shift);
+        self.call_stack.main_pass.shift(|byte| shift.byte(byte));
     }
 
     /// Whether a program goes on from here as it does from `other`.

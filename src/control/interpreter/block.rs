@@ -120,8 +120,13 @@ impl Interpreter {
             self.make_motions(text, block, &mut request, &words);
             if request.drop {
                 self.refuse(text, block, &request, &words);
-            } else if !self.state.doubts.is_empty() {
-                self.regain(&request, &words, before);
+            } else {
+                if !self.state.doubts.is_empty() {
+                    self.regain(&request, &words, before);
+                }
+                if self.state.call_stack.main_pass.placed != [true; 2] {
+                    self.note_placed(&request, &words);
+                }
             }
         }
         if !request.moved {
@@ -159,6 +164,15 @@ impl Interpreter {
                 }
                 None => Flow::Next,
             },
+        }
+    }
+
+    /// Notes for the pass of the main program which axes the block has moved to an absolute position.
+    #[cold]
+    fn note_placed(&mut self, request: &Request, words: &Words) {
+        for (index, axis) in [Doubt::X, Doubt::Z].into_iter().enumerate() {
+            let is_placed = self.ends_at_place(request, words, axis);
+            self.state.call_stack.main_pass.placed[index] |= is_placed;
         }
     }
 

@@ -3,10 +3,11 @@
 //! In: the words of a block and where it stands. Out: the place of the next block.
 
 use super::{Flow, Interpreter};
-use crate::control::modal::State;
+use crate::control::modal::MACROS;
 use crate::control::program::{Call, CallKind, program_and_repeats};
 use crate::control::words::{Words, plain};
 use crate::message::{Diagnostic, Message, said};
+use crate::parts::in_part;
 use crate::source::Span;
 use crate::text::block::Block;
 use crate::text::parser::Resume;
@@ -29,6 +30,13 @@ pub(super) enum CallCode {
     LocalCall,
     /// M99.
     Return,
+}
+
+in_part! {
+    Seldom "0420"
+    fn changes_in_next_pass(control: &mut Interpreter, text: &[u8], block: &Block, from: Option<Resume>) -> bool {
+        control.begin_next_pass(text, block, from.map(|from| from.byte))
+    }
 }
 
 impl Interpreter {
@@ -269,16 +277,10 @@ impl Interpreter {
             // The body of a macro, which goes back to the program that called it.
             return Flow::End;
         }
-        self.state.call_stack.rounds += 1;
-        // Looked at now and then only: there may be many variables to compare.
-        if self.state.call_stack.rounds.is_power_of_two() {
-            let last = self.state.last_round.take();
-            let last = last.unwrap_or_else(|| Box::new(State::new(&self.setup, &self.dialect)));
-            if !self.state.may_differ_from(&last) {
-                self.report_always(Diagnostic::new(said::EndlessMain, block.words_span()));
-                return Flow::End;
-            }
-            self.state.last_round = Some(Box::new(self.state.clone()));
+        // Without macros no pass reads a variable.
+        if !MACROS.is_loaded() || !changes_in_next_pass(self, text, block, from) {
+            self.report_always(Diagnostic::new(said::EndlessMain, block.words_span()));
+            return Flow::End;
         }
         self.program.jump_by(block.words_span());
         Flow::Jump(from.unwrap_or(self.state.call_stack.head))

@@ -211,41 +211,10 @@ impl Interpreter {
     /// What a block that was carried out makes certain again; `before` was in doubt when it began.
     #[cold]
     pub(super) fn regain(&mut self, request: &Request, words: &Words, before: Doubts) {
-        let absolute = [
-            (Doubt::X, self.is_absolute(words, b'X', b'U'), letters(b"XU")),
-            (Doubt::Z, self.is_absolute(words, b'Z', b'W'), letters(b"ZW")),
-            (Doubt::C, self.is_absolute(words, b'C', b'H'), letters(b"CH")),
-        ];
         let by_angle = request.comma[2].is_some() || words.get(b'A').is_some();
-        let doubts = &mut self.state.doubts;
-        let hole = self.state.hole.map(|hole| hole.kind.is_face());
-        for (doubt, absolute, letters) in absolute {
-            let known = match request.one_shot {
-                Some(OneShot::Home | OneShot::OtherHome) => words.has_any(letters),
-                Some(OneShot::CheckHome | OneShot::FromHome | OneShot::Machine | OneShot::Setting) => {
-                    absolute
-                }
-                Some(
-                    OneShot::Dwell
-                    | OneShot::Data
-                    | OneShot::LocalFrame
-                    | OneShot::Polar(_)
-                    | OneShot::Cylinder
-                    | OneShot::Multiple(_)
-                    | OneShot::NotSupported,
-                ) => false,
-                // A hole names one place and one depth; the tool comes back out of it.
-                None if hole.is_some() => absolute && (doubt == Doubt::X) == (hole == Some(true)),
-                None => match self.state.motion {
-                    // They come back to where they started.
-                    MotionMode::Cycle(_) | MotionMode::Tapping => false,
-                    MotionMode::Rapid
-                    | MotionMode::Line
-                    | MotionMode::Arc(_)
-                    | MotionMode::Thread
-                    | MotionMode::VariableThread => absolute,
-                },
-            };
+        for doubt in [Doubt::X, Doubt::Z, Doubt::C] {
+            let known = self.ends_at_place(request, words, doubt);
+            let doubts = &mut self.state.doubts;
             if known {
                 doubts.remove(doubt);
             } else if by_angle && doubts.has_any(PLACE) && doubt != Doubt::C {
@@ -253,6 +222,7 @@ impl Interpreter {
                 doubts.add(doubt);
             }
         }
+        let doubts = &mut self.state.doubts;
         let first_block =
             matches!(request.one_shot, Some(OneShot::Multiple(cycle)) if is_first_block(cycle, words));
         if first_block {
@@ -260,6 +230,44 @@ impl Interpreter {
         }
         if request.moved && before.has(Doubt::Path) {
             doubts.remove(Doubt::Path);
+        }
+    }
+
+    /// Whether a block that was carried out has moved an axis (X, Z or C) to a place that does not depend on
+    /// where the axis was before.
+    pub(super) fn ends_at_place(&self, request: &Request, words: &Words, axis: Doubt) -> bool {
+        let (absolute, incremental) = match axis {
+            Doubt::X => (b'X', b'U'),
+            Doubt::Z => (b'Z', b'W'),
+            _ => (b'C', b'H'),
+        };
+        let is_absolute = self.is_absolute(words, absolute, incremental);
+        let hole = self.state.hole.map(|hole| hole.kind.is_face());
+        match request.one_shot {
+            Some(OneShot::Home | OneShot::OtherHome) => {
+                words.get(absolute).is_some() || words.get(incremental).is_some()
+            }
+            Some(OneShot::CheckHome | OneShot::FromHome | OneShot::Machine | OneShot::Setting) => is_absolute,
+            Some(
+                OneShot::Dwell
+                | OneShot::Data
+                | OneShot::LocalFrame
+                | OneShot::Polar(_)
+                | OneShot::Cylinder
+                | OneShot::Multiple(_)
+                | OneShot::NotSupported,
+            ) => false,
+            // A hole names one place and one depth; the tool comes back out of it.
+            None if hole.is_some() => is_absolute && (axis == Doubt::X) == (hole == Some(true)),
+            None => match self.state.motion {
+                // They come back to where they started.
+                MotionMode::Cycle(_) | MotionMode::Tapping => false,
+                MotionMode::Rapid
+                | MotionMode::Line
+                | MotionMode::Arc(_)
+                | MotionMode::Thread
+                | MotionMode::VariableThread => is_absolute,
+            },
         }
     }
 

@@ -70,6 +70,7 @@ impl Interpreter {
         if variables.write(variable, Some(value)) == Ok(Stored::Done) {
             variables.set_unknown(variable, Knowledge::Known);
             let level = variables.level();
+            self.note_access(block, variable, None);
             self.note_assigned(level, variable, block);
         }
     }

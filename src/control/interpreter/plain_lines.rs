@@ -60,6 +60,8 @@ impl Interpreter {
                 }
             }
             self.state.position = to;
+            let placed = &mut self.state.call_stack.main_pass.placed;
+            *placed = [placed[0] | line.x.is_some(), placed[1] | line.z.is_some()];
             self.state.sequence = line.sequence.unwrap_or(self.state.sequence);
             taken += 1;
         }

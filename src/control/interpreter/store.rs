@@ -29,6 +29,7 @@ impl Memory for Store<'_> {
                 if value.is_none() && Variables::may_be_argument(variable) {
                     self.interpreter.miss_arguments(self.text, self.block, variable);
                 }
+                self.interpreter.note_access(self.block.span.start, variable, Some(value));
                 if self.interpreter.state.variables.is_unknown(variable) {
                     self.knowledge = Knowledge::Unknown;
                 }
@@ -44,7 +45,44 @@ impl Memory for Store<'_> {
         }
         self.interpreter.state.variables.set_unknown(variable, self.knowledge);
         let level = self.interpreter.state.variables.level();
+        self.interpreter.note_access(self.block.span.start, variable, None);
         self.interpreter.note_assigned(level, variable, self.block.span.start);
         Ok(())
+    }
+}
+
+/// What a pass of the main program reads before it assigns it.
+impl Interpreter {
+    /// Notes for the pass of the main program that a block assigns a variable (`None`), or reads one that had
+    /// this value when the pass began.
+    pub(super) fn note_access(&mut self, block: u32, variable: u32, read: Option<Option<f64>>) {
+        // The local variables of a macro are other variables.
+        if variable > 33 || self.state.variables.level() == 0 {
+            let block = self.main_block(block);
+            self.state.call_stack.main_pass.note(block, variable, read);
+        }
+    }
+
+    /// The block of the main program that is carried out: a call, while the block at byte `block` is in a subprogram.
+    pub(super) fn main_block(&self, block: u32) -> u32 {
+        self.state.call_stack.calls.first().map_or(block, |call| call.caller)
+    }
+
+    /// Ends a pass of the main program at M99. Whether the next one, from the block at byte `from` or from the
+    /// head, begins with another value of a variable that it reads.
+    pub(super) fn begin_next_pass(&mut self, text: &[u8], block: &Block, from: Option<u32>) -> bool {
+        let pass = std::mem::take(&mut self.state.call_stack.main_pass);
+        let differs = |&(variable, at_start): &(u32, Option<f64>)| {
+            let now = match self.state.variables.read(variable) {
+                Ok(Found::Value(value)) => value,
+                _ => self.system_value(text, block, variable),
+            };
+            now != at_start
+        };
+        let goes_on = !pass.is_compared() || pass.inputs(from).iter().any(differs);
+        let read = pass.system_read().into_iter();
+        let system = read.filter_map(|variable| Some((variable, self.system_value(text, block, variable)?)));
+        self.state.call_stack.main_pass = pass.next(from, system.collect());
+        goes_on
     }
 }

@@ -5,6 +5,7 @@
 
 use super::Interpreter;
 use crate::control::codes::{Compensation, Plane};
+use crate::control::modal::State;
 use crate::control::offsets::{Column, EXTENDED_FRAMES, STANDARD_FRAMES};
 use crate::geometry::Point;
 use crate::message::{Diagnostic, said};
@@ -93,16 +94,54 @@ impl System {
 impl Interpreter {
     /// Reads a system variable; one that is not known here is vacant, and reported once.
     pub(super) fn read_system(&mut self, text: &[u8], block: &Block, variable: u32) -> Option<f64> {
+        let value = self.system_value(text, block, variable);
+        if value.is_none() {
+            self.unknown_system(block, variable);
+        } else if self.state.call_stack.main_pass.is_new(self.main_block(block.span.start), variable) {
+            let at_start = self.system_at_start(text, block, variable);
+            self.note_access(block.span.start, variable, at_start.map(Some));
+        }
+        value
+    }
+
+    /// The value that a system variable had at the beginning of the pass of the main program; `None` where the
+    /// pass has assigned it before this block.
+    fn system_at_start(&mut self, text: &[u8], block: &Block, variable: u32) -> Option<f64> {
+        let system = System::of(variable)?;
+        if let System::Kept = system {
+            return self.system_value(text, block, variable);
+        }
+        let pass = &self.state.call_stack.main_pass;
+        if let System::Work(axis @ 1..=2) | System::Machine(axis @ 1..=2) = system
+            && pass.placed[axis as usize - 1]
+        {
+            return None;
+        }
+        let at_start = match pass.is_first() {
+            true => {
+                let power_on = State::new(&self.setup, &self.dialect);
+                let now = std::mem::replace(&mut self.state, power_on);
+                let value = self.system_value(text, block, variable);
+                self.state = now;
+                value?
+            }
+            false => pass.system_at_start(variable),
+        };
+        // These change by an absolute assignment alone.
+        let is_set = matches!(system, System::Group(_) | System::Letter(_));
+        let is_unchanged =
+            !is_set || at_start.is_nan() || self.system_value(text, block, variable) == Some(at_start);
+        is_unchanged.then_some(at_start)
+    }
+
+    /// The value of a system variable; `None` where it is not known here.
+    pub(super) fn system_value(&mut self, text: &[u8], block: &Block, variable: u32) -> Option<f64> {
         let unit = self.state.unit.millimetres();
         let coordinate = |place: Point, axis: u32| match axis {
             1 => Diameter::from_radius(place.x).mm() / unit,
             _ => place.z / unit,
         };
-        let Some(system) = System::of(variable) else {
-            self.unknown_system(block, variable);
-            return None;
-        };
-        self.state.call_stack.asks |= !matches!(system, System::Kept);
+        let system = System::of(variable)?;
         let state = &self.state;
         let offset = state.frames.offset();
         Some(match system {

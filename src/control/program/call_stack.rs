@@ -3,6 +3,7 @@
 //! Plain values, part of [`State`](crate::control::modal::State). What calls and jumps do
 //! is in `interpreter/calls`.
 
+use super::main_pass::MainPass;
 use crate::text::parser::Resume;
 
 /// What was called, and from where.
@@ -73,10 +74,8 @@ pub struct CallStack {
     pub modal: Option<ModalCall>,
     /// First block of the main program.
     pub head: Resume,
-    /// How often M99 of the main program was met.
-    pub rounds: u32,
-    /// A macro asked for more than its variables: where the tool stands, what is in force, or a table.
-    pub asks: bool,
+    /// The pass of the main program under way.
+    pub main_pass: MainPass,
 }
 
 impl CallStack {

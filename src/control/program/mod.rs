@@ -8,12 +8,14 @@
 mod budget;
 mod call_stack;
 mod labels;
+mod main_pass;
 
 use std::collections::{BTreeMap, BTreeSet};
 
 pub use budget::Budget;
 pub use call_stack::{Call, CallKind, CallStack, Loop, ModalCall, Rounds};
 pub use labels::{Labels, program_and_repeats};
+pub use main_pass::MainPass;
 
 use crate::source::Span;
 use crate::text::parser::Resume;
