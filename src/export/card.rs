@@ -17,7 +17,7 @@ use crate::playback::totals::{ToolTotals, totals};
 use crate::sentences::{Language, describe_motion, labels};
 use crate::setup::dialect::{CodeList, FeedMode};
 use crate::setup::{Setup, Stock};
-use crate::source::Span;
+use crate::source::{Span, is_unprintable};
 use crate::text::block::{Block, BlockKind, Value, Word};
 use crate::text::parser::Parser;
 use crate::units::{Unit, number};
@@ -29,6 +29,9 @@ const MOST_BLOCKS: usize = 4000;
 
 /// A drawing of more motions than this is left out by who makes a card: it would be all ink.
 pub const MOST_DRAWN: usize = 20_000;
+
+/// Tools on a card, at most.
+const MOST_TOOLS: usize = 500;
 
 /// Motions of a block that are put into words one by one; more are counted.
 const MOST_TOLD: usize = 4;
@@ -140,19 +143,25 @@ impl Card<'_> {
         }
         page.heading(w.tools);
         page.begin_table("tools", &[w.tool, w.kind, w.nose, w.tip, w.speed_and_feed, w.time]);
-        for own in &tools {
-            // The first cut shows what a tool is for; what never cuts (an offset called
-            // off) is no tool of the card.
-            let of_tool = |motion: &Motion| motion.process.tool == own.tool && motion.kind.cuts();
-            let mut cuts = self.motions.iter().filter(of_tool).peekable();
-            let Some(motion) = cuts.peek() else { continue };
-            let tool = resolved.tool(motion);
-            let [kind, nose, tip] = about(tool, measures).map(|text| escaped(&text));
-            let rates = escaped(&rates(cuts, measures));
+        // The first cut shows what a tool is for; what never cuts (an offset called
+        // off) is no tool of the card.
+        let mut uses: BTreeMap<(u16, u16), (Motion, Rates)> = BTreeMap::new();
+        for motion in self.motions.iter().filter(|motion| motion.kind.cuts()) {
+            let (_, rates) = uses.entry(motion.process.tool).or_insert_with(|| (motion, Rates::default()));
+            rates.add(&motion, measures);
+        }
+        let mut cutting = tools.iter().filter_map(|own| Some((own, uses.get(&own.tool)?)));
+        for (own, (first, rates)) in cutting.by_ref().take(MOST_TOOLS) {
+            let [kind, nose, tip] = about(resolved.tool(first), measures).map(|text| escaped(&text));
+            let rates = escaped(&rates.text());
             page.row([&tool_name(own.tool), &kind, &nose, &tip, &rates, &clock(&own.time)]);
         }
         page.row([w.total, "", "", "", "", &clock(&all.time)]);
         page.end_table();
+        let more = cutting.count();
+        if more > 0 {
+            page.paragraph(&w.more_tools.replace("{}", &more.to_string()));
+        }
         let ToolTotals { time, .. } = &all;
         let unknown = time.unknown_cuts + time.unknown_rapids;
         if unknown > 0 {
@@ -453,11 +462,21 @@ fn about(resolved_tool: &ResolvedTool, measures: Measures) -> [String; 3] {
     [kind, nose, tool.tip_direction().to_string()]
 }
 
-/// The speeds and feeds of cuts, each once.
-fn rates(cuts: impl Iterator<Item = Motion>, measures: Measures) -> String {
-    let (w, unit) = (words(measures.language), measures.unit);
-    let mut found: Vec<String> = Vec::new();
-    for motion in cuts {
+/// The speeds and feeds of the cuts of a tool, each once, up to [`MOST_RATES`] and a sign that there are more.
+#[derive(Default)]
+struct Rates {
+    found: Vec<String>,
+    /// Speed, feed and lead of the last cut.
+    last: Option<(SpindleSpeed, Feed, Option<f64>)>,
+}
+
+impl Rates {
+    fn add(&mut self, motion: &Motion, measures: Measures) {
+        let own = (motion.process.speed, motion.process.feed, motion.lead);
+        if self.found.len() > MOST_RATES || self.last.replace(own) == Some(own) {
+            return;
+        }
+        let (w, unit) = (words(measures.language), measures.unit);
         let speed = match motion.process.speed {
             SpindleSpeed::Constant(0.0) => None,
             SpindleSpeed::Constant(speed) => Some(format!("{} {}", number(speed), w.per_minute)),
@@ -473,15 +492,15 @@ fn rates(cuts: impl Iterator<Item = Motion>, measures: Measures) -> String {
             (None, Feed::PerMinute(feed)) => Some(measures.feed(feed, FeedMode::PerMinute)),
         };
         let rate = [speed, feed].into_iter().flatten().collect::<Vec<_>>().join(", ");
-        if !rate.is_empty() && !found.contains(&rate) {
-            found.push(rate);
-        }
-        if found.len() > MOST_RATES {
-            found[MOST_RATES] = "…".into();
-            break;
+        if !rate.is_empty() && !self.found.contains(&rate) {
+            let is_room = self.found.len() < MOST_RATES;
+            self.found.push(if is_room { rate } else { "…".into() });
         }
     }
-    if found.is_empty() { "–".into() } else { found.join("; ") }
+
+    fn text(&self) -> String {
+        if self.found.is_empty() { "–".into() } else { self.found.join("; ") }
+    }
 }
 
 fn tool_name((station, offset): (u16, u16)) -> String {
@@ -498,6 +517,7 @@ fn clock(time: &Total) -> String {
 }
 
 fn escaped(text: &str) -> String {
+    let text = text.replace(is_unprintable, "?");
     text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace('"', "&quot;")
 }
 

@@ -4,7 +4,7 @@
 //! (its size: `blank`). An inferred tool is sharp and can follow every slope of its path. It is shown as
 //! inferred, and no alarm is raised because of it.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use super::blank::{Cuts, clear_of_rapids};
 use super::choice;
@@ -68,10 +68,10 @@ impl InferredSetup {
 pub fn inferred_setup(motions: &Motions, given: &Setup) -> Setup {
     let inferred = InferredSetup::with(motions, &given.described_tools, given.stock);
     let mut setup = Setup { stock: inferred.stock, ..Setup::default() };
-    let mut names: Vec<(u16, u16)> = Vec::new();
+    let (mut names, mut stations): (Vec<(u16, u16)>, BTreeSet<u16>) = Default::default();
     for motion in motions.iter().take(LOOKED_AT).filter(|motion| motion.kind.cuts()) {
         let name = motion.process.tool;
-        if names.last() != Some(&name) && names.iter().all(|own| own.0 != name.0) {
+        if names.last() != Some(&name) && stations.insert(name.0) {
             names.push(name);
         }
     }

@@ -64,10 +64,7 @@ impl ResolvedSetup {
     pub fn new(motions: &Motions, setup: &Setup) -> Self {
         let inferred = InferredSetup::with(motions, &setup.described_tools, setup.stock);
         let leads = leads(motions);
-        let for_pitch = |station: u16, tool: &Tool| {
-            let lead = leads.iter().find(|own| own.0 == station);
-            for_pitch(tool, lead.map(|own| own.1))
-        };
+        let for_pitch = |station: u16, tool: &Tool| for_pitch(tool, leads.get(&station).copied());
         let given = setup.tools.iter().filter_map(|(name, tool)| {
             let (station, offset) = station_of(name)?;
             Some((station, offset, ResolvedTool::given(station, for_pitch(station, tool))))

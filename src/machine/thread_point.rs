@@ -4,6 +4,8 @@
 //! usual lay-down insert: a tooth for one pitch, and little more beside it, so that it reaches a
 //! shoulder next to a relief groove.
 
+use std::collections::BTreeMap;
+
 use crate::motion::{MotionKind, Motions};
 use crate::setup::thread_insert::Hand;
 use crate::setup::{Tool, ToolKind};
@@ -73,14 +75,12 @@ pub fn for_pitch(tool: &Tool, pitch: Option<f64>) -> Tool {
 }
 
 /// The largest lead that each station cuts, mm. Of a thread with many starts it stands for the pitch.
-pub fn leads(motions: &Motions) -> Vec<(u16, f64)> {
-    let mut leads: Vec<(u16, f64)> = Vec::new();
+pub fn leads(motions: &Motions) -> BTreeMap<u16, f64> {
+    let mut leads: BTreeMap<u16, f64> = BTreeMap::new();
     let threads = motions.iter().take(LOOKED_AT).filter(|motion| motion.kind == MotionKind::Thread);
     for (station, lead) in threads.filter_map(|motion| Some((motion.process.tool.0, motion.lead?.abs()))) {
-        match leads.iter_mut().find(|own| own.0 == station) {
-            Some(own) => own.1 = own.1.max(lead),
-            None => leads.push((station, lead)),
-        }
+        let longest = leads.entry(station).or_insert(lead);
+        *longest = longest.max(lead);
     }
     leads
 }

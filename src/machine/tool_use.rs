@@ -14,6 +14,9 @@ use crate::units::Diameter;
 /// So many motions are looked at.
 pub(super) const LOOKED_AT: usize = 200_000;
 
+/// Most uses of stations that are distinguished. A turret with 60 stations has fewer.
+const MOST_USES: usize = 300;
+
 /// A shorter way back along +Z only clears the bottom of a groove, mm.
 const SHORT: f64 = 2.0;
 
@@ -125,13 +128,15 @@ impl ToolUse {
                 continue;
             }
             let (station, purpose) = (motion.process.tool.0, Purpose::of(&motion));
-            let at = seen
-                .iter()
-                .position(|own| (own.station, own.purpose) == (station, purpose))
-                .unwrap_or_else(|| {
+            let known = seen.iter().position(|own| (own.station, own.purpose) == (station, purpose));
+            let at = match known {
+                Some(at) => at,
+                None if seen.len() == MOST_USES => continue,
+                None => {
                     seen.push(ToolUse::new(station, purpose, index));
                     seen.len() - 1
-                });
+                }
+            };
             seen[at].look(&motion, before.as_ref(), moves.peek().map(|(_, next)| next));
         }
         // The beginning of a contour on the axis, or a facing tool that goes back, is no hole.

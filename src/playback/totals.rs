@@ -3,6 +3,8 @@
 //! In: the motions and the machine. Out: [`ToolTotals`] for each tool in the order in which the tools are
 //! first used, and the whole program.
 
+use std::collections::BTreeMap;
+
 use super::timing::Total;
 use crate::geometry::bounds::{Bounds, join};
 use crate::motion::{MotionKind, Motions};
@@ -27,14 +29,15 @@ pub struct ToolTotals {
 pub fn totals(motions: &Motions, machine: &Machine) -> (Vec<ToolTotals>, ToolTotals) {
     let mut tools: Vec<ToolTotals> = Vec::new();
     let mut all = ToolTotals::default();
+    let mut places: BTreeMap<(u16, u16), usize> = BTreeMap::new();
     let mut last = 0;
     for motion in motions.iter() {
         let tool = motion.process.tool;
         if tools.get(last).is_none_or(|totals| totals.tool != tool) {
-            last = tools.iter().position(|totals| totals.tool == tool).unwrap_or_else(|| {
+            last = *places.entry(tool).or_insert(tools.len());
+            if last == tools.len() {
                 tools.push(ToolTotals { tool, ..ToolTotals::default() });
-                tools.len() - 1
-            });
+            }
         }
         for totals in [&mut tools[last], &mut all] {
             totals.time.add(&motion, machine);

@@ -14,7 +14,10 @@ use std::time::Instant;
 use std::{env, fs, io};
 
 use endless::{Hostile, MOST_SECONDS, hostile};
+use gcode_playground::analyze;
 use gcode_playground::api::{Places, Summary};
+use gcode_playground::export::card::Card;
+use gcode_playground::paste::find;
 use gcode_playground::run::Run;
 use gcode_playground::scene::path_index::PathIndex;
 use gcode_playground::sentences::Language;
@@ -65,9 +68,46 @@ fn main() -> io::Result<()> {
     let all = hostile();
     let cases: io::Result<_> =
         all.iter().enumerate().map(|(index, case)| measured(case, index, &folder)).collect();
+    quick_enough()?;
     let (most_seconds, attempts, shown_lines) = (MOST_SECONDS, ATTEMPTS, SHOWN_LINES);
     let told = Cases { most_seconds, attempts, shown_lines, cases: cases? };
     fs::write(folder.join("cases.json"), serde_json::to_string(&told)?)
+}
+
+/// Work of the command line that grew with the square of the text, or was slow: the setup sheet of 100,000 tools, and the
+/// search for programs in a line of 10 MB.
+fn quick_enough() -> io::Result<()> {
+    let tools: String = (1..=100_000).map(|tool| format!("T{tool:04}\nG00 X50 Z2\nG01 Z-5 F0.2\n")).collect();
+    within("a setup sheet", 2.0, || {
+        let text = format!("G97 S500 M03\n{tools}M30\n");
+        let analysis = analyze(text.as_bytes(), &Setup::default());
+        let card = Card {
+            text: text.as_bytes(),
+            motions: &analysis.motions,
+            setup: &analysis.setup,
+            codes: analysis.codes,
+            unit: analysis.unit,
+            drawing: None,
+        };
+        card.html(Language::English).len()
+    })?;
+    let line = "X1".repeat(5_000_000);
+    within("a line of 10 MB", 4.0, || find(&line).programs.iter().map(|program| program.text().len()).sum())
+}
+
+/// Fails if each of [`ATTEMPTS`] attempts takes longer than `most` seconds.
+fn within(name: &str, most: f64, work: impl Fn() -> usize) -> io::Result<()> {
+    let mut best = f64::INFINITY;
+    for _ in 0..ATTEMPTS {
+        let watch = Watch::start();
+        std::hint::black_box(work());
+        best = best.min(watch.milliseconds() / 1e3);
+        if best <= most {
+            println!("{name}: {best:.2} s");
+            return Ok(());
+        }
+    }
+    Err(io::Error::other(format!("{name} takes {best:.2} s; {most} s are allowed")))
 }
 
 fn measured(case: &Hostile, index: usize, folder: &Path) -> io::Result<Case> {

@@ -36,6 +36,7 @@ pub(super) struct Words {
     pub passes: &'static str,
     pub moves: &'static str,
     pub more_blocks: &'static str,
+    pub more_tools: &'static str,
     /// In a sentence, before a number.
     pub its_tool: &'static str,
     pub offset: &'static str,
@@ -189,6 +190,7 @@ static EN: Words = Words {
     passes: "{} passes",
     moves: "{} moves",
     more_blocks: "… and {} more blocks",
+    more_tools: "… and {} more tools",
     its_tool: "tool",
     offset: "offset",
 };
@@ -221,6 +223,7 @@ static ZH: Words = Words {
     passes: "共 {} 次走刀",
     moves: "共 {} 段运动",
     more_blocks: "……还有 {} 个程序段",
+    more_tools: "……还有 {} 把刀具",
     its_tool: "刀具号",
     offset: "刀补",
 };
@@ -253,6 +256,7 @@ static RU: Words = Words {
     passes: "проходов: {}",
     moves: "перемещений: {}",
     more_blocks: "… и ещё кадров: {}",
+    more_tools: "… и ещё инструментов: {}",
     its_tool: "инструмент",
     offset: "коррекция",
 };

@@ -1,5 +1,7 @@
 //! T words whose station and offset differ, where those of the whole program agree.
 
+use std::collections::BTreeSet;
+
 use super::Program;
 use crate::message::{Diagnostic, Fix, said};
 use crate::source::Span;
@@ -20,7 +22,7 @@ struct Call {
 impl Program<'_> {
     /// The one tool that is called with the offset of another station.
     pub(super) fn other_offset(&self) -> Vec<Diagnostic> {
-        let mut calls: Vec<Call> = Vec::new();
+        let (mut calls, mut known): (Vec<Call>, BTreeSet<(u64, u64)>) = Default::default();
         for word in self.words.iter().filter(|word| word.address == b'T') {
             let digits = word.span.of(self.text).iter().filter(|byte| byte.is_ascii_digit()).count();
             if !matches!(digits, 3 | 4) {
@@ -28,8 +30,7 @@ impl Program<'_> {
             }
             let (station, offset) = (word.value as u64 / 100, word.value as u64 % 100);
             // An offset that is switched off is none; a tool that is called again is no other tool.
-            let is_new = !calls.iter().any(|call| (call.station, call.offset) == (station, offset));
-            if offset > 0 && is_new {
+            if offset > 0 && known.insert((station, offset)) {
                 calls.push(Call { station, offset, span: word.span });
             }
         }
