@@ -7,12 +7,15 @@ use std::io::{self, Write};
 use std::path::PathBuf;
 
 use super::options::{Destination, Texts};
-use super::system::say;
-use super::{encoding, print, read, save};
+use super::system::Stream;
+use super::{encoding, print, print_to, read, save};
 use crate::api::paste::shortened;
 use crate::paste::{self, Found, Name, Piece, Program};
 use crate::sentences::Language;
 use crate::source::LineIndex;
+
+/// Changes and questions that are listed, at most.
+const MOST_LISTED: usize = 1000;
 
 /// What to do with what is found.
 #[derive(clap::Args)]
@@ -50,7 +53,7 @@ pub(super) fn run(clean: &Clean) -> Result<(), String> {
         });
     };
     let language = clean.texts.language();
-    tell(&name, &text, program, language);
+    print_to(Stream::Error, |out| tell(out, &name, &text, program, language))?;
     let cleaned = program.text();
     let bytes = from.encode(&cleaned).unwrap_or_else(|| cleaned.as_bytes().into());
     save(clean.to.file(), &bytes)
@@ -73,14 +76,24 @@ fn list(out: &mut dyn Write, found: &Found) -> io::Result<()> {
     Ok(())
 }
 
-/// Says on standard error what was changed, and what is still to be said.
-fn tell(name: &str, text: &str, program: &Program, language: Language) {
+/// Lists the changes and the questions, [`MOST_LISTED`] at most.
+fn tell(
+    out: &mut dyn Write,
+    name: &str,
+    text: &str,
+    program: &Program,
+    language: Language,
+) -> io::Result<()> {
     let lines = LineIndex::new(text.as_bytes());
-    for piece in &program.pieces {
-        let Some(reason) = piece.reason else { continue };
+    let mut listed = program.pieces.iter().filter_map(|piece| Some((piece, piece.reason?)));
+    for (piece, reason) in listed.by_ref().take(MOST_LISTED) {
         let place = lines.line_column(text.as_bytes(), piece.span.start);
         let (line, column) = (place.line + 1, place.column + 1);
-        say(format_args!("{name}:{line}:{column}: {}{}", reason.phrase(language), quoted(text, piece)));
+        writeln!(out, "{name}:{line}:{column}: {}{}", reason.phrase(language), quoted(text, piece))?;
+    }
+    match listed.count() {
+        0 => Ok(()),
+        more => writeln!(out, "{name}: {more} more, which are not listed"),
     }
 }
 

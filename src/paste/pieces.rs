@@ -5,7 +5,7 @@
 
 use super::Piece;
 use super::blocks::{Blocks, NOBODY};
-use super::items::{Item, Kind, Word, is_blank, is_invisible, slice, spell};
+use super::items::{Item, Kind, Word, is_blank, is_invisible, plain_word, slice, spell};
 use super::programs::Stretch;
 use super::reason::Reason;
 use crate::control::codes;
@@ -114,7 +114,10 @@ impl Writer<'_> {
             // `00006` was O0006.
             return self.push(end, format!("O{}", &was[1..]), word.reason);
         }
-        let now = spell(self.text, start).map_or_else(|| was.to_string(), |(_, _, now)| now);
+        let now = match plain_word(self.text, start) {
+            Some(_) => was.to_string(),
+            None => spell(self.text, start).map_or_else(|| was.to_string(), |(_, _, now)| now),
+        };
         if word.lost_sign {
             let number = now.trim_start_matches(|c: char| !c.is_ascii_digit() && c != '.');
             let letter = char::from(word.letter);
