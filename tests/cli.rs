@@ -449,7 +449,7 @@ fn an_assumed_stock_is_told_and_that_collisions_were_not_checked() {
     assert_eq!(run(&["check", "--quiet", "-"], b"G0 X1\nM30").stdout, b"");
 }
 
-/// Every control character but the ends of lines and tabs, and those that turn the text behind them round.
+/// Every control character but the ends of lines and tabs, and those that change the direction of the text.
 fn control_characters() -> String {
     let controls = (1..=0x9fu32).filter_map(char::from_u32).filter(|letter| letter.is_control());
     let controls = controls.filter(|letter| !matches!(letter, '\t' | '\n' | '\r'));

@@ -87,7 +87,7 @@ fn same(name: &str, expected: &Outcome, text: &str, setup: &Setup, has_sentences
     assert_eq!(found.part, expected.part, "part of {name}");
 }
 
-/// The program of a turned groove whose width only a comment tells, 5 mm, and its tool words in capitals and not.
+/// A program whose grooving insert is 5 mm wide, as only a comment says.
 const GROOVE: &str = "O1\nT0101 (TURNING R0.8)\nG97 S500 M03\nG00 X38 Z2\nG01 Z-5 F0.1\nG00 X100 Z100\nT0303 (GROOVE W=5)\nG00 X40 Z-10\nG01 X25 F0.1\nX40\nG00 X100\nM30\n";
 
 #[test]
@@ -102,7 +102,7 @@ fn a_program_does_not_depend_on_its_line_ends() {
         for (name, end) in [("CR LF", "\r\n"), ("CR", "\r")] {
             same(&format!("{id} with {name}"), &expected, &text.replace('\n', end), &setup, true);
         }
-        // A `;` ends neither a comment nor a line with `%`, and plain text behind it is a remark.
+        // A `;` ends neither a comment nor a line with `%`, and plain text after it is a remark.
         let is_plain =
             !text.contains([';', '%']) && !analysis.diagnostics.iter().any(|found| found.is_error());
         if is_plain {
@@ -124,7 +124,7 @@ fn a_program_does_not_depend_on_the_case_of_its_letters() {
     }
 }
 
-/// The groove is as wide as the comment says, whatever ends the lines: a blade of 3 mm would be assumed otherwise.
+/// The groove is as wide as the comment says, whatever ends the lines: without it an insert of 3 mm is assumed.
 #[test]
 fn a_comment_names_the_tool_of_its_own_line() {
     for end in ["\n", "\r\n", "\r", ";"] {

@@ -236,7 +236,7 @@ impl LineIndex {
 }
 
 /// Whether a character is not to be shown as it is: a control character other than LF and tab, which a terminal may
-/// take for a command and XML forbids, or one that changes the direction of the text behind it.
+/// take for a command and XML forbids, or one that changes the direction of the text after it.
 pub fn is_unprintable(letter: char) -> bool {
     (letter.is_control() && !matches!(letter, '\n' | '\t'))
         || matches!(letter, '\u{202a}'..='\u{202e}' | '\u{2066}'..='\u{2069}')

@@ -95,8 +95,8 @@ impl MainPass {
         read.chain(self.system.keys().copied()).collect()
     }
 
-    /// The next pass, from the block at byte `start` or from the head. `system`: the values of the system
-    /// variables that were read so far.
+    /// The next pass, from the block at byte `start` or from the head. `system`: system variables that have been read,
+    /// with their values.
     pub fn next(&self, start: Option<u32>, system: BTreeMap<u32, f64>) -> Self {
         Self { ended: self.ended.saturating_add(1), start, system: Arc::new(system), ..Self::default() }
     }
