@@ -202,7 +202,7 @@ test('broken, cut, newer and hostile links give a message and take nothing away'
   const good = storedLinks().find(({ what }) => what === 'all that a link can say')?.link ?? '';
   const broken = [
     good.slice(0, -1), good.slice(0, 40), good.slice(0, 12), '#share=', good.replace('#share=1', '#share=2'), good.replace('z', 'b'), `${good.slice(0, 60)}A${good.slice(61)}`,
-    '#share=1.9.zAAAA', '#share=1.12.z00000000000', '#shared=1', '#prog=G00', '#%00%ff', '#share=1.20.zS0wcBYNg00000000000',
+    '#zz-nonexistent', '#share=1.9.zAAAA', '#share=1.12.z00000000000', '#shared=1', '#prog=G00', '#%00%ff', '#share=1.20.zS0wcBYNg00000000000',
   ];
   for (const hash of broken) {
     await go(page, hash);
@@ -507,6 +507,19 @@ test('a link to hand in that takes long to make is copied all the same', async (
   const address = await clipboard(page);
   await openElsewhere(page, address);
   await expect(page.getByText('From: Аня')).toBeVisible();
+});
+
+test('a page that begins with an address of no example says so, and shows the program of before or the first example', async ({ page }) => {
+  await open(page, '#zz-nonexistent');
+  await expect.poll(() => page.locator('#link-bar p').textContent()).toMatch(/^This address names no example/);
+  expect(await value(page)).toContain('O0002');
+  await type(page, OWN);
+  await expect.poll(() => value(page)).toBe(OWN);
+  await page.waitForTimeout(1000);
+  await page.goto('about:blank');
+  await open(page, '#zz-another');
+  await expect.poll(() => page.locator('#link-bar p').textContent()).toMatch(/^This address names no example/);
+  expect(await value(page)).toBe(OWN);
 });
 
 test('the solution of a task opens beside it', async ({ page }) => {

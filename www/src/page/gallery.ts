@@ -43,14 +43,17 @@ export interface Subject {
 /** What a page without an address of its own begins with. */
 export const FIRST_EXAMPLE: Example = { id: 's000-o0002', program, setup, title: about.title, shows: about.shows };
 
-const examples = new Map<string, Promise<Example | undefined>>([[FIRST_EXAMPLE.id, Promise.resolve(FIRST_EXAMPLE)]]);
+const examples = new Map<string, Promise<Example>>([[FIRST_EXAMPLE.id, Promise.resolve(FIRST_EXAMPLE)]]);
 const lists = new Map<Language, Promise<readonly Subject[]>>();
 
-/** The example of this name; undefined where there is none, or it could not be loaded. */
-export function loadExample(id: string): Promise<Example | undefined> {
+/** `unknown`: no example has this name. `not-loaded`: the network or its host failed. */
+export type NoExample = 'unknown' | 'not-loaded';
+
+/** The example of this name. */
+export async function loadExample(id: string): Promise<Example | NoExample> {
   // Any text can stand in an address.
-  if (!/^[a-z]\w*-[\w-]+$/.test(id)) return Promise.resolve(undefined);
-  return kept(examples, id, async () => ({ ...(await file<Omit<Example, 'id'>>(id)), id })).catch(() => undefined);
+  if (!/^[a-z]\w*-[\w-]+$/.test(id)) return 'unknown';
+  return kept(examples, id, async () => ({ ...(await file<Omit<Example, 'id'>>(id)), id })).catch((error: unknown) => (error instanceof Missing ? 'unknown' : 'not-loaded'));
 }
 
 /** All examples in their order; rejected where they could not be loaded. */
@@ -60,9 +63,15 @@ export function loadSubjects(language: Language): Promise<readonly Subject[]> {
 
 async function file<Content>(name: string): Promise<Content> {
   const response = await fetch(new URL(`examples/${name}.json`, document.baseURI));
-  if (!response.ok) throw new Error(`examples/${name}.json: ${response.status}`);
+  const { ok, status, headers } = response;
+  // Some hosts answer with a page instead of 404.
+  if ((status >= 400 && status < 500) || (ok && (headers.get('content-type') ?? '').startsWith('text/html'))) throw new Missing(name);
+  if (!ok) throw new Error(`examples/${name}.json: ${status}`);
   return (await response.json()) as Content;
 }
+
+/** The host has no such file. */
+class Missing extends Error {}
 
 /** What could not be loaded is asked for again the next time. */
 function kept<Key, Value>(all: Map<Key, Promise<Value>>, key: Key, load: () => Promise<Value>): Promise<Value> {

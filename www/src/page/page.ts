@@ -18,7 +18,7 @@ import { Actions } from './actions';
 import { Appearance } from './appearance';
 import { ExampleList } from './example-list';
 import { find, label } from './find';
-import { FIRST_EXAMPLE, loadExample, type Example } from './gallery';
+import { FIRST_EXAMPLE, loadExample, type Example, type NoExample } from './gallery';
 import type { Fault } from './link-bar';
 import { inAddress, linkedProgram, type InAddress, type LinkedProgram } from './linked';
 import type { Offline } from './offline';
@@ -149,8 +149,10 @@ async function begin(): Promise<void> {
     offerLater(work);
     return;
   }
-  await beginWithoutLink(entry, kept);
+  const id = location.hash.slice(1);
+  const missing = await beginWithoutLink(id, entry, kept);
   if (found.kind === 'fault') showFault(found.fault);
+  else if (missing !== undefined && id !== '' && location.hash.slice(1) === id) showMissing(missing, id);
 }
 
 /** What the address holds, and what the reader has made of its task; the address can become another one meanwhile. */
@@ -167,22 +169,32 @@ async function lookUp(last: 'last-at-once' | 'as-listed'): Promise<{ readonly fo
   }
 }
 
-/** The kept program, the example of the address, or the first one. */
-async function beginWithoutLink(entry: Entry | undefined, kept: OwnProgram | undefined): Promise<void> {
-  const named = await loadExample(location.hash.slice(1));
+/** The kept program, the example of the address, or the first one; why the example of the address is not shown. */
+async function beginWithoutLink(id: string, entry: Entry | undefined, kept: OwnProgram | undefined): Promise<NoExample | undefined> {
+  const loaded = await loadExample(id);
+  const named = typeof loaded === 'string' ? undefined : loaded;
   if (kept !== undefined && (named === undefined || named.id === kept.example)) {
     restore(kept, await keptExample(kept));
     ownPrograms.began = entry;
-    return;
+  } else {
+    if ((await layUnder(named, ++asked)) === 'late') return undefined;
+    load(named ?? FIRST_EXAMPLE);
+    if (kept !== undefined) above.show({ kind: 'kept', program: kept });
   }
-  if ((await layUnder(named, ++asked)) === 'late') return;
-  load(named ?? FIRST_EXAMPLE);
-  if (kept !== undefined) above.show({ kind: 'kept', program: kept });
+  return typeof loaded === 'string' ? loaded : undefined;
+}
+
+/** Reports an example that does not exist or could not be loaded; the program stays. */
+function showMissing(reason: NoExample, id: string): void {
+  if (reason === 'unknown') showFault({ kind: 'unknown' });
+  else above.showNotLoaded(() => void choose(id));
 }
 
 /** The example a kept program began as. */
 async function keptExample(kept: KeptProgram): Promise<Example | undefined> {
-  return kept.example === '' ? undefined : ((await loadExample(kept.example)) ?? FIRST_EXAMPLE);
+  if (kept.example === '') return undefined;
+  const began = await loadExample(kept.example);
+  return typeof began === 'string' ? FIRST_EXAMPLE : began;
 }
 
 /** Loads the example the reader has asked for, unless another one has been asked for since. */
@@ -190,10 +202,9 @@ async function choose(id: string): Promise<void> {
   const own = ++asked;
   const chosen = await loadExample(id);
   if (own !== asked) return;
-  if (chosen === undefined) {
+  if (typeof chosen === 'string') {
     examples.show();
-    above.showNotLoaded(() => void choose(id));
-    return;
+    return showMissing(chosen, id);
   }
   keepNow();
   if ((await layUnder(chosen, own)) === 'late') return;
@@ -205,7 +216,7 @@ async function choose(id: string): Promise<void> {
 async function layUnder(chosen: Example | undefined, own: number): Promise<'in-time' | 'late'> {
   const other = chosen?.compareWith === undefined ? undefined : await loadExample(chosen.compareWith);
   if (own !== asked) return 'late';
-  if (other === undefined) return 'in-time';
+  if (other === undefined || typeof other === 'string') return 'in-time';
   load(other);
   if (!playground.isConnected) find('main').append(playground);
   await playground.settled;
