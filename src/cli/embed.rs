@@ -180,6 +180,12 @@ fn attributes(embed: &Embed) -> Result<Vec<(String, String)>, String> {
         if attributes.iter().any(|(own, _)| own == name) {
             return Err(format!("the attribute `{name}` is given twice"));
         }
+        if embed.format == MarkupName::Frame && !attributes::is_of_the_element(name) {
+            return Err(format!("a frame has no attribute `{name}`"));
+        }
+        if attributes::is_handler(name) {
+            return Err(format!("`{name}` is an event handler, not an attribute of the element"));
+        }
         match attributes::fault(name, value) {
             None => attributes.push((name.clone(), value.clone())),
             Some(Fault::Name) => return Err(format!("the element has no attribute `{name}`")),

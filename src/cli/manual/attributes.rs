@@ -69,6 +69,16 @@ pub fn fault(name: &str, value: &str) -> Option<Fault> {
     }
 }
 
+/// Whether the value of the attribute is a script, as that of `onclick`.
+pub fn is_handler(name: &str) -> bool {
+    name.starts_with("on")
+}
+
+/// Whether the element reads the attribute. The page for frames takes no others from its address.
+pub fn is_of_the_element(name: &str) -> bool {
+    KNOWN.iter().any(|(known, _)| *known == name)
+}
+
 /// The names of all attributes that belong to the program.
 #[cfg(test)]
 pub fn names() -> Vec<&'static str> {
