@@ -1,5 +1,5 @@
 // Builds the element for other people's pages into www/dist/embed: the page's sources, without the page, under names that
-// stay. `cargo xtask site` adds what is no script: types, rule pages, licences. Addresses are written as bundlers
+// stay. `cargo xtask site` adds what is no script: types, rule pages, documents, licences. Addresses are written as bundlers
 // read them, `new URL('core.wasm', import.meta.url)`, so that those who bundle the element find its files.
 import { existsSync, readdirSync, readFileSync } from 'node:fs';
 import { join } from 'node:path';

@@ -18,6 +18,18 @@ for (const [language, help, link] of [
   });
 }
 
+test('the help of the published element leads to its own copy of the reference', async ({ page }) => {
+  await page.goto('./embed/index.html#program=G00%20X50%20Z2');
+  await page.getByRole('button', { name: 'Help (?)' }).click();
+  const [reference] = await Promise.all([page.waitForEvent('popup'), page.getByRole('link', { name: 'Documentation' }).click()]);
+  await reference.waitForLoadState();
+  expect(reference.url()).toMatch(/\/embed\/docs\/index\.html$/);
+  await expect(reference.getByRole('heading', { level: 1 })).toHaveText('Reference');
+  await reference.getByRole('link', { name: 'All rules' }).click();
+  await expect(reference).toHaveURL(/\/embed\/rules\/en\/index\.html$/);
+  await expect(reference.getByRole('heading', { level: 1 })).toHaveText('All rules');
+});
+
 test('links lead from one document to another, to a part of it, and back to the playground', async ({ page }) => {
   await page.goto('./docs/index.html');
   await page.getByRole('main').getByRole('link', { name: 'Supported codes' }).click();

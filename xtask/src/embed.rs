@@ -1,4 +1,4 @@
-//! In: the page's sources, the rule pages, the interpreter's package and what others have written that is inside. Out: the
+//! In: the page's sources, the rule pages, the reference, the interpreter's package and what others have written that is inside. Out: the
 //! element for other people's pages and for Node, `www/dist/embed`: the npm package; and the same files in a folder with the
 //! version in its name.
 
@@ -19,13 +19,15 @@ const INTERPRETER: [&str; 5] =
 
 const VERSION: &str = env!("CARGO_PKG_VERSION");
 
-/// Builds the element; the rule pages are there already.
+/// Builds the element, after the rule pages and the reference.
 pub fn element(setup: &Setup) -> Result<Duration> {
     let built = run::step("building the element for other pages", &mut setup.npm(&["run", "build:element"]))?;
     let begun = Instant::now();
     let dist = run::www().join("dist");
     let folder = dist.join("embed");
-    copy_folder(&dist.join("rules"), &folder.join("rules"))?;
+    for pages in ["rules", "docs"] {
+        copy_folder(&dist.join(pages), &folder.join(pages))?;
+    }
     copy_folder(&run::www().join("embed"), &folder)?;
     copy_folder(&run::www().join("manuals"), &folder.join("sphinx"))?;
     change(&folder.join("package.json"), "0.0.0", VERSION)?;
