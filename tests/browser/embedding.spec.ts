@@ -94,6 +94,58 @@ const WAYS: Readonly<Record<string, Way>> = {
   'the module is missing': { missing: /^core\.wasm$/ },
 };
 
+/** Where the link of a frame can lead. `OWN` is the origin of the frame. */
+const LINKS: readonly { readonly said?: string; readonly named?: string; readonly href: string | null }[] = [
+  { href: 'OWN/embed/index.html' },
+  { said: '', href: null },
+  { said: '../play/', href: 'OWN/play/' },
+  { said: 'OWN/play/', href: 'OWN/play/' },
+  ...['https://evil.example/', '//evil.example/', 'OWN@evil.example/', 'OWN.evil.example/', 'javascript:alert(1)', 'http://127.0.0.1:9/', 'blob:OWN/play/', 'https://['].map((said) => ({ said, href: 'OWN/embed/index.html' })),
+  { named: 'https://lathe.example/play/', href: 'https://lathe.example/play/' },
+  { named: 'https://lathe.example/play/', said: 'https://lathe.example/other/', href: 'https://lathe.example/other/' },
+  { named: 'https://lathe.example/play/', said: 'OWN/play/', href: 'OWN/play/' },
+  { named: 'https://lathe.example/play/', said: 'https://evil.example/', href: 'https://lathe.example/play/' },
+];
+
+/** The link comes after the picture. */
+async function expectNone(leadsTo: () => Promise<string | null>): Promise<void> {
+  for (let at = 0; at < 15; at++) {
+    expect(await leadsTo()).toBe(null);
+    await new Promise((done) => setTimeout(done, 200));
+  }
+}
+
+test('"Open in the playground" of a frame leads to its own host, or to the page that its copy names', async ({ page }) => {
+  for (const { said, named, href } of LINKS) {
+    const own = await serve(FILES, (origin): Site => {
+      const attributes = new URLSearchParams({ program: 'G00 X1', ...(said === undefined ? {} : { playground: said.replace('OWN', origin) }) });
+      return {
+        pages: {
+          '/index.html': `<!DOCTYPE html><title>A manual</title><iframe src="/embed/copy.html#${String(attributes).replaceAll('+', '%20').replaceAll('&', '&amp;')}" width="900" height="600"></iframe>`,
+          '/embed/copy.html': named === undefined ? FRAME_PAGE : FRAME_PAGE.replace('<title>', `<meta name="playground" content="${named}"><title>`),
+        },
+        filesAt: '/embed/',
+      };
+    });
+    try {
+      await page.goto(`${own.origin}/index.html`);
+      const leadsTo = (): Promise<string | null> => page.evaluate(() => {
+        const { contentDocument } = document.querySelector('iframe') ?? { contentDocument: document };
+        const link = contentDocument?.querySelector('gcode-playground')?.shadowRoot?.querySelector<HTMLAnchorElement>('[part=open-link]');
+        return link == null || link.hidden ? null : link.href;
+      });
+      if (href !== null) await expect.poll(leadsTo, `${said} ${named}`).toBe(href.replace('OWN', own.origin));
+      else await expectNone(leadsTo);
+      // Outside a frame there is no link, whatever the address says.
+      if (said !== 'https://evil.example/') continue;
+      await page.goto(`${own.origin}/embed/copy.html#program=G00%20X1&playground=${encodeURIComponent(said)}`);
+      await expectNone(leadsTo);
+    } finally {
+      await own.close();
+    }
+  }
+});
+
 /** The cells of the table: `shown` or `message` or `program`, by way and engine. */
 function expected(): ReadonlyMap<string, Readonly<Record<string, string>>> {
   const document = readFileSync(join(__dirname, '..', '..', 'www', 'docs', 'element.md'), 'utf8');

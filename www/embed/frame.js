@@ -2,6 +2,10 @@
 // `program` is the text of the program; which O number is run stands in `setup`. The program may also be a file, `src`.
 import { GcodePlayground } from './element.js';
 
+/** The page that the author of this copy names, in `<meta name="playground" content="…">`. */
+const named = document.querySelector('meta[name="playground"]')?.content ?? '';
+const isFramed = window.top !== window;
+
 const element = document.createElement('gcode-playground');
 document.body.style.margin = '0';
 // As high as the frame, which has its height from the page around.
@@ -10,8 +14,7 @@ element.style.setProperty('--playground-height', '100vh');
 function show() {
   const said = new URLSearchParams(location.hash.slice(1));
   for (const name of GcodePlayground.observedAttributes) {
-    if (name === 'playground' && !said.has(name)) continue;
-    const value = name === 'program' ? null : said.get(name);
+    const value = name === 'program' ? null : name === 'playground' ? playground(said.get(name)) : said.get(name);
     if (value === null) element.removeAttribute(name);
     else element.setAttribute(name, value);
   }
@@ -21,8 +24,23 @@ function show() {
   document.documentElement.lang = element.language;
 }
 
-// In a window of its own it is the playground.
-if (window.top === window) element.setAttribute('playground', '');
+/** Where "Open in the playground" leads. Anyone can write an address, so it names a page of this host or of the named one, or none. */
+function playground(said) {
+  if (said === '' || (said !== null && isTrusted(said))) return said;
+  if (said !== null) console.warn(`playground=${said} is ignored: it is not on ${location.origin}, and <meta name="playground"> does not name its host.`);
+  // Outside a frame this page is the playground.
+  return isFramed ? named || null : '';
+}
+
+function isTrusted(address) {
+  try {
+    const [{ protocol, origin }, other] = [address, named].map((each) => new URL(each, document.baseURI));
+    return /^https?:$/.test(protocol) && (origin === location.origin || origin === other.origin);
+  } catch {
+    return false;
+  }
+}
+
 show();
 if (!element.hasAttribute('loading')) element.setAttribute('loading', 'eager');
 document.body.replaceChildren(element);
