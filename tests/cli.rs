@@ -352,6 +352,9 @@ fn export_writes_files_for_other_programs() {
     assert!(text("card", &["--lang", "ru"]).contains(">Z мм<"));
     assert!(text("card", &["--lang", "ru"]).contains("<h1>Карта наладки <b>O0007</b></h1>"));
     assert!(text("card", &[]).contains("⌀30, length 40 mm"));
+    assert!(
+        text("card", &[]).contains("content=\"default-src 'none'; style-src 'unsafe-inline'\">\n<title>")
+    );
     assert!(text("dxf", &[]).starts_with("  0\r\nSECTION\r\n  2\r\nHEADER\r\n"));
     assert!(export("stl", &[]).len() > 84 + 50 * 100);
     assert_eq!(export("program", &[]), run(&["expand", "-"], program).stdout);

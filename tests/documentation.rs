@@ -38,10 +38,11 @@ use serde_json::Value;
 
 /// Commands and snippets that no test runs, and why. `cargo xtask …` is held by a test of xtask, which
 /// reads the same documents.
-const NOT_RUN: [(&str, &str); 17] = [
+const NOT_RUN: [(&str, &str); 18] = [
     ("python3 -m zipfile", "`tests/browser/stored.spec.ts` runs it, and unpacks it elsewhere"),
     ("python3 -m http.server", "the same test serves the page with it"),
     ("index.html#share=1.<count>", "the form of links; `tests/browser/links.spec.ts` makes and opens them"),
+    ("default-src 'none'", "`tests/browser/policy.spec.ts` serves pages with it"),
     ("git commit", "`tests/teams/hooks.py` commits, with the hooks in place"),
     ("<style>", "`tests/browser/many.spec.ts` has it in a page, and looks for it here"),
     ("import { check, motions, svg }", "`tests/browser/package.spec.ts` runs it under Node"),

@@ -1,5 +1,5 @@
 // Who opens index.html from a disk is told what to do instead: from there a browser loads no modules and no wasm.
-// A classic script with styles of its own, since nothing else of the page is loaded then.
+// A classic script, because nothing else of the page is loaded then. The policy of the page allows no inline styles, so its style sheet is a constructed one.
 function sayWhatToDo() {
   const folder = decodeURI(location.pathname).replace(/[^/]*$/, '').replace(/^\/(?=[A-Za-z]:)/, '');
   const start = `cd "${folder}"\npython3 -m http.server 8000 --bind 127.0.0.1`;
@@ -19,14 +19,17 @@ function sayWhatToDo() {
   });
   const main = document.createElement('main');
   main.append(...said);
-  document.body.replaceChildren(make('style', `
+  const styles = new CSSStyleSheet();
+  styles.replaceSync(`
     body { margin: 0; font: 1rem/1.5 system-ui, sans-serif; }
     main { display: grid; gap: 1rem; max-inline-size: 44rem; margin: auto; padding: 1.5rem; }
     section + section { border-block-start: 1px solid; padding-block-start: 1rem; }
     h1 { margin: 0; font-size: 1.125rem; }
     p { margin: 0.5rem 0; }
     pre { margin: 0.5rem 0; padding: 0.6rem 0.8rem; border: 1px solid; border-radius: 6px; white-space: pre-wrap; overflow-wrap: anywhere; }
-  `), main);
+  `);
+  document.adoptedStyleSheets = [styles];
+  document.body.replaceChildren(main);
 }
 
 if (document.readyState === 'loading') document.addEventListener('DOMContentLoaded', sayWhatToDo);

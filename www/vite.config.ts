@@ -4,6 +4,7 @@ import { defineConfig, type HtmlTagDescriptor, type Plugin } from 'vite';
 import { compiledEarly } from './compiled-early';
 import { examples } from './examples';
 import { installable } from './installable';
+import { policy } from './policy';
 
 /**
  * What the first picture needs is asked for by the page itself, at once, and not by one script after the
@@ -30,6 +31,17 @@ const preloads: Plugin = {
   },
 };
 
+/** `vite preview` serves an empty page without a policy, for the browser tests: they write the pages of other sites into it. */
+const foreignPage: Plugin = {
+  name: 'foreign-page',
+  configurePreviewServer({ middlewares }) {
+    middlewares.use('/foreign/site/page.html', (_request, response) => {
+      response.setHeader('content-type', 'text/html; charset=utf-8');
+      response.end('<!doctype html><html lang="en"><head><meta charset="utf-8"><title>A manual</title></head><body></body></html>');
+    });
+  },
+};
+
 /** That of the crate: texts to copy name the folder of the element after it. */
 const version = /^version = "(.*)"$/m.exec(readFileSync('../Cargo.toml', 'utf8'))?.[1] ?? '';
 
@@ -44,7 +56,7 @@ function isPreloaded(file: string, host: string): boolean {
 export default defineConfig({
   base: './',
   define: { PLAYGROUND_VERSION: JSON.stringify(version) },
-  plugins: [preloads, examples, installable, compiledEarly],
+  plugins: [preloads, examples, installable, compiledEarly, policy, foreignPage],
   build: {
     target: 'es2022', outDir: 'dist', emptyOutDir: true, assetsInlineLimit: 0, cssTarget: 'chrome123',
     modulePreload: { resolveDependencies: (file, needed, { hostId, hostType }) => (hostType === 'html' ? needed : needed.filter((each) => each !== file && isPreloaded(each, hostId))) },

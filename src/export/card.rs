@@ -55,6 +55,9 @@ pub struct Card<'a> {
     pub drawing: Option<&'a str>,
 }
 
+/// The page loads nothing and runs no scripts.
+const POLICY: &str = "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; style-src 'unsafe-inline'\">\n";
+
 /// A row of the table of blocks.
 #[derive(Debug, Default, PartialEq)]
 struct Row {
@@ -75,7 +78,7 @@ impl Card<'_> {
         let mut page = Page { html: String::new() };
         let _ = write!(
             page.html,
-            "<!doctype html>\n<html lang=\"{}\">\n<head>\n<meta charset=\"utf-8\">\n<title>{}</title>\n<style>\n{STYLE}</style>\n</head>\n<body>\n",
+            "<!doctype html>\n<html lang=\"{}\">\n<head>\n<meta charset=\"utf-8\">\n{POLICY}<title>{}</title>\n<style>\n{STYLE}</style>\n</head>\n<body>\n",
             language.tag(),
             escaped(title.trim()),
         );

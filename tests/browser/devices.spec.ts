@@ -99,7 +99,7 @@ for (const view of ['all', 'picture', 'playback', 'code']) {
     expect(lines).toEqual(PROGRAM.trim().split('\n'));
     const shot = await page.screenshot({ path: info.outputPath('paper.png'), fullPage: true });
     const light = await page.evaluate(async (png) => {
-      const image = await createImageBitmap(await (await fetch(`data:image/png;base64,${png}`)).blob());
+      const image = await createImageBitmap(new Blob([Uint8Array.from(atob(png), (letter) => letter.charCodeAt(0))]));
       const context = new OffscreenCanvas(image.width, image.height).getContext('2d')!;
       context.drawImage(image, 0, 0);
       const element = document.querySelector('gcode-playground')!.getBoundingClientRect();

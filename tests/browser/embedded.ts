@@ -6,8 +6,8 @@ export interface Playground extends HTMLElement {
   readonly settled: Promise<number>;
 }
 
-/** Where the pages are, as the browser sees them; the built element is two folders up. */
-const PLACE = './rules/en/index.html';
+/** A page of another site: empty and without a policy (www/vite.config.ts serves it). The built element is two folders up. */
+export const FOREIGN = './foreign/site/page.html';
 export const SCRIPT = '<script type="module" async src="../../element.js"></script>';
 
 /** A page of this HTML, read by the browser's own parser. */
@@ -17,7 +17,7 @@ export async function openHtml(page: BasicPage, html: string): Promise<void> {
 
 /** The HTML comes in pieces; the class of the element is there before the second of them. */
 export async function openInPieces(page: BasicPage, ...pieces: string[]): Promise<void> {
-  await page.goto(PLACE);
+  await page.goto(FOREIGN);
   await page.evaluate(async (pieces) => {
     document.open();
     for (const piece of pieces) {
@@ -39,6 +39,20 @@ export function manual(body: string, head = ''): string {
 export async function settled(page: BasicPage, which = 0): Promise<void> {
   await expect(page.locator('gcode-playground').nth(which)).toBeVisible();
   await page.locator('gcode-playground').nth(which).evaluate(async (element) => void (await (element as Playground).settled));
+}
+
+/** Presses each button of an element once, and closes what opens; how many buttons there were. */
+export function pressEveryButton(page: BasicPage): Promise<number> {
+  return page.locator('gcode-playground').evaluate(async (element) => {
+    const root = element.shadowRoot!;
+    const buttons = [...root.querySelectorAll('button')];
+    for (const button of buttons) {
+      button.click();
+      await new Promise((done) => setTimeout(done, 100));
+      for (const dialog of root.querySelectorAll<HTMLDialogElement>('dialog[open]')) dialog.close();
+    }
+    return buttons.length;
+  });
 }
 
 /** The program of an element. */

@@ -1,6 +1,6 @@
 // The page around an element: its styles, its direction and its colours, and texts in it that look like scripts.
 import { expect, test, type BasicPage } from './engines';
-import { manual, openHtml, programOf, settled, type Playground } from './embedded';
+import { FOREIGN, manual, openHtml, programOf, settled, type Playground } from './embedded';
 
 const PROGRAM = '#100=#1+5;\nG97 S800 M03\nG00 X52 Z2\nG01 X40 F0.2\nZ-20\nX54\n';
 
@@ -127,7 +127,7 @@ test('the colours are those of the page around, also when they change', async ({
 
 test('what is in the slot fallback is shown until there is a picture, and without the script', async ({ page }) => {
   const html = `<gcode-playground view="picture"><svg slot="fallback" role="img" aria-label="drawn before" width="100" height="50"></svg><pre slot="fallback">${PROGRAM}</pre><script type="text/x-gcode">${PROGRAM}</script></gcode-playground>`;
-  await page.goto('./rules/en/index.html');
+  await page.goto(FOREIGN);
   await page.evaluate((html) => void (document.body.innerHTML = html), html);
   const before = page.getByRole('img', { name: 'drawn before' });
   await expect(before).toBeVisible();
@@ -179,11 +179,11 @@ const ran = (page: BasicPage): Promise<unknown> => page.evaluate(() => Reflect.g
 
 test('what is stored, and what stands in an address, runs nothing either', async ({ page }) => {
   for (const script of SCRIPTS) {
-    await page.goto('./rules/en/index.html');
+    await page.goto(FOREIGN);
     await page.evaluate((script) => {
       const program = { text: `G00 X1 (${script})\n${script}`, example: script, control: script, file: { name: script, encoding: script }, setup: script, blockSkip: script, program: script };
       const kept = {
-        [`gcode-playground:program:${location.pathname.replace(/rules\/.*/, '')}`]: program,
+        [`gcode-playground:program:${location.pathname.replace(/foreign\/.*/, '')}`]: program,
         'gcode-playground:choices': { language: script, theme: script, hints: script, split: script, textSize: script },
         'gcode-playground:profiles': { machine: { [script]: script }, tools: { [script]: script }, chosen: script },
       };
@@ -195,7 +195,7 @@ test('what is stored, and what stands in an address, runs nothing either', async
     await page.getByRole('button', { name: 'Choose machine' }).first().click();
     await page.waitForTimeout(200);
     expect(await ran(page)).toBe(undefined);
-    await page.goto('./rules/en/index.html');
+    await page.goto(FOREIGN);
     const encoded = encodeURIComponent(script);
     await page.goto(`./#program=${encoded}&setup=${encoded}&language=${encoded}`);
     await settled(page);

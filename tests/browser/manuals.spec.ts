@@ -3,6 +3,7 @@
 import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { test, expect, type BasicPage } from './engines';
+import { FOREIGN } from './embedded';
 
 const FOLDER = join(__dirname, '../manuals');
 const written = (name: string): string => readFileSync(join(FOLDER, name), 'utf8');
@@ -15,7 +16,7 @@ interface Playground extends HTMLElement {
 
 /** A page with this block of HTML, beside the modules of the built page. */
 async function openBlock(page: BasicPage, block: string): Promise<void> {
-  await page.goto('./rules/en/index.html');
+  await page.goto(FOREIGN);
   await page.evaluate((block) => {
     const { body } = new DOMParser().parseFromString(`<p>before</p>${block}<p>after</p>`, 'text/html');
     document.body.replaceChildren(...body.childNodes);

@@ -2,6 +2,7 @@
 // of them is no matter of the others.
 import { expect } from '@playwright/test';
 import { chromiumTest as test, type ChromiumPage } from './engines';
+import { FOREIGN } from './embedded';
 import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { program } from './page';
@@ -21,7 +22,7 @@ interface Picture extends HTMLElement {
 
 /** A page with so many elements, all with the same program. */
 async function openMany(page: ChromiumPage, count: number): Promise<void> {
-  await page.goto('./rules/en/index.html');
+  await page.goto(FOREIGN);
   await page.evaluate(async ({ count, text }) => {
     const elements = Array.from({ length: count }, () => {
       const element = document.createElement('gcode-playground') as Picture;

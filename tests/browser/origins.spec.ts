@@ -4,6 +4,7 @@ import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { expect } from '@playwright/test';
 import { chromiumTest as test, type ChromiumPage } from './engines';
+import { pressEveryButton } from './embedded';
 import { program } from './page';
 import { serve } from './sites';
 
@@ -76,18 +77,7 @@ test('whatever a reader does, nothing is asked of any host but those of the page
     await page.goto(`${own.origin}/index.html`);
     const element = page.locator('gcode-playground');
     await element.evaluate((element: HTMLElement & { settled: Promise<number> }) => element.settled);
-    // Each button once; what opens is closed again.
-    const pressed = await element.evaluate(async (element) => {
-      const root = element.shadowRoot!;
-      const buttons = [...root.querySelectorAll('button')];
-      for (const button of buttons) {
-        button.click();
-        await new Promise((done) => setTimeout(done, 100));
-        for (const dialog of root.querySelectorAll<HTMLDialogElement>('dialog[open]')) dialog.close();
-      }
-      return buttons.length;
-    });
-    expect(pressed).toBeGreaterThan(10);
+    expect(await pressEveryButton(page)).toBeGreaterThan(10);
     for (const language of ['zh', 'ru']) {
       await element.evaluate((element, language) => element.setAttribute('language', language), language);
       await element.evaluate((element: HTMLElement & { value: string; settled: Promise<number> }) => {

@@ -40,10 +40,17 @@ const TABS = {
 export const tab = (page: BasicPage, which: keyof typeof TABS): Locator => page.getByRole('tab', { name: TABS[which] });
 export const problems = (page: BasicPage): Locator => page.getByRole('region', { name: /^(Problems|问题|Замечания)$/ });
 
-/** Opens the page and waits until the first program has run and its part and messages are there. Any error on the page fails the test. */
+/** Opens the page and waits until the first program has run and its part and messages are there. Any error on the page fails the test, and so does anything that its policy blocks. */
 export async function open(page: BasicPage, hash = ''): Promise<void> {
   page.on('pageerror', (error) => {
     throw error;
+  });
+  await page.addInitScript(() => {
+    if (Reflect.has(globalThis, 'policyIsWatched')) return;
+    Reflect.set(globalThis, 'policyIsWatched', true);
+    addEventListener('securitypolicyviolation', ({ effectiveDirective, blockedURI }) => void setTimeout(() => {
+      throw new Error(`the policy of the page blocks ${effectiveDirective}: ${blockedURI}`);
+    }));
   });
   await page.goto(`./${hash}`);
   await expect(status(page)).toContainText(/\d/);

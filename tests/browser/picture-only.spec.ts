@@ -1,5 +1,6 @@
 // The picture alone: an element of a manual that shows what a program does, without what it takes to edit it.
 import { test, expect, type BasicPage } from './engines';
+import { FOREIGN } from './embedded';
 import { motionCount, program } from './page';
 
 const ID = 's000-o0002';
@@ -12,7 +13,7 @@ interface Picture extends HTMLElement {
 
 /** A page with one element, beside the modules of the built page. */
 async function openPicture(page: BasicPage, view: string): Promise<void> {
-  await page.goto('./rules/en/index.html');
+  await page.goto(FOREIGN);
   await page.evaluate(async ({ view, text }) => {
     const element = document.createElement('gcode-playground');
     element.setAttribute('view', view);

@@ -22,7 +22,7 @@ const view = (page: ChromiumPage) => dialog(page).getByRole('img', { name: /thre
 async function seen(picture: Locator): Promise<{ share: number; sum: number }> {
   const png = (await picture.screenshot()).toString('base64');
   return picture.page().evaluate(async (png) => {
-    const image = await createImageBitmap(await (await fetch(`data:image/png;base64,${png}`)).blob());
+    const image = await createImageBitmap(new Blob([Uint8Array.from(atob(png), (letter) => letter.charCodeAt(0))]));
     const context = new OffscreenCanvas(image.width, image.height).getContext('2d')!;
     context.drawImage(image, 0, 0);
     const { data } = context.getImageData(4, 4, image.width - 8, image.height - 8);

@@ -18,6 +18,9 @@ use crate::words::words;
 /// Colours first, so that the page and the playground have the same.
 const STYLES: [&str; 2] = [include_str!("../../www/src/colours.css"), include_str!("rules.css")];
 
+/// The pages run no scripts; styles and pictures come from their own host.
+const POLICY: &str = include_str!("policy.html");
+
 /// A page with what its programs gave.
 struct Shown<'a> {
     page: &'a Page,
@@ -196,6 +199,7 @@ fn index(shown: &[Shown], language: Language) -> String {
 fn head(out: &mut String, language: Language, title: &str, file: &str) {
     let (tag, words) = (language.tag(), words(language));
     put(out, format_args!("<!doctype html>\n<html lang=\"{tag}\">\n<head>\n<meta charset=\"utf-8\">"));
+    put(out, POLICY);
     put(out, "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">");
     put(out, "<meta name=\"color-scheme\" content=\"light dark\">");
     put(out, format_args!("<title>{}</title>", escaped(title)));

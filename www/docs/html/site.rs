@@ -18,6 +18,9 @@ use pulldown_cmark::{CowStr, Event, Options, Parser, Tag, TagEnd, html};
 const STYLES: [&str; 3] =
     [include_str!("../../src/colours.css"), include_str!("../../rules/rules.css"), include_str!("docs.css")];
 
+/// That of the rule pages: no scripts.
+const POLICY: &str = include_str!("../../rules/policy.html");
+
 /// All files by name, or every mistake in the documents.
 pub fn files(folder: &Path) -> Result<BTreeMap<String, String>, String> {
     let documents = documents(folder).map_err(|error| format!("www/docs: {error}"))?;
@@ -146,9 +149,10 @@ impl<'a> Page<'a> {
 
     /// The page, with a list of all pages.
     fn html(&self, own: &str, list: &[(String, &str)]) -> String {
-        let mut out = String::from(
-            "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n\
-             <meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n\
+        let mut out = String::from("<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n");
+        out.push_str(POLICY);
+        out.push_str(
+            "\n<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n\
              <meta name=\"color-scheme\" content=\"light dark\">\n",
         );
         let title = escaped(&self.title);
@@ -162,7 +166,13 @@ impl<'a> Page<'a> {
             let _ = writeln!(out, "<a href=\"{file}\"{current}>{}</a>", escaped(title));
         }
         out.push_str("</nav>\n</header>\n<main>\n");
-        html::push_html(&mut out, self.events.iter().cloned());
+        let mut body = String::new();
+        html::push_html(&mut body, self.events.iter().cloned());
+        // The policy allows no style attributes.
+        for side in ["left", "center", "right"] {
+            body = body.replace(&format!(" style=\"text-align: {side}\""), &format!(" class=\"{side}\""));
+        }
+        out.push_str(&body);
         out.push_str("</main>\n</body>\n</html>\n");
         out
     }
@@ -257,6 +267,18 @@ mod tests {
         let page = Page::new("# A\n\n<!-- table -->\n| a |\n|---|\n| b |\n<!-- /table -->\n").unwrap();
         let html = page.html("a.html", &[]);
         assert!(html.contains("<td>b</td>") && !html.contains("<!--"), "{html}");
+    }
+
+    #[test]
+    fn a_page_has_a_policy_and_no_inline_styles() {
+        let page = Page::new("# A\n\n| a | b | c |\n|:--|:-:|--:|\n| 1 | 2 | 3 |\n").unwrap();
+        let html = page.html("a.html", &[]);
+        for part in
+            ["content=\"default-src 'none'; ", "<td class=\"center\">2</td>", "<td class=\"right\">3</td>"]
+        {
+            assert!(html.contains(part), "{part} is missing in\n{html}");
+        }
+        assert!(!html.contains(" style="), "{html}");
     }
 
     #[test]
