@@ -8,7 +8,7 @@ use clap::ValueEnum;
 
 use super::options::{Texts, With};
 use super::system::say;
-use super::{NAME, Program, Status, print, program_with, save, write_row};
+use super::{NAME, Program, Status, print, program_with, save_apart, write_row};
 use crate::api::difference::{Change, Later, ProgramDifference, Row};
 use crate::api::{Diagnostic, Places};
 use crate::difference::{self, Version};
@@ -76,7 +76,7 @@ pub(super) fn run(arguments: &Diff) -> Result<Status, String> {
                 output.display()
             ));
         }
-        save(Some(output), drawing(&programs, &names, language).as_bytes())?;
+        save_apart(Some(output), drawing(&programs, &names, language).as_bytes())?;
     }
     Ok(Status::differing_if(!found.same_motions || !(*motions_only || rows.same_text)))
 }

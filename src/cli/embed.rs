@@ -16,7 +16,9 @@ use super::manual::{self, Attributes, Example, Holder, Markup};
 use super::manual_page::{self, Base, Page};
 use super::options::{Destination, LanguageName, TurretName, With};
 use super::system::say;
-use super::{NAME, Program, Status, counted, encoding, export, print, read, run_text, save, status};
+use super::{
+    NAME, Program, Status, counted, encoding, export, print, read, run_text, save, save_apart, status,
+};
 use crate::limits;
 use crate::message::Edit;
 use crate::rewrite::applied;
@@ -154,7 +156,7 @@ pub(super) fn run(embed: &Embed) -> Result<Status, String> {
         MarkupName::Mdx => mdx(&attributes, text, picture),
         MarkupName::Frame => frame(&embed.host, &attributes, text),
     };
-    save(embed.to.file(), page.as_bytes())?;
+    save_apart(embed.to.file(), page.as_bytes())?;
     Ok(status(&program.analysis))
 }
 

@@ -1,6 +1,6 @@
 //! The command line: arguments in, text or JSON out.
 //!
-//! Exit status 0: no error in the program; 1: errors found; 2: bad usage or a file that cannot be read. Natively and under Node it is
+//! Exit status 0: no error in the program; 1: errors found; 2: bad usage or a file that cannot be read or written. Natively and under Node it is
 //! the same program: what it asks of the machine it asks through `system`.
 
 mod arguments;
@@ -34,6 +34,7 @@ use clap::Parser;
 use serde::Serialize;
 
 use crate::api;
+use crate::export::file::FileFormat;
 use crate::limits;
 use crate::machine::SimulationResult;
 use crate::message::{Kind, Levels};
@@ -84,6 +85,8 @@ const NAME: &str = "gcode-playground";
 
 /// Runs the command line of this process; the answer is its exit status.
 pub fn main() -> Status {
+    #[cfg(not(target_arch = "wasm32"))]
+    system::report_size_limit();
     let done = match Arguments::try_parse_from(system::arguments()) {
         Ok(arguments) => run(arguments.command),
         Err(said) => return usage(&said),
@@ -201,7 +204,11 @@ fn run(command: Command) -> Result<Status, String> {
         Command::Export { format, input, lang, to } => {
             let language = export::language(format, lang)?;
             let program = program_run(&input, |run| if format.needs_trace() { run.traced() } else { run })?;
-            save(to.file(), &export::file(&program, format, language)?)?;
+            let file = export::file(&program, format, language)?;
+            match format {
+                FileFormat::Program => save(to.file(), &file)?,
+                _ => save_apart(to.file(), &file)?,
+            }
             Ok(status(&program.analysis))
         }
         Command::Compare { first, second, with, form, output } => {
@@ -211,7 +218,7 @@ fn run(command: Command) -> Result<Status, String> {
                 .ok_or("there is nothing to compare: name a stock in the setup")?;
             print(|out| compared.write(out, form.format))?;
             if let Some(output) = output {
-                save(Some(&output), compared.svg().as_bytes())?;
+                save_apart(Some(&output), compared.svg().as_bytes())?;
             }
             Ok(Status::faulty_if(programs.iter().any(|program| has_errors(&program.analysis))))
         }
@@ -219,7 +226,7 @@ fn run(command: Command) -> Result<Status, String> {
         Command::Svg { input, view, turret, to } => {
             let program = program(&input)?;
             let svg = svg(&program, view, turret)?;
-            save(to.file(), svg.as_bytes())?;
+            save_apart(to.file(), svg.as_bytes())?;
             Ok(status(&program.analysis))
         }
     }
@@ -374,11 +381,21 @@ fn read_within(file: &Path, most: u64) -> Result<(String, Vec<u8>), String> {
 /// Writes a program or another file, to standard output where no path is named. A terminal gets it without commands,
 /// everything else byte for byte.
 fn save(path: Option<&Path>, content: &[u8]) -> Result<(), String> {
-    match path {
-        None if system::is_terminal(Stream::Output) => print(|out| out.write_all(content)),
-        None => print_bytes(Stream::Output, |out| out.write_all(content)),
-        Some(path) => system::write(path, content)
-            .map_err(|error| format!("{}: {}", path.display(), system::reason(&error))),
+    let stream = path.map_or(Some(Stream::Output), system::standard);
+    match (stream, path) {
+        (Some(stream), _) if system::is_terminal(stream) => print_to(stream, |out| out.write_all(content)),
+        (None, Some(path)) => system::write(path, content),
+        _ => print_bytes(stream.unwrap_or(Stream::Output), |out| out.write_all(content)),
+    }
+}
+
+/// The same for pictures, tables and reports, which never replace a file that this command has read.
+fn save_apart(path: Option<&Path>, content: &[u8]) -> Result<(), String> {
+    match path.filter(|path| system::was_read(path)) {
+        Some(path) => {
+            Err(format!("{}: is read by this command, so nothing else is written into it", path.display()))
+        }
+        None => save(path, content),
     }
 }
 

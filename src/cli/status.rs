@@ -12,7 +12,7 @@ pub enum Status {
     Right = 0,
     /// 1: errors in a program, or programs that differ where that was asked.
     Faulty = 1,
-    /// 2: bad usage, or a file that cannot be read.
+    /// 2: bad usage, or a file that cannot be read or written.
     Unusable = 2,
 }
 

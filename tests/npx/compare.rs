@@ -3,9 +3,14 @@
 //!
 //! It makes every call that the reference shows, runs commands and formats over the programs of `tests/programs`, and reads files that are hard to read.
 //! `options.md` beside this file has the table of what is the same; `UPDATE=1` writes it.
+//! The cases of `tests/files.rs`, writes that fail, are tried under Node too.
 
 #[path = "../documentation/calls.rs"]
 mod calls;
+// The cases use what only Linux has.
+#[cfg(target_os = "linux")]
+#[path = "../files/cases.rs"]
+mod cases;
 #[path = "../documentation/usage.rs"]
 mod usage;
 
@@ -52,6 +57,8 @@ fn main() -> Result<(), Box<dyn Error>> {
     both.the_reference()?;
     both.the_programs()?;
     both.files_that_are_hard_to_read()?;
+    #[cfg(target_os = "linux")]
+    both.files_that_are_written();
     let table = both.table()?;
     println!("{} calls, {} different", both.calls, both.different.len());
     if !both.different.is_empty() {
@@ -211,6 +218,18 @@ impl Both {
             })?;
         }
         Ok(())
+    }
+
+    /// No file is lost: the same cases as in `tests/files.rs`.
+    #[cfg(target_os = "linux")]
+    fn files_that_are_written(&mut self) {
+        let scratch = Path::new(ROOT).join("target/npx-files");
+        for (name, case) in cases::CASES {
+            let bench = cases::Bench::new(&self.node, &scratch, name);
+            if std::panic::catch_unwind(|| case(&bench)).is_err() {
+                self.different.push(format!("{name}: a panic above says what failed"));
+            }
+        }
     }
 
     /// What the help of both says there is.

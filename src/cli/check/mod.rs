@@ -1,7 +1,7 @@
 //! `check`: what is wrong with programs, in files, folders and standard input.
 //!
 //! In: what is typed after `check`. Out: the findings in one of several formats, and the exit status: 0 nothing that fails, 1 errors
-//! (or more warnings than allowed), 2 bad usage or a file that cannot be read, which does not hide what is found in the others.
+//! (or more warnings than allowed), 2 bad usage or a file that cannot be read or written, which does not hide what is found in the others.
 //! `paths` says which files are meant, `pages` finds what is wrong in a page of a manual, `selection` says which findings count,
 //! `baseline` which of them are known, `reports` how they are written. All options hold together: a repaired program and a page are
 //! reported as any other file.
@@ -26,7 +26,7 @@ use super::configuration::{Configurations, Settings};
 use super::manual_page::Page;
 use super::options::{Texts, With};
 use super::system::{self, Stream, say};
-use super::{NAME, Status, encoded, encoding, read_within, run_text, save, terminal};
+use super::{NAME, Status, encoded, encoding, read_within, run_text, save, save_apart, terminal};
 use crate::api::InferredStock;
 use crate::limits;
 use crate::repair::repaired;
@@ -47,7 +47,7 @@ const AHEAD: usize = 256;
 /// The arguments of `check`.
 #[derive(clap::Args)]
 #[command(
-    after_help = "Exit status:\n  0  no errors\n  1  errors, or more warnings than `--max-warnings` allows\n  2  bad usage, or a file that cannot be read"
+    after_help = "Exit status:\n  0  no errors\n  1  errors, or more warnings than `--max-warnings` allows\n  2  bad usage, or a file that cannot be read or written"
 )]
 pub(super) struct Check {
     /// Programs, and folders with programs in them; `-` reads standard input.
@@ -137,9 +137,9 @@ fn usual_endings(check: &Check) -> &'static [&'static str] {
 impl Check {
     /// Refuses outputs that no reader expects: a report in the place of a program, a table where XML is asked for.
     fn refuse_what_would_be_lost(&self, files: &[PathBuf]) -> Result<(), String> {
-        let absolute = |path: &Path| system::absolute(path).ok();
         for output in self.output_file.iter().chain(self.baseline.written()) {
-            if files.iter().any(|file| absolute(file) == absolute(output)) {
+            let is_output = system::same_as(output);
+            if files.iter().any(|file| is_output(file)) {
                 return Err(format!("{}: is checked, so nothing else is written into it", output.display()));
             }
         }
@@ -285,7 +285,7 @@ impl Job<'_> {
         let mut text = Vec::new();
         let written = if is_coloured { body(&mut text) } else { body(&mut terminal::Masked(&mut text)) };
         written.map_err(|error| format!("standard output: {}", system::reason(&error)))?;
-        save(Some(path), &text)
+        save_apart(Some(path), &text)
     }
 
     /// Checks files on all processors; `take` gets them in their order.

@@ -1,9 +1,11 @@
 //! What the command line asks of the machine it runs on: arguments, files, folders, streams.
 //!
 //! In: paths, bytes. Out: bytes, and errors in words that are the same on every machine. Natively this is the standard library
-//! (`native`), under Node the functions of `node.js` (`node`): so one command line is both, with the same output to the byte.
+//! (`native`), under Node the functions of `node.js` (`node`): so one command line is both, with the same output to the byte. `files` says how
+//! files are read and written; both have the steps.
 //! Must not know: programs.
 
+mod files;
 #[cfg(not(target_arch = "wasm32"))]
 mod native;
 #[cfg(target_arch = "wasm32")]
@@ -13,15 +15,18 @@ use std::io::{self, ErrorKind, Write};
 use std::path::Path;
 
 #[cfg(not(target_arch = "wasm32"))]
-pub(super) use native::{
-    absolute, arguments, entries, is_terminal, kind, processors, read, read_standard_input, stream, variable,
-    write,
+use native as host;
+#[cfg(target_arch = "wasm32")]
+use node as host;
+
+pub(super) use files::{read, same_as, standard, was_read, write};
+#[cfg(not(target_arch = "wasm32"))]
+pub(super) use host::report_size_limit;
+pub(super) use host::{
+    absolute, arguments, entries, is_terminal, kind, processors, read_standard_input, stream, variable,
 };
 #[cfg(target_arch = "wasm32")]
-pub(super) use node::{
-    absolute, arguments, end, entries, is_terminal, kind, processors, read, read_standard_input, stream,
-    variable, write,
-};
+pub(super) use node::end;
 
 /// A stream of text to the reader.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -43,6 +48,20 @@ pub(super) enum PathKind {
     Other,
 }
 
+/// What is at a path; links are followed.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+struct Found {
+    kind: PathKind,
+    /// Permissions, as Unix numbers them; 0 elsewhere.
+    mode: u32,
+    /// User and group, as Unix numbers them; 0 elsewhere.
+    owner: (u32, u32),
+    /// The number of hard links; 1 where it is unknown.
+    links: u64,
+    /// File system and number of the file; unknown outside of Unix.
+    id: Option<(u64, u64)>,
+}
+
 /// What a folder has in it.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) struct Entry {
@@ -61,6 +80,10 @@ pub(super) fn reason(error: &io::Error) -> String {
         ErrorKind::NotADirectory => "a part of the path is no folder".to_owned(),
         ErrorKind::StorageFull => "the disk is full".to_owned(),
         ErrorKind::ReadOnlyFilesystem => "the disk can only be read".to_owned(),
+        ErrorKind::QuotaExceeded => "the disk quota is used up".to_owned(),
+        ErrorKind::FileTooLarge => "it would exceed the size limit for files".to_owned(),
+        ErrorKind::InvalidFilename => "the name is too long or not allowed".to_owned(),
+        ErrorKind::BrokenPipe => "the reader has closed the pipe".to_owned(),
         ErrorKind::InvalidData => "it is not UTF-8".to_owned(),
         _ => error.to_string(),
     }

@@ -3,9 +3,13 @@
 // In: paths, bytes. Out: bytes, names; errors of Node with their `code`, and `EFBIG` for a file that is too large. All calls wait:
 // the command line has nothing else to do.
 
-import { closeSync, fstatSync, openSync, readFileSync, readSync, readdirSync, statSync, writeFileSync, writeSync } from 'node:fs';
+import {
+  closeSync, constants, fstatSync, fsyncSync, ftruncateSync, openSync, readFileSync, readSync, readdirSync, realpathSync, statSync, writeSync,
+} from 'node:fs';
 import { resolve } from 'node:path';
 import { isatty } from 'node:tty';
+
+export { closeSync, fchmodSync, fchownSync, readlinkSync, renameSync, unlinkSync } from 'node:fs';
 
 const CHUNK = 65_536;
 
@@ -48,8 +52,41 @@ function readWithin(file, most) {
   throw coded('EFBIG');
 }
 
-export function writeFile(path, bytes) {
-  writeFileSync(path, bytes);
+/** Creates a file, where there is none. */
+export function createFile(path, mode) {
+  return openSync(path, 'wx', mode);
+}
+
+/** Opens a file that exists. */
+export function openToWrite(path) {
+  return openSync(path, constants.O_WRONLY);
+}
+
+/** Makes bytes the whole content of a file, and flushes it to the disk. */
+export function writeWhole(descriptor, bytes) {
+  for (let at = 0; at < bytes.length;) at += writeSync(descriptor, bytes, at, bytes.length - at, at);
+  ftruncateSync(descriptor, bytes.length);
+  fsyncSync(descriptor);
+}
+
+/** Writes to a device, a pipe, or a file that the path of a descriptor names. */
+export function writeDirectly(path, bytes) {
+  const file = openSync(path, constants.O_WRONLY | constants.O_TRUNC);
+  try {
+    writeTo(file, bytes);
+  } finally {
+    closeSync(file);
+  }
+}
+
+/** Flushes the names in a folder to the disk. */
+export function flushFolder(path) {
+  const folder = openSync(path, 'r');
+  try {
+    fsyncSync(folder);
+  } finally {
+    closeSync(folder);
+  }
 }
 
 export function writeTo(descriptor, bytes) {
@@ -71,6 +108,16 @@ function whenReady(call, end) {
 
 export function kindOf(path) {
   return kindNamed(statSync(path));
+}
+
+/** Type and permissions, user, group, number of hard links, file system, number of the file. */
+export function factsOf(path) {
+  const { mode, uid, gid, nlink, dev, ino } = statSync(path, { bigint: true });
+  return BigUint64Array.of(mode, uid, gid, nlink, dev, ino);
+}
+
+export function canonicalPath(path) {
+  return realpathSync.native(path);
 }
 
 /** Name, kind, name, kind, … */

@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 
 use wasm_bindgen::prelude::{JsValue, wasm_bindgen};
 
-use super::{Entry, PathKind, Stream};
+use super::{Entry, Found, PathKind, Stream};
 
 #[wasm_bindgen(module = "/src/cli/system/node.js")]
 extern "C" {
@@ -17,7 +17,31 @@ extern "C" {
     #[wasm_bindgen(catch)]
     fn readStandardInput(most: f64) -> Result<Vec<u8>, JsValue>;
     #[wasm_bindgen(catch)]
-    fn writeFile(path: &str, bytes: &[u8]) -> Result<(), JsValue>;
+    fn createFile(path: &str, mode: u32) -> Result<i32, JsValue>;
+    #[wasm_bindgen(catch)]
+    fn openToWrite(path: &str) -> Result<i32, JsValue>;
+    #[wasm_bindgen(catch)]
+    fn writeWhole(descriptor: i32, bytes: &[u8]) -> Result<(), JsValue>;
+    #[wasm_bindgen(catch)]
+    fn writeDirectly(path: &str, bytes: &[u8]) -> Result<(), JsValue>;
+    #[wasm_bindgen(catch)]
+    fn closeSync(descriptor: i32) -> Result<(), JsValue>;
+    #[wasm_bindgen(catch)]
+    fn renameSync(from: &str, to: &str) -> Result<(), JsValue>;
+    #[wasm_bindgen(catch)]
+    fn unlinkSync(path: &str) -> Result<(), JsValue>;
+    #[wasm_bindgen(catch)]
+    fn flushFolder(folder: &str) -> Result<(), JsValue>;
+    #[wasm_bindgen(catch)]
+    fn fchownSync(descriptor: i32, user: u32, group: u32) -> Result<(), JsValue>;
+    #[wasm_bindgen(catch)]
+    fn fchmodSync(descriptor: i32, mode: u32) -> Result<(), JsValue>;
+    #[wasm_bindgen(catch)]
+    fn readlinkSync(path: &str) -> Result<String, JsValue>;
+    #[wasm_bindgen(catch)]
+    fn canonicalPath(path: &str) -> Result<String, JsValue>;
+    #[wasm_bindgen(catch)]
+    fn factsOf(path: &str) -> Result<Vec<u64>, JsValue>;
     #[wasm_bindgen(catch)]
     fn kindOf(path: &str) -> Result<String, JsValue>;
     #[wasm_bindgen(catch)]
@@ -50,7 +74,7 @@ pub(in crate::cli) fn processors() -> usize {
 }
 
 /// Reads a file of at most so many bytes. The error of a larger one is `FileTooLarge`; it is not read.
-pub(in crate::cli) fn read(file: &Path, most: u64) -> io::Result<Vec<u8>> {
+pub(super) fn read(file: &Path, most: u64) -> io::Result<Vec<u8>> {
     readFile(&text(file), most as f64).map_err(error)
 }
 
@@ -59,9 +83,88 @@ pub(in crate::cli) fn read_standard_input(most: u64) -> io::Result<Vec<u8>> {
     readStandardInput(most as f64).map_err(error)
 }
 
-/// Writes a file.
-pub(in crate::cli) fn write(file: &Path, bytes: &[u8]) -> io::Result<()> {
-    writeFile(&text(file), bytes).map_err(error)
+/// A file that is open for writing, by its descriptor.
+pub(super) struct OpenFile(i32);
+
+impl Drop for OpenFile {
+    fn drop(&mut self) {
+        let _ = closeSync(self.0);
+    }
+}
+
+/// Creates a file, where there is none; `mode` as the umask leaves it.
+pub(super) fn create(path: &Path, mode: u32) -> io::Result<OpenFile> {
+    createFile(&text(path), mode).map(OpenFile).map_err(error)
+}
+
+/// Opens a file that exists.
+pub(super) fn open_to_write(path: &Path) -> io::Result<OpenFile> {
+    openToWrite(&text(path)).map(OpenFile).map_err(error)
+}
+
+/// Makes bytes the whole content of a file, and flushes it to the disk.
+pub(super) fn write_whole(file: &mut OpenFile, bytes: &[u8]) -> io::Result<()> {
+    writeWhole(file.0, bytes).map_err(error)
+}
+
+/// Writes to a device, a pipe, or a file that the path of a descriptor names.
+pub(super) fn write_directly(path: &Path, bytes: &[u8]) -> io::Result<()> {
+    writeDirectly(&text(path), bytes).map_err(error)
+}
+
+/// Renames a file over another one.
+pub(super) fn rename(from: &Path, to: &Path) -> io::Result<()> {
+    renameSync(&text(from), &text(to)).map_err(error)
+}
+
+/// Removes a file.
+pub(super) fn remove(path: &Path) -> io::Result<()> {
+    unlinkSync(&text(path)).map_err(error)
+}
+
+/// Flushes the names in a folder to the disk, where the system can do that.
+pub(super) fn flush_folder(folder: &Path) {
+    let _ = flushFolder(&text(folder));
+}
+
+/// Gives a file to a user and a group.
+pub(super) fn set_owner(file: &OpenFile, (user, group): (u32, u32)) -> io::Result<()> {
+    fchownSync(file.0, user, group).map_err(error)
+}
+
+/// Sets the permissions of a file.
+pub(super) fn set_mode(file: &OpenFile, mode: u32) -> io::Result<()> {
+    fchmodSync(file.0, mode).map_err(error)
+}
+
+/// A number that another process is unlikely to get.
+pub(super) fn random() -> u64 {
+    (js_sys::Math::random() * 2f64.powi(53)) as u64
+}
+
+/// Where a symbolic link leads to; nothing for all else.
+pub(super) fn link(path: &Path) -> Option<PathBuf> {
+    readlinkSync(&text(path)).ok().map(PathBuf::from)
+}
+
+/// A path without symbolic links.
+pub(super) fn canonical(path: &Path) -> io::Result<PathBuf> {
+    canonicalPath(&text(path)).map(PathBuf::from).map_err(error)
+}
+
+/// What is at a path.
+pub(super) fn found(path: &Path) -> io::Result<Found> {
+    let facts = factsOf(&text(path)).map_err(error)?;
+    let [mode, user, group, links, device, number] = facts[..] else {
+        return Err(ErrorKind::InvalidData.into());
+    };
+    let kind = match mode & 0o170_000 {
+        0o100_000 => PathKind::File,
+        0o040_000 => PathKind::Folder,
+        _ => PathKind::Other,
+    };
+    let mode = mode as u32 & 0o7777;
+    Ok(Found { kind, mode, owner: (user as u32, group as u32), links, id: Some((device, number)) })
 }
 
 /// What a path leads to; links are followed.
@@ -139,6 +242,10 @@ fn error(thrown: JsValue) -> io::Error {
         Some("ENOSPC") => ErrorKind::StorageFull,
         Some("EROFS") => ErrorKind::ReadOnlyFilesystem,
         Some("EFBIG") => ErrorKind::FileTooLarge,
+        Some("EDQUOT") => ErrorKind::QuotaExceeded,
+        Some("ENAMETOOLONG") => ErrorKind::InvalidFilename,
+        Some("EEXIST") => ErrorKind::AlreadyExists,
+        Some("EBUSY") => ErrorKind::ResourceBusy,
         Some("EPIPE") => ErrorKind::BrokenPipe,
         _ => return io::Error::other(property("message").unwrap_or_default()),
     };
