@@ -2,7 +2,12 @@
 //!
 //! In: a text and its messages. Out: the text with the first safe repair of each, and what was done. Repairs
 //! that have to be asked for are left to the reader.
+//!
+//! A repair is *safe* if the program with it does what was meant: it changes letters, signs and marks that were
+//! misread, and puts plain words in brackets. No address with a value comes into brackets, no error is added,
+//! and repairing a second time changes nothing.
 
+use crate::limits::Limits;
 use crate::message::{Diagnostic, Edit, Fix, Repair};
 use crate::order;
 use crate::rewrite::{applied, before_edits};
@@ -10,7 +15,10 @@ use crate::setup::Setup;
 use crate::source::Span;
 
 /// A repaired text can show faults that were hidden by others, so it is run again; so many times at most.
-const MOST_ROUNDS: usize = 10;
+const MOST_ROUNDS: usize = 100;
+
+/// Messages of one run. Repairs of more take another round.
+const MESSAGES: usize = 100_000;
 
 /// A program after its repairs.
 #[derive(Clone, Debug, PartialEq)]
@@ -19,6 +27,8 @@ pub struct Repaired {
     pub text: Vec<u8>,
     /// What was done, in order of place.
     pub taken: Vec<AppliedFix>,
+    /// A repair that is still open after the most rounds: the text is not to be used.
+    pub open: Option<Repair>,
 }
 
 /// A repair that was made.
@@ -32,12 +42,23 @@ pub struct AppliedFix {
 
 /// The program with all safe repairs; they are looked for again until there is none.
 pub fn repaired(text: &[u8], setup: &Setup) -> Repaired {
-    let (mut text, mut taken) = (text.to_vec(), Vec::new());
+    within(MOST_ROUNDS, text, setup)
+}
+
+/// Repairs in at most `most` rounds.
+fn within(most: usize, text: &[u8], setup: &Setup) -> Repaired {
+    let limits = Limits { messages: MESSAGES.max(setup.limits.messages), ..setup.limits };
+    let setup = Setup { limits, ..setup.clone() };
+    let (mut text, mut taken, mut open) = (text.to_vec(), Vec::new(), None);
     let mut earlier: Vec<Vec<Edit>> = Vec::new();
-    for _ in 0..MOST_ROUNDS {
-        let analysis = crate::analyze(&text, setup);
+    loop {
+        let analysis = crate::analyze(&text, &setup);
         let fixes = safe(&analysis.diagnostics);
         if fixes.is_empty() {
+            break;
+        }
+        if earlier.len() == most {
+            open = fixes.first().map(|fix| fix.title.clone());
             break;
         }
         let edits: Vec<Edit> = fixes.iter().flat_map(|fix| fix.edits.iter().cloned()).collect();
@@ -50,7 +71,7 @@ pub fn repaired(text: &[u8], setup: &Setup) -> Repaired {
         earlier.push(edits);
     }
     order::by_key(&mut taken, |taken| taken.span.start);
-    Repaired { text, taken }
+    Repaired { text, taken, open }
 }
 
 /// The first safe repair of each message, in order of place. Of those that touch the
@@ -115,6 +136,16 @@ mod tests {
             assert_eq!(String::from_utf8_lossy(&repaired.text), after);
             assert_eq!(repaired.taken.is_empty(), before == after);
         }
+    }
+
+    #[test]
+    fn a_repair_that_is_still_open_is_named() {
+        // The letter O is an error, so brackets around the text are not safe yet.
+        let text = b"G00 X5O retract\nM30";
+        let repaired = within(1, text, &Setup::default());
+        assert_eq!(repaired.text, b"G00 X50 retract\nM30");
+        assert_eq!(repaired.open, Some(Repair::Write { text: "(retract)".into() }));
+        assert_eq!(within(2, text, &Setup::default()).open, None);
     }
 
     #[test]

@@ -29,7 +29,7 @@ use crate::setup::dialect::{CodeList, DecimalChoice, DecimalRule, Dialect, Diale
 use crate::setup::notes::Notes;
 use crate::setup::{Lints, Setup, tool_words};
 use crate::source::Span;
-use crate::text::block::Block;
+use crate::text::block::{Block, BlockKind};
 use crate::text::parser::{Parser, Resume};
 use crate::units::Unit;
 use edit::{Checkpoint, PreviousRun};
@@ -632,7 +632,7 @@ impl Run {
         if let Some(back) = self.interpreter.run_out(span) {
             return Flow::Jump(back);
         }
-        self.interpreter.report(no_end(text, span));
+        self.report_no_end(text, span, Some(here.at.byte));
         if self.interpreter.has_wandered() {
             return Flow::End;
         }
@@ -652,8 +652,19 @@ impl Run {
             return Flow::Jump(back);
         }
         self.interpreter.finish();
-        self.interpreter.report(no_end(text, span));
+        self.report_no_end(text, span, None);
         if self.interpreter.has_wandered() { Flow::End } else { Flow::Next }
+    }
+
+    /// Reports that the program ends at `span` without M02 or M30, and offers M30 before the byte `next` of the
+    /// next program or, without one, at the end of the tape.
+    fn report_no_end(&mut self, text: &[u8], span: Span, next: Option<u32>) {
+        let mut diagnostic = Diagnostic::new(said::NoEnd, span);
+        // Under G10, M30 would be data.
+        if READING.is_loaded() && !self.state().data_input {
+            diagnostic = with_end(diagnostic, text, next);
+        }
+        self.interpreter.report(diagnostic);
     }
 
     fn finish_text(&mut self) {
@@ -729,17 +740,30 @@ impl Run {
 /// The part without which nobody reads messages: it puts them in order.
 const READING: Part = Part::Machine;
 
-/// The program ends at `span` without M02 or M30: reported, with a repair.
-fn no_end(text: &[u8], span: Span) -> Diagnostic {
-    let end = text.trim_ascii_end();
-    // Before the sign that ends the tape, or another program.
-    let (at, insert) = match span.end as usize {
-        _ if end.ends_with(b"%") && span.end as usize == end.len() => (end.len() - 1, "M30\n"),
-        at if at == end.len() => (at, "\nM30"),
-        _ => (span.start as usize, "M30\n"),
-    };
-    let fix = Fix::insert(at as u32, insert.to_owned()).safe();
-    Diagnostic::new(said::NoEnd, span).with(fix)
+/// Where M30 belongs at the end of the tape, and the text to insert there.
+fn place_of_end(text: &[u8]) -> (usize, &'static str) {
+    let mut parser = Parser::new(text);
+    let mut block = Block::default();
+    let mut place = (0, "M30\n");
+    while parser.next_block(&mut block) {
+        let start = block.span.start as usize;
+        let bytes = block.span.of(text);
+        let is_blank = |byte: &&u8| byte.is_ascii_whitespace() || matches!(byte, 0 | 0x0B | 0x1A);
+        let len = bytes.len() - bytes.iter().rev().take_while(is_blank).count();
+        // Blanks at the end of a comment that is not closed belong to it.
+        let comment_end = block.comments.last().map_or(0, |comment| comment.end as usize);
+        let end = (start + len).max(comment_end);
+        place = match text[start..end].last() {
+            // Behind the end of the last block.
+            None if text[..start].ends_with(b";") => (start, "\nM30"),
+            None => place,
+            // What is behind this sign is not read.
+            Some(_) if block.kind == BlockKind::Percent => (start, "M30\n"),
+            Some(b'%') if comment_end < end => (end - 1, "\nM30\n"),
+            Some(_) => (end, "\nM30"),
+        };
+    }
+    place
 }
 
 /// The setup of a run with what prose in comments of its text says of the tools.
@@ -775,6 +799,12 @@ in_part! {
     Machine "0102"
     fn complete_messages(run: &mut Run) {
         run.complete_messages();
+    }
+
+    Machine "0105"
+    fn with_end(diagnostic: Diagnostic, text: &[u8], next: Option<u32>) -> Diagnostic {
+        let (at, insert) = next.map_or_else(|| place_of_end(text), |next| (next as usize, "M30\n"));
+        diagnostic.with(Fix::insert(at as u32, insert.to_owned()).safe())
     }
 
     Machine "0103"

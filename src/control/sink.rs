@@ -29,7 +29,7 @@ pub struct Sink {
     pub hidden: usize,
     /// A limit of the run is exceeded: nothing more is carried out.
     is_full: bool,
-    /// The first fault in the writing of the block under way.
+    /// The first error in the writing of the block under way.
     pub fault: Option<Span>,
     /// Nothing is reported for the block under way any more.
     pub muted: bool,

@@ -4,6 +4,7 @@ use super::lexer::Number;
 use crate::limits::WORDS_PER_BLOCK;
 use crate::message::{Diagnostic, said};
 use crate::source::Span;
+use crate::source::shift::Shift;
 
 /// The value of a word.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -133,6 +134,17 @@ impl Block {
         self.words.clear();
         self.comments.clear();
         self.faults.clear();
+    }
+
+    /// Moves its places along, when the text before them has changed.
+    pub(super) fn shift(&mut self, shift: &Shift) {
+        let words = self.words.iter_mut().map(|word| &mut word.span);
+        let program = self.program.iter_mut().map(|(_, span)| span);
+        for span in words.chain(program).chain(&mut self.comments).chain([&mut self.span]) {
+            *span = shift.span(*span);
+        }
+        self.faults.iter_mut().for_each(|fault| fault.shift(shift));
+        (self.statement, self.statement_end) = (shift.byte(self.statement), shift.byte(self.statement_end));
     }
 
     /// From the first word to the last, or the macro statement; the whole block where there is neither.

@@ -112,7 +112,7 @@ pub struct PlainWord {
 /// What a token is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum TokenKind {
-    /// Spaces, tabs, a byte order mark.
+    /// Spaces, tabs, form feeds, a byte order mark.
     Blank,
     /// `\n`, `\r\n` or a lone `\r`.
     LineEnd,
@@ -202,9 +202,9 @@ impl<'a> Lexer<'a> {
         let kind = match byte {
             b'A'..=b'Z' => self.one(TokenKind::Letter(byte)),
             b'0'..=b'9' | b'.' => self.number(),
-            // NUL is the feed of paper tape, 0x1A the end of a DOS file.
-            b' ' | b'\t' | 0 | 0x1A => {
-                while matches!(self.peek_byte(), Some(b' ' | b'\t' | 0 | 0x1A)) {
+            // NUL is the feed of paper tape, 0x0B and 0x0C that of a printer, 0x1A the end of a DOS file.
+            b' ' | b'\t' | 0 | 0x0B | 0x0C | 0x1A => {
+                while matches!(self.peek_byte(), Some(b' ' | b'\t' | 0 | 0x0B | 0x0C | 0x1A)) {
                     self.at += 1;
                 }
                 TokenKind::Blank
@@ -335,7 +335,7 @@ impl<'a> Lexer<'a> {
             self.at += 1;
             match self.peek_byte() {
                 Some(byte) if byte >= 0x80 && self.printed().is_some() => break,
-                Some(0x80.. | 0..=8 | 0x0B | 0x0C | 0x0E..=0x1F | 0x7F) => {}
+                Some(0x80.. | 0..=8 | 0x0E..=0x1F | 0x7F) => {}
                 Some(b'!' | b'"' | b'$' | b'&' | b'\'' | b')' | b'<' | b'>' | b'?' | b'@') => {}
                 Some(b'\\' | b'^' | b'_' | b'`' | b'{' | b'|' | b'}' | b'~') => {}
                 _ => break,

@@ -68,6 +68,11 @@ fn stands_for_digit(text: &[u8], at: usize, address: u8, digits: usize) -> bool 
     ends
 }
 
+/// Whether a character is the full-width twin of an ASCII one.
+pub fn is_full_width(sign: char) -> bool {
+    ('\u{ff01}'..='\u{ff5e}').contains(&sign)
+}
+
 /// The ASCII twin of the character at a byte, where the next one begins, and whether it was a full-width one.
 fn character(text: &[u8], at: usize) -> Option<(u8, usize, bool)> {
     match *text.get(at)? {

@@ -7,3 +7,4 @@ mod lost_letter;
 mod misread;
 pub mod parser;
 pub mod plain_line;
+mod plain_words;

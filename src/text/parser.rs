@@ -16,13 +16,14 @@ use super::lexer::{Lexer, Number, TokenKind};
 use super::lost_letter;
 use super::misread::{self, Misread};
 use super::plain_line::PlainLine;
+use super::plain_words::PlainWords;
 use crate::limits::DIGITS;
-use crate::message::{Diagnostic, Fix, Message, Repair, Severity, said};
+use crate::message::{Diagnostic, Fix, Message, Repair, Severity, said, sort_by_place};
 use crate::parts::{Part, in_part};
 use crate::source::shift::Shift;
 use crate::source::{Span, line_end};
 
-/// Most faults of one block that are reported; one mistake easily upsets the words after it.
+/// Most faults of one block without a safe fix that are reported; one mistake easily upsets the words after it.
 const FAULTS_PER_BLOCK: usize = 3;
 
 /// The part of the module that reads what is not written as it should be.
@@ -152,31 +153,109 @@ impl<'a> Parser<'a> {
         self.line - 1
     }
 
-    /// Looks again at a block with faults: whether it was meant as one at all.
+    /// Looks again at a block with faults: it may be text, or contain plain words.
     fn reconsider(&self, block: &mut Block, behind_semicolon: bool) {
+        let text = self.lexer.text();
+        for fault in block.faults.iter_mut().filter(|fault| fault.message.is::<said::CommentOpen>()) {
+            // `(face X20`: the bracket may belong before X20.
+            let hidden = Span { start: fault.span.end, end: block.span.end };
+            if PlainWords::of(text, hidden, &[]).has_value {
+                fault.severity = Severity::Error;
+                fault.fixes.iter_mut().for_each(|fix| fix.safe = false);
+            }
+        }
+        let plain = PlainWords::of(text, block.span, &block.comments);
         let unclear = block.is_broken() || block.words.is_empty();
-        if behind_semicolon && unclear && reads_as_prose(block.span.of(self.lexer.text())) {
+        let is_text = !plain.has_value && !plain.is_ambiguous;
+        if behind_semicolon && unclear && is_text && reads_as_prose(block.span.of(text)) {
             self.take_as_comment(block);
         }
-        if block.words.is_empty() && only_marks_outside_brackets(block.span.of(self.lexer.text())) {
+        if block.words.is_empty() && only_marks_outside_brackets(block.span.of(text)) {
             // `(FACE), (F0.3).`: the remarks stand in brackets already; one message
             // reports the marks between them.
             block.faults.truncate(1);
         }
-        let prose = block.words.is_empty() || reads_as_prose(block.span.of(self.lexer.text()));
-        if block.faults.len() > block.words.len().max(1) && prose && block.kind == BlockKind::Words {
-            let span = trimmed(self.lexer.text(), block.span);
-            let quote = short_quote(self.lexer.text(), span);
-            block.words.clear();
-            let harmless =
-                block.faults.iter().all(|fault| !fault.is_error()) || decorates(span.of(self.lexer.text()));
-            let severity = if harmless { Severity::Warning } else { Severity::Error };
-            block.faults.clear();
-            let told = Diagnostic::new(said::PlainText { text: quote }, span).graded(severity);
-            block.fault(in_brackets(self.lexer.text(), told));
+        let prose = block.words.is_empty() || reads_as_prose(block.span.of(text));
+        let whole = block.faults.len() > block.words.len().max(1) && prose;
+        let only_text = plain.texts > 0 && block.is_broken();
+        if plain.has_value || block.span.of(text).contains(&b'(') {
+            self.take_plain_words(block, &plain, whole);
+        } else if whole && (block.kind == BlockKind::Words || only_text) {
+            self.take_as_text(block, &plain);
         }
-        block.faults.truncate(FAULTS_PER_BLOCK);
+        for fault in &mut block.faults {
+            // `go`, `tool`, `toolO2`: letters that may be text are no digits for sure.
+            let at = fault.span.start as usize;
+            let is_axis = matches!(text.get(at).map(u8::to_ascii_uppercase), Some(b'X' | b'Z' | b'U' | b'W'));
+            let is_letter = |at: usize| text.get(at).is_some_and(u8::is_ascii_alphabetic);
+            let may_be_text = !is_axis || plain.texts > 0 || is_letter(fault.span.end as usize);
+            let in_run = at > 0 && is_letter(at - 1) && is_letter(at);
+            let is_guess =
+                fault.message.is::<said::LetterForDigit>() && !self.has_digit(fault.span) && may_be_text;
+            if in_run || is_guess {
+                fault.fixes.iter_mut().for_each(|fix| fix.safe = false);
+            }
+        }
+        keep_faults(&mut block.faults);
         self.offer_addresses(block);
+    }
+
+    /// One message for a block without a value. Brackets around all of it are safe where its letters can
+    /// only be text.
+    fn take_as_text(&self, block: &mut Block, plain: &PlainWords) {
+        let text = self.lexer.text();
+        let span = trimmed(text, block.span);
+        let quote = short_quote(text, span);
+        block.words.clear();
+        block.kind = BlockKind::Words;
+        let decorates = decorates(span.of(text)) && !plain.is_ambiguous;
+        let harmless = block.faults.iter().all(|fault| !fault.is_error()) || decorates;
+        let severity = if harmless { Severity::Warning } else { Severity::Error };
+        block.faults.clear();
+        let told = Diagnostic::new(said::PlainText { text: quote }, span).graded(severity);
+        let is_sure = !plain.is_ambiguous && (plain.texts > 0 || decorates);
+        block.fault(in_brackets(text, told, is_sure));
+    }
+
+    /// Reports plain words. The rest is read without them: where it has no error, brackets around them are
+    /// safe. A block of text with brackets in it is one message, unless the rest has no error.
+    fn take_plain_words(&self, block: &mut Block, plain: &PlainWords, whole: bool) {
+        let mut rest = self.read_without(block, &plain.groups);
+        let is_readable = rest.kind == BlockKind::Words && !rest.is_broken() && !plain.is_ambiguous;
+        if !plain.has_value && whole && (!is_readable || plain.groups.is_empty()) {
+            return self.take_as_text(block, plain);
+        }
+        if plain.groups.is_empty() {
+            return;
+        }
+        let text = self.lexer.text();
+        for &group in &plain.groups {
+            let quote = short_quote(text, group);
+            // In letters of no address, the block is carried out.
+            let told = match decorates(group.of(text)) {
+                true => Diagnostic::new(said::NotUnderstood { text: quote }, group).graded(Severity::Warning),
+                false => Diagnostic::new(said::PlainWords { text: quote }, group),
+            };
+            rest.fault(in_brackets(text, told, is_readable));
+        }
+        sort_by_place(&mut rest.faults);
+        *block = rest;
+    }
+
+    /// Reads a block again, with blanks in place of some of its text.
+    fn read_without(&self, block: &Block, left_out: &[Span]) -> Block {
+        let start = block.span.start;
+        let mut text = block.span.of(self.lexer.text()).to_vec();
+        for span in left_out {
+            text[(span.start - start) as usize..(span.end - start) as usize].fill(b' ');
+        }
+        let mut parser =
+            Parser { lexer: Lexer::new(&text, 0), line: block.line, begun: self.begun, ..Parser::new(&text) };
+        let mut rest = Block::default();
+        parser.read(&mut rest);
+        rest.shift(&Shift { from: 0, bytes: i64::from(start), lines: 0 });
+        (rest.span, rest.line) = (block.span, block.line);
+        rest
     }
 
     /// Offers the letters that a number without one may have had.
@@ -424,7 +503,12 @@ impl<'a> Parser<'a> {
     ) {
         let at_head = block.words.is_empty() && !comma && !negative && number.points == 0;
         match letter {
-            b'O' if at_head && block.program.is_none() && block.sequence.is_none() => {
+            // `G:00` is no program number.
+            b'O' if at_head
+                && block.program.is_none()
+                && block.sequence.is_none()
+                && block.faults.is_empty() =>
+            {
                 block.program = Some((number.mantissa as u32, span));
             }
             b'N' if at_head && block.sequence.is_none() => block.sequence = Some(number.mantissa as u32),
@@ -465,7 +549,8 @@ impl<'a> Parser<'a> {
         let text = span.of(self.lexer.text());
         let at_head =
             !self.begun && block.words.is_empty() && block.sequence.is_none() && block.program.is_none();
-        if at_head && text.len() >= 4 && text[0] == b'0' && number.points == 0 && number.mantissa > 0 {
+        // `0101` may also be T0101.
+        if at_head && text.len() >= 5 && text[0] == b'0' && number.points == 0 && number.mantissa > 0 {
             let first = Span { start: span.start, end: span.start + 1 };
             let message = said::ZeroForO { number: span.quote(self.lexer.text()) };
             let fix = Fix::replace(Repair::LetterO, first, "O");
@@ -752,7 +837,7 @@ impl<'a> Parser<'a> {
         let remark = trimmed(text, span);
         block.comment(remark);
         let told = Diagnostic::new(said::TextAfterSemicolon { text: short_quote(text, remark) }, remark);
-        block.fault(in_brackets(text, told));
+        block.fault(in_brackets(text, told, true));
     }
 
     /// Goes to the end of the line.
@@ -823,7 +908,10 @@ fn decorates(bytes: &[u8]) -> bool {
     let rule =
         bytes.len() > 1 && bytes.iter().all(|byte| matches!(byte, b'-' | b'_' | b'=' | b'*' | b' ' | b','));
     let foreign = bytes.iter().filter(|byte| !byte.is_ascii()).count() >= LETTERS
-        && !bytes.iter().any(|byte| byte.is_ascii_alphanumeric() || *byte == b'?');
+        && !bytes.iter().any(|byte| byte.is_ascii_alphanumeric() || *byte == b'?')
+        && !String::from_utf8_lossy(bytes).contains(|sign: char| {
+            sign.is_numeric() || sign.is_alphanumeric() && misread::is_full_width(sign)
+        });
     // `(FACE) ROUGH), (TURN)`: a remark with a bracket too many.
     let bracketed = bytes.first() == Some(&b'(') && bytes.last() == Some(&b')');
     rule || foreign || bracketed
@@ -861,14 +949,24 @@ fn without_second_point(word: &str) -> Option<String> {
 }
 
 /// Offers to put a remark in brackets, unless it has some of its own.
-fn in_brackets(text: &[u8], told: Diagnostic) -> Diagnostic {
+fn in_brackets(text: &[u8], told: Diagnostic, is_sure: bool) -> Diagnostic {
     match std::str::from_utf8(told.span.of(text)) {
-        Ok(remark) if !remark.is_empty() && !remark.contains(['(', ')']) => {
-            let fix = Fix::write(told.span, format!("({remark})")).safe();
+        Ok(remark) if !remark.is_empty() && !remark.contains(['(', ')', '（', '）']) => {
+            let fix = Fix { safe: is_sure, ..Fix::write(told.span, format!("({remark})")) };
             told.with(fix)
         }
         _ => told,
     }
+}
+
+/// Drops what is too much. Faults with a safe fix are all kept: one that a fix uncovered would be new.
+fn keep_faults(faults: &mut Vec<Diagnostic>) {
+    let mut others = 0;
+    faults.retain(|fault| {
+        let is_sure = fault.fixes.iter().any(|fix| fix.safe);
+        others += usize::from(!is_sure);
+        is_sure || others <= FAULTS_PER_BLOCK
+    });
 }
 
 /// The span without blanks at either end.

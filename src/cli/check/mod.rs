@@ -361,6 +361,12 @@ impl Job<'_> {
         let (mut lines_of_repairs, mut was_repaired) = (Vec::new(), false);
         if self.check.fix {
             let repaired = repaired(&text, &setup);
+            if let Some(open) = &repaired.open {
+                let open = open.words(self.language);
+                return Err(format!(
+                    "{name}: the fixes do not come to an end; still open: {open}. The file is unchanged"
+                ));
+            }
             let lines = LineIndex::new(&text);
             was_repaired = !repaired.taken.is_empty();
             lines_of_repairs.extend(repaired.taken.iter().map(|taken| {

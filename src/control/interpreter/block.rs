@@ -62,8 +62,8 @@ impl Interpreter {
             return Flow::Next;
         }
         if block.words.is_empty() {
-            // Prose in a line of its own moves nothing; anything else that is broken may have been a motion.
-            if broken && block.faults.iter().any(|fault| !is_prose(fault)) {
+            // What can only be text moves nothing; anything else that is broken may have been a motion.
+            if broken && block.faults.iter().any(|fault| !super::doubts::is_text(fault)) {
                 self.excuse_feed(text, block);
                 self.lose(super::doubts::faults_of(text, block));
             }
@@ -384,8 +384,4 @@ fn without_optional(block: &Block) -> Block {
         rest.words.truncate(first);
     }
     rest
-}
-
-fn is_prose(fault: &Diagnostic) -> bool {
-    fault.message.is::<said::PlainText>()
 }

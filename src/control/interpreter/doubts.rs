@@ -12,6 +12,7 @@ use crate::control::events::Event;
 use crate::control::modal::Once;
 use crate::control::words::{Words, letters, plain};
 use crate::limits::BYTES_PER_STEP;
+use crate::message::{Diagnostic, said};
 use crate::setup::dialect::XuConflict;
 use crate::text::block::{Block, Value};
 use crate::text::parser::{Parser, Resume};
@@ -143,7 +144,13 @@ impl Interpreter {
         if self.program.jump.is_some() || self.contours.recorded.is_some() {
             return;
         }
-        let (Some(first), Some(last)) = (sequence(b'P'), sequence(b'Q')) else { return };
+        let (Some(first), Some(last)) = (sequence(b'P'), sequence(b'Q')) else {
+            // The contour is carried out as if there were no cycle.
+            if words.has_any(letters(b"PQ")) {
+                self.lose_place();
+            }
+            return;
+        };
         let behind = |at: &Resume| at.byte > cycle.span.start;
         let Some(begins) = self.program.labels(text).find(first, cycle.span.start).filter(behind) else {
             return;
@@ -313,15 +320,36 @@ fn is_first_block(cycle: Multiple, words: &Words) -> bool {
 /// What the faults in the writing of a block leave in doubt.
 pub(super) fn faults_of(text: &[u8], block: &Block) -> Doubts {
     let mut lost = Doubts::default();
-    for fault in block.faults.iter().filter(|fault| fault.is_error()) {
-        match text.get(fault.span.start as usize).map(u8::to_ascii_uppercase) {
-            Some(b'X' | b'U') => lost.add(Doubt::X),
-            Some(b'Z' | b'W') => lost.add(Doubt::Z),
-            Some(b'C' | b'H') => lost.add(Doubt::C),
-            Some(b'G') => lost.join(Doubts::of(&[Doubt::X, Doubt::Z, Doubt::Code])),
-            Some(b'F' | b'S' | b'T' | b'M' | b'N' | b'I' | b'K' | b'R' | b'P' | b'Q' | b'L') => {}
-            _ => lost.join(PLACE),
+    for fault in block.faults.iter().filter(|fault| fault.is_error() && !is_text(fault)) {
+        // Where text may be words with misread digits, each of its letters may be an address.
+        let addresses = fault.span.of(text);
+        let most = if reads_as_text(fault) { addresses.len() } else { 1 };
+        for address in addresses.iter().take(most) {
+            lost.join(lost_with(address.to_ascii_uppercase()));
         }
     }
     lost
+}
+
+/// What is in doubt after a word of this address could not be read.
+fn lost_with(address: u8) -> Doubts {
+    match address {
+        b'X' | b'U' => Doubts::of(&[Doubt::X]),
+        b'Z' | b'W' => Doubts::of(&[Doubt::Z]),
+        b'C' | b'H' => Doubts::of(&[Doubt::C]),
+        b'G' => Doubts::of(&[Doubt::X, Doubt::Z, Doubt::Code]),
+        b'F' | b'S' | b'M' | b'N' | b'I' | b'K' | b'R' | b'P' | b'Q' | b'L' => Doubts::default(),
+        // Offsets of a tool move the place; a number without an address may be a G code.
+        b'T' => PLACE,
+        _ => Doubts::of(&[Doubt::X, Doubt::Z, Doubt::Code]),
+    }
+}
+
+fn reads_as_text(fault: &Diagnostic) -> bool {
+    fault.message.is::<said::PlainText>() || fault.message.is::<said::PlainWords>()
+}
+
+/// Whether a fault can only be text: brackets around it change nothing.
+pub(super) fn is_text(fault: &Diagnostic) -> bool {
+    reads_as_text(fault) && fault.fixes.iter().any(|fix| fix.safe)
 }

@@ -388,7 +388,8 @@ impl Interpreter {
         for fault in &block.faults {
             self.report(fault.clone());
         }
-        self.sink.fault = block.faults.first().map(|fault| fault.span);
+        // After a warning the word is read as intended, so its other faults are reported.
+        self.sink.fault = block.faults.iter().find(|fault| fault.is_error()).map(|fault| fault.span);
     }
 }
 
