@@ -16,7 +16,7 @@ use super::lexer::{Lexer, Number, TokenKind};
 use super::lost_letter;
 use super::misread::{self, Misread};
 use super::plain_line::PlainLine;
-use super::plain_words::PlainWords;
+use super::plain_words::{PlainWords, begins_in_other_script};
 use crate::limits::DIGITS;
 use crate::message::{Diagnostic, Fix, Message, Repair, Severity, said, sort_by_place};
 use crate::parts::{Part, in_part};
@@ -167,8 +167,10 @@ impl<'a> Parser<'a> {
         let plain = PlainWords::of(text, block.span, &block.comments);
         let unclear = block.is_broken() || block.words.is_empty();
         let is_text = !plain.has_value && !plain.is_ambiguous;
-        if behind_semicolon && unclear && is_text && reads_as_prose(block.span.of(text)) {
-            self.take_as_comment(block);
+        // `; 其实N10 …` is no block either, but only the author knows about N10.
+        let is_remark = is_text || begins_in_other_script(block.span.of(text));
+        if behind_semicolon && unclear && is_remark && reads_as_prose(block.span.of(text)) {
+            return self.take_as_comment(block, is_text);
         }
         if block.words.is_empty() && only_marks_outside_brackets(block.span.of(text)) {
             // `(FACE), (F0.3).`: the remarks stand in brackets already; one message
@@ -830,14 +832,14 @@ impl<'a> Parser<'a> {
     }
 
     /// Text after a `;` that does not read as words is a remark.
-    fn take_as_comment(&self, block: &mut Block) {
+    fn take_as_comment(&self, block: &mut Block, is_sure: bool) {
         let (text, span, line) = (self.lexer.text(), block.span, block.line);
         block.clear();
         (block.span, block.line) = (span, line);
         let remark = trimmed(text, span);
         block.comment(remark);
         let told = Diagnostic::new(said::TextAfterSemicolon { text: short_quote(text, remark) }, remark);
-        block.fault(in_brackets(text, told, true));
+        block.fault(in_brackets(text, told, is_sure));
     }
 
     /// Goes to the end of the line.

@@ -139,7 +139,7 @@ fn is_like_words(run: &str) -> bool {
         like(letter)
             || LESS_LIKE_DIGITS.contains(letter)
             || is_full_width(letter)
-            || address.is_ascii() && !letter.is_ascii()
+            || address.is_ascii() && !letter.is_ascii() && is_address(letter)
     };
     if digits <= MOST_DIGITS && letters.clone().all(is_digit) {
         return true;
@@ -157,6 +157,12 @@ fn is_like_words(run: &str) -> bool {
 /// Whether a letter is an address or looks like one: letters of alphabets and full-width letters.
 fn is_address(letter: char) -> bool {
     letter.is_alphabetic() && (letter < '\u{530}' || is_full_width(letter))
+}
+
+/// Whether text begins with a letter of a script without addresses, such as Chinese.
+pub fn begins_in_other_script(bytes: &[u8]) -> bool {
+    let text = String::from_utf8_lossy(bytes);
+    text.trim_start().starts_with(|letter: char| letter.is_alphabetic() && !is_address(letter))
 }
 
 /// Bytes of the blank at the head of some bytes, 0 without one.
