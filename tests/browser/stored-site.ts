@@ -1,4 +1,4 @@
-// A static server of the built page that knows nothing of it, can be down, and can have another build.
+// A static server of the built page that knows nothing of it, can be down, can refuse files, and can have another build.
 //
 // In: the folder, files that are in place of others. Out: its address. Each is an origin of its own, so nothing is stored
 // of another test. Must not know: which tests there are.
@@ -15,6 +15,9 @@ export const DIST = join(__dirname, '..', '..', 'www', 'dist');
 /** Files that are other ones, by path; `undefined`: it is not there. */
 export type Changes = ReadonlyMap<string, string | undefined>;
 
+/** How a file fails: there is no such file, the connection is closed, or other bytes come, which the browser may keep. */
+export type Refusal = 'missing' | 'closed' | 'corrupted';
+
 export interface StoredSite {
   readonly address: string;
   /** Paths that were asked for. */
@@ -22,6 +25,8 @@ export interface StoredSite {
   /** No request is answered any more. */
   stop(): Promise<void>;
   start(): Promise<void>;
+  /** From now on the files whose paths match are refused; without a pattern all are served. */
+  refuse(pattern?: RegExp, how?: Refusal): void;
   /** From now on another build is served. */
   publish(changes: Changes): void;
 }
@@ -33,11 +38,15 @@ const TYPES: Readonly<Record<string, string>> = { '.html': 'text/html', '.js': '
 export async function storedSite(at = '/', folder = DIST): Promise<StoredSite> {
   const asked: string[] = [];
   let changes: Changes = new Map();
+  let refused: { readonly pattern: RegExp; readonly how: Refusal } | undefined;
   const answer = async (request: IncomingMessage, response: ServerResponse): Promise<void> => {
     const { pathname } = new URL(request.url ?? '/', 'http://localhost');
     const path = normalize(pathname.slice(at.length) + (pathname.endsWith('/') ? 'index.html' : ''));
     asked.push(path);
-    const bytes = !pathname.startsWith(at) || path.startsWith('..') ? undefined : changes.has(path) ? changes.get(path) : await readFile(join(folder, path)).catch(() => undefined);
+    const refusal = refused?.pattern.test(path) === true ? refused.how : undefined;
+    if (refusal === 'closed') return void request.socket.destroy();
+    if (refusal === 'corrupted') return void response.writeHead(200, { 'content-type': TYPES[extname(path)], 'cache-control': 'max-age=600' }).end('<h1>200</h1>');
+    const bytes = !pathname.startsWith(at) || path.startsWith('..') || refusal === 'missing' ? undefined : changes.has(path) ? changes.get(path) : await readFile(join(folder, path)).catch(() => undefined);
     if (bytes === undefined) response.writeHead(404, { 'content-type': 'text/html' }).end('<h1>404</h1>');
     else response.writeHead(200, { 'content-type': TYPES[extname(path)] ?? 'application/octet-stream' }).end(bytes);
   };
@@ -54,6 +63,9 @@ export async function storedSite(at = '/', folder = DIST): Promise<StoredSite> {
       server.once('error', reject);
       server.listen(port, '127.0.0.1', resolve);
     }),
+    refuse(pattern, how = 'missing') {
+      refused = pattern && { pattern, how };
+    },
     publish(build) {
       changes = build;
     },

@@ -21,6 +21,8 @@ export function addPart(part, exports, files, compiled) {
 
 /** Files that are being fetched, or have been and are in no module yet. */
 const fetched = new Map();
+/** Files that could not be used: the browser's cache may hold what they were. */
+const failedBefore = new Set();
 
 /** Has the files of a part fetched, for a module that is still to come; one that cannot be had is tried again. */
 export function fetchPart(files) {
@@ -31,8 +33,14 @@ export function fetchPart(files) {
 export async function loadPart(part, exports, files) {
   const before = given.get(exports);
   const missing = files.map((file) => (before?.has(file) === true ? undefined : compiled(file)));
-  addPart(part, exports, files, await Promise.all(missing));
+  const modules = await Promise.all(missing);
   for (const file of files) fetched.delete(file);
+  try {
+    addPart(part, exports, files, modules);
+  } catch (reason) {
+    for (const file of files) failedBefore.add(file);
+    throw reason;
+  }
 }
 
 function compiled(file) {
@@ -40,12 +48,15 @@ function compiled(file) {
   if (before !== undefined) return before;
   const now = compiledFrom(file);
   fetched.set(file, now);
-  now.catch(() => fetched.delete(file));
+  now.catch(() => {
+    fetched.delete(file);
+    failedBefore.add(file);
+  });
   return now;
 }
 
 async function compiledFrom(file) {
-  const response = await fetch(file);
+  const response = await fetch(file, { cache: failedBefore.has(file) ? 'reload' : 'default' });
   if (!response.ok) throw new Error(`${file}: ${response.status}`);
   return WebAssembly.compile(await response.arrayBuffer());
 }

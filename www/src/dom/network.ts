@@ -16,21 +16,64 @@ export function isOffline(): boolean {
   return !navigator.onLine;
 }
 
-/** Imports a part; one that could not be had is had with a later call, also where the browser remembers the failure (Firefox). */
+/** The browser keeps the failure of a file that the part imports, under an address that cannot be changed. */
+export class NeedsReload extends Error {}
+
+/**
+ * Imports a part. One that could not be had can be had with a later call, also where the browser keeps the failure: all keep
+ * that of a script with a fault, Firefox every failure.
+ *
+ * @throws NeedsReload where that is so of a file that the part imports.
+ */
 export async function loaded<Part>(load: () => Promise<Part>): Promise<Part> {
   try {
     return await load();
   } catch (error) {
-    const address = /\bhttps?:\S+?\.(?:js|css)\b/.exec(error instanceof Error ? error.message : '')?.[0];
-    if (address === undefined) throw error;
-    if (address.endsWith('.css')) {
+    const failed = addressIn(error);
+    if (failed?.endsWith('.css') === true) {
       // Its script is imported without it the next time.
-      styles(address);
+      styles(failed);
       throw error;
     }
-    // Under its own address a browser may answer with an earlier failure.
-    return (await import(/* @vite-ignore */ `${address}?again=${++tries}`)) as Part;
+    const imported = importIn(load);
+    const address = imported && addressOf(imported.file, failed);
+    if (address === undefined) throw error;
+    try {
+      const chunk = (await import(/* @vite-ignore */ `${address}?again=${++tries}`)) as Readonly<Record<string, unknown>>;
+      return (imported?.member === undefined ? chunk : chunk[imported.member]) as Part;
+    } catch (again) {
+      throw (await isWhole(address, 'with-imports')) ? new NeedsReload('the page has to be reloaded') : again;
+    }
   }
+}
+
+/** The file that an error names. */
+function addressIn(error: unknown): string | undefined {
+  return /\bhttps?:\S+?\.(?:js|css)\b/.exec(error instanceof Error ? error.message : '')?.[0];
+}
+
+/** What a function imports, as the build writes it: `import("./a.js")`, or `import("./a.js").then(n=>n.b)` where several parts share a file. */
+function importIn(load: () => unknown): { readonly file: string; readonly member: string | undefined } | undefined {
+  const found = /import\(\s*["'`](?:[^"'`]*\/)?([^"'`/]+\.js)["'`]\s*\)(?:\.then\(\s*\(?([\w$]+)\)?\s*=>\s*\2\.([\w$]+))?/.exec(String(load));
+  return found?.[1] === undefined ? undefined : { file: found[1], member: found[3] };
+}
+
+/** The address of a file. An error may name none, or that of a file which the part imports. */
+function addressOf(file: string, failed: string | undefined): string | undefined {
+  if (failed?.endsWith(`/${file}`) === true) return failed;
+  // A preload that fails is no entry in every browser.
+  const preload = document.querySelector<HTMLLinkElement>(`link[href$="/${file}"]`)?.href;
+  return preload ?? performance.getEntriesByType('resource').find(({ name }) => name.endsWith(`/${file}`))?.name;
+}
+
+/** Whether a script can be had with all of its bytes, and the scripts it imports too. What the browser's cache has of them is replaced. */
+async function isWhole(address: string, which: 'with-imports' | 'alone'): Promise<boolean> {
+  const text = await fetch(address, { cache: 'reload' }).then((response) => (response.ok ? response.text() : ''), () => '');
+  // So ends each script of the build.
+  if (!/\bexport\s*\{[^{}]*\};?\s*$/.test(text)) return false;
+  if (which === 'alone') return true;
+  const imports = [...text.matchAll(/\b(?:from|import)\s*["'](\.[^"']+\.js)["']/g)].map(([, file = '']) => new URL(file, address).href);
+  return (await Promise.all(imports.map((file) => isWhole(file, 'alone')))).every(Boolean);
 }
 
 /** A style sheet that could not be had comes with the network. */

@@ -352,9 +352,10 @@ export class Editor implements TextHolder {
       const { catchUp, completion } = await loaded(() => import('./completion'));
       this.#view.dispatch({ effects: this.#completion.reconfigure(completion(this.#events)) });
       if (this.revision !== revision) catchUp(this.#view);
-    } catch {
-      // Without it the text can be written all the same; it is tried again with the next visit.
+      this.#events.completionLoaded();
+    } catch (reason) {
       this.#completionIsComing = false;
+      this.#events.completionFailed(reason, () => void this.#loadCompletion());
     }
   }
 

@@ -57,6 +57,9 @@ export interface EditorEvents extends TextEvents, ContextEvents {
   wordAt(offset: number): Promise<WordHelp | undefined>;
   /** What can be written at an offset; `askedFor`: the reader asks for it. */
   completionAt(offset: number, askedFor: boolean): Promise<CompletionHelp | undefined>;
+  /** The proposals could not be loaded; `again` loads them. */
+  completionFailed(reason: unknown, again: () => void): void;
+  completionLoaded(): void;
   /** The answer to a problem is a setting. */
   settingChosen(setting: Setting): void;
   /** The program is about to get the focus: the reader is to see it. */

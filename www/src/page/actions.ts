@@ -4,6 +4,7 @@
 // is first asked for. Must not know: what that is.
 
 import { icon, make, name, type IconName } from '../dom/dom';
+import { loaded } from '../dom/network';
 import { words, type Words } from '../dom/words';
 import type { PageHost } from './page-host';
 
@@ -21,21 +22,21 @@ export interface Action {
 const ACTIONS: readonly Action[] = [
   {
     id: 'own-programs', place: 'header', icon: 'folder', label: { en: 'My programs', zh: '我的程序', ru: 'Мои программы' },
-    load: async () => (await import('./own-programs-dialog')).openOwnPrograms,
+    load: async () => (await loaded(() => import('./own-programs-dialog'))).openOwnPrograms,
   },
   {
     id: 'share', place: 'header', icon: 'share', label: words({ en: 'Share', zh: '分享', ru: 'Поделиться' }),
-    load: async () => (await import('./share-dialog')).share,
+    load: async () => (await loaded(() => import('./share-dialog'))).share,
   },
   {
     id: 'compare', place: 'more',
     label: words({ en: 'Compare with another version', zh: '与其他版本比较', ru: 'Сравнить с другой версией' }),
-    load: async () => (await import('./compare-dialog')).compare,
+    load: async () => (await loaded(() => import('./compare-dialog'))).compare,
   },
   {
     id: 'report', place: 'more',
     label: words({ en: 'My machine does otherwise', zh: '我的机床动作不同', ru: 'Мой станок делает иначе' }),
-    load: async () => (await import('./report-dialog')).report,
+    load: async () => (await loaded(() => import('./report-dialog'))).report,
   },
 ];
 
@@ -68,6 +69,12 @@ export class Actions {
       if (!event.composedPath().includes(this.#menu) && !event.composedPath().includes(this.#more)) this.#open('closed');
     });
     this.showLanguage();
+  }
+
+  /** As a press on its button. */
+  act(id: string): void {
+    const action = ACTIONS.find((action) => action.id === id);
+    if (action !== undefined) void this.#do(action);
   }
 
   showLanguage(): void {

@@ -8,6 +8,7 @@ import { Dialog } from '../dom/dialog';
 import { make } from '../dom/dom';
 import { acceptFiles } from '../dom/drop';
 import type { Language } from '../dom/language';
+import { loaded } from '../dom/network';
 import { COMMON } from '../dom/words';
 import { offerOwn, type OtherProgram } from './compare-own';
 import { result } from './compare-result';
@@ -121,8 +122,9 @@ class CompareDialog {
     const own = ++this.#asked;
     const texts = COMPARE_WORDS[this.#language];
     this.#say(texts.comparing, undefined);
-    const { readProgram } = await import('../editor/read-program');
-    const opened = await readProgram(file);
+    const part = await loaded(() => import('../editor/read-program')).catch(() => undefined);
+    if (part === undefined) return this.#say(texts.failed, undefined);
+    const opened = await part.readProgram(file);
     if (own !== this.#asked) return;
     if (opened.kind !== 'text') {
       this.#say(opened.kind === 'too-large' ? texts.tooLarge(opened.name) : texts.unreadable(opened.name), undefined);

@@ -7,6 +7,7 @@
 // Must not know: the database, or what is shown of a program.
 
 import { inTime } from '../dom/in-time';
+import { loaded } from '../dom/network';
 import type { Session } from './own-programs-session';
 import type { KeepingHost, ProgramOfTab } from './page-host';
 import { keepInJournal, LONGEST_IN_JOURNAL, newId, TAB, type Entry, type KeptProgram } from './storage';
@@ -93,7 +94,7 @@ export class Keeping implements ProgramOfTab {
 
   /** The list, once the first picture is there, or does not come; what could not be loaded is asked for again the next time. */
   session(): Promise<Session> {
-    this.#session ??= this.#firstPicture().then(() => import('./own-programs-session')).then(({ Session }) => new Session(this));
+    this.#session ??= this.#firstPicture().then(() => loaded(() => import('./own-programs-session'))).then(({ Session }) => new Session(this));
     this.#session.catch(() => {
       this.#session = undefined;
     });

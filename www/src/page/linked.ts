@@ -3,6 +3,7 @@
 // In: the part of an address from `#` on. Out: the program and what it is shown with, or what is wrong with the address; what
 // unpacks is loaded for such an address alone. Must not know: what a program says.
 
+import { loaded } from '../dom/network';
 import { LINK_LIMIT } from '../files/link-limit';
 import type { LinkFault, Shared } from '../files/shared-link';
 
@@ -37,7 +38,7 @@ export async function inAddress(hash: string): Promise<InAddress> {
   if (hash.startsWith('#share=')) {
     let openedLink;
     try {
-      ({ openedLink } = await import('../files/shared-link'));
+      ({ openedLink } = await loaded(() => import('../files/shared-link')));
     } catch {
       return { kind: 'fault', fault: { kind: 'not-loaded' } };
     }

@@ -4,6 +4,7 @@
 // says so, and the title of the tab with the name of whose answer it is; the bar is loaded with the first link that has more to say than its program. Must not know: what becomes of the program.
 
 import type { Language } from '../dom/language';
+import { loaded } from '../dom/network';
 import type { GcodePlayground } from '../shell/element';
 import { find } from './find';
 import type { Fault, InBar, LinkBar } from './link-bar';
@@ -101,7 +102,7 @@ export class OpenedLink {
     this.#showTitle();
     if (this.#bar !== undefined) return this.#bar.show(what, this.#host.language);
     if (what === undefined) return;
-    void import('./link-bar').then(({ LinkBar }) => {
+    void loaded(() => import('./link-bar')).then(({ LinkBar }) => {
       this.#bar ??= new LinkBar(find('main'), { everything: () => this.#everything(), program: () => this.#host.program });
       this.#bar.show(this.#inBar, this.#host.language);
     }, () => undefined);

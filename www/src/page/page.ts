@@ -91,7 +91,7 @@ const host = {
     keepSoon();
   },
   titleOf: (id: string) => shown.get(id)?.title[language],
-  openList: () => void import('./own-programs-dialog').then(({ openOwnPrograms }) => openOwnPrograms(host)),
+  openList: () => actions.act('own-programs'),
   choose: (id: string) => void choose(id),
   missing(again: (() => void) | undefined): void {
     if (again !== undefined) above.showNotLoaded(again);

@@ -7,6 +7,7 @@ import { Dialog } from '../dom/dialog';
 import { make } from '../dom/dom';
 import { inTime } from '../dom/in-time';
 import type { Language } from '../dom/language';
+import { loaded } from '../dom/network';
 import { COMMON } from '../dom/words';
 import { download } from '../editor/program-files';
 import { linkOf } from '../files/shared-link';
@@ -133,7 +134,7 @@ class ReportDialog {
     const setup = host?.playground.wholeSetup;
     if (host === undefined || setup === undefined) return;
     const texts = REPORT_WORDS[host.language];
-    const zip = await import('fflate').catch(() => undefined);
+    const zip = await loaded(() => import('fflate')).catch(() => undefined);
     if (zip === undefined) {
       this.#said.textContent = texts.notLoaded;
       return;

@@ -5,6 +5,7 @@
 
 import { Dialog } from '../dom/dialog';
 import { make, showText } from '../dom/dom';
+import { loaded } from '../dom/network';
 import { COMMON } from '../dom/words';
 import { download } from '../editor/program-files';
 import { folded } from '../files/line-ends';
@@ -208,7 +209,7 @@ class ShareDialog {
     if (made.kind === 'too-long') return { text: '', length: texts.tooLong(made.length, made.limit) };
     const link = `${page}${made.link}`;
     if (form === 'qr') {
-      const { qrCode, QR_LIMIT } = await import('./qr');
+      const { qrCode, QR_LIMIT } = await loaded(() => import('./qr'));
       const drawn = qrCode(link);
       if (drawn === undefined) return { text: '', length: texts.qrTooLong(link.length, QR_LIMIT) };
       drawn.setAttribute('role', 'img');

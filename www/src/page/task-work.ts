@@ -5,6 +5,7 @@
 // not know: how a program is shown.
 
 import { inTime } from '../dom/in-time';
+import { loaded } from '../dom/network';
 import { journal, keepWorkOf, lastEntry, workOf, type Entry, type OwnProgram } from './storage';
 
 export interface Work {
@@ -51,7 +52,7 @@ export async function workOn(address: string): Promise<FoundWork> {
 
 /** As the list has it, unless the list has not had yet what stands in the journal. */
 async function inList(id: string, newest: Entry | undefined): Promise<Work | undefined> {
-  const store = await import('./own-programs-store');
+  const store = await loaded(() => import('./own-programs-store'));
   const [row, program] = await Promise.all([store.listed(id), store.programOf(id)]);
   const isThere = row !== undefined && program !== undefined;
   if (newest !== undefined && (!isThere || (row.seen[newest.tab] ?? 0) < newest.time)) return workIn(newest);

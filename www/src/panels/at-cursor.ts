@@ -54,6 +54,8 @@ class AtCursor implements Panel {
   readonly #shownAs = new Map<HTMLElement, string>();
   /** Until the answer is there. */
   #waiting: ReturnType<typeof setTimeout> | undefined;
+  /** The worker answers no question now. */
+  #isIdle = false;
   #hasNavigation = false;
   #marks = false;
   readonly places = { problems: [this.#element] };
@@ -101,7 +103,22 @@ class AtCursor implements Panel {
   }
 
   heard(event: Heard): void {
-    if (event.kind === 'report') this.#ask();
+    if (event.kind === 'report' || event.kind === 'parts-loaded') {
+      this.#isIdle = false;
+      this.#ask();
+    } else if (event.kind === 'part-failed') this.unreported();
+  }
+
+  begun(): void {
+    this.#isIdle = false;
+  }
+
+  unreported(): void {
+    this.#isIdle = true;
+    if (this.#waiting === undefined) return;
+    this.#waitNoLonger();
+    this.#shown = undefined;
+    this.#clear();
   }
 
   outdated(): void {
@@ -111,6 +128,7 @@ class AtCursor implements Panel {
   }
 
   lost(): void {
+    this.#isIdle = true;
     this.#question.forget();
     this.#waitNoLonger();
     this.#shown = undefined;
@@ -136,7 +154,7 @@ class AtCursor implements Panel {
   #ask(): void {
     if (!this.#wanted) return;
     const [offset, time] = [this.#place, this.#chosen];
-    this.#waiting ??= setTimeout(() => this.#showThatItComes(), SOON_MS);
+    if (!this.#isIdle) this.#waiting ??= setTimeout(() => this.#showThatItComes(), SOON_MS);
     this.#question.ask(this.#body.hidden ? { by: 'cursor', about: 'word', offset } : { by: 'cursor', about: 'block', offset, time });
   }
 

@@ -71,6 +71,10 @@ export interface Panel {
   coloursChanged?(): void;
   /** Text or setup have changed: what is shown of the run before must not meet them. */
   outdated?(): void;
+  /** The newest run is under way. */
+  begun?(): void;
+  /** The newest run is neither reported nor under way: something that it needs could not be loaded, or has failed. */
+  unreported?(): void;
   /** There is a new worker, which knows nothing yet. */
   connected?(send: (command: Command) => void): void;
   /** The worker was lost, and with it all that was known of the run. */
@@ -104,8 +108,8 @@ export interface ClientPlace {
   readonly clientY: number;
 }
 
-/** What a notice is about; another run hides `core` and `program`. */
-export type Topic = 'file' | 'program' | 'program-setup' | 'setup' | 'core' | 'editor' | 'source' | 'panels' | 'late';
+/** Topics of notices. Another run hides `program`. `missing` has a separate line, which stays until everything works. */
+export type Topic = 'file' | 'program' | 'program-setup' | 'setup' | 'editor' | 'source' | 'late' | 'missing';
 
 /** A button of a notice: what can be done about it. */
 export interface Remedy {

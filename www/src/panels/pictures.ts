@@ -36,6 +36,8 @@ class Pictures implements Panel {
   #coming: Summary | undefined;
   /** The run of the old picture. */
   #oldRun: number | undefined;
+  /** How the picture relates to the newest run; `old`: that run has failed. */
+  #shown: 'none' | 'of-the-run' | 'of-an-earlier-run' | 'old' = 'none';
   #unit: LengthUnit = 'mm';
   /** What the worker paints with. */
   #colours = '';
@@ -100,6 +102,8 @@ class Pictures implements Panel {
       this.#age(undefined);
       if (summary !== undefined) this.#drawings.section.summary = summary;
     }
+    this.#shown = 'of-the-run';
+    this.#showAge();
     for (const picture of PICTURES) {
       const image = images[picture];
       if (image !== undefined) this.#drawings[picture].show(image);
@@ -114,9 +118,11 @@ class Pictures implements Panel {
 
   #showAge(): void {
     const run = this.#oldRun;
-    this.#old.hidden = run === undefined;
-    this.#old.textContent = run === undefined ? '' : WORDS[this.#shell.language].old(run);
-    for (const { element } of Object.values(this.#drawings)) element.classList.toggle('is-old', run !== undefined);
+    const texts = WORDS[this.#shell.language];
+    const text = run !== undefined ? texts.old(run) : this.#shown === 'old' ? texts.notRun : '';
+    this.#old.hidden = text === '';
+    this.#old.textContent = text;
+    for (const { element } of Object.values(this.#drawings)) element.classList.toggle('is-old', text !== '');
   }
 
   coloursChanged(): void {
@@ -145,9 +151,15 @@ class Pictures implements Panel {
     }
     clearTimeout(this.#resting);
     this.#explanation.forget();
+    if (this.#shown === 'of-the-run') this.#shown = 'of-an-earlier-run';
     if (this.#hovered === undefined) return;
     this.#hovered = undefined;
     this.#shell.editor.hovered = undefined;
+  }
+
+  unreported(): void {
+    if (this.#shown === 'of-an-earlier-run') this.#shown = 'old';
+    this.#showAge();
   }
 
   lost(): void {
@@ -208,12 +220,14 @@ const WORDS = words({
     section: (n: number) =>
       `Drawing of the tool path, ${n} motions. Arrow keys move it, plus and minus zoom, F shows all of it.`,
     old: (run: number) => `Old picture (run ${run}), from before the block that is being typed`,
+    notRun: 'Old picture: the current program could not be run',
     face: () => 'Drawing of the end face, seen from the tailstock: X to the right, C or Y up. Arrow keys move it, plus and minus zoom, F shows all of it.',
     side: () => 'Drawing of the side, seen from outside, unrolled where C turns: Z to the right, C or Y down. Arrow keys move it, plus and minus zoom, F shows all of it.',
   },
   zh: {
     section: (n) => `刀具轨迹图，共 ${n} 段运动。方向键移动，加号和减号缩放，F 键显示全图。`,
     old: (run) => `旧图（第 ${run} 次运行），正在输入的程序段之前的结果`,
+    notRun: '旧图：当前程序未能运行',
     face: () => '端面图，从尾座方向看：X 向右，C 或 Y 向上。方向键移动，加减号缩放，F 显示全部。',
     side: () => '圆柱面图，从外侧看，C 轴转动时为展开图：Z 向右，C 或 Y 向下。方向键移动，加减号缩放，F 显示全部。',
   },
@@ -221,6 +235,7 @@ const WORDS = words({
     section: (n) =>
       `Чертёж траектории, перемещений: ${n}. Стрелки сдвигают его, плюс и минус меняют масштаб, F показывает всё.`,
     old: (run) => `Прежний чертёж (прогон ${run}): до кадра, который сейчас набирается`,
+    notRun: 'Прежний чертёж: текущую программу выполнить не удалось',
     face: () => 'Чертёж торца, вид со стороны задней бабки: X вправо, C или Y вверх. Стрелки двигают его, плюс и минус меняют масштаб, F показывает всё.',
     side: () => 'Чертёж боковой поверхности, вид снаружи, с поворотами C — развёртка: Z вправо, C или Y вниз. Стрелки двигают его, плюс и минус меняют масштаб, F показывает всё.',
   },

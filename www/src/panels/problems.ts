@@ -72,9 +72,16 @@ class Problems implements Panel {
   }
 
   heard(event: Heard): void {
-    if (event.kind !== 'report') return;
-    this.#diagnostics = event.report.diagnostics;
-    this.#rulesOff = event.report.rulesOff;
+    if (event.kind === 'report') this.#put(event.report.diagnostics, event.report.rulesOff);
+  }
+
+  unreported(): void {
+    this.#put([], []);
+  }
+
+  #put(diagnostics: readonly Diagnostic[], rulesOff: readonly string[]): void {
+    this.#diagnostics = diagnostics;
+    this.#rulesOff = rulesOff;
     const focused = this.#shell.root.activeElement;
     const isHere = this.#element.contains(focused);
     this.#render();

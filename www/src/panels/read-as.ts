@@ -24,6 +24,7 @@ class ReadAsLine implements Panel {
   readonly #element = make('div', { className: 'read-as', part: 'read-as', role: 'group' }, this.#facts, this.#change);
   #hasMachine = false;
   #read: ReadAs | undefined;
+  #isBeingRead = true;
   /** What is shown, so that a fact keeps the focus through runs that change nothing. */
   #shown = '';
   readonly places = { bar: [this.#element] };
@@ -50,14 +51,26 @@ class ReadAsLine implements Panel {
     this.#render();
   }
 
+  begun(): void {
+    this.#isBeingRead = true;
+    this.#render();
+  }
+
+  unreported(): void {
+    this.#isBeingRead = false;
+    this.#read = undefined;
+    this.#render();
+  }
+
   #render(): void {
     const texts = WORDS[this.#shell.language];
     const facts = this.#read?.facts ?? [];
-    const shown = JSON.stringify([this.#shell.language, facts]);
+    const without = this.#isBeingRead ? texts.reading : texts.notRead;
+    const shown = JSON.stringify([this.#shell.language, facts, facts.length === 0 ? without : '']);
     if (shown === this.#shown) return;
     this.#shown = shown;
     const list = facts.flatMap((fact, at) => [at === 0 ? ' ' : texts.comma, this.#fact(fact)]);
-    this.#facts.replaceChildren(facts.length === 0 ? texts.reading : texts.readAs, ...list);
+    this.#facts.replaceChildren(facts.length === 0 ? without : texts.readAs, ...list);
   }
 
   #fact({ key, text, basis }: ReadFact): HTMLElement {
@@ -80,6 +93,7 @@ const WORDS = words({
     name: 'How the program was read',
     readAs: 'Read as',
     reading: 'Reading …',
+    notRead: 'Not read',
     comma: ', ',
     /** The program shows it. */
     recognised: (fact: string) => `${fact} (recognised)`,
@@ -92,6 +106,7 @@ const WORDS = words({
     name: '程序的读法',
     readAs: '读作',
     reading: '正在读取……',
+    notRead: '未读取',
     comma: '，',
     recognised: (fact) => `${fact}（识别）`,
     set: (fact) => `${fact}（设定）`,
@@ -102,6 +117,7 @@ const WORDS = words({
     name: 'Как прочитана программа',
     readAs: 'Прочитано как',
     reading: 'Чтение …',
+    notRead: 'Не прочитано',
     comma: ', ',
     recognised: (fact) => `${fact} (распознано)`,
     set: (fact) => `${fact} (задано)`,

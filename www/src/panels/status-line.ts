@@ -29,6 +29,8 @@ class StatusLine implements Panel {
   readonly #stop = make('button', { type: 'button', className: 'framed', hidden: true });
   readonly #change = make('button', { type: 'button', className: 'change quiet' });
   #shown: Shown = { kind: 'loading' };
+  /** What is shown belongs to an earlier run. */
+  #isOld = false;
   #said = '';
   readonly places = { foot: [this.#element, this.#stop] };
 
@@ -46,14 +48,25 @@ class StatusLine implements Panel {
   }
 
   heard(event: Heard): void {
+    if (event.kind === 'report' || event.kind === 'path') this.#isOld = false;
     if (event.kind === 'report') this.#show({ kind: 'summary', summary: event.report.summary, decimal: event.report.decimal });
     else if (event.kind === 'path') this.#show({ kind: 'path', summary: event.summary, rest: 'coming' });
-    else if (event.kind === 'part-failed' && event.needed === 'by-the-run') this.#show({ kind: 'failed' });
-    else if (event.kind === 'part-failed' && this.#shown.kind === 'path') this.#show({ ...this.#shown, rest: 'failed' });
     else if (event.kind === 'progress') this.#show({ kind: 'running', work: event.work, done: event.done });
   }
 
+  outdated(): void {
+    this.#isOld = true;
+  }
+
+  begun(): void {
+    if (this.#shown.kind === 'failed') this.#show({ kind: 'loading' });
+  }
+
   /** The notice says why. */
+  unreported(): void {
+    this.#show(this.#shown.kind === 'path' && !this.#isOld ? { ...this.#shown, rest: 'failed' } : { kind: 'failed' });
+  }
+
   lost(): void {
     this.#show({ kind: 'failed' });
   }

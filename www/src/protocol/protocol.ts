@@ -357,8 +357,10 @@ export type Pictures = { readonly [K in PictureName]?: ImageBitmap };
 export type RunEvent =
   /** The run has ended and its path is drawn; messages and part follow once what makes them is loaded. */
   | { readonly kind: 'path'; readonly summary: Summary }
-  /** What the run cannot be carried out without, or what only its part, messages or an answer need, could not be loaded. */
-  | { readonly kind: 'part-failed'; readonly reason: string; readonly needed: 'by-the-run' | 'after-it' }
+  /** A part of the interpreter could not be loaded: the report of the run waits for it, or only something else does. */
+  | { readonly kind: 'part-failed'; readonly reason: string; readonly neededFor: 'the-report' | 'something-else' }
+  /** All parts that could not be loaded have been loaded since. */
+  | { readonly kind: 'parts-loaded' }
   /** The picture on the page stays that of an earlier run: the block that is being typed is not whole yet. */
   | { readonly kind: 'old-picture'; readonly of: number }
   | { readonly kind: 'report'; readonly report: Report }

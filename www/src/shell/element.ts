@@ -560,7 +560,7 @@ export class GcodePlayground extends Base {
       program: (text, file) => shell().programCame(text, file),
       setup: (json) => this.setAttribute('setup', json),
       coming: (address, how) => shell().programComing(address, how),
-      failed: (address, reason) => shell().programFailed(address, reason),
+      failed: (address, reason, again) => shell().programFailed(address, reason, again),
     });
   }
 

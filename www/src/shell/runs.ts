@@ -23,6 +23,10 @@ export interface RunsEvents {
   outdated(): void;
   /** A run of another text begins at the end of this turn. */
   textChanged(): void;
+  /** A run is wanted, whether or not there is a worker. */
+  wanted(): void;
+  /** The newest run is under way. */
+  begun(): void;
   /** What was typed has been sent. */
   sent(): void;
   /** The worker has loaded the interpreter. */
@@ -46,6 +50,8 @@ export class Runs {
   #sending: ReturnType<typeof setTimeout> | undefined;
   /** What has changed since the last run was begun. */
   #changes: { readonly framing: 'fit' | 'keep' } | undefined;
+  /** The worker before was lost by the program as it is, which only another change runs. */
+  #waits = false;
   /** The worker knows the setup as it is. */
   #setupSent = false;
   /** How the newest change of the text came. */
@@ -85,10 +91,10 @@ export class Runs {
     events.connected(client);
   }
 
-  /** A worker that could not be had is asked for again. */
+  /** After a loss: the program is run in a new worker, unless a change has begun that already. */
   again(): void {
-    if (this.#client !== undefined) return;
-    this.connect();
+    if (this.#client === undefined) this.connect();
+    else if (!this.#waits) return;
     this.wanted('keep');
   }
 
@@ -122,7 +128,7 @@ export class Runs {
     }
     if (loss.kind === 'load-failed') this.#leave();
     else {
-      this.#hasFailed = true;
+      this.#hasFailed = this.#waits = true;
       this.connect();
     }
     this.#events.lost(loss);
@@ -167,10 +173,11 @@ export class Runs {
   }
 
   wanted(framing: 'fit' | 'keep'): void {
-    const before = this.#changes;
-    this.#changes = { framing: before?.framing === 'fit' ? 'fit' : framing };
+    this.#changes = { framing: this.#changes?.framing === 'fit' ? 'fit' : framing };
     this.#outdate();
-    if (before === undefined) queueMicrotask(() => this.#begin());
+    // Also where changes wait already: there may have been no worker for them.
+    queueMicrotask(() => this.#begin());
+    this.#events.wanted();
   }
 
   cameAtOnce(): void {
@@ -209,12 +216,14 @@ export class Runs {
     const [changes, client, editor] = [this.#changes, this.#client, this.#editor];
     if (changes === undefined || client === undefined) return;
     this.#changes = undefined;
+    this.#waits = false;
     const setup = this.#setupSent ? undefined : this.#events.setup();
     this.#setupSent = true;
     const text = editor.takeUnsent();
     const came = this.#came;
     this.#came = 'typed';
     client.begin({ setup, text, tried: editor.tried, came, framing: changes.framing, cursor: this.#cursorKnown ? editor.cursor : undefined });
+    this.#events.begun();
     if (text !== undefined) void this.askTokens();
   }
 

@@ -6,18 +6,19 @@
 // picture is shown, `panels/further.ts`, which is loaded then. Must not know: G-code. What is written and what it means is the interpreter's business, behind core-client.ts.
 
 import type { Language } from '../dom/language';
-import { isOffline, loaded, whenOnline } from '../dom/network';
+import { isOffline, loaded, NeedsReload } from '../dom/network';
 import { words } from '../dom/words';
 import { isAnotherProgram } from '../editor/another-program';
 import type { ProgramContext, Span } from '../editor/holder';
 import { Program } from '../editor/program';
 import { programText, type ProgramFile, type ProgramText } from '../editor/program-text';
 import { ALWAYS, PICTURES } from '../panels/index';
-import { REGIONS, type Control, type NewestQuestion, type Panel, type PanelKind, type Region, type Services, type Shell, type SwitchesSet, type Topic } from '../panels/panel';
+import { REGIONS, type Control, type NewestQuestion, type Panel, type PanelKind, type Region, type Services, type Shell, type SwitchesSet } from '../panels/panel';
 import type { Answer, Command, CompletionHelp, Diagnostic, Help, HelpWanted, QuestionKind, Questions, Readout, Report, Stroke, Summary, WordHelp } from '../protocol/protocol';
 import type { Heard } from '../worker/core-client';
 import { linesOf, oneOf, stepOf, FRAMES, SIDES } from './author';
 import { controlsOf, layout, SHOWN, type Layout, type Offered, type View } from './layout';
+import { Missing, type MissingKind } from './missing';
 import type { OpenLink } from './open-link';
 import { Paper } from './paper';
 import { Runs, type OwnLoss } from './runs';
@@ -99,8 +100,11 @@ export class PlaygroundShell implements Shell {
   /** What of the page is still to come, and the run that is shown but for that. */
   readonly #coming: Set<'panels' | 'editor' | 'program' | 'step' | 'link'>;
   #settledRun: number | undefined;
-  /** What waits for the network; the answer ends it. */
-  readonly #waiting = new Map<Topic, () => void>();
+  readonly #missing: Missing;
+  /** The newest run has been reported. */
+  #isReported = false;
+  /** Nothing works on a run that has not been reported. */
+  #isIdle = false;
   /** The editor is there, or is being loaded. */
   #editorAsked = false;
   /** The page around has said in this turn how the program is run: that is for a text it puts in as well. */
@@ -113,6 +117,13 @@ export class PlaygroundShell implements Shell {
     this.#host = host;
     this.#events = events;
     this.#language = host.language;
+    this.#missing = new Missing(this.#language, {
+      show: (text, remedy) => {
+        const { tryAgain, reload } = WORDS[this.#language];
+        if (text === undefined) this.service('hideNotice')('missing');
+        else this.service('notice')(text, 'missing', remedy === 'reload' ? { title: reload, act: () => location.reload() } : { title: tryAgain, act: () => this.#missing.tryAgain() });
+      },
+    });
     this.view = host.view;
     this.readonly = host.readonly;
     this.#controls = controlsOf(this.view, host.controls);
@@ -139,6 +150,8 @@ export class PlaygroundShell implements Shell {
       wordAt: (offset) => this.#wordAt(offset),
       completionAt: (offset, askedFor) => this.#completionAt(offset, askedFor),
       wanted: () => this.#tell((panel) => panel.programWanted?.()),
+      completionFailed: (reason, again) => this.#failed('completion', 'completionFailed', reason, again),
+      completionLoaded: () => this.#missing.works('completion'),
       settingChosen: (setting) => this.service('takeSetting')(setting),
       viewMoved: () => void this.#runs.askTokens(),
       fileChanged: () => this.#tell((panel) => panel.fileChanged?.(this.editor.file)),
@@ -153,8 +166,10 @@ export class PlaygroundShell implements Shell {
         const said = this.readonly && event.kind === 'report' ? withoutFixes(event) : event;
         this.#missed?.heard.set(event.kind, said);
         this.#tell((panel) => panel.heard?.(said));
+        if (said.kind === 'path' || said.kind === 'report') this.#missing.works('interpreter');
         if (said.kind === 'report') this.#reported(said.report);
-        else if (event.kind === 'part-failed') this.#partFailed(event.reason);
+        else if (event.kind === 'part-failed') this.#partFailed(event);
+        else if (event.kind === 'parts-loaded') this.#missing.works('parts');
         // The picture of a short program is there in a moment; where there is none, as in a tab that nobody sees, it is not waited for.
         if (event.kind === 'path' || event.kind === 'report') setTimeout(() => this.#editIfShown(), EDITOR_AFTER_MS);
         else if (event.kind === 'progress' || event.kind === 'part-failed') this.#editIfShown();
@@ -165,11 +180,18 @@ export class PlaygroundShell implements Shell {
         this.#editIfShown();
       },
       outdated: () => {
+        this.#isReported = false;
         this.#missed?.heard.clear();
         this.#tell((panel) => panel.outdated?.());
+        if (this.#isIdle) this.#unreported();
       },
-      textChanged: () => {
-        for (const topic of ['core', 'program'] as const) this.service('hideNotice')(topic);
+      textChanged: () => this.service('hideNotice')('program'),
+      wanted: () => this.#missing.changed(),
+      begun: () => {
+        this.#missing.tried('interpreter');
+        this.#isIdle = false;
+        if (this.#missed !== undefined) this.#missed.isLost = false;
+        this.#tell((panel) => panel.begun?.());
       },
       sent: () => events.changed(),
       ready: () => {
@@ -177,6 +199,7 @@ export class PlaygroundShell implements Shell {
         if (!SHOWN[this.view].picture) this.#editIfShown();
       },
       connected: (client) => {
+        this.#missing.works('parts');
         client.send({ kind: 'language', tag: this.#language });
         // A worker that knows nothing shows nothing of it.
         const { highlight, fit, turret } = host;
@@ -198,6 +221,8 @@ export class PlaygroundShell implements Shell {
     const made = (this.#layout = layout(this.view, this.editor.element));
     this.frame = made.frame;
     this.#regions = made.regions;
+    // Also before the editor has come.
+    this.editor.element.addEventListener('keydown', () => this.#missing.changed());
     this.#add(SHOWN[this.view].picture ? PICTURES : ALWAYS);
     this.authorChanged();
     this.#paper = new Paper((from, to) => this.editor.textBetween(from, to));
@@ -215,13 +240,14 @@ export class PlaygroundShell implements Shell {
     this.#paper.connect();
     this.#runs.connect();
     this.#runs.wanted('keep');
+    this.#missing.tryAgain();
     this.stepChanged();
   }
 
   disconnect(): void {
     this.#dark.removeEventListener('change', this.coloursChanged);
     this.#paper.disconnect();
-    for (const stop of this.#waiting.values()) stop();
+    this.#missing.leave();
     this.#tell((panel) => panel.left?.());
     this.#runs.end();
   }
@@ -230,6 +256,7 @@ export class PlaygroundShell implements Shell {
     this.#language = this.#host.language;
     this.#openLink?.changed();
     this.#showCaption();
+    this.#missing.language = this.#language;
     // What a panel asks then is answered in this language.
     this.send({ kind: 'language', tag: this.#language });
     for (const panel of this.#panels) panel.language = this.#language;
@@ -323,8 +350,9 @@ export class PlaygroundShell implements Shell {
     this.#events.unsettled();
   }
 
-  programFailed(address: string, reason: string): void {
-    this.service('notice')(WORDS[this.#language].programFailed(address, reason), 'source');
+  programFailed(address: string, reason: string, again: () => void): void {
+    const texts = WORDS[this.#language];
+    this.service('notice')(texts.programFailed(address, reason), 'source', { title: texts.tryAgain, act: again });
     this.#arrived('program');
   }
 
@@ -524,7 +552,7 @@ export class PlaygroundShell implements Shell {
   async #addFurther(load: () => Promise<Further>): Promise<void> {
     try {
       const { FURTHER, SHARED_STYLES } = await loaded(load);
-      this.service('hideNotice')('panels');
+      this.#missing.works('panels');
       adopt(this.root, SHARED_STYLES);
       const missed = this.#missed;
       this.#missed = undefined;
@@ -533,11 +561,12 @@ export class PlaygroundShell implements Shell {
         if (missed?.switches !== undefined) panel.switched?.(missed.switches);
         if (missed?.isLost === true) panel.lost?.();
         for (const event of missed?.heard.values() ?? []) panel.heard?.(event);
+        if (this.#isIdle && !this.#isReported) panel.unreported?.();
         const report = missed?.heard.get('report');
         if (report?.kind === 'report' && 'available' in panel) panel.available = hasMotions(report.report);
       }
     } catch (error) {
-      this.#missing((texts, reason) => texts.pageFailed(reason), error, 'panels', () => this.#completeWith(load));
+      this.#failed('panels', 'pageFailed', error, () => this.#completeWith(load));
       throw error;
     } finally {
       this.#arrived('panels');
@@ -579,7 +608,7 @@ export class PlaygroundShell implements Shell {
 
   #reported(report: Report): void {
     const { summary, diagnostics, setupRejected } = report;
-    if (this.#missed !== undefined) this.#missed.isLost = false;
+    this.#isReported = true;
     const rejected = this.#setupUnreadable ?? setupRejected;
     if (rejected === undefined) this.service('hideNotice')('setup');
     else this.service('notice')(WORDS[this.#language].setupRejected(rejected), 'setup');
@@ -610,9 +639,9 @@ export class PlaygroundShell implements Shell {
   async #edit(): Promise<void> {
     try {
       await this.editor.edit(this.root);
-      this.service('hideNotice')('editor');
+      this.#missing.works('editor');
     } catch (error) {
-      this.#missing((texts, reason) => texts.editorFailed(reason), error, 'editor', () => void this.#edit());
+      this.#failed('editor', 'editorFailed', error, () => void this.#edit());
     }
     this.#arrived('editor');
   }
@@ -631,24 +660,24 @@ export class PlaygroundShell implements Shell {
     this.#arrived('link');
   }
 
-  #partFailed(reason: string): void {
-    this.#missing((texts, reason) => texts.partFailed(reason), reason, 'core', () => this.send({ kind: 'load-parts' }));
+  #partFailed({ reason, neededFor }: Extract<Heard, { readonly kind: 'part-failed' }>): void {
+    this.#failed('parts', 'partFailed', reason, () => this.send({ kind: 'load-parts' }));
+    if (neededFor === 'the-report') this.#unreported();
   }
 
-  /** Something could not be loaded: it is tried again when the reader wants it, and when the network returns. */
-  #missing(say: (texts: (typeof WORDS)['en'], reason: string) => string, error: unknown, topic: Topic, again: () => void): void {
-    const texts = WORDS[this.#language];
-    this.#waiting.get(topic)?.();
-    const stop = whenOnline(() => {
-      this.service('hideNotice')(topic);
-      again();
-    });
-    this.#waiting.set(topic, stop);
-    const act = (): void => {
-      stop();
-      again();
-    };
-    this.service('notice')(say(texts, isOffline() ? texts.noNetwork : describe(error)), topic, { title: texts.tryAgain, act });
+  /** Something could not be loaded; `again` loads it. */
+  #failed(kind: MissingKind, say: FailureText, error: unknown, again: () => void): void {
+    const needsReload = error instanceof NeedsReload;
+    const isWithoutNetwork = !needsReload && isOffline();
+    const reason = (texts: (typeof WORDS)['en']): string => (needsReload ? texts.needsReload : isWithoutNetwork ? texts.noNetwork : describe(error));
+    this.#missing.failed(kind, (language) => WORDS[language][say](reason(WORDS[language])), needsReload ? 'reload' : again);
+  }
+
+  #unreported(): void {
+    this.#isIdle = true;
+    this.#available(false);
+    this.editor.diagnostics = [];
+    this.#tell((panel) => panel.unreported?.());
   }
 
   #available(available: boolean): void {
@@ -660,9 +689,11 @@ export class PlaygroundShell implements Shell {
     this.#available(false);
     if (this.#missed !== undefined) this.#missed.isLost = true;
     this.#tell((panel) => panel.lost?.());
-    const texts = WORDS[this.#language];
-    if (loss.kind === 'load-failed') this.#missing((texts, reason) => texts.loadFailed(reason), loss.reason, 'core', () => this.#runs.again());
-    else this.service('notice')(loss.kind === 'silent' ? texts.stopped : texts.crashed, 'core');
+    this.#isIdle = true;
+    if (!this.#isReported) this.#unreported();
+    const again = (): void => this.#runs.again();
+    if (loss.kind === 'load-failed') this.#failed('interpreter', 'loadFailed', loss.reason, again);
+    else this.#missing.failed('interpreter', (language) => (loss.kind === 'silent' ? WORDS[language].stopped : WORDS[language].crashed), again);
     this.#editIfShown();
   }
 }
@@ -694,6 +725,9 @@ function hasMotions({ summary }: Report): boolean {
   return summary.finished && summary.motions > 0;
 }
 
+/** The texts that say what could not be loaded, and why. */
+type FailureText = 'loadFailed' | 'partFailed' | 'pageFailed' | 'editorFailed' | 'completionFailed';
+
 function describe(error: unknown): string {
   return error instanceof Error ? error.message : String(error);
 }
@@ -707,10 +741,13 @@ const WORDS = words({
     programComing: (address: string) => `The program is being loaded: ${address}`,
     programFailed: (address: string, reason: string) => `The program could not be loaded from ${address} (${reason}).`,
     editorFailed: (reason: string) => `The editor could not be loaded (${reason}). The picture is right.`,
+    completionFailed: (reason: string) => `The proposals of the editor could not be loaded (${reason}).`,
     tryAgain: 'Try again',
+    reload: 'Reload',
+    needsReload: 'the page has to be reloaded',
     noNetwork: 'there is no network; it is tried again when the network is back',
     stopped: 'The run took too long and was stopped. Your program is still here: change it to run it again.',
-    crashed: 'The interpreter failed on this program; that is our fault. Your program is still here: change it to run it again.',
+    crashed: 'The interpreter failed; that is our fault. Your program is still here: change it to run it again.',
     setupRejected: (reason: string) => `The setup was not accepted: ${reason}`,
   },
   zh: {
@@ -721,10 +758,13 @@ const WORDS = words({
     programComing: (address) => `正在加载程序：${address}`,
     programFailed: (address, reason) => `无法从 ${address} 加载程序（${reason}）。`,
     editorFailed: (reason) => `编辑器加载失败（${reason}）。图形是正确的。`,
+    completionFailed: (reason) => `编辑器的输入建议加载失败（${reason}）。`,
     tryAgain: '重试',
+    reload: '重新加载',
+    needsReload: '需要重新加载页面',
     noNetwork: '没有网络；网络恢复后会自动重试',
     stopped: '运行时间过长，已停止。您的程序仍在，修改后会重新运行。',
-    crashed: '解释器处理此程序时出错，这是我们的问题。您的程序仍在，修改后会重新运行。',
+    crashed: '解释器出错，这是我们的问题。您的程序仍在，修改后会重新运行。',
     setupRejected: (reason) => `设置未被接受：${reason}`,
   },
   ru: {
@@ -735,10 +775,13 @@ const WORDS = words({
     programComing: (address) => `Программа загружается: ${address}`,
     programFailed: (address, reason) => `Не удалось загрузить программу ${address} (${reason}).`,
     editorFailed: (reason) => `Не удалось загрузить редактор (${reason}). Чертёж верен.`,
+    completionFailed: (reason) => `Не удалось загрузить подсказки редактора (${reason}).`,
     tryAgain: 'Повторить',
+    reload: 'Обновить',
+    needsReload: 'нужно обновить страницу',
     noNetwork: 'нет сети; попытка повторится, когда сеть появится',
     stopped: 'Выполнение длилось слишком долго и было остановлено. Программа сохранена: измените её, чтобы запустить снова.',
-    crashed: 'Интерпретатор не справился с этой программой — это наша ошибка. Программа сохранена: измените её, чтобы запустить снова.',
+    crashed: 'Произошёл сбой интерпретатора — это наша ошибка. Программа сохранена: измените её, чтобы запустить снова.',
     setupRejected: (reason) => `Наладка отклонена: ${reason}`,
   },
 });

@@ -24,7 +24,8 @@ export interface SourceEvents {
   setup(json: string): void;
   /** A program is fetched from its address; `slow` after a while. */
   coming(address: string, how: 'begun' | 'slow'): void;
-  failed(address: string, reason: string): void;
+  /** `again` fetches it once more. */
+  failed(address: string, reason: string, again: () => void): void;
 }
 
 export class Source {
@@ -94,7 +95,11 @@ export class Source {
       if (signal.aborted) return;
       const stop = whenOnline(() => void this.#fetch(address));
       signal.addEventListener('abort', stop);
-      this.#events.failed(address, error instanceof Error ? error.message : String(error));
+      const again = (): void => {
+        this.#fetching?.abort();
+        void this.#fetch(address);
+      };
+      this.#events.failed(address, error instanceof Error ? error.message : String(error), again);
     } finally {
       clearTimeout(patience);
     }

@@ -136,6 +136,13 @@ export class CoreClient {
       case 'settled':
         if (event.run === this.#run && event.heard === this.#sent) this.#listener.settled(event.run);
         return;
+      // These are about the worker: they count whichever run was current.
+      case 'part-failed':
+        this.#listener.event(event.run === this.#run ? event : { ...event, neededFor: 'something-else' });
+        return;
+      case 'parts-loaded':
+        this.#listener.event(event);
+        return;
       default:
         if (event.run === this.#run) this.#listener.event(event);
     }

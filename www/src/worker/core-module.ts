@@ -5,20 +5,28 @@
 // what is in it, or who asks for it.
 
 let compiled: Promise<WebAssembly.Module> | undefined;
+/** A file that failed once may be in the browser's cache. */
+let cache: RequestCache = 'default';
 
 /** Rejected where it cannot be had, after which it can be tried again. */
 export function coreModule(): Promise<WebAssembly.Module> {
   compiled ??= load().catch((reason: unknown) => {
-    compiled = undefined;
+    forgetCoreModule();
     throw reason;
   });
   return compiled;
 }
 
+/** The module cannot be used: the next caller has it fetched again. */
+export function forgetCoreModule(): void {
+  compiled = undefined;
+  cache = 'reload';
+}
+
 async function load(): Promise<WebAssembly.Module> {
   const address = new URL('../../pkg/gcode_playground_bg.wasm', import.meta.url);
   // As `<link rel="preload" as="fetch" crossorigin>` asks for it: another way of asking would be another request.
-  const response = await fetch(address, { mode: 'cors', credentials: 'same-origin' });
+  const response = await fetch(address, { mode: 'cors', credentials: 'same-origin', cache });
   if (!response.ok) throw new Error(`${address.href}: ${response.status}`);
   // A server that does not know wasm is no reason to give up.
   const streams = response.headers.get('content-type')?.startsWith('application/wasm') === true;

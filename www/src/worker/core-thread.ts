@@ -1,17 +1,19 @@
 // The worker that all elements of a page share, from the page's side.
 //
-// In: what the sessions say. Out: what is reported to each of them. Watches that the worker answers at all: one that
-// is silent for 15 s, or has failed, is ended, and every session is reported as lost; the one that the worker was at
-// work for is to blame, the others are only its neighbours. A session that is begun after that goes to a
+// In: messages of the sessions. Out: events for each of them. A worker that fails, or gives no answer for 15 s
+// (30 s while it starts), is ended, and every session is reported as lost; the session that it worked for
+// is to blame, the others are only its neighbours. A session that is begun after that goes to a
 // worker apart, so there are never more than two. Must not know: what is said in a session.
 
 import { PART_FILES } from '../../pkg/part-files.js';
-import { coreModule } from './core-module';
+import { coreModule, forgetCoreModule } from './core-module';
 import { startWorker, type StartedWorker } from './start-worker';
 import script from './worker.ts?worker&url';
 import type { Command, FromWorker, Question, SessionEvent, ToWorker } from '../protocol/protocol';
 
 const SILENCE_LIMIT_MS = 15_000;
+/** Its script may still be on its way. */
+const START_LIMIT_MS = 30_000;
 /** After the computer slept the timer may ring before the answer that is already there is read. */
 const GRACE_MS = 1_000;
 /** An element that is moved in the page, or replaced by another one, finds the worker where it was. */
@@ -58,10 +60,13 @@ export class CoreThread {
 
   private constructor(where: 'with-others' | 'apart') {
     this.#where = where;
-    this.#worker = startWorker<FromWorker>(script, (event) => this.#receive(event), (reason) => this.#loadFailed(reason));
+    this.#worker = startWorker<FromWorker>(script, (event) => this.#receive(event), (reason) => this.#failed(reason));
     this.#post({ kind: 'files', files: PART_FILES });
     coreModule().then(
-      (module) => this.#post({ kind: 'core', module }),
+      (module) => {
+        this.#post({ kind: 'core', module });
+        this.#watch = setTimeout(() => this.#loadFailed('the worker gives no answer'), START_LIMIT_MS);
+      },
       (reason: unknown) => this.#loadFailed(reason instanceof Error ? reason.message : String(reason)),
     );
   }
@@ -104,6 +109,8 @@ export class CoreThread {
         return;
       case 'ready':
         this.#ready = true;
+        clearTimeout(this.#watch);
+        this.#watch = undefined;
         this.#watchOver();
         for (const listener of [...this.#sessions.values()]) listener.ready();
         return;
@@ -111,6 +118,7 @@ export class CoreThread {
         this.#lose({ kind: 'crashed', reason: event.reason }, event.session);
         return;
       case 'load-failed':
+        forgetCoreModule();
         this.#loadFailed(event.reason);
     }
   }
@@ -122,6 +130,12 @@ export class CoreThread {
       this.#watch = setTimeout(() => this.#lose({ kind: 'silent' }, this.#atWork), GRACE_MS);
     }, SILENCE_LIMIT_MS);
     this.#post({ kind: 'ping' });
+  }
+
+  /** An error that the worker has not caught, or that of its start. */
+  #failed(reason: string): void {
+    if (this.#ready) this.#lose({ kind: 'crashed', reason }, this.#atWork);
+    else this.#loadFailed(reason);
   }
 
   #loadFailed(reason: string): void {

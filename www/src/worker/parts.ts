@@ -1,7 +1,7 @@
 // The parts of the interpreter that are loaded after the first picture.
 //
 // In: which parts are wanted, and what waits for them. Out: whether they are there; what waited is done when they
-// come, and hears of it when they do not. A part that could not be loaded is tried again when it is asked for again.
+// come, and hears of it when they do not. Only `loadAll` loads a part that has failed once more: the page decides when.
 // Must not know: what is in a part, or what waits for it.
 
 import { loadPart } from '../../pkg/parts.js';
@@ -14,6 +14,8 @@ export interface Waiter {
   /** What has waited is done. */
   guarded(step: () => void): void;
   partFailed(reason: unknown): void;
+  /** All parts that had failed are loaded. */
+  partsLoaded(): void;
 }
 
 export class LateParts<W extends Waiter> {
@@ -22,9 +24,11 @@ export class LateParts<W extends Waiter> {
   readonly #all: () => Iterable<W>;
   readonly #loaded = new Set<PartName>();
   readonly #loading = new Map<PartName, Promise<void>>();
+  /** Why parts could not be loaded; each until it is. */
+  readonly #missing = new Map<PartName, unknown>();
   #waiting: { readonly waiter: W; readonly needs: readonly PartName[]; readonly act: () => void }[] = [];
-  /** Nothing is loaded that could delay the first picture of the page; a part that did not come is not waited for. */
-  #stage: 'held' | 'begun' | 'failed' = 'held';
+  /** Nothing is loaded that could delay the first picture of the page. */
+  #isHeld = true;
 
   /** `exports`: of the module; `all` that may want parts. */
   constructor(exports: object, files: PartFiles, all: () => Iterable<W>) {
@@ -37,9 +41,9 @@ export class LateParts<W extends Waiter> {
     return parts.every((part) => this.#loaded.has(part));
   }
 
-  /** What is waited for could not be had. */
+  /** Parts could not be loaded, and are not being loaded. */
   get failed(): boolean {
-    return this.#stage === 'failed';
+    return [...this.#missing.keys()].some((part) => !this.#loading.has(part));
   }
 
   /** Loads what is not there yet, one after the other: what is wanted first is there first. Who may want it hears of a failure. */
@@ -51,18 +55,21 @@ export class LateParts<W extends Waiter> {
   whenLoaded(waiter: W, needs: readonly PartName[], act: () => void): void {
     if (this.has(...needs)) return act();
     this.#waiting.push({ waiter, needs, act });
-    if (this.#stage !== 'held') this.loadAll();
+    const missing = needs.find((part) => this.#missing.has(part) && !this.#loading.has(part));
+    if (missing !== undefined) waiter.partFailed(this.#missing.get(missing));
+    else if (!this.#isHeld) this.load(...needs);
   }
 
-  /** Loads what is waited for; what could not be loaded before is tried again. */
+  /** Loads what is waited for, and what could not be loaded before. */
   loadAll(): void {
-    this.#stage = 'begun';
+    this.#isHeld = false;
+    for (const part of this.#missing.keys()) void this.#load(part, 'again').catch(() => undefined);
     for (const { needs } of this.#waiting) this.load(...needs);
   }
 
   /** The first picture of the page is on its way: nothing is delayed by other parts any more. */
   release(): void {
-    if (this.#stage === 'held') this.loadAll();
+    if (this.#isHeld) this.loadAll();
   }
 
   /** Nothing is waited for any more. */
@@ -78,21 +85,26 @@ export class LateParts<W extends Waiter> {
     }
   }
 
-  async #load(part: PartName): Promise<void> {
+  async #load(part: PartName, which: 'first' | 'again' = 'first'): Promise<void> {
     if (this.#loaded.has(part)) return;
     const known = this.#loading.get(part);
     if (known !== undefined) return known;
+    if (which === 'first' && this.#missing.has(part)) throw this.#missing.get(part);
     const loading = loadPart(part, this.#exports, this.#files[part]);
     this.#loading.set(part, loading);
     try {
       await loading;
     } catch (reason) {
       this.#loading.delete(part);
-      this.#failed(reason);
+      this.#missing.set(part, reason);
+      this.#failed(part, reason);
       throw reason;
     }
+    this.#loading.delete(part);
     this.#loaded.add(part);
+    const hadFailed = this.#missing.delete(part);
     this.#goOn();
+    if (hadFailed && this.#missing.size === 0) for (const waiter of this.#all()) waiter.guarded(() => waiter.partsLoaded());
   }
 
   #goOn(): void {
@@ -105,9 +117,9 @@ export class LateParts<W extends Waiter> {
   }
 
   /** Where nothing waits for it, it was to be there before it is needed: that is for all to know. */
-  #failed(reason: unknown): void {
-    this.#stage = 'failed';
-    const waiting = new Set(this.#waiting.map(({ waiter }) => waiter));
+  #failed(part: PartName, reason: unknown): void {
+    this.#isHeld = false;
+    const waiting = new Set(this.#waiting.filter(({ needs }) => needs.includes(part)).map(({ waiter }) => waiter));
     for (const waiter of waiting.size > 0 ? waiting : this.#all()) waiter.guarded(() => waiter.partFailed(reason));
   }
 }

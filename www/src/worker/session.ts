@@ -155,7 +155,12 @@ export class Session implements Waiter {
   }
 
   partFailed(reason: unknown): void {
-    this.#tell({ kind: 'part-failed', reason: describe(reason), needed: this.#stage.kind === 'lacking' ? 'by-the-run' : 'after-it' });
+    const isNeeded = this.#stage.kind === 'lacking' || this.#stage.kind === 'waiting' || this.#reportsLate;
+    this.#tell({ kind: 'part-failed', reason: describe(reason), neededFor: isNeeded ? 'the-report' : 'something-else' });
+  }
+
+  partsLoaded(): void {
+    this.#tell({ kind: 'parts-loaded' });
   }
 
   /** The element is gone. */

@@ -22,6 +22,8 @@ declare const trustedTypes: { createPolicy(name: string, rules: ScriptPolicy): S
 
 /** Scripts that were fetched, as addresses in memory: one request for all workers of a page. */
 const inMemory = new Map<string, Promise<string>>();
+/** Scripts that could not be started: the browser's cache may hold a copy with a fault. */
+const failedBefore = new Set<string>();
 
 export function startWorker<Event>(script: string, heard: (event: Event) => void, failed: (reason: string) => void): StartedWorker {
   let worker: Worker | undefined;
@@ -42,22 +44,32 @@ export function startWorker<Event>(script: string, heard: (event: Event) => void
       heard(data);
     };
     begun.onerror = (error) => {
-      if (said === undefined) fail(error.message);
+      if (said === undefined) fail(error.message || 'the worker has failed');
       else closed(error.message || `the worker ${script} could not be started`);
     };
     for (const message of said ?? []) begun.postMessage(message);
   };
-  const fromMemory = (): void => void fetched(script).then((copy) => started(begin(copy), fail)).catch(fail);
-  try {
-    // Some browsers say at once that they do not take it, others later.
-    started(begin(script), () => {
-      worker?.terminate();
-      worker = undefined;
+  const notStarted = (reason: unknown): void => {
+    inMemory.delete(script);
+    failedBefore.add(script);
+    fail(reason);
+  };
+  const fromMemory = (): void => void fetched(script).then((copy) => started(begin(copy), notStarted)).catch(notStarted);
+  const direct = (): void => {
+    try {
+      // Some browsers say at once that they do not take it, others later.
+      started(begin(script), () => {
+        worker?.terminate();
+        worker = undefined;
+        fromMemory();
+      });
+    } catch {
       fromMemory();
-    });
-  } catch {
-    fromMemory();
-  }
+    }
+  };
+  // A fetch that reloads the script puts it in the cache.
+  if (failedBefore.has(script)) void fetched(script).then(direct, notStarted);
+  else direct();
   return {
     post(message) {
       said?.push(message);
@@ -87,12 +99,11 @@ function fetched(script: string): Promise<string> {
   if (known !== undefined) return known;
   const copy = load(script);
   inMemory.set(script, copy);
-  copy.catch(() => inMemory.delete(script));
   return copy;
 }
 
 async function load(script: string): Promise<string> {
-  const response = await fetch(script, { mode: 'cors', credentials: 'same-origin' });
+  const response = await fetch(script, { mode: 'cors', credentials: 'same-origin', cache: failedBefore.has(script) ? 'reload' : 'default' });
   if (!response.ok) throw new Error(`${script}: ${response.status}`);
   return URL.createObjectURL(new Blob([await response.text()], { type: 'text/javascript' }));
 }

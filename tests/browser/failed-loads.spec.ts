@@ -1,0 +1,303 @@
+// Files that cannot be loaded, when the page starts and later: a notice with "Try again" stays until all works, nothing
+// claims to be under way, no old picture is without a word, and the page works once the files can be had.
+import { expect, test, type Page } from './engines';
+import { editor, type } from './page';
+import { DIST, storedSite, type Refusal, type StoredSite } from './stored-site';
+import { readFileSync, readdirSync } from 'node:fs';
+import { join } from 'node:path';
+
+const PROGRAM = 'G00 X50 Z2\nG01 X40 Z-20 F0.2\nM30\n';
+const NEXT_PROGRAM = 'G00 X50 Z2\nG01 X40 Z-20 F0.2\nX45\nM30\n';
+/** Needs the part that reads setups. */
+const WITH_SETUP = { program: PROGRAM, setup: '{"stock":{"diameter":60,"length":80}}' };
+
+const INTERPRETER = 'The interpreter could not be loaded';
+const PARTS = 'Not all of the playground could be loaded';
+
+interface File {
+  readonly pattern: RegExp;
+  readonly says: string;
+  /** What the status line says meanwhile. */
+  readonly status: string | RegExp;
+}
+
+const FILES: Readonly<Record<string, File>> = {
+  'the core module': { pattern: /gcode_playground_bg-[\w-]+\.wasm$/, says: INTERPRETER, status: '—' },
+  'the script of the worker': { pattern: /\/worker-[\w-]{8}\.js$/, says: INTERPRETER, status: '—' },
+  'the part that reads the setup': { pattern: /\/setup-[\w-]{8}\.wasm$/, says: PARTS, status: '—' },
+  'the part of the machine': { pattern: /\/machine-[\w-]{8}\.wasm$/, says: PARTS, status: /part and messages could not be loaded/ },
+  'the sentences': { pattern: /\/en-[\w-]{8}\.wasm$/, says: PARTS, status: /part and messages could not be loaded/ },
+  'the editor': { pattern: editorFile(), says: 'The editor could not be loaded', status: /^2 motions/ },
+};
+
+/** The file of the editor; another one has nearly the same name. */
+function editorFile(): RegExp {
+  const file = /import\("\.\/assets\/(editor-[\w-]+)\.js"\)/.exec(readFileSync(join(DIST, 'element.js'), 'utf8'))?.[1];
+  if (file === undefined) throw new Error('element.js imports no editor');
+  return new RegExp(`/${file}\\.js$`);
+}
+
+/** The file that contains CodeMirror, which the editor imports. */
+function codeMirror(): RegExp {
+  const assets = join(DIST, 'assets');
+  const found = readdirSync(assets).filter((file) => /^index-[\w-]+\.js$/.test(file) && readFileSync(join(assets, file), 'utf8').includes('cm-content'));
+  if (found.length !== 1) throw new Error(`CodeMirror is in ${found.length} files`);
+  return new RegExp(`/${found[0]?.replace('.js', '')}\\.js$`);
+}
+
+const status = (page: Page) => page.locator('gcode-playground').getByRole('status');
+const readAs = (page: Page) => page.getByRole('group', { name: 'How the program was read' });
+const oldPicture = (page: Page) => page.getByText('Old picture: the current program could not be run');
+const notice = (page: Page, says: string) => page.getByRole('alert').filter({ hasText: says });
+const online = (page: Page) => page.evaluate(() => void dispatchEvent(new Event('online')));
+
+/** All works, and nothing says otherwise. */
+async function works(page: Page, motions: number): Promise<void> {
+  await expect(status(page)).toContainText(`${motions} motions`);
+  await expect(status(page)).toContainText('problem');
+  await expect(page.getByRole('alert')).toHaveCount(0);
+  await expect(editor(page)).toBeVisible();
+  await expect(readAs(page)).toContainText('Read as');
+  await expect(oldPicture(page)).toHaveCount(0);
+}
+
+/** The notice is there, and nothing claims that the file is being loaded. */
+async function fails(page: Page, { says, status: said }: File): Promise<void> {
+  await expect(notice(page, says)).toBeVisible();
+  await expect(notice(page, says).getByRole('button', { name: 'Try again' })).toBeVisible();
+  await expect(status(page)).toContainText(said);
+  await expect(status(page)).not.toContainText('…');
+  await expect(page.getByText('Reading …')).toHaveCount(0);
+}
+
+/** What makes the page try again. */
+const TRIGGERS: Readonly<Record<Refusal, (page: Page, says: string) => Promise<void>>> = {
+  missing: (page) => press(page),
+  closed: (page) => online(page),
+  corrupted: (page, says) => notice(page, says).getByRole('button', { name: 'Try again' }).click(),
+};
+
+/** Keys in the program, whether or not the editor is there. */
+async function press(page: Page): Promise<void> {
+  await page.locator('gcode-playground').locator('.cm-content, pre.waiting').focus();
+  await page.keyboard.press('Control+End');
+  await page.keyboard.insertText(' ');
+}
+
+for (const [name, file] of Object.entries(FILES)) {
+  for (const how of ['missing', 'closed', 'corrupted'] as const) {
+    test(`${name} is ${how} when the page starts`, async ({ page }) => {
+      const site = await storedSite();
+      site.refuse(file.pattern, how);
+      await page.goto(`${site.address}#${new URLSearchParams(WITH_SETUP)}`);
+      await fails(page, file);
+      for (const trigger of Object.values(TRIGGERS)) {
+        const asked = site.asked.length;
+        await trigger(page, file.says);
+        await expect.poll(() => site.asked.length).toBeGreaterThan(asked);
+        await fails(page, file);
+      }
+      site.refuse();
+      await TRIGGERS[how](page, file.says);
+      await works(page, 2);
+      await site.stop();
+    });
+  }
+}
+
+for (const how of ['missing', 'closed', 'corrupted'] as const) {
+  test(`the library of the editor is ${how} when the page starts`, async ({ page, engine }) => {
+    const site = await storedSite();
+    const library = { pattern: codeMirror(), says: 'The editor could not be loaded', status: /^2 motions/ };
+    site.refuse(library.pattern, how);
+    await page.goto(`${site.address}#${new URLSearchParams(WITH_SETUP)}`);
+    await expect(notice(page, library.says)).toBeVisible();
+    site.refuse();
+    // Browsers keep the failure of a file that another one imports: all of them that of a script with a fault, Firefox every one.
+    await TRIGGERS[how](page, library.says);
+    if (how === 'corrupted' || engine === 'firefox') await notice(page, 'the page has to be reloaded').getByRole('button', { name: 'Reload' }).click();
+    await works(page, 2);
+    await site.stop();
+  });
+}
+
+/** Before the scripts of the page: keeps its workers in `workers`. */
+const KEEPS_WORKERS = `
+  window.workers = [];
+  const Own = window.Worker;
+  window.Worker = class extends Own {
+    constructor(...given) {
+      super(...given);
+      window.workers.push(this);
+    }
+  };
+`;
+
+async function open(page: Page, site: StoredSite): Promise<void> {
+  const html = readFileSync(join(DIST, 'index.html'), 'utf8').replace('<head>', '<head><script src="./keeps-workers.js"></script>');
+  site.publish(new Map([['index.html', html], ['keeps-workers.js', KEEPS_WORKERS]]));
+  await page.goto(`${site.address}#${new URLSearchParams({ program: PROGRAM, setup: '{}' })}`);
+  await works(page, 2);
+  await page.locator('gcode-playground').evaluate((element) => (element as HTMLElement & { settled: Promise<number> }).settled);
+}
+
+/** An error of the worker that nothing in it catches. */
+async function workerFails(page: Page): Promise<void> {
+  await page.evaluate(() => void (Reflect.get(window, 'workers') as Worker[]).at(-1)?.dispatchEvent(new ErrorEvent('error', { message: 'a fault' })));
+}
+
+test('an error of the worker: the notice stays until a program has run', async ({ page }) => {
+  const site = await storedSite();
+  await open(page, site);
+  await workerFails(page);
+  const failed = notice(page, 'The interpreter failed');
+  await expect(failed).toBeVisible();
+  await expect(status(page)).toHaveText('—');
+  // The picture is that of the program as it is.
+  await expect(oldPicture(page)).toHaveCount(0);
+  await failed.getByRole('button', { name: 'Try again' }).click();
+  await works(page, 2);
+  await workerFails(page);
+  await expect(failed).toBeVisible();
+  await type(page, NEXT_PROGRAM);
+  await works(page, 3);
+  await site.stop();
+});
+
+for (const how of ['missing', 'closed', 'corrupted'] as const) {
+  test(`an error of the worker, whose script is ${how} then`, async ({ page }) => {
+    const site = await storedSite();
+    const worker = FILES['the script of the worker']!;
+    await open(page, site);
+    site.refuse(worker.pattern, how);
+    await workerFails(page);
+    // A worker that had been kept by the browser still starts.
+    await expect(page.getByRole('alert').filter({ hasText: 'The interpreter' })).toBeVisible();
+    await workerFails(page);
+    await expect(page.getByRole('alert').filter({ hasText: 'The interpreter' }).getByRole('button', { name: 'Try again' })).toBeVisible();
+    site.refuse();
+    await type(page, NEXT_PROGRAM);
+    await works(page, 3);
+    await site.stop();
+  });
+}
+
+/** Parts that a page without a setup loads when something needs them. */
+const LATER = {
+  'a program with macros': { pattern: /\/seldom-[\w-]{8}\.wasm$/, program: 'G00 X50 Z2\n#1=40\nG01 X#1 Z-20 F0.2\nM30\n', motions: 2 },
+  'a program with a rounding': { pattern: /\/path-[\w-]{8}\.wasm$/, program: 'G00 X40 Z2\nG01 Z-20 R2 F0.2\nX50\nM30\n', motions: 4 },
+};
+
+for (const [name, { pattern, program, motions }] of Object.entries(LATER)) {
+  for (const how of ['missing', 'closed', 'corrupted'] as const) {
+    test(`what ${name} needs is ${how}`, async ({ page }) => {
+      const site = await storedSite();
+      await open(page, site);
+      site.refuse(pattern, how);
+      await type(page, program);
+      const file = { pattern, says: PARTS, status: '—' };
+      await fails(page, file);
+      await expect(oldPicture(page)).toBeVisible();
+      await press(page);
+      await fails(page, file);
+      await expect(oldPicture(page)).toBeVisible();
+      // An ordinary program runs meanwhile.
+      await type(page, NEXT_PROGRAM);
+      await expect(status(page)).toContainText('3 motions');
+      await expect(oldPicture(page)).toHaveCount(0);
+      await expect(notice(page, PARTS)).toBeVisible();
+      await type(page, program);
+      await fails(page, file);
+      site.refuse();
+      await TRIGGERS[how](page, PARTS);
+      await works(page, motions);
+      await site.stop();
+    });
+  }
+}
+
+test('the sentences of another language are missing', async ({ page }) => {
+  const site = await storedSite();
+  await open(page, site);
+  site.refuse(/\/ru-[\w-]{8}\.wasm$/);
+  await page.getByLabel('Language').selectOption('ru');
+  const missing = notice(page, 'Загружено не всё');
+  await expect(missing).toBeVisible();
+  await type(page, NEXT_PROGRAM);
+  await expect(status(page)).toContainText('деталь и сообщения не загружены');
+  await expect(missing).toBeVisible();
+  site.refuse();
+  await missing.getByRole('button', { name: 'Повторить' }).click();
+  await expect(missing).toHaveCount(0);
+  await expect(status(page)).toContainText('замечани');
+  await site.stop();
+});
+
+test('the codes are missing: what was asked is answered when they can be had', async ({ page }) => {
+  const site = await storedSite();
+  site.refuse(/\/tools-[\w-]{8}\.wasm$/);
+  await page.goto(`${site.address}#${new URLSearchParams({ program: PROGRAM, setup: '{}' })}`);
+  await expect(status(page)).toContainText('2 motions');
+  await page.getByRole('button', { name: 'Help (?)' }).click();
+  await page.getByRole('button', { name: 'Supported codes' }).click();
+  await expect(notice(page, PARTS)).toHaveCount(1);
+  site.refuse();
+  await online(page);
+  await expect(page.getByRole('rowheader', { name: 'G71', exact: true })).toBeVisible();
+  await expect(notice(page, PARTS)).toHaveCount(0);
+  await site.stop();
+});
+
+test('the proposals of the editor are missing', async ({ page }) => {
+  const site = await storedSite();
+  await open(page, site);
+  site.refuse(/\/completion-[\w-]{8}\.js$/);
+  await editor(page).focus();
+  const missing = notice(page, 'The proposals of the editor could not be loaded');
+  await expect(missing).toBeVisible();
+  site.refuse();
+  await press(page);
+  await works(page, 2);
+  await site.stop();
+});
+
+test('the panels are missing, and other files as well: one notice after the other', async ({ page }) => {
+  const site = await storedSite();
+  const either = (...patterns: readonly RegExp[]): RegExp => new RegExp(patterns.map(({ source }) => source).join('|'));
+  const panels = /\/further-[\w-]{8}\.js$/;
+  site.refuse(either(panels, editorFile(), FILES['the core module']!.pattern), 'closed');
+  await page.goto(`${site.address}#${new URLSearchParams(WITH_SETUP)}`);
+  await expect(notice(page, INTERPRETER)).toBeVisible();
+  await expect(page.getByRole('alert')).toHaveCount(1);
+  site.refuse(either(panels, editorFile()), 'missing');
+  await online(page);
+  await expect(notice(page, 'What stands around the picture could not be loaded')).toBeVisible();
+  await expect(page.getByRole('alert')).toHaveCount(1);
+  site.refuse();
+  await notice(page, 'What stands around the picture').getByRole('button', { name: 'Try again' }).click();
+  await works(page, 2);
+  await site.stop();
+});
+
+test('typing tries again at most every two seconds', async ({ page }) => {
+  const site = await storedSite();
+  const { pattern } = FILES['the core module']!;
+  site.refuse(pattern);
+  await page.goto(`${site.address}#${new URLSearchParams(WITH_SETUP)}`);
+  await expect(notice(page, INTERPRETER)).toBeVisible();
+  await expect(editor(page)).toBeVisible();
+  const begun = Date.now();
+  const before = site.asked.filter((path) => pattern.test(path)).length;
+  await editor(page).focus();
+  for (let key = 0; key < 50; key++) {
+    await page.keyboard.press('X');
+    await page.waitForTimeout(100);
+  }
+  const seconds = (Date.now() - begun) / 1000;
+  const attempts = site.asked.filter((path) => pattern.test(path)).length - before;
+  expect(attempts).toBeGreaterThan(0);
+  // Two more: one at the first key, one that was under way.
+  expect(attempts).toBeLessThanOrEqual(Math.ceil(seconds / 2) + 2);
+  await expect(notice(page, INTERPRETER)).toBeVisible();
+  await site.stop();
+});
