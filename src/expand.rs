@@ -7,20 +7,26 @@
 //! they were typed, but that their lengths get a point where other moves are expanded with one; what a cycle
 //! block commands besides (S, T, M, other G codes) stays on a line of its own, and so does what the blocks of
 //! its contour command. What lies between G12.1 and G13.1 stays as it is. A contour that was ignored is left
-//! out; a cycle that could not run stays as it is.
+//! out; a cycle that could not run stays as it is. So do all blocks that depend on a block that was not
+//! carried out, or from which such a block depends: their motions remain uncertain.
+//!
+//! The expanded program is run once. Where its motions differ all the same, there is no expansion.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write;
 use std::mem::discriminant;
 use std::ops::Range;
 
 use crate::control::codes::{self, G, MotionMode, Plane, Switch};
-use crate::control::interpreter::Executed;
+use crate::control::interpreter::{Context, Executed};
 use crate::control::words::plain;
+use crate::geometry::virtual_plane::{VirtualMove, Way};
+use crate::geometry::{Point, Turn};
 use crate::message::said;
 use crate::motion::{
     Cycle, CycleStep, Feed, Motion, MotionKind, Motions, Process, SpindleSpeed, SpindleTurn, Step,
 };
+use crate::provenance;
 use crate::run::{Analysis, Run};
 use crate::setup::Setup;
 use crate::setup::dialect::{CodeList, DecimalRule, Dialect};
@@ -28,139 +34,268 @@ use crate::text::block::{Block, BlockKind, Value, Word};
 use crate::text::parser::{Parser, Resume};
 use crate::units::{Diameter, Unit};
 
-/// Expands a program.
+/// Expands a program; as it was typed where it has no expansion.
 pub fn expand(text: &[u8], setup: &Setup) -> String {
     let mut run = Run::new(text.to_vec(), setup.clone()).traced();
     while !run.advance(usize::MAX) {}
-    write_out(text, &run.into_analysis())
+    write_out(text, &run.into_analysis()).unwrap_or_else(|| String::from_utf8_lossy(text).into_owned())
 }
 
-/// Expands a program whose run kept its blocks.
-pub fn write_out(text: &[u8], analysis: &Analysis) -> String {
-    let as_typed = write_with(text, analysis, Points::AsTyped);
+/// Expands a program whose run kept its blocks. `None` where the expanded program would make other motions.
+pub fn write_out(text: &[u8], analysis: &Analysis) -> Option<String> {
+    let mut setup = analysis.setup.clone();
+    if analysis.decides_decimal {
+        setup.dialect.decimal = None;
+    }
+    let mut makes_same = |expanded: &String| {
+        expanded.as_bytes() == text
+            || same_motions(&analysis.motions, &crate::analyze(expanded.as_bytes(), &setup).motions)
+    };
+    let expanded = unchecked(text, analysis, Uncertain::Expanded);
+    if makes_same(&expanded) {
+        return Some(expanded);
+    }
+    let as_typed = unchecked(text, analysis, Uncertain::AsTyped);
+    (as_typed != expanded && makes_same(&as_typed)).then_some(as_typed)
+}
+
+/// What becomes of a cycle whose moves are all uncertain.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Uncertain {
+    /// It is expanded to incremental moves, after which the place is as uncertain as before.
+    Expanded,
+    /// It stays as it was typed.
+    AsTyped,
+}
+
+fn unchecked(text: &[u8], analysis: &Analysis, uncertain: Uncertain) -> String {
+    let as_typed = write_with(text, analysis, Points::AsTyped, uncertain);
+    let rule = Dialect::new(&analysis.setup.dialect).decimal;
+    let mut out = as_typed.out;
     if as_typed.any_written {
         // Numbers with a point and numbers without one in one program look like a
         // slip, and may be read as one.
-        let rule = Dialect::new(&analysis.setup.dialect).decimal;
-        return write_with(text, analysis, Points::Everywhere(rule)).out;
+        out = write_with(text, analysis, Points::Everywhere(rule), uncertain).out;
     }
-    as_typed.out
+    if analysis.decides_decimal && provenance::numbers(out.as_bytes()).rule() != rule {
+        // The numbers that showed the rule are expanded.
+        let name = match rule {
+            DecimalRule::LeastIncrement => "LEASTINCREMENT",
+            DecimalRule::Calculator => "CALCULATOR",
+        };
+        out.insert_str(end_of_head(&out), &format!("(DIALECT DECIMAL={name})\n"));
+    }
+    out
 }
 
-fn write_with<'a>(text: &'a [u8], analysis: &'a Analysis, points: Points) -> Writer<'a> {
+/// One past the lines with `%` and the program number that a text begins with.
+fn end_of_head(text: &str) -> usize {
+    let is_head = |line: &&str| line.starts_with(['%', 'O', 'o']) && line.ends_with('\n');
+    text.split_inclusive('\n').take(2).take_while(is_head).map(str::len).sum()
+}
+
+/// Whether two programs make the same motions, to what an expanded program rounds.
+fn same_motions(before: &Motions, after: &Motions) -> bool {
+    before.len() == after.len()
+        && before.iter().zip(after.iter()).all(|(before, after)| same_motion(&before, &after))
+}
+
+fn near(a: f64, b: f64) -> bool {
+    (a - b).abs() <= 0.002
+}
+
+fn same_place(a: Point, b: Point) -> bool {
+    near(a.x, b.x) && near(a.z, b.z)
+}
+
+fn same_virtual_move(a: &VirtualMove, b: &VirtualMove) -> bool {
+    let same_way = match (&a.way, &b.way) {
+        (Way::Line(from, to), Way::Line(other_from, other_to)) => {
+            same_place(*from, *other_from) && same_place(*to, *other_to)
+        }
+        (Way::Arc(a), Way::Arc(b)) => {
+            same_place(a.start, b.start)
+                && same_place(a.end, b.end)
+                && same_place(a.center, b.center)
+                && a.turn == b.turn
+        }
+        _ => false,
+    };
+    a.surface == b.surface && same_way && near(a.third.0, b.third.0) && near(a.third.1, b.third.1)
+}
+
+fn same_motion(before: &Motion, after: &Motion) -> bool {
+    let same_center = match (before.center, after.center) {
+        (Some(a), Some(b)) => same_place(a, b),
+        (a, b) => a.is_none() && b.is_none(),
+    };
+    let same_turn = match (before.rotary, after.rotary) {
+        (Some(a), Some(b)) => {
+            let same_way = match (a.virtual_move, b.virtual_move) {
+                (Some(a), Some(b)) => same_virtual_move(&a, &b),
+                (a, b) => a.is_none() && b.is_none(),
+            };
+            near(a.from, b.from) && near(a.to, b.to) && same_way
+        }
+        (a, b) => a.is_none() && b.is_none(),
+    };
+    let relative = |a: f64, b: f64| (a - b).abs() <= 1e-4 * (1.0 + a.abs());
+    let same_feed = match (before.process.feed, after.process.feed) {
+        (Feed::PerMinute(a), Feed::PerMinute(b)) | (Feed::PerTurn(a), Feed::PerTurn(b)) => relative(a, b),
+        (a, b) => a == b,
+    };
+    let is_thread = before.kind == MotionKind::Thread;
+    let same_lead = match (before.lead, after.lead) {
+        (Some(a), Some(b)) => relative(a, b),
+        (a, b) => a.is_none() && b.is_none(),
+    };
+    let spindle =
+        |process: &Process| (process.turn, process.tool, process.clamp, process.lowest, process.speed);
+    before.kind == after.kind
+        && same_place(before.from, after.from)
+        && same_place(before.to, after.to)
+        && same_center
+        && same_turn
+        && match (before.seconds, after.seconds) {
+            (Some(a), Some(b)) => near(a, b),
+            (a, b) => a.is_none() && b.is_none(),
+        }
+        && (same_lead || !is_thread)
+        && (same_feed || is_thread || !before.kind.cuts())
+        && before.process.uncertain == after.process.uncertain
+        && spindle(&before.process) == spindle(&after.process)
+}
+
+fn write_with<'a>(
+    text: &'a [u8],
+    analysis: &'a Analysis,
+    points: Points,
+    uncertain: Uncertain,
+) -> Writer<'a> {
     let trace = &analysis.trace;
     let mut writer = Writer {
         text,
         out: String::new(),
         motions: &analysis.motions,
         list: analysis.codes,
-        mode: None,
-        code: None,
+        mode: MotionMode::Rapid,
+        written: MotionMode::Rapid,
         feed: None,
         inch: false,
         incremental: false,
         in_plane: false,
         has_y: analysis.setup.machine.has_y(),
         moved_start: false,
+        turns_by_way: false,
         any_failed: false,
         process: None,
         points,
         any_written: false,
     };
-    if let Some(first) = trace.first() {
-        writer.process = Some(first.before);
-    }
+    let Some(first) = trace.first() else {
+        writer.out.push_str(&String::from_utf8_lossy(text));
+        return writer;
+    };
+    (writer.process, writer.mode, writer.written) = (Some(*first.before), first.mode, first.mode);
     let own = motions_of(trace, &analysis.motions);
     let jumps = trace.iter().any(|executed| executed.steers);
-    // What lies between a block and the next one was ignored: a contour, unless the program jumps about.
-    let gap = |index: usize, end: Resume| -> Range<usize> {
-        let next = trace.get(index + 1).map_or(end.byte, |next| next.at.byte);
-        if jumps { 0..0 } else { end.byte as usize..(next as usize).max(end.byte as usize) }
-    };
+    let kept = writer.kept_blocks(trace, &own, uncertain);
     let mut block = Block::default();
-    let read = |at: Resume, block: &mut Block| {
-        let mut parser = Parser::resume(text, at);
-        parser.next_block(block);
-        parser.position()
-    };
-    for (index, executed) in trace.iter().enumerate() {
-        let end = read(executed.at, &mut block);
-        writer.any_failed |= !gap(index, end).is_empty() && own[index].is_empty();
+    // What stands before the first block.
+    if !jumps {
+        writer.out.push_str(&String::from_utf8_lossy(&text[..first.at.byte as usize]));
     }
-    let mut end = Resume::default();
     for (index, executed) in trace.iter().enumerate() {
-        end = read(executed.at, &mut block);
+        let end = read(text, executed.at, &mut block);
         let range = own[index].clone();
         // What stands after THEN is a block of its own; a macro statement with values writes to a table.
-        let words = |values: &&String| block.kind == BlockKind::Words || !values.starts_with('#');
-        if let Some(values) = executed.values.as_ref().filter(words) {
+        let words = |values: &&str| block.kind == BlockKind::Words || !values.starts_with('#');
+        if let Some(values) = executed.values.as_deref().filter(words) {
             with_values(&mut block, values);
         }
         let mode = writer.codes(&block).find_map(|code| match code {
             G::Motion(mode) => Some(mode),
             _ => None,
         });
-        writer.mode = mode.or(writer.mode);
+        writer.mode = mode.unwrap_or(executed.mode);
         let is_last = index + 1 == trace.len();
         // A block may end the text without a line end, and still be followed by others.
         if index > 0 && !writer.out.ends_with(['\n', ';', '\r']) {
             writer.out.push('\n');
         }
         writer.follow(&executed.before, Units::OfProgram);
-        let leaves = trace.get(index + 1).map_or(executed.ready, |next| next.before);
+        let leaves = trace.get(index + 1).map_or(*executed.ready, |next| *next.before);
         // A program number within a program would end it: those of subprograms become remarks.
         let is_called = jumps && index > 0 && block.program.is_some();
+        let refused = kept[index] && executed.failed && range.is_empty();
+        let mut is_copied = false;
         if is_called && range.is_empty() {
             writer.remark(&block);
             writer.comments(&block);
-        } else if executed.steers && !(is_last && ends_main(&block)) {
+        } else if executed.steers && !refused && !(is_last && ends_main(&block)) {
             writer.steer(&block, executed, range.clone(), leaves);
-        } else if writer.must_write(&block, range.clone()) {
+        } else if !kept[index] && writer.must_write(&block, executed, range.clone()) {
             writer.write(&block, executed, range.clone(), leaves);
+        } else if executed.values.as_deref().is_some_and(str::is_empty) && !refused {
+            // None of its words has a value.
+            writer.remark(&block);
+            writer.comments(&block);
         } else {
-            if executed.values.as_ref().is_some_and(String::is_empty) {
-                // None of its words has a value.
-                writer.remark(&block);
-                writer.comments(&block);
-                continue;
-            }
-            let bytes = match &executed.values {
+            is_copied = true;
+            let values = executed.values.as_deref().filter(|values| !values.is_empty());
+            let bytes = match values {
                 Some(_) => None,
-                None => Some(executed.at.byte as usize..end.byte as usize),
+                None => Some(executed.at.byte as usize..end as usize),
             };
-            writer.copy(&block, bytes, executed.values.as_deref(), range.clone());
-            if range.is_empty() && block.words.iter().any(|word| word.address == b'F') {
-                writer.feed = match leaves.feed {
-                    Feed::PerMinute(feed) | Feed::PerTurn(feed) => Some(feed),
-                    Feed::Unset => None,
-                };
+            let goes_by_code = executed.context != Context::Data && writer.goes_by_code(&block);
+            writer.restore(&block, executed, range.clone(), goes_by_code, kept[index]);
+            writer.copy(&block, bytes, values, range.clone());
+            let after = trace.get(index + 1).map_or(executed.mode, |next| next.mode);
+            if mode.is_some() || after != executed.mode {
+                writer.written = after;
             }
             writer.process = Some(leaves);
         }
-        let passed = gap(index, end);
-        if !range.is_empty() && !passed.is_empty() {
-            writer.comments_between(passed);
+        let (passed, until) = (executed.passed as usize, executed.until as usize);
+        let contour = end as usize..passed.max(end as usize);
+        if is_copied {
+            writer.out.push_str(&String::from_utf8_lossy(&text[contour]));
         } else {
-            writer.out.push_str(&String::from_utf8_lossy(&text[passed]));
+            writer.comments_between(contour);
+        }
+        writer.out.push_str(&String::from_utf8_lossy(&text[passed..until.max(passed)]));
+        // What lies before the next block was deleted, or comes after the end of the program.
+        let next = trace.get(index + 1).map_or(text.len(), |next| next.at.byte as usize);
+        if !jumps {
+            writer.out.push_str(&String::from_utf8_lossy(&text[until..next.max(until)]));
         }
     }
-    if !jumps {
-        writer.out.push_str(&String::from_utf8_lossy(&text[end.byte as usize..]));
-    }
     writer
+}
+
+/// Reads the block at a place; one past its last byte.
+fn read(text: &[u8], at: Resume, block: &mut Block) -> u32 {
+    let mut parser = Parser::resume(text, at);
+    parser.next_block(block);
+    parser.position().byte
 }
 
 /// The motions of each block that was carried out. Motions may wait for a later block, but keep their order;
 /// where a block is carried out again, what came before belongs to the first time.
 pub(crate) fn motions_of(trace: &[Executed], motions: &Motions) -> Vec<Range<usize>> {
-    let mut again = BTreeMap::new();
-    let mut limits = vec![motions.len(); trace.len()];
-    for (index, executed) in trace.iter().enumerate().rev() {
-        limits[index] = again.insert(executed.at.byte, executed.first).unwrap_or(motions.len());
+    let mut limits = Vec::new();
+    if trace.iter().zip(trace.iter().skip(1)).any(|(one, next)| next.at.byte <= one.at.byte) {
+        let mut again = BTreeMap::new();
+        limits = vec![motions.len(); trace.len()];
+        for (index, executed) in trace.iter().enumerate().rev() {
+            let first = executed.first as usize;
+            limits[index] = again.insert(executed.at.byte, first).unwrap_or(motions.len());
+        }
     }
     let mut next = 0;
     let mut own = Vec::with_capacity(trace.len());
-    for (executed, limit) in trace.iter().zip(limits) {
+    for (index, executed) in trace.iter().enumerate() {
+        let limit = limits.get(index).copied().unwrap_or(motions.len());
         let first = next;
         while next < limit && motions.span(next).start == executed.at.byte {
             next += 1;
@@ -192,10 +327,10 @@ struct Writer<'a> {
     out: String,
     motions: &'a Motions,
     list: CodeList,
-    /// The code of group 01 in force in the program.
-    mode: Option<MotionMode>,
-    /// The code of group 01 in force in the text written so far.
-    code: Option<&'static str>,
+    /// The code of group 01 of the block under way.
+    mode: MotionMode,
+    /// The code of group 01 that the text written so far leaves in force.
+    written: MotionMode,
     feed: Option<f64>,
     inch: bool,
     /// G91 of systems B and C.
@@ -206,6 +341,8 @@ struct Writer<'a> {
     has_y: bool,
     /// The block before was expanded to moves of the path: the start of this one may have moved.
     moved_start: bool,
+    /// The block under way turns C by H.
+    turns_by_way: bool,
     /// A contour cycle could not run: first blocks are kept, for its sake.
     any_failed: bool,
     /// Feed, spindle and tool as the text written so far leaves them; of the feed, G98 or G99 alone counts.
@@ -245,8 +382,138 @@ impl Writer<'_> {
         moved.map_or(self.in_plane, |rotary| rotary.is_some_and(|rotary| rotary.virtual_move.is_some()))
     }
 
+    /// The blocks that stay as they were typed: each block that was not carried out, with those before and after
+    /// it that one modal state connects, down to where everything is certain.
+    fn kept_blocks(&mut self, trace: &[Executed], own: &[Range<usize>], uncertain: Uncertain) -> Vec<bool> {
+        let mut kept = vec![false; trace.len()];
+        let mut block = Block::default();
+        let any_failed = trace.iter().any(|executed| executed.failed);
+        let (mut start, mut is_faulty) = (0, false);
+        // P of the contours that a kept block may read.
+        let mut contours = BTreeSet::new();
+        let mut calls = Vec::new();
+        let contour = |block: &Block| block.words.iter().find(|word| word.address == b'P').and_then(plain);
+        for (index, executed) in trace.iter().enumerate() {
+            let end = read(self.text, executed.at, &mut block);
+            let ends_cycle = |code| matches!(code, G::Motion(mode) if !matches!(mode, MotionMode::Cycle(_)));
+            let is_settled = match executed.context {
+                Context::Settled => true,
+                Context::Cycle => self.codes(&block).any(ends_cycle),
+                Context::Open | Context::Data => false,
+            };
+            if is_settled {
+                kept[start..index].fill(is_faulty);
+                (start, is_faulty) = (index, false);
+            }
+            is_faulty |= executed.failed
+                || executed.context == Context::Open && is_uncertain(&own[index], self.motions);
+            let multiple = self.codes(&block).any(|code| matches!(code, G::Multiple(_)));
+            if multiple {
+                calls.push((index, contour(&block).map(f64::to_bits)));
+                let has_contour = executed.passed > end && own[index].is_empty();
+                self.any_failed |= has_contour && contour(&block).is_some();
+            }
+        }
+        if any_failed {
+            kept[start..].fill(is_faulty);
+        }
+        if uncertain == Uncertain::Expanded && any_failed && !matches!(self.list, CodeList::B | CodeList::C) {
+            let is_own = |motion: Motion| motion.cycle.is_some() && motion.process.uncertain;
+            for (index, executed) in trace.iter().enumerate() {
+                let mut motions = own[index].clone().map(|index| self.motions.get(index));
+                let is_cycle = !own[index].is_empty() && motions.all(is_own);
+                kept[index] &= !is_cycle || executed.failed;
+            }
+        }
+        for (index, contour) in &calls {
+            if kept[*index] {
+                self.any_failed = true;
+                contours.extend(*contour);
+            }
+        }
+        for (index, contour) in calls {
+            kept[index] |= contour.is_some_and(|contour| contours.contains(&contour));
+        }
+        kept
+    }
+
+    /// Whether what the words of a block do depends on the code of group 01 in force.
+    fn goes_by_code(&self, block: &Block) -> bool {
+        let has_own = |code| {
+            matches!(
+                code,
+                G::Motion(_)
+                    | G::Dwell
+                    | G::CheckHome
+                    | G::Home
+                    | G::FromHome
+                    | G::OtherHome
+                    | G::Machine
+                    | G::Data
+                    | G::Hole(_)
+                    | G::MacroCall(_)
+                    | G::Setting
+                    | G::LocalFrame
+                    | G::ExtendedFrame
+                    | G::Polar(_)
+                    | G::Cylinder
+                    | G::Multiple(_)
+                    | G::NotSupported
+            )
+        };
+        let moves = |word: &Word| word.comma || b"XZUWYVCHAIJKR".contains(&word.address);
+        block.kind == BlockKind::Words && block.words.iter().any(moves) && !self.codes(block).any(has_own)
+    }
+
+    /// Writes the modal words that a copied block depends on, where the text so far has left others in force.
+    fn restore(
+        &mut self,
+        block: &Block,
+        executed: &Executed,
+        own: Range<usize>,
+        goes_by_code: bool,
+        is_kept: bool,
+    ) {
+        if goes_by_code
+            && self.written != executed.mode
+            && let Some(code) = self.code_of_mode(executed.mode)
+        {
+            let _ = write!(self.out, "{code} ");
+            self.written = executed.mode;
+        }
+        let last = own.clone().next_back().map(|index| self.motions.get(index));
+        let cuts = |motion: &Motion| match motion.kind {
+            MotionKind::Feed | MotionKind::ArcClockwise | MotionKind::ArcCounterclockwise => true,
+            // A lead may also be given by E or I.
+            MotionKind::Thread => matches!(
+                executed.ready.feed,
+                Feed::PerMinute(feed) | Feed::PerTurn(feed) if motion.lead == Some(feed)
+            ),
+            MotionKind::Rapid | MotionKind::Dwell => false,
+        };
+        let feed = match (executed.ready.feed, &last) {
+            (Feed::PerMinute(feed) | Feed::PerTurn(feed), _) if is_kept => Some(feed),
+            (_, Some(last)) => feed_of(last),
+            _ => None,
+        };
+        let has_feed = block.words.iter().any(|word| word.address == b'F');
+        let needs_feed =
+            if is_kept { goes_by_code || last.is_some() } else { last.as_ref().is_some_and(cuts) };
+        if needs_feed && !has_feed && feed.is_some() && feed != self.feed {
+            // A thread expanded before left its lead as F.
+            let unit = if self.inch { 25.4 } else { 1.0 };
+            let feed = feed.map_or_else(String::new, |feed| fine_decimal(feed / unit));
+            let _ = write!(self.out, "F{feed} ");
+        }
+        match executed.ready.feed {
+            Feed::PerMinute(feed) | Feed::PerTurn(feed) if has_feed => self.feed = Some(feed),
+            _ if needs_feed => self.feed = feed.or(self.feed),
+            _ => {}
+        }
+    }
+
     /// Whether a block is more than plain moves.
-    fn must_write(&self, block: &Block, own: Range<usize>) -> bool {
+    fn must_write(&self, block: &Block, executed: &Executed, own: Range<usize>) -> bool {
         if block.kind != BlockKind::Words || block.is_broken() || self.is_in_plane(&own) {
             return false;
         }
@@ -257,13 +524,19 @@ impl Writer<'_> {
         let compensates = self.codes(block).any(|code| {
             matches!(code, G::Compensation(codes::Compensation::Left | codes::Compensation::Right))
         });
+        if self.has_y && self.codes(block).any(|code| matches!(code, G::Plane(plane) if plane != Plane::Zx)) {
+            return false;
+        }
         if own.is_empty() {
             // A first block of a cycle sets only what the expansion of the cycle uses.
             let word = |address: u8| block.words.iter().any(|word| word.address == address);
             let first = multiple
                 .is_some_and(|cycle| cycle == codes::Multiple::Threading || !(word(b'P') || word(b'Q')));
             let hole = self.codes(block).any(|code| matches!(code, G::Hole(_)));
-            return (first && !self.any_failed) || compensates || hole;
+            // The control ignores words without an axis while such a code is in force; G00 or G01 would read them.
+            let is_path = matches!(executed.mode, MotionMode::Rapid | MotionMode::Line | MotionMode::Arc(_));
+            let ignored = (executed.context == Context::Cycle || !is_path) && self.goes_by_code(block);
+            return (first && !self.any_failed) || compensates || hole || ignored;
         }
         let cornered = block.words.iter().any(|word| {
             word.comma
@@ -279,7 +552,7 @@ impl Writer<'_> {
             let word = |address: u8| block.words.iter().any(|word| word.address == address);
             // A rounding may use its move up, and leave nothing but its arc.
             let straight = motion.kind == MotionKind::Feed
-                || motion.kind.cuts() && motion.center.is_some() && self.mode == Some(MotionMode::Line);
+                || motion.kind.cuts() && motion.center.is_some() && self.mode == MotionMode::Line;
             rounds |= straight && (word(b'R') || word(b'I') || word(b'K'));
         }
         cornered || rounds || compensates
@@ -310,33 +583,9 @@ impl Writer<'_> {
     /// A plain block as it was typed, or with its values.
     fn copy(&mut self, block: &Block, bytes: Option<Range<usize>>, values: Option<&str>, own: Range<usize>) {
         let lengths = self.lengths_of(block, own.clone());
-        let spelled = self.codes(block).any(|code| matches!(code, G::Motion(_)));
         self.watch(block);
         if !own.is_empty() {
             self.moved_start = false;
-            let last = self.motions.get(own.end - 1);
-            let code = self.code_of(&last);
-            let moves = block
-                .words
-                .iter()
-                .any(|word| matches!(word.address, b'X' | b'Z' | b'U' | b'W' | b'I' | b'K'));
-            if !spelled && moves && code.is_some() && self.code != code {
-                let _ = write!(self.out, "{} ", code.unwrap_or_default());
-            }
-            self.code = if moves { code.or(self.code) } else { self.code };
-            let feed = feed_of(&last);
-            let cuts = matches!(
-                last.kind,
-                MotionKind::Feed | MotionKind::ArcClockwise | MotionKind::ArcCounterclockwise
-            );
-            let has_feed = block.words.iter().any(|word| word.address == b'F');
-            if cuts && !has_feed && feed.is_some() && feed != self.feed {
-                // A thread expanded before left its lead as F.
-                let unit = if self.inch { 25.4 } else { 1.0 };
-                let _ =
-                    write!(self.out, "F{} ", feed.map_or_else(String::new, |feed| fine_decimal(feed / unit)));
-            }
-            self.feed = feed.or(self.feed);
         }
         let remark = block.faults.iter().any(|fault| fault.message.is::<said::TextAfterSemicolon>());
         if remark && self.out.ends_with('\n') {
@@ -582,7 +831,7 @@ impl Writer<'_> {
         let angle =
             block.words.iter().find(|word| word.address == b'Q').map(|word| word.span.quote(self.text));
         self.line(&before);
-        let counted = self.process.replace(executed.ready).map(|process| discriminant(&process.feed));
+        let counted = self.process.replace(*executed.ready).map(|process| discriminant(&process.feed));
         if counted != Some(discriminant(&executed.ready.feed)) {
             // G98 or G99 of the block itself: F counts in another unit, and is named again.
             self.feed = None;
@@ -596,6 +845,8 @@ impl Writer<'_> {
         }
         let mut pass = None;
         self.any_written |= !own.is_empty();
+        let has = |address: u8| block.words.iter().any(|word| word.address == address);
+        self.turns_by_way = has(b'H') && !has(b'C');
         let home = block
             .words
             .iter()
@@ -651,7 +902,6 @@ impl Writer<'_> {
             let _ = write!(home, " Z{}", decimal(motion.from.z));
         }
         self.line(&home);
-        self.code = None;
     }
 
     fn line(&mut self, words: &str) {
@@ -688,10 +938,16 @@ impl Writer<'_> {
             return;
         }
         let code = self.code_of(motion).unwrap_or("G00");
-        let (x, z) = (decimal(Diameter::from_radius(motion.to.x).mm()), decimal(motion.to.z));
-        let _ = write!(self.out, "{code} X{x} Z{z}");
+        let from = if motion.process.uncertain { motion.from } else { Point::default() };
+        let (x, z) = if motion.process.uncertain { ('U', 'W') } else { ('X', 'Z') };
+        let way = decimal(Diameter::from_radius(motion.to.x - from.x).mm());
+        let _ = write!(self.out, "{code} {x}{way} {z}{}", decimal(motion.to.z - from.z));
         if let Some(rotary) = motion.rotary {
-            let _ = write!(self.out, " C{}", decimal(rotary.to));
+            let _ = match self.turns_by_way {
+                // H makes C an axis; without M45 the C of a cut is a chamfer.
+                true => write!(self.out, " H{}", decimal(rotary.to - rotary.from)),
+                false => write!(self.out, " C{}", decimal(rotary.to)),
+            };
         }
         if let Some(center) = motion.center {
             let (i, k) = (decimal(center.x - motion.from.x), decimal(center.z - motion.from.z));
@@ -709,7 +965,28 @@ impl Writer<'_> {
             let _ = write!(self.out, " {start_angle}");
         }
         self.out.push('\n');
-        self.code = Some(code);
+        self.written = match motion.kind {
+            MotionKind::Rapid | MotionKind::Dwell => MotionMode::Rapid,
+            MotionKind::Feed => MotionMode::Line,
+            MotionKind::ArcClockwise => MotionMode::Arc(Turn::Clockwise),
+            MotionKind::ArcCounterclockwise => MotionMode::Arc(Turn::Counterclockwise),
+            MotionKind::Thread => MotionMode::Thread,
+        };
+    }
+
+    /// The code of group 01 as it is written; nothing for those of cycles, which need more than their code.
+    fn code_of_mode(&self, mode: MotionMode) -> Option<&'static str> {
+        Some(match mode {
+            MotionMode::Rapid => "G00",
+            MotionMode::Line => "G01",
+            MotionMode::Arc(Turn::Clockwise) => "G02",
+            MotionMode::Arc(Turn::Counterclockwise) => "G03",
+            MotionMode::Thread if matches!(self.list, CodeList::B | CodeList::C) => "G33",
+            MotionMode::Thread => "G32",
+            MotionMode::VariableThread => "G34",
+            MotionMode::Tapping => "G33",
+            MotionMode::Cycle(_) => return None,
+        })
     }
 
     /// The code of group 01 that makes a motion.
@@ -724,6 +1001,11 @@ impl Writer<'_> {
             MotionKind::Dwell => return None,
         })
     }
+}
+
+/// Whether a block makes a motion that is uncertain.
+fn is_uncertain(own: &Range<usize>, motions: &Motions) -> bool {
+    own.clone().any(|index| motions.get(index).process.uncertain)
 }
 
 /// The G code of a word.

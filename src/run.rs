@@ -49,6 +49,8 @@ pub struct Analysis {
     pub codes: CodeList,
     /// The setup it was run under: the one handed in, with what the text adds, and the decimal rule decided.
     pub setup: Setup,
+    /// The text decided the decimal rule, not the setup.
+    pub decides_decimal: bool,
     /// The unit of length at the end of the program.
     pub unit: Unit,
     /// Tools and blank, once somebody has asked for them.
@@ -556,8 +558,9 @@ impl Run {
         let setup = at_machine(interpreter.setup(), &self.text);
         let unit = interpreter.state.unit;
         let motions = interpreter.into_motions();
-        let resolved = OnceLock::new();
-        Analysis { motions, diagnostics, blocks: self.blocks, trace, codes, setup, unit, resolved }
+        let (resolved, decides_decimal) = (OnceLock::new(), self.decided.is_some());
+        let blocks = self.blocks;
+        Analysis { motions, diagnostics, blocks, trace, codes, setup, decides_decimal, unit, resolved }
     }
 
     /// Begins with another program than the first of the text.

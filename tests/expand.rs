@@ -7,17 +7,21 @@ mod fixtures;
 #[allow(dead_code, reason = "its programs alone are read here")]
 #[path = "../src/rules/format/mod.rs"]
 mod format;
+mod random_programs;
 
 use std::collections::BTreeSet;
 
+use gcode_playground::control::interpreter::Executed;
 use gcode_playground::expand::expand;
+use gcode_playground::limits::Limits;
 use gcode_playground::message::Severity;
 use gcode_playground::motion::{Feed, MotionKind, Step};
-use gcode_playground::run::Analysis;
+use gcode_playground::run::{Analysis, Run};
 use gcode_playground::sentences::Language;
 use gcode_playground::setup::Setup;
 use gcode_playground::{analyze, api};
 use proptest::prelude::*;
+use random_programs::{any_setup, mistyped, program, shop_program};
 use serde_json::{Map, Value};
 
 /// Rows of the motions as they leave the crate, without what shows where they come from.
@@ -28,7 +32,13 @@ fn rows(analysis: &Analysis) -> Vec<Map<String, Value>> {
             if row.get("kind").is_none_or(|kind| kind != "thread") {
                 row.remove("lead");
             }
-            for key in ["line", "cycle", "pass", "step", "programmed", "uncertain"] {
+            // These follow from the ends, the feed and the speed, which are compared.
+            if row.get("kind").is_none_or(|kind| kind != "dwell") {
+                for key in ["seconds", "rpm", "feed"] {
+                    row.remove(key);
+                }
+            }
+            for key in ["line", "cycle", "pass", "step", "programmed"] {
                 row.remove(key);
             }
             row
@@ -57,11 +67,16 @@ fn alike(one: &Value, other: &Value) -> bool {
 fn difference(program: &str, setup: &Setup) -> Option<String> {
     let plain = expand(program.as_bytes(), setup);
     let (before, after) = (analyze(program.as_bytes(), setup), analyze(plain.as_bytes(), setup));
-    let why = |what: String| Some(format!("{what}\n{program}\n-- written out:\n{plain}"));
-    let (own, written) = (rows(&before), rows(&after));
+    let what = other_motions(&before, &after).or_else(|| more_reported(&before, &after))?;
+    Some(format!("{what}\n{program}\n-- written out:\n{plain}"))
+}
+
+/// What the motions of two runs differ in.
+fn other_motions(before: &Analysis, after: &Analysis) -> Option<String> {
+    let (own, written) = (rows(before), rows(after));
     for (index, (one, other)) in own.iter().zip(&written).enumerate() {
         if !alike(&Value::Object(one.clone()), &Value::Object(other.clone())) {
-            return why(format!(
+            return Some(format!(
                 "motion {index}: {}\n  not {}",
                 Value::Object(other.clone()),
                 Value::Object(one.clone())
@@ -70,7 +85,7 @@ fn difference(program: &str, setup: &Setup) -> Option<String> {
         let (one, other) = (before.motions.get(index), after.motions.get(index));
         let (a, b) = (one.process, other.process);
         if (a.turn, a.tool, a.clamp, a.speed) != (b.turn, b.tool, b.clamp, b.speed) {
-            return why(format!("motion {index}: {b:?}\n  not {a:?}"));
+            return Some(format!("motion {index}: {b:?}\n  not {a:?}"));
         }
         let same_feed = match (a.feed, b.feed) {
             (Feed::PerMinute(a), Feed::PerMinute(b)) | (Feed::PerTurn(a), Feed::PerTurn(b)) => {
@@ -79,12 +94,17 @@ fn difference(program: &str, setup: &Setup) -> Option<String> {
             (a, b) => a == b,
         };
         if !same_feed && !matches!(one.kind, MotionKind::Rapid | MotionKind::Dwell | MotionKind::Thread) {
-            return why(format!("motion {index}: {:?} not {:?}", b.feed, a.feed));
+            return Some(format!("motion {index}: {:?} not {:?}", b.feed, a.feed));
         }
     }
     if own.len() != written.len() {
-        return why(format!("{} motions, not {}", written.len(), own.len()));
+        return Some(format!("{} motions, not {}", written.len(), own.len()));
     }
+    None
+}
+
+/// What is reported after a program is expanded, and was not before.
+fn more_reported(before: &Analysis, after: &Analysis) -> Option<String> {
     // A cycle that comes back at feed is not asked for its sign; its expanded moves are.
     let returns = before.motions.iter().any(|motion| {
         motion.kind == MotionKind::Feed && motion.cycle.is_some_and(|step| step.step == Step::Retract)
@@ -96,7 +116,7 @@ fn difference(program: &str, setup: &Setup) -> Option<String> {
             && !(returns && more.message.slug() == "minus-missing")
     });
     let more = more?;
-    why(format!("{}: {}", more.message.slug(), more.message.sentence(Language::English).message))
+    Some(format!("{}: {}", more.message.slug(), more.message.sentence(Language::English).message))
 }
 
 #[track_caller]
@@ -230,6 +250,97 @@ fn a_cycle_that_changes_how_f_counts_names_its_feed_rate_again() {
     }
 }
 
+/// Words that a cycle ignores stay without effect.
+#[test]
+fn what_a_cycle_ignores_is_a_remark() {
+    for cycle in ["G90 X40 Z-20 F0.2", "G92 X40 Z-20 F2", "G94 X40 Z-1 F0.2"] {
+        for ignored in ["C25", "H1", "C25 M08", "R-1", "I2", "Y3"] {
+            check(&format!(
+                "O1\nT0101\nG97 S500 M03\nG00 X50 Z2\n{cycle}\n{ignored}\nX36\nG00 X100 Z100\nM30"
+            ));
+        }
+    }
+    let plain = expand(
+        b"O1\nT0101\nG97 S500 M03\nG00 X50 Z2\nG90 X40 Z-20 F0.2\nC25\nG00 X90\nM30",
+        &Setup::default(),
+    );
+    assert!(plain.contains("\n(C25)\n"), "{plain}");
+    let analysis = analyze(
+        b"O1\nT0101\nG97 S500 M03\nG00 X50 Z2\nG90 X40 Z-20 F0.2\nC25\nG00 X90\nM30",
+        &Setup::default(),
+    );
+    let ignored = analysis.diagnostics.iter().find(|told| told.message.code() == "W-WORD-IGNORED");
+    assert_eq!(
+        ignored.map(|told| told.span.quote(b"O1\nT0101\nG97 S500 M03\nG00 X50 Z2\nG90 X40 Z-20 F0.2\nC25")),
+        Some("C25".to_owned())
+    );
+}
+
+/// A block that names no code of group 01 keeps the one that it was read under.
+#[test]
+fn a_block_goes_by_the_code_of_the_program() {
+    let program = |middle: &str| {
+        format!("O1\nT0101\nG97 S500 M13\nM45\nG00 X50 Z2\nG98 G01 X40 F100\n{middle}\nG00 X100 Z100\nM30")
+    };
+    for middle in [
+        "G28 U0\nC5",
+        "G28 U0\nH5",
+        "G28 U0 W0\nX40 Z1",
+        "G30 P2 U0\nC5",
+        "G53 X0\nC5",
+        "G01 Z-5 ,R1\nX44\nC5",
+        "G42 X38 Z1\nG01 Z-5\nG40 X44\nH5",
+        "G90 X36 Z-9\nG01 X44\nC5",
+        "G90 X36 Z-9\nG01\nC5",
+        "G50 X40 Z2\nC5",
+    ] {
+        check(&program(middle));
+    }
+    assert!(expand(program("G28 U0\nC5").as_bytes(), &Setup::default()).contains("\nC5\n"));
+}
+
+/// What depends on a block that is not carried out stays as it was typed, and uncertain.
+#[test]
+fn what_is_uncertain_stays_uncertain() {
+    let corner = "G01 X40 Z0 ,R1 F0.1\nZ-21.42 ,R3.5\nX43.8 Z-23.36 ,A-146\nA89\nZ-30\nX60";
+    let rough = "G71 U1 R0.5\nG71 P10 Q20 U0.4 W0.1 F0.3\nN10 G00 X20\nG01 Z-9\nN20 X50";
+    for middle in [
+        corner.to_owned(),
+        "G01 Z-5 F0.1\nX4O\nG90 X40 Z-20\nX36\nG00 X60 Z5".to_owned(),
+        "G90 X40 Z-20 F0.2\nX3O\nX34\nG00 X60 Z5\nG90 X40 Z-20\nX36".to_owned(),
+        format!("G00 X6O\n{rough}\nG70 P10 Q20"),
+        format!("{rough}\nG00 X6O\nG70 P10 Q20"),
+        "G83 X44 C25\nG00 Z9".to_owned(),
+        "G00 X0 Z5\nG83 Z-20 R-2 Q5000 F0.1\nZ-3O\nZ-25\nG80\nG00 X60".to_owned(),
+        "M98 P7\nZ-5\nG90 X40 Z-20 F0.2\nX36".to_owned(),
+        "#1=FOO[2]\nG01 X#1 F0.1\nZ-5\nX60".to_owned(),
+        "G01 X40 Z-5 F0.1 ,C1\nZ-5.2.1\nX60\nG90 X40 Z-20".to_owned(),
+    ] {
+        for unit in ["", "G20\n"] {
+            check(&format!("O1\n{unit}T0101\nG97 S500 M03\nG00 X50 Z2\n{middle}\nG00 X100 Z100\nM30"));
+        }
+    }
+}
+
+/// A contour at the end of the text is left out like any other.
+#[test]
+fn a_contour_at_the_end_is_left_out() {
+    check("O1\nT0101\nM03 S500\nG00 X30 Z2\nG72 W1 R.5\nG72 P1 Q2 F0.2\nN1 G00 Z-9\nG01 X20\nN2 Z2\n");
+}
+
+/// Empty blocks cost nothing, and other blocks little.
+#[test]
+fn blocks_of_a_long_text_need_little_memory() {
+    let run = |text: String| {
+        let mut run = Run::new(text.into_bytes(), Setup::default()).traced();
+        while !run.advance(usize::MAX) {}
+        run.into_analysis()
+    };
+    assert_eq!(run("\n".repeat(100_000)).trace.len(), 1);
+    assert_eq!(run("M8\n\n\n".repeat(1_000)).trace.len(), 1_000);
+    assert!(size_of::<Executed>() <= 80, "{}", size_of::<Executed>());
+}
+
 /// Blocks that change feed, speed, tool or spindle.
 fn technology() -> impl Strategy<Value = String> {
     let whole =
@@ -285,5 +396,29 @@ proptest! {
         let setup = Setup::from_json(r#"{"dialect": {"decimal": "calculator"}}"#).expect("setup");
         let why = difference(&program, &setup);
         prop_assert!(why.is_none(), "{}", why.unwrap_or_default());
+    }
+}
+
+/// Programs of every kind, right and wrong ones, each with a setup.
+fn any_program() -> impl Strategy<Value = (String, Setup)> {
+    let shop = prop_oneof![shop_program(), mistyped(shop_program())];
+    prop_oneof![
+        4 => (shop, Just(Setup::default())),
+        1 => (program(), any_setup()),
+    ]
+}
+
+proptest! {
+    // The variable PROPTEST_CASES asks for more.
+    #![proptest_config(ProptestConfig { cases: ProptestConfig::default().cases.max(2000), ..ProptestConfig::default() })]
+
+    /// The same motions, those that are uncertain marked alike, whatever is wrong in a program.
+    #[test]
+    fn any_program_does_the_same((text, setup) in any_program()) {
+        let limits = Limits { motions: 3000, repeated_blocks: 2000, rounds: 500, macro_steps: 2000, ..setup.limits };
+        let setup = Setup { limits, ..setup };
+        let plain = expand(text.as_bytes(), &setup);
+        let other = other_motions(&analyze(text.as_bytes(), &setup), &analyze(plain.as_bytes(), &setup));
+        prop_assert!(other.is_none(), "{}\n{text}\n-- expanded:\n{plain}", other.unwrap_or_default());
     }
 }

@@ -7,7 +7,8 @@ use std::cell::OnceCell;
 use clap::ValueEnum;
 
 use super::options::LanguageName;
-use super::{Program, encoded};
+use super::system::say;
+use super::{NAME, Program, encoded};
 use crate::export::file::{self, Exportable, FileFormat, file as export};
 use crate::machine::SimulationResult;
 use crate::motion::Motions;
@@ -48,6 +49,17 @@ pub(super) fn file(program: &Program, format: FileFormat, language: Language) ->
         .ok_or_else(|| format!("{}: no blank is given, or nothing is left of it", program.name))
 }
 
+/// The expanded program, in the encoding of its file. A program without an expansion stays as it is; that is
+/// printed.
+pub(super) fn expanded(program: &Program) -> Vec<u8> {
+    let expanded = crate::expand::write_out(&program.text, &program.analysis).unwrap_or_else(|| {
+        let name = &program.name;
+        say(format_args!("{NAME}: {name}: not expanded: plain blocks would make other motions"));
+        String::from_utf8_lossy(&program.text).into_owned()
+    });
+    encoded(program, &expanded).into_owned()
+}
+
 /// How the drawing of a program looks.
 pub(super) fn svg_options(program: &Program, language: Language) -> SvgOptions {
     file::svg_options(&Ran { program, simulation: OnceCell::new() }, language)
@@ -81,8 +93,7 @@ impl Exportable for Ran<'_> {
     }
 
     fn expanded(&self) -> Vec<u8> {
-        let Program { text, analysis, .. } = self.program;
-        encoded(self.program, &crate::expand::write_out(text, analysis)).into_owned()
+        expanded(self.program)
     }
 
     fn unit(&self) -> Unit {

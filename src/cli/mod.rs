@@ -144,8 +144,7 @@ fn run(command: Command) -> Result<Status, String> {
         }
         Command::Expand { input, to } => {
             let program = program_run(&input, Run::traced)?;
-            let expanded = crate::expand::write_out(&program.text, &program.analysis);
-            save(to.file(), &encoded(&program, &expanded))?;
+            save(to.file(), &export::expanded(&program))?;
             Ok(status(&program.analysis))
         }
         Command::Rewrite { input, texts, to } => rewrite::write(&input, texts.language(), to.file()),

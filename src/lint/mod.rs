@@ -174,6 +174,7 @@ impl Lints {
             Event::OneShot => self.single_cycles.one_shot(),
             Event::OldTaperWord { words } => reports.extend(self.single_cycles.old_taper_word(words, at)),
             Event::CycleWithoutAxis { words, cycle, taper } => {
+                reports.extend(words::without_axis(words, cycle, at));
                 if let Some(end) = self.single_cycles.end(at) {
                     if let Some(word) = taper {
                         reports.extend(single_cycle::axis_missing(at, word.span, cycle, end));

@@ -7,6 +7,7 @@ use crate::control::doubt::Doubt;
 use crate::control::events::Moment;
 use crate::control::macros::Variables;
 use crate::control::words::{Words, behind_letter, letters, plain, quote};
+use crate::cycles::single::Single;
 use crate::geometry::Turn;
 use crate::message::{Diagnostic, Fix, Message, Severity, said};
 use crate::setup::dialect::Control;
@@ -63,6 +64,14 @@ fn reads_others(word: &Word, at: &Moment) -> bool {
         }
         _ => false,
     }
+}
+
+/// A word of another axis in a block of a single cycle without X and Z: the cycle does not run, and nothing moves.
+pub fn without_axis(words: &Words, cycle: Single, at: &Moment) -> Option<Diagnostic> {
+    let letter = b"CHYV".iter().copied().find(|&letter| words.get(letter).is_some())?;
+    let fix = Fix::delete(at.text, words.span(letter));
+    let message = said::WordIgnored { word: words.quote(at.text, letter), code: cycle.cycle().code() };
+    Some(Diagnostic::new(message, words.span(letter)).with(fix))
 }
 
 fn switches_compensation(word: &Word) -> bool {

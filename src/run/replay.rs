@@ -232,6 +232,7 @@ impl Replay {
             if let Some(before) = before {
                 let after = self.moment();
                 let values = self.run.interpreter.take_trace().pop().and_then(|executed| executed.values);
+                let values = values.map(String::from);
                 self.see(None, before, after, first..self.kept(), values);
                 // On the straight way no block is met twice, but for contours, which the way back is straight to.
                 self.is_done = self.run.interpreter.is_straight();

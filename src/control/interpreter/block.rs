@@ -153,7 +153,12 @@ impl Interpreter {
         }
         match (self.program.jump.take(), request.call_code) {
             _ if request.end || self.sink.is_full() => Flow::End,
-            (Some(at), _) => Flow::Jump(at),
+            (Some(at), _) => {
+                if self.trace.is_some() {
+                    self.trace_contour(at.byte);
+                }
+                Flow::Jump(at)
+            }
             // A call in a contour was reported already.
             (None, _) if self.contours.recorded.is_some() => Flow::Next,
             (None, Some(call_code)) => self.pass(text, block, &words, call_code, here),

@@ -30,6 +30,7 @@ impl Interpreter {
     pub(super) fn left_out(&mut self) {
         self.state.incomplete = true;
         self.refused = true;
+        self.trace_refusal();
         self.observe(&[], Event::LeftOut);
     }
 

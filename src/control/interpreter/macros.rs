@@ -158,7 +158,7 @@ impl Interpreter {
                 self.report_faults(&own);
                 match own.is_broken() {
                     true => self.trace_fault(),
-                    false if self.trace.is_some() => self.trace_values(&own),
+                    false if self.trace.is_some() => self.trace_values(&own, &[]),
                     false => {}
                 }
                 self.words_of(text, &own, here)
@@ -360,7 +360,7 @@ impl Interpreter {
         match own {
             Some(own) => {
                 if self.trace.is_some() {
-                    self.trace_values(&own);
+                    self.trace_values(&own, &block.words);
                 }
                 if !self.state.doubts.has(Doubt::Values) {
                     return self.words(text, &own, here);

@@ -59,7 +59,7 @@ use contours::Contours;
 
 pub use calls::Here;
 pub use snapshot::{Remainder, Snapshot};
-pub use trace::Executed;
+pub use trace::{Context, Executed};
 
 /// Words that move X or Z.
 const AXES: u32 = letters(b"XZUW");

@@ -2,29 +2,75 @@
 //!
 //! In: blocks as they run. Out: [`Executed`]. Costs nothing where it is not asked for.
 
+use std::sync::Arc;
+
 use super::Interpreter;
 use super::calls::Here;
-use crate::control::codes;
+use crate::control::codes::{self, Compensation, MotionMode};
+use crate::control::doubt::Doubt;
+use crate::control::modal::State;
 use crate::motion::Process;
 use crate::parts::in_part;
-use crate::text::block::{Block, BlockKind, Value};
+use crate::text::block::{Block, BlockKind, Value, Word};
 use crate::text::parser::Resume;
 
 /// A block that was carried out.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Executed {
-    /// Where it stands.
+    /// Its first byte and line.
     pub at: Resume,
+    /// One past the last byte of the contour that a cycle passes over; the end of the block where there is none.
+    pub passed: u32,
+    /// One past the last byte of the empty blocks that follow.
+    pub until: u32,
     /// Motions kept before it.
-    pub first: usize,
+    pub first: u32,
     /// Its words with values in place of expressions.
-    pub values: Option<String>,
+    pub values: Option<Box<str>>,
     /// It only steers the program: a macro statement, a call, a return.
     pub steers: bool,
-    /// Feed, spindle and tool before it.
-    pub before: Process,
+    /// It was not carried out, or not wholly.
+    pub failed: bool,
+    /// Code of group 01 in force before it.
+    pub mode: MotionMode,
+    /// What it depends on beside the modal codes.
+    pub context: Context,
+    /// Feed, spindle and tool before it. Blocks that change nothing share one.
+    pub before: Arc<Process>,
     /// The same once its own words for them count, before it moves.
-    pub ready: Process,
+    pub ready: Arc<Process>,
+}
+
+/// What the moves of a block depend on beside the modal codes.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Context {
+    /// Nothing.
+    #[default]
+    Settled,
+    /// The words of earlier blocks of the cycle or hole cycle in force. A code of group 01 ends it.
+    Cycle,
+    /// A move that waits for its corner, compensation, or a place that is in doubt.
+    Open,
+    /// It is data for the tables of the control (G10 to G11).
+    Data,
+}
+
+impl Context {
+    fn of(state: &State) -> Self {
+        let mut doubts = state.doubts;
+        // A block that takes a value from such a variable is itself in doubt.
+        doubts.remove(Doubt::Values);
+        let waits = state.pending.is_some() || state.compensating.is_some() || state.tip.is_some();
+        if state.data_input {
+            Self::Data
+        } else if waits || state.compensation != Compensation::Off || !doubts.is_empty() {
+            Self::Open
+        } else if state.hole.is_some() || matches!(state.motion, MotionMode::Cycle(_)) {
+            Self::Cycle
+        } else {
+            Self::Settled
+        }
+    }
 }
 
 in_part! {
@@ -45,7 +91,7 @@ in_part! {
     }
 
     Tools "0411"
-    fn values_of(block: &Block) -> String {
+    fn values_of(block: &Block, doubtful: &[Word]) -> String {
         let mut values = String::new();
         for word in &block.words {
             let Value::Number { number, negative } = word.value else { continue };
@@ -53,36 +99,84 @@ in_part! {
             let space = if values.is_empty() { "" } else { " " };
             let whole = number.value().fract() == 0.0;
             let point = if number.has_point() && whole { "." } else { "" };
-            values += &format!("{space}{comma}{}{minus}{}{point}", word.address as char, number.value());
+            let (letter, number) = (word.address as char, number.value());
+            // A value that is in doubt stays an expression.
+            let is_doubtful = doubtful.iter().any(|own| own.span == word.span && own.value == Value::Expression);
+            values += &match is_doubtful {
+                true => format!("{space}{comma}{letter}[{minus}{number}{point}]"),
+                false => format!("{space}{comma}{letter}{minus}{number}{point}"),
+            };
         }
         values
     }
 }
 
 impl Interpreter {
-    /// Keeps a block that is carried out.
+    /// Keeps a block that is carried out. Empty blocks belong to the one before.
     fn trace_block(&mut self, block: &Block, here: Here) {
-        let first = self.sink.kept();
-        let process = self.state.process();
+        let first = self.sink.kept() as u32;
         let Some(trace) = self.trace.as_mut().filter(|_| self.contours.recorded.is_none()) else { return };
+        let is_blank = block.is_empty()
+            && block.sequence.is_none()
+            && block.comments.is_empty()
+            && block.faults.is_empty()
+            && block.delete.is_none();
+        if let Some(last) = trace.last_mut().filter(|last| is_blank && last.until == here.at.byte) {
+            last.until = here.next.byte;
+            return;
+        }
+        let process = self.state.process();
+        let before = match trace.last() {
+            Some(last) if *last.ready == process => last.ready.clone(),
+            _ => Arc::new(process),
+        };
         let steers =
             !block.is_broken() && block.kind == BlockKind::Macro || block.words.iter().any(codes::steers);
-        trace.push(Executed { at: here.at, first, values: None, steers, before: process, ready: process });
+        trace.push(Executed {
+            at: here.at,
+            passed: here.next.byte,
+            until: here.next.byte,
+            first,
+            values: None,
+            steers,
+            failed: false,
+            mode: self.state.motion,
+            context: Context::of(&self.state),
+            ready: before.clone(),
+            before,
+        });
     }
 
     /// Keeps what the last block has made of feed, spindle and tool.
     fn trace_process(&mut self) {
         let process = self.state.process();
         let Some(trace) = self.trace.as_mut().filter(|_| self.contours.recorded.is_none()) else { return };
-        if let Some(last) = trace.last_mut() {
-            last.ready = process;
+        if let Some(last) = trace.last_mut().filter(|last| *last.ready != process) {
+            last.ready = Arc::new(process);
+        }
+    }
+
+    /// The last block is a cycle that passes over its contour, up to here.
+    #[cold]
+    pub(super) fn trace_contour(&mut self, end: u32) {
+        let Some(trace) = self.trace.as_mut().filter(|_| self.contours.recorded.is_none()) else { return };
+        if let Some(last) = trace.last_mut().filter(|last| !last.steers && last.until < end) {
+            (last.passed, last.until) = (end, end);
+        }
+    }
+
+    /// The last block, or a part of it, was not carried out.
+    #[cold]
+    pub(super) fn trace_refusal(&mut self) {
+        if let Some(last) = self.trace.as_mut().and_then(|trace| trace.last_mut()) {
+            last.failed = true;
         }
     }
 
     /// Keeps what the last block wrote into a table of the control.
     pub(super) fn trace_write(&mut self, variable: u32, value: f64) {
         if let Some(last) = self.trace.as_mut().and_then(|trace| trace.last_mut()) {
-            last.values = Some(assigned(variable, value));
+            last.values = Some(assigned(variable, value).into());
         }
     }
 
@@ -93,11 +187,12 @@ impl Interpreter {
         }
     }
 
-    /// Keeps the words of the last block with their values.
+    /// Keeps the words of the last block with their values; `typed`: the words before they were evaluated.
     #[cold]
-    pub(super) fn trace_values(&mut self, block: &Block) {
+    pub(super) fn trace_values(&mut self, block: &Block, typed: &[Word]) {
         let Some(trace) = self.trace.as_mut().filter(|_| self.contours.recorded.is_none()) else { return };
-        let values = values_of(block);
+        let doubtful = if self.state.doubts.has(Doubt::Values) { typed } else { &[] };
+        let values = values_of(block, doubtful).into();
         if let Some(last) = trace.last_mut() {
             last.values = Some(values);
             last.steers = !block.is_broken() && block.words.iter().any(codes::steers);
@@ -107,7 +202,7 @@ impl Interpreter {
     /// The last block was not carried out, for want of a value.
     pub(super) fn trace_nothing(&mut self) {
         if let Some(last) = self.trace.as_mut().and_then(|trace| trace.last_mut()) {
-            (last.values, last.steers) = (Some(String::new()), false);
+            (last.values, last.steers) = (Some(Box::default()), false);
         }
     }
 }
