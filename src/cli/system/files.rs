@@ -162,7 +162,7 @@ struct Temporary {
 }
 
 impl Temporary {
-    /// A new file in the folder of another one; `mode` as the umask leaves it.
+    /// A new file in the folder of another one; `mode` before the mask of the process applies.
     fn beside(target: &Path, mode: u32) -> Result<Self, String> {
         let mut tries = 0..NAMES;
         loop {

@@ -53,7 +53,7 @@ fn within(from: impl Read, most: u64) -> io::Result<Vec<u8>> {
     if bytes.len() as u64 > most { Err(ErrorKind::FileTooLarge.into()) } else { Ok(bytes) }
 }
 
-/// Creates a file, where there is none; `mode` as the umask leaves it.
+/// Creates a file, where there is none; `mode` before the mask of the process applies.
 pub(super) fn create(path: &Path, mode: u32) -> io::Result<OpenFile> {
     let mut options = OpenOptions::new();
     options.write(true).create_new(true);
@@ -165,7 +165,7 @@ pub(super) fn found(path: &Path) -> io::Result<Found> {
 /// What is at a path.
 #[cfg(not(unix))]
 pub(super) fn found(path: &Path) -> io::Result<Found> {
-    // The standard library does not tell the number of hard links here.
+    // The standard library does not report the number of hard links here.
     let kind = kind(path)?;
     Ok(Found { kind, mode: 0, owner: (0, 0), links: 1, id: None })
 }

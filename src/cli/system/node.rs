@@ -92,7 +92,7 @@ impl Drop for OpenFile {
     }
 }
 
-/// Creates a file, where there is none; `mode` as the umask leaves it.
+/// Creates a file, where there is none; `mode` before the mask of the process applies.
 pub(super) fn create(path: &Path, mode: u32) -> io::Result<OpenFile> {
     createFile(&text(path), mode).map(OpenFile).map_err(error)
 }
