@@ -47,7 +47,7 @@ pub fn write_out(text: &[u8], analysis: &Analysis) -> Option<String> {
     if analysis.decides_decimal {
         setup.dialect.decimal = None;
     }
-    let mut makes_same = |expanded: &String| {
+    let makes_same = |expanded: &String| {
         expanded.as_bytes() == text
             || same_motions(&analysis.motions, &crate::analyze(expanded.as_bytes(), &setup).motions)
     };

@@ -1,4 +1,8 @@
 //! The sentences of all messages, filled from the samples of the rule files.
+#[path = "../rules/format/mod.rs"]
+mod format;
+#[path = "../../www/rules/templates.rs"]
+mod templates;
 
 use std::collections::BTreeSet;
 
@@ -56,13 +60,11 @@ fn what_a_message_quotes_is_not_a_template() {
 /// What the page fills is all that is needed to say what is said here: names, types and templates.
 #[test]
 fn the_file_of_sentences_for_the_page_says_what_is_said_here() {
-    let files = [
-        include_str!(concat!(env!("OUT_DIR"), "/messages.en.json")),
-        include_str!(concat!(env!("OUT_DIR"), "/messages.zh.json")),
-        include_str!(concat!(env!("OUT_DIR"), "/messages.ru.json")),
-    ];
-    for (language, file) in Language::ALL.into_iter().zip(files) {
-        let file: serde_json::Value = serde_json::from_str(file).expect("JSON");
+    let rules = format::all(env!("CARGO_MANIFEST_DIR")).into_iter().map(|(name, rule)| rule.expect(&name));
+    let rules: Vec<_> = rules.collect();
+    for (index, language) in Language::ALL.into_iter().enumerate() {
+        assert_eq!(format::LANGUAGES[index], language.tag());
+        let file: serde_json::Value = serde_json::from_str(&templates::json(&rules, index)).expect("JSON");
         let own: BTreeSet<&str> = file.as_object().expect("an object").keys().map(String::as_str).collect();
         assert_eq!(own, example_messages().iter().map(Message::name).collect());
         for message in example_messages() {

@@ -4,8 +4,8 @@
 
 use serde_json::json;
 
-use crate::format::RuleFile;
-use crate::format::message::Type;
+use super::format::RuleFile;
+use super::format::message::Type;
 
 /// The templates in the language with this index in `LANGUAGES`, one message a line.
 pub fn json(rules: &[RuleFile], language: usize) -> String {
