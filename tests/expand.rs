@@ -8,6 +8,8 @@ mod fixtures;
 #[path = "../src/rules/format/mod.rs"]
 mod format;
 mod random_programs;
+#[path = "random_programs/shop.rs"]
+mod shop;
 
 use std::collections::BTreeSet;
 
@@ -21,8 +23,9 @@ use gcode_playground::sentences::Language;
 use gcode_playground::setup::Setup;
 use gcode_playground::{analyze, api};
 use proptest::prelude::*;
-use random_programs::{any_setup, mistyped, program, shop_program};
+use random_programs::{any_setup, program};
 use serde_json::{Map, Value};
+use shop::{mistyped, shop_program};
 
 /// Rows of the motions as they leave the crate, without what shows where they come from.
 fn rows(analysis: &Analysis) -> Vec<Map<String, Value>> {

@@ -89,7 +89,8 @@ pub struct Fault {
 
 /// One fault at a random place; `None` if the class does not fit the line.
 pub fn fault(text: &str, random: &mut Random) -> Option<Fault> {
-    const CLASSES: [(&str, fn(&str, &mut Random) -> Option<String>); 21] = [
+    type Misread = fn(&str, &mut Random) -> Option<String>;
+    const CLASSES: [(&str, Misread); 21] = [
         ("letter for a digit", |line, random| misread(line, random, &DIGITS)),
         ("letters for all digits of a word", all_digits),
         ("digit for a letter", |line, random| misread(line, random, &LETTERS)),
