@@ -94,7 +94,7 @@ fn end_of_head(text: &str) -> usize {
     text.split_inclusive('\n').take(2).take_while(is_head).map(str::len).sum()
 }
 
-/// Whether two programs make the same motions, to what an expanded program rounds.
+/// Whether two programs make the same motions, up to the rounding of an expanded program.
 fn same_motions(before: &Motions, after: &Motions) -> bool {
     before.len() == after.len()
         && before.iter().zip(after.iter()).all(|(before, after)| same_motion(&before, &after))
@@ -201,7 +201,7 @@ fn write_with<'a>(
     let jumps = trace.iter().any(|executed| executed.steers);
     let kept = writer.kept_blocks(trace, &own, uncertain);
     let mut block = Block::default();
-    // What stands before the first block.
+    // The text before the first block.
     if !jumps {
         writer.out.push_str(&String::from_utf8_lossy(&text[..first.at.byte as usize]));
     }
@@ -329,7 +329,7 @@ struct Writer<'a> {
     list: CodeList,
     /// The code of group 01 of the block under way.
     mode: MotionMode,
-    /// The code of group 01 that the text written so far leaves in force.
+    /// The code of group 01 in force at the end of the written text.
     written: MotionMode,
     feed: Option<f64>,
     inch: bool,
@@ -465,7 +465,7 @@ impl Writer<'_> {
         block.kind == BlockKind::Words && block.words.iter().any(moves) && !self.codes(block).any(has_own)
     }
 
-    /// Writes the modal words that a copied block depends on, where the text so far has left others in force.
+    /// Writes the modal words that a copied block depends on, where others are in force at the end of the written text.
     fn restore(
         &mut self,
         block: &Block,
@@ -974,7 +974,7 @@ impl Writer<'_> {
         };
     }
 
-    /// The code of group 01 as it is written; nothing for those of cycles, which need more than their code.
+    /// The code of group 01 as it is written; `None` for cycles, which need more than their code.
     fn code_of_mode(&self, mode: MotionMode) -> Option<&'static str> {
         Some(match mode {
             MotionMode::Rapid => "G00",

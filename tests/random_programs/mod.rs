@@ -1,4 +1,4 @@
-//! Random programs, good and bad, and setups for them: what a reader of programs has to take.
+//! Random programs, good and bad, and setups for them.
 #![cfg(not(target_arch = "wasm32"))]
 
 use gcode_playground::setup::Setup;

@@ -149,7 +149,7 @@ fn shop_blocks() -> impl Strategy<Value = String> {
     prop_oneof![12 => plain, 8 => odd, 1 => contour, 1 => compensated, 1 => holes]
 }
 
-/// A program such as a shop has, with what goes wrong in one: words that do not belong together, blocks that
+/// A program such as a shop has, with its faults: words that do not belong together, blocks that
 /// cannot be read, codes that are missing.
 pub fn shop_program() -> impl Strategy<Value = String> {
     let lines = |most: usize| {

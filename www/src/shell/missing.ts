@@ -1,6 +1,6 @@
 // What could not be loaded, or has failed: one notice with "Try again", which stays until all of it works.
 //
-// In: what is missing, why, and how to load it. Out: the notice. Everything that is missing is loaded again when the
+// In: the missing files, why, and how to load them. Out: the notice. Everything that is missing is loaded again when the
 // reader presses the button or changes the program, and when the network returns. Each thing has one attempt at a time; a
 // change begins one no sooner than `PAUSE_MS` after the last failure. Must not know: how anything is loaded.
 
