@@ -96,8 +96,25 @@ fn end_of_head(text: &str) -> usize {
 
 /// Whether two programs make the same motions, up to the rounding of an expanded program.
 fn same_motions(before: &Motions, after: &Motions) -> bool {
-    before.len() == after.len()
-        && before.iter().zip(after.iter()).all(|(before, after)| same_motion(&before, &after))
+    let (mut before, mut after) = (before.iter().peekable(), after.iter().peekable());
+    loop {
+        match (before.peek(), after.peek()) {
+            (None, None) => return true,
+            (Some(one), Some(other)) if same_motion(one, other) => {
+                before.next();
+                after.next();
+            }
+            (Some(one), _) if may_be_lost(one) => drop(before.next()),
+            (_, Some(other)) if may_be_lost(other) => drop(after.next()),
+            _ => return false,
+        }
+    }
+}
+
+/// Whether rounding to 0.001 mm may leave nothing of a move.
+fn may_be_lost(motion: &Motion) -> bool {
+    const SHORT: f64 = 2.5e-3;
+    motion.kind != MotionKind::Dwell && motion.rotary.is_none() && motion.length() < SHORT
 }
 
 fn near(a: f64, b: f64) -> bool {

@@ -757,10 +757,10 @@ fn place_of_end(text: &[u8]) -> (usize, &'static str) {
         let comment_end = block.comments.last().map_or(0, |comment| comment.end as usize);
         let end = (start + len).max(comment_end);
         place = match text[start..end].last() {
-            // Behind the end of the last block.
+            // After the end of the last block.
             None if text[..start].ends_with(b";") => (start, "\nM30"),
             None => place,
-            // What is behind this sign is not read.
+            // Nothing after this sign is read.
             Some(_) if block.kind == BlockKind::Percent => (start, "M30\n"),
             Some(b'%') if comment_end < end => (end - 1, "\nM30\n"),
             Some(_) => (end, "\nM30"),

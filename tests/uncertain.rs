@@ -202,6 +202,8 @@ fn a_macro_without_its_call_does_not_know_its_arguments() {
     unknown("#4=10/#3\n#100=[#1-#2]/[#1*2]\n#5=1/#100\nM99", "");
     unknown("G0 X[10/#3] Z5\nZ2\nM99", "R?(100,2)");
     unknown("G0 X#24 Z5\nM99", "R?(100,5)");
+    // A misread GOTO300 is no tool, so the program is still the body of a macro.
+    unknown("#4=10/#3\nGOT0300\n#5=1/#3\nM99", "");
     // Nor what a function has no value for, nor where a jump or a check leads, nor a loop without end.
     unknown("#4=LN[#1]\nGOTO#2\nIF[#3EQ#0]GOTO 9\nM99\nN9 #3000=1(NO DEPTH)\nM99", "");
     unknown("IF[#3NE#0]GOTO 9\n#3000=1(NO DEPTH)\nN9 G0 X50\nM99", "R?(50,50)");

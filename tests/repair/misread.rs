@@ -49,7 +49,7 @@ const LETTERS: [(char, &[&str]); 12] = [
     ('R', &["A", "P"]),
 ];
 
-/// Text behind a block.
+/// Text after a block.
 const WORDS: [&str; 27] = [
     "retract",
     "home",
@@ -104,7 +104,7 @@ pub fn fault(text: &str, random: &mut Random) -> Option<Fault> {
         ("blank in a number", |line, random| {
             insert(line, random, " ", |before, after| before.is_ascii_digit() && after.is_ascii_digit())
         }),
-        ("blank behind a letter", |line, random| {
+        ("blank after a letter", |line, random| {
             insert(line, random, " ", |before, _| before.is_ascii_alphabetic())
         }),
         ("blank lost", |line, random| replaced(line, random, |sign| (sign == ' ').then(String::new))),
@@ -115,11 +115,11 @@ pub fn fault(text: &str, random: &mut Random) -> Option<Fault> {
         ("comma word misread", |line, random| {
             replaced(line, random, |sign| (sign == ',').then(|| ".".to_owned()))
         }),
-        ("sign behind a letter", |line, random| {
+        ("sign after a letter", |line, random| {
             let sign = random.of(&["=", ":", "= ", "º", "°", "*"]);
             insert(line, random, sign, |before, after| before.is_ascii_alphabetic() && after.is_ascii_digit())
         }),
-        ("text behind the block", |line, random| Some(format!("{line} {}", random.of(&WORDS)))),
+        ("text after the block", |line, random| Some(format!("{line} {}", random.of(&WORDS)))),
         ("text before the block", |line, random| Some(format!("{} {line}", random.of(&WORDS)))),
         ("text in the block", |line, random| {
             let word = format!(" {}", random.of(&WORDS));

@@ -41,7 +41,9 @@ impl Interpreter {
         let (mut block, mut begun, mut returns, mut is_main) = (Block::default(), false, false, false);
         while parser.next_block(&mut block) && !(begun && block.program.is_some()) {
             begun |= !block.is_empty();
-            for word in &block.words {
+            // `GOT0300` for GOTO300 selects no tool.
+            let read = if block.is_broken() { &[] } else { &block.words[..] };
+            for word in read {
                 match (word.address, plain(word)) {
                     (b'M', Some(99.0)) => returns = true,
                     (b'M', Some(2.0 | 30.0)) | (b'T', _) => is_main = true,
