@@ -17,7 +17,7 @@ use gcode_playground::control::interpreter::Executed;
 use gcode_playground::expand::expand;
 use gcode_playground::limits::Limits;
 use gcode_playground::message::Severity;
-use gcode_playground::motion::{Feed, MotionKind, Step};
+use gcode_playground::motion::{Feed, Motion, MotionKind, Step};
 use gcode_playground::run::{Analysis, Run};
 use gcode_playground::sentences::Language;
 use gcode_playground::setup::Setup;
@@ -74,36 +74,56 @@ fn difference(program: &str, setup: &Setup) -> Option<String> {
     Some(format!("{what}\n{program}\n-- written out:\n{plain}"))
 }
 
-/// What the motions of two runs differ in.
+/// What the motions of two runs differ in. A move that rounding leaves nothing of may be in one of them alone.
 fn other_motions(before: &Analysis, after: &Analysis) -> Option<String> {
     let (own, written) = (rows(before), rows(after));
-    for (index, (one, other)) in own.iter().zip(&written).enumerate() {
-        if !alike(&Value::Object(one.clone()), &Value::Object(other.clone())) {
-            return Some(format!(
-                "motion {index}: {}\n  not {}",
-                Value::Object(other.clone()),
-                Value::Object(one.clone())
-            ));
-        }
-        let (one, other) = (before.motions.get(index), after.motions.get(index));
-        let (a, b) = (one.process, other.process);
-        if (a.turn, a.tool, a.clamp, a.speed) != (b.turn, b.tool, b.clamp, b.speed) {
-            return Some(format!("motion {index}: {b:?}\n  not {a:?}"));
-        }
-        let same_feed = match (a.feed, b.feed) {
-            (Feed::PerMinute(a), Feed::PerMinute(b)) | (Feed::PerTurn(a), Feed::PerTurn(b)) => {
-                (a - b).abs() < 1e-4 * (1.0 + a)
+    let (mut at, mut at_other) = (0, 0);
+    loop {
+        let why = match (own.get(at), written.get(at_other)) {
+            (None, None) => return None,
+            (Some(one), Some(other)) => {
+                let motions = [before.motions.get(at), after.motions.get(at_other)];
+                let Some(why) = other_motion([one, other], &motions) else {
+                    (at, at_other) = (at + 1, at_other + 1);
+                    continue;
+                };
+                format!("motion {at}: {why}")
             }
-            (a, b) => a == b,
+            _ => format!("{} motions, not {}", written.len(), own.len()),
         };
-        if !same_feed && !matches!(one.kind, MotionKind::Rapid | MotionKind::Dwell | MotionKind::Thread) {
-            return Some(format!("motion {index}: {:?} not {:?}", b.feed, a.feed));
+        if at < own.len() && may_be_lost(&before.motions.get(at)) {
+            at += 1;
+        } else if at_other < written.len() && may_be_lost(&after.motions.get(at_other)) {
+            at_other += 1;
+        } else {
+            return Some(why);
         }
     }
-    if own.len() != written.len() {
-        return Some(format!("{} motions, not {}", written.len(), own.len()));
+}
+
+/// Whether rounding to 0.001 mm may leave nothing of a move.
+fn may_be_lost(motion: &Motion) -> bool {
+    motion.kind != MotionKind::Dwell && motion.rotary.is_none() && motion.length() < 2.5e-3
+}
+
+/// What two motions, and their rows, differ in.
+fn other_motion([row, other_row]: [&Map<String, Value>; 2], [motion, other]: &[Motion; 2]) -> Option<String> {
+    let (row, other_row) = (Value::Object(row.clone()), Value::Object(other_row.clone()));
+    if !alike(&row, &other_row) {
+        return Some(format!("{other_row}\n  not {row}"));
     }
-    None
+    let (a, b) = (motion.process, other.process);
+    if (a.turn, a.tool, a.clamp, a.speed) != (b.turn, b.tool, b.clamp, b.speed) {
+        return Some(format!("{b:?}\n  not {a:?}"));
+    }
+    let same_feed = match (a.feed, b.feed) {
+        (Feed::PerMinute(a), Feed::PerMinute(b)) | (Feed::PerTurn(a), Feed::PerTurn(b)) => {
+            (a - b).abs() < 1e-4 * (1.0 + a)
+        }
+        (a, b) => a == b,
+    };
+    let is_fed = !matches!(motion.kind, MotionKind::Rapid | MotionKind::Dwell | MotionKind::Thread);
+    (!same_feed && is_fed).then(|| format!("{:?} not {:?}", b.feed, a.feed))
 }
 
 /// What is reported after a program is expanded, and was not before.

@@ -214,7 +214,7 @@ mod tests {
             ("Gº0 X60", &[]),
             ("X5 m/min a", &[]),
             // Macro statements.
-            ("X5 goto AND Eq", &[]),
+            ("X5 GOTO AND EQ", &[]),
             ("X5 and slowly", &["slowly"]),
         ];
         for (text, expected) in cases {

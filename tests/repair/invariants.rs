@@ -32,7 +32,7 @@ pub fn repair(text: &[u8], setup: &Setup) -> Repaired {
 }
 
 /// The addresses with a value outside brackets, in order: a letter, and digits after it, with signs and blanks
-/// between. Letters that are read as digits belong to the value: `GO1`.
+/// between. Letters that are read as digits belong to the value, and so do full-width digits: `GO1`, `X5２`.
 pub fn addresses(text: &[u8]) -> Vec<char> {
     let mut outside = text.to_vec();
     for token in Lexer::new(text, 0) {
@@ -57,9 +57,9 @@ pub fn addresses(text: &[u8]) -> Vec<char> {
         let mut digits = 0;
         while let Some(digit) = rest.next_if(|sign| {
             let is_letter = matches!(sign, 'O' | 'o' | 'l') && (digits > 0 || !is_apart);
-            is_letter || matches!(sign, '0'..='9' | '.' | ',')
+            is_letter || is_digit(*sign) || matches!(sign, '.' | ',')
         }) {
-            digits += usize::from(digit.is_ascii_digit());
+            digits += usize::from(is_digit(digit));
         }
         if digits > 0 {
             found.push(letter.to_ascii_uppercase());
@@ -67,6 +67,11 @@ pub fn addresses(text: &[u8]) -> Vec<char> {
         }
     }
     found
+}
+
+/// Whether a character is a digit, also a full-width one.
+fn is_digit(sign: char) -> bool {
+    matches!(sign, '0'..='9' | '\u{ff10}'..='\u{ff19}')
 }
 
 /// Whether some addresses are all there, in their order.

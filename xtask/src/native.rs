@@ -14,7 +14,7 @@ use crate::run::{self, Result, step};
 const WITH_TESTS: [&str; 3] = ["--workspace", "--example", "npx"];
 
 /// The profile of the writers of pages without the tests. In the folder of the tests, the library with fewer
-/// features would make theirs stale: cargo names a cdylib without a hash.
+/// features would make theirs stale: cargo names such a library without a hash.
 const PAGES: &str = "pages";
 
 /// What else is built from the same sources in this command.
