@@ -18,7 +18,7 @@ const DOCUMENT: &str = "www/docs/library.md";
 
 /// The module of the package may be at most so many bytes, compressed as a server does it. It has all that the
 /// parts of the page have, and cargo leaves link-time optimisation out of it.
-const MOST_OF_THE_MODULE: usize = 880_000;
+const MOST_OF_THE_MODULE: usize = 920_000;
 
 /// What the examples print: how many motions, and a message about the feed rate that the program lacks.
 const PRINTED: [&str; 2] = ["1 [", "line 2: "];

@@ -129,9 +129,11 @@ function legend(names: Names, language: Language): HTMLElement {
 
 /** The drawing with the colours of the page in place of its own, and without its legend. */
 function drawn(svg: string, label: string): Element | undefined {
-  const parsed = new DOMParser().parseFromString(svg, 'image/svg+xml').documentElement;
+  // The policy of the page blocks the style sheet as soon as it is parsed.
+  const unstyled = svg.replace(/<style[^>]*>.*?<\/style>/gs, '');
+  const parsed = new DOMParser().parseFromString(unstyled, 'image/svg+xml').documentElement;
   if (parsed.localName !== 'svg') return undefined;
-  for (const style of parsed.querySelectorAll('style, title')) style.remove();
+  for (const title of parsed.querySelectorAll('title')) title.remove();
   for (const text of parsed.querySelectorAll('text.legend')) {
     text.previousElementSibling?.remove();
     text.remove();
