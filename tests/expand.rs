@@ -299,7 +299,7 @@ fn what_a_cycle_ignores_is_a_remark() {
     );
 }
 
-/// A block that names no code of group 01 keeps the one that it was read under.
+/// A block without a code of group 01 keeps the code it was read under.
 #[test]
 fn a_block_goes_by_the_code_of_the_program() {
     let program = |middle: &str| {

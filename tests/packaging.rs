@@ -38,7 +38,7 @@ fn a_library_brings_nothing_of_the_command_line() {
     assert!(library.len() < command_line.len() && library.contains("i_overlay"), "{library:?}");
 }
 
-/// Building the site compiles neither the dependencies of the tests nor those of the command line.
+/// Building the site compiles no dependency of the tests or of the command line.
 #[test]
 fn the_writers_of_pages_bring_nothing_of_the_tests() {
     for package in ["gcode-playground-rule-pages", "gcode-playground-reference"] {

@@ -2,33 +2,19 @@
 //! first byte chooses the G-code system; the rest is the program, as UTF-8. Runs that reach a limit count too.
 #![no_main]
 
+mod limits;
+
 use gcode_playground::analyze;
 use gcode_playground::expand::expand;
 use gcode_playground::geometry::Point;
-use gcode_playground::limits::Limits;
 use gcode_playground::motion::Motion;
 use gcode_playground::setup::Setup;
 use gcode_playground::setup::dialect::GSystem;
 use libfuzzer_sys::fuzz_target;
+use limits::LIMITS;
 
 /// Lengths are rounded to this, mm.
 const ROUNDING: f64 = 0.0021;
-
-/// Bounds that are soon met, so that loops cost little.
-fn limits() -> Limits {
-    Limits {
-        text: 1 << 20,
-        motions: 2_000,
-        moves_per_cycle: 500,
-        cycle_work: 5_000,
-        repeated_blocks: 1_000,
-        repeated_text: 20_000,
-        rounds: 500,
-        macro_steps: 900,
-        messages: 100,
-        ..Limits::default()
-    }
-}
 
 fn near(a: f64, b: f64) -> bool {
     (a - b).abs() <= ROUNDING
@@ -60,7 +46,7 @@ fn is_same(a: &Motion, b: &Motion) -> bool {
 fuzz_target!(|input: &[u8]| {
     let Some((&choice, text)) = input.split_first() else { return };
     let text = String::from_utf8_lossy(text);
-    let mut setup = Setup { limits: limits(), ..Setup::default() };
+    let mut setup = Setup { limits: LIMITS, ..Setup::default() };
     setup.dialect.g_system =
         [None, Some(GSystem::A), Some(GSystem::B), Some(GSystem::C)][usize::from(choice % 4)];
     let expanded = expand(text.as_bytes(), &setup);

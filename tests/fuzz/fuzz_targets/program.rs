@@ -2,31 +2,14 @@
 //! the G-code system and the size of the slices; the rest is the program.
 #![no_main]
 
+mod limits;
+
 use gcode_playground::setup::dialect::GSystem;
 use gcode_playground::setup::Setup;
-use gcode_playground::limits::Limits;
 use gcode_playground::run::{Analysis, Run};
 use gcode_playground::text::highlight::highlight;
 use libfuzzer_sys::fuzz_target;
-
-/// Bounds that are soon met, so that loops cost little.
-const LIMITS: Limits = Limits {
-    text: 1 << 20,
-    motions: 2_000,
-    moves_per_cycle: 500,
-    cycle_work: 5_000,
-    repeated_blocks: 1_000,
-    repeated_text: 20_000,
-    rounds: 500,
-    macro_steps: 900,
-    call_depth: 10,
-    macro_depth: 5,
-    messages: 100,
-    part_motions: 200,
-    part_corners: 500,
-    compared_blocks: 1_000,
-    stride: 64,
-};
+use limits::LIMITS;
 
 fn run(text: &[u8], setup: &Setup, slice: usize) -> Analysis {
     let mut run = Run::new(text.to_vec(), Setup { limits: LIMITS, ..setup.clone() });
