@@ -115,9 +115,15 @@ impl Block {
         }
     }
 
+    /// Whether no further word or fault of it is kept.
+    pub(super) fn is_full(&self) -> bool {
+        // One fault more than words: a block of misread words is reported as too long.
+        self.faults.len() > WORDS_PER_BLOCK || self.overlong
+    }
+
     pub(super) fn fault(&mut self, fault: Diagnostic) {
         // One fault, one message: words are likely to be torn where a block is cut off.
-        if self.faults.len() < WORDS_PER_BLOCK && (self.faults.is_empty() || !self.overlong) {
+        if !self.is_full() || self.faults.is_empty() {
             self.faults.push(fault);
         }
     }

@@ -26,31 +26,35 @@ pub fn read(text: &[u8], start: usize) -> Option<Misread> {
     if !address.is_ascii_alphabetic() {
         return None;
     }
-    let mut plain = String::from(address.to_ascii_uppercase() as char);
+    let (mut plain, mut len) = ([address.to_ascii_uppercase(); LONGEST + 1], 1);
     let (mut digits, mut letter) = (0, None);
     while let Some((byte, next, is_wide)) = character(text, at)
-        && plain.len() <= LONGEST
+        && len <= LONGEST
     {
-        let before = digits;
+        let mut meant = byte;
         match byte {
-            b'-' | b'+' if plain.len() == 1 => {}
+            b'-' | b'+' if len == 1 => {}
             b'0'..=b'9' => digits += 1,
             b'.' => {}
             b'O' | b'o' | b'l' if !is_wide && stands_for_digit(text, at, address, digits) => {
                 letter = letter.or(Some(byte));
-                plain.push(if byte == b'l' { '1' } else { '0' });
+                meant = if byte == b'l' { b'1' } else { b'0' };
                 digits += 1;
             }
             _ => break,
         }
-        if digits == before || byte.is_ascii_digit() {
-            plain.push(byte as char);
-        }
+        plain[len] = meant;
+        len += 1;
         wide |= is_wide;
         at = next;
     }
     let misread = (wide || letter.is_some()) && digits > 0;
-    misread.then(|| Misread { address: address.to_ascii_uppercase(), plain, letter, len: at - start })
+    misread.then(|| Misread {
+        address: address.to_ascii_uppercase(),
+        plain: plain[..len].iter().map(|&byte| char::from(byte)).collect(),
+        letter,
+        len: at - start,
+    })
 }
 
 /// Whether an O or l inside a number can only be a digit: right after its letter or its digits, with digits

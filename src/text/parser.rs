@@ -222,13 +222,16 @@ impl<'a> Parser<'a> {
     /// Reports plain words. The rest is read without them: where it has no error, brackets around them are
     /// safe. A block of text with brackets in it is one message, unless the rest has no error.
     fn take_plain_words(&self, block: &mut Block, plain: &PlainWords, whole: bool) {
+        let is_text = !plain.has_value && whole;
+        if plain.groups.is_empty() {
+            return if is_text {
+                self.take_as_text(block, plain)
+            };
+        }
         let mut rest = self.read_without(block, &plain.groups);
         let is_readable = rest.kind == BlockKind::Words && !rest.is_broken() && !plain.is_ambiguous;
-        if !plain.has_value && whole && (!is_readable || plain.groups.is_empty()) {
+        if is_text && !is_readable {
             return self.take_as_text(block, plain);
-        }
-        if plain.groups.is_empty() {
-            return;
         }
         let text = self.lexer.text();
         for &group in &plain.groups {
@@ -318,13 +321,13 @@ impl<'a> Parser<'a> {
         // would be read to their end.
         const FULL_WIDTH: u8 = 0xEF;
         if self.lexer.peek_byte() == Some(FULL_WIDTH)
+            && !block.is_full()
             && self.misread_word(block, self.lexer.position() as u32)
         {
             return None;
         }
         let Some(token) = self.lexer.next_token() else { return Some(self.lexer.position()) };
         match token.kind {
-            TokenKind::Letter(letter) => self.letter(block, letter, token.span, None),
             TokenKind::Blank => {}
             TokenKind::LineEnd => {
                 self.line += 1;
@@ -348,6 +351,8 @@ impl<'a> Parser<'a> {
                 block.comment(token.span);
                 block.fault(Diagnostic::new(said::CommentNested, token.span));
             }
+            _ if block.is_full() => {}
+            TokenKind::Letter(letter) => self.letter(block, letter, token.span, None),
             TokenKind::OpenComment => {
                 block.comment(token.span);
                 let end = Span { start: token.span.end, end: token.span.end };

@@ -38,6 +38,9 @@ const LIKE_DIGITS: &str = "OoIilSsBZz";
 /// Further ones, where only one address can be meant.
 const LESS_LIKE_DIGITS: &str = "QDLEAGTgqbОоЗзб";
 
+/// Text of a longer block may be anything, bytes.
+const LONGEST: usize = 4096;
+
 /// Most digits of a word with misread digits.
 const MOST_DIGITS: usize = 9;
 
@@ -48,6 +51,11 @@ impl PlainWords {
         if comments.len() >= WORDS_PER_BLOCK {
             // Not all comments are known, and brackets must not nest.
             found.has_value = true;
+            return found;
+        }
+        if block.len() > LONGEST {
+            found.is_ambiguous =
+                block.of(text).iter().any(|byte| byte.is_ascii_alphanumeric() || !byte.is_ascii());
             return found;
         }
         let (mut at, end) = (block.start as usize, block.end as usize);

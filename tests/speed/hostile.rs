@@ -29,6 +29,10 @@ use serde::Serialize;
 /// A program that is too slow runs again, so many times in all: the machine may have been busy.
 const ATTEMPTS: usize = 3;
 
+/// Longest time for an answer, seconds. Half as much again as on a quiet machine: processors that many
+/// machines share were measured to be slower by that much.
+const LONGEST: f64 = 1.5 * MOST_SECONDS;
+
 /// Lines that a page shows at once.
 const SHOWN_LINES: u32 = 60;
 
@@ -69,7 +73,7 @@ fn main() -> io::Result<()> {
     let cases: io::Result<_> =
         all.iter().enumerate().map(|(index, case)| measured(case, index, &folder)).collect();
     quick_enough()?;
-    let (most_seconds, attempts, shown_lines) = (MOST_SECONDS, ATTEMPTS, SHOWN_LINES);
+    let (most_seconds, attempts, shown_lines) = (LONGEST, ATTEMPTS, SHOWN_LINES);
     let told = Cases { most_seconds, attempts, shown_lines, cases: cases? };
     fs::write(folder.join("cases.json"), serde_json::to_string(&told)?)
 }
@@ -116,7 +120,7 @@ fn measured(case: &Hostile, index: usize, folder: &Path) -> io::Result<Case> {
     let setup = Setup::from_json(case.setup).map_err(io::Error::other)?;
     let mut best = answer(case, &setup);
     for _ in 1..ATTEMPTS {
-        if best.0 > 1e3 * MOST_SECONDS {
+        if best.0 > 1e3 * LONGEST {
             best.0 = best.0.min(answer(case, &setup).0);
         }
     }
