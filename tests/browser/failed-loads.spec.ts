@@ -105,6 +105,15 @@ for (const [name, file] of Object.entries(FILES)) {
   }
 }
 
+test('the network returns while the editor is tried again', async ({ page, engine }) => {
+  const site = await storedSite();
+  // WebKit keeps no failure of an import, and asks for the same address.
+  site.refuse(editorFile(), 'closed', engine === 'webkit' ? /editor/ : /again=/);
+  await page.goto(`${site.address}#${new URLSearchParams(WITH_SETUP)}`);
+  await works(page, 2);
+  await site.stop();
+});
+
 for (const how of ['missing', 'closed', 'corrupted'] as const) {
   test(`the library of the editor is ${how} when the page starts`, async ({ page, engine }) => {
     const site = await storedSite();

@@ -25,8 +25,8 @@ export interface StoredSite {
   /** No request is answered any more. */
   stop(): Promise<void>;
   start(): Promise<void>;
-  /** From now on the files whose paths match are refused; without a pattern all are served. */
-  refuse(pattern?: RegExp, how?: Refusal): void;
+  /** From now on the files whose paths match are refused, the last time at an address that matches `last`; without a pattern all are served. */
+  refuse(pattern?: RegExp, how?: Refusal, last?: RegExp): void;
   /** From now on another build is served. */
   publish(changes: Changes): void;
 }
@@ -38,12 +38,13 @@ const TYPES: Readonly<Record<string, string>> = { '.html': 'text/html', '.js': '
 export async function storedSite(at = '/', folder = DIST): Promise<StoredSite> {
   const asked: string[] = [];
   let changes: Changes = new Map();
-  let refused: { readonly pattern: RegExp; readonly how: Refusal } | undefined;
+  let refused: { readonly pattern: RegExp; readonly how: Refusal; readonly last: RegExp | undefined } | undefined;
   const answer = async (request: IncomingMessage, response: ServerResponse): Promise<void> => {
     const { pathname } = new URL(request.url ?? '/', 'http://localhost');
     const path = normalize(pathname.slice(at.length) + (pathname.endsWith('/') ? 'index.html' : ''));
     asked.push(path);
     const refusal = refused?.pattern.test(path) === true ? refused.how : undefined;
+    if (refusal !== undefined && refused?.last?.test(request.url ?? '') === true) refused = undefined;
     if (refusal === 'closed') return void request.socket.destroy();
     if (refusal === 'corrupted') return void response.writeHead(200, { 'content-type': TYPES[extname(path)], 'cache-control': 'max-age=600' }).end('<h1>200</h1>');
     const bytes = !pathname.startsWith(at) || path.startsWith('..') || refusal === 'missing' ? undefined : changes.has(path) ? changes.get(path) : await readFile(join(folder, path)).catch(() => undefined);
@@ -63,8 +64,8 @@ export async function storedSite(at = '/', folder = DIST): Promise<StoredSite> {
       server.once('error', reject);
       server.listen(port, '127.0.0.1', resolve);
     }),
-    refuse(pattern, how = 'missing') {
-      refused = pattern && { pattern, how };
+    refuse(pattern, how = 'missing', last = undefined) {
+      refused = pattern && { pattern, how, last };
     },
     publish(build) {
       changes = build;

@@ -38,12 +38,19 @@ export async function loaded<Part>(load: () => Promise<Part>): Promise<Part> {
     const imported = importIn(load);
     const address = imported && addressOf(imported.file, failed);
     if (address === undefined) throw error;
-    try {
+    const again = async (): Promise<Part> => {
       const chunk = (await import(/* @vite-ignore */ `${address}?again=${++tries}`)) as Readonly<Record<string, unknown>>;
       return (imported?.member === undefined ? chunk : chunk[imported.member]) as Part;
-    } catch (again) {
-      throw (await isWhole(address, 'with-imports')) ? new NeedsReload('the page has to be reloaded') : again;
+    };
+    try {
+      return await again();
+    } catch (failure) {
+      if (!(await isWhole(address, 'with-imports'))) throw failure;
     }
+    // The files can be had by now: the network may have returned after the import failed.
+    return again().catch(() => {
+      throw new NeedsReload('the page has to be reloaded');
+    });
   }
 }
 
