@@ -1,8 +1,8 @@
 // Browser tests: the built page in three engines, found by role and text. Run `cargo xtask play --no-open`
 // first, until it says "ready". tests/browser/README.md says which tests run where, and how to run one of
 // them in one engine. PLAYGROUND_TEST_PORT is the port of the page, where 4317 is taken. PLAYGROUND_CHROMIUM
-// names an installed Chrome or Chromium; without it Playwright's own is used. PLAYGROUND_ALL_ENGINES=1 runs what
-// can be run in all engines there. The variables of the other engines are in tests/browser/engines/programs.ts.
+// names an installed Chrome or Chromium; without it Playwright's own is used. PLAYGROUND_ALL_ENGINES=1 runs
+// every test in every engine that can run it. The variables of the other engines are in tests/browser/engines/programs.ts.
 import { defineConfig } from '@playwright/test';
 import type { WorkerOptions } from '../tests/browser/engines/options';
 
@@ -18,9 +18,15 @@ const CHROMIUM_ONLY = files(
   'accessible', 'devices', 'docs', 'killed-while-typing', 'links', 'long-program', 'many', 'origins', 'own-programs-rules', 'package', 'parts', 'phone', 'playing-smoothly', 'report', 'room', 'solid', 'stored',
 );
 const NOT_IN_WEBKIT = files('encodings');
-/** What they check is worked out by the interpreter and shown by elements that other tests use in all engines. */
-const OF_THE_INTERPRETER = files('bad-input', 'codes', 'cycles', 'exports', 'first-week', 'motions', 'read-as', 'repairs', 'rewrite', 'rules', 'setup', 'switching', 'units');
-const LEFT_OUT = process.env['PLAYGROUND_ALL_ENGINES'] === '1' ? CHROMIUM_ONLY : [...CHROMIUM_ONLY, ...OF_THE_INTERPRETER];
+/** Input, storage, canvas, clipboard, worker, layout: what engines differ in. */
+const WHERE_ENGINES_DIFFER = files(
+  'completion', 'embedding', 'failed-loads', 'files', 'first-program', 'layout', 'own-program', 'paste', 'playback', 'policy', 'views',
+);
+/** Their product is built for `cargo xtask test --all` alone. */
+const OF_THE_PACKAGE = files('package');
+
+const everywhere = process.env['PLAYGROUND_ALL_ENGINES'] === '1';
+const tested = everywhere ? files('*') : WHERE_ENGINES_DIFFER;
 
 export default defineConfig<object, WorkerOptions>({
   testDir: '../tests/browser',
@@ -51,8 +57,8 @@ export default defineConfig<object, WorkerOptions>({
     },
   },
   projects: [
-    { name: 'chromium', use: { engine: 'chromium' } },
-    { name: 'firefox', use: { engine: 'firefox' }, testIgnore: LEFT_OUT },
-    { name: 'webkit', use: { engine: 'webkit' }, testIgnore: [...LEFT_OUT, ...NOT_IN_WEBKIT] },
+    { name: 'chromium', use: { engine: 'chromium' }, testIgnore: everywhere ? [] : OF_THE_PACKAGE },
+    { name: 'firefox', use: { engine: 'firefox' }, testMatch: tested, testIgnore: CHROMIUM_ONLY },
+    { name: 'webkit', use: { engine: 'webkit' }, testMatch: tested, testIgnore: [...CHROMIUM_ONLY, ...NOT_IN_WEBKIT] },
   ],
 });

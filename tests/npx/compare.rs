@@ -1,5 +1,5 @@
 //! The command line under Node beside the native one: `npx BIN` runs both, and compares what they write, to the byte: standard output, standard
-//! error, exit status, files. Part of `cargo xtask test`.
+//! error, exit status, files. Part of `cargo xtask test --all`.
 //!
 //! It makes every call that the reference shows, runs commands and formats over the programs of `tests/programs`, and reads files that are hard to read.
 //! `options.md` beside this file has the table of what is the same; `UPDATE=1` writes it.

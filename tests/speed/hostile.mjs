@@ -1,6 +1,6 @@
 // The hostile programs in the shipped wasm, each in a fresh process, beside their native times: one
 // table, and an error when one takes too long or is not answered by its message. Run by
-// `cargo xtask test` and `cargo xtask bench`.
+// `cargo xtask test --all` and `cargo xtask bench`.
 //
 //   node tests/speed/hostile.mjs FOLDER [--show ROWS] [--report FILE]
 //

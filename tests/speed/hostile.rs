@@ -1,5 +1,5 @@
 //! Times of the hostile programs of `tests/endless`, natively. Part of
-//! `cargo xtask test` and `cargo xtask bench`.
+//! `cargo xtask test --all` and `cargo xtask bench`.
 //!
 //! In: a folder. Out: the programs as files in that folder, and `cases.json`, which lists them with
 //! what is said of them, their times and how those were taken; `tests/speed/hostile.mjs` reads it, runs

@@ -1,4 +1,4 @@
-"""The ways in which programs are checked in a repository, followed with the real tools; `cargo xtask test` runs all of them.
+"""The ways in which programs are checked in a repository, followed with the real tools; `cargo xtask test --all` runs all of them.
 
     python3 tests/teams/run.py COMMAND PACKAGE NODE_MODULES WAY…
 

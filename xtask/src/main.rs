@@ -42,7 +42,8 @@ use setup::Setup;
 const USAGE: &str = "\
 cargo xtask play [--port N] [--no-open]   build the playground, serve it on localhost, open a browser
 cargo xtask site                          build the whole static site into www/dist
-cargo xtask test                          check and test everything
+cargo xtask test [--all]                  check a change: native tests, the page in Chromium, part of it in two other engines
+                                          (--all: everything, as before a release)
 cargo xtask bench [--own] [--write] [--rounds N]
                                           measure beside a floor and other programs, print the tables
                                           (--own: without the others; --write: into tests/speed/README.md)
@@ -60,7 +61,7 @@ cargo xtask setup                         only install what the other commands n
 enum Task {
     Play(Options),
     Site,
-    Test,
+    Test(test::Tier),
     Bench(bench::Options),
     Compare(Vec<String>),
     Manuals,
@@ -85,7 +86,7 @@ fn main() -> ExitCode {
     let result = match task {
         Task::Play(options) => play::main(options),
         Task::Site => Setup::for_building().and_then(|setup| package::site(&setup)),
-        Task::Test => test::main(),
+        Task::Test(tier) => test::main(tier),
         Task::Bench(options) => bench::main(options),
         Task::Compare(options) => compare::main(&options),
         Task::Manuals => manuals::main(),
@@ -111,7 +112,8 @@ fn parse(words: &[&str]) -> run::Result<Task> {
     match words {
         ["play", options @ ..] => parse_play(options).map(Task::Play),
         ["site"] => Ok(Task::Site),
-        ["test"] => Ok(Task::Test),
+        ["test"] => Ok(Task::Test(test::Tier::Change)),
+        ["test", "--all"] => Ok(Task::Test(test::Tier::All)),
         ["bench", options @ ..] if !options.contains(&"--help") => parse_bench(options).map(Task::Bench),
         ["compare-linuxcnc", options @ ..] => {
             Ok(Task::Compare(options.iter().map(|word| (*word).to_owned()).collect()))
@@ -207,7 +209,8 @@ mod tests {
         let play = |port, browser| Ok(Task::Play(Options { port, browser }));
         assert_eq!(parse(&["play"]), play(None, Browser::Open));
         assert_eq!(parse(&["play", "--no-open", "--port", "81"]), play(Some(81), Browser::Leave));
-        assert_eq!(parse(&["test"]), Ok(Task::Test));
+        assert_eq!(parse(&["test"]), Ok(Task::Test(test::Tier::Change)));
+        assert_eq!(parse(&["test", "--all"]), Ok(Task::Test(test::Tier::All)));
         assert_eq!(parse(&["test", "--help"]), Ok(Task::Help));
         assert_eq!(
             parse(&["compare-linuxcnc", "--seed", "2"]),

@@ -1,72 +1,116 @@
-//! In: the whole working tree. Out: whether it is in order: format, lints, fuzz targets, native tests, wasm
-//! tests under Node, hostile programs in release builds, the packages for other projects, the page's types, recipes for manuals, checks in a repository,
-//! and the page in three browser engines. It stops at the first step that fails.
+//! In: the whole working tree. Out: whether it is in order. It stops at the first step that fails.
+//!
+//! `cargo xtask test` checks a change in minutes; `--all` has the rest, which a change seldom breaks or which takes
+//! long: the fuzz targets, the hostile programs, the packages for other projects, the command line under Node, the
+//! recipes for manuals, the checks in a repository, and every browser test in three engines.
 
-use std::time::Instant;
+use std::time::{Duration, Instant};
 
 use crate::run::{self, Result, command, pretty, step};
 use crate::setup::Setup;
 use crate::{browser, engines, hostile, library, manuals, native, npx, package, spelling, teams};
 
+/// What is checked.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Tier {
+    /// A change: what it may well break.
+    Change,
+    /// Everything.
+    All,
+}
+
+/// The variable that asks for every browser test in every engine that can run it.
+const ALL_BROWSER_TESTS: &str = "PLAYGROUND_ALL_ENGINES";
+
+/// The steps that have passed, with their times.
+#[derive(Default)]
+struct Done(Vec<(&'static str, Duration)>);
+
+impl Done {
+    fn with(&mut self, name: &'static str, time: Duration) {
+        self.0.push((name, time));
+    }
+}
+
 /// `cargo xtask test`.
-pub fn main() -> Result {
+pub fn main(tier: Tier) -> Result {
     let start = Instant::now();
-    let mut times = Vec::new();
-    let mut done = |name: &'static str, time| times.push((name, time));
+    let mut done = Done::default();
 
     // What needs no set-up comes first: a slip in the format is reported in a second.
-    done("format", step("checking the format", command("cargo").args(["fmt", "--all", "--check"]))?);
+    done.with("format", step("checking the format", command("cargo").args(["fmt", "--all", "--check"]))?);
     let mut clippy = command("cargo");
     clippy.args(["clippy", "--workspace", "--all-targets", "--", "-D", "warnings"]);
-    done("lints", step("lints, native", &mut clippy)?);
-
-    let mut fuzz = command("cargo");
-    fuzz.args(["check", "--locked", "--manifest-path", "tests/fuzz/Cargo.toml", "--no-default-features"]);
-    fuzz.args(["--target-dir", "target/fuzz"]);
-    done("fuzz targets", step("checking the fuzz targets", &mut fuzz)?);
+    done.with("lints", step("lints, native", &mut clippy)?);
 
     let setting_up = Instant::now();
     spelling::ensure()?;
-    let setup = Setup::for_testing()?;
+    let setup = if tier == Tier::All { Setup::for_testing() } else { Setup::for_building() }?;
     let browser = browser::for_tests()?;
     let engines = engines::ensure()?;
-    done("set-up", setting_up.elapsed());
+    done.with("set-up", setting_up.elapsed());
 
     let mut clippy = setup.command("cargo");
     clippy.args(["clippy", "--target", "wasm32-unknown-unknown", "--lib", "--test", "wasm"]);
     clippy.args(["--", "-D", "warnings"]);
-    done("wasm lints", step("lints, wasm32", &mut clippy)?);
-    done("native tests", step("native tests", command("cargo").args(["test", "--workspace"]))?);
+    done.with("wasm lints", step("lints, wasm32", &mut clippy)?);
+    done.with("native tests", step("native tests", command("cargo").args(["test", "--workspace"]))?);
     let mut under_node = setup.command("cargo");
     under_node.args(["test", "--target", "wasm32-unknown-unknown", "--test", "wasm"]);
     under_node.env("CARGO_TARGET_WASM32_UNKNOWN_UNKNOWN_RUNNER", "wasm-bindgen-test-runner");
     under_node.env("WASM_BINDGEN_TEST_ONLY_NODE", "1");
-    done("wasm tests", step("wasm tests under Node", &mut under_node)?);
+    done.with("wasm tests", step("wasm tests under Node", &mut under_node)?);
+    match tier {
+        Tier::Change => done.with("wasm package", package::wasm(&setup)?),
+        Tier::All => products(&setup, &mut done)?,
+    }
+    done.with("wasm size", package::size()?);
+    done.with("page types", step("checking the page's types", &mut setup.npm(&["run", "typecheck"]))?);
+    done.with(
+        "workflows",
+        step("checking the workflows", command("node").arg("tests/package/workflows.mjs"))?,
+    );
+    done.with("page", package::page(&setup, native::Beside::Tests)?);
+    let mut playwright = setup.npm(&["run", "test:browser"]);
+    playwright.env(browser::VARIABLE, browser).envs(engines);
+    if tier == Tier::All {
+        for_other_projects(&setup, &mut done)?;
+        playwright.env(ALL_BROWSER_TESTS, "1");
+    }
+    done.with("browser tests", step("browser tests", &mut playwright)?);
+
+    let list: Vec<_> = done.0.iter().map(|(name, time)| format!("{name} {}", pretty(*time))).collect();
+    run::say(format_args!("times: {}", list.join(", ")));
+    run::say(format_args!("all {} steps passed in {}", list.len(), pretty(start.elapsed())));
+    Ok(())
+}
+
+/// Everything that is built, with the checks that need nothing else.
+fn products(setup: &Setup, done: &mut Done) -> Result {
+    let mut fuzz = command("cargo");
+    fuzz.args(["check", "--locked", "--manifest-path", "tests/fuzz/Cargo.toml", "--no-default-features"]);
+    fuzz.args(["--target-dir", "target/fuzz"]);
+    done.with("fuzz targets", step("checking the fuzz targets", &mut fuzz)?);
     // A module that is optimised as a whole keeps one processor busy.
-    let (wasm, packages) = run::both(|| package::wasm(&setup), || library::packages(&setup))?;
-    done("wasm package", wasm);
-    done("packages", packages);
-    done("wasm size", package::size()?);
-    let (node, hostile) = run::both(|| npx::module(&setup), || hostile::main(None))?;
-    done("hostile programs", hostile);
-    done("module for Node", node);
-    done("crate", library::crate_file()?);
-    done("page types", step("checking the page's types", &mut setup.npm(&["run", "typecheck"]))?);
-    done("workflows", step("checking the workflows", command("node").arg("tests/package/workflows.mjs"))?);
-    done("page", package::page(&setup, native::Beside::Tests)?);
+    let (wasm, packages) = run::both(|| package::wasm(setup), || library::packages(setup))?;
+    done.with("wasm package", wasm);
+    done.with("packages", packages);
+    let (node, crate_file) = run::both(|| npx::module(setup), library::crate_file)?;
+    done.with("module for Node", node);
+    done.with("crate", crate_file);
+    // Their times are measured: nothing runs beside them.
+    done.with("hostile programs", hostile::main(None)?);
+    Ok(())
+}
+
+/// What other projects take from the built page, and do with it.
+fn for_other_projects(setup: &Setup, done: &mut Done) -> Result {
     npx::put_into_package()?;
     // Each of the two starts one program after the other.
     let (teams, (node, manuals)) =
-        run::both(teams::ways, || Ok((npx::compare(&setup)?, manuals::recipes()?)))?;
-    done("command line for Node", node);
-    done("manuals", manuals);
-    done("teams", teams);
-    let mut playwright = setup.npm(&["run", "test:browser"]);
-    playwright.env(browser::VARIABLE, browser).envs(engines);
-    done("browser tests", step("browser tests", &mut playwright)?);
-
-    let list: Vec<_> = times.iter().map(|(name, time)| format!("{name} {}", pretty(*time))).collect();
-    run::say(format_args!("times: {}", list.join(", ")));
-    run::say(format_args!("all {} steps passed in {}", times.len(), pretty(start.elapsed())));
+        run::both(teams::ways, || Ok((npx::compare(setup)?, manuals::recipes()?)))?;
+    done.with("command line for Node", node);
+    done.with("manuals", manuals);
+    done.with("teams", teams);
     Ok(())
 }
