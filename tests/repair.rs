@@ -161,6 +161,10 @@ fn one_m30_comes_before_the_sign_that_ends_the_tape() {
     }
     for (end, expected) in [
         ("%", "\nM30\n%"),
+        ("%;", "\nM30\n%;"),
+        ("% ;;\u{1a}", "\nM30\n% ;;\u{1a}"),
+        ("%\u{b};\n", "\nM30\n%\u{b};\n"),
+        (" (END)%;", " (END)\nM30\n%;"),
         (";\n", ";\nM30\n"),
         (";%", ";M30\n%"),
         (";\n", ";\nM30\n"),

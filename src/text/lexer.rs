@@ -202,9 +202,8 @@ impl<'a> Lexer<'a> {
         let kind = match byte {
             b'A'..=b'Z' => self.one(TokenKind::Letter(byte)),
             b'0'..=b'9' | b'.' => self.number(),
-            // NUL is the feed of paper tape, 0x0B and 0x0C that of a printer, 0x1A the end of a DOS file.
-            b' ' | b'\t' | 0 | 0x0B | 0x0C | 0x1A => {
-                while matches!(self.peek_byte(), Some(b' ' | b'\t' | 0 | 0x0B | 0x0C | 0x1A)) {
+            _ if is_blank(byte) => {
+                while self.peek_byte().is_some_and(is_blank) {
                     self.at += 1;
                 }
                 TokenKind::Blank
@@ -381,6 +380,13 @@ fn digits(text: &[u8], mut at: usize, before: u64) -> (usize, u64) {
         at += 1;
     }
     (at, integer)
+}
+
+/// Whether a byte is a blank: NUL is the feed of paper tape, 0x0B and 0x0C that of a printer, 0x1A the end of a
+/// DOS file.
+#[inline]
+pub const fn is_blank(byte: u8) -> bool {
+    matches!(byte, b' ' | b'\t' | 0 | 0x0B | 0x0C | 0x1A)
 }
 
 /// The blocks of a text, without their ends: a line end, or a `;` outside of comments.

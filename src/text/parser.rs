@@ -12,7 +12,7 @@
 //! Knows which letters begin a word, not what any word means.
 
 use super::block::{Block, BlockKind, Value, Word};
-use super::lexer::{Lexer, Number, TokenKind};
+use super::lexer::{Lexer, Number, TokenKind, is_blank};
 use super::lost_letter;
 use super::misread::{self, Misread};
 use super::plain_line::PlainLine;
@@ -718,9 +718,10 @@ impl<'a> Parser<'a> {
         const SEARCHED: usize = 200;
         let behind = &self.lexer.text()[self.lexer.position()..];
         let line = line_end(behind, 0);
-        let next = behind.iter().take(SEARCHED).find(|byte| !byte.is_ascii_whitespace() && **byte != b';');
-        let blank = behind[..line].iter().all(|byte| byte.is_ascii_whitespace() || *byte == b';');
-        blank && next.is_none_or(|byte| matches!(byte, b'%' | b'O' | b'o' | b':' | 0 | 0x1A))
+        let is_empty = |byte: &&u8| is_blank(**byte) || matches!(byte, b';' | b'\n' | b'\r');
+        let next = behind.iter().take(SEARCHED).find(|byte| !is_empty(byte));
+        let alone = behind[..line].iter().all(|byte| is_empty(&byte));
+        alone && next.is_none_or(|byte| matches!(byte, b'%' | b'O' | b'o' | b':'))
     }
 
     fn slash(&mut self, block: &mut Block) {

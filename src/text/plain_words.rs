@@ -3,6 +3,7 @@
 //! In: a block and its comments. Out: which runs of letters can only be text, and which may be words whose
 //! digits were misread. Knows no code.
 
+use super::lexer::is_blank;
 use super::misread::is_full_width;
 use crate::limits::WORDS_PER_BLOCK;
 use crate::source::Span;
@@ -176,7 +177,7 @@ pub fn begins_in_other_script(bytes: &[u8]) -> bool {
 /// Bytes of the blank at the head of some bytes, 0 without one.
 fn blank(bytes: &[u8]) -> usize {
     match bytes {
-        [b' ' | b'\t' | 0 | 0x0B | 0x0C | 0x1A, ..] => 1,
+        [byte, ..] if is_blank(*byte) => 1,
         [0xC2, 0xA0, ..] => 2,
         [0xE3, 0x80, 0x80, ..] | [0xEF, 0xBB, 0xBF, ..] => 3,
         _ => 0,

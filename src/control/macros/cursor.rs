@@ -5,7 +5,7 @@
 
 use std::ops::Range;
 
-use crate::text::lexer::Number;
+use crate::text::lexer::{Number, is_blank};
 
 /// An operator between two numbers.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -62,8 +62,7 @@ impl<'t> Cursor<'t> {
     pub fn peek(&mut self) -> Option<u8> {
         loop {
             match *self.text.get(self.at)? {
-                // NUL and 0x1A as in the lexer.
-                b' ' | b'\t' | 0 | 0x1A => self.at += 1,
+                byte if is_blank(byte) => self.at += 1,
                 b'(' => self.at = self.comment_end(),
                 byte => return Some(byte.to_ascii_uppercase()),
             }
