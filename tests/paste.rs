@@ -223,6 +223,19 @@ fn signs_of_print_become_plain() {
 }
 
 #[test]
+fn a_level_of_block_skip_is_one_sign() {
+    let program = |skip: &str| format!("O1\nG00 X50 Z2\n{skip} G01 X40\nG01 Z-5\nM30\n");
+    for skip in ["/1", "/\u{ad}1", "/\u{200b}1", "/１", "／１", "/"] {
+        let cleaned = only(&program(skip));
+        assert_eq!(
+            cleaned.lines().nth(2),
+            Some(if skip == "/" { "/ G01 X40" } else { "/1 G01 X40" }),
+            "{skip:?}"
+        );
+    }
+}
+
+#[test]
 fn line_numbers_fences_quotes_and_tables() {
     assert_eq!(
         only("Here you go:\n```gcode\n1  O0001\n2  G00 X32 Z2\n3. G01 Z-30 F0.1\n```\nGood luck!"),
@@ -347,6 +360,9 @@ fn bit() -> impl Strategy<Value = String> {
         "#1=2",
         "% ",
         "/2",
+        "/",
+        "\u{ad}",
+        "２",
         "…",
         "GO1",
         "{8 m!",

@@ -179,6 +179,17 @@ fn sign_at(text: &str, at: usize) -> Option<char> {
     look(text, at).map(|seen| seen.sign)
 }
 
+/// The signs of a text as a program spells them, and why they differ.
+pub(super) fn plain_signs(text: &str) -> (String, Option<Reason>) {
+    let (mut now, mut reason, mut at) = (String::new(), None, 0);
+    while let Some(seen) = look(text, at) {
+        now.push(seen.sign);
+        reason = reason.or(seen.reason);
+        at = seen.end;
+    }
+    (now, reason)
+}
+
 /// Reads a text.
 pub(super) fn read(text: &str) -> Vec<Item> {
     let mut reader = Reader { text, at: 0, items: Vec::new(), close: 0 };
@@ -284,8 +295,8 @@ impl Reader<'_> {
                 return Some((Kind::Bullet, seen.end));
             }
             '/' => {
-                let level = sign_at(text, seen.end).filter(|c| matches!(c, '1'..='9'));
-                let to = if level.is_some() { seen.end + 1 } else { seen.end };
+                let level = look(text, seen.end).filter(|level| matches!(level.sign, '1'..='9'));
+                let to = level.map_or(seen.end, |level| level.end);
                 let next = to + blanks(text, to);
                 let glued = before.is_some_and(char::is_alphabetic);
                 let alone = first && sign_at(text, next).is_none_or(|c| matches!(c, '\n' | '\r'));

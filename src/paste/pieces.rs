@@ -5,7 +5,7 @@
 
 use super::Piece;
 use super::blocks::{Blocks, NOBODY};
-use super::items::{Item, Kind, Word, is_blank, is_invisible, plain_word, slice, spell};
+use super::items::{Item, Kind, Word, is_blank, is_invisible, plain_signs, plain_word, slice, spell};
 use super::programs::Stretch;
 use super::reason::Reason;
 use crate::control::codes;
@@ -98,6 +98,10 @@ impl Writer<'_> {
             Kind::Comment => {
                 let now = was.replace('（', "(").replace('）', ")");
                 let reason = (now != was).then_some(Reason::FullWidth);
+                self.push(end, now, reason);
+            }
+            Kind::Slash => {
+                let (now, reason) = plain_signs(was);
                 self.push(end, now, reason);
             }
             Kind::Semicolon if was != ";" => self.push(end, ";".into(), Some(Reason::FullWidth)),
