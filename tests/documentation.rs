@@ -80,7 +80,7 @@ const BUILT: [(&str, &str); 10] = [
     ("dist/embed", "the same"),
     ("embed/0.1.0", "the same command makes it, named after the version in Cargo.toml"),
     ("www/dist", "the same command makes it"),
-    ("dist/rules", "`cargo xtask play`; `tests/browser/rules.spec.ts` opens its pages"),
+    ("dist/rules", "the same command; `tests/browser/rules.spec.ts` opens its pages"),
     ("rules/en/index.html", "the same"),
     ("rules/<language>/messages.json", "the same command; the tests of `sentences` fill its templates"),
 ];

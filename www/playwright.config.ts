@@ -1,5 +1,5 @@
-// Browser tests: the built page in three engines, found by role and text. Run `cargo xtask play --no-open`
-// first, until it says "ready". tests/browser/README.md says which tests run where, and how to run one of
+// Browser tests: the built page in three engines, found by role and text. Run `cargo xtask site`
+// first. tests/browser/README.md says which tests run where, and how to run one of
 // them in one engine. PLAYGROUND_TEST_PORT is the port of the page, where 4317 is taken. PLAYGROUND_CHROMIUM
 // names an installed Chrome or Chromium; without it Playwright's own is used. PLAYGROUND_ALL_ENGINES=1 runs
 // every test in every engine that can run it. The variables of the other engines are in tests/browser/engines/programs.ts.

@@ -1,5 +1,6 @@
 // Builds the static page into www/dist. Addresses are relative, so the folder works wherever it is put.
 import { readFileSync } from 'node:fs';
+import { join } from 'node:path';
 import { defineConfig, type HtmlTagDescriptor, type Plugin } from 'vite';
 import { compiledEarly } from './compiled-early';
 import { examples } from './examples';
@@ -42,6 +43,32 @@ const foreignPage: Plugin = {
   },
 };
 
+/**
+ * `cargo xtask play`: the rule pages and the reference are in a folder of their own, and each new module of the interpreter reloads
+ * the page.
+ */
+const atWork: Plugin = {
+  name: 'at-work',
+  configureServer({ middlewares, watcher, ws }) {
+    const folder = process.env['PLAYGROUND_DOCUMENTS'];
+    middlewares.use((request, response, next) => {
+      const path = /^\/((?:rules|docs)\/[\w./-]*)/.exec(request.url ?? '')?.[1];
+      if (folder === undefined || path === undefined || path.includes('..')) return next();
+      try {
+        const file = path.endsWith('/') ? `${path}index.html` : path;
+        const text = readFileSync(join(folder, file));
+        if (file.endsWith('.html')) response.setHeader('content-type', 'text/html; charset=utf-8');
+        response.end(text);
+      } catch {
+        next();
+      }
+    });
+    // The stamp of the package, which is written last.
+    const reload = (file: string): void => void (file.endsWith('.built-by-xtask') && ws.send({ type: 'full-reload' }));
+    watcher.on('add', reload).on('change', reload);
+  },
+};
+
 /** That of the crate: texts to copy name the folder of the element after it. */
 const version = /^version = "(.*)"$/m.exec(readFileSync('../Cargo.toml', 'utf8'))?.[1] ?? '';
 
@@ -56,7 +83,7 @@ function isPreloaded(file: string, host: string): boolean {
 export default defineConfig({
   base: './',
   define: { PLAYGROUND_VERSION: JSON.stringify(version) },
-  plugins: [preloads, examples, installable, compiledEarly, policy, foreignPage],
+  plugins: [preloads, examples, installable, compiledEarly, policy, foreignPage, atWork],
   build: {
     target: 'es2022', outDir: 'dist', emptyOutDir: true, assetsInlineLimit: 0, cssTarget: 'chrome123',
     modulePreload: { resolveDependencies: (file, needed, { hostId, hostType }) => (hostType === 'html' ? needed : needed.filter((each) => each !== file && isPreloaded(each, hostId))) },

@@ -1,5 +1,5 @@
 //! Writes the pages of all rules as HTML. Part of building the page:
-//! `cargo xtask play` and `cargo xtask test`.
+//! `cargo xtask site` and `cargo xtask test`.
 //!
 //! In: a folder. Out: in it `<lang>/<slug>.html`, `<lang>/index.html`, the pictures, the style sheet of all,
 //! and `<lang>/messages.json`: the templates of all messages in a language, by the names of the messages.

@@ -25,7 +25,6 @@ mod panics;
 mod parts;
 mod play;
 mod run;
-mod serve;
 mod setup;
 mod spelling;
 mod teams;
@@ -40,7 +39,7 @@ use play::{Browser, Options};
 use setup::Setup;
 
 const USAGE: &str = "\
-cargo xtask play [--port N] [--no-open]   build the playground, serve it on localhost, open a browser
+cargo xtask play [--port N] [--no-open]   serve the playground on localhost, open a browser, show each change
 cargo xtask site                          build the whole static site into www/dist
 cargo xtask test [--all]                  check a change: native tests, the page in Chromium, part of it in two other engines
                                           (--all: everything, as before a release)

@@ -31,6 +31,9 @@ const MOST_OF_ALL: u64 = 850_000;
 /// The profile in which a module that is cut is built first: that of the page, so that functions have the same names in both.
 const FIRST_PROFILE: &str = "page-first";
 
+/// The file of a package that says what it was built from.
+pub const STAMP: &str = ".built-by-xtask";
+
 /// A crate that becomes a module for JavaScript.
 pub struct Module<'a> {
     /// Its name, with underscores.
@@ -79,7 +82,7 @@ impl Module<'_> {
     pub fn build(&self, setup: &Setup) -> Result<Duration> {
         let compiled =
             if self.is_cut { self.compile_twice(setup)? } else { self.compile(setup, self.profile, None)? };
-        let stamp = self.package.join(".built-by-xtask");
+        let stamp = self.package.join(STAMP);
         let shipped = self.package.join(format!("{}_bg.wasm", self.name));
         let built = || {
             let scripts = ["js", "d.ts"].map(|kind| self.package.join(format!("{}.{kind}", self.name)));
@@ -90,10 +93,7 @@ impl Module<'_> {
             run::say(format_args!("the wasm package in {} is up to date", self.package.display()));
             return Ok(compiled);
         }
-        // Half a package is none.
-        let _ = fs::remove_file(&stamp);
-        let _ = fs::remove_dir_all(&self.package);
-        self.remove_modules();
+        begin(&self.package)?;
         let cut =
             self.is_cut.then(|| parts::cut(setup, &self.compiled(self.profile), self.name)).transpose()?;
         let mut bindgen = setup.command("wasm-bindgen");
@@ -125,15 +125,6 @@ impl Module<'_> {
             write(&stamp, &fingerprint)?;
         }
         Ok(compiled + bound + optimised)
-    }
-
-    /// Removes the modules of an older package: its parts may have had other names.
-    fn remove_modules(&self) {
-        let files = fs::read_dir(&self.package).into_iter().flatten().flatten().map(|entry| entry.path());
-        for file in files.filter(|file| file.extension().is_some_and(|kind| kind == "wasm")) {
-            // One that stays is found when the files are weighed.
-            let _ = fs::remove_file(file);
-        }
     }
 
     /// Compiles a module that is cut, and then again, so that only its core is as large as it has to be to be quick.
@@ -298,7 +289,18 @@ pub fn page(setup: &Setup, beside: native::Beside) -> Result<Duration> {
     Ok(page + rules + docs + element + offline)
 }
 
-fn write(path: &Path, text: &str) -> Result {
+/// Makes an empty folder for a package: half a package is none, and an older one may have other parts.
+pub fn begin(package: &Path) -> Result {
+    let cannot = |error| format!("cannot make {}: {error}", package.display());
+    let _ = fs::remove_file(package.join(STAMP));
+    if package.exists() {
+        fs::remove_dir_all(package).map_err(cannot)?;
+    }
+    fs::create_dir_all(package).map_err(cannot)
+}
+
+/// Writes a file.
+pub fn write(path: &Path, text: &str) -> Result {
     fs::write(path, text).map_err(|error| format!("cannot write {}: {error}", path.display()))
 }
 

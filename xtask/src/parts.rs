@@ -17,6 +17,9 @@ use crate::setup::Setup;
 /// and runs under Node.
 const LINK_SCRIPT: &str = "__wasm_split.js";
 
+/// The parts, by `Part::name`.
+const NAMES: [&str; 8] = ["setup", "machine", "tools", "path", "seldom", "en", "zh", "ru"];
+
 /// A module that is cut into parts.
 pub struct Cut {
     /// What remains: the module that wasm-bindgen makes the package of.
@@ -56,23 +59,35 @@ pub fn cut(setup: &Setup, module: &Path, name: &str) -> Result<Cut> {
     Ok(Cut { main: folder.join(format!("{name}.wasm")), files, parts })
 }
 
+/// The scripts that know the files of the parts and load them, and their types.
+type Scripts = [(&'static str, String); 4];
+
 impl Cut {
-    /// The scripts that know the files of the parts and load them, and their types.
-    pub fn scripts(&self) -> [(&'static str, String); 4] {
-        let row = |(part, files): (&String, &Vec<String>)| {
-            let urls: Vec<String> =
-                files.iter().map(|file| format!("new URL('./{file}', import.meta.url).href")).collect();
-            format!("{part}: [{}],", urls.join(", "))
-        };
-        let rows: Vec<String> = self.parts.iter().map(row).collect();
-        let names: Vec<String> = self.parts.keys().map(|part| format!("'{part}'")).collect();
-        [
-            ("part-files.js", include_str!("part-files.js").replace("/* FILES */", &rows.join("\n  "))),
-            ("part-files.d.ts", include_str!("part-files.d.ts").replace("/* NAMES */", &names.join(" | "))),
-            ("parts.js", include_str!("parts.js").to_owned()),
-            ("parts.d.ts", include_str!("parts.d.ts").to_owned()),
-        ]
+    /// Its scripts.
+    pub fn scripts(&self) -> Scripts {
+        scripts(&self.parts)
     }
+}
+
+/// The scripts of a module that is not cut: no part has a file.
+pub fn whole() -> Scripts {
+    scripts(&NAMES.map(|name| (name.to_owned(), Vec::new())).into())
+}
+
+fn scripts(parts: &BTreeMap<String, Vec<String>>) -> Scripts {
+    let row = |(part, files): (&String, &Vec<String>)| {
+        let urls: Vec<String> =
+            files.iter().map(|file| format!("new URL('./{file}', import.meta.url).href")).collect();
+        format!("{part}: [{}],", urls.join(", "))
+    };
+    let rows: Vec<String> = parts.iter().map(row).collect();
+    let names: Vec<String> = parts.keys().map(|part| format!("'{part}'")).collect();
+    [
+        ("part-files.js", include_str!("part-files.js").replace("/* FILES */", &rows.join("\n  "))),
+        ("part-files.d.ts", include_str!("part-files.d.ts").replace("/* NAMES */", &names.join(" | "))),
+        ("parts.js", include_str!("parts.js").to_owned()),
+        ("parts.d.ts", include_str!("parts.d.ts").to_owned()),
+    ]
 }
 
 /// The files that wasm-split's script loads, each with the parts that need it; those that several need first.
@@ -113,7 +128,17 @@ fn part_name(variant: &str) -> String {
 
 #[cfg(test)]
 mod tests {
-    use super::{files_of, shipped_name};
+    use super::{NAMES, files_of, shipped_name, whole};
+
+    #[test]
+    fn a_whole_module_has_all_parts_and_no_files_of_them() {
+        let source = include_str!("../../src/parts.rs");
+        let named: Vec<&str> =
+            source.split("=> \"").skip(1).filter_map(|rest| rest.split('"').next()).collect();
+        assert_eq!(named, NAMES);
+        let [(_, files), ..] = whole();
+        assert!(NAMES.iter().all(|name| files.contains(&format!("{name}: [],"))), "{files}");
+    }
 
     #[test]
     fn files_that_several_parts_need_come_first() {

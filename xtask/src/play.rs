@@ -1,14 +1,19 @@
-//! In: the port and whether to open a browser. Out: the page, built and served on localhost until Ctrl-C.
-//! It is all one process: to stop it is to stop the server.
+//! In: the port and whether to open a browser. Out: the page, served by Vite on localhost until Ctrl-C. A change in `src` is compiled
+//! and shown; a change in `www` is shown at once.
+//!
+//! The interpreter is one module here, compiled fast and not optimised. The optimised site is `package`'s.
 
-use std::env;
-use std::process::{Command, Stdio};
-use std::time::Instant;
+use std::fs;
+use std::net::{Ipv4Addr, Ipv6Addr, TcpListener, TcpStream};
+use std::path::PathBuf;
+use std::process::{Child, Command, Stdio};
+use std::thread;
+use std::time::{Duration, Instant, SystemTime};
+use std::{env, io};
 
-use crate::package;
-use crate::run::{self, Result};
-use crate::serve::Server;
+use crate::run::{self, Result, step};
 use crate::setup::Setup;
+use crate::{native, package, parts};
 
 /// The port where none is asked for, or the first free one after it.
 const PORT: u16 = 8017;
@@ -34,33 +39,159 @@ pub enum Browser {
     Leave,
 }
 
+/// The profile of Cargo.toml.
+const PROFILE: &str = "play";
+
+/// Between two looks at the sources.
+const PAUSE: Duration = Duration::from_millis(300);
+
+/// Longest start of the server.
+const MOST: Duration = Duration::from_secs(60);
+
+/// Names the folder of the rule pages and the reference to Vite.
+const DOCUMENTS: &str = "PLAYGROUND_DOCUMENTS";
+
 /// `cargo xtask play`.
 pub fn main(options: Options) -> Result {
     let start = Instant::now();
-    let setup = Setup::for_building()?;
-    package::site(&setup)?;
-    let server = bind(options.port)?;
-    let address = format!("http://localhost:{}/", server.port);
+    let setup = Setup::for_playing()?;
+    let mut seen = changed(&sources());
+    module(&setup)?;
+    let port = free_port(options.port)?;
+    let mut server = serve(&setup, port)?;
+    let address = format!("http://localhost:{port}/");
     run::say(format_args!("ready after {}", run::pretty(start.elapsed())));
     run::say(format_args!("the playground is at {address}  (Ctrl-C stops it)"));
     if options.browser == Browser::Open && has_screen() {
         open(&address);
     }
-    server.serve(&run::www().join("dist"));
+    thread::spawn(|| documents().unwrap_or_else(run::say));
+    loop {
+        thread::sleep(PAUSE);
+        if let Ok(Some(status)) = server.try_wait() {
+            return Err(format!("the server has ended ({status})"));
+        }
+        let now = changed(&sources());
+        if now != seen {
+            seen = now;
+            // The page stays as it is until the sources can be compiled again.
+            module(&setup).unwrap_or_else(run::say);
+        }
+    }
+}
+
+/// Compiles the interpreter into the package in `www/pkg`.
+fn module(setup: &Setup) -> Result {
+    let mut cargo = setup.command("cargo");
+    cargo.args(["rustc", "--lib", "--crate-type", "cdylib", "--profile", PROFILE, "--no-default-features"]);
+    step("compiling the interpreter", cargo.args(["--target", "wasm32-unknown-unknown"]))?;
+    let folder = run::target().join("wasm32-unknown-unknown").join(PROFILE);
+    let module = folder.join("gcode_playground.wasm");
+    let package = run::www().join("pkg");
+    let stamp = package.join(package::STAMP);
+    let built = format!("{PROFILE} {:?}", fs::metadata(&module).and_then(|file| file.modified()).ok());
+    if fs::read_to_string(&stamp).is_ok_and(|before| before == built) {
+        return Ok(());
+    }
+    let bound = folder.join("package");
+    let mut bindgen = setup.command("wasm-bindgen");
+    bindgen.args(["--target", "web", "--out-name", "gcode_playground", "--out-dir"]).arg(&bound).arg(&module);
+    step("building the wasm package", &mut bindgen)?;
+    // The page is not reloaded for half a package: the stamp comes last.
+    package::begin(&package)?;
+    for entry in fs::read_dir(&bound).into_iter().flatten().flatten() {
+        let (from, to) = (entry.path(), package.join(entry.file_name()));
+        fs::copy(&from, &to).map_err(|error| format!("cannot write {}: {error}", to.display()))?;
+    }
+    for (name, text) in parts::whole() {
+        package::write(&package.join(name), &text)?;
+    }
+    package::write(&package.join(".gitignore"), "*\n")?;
+    package::write(&stamp, &built)
+}
+
+/// Where the rule pages and the reference are.
+fn documents_folder() -> PathBuf {
+    run::target().join("documents")
+}
+
+/// Writes the rule pages and the reference.
+fn documents() -> Result {
+    let folder = documents_folder();
+    step(
+        "writing the pages of the rules",
+        native::rule_pages(native::Beside::Nothing)?.arg(folder.join("rules")),
+    )?;
+    step("writing the reference", native::reference(native::Beside::Nothing)?.arg(folder.join("docs")))?;
     Ok(())
 }
 
-fn bind(port: Option<u16>) -> Result<Server> {
+/// Starts Vite. It ends with this process: its standard input is closed then.
+fn serve(setup: &Setup, port: u16) -> Result<Child> {
+    let mut vite = setup.command("node");
+    vite.current_dir(run::www()).args([
+        "node_modules/vite/bin/vite.js",
+        "--host",
+        "localhost",
+        "--strictPort",
+    ]);
+    vite.args(["--clearScreen", "false", "--logLevel", "warn", "--port", &port.to_string()]);
+    vite.env(DOCUMENTS, documents_folder()).env_remove("CI").stdin(Stdio::piped());
+    let mut server = vite.spawn().map_err(|error| format!("cannot start Vite: {error}"))?;
+    let start = Instant::now();
+    while !answers(port) {
+        if let Ok(Some(status)) = server.try_wait() {
+            return Err(format!("Vite has ended ({status})"));
+        }
+        if start.elapsed() > MOST {
+            return Err(format!("Vite does not answer on port {port}"));
+        }
+        thread::sleep(Duration::from_millis(50));
+    }
+    Ok(server)
+}
+
+fn answers(port: u16) -> bool {
+    TcpStream::connect((Ipv4Addr::LOCALHOST, port)).is_ok()
+        || TcpStream::connect((Ipv6Addr::LOCALHOST, port)).is_ok()
+}
+
+/// What the interpreter is compiled from.
+fn sources() -> [PathBuf; 3] {
+    ["src", "Cargo.toml", "Cargo.lock"].map(|name| run::root().join(name))
+}
+
+/// The time of the last change in files and folders.
+fn changed(paths: &[PathBuf]) -> Option<SystemTime> {
+    let of = |path: &PathBuf| {
+        let time = fs::metadata(path).and_then(|file| file.modified()).ok();
+        let within: Vec<PathBuf> =
+            fs::read_dir(path).into_iter().flatten().flatten().map(|entry| entry.path()).collect();
+        time.max(changed(&within))
+    };
+    paths.iter().filter_map(of).max()
+}
+
+fn free_port(port: Option<u16>) -> Result<u16> {
     let mut tried = match port {
         Some(port) => port..=port,
         None => PORT..=PORT + (PORTS - 1),
     };
     let range = tried.clone();
-    tried.find_map(|port| Server::bind(port).ok()).ok_or_else(|| match port {
+    tried.find(|&port| is_free(port)).ok_or_else(|| match port {
         Some(port) => format!("port {port} of localhost is taken: try another with --port"),
         None => {
             format!("all ports from {} to {} are taken: name one with --port", range.start(), range.end())
         }
+    })
+}
+
+/// Whether a port is free on both kinds of address that `localhost` may mean.
+fn is_free(port: u16) -> bool {
+    let is_taken = |error: &io::Error| error.kind() == io::ErrorKind::AddrInUse;
+    let addresses = [(Ipv4Addr::LOCALHOST, port).into(), (Ipv6Addr::LOCALHOST, port).into()];
+    addresses.iter().all(|address: &std::net::SocketAddr| {
+        !TcpListener::bind(address).is_err_and(|error| is_taken(&error))
     })
 }
 

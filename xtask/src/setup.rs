@@ -21,7 +21,16 @@ pub struct Setup {
 }
 
 impl Setup {
-    /// Gets everything a build of the page needs.
+    /// Gets what the page needs while it is worked on.
+    pub fn for_playing() -> Result<Self> {
+        let (wasm_bindgen, (packages, toolchain)) =
+            run::both(tools::wasm_bindgen, || run::both(npm_packages, wasm_std::ensure))?;
+        let folders = wasm_bindgen.into_iter().chain([packages]);
+        let path = before(folders, &env::var_os("PATH").unwrap_or_default())?;
+        Ok(Setup { toolchain, path })
+    }
+
+    /// Gets everything a build of the site needs.
     pub fn for_building() -> Result<Self> {
         // Slow when cold, each on its own: programs from source, the standard library, the npm packages.
         let ((wasm_bindgen, wasm_split), (packages, toolchain)) = run::both(

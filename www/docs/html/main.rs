@@ -1,5 +1,5 @@
 //! Writes the reference (`www/docs/*.md`) as HTML. Part of building the page:
-//! `cargo xtask play` and `cargo xtask test`.
+//! `cargo xtask site` and `cargo xtask test`.
 //!
 //! In: a folder. Out: in it one page per document, `README.md` as `index.html`, and the style sheet of all.
 
