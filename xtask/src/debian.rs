@@ -3,6 +3,7 @@
 
 use std::process::Command;
 use std::sync::OnceLock;
+use std::sync::atomic::{AtomicBool, Ordering};
 
 use crate::run::{self, Result};
 
@@ -13,9 +14,17 @@ enum Rights {
     Sudo,
 }
 
-/// Whether packages can be installed here without asking anyone.
+/// Whether packages may be installed.
+static IS_ALLOWED: AtomicBool = AtomicBool::new(true);
+
+/// From now on nothing is installed: what is missing is an error that names the packages.
+pub fn forbid() {
+    IS_ALLOWED.store(false, Ordering::Relaxed);
+}
+
+/// Whether packages may be installed, and can be without a password.
 pub fn available() -> bool {
-    rights().is_some()
+    IS_ALLOWED.load(Ordering::Relaxed) && rights().is_some()
 }
 
 /// A program run as the administrator; `None` where this is no Debian or a password would be needed.

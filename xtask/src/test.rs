@@ -4,11 +4,12 @@
 //! long: the fuzz targets, the hostile programs, the packages for other projects, the command line under Node, the
 //! recipes for manuals, the checks in a repository, and every browser test in three engines.
 
+use std::env;
 use std::time::{Duration, Instant};
 
 use crate::run::{self, Result, command, pretty, step};
 use crate::setup::Setup;
-use crate::{browser, engines, hostile, library, manuals, native, npx, package, spelling, teams};
+use crate::{browser, debian, engines, hostile, library, manuals, native, npx, package, spelling, teams};
 
 /// What is checked.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -44,10 +45,19 @@ pub fn main(tier: Tier) -> Result {
     done.with("lints", step("lints, native", &mut clippy)?);
 
     let setting_up = Instant::now();
-    spelling::ensure()?;
+    // A contributor decides what is installed on the machine.
+    if env::var_os("CI").is_none_or(|value| value != "true") {
+        debian::forbid();
+    }
     let setup = if tier == Tier::All { Setup::for_testing() } else { Setup::for_building() }?;
-    let browser = browser::for_tests()?;
-    let engines = engines::ensure()?;
+    let (browser, engines) = match (spelling::ensure(), browser::for_tests(), engines::ensure()) {
+        (Ok(()), Ok(browser), Ok(engines)) => (browser, engines),
+        (spelling, browser, engines) => {
+            let missing: Vec<_> =
+                [spelling.err(), browser.err(), engines.err()].into_iter().flatten().collect();
+            return Err(missing.join("\n\n") + "\n\n`cargo xtask setup` installs all of it on Debian.");
+        }
+    };
     done.with("set-up", setting_up.elapsed());
 
     let mut clippy = setup.command("cargo");
