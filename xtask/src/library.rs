@@ -11,14 +11,14 @@ use std::time::{Duration, Instant};
 use flate2::Compression;
 use flate2::write::GzEncoder;
 
+use crate::package::Budget;
 use crate::run::{self, Result, command, step};
 use crate::setup::Setup;
 
 const DOCUMENT: &str = "www/docs/library.md";
 
-/// The module of the package may be at most so many bytes, compressed as a server does it. It has all that the
-/// parts of the page have, and cargo leaves link-time optimisation out of it.
-const MOST_OF_THE_MODULE: usize = 920_000;
+/// The module of the package contains all parts of the page, and cargo leaves link-time optimisation out of it.
+const MODULE: Budget = Budget { name: "the module of the package", bytes: 920_000 };
 
 /// What the examples print: how many motions, and a message about the feed rate that the program lacks.
 const PRINTED: [&str; 2] = ["1 [", "line 2: "];
@@ -145,14 +145,7 @@ fn weigh(module: &Path) -> Result {
     let cannot = |error: std::io::Error| format!("cannot read {}: {error}", module.display());
     let bytes = fs::read(module).map_err(cannot)?;
     let mut encoder = GzEncoder::new(Vec::new(), Compression::best());
-    let size = encoder.write_all(&bytes).and_then(|()| encoder.finish()).map_err(cannot)?.len();
-    run::say(format_args!(
-        "the module of the package: {size} bytes compressed (at most {MOST_OF_THE_MODULE})"
-    ));
-    if size > MOST_OF_THE_MODULE {
-        return Err("the module of the package is too large".to_owned());
-    }
-    Ok(())
+    MODULE.check(encoder.write_all(&bytes).and_then(|()| encoder.finish()).map_err(cannot)?.len() as u64)
 }
 
 fn write(path: &Path, text: &str) -> Result {
