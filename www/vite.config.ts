@@ -44,7 +44,7 @@ const foreignPage: Plugin = {
 };
 
 /**
- * `cargo xtask play`: the rule pages and the reference are in a folder of their own, and each new module of the interpreter reloads
+ * `cargo xtask play`: the rule pages and the reference are in another folder, and a new module of the interpreter reloads
  * the page.
  */
 const atWork: Plugin = {

@@ -17,7 +17,7 @@ enum Rights {
 /// Whether packages may be installed.
 static IS_ALLOWED: AtomicBool = AtomicBool::new(true);
 
-/// From now on nothing is installed: what is missing is an error that names the packages.
+/// From now on nothing is installed: a missing package is an error that names it.
 pub fn forbid() {
     IS_ALLOWED.store(false, Ordering::Relaxed);
 }

@@ -22,7 +22,7 @@ use crate::setup::Setup;
 use crate::tools::WASM_FEATURES;
 use crate::{core_functions, embed, native, npx, parts};
 
-/// Budget of what has to be loaded before the first picture: bytes, compressed as a server does it.
+/// Budget of the module before the first picture: bytes, compressed as a server does it.
 const CORE: Budget = Budget { name: "core.wasm", bytes: 150_000 };
 
 /// The same of all parts together.

@@ -1,5 +1,5 @@
-//! In: the port and whether to open a browser. Out: the page, served by Vite on localhost until Ctrl-C. A change in `src` is compiled
-//! and shown; a change in `www` is shown at once.
+//! In: the port and whether to open a browser. Out: the page, served by Vite on localhost until Ctrl-C. It reloads after
+//! each change of a source.
 //!
 //! The interpreter is one module here, compiled fast and not optimised. The optimised site is `package`'s.
 

@@ -14,7 +14,7 @@ use crate::{browser, debian, engines, hostile, library, manuals, native, npx, pa
 /// What is checked.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Tier {
-    /// A change: what it may well break.
+    /// The checks that a single change is most likely to fail.
     Change,
     /// Everything.
     All,
