@@ -100,6 +100,7 @@ fn what_cannot_be_read_stays_an_error() {
         "X50 go",
         "G00 X60 (face Z2",
         "G:00 X60",
+        "G00 X l0O",
     ] {
         check(block, block, true);
     }

@@ -192,9 +192,13 @@ impl<'a> Parser<'a> {
             let is_letter = |at: usize| text.get(at).is_some_and(u8::is_ascii_alphabetic);
             let may_be_text = !is_axis || plain.texts > 0 || is_letter(fault.span.end as usize);
             let in_run = at > 0 && is_letter(at - 1) && is_letter(at);
-            let is_guess =
-                fault.message.is::<said::LetterForDigit>() && !self.has_digit(fault.span) && may_be_text;
-            if in_run || is_guess {
+            let is_letter_for_digit = fault.message.is::<said::LetterForDigit>();
+            // `X–l0O`: its letter may be a digit of the word before.
+            let may_go_on = is_letter_for_digit
+                && matches!(text.get(at), Some(b'O' | b'o' | b'l'))
+                && follows_word(text, block.span.start, at);
+            let is_guess = is_letter_for_digit && !self.has_digit(fault.span) && may_be_text;
+            if in_run || is_guess || may_go_on {
                 fault.fixes.iter_mut().for_each(|fix| fix.safe = false);
             }
         }
@@ -975,6 +979,15 @@ fn keep_faults(faults: &mut Vec<Diagnostic>) {
         others += usize::from(!is_sure);
         is_sure || others <= FAULTS_PER_BLOCK
     });
+}
+
+/// Whether a letter or a digit of the block is before a place, with nothing but blanks and signs between.
+fn follows_word(text: &[u8], block: u32, at: usize) -> bool {
+    let before = String::from_utf8_lossy(&text[block as usize..at]);
+    let between = |sign: &char| {
+        sign.is_whitespace() || matches!(sign, '+' | '-' | '.' | '\u{2212}' | '\u{2013}' | '\u{ff0d}')
+    };
+    before.chars().rev().find(|sign| !between(sign)).is_some_and(char::is_alphanumeric)
 }
 
 /// The span without blanks at either end.
