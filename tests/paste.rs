@@ -169,6 +169,14 @@ G90 X58.4 Z20 R2.3\nG00 X13 Z3\nG01 X50 Z20 F0.1\nG00 X70 Z43\nM30 (程序结束
 }
 
 #[test]
+fn a_table_ends_before_another_program() {
+    let other = "刀具 T01\n另一个程序的例子说明文字\n\nN10 G00 X1 Z2\nN20 G01 X3 Z4 F0.1\nN30 X5\n\n说明文字很长的一行说明文字很长的一行\n";
+    let programs = cleaned(&CARD.replace("刀具 T01\n", other));
+    let heads: Vec<_> = programs.iter().map(|program| program.lines().next().unwrap_or_default()).collect();
+    assert_eq!(heads, ["O6003", "T01", "O6003"], "{programs:#?}");
+}
+
+#[test]
 fn a_program_without_any_minus_is_asked_about() {
     let found = checked(CARD);
     let asked: Vec<_> = found.programs[0].questions().map(|piece| piece.choices[1].clone()).collect();

@@ -68,8 +68,14 @@ pub(super) fn join(items: &[Item], blocks: &mut Blocks) -> Vec<Stretch> {
             if block.table_head
                 && let Some(before) = table.take_if(|table| table.is_table_of(head))
             {
-                finish(std::mem::replace(&mut now, before), blocks, &mut found);
-                continue;
+                let programs = found.len();
+                finish(std::mem::take(&mut now), blocks, &mut found);
+                if found.len() == programs {
+                    now = before;
+                    continue;
+                }
+                // A program stands between: the table has ended before it.
+                finish(before, blocks, &mut found);
             }
             let leading = now.blocks.len() <= 20 && now.words == 0 && now.head.is_none() && close;
             if !leading {
