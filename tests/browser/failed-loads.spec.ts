@@ -91,10 +91,11 @@ for (const [name, file] of Object.entries(FILES)) {
       site.refuse(file.pattern, how);
       await page.goto(`${site.address}#${new URLSearchParams(WITH_SETUP)}`);
       await fails(page, file);
-      for (const trigger of Object.values(TRIGGERS)) {
-        const asked = site.asked.length;
+      for (const [by, trigger] of Object.entries(TRIGGERS)) {
+        const refused = (): number => site.asked.filter((path) => file.pattern.test(`/${path}`)).length;
+        const before = refused();
         await trigger(page, file.says);
-        await expect.poll(() => site.asked.length).toBeGreaterThan(asked);
+        await expect.poll(refused, `asked again after ${by}`).toBeGreaterThan(before);
         await fails(page, file);
       }
       site.refuse();
