@@ -51,6 +51,8 @@ const atWork: Plugin = {
   name: 'at-work',
   configureServer({ middlewares, watcher, ws }) {
     const folder = process.env['PLAYGROUND_DOCUMENTS'];
+    // The server ends with the command that started it, which holds the other end.
+    if (folder !== undefined) process.stdin.resume().once('end', () => process.exit());
     middlewares.use((request, response, next) => {
       const path = /^\/((?:rules|docs)\/[\w./-]*)/.exec(request.url ?? '')?.[1];
       if (folder === undefined || path === undefined || path.includes('..')) return next();
