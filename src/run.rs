@@ -30,7 +30,7 @@ use crate::setup::notes::Notes;
 use crate::setup::{Lints, Setup, tool_words};
 use crate::source::Span;
 use crate::text::block::{Block, BlockKind};
-use crate::text::lexer::is_blank;
+use crate::text::lexer::is_between_blocks;
 use crate::text::parser::{Parser, Resume};
 use crate::units::Unit;
 use edit::{Checkpoint, PreviousRun};
@@ -753,8 +753,7 @@ fn place_of_end(text: &[u8]) -> (usize, &'static str) {
         let start = block.span.start as usize;
         let bytes = block.span.of(text);
         // After a sign that ends the tape the rest of its line belongs to the block, with its semicolons.
-        let is_empty = |byte: &&u8| is_blank(**byte) || matches!(byte, b';' | b'\n' | b'\r');
-        let len = bytes.len() - bytes.iter().rev().take_while(is_empty).count();
+        let len = bytes.len() - bytes.iter().rev().take_while(|byte| is_between_blocks(**byte)).count();
         // Blanks at the end of a comment that is not closed belong to it.
         let comment_end = block.comments.last().map_or(0, |comment| comment.end as usize);
         let end = (start + len).max(comment_end);

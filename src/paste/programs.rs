@@ -74,7 +74,7 @@ pub(super) fn join(items: &[Item], blocks: &mut Blocks) -> Vec<Stretch> {
                     now = before;
                     continue;
                 }
-                // A program stands between: the table has ended before it.
+                // Another program is between the two parts: the table ends before it.
                 finish(before, blocks, &mut found);
             }
             let leading = now.blocks.len() <= 20 && now.words == 0 && now.head.is_none() && close;

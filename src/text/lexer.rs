@@ -389,6 +389,11 @@ pub const fn is_blank(byte: u8) -> bool {
     matches!(byte, b' ' | b'\t' | 0 | 0x0B | 0x0C | 0x1A)
 }
 
+/// Whether a byte belongs to no word, statement or comment: a blank or the end of a block.
+pub const fn is_between_blocks(byte: u8) -> bool {
+    is_blank(byte) || matches!(byte, b';' | b'\n' | b'\r')
+}
+
 /// The blocks of a text, without their ends: a line end, or a `;` outside of comments.
 pub fn blocks(text: &[u8]) -> impl Iterator<Item = Span> + '_ {
     let mut lexer = Lexer::new(text, 0);

@@ -12,7 +12,7 @@
 //! Knows which letters begin a word, not what any word means.
 
 use super::block::{Block, BlockKind, Value, Word};
-use super::lexer::{Lexer, Number, TokenKind, is_blank};
+use super::lexer::{Lexer, Number, TokenKind, is_between_blocks};
 use super::lost_letter;
 use super::misread::{self, Misread};
 use super::plain_line::PlainLine;
@@ -722,9 +722,8 @@ impl<'a> Parser<'a> {
         const SEARCHED: usize = 200;
         let behind = &self.lexer.text()[self.lexer.position()..];
         let line = line_end(behind, 0);
-        let is_empty = |byte: &&u8| is_blank(**byte) || matches!(byte, b';' | b'\n' | b'\r');
-        let next = behind.iter().take(SEARCHED).find(|byte| !is_empty(byte));
-        let alone = behind[..line].iter().all(|byte| is_empty(&byte));
+        let next = behind.iter().take(SEARCHED).find(|byte| !is_between_blocks(**byte));
+        let alone = behind[..line].iter().all(|byte| is_between_blocks(*byte));
         alone && next.is_none_or(|byte| matches!(byte, b'%' | b'O' | b'o' | b':'))
     }
 

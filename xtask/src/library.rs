@@ -4,14 +4,10 @@
 //! crate that `cargo package` writes builds.
 
 use std::fs;
-use std::io::Write;
 use std::path::Path;
 use std::time::{Duration, Instant};
 
-use flate2::Compression;
-use flate2::write::GzEncoder;
-
-use crate::package::Budget;
+use crate::package::{Budget, compressed_size, write};
 use crate::run::{self, Result, command, step};
 use crate::setup::Setup;
 
@@ -143,13 +139,7 @@ fn targets(document: &str) -> Result<Vec<Target>> {
 
 fn weigh(module: &Path) -> Result {
     let cannot = |error: std::io::Error| format!("cannot read {}: {error}", module.display());
-    let bytes = fs::read(module).map_err(cannot)?;
-    let mut encoder = GzEncoder::new(Vec::new(), Compression::best());
-    MODULE.check(encoder.write_all(&bytes).and_then(|()| encoder.finish()).map_err(cannot)?.len() as u64)
-}
-
-fn write(path: &Path, text: &str) -> Result {
-    fs::write(path, text).map_err(|error| format!("cannot write {}: {error}", path.display()))
+    MODULE.check(fs::read(module).and_then(|bytes| compressed_size(&bytes)).map_err(cannot)?)
 }
 
 #[cfg(test)]

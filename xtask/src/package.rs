@@ -10,7 +10,7 @@ use std::collections::BTreeMap;
 use std::collections::hash_map::DefaultHasher;
 use std::fs;
 use std::hash::{Hash, Hasher};
-use std::io::Write;
+use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 
@@ -51,6 +51,13 @@ impl Budget {
         run::say(text + warning);
         Ok(())
     }
+}
+
+/// How many bytes a file has when a server has compressed it (`gzip -9`).
+pub fn compressed_size(bytes: &[u8]) -> io::Result<u64> {
+    let mut compressed = GzEncoder::new(Vec::new(), Compression::best());
+    compressed.write_all(bytes)?;
+    Ok(compressed.finish()?.len() as u64)
 }
 
 /// The file of a package that says what it was built from.
@@ -235,9 +242,7 @@ fn weigh(folder: &Path) -> Result<BTreeMap<String, u64>> {
             continue;
         }
         let bytes = fs::read(&path).map_err(cannot)?;
-        let mut compressed = GzEncoder::new(Vec::new(), Compression::best());
-        compressed.write_all(&bytes).map_err(cannot)?;
-        let small = compressed.finish().map_err(cannot)?.len() as u64;
+        let small = compressed_size(&bytes).map_err(cannot)?;
         println!("{file}: {} bytes, {small} compressed", bytes.len());
         let row = match &*file {
             "gcode_playground_bg.wasm" => "core.wasm",

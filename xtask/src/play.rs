@@ -152,8 +152,7 @@ fn serve(setup: &Setup, port: u16) -> Result<Child> {
 }
 
 fn answers(port: u16) -> bool {
-    TcpStream::connect((Ipv4Addr::LOCALHOST, port)).is_ok()
-        || TcpStream::connect((Ipv6Addr::LOCALHOST, port)).is_ok()
+    TcpStream::connect(("localhost", port)).is_ok()
 }
 
 /// What the interpreter is compiled from.

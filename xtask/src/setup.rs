@@ -23,6 +23,7 @@ pub struct Setup {
 impl Setup {
     /// Gets what the page needs while it is worked on.
     pub fn for_playing() -> Result<Self> {
+        // Slow when cold, each on its own: a program from source, the standard library, the npm packages.
         let (wasm_bindgen, (packages, toolchain)) =
             run::both(tools::wasm_bindgen, || run::both(npm_packages, wasm_std::ensure))?;
         let folders = wasm_bindgen.into_iter().chain([packages]);
@@ -32,14 +33,9 @@ impl Setup {
 
     /// Gets everything a build of the site needs.
     pub fn for_building() -> Result<Self> {
-        // Slow when cold, each on its own: programs from source, the standard library, the npm packages.
-        let ((wasm_bindgen, wasm_split), (packages, toolchain)) = run::both(
-            || run::both(tools::wasm_bindgen, tools::wasm_split),
-            || run::both(npm_packages, wasm_std::ensure),
-        )?;
-        let folders = wasm_bindgen.into_iter().chain([wasm_split, packages]);
-        let path = before(folders, &env::var_os("PATH").unwrap_or_default())?;
-        Ok(Setup { toolchain, path })
+        let (wasm_split, setup) = run::both(tools::wasm_split, Setup::for_playing)?;
+        let Setup { toolchain, path } = setup;
+        Ok(Setup { toolchain, path: before([wasm_split], &path)? })
     }
 
     /// Gets what the tests need besides: wasm-pack, whose build takes longer than that of all the rest.

@@ -28,7 +28,7 @@ const ALL_BROWSER_TESTS: &str = "PLAYGROUND_ALL_ENGINES";
 struct Done(Vec<(&'static str, Duration)>);
 
 impl Done {
-    fn with(&mut self, name: &'static str, time: Duration) {
+    fn add(&mut self, name: &'static str, time: Duration) {
         self.0.push((name, time));
     }
 }
@@ -39,10 +39,10 @@ pub fn main(tier: Tier) -> Result {
     let mut done = Done::default();
 
     // What needs no set-up comes first: a slip in the format is reported in a second.
-    done.with("format", step("checking the format", command("cargo").args(["fmt", "--all", "--check"]))?);
+    done.add("format", step("checking the format", command("cargo").args(["fmt", "--all", "--check"]))?);
     let mut clippy = command("cargo");
     clippy.args(["clippy", "--workspace", "--all-targets", "--", "-D", "warnings"]);
-    done.with("lints", step("lints, native", &mut clippy)?);
+    done.add("lints", step("lints, native", &mut clippy)?);
 
     let setting_up = Instant::now();
     // A contributor decides what is installed on the machine.
@@ -58,36 +58,36 @@ pub fn main(tier: Tier) -> Result {
             return Err(missing.join("\n\n") + "\n\n`cargo xtask setup` installs all of it on Debian.");
         }
     };
-    done.with("set-up", setting_up.elapsed());
+    done.add("set-up", setting_up.elapsed());
 
     let mut clippy = setup.command("cargo");
     clippy.args(["clippy", "--target", "wasm32-unknown-unknown", "--lib", "--test", "wasm"]);
     clippy.args(["--", "-D", "warnings"]);
-    done.with("wasm lints", step("lints, wasm32", &mut clippy)?);
-    done.with("native tests", step("native tests", command("cargo").args(["test", "--workspace"]))?);
+    done.add("wasm lints", step("lints, wasm32", &mut clippy)?);
+    done.add("native tests", step("native tests", command("cargo").args(["test", "--workspace"]))?);
     let mut under_node = setup.command("cargo");
     under_node.args(["test", "--target", "wasm32-unknown-unknown", "--test", "wasm"]);
     under_node.env("CARGO_TARGET_WASM32_UNKNOWN_UNKNOWN_RUNNER", "wasm-bindgen-test-runner");
     under_node.env("WASM_BINDGEN_TEST_ONLY_NODE", "1");
-    done.with("wasm tests", step("wasm tests under Node", &mut under_node)?);
+    done.add("wasm tests", step("wasm tests under Node", &mut under_node)?);
     match tier {
-        Tier::Change => done.with("wasm package", package::wasm(&setup)?),
+        Tier::Change => done.add("wasm package", package::wasm(&setup)?),
         Tier::All => products(&setup, &mut done)?,
     }
-    done.with("wasm size", package::size()?);
-    done.with("page types", step("checking the page's types", &mut setup.npm(&["run", "typecheck"]))?);
-    done.with(
+    done.add("wasm size", package::size()?);
+    done.add("page types", step("checking the page's types", &mut setup.npm(&["run", "typecheck"]))?);
+    done.add(
         "workflows",
         step("checking the workflows", command("node").arg("tests/package/workflows.mjs"))?,
     );
-    done.with("page", package::page(&setup, native::Beside::Tests)?);
+    done.add("page", package::page(&setup, native::Beside::Tests)?);
     let mut playwright = setup.npm(&["run", "test:browser"]);
     playwright.env(browser::VARIABLE, browser).envs(engines);
     if tier == Tier::All {
         for_other_projects(&setup, &mut done)?;
         playwright.env(ALL_BROWSER_TESTS, "1");
     }
-    done.with("browser tests", step("browser tests", &mut playwright)?);
+    done.add("browser tests", step("browser tests", &mut playwright)?);
 
     let list: Vec<_> = done.0.iter().map(|(name, time)| format!("{name} {}", pretty(*time))).collect();
     run::say(format_args!("times: {}", list.join(", ")));
@@ -100,16 +100,16 @@ fn products(setup: &Setup, done: &mut Done) -> Result {
     let mut fuzz = command("cargo");
     fuzz.args(["check", "--locked", "--manifest-path", "tests/fuzz/Cargo.toml", "--no-default-features"]);
     fuzz.args(["--target-dir", "target/fuzz"]);
-    done.with("fuzz targets", step("checking the fuzz targets", &mut fuzz)?);
+    done.add("fuzz targets", step("checking the fuzz targets", &mut fuzz)?);
     // A module that is optimised as a whole keeps one processor busy.
     let (wasm, packages) = run::both(|| package::wasm(setup), || library::packages(setup))?;
-    done.with("wasm package", wasm);
-    done.with("packages", packages);
+    done.add("wasm package", wasm);
+    done.add("packages", packages);
     let (node, crate_file) = run::both(|| npx::module(setup), library::crate_file)?;
-    done.with("module for Node", node);
-    done.with("crate", crate_file);
+    done.add("module for Node", node);
+    done.add("crate", crate_file);
     // Their times are measured: nothing runs beside them.
-    done.with("hostile programs", hostile::main(None)?);
+    done.add("hostile programs", hostile::main(None)?);
     Ok(())
 }
 
@@ -119,8 +119,8 @@ fn for_other_projects(setup: &Setup, done: &mut Done) -> Result {
     // Each of the two starts one program after the other.
     let (teams, (node, manuals)) =
         run::both(teams::ways, || Ok((npx::compare(setup)?, manuals::recipes()?)))?;
-    done.with("command line for Node", node);
-    done.with("manuals", manuals);
-    done.with("teams", teams);
+    done.add("command line for Node", node);
+    done.add("manuals", manuals);
+    done.add("teams", teams);
     Ok(())
 }
