@@ -211,6 +211,28 @@ fn a_printed_minus_is_the_same_error_before_and_after() {
 }
 
 #[test]
+fn a_word_that_is_too_long_is_the_same_error_before_and_after() {
+    for (block, plain) in [
+        ("G0 X１２３４５６７８９", "G0 X123456789"),
+        ("Ｎ１２３４５６７８９ G0 X1", "N123456789 G0 X1"),
+        ("T０１０１０１０１０１", "T0101010101"),
+        ("G0 X１.２.３", "G0 X1.2.3"),
+    ] {
+        let text = format!("{HEAD}{plain}\nM30\n");
+        let wide = text.replace(plain, block);
+        let of = |text: &str| errors(&analyze(text.as_bytes(), &Setup::default()));
+        assert_eq!(of(&wide), of(&text), "{wide}");
+        assert_eq!(fixed(&wide), text);
+    }
+    // A program number has eight digits at most: with more, the first zero is no misread letter.
+    assert_eq!(fixed("012345678\nM30\n"), "O12345678\nM30\n");
+    for text in ["0123456789\nM30\n", "002126021260\nM30\n"] {
+        assert_eq!(fixed(text), text);
+        assert_eq!(errors(&analyze(text.as_bytes(), &Setup::default())), ["PS0004"]);
+    }
+}
+
+#[test]
 fn many_faults_of_one_kind_are_all_cured() {
     let block = "G01 X\u{2212}1 （a） Z\u{2212}2 （b） U\u{2212}3 （c） W\u{2212}4 （d） R\u{2212}5 （e） I\u{2212}6 F1O\n";
     let text = format!("{HEAD}{}M30\n", block.repeat(700));

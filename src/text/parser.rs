@@ -561,7 +561,9 @@ impl<'a> Parser<'a> {
         let at_head =
             !self.begun && block.words.is_empty() && block.sequence.is_none() && block.program.is_none();
         // `0101` may also be T0101.
-        if at_head && text.len() >= 5 && text[0] == b'0' && number.points == 0 && number.mantissa > 0 {
+        let may_be_program =
+            |text: &[u8]| text.len() >= 5 && text[0] == b'0' && Number::read(&text[1..]).digits <= DIGITS;
+        if at_head && number.points == 0 && number.mantissa > 0 && may_be_program(text) {
             let first = Span { start: span.start, end: span.start + 1 };
             let message = said::ZeroForO { number: span.quote(self.lexer.text()) };
             let fix = Fix::replace(Repair::LetterO, first, "O");
@@ -676,6 +678,13 @@ impl<'a> Parser<'a> {
         let number = Number::read(digits.as_bytes());
         if number.points <= 1 && number.digits <= DIGITS {
             self.store(block, address, false, negative, number, span);
+        } else if misread.letter.is_none() {
+            // Full-width characters are a warning; what is wrong with the word itself is an error as it is without them.
+            let word = plain.clone();
+            block.fault(match number.points {
+                0 | 1 => Diagnostic::new(said::TooManyDigits { word }, span),
+                _ => Diagnostic::new(said::SecondPoint { word }, span),
+            });
         }
     }
 
