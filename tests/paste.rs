@@ -174,6 +174,12 @@ fn a_table_ends_before_another_program() {
     let programs = cleaned(&CARD.replace("刀具 T01\n", other));
     let heads: Vec<_> = programs.iter().map(|program| program.lines().next().unwrap_or_default()).collect();
     assert_eq!(heads, ["O6003", "T01", "O6003"], "{programs:#?}");
+    // A block of no program between them changes nothing.
+    let block =
+        "\n\n说明文字很长的一行说明文字很长的一行\nG00 X9\n说明文字很长的一行说明文字很长的一行\n续表 1";
+    let programs = cleaned(&CARD.replace("刀具 T01\n", other).replace("\n续表 1", block));
+    let heads: Vec<_> = programs.iter().map(|program| program.lines().next().unwrap_or_default()).collect();
+    assert_eq!(heads, ["O6003", "T01", "O6003"], "{programs:#?}");
 }
 
 #[test]

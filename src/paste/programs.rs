@@ -46,8 +46,8 @@ impl Stretch {
 pub(super) fn join(items: &[Item], blocks: &mut Blocks) -> Vec<Stretch> {
     let mut found = Vec::new();
     let mut now = Stretch::default();
-    // A table that may go on: its program has not ended.
-    let mut table: Option<Stretch> = None;
+    // A table that may go on, as its program has not ended, and how many programs there were when it was left.
+    let mut table: Option<(Stretch, usize)> = None;
     // What a sentence that mentions a code adds to the gap.
     let mut passed = (0, 0);
     for (number, block) in blocks.list.iter().enumerate() {
@@ -66,9 +66,8 @@ pub(super) fn join(items: &[Item], blocks: &mut Blocks) -> Vec<Stretch> {
                 continue;
             }
             if block.table_head
-                && let Some(before) = table.take_if(|table| table.is_table_of(head))
+                && let Some((before, programs)) = table.take_if(|(table, _)| table.is_table_of(head))
             {
-                let programs = found.len();
                 finish(std::mem::take(&mut now), blocks, &mut found);
                 if found.len() == programs {
                     now = before;
@@ -86,7 +85,8 @@ pub(super) fn join(items: &[Item], blocks: &mut Blocks) -> Vec<Stretch> {
         } else if !now.blocks.is_empty() && !belongs(&now, block, gap, close) {
             let before = std::mem::take(&mut now);
             if before.table && !before.ended {
-                table.replace(before).into_iter().for_each(|older| finish(older, blocks, &mut found));
+                table.take().into_iter().for_each(|(older, _)| finish(older, blocks, &mut found));
+                table = Some((before, found.len()));
             } else {
                 finish(before, blocks, &mut found);
             }
@@ -101,7 +101,7 @@ pub(super) fn join(items: &[Item], blocks: &mut Blocks) -> Vec<Stretch> {
         now.last_sequence = block.sequence.unwrap_or(now.last_sequence);
     }
     finish(now, blocks, &mut found);
-    table.into_iter().for_each(|older| finish(older, blocks, &mut found));
+    table.into_iter().for_each(|(older, _)| finish(older, blocks, &mut found));
     order::by_key(&mut found, |stretch| stretch.blocks.first().copied());
     release(blocks, &found);
     found
