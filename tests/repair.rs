@@ -233,6 +233,17 @@ fn a_word_that_is_too_long_is_the_same_error_before_and_after() {
 }
 
 #[test]
+fn words_in_an_expression_stay() {
+    for block in
+        ["G01 X[#1 retract", "G01 X[#1 retract ] Z-5", "G01 X[10 +done + 5] Z-2", "X[CC CCCCCC CCCCCC(end)"]
+    {
+        check(block, block, true);
+    }
+    // After it they are plain words.
+    check("G01 X[10+5] retract F0.2", "G01 X[10+5] (retract) F0.2", false);
+}
+
+#[test]
 fn many_faults_of_one_kind_are_all_cured() {
     let block = "G01 X\u{2212}1 （a） Z\u{2212}2 （b） U\u{2212}3 （c） W\u{2212}4 （d） R\u{2212}5 （e） I\u{2212}6 F1O\n";
     let text = format!("{HEAD}{}M30\n", block.repeat(700));

@@ -64,6 +64,8 @@ impl PlainWords {
         // Whether the last letter or digit is a letter; the last group before its last word;
         // whether a word now would join that group.
         let (mut after_letter, mut before, mut joins) = (false, None, false);
+        // Brackets of expressions that are open.
+        let mut depth = 0_usize;
         while at < end {
             if let Some(comment) = comments.next_if(|comment| comment.start as usize <= at) {
                 at = at.max(comment.end as usize);
@@ -91,7 +93,17 @@ impl PlainWords {
                 found.groups.pop();
                 found.groups.extend::<Option<Span>>(before);
             }
-            if !is_bounded || !is_plain(&piece) {
+            let is_in_expression = depth > 0;
+            for byte in piece.bytes() {
+                depth = match byte {
+                    b'[' => depth + 1,
+                    b']' => depth.saturating_sub(1),
+                    _ => depth,
+                };
+            }
+            // In brackets of its own it would end the expression.
+            found.is_ambiguous |= is_in_expression && is_plain(&piece);
+            if is_in_expression || !is_bounded || !is_plain(&piece) {
                 (before, joins) = (None, false);
                 continue;
             }
