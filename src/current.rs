@@ -7,7 +7,7 @@
 //! when the next run begins; and nothing of the part is there before all its material is off
 //! ([`crate::machine::Simulation`]). Must not know of canvases, nor of JavaScript.
 
-mod machined;
+pub(crate) mod machined;
 pub mod per_plane;
 mod picked;
 
@@ -22,7 +22,7 @@ use crate::machine::region::Region;
 use crate::machine::resolved_setup::ResolvedSetup;
 use crate::machine::{Simulation, SimulationResult, SimulationStep};
 use crate::motion::{MotionKind, Motions};
-use crate::parts::{Part, in_part};
+use crate::parts::{Part, late};
 use crate::playback::clock::{Clock, Playhead};
 use crate::playback::holds::lines_that_move;
 use crate::run::replay::{Replay, Time, block_at};
@@ -656,18 +656,16 @@ impl Current {
 }
 
 /// The part that finds what is picked out: before it is there, nothing is.
-const PICKING_OUT: Part = Part::Machine;
+const PICKING_OUT: Part = Part::Late;
 
 /// The part in which a run and its lines go on with a changed text.
-const GOING_ON: Part = Part::Machine;
+const GOING_ON: Part = Part::Late;
 
-in_part! {
-    Machine "0085"
+late! {
     fn go_on_edited(current: &mut Current, edit: TextEdit) {
         current.go_on_edited(edit);
     }
 
-    Machine "0080"
     fn remove_material(current: &mut Current, motions: usize) -> bool {
         match std::mem::replace(&mut current.derived.material, Material::Untouched) {
             Material::Off(machined) => current.derived.material = Material::Off(machined),
@@ -680,7 +678,6 @@ in_part! {
         matches!(current.derived.material, Material::Off(_))
     }
 
-    Machine "0083"
     fn light_up(current: &mut Current) {
         let (run, lines, scene) = (&current.run, current.lines(), current.scene());
         let picked = match current.view_state.cursor {
@@ -692,7 +689,6 @@ in_part! {
         name_steps(current);
     }
 
-    Machine "0084"
     // Labels the steps of the pass that is picked out.
     fn name_steps(current: &mut Current) {
         let Current { run, view_state, .. } = current;
@@ -700,13 +696,11 @@ in_part! {
         section.steps = labels(run.motions(), &section.highlight, section.hover);
     }
 
-    Machine "0082"
     fn keep(current: &mut Current) {
         current.view_state.kept = Some(Kept::of(&current.run));
         current.compare();
     }
 
-    Machine "0081"
     fn stop_machining(current: &mut Current) {
         match std::mem::replace(&mut current.derived.material, Material::Untouched) {
             Material::UnderWay(simulation) => current.finish_material(simulation.stop()),

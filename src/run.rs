@@ -3,7 +3,7 @@
 //! In: the bytes of a program and a setup. Out: an [`Analysis`]. Knows the order of the stages, nothing of
 //! what they do.
 
-mod edit;
+pub(crate) mod edit;
 pub mod replay;
 mod tried;
 
@@ -23,7 +23,7 @@ use crate::machine::resolved_setup::ResolvedSetup;
 use crate::machine::{SimulationResult, detector};
 use crate::message::{Diagnostic, Fix, said, sort_by_place};
 use crate::motion::Motions;
-use crate::parts::{Part, in_part};
+use crate::parts::{Part, late};
 use crate::provenance::{self, DecimalEvidence, Foreign, Look, NumberWithoutPoint, Target};
 use crate::setup::dialect::{CodeList, DecimalChoice, DecimalRule, Dialect, DialectChoice, GSystem};
 use crate::setup::notes::Notes;
@@ -210,7 +210,7 @@ impl Run {
     }
 
     fn begin(text: Vec<u8>, given: Setup, before: Option<DecimalRule>) -> Self {
-        let unread = (!Notes::can_be_read(&text)).then_some(Part::Setup);
+        let unread = (!Notes::can_be_read(&text)).then_some(Part::Early);
         let notes = if unread.is_some() { Notes::default() } else { Notes::read(&text) };
         let (mut setup, faults) = notes.applied_to(given.clone()).without_invalid_values();
         let limits = setup.limits;
@@ -742,7 +742,7 @@ impl Run {
 }
 
 /// The part without which nobody reads messages: it puts them in order.
-const READING: Part = Part::Machine;
+const READING: Part = Part::Late;
 
 /// Where M30 belongs at the end of the tape, and the text to insert there.
 fn place_of_end(text: &[u8]) -> (usize, &'static str) {
@@ -787,31 +787,26 @@ fn observed(setup: Setup) -> Interpreter {
 }
 
 /// The part the lints are in.
-const LINTS: Part = Part::Machine;
+const LINTS: Part = Part::Late;
 
-in_part! {
-    Machine "0100"
+late! {
     fn lints() -> Box<dyn Observer> {
         Box::new(lint::Lints::default())
     }
 
-    Machine "0104"
     fn chronicle(interpreter: &mut Interpreter) {
         interpreter.begin_chronicle();
     }
 
-    Machine "0102"
     fn complete_messages(run: &mut Run) {
         run.complete_messages();
     }
 
-    Machine "0105"
     fn with_end(diagnostic: Diagnostic, text: &[u8], next: Option<u32>) -> Diagnostic {
         let (at, insert) = next.map_or_else(|| place_of_end(text), |next| (next as usize, "M30\n"));
         diagnostic.with(Fix::insert(at as u32, insert.to_owned()).safe())
     }
 
-    Machine "0103"
     fn copied(interpreter: &Interpreter) -> Vec<Diagnostic> {
         interpreter.diagnostics().to_vec()
     }

@@ -34,7 +34,9 @@ use crate::limits;
 use crate::machine::region::Region;
 use crate::message::{Diagnostic, sort_by_place};
 use crate::motion::Chunk;
-use crate::parts::{Part, in_part};
+#[cfg(parts)]
+use crate::parts::entry;
+use crate::parts::{Part, late};
 use crate::scene::canvas::Painter;
 use crate::sentences::{Language, labels};
 use crate::setup::{Setup, TriedValue};
@@ -225,7 +227,7 @@ impl Playground {
             finished: self.current.run().is_finished(),
             ..Summary::new(self.current.motions(), self.current.run().diagnostics())
         };
-        if Part::Machine.is_loaded() {
+        if Part::Late.is_loaded() {
             count_findings(self, &mut summary);
         }
         // Made here by hand: what serialises other rows is not needed before the first picture.
@@ -298,33 +300,28 @@ impl Playground {
     }
 }
 
-in_part! {
-    Machine "0060"
+late! {
     fn diagnostics(playground: &Playground) -> Result<JsValue, JsValue> {
         let (places, all) = (playground.places(), playground.all_diagnostics());
         let rows = all.iter().map(|found| places.diagnostic(found, playground.language));
         to_js(&rows.collect::<Vec<_>>())
     }
 
-    Machine "0066"
     fn count_findings(playground: &Playground, summary: &mut Summary) {
         for found in playground.findings() {
             summary.count(found.severity);
         }
     }
 
-    Machine "0067"
     fn rules_off(playground: &Playground) -> Vec<String> {
         playground.current.run().setup().rules.rules_off().map(str::to_owned).collect()
     }
 
-    Machine "0840"
     fn units(playground: &Playground) -> Result<JsValue, JsValue> {
         let current = &playground.current;
         to_js(&api::Units::new(current.unit(), current.run().state().unit))
     }
 
-    Machine "0064"
     fn tokens(playground: &Playground, first: u32, end: u32) -> Vec<u32> {
         let (text, lines) = (playground.current.run().text(), playground.current.lines());
         let end = end.min(lines.len());
@@ -340,18 +337,15 @@ in_part! {
         found.into_iter().flat_map(triple).collect()
     }
 
-    Tools "0061"
     fn expanded(playground: &Playground) -> String {
         let run = playground.current.run();
         crate::expand::expand(run.text(), &run.setup_to_repeat())
     }
 
-    Tools "0062"
     fn codes(playground: &Playground) -> Result<JsValue, JsValue> {
         to_js(&api::codes(playground.current.run().code_list(), playground.language))
     }
 
-    Machine "0063"
     fn part(region: &Region) -> Result<JsValue, JsValue> {
         to_js(&api::Part::new(region))
     }
@@ -360,9 +354,67 @@ in_part! {
 /// The code of a part has been put into the module: what is in it can be called from now on.
 #[wasm_bindgen(js_name = partLoaded)]
 pub fn part_loaded(name: &str) {
-    if let Some(part) = Part::ALL.into_iter().find(|part| part.name() == name) {
-        part.loaded();
+    let Some(part) = Part::ALL.into_iter().find(|part| part.name() == name) else { return };
+    #[cfg(parts)]
+    match part {
+        Part::Early => install_early(),
+        Part::Late => {
+            install_early();
+            install_late();
+        }
     }
+    part.loaded();
+}
+
+#[cfg(parts)]
+entry! { Early install_early {
+    crate::control::interpreter::calls::install();
+    crate::control::interpreter::holes::install();
+    crate::control::interpreter::macros::install();
+    crate::control::interpreter::path::install();
+    crate::control::interpreter::y_axis::install();
+    crate::message::levels::install();
+    crate::provenance::install();
+    crate::setup::install();
+    crate::setup::invalid::install();
+    crate::setup::notes::install();
+    crate::setup::tool::install();
+    crate::text::parser::install();
+} }
+
+#[cfg(parts)]
+entry! { Late install_late {
+    install();
+    assist::install();
+    decimal::install();
+    difference::install();
+    files::install();
+    motions::install();
+    paste::install();
+    pictures::install();
+    playback::install();
+    profiles::install();
+    rewrite::install();
+    setup::install();
+    crate::control::interpreter::contours::install();
+    crate::control::interpreter::pecks::install();
+    crate::control::interpreter::repairs::install();
+    crate::control::interpreter::singles::install();
+    crate::control::interpreter::threads::install();
+    crate::control::interpreter::trace::install();
+    crate::current::install();
+    crate::current::machined::install();
+    crate::run::install();
+    crate::run::edit::install();
+    crate::scene::canvas::install();
+    crate::scene::canvas::layer::install();
+    crate::scene::canvas::sheet::install();
+} }
+
+/// Takes the texts of a language, by its tag: it can be used from now on. False: they are of another version.
+#[wasm_bindgen(js_name = textsLoaded)]
+pub fn texts_loaded(tag: &str, list: String) -> bool {
+    Language::from_tag(tag).load(list)
 }
 
 impl Playground {

@@ -448,7 +448,7 @@ pub struct State {
 }
 
 /// The part that can give variables their values.
-pub const MACROS: Part = Part::Seldom;
+pub const MACROS: Part = Part::Early;
 
 impl State {
     /// The state at power-on with the tip at the setup's start point.

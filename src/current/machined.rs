@@ -10,7 +10,7 @@ use crate::machine::feature::{Thread, threads};
 use crate::machine::live_holes::{LiveHole, live_holes};
 use crate::machine::region::Region;
 use crate::motion::Motions;
-use crate::parts::in_part;
+use crate::parts::late;
 use crate::run::Run;
 use crate::scene::face::Face;
 use crate::scene::side::Side;
@@ -121,8 +121,7 @@ impl Machined {
     }
 }
 
-in_part! {
-    Machine "0090"
+late! {
     fn compare(machined: &mut Machined, run: &Run, kept: Option<&Kept>) {
         machined.comparison = kept.and_then(|kept| {
             let setup = run.setup_at_machine();
@@ -132,12 +131,10 @@ in_part! {
         machined.shown = None;
     }
 
-    Machine "0092"
     fn kept(run: &Run) -> Kept {
         Kept { motions: run.motions().clone(), setup: run.setup_at_machine() }
     }
 
-    Machine "0091"
     fn show(machined: &mut Machined, motions: &Motions, moment: Option<Moment>, place: Option<Place>) {
         let work = Work::of(&machined.simulation, motions, moment);
         let until = moment.map_or(usize::MAX, |at| at.motion);

@@ -10,7 +10,7 @@ use serde::de::{Deserialize, Deserializer, Error, MapAccess, Visitor};
 use super::diagnostic::Diagnostic;
 use super::rule::{Group, Severity};
 use super::variants::RULES;
-use crate::parts::{Part, in_part};
+use crate::parts::early;
 
 /// The levels that are asked for, by the name of a rule or a group.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -85,21 +85,11 @@ impl Levels {
     }
 }
 
-in_part! {
-    Setup "020c"
-    fn level_by_setup(levels: &Levels, told: &Diagnostic) -> Option<Severity> {
+early! {
+    /// The level that a setup asks for.
+    fn level_of(levels: &Levels, told: &Diagnostic) -> Option<Severity> {
         levels.of(told.message.slug())
     }
-
-    Machine "020d"
-    fn level_at_machine(levels: &Levels, told: &Diagnostic) -> Option<Severity> {
-        levels.of(told.message.slug())
-    }
-}
-
-/// The level that is asked for. Who asks is a setup, so the part that reads it is there, or the one that needs it last.
-fn level_of(levels: &Levels, told: &Diagnostic) -> Option<Severity> {
-    if Part::Setup.is_loaded() { level_by_setup(levels, told) } else { level_at_machine(levels, told) }
 }
 
 /// Names that can be set: rules and groups.

@@ -19,7 +19,7 @@ use self::signs::{Sign, Weight};
 use self::statement::{Statement, Statements};
 use self::system::Scales;
 use crate::message::{Message, said};
-use crate::parts::{Part, in_part};
+use crate::parts::{Part, early};
 use crate::setup::dialect::GSystem;
 use crate::source::Span;
 
@@ -156,8 +156,7 @@ fn look_until(text: &[u8], end: usize) -> Look {
     seen
 }
 
-in_part! {
-    Seldom "0500"
+early! {
     fn read_closely(text: &[u8]) -> Provenance {
         let (mut scores, mut finder, mut scales) = (Scores::default(), Finder::default(), Scales::default());
         let mut statement = Statement::default();
@@ -177,7 +176,7 @@ pub fn recognise(text: &[u8]) -> Option<Provenance> {
 }
 
 /// The part that recognises other controls.
-pub const RECOGNISED_BY: Part = Part::Seldom;
+pub const RECOGNISED_BY: Part = Part::Early;
 
 /// What the numbers of a text show of the decimal rule.
 pub fn numbers(text: &[u8]) -> DecimalEvidence {

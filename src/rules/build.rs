@@ -1,18 +1,23 @@
-//! The build script: makes Rust code of the rule files.
+//! The build script: makes Rust code and lists of texts of the rule files and of `src/sentences`.
 //!
-//! In: `src/rules/<slug>.md`. Out, in `OUT_DIR`: `message.rs` (the types of messages and the table of rules),
-//! `sentences.rs` (the templates in three languages), `example_messages.rs` (a value of each message, for tests)
-//! and `pages.rs` (the rule pages, for the command line). A mistake in a rule file fails the build with file and line.
+//! In: `src/rules/<slug>.md`, `src/sentences/<language>.txt`. Out, in `OUT_DIR`: `message.rs` (the types of messages
+//! and the table of rules), `<language>.txt` (all texts of a language), `places.rs` (where each text is in those),
+//! `example_messages.rs` (a value of each message, for tests) and `pages.rs` (the rule pages, for the command line).
+//! A mistake in a file fails the build with file and line; a text that a language lacks is a warning.
 
 mod format;
 mod generate;
+mod texts;
 
 use std::path::Path;
 use std::process::ExitCode;
 use std::{env, fs};
 
+use texts::Texts;
+
 fn main() -> ExitCode {
     println!("cargo::rerun-if-changed=src/rules");
+    println!("cargo::rerun-if-changed=src/sentences");
     let mut mistakes = Vec::new();
     let mut rules = Vec::new();
     for (name, rule) in format::all(env!("CARGO_MANIFEST_DIR")) {
@@ -27,17 +32,22 @@ fn main() -> ExitCode {
         }
     }
     mistakes.extend(generate::duplicates(&rules));
+    let texts = Texts::read(env!("CARGO_MANIFEST_DIR"));
+    mistakes.extend_from_slice(&texts.mistakes);
     if !mistakes.is_empty() {
         for mistake in &mistakes {
             eprintln!("{mistake}");
         }
         return ExitCode::FAILURE;
     }
+    for missing in texts::missing(&rules, &texts) {
+        println!("cargo::warning={missing}");
+    }
     let Some(folder) = env::var_os("OUT_DIR") else {
         eprintln!("cargo sets OUT_DIR");
         return ExitCode::FAILURE;
     };
-    for (name, content) in generate::files(&rules) {
+    for (name, content) in generate::files(&rules, &texts) {
         if let Err(error) = fs::write(Path::new(&folder).join(&name), content) {
             eprintln!("{name}: {error}");
             return ExitCode::FAILURE;

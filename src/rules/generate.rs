@@ -6,6 +6,7 @@ use std::fmt::{Display, Write};
 use crate::format::message::{Argument, Message, Type};
 use crate::format::page::Text;
 use crate::format::{LANGUAGES, RuleFile};
+use crate::texts::{self, Texts};
 
 /// Variants that two messages share, each with its place.
 pub fn duplicates(rules: &[RuleFile]) -> Vec<String> {
@@ -24,13 +25,17 @@ pub fn duplicates(rules: &[RuleFile]) -> Vec<String> {
 }
 
 /// The files by name.
-pub fn files(rules: &[RuleFile]) -> Vec<(String, String)> {
-    vec![
+pub fn files(rules: &[RuleFile], texts: &Texts) -> Vec<(String, String)> {
+    let mut files = vec![
         ("message.rs".to_owned(), message(rules)),
-        ("sentences.rs".to_owned(), sentences(rules)),
+        ("places.rs".to_owned(), places(rules, texts)),
         ("example_messages.rs".to_owned(), example_messages(rules)),
         ("pages.rs".to_owned(), pages(rules)),
-    ]
+    ];
+    for (language, tag) in LANGUAGES.iter().enumerate() {
+        files.push((format!("{tag}.txt"), texts::list(language, rules, texts)));
+    }
+    files
 }
 
 /// All messages, each with its rule.
@@ -134,23 +139,26 @@ fn tables(out: &mut String, rules: &[RuleFile]) {
     put(out, "];");
 }
 
-/// The templates of all languages: a sentence, and on a second line its help.
-fn sentences(rules: &[RuleFile]) -> String {
-    let mut out = String::new();
-    put(
-        &mut out,
-        "// The templates of each language, in the order of the messages: a sentence, and on a second line its help.",
+/// Where the text of each variant is among the texts of a language. A variant without an English text, or a text
+/// without a variant, does not build.
+fn places(rules: &[RuleFile], texts: &Texts) -> String {
+    let mut out = format!(
+        "/// The first line of each list: the order of its texts.\nconst ORDER: &str = {:?};\n\n",
+        texts::order(rules, texts)
     );
-    let count = messages(rules).count();
-    for (index, language) in LANGUAGES.iter().enumerate() {
-        let name = language.to_uppercase();
-        put(&mut out, format_args!("pub(super) static {name}: [&str; {count}] = ["));
-        for (_, message) in messages(rules) {
-            let said = &message.sentences[index];
-            let help = said.help.iter().map(|help| format!("\n{help}")).collect::<String>();
-            put(&mut out, format_args!("    {},", quote(format!("{}{help}", said.message))));
+    let mut kinds: BTreeMap<&str, Vec<(usize, &str)>> = BTreeMap::new();
+    for (index, text) in (messages(rules).count()..).zip(&texts.list) {
+        kinds.entry(&text.kind).or_default().push((index, &text.variant));
+    }
+    for (kind, variants) in kinds {
+        put(
+            &mut out,
+            format_args!("impl Place for {kind} {{\n    fn place(self) -> usize {{\n        match self {{"),
+        );
+        for (index, variant) in variants {
+            put(&mut out, format_args!("            {kind}::{variant} => {index},"));
         }
-        put(&mut out, "];\n");
+        put(&mut out, "        }\n    }\n}\n");
     }
     out
 }

@@ -9,7 +9,7 @@ use std::collections::BTreeMap;
 use super::{Recognised, Run, RunId, TextEdit};
 use crate::control::interpreter::{Remainder, Snapshot};
 use crate::heap;
-use crate::parts::{Part, in_part};
+use crate::parts::{Part, late};
 use crate::provenance;
 use crate::setup::notes::{self, Notes};
 use crate::source::shift::Shift;
@@ -77,15 +77,13 @@ impl PreviousRun {
 }
 
 /// The part in which what runs again is kept small: without it, a changed text runs from its beginning.
-pub(super) const EDITS: Part = Part::Machine;
+pub(super) const EDITS: Part = Part::Late;
 
-in_part! {
-    Machine "0110"
+late! {
     fn go_back(run: &mut Run, edit: TextEdit) {
         run.go_back(edit);
     }
 
-    Machine "0111"
     fn pause(run: &mut Run, at: Resume) -> bool {
         run.pause_with_snapshot(at)
     }

@@ -5,10 +5,10 @@
 //! strokes alone, so that many of them can be moved at once and drawn a little later. Reads the scene,
 //! knows nothing of the page.
 
-mod layer;
+pub(crate) mod layer;
 mod paths;
 mod pen;
-mod sheet;
+pub(crate) mod sheet;
 
 use std::ops::Range;
 
@@ -23,7 +23,7 @@ use super::view::{Framing, View};
 use super::work::{ToolOutline, Work};
 use super::{Place, Plane, Scene, Stroke, StrokeStyle};
 use crate::geometry::{Point, within};
-use crate::parts::{Part, in_part};
+use crate::parts::{Part, late};
 pub use layer::Progress;
 use layer::StrokeLayer;
 use paths::Paths;
@@ -38,10 +38,9 @@ const CLEAR: f64 = 7.0;
 const LEAST_FOR_PICKED_ARROW: f64 = 22.0;
 
 /// The part that draws what lies over the strokes; nothing is picked out and no tool is shown before it is there.
-const OVER: Part = Part::Machine;
+const OVER: Part = Part::Late;
 
-in_part! {
-    Machine "0610"
+late! {
     fn draw_over(painter: &mut Painter, scene: &Scene, view: &View) -> Result<(), JsValue> {
         painter.draw_over(scene, view)
     }

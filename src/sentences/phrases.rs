@@ -1,9 +1,5 @@
 //! What a stroke of the picture is, and the titles of fixes and rewritings, as templates of every language.
 
-pub(super) mod en;
-pub(super) mod ru;
-pub(super) mod zh;
-
 use super::language::Language;
 use super::template::fill;
 use crate::geometry::virtual_plane::Surface;
@@ -41,7 +37,7 @@ phrases! {
 
 impl Language {
     pub(super) fn phrase(self, phrase: Phrase) -> &'static str {
-        (self.texts().phrase)(phrase)
+        self.text(phrase)
     }
 }
 

@@ -1,8 +1,7 @@
 //! Fills the templates of the messages.
 //!
 //! In: a message, a language, the unit of the program. Out: its sentence and its help. The templates are
-//! made from `src/rules/<slug>.md` by the build script: a message without a sentence in one of the
-//! languages does not build.
+//! those of `src/rules/<slug>.md`.
 
 use super::labels;
 use super::language::Language;
@@ -32,7 +31,7 @@ impl Message {
 
     /// The message in a language, lengths in a unit.
     pub fn sentence_in(&self, language: Language, unit: Unit) -> Sentence {
-        let template = language.texts().templates[self.index()];
+        let template = language.texts()[self.index()];
         let mut arguments = self.arguments();
         for (_, value) in &mut arguments {
             if let Value::Length(length) = value {
@@ -40,7 +39,7 @@ impl Message {
             }
         }
         arguments.push(("mm", Value::Text(labels::length(unit, language).into())));
-        let (message, help) = match template.split_once('\n') {
+        let (message, help) = match template.split_once('\t') {
             Some((message, help)) => (message, Some(fill(help, &arguments))),
             None => (template, None),
         };

@@ -3,6 +3,9 @@
 mod format;
 #[path = "../../www/rules/templates.rs"]
 mod templates;
+#[allow(dead_code, reason = "the build script uses all of it")]
+#[path = "../rules/texts.rs"]
+mod texts;
 
 use std::collections::BTreeSet;
 
@@ -92,4 +95,54 @@ fn the_file_of_sentences_for_the_page_says_what_is_said_here() {
             assert_eq!(own["help"].as_str().map(filled), said.help);
         }
     }
+}
+
+#[test]
+fn a_language_without_a_text_has_the_english_one() {
+    let [name, text] = ["no-program-end", include_str!("../rules/no-program-end.md")];
+    let whole = format::RuleFile::read(text).expect(name);
+    assert_eq!(whole.missing, []);
+    // Neither the sentence nor the page in Russian.
+    let page = text.find("## ru:").expect("a Russian page");
+    let lines = text[..page].lines().filter(|line| !line.starts_with("ru"));
+    let rule =
+        format::RuleFile::read(&lines.map(|line| format!("{line}\n")).collect::<String>()).expect(name);
+    assert_eq!(rule.missing.len(), rule.messages.len() + 1, "{:?}", rule.missing);
+    assert_eq!(rule.messages[0].sentences[2], whole.messages[0].sentences[0]);
+    assert_eq!(rule.page.texts[2], whole.page.texts[0]);
+    assert_eq!(rule.page.texts[1], whole.page.texts[1]);
+}
+
+#[test]
+fn other_texts_are_read_by_enum_and_variant() {
+    use texts::Texts;
+    let of = |files: [&str; 3]| Texts::of(&files.map(str::to_owned));
+    let texts = of([
+        "# Words\nRole.Comment: a comment\nEffect.Done:\n",
+        "Role.Comment: 注释\nEffect.Done:\n",
+        "Effect.Done:\n",
+    ]);
+    assert_eq!(texts.mistakes, Vec::<String>::new());
+    assert_eq!(texts.missing, ["src/sentences/ru.txt: Role.Comment"]);
+    assert_eq!(texts.list[0].said, ["a comment", "注释", "a comment"]);
+    assert_eq!(texts.list[1].said, ["", "", ""]);
+    let texts = of([
+        "Role.Comment: a\nRole.Comment: b\nno key\n",
+        "Role.Other: 其\n",
+        "Role.Comment: а\nRole.Comment: б\n",
+    ]);
+    let lines: Vec<_> = texts
+        .mistakes
+        .iter()
+        .map(|mistake| mistake.splitn(3, ':').take(2).collect::<Vec<_>>().join(":"))
+        .collect();
+    assert_eq!(
+        lines,
+        [
+            "src/sentences/en.txt:2",
+            "src/sentences/en.txt:3",
+            "src/sentences/zh.txt:1",
+            "src/sentences/ru.txt:2"
+        ]
+    );
 }

@@ -1,76 +1,57 @@
-//! All that is said in one language, a part of the module each: a page loads that of its reader.
+//! All that is said in one language: a list of texts that the build script makes of the rule files and of
+//! `src/sentences/<language>.txt`.
+//!
+//! In the module of the page the lists are files of their own, and the page loads that of its reader
+//! ([`Language::load`]); everywhere else they are in the program.
 
-use super::assist::{self, Told};
-use super::codes;
+use std::sync::OnceLock;
+
+use super::assist::Told;
 use super::language::Language;
-use super::phrases::{self, Phrase};
+use super::phrases::Phrase;
 use crate::assist::role::Role;
 use crate::control::codes::{Effect, Function, Section};
 use crate::control::origins::Modal;
-use crate::parts::{Part, in_part};
 
-/// The sentences.
-mod templates {
-    include!(concat!(env!("OUT_DIR"), "/sentences.rs"));
+/// What has a text of its own.
+pub(super) trait Place {
+    /// Its index in the list of each language.
+    fn place(self) -> usize;
 }
 
-/// The texts of a language.
-pub(super) struct Texts {
-    /// The template of each message, by its index; on a second line that of its help.
-    pub templates: &'static [&'static str],
-    /// The title of a section of the table of codes.
-    pub title: fn(Section) -> &'static str,
-    /// What a code does.
-    pub describe: fn(Function) -> &'static str,
-    /// The note beside a code.
-    pub note: fn(Effect) -> &'static str,
-    /// A part of a sentence.
-    pub phrase: fn(Phrase) -> &'static str,
-    /// What a word is in its block.
-    pub role: fn(Role) -> &'static str,
-    /// The name of what is in force.
-    pub modal: fn(Modal) -> &'static str,
-    /// The template of a fact about a word or block.
-    pub told: fn(Told) -> &'static str,
-}
+include!(concat!(env!("OUT_DIR"), "/places.rs"));
+
+/// The texts of each language: first the sentence and help of each message, by its index, then those that have a [`Place`].
+static TEXTS: [OnceLock<Vec<&'static str>>; 3] = [const { OnceLock::new() }; 3];
 
 impl Language {
-    /// The part of the module its texts are in.
-    pub fn part(self) -> Part {
+    pub(super) fn texts(self) -> &'static [&'static str] {
+        #[cfg(not(parts))]
+        return TEXTS[self as usize].get_or_init(|| self.list().lines().skip(1).collect());
+        #[cfg(parts)]
+        return TEXTS[self as usize].get().unwrap_or_else(|| crate::parts::missing(self.tag()));
+    }
+
+    pub(super) fn text(self, of: impl Place) -> &'static str {
+        self.texts()[of.place()]
+    }
+
+    /// The list of its texts, a line each.
+    #[cfg(not(parts))]
+    fn list(self) -> &'static str {
         match self {
-            Self::English => Part::English,
-            Self::Chinese => Part::Chinese,
-            Self::Russian => Part::Russian,
+            Self::English => include_str!(concat!(env!("OUT_DIR"), "/en.txt")),
+            Self::Chinese => include_str!(concat!(env!("OUT_DIR"), "/zh.txt")),
+            Self::Russian => include_str!(concat!(env!("OUT_DIR"), "/ru.txt")),
         }
     }
 
-    pub(super) fn texts(self) -> &'static Texts {
-        match self {
-            Self::English => english(),
-            Self::Chinese => chinese(),
-            Self::Russian => russian(),
+    /// Takes the list of its texts from the page, the first time. False: it is no list of this version.
+    pub fn load(self, list: String) -> bool {
+        let is_of_this_version = list.lines().next() == Some(ORDER);
+        if is_of_this_version {
+            TEXTS[self as usize].get_or_init(|| String::leak(list).lines().skip(1).collect());
         }
+        is_of_this_version
     }
-}
-
-macro_rules! texts {
-    ($templates:ident, $language:ident) => {{
-        static TEXTS: Texts = Texts {
-            templates: &templates::$templates,
-            title: codes::$language::title,
-            describe: codes::$language::describe,
-            note: codes::$language::note,
-            phrase: phrases::$language::phrase,
-            role: assist::$language::role,
-            modal: assist::$language::modal,
-            told: assist::$language::told,
-        };
-        &TEXTS
-    }};
-}
-
-in_part! {
-    English "0001" fn english() -> &'static Texts { texts!(EN, en) }
-    Chinese "0002" fn chinese() -> &'static Texts { texts!(ZH, zh) }
-    Russian "0003" fn russian() -> &'static Texts { texts!(RU, ru) }
 }

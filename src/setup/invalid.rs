@@ -5,7 +5,7 @@
 
 use super::{Machine, Setup, Stock, Tool};
 use crate::message::{Message, said};
-use crate::parts::in_part;
+use crate::parts::early;
 use crate::units::Diameter;
 
 /// An invalid value.
@@ -129,8 +129,7 @@ impl Setup {
     }
 }
 
-in_part! {
-    Setup "0201"
+early! {
     fn checked(setup: Setup) -> (Setup, Vec<InvalidValue>) {
         let mut setup = setup;
         let mut checker = Checker::default();

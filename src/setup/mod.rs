@@ -24,7 +24,7 @@ use serde::Deserialize;
 
 use crate::limits::Limits;
 use crate::message::Levels;
-use crate::parts::{Part, in_part};
+use crate::parts::early;
 use crate::units::Diameter;
 use dialect::DialectChoice;
 pub use machine::{Machine, Tailstock, Travel, Turret};
@@ -95,7 +95,7 @@ pub enum Lints {
 }
 
 impl Clone for Setup {
-    /// Tools come with the part that reads setups, or are described to the machine: it takes one of them to copy them.
+    /// A setup has tools only once the part that reads and describes them has been loaded: it copies them.
     fn clone(&self) -> Self {
         let mut setup = Self {
             dialect: self.dialect.clone(),
@@ -113,22 +113,14 @@ impl Clone for Setup {
             lints: self.lints,
             tried: self.tried.clone(),
         };
-        if self.tools.is_empty() && self.described_tools.is_empty() {
-            // Nothing to copy.
-        } else if Part::Setup.is_loaded() {
-            copy_tools_of_setup(self, &mut setup);
-        } else {
-            copy_tools_at_machine(self, &mut setup);
+        if !self.tools.is_empty() || !self.described_tools.is_empty() {
+            copy_tools(self, &mut setup);
         }
         setup
     }
 }
 
 impl Setup {
-    fn copy_tools(&self, to: &mut Self) {
-        (to.tools, to.described_tools) = (self.tools.clone(), self.described_tools.clone());
-    }
-
     /// Reads a setup from JSON; what says more than `{}` needs the part `Setup` of the module. The error says what is wrong and where, and names an unknown key or a limit
     /// that is set too high.
     pub fn from_json(json: &str) -> Result<Self, String> {
@@ -141,18 +133,11 @@ impl Setup {
     }
 }
 
-in_part! {
-    Setup "020a"
-    fn copy_tools_of_setup(from: &Setup, to: &mut Setup) {
-        from.copy_tools(to);
+early! {
+    fn copy_tools(from: &Setup, to: &mut Setup) {
+        (to.tools, to.described_tools) = (from.tools.clone(), from.described_tools.clone());
     }
 
-    Machine "020b"
-    fn copy_tools_at_machine(from: &Setup, to: &mut Setup) {
-        from.copy_tools(to);
-    }
-
-    Setup "0200"
     fn read_json(json: &str) -> Result<Setup, String> {
         let setup: Setup = serde_json::from_str(json).map_err(|error| {
             match key_before(json, error.line(), error.column()) {

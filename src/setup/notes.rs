@@ -23,7 +23,7 @@ use super::invalid::InvalidValue;
 use super::{Machine, Position, Setup, Stock, Tailstock, Tool};
 use crate::message::levels::{self, known};
 use crate::message::{Diagnostic, Fix, Levels, Severity, said};
-use crate::parts::{Part, in_part};
+use crate::parts::{Part, early};
 use crate::setup::dialect::DialectChoice;
 use crate::source::Span;
 use crate::units::{Diameter, read_number};
@@ -132,7 +132,7 @@ impl Notes {
         if Self::may_stand_in(text) { read(text) } else { Self::default() }
     }
 
-    /// Whether a text can have notes: only then the part `Setup` of the module is needed to read them. Never false where
+    /// Whether a text can have notes: only then the part `Early` of the module is needed to read them. Never false where
     /// there are some.
     pub fn may_stand_in(text: &[u8]) -> bool {
         comments(text).any(|comment| comment.keyword().is_some())
@@ -140,7 +140,7 @@ impl Notes {
 
     /// Whether the notes of a text can be read now: there are none, or what reads them has been loaded.
     pub fn can_be_read(text: &[u8]) -> bool {
-        Part::Setup.is_loaded() || !Self::may_stand_in(text)
+        Part::Early.is_loaded() || !Self::may_stand_in(text)
     }
 
     /// The setup with what the notes say in place of what it said.
@@ -300,8 +300,7 @@ impl Notes {
     }
 }
 
-in_part! {
-    Setup "0202"
+early! {
     fn read(text: &[u8]) -> Notes {
         let mut notes = Notes::default();
         for comment in comments(text) {
@@ -312,12 +311,10 @@ in_part! {
         notes
     }
 
-    Setup "0203"
     fn are_those(notes: &Notes, text: &[u8]) -> bool {
         *notes == read(text)
     }
 
-    Setup "0204"
     fn applied(notes: &Notes, setup: Setup) -> Setup {
         let mut tools = setup.tools;
         tools.extend(notes.tools.iter().cloned());
@@ -333,7 +330,6 @@ in_part! {
         }
     }
 
-    Setup "0205"
     fn reported(notes: &Notes, invalid: Vec<InvalidValue>, text: &[u8]) -> Vec<Diagnostic> {
         let words = notes.unreadable.iter().map(|fault| {
             let word = String::from_utf8_lossy(fault.span.of(text)).into_owned();

@@ -4,7 +4,7 @@ use serde::Deserialize;
 
 use super::side::Side;
 use super::thread_insert::ThreadInsert;
-use crate::parts::{Part, in_part};
+use crate::parts::early;
 use crate::units::Diameter;
 
 /// A tool as a setup sheet names it. What is left out has the usual value of its kind.
@@ -127,44 +127,26 @@ impl Insert {
     }
 }
 
-in_part! {
-    Setup "0206"
-    fn insert_of_setup(designation: &str) -> Option<Insert> {
+early! {
+    fn read_insert(designation: &str) -> Option<Insert> {
         Insert::read(designation)
     }
 
-    Machine "0207"
-    fn insert_at_machine(designation: &str) -> Option<Insert> {
-        Insert::read(designation)
-    }
-
-    Setup "0208"
-    fn thread_insert_of_setup(designation: &str) -> Option<ThreadInsert> {
-        ThreadInsert::read(designation)
-    }
-
-    Machine "0209"
-    fn thread_insert_at_machine(designation: &str) -> Option<ThreadInsert> {
+    fn read_thread_insert(designation: &str) -> Option<ThreadInsert> {
         ThreadInsert::read(designation)
     }
 }
 
 impl Tool {
-    /// What its insert's designation says. A tool that has one comes with the part that reads setups, or is inferred by
-    /// the machine.
+    /// What its insert's designation says.
     pub fn insert(&self) -> Option<Insert> {
-        let designation = self.insert.as_deref()?;
-        if Part::Setup.is_loaded() { insert_of_setup(designation) } else { insert_at_machine(designation) }
+        read_insert(self.insert.as_deref()?)
     }
 
     /// What its insert's designation says of a threading insert.
     pub fn thread_insert(&self) -> Option<ThreadInsert> {
         let designation = self.insert.as_deref().filter(|_| self.kind == Some(ToolKind::Threading))?;
-        if Part::Setup.is_loaded() {
-            thread_insert_of_setup(designation)
-        } else {
-            thread_insert_at_machine(designation)
-        }
+        read_thread_insert(designation)
     }
 
     /// The side of the work it is for: as given, or as its threading insert says; the

@@ -19,7 +19,7 @@ use super::plain_line::PlainLine;
 use super::plain_words::{PlainWords, begins_in_other_script};
 use crate::limits::DIGITS;
 use crate::message::{Diagnostic, Fix, Message, Repair, Severity, said, sort_by_place};
-use crate::parts::{Part, in_part};
+use crate::parts::{Part, early};
 use crate::source::shift::Shift;
 use crate::source::{Span, line_end};
 
@@ -27,35 +27,29 @@ use crate::source::{Span, line_end};
 const FAULTS_PER_BLOCK: usize = 3;
 
 /// The part of the module that reads what is not written as it should be.
-pub const READS_FAULTS: Part = Part::Seldom;
+pub const READS_FAULTS: Part = Part::Early;
 
-in_part! {
-    Seldom "0520"
+early! {
     fn reconsider(parser: &Parser, block: &mut Block, behind_semicolon: bool) {
         parser.reconsider(block, behind_semicolon);
     }
 
-    Seldom "0521"
     fn take_misread(parser: &mut Parser, block: &mut Block, start: u32, misread: &Misread) {
         parser.take_misread(block, start, misread);
     }
 
-    Seldom "0522"
     fn report_full_width(parser: &Parser, block: &mut Block, span: Span) {
         parser.report_full_width(block, span);
     }
 
-    Seldom "0526"
     fn report_two_signs(parser: &Parser, block: &mut Block, span: Span, negative: bool) {
         parser.report_two_signs(block, span, negative);
     }
 
-    Seldom "0524"
     fn report_second_point(parser: &Parser, block: &mut Block, span: Span) {
         parser.report_second_point(block, span);
     }
 
-    Seldom "0523"
     fn take_torn(parser: &mut Parser, block: &mut Block, word: Torn, comma: Span, digits: Span) {
         parser.take_torn_word(block, word, comma, digits);
     }

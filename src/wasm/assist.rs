@@ -8,7 +8,7 @@ use wasm_bindgen::prelude::*;
 use super::{Playground, to_js};
 use crate::api::assist::Reader;
 use crate::assist::Asked;
-use crate::parts::in_part;
+use crate::parts::late;
 use crate::run::RunId;
 use crate::run::replay::{Found, Replay, Time, block_at};
 use crate::source::Span;
@@ -88,15 +88,13 @@ impl Playground {
     }
 }
 
-in_part! {
-    Tools "0900"
+late! {
     fn ask(playground: &mut Playground, offset: u32, time: Option<u32>) -> bool {
         let current = &playground.current;
         let byte = current.lines().byte_at_utf16(current.run().text(), offset);
         begin(playground, byte, time.map_or(Time::Usual, Time::Number))
     }
 
-    Tools "0906"
     fn ask_motion(playground: &mut Playground, motion: u32) -> bool {
         let (motions, motion) = (playground.current.motions(), motion as usize);
         if motion >= motions.len() {
@@ -107,13 +105,11 @@ in_part! {
         begin(playground, byte, Time::Motion(motion))
     }
 
-    Tools "0907"
     fn explanation(playground: &Playground) -> Result<JsValue, JsValue> {
         let motions = playground.current.motions();
         with_answer(playground, |reader, asked| Ok(reader.explanation(asked, motions).into()))
     }
 
-    Tools "0901"
     fn look(playground: &mut Playground, blocks: u32) -> bool {
         let Playground { current, question, .. } = playground;
         let Some(mut replay) = question.replay.take() else { return true };
@@ -125,38 +121,32 @@ in_part! {
         false
     }
 
-    Tools "0908"
     fn uses(playground: &Playground, offset: u32) -> Result<JsValue, JsValue> {
         let run = playground.current.run();
         let byte = playground.current.lines().byte_at_utf16(run.text(), offset);
         to_js(&reader(playground).uses(run.code_list(), byte))
     }
 
-    Tools "0909"
     fn outline(playground: &Playground) -> Result<JsValue, JsValue> {
         to_js(&reader(playground).outline(playground.current.run().code_list()))
     }
 
-    Tools "0902"
     fn word(playground: &Playground) -> Result<JsValue, JsValue> {
         let notes: Vec<Span> = playground.current.run().notes().spans().collect();
         let (byte, motions) = (playground.question.byte, playground.current.motions());
         with_answer(playground, |reader, asked| to_js(&reader.word(asked, byte, &notes, motions)))
     }
 
-    Tools "0905"
     fn completion(playground: &Playground, asked_for: bool) -> Result<JsValue, JsValue> {
         let (byte, end) = (playground.question.byte, playground.current.run().state());
         with_answer(playground, |reader, asked| to_js(&reader.completion(asked, byte, end, asked_for)))
     }
 
-    Tools "0904"
     fn form(playground: &Playground) -> Result<JsValue, JsValue> {
         let byte = playground.question.byte;
         with_answer(playground, |reader, asked| to_js(&reader.form(asked, byte)))
     }
 
-    Tools "0903"
     fn state(playground: &Playground) -> Result<JsValue, JsValue> {
         let motions = playground.current.motions();
         with_answer(playground, |reader, asked| to_js(&reader.state(asked, motions)))

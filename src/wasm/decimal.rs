@@ -4,7 +4,7 @@ use wasm_bindgen::prelude::*;
 
 use super::Playground;
 use crate::api;
-use crate::parts::in_part;
+use crate::parts::late;
 
 #[wasm_bindgen]
 impl Playground {
@@ -23,8 +23,7 @@ impl Playground {
     }
 }
 
-in_part! {
-    Machine "0070"
+late! {
     fn notice(playground: &Playground) -> Option<String> {
         api::decimal_notice(playground.current.run(), playground.language)
     }

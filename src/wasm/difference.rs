@@ -7,7 +7,7 @@ use wasm_bindgen::prelude::*;
 use super::{Playground, to_js};
 use crate::api;
 use crate::difference::{ProgramDifference, Version};
-use crate::parts::in_part;
+use crate::parts::late;
 use crate::scene::camera::XPlus;
 use crate::scene::ruler::Scale;
 use crate::scene::svg::{SvgOptions, overlay};
@@ -43,8 +43,7 @@ impl Playground {
     }
 }
 
-in_part! {
-    Tools "0870"
+late! {
     fn difference(playground: &Playground, other: &Playground) -> Result<JsValue, JsValue> {
         let both = [other, playground];
         let found = both.map(Playground::all_diagnostics);
@@ -65,7 +64,6 @@ in_part! {
         to_js(&api::difference::ProgramDifference::new(&differ, both.map(Playground::places), unit, language))
     }
 
-    Tools "0871"
     fn drawn(playground: &Playground, other: &Playground, first: String, second: String) -> String {
         let language = playground.language;
         let [first, second] = [first, second].map(|name| said_with(Said::OnlyIn, &name, language));

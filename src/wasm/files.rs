@@ -15,7 +15,7 @@ use crate::expand::expand;
 use crate::export::file::{Exportable, FileFormat, file};
 use crate::machine::SimulationResult;
 use crate::motion::Motions;
-use crate::parts::in_part;
+use crate::parts::late;
 use crate::scene::Plane;
 use crate::scene::camera::XPlus;
 use crate::scene::canvas::{Painter, Progress};
@@ -71,8 +71,7 @@ impl Playground {
     }
 }
 
-in_part! {
-    Machine "0030"
+late! {
     fn bytes_of(playground: &mut Playground, format: &str) -> Result<Option<Vec<u8>>, JsValue> {
         let format = file_format(format)?;
         playground.current.finish_part();
@@ -80,18 +79,15 @@ in_part! {
         Ok(file(format, &Ran { current, setup }, playground.language))
     }
 
-    Machine "0031"
     fn section(playground: &mut Playground) -> Result<JsValue, JsValue> {
         let shown = playground.current.part_shown();
         to_js(&shown.map(|region| api::section(&region)).unwrap_or_default())
     }
 
-    Machine "0033"
     fn holes(playground: &mut Playground) -> Result<JsValue, JsValue> {
         to_js(&api::holes(&playground.current.holes_shown()))
     }
 
-    Machine "0032"
     fn ending_of(format: &str) -> Result<String, JsValue> {
         Ok(file_format(format)?.ending().to_owned())
     }

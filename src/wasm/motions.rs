@@ -6,7 +6,7 @@ use wasm_bindgen::prelude::*;
 use super::{Playground, to_js, view_of};
 use crate::api;
 use crate::motion::{Chunk, Motions};
-use crate::parts::in_part;
+use crate::parts::late;
 
 #[wasm_bindgen]
 impl Playground {
@@ -36,13 +36,11 @@ impl Playground {
     }
 }
 
-in_part! {
-    Machine "0121"
+late! {
     fn chunk(motions: &Motions, index: usize) -> Option<MotionChunk> {
         motions.chunks().get(index).map(MotionChunk::new)
     }
 
-    Machine "0120"
     fn rows(playground: &Playground, first: usize, end: usize) -> Result<JsValue, JsValue> {
         let motions = playground.current.motions();
         let machine = &playground.current.run().setup().machine;

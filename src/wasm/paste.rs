@@ -6,7 +6,7 @@ use wasm_bindgen::prelude::*;
 
 use super::to_js;
 use crate::api::paste::{self as rows, FoundPrograms};
-use crate::parts::in_part;
+use crate::parts::late;
 use crate::paste::{Found, find};
 use crate::sentences::Language;
 
@@ -40,18 +40,15 @@ impl PastedText {
     }
 }
 
-in_part! {
-    Tools "0011"
+late! {
     fn programs_in(text: &str) -> Found {
         find(text)
     }
 
-    Tools "0012"
     fn programs(found: &Found) -> Result<JsValue, JsValue> {
         to_js(&FoundPrograms::new(found))
     }
 
-    Tools "0013"
     fn pieces(pasted: &PastedText, program: usize, language: Language) -> Result<JsValue, JsValue> {
         let program = pasted.found.programs.get(program);
         to_js(&program.map(|program| rows::pieces(&pasted.text, program, language)).unwrap_or_default())

@@ -12,7 +12,7 @@ use crate::api;
 use crate::current::Current;
 use crate::geometry::Point;
 use crate::machine::compare::Comparison;
-use crate::parts::in_part;
+use crate::parts::late;
 use crate::scene::Plane;
 use crate::scene::camera::{Pixel, Size};
 use crate::scene::canvas::{Painter, Progress};
@@ -212,8 +212,7 @@ impl Playground {
     }
 }
 
-in_part! {
-    Machine "0800"
+late! {
     fn work_shown(current: &Current) -> Result<JsValue, JsValue> {
         let Some(simulation) = current.simulation() else { return to_js(&[""; 0]) };
         let [chuck, tailstock] = simulation.has_chuck_and_tailstock();
@@ -222,12 +221,10 @@ in_part! {
         to_js(&all.into_iter().filter(|(_, shown)| *shown).map(|(name, _)| name).collect::<Vec<_>>())
     }
 
-    Machine "0053"
     fn on_side(current: &Current, z: f64, other: f64) -> Point {
         current.side().map_or(Point::default(), |side| side.point(z, other))
     }
 
-    Machine "0050"
     fn picked(playground: &mut Playground, plane: Plane, at: Pixel) -> Result<JsValue, JsValue> {
         match playground.current.pick(plane, at, REACH) {
             Some((motion, at)) => playground.stroke(motion, at),
@@ -235,13 +232,11 @@ in_part! {
         }
     }
 
-    Machine "0051"
     fn dimension(playground: &mut Playground, at: Pixel) -> Result<JsValue, JsValue> {
         let edge = playground.current.mark_edge(at, REACH);
         edge.map_or(Ok(JsValue::UNDEFINED), |feature| to_js(&api::Dimension::new(&feature)))
     }
 
-    Machine "0052"
     fn comparison(found: &Comparison) -> Result<JsValue, JsValue> {
         to_js(&api::Comparison::new(found))
     }

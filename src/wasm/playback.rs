@@ -5,7 +5,7 @@ use wasm_bindgen::prelude::*;
 use super::{Playground, to_js};
 use crate::api::{Readout, Shown, Totals};
 use crate::current::Current;
-use crate::parts::in_part;
+use crate::parts::late;
 use crate::playback::clock::Playhead;
 use crate::playback::holds::{self, Holds, Stops};
 use crate::playback::steps::{Direction, Unit, step};
@@ -135,13 +135,11 @@ impl Playground {
     }
 }
 
-in_part! {
-    Machine "0041"
+late! {
     fn animation_seconds(current: &Current) -> f64 {
         current.clock().whole().pace
     }
 
-    Machine "0042"
     fn seek(current: &mut Current, share: f64) {
         let clock = current.clock();
         let place = clock.place(current.motions(), share * clock.whole().pace);
@@ -149,7 +147,6 @@ in_part! {
         current.keep_tool_in_view();
     }
 
-    Machine "0043"
     fn play(current: &mut Current, seconds: f64, asked: Holds) -> HeldBy {
         let from = current.view(Plane::Section).playhead.unwrap_or(Playhead::START);
         let lines = current.lines_that_move(asked.lines);
@@ -164,26 +161,22 @@ in_part! {
         }
     }
 
-    Machine "0044"
     fn step_on(current: &mut Current, unit: Unit, direction: Direction) {
         let place = step(current.motions(), current.view(Plane::Section).playhead, unit, direction);
         current.put(Some(place));
         current.keep_tool_in_view();
     }
 
-    Machine "0046"
     fn put_at_block(current: &mut Current, offset: u32) {
         current.put_at_block(offset);
         current.keep_tool_in_view();
     }
 
-    Machine "0045"
     fn totals_of(current: &Current) -> Result<JsValue, JsValue> {
         let (tools, all) = totals::totals(current.motions(), &current.run().setup().machine);
         to_js(&tools.iter().chain([&all]).map(Totals::new).collect::<Vec<_>>())
     }
 
-    Machine "0841"
     fn strokes(playground: &Playground, first: u32, end: u32) -> Result<JsValue, JsValue> {
         let motions = playground.current.motions();
         let rows = js_sys::Array::new();
@@ -193,7 +186,6 @@ in_part! {
         Ok(rows.into())
     }
 
-    Machine "0040"
     fn readout(playground: &mut Playground) -> Result<JsValue, JsValue> {
         let Some((playhead, place)) = playground.current.place() else { return Ok(JsValue::UNDEFINED) };
         let shown = Shown {

@@ -4,7 +4,7 @@ use wasm_bindgen::prelude::*;
 
 use super::{Playground, error, to_js};
 use crate::api::Profiles;
-use crate::parts::in_part;
+use crate::parts::late;
 use crate::setup::Setup;
 use crate::setup::draft::put_into_json;
 use crate::setup::profile::Profile;
@@ -39,21 +39,18 @@ impl Playground {
     }
 }
 
-in_part! {
-    Tools "0701"
+late! {
     fn profiles_in(json: &str) -> Result<JsValue, JsValue> {
         let setup = Setup::from_json(json).map_err(|problem| error(&problem))?;
         // Written as the setup of a run is, so that the two can be compared.
         to_js(&Profiles::of_setup(&put_into_json(json, &setup)))
     }
 
-    Tools "0702"
     fn profiles_of_run(playground: &Playground, json: &str) -> Result<JsValue, JsValue> {
         let as_run = put_into_json(json, &playground.current.run().as_given());
         to_js(&Profiles::of_setup(&as_run))
     }
 
-    Tools "0703"
     fn with_profile(json: &str, kind: &str, profile: &str) -> String {
         Profile::of(kind).put_into(json, profile)
     }

@@ -3,7 +3,7 @@
 use wasm_bindgen::prelude::*;
 
 use super::{Playground, to_js};
-use crate::parts::in_part;
+use crate::parts::late;
 use crate::rewrite::offers;
 use crate::source::Span;
 
@@ -17,9 +17,8 @@ impl Playground {
     }
 }
 
-in_part! {
-    Tools "0010"
-fn rewritings(playground: &Playground, from: u32, to: u32) -> Result<JsValue, JsValue> {
+late! {
+    fn rewritings(playground: &Playground, from: u32, to: u32) -> Result<JsValue, JsValue> {
     let (text, places) = (playground.current.run().text(), playground.places());
     let byte = |offset: u32| playground.current.lines().byte_at_utf16(text, offset) as usize;
     let start = byte(from);

@@ -7,7 +7,7 @@ use crate::api::ReadAs;
 use crate::api::setup::{SetupOverview, SetupPlace, Subject};
 use crate::machine::inferred::inferred_setup;
 use crate::machine::resolved_setup::ResolvedSetup;
-use crate::parts::in_part;
+use crate::parts::late;
 use crate::setup::draft::Entry;
 
 #[wasm_bindgen(typescript_custom_section)]
@@ -65,8 +65,7 @@ impl Playground {
     }
 }
 
-in_part! {
-    Machine "0020"
+late! {
     fn overview(playground: &Playground) -> Result<JsValue, JsValue> {
         let (run, language) = (playground.current.run(), playground.language);
         match playground.current.resolved_setup() {
@@ -75,17 +74,14 @@ in_part! {
         }
     }
 
-    Machine "0700"
     fn read_as(playground: &Playground) -> Result<JsValue, JsValue> {
         to_js(&ReadAs::new(playground.current.run(), playground.language))
     }
 
-    Tools "0021"
     fn form(playground: &Playground) -> Result<JsValue, JsValue> {
         playground.about_setup(|subject| to_js(&subject.form()))
     }
 
-    Tools "0022"
     fn another_tool(playground: &Playground, word: &str) -> Result<JsValue, JsValue> {
         playground.about_setup(|subject| match subject.another_tool(word) {
             Some(group) => to_js(&group),
@@ -93,7 +89,6 @@ in_part! {
         })
     }
 
-    Tools "0023"
     fn answer(
         playground: &Playground,
         keys: Vec<String>,

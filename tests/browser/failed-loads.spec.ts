@@ -24,9 +24,9 @@ interface File {
 const FILES: Readonly<Record<string, File>> = {
   'the core module': { pattern: /gcode_playground_bg-[\w-]+\.wasm$/, says: INTERPRETER, status: '—' },
   'the script of the worker': { pattern: /\/worker-[\w-]{8}\.js$/, says: INTERPRETER, status: '—' },
-  'the part that reads the setup': { pattern: /\/setup-[\w-]{8}\.wasm$/, says: PARTS, status: '—' },
-  'the part of the machine': { pattern: /\/machine-[\w-]{8}\.wasm$/, says: PARTS, status: /part and messages could not be loaded/ },
-  'the sentences': { pattern: /\/en-[\w-]{8}\.wasm$/, says: PARTS, status: /part and messages could not be loaded/ },
+  'the part that reads the setup': { pattern: /\/early-[\w-]{8}\.wasm$/, says: PARTS, status: '—' },
+  'the part of the machine': { pattern: /\/late-[\w-]{8}\.wasm$/, says: PARTS, status: /part and messages could not be loaded/ },
+  'the sentences': { pattern: /\/en-[\w-]{8}\.txt$/, says: PARTS, status: /part and messages could not be loaded/ },
   'the editor': { pattern: editorFile(), says: 'The editor could not be loaded', status: /^2 motions/ },
 };
 
@@ -192,18 +192,22 @@ for (const how of ['missing', 'closed', 'corrupted'] as const) {
   });
 }
 
-/** Parts that a page without a setup loads when something needs them. */
+/** Programs that need the part `early` before they can run. */
 const LATER = {
-  'a program with macros': { pattern: /\/seldom-[\w-]{8}\.wasm$/, program: 'G00 X50 Z2\n#1=40\nG01 X#1 Z-20 F0.2\nM30\n', motions: 2 },
-  'a program with a rounding': { pattern: /\/path-[\w-]{8}\.wasm$/, program: 'G00 X40 Z2\nG01 Z-20 R2 F0.2\nX50\nM30\n', motions: 4 },
+  'a program with macros': { program: 'G00 X50 Z2\n#1=40\nG01 X#1 Z-20 F0.2\nM30\n', motions: 2 },
+  'a program with a rounding': { program: 'G00 X40 Z2\nG01 Z-20 R2 F0.2\nX50\nM30\n', motions: 4 },
 };
 
-for (const [name, { pattern, program, motions }] of Object.entries(LATER)) {
+for (const [name, { program, motions }] of Object.entries(LATER)) {
   for (const how of ['missing', 'closed', 'corrupted'] as const) {
     test(`what ${name} needs is ${how}`, async ({ page }) => {
       const site = await storedSite();
-      await open(page, site);
+      const pattern = /\/early-[\w-]{8}\.wasm$/;
       site.refuse(pattern, how);
+      // A program that does not need it is drawn.
+      await page.goto(`${site.address}#${new URLSearchParams({ program: PROGRAM, setup: '{}' })}`);
+      await fails(page, { pattern, says: PARTS, status: /^2 motions .* part and messages could not be loaded/ });
+      await expect(editor(page)).toBeVisible();
       await type(page, program);
       const file = { pattern, says: PARTS, status: '—' };
       await fails(page, file);
@@ -229,7 +233,7 @@ for (const [name, { pattern, program, motions }] of Object.entries(LATER)) {
 test('the sentences of another language are missing', async ({ page }) => {
   const site = await storedSite();
   await open(page, site);
-  site.refuse(/\/ru-[\w-]{8}\.wasm$/);
+  site.refuse(/\/ru-[\w-]{8}\.txt$/);
   await page.getByLabel('Language').selectOption('ru');
   const missing = notice(page, 'Загружено не всё');
   await expect(missing).toBeVisible();
@@ -245,7 +249,7 @@ test('the sentences of another language are missing', async ({ page }) => {
 
 test('the codes are missing: what was asked is answered when they can be had', async ({ page }) => {
   const site = await storedSite();
-  site.refuse(/\/tools-[\w-]{8}\.wasm$/);
+  site.refuse(/\/late-[\w-]{8}\.wasm$/);
   await page.goto(`${site.address}#${new URLSearchParams({ program: PROGRAM, setup: '{}' })}`);
   await expect(status(page)).toContainText('2 motions');
   await page.getByRole('button', { name: 'Help (?)' }).click();

@@ -45,7 +45,7 @@ test('it has what it says, no install scripts and no dependencies, and what Type
   expect(version).toBe(/version = "([^"]+)"/.exec(await readFile(join(WWW, '..', 'Cargo.toml'), 'utf8'))?.[1]);
   expect([scripts, dependencies]).toEqual([undefined, undefined]);
   const files = await readdir(folder);
-  for (const file of ['element.js', 'element.d.ts', 'worker.js', 'core.wasm', 'machine.wasm', 'index.html', 'frame.js', 'rules', 'docs', 'node', 'sphinx', 'LICENSE-MIT', 'LICENSE-APACHE', 'THIRD-PARTY-LICENSES.txt', 'README.md', customElements]) expect(files).toContain(file);
+  for (const file of ['element.js', 'element.d.ts', 'worker.js', 'core.wasm', 'late.wasm', 'en.txt', 'index.html', 'frame.js', 'rules', 'docs', 'node', 'sphinx', 'LICENSE-MIT', 'LICENSE-APACHE', 'THIRD-PARTY-LICENSES.txt', 'README.md', customElements]) expect(files).toContain(file);
   expect(files).not.toContain(version);
   const licences = await readFile(join(folder, 'THIRD-PARTY-LICENSES.txt'), 'utf8');
   for (const inside of ['@codemirror/view', 'three', 'i_overlay', 'wasm-bindgen']) expect(licences).toMatch(new RegExp(`^${inside} `, 'm'));

@@ -32,7 +32,7 @@ export interface StoredSite {
 }
 
 /** What servers without any settings say of files. */
-const TYPES: Readonly<Record<string, string>> = { '.html': 'text/html', '.js': 'text/javascript', '.wasm': 'application/wasm', '.json': 'application/json', '.css': 'text/css', '.svg': 'image/svg+xml' };
+const TYPES: Readonly<Record<string, string>> = { '.html': 'text/html', '.js': 'text/javascript', '.wasm': 'application/wasm', '.txt': 'text/plain; charset=utf-8', '.json': 'application/json', '.css': 'text/css', '.svg': 'image/svg+xml' };
 
 /** Serves the page from a folder of its site: `/` or `/some/where/`. */
 export async function storedSite(at = '/', folder = DIST): Promise<StoredSite> {

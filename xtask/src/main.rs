@@ -2,17 +2,18 @@
 //! it needs for that. In: the command line. Out: exit 0, or 1 when a step failed, or 2 when the
 //! command line is not understood.
 //!
-//! Dependencies: as few as can be, because every user compiles this first. `flate2`
-//! compresses what is served, `wasmparser` reads what the compiler has made.
+//! Dependencies: as few as can be, because every user compiles this first. `flate2` compresses, to weigh what is served.
 
 mod advisories;
 mod bench;
 mod browser;
 mod compare;
-mod core_functions;
 mod debian;
 mod embed;
 mod engines;
+#[allow(dead_code, reason = "the build script uses all of it")]
+#[path = "../../src/rules/format/mod.rs"]
+mod format;
 mod hostile;
 mod library;
 mod manuals;
@@ -21,7 +22,6 @@ mod notices;
 mod npx;
 mod package;
 mod packages;
-mod panics;
 mod parts;
 mod play;
 mod run;
@@ -29,7 +29,10 @@ mod setup;
 mod spelling;
 mod teams;
 mod test;
+#[path = "../../src/rules/texts.rs"]
+mod texts;
 mod tools;
+mod translations;
 mod wasm_std;
 
 use std::env;
@@ -50,6 +53,7 @@ cargo xtask compare-linuxcnc [--programs N] [--seed N]
                                           compare random programs with LinuxCNC's interpreter
 cargo xtask manuals                       follow the recipes of www/docs/manuals.md with mdBook, Sphinx and Docusaurus
 cargo xtask teams                         follow www/docs/teams.md with pre-commit, GitHub's and GitLab's files
+cargo xtask translations                  list the texts that Chinese or Russian lacks
 cargo xtask advisories                    check the licences and advisories of all packages
 cargo xtask notices                       write the licences of the packages in the native program into target/notices
 cargo xtask setup                         only install what the other commands need
@@ -65,6 +69,7 @@ enum Task {
     Compare(Vec<String>),
     Manuals,
     Teams,
+    Translations,
     Advisories,
     Notices,
     Setup,
@@ -90,6 +95,7 @@ fn main() -> ExitCode {
         Task::Compare(options) => compare::main(&options),
         Task::Manuals => manuals::main(),
         Task::Teams => teams::main(),
+        Task::Translations => translations::main(),
         Task::Advisories => advisories::main(),
         Task::Notices => notices::main(),
         Task::Setup => setup::main(),
@@ -119,6 +125,7 @@ fn parse(words: &[&str]) -> run::Result<Task> {
         }
         ["manuals"] => Ok(Task::Manuals),
         ["teams"] => Ok(Task::Teams),
+        ["translations"] => Ok(Task::Translations),
         ["advisories"] => Ok(Task::Advisories),
         ["notices"] => Ok(Task::Notices),
         ["setup"] => Ok(Task::Setup),

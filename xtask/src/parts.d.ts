@@ -1,7 +1,10 @@
 import type { PartName } from './part-files.js';
 
-/** Puts a part into a module (what `init` or `initSync` returned), from its files and, in the same order, what they are compiled to. */
-export function addPart(part: PartName, exports: object, files: readonly string[], compiled: readonly WebAssembly.Module[]): void;
+/** Puts a part into a module (what `init` or `initSync` returned), from its files and, in the same order, their contents. */
+export function addPart(part: PartName, exports: object, files: readonly string[], contents: readonly (WebAssembly.Module | string)[]): void;
+
+/** Whether a file contains texts; the others are WebAssembly. */
+export function isText(file: string): boolean;
 
 /** Has the files of a part fetched, for a module that is still to come; one that cannot be had is tried again. */
 export function fetchPart(files: readonly string[]): void;

@@ -1,24 +1,25 @@
 //! In: the linked module of the page, with relocations. Out: what the first picture needs as a module of its
-//! own, and a file for each part of `src/parts.rs`, with the script that loads them.
+//! own, and a file for each part of `src/parts.rs` and each language, with the script that loads them.
 //!
 //! wasm-split cuts the module at the functions marked with `in_part!`: what can be reached from the exports
-//! only through them goes into the file of their part, data too; what two parts need, into a file that both
-//! load first.
+//! only through them goes into the file of their part, data too; what both parts need, into a file that is
+//! loaded first.
 
 use std::collections::BTreeMap;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use crate::panics;
+use crate::format::LANGUAGES;
 use crate::run::{self, Result};
 use crate::setup::Setup;
+use crate::{texts, translations};
 
 /// What wasm-split calls the script that it would load the parts with. Ours is another: it can try again,
 /// and runs under Node.
 const LINK_SCRIPT: &str = "__wasm_split.js";
 
-/// The parts, by `Part::name`.
-const NAMES: [&str; 8] = ["setup", "machine", "tools", "path", "seldom", "en", "zh", "ru"];
+/// The parts, by `Part::name`. Each needs those before it.
+const NAMES: [&str; 2] = ["early", "late"];
 
 /// A module that is cut into parts.
 pub struct Cut {
@@ -30,16 +31,12 @@ pub struct Cut {
     parts: BTreeMap<String, Vec<String>>,
 }
 
-/// Cuts a module into a folder beside it. Panics are traps from here on.
+/// Cuts a module into a folder beside it.
 pub fn cut(setup: &Setup, module: &Path, name: &str) -> Result<Cut> {
     let folder = module.with_extension("parts");
     let _ = fs::remove_dir_all(&folder);
-    let whole = module.with_extension("traps.wasm");
-    let linked = fs::read(module).map_err(|error| format!("cannot read {}: {error}", module.display()))?;
-    fs::write(&whole, panics::as_traps(linked)?)
-        .map_err(|error| format!("cannot write {}: {error}", whole.display()))?;
     let mut split = setup.command("wasm-split-cli");
-    split.arg(&whole).arg(&folder).args(["--out-name", name]);
+    split.arg(module).arg(&folder).args(["--out-name", name]);
     run::quiet("cutting the module into its parts", &mut split)?;
     let script = folder.join(LINK_SCRIPT);
     let script =
@@ -48,8 +45,10 @@ pub fn cut(setup: &Setup, module: &Path, name: &str) -> Result<Cut> {
     let mut parts = BTreeMap::<String, Vec<String>>::new();
     for (file, needed_by) in files_of(&script) {
         let shipped = shipped_name(&needed_by);
-        for part in &needed_by {
-            parts.entry(part_name(part)).or_default().push(shipped.clone());
+        // A part needs the files of the parts before it.
+        let first = NAMES.iter().position(|name| needed_by.contains(&(*name).to_owned()));
+        for name in &NAMES[first.unwrap_or_default()..] {
+            parts.entry((*name).to_owned()).or_default().push(shipped.clone());
         }
         files.push((folder.join(file), shipped));
     }
@@ -65,13 +64,20 @@ type Scripts = [(&'static str, String); 4];
 impl Cut {
     /// Its scripts.
     pub fn scripts(&self) -> Scripts {
-        scripts(&self.parts)
+        let languages = LANGUAGES.map(|tag| (tag.to_owned(), vec![format!("{tag}.txt")]));
+        scripts(&self.parts.clone().into_iter().chain(languages).collect())
     }
 }
 
 /// The scripts of a module that is not cut: no part has a file.
 pub fn whole() -> Scripts {
-    scripts(&NAMES.map(|name| (name.to_owned(), Vec::new())).into())
+    scripts(&NAMES.into_iter().chain(LANGUAGES).map(|name| (name.to_owned(), Vec::new())).collect())
+}
+
+/// The texts of each language, by its tag.
+pub fn texts() -> Result<Vec<(&'static str, String)>> {
+    let (rules, texts) = translations::read()?;
+    Ok((0..).zip(LANGUAGES).map(|(index, tag)| (tag, texts::list(index, &rules, &texts))).collect())
 }
 
 fn scripts(parts: &BTreeMap<String, Vec<String>>) -> Scripts {
@@ -99,10 +105,11 @@ fn files_of(script: &str) -> Vec<(String, Vec<String>)> {
         if let Some(rest) = line.strip_prefix("const __chunk_") {
             let number = rest.split(' ').next().unwrap_or_default();
             let parts = above.trim_start_matches("/* ").trim_end_matches(" */");
-            shared.push((format!("chunk_{number}.wasm"), parts.split(", ").map(str::to_owned).collect()));
+            let parts = parts.split(", ").map(str::to_lowercase);
+            shared.push((format!("chunk_{number}.wasm"), parts.collect()));
         } else if let Some(rest) = line.strip_prefix("export const __wasm_split_load_") {
             let part = rest.split(' ').next().unwrap_or_default().to_owned();
-            own.push((format!("split_{part}.wasm"), vec![part]));
+            own.push((format!("split_{part}.wasm"), vec![part.to_lowercase()]));
         }
         above = line;
     }
@@ -112,18 +119,7 @@ fn files_of(script: &str) -> Vec<(String, Vec<String>)> {
 
 /// The file that these parts need, in the package.
 fn shipped_name(parts: &[String]) -> String {
-    let names: Vec<String> = parts.iter().map(|part| part_name(part)).collect();
-    format!("{}.wasm", names.join("-"))
-}
-
-/// As `Part::name` has it.
-fn part_name(variant: &str) -> String {
-    match variant {
-        "English" => "en".to_owned(),
-        "Chinese" => "zh".to_owned(),
-        "Russian" => "ru".to_owned(),
-        other => other.to_lowercase(),
-    }
+    format!("{}.wasm", parts.join("-"))
 }
 
 #[cfg(test)]
@@ -142,11 +138,11 @@ mod tests {
 
     #[test]
     fn files_that_several_parts_need_come_first() {
-        let script = "/* Machine, Tools */\nconst __chunk_6 = makeLoad(() => {\n\
-            export const __wasm_split_load_Tools = wrapAsyncCb(makeLoad(() => {\n";
+        let script = "/* Early, Late */\nconst __chunk_6 = makeLoad(() => {\n\
+            export const __wasm_split_load_Late = wrapAsyncCb(makeLoad(() => {\n";
         let [shared, own] = &files_of(script)[..] else { panic!("two files") };
-        assert_eq!(shared, &("chunk_6.wasm".to_owned(), vec!["Machine".to_owned(), "Tools".to_owned()]));
-        assert_eq!(own, &("split_Tools.wasm".to_owned(), vec!["Tools".to_owned()]));
-        assert_eq!(shipped_name(&shared.1), "machine-tools.wasm");
+        assert_eq!(shared, &("chunk_6.wasm".to_owned(), vec!["early".to_owned(), "late".to_owned()]));
+        assert_eq!(own, &("split_Late.wasm".to_owned(), vec!["late".to_owned()]));
+        assert_eq!(shipped_name(&shared.1), "early-late.wasm");
     }
 }

@@ -9,7 +9,9 @@ use std::time::{Duration, Instant};
 
 use crate::run::{self, Result, command, pretty, step};
 use crate::setup::Setup;
-use crate::{browser, debian, engines, hostile, library, manuals, native, npx, package, spelling, teams};
+use crate::{
+    browser, debian, engines, hostile, library, manuals, native, npx, package, spelling, teams, translations,
+};
 
 /// What is checked.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -101,6 +103,9 @@ fn products(setup: &Setup, done: &mut Done) -> Result {
     fuzz.args(["check", "--locked", "--manifest-path", "tests/fuzz/Cargo.toml", "--no-default-features"]);
     fuzz.args(["--target-dir", "target/fuzz"]);
     done.add("fuzz targets", step("checking the fuzz targets", &mut fuzz)?);
+    let begun = Instant::now();
+    translations::main()?;
+    done.add("translations", begun.elapsed());
     // A module that is optimised as a whole keeps one processor busy.
     let (wasm, packages) = run::both(|| package::wasm(setup), || library::packages(setup))?;
     done.add("wasm package", wasm);

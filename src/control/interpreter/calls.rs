@@ -7,7 +7,7 @@ use crate::control::modal::MACROS;
 use crate::control::program::{Call, CallKind, program_and_repeats};
 use crate::control::words::{Words, plain};
 use crate::message::{Diagnostic, Message, said};
-use crate::parts::in_part;
+use crate::parts::early;
 use crate::source::Span;
 use crate::text::block::Block;
 use crate::text::parser::Resume;
@@ -32,8 +32,7 @@ pub(super) enum CallCode {
     Return,
 }
 
-in_part! {
-    Seldom "0420"
+early! {
     fn changes_in_next_pass(control: &mut Interpreter, text: &[u8], block: &Block, from: Option<Resume>) -> bool {
         control.begin_next_pass(text, block, from.map(|from| from.byte))
     }

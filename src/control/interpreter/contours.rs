@@ -17,7 +17,7 @@ use crate::geometry::Point;
 use crate::limits::BYTES_PER_STEP;
 use crate::message::{Diagnostic, Fix, Message, Severity, said};
 use crate::motion::MotionKind;
-use crate::parts::in_part;
+use crate::parts::late;
 use crate::source::Span;
 use crate::text::block::{Block, BlockKind, Value};
 use crate::text::parser::{Parser, Resume};
@@ -505,8 +505,7 @@ impl Shape {
     }
 }
 
-in_part! {
-    Machine "0404"
+late! {
     fn number_missing(text: &[u8], from: u32, number: u32, last: bool) -> Option<Fix> {
         numbered(text, from, number, last)
     }

@@ -15,7 +15,7 @@ use crate::cycles::units;
 use crate::geometry::Point;
 use crate::message::{Diagnostic, Fix, Severity, said};
 use crate::motion::{CycleStep, Feed, Motion, MotionKind, SpindleTurn, Step};
-use crate::parts::{Part, in_part};
+use crate::parts::{Part, early};
 use crate::setup::dialect::{Control, FeedMode, GSystem};
 use crate::source::Span;
 use crate::text::block::Block;
@@ -27,8 +27,7 @@ const CLEARANCE: f64 = 1.0;
 /// Most repeats of a hole.
 const MOST_REPEATS: f64 = 9_999.0;
 
-in_part! {
-    Seldom "0310"
+early! {
     fn hole(control: &mut Interpreter, text: &[u8], block: &Block, request: &mut Request, words: &Words) {
         control.hole_cycle(text, block, request, words);
     }
@@ -84,7 +83,7 @@ impl Interpreter {
 
     /// A block while a hole cycle is in force.
     pub(super) fn hole(&mut self, text: &[u8], block: &Block, request: &mut Request, words: &Words) {
-        if self.has(Part::Seldom) {
+        if self.has(Part::Early) {
             hole(self, text, block, request, words);
         }
     }

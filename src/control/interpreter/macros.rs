@@ -15,7 +15,7 @@ use crate::control::program::{CallKind, Loop, ModalCall, Rounds};
 use crate::control::words::{plain, quote};
 use crate::limits::LOOPS;
 use crate::message::{Diagnostic, Fix, said};
-use crate::parts::in_part;
+use crate::parts::early;
 use crate::setup::TriedValue;
 use crate::setup::dialect::Control;
 use crate::source::Span;
@@ -24,28 +24,23 @@ use crate::text::lexer::Number;
 use crate::text::parser::{Parser, Resume};
 use crate::units::Unit;
 
-in_part! {
-    Seldom "0300"
+early! {
     fn macro_statement(control: &mut Interpreter, text: &[u8], block: &Block, here: Here) -> Flow {
         control.statement(text, block, here)
     }
 
-    Seldom "0301"
     fn words_of(control: &mut Interpreter, text: &[u8], block: &Block, here: Here) -> Flow {
         control.words_with_expressions(text, block, here)
     }
 
-    Seldom "0302"
     fn macro_call(control: &mut Interpreter, text: &[u8], block: &Block, here: Here, call: MacroCall) -> Flow {
         control.call_of_macro(text, block, here, call)
     }
 
-    Seldom "0303"
     fn modal_call(control: &mut Interpreter, block: &Block, back: Resume) -> Option<Flow> {
         control.call_of_modal_macro(block, back)
     }
 
-    Seldom "0304"
     fn give(control: &mut Interpreter, tried: TriedValue) {
         control.give_tried(tried);
     }

@@ -8,34 +8,34 @@
 //! coordinate system – compensation – motion or cycle – M05, M00, M01, M02, M30.
 
 mod block;
-mod calls;
+pub(crate) mod calls;
 mod checks;
 mod compensated;
-mod contours;
+pub(crate) mod contours;
 mod corner;
 mod doubts;
-mod holes;
+pub(crate) mod holes;
 mod macro_body;
-mod macros;
+pub(crate) mod macros;
 mod motions;
 mod multiples;
 mod output;
-mod path;
-mod pecks;
+pub(crate) mod path;
+pub(crate) mod pecks;
 mod plain_lines;
 mod read_words;
 mod reference;
-mod repairs;
+pub(crate) mod repairs;
 mod request;
 mod rotary;
 mod settings;
-mod singles;
+pub(crate) mod singles;
 mod snapshot;
 mod store;
 mod system;
-mod threads;
-mod trace;
-mod y_axis;
+pub(crate) mod threads;
+pub(crate) mod trace;
+pub(crate) mod y_axis;
 
 #[cfg(test)]
 mod tests;

@@ -15,34 +15,29 @@ use crate::control::words::{Words, letters};
 use crate::geometry::Point;
 use crate::message::{Diagnostic, said};
 use crate::motion::{Motion, MotionKind};
-use crate::parts::{Part, in_part};
+use crate::parts::{Part, early};
 use crate::text::block::Block;
 
 /// Where corners are put in, and compensated paths worked out.
-const PATH: Part = Part::Path;
+const PATH: Part = Part::Early;
 
-in_part! {
-    Path "0510"
+early! {
     fn join(control: &mut Interpreter, pending: &Pending, joint: &Joint, next: &mut PathMove) -> bool {
         control.put_corner_in(pending, joint, next)
     }
 
-    Path "0511"
     fn compensate(control: &mut Interpreter, path_move: &PathMove, nose: Nose) {
         control.compensate(*path_move, nose);
     }
 
-    Path "0513"
     fn close_angle(control: &mut Interpreter, x: Option<f64>, z: Option<f64>, angle: Option<f64>) -> bool {
         control.end_open_angle(x, z, angle)
     }
 
-    Path "0514"
     fn end_by_angle(from: Point, angle: f64, x: Option<f64>, z: Option<f64>) -> Result<Point, CornerError> {
         corners::end_by_angle(from, angle, x, z)
     }
 
-    Path "0515"
     fn read_joint(
         control: &mut Interpreter,
         text: &[u8],
@@ -53,7 +48,6 @@ in_part! {
         control.read_joint(text, block, request, words)
     }
 
-    Path "0512"
     fn flush(control: &mut Interpreter) {
         control.give_out_rest();
     }

@@ -12,7 +12,7 @@ use crate::cycles::grooving::{self, Pecking};
 use crate::cycles::units::{self, Amount, Written};
 use crate::message::{Diagnostic, Edit, Fix, Message, Repair, Severity, said};
 use crate::order;
-use crate::parts::{Part, in_part};
+use crate::parts::{Part, late};
 use crate::setup::dialect::PqUnit;
 use crate::source::Span;
 use crate::text::block::{Block, Value};
@@ -205,10 +205,9 @@ impl Interpreter {
 }
 
 /// The part that repairs words.
-const FIXING: Part = Part::Machine;
+const FIXING: Part = Part::Late;
 
-in_part! {
-    Machine "0402"
+late! {
     fn in_micrometres(text: &[u8], words: &Words) -> Vec<Fix> {
         let found = [b'P', b'Q'].into_iter().filter_map(|address| words.get(address));
         let mut edits: Vec<Edit> = found

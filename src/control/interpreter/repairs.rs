@@ -5,14 +5,13 @@
 
 use crate::control::words;
 use crate::message::{Diagnostic, Fix};
-use crate::parts::{Part, in_part};
+use crate::parts::{Part, late};
 use crate::source::Span;
 
 /// The part without which nobody reads messages.
-pub(super) const REPAIRS: Part = Part::Machine;
+pub(super) const REPAIRS: Part = Part::Late;
 
-in_part! {
-    Machine "0403"
+late! {
     fn with_sign_changed(diagnostic: Diagnostic, text: &[u8], span: Span) -> Diagnostic {
         diagnostic.with(Fix::write(span, words::with_other_sign(&words::quote(text, span))))
     }

@@ -14,17 +14,16 @@ use crate::cycles::single::{self, PullOut, Single};
 use crate::geometry::Point;
 use crate::message::{Diagnostic, Fix, Message, Severity, said};
 use crate::motion::{CycleStep, Motion};
-use crate::parts::{Part, in_part};
+use crate::parts::{Part, late};
 use crate::setup::dialect::{Control, IInG92};
 use crate::source::Span;
 use crate::text::block::Block;
 use crate::units::Diameter;
 
 /// The part that writes numbers into messages.
-const QUOTING: Part = Part::Machine;
+const QUOTING: Part = Part::Late;
 
-in_part! {
-    Machine "0400"
+late! {
     fn taper_word(taper: f64) -> String {
         format!("R{}", crate::units::number(taper))
     }

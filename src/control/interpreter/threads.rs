@@ -12,7 +12,7 @@ use crate::cycles::units;
 use crate::geometry::Point;
 use crate::message::{Diagnostic, Fix, Message, said};
 use crate::motion::Cycle;
-use crate::parts::{Part, in_part};
+use crate::parts::{Part, late};
 use crate::setup::dialect::{Control, G76Clamp, PqUnit};
 use crate::text::block::{Block, Value, Word};
 
@@ -23,10 +23,9 @@ const THREAD_ANGLES: [f64; 6] = [0.0, 29.0, 30.0, 55.0, 60.0, 80.0];
 const LEAST_DEPTH: f64 = 1.0;
 
 /// The part that repairs words.
-const FIXING: Part = Part::Machine;
+const FIXING: Part = Part::Late;
 
-in_part! {
-    Machine "0401"
+late! {
     // P of G76 with the nearest angle there is.
     fn nearest_angle(text: &[u8], word: &Word, angle: f64) -> Option<Fix> {
         let Value::Number { number, .. } = word.value else { return None };

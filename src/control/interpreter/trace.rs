@@ -10,7 +10,7 @@ use crate::control::codes::{self, Compensation, MotionMode};
 use crate::control::doubt::Doubt;
 use crate::control::modal::State;
 use crate::motion::Process;
-use crate::parts::in_part;
+use crate::parts::late;
 use crate::text::block::{Block, BlockKind, Value, Word};
 use crate::text::parser::Resume;
 
@@ -73,24 +73,20 @@ impl Context {
     }
 }
 
-in_part! {
-    Tools "0412"
+late! {
     pub(super) fn keep_block(interpreter: &mut Interpreter, block: &Block, here: Here) {
         interpreter.trace_block(block, here);
     }
 
-    Tools "0413"
     pub(super) fn keep_process(interpreter: &mut Interpreter) {
         interpreter.trace_process();
     }
 
-    Tools "0410"
     // Only tools ask for a trace.
     fn assigned(variable: u32, value: f64) -> String {
         format!("#{variable}={value}")
     }
 
-    Tools "0411"
     fn values_of(block: &Block, doubtful: &[Word]) -> String {
         let mut values = String::new();
         for word in &block.words {

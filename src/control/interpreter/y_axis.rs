@@ -15,32 +15,28 @@ use crate::geometry::virtual_plane::{Flat, Space, Surface, VirtualMove, Way};
 use crate::geometry::{Point, SAME};
 use crate::message::{Diagnostic, said};
 use crate::motion::{Motion, MotionKind, Rotary};
-use crate::parts::{Part, in_part};
+use crate::parts::{Part, early};
 use crate::text::block::{Block, Word};
 
 /// Where moves along Y are made.
-const Y_AXIS: Part = Part::Seldom;
+const Y_AXIS: Part = Part::Early;
 
 /// Words that move Y.
 const Y: u32 = letters(b"YV");
 
-in_part! {
-    Seldom "0320"
+early! {
     fn move_beside(control: &mut Interpreter, text: &[u8], block: &Block, request: &mut Request, words: &Words) -> bool {
         control.move_beside(text, block, request, words)
     }
 
-    Seldom "0321"
     fn name_y(control: &mut Interpreter, text: &[u8], block: &Block, words: &Words) {
         control.name_y(text, block, words);
     }
 
-    Seldom "0322"
     fn go_along_y(control: &mut Interpreter, text: &[u8], block: &Block, word: &Word, y: f64) {
         control.go_along_y(text, block, word, y);
     }
 
-    Seldom "0323"
     fn back_to_turning(control: &mut Interpreter) {
         control.back_to_turning();
     }

@@ -1,6 +1,6 @@
 //! A message of a rule: its name, its arguments, and its sentences in all languages.
 
-use super::{LANGUAGES, Mistakes};
+use super::{LANGUAGES, Mistake, Mistakes};
 
 /// A message: a type of `message::said`.
 #[derive(Clone, Debug, Default)]
@@ -143,6 +143,18 @@ impl Message {
             None if self.doc.is_empty() => line.trim().clone_into(&mut self.doc),
             None => mistakes.add("neither `* argument: type`, nor `en:`, `en help:`, `zh:` …"),
         }
+    }
+
+    /// Puts the English sentence in the place of one that a language has not got; returns what was missing.
+    pub(super) fn fill_in_english(&mut self) -> Vec<Mistake> {
+        let (line, [english, others @ ..]) = (self.line, &mut self.sentences);
+        let missing = others.iter_mut().zip(&LANGUAGES[1..]).filter(|(said, _)| said.message.is_empty());
+        missing
+            .map(|(said, tag)| {
+                said.clone_from(english);
+                Mistake { line, what: format!("{}: no `{tag}:`", self.name) }
+            })
+            .collect()
     }
 
     /// Checks that all languages say it, and quote all arguments and nothing else.

@@ -44,6 +44,8 @@ pub struct RuleFile {
     pub messages: Vec<Message>,
     /// Its page: texts and examples.
     pub page: Page,
+    /// What a language has no text for; English is in its place.
+    pub missing: Vec<Mistake>,
 }
 
 /// A mistake in a rule file.
@@ -110,6 +112,8 @@ impl RuleFile {
             }
         }
         mistakes.line = 1;
+        rule.missing = rule.messages.iter_mut().flat_map(Message::fill_in_english).collect();
+        rule.missing.extend(rule.page.fill_in_english());
         rule.check(&mut mistakes);
         page::check(&mut rule.page, &mut mistakes);
         mistakes.found.sort_by_key(|mistake| mistake.line);

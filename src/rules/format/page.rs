@@ -1,7 +1,7 @@
 //! The page of a rule: its texts in all languages, a program it is triggered in, and
 //! the same program corrected.
 
-use super::{LANGUAGES, Mistakes};
+use super::{LANGUAGES, Mistake, Mistakes};
 
 /// The page of a rule.
 #[derive(Clone, Debug)]
@@ -63,7 +63,7 @@ pub struct Mark {
 }
 
 /// What the page says in one language.
-#[derive(Clone, Debug, Default)]
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Text {
     /// Names the fault.
     pub title: String,
@@ -189,6 +189,20 @@ fn option(line: &str, page: &mut Page, mistakes: &mut Mistakes) {
         ("stop", "part") => page.stop = Some(Stop::Part),
         ("also", slugs) => page.also.extend(slugs.split(',').map(|slug| slug.trim().to_owned())),
         _ => mistakes.add(format!("not understood: {line}")),
+    }
+}
+
+impl Page {
+    /// Puts the English texts in the place of those of a language that has none; returns what was missing.
+    pub(super) fn fill_in_english(&mut self) -> Vec<Mistake> {
+        let [english, others @ ..] = &mut self.texts;
+        let missing = others.iter_mut().zip(&LANGUAGES[1..]).filter(|(text, _)| **text == Text::default());
+        missing
+            .map(|(text, tag)| {
+                text.clone_from(english);
+                Mistake { line: 1, what: format!("no `## {tag}: …`") }
+            })
+            .collect()
     }
 }
 

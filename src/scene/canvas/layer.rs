@@ -24,7 +24,7 @@ use super::OVER;
 use super::paths::{Paths, halves, path_of, under_way};
 use super::pen::{Dash, Pen, rgb};
 use super::sheet;
-use crate::parts::in_part;
+use crate::parts::late;
 use crate::playback::clock::Playhead;
 
 /// Opacity of what has not run yet, while there is a playhead.
@@ -51,8 +51,7 @@ extern "C" {
     fn now() -> f64;
 }
 
-in_part! {
-    Machine "0612"
+late! {
     fn stroke_until(
         layer: &StrokeLayer,
         scene: &Scene,
@@ -63,7 +62,6 @@ in_part! {
         layer.stroke_until(scene, view, in_view, until)
     }
 
-    Machine "0613"
     fn add(
         layer: &mut StrokeLayer,
         scene: &Scene,
@@ -74,7 +72,6 @@ in_part! {
         layer.add(scene, view, done, motions)
     }
 
-    Machine "0614"
     fn ink_under_way(pen: &Pen, scene: &Scene, view: &View, at: Playhead) -> Result<(), JsValue> {
         match scene.place(at) {
             Some(place) => ink(pen, view, &mut [&under_way(scene, place)?].into_iter()),

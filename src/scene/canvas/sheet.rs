@@ -16,7 +16,7 @@ use super::super::{Plane, Scene, StrokeStyle};
 use super::pen::{Dash, Pen, Text};
 use crate::geometry::{Point, within};
 use crate::machine::resolved_setup::Basis;
-use crate::parts::{Part, in_part};
+use crate::parts::{Part, late};
 
 const FONT: &str = "12px system-ui, sans-serif";
 const NAME_FONT: &str = "600 12px system-ui, sans-serif";
@@ -51,8 +51,7 @@ pub fn dash(ink: Ink) -> Dash {
     }
 }
 
-in_part! {
-    Machine "0611"
+late! {
     fn draw_work(pen: &Pen, scene: &Scene, view: &View) -> Result<(), JsValue> {
         work(pen, scene, view)
     }
@@ -73,7 +72,7 @@ pub fn paper(pen: &Pen, scene: &Scene, view: &View) -> Result<(), JsValue> {
         across.iter().filter(|tick| major(tick)).map(|tick| from_to((0.0, tick.pixel), (width, tick.pixel)));
     pen.hairlines(view, &palette.grid, Dash::Solid, level)?;
     // The work comes from that part.
-    if Part::Machine.is_loaded() {
+    if Part::Late.is_loaded() {
         draw_work(pen, scene, view)?;
     }
     center_lines(pen, scene.plane(), view)?;

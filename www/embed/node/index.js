@@ -6,7 +6,7 @@
 import { readFileSync } from 'node:fs';
 import { initSync, Playground } from './gcode_playground.js';
 import { PART_FILES } from './part-files.js';
-import { addPart } from './parts.js';
+import { addPart, isText } from './parts.js';
 
 /** Blocks, and motions of material, in one go. */
 const AT_ONCE = 1_000_000;
@@ -16,7 +16,7 @@ let isLoaded = false;
 /** Reads the module with all its parts; once. */
 function load() {
   if (isLoaded) return;
-  const read = (address) => new WebAssembly.Module(readFileSync(new URL(address)));
+  const read = (address) => (isText(address) ? readFileSync(new URL(address), 'utf8') : new WebAssembly.Module(readFileSync(new URL(address))));
   const wasm = initSync({ module: read(new URL('../core.wasm', import.meta.url)) });
   for (const [part, files] of Object.entries(PART_FILES)) addPart(part, wasm, files, files.map(read));
   isLoaded = true;

@@ -20,18 +20,14 @@ export interface AnswerRow<K extends QuestionKind> {
   /** It is answered once all material is off. */
   readonly waits?: 'for-the-part';
   /** The parts of the interpreter that answer it, where it is not the first one. */
-  readonly needs?: readonly ('setup' | 'path' | 'seldom' | 'machine' | 'tools' | 'language')[];
+  readonly needs?: readonly ('late' | 'language')[];
   answer(core: Playground, ask: Questions[K]['ask']): Questions[K]['answer'] | Promise<Questions[K]['answer']>;
 }
 
-const IN_WORDS = ['machine', 'language'] as const;
-const TOOLS = ['tools', 'language'] as const;
-const SETUP_FORM = ['setup', ...TOOLS] as const;
-/** Nobody knows what another program needs before it has run. */
-const ANOTHER_PROGRAM = ['setup', 'path', 'seldom', 'machine', ...TOOLS] as const;
+const IN_WORDS = ['late', 'language'] as const;
 
 export const ANSWERS: { readonly [K in QuestionKind]: AnswerRow<K> } = {
-  tokens: { needs: ['machine'], answer: (core, { firstLine, endLine }) => core.tokens(firstLine, endLine) },
+  tokens: { needs: ['late'], answer: (core, { firstLine, endLine }) => core.tokens(firstLine, endLine) },
   pick: { needs: IN_WORDS, answer: (core, { picture, x, y }) => core.pick(picture, x, y) },
   dimension: { needs: IN_WORDS, draws: 'when-whole', answer: (core, { x, y }) => core.dimension(x, y) },
   play: { needs: IN_WORDS, draws: 'now', answer: toolAnswers.play },
@@ -41,33 +37,33 @@ export const ANSWERS: { readonly [K in QuestionKind]: AnswerRow<K> } = {
   'go-to': { needs: IN_WORDS, draws: 'now', answer: toolAnswers['go-to'] },
   strokes: { needs: IN_WORDS, answer: (core, { first, end }) => core.strokes(first, end) },
   readout: { needs: IN_WORDS, answer: toolAnswers.readout },
-  totals: { needs: ['machine'], answer: (core) => core.totals() },
+  totals: { needs: ['late'], answer: (core) => core.totals() },
   locate: {
     answer(core, { picture, place }) {
       const [px = 0, py = 0] = core.screenOf(picture, ...place);
       return { x: px, y: py };
     },
   },
-  expand: { needs: ['machine', ...TOOLS], answer: writtenOut },
-  rewritings: { needs: TOOLS, answer: (core, { from, to }) => core.rewritings(from, to) },
-  codes: { needs: TOOLS, answer: (core) => core.codes() },
+  expand: { needs: IN_WORDS, answer: writtenOut },
+  rewritings: { needs: IN_WORDS, answer: (core, { from, to }) => core.rewritings(from, to) },
+  codes: { needs: IN_WORDS, answer: (core) => core.codes() },
   // A run that has not ended knows nothing of the blocks to come.
-  help: { needs: ['machine', ...TOOLS], waits: 'for-the-part', answer: help },
-  uses: { needs: TOOLS, answer: (core, { offset }) => core.usesAt(offset) },
-  outline: { needs: TOOLS, answer: (core) => core.outline() },
+  help: { needs: IN_WORDS, waits: 'for-the-part', answer: help },
+  uses: { needs: IN_WORDS, answer: (core, { offset }) => core.usesAt(offset) },
+  outline: { needs: IN_WORDS, answer: (core) => core.outline() },
   // A file of a part of a program would pass for all of it.
-  export: { needs: ['machine', 'tools', 'language'], waits: 'for-the-part', answer: (core, { format }) => exported(core, format) },
+  export: { needs: IN_WORDS, waits: 'for-the-part', answer: (core, { format }) => exported(core, format) },
   section: { needs: IN_WORDS, answer: (core) => core.section() },
   holes: { needs: IN_WORDS, answer: (core) => core.holes() },
-  'programs-in': { needs: TOOLS, answer: (_, { text }) => programsIn(text) },
-  'pieces-of': { needs: TOOLS, answer: (_, { program, language }) => piecesOf(program, language) },
-  difference: { needs: ANOTHER_PROGRAM, waits: 'for-the-part', answer: difference },
-  'setup-form': { needs: SETUP_FORM, answer: (core) => core.setupForm() },
-  'another-tool': { needs: SETUP_FORM, answer: (core, { word }) => core.anotherTool(word) },
-  'read-setup': { needs: SETUP_FORM, answer: (core, { keys, texts, keep, json }) => core.readSetupForm([...keys], [...texts], keep, json) },
-  'profiles-in': { needs: SETUP_FORM, answer: (core, { json }) => profilesIn(core, json) },
-  'profiles-of-run': { needs: SETUP_FORM, answer: (core, { json }) => core.profilesOfRun(json) },
-  'with-profile': { needs: SETUP_FORM, answer: (core, { json, kind, profile }) => core.withProfile(json, kind, profile) },
+  'programs-in': { needs: IN_WORDS, answer: (_, { text }) => programsIn(text) },
+  'pieces-of': { needs: IN_WORDS, answer: (_, { program, language }) => piecesOf(program, language) },
+  difference: { needs: IN_WORDS, waits: 'for-the-part', answer: difference },
+  'setup-form': { needs: IN_WORDS, answer: (core) => core.setupForm() },
+  'another-tool': { needs: IN_WORDS, answer: (core, { word }) => core.anotherTool(word) },
+  'read-setup': { needs: IN_WORDS, answer: (core, { keys, texts, keep, json }) => core.readSetupForm([...keys], [...texts], keep, json) },
+  'profiles-in': { needs: IN_WORDS, answer: (core, { json }) => profilesIn(core, json) },
+  'profiles-of-run': { needs: IN_WORDS, answer: (core, { json }) => core.profilesOfRun(json) },
+  'with-profile': { needs: IN_WORDS, answer: (core, { json, kind, profile }) => core.withProfile(json, kind, profile) },
 };
 
 function profilesIn(core: Playground, json: string): ProfilesRead {

@@ -1,4 +1,4 @@
-// The parts of the interpreter that are loaded after the first picture.
+// The parts of the interpreter, and the texts of languages, that are loaded after the first picture. `late` comes with `early`.
 //
 // In: which parts are wanted, and what waits for them. Out: whether they are there; what waited is done when they
 // come, and hears of it when they do not. Only `loadAll` loads a part that has failed once more: the page decides when.
@@ -101,8 +101,11 @@ export class LateParts<W extends Waiter> {
       throw reason;
     }
     this.#loading.delete(part);
-    this.#loaded.add(part);
-    const hadFailed = this.#missing.delete(part);
+    let hadFailed = false;
+    for (const loaded of part === 'late' ? (['early', 'late'] as const) : [part]) {
+      this.#loaded.add(loaded);
+      hadFailed = this.#missing.delete(loaded) || hadFailed;
+    }
     this.#goOn();
     if (hadFailed && this.#missing.size === 0) for (const waiter of this.#all()) waiter.guarded(() => waiter.partsLoaded());
   }

@@ -17,7 +17,7 @@ import type { LateParts, PartName, Waiter } from './parts';
 import { handIn } from './text-in';
 import { changePicture, drawAll, fitAll, takePictures, viewsState } from './pictures';
 
-/** The only setup that is read without the part `setup`. */
+/** The only setup that is read without the part `early`. */
 const NO_SETUP = '{}';
 const BLOCKS_PER_SLICE = 20_000;
 /** The reader can stop a run any time; this is for when nobody is there. */
@@ -86,7 +86,7 @@ interface CommandRow<K extends Command['kind']> {
 
 const OF_THE_PICTURE: ReadonlySet<QuestionKind> = new Set<QuestionKind>(['pick', 'dimension']);
 
-/** Whether the part `setup` is needed for what is said. */
+/** Whether the part `early` is needed for what is said: a setup. */
 export function mayNeedSetup(message: Command | Question): boolean {
   return message.kind === 'run' && message.setup !== undefined && message.setup !== NO_SETUP;
 }
@@ -370,7 +370,7 @@ export class Session implements Waiter {
 
   /** What the run cannot be carried out without, and is not there yet. */
   #missingPart(): PartName | undefined {
-    const missing = this.#unreadSetup === undefined ? (this.#core.missingPart() as PartName | undefined) : 'setup';
+    const missing = this.#unreadSetup === undefined ? (this.#core.missingPart() as PartName | undefined) : 'early';
     return missing === undefined || this.#isLoaded([missing]) ? undefined : missing;
   }
 
@@ -392,7 +392,7 @@ export class Session implements Waiter {
 
   #changeSetup(json: string): void {
     this.#unreadSetup = undefined;
-    if (json !== NO_SETUP && !this.#isLoaded(['setup'])) {
+    if (json !== NO_SETUP && !this.#isLoaded(['early'])) {
       this.#unreadSetup = json;
       return;
     }
@@ -414,17 +414,11 @@ export class Session implements Waiter {
   #changeText(text: TextCommand, came: Came): void {
     if (text.kind === 'edit') {
       for (const change of text.changes) this.#edit(change);
-      this.#loadForTyping();
       if (came === 'at-once') this.#core.decideDecimalRule();
     } else {
       handIn(this.#core, text.pieces);
       this.#lookForSwitches();
     }
-  }
-
-  /** Who types may type anything, and half a word is a mistake: what reads that is not first asked for when it is met. */
-  #loadForTyping(): void {
-    if (this.#isLoaded(['machine'])) this.#parts.load('seldom', 'path');
   }
 
   #edit({ from, to, insert }: TextChange): void {
@@ -500,13 +494,13 @@ export class Session implements Waiter {
     this.#lookOn();
     const missing = this.#missingPart();
     if (missing !== undefined) return this.#waitFor(missing);
-    if (this.#isLoaded(['machine', this.#language]) || this.#core.missingPart() !== undefined) return this.#goOn();
+    if (this.#isLoaded(['late', this.#language]) || this.#core.missingPart() !== undefined) return this.#goOn();
     this.#keepsOld = undefined;
     this.#stage = { kind: 'waiting' };
     this.#tell({ kind: 'path', summary: this.#core.summary() });
     this.#wantDraw('now');
     setTimeout(() => this.#parts.release(), LOAD_PARTS_AFTER_MS);
-    this.#whenLoaded(['machine', this.#language], () => {
+    this.#whenLoaded(['late', this.#language], () => {
       if (this.#stage.kind === 'waiting') this.#goOn();
     });
   }
@@ -557,7 +551,7 @@ export class Session implements Waiter {
 
   /** Says how the run has come out, once the sentences of the language are there: it may have changed in the midst of the run. */
   #report(told: Report['stage']): void {
-    const needs = ['machine', this.#language] as const;
+    const needs = ['late', this.#language] as const;
     if (this.#isLoaded(needs)) return this.#tellReport(told);
     const run = this.#run;
     this.#reportsLate = true;

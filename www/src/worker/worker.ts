@@ -46,7 +46,7 @@ async function load(module: WebAssembly.Module): Promise<void> {
 /** What is said to need another part has it fetched together with the interpreter. */
 function hearEarly(message: (typeof early)[number]): void {
   early.push(message);
-  if (message.kind === 'say' && files !== undefined && mayNeedSetup(message.what)) fetchPart(files.setup);
+  if (message.kind === 'say' && files !== undefined && mayNeedSetup(message.what)) fetchPart(files.early);
 }
 
 function hear(message: (typeof early)[number], late: LateParts<Session>): void {

@@ -1,11 +1,6 @@
 //! Help at the word: roles, facts and quantities of `assist` as sentences.
 //!
-//! In: an answer, a language, the unit of the reader, the lines of the text. Out: short sentences. One exhaustive match
-//! for each language: a role without a text does not build.
-
-pub(super) mod en;
-pub(super) mod ru;
-pub(super) mod zh;
+//! In: an answer, a language, the unit of the reader, the lines of the text. Out: short sentences.
 
 use super::labels;
 use super::language::Language;
@@ -77,14 +72,14 @@ told! {
 impl Role {
     /// What it is, in a language: no sentence.
     pub fn words(self, language: Language) -> &'static str {
-        (language.texts().role)(self)
+        language.text(self)
     }
 }
 
 impl Modal {
     /// Its name in a language.
     pub fn name(self, language: Language) -> &'static str {
-        (language.texts().modal)(self)
+        language.text(self)
     }
 }
 
@@ -238,7 +233,7 @@ impl Speaker<'_> {
 
     /// The value of a variable.
     pub fn variable(&self, value: Option<f64>) -> String {
-        value.map_or_else(|| (self.language.texts().told)(Told::Vacant).to_owned(), number)
+        value.map_or_else(|| self.language.text(Told::Vacant).to_owned(), number)
     }
 
     /// A call or loop under way.
@@ -401,7 +396,7 @@ impl Speaker<'_> {
     }
 
     fn filled(&self, told: Told, arguments: &Arguments) -> String {
-        fill((self.language.texts().told)(told), arguments)
+        fill(self.language.text(told), arguments)
     }
 
     /// A place in the words of a block.
@@ -412,7 +407,7 @@ impl Speaker<'_> {
 
     /// Which cycle reads a block as a part of its contour.
     pub fn purpose(&self, purpose: Purpose) -> &'static str {
-        (self.language.texts().told)(match purpose {
+        self.language.text(match purpose {
             Purpose::Roughing => Told::ReadByRoughing,
             Purpose::Finishing => Told::ReadByFinishing,
         })
@@ -504,7 +499,7 @@ mod tests {
     #[test]
     fn each_template_has_the_same_arguments_in_all_languages() {
         for &told in Told::ALL {
-            let [english, chinese, russian] = Language::ALL.map(|language| (language.texts().told)(told));
+            let [english, chinese, russian] = Language::ALL.map(|language| language.text(told));
             assert_eq!(names(english), names(chinese), "{told:?}");
             assert_eq!(names(english), names(russian), "{told:?}");
         }
