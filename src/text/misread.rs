@@ -4,6 +4,9 @@
 //! In: bytes at which a word begins. Out: the word as it was meant. Takes nothing for such a
 //! word that is written right.
 
+/// U+2212 and U+2013.
+const PRINTED_MINUS: [&[u8]; 2] = ["\u{2212}".as_bytes(), "\u{2013}".as_bytes()];
+
 /// A number of more characters is no number that somebody mistyped.
 const LONGEST: usize = 16;
 
@@ -77,7 +80,8 @@ pub fn is_full_width(sign: char) -> bool {
     ('\u{ff01}'..='\u{ff5e}').contains(&sign)
 }
 
-/// The ASCII twin of the character at a byte, where the next one begins, and whether it was a full-width one.
+/// The ASCII twin of the character at a byte, where the next one begins, and whether it was a full-width one. That of a
+/// minus as it is printed is a minus.
 fn character(text: &[u8], at: usize) -> Option<(u8, usize, bool)> {
     match *text.get(at)? {
         0xEF => {
@@ -87,6 +91,7 @@ fn character(text: &[u8], at: usize) -> Option<(u8, usize, bool)> {
             let twin = code.checked_sub(0xFEE0).filter(|twin| (0x21..=0x7E).contains(twin))?;
             (second & 0xC0 == 0x80 && third & 0xC0 == 0x80).then_some((twin as u8, at + 3, true))
         }
+        0xE2 if PRINTED_MINUS.contains(&text.get(at..at + 3)?) => Some((b'-', at + 3, false)),
         byte if byte < 0x80 => Some((byte, at + 1, false)),
         _ => None,
     }
@@ -112,6 +117,8 @@ mod tests {
             ("Ｘ５０．５Z", "X50.5 Z"),
             ("Z－2０ F", "Z-20  F"),
             ("NlO G0", "N10  G0"),
+            ("X–1O Z", "X-10  Z"),
+            ("U−l5", "U-15 "),
         ];
         for (text, expected) in cases {
             assert_eq!(plain(text).as_deref(), Some(expected), "{text}");
@@ -120,7 +127,8 @@ mod tests {
 
     #[test]
     fn what_is_written_right_is_no_misread_word() {
-        for text in ["X50", "G01X5", "M98P1000L3", "m98p1000l3", "X", "O1000", "XY", "（X5）"] {
+        for text in ["X50", "G01X5", "M98P1000L3", "m98p1000l3", "X", "O1000", "XY", "（X5）", "X–10"]
+        {
             assert_eq!(plain(text), None, "{text}");
         }
         assert_eq!(read("p1000l3".as_bytes(), 0), None);

@@ -588,11 +588,17 @@ impl<'a> Parser<'a> {
         let span = word.start.to(digits);
         let written = span.quote(self.lexer.text());
         let number = written.trim_start_matches(',');
-        let number = number.trim_start_matches(|sign: char| sign != ',' && !sign.is_ascii_digit());
+        let number =
+            number.trim_start_matches(|sign: char| !matches!(sign, ',' | '.') && !sign.is_ascii_digit());
         let number = Number::read(without_blanks(number).replace(',', ".").as_bytes());
-        let fix = Fix::replace(Repair::DecimalPoint, comma, ".");
-        block.fault(Diagnostic::new(said::CommaForPoint { word: written }, span).with(fix));
-        if number.points <= 1 && number.digits <= DIGITS {
+        let told = Diagnostic::new(said::CommaForPoint { word: written }, span);
+        let goes_on = self.lexer.text().get(digits.end as usize) == Some(&b',');
+        if number.points > 1 || goes_on {
+            // `Z0,,5`, `Z1,2,3`: with a point for each comma it is no number either.
+            return block.fault(told);
+        }
+        block.fault(told.with(Fix::replace(Repair::DecimalPoint, comma, ".")));
+        if number.digits <= DIGITS {
             self.store(block, word.address, word.comma, word.negative, number, span);
         }
     }
