@@ -2,10 +2,12 @@
 //! it needs for that. In: the command line. Out: exit 0, or 1 when a step failed, or 2 when the
 //! command line is not understood.
 //!
-//! Dependencies: as few as can be, because every user compiles this first. `flate2` compresses, to weigh what is served.
+//! Dependencies: as few as can be, because every user compiles this first. `flate2` compresses, to weigh what is served;
+//! `wasm-bindgen-cli-support` makes JavaScript for a module in half the time in which its command can be installed.
 
 mod advisories;
 mod bench;
+mod bindgen;
 mod browser;
 mod compare;
 mod debian;

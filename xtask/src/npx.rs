@@ -5,6 +5,7 @@ use std::fs;
 use std::path::PathBuf;
 use std::time::{Duration, Instant};
 
+use crate::bindgen::{self, For};
 use crate::embed::copy_folder;
 use crate::native;
 use crate::run::{self, Result, step};
@@ -26,17 +27,8 @@ pub fn module(setup: &Setup) -> Result<Duration> {
     cargo.args(["--target", "wasm32-unknown-unknown"]);
     let compiled = step("compiling the command line to wasm", &mut cargo)?;
     let _ = fs::remove_dir_all(folder());
-    let mut bindgen = setup.command("wasm-bindgen");
-    bindgen.args([
-        "--target",
-        "experimental-nodejs-module",
-        "--no-typescript",
-        "--out-name",
-        "command-line",
-        "--out-dir",
-    ]);
     let module = run::target().join("wasm32-unknown-unknown").join(PROFILE).join("gcode-playground.wasm");
-    let bound = step("building the command line for Node", bindgen.arg(folder()).arg(module))?;
+    let bound = bindgen::package(&module, "command-line", &folder(), For::Node)?;
     let begun = Instant::now();
     let module = folder().join("command-line_bg.wasm");
     let mut wasm_opt = setup.command("wasm-opt");

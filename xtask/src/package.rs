@@ -17,6 +17,7 @@ use std::time::{Duration, Instant};
 use flate2::Compression;
 use flate2::write::GzEncoder;
 
+use crate::bindgen::{self, For};
 use crate::run::{self, Result};
 use crate::setup::Setup;
 use crate::tools::WASM_FEATURES;
@@ -120,12 +121,10 @@ impl Module<'_> {
         }
         begin(&self.package)?;
         let cut = self.is_cut.then(|| parts::cut(setup, &self.compiled(), self.name)).transpose()?;
-        let mut bindgen = setup.command("wasm-bindgen");
-        bindgen.args(["--target", "web", "--out-name", self.name, "--out-dir"]);
-        bindgen.arg(&self.package).arg(cut.as_ref().map_or(self.compiled(), |cut| cut.main.clone()));
-        // The parts bring functions into the table of the module.
-        bindgen.args(cut.iter().map(|_| "--keep-lld-exports"));
-        let bound = run::step("building the wasm package", &mut bindgen)?;
+        let bound = match &cut {
+            Some(cut) => bindgen::package(&cut.main, self.name, &self.package, For::PageWithParts),
+            None => bindgen::package(&self.compiled(), self.name, &self.package, For::Page),
+        }?;
         let begun = Instant::now();
         let mut modules = vec![(shipped.clone(), shipped.clone())];
         let later = cut.iter().flat_map(|cut| &cut.files);

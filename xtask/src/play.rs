@@ -11,6 +11,7 @@ use std::thread;
 use std::time::{Duration, Instant, SystemTime};
 use std::{env, io};
 
+use crate::bindgen::{self, For};
 use crate::run::{self, Result, step};
 use crate::setup::Setup;
 use crate::{native, package, parts};
@@ -94,9 +95,7 @@ fn module(setup: &Setup) -> Result {
         return Ok(());
     }
     let bound = folder.join("package");
-    let mut bindgen = setup.command("wasm-bindgen");
-    bindgen.args(["--target", "web", "--out-name", "gcode_playground", "--out-dir"]).arg(&bound).arg(&module);
-    step("building the wasm package", &mut bindgen)?;
+    bindgen::package(&module, "gcode_playground", &bound, For::Page)?;
     // The page is not reloaded for half a package: the stamp comes last.
     package::begin(&package)?;
     for entry in fs::read_dir(&bound).into_iter().flatten().flatten() {

@@ -23,11 +23,8 @@ pub struct Setup {
 impl Setup {
     /// Gets what the page needs while it is worked on.
     pub fn for_playing() -> Result<Self> {
-        // Slow when cold, each on its own: a program from source, the standard library, the npm packages.
-        let (wasm_bindgen, (packages, toolchain)) =
-            run::both(tools::wasm_bindgen, || run::both(npm_packages, wasm_std::ensure))?;
-        let folders = wasm_bindgen.into_iter().chain([packages]);
-        let path = before(folders, &env::var_os("PATH").unwrap_or_default())?;
+        let (packages, toolchain) = run::both(npm_packages, wasm_std::ensure)?;
+        let path = before([packages], &env::var_os("PATH").unwrap_or_default())?;
         Ok(Setup { toolchain, path })
     }
 
@@ -38,9 +35,16 @@ impl Setup {
         Ok(Setup { toolchain, path: before([wasm_split], &path)? })
     }
 
-    /// Gets what the tests need besides: wasm-pack, whose build takes longer than that of all the rest.
+    /// Gets what the tests need besides: the program that runs them under Node.
     pub fn for_testing() -> Result<Self> {
-        let (wasm_pack, setup) = run::both(tools::wasm_pack, Setup::for_building)?;
+        let (wasm_bindgen, setup) = run::both(tools::wasm_bindgen, Setup::for_building)?;
+        let Setup { toolchain, path } = setup;
+        Ok(Setup { toolchain, path: before(wasm_bindgen, &path)? })
+    }
+
+    /// Gets what the packages for other projects need besides: wasm-pack, whose build takes longer than that of all the rest.
+    pub fn for_packages() -> Result<Self> {
+        let (wasm_pack, setup) = run::both(tools::wasm_pack, Setup::for_testing)?;
         let Setup { toolchain, path } = setup;
         Ok(Setup { toolchain, path: before(wasm_pack, &path)? })
     }
@@ -70,7 +74,7 @@ fn before(folders: impl IntoIterator<Item = PathBuf>, path: &OsStr) -> Result<Os
 /// `cargo xtask setup`: everything, the browsers and hunspell for the tests included.
 pub fn main() -> Result {
     spelling::ensure()?;
-    let setup = Setup::for_testing()?;
+    let setup = Setup::for_packages()?;
     let browser = browser::for_tests()?;
     let engines = engines::ensure()?;
     run::say(format_args!("wasm32 is built by: {}", setup.toolchain));

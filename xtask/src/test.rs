@@ -51,7 +51,7 @@ pub fn main(tier: Tier) -> Result {
     if env::var_os("CI").is_none_or(|value| value != "true") {
         debian::forbid();
     }
-    let setup = if tier == Tier::All { Setup::for_testing() } else { Setup::for_building() }?;
+    let setup = if tier == Tier::All { Setup::for_packages() } else { Setup::for_testing() }?;
     let (browser, engines) = match (spelling::ensure(), browser::for_tests(), engines::ensure()) {
         (Ok(()), Ok(browser), Ok(engines)) => (browser, engines),
         (spelling, browser, engines) => {

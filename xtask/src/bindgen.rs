@@ -1,0 +1,39 @@
+//! In: a module as the compiler leaves it. Out: the module with its JavaScript, as wasm-bindgen makes them. Its version in
+//! Cargo.lock is that of the crate `wasm-bindgen`: the two share a private format.
+
+use std::path::Path;
+use std::time::{Duration, Instant};
+
+use wasm_bindgen_cli_support::Bindgen;
+
+use crate::run::{self, Result};
+
+/// Where the JavaScript runs.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum For {
+    /// The page, with types.
+    Page,
+    /// The page, whose module gets parts later: they bring functions into its table.
+    PageWithParts,
+    /// Node, without types.
+    Node,
+}
+
+/// Writes the package of a module into a folder.
+pub fn package(module: &Path, name: &str, folder: &Path, goal: For) -> Result<Duration> {
+    let begun = Instant::now();
+    let made = || {
+        let mut bindgen = Bindgen::new();
+        bindgen.input_path(module).out_name(name).omit_default_module_path(false);
+        match goal {
+            For::Page => bindgen.web(true)?.typescript(true),
+            For::PageWithParts => bindgen.web(true)?.typescript(true).keep_lld_exports(true),
+            For::Node => bindgen.nodejs_module(true)?,
+        };
+        bindgen.generate(folder)
+    };
+    made().map_err(|error| format!("wasm-bindgen cannot read {}: {error:#}", module.display()))?;
+    let time = begun.elapsed();
+    run::say(format_args!("building the package {name} by wasm-bindgen: done in {}", run::pretty(time)));
+    Ok(time)
+}
