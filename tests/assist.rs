@@ -1,20 +1,17 @@
 //! Help at the word and the state of the control, asked at places of fixtures that are marked with `$0`.
 //!
 //! Each file `tests/assist/*.nc` is a program with marks; the file `.help` beside it is what is answered at each of them, in
-//! three languages. `UPDATE=1 cargo test --test assist` writes them anew; read what has changed before it is committed.
-#![cfg(not(target_arch = "wasm32"))]
-
+//! three languages. `UPDATE=1 cargo test --test it assist::` writes them anew; read what has changed before it is committed.
 #[path = "assist/asking.rs"]
 mod asking;
 #[path = "assist/completion.rs"]
 mod completion;
-#[allow(dead_code, reason = "only the names of the programs are needed here")]
-mod fixtures;
 #[path = "assist/navigation.rs"]
 mod navigation;
 #[path = "assist/seeds.rs"]
 mod seeds;
 
+use crate::fixtures;
 use std::fmt::Write;
 use std::fs;
 

@@ -1,8 +1,6 @@
 //! Programs that would take for ever: each is answered within seconds, and says why.
-#![cfg(not(target_arch = "wasm32"))]
 
-mod endless;
-
+use crate::endless;
 use std::time::{Duration, Instant};
 
 use endless::{Hostile, MOST_SECONDS, bounds, endless, hostile};

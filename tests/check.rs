@@ -1,6 +1,4 @@
 //! `gcode-playground check` as a team runs it over its programs: paths, formats, selection, baseline, exit status.
-#![cfg(not(target_arch = "wasm32"))]
-
 use std::fs;
 use std::io::Write;
 use std::path::{Path, PathBuf};

@@ -1,6 +1,4 @@
 //! The command line as a manual's build script calls it: output, exit status, bad usage.
-#![cfg(not(target_arch = "wasm32"))]
-
 use std::io::Write;
 use std::path::PathBuf;
 use std::process::{Command, Output, Stdio};

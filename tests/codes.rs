@@ -1,8 +1,6 @@
 //! The table of supported codes: the one in the reference is the registry's, every row has its words in every
 //! language, and the interpreter recognises what stands in it and nothing else.
-//! `UPDATE=1 cargo test --test codes` writes it.
-#![cfg(not(target_arch = "wasm32"))]
-
+//! `UPDATE=1 cargo test --test it codes::` writes it.
 use std::collections::HashSet;
 use std::fmt::Write;
 
@@ -66,7 +64,7 @@ fn the_reference_shows_the_registry() {
     } else {
         assert!(
             page == wanted,
-            "www/docs/codes.md has an older table: run `UPDATE=1 cargo test --test codes`"
+            "www/docs/codes.md has an older table: run `UPDATE=1 cargo test --test it codes::`"
         );
     }
 }

@@ -1,6 +1,4 @@
 //! Two parts laid over each other: the figures of seed 004.
-#![cfg(not(target_arch = "wasm32"))]
-
 use gcode_playground::analyze;
 use gcode_playground::machine::compare::{Comparison, Side, parts};
 use gcode_playground::machine::region::Region;

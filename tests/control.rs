@@ -1,7 +1,5 @@
 //! What blocks do, one rule a test, in a short notation: `R(x,z)` rapid, `F` feed, `T` thread,
 //! `A+`/`A-` arc counter-clockwise and clockwise with its centre, `D` dwell; X a diameter.
-#![cfg(not(target_arch = "wasm32"))]
-
 use gcode_playground::analyze;
 use gcode_playground::api;
 use gcode_playground::setup::Setup;

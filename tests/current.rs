@@ -1,6 +1,4 @@
 //! The run that is current: nothing of an earlier run, and nothing half done, reaches a picture.
-#![cfg(not(target_arch = "wasm32"))]
-
 use gcode_playground::current::Current;
 use gcode_playground::machine::SimulationResult;
 use gcode_playground::playback::clock::Playhead;

@@ -5,8 +5,6 @@
 //! measured along, `L` the axis of the cut, both radius values in micrometres. As they stand, P is X
 //! and L is Z, the work lies towards -P and the cut goes towards -L. A [`Frame`] exchanges the axes,
 //! mirrors them and moves the zero.
-#![cfg(not(target_arch = "wasm32"))]
-
 use std::f64::consts::TAU;
 
 use gcode_playground::analyze;

@@ -1,6 +1,4 @@
 //! `gcode-playground diff`: cases worked by hand.
-#![cfg(not(target_arch = "wasm32"))]
-
 use std::fmt::Write as _;
 use std::fs;
 use std::path::PathBuf;

@@ -1,13 +1,10 @@
 //! After a change of the text only a part of the program runs again; motions and messages
 //! are those of a whole run.
-#![cfg(not(target_arch = "wasm32"))]
-
-#[allow(dead_code, reason = "only the programs are needed here")]
-mod fixtures;
 #[allow(dead_code, reason = "one of its programs is enough here")]
 #[path = "speed/workload.rs"]
 mod workload;
 
+use crate::fixtures;
 use std::sync::LazyLock;
 
 use gcode_playground::limits::Limits;

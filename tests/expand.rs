@@ -1,16 +1,11 @@
 //! What `expand` writes does what the program does: the same motions at the same feed and speed, by the same
 //! tool, the spindle turning the same way; and nothing more is reported.
-#![cfg(not(target_arch = "wasm32"))]
-
-#[allow(dead_code, reason = "texts and setups alone are read here")]
-mod fixtures;
-#[allow(dead_code, reason = "its programs alone are read here")]
-#[path = "../src/rules/format/mod.rs"]
-mod format;
-mod random_programs;
 #[path = "random_programs/shop.rs"]
 mod shop;
 
+use crate::fixtures;
+use crate::format;
+use crate::random_programs;
 use std::collections::BTreeSet;
 
 use gcode_playground::control::interpreter::Executed;

@@ -1,6 +1,5 @@
 //! Files for other programs, read back: every part of the gallery as a drawing and as a solid.
-#![cfg(not(target_arch = "wasm32"))]
-
+use crate::fixtures;
 use std::collections::HashMap;
 use std::f64::consts::{PI, TAU};
 use std::sync::LazyLock;
@@ -15,9 +14,6 @@ use gcode_playground::scene::palette::Palette;
 use gcode_playground::scene::svg::{Passes, SvgOptions, section};
 use gcode_playground::sentences::Language;
 use gcode_playground::setup::Setup;
-
-#[allow(dead_code, reason = "the fixtures are shared with tests that look at more of them")]
-mod fixtures;
 
 /// What is left of each program's blank, and solid pieces that end on the spindle axis.
 static PARTS: LazyLock<Vec<(String, Region)>> = LazyLock::new(parts);

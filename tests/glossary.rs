@@ -3,18 +3,14 @@
 //!
 //! `tests/glossary/left.tsv` states how often each of these words may still be found. The test
 //! fails when there are more, and when there are fewer until the number is lowered:
-//! `UPDATE=1 cargo test --test glossary` lowers it, and raises none. Without the file `UPDATE=1`
-//! writes it with the counts of today. `SHOW=word cargo test --test glossary -- --nocapture`
+//! `UPDATE=1 cargo test --test it glossary::` lowers it, and raises none. Without the file `UPDATE=1`
+//! writes it with the counts of today. `SHOW=word cargo test --test it glossary:: -- --nocapture`
 //! lists the places of a word.
-#![cfg(not(target_arch = "wasm32"))]
-
 #[path = "glossary/phrase.rs"]
 mod phrase;
-#[path = "fixtures/project.rs"]
-mod project;
-#[path = "fixtures/texts.rs"]
-mod texts;
 
+use crate::project;
+use crate::texts;
 use std::collections::BTreeMap;
 use std::fmt::Write;
 use std::path::PathBuf;
@@ -121,7 +117,7 @@ fn words_that_are_not_used_are_not_in_the_texts() {
             return;
         }
     } else {
-        assert!(fewer.is_empty(), "lower {LEFT} (`UPDATE=1 cargo test --test glossary`):\n{fewer}");
+        assert!(fewer.is_empty(), "lower {LEFT} (`UPDATE=1 cargo test --test it glossary::`):\n{fewer}");
     }
     assert!(more.is_empty(), "the glossary has another word for these:\n{more}");
 }

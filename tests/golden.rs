@@ -1,10 +1,7 @@
-//! The pictures of the gallery as they were last looked at. `UPDATE=1 cargo test --test golden` writes them
+//! The pictures of the gallery as they were last looked at. `UPDATE=1 cargo test --test it golden::` writes them
 //! anew; look at each that has changed before it is committed.
-#![cfg(not(target_arch = "wasm32"))]
 
-#[allow(dead_code, reason = "only the names of the programs are needed here")]
-mod fixtures;
-
+use crate::fixtures;
 use std::path::PathBuf;
 
 use fixtures::gallery;

@@ -1,6 +1,4 @@
 //! The three calls of the crate do what the command line does, for all programs of the tests.
-#![cfg(not(target_arch = "wasm32"))]
-
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::Command;

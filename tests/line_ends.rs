@@ -1,10 +1,7 @@
 //! A program is the same with every line end (LF, CR LF, CR, `;`) and in lower-case letters: motions, tools, part and
 //! messages, each at its block.
-#![cfg(not(target_arch = "wasm32"))]
 
-#[allow(dead_code, reason = "only the programs are needed here")]
-mod fixtures;
-
+use crate::fixtures;
 use gcode_playground::api;
 use gcode_playground::machine::resolved_setup::ResolvedTool;
 use gcode_playground::motion::Motion;

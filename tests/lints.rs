@@ -1,12 +1,7 @@
 //! Lints only listen: without them a run makes the same motions and reports what the control itself does.
-#![cfg(not(target_arch = "wasm32"))]
 
-#[allow(dead_code, reason = "only the programs are needed here")]
-mod fixtures;
-#[path = "../src/rules/format/mod.rs"]
-#[allow(dead_code, reason = "only the examples are needed here")]
-mod format;
-
+use crate::fixtures;
+use crate::format;
 use gcode_playground::message::Diagnostic;
 use gcode_playground::run::{Analysis, Run};
 use gcode_playground::setup::{Lints, Setup};

@@ -1,6 +1,4 @@
 //! Manuals: `embed`, `embed --check` and `check --markdown`, as the build of a manual calls them.
-#![cfg(not(target_arch = "wasm32"))]
-
 use std::io::Write;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output, Stdio};
@@ -253,7 +251,7 @@ fn the_pages_of_the_browser_tests_are_those_of_embed() {
             fs::write(fixture(name), &output.stdout).expect(name);
         }
         let there = fs::read_to_string(fixture(name)).unwrap_or_default();
-        assert!(text(&output.stdout) == there, "{name}: UPDATE=1 cargo test --test manuals");
+        assert!(text(&output.stdout) == there, "{name}: UPDATE=1 cargo test --test it manuals::");
     }
 }
 

@@ -1,6 +1,4 @@
 //! Messages at their exact place: the carets under a line mark the span, the code stands after them.
-#![cfg(not(target_arch = "wasm32"))]
-
 use gcode_playground::analyze;
 use gcode_playground::findings;
 use gcode_playground::machine::SimulationResult;

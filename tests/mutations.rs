@@ -5,23 +5,14 @@
 //! Some faults leave a program for another part, which only the drawing distinguishes from the right one: they are
 //! marked so in the table, and no rate is asked of them.
 //!
-//! `cargo test --test mutations -- --nocapture` prints the table; with `CLASS=minus` of some classes
+//! `cargo test --test it mutations:: -- --nocapture` prints the table; with `CLASS=minus` of some classes
 //! only, and with `MISSES=file` every program whose message stands elsewhere or whose repair is
 //! another is written there.
-#![cfg(not(target_arch = "wasm32"))]
 
-#[path = "mutations/blocks.rs"]
-mod blocks;
-#[path = "mutations/classes.rs"]
-mod classes;
-#[allow(dead_code, reason = "the programs are asked for here, not what is expected of them")]
-mod fixtures;
-#[allow(dead_code, reason = "only the programs of the pages are read here")]
-#[path = "../src/rules/format/mod.rs"]
-mod format;
-#[path = "mutations/text.rs"]
-mod text;
-
+use crate::classes;
+use crate::fixtures;
+use crate::format;
+use crate::text;
 use std::collections::BTreeMap;
 
 use classes::{CLASSES, Class, Known, Mutant, Need, Place};

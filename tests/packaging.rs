@@ -1,6 +1,4 @@
 //! The crate as others take it: what a library brings with it, and what is in the package.
-#![cfg(not(target_arch = "wasm32"))]
-
 use std::collections::BTreeSet;
 use std::process::Command;
 

@@ -1,6 +1,4 @@
 //! Programs inside other text: what is found, what becomes of it, what is asked; and that nothing is lost.
-#![cfg(not(target_arch = "wasm32"))]
-
 use gcode_playground::api::paste::{FoundPrograms, pieces, shortened};
 use gcode_playground::control::codes::{self, Section};
 use gcode_playground::limits::{FOUND_PROGRAMS, PASTED_TEXT};

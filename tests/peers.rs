@@ -1,7 +1,5 @@
 //! What users of other viewers and controls complained about, one complaint a test. Each is cited by the
 //! project and the number of its thread.
-#![cfg(not(target_arch = "wasm32"))]
-
 use std::time::{Duration, Instant};
 
 use gcode_playground::analyze;

@@ -1,6 +1,4 @@
 //! How often messages are right: judged programs, and judged messages of real programs.
-#![cfg(not(target_arch = "wasm32"))]
-
 #[path = "precision/harmless.rs"]
 mod harmless;
 #[path = "precision/harmless_cuts.rs"]

@@ -1,9 +1,7 @@
 //! Every program of `tests/programs`, natively: motions, final point, messages, spindle, and the committed
 //! output, which the wasm tests compare with as well.
-#![cfg(not(target_arch = "wasm32"))]
 
-mod fixtures;
-
+use crate::fixtures;
 use fixtures::{Program, all, check_messages, compare, folder, gallery, same};
 use gcode_playground::api::{self, Places};
 use gcode_playground::expand::expand;

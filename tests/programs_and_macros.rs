@@ -1,7 +1,5 @@
 //! The way of a program through its text: calls, jumps, loops and conditions; values from variables; and what
 //! is expanded from it. Motions: `R(x,z)` rapid, `F` feed, `T` thread, `D` dwell; X a diameter.
-#![cfg(not(target_arch = "wasm32"))]
-
 use gcode_playground::api;
 use gcode_playground::run::Analysis;
 use gcode_playground::setup::Setup;

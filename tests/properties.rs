@@ -1,9 +1,7 @@
 //! What holds for any input at all: no panic, no hang, spans in bounds, nothing lost; and invariants of the
 //! cycles over random numbers.
-#![cfg(not(target_arch = "wasm32"))]
 
-mod random_programs;
-
+use crate::random_programs;
 use std::time::{Duration, Instant};
 
 use gcode_playground::analyze;

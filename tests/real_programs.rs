@@ -1,8 +1,6 @@
 //! What real programs contain: each construct met in several hundred of them, written anew, with the answer a
 //! machinist would expect: the motions all the same where a machine would run it, and
 //! one message at the place.
-#![cfg(not(target_arch = "wasm32"))]
-
 use gcode_playground::analyze;
 use gcode_playground::message::Severity;
 use gcode_playground::sentences::Language;

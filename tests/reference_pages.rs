@@ -1,7 +1,5 @@
 //! The pages of the reference: every document of `www/docs` becomes one, and all links
 //! between them lead somewhere.
-#![cfg(not(target_arch = "wasm32"))]
-
 #[path = "../www/docs/html/site.rs"]
 mod site;
 

@@ -1,24 +1,15 @@
 //! A safe fix never hides a fault: it restores the original program, or an error remains at the
 //! faulty block and the motions after it are uncertain.
 //!
-//! `cargo test --test repair -- --nocapture` prints how many faults were cured, and how many left with an error.
-#![cfg(not(target_arch = "wasm32"))]
-
-#[allow(dead_code, reason = "the roles of blocks are for other tests")]
-#[path = "mutations/blocks.rs"]
-mod blocks;
-#[allow(dead_code, reason = "where the first message stands is asked elsewhere")]
-#[path = "mutations/classes.rs"]
-mod classes;
-#[allow(dead_code, reason = "the programs are asked for here, not what is expected of them")]
-mod fixtures;
+//! `cargo test --test it repair:: -- --nocapture` prints how many faults were cured, and how many left with an error.
 #[path = "repair/invariants.rs"]
 mod invariants;
 #[path = "repair/misread.rs"]
 mod misread;
-#[path = "mutations/text.rs"]
-mod text;
 
+use crate::classes;
+use crate::fixtures;
+use crate::text;
 use std::collections::{BTreeMap, HashSet};
 
 use classes::{CLASSES, Place};
@@ -200,12 +191,13 @@ fn a_printed_minus_is_the_same_error_before_and_after() {
             "G71 U-2 R1",
             "G04 P-5",
             "G01 X-5 Z-4 F.1",
+            "G01 X-5O=",
         ] {
             let text = format!("{HEAD}{block}\nM30\n");
             let printed = text.replace("-", minus);
             let of = |text: &str| errors(&analyze(text.as_bytes(), &Setup::default()));
             assert_eq!(of(&printed), of(&text), "{printed}");
-            assert_eq!(fixed(&printed), text);
+            assert_eq!(fixed(&printed), fixed(&text));
         }
     }
 }
@@ -230,6 +222,16 @@ fn a_word_that_is_too_long_is_the_same_error_before_and_after() {
         assert_eq!(fixed(text), text);
         assert_eq!(errors(&analyze(text.as_bytes(), &Setup::default())), ["PS0004"]);
     }
+}
+
+#[test]
+fn commas_that_cannot_all_be_points_stay() {
+    for block in
+        ["G01 Z0,,208", "G01 Z0 ,,208", "G01 Z0 ,.208", "G01 Z0.5,208", "G01 Z,5,2", "G01 X,,5", "G01 Z1,2,3"]
+    {
+        check(block, block, true);
+    }
+    check("G01 Z-0,208 F,1", "G01 Z-0.208 F.1", false);
 }
 
 #[test]

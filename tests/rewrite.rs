@@ -1,10 +1,7 @@
 //! Plain moves written as a cycle: what becomes of each shape, the nearest cases that must stay as they are,
 //! and that no motion changes.
-#![cfg(not(target_arch = "wasm32"))]
 
-#[allow(dead_code, reason = "only the programs are needed here")]
-mod fixtures;
-
+use crate::fixtures;
 use gcode_playground::analyze;
 use gcode_playground::motion::{Feed, MotionKind};
 use gcode_playground::rewrite::{Offer, applied, offers, rewritten};

@@ -4,11 +4,8 @@
 //! In: the list in ARCHITECTURE.md and the relative imports of every file of `www/src`,
 //! scripts of workers included.
 
-#[path = "rooms/circle.rs"]
-mod circle;
-#[path = "fixtures/project.rs"]
-mod project;
-
+use crate::circle;
+use crate::project;
 use std::collections::{BTreeMap, BTreeSet};
 
 use circle::leading_into_circles;

@@ -1,7 +1,5 @@
 //! The list of changes of rules, `www/docs/rule-changes.md`: read from the first version to the last it ends with the rules as they are.
-//! `UPDATE=1 cargo test --test rule_changes` adds what is missing to the version that is not released yet.
-#![cfg(not(target_arch = "wasm32"))]
-
+//! `UPDATE=1 cargo test --test it rule_changes::` adds what is missing to the version that is not released yet.
 use std::collections::BTreeMap;
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -108,7 +106,7 @@ fn the_list_ends_with_the_rules_as_they_are() {
     let missing = changes(&told, &as_they_are());
     assert!(
         missing.is_empty(),
-        "{LIST} does not tell of {missing:?}: UPDATE=1 cargo test --test rule_changes"
+        "{LIST} does not tell of {missing:?}: UPDATE=1 cargo test --test it rule_changes::"
     );
 }
 

@@ -4,8 +4,6 @@
 //! `program ID` (of `tests/programs`, held to its motions by `tests/programs.rs`), `rule SLUG`, `test FILE::NAME`,
 //! `fixture FILE`, `page FILE` (of the reference), `manual TOPIC` (for teaching alone: nothing a program could show),
 //! `open REASON` (not done).
-#![cfg(not(target_arch = "wasm32"))]
-
 use std::collections::BTreeMap;
 use std::fs;
 use std::path::Path;

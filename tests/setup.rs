@@ -1,7 +1,5 @@
 //! Setups: what is written as comments is read again, whatever is given leaves a picture, the
 //! reference lists every field.
-#![cfg(not(target_arch = "wasm32"))]
-
 use gcode_playground::analyze;
 use gcode_playground::machine::SimulationResult;
 use gcode_playground::message::{Levels, RULES, Severity};

@@ -3,17 +3,13 @@
 //! Words that a dictionary lacks stand in `tests/spelling/en.txt` and `tests/spelling/ru.txt`, sorted, one in
 //! a line: terms, abbreviations, names. A word in lower case there is right with any capital letters. A word
 //! that no text uses does not stay.
-#![cfg(not(target_arch = "wasm32"))]
-
 #[path = "spelling/hunspell.rs"]
 mod hunspell;
-#[path = "fixtures/project.rs"]
-mod project;
-#[path = "fixtures/texts.rs"]
-mod texts;
 #[path = "spelling/words.rs"]
 mod words;
 
+use crate::project;
+use crate::texts;
 use std::collections::{BTreeMap, BTreeSet};
 
 use words::Script;

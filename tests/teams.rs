@@ -1,14 +1,10 @@
 //! The page "Checks in a repository": its files are those of the example, its commands do there what it says, its tables are those of
-//! `action.yml` and `templates/check.yml` (`UPDATE=1 cargo test --test teams` writes them), and all of them name this version.
+//! `action.yml` and `templates/check.yml` (`UPDATE=1 cargo test --test it teams::` writes them), and all of them name this version.
 //!
 //! What the tools make of the files is followed by `tests/teams/run.py`, which `cargo xtask teams` calls.
-#![cfg(not(target_arch = "wasm32"))]
 
-#[path = "documentation/markdown.rs"]
-mod markdown;
-#[path = "fixtures/project.rs"]
-mod project;
-
+use crate::markdown;
+use crate::project;
 use std::fmt::Write;
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -151,7 +147,7 @@ fn the_tables_are_those_of_the_files() {
         if std::env::var_os("UPDATE").is_some() {
             fs::write(&path, format!("{before}{begin}{table}{end}{after}")).expect(PAGE);
         } else {
-            assert_eq!(told, table, "UPDATE=1 cargo test --test teams");
+            assert_eq!(told, table, "UPDATE=1 cargo test --test it teams::");
         }
     }
 }

@@ -1,6 +1,4 @@
 //! How long motions take, against sums over many small pieces of their way.
-#![cfg(not(target_arch = "wasm32"))]
-
 use std::f64::consts::{PI, TAU};
 
 use gcode_playground::analyze;

@@ -1,7 +1,5 @@
 //! What is uncertain after something that was not carried out, and what makes it certain again: in a short
 //! notation, `R(x,z)` rapid, `F` feed, `T` thread, `A` arc; a `?` marks what is uncertain.
-#![cfg(not(target_arch = "wasm32"))]
-
 use gcode_playground::analyze;
 use gcode_playground::api;
 use gcode_playground::machine::SimulationResult;

@@ -1,7 +1,5 @@
 //! Cuts worked out by hand: which of them take nothing off, are too deep or leave the blank, and which look
 //! strange but are right.
-#![cfg(not(target_arch = "wasm32"))]
-
 use gcode_playground::message::Severity;
 use gcode_playground::run::Run;
 use gcode_playground::setup::Setup;

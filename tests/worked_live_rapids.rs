@@ -1,6 +1,4 @@
 //! Rapids of live tools worked out by hand: which run into the work, and which go where a cutter has been.
-#![cfg(not(target_arch = "wasm32"))]
-
 use gcode_playground::run::Run;
 use gcode_playground::setup::Setup;
 

@@ -1,7 +1,5 @@
 //! Functions of a turning centre (seed 002), worked out by hand: tailstock, clamps and stops of the spindle, centre words
 //! of arcs, tapping on the axis.
-#![cfg(not(target_arch = "wasm32"))]
-
 use gcode_playground::analyze;
 use gcode_playground::findings;
 use gcode_playground::geometry::virtual_plane::Way;

@@ -1,6 +1,4 @@
 //! Threads worked out by hand: which of their passes is at fault, and which look strange but are right.
-#![cfg(not(target_arch = "wasm32"))]
-
 use gcode_playground::analyze;
 use gcode_playground::message::Severity;
 use gcode_playground::setup::Setup;

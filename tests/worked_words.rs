@@ -1,7 +1,5 @@
 //! Words, speeds, tools and macros worked out by hand: what a control ignores or takes in another way than meant,
 //! and what looks strange but is right.
-#![cfg(not(target_arch = "wasm32"))]
-
 use gcode_playground::analyze;
 use gcode_playground::message::{Diagnostic, Severity};
 use gcode_playground::setup::Setup;

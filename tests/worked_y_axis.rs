@@ -1,7 +1,5 @@
 //! The planes of seed 002, section 7, on a machine with a Y axis, worked out by hand: arcs of G17 and G19, straight moves
 //! along Y, compensation of the cutter in these planes, and the messages of a lathe without that axis.
-#![cfg(not(target_arch = "wasm32"))]
-
 use gcode_playground::analyze;
 use gcode_playground::api;
 use gcode_playground::findings;

@@ -6,7 +6,7 @@ use gcode_playground::run::replay::Time;
 use gcode_playground::sentences::Language;
 use gcode_playground::setup::Setup;
 
-use crate::asking::Asking;
+use super::asking::Asking;
 
 impl Asking {
     /// What can be written at a byte, for a reader who asks for it, or who types.

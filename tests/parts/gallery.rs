@@ -7,8 +7,8 @@ use gcode_playground::motion::{Motion, MotionKind, Motions};
 use gcode_playground::setup::{Setup, Side, Stock, Tool, ToolKind};
 use gcode_playground::units::Diameter;
 
+use super::reach::{Interval, Reach, common, left, moved, turns, union, within, without_dust};
 use crate::fixtures::{Program, all};
-use crate::reach::{Interval, Reach, common, left, moved, turns, union, within, without_dust};
 
 /// Largest difference, mm.
 const TOLERANCE: f64 = 0.005;

@@ -7,8 +7,8 @@ use gcode_playground::motion::Motions;
 use gcode_playground::setup::Setup;
 use proptest::prelude::*;
 
-use crate::gallery::compare;
-use crate::reach::Reach;
+use super::gallery::compare;
+use super::reach::Reach;
 
 const SETUP: &str = r#"{"stock": {"diameter": 60, "bore": 12, "face": 1, "length": 50},
     "tools": {"T0101": {"type": "turning", "noseRadius": 0.8, "pointAngle": 55, "enteringAngle": 93},

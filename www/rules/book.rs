@@ -10,10 +10,10 @@ use gcode_playground::message::{Diagnostic, RULES, Rule, Severity};
 use gcode_playground::sentences::{Language, labels};
 use gcode_playground::setup::Setup;
 
+use super::outcome::{Marked, Outcome, Picture};
+use super::words::words;
 use crate::format::RuleFile;
 use crate::format::page::{Mark, Page, Text};
-use crate::outcome::{Marked, Outcome, Picture};
-use crate::words::words;
 
 /// Colours first, so that the page and the playground have the same.
 const STYLES: [&str; 2] = [include_str!("../../www/src/colours.css"), include_str!("rules.css")];

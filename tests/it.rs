@@ -1,0 +1,75 @@
+//! The integration tests, one module for each subject: `cargo test --test it`, and `cargo test --test it codes::` for one of them.
+//!
+//! One program instead of fifty: it is linked once, and its tests keep all processors busy.
+#![cfg(not(target_arch = "wasm32"))]
+
+#[path = "mutations/blocks.rs"]
+mod blocks;
+#[path = "rooms/circle.rs"]
+mod circle;
+#[path = "mutations/classes.rs"]
+mod classes;
+mod fixtures;
+#[path = "../src/rules/format/mod.rs"]
+mod format;
+#[path = "documentation/markdown.rs"]
+mod markdown;
+#[path = "fixtures/project.rs"]
+mod project;
+mod random_programs;
+#[path = "mutations/text.rs"]
+mod text;
+#[path = "fixtures/texts.rs"]
+mod texts;
+
+mod assist;
+mod check;
+mod cli;
+mod codes;
+mod compare;
+mod control;
+mod current;
+mod cycles;
+mod difference;
+mod documentation;
+mod expand;
+mod export;
+mod files;
+mod glossary;
+mod golden;
+mod library;
+mod line_ends;
+mod lints;
+mod machine;
+mod manuals;
+mod messages;
+mod mutations;
+mod packaging;
+#[path = "parts/main.rs"]
+mod parts;
+mod paste;
+mod peers;
+mod precision;
+mod programs;
+mod programs_and_macros;
+mod properties;
+mod real_programs;
+mod reference_pages;
+mod repair;
+mod rewrite;
+mod rooms;
+mod rooms_of_the_page;
+mod rule_changes;
+mod rule_pages;
+mod seed_statements;
+mod setup;
+mod spelling;
+mod teams;
+mod timing;
+mod uncertain;
+mod worked_cuts;
+mod worked_live_rapids;
+mod worked_planes;
+mod worked_threads;
+mod worked_words;
+mod worked_y_axis;
