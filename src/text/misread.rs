@@ -127,8 +127,7 @@ mod tests {
 
     #[test]
     fn what_is_written_right_is_no_misread_word() {
-        for text in ["X50", "G01X5", "M98P1000L3", "m98p1000l3", "X", "O1000", "XY", "（X5）", "X–10"]
-        {
+        for text in ["X50", "G01X5", "M98P1000L3", "m98p1000l3", "X", "O1000", "XY", "（X5）", "X–10"] {
             assert_eq!(plain(text), None, "{text}");
         }
         assert_eq!(read("p1000l3".as_bytes(), 0), None);

@@ -97,7 +97,7 @@ fn main() -> ExitCode {
         Task::Compare(options) => compare::main(&options),
         Task::Manuals => manuals::main(),
         Task::Teams => teams::main(),
-        Task::Translations => translations::main(),
+        Task::Translations => Setup::for_playing().and_then(|_| translations::main()),
         Task::Advisories => advisories::main(),
         Task::Notices => notices::main(),
         Task::Setup => setup::main(),

@@ -77,6 +77,12 @@ pub fn main(tier: Tier) -> Result {
         Tier::All => products(&setup, &mut done)?,
     }
     done.add("wasm size", package::size()?);
+    let begun = Instant::now();
+    match (translations::main(), tier) {
+        (Err(missing), Tier::Change) => run::say(format_args!("warning: {missing}")),
+        (outcome, _) => outcome?,
+    }
+    done.add("translations", begun.elapsed());
     done.add("page types", step("checking the page's types", &mut setup.npm(&["run", "typecheck"]))?);
     done.add(
         "workflows",
@@ -103,9 +109,6 @@ fn products(setup: &Setup, done: &mut Done) -> Result {
     fuzz.args(["check", "--locked", "--manifest-path", "tests/fuzz/Cargo.toml", "--no-default-features"]);
     fuzz.args(["--target-dir", "target/fuzz"]);
     done.add("fuzz targets", step("checking the fuzz targets", &mut fuzz)?);
-    let begun = Instant::now();
-    translations::main()?;
-    done.add("translations", begun.elapsed());
     // A module that is optimised as a whole keeps one processor busy.
     let (wasm, packages) = run::both(|| package::wasm(setup), || library::packages(setup))?;
     done.add("wasm package", wasm);

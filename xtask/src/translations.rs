@@ -1,4 +1,5 @@
-//! In: the rule files and `src/sentences`. Out: what is said in English only, since a language has no text for it.
+//! In: the rule files, `src/sentences` and the words of the page. Out: what is said in English only, since a language has no
+//! text for it.
 
 use crate::format::{self, RuleFile};
 use crate::run::{self, Result};
@@ -18,7 +19,14 @@ pub fn read() -> Result<(Vec<RuleFile>, Texts)> {
 /// `cargo xtask translations`: an error where a text is missing.
 pub fn main() -> Result {
     let (rules, texts) = read()?;
-    let missing = texts::missing(&rules, &texts);
+    let mut missing = texts::missing(&rules, &texts);
+    let mut node = run::command("node");
+    let page =
+        node.arg("www/translations.mjs").output().map_err(|error| format!("cannot start node: {error}"))?;
+    missing.extend(String::from_utf8_lossy(&page.stdout).lines().map(str::to_owned));
+    if page.status.code() != Some(i32::from(!page.stdout.is_empty())) {
+        return Err(format!("www/translations.mjs: {}", String::from_utf8_lossy(&page.stderr)));
+    }
     if missing.is_empty() {
         run::say("every text is there in every language");
         return Ok(());

@@ -1,0 +1,57 @@
+// In: the tables of words in `src`. Out: what Chinese or Russian lacks of them, a line each; `words` shows it in English.
+// `cargo xtask translations` runs this.
+import { readdirSync, readFileSync } from 'node:fs';
+import { join, relative } from 'node:path';
+import { parseAst } from 'rollup/parseAst';
+import { transformWithEsbuild } from 'vite';
+
+const LANGUAGES = ['zh', 'ru'];
+const ROOT = import.meta.dirname;
+
+/** The properties of an object literal, by name. */
+function properties(node) {
+  const named = node.properties.filter(({ type }) => type === 'Property');
+  return new Map(named.map(({ key, value }) => [key.name ?? key.value, value]));
+}
+
+/** What the English object has and another one lacks, with the names that lead there. */
+export function missing(english, other, path = []) {
+  if (other === undefined) return [path.join('.')];
+  if (english.type !== 'ObjectExpression' || other.type !== 'ObjectExpression') return [];
+  const others = properties(other);
+  return [...properties(english)].flatMap(([name, value]) => missing(value, others.get(name), [...path, name]));
+}
+
+/** The tables in a script: the arguments of `words({ … })`. */
+export function tables(code) {
+  const found = [];
+  const walk = (node) => {
+    if (node === null || typeof node !== 'object') return;
+    if (node.type === 'CallExpression' && node.callee.name === 'words' && node.arguments[0]?.type === 'ObjectExpression') found.push(properties(node.arguments[0]));
+    for (const value of Object.values(node)) walk(value);
+  };
+  walk(parseAst(code));
+  return found;
+}
+
+let count = 0;
+let lacking = 0;
+for (const entry of readdirSync(join(ROOT, 'src'), { recursive: true, withFileTypes: true })) {
+  if (!entry.isFile() || !entry.name.endsWith('.ts')) continue;
+  const file = join(entry.parentPath, entry.name);
+  const { code } = await transformWithEsbuild(readFileSync(file, 'utf8'), file, { sourcemap: false });
+  for (const table of tables(code)) {
+    const english = table.get('en');
+    if (english === undefined) throw new Error(`${file}: a table without English`);
+    count++;
+    for (const language of LANGUAGES) {
+      for (const name of missing(english, table.get(language))) {
+        lacking++;
+        console.log(`www/${relative(ROOT, file)}: ${[language, name].filter((part) => part !== '').join('.')}`);
+      }
+    }
+  }
+}
+// A parser that finds nothing finds nothing missing.
+if (count < 40) throw new Error(`only ${count} tables of words were found`);
+process.exitCode = lacking > 0 ? 1 : 0;
