@@ -235,6 +235,14 @@ fn commas_that_cannot_all_be_points_stay() {
 }
 
 #[test]
+fn a_letter_before_a_number_stays() {
+    for block in ["G01 XO 8", "G01 ZO\t8", "G01 Xl0O -5", "G01 XO ８"] {
+        check(block, block, true);
+    }
+    check("G01 XO Z-8", "G01 X0 Z-8", false);
+}
+
+#[test]
 fn words_in_an_expression_stay() {
     for block in
         ["G01 X[#1 retract", "G01 X[#1 retract ] Z-5", "G01 X[10 +done + 5] Z-2", "X[CC CCCCCC CCCCCC(end)"]

@@ -18,7 +18,8 @@ use super::misread::{self, Misread};
 use super::plain_line::PlainLine;
 use super::plain_words::{PlainWords, begins_in_other_script};
 use crate::limits::DIGITS;
-use crate::message::{Diagnostic, Fix, Message, Repair, Severity, said, sort_by_place};
+use crate::message::{Diagnostic, Edit, Fix, Message, Repair, Severity, said, sort_by_place};
+use crate::order;
 use crate::parts::{Part, early};
 use crate::source::shift::Shift;
 use crate::source::{Span, line_end};
@@ -81,6 +82,8 @@ pub struct Parser<'a> {
     /// The block to come stands after a `;` on the same line.
     after_semicolon: bool,
     ended: bool,
+    /// It reads a block as its safe fixes would leave it.
+    is_trial: bool,
 }
 
 impl<'a> Parser<'a> {
@@ -97,6 +100,7 @@ impl<'a> Parser<'a> {
             begun: at.begun,
             after_semicolon: at.after_semicolon,
             ended: at.ended,
+            is_trial: false,
         }
     }
 
@@ -191,13 +195,48 @@ impl<'a> Parser<'a> {
             let may_go_on = is_letter_for_digit
                 && matches!(text.get(at), Some(b'O' | b'o' | b'l'))
                 && follows_word(text, block.span.start, at);
+            // `WO 8`: its last letter may be the address of the number after it.
+            let end = fault.span.end as usize;
+            let may_be_address = is_letter_for_digit
+                && matches!(text.get(end.wrapping_sub(1)), Some(b'O' | b'o' | b'l'))
+                && precedes_number(text, end);
             let is_guess = is_letter_for_digit && !self.has_digit(fault.span) && may_be_text;
-            if in_run || is_guess || may_go_on {
+            if in_run || is_guess || may_go_on || may_be_address {
                 fault.fixes.iter_mut().for_each(|fix| fix.safe = false);
             }
         }
         keep_faults(&mut block.faults);
         self.offer_addresses(block);
+        if !self.is_trial && self.is_worse_when_fixed(block, behind_semicolon) {
+            block.faults.iter_mut().flat_map(|fault| &mut fault.fixes).for_each(|fix| fix.safe = false);
+        }
+    }
+
+    /// Whether the block has more errors with its safe fixes than without: then they are not safe.
+    fn is_worse_when_fixed(&self, block: &Block, behind_semicolon: bool) -> bool {
+        let fixes = block.faults.iter().filter_map(|fault| fault.fixes.iter().find(|fix| fix.safe));
+        let mut edits: Vec<&Edit> = fixes.flat_map(|fix| &fix.edits).collect();
+        if edits.is_empty() {
+            return false;
+        }
+        order::by_key(&mut edits, |edit| edit.span.start);
+        let (text, mut fixed, mut at) = (self.lexer.text(), Vec::new(), block.span.start);
+        for edit in edits.iter().filter(|edit| block.span.contains(edit.span)) {
+            if edit.span.start >= at {
+                fixed.extend_from_slice(Span { start: at, end: edit.span.start }.of(text));
+                fixed.extend_from_slice(edit.text.as_bytes());
+                at = edit.span.end;
+            }
+        }
+        fixed.extend_from_slice(Span { start: at, end: block.span.end }.of(text));
+        let here = Resume { begun: self.begun, after_semicolon: behind_semicolon, ..Resume::default() };
+        let mut trial = Parser { is_trial: true, ..Parser::resume(&fixed, here) };
+        let errors = |block: &Block| block.faults.iter().filter(|fault| fault.is_error()).count();
+        let (mut read, mut left) = (Block::default(), 0);
+        while trial.next_block(&mut read) {
+            left += errors(&read);
+        }
+        left > errors(block)
     }
 
     /// One message for a block without a value. Brackets around all of it are safe where its letters can
@@ -679,7 +718,7 @@ impl<'a> Parser<'a> {
         if number.points <= 1 && number.digits <= DIGITS {
             self.store(block, address, false, negative, number, span);
         } else if misread.letter.is_none() {
-            // Full-width characters are a warning; what is wrong with the word itself is an error as it is without them.
+            // Full-width characters are a warning; a word that is too long is the same error as in ASCII.
             let word = plain.clone();
             block.fault(match number.points {
                 0 | 1 => Diagnostic::new(said::TooManyDigits { word }, span),
@@ -996,6 +1035,18 @@ fn follows_word(text: &[u8], block: u32, at: usize) -> bool {
         sign.is_whitespace() || matches!(sign, '+' | '-' | '.' | '\u{2212}' | '\u{2013}' | '\u{ff0d}')
     };
     before.chars().rev().find(|sign| !between(sign)).is_some_and(char::is_alphanumeric)
+}
+
+/// Whether a number comes after a place, behind blanks and signs.
+fn precedes_number(text: &[u8], at: usize) -> bool {
+    const FARTHEST: usize = 256;
+    let after = String::from_utf8_lossy(&text[at..text.len().min(at + FARTHEST)]);
+    let between = |sign: &char| {
+        sign.is_whitespace()
+            || sign.is_control()
+            || matches!(sign, '+' | '-' | '.' | '\u{2212}' | '\u{2013}' | '\u{ff0d}')
+    };
+    after.chars().find(|sign| !between(sign)).is_some_and(char::is_numeric)
 }
 
 /// The span without blanks at either end.
