@@ -6,6 +6,7 @@
 use std::collections::BTreeMap;
 
 use serde::de::{Deserialize, Deserializer, Error, MapAccess, Visitor};
+use strsim::levenshtein;
 
 use super::diagnostic::Diagnostic;
 use super::rule::{Group, Severity};
@@ -115,23 +116,8 @@ pub fn nearest_of<'a>(name: &str, names: impl Iterator<Item = &'a str>) -> Optio
     if name.len() > LONGEST {
         return None;
     }
-    let near = names.map(|known| (distance(name.as_bytes(), known.as_bytes()), known)).min()?;
+    let near = names.map(|known| (levenshtein(&name, known), known)).min()?;
     (near.0 <= name.len().div_ceil(2)).then_some(near.1)
-}
-
-/// How many letters must be put in, taken out or changed to make one word of another.
-fn distance(a: &[u8], b: &[u8]) -> usize {
-    let mut row: Vec<usize> = (0..=b.len()).collect();
-    for (i, letter) in a.iter().enumerate() {
-        let mut corner = row[0];
-        row[0] = i + 1;
-        for (j, other) in b.iter().enumerate() {
-            let changed = corner + usize::from(letter != other);
-            corner = row[j + 1];
-            row[j + 1] = changed.min(corner + 1).min(row[j] + 1);
-        }
-    }
-    row[b.len()]
 }
 
 impl<'de> Deserialize<'de> for Levels {
@@ -206,6 +192,5 @@ mod tests {
         assert_eq!(nearest("clasroom"), Some("classroom"));
         assert_eq!(nearest("xyz"), None);
         assert_eq!(nearest(&"no-program-end".repeat(100)), None);
-        assert_eq!((distance(b"", b"abc"), distance(b"kitten", b"sitting")), (3, 3));
     }
 }

@@ -394,32 +394,11 @@ fn comments(text: &[u8]) -> impl Iterator<Item = Comment<'_>> {
 /// another, or two letters in each other's place.
 fn nearest(key: &str, known: impl Iterator<Item = &'static str>) -> Option<&'static str> {
     const SHORTEST: usize = 3;
-    let near = known
-        .filter(|word| word.len() >= SHORTEST)
-        .map(|word| (distance(key.as_bytes(), word.as_bytes()), word));
-    near.filter(|(edits, word)| *edits <= word.len() / 3).min().map(|(_, word)| word)
-}
-
-/// Letters to change, put in, take out or exchange with their neighbour to make one word of the other.
-fn distance(a: &[u8], b: &[u8]) -> usize {
     const LONGEST: usize = 32;
-    if a.len() > LONGEST {
-        return usize::MAX;
-    }
-    let mut rows: Vec<Vec<usize>> = vec![(0..=b.len()).collect()];
-    for (i, letter) in a.iter().enumerate() {
-        let mut row = vec![i + 1];
-        for (j, other) in b.iter().enumerate() {
-            let mut least =
-                (rows[i][j + 1] + 1).min(row[j] + 1).min(rows[i][j] + usize::from(letter != other));
-            if i > 0 && j > 0 && a[i - 1] == *other && b[j - 1] == *letter {
-                least = least.min(rows[i - 1][j - 1] + 1);
-            }
-            row.push(least);
-        }
-        rows.push(row);
-    }
-    rows[a.len()][b.len()]
+    let near = known
+        .filter(|word| word.len() >= SHORTEST && key.len() <= LONGEST)
+        .map(|word| (strsim::osa_distance(key, word), word));
+    near.filter(|(edits, word)| *edits <= word.len() / 3).min().map(|(_, word)| word)
 }
 
 /// A tool's name in four digits: T1 is tool 1 with offset 1. Nothing for what is no T word.
