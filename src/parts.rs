@@ -20,7 +20,7 @@ pub enum Part {
     /// nose radius, corners, misread blocks, other controls. A run that needs it and has not got it gives nothing, and
     /// begins again when it is loaded ([`Run::missing`](crate::run::Run::missing)).
     Early,
-    /// The rest: material, collisions, lints, files, and what the user asks for. Loaded after [`Part::Early`].
+    /// The rest: material, collisions, lints, files, dialogs and tables. Loaded after [`Part::Early`].
     Late,
 }
 
@@ -44,7 +44,7 @@ impl Part {
         cfg!(not(parts)) || LOADED.load(Ordering::Relaxed) > self as u8
     }
 
-    /// Its functions, and those of the parts before it, can be called from now on.
+    /// Marks it and the parts before it as loaded.
     pub fn loaded(self) {
         LOADED.fetch_max(self as u8 + 1, Ordering::Relaxed);
     }

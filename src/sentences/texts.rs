@@ -1,7 +1,7 @@
-//! All that is said in one language: a list of texts that the build script makes of the rule files and of
+//! The texts of each language: a list that the build script makes from the rule files and
 //! `src/sentences/<language>.txt`.
 //!
-//! In the module of the page the lists are files of their own, and the page loads that of its reader
+//! In the module of the page the lists are files, and the page loads the one of its language
 //! ([`Language::load`]); everywhere else they are in the program.
 
 use std::sync::OnceLock;
@@ -13,7 +13,7 @@ use crate::assist::role::Role;
 use crate::control::codes::{Effect, Function, Section};
 use crate::control::origins::Modal;
 
-/// What has a text of its own.
+/// A variant with a text of its own.
 pub(super) trait Place {
     /// Its index in the list of each language.
     fn place(self) -> usize;

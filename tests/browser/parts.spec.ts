@@ -142,7 +142,7 @@ test('without a setup nothing of it is waited for before the first picture', asy
   await page.goto(`./#${new URLSearchParams({ program: PROGRAM, setup: '{}' })}`);
   await expect(page.getByRole('status')).toHaveText(COMING);
   await settled(page);
-  await expect(page.getByRole('status')).toHaveText(/^2 motions .* no problems/);
+  await expect(page.getByRole('status')).toHaveText(/^2 motions · 4 lines · 1 problem$/);
 });
 
 test('a setup that cannot be loaded is reported; nothing is drawn without it, and it can be tried again', async ({ page }) => {
@@ -200,7 +200,7 @@ const ONLY_SOME_NEED = {
     says: '5 motions',
   },
   'a program with a rounding': { program: 'G00 X40 Z2\nG01 Z-20 R2 F0.2\nX50\nM30', says: '4 motions' },
-  'a misread program': { program: 'G00 X5O Z2\nG01 Z-20 F0.2\nM30', says: '2 motions' },
+  'a misread program': { program: 'G00 X5O Z2\nG01 Z-20 F0.2\nM30', says: '1 motion' },
   'a program for another control': { program: 'G95 DIAMON\nT1 D1\nG0 X40 Z2\nG1 Z-20 F0.2\nM30', says: '0 motions' },
 };
 

@@ -2,7 +2,7 @@
 //
 // Apart from the script that loads them: the worker, which does, can have an address from which nothing is found.
 
-/** The files of each part and language, by its name; those of the parts before it come first. */
+/** The files of each part and language, by its name; files of the parts before it come first. */
 export const PART_FILES = {
   /* FILES */
 };

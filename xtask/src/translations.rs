@@ -1,5 +1,5 @@
-//! In: the rule files, `src/sentences` and the words of the page. Out: what is said in English only, since a language has no
-//! text for it.
+//! In: the rule files, `src/sentences` and the words of the page. Out: the texts that Chinese or Russian lacks; English is
+//! shown in their place.
 
 use crate::format::{self, RuleFile};
 use crate::run::{self, Result};

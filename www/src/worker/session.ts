@@ -86,7 +86,7 @@ interface CommandRow<K extends Command['kind']> {
 
 const OF_THE_PICTURE: ReadonlySet<QuestionKind> = new Set<QuestionKind>(['pick', 'dimension']);
 
-/** Whether the part `early` is needed for what is said: a setup. */
+/** Whether a message contains a setup, which the part `early` reads. */
 export function mayNeedSetup(message: Command | Question): boolean {
   return message.kind === 'run' && message.setup !== undefined && message.setup !== NO_SETUP;
 }
