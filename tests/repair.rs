@@ -232,6 +232,17 @@ fn commas_that_cannot_all_be_points_stay() {
         check(block, block, true);
     }
     check("G01 Z-0,208 F,1", "G01 Z-0.208 F.1", false);
+    check("G01 X20,5,C1 F0.2", "G01 X20.5,C1 F0.2", false);
+    check("G01 X10,5, Z2", "G01 X10.5, Z2", true);
+    check("G01 Z20，5", "G01 Z20.5", false);
+    // The words before it are not lost.
+    let words = |block: &str| {
+        let (mut read, text) = (Block::default(), format!("{block}\n"));
+        assert!(Parser::new(text.as_bytes()).next_block(&mut read));
+        (read.words.iter().map(|word| char::from(word.address)).collect::<String>(), read.faults.len())
+    };
+    assert_eq!(words("G01 F0.2 Z1,2,3"), ("GF".to_owned(), 1));
+    assert_eq!(words("G01 Z1，2，3"), ("G".to_owned(), 1));
 }
 
 #[test]
@@ -240,6 +251,10 @@ fn a_letter_before_a_number_stays() {
         check(block, block, true);
     }
     check("G01 XO Z-8", "G01 X0 Z-8", false);
+    check("YN![gCO2", "YN![gCO2", true);
+    // The number after the end of the line is none of its.
+    let text = "10 G00 XO\n20 G01 Z-5 F0.2\n";
+    assert!(fixed(text).starts_with("10 G00 X0\n"), "{}", fixed(text));
 }
 
 #[test]

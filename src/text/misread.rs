@@ -80,8 +80,8 @@ pub fn is_full_width(sign: char) -> bool {
     ('\u{ff01}'..='\u{ff5e}').contains(&sign)
 }
 
-/// The ASCII twin of the character at a byte, where the next one begins, and whether it was a full-width one. That of a
-/// minus as it is printed is a minus.
+/// The ASCII twin of the character at a byte, where the next one begins, and whether it was a full-width one. A printed
+/// minus (U+2212, U+2013) counts as `-`.
 fn character(text: &[u8], at: usize) -> Option<(u8, usize, bool)> {
     match *text.get(at)? {
         0xEF => {

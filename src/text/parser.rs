@@ -12,7 +12,7 @@
 //! Knows which letters begin a word, not what any word means.
 
 use super::block::{Block, BlockKind, Value, Word};
-use super::lexer::{Lexer, Number, TokenKind, is_between_blocks};
+use super::lexer::{Lexer, Number, TokenKind, is_between_blocks, is_blank};
 use super::lost_letter;
 use super::misread::{self, Misread};
 use super::plain_line::PlainLine;
@@ -199,7 +199,7 @@ impl<'a> Parser<'a> {
             let end = fault.span.end as usize;
             let may_be_address = is_letter_for_digit
                 && matches!(text.get(end.wrapping_sub(1)), Some(b'O' | b'o' | b'l'))
-                && precedes_number(text, end);
+                && precedes_number(&text[end..block.span.end as usize]);
             let is_guess = is_letter_for_digit && !self.has_digit(fault.span) && may_be_text;
             if in_run || is_guess || may_go_on || may_be_address {
                 fault.fixes.iter_mut().for_each(|fix| fix.safe = false);
@@ -229,11 +229,15 @@ impl<'a> Parser<'a> {
             }
         }
         fixed.extend_from_slice(Span { start: at, end: block.span.end }.of(text));
+        // Whether a percent sign ends the program depends on what comes after it.
+        const AFTER: usize = 256;
+        let (end, rest) = (fixed.len(), &text[block.span.end as usize..]);
+        fixed.extend_from_slice(&rest[..rest.len().min(AFTER)]);
         let here = Resume { begun: self.begun, after_semicolon: behind_semicolon, ..Resume::default() };
         let mut trial = Parser { is_trial: true, ..Parser::resume(&fixed, here) };
         let errors = |block: &Block| block.faults.iter().filter(|fault| fault.is_error()).count();
         let (mut read, mut left) = (Block::default(), 0);
-        while trial.next_block(&mut read) {
+        while (trial.position().byte as usize) < end && trial.next_block(&mut read) {
             left += errors(&read);
         }
         left > errors(block)
@@ -401,7 +405,9 @@ impl<'a> Parser<'a> {
             TokenKind::Slash => self.slash(block),
             TokenKind::Colon => self.letter(block, b'O', token.span, None),
             TokenKind::Comma => self.comma(block, token.span),
-            TokenKind::Macro(b'[') if block.words.is_empty() && self.letter_follows() => {
+            TokenKind::Macro(b'[')
+                if block.words.is_empty() && block.faults.is_empty() && self.letter_follows() =>
+            {
                 // `[BILLET X62 Z70`: how class simulators write the stock; no control reads it.
                 self.skip_line();
                 block.comment(Span { start: token.span.start, end: self.lexer.position() as u32 });
@@ -624,22 +630,36 @@ impl<'a> Parser<'a> {
     }
 
     fn take_torn_word(&mut self, block: &mut Block, word: Torn, comma: Span, digits: Span) {
-        let span = word.start.to(digits);
+        // `Z1,2,3`: one word that cannot be read.
+        let (mut end, mut goes_on) = (digits, false);
+        while self.comma_and_number_follow() {
+            goes_on = true;
+            for _ in 0..2 {
+                end = self.lexer.next_token().map_or(end, |token| token.span);
+            }
+        }
+        let span = word.start.to(end);
         let written = span.quote(self.lexer.text());
-        let number = written.trim_start_matches(',');
-        let number =
-            number.trim_start_matches(|sign: char| !matches!(sign, ',' | '.') && !sign.is_ascii_digit());
-        let number = Number::read(without_blanks(number).replace(',', ".").as_bytes());
+        let number = written.trim_start_matches([',', '，']).replace([',', '，'], ".");
+        let number = number.trim_start_matches(|sign: char| sign != '.' && !sign.is_ascii_digit());
+        let number = Number::read(without_blanks(number).as_bytes());
         let told = Diagnostic::new(said::CommaForPoint { word: written }, span);
-        let goes_on = self.lexer.text().get(digits.end as usize) == Some(&b',');
         if number.points > 1 || goes_on {
-            // `Z0,,5`, `Z1,2,3`: with a point for each comma it is no number either.
             return block.fault(told);
         }
         block.fault(told.with(Fix::replace(Repair::DecimalPoint, comma, ".")));
         if number.digits <= DIGITS {
             self.store(block, word.address, word.comma, word.negative, number, span);
         }
+    }
+
+    /// Whether a comma comes next, and a digit, a point or another comma right after it.
+    fn comma_and_number_follow(&self) -> bool {
+        let rest = &self.lexer.text()[self.lexer.position()..];
+        let after = rest.strip_prefix(b",").or_else(|| rest.strip_prefix("，".as_bytes()));
+        after.is_some_and(|after| {
+            matches!(after, [b'0'..=b'9' | b'.' | b',', ..]) || after.starts_with("，".as_bytes())
+        })
     }
 
     /// `；`, `（外圆）`: a sign that a control does not know, with its ASCII twin as the repair.
@@ -719,7 +739,7 @@ impl<'a> Parser<'a> {
             self.store(block, address, false, negative, number, span);
         } else if misread.letter.is_none() {
             // Full-width characters are a warning; a word that is too long is the same error as in ASCII.
-            let word = plain.clone();
+            let word = span.quote(self.lexer.text());
             block.fault(match number.points {
                 0 | 1 => Diagnostic::new(said::TooManyDigits { word }, span),
                 _ => Diagnostic::new(said::SecondPoint { word }, span),
@@ -735,7 +755,7 @@ impl<'a> Parser<'a> {
         }
         match token.map(|token| (token.kind, token.span)) {
             Some((TokenKind::Letter(letter), span)) => self.letter(block, letter, span, Some(comma)),
-            Some((TokenKind::Number(_), span)) if !block.words.is_empty() => {
+            Some((TokenKind::Number(_), span)) if self.ends_at(block.words.last(), comma) => {
                 // `Z20,5`: the word was taken at its comma; it is this number that is broken.
                 let Some(taken) = block.words.pop() else { return };
                 let Word { address, comma: with_comma, value, span: start } = taken;
@@ -749,6 +769,12 @@ impl<'a> Parser<'a> {
                 block.fault(Diagnostic::new(message, comma).graded(Severity::Warning));
             }
         }
+    }
+
+    /// Whether nothing but blanks is between a word and a place.
+    fn ends_at(&self, word: Option<&Word>, place: Span) -> bool {
+        let between = |word: &Word| Span { start: word.span.end, end: place.start }.of(self.lexer.text());
+        word.is_some_and(|word| between(word).iter().all(|&byte| is_blank(byte)))
     }
 
     fn percent(&mut self, block: &mut Block, span: Span) {
@@ -1037,16 +1063,14 @@ fn follows_word(text: &[u8], block: u32, at: usize) -> bool {
     before.chars().rev().find(|sign| !between(sign)).is_some_and(char::is_alphanumeric)
 }
 
-/// Whether a number comes after a place, behind blanks and signs.
-fn precedes_number(text: &[u8], at: usize) -> bool {
-    const FARTHEST: usize = 256;
-    let after = String::from_utf8_lossy(&text[at..text.len().min(at + FARTHEST)]);
+/// Whether the rest of a block begins with a number, after blanks and signs.
+fn precedes_number(rest: &[u8]) -> bool {
     let between = |sign: &char| {
         sign.is_whitespace()
             || sign.is_control()
             || matches!(sign, '+' | '-' | '.' | '\u{2212}' | '\u{2013}' | '\u{ff0d}')
     };
-    after.chars().find(|sign| !between(sign)).is_some_and(char::is_numeric)
+    String::from_utf8_lossy(rest).chars().find(|sign| !between(sign)).is_some_and(char::is_numeric)
 }
 
 /// The span without blanks at either end.

@@ -130,7 +130,9 @@ impl PlainWords {
         for letter in piece.chars() {
             self.has_value |= *after_letter && (letter.is_numeric() || matches!(letter, '#' | '['));
             if letter.is_alphanumeric() {
-                *after_letter = is_address(letter);
+                // `CO2`: the letter may be a digit of the word.
+                let goes_on = *after_letter && matches!(letter, 'O' | 'o' | 'l');
+                *after_letter = goes_on || is_address(letter);
             }
         }
     }
