@@ -117,7 +117,7 @@ pub fn nearest_of<'a>(name: &str, names: impl Iterator<Item = &'a str>) -> Optio
         return None;
     }
     let near = names.map(|known| (levenshtein(&name, known), known)).min()?;
-    (near.0 <= name.len().div_ceil(2)).then_some(near.1)
+    (near.0 <= name.chars().count().div_ceil(2)).then_some(near.1)
 }
 
 impl<'de> Deserialize<'de> for Levels {
@@ -190,7 +190,7 @@ mod tests {
         assert_eq!(nearest("no-program-ends"), Some("no-program-end"));
         assert_eq!(nearest("NO-PROGRAM"), Some("no-program-end"));
         assert_eq!(nearest("clasroom"), Some("classroom"));
-        assert_eq!(nearest("xyz"), None);
+        assert_eq!((nearest("xyz"), nearest("没有程序结束代码"), nearest("перебег")), (None, None, None));
         assert_eq!(nearest(&"no-program-end".repeat(100)), None);
     }
 }
