@@ -143,8 +143,9 @@ fn tables(out: &mut String, rules: &[RuleFile]) {
 /// without a variant, does not build.
 fn places(rules: &[RuleFile], texts: &Texts) -> String {
     let mut out = format!(
-        "/// The first line of each list: the order of its texts.\nconst ORDER: &str = {:?};\n\n",
-        texts::order(rules, texts)
+        "/// The first line of each list: the order of its texts.\nconst ORDER: &str = {:?};\n\n/// How many texts each list has.\nconst COUNT: usize = {};\n\n",
+        texts::order(rules, texts),
+        messages(rules).count() + texts.list.len()
     );
     let mut kinds: BTreeMap<&str, Vec<(usize, &str)>> = BTreeMap::new();
     for (index, text) in (messages(rules).count()..).zip(&texts.list) {

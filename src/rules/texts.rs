@@ -89,9 +89,14 @@ impl Texts {
     }
 }
 
-/// Of which messages and variants a list has texts, in which order: equal where the lists fit the same module.
+/// Of which messages, with which arguments, and of which variants a list has texts, in which order: equal where the
+/// lists fit the same module.
 pub fn order(rules: &[RuleFile], texts: &Texts) -> String {
-    let messages = rules.iter().flat_map(|rule| &rule.messages).map(|message| message.name.as_str());
+    let messages = rules.iter().flat_map(|rule| &rule.messages);
+    let messages = messages.flat_map(|message| {
+        let arguments = message.arguments.iter().map(|argument| argument.name.as_str());
+        std::iter::once(message.name.as_str()).chain(arguments)
+    });
     let keys = texts.list.iter().flat_map(|text| [text.kind.as_str(), text.variant.as_str()]);
     // FNV-1a: the build script and xtask may be built by different compilers.
     let bytes = messages.chain(keys).flat_map(|name| name.bytes().chain(*b"\n"));

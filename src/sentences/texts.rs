@@ -48,7 +48,8 @@ impl Language {
 
     /// Takes the list of its texts from the page, the first time. False: it is no list of this version.
     pub fn load(self, list: String) -> bool {
-        let is_of_this_version = list.lines().next() == Some(ORDER);
+        // A list that was cut short is none either.
+        let is_of_this_version = list.lines().next() == Some(ORDER) && list.lines().count() == COUNT + 1;
         if is_of_this_version {
             TEXTS[self as usize].get_or_init(|| String::leak(list).lines().skip(1).collect());
         }

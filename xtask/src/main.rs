@@ -3,7 +3,7 @@
 //! command line is not understood.
 //!
 //! Dependencies: as few as can be, because every user compiles this first. `flate2` compresses, to weigh what is served;
-//! `wasm-bindgen-cli-support` makes JavaScript for a module in half the time in which its command can be installed.
+//! `wasm-bindgen-cli-support` makes the JavaScript of a module: compiling it takes half as long as installing its command.
 
 mod advisories;
 mod bench;

@@ -175,8 +175,15 @@ impl Module<'_> {
         for path in [self.compiled(), self.folder.join("Cargo.lock")] {
             fs::read(path).ok()?.hash(&mut hasher);
         }
-        let scripts = [include_str!("parts.js"), include_str!("part-files.js"), include_str!("parts.rs")];
-        (WASM_FEATURES, self.optimised, self.is_cut, scripts).hash(&mut hasher);
+        let recipe = [
+            include_str!("parts.js"),
+            include_str!("parts.d.ts"),
+            include_str!("part-files.js"),
+            include_str!("part-files.d.ts"),
+            include_str!("parts.rs"),
+            include_str!("bindgen.rs"),
+        ];
+        (WASM_FEATURES, self.optimised, self.is_cut, recipe).hash(&mut hasher);
         if self.is_cut {
             parts::texts().ok()?.hash(&mut hasher);
         }

@@ -78,9 +78,13 @@ pub fn main(tier: Tier) -> Result {
     }
     done.add("wasm size", package::size()?);
     let begun = Instant::now();
-    match (translations::main(), tier) {
-        (Err(missing), Tier::Change) => run::say(format_args!("warning: {missing}")),
-        (outcome, _) => outcome?,
+    let missing = translations::missing()?;
+    if !missing.is_empty() {
+        let message = translations::message(&missing);
+        if tier == Tier::All {
+            return Err(message);
+        }
+        run::say(format_args!("warning: {message}"));
     }
     done.add("translations", begun.elapsed());
     done.add("page types", step("checking the page's types", &mut setup.npm(&["run", "typecheck"]))?);

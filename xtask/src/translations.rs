@@ -16,20 +16,34 @@ pub fn read() -> Result<(Vec<RuleFile>, Texts)> {
     Ok((rules, Texts::read(&project)))
 }
 
-/// `cargo xtask translations`: an error where a text is missing.
-pub fn main() -> Result {
+/// The exit code of the script where texts are missing.
+const MISSING: i32 = 3;
+
+/// The texts that are missing, a line each.
+pub fn missing() -> Result<Vec<String>> {
     let (rules, texts) = read()?;
     let mut missing = texts::missing(&rules, &texts);
     let mut node = run::command("node");
     let page =
         node.arg("www/translations.mjs").output().map_err(|error| format!("cannot start node: {error}"))?;
-    missing.extend(String::from_utf8_lossy(&page.stdout).lines().map(str::to_owned));
-    if page.status.code() != Some(i32::from(!page.stdout.is_empty())) {
+    if !matches!(page.status.code(), Some(0 | MISSING)) {
         return Err(format!("www/translations.mjs: {}", String::from_utf8_lossy(&page.stderr)));
     }
+    missing.extend(String::from_utf8_lossy(&page.stdout).lines().map(str::to_owned));
+    Ok(missing)
+}
+
+/// The list of missing texts as a message.
+pub fn message(missing: &[String]) -> String {
+    format!("{} texts are missing; English is shown instead:\n{}", missing.len(), missing.join("\n"))
+}
+
+/// `cargo xtask translations`: an error where a text is missing.
+pub fn main() -> Result {
+    let missing = missing()?;
     if missing.is_empty() {
         run::say("every text is there in every language");
         return Ok(());
     }
-    Err(format!("{} texts are missing; English is shown instead:\n{}", missing.len(), missing.join("\n")))
+    Err(message(&missing))
 }
