@@ -1,7 +1,7 @@
 // The parts of the interpreter, and the texts of languages, that are loaded after the first picture. `late` comes with `early`.
 //
 // In: which parts are wanted, and what waits for them. Out: whether they are there; what waited is done when they
-// come, and hears of it when they do not. Only `loadAll` loads a part that has failed once more: the page decides when.
+// come, and hears of it when they do not. Only `loadAll` loads a part that has failed once more (and `late`, which needs the files of `early`): the page decides when.
 // Must not know: what is in a part, or what waits for it.
 
 import { loadPart } from '../../pkg/parts.js';
@@ -43,7 +43,7 @@ export class LateParts<W extends Waiter> {
 
   /** Parts could not be loaded, and are not being loaded. */
   get failed(): boolean {
-    return [...this.#missing.keys()].some((part) => !this.#loading.has(part));
+    return [...this.#missing.keys()].some((part) => !this.#loading.has(part) && !(part === 'early' && this.#loading.has('late')));
   }
 
   /** Loads what is not there yet, one after the other: what is wanted first is there first. Who may want it hears of a failure. */
@@ -121,7 +121,11 @@ export class LateParts<W extends Waiter> {
 
   /** Where nothing waits for it, it was to be there before it is needed: that is for all to know. */
   #failed(part: PartName, reason: unknown): void {
-    this.#isHeld = false;
+    if (this.#isHeld) {
+      // What others wait for is not held back by a part that cannot be had.
+      this.#isHeld = false;
+      for (const { needs } of this.#waiting) this.load(...needs.filter((need) => !this.#missing.has(need)));
+    }
     const waiting = new Set(this.#waiting.filter(({ needs }) => needs.includes(part)).map(({ waiter }) => waiter));
     for (const waiter of waiting.size > 0 ? waiting : this.#all()) waiter.guarded(() => waiter.partFailed(reason));
   }
