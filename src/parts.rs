@@ -50,12 +50,13 @@ impl Part {
     }
 }
 
-/// Ends a call of a function whose part has not been loaded.
+/// Ends a call of a function whose part has not been loaded, or of a language without its texts.
 #[cfg(parts)]
 #[cold]
 pub(crate) fn missing(part: &str) -> ! {
     wasm_bindgen::throw_val(js_sys::Error::new(part).into())
 }
+
 /// The functions of a file that are in a part, once it has been loaded.
 #[cfg(parts)]
 pub(crate) struct Slot<T: 'static>(AtomicPtr<T>);
@@ -67,7 +68,7 @@ impl<T> Slot<T> {
     }
 
     pub(crate) fn fill(&self, functions: &'static T) {
-        // Were it known what is stored, the functions would be called without the table, and be in the core.
+        // Hidden from the optimiser: if it knew the functions, it would call them directly, and they would be in the core.
         let functions = std::hint::black_box(functions);
         self.0.store(std::ptr::from_ref(functions).cast_mut(), Ordering::Relaxed);
     }

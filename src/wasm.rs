@@ -130,7 +130,7 @@ impl Playground {
 
     /// Takes a setup as JSON and begins a run of the text under it. Throws an `Error` that names what is
     /// wrong, such as an unknown key; the setup before it stays. In a module that is cut into parts only `{}` is read without the part
-    /// `setup`.
+    /// `early`.
     #[wasm_bindgen(js_name = setSetup)]
     pub fn set_setup(&mut self, json: &str) -> Result<(), JsValue> {
         let setup = Setup::from_json(json).map_err(|problem| error(&problem))?;

@@ -65,8 +65,8 @@ fn files(folder: &Folder, arguments: &[&str]) -> Vec<String> {
     names.map(|rest| rest.split('"').next().expect("a name").trim_start_matches("./").to_owned()).collect()
 }
 
-fn many() -> Folder {
-    Folder::new("many")
+fn many(name: &str) -> Folder {
+    Folder::new(name)
         .with("a.nc", FAULTY)
         .with("sub/b.TAP", RIGHT)
         .with("sub/O0003", RIGHT)
@@ -79,7 +79,7 @@ fn many() -> Folder {
 
 #[test]
 fn a_folder_stands_for_the_programs_in_it() {
-    let folder = many();
+    let folder = many("found");
     assert_eq!(files(&folder, &["."]), ["a.nc", "kept/old/d.nc", "sub/O0003", "sub/b.TAP"]);
     assert_eq!(files(&folder, &["sub", "sub/b.TAP", "a.nc"]), ["sub/O0003", "sub/b.TAP", "a.nc"]);
     // What is named is meant, whatever it is called, and whatever is ignored.
@@ -88,7 +88,7 @@ fn a_folder_stands_for_the_programs_in_it() {
 
 #[test]
 fn patterns_and_endings_choose() {
-    let folder = many();
+    let folder = many("chosen");
     assert_eq!(files(&folder, &[".", "--exclude", "sub/**", "--exclude", "d.nc"]), ["a.nc"]);
     assert_eq!(files(&folder, &[".", "--extension", "txt,TAP"]), ["sub/O0003", "sub/b.TAP", "sub/notes.txt"]);
     let none = folder.check(&["kept", "--extension", "xyz"]);
@@ -101,7 +101,7 @@ fn patterns_and_endings_choose() {
 
 #[test]
 fn a_file_that_cannot_be_read_hides_nothing() {
-    let folder = many();
+    let folder = many("unreadable");
     let output = folder.check(&["gone.nc", "a.nc", "also/gone.nc"]);
     assert_eq!(output.status.code(), Some(2));
     assert!(out(&output).contains("a.nc:3"), "{}", out(&output));

@@ -172,3 +172,13 @@ fn a_missing_room_would_be_found() {
     let document = "# A\n\n    no    no\n\n## The rooms\n\nText.\n\n    low   one\n    high  two\n\nText.\n\n    no   three\n";
     assert_eq!(rooms(document), ["low", "high"]);
 }
+
+#[test]
+fn every_file_of_tests_runs() {
+    let named = project::source("tests/it.rs") + &project::source("tests/slow.rs");
+    let files = project::files();
+    let files = files.iter().filter_map(|file| file.strip_prefix("tests/")?.strip_suffix(".rs"));
+    let subjects = files.filter(|name| !name.contains('/') && !["it", "slow", "wasm"].contains(name));
+    let missing: Vec<_> = subjects.filter(|name| !named.contains(&format!("\nmod {name};\n"))).collect();
+    assert!(missing.is_empty(), "not in tests/it.rs: {missing:?}");
+}

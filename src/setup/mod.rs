@@ -121,7 +121,7 @@ impl Clone for Setup {
 }
 
 impl Setup {
-    /// Reads a setup from JSON; what says more than `{}` needs the part `Setup` of the module. The error says what is wrong and where, and names an unknown key or a limit
+    /// Reads a setup from JSON; what says more than `{}` needs the part `Early` of the module. The error says what is wrong and where, and names an unknown key or a limit
     /// that is set too high.
     pub fn from_json(json: &str) -> Result<Self, String> {
         if json == "{}" { Ok(Self::default()) } else { read_json(json) }

@@ -3,8 +3,9 @@
 //! This list is shared by `tests/documentation.rs` and the tests of `xtask`.
 
 /// The documents. The change log describes the past, and only its commands and files are checked.
-pub const DOCUMENTS: [&str; 23] = [
+pub const DOCUMENTS: [&str; 24] = [
     "README.md",
+    "CONTRIBUTING.md",
     "ARCHITECTURE.md",
     "CHANGELOG.md",
     "tests/speed/README.md",

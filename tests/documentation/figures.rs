@@ -78,6 +78,17 @@ pub const FIGURES: &[Figure] = &[
         "all of it in 20 s",
         Held::Stated("www/src/panels/playback.ts", "const WHOLE: readonly number[] = [20, 60];"),
     ),
+    figure("CONTRIBUTING.md", "(1.88 or newer)", Held::Stated("Cargo.toml", "rust-version = \"1.88\"")),
+    figure(
+        "CONTRIBUTING.md",
+        "(20 or newer)",
+        Held::Stated("xtask/src/setup.rs", "const NODE_MIN: u32 = 20;"),
+    ),
+    figure(
+        "CONTRIBUTING.md",
+        "at most 72 characters",
+        Held::NotRun("a rule for people; the history is no part of a package"),
+    ),
     figure("README.md", "(20 or newer)", Held::Stated("xtask/src/setup.rs", "const NODE_MIN: u32 = 20;")),
     figure(
         "www/docs/command-line.md",
