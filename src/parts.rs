@@ -1,7 +1,7 @@
 //! The parts of the module: what every first picture needs, what some programs need before it, and the rest.
 //!
-//! In: functions inside of [`early`] or [`late`]. Out: in the module of the page their code, with all code
-//! and data that nothing else needs, is in a file of its own: `cargo xtask` cuts the linked module there
+//! In: functions inside of [`early`] or [`late`]. Out: in the module of the page their code, with the code
+//! and data that only they use, is in a separate file: `cargo xtask` cuts the linked module there
 //! (`xtask/src/parts.rs`), so there is one source, one memory and one state. Everywhere else (natively, under
 //! wasm-pack, in tests) they are functions like any other.
 //!

@@ -46,7 +46,7 @@ impl Stretch {
 pub(super) fn join(items: &[Item], blocks: &mut Blocks) -> Vec<Stretch> {
     let mut found = Vec::new();
     let mut now = Stretch::default();
-    // A table that may go on, as its program has not ended, and how many programs there were when it was left.
+    // A table whose program has not ended, with the number of programs found before its first gap.
     let mut table: Option<(Stretch, usize)> = None;
     // What a sentence that mentions a code adds to the gap.
     let mut passed = (0, 0);

@@ -1,7 +1,7 @@
 //! Fills the templates of the messages.
 //!
-//! In: a message, a language, the unit of the program. Out: its sentence and its help. The templates are
-//! those of `src/rules/<slug>.md`.
+//! In: a message, a language, the unit of the program. Out: its sentence and its help. The templates
+//! come from `src/rules/<slug>.md`.
 
 use super::labels;
 use super::language::Language;

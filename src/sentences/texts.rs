@@ -1,8 +1,8 @@
 //! The texts of each language: a list that the build script makes from the rule files and
 //! `src/sentences/<language>.txt`.
 //!
-//! In the module of the page the lists are files, and the page loads the one of its language
-//! ([`Language::load`]); everywhere else they are in the program.
+//! The module of the page contains no list; the page loads the file of its language
+//! ([`Language::load`]). Every other program contains all lists.
 
 use std::sync::OnceLock;
 
@@ -13,7 +13,7 @@ use crate::assist::role::Role;
 use crate::control::codes::{Effect, Function, Section};
 use crate::control::origins::Modal;
 
-/// A variant with a text of its own.
+/// A variant that has a text.
 pub(super) trait Place {
     /// Its index in the list of each language.
     fn place(self) -> usize;

@@ -1057,20 +1057,18 @@ fn keep_faults(faults: &mut Vec<Diagnostic>) {
 /// Whether a letter or a digit of the block is before a place, with nothing but blanks and signs between.
 fn follows_word(text: &[u8], block: u32, at: usize) -> bool {
     let before = String::from_utf8_lossy(&text[block as usize..at]);
-    let between = |sign: &char| {
-        sign.is_whitespace() || matches!(sign, '+' | '-' | '.' | '\u{2212}' | '\u{2013}' | '\u{ff0d}')
-    };
-    before.chars().rev().find(|sign| !between(sign)).is_some_and(char::is_alphanumeric)
+    before.chars().rev().find(|&sign| !is_blank_or_sign(sign)).is_some_and(char::is_alphanumeric)
 }
 
 /// Whether the rest of a block begins with a number, after blanks and signs.
 fn precedes_number(rest: &[u8]) -> bool {
-    let between = |sign: &char| {
-        sign.is_whitespace()
-            || sign.is_control()
-            || matches!(sign, '+' | '-' | '.' | '\u{2212}' | '\u{2013}' | '\u{ff0d}')
-    };
-    String::from_utf8_lossy(rest).chars().find(|sign| !between(sign)).is_some_and(char::is_numeric)
+    let is_between = |sign: char| is_blank_or_sign(sign) || sign.is_control();
+    String::from_utf8_lossy(rest).chars().find(|&sign| !is_between(sign)).is_some_and(char::is_numeric)
+}
+
+/// Whether a character can be between a letter and its digits: a blank, a point or a sign, also as it is printed.
+fn is_blank_or_sign(sign: char) -> bool {
+    sign.is_whitespace() || matches!(sign, '+' | '-' | '.' | '\u{2212}' | '\u{2013}' | '\u{ff0d}')
 }
 
 /// The span without blanks at either end.

@@ -101,7 +101,7 @@ impl PlainWords {
                     _ => depth,
                 };
             }
-            // In brackets of its own it would end the expression.
+            // A comment would end the expression.
             found.is_ambiguous |= is_in_expression && is_plain(&piece);
             if is_in_expression || !is_bounded || !is_plain(&piece) {
                 (before, joins) = (None, false);

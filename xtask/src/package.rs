@@ -115,7 +115,8 @@ impl Module<'_> {
             let made = shipped.is_file() && scripts.iter().all(|script| script.is_file());
             made.then(|| fs::read_to_string(&stamp).ok())?
         };
-        if self.fingerprint().is_some() && self.fingerprint() == built() {
+        let fingerprint = self.fingerprint();
+        if fingerprint.is_some() && fingerprint == built() {
             run::say(format_args!("the wasm package in {} is up to date", self.package.display()));
             return Ok(compiled);
         }
@@ -144,7 +145,7 @@ impl Module<'_> {
         let optimised = begun.elapsed();
         write(&self.package.join("package.json"), &self.manifest())?;
         write(&self.package.join(".gitignore"), "*\n")?;
-        if let Some(fingerprint) = self.fingerprint() {
+        if let Some(fingerprint) = fingerprint {
             write(&stamp, &fingerprint)?;
         }
         Ok(compiled + bound + optimised)

@@ -1,9 +1,8 @@
 //! In: the linked module of the page, with relocations. Out: what the first picture needs as a module of its
 //! own, and a file for each part of `src/parts.rs` and each language, with the script that loads them.
 //!
-//! wasm-split cuts the module at the two entries (`entry!`): what can be reached from the exports
-//! only through them goes into the file of their part, data too; what both parts need, into a file that is
-//! loaded first.
+//! wasm-split cuts the module at the two entries (`entry!`). Code and data that are reachable only through an entry
+//! go into the file of its part; code and data that both parts need go into a file that is loaded first.
 
 use std::collections::BTreeMap;
 use std::fs;
