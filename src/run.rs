@@ -4,12 +4,13 @@
 //! what they do.
 
 pub(crate) mod edit;
+pub(crate) mod repeated;
 pub mod replay;
 mod tried;
 
 use std::collections::BTreeMap;
-use std::sync::OnceLock;
 use std::sync::atomic::{AtomicU64, Ordering};
+use std::sync::{Arc, OnceLock};
 
 use crate::control::contour::Landmarks;
 use crate::control::events::Observer;
@@ -31,9 +32,10 @@ use crate::setup::{Lints, Setup, tool_words};
 use crate::source::Span;
 use crate::text::block::{Block, BlockKind};
 use crate::text::lexer::is_between_blocks;
-use crate::text::parser::{Parser, Resume};
+use crate::text::parser::{Parser, READS_FAULTS, Resume};
 use crate::units::Unit;
 use edit::{Checkpoint, PreviousRun};
+use repeated::FaultyBlocks;
 
 /// What a program does and what is to be said of it.
 #[derive(Clone, Debug, Default)]
@@ -131,7 +133,8 @@ pub struct Run {
     id: RunId,
     text: Vec<u8>,
     interpreter: Interpreter,
-    block: Block,
+    /// The block under way; a faulty one may be kept in `faulty` as well.
+    block: Arc<Block>,
     at: Resume,
     /// Blocks read.
     blocks: usize,
@@ -172,6 +175,8 @@ pub struct Run {
     previous: Option<PreviousRun>,
     /// The byte where it may be met next.
     meeting: u32,
+    /// Faulty blocks of this text, read after a jump.
+    faulty: FaultyBlocks,
 }
 
 /// Which control a text was written for, as far as that can be determined.
@@ -228,7 +233,7 @@ impl Run {
         let mut run = Self {
             id: RunId::next(),
             interpreter: observed(setup),
-            block: Block::default(),
+            block: Arc::default(),
             at: Resume::default(),
             blocks: 0,
             programs: BTreeMap::new(),
@@ -250,6 +255,7 @@ impl Run {
             due: 0,
             previous: None,
             meeting: u32::MAX,
+            faulty: FaultyBlocks::default(),
             text,
         };
         if run.text.len() > limits.text {
@@ -402,7 +408,7 @@ impl Run {
             if !self.tried.is_empty() {
                 self.try_values(at.byte);
             }
-            more = parser.next_block(&mut self.block);
+            more = self.next_block(&mut parser);
             left -= 1;
             let here = Here { at, next: parser.position() };
             let flow = if more {
@@ -442,13 +448,31 @@ impl Run {
         self.finished
     }
 
-    /// Carries out plain lines, at most so many and none where a snapshot is due; how many they were.
+    /// Reads the next block; false at the end of the text.
+    #[inline]
+    fn next_block(&mut self, parser: &mut Parser<'_>) -> bool {
+        if self.interpreter.has_wandered() && READS_FAULTS.is_loaded() {
+            repeated::next_block(self, parser)
+        } else {
+            parser.next_block(self.block_to_read())
+        }
+    }
+
+    /// The block to read into: its storage is reused, unless it is kept.
+    fn block_to_read(&mut self) -> &mut Block {
+        if Arc::get_mut(&mut self.block).is_none() {
+            self.block = Arc::default();
+        }
+        Arc::make_mut(&mut self.block)
+    }
+
+    /// Executes at most `most` plain lines, up to the place where a snapshot is due; returns their number.
     #[inline]
     fn plain_lines(&mut self, parser: &mut Parser, most: usize) -> usize {
-        if !self.begun || self.ended || self.previous.is_some() || !self.tried.is_empty() {
+        if !self.begun || self.ended || !self.tried.is_empty() {
             return 0;
         }
-        let plain = self.interpreter.plain_lines(parser, most.min(self.until_due()));
+        let plain = self.interpreter.plain_lines(parser, most.min(self.until_due()), self.meeting);
         self.blocks += plain;
         plain
     }

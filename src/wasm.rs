@@ -375,6 +375,7 @@ entry! { Early install_early {
     crate::control::interpreter::y_axis::install();
     crate::message::levels::install();
     crate::provenance::install();
+    crate::run::repeated::install();
     crate::setup::install();
     crate::setup::invalid::install();
     crate::setup::notes::install();

@@ -348,6 +348,35 @@ fn a_change_costs_no_more_than_its_surroundings() {
     check(&run, &setup);
 }
 
+/// The same while a message depends on later blocks (the spindle is stopped, and no block starts it), and for text
+/// before the first block.
+#[test]
+fn a_change_costs_no_more_than_its_surroundings_while_a_message_waits() {
+    let setup = Setup { limits: Limits { stride: 512, ..Limits::default() }, ..Setup::default() };
+    let mut text = String::from("G0 X100. Z5.\nG1 X90. Z4. F200\n");
+    for line in 0..20_000 {
+        text += &format!("G1 X{}. Z-{}.\n", 50 + line % 30, 1 + line % 7);
+    }
+    text += "M30\n";
+    let mut run = Run::new(text.into_bytes(), setup.clone());
+    finish(&mut run);
+    let last = run.text().len() - 1;
+    for (at, typed) in [
+        (0, "G4 P100\n"),
+        (12, " "),
+        (10_000, "(B)"),
+        (10_001, "\nG1 X7. Z3."),
+        (0, "(A)\n"),
+        (last, "G4 P5\n"),
+    ] {
+        let line_end = run.text()[at..].iter().position(|&byte| byte == b'\n').map_or(at, |found| at + found);
+        let at = if at == 0 { 0 } else { line_end };
+        run.edit(TextEdit { start: at, end: at, insert: typed.into() });
+        assert!(run.advance(1_600), "{typed:?} at byte {at}");
+        check(&run, &setup);
+    }
+}
+
 /// Once a run that was stopped has gone on to the end, the stop is forgotten.
 #[test]
 fn a_change_costs_no_more_than_its_surroundings_after_a_stop_too() {

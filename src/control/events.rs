@@ -6,6 +6,7 @@
 
 use std::any::Any;
 use std::fmt;
+use std::ops::Range;
 
 use super::codes::{M, MotionMode, Multiple};
 use super::contour::{FirstBlock, Landmarks, Purpose};
@@ -342,8 +343,8 @@ pub trait Observer: Any {
     /// Moves the places of the text that it holds along, when the text before them has changed.
     fn shift(&mut self, shift: &Shift);
 
-    /// The first byte of the blocks whose remark waits for what follows; `u32::MAX` when none does.
-    fn first_waiting(&self) -> u32;
+    /// Whether the message of a block that begins in `changed` depends on later blocks.
+    fn waits_for(&self, changed: Range<u32>) -> bool;
 
     /// A contour is read, whose state is given up after it: whoever is to listen then.
     fn set_aside(&mut self) -> Box<dyn Observer>;

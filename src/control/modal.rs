@@ -22,6 +22,7 @@ use crate::setup::Setup;
 use crate::setup::dialect::{Dialect, FeedMode};
 use crate::source::Span;
 use crate::source::shift::Shift;
+use crate::text::parser::Resume;
 use crate::units::{Diameter, Unit};
 
 /// Where an axis of a cycle ends.
@@ -552,7 +553,10 @@ impl State {
         if let Some(stop) = &mut self.stop {
             stop.shift(shift);
         }
-        self.call_stack.head = self.call_stack.head.shifted(shift);
+        // What is inserted before a program without an O number belongs to it.
+        if self.call_stack.head != Resume::default() {
+            self.call_stack.head = self.call_stack.head.shifted(shift);
+        }
         self.call_stack.main_pass.shift(|byte| shift.byte(byte));
     }
 

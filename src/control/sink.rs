@@ -132,8 +132,8 @@ impl Sink {
         }
     }
 
-    /// Whether a repair is worth its search: the message is new, and there is room for it.
-    pub fn may_offer(&self, diagnostic: &Diagnostic) -> bool {
+    /// Whether the message is new, and there is room for it.
+    pub fn has_room_for(&self, diagnostic: &Diagnostic) -> bool {
         let room = self.diagnostics.len() < self.limits.messages;
         room && self.reported.binary_search(&key(diagnostic)).is_err()
     }
@@ -185,7 +185,7 @@ mod tests {
         sink.report(diagnostic(4), false);
         sink.report(diagnostic(9), false);
         assert_eq!((sink.diagnostics.len(), sink.hidden), (2, 0));
-        assert!(!sink.may_offer(&diagnostic(4)) && sink.may_offer(&diagnostic(5)));
+        assert!(!sink.has_room_for(&diagnostic(4)) && sink.has_room_for(&diagnostic(5)));
     }
 
     #[test]
@@ -197,7 +197,7 @@ mod tests {
         sink.end(said::TooManyMotions { most: 3 }.into(), Span::new(7, 8));
         sink.end(said::TooManyRounds { most: 3 }.into(), Span::new(9, 10));
         assert_eq!((sink.diagnostics.len(), sink.hidden), (2, 1));
-        assert!(sink.is_full() && !sink.may_offer(&diagnostic(20)));
+        assert!(sink.is_full() && !sink.has_room_for(&diagnostic(20)));
     }
 
     #[test]
@@ -221,6 +221,6 @@ mod tests {
         sink.end(said::TooManyRounds { most: 3 }.into(), Span::new(9, 10));
         sink.back_to(chunks, 1, 0, false, Chunk::new(5, 1, Point::new(0.0, 0.0)));
         assert!(sink.diagnostics.len() == 1 && !sink.is_full());
-        assert!(sink.may_offer(&diagnostic(8)) && !sink.may_offer(&diagnostic(0)));
+        assert!(sink.has_room_for(&diagnostic(8)) && !sink.has_room_for(&diagnostic(0)));
     }
 }

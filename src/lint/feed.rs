@@ -160,7 +160,7 @@ impl Feed {
     }
 
     /// First byte of a word that is looked at later.
-    pub fn first_waiting(&self) -> Option<u32> {
+    pub fn waiting(&self) -> Option<u32> {
         self.alone.map(|alone| alone.span.start)
     }
 

@@ -20,6 +20,7 @@ mod tool;
 mod words;
 
 use std::any::Any;
+use std::ops::Range;
 
 use crate::control::codes::MotionMode;
 use crate::control::events::{Event, Moment, Observer};
@@ -75,14 +76,9 @@ impl Observer for Lints {
         self.spindle.shift(shift);
     }
 
-    fn first_waiting(&self) -> u32 {
-        let waiting = [
-            self.feed.first_waiting(),
-            self.rotary.first_waiting(),
-            self.single_cycles.first_waiting(),
-            self.spindle.first_waiting(),
-        ];
-        waiting.into_iter().flatten().min().unwrap_or(u32::MAX)
+    fn waits_for(&self, changed: Range<u32>) -> bool {
+        let waiting = [self.feed.waiting(), self.rotary.waiting(), self.single_cycles.waiting()];
+        waiting.into_iter().chain(self.spindle.waiting()).flatten().any(|byte| changed.contains(&byte))
     }
 
     fn set_aside(&mut self) -> Box<dyn Observer> {

@@ -96,7 +96,7 @@ impl Rotary {
     }
 
     /// First byte of a word that is reported later.
-    pub fn first_waiting(&self) -> Option<u32> {
+    pub fn waiting(&self) -> Option<u32> {
         self.start.map(|start| start.before)
     }
 

@@ -190,7 +190,7 @@ impl SingleCycles {
     }
 
     /// First byte of a word that is looked at later.
-    pub fn first_waiting(&self) -> Option<u32> {
+    pub fn waiting(&self) -> Option<u32> {
         self.g90_alone.map(|span| span.start)
     }
 

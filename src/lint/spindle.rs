@@ -298,10 +298,9 @@ impl Spindle {
         (self.no_clamp, self.checklist) = (other.no_clamp, other.checklist);
     }
 
-    /// First byte of a block or word that is reported later.
-    pub fn first_waiting(&self) -> Option<u32> {
-        let unclamped = self.unclamped.map(|unclamped| unclamped.before);
-        unclamped.into_iter().chain(self.still_move.map(|still| still.block.start)).min()
+    /// First bytes of the blocks and words that are reported later.
+    pub fn waiting(&self) -> [Option<u32>; 2] {
+        [self.unclamped.map(|unclamped| unclamped.before), self.still_move.map(|still| still.block.start)]
     }
 
     /// Moves places along.

@@ -6,6 +6,7 @@
 
 use std::collections::BTreeMap;
 
+use super::repeated::FaultyBlocks;
 use super::{Recognised, Run, RunId, TextEdit};
 use crate::control::interpreter::{Remainder, Snapshot};
 use crate::heap;
@@ -49,13 +50,16 @@ pub(super) struct PreviousRun {
     next: usize,
     /// What has become of the old places after the change; its lines are not known before the two runs meet.
     shift: Shift,
+    /// First byte of the first line that has changed.
+    unchanged: u32,
     /// Bytes of the text as it is now, without the blanks at its end.
     filled: usize,
 }
 
 impl PreviousRun {
     /// Takes in a further change, of the text as it is now.
-    fn edit(mut self, end: u32, bytes: i64) -> Self {
+    fn edit(mut self, line: u32, end: u32, bytes: i64) -> Self {
+        self.unchanged = self.unchanged.min(line);
         let behind = i64::from(self.shift.from) + self.shift.bytes;
         self.shift.from += (i64::from(end) - behind).max(0) as u32;
         self.shift.bytes += bytes;
@@ -108,10 +112,15 @@ impl Run {
         let end = edit.end.min(self.text.len());
         let start = edit.start.min(end);
         let bytes = edit.insert.len() as i64 - (end - start) as i64;
-        let before = self.before_edit(end as u32, bytes);
+        let line = self.text[..start]
+            .iter()
+            .rposition(|byte| matches!(byte, b'\n' | b'\r'))
+            .map_or(0, |end| end + 1);
+        let before = self.before_edit(line as u32, end as u32, bytes);
         let keep = self.checkpoints.partition_point(|checkpoint| (checkpoint.byte() as usize) < start);
         self.checkpoints.truncate(keep);
         self.numbers = None;
+        self.faulty = FaultyBlocks::default();
         let mut text = std::mem::take(&mut self.text);
         text.splice(start..end, edit.insert);
         let checkpoint = self.checkpoints.last().filter(|_| {
@@ -143,9 +152,9 @@ impl Run {
     }
 
     /// What this run, or the one before it, gave after a change that is about to be made.
-    fn before_edit(&mut self, end: u32, bytes: i64) -> Option<PreviousRun> {
+    fn before_edit(&mut self, line: u32, end: u32, bytes: i64) -> Option<PreviousRun> {
         if let Some(before) = self.previous.take() {
-            return Some(before.edit(end, bytes));
+            return Some(before.edit(line, end, bytes));
         }
         if !self.finished || self.stopped || !self.interpreter.is_straight() {
             return None;
@@ -166,6 +175,7 @@ impl Run {
             others,
             next: 0,
             shift: Shift { from: end, bytes, lines: 0 },
+            unchanged: line,
             filled: 0,
         })
     }
@@ -244,7 +254,9 @@ impl Run {
         let shift = before.shift;
         // The end of the text is reported at the last character before it.
         let is_last = at.byte as usize >= before.filled;
-        if is_last || there.shifted(&shift) != at || !self.interpreter.meets(&before.remainder, index, &shift)
+        if is_last
+            || there.shifted(&shift) != at
+            || !self.interpreter.meets(&before.remainder, index, before.unchanged, &shift)
         {
             return false;
         }

@@ -5,7 +5,9 @@
 //! contour), at the start of the program, and goes on in slices.
 
 use std::ops::Range;
+use std::sync::Arc;
 
+use super::repeated::FaultyBlocks;
 use super::tried::give;
 use super::{Checkpoint, Run, RunId};
 use crate::control::contour::Purpose;
@@ -154,7 +156,7 @@ impl Run {
         let mut run = Self {
             id: RunId::next(),
             text: Vec::new(),
-            block: Block::default(),
+            block: Arc::default(),
             at,
             blocks: checkpoint.map_or(0, |checkpoint| checkpoint.blocks),
             programs: programs.map(|(number, start)| (*number, *start)).collect(),
@@ -176,6 +178,7 @@ impl Run {
             due: usize::MAX,
             previous: None,
             meeting: u32::MAX,
+            faulty: FaultyBlocks::default(),
             interpreter,
         };
         if let Some((system, _)) = self.recognised.system {

@@ -104,6 +104,11 @@ impl<'a> Parser<'a> {
         }
     }
 
+    /// Goes to another place of the text.
+    pub fn go_to(&mut self, at: Resume) {
+        *self = Self::resume(self.lexer.text(), at);
+    }
+
     /// The place where the next block begins.
     pub fn position(&self) -> Resume {
         Resume {

@@ -5,6 +5,7 @@ use super::{Hostile, case};
 /// Jumps, loops and calls without an end.
 pub fn never_ending() -> Vec<Hostile> {
     const REPEATS: &str = "E-ENDLESS";
+    const FAULTY: &str = "G0 X1,5 Z1,5 F1,2 S1,2 U1,3 W1,2 R1,2\n";
     let moves = "G1 U1 W-1\nU-1 W1\n".repeat(20_000);
     vec![
         case("M99 in the main program", "O1\nG0 X1\nM99\n", "W-ENDLESS", 3),
@@ -13,6 +14,8 @@ pub fn never_ending() -> Vec<Hostile> {
         case("M99 P to itself", "O1\nG0 X1\nN5 M99 P5\n", "W-ENDLESS", 3),
         case("M99 P to the head", "O1\nN1 G0 X1\nG0 Z1\nM99 P1\n", "W-ENDLESS", 4),
         case("GOTO to itself", "O1\nN1 GOTO 1\nM30\n", REPEATS, 2),
+        case("GOTO to a faulty block", format!("O1\nN1 {FAULTY}GOTO 1\nM30\n"), REPEATS, 3),
+        case("GOTO to faulty blocks", format!("O1\nN1\n{}GOTO 1\nM30\n", FAULTY.repeat(60)), REPEATS, 63),
         case("GOTO by a variable", "O1\n#1=7\nN7 GOTO #1\nM30\n", REPEATS, 3),
         case("GOTO over a long body", format!("O1\nF1 M3 S1\nN1\n{moves}GOTO 1\nM30\n"), REPEATS, 40_004),
         case("IF GOTO to itself", "O1\nN1 IF[1 EQ 1]GOTO 1\nM30\n", REPEATS, 2),

@@ -128,7 +128,7 @@ impl Interpreter {
         let Some(begins) = roughed.or_else(|| self.program.labels(text).find(first, block.span.start)) else {
             let word = words.quote(text, b'P');
             let diagnostic = Diagnostic::new(said::ContourNotFound { word }, words.span(b'P'));
-            let may_offer = REPAIRS.is_loaded() && self.sink.may_offer(&diagnostic);
+            let may_offer = REPAIRS.is_loaded() && self.sink.has_room_for(&diagnostic);
             let fix = may_offer.then(|| number_missing(text, block.span.end, first, false)).flatten();
             self.report(Diagnostic { fixes: fix.into_iter().collect(), ..diagnostic });
             return None;
@@ -141,7 +141,7 @@ impl Interpreter {
             };
             let is_missing = message.is::<said::ContourNotFound>();
             let diagnostic = Diagnostic::new(message, words.span(b'Q'));
-            let may_offer = is_missing && REPAIRS.is_loaded() && self.sink.may_offer(&diagnostic);
+            let may_offer = is_missing && REPAIRS.is_loaded() && self.sink.has_room_for(&diagnostic);
             let fix = may_offer.then(|| number_missing(text, begins.byte, last, true)).flatten();
             self.report(Diagnostic { fixes: fix.into_iter().collect(), ..diagnostic });
             return None;

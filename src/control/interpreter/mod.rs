@@ -386,7 +386,10 @@ impl Interpreter {
             self.missing = Some(READS_FAULTS);
         }
         for fault in &block.faults {
-            self.report(fault.clone());
+            // A loop reports the same again and again.
+            if !self.program.has_jumped() || self.sink.has_room_for(fault) {
+                self.report(fault.clone());
+            }
         }
         // After a warning the word is read as intended, so its other faults are reported.
         self.sink.fault = block.faults.iter().find(|fault| fault.is_error()).map(|fault| fault.span);

@@ -16,12 +16,12 @@ use crate::text::plain_line::PlainLine;
 use crate::units::Diameter;
 
 impl Interpreter {
-    /// Reads and carries out plain lines, at most so many; how many it has taken.
+    /// Executes at most `most` plain lines that begin before the byte `end`; returns their number.
     ///
     /// A function of its own, which returns now and then: a browser goes on in the quicker code that it has made of a
     /// loop only when the loop is entered anew.
     #[inline(never)]
-    pub fn plain_lines(&mut self, parser: &mut Parser, most: usize) -> usize {
+    pub fn plain_lines(&mut self, parser: &mut Parser, most: usize, end: u32) -> usize {
         let begin = parser.position();
         if !self.goes_plainly() || !self.program.is_unread_from(begin.byte) {
             return 0;
@@ -32,7 +32,7 @@ impl Interpreter {
         let (mut taken, mut moves) = (0, false);
         // On the axis a drill may stand, of which something may have to be said.
         while taken < most.min(room) && !self.is_on_axis() {
-            let Some(line) = parser.plain_line() else { break };
+            let Some(line) = parser.plain_line().filter(|line| line.span.start < end) else { break };
             let Some((mode, kind)) = mode(&line, self.state.motion) else { break };
             if kind.cuts() && !cuts_plainly {
                 break;
@@ -49,7 +49,7 @@ impl Interpreter {
                 self.observe(&[], Event::Rapid);
             }
             let from = self.state.position;
-            let to = end(&line, from, reading);
+            let to = end_point(&line, from, reading);
             if !from.is_same(to) {
                 if !std::mem::replace(&mut moves, true) {
                     self.sink.chunk.begin_process(&process);
@@ -118,7 +118,7 @@ fn mode(line: &PlainLine, before: MotionMode) -> Option<(MotionMode, MotionKind)
 }
 
 /// Where a line ends that begins at `from`.
-fn end(line: &PlainLine, from: Point, reading: Reading) -> Point {
+fn end_point(line: &PlainLine, from: Point, reading: Reading) -> Point {
     let x = line.x.map_or(from.x, |(negative, x)| Diameter::new(reading.length_of(x, negative)).radius());
     Point::new(x, line.z.map_or(from.z, |(negative, z)| reading.length_of(z, negative)))
 }

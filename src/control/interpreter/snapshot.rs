@@ -5,6 +5,8 @@
 //! snapshot is only made while nothing that was carried out has looked elsewhere in the text: no call,
 //! jump, loop or contour so far.
 
+use std::ops::Range;
+
 use super::Interpreter;
 use super::contours::Contours;
 use crate::control::events::Observer;
@@ -48,10 +50,11 @@ impl Snapshot {
         self.chunks
     }
 
-    /// The first byte of the blocks of which something waits for what follows; `u32::MAX` when nothing does.
-    fn first_waiting(&self) -> u32 {
-        let observer = self.observer.as_ref().map_or(u32::MAX, |observer| observer.first_waiting());
-        observer.min(self.state.first_waiting())
+    /// Whether something of the blocks in `changed` depends on later blocks. A move that waits may be of several blocks:
+    /// it counts from its first block on.
+    fn waits_for(&self, changed: Range<u32>) -> bool {
+        self.state.first_waiting() < changed.end
+            || self.observer.as_ref().is_some_and(|observer| observer.waits_for(changed))
     }
 
     /// Whether it is known at it which block set what is in force.
@@ -222,20 +225,19 @@ impl Interpreter {
     }
 
     /// Whether this run goes on from here as another did from its snapshot `index`, once the
-    /// places there are moved along.
-    pub fn meets(&self, other: &Remainder, index: usize, shift: &Shift) -> bool {
+    /// places there are moved along. Blocks that begin before the byte `unchanged` are the same in both.
+    pub fn meets(&self, other: &Remainder, index: usize, unchanged: u32, shift: &Shift) -> bool {
         let there = &other.snapshots[index];
         let reported = self.sink.diagnostics.len();
         let as_full = (reported, self.sink.hidden) == (there.reported, there.hidden);
         let has_room = (self.sink.hidden, other.hidden) == (0, 0)
             && reported + other.reported_after(there) <= self.setup.limits.messages;
         let holds_all = self.sink.kept() + other.motions_after(there) <= self.setup.limits.motions;
-        let waits_behind = there.first_waiting() >= shift.from;
         if !self.is_straight()
             || self.program.budget.work != there.work
             || !(as_full || has_room)
             || !holds_all
-            || !waits_behind
+            || there.waits_for(unchanged..shift.from)
         {
             return false;
         }

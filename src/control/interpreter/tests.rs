@@ -1,6 +1,7 @@
 //! The control by itself: blocks in, motions and events out, without lints and without the stages around it.
 
 use std::cell::RefCell;
+use std::ops::Range;
 use std::rc::Rc;
 
 use super::{Flow, Here, Interpreter};
@@ -45,8 +46,8 @@ impl Observer for Recorder {
 
     fn shift(&mut self, _: &Shift) {}
 
-    fn first_waiting(&self) -> u32 {
-        u32::MAX
+    fn waits_for(&self, _: Range<u32>) -> bool {
+        false
     }
 
     fn set_aside(&mut self) -> Box<dyn Observer> {
