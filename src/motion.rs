@@ -622,6 +622,11 @@ impl Chunk {
         &self.z
     }
 
+    /// Whether C, Y and cycles take no part in its motions.
+    pub fn only_turns(&self) -> bool {
+        self.rotary.is_empty() && self.rows.iter().all(|row| row.cycle == 0)
+    }
+
     /// Adds a motion of the block at `span` on `line` (from 0).
     pub fn push(&mut self, motion: &Motion, span: Span, line: u32) {
         let index = self.kind.len() as u32;

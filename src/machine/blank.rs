@@ -6,6 +6,7 @@
 
 use super::tool::BLADE;
 use crate::geometry::{Point, SAME};
+use crate::limits::INFERRED_FROM;
 use crate::motion::{Cycle, Motion, MotionKind, Motions, Step};
 use crate::setup::{Side, Stock, Tool, ToolKind};
 use crate::units::Diameter;
@@ -32,9 +33,6 @@ const LARGEST: f64 = 5000.0;
 /// point stands clear of the bar.
 const CLEAR: f64 = 1.0;
 
-/// So many motions are looked at.
-const LOOKED_AT: usize = 200_000;
-
 /// A blank without what rapids would run along: from groove to groove, and past what is to be faced, tools go
 /// at the diameter of a start point.
 pub fn clear_of_rapids(stock: Stock, motions: &Motions) -> Stock {
@@ -42,7 +40,7 @@ pub fn clear_of_rapids(stock: Stock, motions: &Motions) -> Stock {
     let on = |at: Point| (at.x - radius).abs() <= SAME;
     // Down to here cuts along Z have gone below the outside.
     let mut cut = stock.face;
-    for motion in motions.iter().take(LOOKED_AT) {
+    for motion in motions.iter().take(INFERRED_FROM) {
         let (from, to) = (motion.from, motion.to);
         let low = from.z.min(to.z).max(stock.back());
         let along = (from.z - to.z).abs() > SAME;

@@ -9,9 +9,10 @@ use std::collections::{BTreeMap, BTreeSet};
 use super::surface::{Facing, SHIFT, Surface, Track, WIDEST_SHIFT};
 use super::sweep::way_of;
 use super::tool::takes;
-use super::tool_use::{LOOKED_AT, Purpose, ToolUse};
+use super::tool_use::{Purpose, ToolUse};
 use super::z_positions::{Places, ZPositions};
 use crate::geometry::SAME;
+use crate::limits::INFERRED_FROM;
 use crate::motion::{Motion, Motions, Process};
 use crate::order;
 use crate::setup::{Side, Stock, Tool, ToolKind};
@@ -87,7 +88,7 @@ pub(super) fn decide(
 
 /// The stations of the turret that have cuts which are left out.
 fn with_uncertain_cuts(motions: &Motions) -> BTreeSet<u16> {
-    let cuts = motions.iter().take(LOOKED_AT).filter(|motion| motion.kind.cuts());
+    let cuts = motions.iter().take(INFERRED_FROM).filter(|motion| motion.kind.cuts());
     order::gathered(cuts.filter(|cut| cut.process.uncertain).map(|cut| cut.process.tool.0))
 }
 
@@ -166,7 +167,7 @@ impl Led {
             return None;
         }
         let cuts = || {
-            let all = motions.iter().take(LOOKED_AT);
+            let all = motions.iter().take(INFERRED_FROM);
             let counts = |process: &Process| !process.uncertain && !process.elsewhere;
             all.filter(move |motion| motion.kind.cuts() && counts(&motion.process) && motion.rotary.is_none())
         };

@@ -10,11 +10,9 @@ use super::blank::{Cuts, clear_of_rapids};
 use super::choice;
 use super::tool_use::{Clamping, Purpose, ToolUse};
 use crate::geometry::SAME;
+use crate::limits::INFERRED_FROM;
 use crate::motion::Motions;
 use crate::setup::{Setup, Stock, Tool};
-
-/// At most so many motions are searched for names of tools.
-const LOOKED_AT: usize = 200_000;
 
 /// What is inferred from a program.
 #[derive(Clone, Debug, Default)]
@@ -69,7 +67,7 @@ pub fn inferred_setup(motions: &Motions, given: &Setup) -> Setup {
     let inferred = InferredSetup::with(motions, &given.described_tools, given.stock);
     let mut setup = Setup { stock: inferred.stock, ..Setup::default() };
     let (mut names, mut stations): (Vec<(u16, u16)>, BTreeSet<u16>) = Default::default();
-    for motion in motions.iter().take(LOOKED_AT).filter(|motion| motion.kind.cuts()) {
+    for motion in motions.iter().take(INFERRED_FROM).filter(|motion| motion.kind.cuts()) {
         let name = motion.process.tool;
         if names.last() != Some(&name) && stations.insert(name.0) {
             names.push(name);

@@ -6,6 +6,7 @@
 
 use std::collections::BTreeMap;
 
+use crate::limits::INFERRED_FROM;
 use crate::motion::{MotionKind, Motions};
 use crate::setup::thread_insert::Hand;
 use crate::setup::{Tool, ToolKind};
@@ -22,9 +23,6 @@ const BESIDE: (f64, f64) = (0.55, 0.1);
 
 /// Usual lengths of a lay-down insert's edge, and the largest pitch of each, mm.
 const SIZES: [(f64, f64); 3] = [(16.0, 3.0), (22.0, 6.0), (27.0, 12.0)];
-
-/// So many motions are looked at.
-const LOOKED_AT: usize = 200_000;
 
 /// The measures of a threading tool, mm and degrees.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -77,7 +75,7 @@ pub fn for_pitch(tool: &Tool, pitch: Option<f64>) -> Tool {
 /// The largest lead that each station cuts, mm. Of a thread with many starts it stands for the pitch.
 pub fn leads(motions: &Motions) -> BTreeMap<u16, f64> {
     let mut leads: BTreeMap<u16, f64> = BTreeMap::new();
-    let threads = motions.iter().take(LOOKED_AT).filter(|motion| motion.kind == MotionKind::Thread);
+    let threads = motions.iter().take(INFERRED_FROM).filter(|motion| motion.kind == MotionKind::Thread);
     for (station, lead) in threads.filter_map(|motion| Some((motion.process.tool.0, motion.lead?.abs()))) {
         let longest = leads.entry(station).or_insert(lead);
         *longest = longest.max(lead);

@@ -7,12 +7,10 @@ use std::collections::BTreeMap;
 
 use super::blank::Extents;
 use crate::geometry::SAME;
+use crate::limits::INFERRED_FROM;
 use crate::motion::{Cycle, CycleFamily, Motion, MotionKind, Motions};
 use crate::setup::{Side, Stock, Tool, ToolKind};
 use crate::units::Diameter;
-
-/// So many motions are looked at.
-pub(super) const LOOKED_AT: usize = 200_000;
 
 /// Most uses of stations that are distinguished. A turret with 60 stations has fewer.
 const MOST_USES: usize = 300;
@@ -120,7 +118,7 @@ impl ToolUse {
     ) -> Vec<Self> {
         let mut seen: Vec<ToolUse> = Vec::new();
         let mut before = None;
-        let moves = motions.iter().take(LOOKED_AT).enumerate();
+        let moves = motions.iter().take(INFERRED_FROM).enumerate();
         let mut moves = moves.filter(|(_, motion)| motion.kind != MotionKind::Dwell).peekable();
         while let Some((index, motion)) = moves.next() {
             let before = before.replace(motion);

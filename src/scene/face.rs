@@ -34,7 +34,7 @@ impl Face {
         // What is up: C, or Y where nothing moves in the plane of X and C.
         let mut up = Axis::Y;
         let drills = simulation.resolved_setup().tools().any(ResolvedTool::is_live_drill);
-        for Passed { index, motion, block, c } in passed(motions) {
+        for Passed { index, motion, block, c } in passed(motions, simulation.resolved_setup()) {
             let milled = motion.virtual_move().and_then(|moved| moved.over_face());
             if milled.is_none() && motion.cycle.is_none() && !drills {
                 continue;

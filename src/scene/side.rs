@@ -142,7 +142,7 @@ impl Side {
 fn each(motions: &Motions, simulation: &SimulationResult, mut visit: impl FnMut(OverSide)) {
     let resolved = simulation.resolved_setup();
     let surface = resolved.stock().map(|(stock, _)| stock.diameter.radius());
-    for Passed { index, motion, block, c } in passed(motions) {
+    for Passed { index, motion, block, c } in passed(motions, resolved) {
         let moved = motion.virtual_move().filter(is_of_side);
         let tool = resolved.tool(&motion);
         if moved.is_none() && !goes_into_side(&motion, tool) {

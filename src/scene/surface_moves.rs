@@ -13,7 +13,7 @@ use super::work::{ToolOutline, Work};
 use super::{Place, Plane, Scene};
 use crate::geometry::virtual_plane::Way;
 use crate::geometry::{Point, Turn};
-use crate::machine::resolved_setup::ResolvedTool;
+use crate::machine::resolved_setup::{ResolvedSetup, ResolvedTool};
 use crate::machine::sweep::{self, way_of};
 use crate::motion::{Chunk, Motion, MotionKind, Motions};
 use crate::playback::clock::Playhead;
@@ -35,16 +35,17 @@ pub(super) struct Passed {
     pub c: f64,
 }
 
-/// The motions of a run, one after the other.
-pub(super) fn passed(motions: &Motions) -> impl Iterator<Item = Passed> {
-    let all = motions
-        .chunks()
-        .iter()
-        .flat_map(|chunk| (0..chunk.len()).map(move |at| (chunk.get(at), (chunk.span(at), chunk.line(at)))));
+/// The motions of a run that may be over a surface, one after the other: all of each chunk that has one.
+pub(super) fn passed(motions: &Motions, resolved: &ResolvedSetup) -> impl Iterator<Item = Passed> {
+    let drills = resolved.tools().any(ResolvedTool::is_live_drill);
+    let chunks = motions.chunks().iter().zip(motions.before());
+    let chunks = chunks.filter(move |(chunk, _)| drills || !chunk.only_turns());
+    let all = chunks.flat_map(|(chunk, &before)| (0..chunk.len()).map(move |at| (before + at, chunk, at)));
     let mut c = 0.0;
-    all.enumerate().map(move |(index, (motion, block))| {
+    all.map(move |(index, chunk, at)| {
+        let motion = chunk.get(at);
         c = motion.rotary.map_or(c, |rotary| rotary.to);
-        Passed { index, motion, block, c }
+        Passed { index, motion, block: (chunk.span(at), chunk.line(at)), c }
     })
 }
 
