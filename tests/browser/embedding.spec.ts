@@ -115,7 +115,7 @@ async function expectNone(leadsTo: () => Promise<string | null>): Promise<void> 
   }
 }
 
-test('"Open in the playground" of a frame leads to its own host, or to the page that its copy names', async ({ page }) => {
+test('"Open in the playground" of a frame leads to its own host, or to the page that its copy names', { tag: '@night' }, async ({ page }) => {
   for (const { said, named, href } of LINKS) {
     const own = await serve(FILES, (origin): Site => {
       const attributes = new URLSearchParams({ program: 'G00 X1', ...(said === undefined ? {} : { playground: said.replace('OWN', origin) }) });

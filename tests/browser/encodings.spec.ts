@@ -35,7 +35,7 @@ async function cursorBehind(page: Page, line: number, text: string): Promise<voi
   for (let i = 0; i < text.length; i++) await page.keyboard.press('ArrowRight');
 }
 
-test('Chinese, Russian and Western programs read well and are saved as they were', async ({ page }) => {
+test('Chinese, Russian and Western programs read well and are saved as they were', { tag: '@night' }, async ({ page }) => {
   for (const [i, one] of cases.entries()) {
     await test.step(`${one.encoding}: ${one.text.slice(0, 30)}`, async () => {
       await openAfresh(page);

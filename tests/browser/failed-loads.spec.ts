@@ -86,7 +86,7 @@ async function press(page: Page): Promise<void> {
 
 for (const [name, file] of Object.entries(FILES)) {
   for (const how of ['missing', 'closed', 'corrupted'] as const) {
-    test(`${name} is ${how} when the page starts`, async ({ page }) => {
+    test(`${name} is ${how} when the page starts`, { tag: how === 'missing' ? [] : '@one-engine' }, async ({ page }) => {
       const site = await storedSite();
       site.refuse(file.pattern, how);
       await page.goto(`${site.address}#${new URLSearchParams(WITH_SETUP)}`);
@@ -116,7 +116,7 @@ test('the network returns while the editor is tried again', async ({ page, engin
 });
 
 for (const how of ['missing', 'closed', 'corrupted'] as const) {
-  test(`the library of the editor is ${how} when the page starts`, async ({ page, engine }) => {
+  test(`the library of the editor is ${how} when the page starts`, { tag: how === 'missing' ? [] : '@one-engine' }, async ({ page, engine }) => {
     const site = await storedSite();
     const library = { pattern: codeMirror(), says: 'The editor could not be loaded', status: /^2 motions/ };
     site.refuse(library.pattern, how);

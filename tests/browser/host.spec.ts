@@ -151,7 +151,7 @@ test('what is in the slot fallback is shown until there is a picture, and withou
 
 const SCRIPTS = ['<img src=x onerror="window.ran = 1">', '"><script>window.ran = 2</' + 'script>', "javascript:window.ran=3", '</pre><svg onload="window.ran = 4">', '`${window.ran = 5}`'];
 
-test('texts that look like scripts run nothing, wherever they stand', async ({ page }) => {
+test('texts that look like scripts run nothing, wherever they stand', { tag: '@night' }, async ({ page }) => {
   const quoted = (text: string): string => text.replaceAll('&', '&amp;').replaceAll('"', '&quot;').replaceAll('<', '&lt;');
   const ATTRIBUTES = ['src', 'control', 'setup', 'block-skip', 'program', 'language', 'theme', 'view', 'controls', 'step', 'highlight', 'lines', 'fit', 'turret', 'caption', 'split', 'hints'];
   const elements = ATTRIBUTES.flatMap((name) => SCRIPTS.map((text) =>
@@ -177,7 +177,7 @@ test('texts that look like scripts run nothing, wherever they stand', async ({ p
 
 const ran = (page: BasicPage): Promise<unknown> => page.evaluate(() => Reflect.get(window, 'ran') as unknown);
 
-test('what is stored, and what stands in an address, runs nothing either', async ({ page }) => {
+test('what is stored, and what stands in an address, runs nothing either', { tag: '@night' }, async ({ page }) => {
   for (const script of SCRIPTS) {
     await page.goto(FOREIGN);
     await page.evaluate((script) => {

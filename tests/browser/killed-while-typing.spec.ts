@@ -80,7 +80,7 @@ async function openAt(page: ChromiumPage, address: string): Promise<void> {
   await page.locator('gcode-playground').evaluate((element) => (element as unknown as { settled: Promise<number> }).settled);
 }
 
-test('a tab or a browser that is killed while somebody types loses at most the last second', async ({ baseURL, launchOptions }) => {
+test('a tab or a browser that is killed while somebody types loses at most the last second', { tag: '@night' }, async ({ baseURL, launchOptions }) => {
   test.setTimeout(60_000 + KILLS * 25_000);
   const next = random(20261125);
   const lost: number[] = [];

@@ -72,7 +72,7 @@ async function longest(page: ChromiumPage): Promise<number> {
   });
 }
 
-test('a million lines are opened, edited, scrolled and looked at without a halt', async ({ page }, info) => {
+test('a million lines are opened, edited, scrolled and looked at without a halt', { tag: '@night' }, async ({ page }, info) => {
   test.setTimeout(180_000);
   const path = info.outputPath('long.nc');
   writeFileSync(path, longProgram(LINES));
@@ -185,7 +185,7 @@ test('a file of 100 MB is refused with a message', async ({ page }, info) => {
   await expect(status(page)).toContainText(/^2 motions/);
 });
 
-test('a change in every line of a long program is reported on soon', async ({ page }) => {
+test('a change in every line of a long program is reported on soon', { tag: '@night' }, async ({ page }) => {
   test.setTimeout(120_000);
   const lines = 200_000;
   await open(page);

@@ -116,7 +116,7 @@ for (const { fault, does, says } of [
   { fault: 'hangs', does: 'for (;;);', says: 'The run took too long' },
   { fault: 'fails', does: "throw new Error('a fault');", says: 'The interpreter failed' },
 ]) {
-  test(`a program that ${fault} leaves its neighbours their pictures`, async ({ page }) => {
+  test(`a program that ${fault} leaves its neighbours their pictures`, { tag: fault === 'hangs' ? '@night' : [] }, async ({ page }) => {
     await injectFault(page, does);
     await openMany(page, 3);
     const before = await shown(page, 0);

@@ -68,7 +68,7 @@ test('the frame of the recipe, unchanged, shows its program', async ({ page }) =
   }
 });
 
-test('whatever a reader does, nothing is asked of any host but those of the page and of the element', async ({ page, context }) => {
+test('whatever a reader does, nothing is asked of any host but those of the page and of the element', { tag: '@night' }, async ({ page, context }) => {
   const other = await serve(FILES, () => ({ filesAt: '/embed/', fileHeaders: CORS }));
   const own = await serve(FILES, () => ({ pages: { '/index.html': `<!DOCTYPE html><html lang="en"><head><title>A manual</title><script type="module" src="${other.origin}/embed/element.js"></script></head><body><gcode-playground>${program(ID)}</gcode-playground></body></html>` } }));
   const asked = new Set<string>();

@@ -501,7 +501,7 @@ test('what is deleted while the page is open is said, and the text is kept again
 
 // ---- what is stored can be anything -----------------------------------------------------------------
 
-test('stored values of any type are read as what anybody can have written', async ({ page }) => {
+test('stored values of any type are read as what anybody can have written', { tag: '@night' }, async ({ page }) => {
   await page.goto('./docs/index.html');
   const values: readonly unknown[] = [null, true, 0, -1, 1e300, '', 'x', '<img src=x onerror=alert(1)>', [], [[]], {}, { id: {}, text: [] }];
   const fields = ['language', 'theme', 'hints', 'split', 'textSize', 'text', 'example', 'control', 'file', 'setup', 'blockSkip', 'program', 'time', 'base'];

@@ -81,7 +81,7 @@ test('the read-out tells feed, speed, time and tool, and what is not known', asy
   await expect(shown(page, 'Time')).toContainText('0:12 /');
 });
 
-test('the whole program takes about 20 s, whatever its length', async ({ page }) => {
+test('the whole program takes about 20 s, whatever its length', { tag: '@night' }, async ({ page }) => {
   await open(page);
   const programs: readonly [string, number][] = [
     ['G99 M3 S500\nG0 X50 Z2\nG1 Z-1 F0.2\n', 2],

@@ -39,7 +39,7 @@ async function count(page: ChromiumPage, ms: number): Promise<{ frames: number; 
   }, ms);
 }
 
-test('2,000 motions with their part play smoothly, and nothing runs while paused', async ({ page }, info) => {
+test('2,000 motions with their part play smoothly, and nothing runs while paused', { tag: '@night' }, async ({ page }, info) => {
   await page.addInitScript(() => {
     const seen = { count: 0 };
     Reflect.set(window, 'asked', seen);

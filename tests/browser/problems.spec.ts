@@ -1,7 +1,7 @@
 // The problems of a program: one count, one line for each rule and code, what of them is shown, and how they lead to
 // the program and to the drawing.
 import { chromiumTest, expect, test, type BasicPage, type Page } from './engines';
-import { between, drawing, editor, open, problems, selected, status, tooltip, type, value } from './page';
+import { between, drawing, editor, open, openFile, problems, selected, status, tooltip, type, value } from './page';
 import { runBeforeWorker } from './worker-script';
 
 /** Sixty-six M codes nobody knows, one dear mistake among them, and a warning. */
@@ -245,7 +245,8 @@ chromiumTest('who leaves the block while its run is under way sees what the prog
   `);
   await open(page);
   const further = Array.from({ length: 2_000 }, (_, at) => `G01 X${60 + (at % 40)} Z${5 + (at % 7)} F0.2`).join('\n');
-  await type(page, `${CONTOUR.replace('M30', further)}\nM30`);
+  await openFile(page, 'contour.nc', Buffer.from(`${CONTOUR.replace('M30', further)}\nM30`));
+  await editor(page).focus();
   await settled(page);
   await toTypedBlock(page);
   await settled(page);

@@ -301,7 +301,7 @@ test('what does not fit is said: a QR code, and a link', async ({ page }) => {
   await expect(page.getByRole('button', { name: 'Copy', exact: true })).toBeDisabled();
 });
 
-test('a teacher gives a class a task by a link, and gets links back', async ({ page }) => {
+test('a teacher gives a class a task by a link, and gets links back', { tag: '@night' }, async ({ page }) => {
   // The teacher writes the solution, and takes out what the class is to find.
   await open(page);
   await type(page, OWN);
@@ -558,7 +558,7 @@ test('an element in a page opens in the playground with all it is run with', asy
   await expect(page.getByRole('link', { name: 'Открыть в песочнице' })).toHaveCount(0);
 });
 
-test('random states are shared and opened: the same text, setup and picture', async ({ page }, { project }) => {
+test('random states are shared and opened: the same text, setup and picture', { tag: '@night' }, async ({ page }, { project }) => {
   test.setTimeout(1_200_000);
   // PLAYGROUND_STATES says how many.
   const count = Number(process.env['PLAYGROUND_STATES'] ?? (project.name === 'chromium' ? 120 : 30));

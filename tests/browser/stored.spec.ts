@@ -36,7 +36,7 @@ async function visitAndStore(page: ChromiumPage, { address }: StoredSite): Promi
   await expect(page.getByText('Works offline')).toHaveCount(1, { timeout: 60_000 });
 }
 
-test('two tabs never mix files of two versions', async ({ page, context }) => {
+test('two tabs never mix files of two versions', { tag: '@night' }, async ({ page, context }) => {
   const site = await storedSite();
   await visitAndStore(page, site);
   site.publish(nextBuild());
@@ -129,7 +129,7 @@ test('the view in 3D says that the network is missing, and comes with it', async
   await site.stop();
 });
 
-test('a zip of the page runs in a sub-folder of a server that knows nothing of it', async ({ page }) => {
+test('a zip of the page runs in a sub-folder of a server that knows nothing of it', { tag: '@night' }, async ({ page }) => {
   const folder = mkdtempSync(join(tmpdir(), 'playground-zip-'));
   let server: ChildProcess | undefined;
   try {
@@ -190,7 +190,7 @@ test('the element in another page stores nothing', async ({ page }) => {
 });
 
 for (const [locale, colorScheme, said, wanted] of [['en', 'light', 'Works offline', 'Reload'], ['zh', 'dark', '可离线使用', '重新加载'], ['ru', 'light', 'Работает без сети', 'Обновить']] as const) {
-  test(`axe finds nothing in what is said of versions and storing, on a phone and on a desk: ${locale}`, async ({ browser }) => {
+  test(`axe finds nothing in what is said of versions and storing, on a phone and on a desk: ${locale}`, { tag: locale === 'en' ? [] : '@night' }, async ({ browser }) => {
     const context = await browser.newContext({ locale, colorScheme, viewport: { width: 390, height: 844 } });
     const page = (await context.newPage()) as ChromiumPage;
     const site = await storedSite();

@@ -10,7 +10,7 @@ import { freshLoads, fromEnvironment, switching } from './switching/scenario';
 const options = fromEnvironment({ seed: 20, steps: 100, states: 10 });
 const programs = examples.map(({ id }) => id);
 
-test('switching at random always ends at the picture of a fresh start', async ({ page }, info) => {
+test('switching at random always ends at the picture of a fresh start', { tag: '@night' }, async ({ page }, info) => {
   test.setTimeout(60_000 + 20_000 * options.states + 1_000 * options.steps);
   const keep = (name: string, png: Buffer): void => writeFileSync(info.outputPath(`${name}.png`), png);
   await switching(page, { ...options, programs, keep });

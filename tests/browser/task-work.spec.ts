@@ -210,7 +210,7 @@ test('what another tab has made of the task meanwhile is what the link finds, an
   expect(await value(page)).toBe(`${done}(OF THE OTHER)(OF THIS)`);
 });
 
-test('whatever stands where the work is noted, the task opens', async ({ page }) => {
+test('whatever stands where the work is noted, the task opens', { tag: '@night' }, async ({ page }) => {
   await open(page, first.link);
   const done = await work(page, first, 'G90 X32 Z-20 F0.2');
   await kept(page);

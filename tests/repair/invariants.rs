@@ -32,7 +32,7 @@ pub fn repair(text: &[u8], setup: &Setup) -> Repaired {
 }
 
 /// The addresses with a value outside brackets, in order: a letter, and digits after it, with signs and blanks
-/// between. Letters that are read as digits belong to the value, and so do full-width digits: `GO1`, `X5２`.
+/// between. Letters that are read as digits belong to the value, and full-width characters count as the ASCII ones: `GO1`, `Ｍ8`, `X5２`.
 pub fn addresses(text: &[u8]) -> Vec<char> {
     let mut outside = text.to_vec();
     for token in Lexer::new(text, 0) {
@@ -41,7 +41,7 @@ pub fn addresses(text: &[u8]) -> Vec<char> {
         }
     }
     let outside = String::from_utf8_lossy(&outside);
-    let mut letters = outside.chars().peekable();
+    let mut letters = outside.chars().map(ascii).peekable();
     let mut found = Vec::new();
     while let Some(letter) = letters.next() {
         if !letter.is_ascii_alphabetic() {
@@ -49,17 +49,16 @@ pub fn addresses(text: &[u8]) -> Vec<char> {
         }
         let mut rest = letters.clone();
         let mut is_apart = false;
-        let between =
-            |sign: &char| matches!(sign, ' ' | '\t' | '+' | '-' | '\u{2212}' | '\u{2013}' | '\u{ff0d}');
+        let between = |sign: &char| matches!(sign, ' ' | '\t' | '+' | '-' | '\u{2212}' | '\u{2013}');
         while let Some(sign) = rest.next_if(between) {
             is_apart = matches!(sign, ' ' | '\t');
         }
         let mut digits = 0;
         while let Some(digit) = rest.next_if(|sign| {
             let is_letter = matches!(sign, 'O' | 'o' | 'l') && (digits > 0 || !is_apart);
-            is_letter || is_digit(*sign) || matches!(sign, '.' | ',')
+            is_letter || sign.is_ascii_digit() || matches!(sign, '.' | ',')
         }) {
-            digits += usize::from(is_digit(digit));
+            digits += usize::from(digit.is_ascii_digit());
         }
         if digits > 0 {
             found.push(letter.to_ascii_uppercase());
@@ -69,9 +68,12 @@ pub fn addresses(text: &[u8]) -> Vec<char> {
     found
 }
 
-/// Whether a character is a digit, also a full-width one.
-fn is_digit(sign: char) -> bool {
-    matches!(sign, '0'..='9' | '\u{ff10}'..='\u{ff19}')
+/// The ASCII character of a full-width one.
+fn ascii(sign: char) -> char {
+    match sign {
+        '\u{ff01}'..='\u{ff5e}' => char::from((u32::from(sign) - 0xfee0) as u8),
+        _ => sign,
+    }
 }
 
 /// Whether some addresses are all there, in their order.

@@ -97,7 +97,8 @@ function matchers(of: ForeignLocator, wantsIt: boolean): Matchers {
       one(`toHaveAttribute ${name} ${String(value)}`, { attribute: name }, (seen) => (value instanceof RegExp ? is(seen, value) : seen === value), patience),
     toHaveJSProperty: (name, value, patience) => one(`toHaveJSProperty ${name} ${String(value)}`, { property: name }, (seen) => seen === value, patience),
     toHaveCount: (count, patience) =>
-      until(of.owner, `${of}: toHaveCount ${count}`, patience ?? {}, () => of.count(), (seen) => (seen === count) === wantsIt),
+      // Their texts, for the error.
+      until(of.owner, `${of}: toHaveCount ${count}`, patience ?? {}, () => of.ask('text'), (seen) => (seen.length === count) === wantsIt),
     toBeVisible: (patience) => one('toBeVisible', 'visible', (seen) => seen === true, patience, false),
     toBeHidden: (patience) => one('toBeHidden', 'visible', (seen) => seen === false, patience, true),
     toBeFocused: (patience) => one('toBeFocused', 'focused', (seen) => seen === true, patience),
