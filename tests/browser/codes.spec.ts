@@ -12,13 +12,13 @@ async function openCodes(page: Page): Promise<void> {
   await expect(dialog(page)).toBeVisible();
 }
 
-test('by keyboard: opened, filtered, read, closed', async ({ page }, info) => {
+test('by keyboard: opened, filtered, read, closed', async ({ page, engine }, info) => {
   await open(page);
   await page.getByLabel('Control').selectOption('fanuc');
   await page.getByRole('button', { name: 'Help (?)' }).focus();
   await page.keyboard.press('Enter');
-  await page.keyboard.press('Tab');
-  await page.keyboard.press('Tab');
+  // Firefox stops at what scrolls, too.
+  for (let i = 0; i < (engine === 'firefox' ? 3 : 2); i++) await page.keyboard.press('Tab');
   await expect(page.getByRole('button', { name: 'Supported codes' })).toBeFocused();
   await page.keyboard.press('Enter');
   const filter = dialog(page).getByRole('searchbox', { name: 'Filter' });
