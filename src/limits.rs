@@ -107,7 +107,7 @@ impl Limits {
 /// Bytes of a block of a contour that count as one step of [`Limits::cycle_work`].
 pub const BYTES_PER_STEP: usize = 64;
 
-/// Tools and blank are inferred from so many motions at the beginning of a program.
+/// The number of motions, from the first of a program, from which tools and blank are inferred.
 pub const INFERRED_FROM: usize = 100_000;
 
 /// Most words, and comments, of one block; a control takes far fewer.

@@ -553,7 +553,7 @@ impl State {
         if let Some(stop) = &mut self.stop {
             stop.shift(shift);
         }
-        // What is inserted before a program without an O number belongs to it.
+        // The head of a program without an O number is the first byte of the text, also after an insertion there.
         if self.call_stack.head != Resume::default() {
             self.call_stack.head = self.call_stack.head.shifted(shift);
         }

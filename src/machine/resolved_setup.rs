@@ -123,6 +123,11 @@ impl ResolvedSetup {
         self.stock
     }
 
+    /// Whether one of its tools drills and turns itself.
+    pub fn has_live_drill(&self) -> bool {
+        self.tools().any(ResolvedTool::is_live_drill)
+    }
+
     /// All tools that the program uses or the setup names.
     pub fn tools(&self) -> impl Iterator<Item = &ResolvedTool> {
         let covered = |station: u16| self.given.iter().any(|given| given.0 == station);

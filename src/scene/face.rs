@@ -33,7 +33,7 @@ impl Face {
         let (mut moves, mut reached) = (Gathered::default(), Vec::new());
         // What is up: C, or Y where nothing moves in the plane of X and C.
         let mut up = Axis::Y;
-        let drills = simulation.resolved_setup().tools().any(ResolvedTool::is_live_drill);
+        let drills = simulation.resolved_setup().has_live_drill();
         for Passed { index, motion, block, c } in passed(motions, simulation.resolved_setup()) {
             let milled = motion.virtual_move().and_then(|moved| moved.over_face());
             if milled.is_none() && motion.cycle.is_none() && !drills {

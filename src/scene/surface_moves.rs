@@ -37,7 +37,7 @@ pub(super) struct Passed {
 
 /// The motions of a run that may be over a surface, one after the other: all of each chunk that has one.
 pub(super) fn passed(motions: &Motions, resolved: &ResolvedSetup) -> impl Iterator<Item = Passed> {
-    let drills = resolved.tools().any(ResolvedTool::is_live_drill);
+    let drills = resolved.has_live_drill();
     let chunks = motions.chunks().iter().zip(motions.before());
     let chunks = chunks.filter(move |(chunk, _)| drills || !chunk.only_turns());
     let all = chunks.flat_map(|(chunk, &before)| (0..chunk.len()).map(move |at| (before + at, chunk, at)));

@@ -17,7 +17,7 @@ test('by keyboard: opened, filtered, read, closed', async ({ page, engine }, inf
   await page.getByLabel('Control').selectOption('fanuc');
   await page.getByRole('button', { name: 'Help (?)' }).focus();
   await page.keyboard.press('Enter');
-  // Firefox stops at what scrolls, too.
+  // Firefox has scrolling boxes in the order of Tab, too.
   for (let i = 0; i < (engine === 'firefox' ? 3 : 2); i++) await page.keyboard.press('Tab');
   await expect(page.getByRole('button', { name: 'Supported codes' })).toBeFocused();
   await page.keyboard.press('Enter');

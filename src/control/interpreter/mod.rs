@@ -386,7 +386,7 @@ impl Interpreter {
             self.missing = Some(READS_FAULTS);
         }
         for fault in &block.faults {
-            // A loop reports the same again and again.
+            // In a loop most faults have been reported before.
             if !self.program.has_jumped() || self.sink.has_room_for(fault) {
                 self.report(fault.clone());
             }
