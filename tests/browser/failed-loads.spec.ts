@@ -111,7 +111,9 @@ test('the network returns while the editor is tried again', async ({ page, engin
   // WebKit keeps no failure of an import, and asks for the same address.
   site.refuse(editorFile(), 'closed', engine === 'webkit' ? /editor/ : /again=/);
   await page.goto(`${site.address}#${new URLSearchParams(WITH_SETUP)}`);
-  await works(page, 2);
+  await works(page, 2).catch((error: unknown) => {
+    throw new Error(`asked for ${site.asked.join(' ')}`, { cause: error });
+  });
   await site.stop();
 });
 

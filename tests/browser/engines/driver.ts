@@ -18,7 +18,11 @@ export interface Tab {
   url(): Promise<string>;
   /** Runs in every document before its own scripts. */
   addInitScript(source: string): Promise<void>;
-  /** The value of an expression, awaited; it is JSON. What is thrown in the page is thrown here. */
+  /**
+   * The value of an expression, awaited; it is JSON. What is thrown in the page is thrown here.
+   *
+   * @throws DocumentLeft where the page goes to another document meanwhile.
+   */
   evaluate(expression: string): Promise<unknown>;
   keyDown(key: string): Promise<void>;
   keyUp(key: string): Promise<void>;
@@ -41,6 +45,9 @@ export interface Tab {
   errors(): Promise<string[]>;
   close(): Promise<void>;
 }
+
+/** The document was left before an expression had its value. */
+export class DocumentLeft extends Error {}
 
 /** Runs an act of a driver; when it takes too long the driver hangs, and is ended. */
 export async function within<T>(ms: number, what: string, act: Promise<T>, end: () => void): Promise<T> {

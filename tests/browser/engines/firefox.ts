@@ -4,7 +4,7 @@ import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { setTimeout as pause } from 'node:timers/promises';
 import { launch, type Browser, type BrowserContext, type ElementHandle, type KeyInput, type Page } from 'puppeteer-core';
-import { type Driver, type Tab, within } from './driver';
+import { DocumentLeft, type Driver, type Tab, within } from './driver';
 import { program } from './programs';
 
 /** The longest that Firefox may take for an answer, ms; a script may be long. */
@@ -71,7 +71,9 @@ class FirefoxTab implements Tab {
     await this.page.evaluateOnNewDocument(source);
   }
   async evaluate(expression: string): Promise<unknown> {
-    return this.page.evaluate(expression);
+    return this.page.evaluate(expression).catch((error: unknown) => {
+      throw /context was destroyed|frame got detached/i.test(String(error)) ? new DocumentLeft(String(error), { cause: error }) : error;
+    });
   }
   keyDown(key: string): Promise<void> {
     return this.page.keyboard.down(named(key));

@@ -5,7 +5,7 @@ import { copyFile, mkdtemp, rm } from 'node:fs/promises';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { setTimeout as pause } from 'node:timers/promises';
-import type { Tab } from './driver';
+import { DocumentLeft, type Tab } from './driver';
 import type { Question, Ready, Step, Wanted } from './finder';
 import type { Box, Download, Finds, Keyboard, Locator, Mouse, Page, Role, Text } from './interface';
 
@@ -249,9 +249,16 @@ export class ForeignPage extends Finder implements Page {
   async addInitScript(act: () => void): Promise<void> {
     await this.tab.addInitScript(call(String(act), []));
   }
-  /** Calls a function of `finder` in the page. */
-  find(name: 'ask' | 'ready' | 'act' | 'insert', ...args: unknown[]): Promise<unknown> {
-    return this.installedAnd(call(`(...all) => globalThis.finder.${name}(...all)`, args));
+  /** Calls a function of `finder` in the page; one that only looks is called again in the next document where this one is left. */
+  async find(name: 'ask' | 'ready' | 'act' | 'insert', ...args: unknown[]): Promise<unknown> {
+    const looks = name === 'ask' || name === 'ready';
+    for (const end = Date.now() + PATIENCE; ; await pause(PAUSE)) {
+      try {
+        return await this.installedAnd(call(`(...all) => globalThis.finder.${name}(...all)`, args));
+      } catch (error) {
+        if (!looks || !(error instanceof DocumentLeft) || Date.now() > end) throw error;
+      }
+    }
   }
   /** Evaluates what needs `finder`, which is put in where a document does not have it yet. */
   async installedAnd(expression: string): Promise<unknown> {

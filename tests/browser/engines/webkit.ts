@@ -7,7 +7,7 @@ import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { setTimeout as pause } from 'node:timers/promises';
 import { promisify } from 'node:util';
-import type { Driver, Tab } from './driver';
+import { DocumentLeft, type Driver, type Tab } from './driver';
 import { keyCode } from './keys';
 import { png } from './picture';
 import { program } from './programs';
@@ -61,7 +61,10 @@ export async function webkit(viewport: { width: number; height: number }, server
         throw new Error(`WebKit: ${method} ${path}: no answer within ${HANGS / 1000} s; the browser was ended`);
       });
       const { value } = (await answer.json()) as { value: unknown };
-      if (!answer.ok) throw new Error(`WebKit: ${method} ${path}: ${JSON.stringify(value)}`);
+      if (!answer.ok) {
+        const told = `WebKit: ${method} ${path}: ${JSON.stringify(value)}`;
+        throw told.includes('before the unload event') ? new DocumentLeft(told) : new Error(told);
+      }
       return value;
     };
     const machine: Machine = { display, downloads, call };
