@@ -11,7 +11,7 @@ use crate::run::{self, Result};
 pub const VARIABLE: &str = "PLAYGROUND_CHROMIUM";
 
 /// Chromium without windows, as Debian packs it: it starts a page in half the time.
-const HEADLESS_SHELL: &str = "chromium-headless-shell";
+pub const HEADLESS_SHELL: &str = "chromium-headless-shell";
 
 /// Finds or installs the browser of the tests: the one that is named, or the headless shell, or else what [`ensure`] finds.
 pub fn for_tests() -> Result<PathBuf> {

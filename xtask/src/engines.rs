@@ -69,6 +69,12 @@ const PROGRAMS: [Program; 5] = [
     },
 ];
 
+/// The packages of Debian that bring the programs.
+#[cfg(test)]
+pub fn packages() -> impl Iterator<Item = &'static str> {
+    PROGRAMS.iter().map(|program| program.package)
+}
+
 /// Finds the programs or installs them: each with the variable that names it.
 pub fn ensure() -> Result<Vec<(&'static str, PathBuf)>> {
     let missing: Vec<&Program> = PROGRAMS.iter().filter(|program| program.find().is_none()).collect();

@@ -46,8 +46,10 @@ use setup::Setup;
 const USAGE: &str = "\
 cargo xtask play [--port N] [--no-open]   serve the playground on localhost, open a browser, show each change
 cargo xtask site                          build the whole static site into www/dist
-cargo xtask test [--all]                  check a change: native tests, the page in Chromium, part of it in two other engines
-                                          (--all: everything, as before a release)
+cargo xtask test [--all | --native | --page [--shard N/M]]
+                                          check a change: native tests, the page in Chromium, part of it in two other engines
+                                          (--all: everything, as before a release; --native, --page: one half of the rest;
+                                          --shard 1/3: a third of its browser tests)
 cargo xtask bench [--own] [--write] [--rounds N]
                                           measure beside a floor and other programs, print the tables
                                           (--own: without the others; --write: into tests/speed/README.md)
@@ -92,7 +94,7 @@ fn main() -> ExitCode {
     let result = match task {
         Task::Play(options) => play::main(options),
         Task::Site => Setup::for_building().and_then(|setup| package::site(&setup)),
-        Task::Test(tier) => test::main(tier),
+        Task::Test(tier) => test::main(&tier),
         Task::Bench(options) => bench::main(options),
         Task::Compare(options) => compare::main(&options),
         Task::Manuals => manuals::main(),
@@ -119,8 +121,7 @@ fn parse(words: &[&str]) -> run::Result<Task> {
     match words {
         ["play", options @ ..] => parse_play(options).map(Task::Play),
         ["site"] => Ok(Task::Site),
-        ["test"] => Ok(Task::Test(test::Tier::Change)),
-        ["test", "--all"] => Ok(Task::Test(test::Tier::All)),
+        ["test", options @ ..] if !options.contains(&"--help") => parse_test(options).map(Task::Test),
         ["bench", options @ ..] if !options.contains(&"--help") => parse_bench(options).map(Task::Bench),
         ["compare-linuxcnc", options @ ..] => {
             Ok(Task::Compare(options.iter().map(|word| (*word).to_owned()).collect()))
@@ -151,6 +152,17 @@ fn parse_play(words: &[&str]) -> run::Result<Options> {
         }
     }
     Ok(options)
+}
+
+fn parse_test(words: &[&str]) -> run::Result<test::Tier> {
+    match words {
+        [] => Ok(test::Tier::Change),
+        ["--all"] => Ok(test::Tier::All),
+        ["--native"] => Ok(test::Tier::Native),
+        ["--page"] => Ok(test::Tier::Page(None)),
+        ["--page", "--shard", share] => Ok(test::Tier::Page(Some((*share).to_owned()))),
+        _ => Err(format!("`test {}` is not understood", words.join(" "))),
+    }
 }
 
 fn parse_bench(words: &[&str]) -> run::Result<bench::Options> {
@@ -219,6 +231,9 @@ mod tests {
         assert_eq!(parse(&["play", "--no-open", "--port", "81"]), play(Some(81), Browser::Leave));
         assert_eq!(parse(&["test"]), Ok(Task::Test(test::Tier::Change)));
         assert_eq!(parse(&["test", "--all"]), Ok(Task::Test(test::Tier::All)));
+        assert_eq!(parse(&["test", "--native"]), Ok(Task::Test(test::Tier::Native)));
+        let third = test::Tier::Page(Some("1/3".into()));
+        assert_eq!(parse(&["test", "--page", "--shard", "1/3"]), Ok(Task::Test(third)));
         assert_eq!(parse(&["test", "--help"]), Ok(Task::Help));
         assert_eq!(
             parse(&["compare-linuxcnc", "--seed", "2"]),

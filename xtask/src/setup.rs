@@ -119,3 +119,33 @@ fn node() -> Result {
         None => Err(format!("Node.js {NODE_MIN} or newer is needed, with npm: see https://nodejs.org")),
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn read(name: &str) -> String {
+        fs::read_to_string(run::root().join(name)).expect(name)
+    }
+
+    #[test]
+    fn the_container_has_all_that_the_tests_look_for() {
+        let dockerfile = read(".devcontainer/Dockerfile");
+        assert!(read(".devcontainer/devcontainer.json").contains(r#""dockerfile": "Dockerfile""#));
+        let words: Vec<&str> = dockerfile.split_whitespace().collect();
+        for package in engines::packages().chain(spelling::PACKAGES).chain([browser::HEADLESS_SHELL]) {
+            assert!(words.contains(&package), "{package}");
+        }
+        let image = dockerfile.lines().find_map(|line| line.strip_prefix("FROM ")).expect("an image");
+        for workflow in ["test", "nightly", "release"] {
+            let text = read(&format!(".github/workflows/{workflow}.yml"));
+            // On Ubuntu no browser is installed for the tests.
+            let containers = text.matches(&format!("    container: {image}\n")).count();
+            assert_eq!(
+                containers,
+                text.matches("cargo xtask test").count() - usize::from(workflow == "test"),
+                "{workflow}"
+            );
+        }
+    }
+}

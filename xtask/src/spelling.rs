@@ -5,7 +5,7 @@ use crate::debian;
 use crate::run::{self, Result};
 
 /// hunspell and its dictionaries.
-const PACKAGES: [&str; 3] = ["hunspell", "hunspell-en-gb", "hunspell-ru"];
+pub const PACKAGES: [&str; 3] = ["hunspell", "hunspell-en-gb", "hunspell-ru"];
 
 /// The names of these dictionaries in hunspell.
 const DICTIONARIES: [&str; 2] = ["en_GB", "ru_RU"];

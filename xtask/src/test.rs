@@ -1,10 +1,11 @@
 //! In: the whole working tree. Out: whether it is in order. It stops at the first step that fails.
 //!
-//! `cargo xtask test` checks a change in minutes; `--all` has the rest, which a change seldom breaks or which takes
+//! `cargo xtask test` checks a change in minutes; `--native` and `--page` are its halves, for jobs side by side. `--all` has the rest, which a change seldom breaks or which takes
 //! long: the fuzz targets, the hostile programs, the packages for other projects, the command line under Node, the
 //! recipes for manuals, the checks in a repository, and every browser test in three engines.
 
 use std::env;
+use std::path::PathBuf;
 use std::time::{Duration, Instant};
 
 use crate::run::{self, Result, command, pretty, step};
@@ -14,10 +15,14 @@ use crate::{
 };
 
 /// What is checked.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Tier {
     /// The checks that a single change is most likely to fail.
     Change,
+    /// The half of them that needs no page: format, lints, native tests, the module under Node.
+    Native,
+    /// The other half: sizes, types, workflows, the page in browsers. With a share `1/3` of the browser tests.
+    Page(Option<String>),
     /// Everything.
     All,
 }
@@ -36,32 +41,69 @@ impl Done {
 }
 
 /// `cargo xtask test`.
-pub fn main(tier: Tier) -> Result {
+pub fn main(tier: &Tier) -> Result {
     let start = Instant::now();
     let mut done = Done::default();
+    let (has_native, has_page) = (!matches!(tier, Tier::Page(_)), *tier != Tier::Native);
 
     // What needs no set-up comes first: a slip in the format is reported in a second.
-    done.add("format", step("checking the format", command("cargo").args(["fmt", "--all", "--check"]))?);
-    let mut clippy = command("cargo");
-    clippy.args(["clippy", "--workspace", "--all-targets", "--", "-D", "warnings"]);
-    done.add("lints", step("lints, native", &mut clippy)?);
-
+    if has_native {
+        done.add("format", step("checking the format", command("cargo").args(["fmt", "--all", "--check"]))?);
+        let mut clippy = command("cargo");
+        clippy.args(["clippy", "--workspace", "--all-targets", "--", "-D", "warnings"]);
+        done.add("lints", step("lints, native", &mut clippy)?);
+    }
     let setting_up = Instant::now();
+    let (setup, browsers) = set_up(tier)?;
+    done.add("set-up", setting_up.elapsed());
+    if has_native {
+        native(&setup, &mut done)?;
+    }
+    if has_page {
+        page(&setup, &browsers, tier, &mut done)?;
+    }
+
+    let list: Vec<_> = done.0.iter().map(|(name, time)| format!("{name} {}", pretty(*time))).collect();
+    run::say(format_args!("times: {}", list.join(", ")));
+    run::say(format_args!("all {} steps passed in {}", list.len(), pretty(start.elapsed())));
+    Ok(())
+}
+
+/// Gets what the checks need; the variables name the browsers.
+fn set_up(tier: &Tier) -> Result<(Setup, Vec<(&'static str, PathBuf)>)> {
     // A contributor decides what is installed on the machine.
     if env::var_os("CI").is_none_or(|value| value != "true") {
         debian::forbid();
     }
-    let setup = if tier == Tier::All { Setup::for_packages() } else { Setup::for_testing() }?;
-    let (browser, engines) = match (spelling::ensure(), browser::for_tests(), engines::ensure()) {
-        (Ok(()), Ok(browser), Ok(engines)) => (browser, engines),
-        (spelling, browser, engines) => {
-            let missing: Vec<_> =
-                [spelling.err(), browser.err(), engines.err()].into_iter().flatten().collect();
-            return Err(missing.join("\n\n") + "\n\n`cargo xtask setup` installs all of it on Debian.");
-        }
-    };
-    done.add("set-up", setting_up.elapsed());
+    let setup = match tier {
+        Tier::Page(_) => Setup::for_building(),
+        Tier::Change | Tier::Native => Setup::for_testing(),
+        Tier::All => Setup::for_packages(),
+    }?;
+    let spelling = if matches!(tier, Tier::Page(_)) { Ok(()) } else { spelling::ensure() };
+    let browsers = if *tier == Tier::Native { Ok(Vec::new()) } else { browsers() };
+    let missing: Vec<_> =
+        [spelling.as_ref().err(), browsers.as_ref().err()].into_iter().flatten().cloned().collect();
+    match browsers {
+        Ok(browsers) if missing.is_empty() => Ok((setup, browsers)),
+        _ => Err(missing.join("\n\n") + "\n\n`cargo xtask setup` installs all of it on Debian."),
+    }
+}
 
+fn browsers() -> Result<Vec<(&'static str, PathBuf)>> {
+    match (browser::for_tests(), engines::ensure()) {
+        (Ok(chromium), Ok(engines)) => {
+            Ok([(browser::VARIABLE, chromium)].into_iter().chain(engines).collect())
+        }
+        (chromium, engines) => {
+            let missing: Vec<_> = [chromium.err(), engines.err()].into_iter().flatten().collect();
+            Err(missing.join("\n\n"))
+        }
+    }
+}
+
+/// What needs no page.
+fn native(setup: &Setup, done: &mut Done) -> Result {
     let mut clippy = setup.command("cargo");
     clippy.args(["clippy", "--target", "wasm32-unknown-unknown", "--lib", "--test", "wasm"]);
     clippy.args(["--", "-D", "warnings"]);
@@ -72,16 +114,22 @@ pub fn main(tier: Tier) -> Result {
     under_node.env("CARGO_TARGET_WASM32_UNKNOWN_UNKNOWN_RUNNER", "wasm-bindgen-test-runner");
     under_node.env("WASM_BINDGEN_TEST_ONLY_NODE", "1");
     done.add("wasm tests", step("wasm tests under Node", &mut under_node)?);
-    match tier {
-        Tier::Change => done.add("wasm package", package::wasm(&setup)?),
-        Tier::All => products(&setup, &mut done)?,
+    Ok(())
+}
+
+/// The page: its module, its files, and what browsers do with them.
+fn page(setup: &Setup, browsers: &[(&'static str, PathBuf)], tier: &Tier, done: &mut Done) -> Result {
+    if *tier == Tier::All {
+        products(setup, done)?;
+    } else {
+        done.add("wasm package", package::wasm(setup)?);
     }
     done.add("wasm size", package::size()?);
     let begun = Instant::now();
     let missing = translations::missing()?;
     if !missing.is_empty() {
         let message = translations::message(&missing);
-        if tier == Tier::All {
+        if *tier == Tier::All {
             return Err(message);
         }
         run::say(format_args!("warning: {message}"));
@@ -92,18 +140,17 @@ pub fn main(tier: Tier) -> Result {
         "workflows",
         step("checking the workflows", command("node").arg("tests/package/workflows.mjs"))?,
     );
-    done.add("page", package::page(&setup, native::Beside::Tests)?);
+    done.add("page", package::page(setup, native::Beside::Tests)?);
     let mut playwright = setup.npm(&["run", "test:browser"]);
-    playwright.env(browser::VARIABLE, browser).envs(engines);
-    if tier == Tier::All {
-        for_other_projects(&setup, &mut done)?;
+    playwright.envs(browsers.iter().cloned());
+    if *tier == Tier::All {
+        for_other_projects(setup, done)?;
         playwright.env(ALL_BROWSER_TESTS, "1");
     }
+    if let Tier::Page(Some(share)) = tier {
+        playwright.args(["--", &format!("--shard={share}")]);
+    }
     done.add("browser tests", step("browser tests", &mut playwright)?);
-
-    let list: Vec<_> = done.0.iter().map(|(name, time)| format!("{name} {}", pretty(*time))).collect();
-    run::say(format_args!("times: {}", list.join(", ")));
-    run::say(format_args!("all {} steps passed in {}", list.len(), pretty(start.elapsed())));
     Ok(())
 }
 
