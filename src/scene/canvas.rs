@@ -16,6 +16,7 @@ use wasm_bindgen::JsValue;
 use web_sys::{ImageBitmap, OffscreenCanvas};
 
 use super::camera::{Pixel, XPlus};
+use super::clip;
 use super::ink::Ink;
 use super::marks::{arrow_heads, insert};
 use super::source::{Picture, Source};
@@ -254,9 +255,15 @@ impl Painter {
             return Ok(());
         }
         self.screen.page(view)?;
-        let line: Vec<Pixel> = view.edge.iter().map(|at| sheet::held(view.camera(), *at)).collect();
+        let camera = view.camera();
+        let line: Vec<Pixel> = view.edge.iter().map(|at| camera.to_screen(*at)).collect();
         self.screen.opacity(0.55);
-        self.screen.polylines(&view.palette.hover, &[line], 6.0, Dash::Solid)?;
+        self.screen.polylines(
+            &view.palette.hover,
+            &clip::polyline(&line, camera.size()),
+            6.0,
+            Dash::Solid,
+        )?;
         self.screen.opacity(1.0);
         Ok(())
     }
@@ -323,7 +330,10 @@ impl Painter {
     /// The outline of the tool that cuts, its tip marked.
     fn real_tool(&self, view: &View, tool: &ToolOutline) -> Result<(), JsValue> {
         let camera = view.camera();
-        let seen = |points: &[Point]| points.iter().map(|at| sheet::held(camera, *at)).collect::<Vec<_>>();
+        let seen = |points: &[Point]| {
+            let corners: Vec<Pixel> = points.iter().map(|at| camera.to_screen(*at)).collect();
+            clip::polygon(&corners, camera.size())
+        };
         self.screen.page(view)?;
         if let Some(body) = tool.body.as_deref().map(seen) {
             self.screen.opacity(0.16);

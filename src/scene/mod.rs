@@ -8,6 +8,7 @@
 pub mod camera;
 #[cfg(target_arch = "wasm32")]
 pub mod canvas;
+pub mod clip;
 pub mod face;
 pub mod hatch;
 pub mod ink;

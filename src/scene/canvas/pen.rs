@@ -7,6 +7,7 @@ use wasm_bindgen::{Clamped, JsCast, JsValue};
 use web_sys::{ImageBitmap, ImageData, OffscreenCanvas, OffscreenCanvasRenderingContext2d, Path2d};
 
 use super::super::camera::{BOTTOM_RULER, LEFT_RULER, Pixel};
+use super::super::clip::Piece;
 use super::super::view::View;
 
 /// How a line is broken.
@@ -205,25 +206,31 @@ impl Pen {
         self.context.stroke();
     }
 
-    /// Strokes lines through corners, these and the width in CSS pixels.
-    pub fn polylines(
-        &self,
-        colour: &str,
-        lines: &[Vec<Pixel>],
-        width: f64,
-        dash: Dash,
-    ) -> Result<(), JsValue> {
+    /// Strokes pieces of lines, corners and width in CSS pixels. Dashes are where those of the whole line are.
+    pub fn polylines(&self, colour: &str, pieces: &[Piece], width: f64, dash: Dash) -> Result<(), JsValue> {
         self.context.set_stroke_style_str(colour);
         self.context.set_line_width(width);
         self.dash(dash, 1.0)?;
         self.context.begin_path();
-        for corner in lines.iter().flat_map(|line| line.iter().enumerate()) {
-            match corner {
-                (0, at) => self.context.move_to(at.x, at.y),
-                (_, at) => self.context.line_to(at.x, at.y),
+        for piece in pieces {
+            if dash != Dash::Solid {
+                self.context.set_line_dash_offset(piece.before);
+                self.context.begin_path();
+            }
+            for (index, at) in piece.corners.iter().enumerate() {
+                match index {
+                    0 => self.context.move_to(at.x, at.y),
+                    _ => self.context.line_to(at.x, at.y),
+                }
+            }
+            if dash != Dash::Solid {
+                self.context.stroke();
             }
         }
-        self.context.stroke();
+        if dash == Dash::Solid {
+            self.context.stroke();
+        }
+        self.context.set_line_dash_offset(0.0);
         Ok(())
     }
 

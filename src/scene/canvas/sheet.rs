@@ -5,7 +5,8 @@
 
 use wasm_bindgen::JsValue;
 
-use super::super::camera::{BOTTOM_RULER, Camera, LEFT_RULER, Pixel, Size};
+use super::super::camera::{BOTTOM_RULER, LEFT_RULER, Pixel, Size};
+use super::super::clip::{self, Piece};
 use super::super::hatch::{Slant, hatch, hatch_slanted};
 use super::super::ink::Ink;
 use super::super::palette::Palette;
@@ -14,7 +15,7 @@ use super::super::view::View;
 use super::super::work::{Outlines, closed, edges};
 use super::super::{Plane, Scene, StrokeStyle};
 use super::pen::{Dash, Pen, Text};
-use crate::geometry::{Point, within};
+use crate::geometry::Point;
 use crate::machine::resolved_setup::Basis;
 use crate::parts::{Part, late};
 
@@ -86,14 +87,19 @@ fn work(pen: &Pen, scene: &Scene, view: &View) -> Result<(), JsValue> {
     let (camera, palette) = (view.camera(), &view.palette);
     pen.page(view)?;
     for side in scene.plane().sides() {
-        let seen = |outlines: &Outlines| -> Vec<Vec<Pixel>> {
-            let place = |at: &Point| held(camera, Point::new(side * at.x, at.z));
-            outlines.iter().map(|outline| outline.iter().map(place).collect()).collect()
+        let corners = |outline: &Vec<Point>| -> Vec<Pixel> {
+            outline.iter().map(|at| camera.to_screen(Point::new(side * at.x, at.z))).collect()
         };
-        let (blank, part, obstacles) = (seen(&work.blank), seen(&work.part), seen(&work.obstacles));
+        let areas = |outlines: &Outlines| -> Vec<Vec<Pixel>> {
+            outlines.iter().map(|outline| clip::polygon(&corners(outline), camera.size())).collect()
+        };
+        let lines = |lines: &Outlines| -> Vec<Piece> {
+            lines.iter().flat_map(|line| clip::polyline(&corners(line), camera.size())).collect()
+        };
+        let (blank, part, obstacles) = (areas(&work.blank), areas(&work.part), areas(&work.obstacles));
         let blank_edges = match scene.plane() {
-            Plane::Section => seen(&edges(&work.blank)),
-            Plane::Face | Plane::Side => seen(&closed(&work.blank)),
+            Plane::Section => lines(&edges(&work.blank)),
+            Plane::Face | Plane::Side => lines(&closed(&work.blank)),
         };
         let [cut, left] = work.part_edges(scene.plane());
         pen.opacity(1.0);
@@ -103,36 +109,36 @@ fn work(pen: &Pen, scene: &Scene, view: &View) -> Result<(), JsValue> {
         // What is looked at from outside is not cut through.
         if scene.plane() == Plane::Section {
             pen.opacity(0.35);
-            let lines = hatch(&part, camera.to_screen(Point::default()), camera.size());
-            pen.lines(&palette.part_edge, 1.0, lines.into_iter());
+            let hatching = hatch(&part, camera.to_screen(Point::default()), camera.size());
+            pen.lines(&palette.part_edge, 1.0, hatching.into_iter());
         }
         pen.opacity(0.25);
         pen.fill(&palette.axis, obstacles.iter().map(Vec::as_slice));
         if scene.plane() == Plane::Section {
             // Jaws, chuck and tailstock are cut through as well.
             pen.opacity(0.45);
-            let lines = hatch(&obstacles, camera.to_screen(Point::default()), camera.size());
-            pen.lines(&palette.axis, 1.0, lines.into_iter());
+            let hatching = hatch(&obstacles, camera.to_screen(Point::default()), camera.size());
+            pen.lines(&palette.axis, 1.0, hatching.into_iter());
         }
         pen.opacity(1.0);
-        pen.polylines(&palette.part_edge, &seen(&left), 1.5, blank_dash(work.basis))?;
-        pen.polylines(&palette.part_edge, &seen(&cut), 1.5, Dash::Solid)?;
-        pen.polylines(&palette.axis, &seen(&closed(&work.obstacles)), 1.0, Dash::Solid)?;
-        pen.polylines(&palette.part_edge, &seen(&work.milled_lines()), 0.75, Dash::Solid)?;
+        pen.polylines(&palette.part_edge, &lines(&left), 1.5, blank_dash(work.basis))?;
+        pen.polylines(&palette.part_edge, &lines(&cut), 1.5, Dash::Solid)?;
+        pen.polylines(&palette.axis, &lines(&closed(&work.obstacles)), 1.0, Dash::Solid)?;
+        pen.polylines(&palette.part_edge, &lines(&work.milled_lines()), 0.75, Dash::Solid)?;
         let [first, second] =
             work.compared.as_ref().map_or([None, None], |[first, second]| [Some(first), Some(second)]);
         for (only, colour, slant) in
             [(first, &palette.only_first, Slant::Falling), (second, &palette.only_second, Slant::Rising)]
         {
             let Some(only) = only else { continue };
-            let pieces = seen(only);
+            let pieces = areas(only);
             pen.opacity(0.16);
             pen.fill(colour, pieces.iter().map(Vec::as_slice));
             pen.opacity(0.8);
-            let lines = hatch_slanted(&pieces, camera.to_screen(Point::default()), camera.size(), slant);
-            pen.lines(colour, 1.0, lines.into_iter());
+            let hatching = hatch_slanted(&pieces, camera.to_screen(Point::default()), camera.size(), slant);
+            pen.lines(colour, 1.0, hatching.into_iter());
             pen.opacity(1.0);
-            pen.polylines(colour, &seen(&closed(only)), 1.25, Dash::Solid)?;
+            pen.polylines(colour, &lines(&closed(only)), 1.25, Dash::Solid)?;
         }
     }
     Ok(())
@@ -192,12 +198,6 @@ fn label(pen: &Pen, tick: &Tick, align: &str, at: Pixel, palette: &Palette) -> R
         Some(text) => pen.write(&Text { text, font: FONT, align, baseline: "middle" }, at, &palette.text),
         None => Ok(()),
     }
-}
-
-/// Where a corner is seen, held to just outside the picture: browsers lose far-away edges.
-pub fn held(camera: &Camera, point: Point) -> Pixel {
-    let (at, size) = (camera.to_screen(point), camera.size());
-    Pixel::new(within(at.x, -10.0, size.width + 10.0), within(at.y, -10.0, size.height + 10.0))
 }
 
 fn from_to(from: (f64, f64), to: (f64, f64)) -> (Pixel, Pixel) {
