@@ -67,6 +67,7 @@ mod spelling;
 mod teams;
 mod timing;
 mod uncertain;
+mod worked_controls;
 mod worked_cuts;
 mod worked_live_rapids;
 mod worked_planes;
