@@ -402,6 +402,8 @@ pub struct Rotary {
     pub from: f64,
     /// Where it ends.
     pub to: f64,
+    /// What a degree counts in the feed, mm: 1 under G21, 25.4 under G20 (FANUC B-64304EN, feed of rotary axes).
+    pub degree: f64,
     /// The move as it was programmed under polar or cylindrical interpolation; the motion's own points are
     /// then those of the machine.
     pub virtual_move: Option<VirtualMove>,
@@ -420,6 +422,8 @@ pub struct Motion {
     pub center: Option<Point>,
     /// Thread lead, mm/rev along the long axis; of threads and the other motions of a thread cycle.
     pub lead: Option<f64>,
+    /// By how much the lead grows in each turn of the spindle (K of G34), mm.
+    pub lead_change: Option<f64>,
     /// Seconds the tool waits, of dwells only.
     pub seconds: Option<f64>,
     /// What the program says, when nose radius compensation leads the tip elsewhere.
@@ -446,6 +450,25 @@ impl Motion {
     /// Whether nothing but C turns while the tool stands.
     pub fn is_turn(&self) -> bool {
         self.rotary.is_some_and(|rotary| rotary.virtual_move.is_none())
+    }
+
+    /// How far C turns in the plane of turning, in mm of the feed.
+    pub fn turned(&self) -> f64 {
+        let turned = self.rotary.filter(|rotary| rotary.virtual_move.is_none());
+        turned.map_or(0.0, |rotary| rotary.degree * (rotary.to - rotary.from).abs())
+    }
+
+    /// Length of the longer axis, mm: along it a lead counts.
+    pub fn longer_axis(&self) -> f64 {
+        (self.from.x - self.to.x).abs().max((self.from.z - self.to.z).abs())
+    }
+
+    /// The lead of a thread, mm; the mean one where it changes: n turns are F·n + K·n²/2 long.
+    pub fn mean_lead(&self) -> Option<f64> {
+        let lead = self.lead?;
+        let change = self.lead_change.unwrap_or(0.0);
+        let last = (lead * lead + 2.0 * change * self.longer_axis()).max(0.0).sqrt();
+        Some(f64::midpoint(lead, last))
     }
 
     /// The move under polar or cylindrical interpolation that the program asks for.
@@ -540,6 +563,8 @@ pub struct Chunk {
     programmed: Vec<(u32, Programmed)>,
     /// Motions that C takes part in.
     rotary: Vec<(u32, Rotary)>,
+    /// Threads whose lead changes.
+    lead_changes: Vec<(u32, f64)>,
     /// Motions before which the program stops.
     stops: Vec<(u32, (StopKind, BlockPlace))>,
     kind: Vec<u8>,
@@ -569,6 +594,7 @@ impl Chunk {
             starts: Vec::new(),
             programmed: Vec::new(),
             rotary: Vec::new(),
+            lead_changes: Vec::new(),
             stops: Vec::new(),
             kind: Vec::new(),
             x: Vec::new(),
@@ -636,6 +662,9 @@ impl Chunk {
         }
         if let Some(rotary) = motion.rotary {
             self.rotary.push((index, rotary));
+        }
+        if let Some(change) = motion.lead_change {
+            self.lead_changes.push((index, change));
         }
         if let Some(step) = motion.cycle {
             self.rows[index as usize].cycle = pack_cycle(step);
@@ -740,6 +769,7 @@ impl Chunk {
             to: Point::new(self.x[index], self.z[index]),
             center: (is_arc && detail != NONE).then(|| self.centers[detail as usize]),
             lead: number.filter(|_| kind != MotionKind::Dwell),
+            lead_change: look_up(&self.lead_changes, index),
             seconds: number.filter(|_| kind == MotionKind::Dwell),
             programmed: look_up(&self.programmed, index),
             rotary: look_up(&self.rotary, index),

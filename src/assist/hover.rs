@@ -9,7 +9,7 @@ use super::role::Role;
 use crate::control::codes::{self, Function, G, Hole, MotionMode, Multiple};
 use crate::control::contour::Purpose;
 use crate::control::macros;
-use crate::control::modal::State;
+use crate::control::modal::{Lead, State};
 use crate::control::origins::{Modal, Origins};
 use crate::control::program::{Labels, program_and_repeats};
 use crate::control::tool_offset;
@@ -611,8 +611,8 @@ fn from_to(from: f64, to: f64, across: bool) -> Fact {
 
 /// F in force.
 pub fn feed_of(state: &State) -> Option<Quantity> {
-    match (state.feed, state.threads_per_inch, state.feed_mode) {
-        (_, Some(threads), _) => Some(Quantity::ThreadsPerInch(threads)),
+    match (state.feed, state.lead, state.feed_mode) {
+        (_, Some(Lead::ThreadsPerInch(threads)), _) => Some(Quantity::ThreadsPerInch(threads)),
         (None, ..) => None,
         (Some(feed), _, FeedMode::PerMinute) => Some(Quantity::FeedPerMinute(feed)),
         (Some(feed), _, FeedMode::PerTurn) => Some(Quantity::FeedPerTurn(feed)),

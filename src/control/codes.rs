@@ -180,6 +180,11 @@ impl Hole {
         matches!(self, Self::G81 | Self::G82 | Self::G83 | Self::G87)
     }
 
+    /// Whether Q is the depth of its pecks.
+    pub fn pecks(self) -> bool {
+        matches!(self, Self::G83 | Self::G87)
+    }
+
     /// Whether it taps.
     pub fn is_tap(self) -> bool {
         matches!(self, Self::G84 | Self::G88)

@@ -258,6 +258,25 @@ impl Compensating {
     }
 }
 
+/// A lead that is not given by F.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Lead {
+    /// I of G32 and G92 on GSK: threads an inch.
+    ThreadsPerInch(f64),
+    /// E: mm.
+    ByE(f64),
+}
+
+impl Lead {
+    /// In mm.
+    pub fn mm(self) -> f64 {
+        match self {
+            Self::ThreadsPerInch(threads) => 25.4 / threads,
+            Self::ByE(lead) => lead,
+        }
+    }
+}
+
 /// The spindle as commanded.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Spindle {
@@ -402,8 +421,8 @@ pub struct State {
     pub feed_mode: FeedMode,
     /// F, mm/min or mm/rev, as it was written.
     pub feed: Option<f64>,
-    /// Threads an inch (I of G32 and G92 on GSK), until an F is given.
-    pub threads_per_inch: Option<f64>,
+    /// The lead of threads, where it is not that of F; until an F is given.
+    pub lead: Option<Lead>,
     /// Groups 02 and the M codes of the spindle.
     pub spindle: Spindle,
     /// Group 07.
@@ -472,7 +491,7 @@ impl State {
             unit: Unit::Millimetre,
             feed_mode: dialect.feed_mode,
             feed: None,
-            threads_per_inch: None,
+            lead: None,
             spindle: Spindle {
                 surface: false,
                 rpm: 0.0,

@@ -357,7 +357,7 @@ fn values(state: &State) -> [u64; MODALS] {
     let mut set = |modal: Modal, value: u64| values[modal as usize] = value;
     set(Modal::Motion, motion(state.motion));
     set(Modal::FeedMode, u64::from(state.feed_mode == FeedMode::PerTurn));
-    set(Modal::Feed, optional(state.feed.or(state.threads_per_inch.map(|threads| -threads))));
+    set(Modal::Feed, optional(state.feed.or(state.lead.map(|lead| -lead.mm()))));
     set(Modal::SpeedMode, u64::from(spindle.surface));
     set(Modal::Speed, if spindle.surface { spindle.cutting_speed } else { spindle.rpm }.to_bits());
     set(Modal::HighestSpeed, optional(spindle.highest));

@@ -214,6 +214,8 @@ struct BlockCodes {
     thread: bool,
     /// It moves at rapid, as far as the text shows.
     rapid: bool,
+    /// A hole cycle is in force.
+    hole: bool,
 }
 
 impl BlockCodes {
@@ -226,13 +228,27 @@ impl BlockCodes {
         arc: false,
         thread: false,
         rapid: true,
+        hole: false,
     };
+
+    /// What the codes of the block before leave in force.
+    fn next(self) -> Self {
+        let role = if self.hole { Role::Deep } else { Role::Place };
+        Self { role, rapid: self.rapid, thread: self.thread, hole: self.hole, ..Self::START }
+    }
+
+    fn end_hole(&mut self) {
+        if std::mem::take(&mut self.hole) {
+            self.role = Role::Place;
+        }
+    }
 
     /// Takes in a code of the block; nothing for one that is not known.
     fn read(&mut self, code: Option<G>) {
         let Some(code) = code else { return };
         match code {
             G::Motion(mode) => {
+                self.end_hole();
                 self.thread = matches!(
                     mode,
                     MotionMode::Thread
@@ -258,8 +274,9 @@ impl BlockCodes {
                 self.role = Role::Other;
                 self.reads_contour = cycle != Multiple::Finishing;
             }
-            // R and Q of a hole are no places.
-            G::Hole(_) => self.role = Role::Deep,
+            // R, Q and K of a hole are no places, in the blocks after it too.
+            G::Hole(_) => (self.role, self.hole) = (Role::Deep, true),
+            G::NoHole => self.end_hole(),
             G::Unit(unit) => self.inch = Some(unit == Unit::Inch),
             G::Plane(_)
             | G::CheckHome
@@ -267,7 +284,6 @@ impl BlockCodes {
             | G::EndOfData
             | G::Distance { .. }
             | G::HoleReturn(_)
-            | G::NoHole
             | G::NoModalMacro
             | G::Compensation(_)
             | G::Frame(_)
@@ -302,7 +318,7 @@ impl<'a> Program<'a> {
                 return None;
             }
             let first = words.len();
-            state = BlockCodes { rapid: state.rapid, thread: state.thread, ..BlockCodes::START };
+            state = state.next();
             let has = |letters: &[u8]| block.words.iter().any(|word| is_among(letters, word.address));
             for word in &block.words {
                 let Value::Number { number, negative } = word.value else { continue };

@@ -45,7 +45,7 @@ pub fn feed_at(motion: &Motion, machine: &Machine, radius: f64) -> Option<f64> {
     let per_turn = match (motion.kind, motion.process.feed) {
         (MotionKind::Rapid | MotionKind::Dwell, _) => return None,
         // The lead counts along the long axis, the feed along the path.
-        (MotionKind::Thread, _) => motion.lead? * motion.length() / longer_axis(motion.from, motion.to),
+        (MotionKind::Thread, _) => motion.mean_lead()? * motion.length() / motion.longer_axis(),
         (_, Feed::PerMinute(feed)) => return Some(feed),
         (_, Feed::PerTurn(feed)) => feed,
         (_, Feed::Unset) => return None,
@@ -62,8 +62,11 @@ pub fn seconds(motion: &Motion, machine: &Machine) -> Option<f64> {
     if motion.kind == MotionKind::Rapid {
         return rapid(motion, machine);
     }
+    if let (Feed::PerMinute(feed), true) = (motion.process.feed, motion.turned() > 0.0) {
+        return Some(60.0 * length.hypot(motion.turned()) / feed).filter(|seconds| seconds.is_finite());
+    }
     if length <= SAME {
-        // C alone turns, at a rate that is not given; or nothing moves at all.
+        // C alone turns, by a feed that a turn of the spindle does not measure; or nothing moves at all.
         return if motion.is_turn() { None } else { Some(0.0) };
     }
     let seconds = match (motion.kind, motion.process.feed, motion.process.speed) {
@@ -101,7 +104,7 @@ fn under_surface_speed(motion: &Motion, machine: &Machine) -> Option<f64> {
     let limit = highest(&motion.process, machine);
     // Turns a mm of path.
     let turns = match (motion.kind, motion.process.feed) {
-        (MotionKind::Thread, _) => longer_axis(motion.from, motion.to) / motion.length() / motion.lead?,
+        (MotionKind::Thread, _) => motion.longer_axis() / motion.length() / motion.mean_lead()?,
         (_, Feed::PerTurn(feed)) => 1.0 / feed,
         _ => return None,
     };
@@ -154,10 +157,6 @@ fn highest(process: &Process, machine: &Machine) -> Option<f64> {
         (Some(clamp), Some(most)) => Some(clamp.min(most)),
         (clamp, most) => clamp.or(most),
     }
-}
-
-fn longer_axis(from: Point, to: Point) -> f64 {
-    (from.x - to.x).abs().max((from.z - to.z).abs())
 }
 
 /// The time of all motions of a run, and where it is not known.

@@ -99,6 +99,7 @@ impl Path {
             to,
             center,
             lead,
+            lead_change: None,
             seconds,
             programmed: None,
             rotary: None,

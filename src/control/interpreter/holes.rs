@@ -8,7 +8,7 @@ use super::rotary::TURNS;
 use super::{AXES, Interpreter};
 use crate::control::codes::{Hole, HoleReturn};
 use crate::control::events::Event;
-use crate::control::modal::{HoleMemory, Once, Target};
+use crate::control::modal::{HoleMemory, Lead, Once, Target};
 use crate::control::words::{Counts, Words, letters, plain, quote};
 use crate::cycles::drilling::{self, Exit};
 use crate::cycles::units;
@@ -142,7 +142,7 @@ impl Interpreter {
                 return;
             };
             memory.peck = q.map(f64::abs).filter(|&q| q > 0.0);
-            if memory.peck.is_none() && kind.is_drill() {
+            if memory.peck.is_none() && kind.pecks() {
                 let message = said::PeckZero { word: words.quote(text, b'Q') };
                 self.report(Diagnostic::new(message, words.span(b'Q')));
                 request.drop = true;
@@ -163,7 +163,7 @@ impl Interpreter {
             initial: at,
             r: point(r_level),
             bottom: point(bottom),
-            peck: memory.peck.filter(|_| kind.is_drill()),
+            peck: memory.peck.filter(|_| kind.pecks()),
             clearance: CLEARANCE,
             waits: memory.dwell > 0.0,
             back_to: match self.state.hole_return {
@@ -172,7 +172,7 @@ impl Interpreter {
             },
             exit: if kind.is_tap() {
                 Exit::Thread
-            } else if kind.is_drill() {
+            } else if kind.is_drill() || kind == Hole::G86 {
                 Exit::Rapid
             } else {
                 Exit::Feed
@@ -229,7 +229,8 @@ impl Interpreter {
     fn tap_lead(&mut self, text: &[u8], block: &Block, words: &Words, kind: Hole) -> Option<f64> {
         let lead = self.lead(text, block, words, kind.code())?;
         let (rpm, gsk) = (self.state.spindle.rpm, self.dialect.control == Control::Gsk);
-        let by_minute = self.state.feed_mode == FeedMode::PerMinute && words.get(b'E').is_none() && !gsk;
+        let by_e = matches!(self.state.lead, Some(Lead::ByE(_)));
+        let by_minute = self.state.feed_mode == FeedMode::PerMinute && !by_e && !gsk;
         Some(if by_minute && rpm > 0.0 { lead / rpm } else { lead })
     }
 

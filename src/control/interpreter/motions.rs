@@ -8,7 +8,7 @@ use super::{AXES, Interpreter};
 use crate::control::arcs::{self, CenterWords};
 use crate::control::codes::{Compensation, MotionMode, Plane};
 use crate::control::events::{Event, ThreadPass, ThreadedBy};
-use crate::control::modal::{Angle, Target};
+use crate::control::modal::{Angle, Lead, Target};
 use crate::control::words::{self, Counts, Words, letters, plain, quote};
 use crate::cycles::single::Single;
 use crate::geometry::virtual_plane::{Flat, Surface};
@@ -355,7 +355,8 @@ impl Interpreter {
             _ => [Some(to), None],
         };
         for end in ends.into_iter().flatten() {
-            let motion = Motion { lead: Some(lead), ..self.motion(MotionKind::Thread, end) };
+            let lead_change = given(b'K').filter(|_| self.state.motion == MotionMode::VariableThread);
+            let motion = Motion { lead: Some(lead), lead_change, ..self.motion(MotionKind::Thread, end) };
             self.push(block, motion);
         }
     }
@@ -372,14 +373,16 @@ impl Interpreter {
         if self.dialect.i_in_g92 == IInG92::Tpi
             && let Some(threads) = words.get(b'I').and_then(plain).filter(|&threads| threads > 0.0)
         {
-            self.state.threads_per_inch = Some(threads);
+            self.state.lead = Some(Lead::ThreadsPerInch(threads));
         }
-        let by_e = words.get(b'E').and_then(|word| reading.feed(word));
-        let by_inch = self.state.threads_per_inch.map(|threads| 25.4 / threads);
-        let lead = by_e.or(by_inch).or(self.state.feed).filter(|&lead| lead > 0.0);
+        if let Some(lead) = words.get(b'E').and_then(|word| reading.feed(word)) {
+            self.state.lead = Some(Lead::ByE(lead));
+        }
+        let own = self.state.lead.map(Lead::mm);
+        let lead = own.or(self.state.feed).filter(|&lead| lead > 0.0);
         match lead {
             None => self.report(Diagnostic::new(said::LeadMissing { code }, block.words_span())),
-            Some(feed) if by_e.is_none() && by_inch.is_none() => {
+            Some(feed) if own.is_none() => {
                 self.observe(text, Event::LeadOfFeed { block, code, feed });
             }
             Some(_) => {}

@@ -19,6 +19,7 @@ impl Interpreter {
             to,
             center: None,
             lead: None,
+            lead_change: None,
             seconds: None,
             programmed: None,
             rotary: None,

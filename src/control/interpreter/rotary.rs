@@ -222,7 +222,9 @@ impl Interpreter {
     pub(super) fn turning(&mut self, motion: Motion, c: Option<f64>) -> Motion {
         let Some(to) = c else { return motion };
         let from = std::mem::replace(&mut self.state.c, to);
-        Motion { rotary: (from != to).then_some(Rotary { from, to, virtual_move: None }), ..motion }
+        let degree = self.state.unit.millimetres();
+        let rotary = (from != to).then_some(Rotary { from, to, degree, virtual_move: None });
+        Motion { rotary, ..motion }
     }
 
     /// What X, Z, C and their incremental words say of the two axes of the path: upwards and to the right.
@@ -299,7 +301,7 @@ impl Interpreter {
             surface => plane.angle += surface.turn_along(&way),
         }
         let own = VirtualMove { surface: plane.surface, way, third };
-        motion.rotary = Some(Rotary { from, to: plane.angle, virtual_move: Some(own) });
+        motion.rotary = Some(Rotary { from, to: plane.angle, degree: 1.0, virtual_move: Some(own) });
         (motion.from, motion.to, motion.center) = (own.at(0.0), own.at(1.0), None);
         let distance = way.distance_from_center();
         if plane.surface == Surface::Face {

@@ -56,7 +56,7 @@ impl Interpreter {
             self.observe(text, Event::Feed);
             self.state.feed = Some(value);
             self.state.reported.forget(Once::FeedZero);
-            self.state.threads_per_inch = None;
+            self.state.lead = None;
         }
         if let Some(word) = words.get(b'T') {
             self.plane_left_on(text, word.span);

@@ -218,7 +218,8 @@ impl Interpreter {
                 way: Way::Line(at, at),
                 third: (self.state.y, y),
             };
-            let rotary = Some(Rotary { from: self.state.c, to: self.state.c, virtual_move: Some(own) });
+            let rotary =
+                Some(Rotary { from: self.state.c, to: self.state.c, degree: 1.0, virtual_move: Some(own) });
             let motion = Motion { rotary, ..self.motion(MotionKind::Rapid, at) };
             self.push(block, motion);
         }
