@@ -69,6 +69,7 @@ mod timing;
 mod uncertain;
 mod worked_controls;
 mod worked_cuts;
+mod worked_frames;
 mod worked_live_rapids;
 mod worked_planes;
 mod worked_threads;

@@ -28,7 +28,7 @@ fn between(a: Pixel, b: Pixel, share: f64) -> Pixel {
 }
 
 /// The part of a polygon that is in the picture. Where the polygon leaves the picture, it is closed along the clipping
-/// rectangle, outside of the picture. Source: I. Sutherland, G. Hodgman, "Reentrant polygon clipping", 1974.
+/// rectangle, outside of the picture. The algorithm is that of Sutherland and Hodgman (1974).
 pub fn polygon(corners: &[Pixel], size: Size) -> Vec<Pixel> {
     let mut clipped = corners.to_vec();
     for side in 0..4 {
@@ -73,8 +73,8 @@ pub fn polyline(corners: &[Pixel], size: Size) -> Vec<Piece> {
     pieces
 }
 
-/// Between which shares of an edge it is in the picture. Source: Y.-D. Liang, B. Barsky, "A new concept and method for
-/// line clipping", 1984.
+/// Between which shares of an edge it is in the picture. The algorithm is that of Liang and
+/// Barsky (1984).
 fn shares(from: Pixel, to: Pixel, size: Size) -> Option<[f64; 2]> {
     let (mut first, mut last) = (0.0_f64, 1.0_f64);
     for (a, b) in inside(from, size).into_iter().zip(inside(to, size)) {

@@ -1,5 +1,5 @@
 // A picture that was zoomed and moved shows the same as a cut-out of one so large that nothing leaves it: the section with and
-// without a compared part, the face and the side. Random parts and views, told to the worker in a session of the test's own.
+// without a compared part, the face and the side. Random parts and views, sent to the worker in a session of the test's own.
 import { expect, test, type BasicPage } from './engines';
 import { open } from './page';
 
@@ -29,7 +29,7 @@ interface Seen {
   readonly colours: number;
 }
 
-/** Numbers from 0 to 1, the same in each run. Source: G. Marsaglia, "Xorshift RNGs", 2003. */
+/** Numbers from 0 to 1, the same in each run (xorshift). */
 function random(seed: number): Random {
   let state = seed >>> 0;
   return () => {
@@ -99,7 +99,7 @@ function parts(seed: number, count: number): readonly Part[] {
 }
 
 interface Talk {
-  /** Tells the worker something, and waits until there is nothing more to show. */
+  /** Sends commands to the worker, and waits until there is nothing more to show. */
   say(...what: object[]): Promise<void>;
   /** The last images of the pictures. */
   readonly images: Map<string, HTMLCanvasElement>;
