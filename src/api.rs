@@ -30,6 +30,7 @@ pub use rules::Rule;
 pub use units::Units;
 
 use crate::control::codes;
+use crate::control::offsets::STANDARD_FRAMES;
 use crate::geometry::Point;
 use crate::geometry::virtual_plane::{Flat, Surface, VirtualMove, Way};
 use crate::machine::compare;
@@ -228,6 +229,15 @@ pub struct Motion {
     #[serde(skip_serializing_if = "Option::is_none")]
     #[cfg_attr(target_arch = "wasm32", tsify(optional))]
     pub machine: Option<MachinePlace>,
+    /// The work coordinate system of `to` and `center`, such as `G55` or `G54.1 P1`; left out for G54.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(target_arch = "wasm32", tsify(optional))]
+    pub frame: Option<String>,
+    /// What is added to X and Z of `to` and `center` for the place on the workpiece, mm, X as a diameter: how the program
+    /// has moved the work zero since the first cut. Left out where nothing is added.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(target_arch = "wasm32", tsify(optional))]
+    pub offset: Option<Place>,
     /// Lead of a thread, mm.
     #[serde(skip_serializing_if = "Option::is_none")]
     #[cfg_attr(target_arch = "wasm32", tsify(optional))]
@@ -800,7 +810,7 @@ impl Places<'_> {
         }
     }
 
-    /// The stroke of a motion, the tool standing at `at`; its words name lengths in `unit`.
+    /// The stroke of a motion, the tip at `at` on the workpiece; its words name lengths in `unit`.
     pub fn stroke(
         &self,
         motions: &Motions,
@@ -811,6 +821,7 @@ impl Places<'_> {
     ) -> Stroke {
         let motion = motions.get(index);
         let (from, to) = self.offsets(motions.span(index));
+        let at = at.moved(motion.process.zero.opposite());
         Stroke {
             motion: index as u32,
             kind: kind_name(motion.kind),
@@ -909,6 +920,8 @@ pub fn motion(motion: &motion::Motion, line: u32, machine: &Machine) -> Motion {
             .filter(|own| !own.has_y())
             .and(motion.rotary)
             .map(|rotary| MachinePlace { x: diameter(motion.to.x), c: rounded(rotary.to) }),
+        frame: frame_name(motion.process.frame),
+        offset: Some(motion.process.zero).filter(|zero| *zero != Point::default()).map(place),
         lead: motion.lead.map(rounded),
         seconds: timing::seconds(motion, machine).map(rounded),
         feed: timing::feed_at(motion, machine, motion.to.x).map(rounded),
@@ -943,6 +956,15 @@ fn place_on(surface: Surface, point: Point, third: f64) -> Place {
 /// The T word of a tool; nothing before the first one.
 fn tool_name((station, offset): (u16, u16)) -> Option<String> {
     (station > 0).then(|| format!("T{station:02}{offset:02}"))
+}
+
+/// The code of a work coordinate system; nothing for G54.
+fn frame_name(frame: u16) -> Option<String> {
+    match frame {
+        0 => None,
+        1..STANDARD_FRAMES => Some(format!("G{}", 54 + frame)),
+        _ => Some(format!("G54.1 P{}", frame - STANDARD_FRAMES + 1)),
+    }
 }
 
 /// The rows of all motions.

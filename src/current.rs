@@ -408,7 +408,7 @@ impl Current {
             return Some((motion, found.at));
         }
         let motion = self.moves(plane)?.motion(motion)?;
-        let end = self.motions().get(motion).to;
+        let end = self.motions().get_on_workpiece(motion).to;
         let at = match plane {
             Plane::Section => found.at,
             Plane::Face => Point::new(found.at.x.hypot(found.at.z), end.z),

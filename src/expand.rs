@@ -822,6 +822,8 @@ impl Writer<'_> {
                 _ if codes::is_passage(word) => continue,
                 (b'M', Some(0.0 | 1.0 | 2.0 | 5.0 | 9.0 | 25.0 | 30.0)) => &mut after,
                 (b'M' | b'S' | b'T', _) => &mut before,
+                // It names the frame of G54.1.
+                (b'P', _) if self.codes(block).any(|code| code == G::ExtendedFrame) => &mut before,
                 (b'G', _) => match code(word, self.list) {
                     Some(
                         G::Motion(_)

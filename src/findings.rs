@@ -87,7 +87,7 @@ pub fn diagnostics(
             other.severity > Severity::Info && (span.contains(other.span) || other.span.contains(span))
         };
         if !run.iter().chain(&told).any(is_known) {
-            told.push(Diagnostic::new(removal(unusual), span));
+            told.push(Diagnostic::new(removal(unusual, motions), span));
         }
     }
     told.into_iter().filter_map(|found| levels.graded(found)).collect()
@@ -171,7 +171,7 @@ fn tool_word(finding: &Finding, motions: &Motions, station: u16) -> String {
     format!("T{station:02}{offset:02}")
 }
 
-fn removal(unusual: &Unusual) -> Message {
+fn removal(unusual: &Unusual, motions: &Motions) -> Message {
     let tenth = |length: f64| (10.0 * length).round() / 10.0;
     let hundredth = |length: f64| (100.0 * length).round() / 100.0;
     match unusual.removal {
@@ -185,19 +185,25 @@ fn removal(unusual: &Unusual) -> Message {
         Removal::ThreadRunOut(ShortRunOut { have, need }) => {
             said::ThreadRunOut { have: hundredth(have), need: hundredth(need) }.into()
         }
-        Removal::BeyondBlank { z, back } => said::CutBeyondBlank { z, back }.into(),
+        Removal::BeyondBlank { z, back } => {
+            let zero = motions.get(unusual.motion).process.zero.z;
+            said::CutBeyondBlank { z: z - zero, back: back - zero }.into()
+        }
     }
 }
 
 fn message(finding: &Finding, motions: &Motions) -> Message {
     let hundredth = |length: f64| (100.0 * length).round() / 100.0;
-    let (x, z) = (Diameter::from_radius(finding.at.x).map(hundredth), hundredth(finding.at.z));
+    // As the program counts there.
+    let zero = motions.get(finding.motion).process.zero;
+    let at = finding.at.moved(zero.opposite());
+    let (x, z) = (Diameter::from_radius(at.x).map(hundredth), hundredth(at.z));
     match finding.danger {
         Danger::RapidThroughStock => said::RapidThroughStock { x, z }.into(),
         Danger::DoglegThroughStock => said::DoglegThroughStock { x, z }.into(),
         Danger::RapidAlongStock => said::RapidAlongStock { x }.into(),
         Danger::LeavesBore => said::BoreRetract { x, z }.into(),
-        Danger::BehindFace { face } => said::StartBehindFace { z, face }.into(),
+        Danger::BehindFace { face } => said::StartBehindFace { z, face: face - zero.z }.into(),
         Danger::CycleStart => {
             let cycle = motions.get(finding.motion).cycle.map_or("", |tag| tag.cycle.code());
             said::StartInStock { code: cycle, x }.into()

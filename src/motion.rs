@@ -327,6 +327,11 @@ pub struct Process {
     /// In another work frame than the first cut, and nobody has said where its zero is: a second
     /// clamping, or the sub spindle.
     pub elsewhere: bool,
+    /// The work coordinate system in force: 0 for G54 to 5 for G59, then those of G54.1 P1 and on.
+    pub frame: u16,
+    /// Zero of the program's coordinates in those of the workpiece, mm, as far as it is known: see
+    /// [`Motion::on_workpiece`].
+    pub zero: Point,
 }
 
 /// What most questions about a motion need of it; quicker than all of it.
@@ -422,7 +427,7 @@ pub struct Motion {
     pub center: Option<Point>,
     /// Thread lead, mm/rev along the long axis; of threads and the other motions of a thread cycle.
     pub lead: Option<f64>,
-    /// By how much the lead grows in each turn of the spindle (K of G34), mm.
+    /// By how much the lead grows in each revolution of the spindle (K of G34), mm.
     pub lead_change: Option<f64>,
     /// Seconds the tool waits, of dwells only.
     pub seconds: Option<f64>,
@@ -463,17 +468,41 @@ impl Motion {
         (self.from.x - self.to.x).abs().max((self.from.z - self.to.z).abs())
     }
 
-    /// The lead of a thread, mm; the mean one where it changes: n turns are F·n + K·n²/2 long.
-    pub fn mean_lead(&self) -> Option<f64> {
+    /// The lead with which a thread ends, mm: n turns are F·n + K·n²/2 long.
+    pub fn last_lead(&self) -> Option<f64> {
         let lead = self.lead?;
-        let change = self.lead_change.unwrap_or(0.0);
-        let last = (lead * lead + 2.0 * change * self.longer_axis()).max(0.0).sqrt();
-        Some(f64::midpoint(lead, last))
+        let change = self.lead_change.filter(|&change| change != 0.0);
+        Some(change.map_or(lead, |change| (lead * lead + 2.0 * change * self.longer_axis()).max(0.0).sqrt()))
+    }
+
+    /// The lead of a thread, mm; the mean one where it changes.
+    pub fn mean_lead(&self) -> Option<f64> {
+        Some(f64::midpoint(self.lead?, self.last_lead()?))
     }
 
     /// The move under polar or cylindrical interpolation that the program asks for.
     pub fn virtual_move(&self) -> Option<VirtualMove> {
         self.rotary?.virtual_move
+    }
+
+    /// The same motion in the coordinates of the workpiece, those of its first cut.
+    pub fn on_workpiece(mut self) -> Motion {
+        let by = std::mem::take(&mut self.process.zero);
+        if by == Point::default() {
+            return self;
+        }
+        (self.from, self.to) = (self.from.moved(by), self.to.moved(by));
+        self.center = self.center.map(|center| center.moved(by));
+        if let Some(programmed) = &mut self.programmed {
+            programmed.from = programmed.from.moved(by);
+            programmed.to = programmed.to.moved(by);
+            programmed.center = programmed.center.map(|center| center.moved(by));
+        }
+        if let Some(own) = self.rotary.as_mut().and_then(|rotary| rotary.virtual_move.as_mut()) {
+            *own = own.moved(by);
+            (self.from, self.to) = (own.at(0.0), own.at(1.0));
+        }
+        self
     }
 
     /// The same motion along the programmed path, if compensation leads it elsewhere.
@@ -575,6 +604,8 @@ pub struct Chunk {
     rows: Vec<Row>,
     blocks: Vec<BlockPlace>,
     processes: Vec<Process>,
+    /// Zero of one of them is not that of the workpiece.
+    is_moved: bool,
     centers: Vec<Point>,
     numbers: Vec<f64>,
 }
@@ -602,6 +633,7 @@ impl Chunk {
             rows: Vec::new(),
             blocks: Vec::new(),
             processes: Vec::new(),
+            is_moved: false,
             centers: Vec::new(),
             numbers: Vec::new(),
         }
@@ -698,6 +730,7 @@ impl Chunk {
     pub fn begin_process(&mut self, process: &Process) {
         if self.processes.last() != Some(process) {
             self.processes.push(*process);
+            self.is_moved |= process.zero != Point::default();
         }
     }
 
@@ -778,6 +811,11 @@ impl Chunk {
         }
     }
 
+    /// The motion at `index` in the coordinates of the workpiece.
+    pub fn get_on_workpiece(&self, index: usize) -> Motion {
+        self.get(index).on_workpiece()
+    }
+
     /// The gist of the motion at `index`.
     #[inline]
     pub fn glance(&self, index: usize) -> Glance {
@@ -804,12 +842,19 @@ impl Chunk {
         self.own_process(index).uncertain
     }
 
-    /// The ends of a straight motion that C takes no part in, as most are; quicker than [`Chunk::get`].
+    /// The ends, in the coordinates of the workpiece, of a straight motion that C takes no part in, as most are; quicker than
+    /// [`Chunk::get_on_workpiece`].
     #[inline]
-    pub fn straight(&self, index: usize) -> Option<(Point, Point)> {
+    pub fn straight_on_workpiece(&self, index: usize) -> Option<(Point, Point)> {
         let straight = matches!(self.kind(index), MotionKind::Rapid | MotionKind::Feed | MotionKind::Thread);
         let plain = straight && look_up(&self.rotary, index).is_none();
-        plain.then(|| (self.from(index), Point::new(self.x[index], self.z[index])))
+        let (from, to) = plain.then(|| (self.from(index), Point::new(self.x[index], self.z[index])))?;
+        Some(if self.is_moved {
+            let by = self.own_process(index).zero;
+            (from.moved(by), to.moved(by))
+        } else {
+            (from, to)
+        })
     }
 
     /// Bytes of the block that made the motion at `index`.
@@ -949,6 +994,11 @@ impl Motions {
         chunk.get(at)
     }
 
+    /// The motion at `index` in the coordinates of the workpiece.
+    pub fn get_on_workpiece(&self, index: usize) -> Motion {
+        self.get(index).on_workpiece()
+    }
+
     /// The gist of the motion at `index`.
     pub fn glance(&self, index: usize) -> Glance {
         let (chunk, at) = self.locate(index);
@@ -986,6 +1036,11 @@ impl Motions {
     /// All motions in order.
     pub fn iter(&self) -> impl Iterator<Item = Motion> + '_ {
         self.chunks.iter().flat_map(|chunk| (0..chunk.len()).map(|index| chunk.get(index)))
+    }
+
+    /// All motions in order, in the coordinates of the workpiece.
+    pub fn on_workpiece(&self) -> impl Iterator<Item = Motion> + '_ {
+        self.iter().map(Motion::on_workpiece)
     }
 
     /// What is said of the quill of the tailstock, in order; what is said again stands there again.

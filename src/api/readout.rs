@@ -119,13 +119,14 @@ pub struct Shown<'a> {
 }
 
 impl Readout {
-    /// The readout at a place of the program, where the tip is at `at`.
+    /// The readout at a place of the program, where the tip is at `at` on the workpiece.
     pub fn new(shown: &Shown, playhead: Playhead, at: Point, language: Language) -> Self {
         let Shown { places, motions, clock, unit, resolved } = shown;
         let motion = motions.get(playhead.motion);
+        let radius = at.x - motion.process.zero.x;
         let (reading, whole) = (clock.at(motions, playhead), clock.whole());
         let machine = clock.machine();
-        let rpm = timing::speed_at(&motion.process, machine, at.x);
+        let rpm = timing::speed_at(&motion.process, machine, radius);
         let own = motion.rotary.and(motion.first_part(playhead.share).rotary);
         let y = motion.virtual_move().filter(VirtualMove::has_y).map(|own| own.y_at(playhead.share));
         let resolved_tool = resolved.map(|resolved| resolved.tool(&motion));
@@ -134,11 +135,11 @@ impl Readout {
             stroke: places.stroke(motions, playhead.motion, at, *unit, language),
             c: own.filter(|own| y.is_none() || own.from != own.to).map(|own| rounded(own.to)),
             y: y.map(rounded),
-            feed: timing::feed_at(&motion, machine, at.x).map(rounded),
+            feed: timing::feed_at(&motion, machine, radius).map(rounded),
             feed_per_turn: per_turn(&motion).map(rounded),
             locked: motion.kind == MotionKind::Thread,
             rpm: if motion.process.turn != SpindleTurn::Stopped { rpm.map(rounded) } else { Some(0.0) },
-            surface_speed: rpm.map(|rpm| rounded(timing::surface_speed(rpm, at.x))),
+            surface_speed: rpm.map(|rpm| rounded(timing::surface_speed(rpm, radius))),
             elapsed: Time::new(&reading.time),
             total: Time::new(&whole.time),
             tool: tool_name(motion.process.tool),

@@ -16,6 +16,8 @@ pub struct Landmarks {
     pub first: Point,
     /// B: where the contour ends.
     pub last: Point,
+    /// What is added to these for a place on the workpiece.
+    pub zero: Point,
     /// P and Q.
     pub named: (u32, u32),
     /// Whether it was roughed there.

@@ -595,10 +595,19 @@ impl State {
             && if self.compensating.is_none() { self == other } else { rest(self) == rest(other) }
     }
 
+    /// G50 X Z: the tip is said to stand `by` farther than it did.
+    pub fn name_place(&mut self, by: Point) {
+        self.frames.rename(by);
+        for place in std::iter::once(&mut self.position).chain(self.tip.as_mut()) {
+            *place = place.moved(by);
+        }
+    }
+
     /// Changes the frame and keeps the machine where it is: the tip gets its place in the new frame.
     pub fn change_frame(&mut self, change: impl FnOnce(&mut Frames)) {
         let before = self.frames.offset();
         change(&mut self.frames);
+        self.frames.place_workpiece();
         let after = self.frames.offset();
         for place in std::iter::once(&mut self.position).chain(self.tip.as_mut()) {
             place.x += before.x - after.x;
@@ -634,6 +643,8 @@ impl State {
             uncertain: !self.doubts.is_empty() && self.is_path_doubtful(),
             incomplete: self.incomplete,
             elsewhere: self.frames.is_elsewhere(),
+            frame: self.frames.active,
+            zero: self.frames.on_workpiece(),
         }
     }
 }

@@ -12,22 +12,26 @@ pub const STANDARD_FRAMES: u16 = 6;
 /// Most frames of G54.1.
 pub const EXTENDED_FRAMES: u16 = 300;
 
-/// A few points by frame; a frame without one is at zero.
+/// The zero of a frame.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+struct Zero {
+    at: Point,
+    /// The program says where it is, not only how far it moves.
+    is_given: bool,
+}
+
+/// The zeros of a few frames; one without an entry is at zero, as far as nobody says more.
 #[derive(Clone, Debug, Default, PartialEq)]
-struct ByFrame(Vec<(u16, Point)>);
+struct ByFrame(Vec<(u16, Zero)>);
 
 impl ByFrame {
-    fn get(&self, frame: u16) -> Point {
-        self.0.iter().find(|entry| entry.0 == frame).map_or(Point::default(), |entry| entry.1)
+    fn get(&self, frame: u16) -> Zero {
+        self.0.iter().find(|entry| entry.0 == frame).map_or(Zero::default(), |entry| entry.1)
     }
 
-    fn has(&self, frame: u16) -> bool {
-        self.0.iter().any(|entry| entry.0 == frame)
-    }
-
-    fn entry(&mut self, frame: u16) -> &mut Point {
+    fn entry(&mut self, frame: u16) -> &mut Zero {
         let at = self.0.iter().position(|entry| entry.0 == frame).unwrap_or_else(|| {
-            self.0.push((frame, Point::default()));
+            self.0.push((frame, Zero::default()));
             self.0.len() - 1
         });
         &mut self.0[at].1
@@ -47,27 +51,72 @@ pub struct Frames {
     pub local: Point,
     /// The frame in force: 0 for G54 to 5 for G59, then those of G54.1.
     pub active: u16,
-    /// The frame in which the first cut was made.
-    cut_in: Option<u16>,
+    /// Where the workpiece is; nothing before the first cut.
+    workpiece: Option<Workpiece>,
+    /// Zero of the frame in force in that of the workpiece, as far as it is known.
+    on_workpiece: Point,
+}
+
+/// The frame of the workpiece: the one in which it is cut first, as it is then.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Workpiece {
+    /// 0 for G54, as [`Frames::active`].
+    frame: u16,
+    /// Its zero in the machine.
+    zero: Point,
 }
 
 impl Frames {
     /// Takes in that something is cut in the frame in force.
     #[inline]
     pub fn cut(&mut self) {
-        self.cut_in.get_or_insert(self.active);
+        if self.workpiece.is_none() {
+            self.workpiece = Some(Workpiece { frame: self.active, zero: self.offset() });
+        }
     }
 
-    /// Whether nobody has said where the zero of the frame in force is, while the first
-    /// cut was made in another one.
+    /// Whether the first cut was made in another frame than that in force, and the program does not give the zeros of both.
     #[inline]
     pub fn is_elsewhere(&self) -> bool {
-        self.cut_in.is_some_and(|first| first != self.active) && !self.work.has(self.active)
+        let is_given = |frame: u16| self.work.get(frame).is_given;
+        self.workpiece.is_some_and(|Workpiece { frame, .. }| {
+            frame != self.active && !(is_given(frame) && is_given(self.active))
+        })
+    }
+
+    /// Whether the workpiece is in the frame in force, whose zero the program does not give.
+    pub fn is_workpiece_not_given(&self) -> bool {
+        self.workpiece.is_some_and(|Workpiece { frame, .. }| frame == self.active)
+            && !self.work.get(self.active).is_given
+    }
+
+    /// Zero of the frame in force in that of the workpiece: added to a programmed place it gives the place on the
+    /// workpiece. Zero before the first cut, and where it is not known.
+    #[inline]
+    pub fn on_workpiece(&self) -> Point {
+        self.on_workpiece
+    }
+
+    /// Works out [`Frames::on_workpiece`] after a change.
+    pub fn place_workpiece(&mut self) {
+        let known = self.workpiece.filter(|_| !self.is_elsewhere());
+        let offset = self.offset();
+        self.on_workpiece = known.map_or(Point::default(), |Workpiece { zero, .. }| {
+            Point::new(offset.x - zero.x, offset.z - zero.z)
+        });
+    }
+
+    /// G50 X Z: the tip is said to be `by` farther, wherever it is. Where the workpiece is, is not changed by that.
+    pub fn rename(&mut self, by: Point) {
+        self.shift = Point::new(self.shift.x - by.x, self.shift.z - by.z);
+        if let Some(Workpiece { zero, .. }) = &mut self.workpiece {
+            *zero = Point::new(zero.x - by.x, zero.z - by.z);
+        }
     }
 
     /// Machine place minus work place.
     pub fn offset(&self) -> Point {
-        let (work, local) = (self.work.get(self.active), self.local);
+        let (work, local) = (self.work.get(self.active).at, self.local);
         Point::new(
             self.shift.x + self.external.x + work.x + local.x,
             self.shift.z + self.external.z + work.z + local.z,
@@ -76,12 +125,14 @@ impl Frames {
 
     /// Zero of a frame.
     pub fn work(&self, frame: u16) -> Point {
-        self.work.get(frame)
+        self.work.get(frame).at
     }
 
-    /// Zero of a frame, to be changed.
-    pub fn work_mut(&mut self, frame: u16) -> &mut Point {
-        self.work.entry(frame)
+    /// Zero of a frame, to be changed; `is_given` where it is said where it is.
+    pub fn work_mut(&mut self, frame: u16, is_given: bool) -> &mut Point {
+        let zero = self.work.entry(frame);
+        zero.is_given |= is_given;
+        &mut zero.at
     }
 }
 

@@ -67,9 +67,11 @@ fn marks(run: &Run, block: Span, motions: Option<&Range<usize>>) -> Vec<Mark> {
     let inside = |span: Span| block.start <= span.start && span.end <= block.end;
     if let Some(found) = run.landmarks().iter().find(|landmarks| inside(landmarks.span)) {
         let names = [(found.start, "A"), (found.first, "A′"), (found.last, "B")];
-        return names.into_iter().map(|(at, name)| Mark { at, name }).collect();
+        return names.into_iter().map(|(at, name)| Mark { at: at.moved(found.zero), name }).collect();
     }
-    let first = motions.map(|range| run.motions().get(range.start)).filter(|motion| motion.cycle.is_some());
+    let first = motions
+        .map(|range| run.motions().get_on_workpiece(range.start))
+        .filter(|motion| motion.cycle.is_some());
     first.map(|motion| Mark { at: motion.from, name: "A" }).into_iter().collect()
 }
 

@@ -11,7 +11,7 @@ use crate::setup::Machine;
 
 /// The columns, named as in the rows of `motions`; what stands inside of another
 /// there has its name before it.
-pub const COLUMNS: [&str; 22] = [
+pub const COLUMNS: [&str; 25] = [
     "line",
     "kind",
     "tool",
@@ -30,18 +30,27 @@ pub const COLUMNS: [&str; 22] = [
     "cycle",
     "pass",
     "step",
+    "frame",
+    "offset_x",
+    "offset_z",
     "mode",
     "machine_x",
     "machine_c",
     "uncertain",
 ];
 
-/// The table: X a diameter and lengths in mm, angles in degrees, feed in mm/min.
+/// The table: X a diameter and lengths in mm, angles in degrees, feed in mm/min. Places are those on the workpiece: what the
+/// program says, and the offset beside it.
 pub fn csv(motions: &Motions, machine: &Machine) -> String {
     let mut text = COLUMNS.join(",");
     text.push_str("\r\n");
-    for row in api::motions(motions, machine) {
-        write_row(&mut text, &row);
+    let rows = api::motions(motions, machine).zip(motions.on_workpiece());
+    for (row, on_workpiece) in rows {
+        let placed = api::motion(&on_workpiece, row.line, machine);
+        write_row(
+            &mut text,
+            &api::Motion { to: placed.to, center: placed.center, machine: placed.machine, ..row },
+        );
     }
     text
 }
@@ -69,6 +78,9 @@ fn write_row(text: &mut String, row: &api::Motion) {
         word(row.cycle),
         row.pass.map(|pass| pass.to_string()).unwrap_or_default(),
         word(row.step),
+        word(row.frame.as_deref()),
+        number(row.offset.map(|offset| offset.x.mm())),
+        number(row.offset.map(|offset| offset.z)),
         word(row.mode),
         number(row.machine.map(|place| place.x.mm())),
         number(row.machine.map(|place| place.c)),
@@ -92,7 +104,7 @@ mod tests {
         assert_eq!(lines.len(), 4);
         assert_eq!(lines[0], COLUMNS.join(","));
         assert!(lines.iter().all(|line| line.split(',').count() == COLUMNS.len()), "{text}");
-        assert_eq!(lines[2], "2,feed,T0101,20,-5,,,,,,,,2.1,200,1000,,,,,,,");
+        assert_eq!(lines[2], "2,feed,T0101,20,-5,,,,,,,,2.1,200,1000,,,,,,,,,,");
         assert!(lines[3].starts_with("3,arc,T0101,30,-10,,30,-5,,5,cw,"), "{text}");
     }
 }

@@ -36,6 +36,16 @@ impl Point {
         Self { x, z }
     }
 
+    /// The point farther by a radius and a length, mm.
+    pub fn moved(self, by: Point) -> Self {
+        Self { x: self.x + by.x, z: self.z + by.z }
+    }
+
+    /// The point mirrored about zero: what [`Point::moved`] takes to go back.
+    pub fn opposite(self) -> Self {
+        Self { x: -self.x, z: -self.z }
+    }
+
     /// Straight distance to another point, mm.
     pub fn distance(self, other: Point) -> f64 {
         (self.x - other.x).hypot(self.z - other.z)

@@ -189,6 +189,21 @@ impl VirtualMove {
         self.surface.machine(self.way.at(t), self.third.0 + t * (self.third.1 - self.third.0))
     }
 
+    /// The same move, farther by a radius and a length, mm.
+    pub fn moved(&self, by: Point) -> Self {
+        let (plane, third) = self.surface.enter(by, 0.0, 0.0);
+        let way = match self.way {
+            Way::Line(from, to) => Way::Line(from.moved(plane), to.moved(plane)),
+            Way::Arc(arc) => Way::Arc(Arc {
+                start: arc.start.moved(plane),
+                end: arc.end.moved(plane),
+                center: arc.center.moved(plane),
+                ..arc
+            }),
+        };
+        Self { way, third: (self.third.0 + third, self.third.1 + third), ..*self }
+    }
+
     /// Whether it is one of a machine with a Y axis.
     pub fn has_y(&self) -> bool {
         matches!(self.surface, Surface::Flat(_))

@@ -40,7 +40,7 @@ pub fn clear_of_rapids(stock: Stock, motions: &Motions) -> Stock {
     let on = |at: Point| (at.x - radius).abs() <= SAME;
     // Down to here cuts along Z have gone below the outside.
     let mut cut = stock.face;
-    for motion in motions.iter().take(INFERRED_FROM) {
+    for motion in motions.on_workpiece().take(INFERRED_FROM) {
         let (from, to) = (motion.from, motion.to);
         let low = from.z.min(to.z).max(stock.back());
         let along = (from.z - to.z).abs() > SAME;

@@ -88,7 +88,7 @@ pub(super) fn decide(
 
 /// The stations of the turret that have cuts which are left out.
 fn with_uncertain_cuts(motions: &Motions) -> BTreeSet<u16> {
-    let cuts = motions.iter().take(INFERRED_FROM).filter(|motion| motion.kind.cuts());
+    let cuts = motions.on_workpiece().take(INFERRED_FROM).filter(|motion| motion.kind.cuts());
     order::gathered(cuts.filter(|cut| cut.process.uncertain).map(|cut| cut.process.tool.0))
 }
 
@@ -167,7 +167,7 @@ impl Led {
             return None;
         }
         let cuts = || {
-            let all = motions.iter().take(INFERRED_FROM);
+            let all = motions.on_workpiece().take(INFERRED_FROM);
             let counts = |process: &Process| !process.uncertain && !process.elsewhere;
             all.filter(move |motion| motion.kind.cuts() && counts(&motion.process) && motion.rotary.is_none())
         };

@@ -85,7 +85,7 @@ pub fn threads(motions: &Motions, resolved: &ResolvedSetup) -> Vec<Thread> {
     let mut threads: Vec<Thread> = Vec::new();
     for chunk in motions.chunks() {
         for index in (0..chunk.len()).filter(|&index| chunk.kind(index) == MotionKind::Thread) {
-            let motion = chunk.get(index);
+            let motion = chunk.get_on_workpiece(index);
             let (low, high) = (motion.from.z.min(motion.to.z), motion.from.z.max(motion.to.z));
             let Some(lead) = motion.lead.filter(|_| high - low > (motion.to.x - motion.from.x).abs()) else {
                 continue;

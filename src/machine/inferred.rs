@@ -67,7 +67,7 @@ pub fn inferred_setup(motions: &Motions, given: &Setup) -> Setup {
     let inferred = InferredSetup::with(motions, &given.described_tools, given.stock);
     let mut setup = Setup { stock: inferred.stock, ..Setup::default() };
     let (mut names, mut stations): (Vec<(u16, u16)>, BTreeSet<u16>) = Default::default();
-    for motion in motions.iter().take(INFERRED_FROM).filter(|motion| motion.kind.cuts()) {
+    for motion in motions.on_workpiece().take(INFERRED_FROM).filter(|motion| motion.kind.cuts()) {
         let name = motion.process.tool;
         if names.last() != Some(&name) && stations.insert(name.0) {
             names.push(name);

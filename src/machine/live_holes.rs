@@ -34,7 +34,7 @@ pub fn live_holes(
 ) -> Vec<LiveHole> {
     let mut holes: Vec<LiveHole> = Vec::new();
     let mut c = 0.0;
-    for (index, motion) in motions.iter().enumerate() {
+    for (index, motion) in motions.on_workpiece().enumerate() {
         let motion = match until {
             Some((last, share)) if index == last => motion.first_part(share),
             Some((last, _)) if index > last => break,

@@ -141,7 +141,7 @@ impl ResolvedSetup {
 /// moves C turns, unless they drill on the axis, too.
 fn live_drills(motions: &Motions) -> BTreeSet<u16> {
     let (mut live, mut on_axis) = (BTreeSet::new(), BTreeSet::new());
-    for motion in motions.iter() {
+    for motion in motions.on_workpiece() {
         let side = motion.cycle.is_some_and(|step| step.cycle.family() == CycleFamily::SideHole);
         let station = motion.process.tool.0;
         if motion.rotary.is_some() || side {

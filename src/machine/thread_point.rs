@@ -75,7 +75,8 @@ pub fn for_pitch(tool: &Tool, pitch: Option<f64>) -> Tool {
 /// The largest lead that each station cuts, mm. Of a thread with many starts it stands for the pitch.
 pub fn leads(motions: &Motions) -> BTreeMap<u16, f64> {
     let mut leads: BTreeMap<u16, f64> = BTreeMap::new();
-    let threads = motions.iter().take(INFERRED_FROM).filter(|motion| motion.kind == MotionKind::Thread);
+    let threads =
+        motions.on_workpiece().take(INFERRED_FROM).filter(|motion| motion.kind == MotionKind::Thread);
     for (station, lead) in threads.filter_map(|motion| Some((motion.process.tool.0, motion.lead?.abs()))) {
         let longest = leads.entry(station).or_insert(lead);
         *longest = longest.max(lead);

@@ -118,7 +118,7 @@ impl ToolUse {
     ) -> Vec<Self> {
         let mut seen: Vec<ToolUse> = Vec::new();
         let mut before = None;
-        let moves = motions.iter().take(INFERRED_FROM).enumerate();
+        let moves = motions.on_workpiece().take(INFERRED_FROM).enumerate();
         let mut moves = moves.filter(|(_, motion)| motion.kind != MotionKind::Dwell).peekable();
         while let Some((index, motion)) = moves.next() {
             let before = before.replace(motion);

@@ -40,12 +40,13 @@ pub fn surface_speed(speed: f64, radius: f64) -> f64 {
     2.0 * PI * radius.abs() * speed / 1000.0
 }
 
-/// Feed along the path with the tip at a radius, mm/min; nothing for rapids and dwells.
+/// Feed along the path with the tip at a radius, mm/min; of a thread with a growing lead where it ends. Nothing for rapids
+/// and dwells.
 pub fn feed_at(motion: &Motion, machine: &Machine, radius: f64) -> Option<f64> {
     let per_turn = match (motion.kind, motion.process.feed) {
         (MotionKind::Rapid | MotionKind::Dwell, _) => return None,
         // The lead counts along the long axis, the feed along the path.
-        (MotionKind::Thread, _) => motion.mean_lead()? * motion.length() / motion.longer_axis(),
+        (MotionKind::Thread, _) => motion.last_lead()? * motion.length() / motion.longer_axis(),
         (_, Feed::PerMinute(feed)) => return Some(feed),
         (_, Feed::PerTurn(feed)) => feed,
         (_, Feed::Unset) => return None,
@@ -66,12 +67,17 @@ pub fn seconds(motion: &Motion, machine: &Machine) -> Option<f64> {
         return Some(60.0 * length.hypot(motion.turned()) / feed).filter(|seconds| seconds.is_finite());
     }
     if length <= SAME {
-        // C alone turns, by a feed that a turn of the spindle does not measure; or nothing moves at all.
+        // C alone turns, by a feed per revolution; or nothing moves at all.
         return if motion.is_turn() { None } else { Some(0.0) };
     }
     let seconds = match (motion.kind, motion.process.feed, motion.process.speed) {
         (MotionKind::Thread, _, SpindleSpeed::Surface { .. })
         | (_, Feed::PerTurn(_), SpindleSpeed::Surface { .. }) => under_surface_speed(motion, machine)?,
+        (MotionKind::Thread, ..) => {
+            60.0 * motion.longer_axis()
+                / motion.mean_lead()?
+                / speed_at(&motion.process, machine, motion.to.x)?
+        }
         _ => 60.0 * length / feed_at(motion, machine, motion.to.x)?,
     };
     Some(seconds).filter(|seconds| seconds.is_finite())

@@ -118,9 +118,9 @@ impl StrokeShape {
     /// The shape of a motion of a chunk; quick where it is a straight line, as most are.
     #[inline]
     pub fn in_chunk(chunk: &Chunk, index: usize) -> Self {
-        match chunk.straight(index) {
+        match chunk.straight_on_workpiece(index) {
             Some((from, to)) => Self::Line { from, to },
-            None => Self::of(&chunk.get(index)),
+            None => Self::of(&chunk.get_on_workpiece(index)),
         }
     }
 
@@ -374,7 +374,7 @@ impl<'a> Scene<'a> {
             if at == chunks[chunk].len() {
                 (chunk, at) = (chunk + 1, 0);
             }
-            let value = chunks[chunk].get(at);
+            let value = chunks[chunk].get_on_workpiece(at);
             let stroke = Stroke {
                 motion,
                 style: StrokeStyle::of(value.kind),
@@ -404,7 +404,8 @@ impl<'a> Scene<'a> {
     pub fn programmed_in(&self, stretch: &Stretch) -> impl Iterator<Item = StrokeShape> + use<'a> {
         let (chunk, motions) = self.chunk_of(stretch);
         let own = chunk.compensated().filter(move |index| motions.contains(index));
-        own.filter_map(|index| chunk.get(index).as_programmed()).map(|motion| StrokeShape::of(&motion))
+        own.filter_map(|index| chunk.get_on_workpiece(index).as_programmed())
+            .map(|motion| StrokeShape::of(&motion))
     }
 
     /// The motions made by blocks that lie within `block`, as ranges: a block may run more than once.

@@ -48,8 +48,9 @@ impl StepLabel {
 /// belongs to, else the first.
 pub fn labels(motions: &Motions, picked: &[Range<usize>], pointed: Option<usize>) -> Vec<StepLabel> {
     let holds = |index: usize| picked.iter().any(|range| range.contains(&index));
-    let pass_of =
-        |index: usize| Some(motions.get(index).cycle.filter(is_single)?).map(|own| (own.cycle, own.pass));
+    let pass_of = |index: usize| {
+        Some(motions.get_on_workpiece(index).cycle.filter(is_single)?).map(|own| (own.cycle, own.pass))
+    };
     let first = picked.first().map(|range| range.start);
     let Some(at) = pointed.filter(|&index| holds(index)).or(first).filter(|&index| index < motions.len())
     else {
@@ -59,7 +60,8 @@ pub fn labels(motions: &Motions, picked: &[Range<usize>], pointed: Option<usize>
     let is_of_pass = |index: &usize| holds(*index) && pass_of(*index) == Some(pass);
     let begin = (at.saturating_sub(MOST)..=at).rev().take_while(is_of_pass).last().unwrap_or(at);
     let end = motions.len().min(begin + MOST);
-    let own: Vec<Motion> = (begin..end).take_while(is_of_pass).map(|index| motions.get(index)).collect();
+    let own: Vec<Motion> =
+        (begin..end).take_while(is_of_pass).map(|index| motions.get_on_workpiece(index)).collect();
     let ends = own.iter().fold((0.0, 0.0), |sum, motion| (sum.0 + motion.to.x, sum.1 + motion.to.z));
     let count = own.len() as f64;
     let middle = Point::new(ends.0 / count, ends.1 / count);

@@ -43,7 +43,7 @@ pub(super) fn passed(motions: &Motions, resolved: &ResolvedSetup) -> impl Iterat
     let all = chunks.flat_map(|(chunk, &before)| (0..chunk.len()).map(move |at| (before + at, chunk, at)));
     let mut c = 0.0;
     all.map(move |(index, chunk, at)| {
-        let motion = chunk.get(at);
+        let motion = chunk.get_on_workpiece(at);
         c = motion.rotary.map_or(c, |rotary| rotary.to);
         Passed { index, motion, block: (chunk.span(at), chunk.line(at)), c }
     })
@@ -160,7 +160,7 @@ impl SurfaceMoves {
                 _ => 1.0,
             };
             let Some(radius) = of.cutter else { continue };
-            let motion = self.motions.get(index);
+            let motion = self.motions.get_on_workpiece(index);
             let motion = if share < 1.0 { motion.first_part(share) } else { motion };
             let outline = match cutter.take() {
                 Some((own, outline)) if own == radius => outline,

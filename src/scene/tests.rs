@@ -91,6 +91,8 @@ impl Path {
             uncertain: self.uncertain,
             incomplete: self.uncertain,
             elsewhere: false,
+            frame: 0,
+            zero: Point::default(),
         };
         let (lead, seconds) = (None, None);
         self.list.push(Motion {

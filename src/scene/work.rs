@@ -77,9 +77,9 @@ impl Work {
         };
         let part = part.unwrap_or_default();
         let last = motions.len().checked_sub(1);
-        let motion = moment.zip(last).map(|(at, last)| motions.get(at.motion.min(last)));
+        let motion = moment.zip(last).map(|(at, last)| motions.get_on_workpiece(at.motion.min(last)));
         let tool = moment.filter(|at| at.motion < motions.len()).map(|at| {
-            let shape = &simulation.resolved_setup().tool(&motions.get(at.motion)).shape;
+            let shape = &simulation.resolved_setup().tool(&motions.get_on_workpiece(at.motion)).shape;
             ToolOutline {
                 edge: shape.edge.at(at.tip),
                 body: shape.body.as_ref().map(|body| body.at(at.tip)),

@@ -181,7 +181,7 @@ late! {
         let motions = playground.current.motions();
         let rows = js_sys::Array::new();
         for motion in first as usize..motions.len().min(end as usize) {
-            rows.push(&playground.stroke(motion, motions.get(motion).to)?);
+            rows.push(&playground.stroke(motion, motions.get_on_workpiece(motion).to)?);
         }
         Ok(rows.into())
     }

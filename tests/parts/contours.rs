@@ -334,8 +334,9 @@ fn a_second_clamping_leaves_the_part_of_the_first() {
     check(&other, "turning", &kept);
     assert_eq!(told(&other), 0);
     // Zeros that the program gives are known.
-    let given =
-        format!("G10 L2 P2 X0 Z0\n{HEAD}{first}G55 T0101\nG00 X42 Z2\nX36\nG01 Z-10\nX42\nG00 X60 Z5\n");
+    let given = format!(
+        "G10 L2 P1 X0 Z0\nG10 L2 P2 X0 Z0\n{HEAD}{first}G55 T0101\nG00 X42 Z2\nX36\nG01 Z-10\nX42\nG00 X60 Z5\n"
+    );
     check(&given, "turning", &[(-5.0, 36.0), (-20.0, 40.0)]);
     assert_eq!(told(&given), 0);
 }

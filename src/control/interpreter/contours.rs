@@ -221,6 +221,7 @@ impl Interpreter {
                         start,
                         first: a,
                         last: b,
+                        zero: self.state.frames.on_workpiece(),
                         named,
                         roughed,
                     });

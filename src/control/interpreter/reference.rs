@@ -161,20 +161,18 @@ impl Interpreter {
         // Under G91 of systems B and C the plain letters add as well.
         let (x, u) = if self.state.incremental { (None, x.or(u)) } else { (x, u) };
         let (z, w) = if self.state.incremental { (None, z.or(w)) } else { (z, w) };
+        let is_given = x.is_some() || z.is_some();
         let zero = |point: &mut Point| {
             let radius = |diameter: f64| Diameter::new(diameter).radius();
             point.x = x.map_or(point.x + radius(u.unwrap_or(0.0)), radius);
             point.z = z.unwrap_or(point.z + w.unwrap_or(0.0));
         };
         match (kind, number.map(|number| number as u32)) {
-            (None, Some(0)) => self.state.change_frame(|frames| zero(&mut frames.external)),
-            (Some(2), Some(0)) => self.state.change_frame(|frames| zero(&mut frames.external)),
-            (Some(2), Some(frame @ 1..=6)) => {
-                self.state.change_frame(|frames| zero(frames.work_mut(frame as u16 - 1)));
-            }
+            (None, Some(0)) => self.change_frame(|frames| zero(&mut frames.external)),
+            (Some(2), Some(0)) => self.change_frame(|frames| zero(&mut frames.external)),
+            (Some(2), Some(frame @ 1..=6)) => self.give_zero(frame as u16 - 1, is_given, zero, words),
             (Some(20), Some(frame)) if (1..=u32::from(EXTENDED_FRAMES)).contains(&frame) => {
-                let frame = STANDARD_FRAMES + frame as u16 - 1;
-                self.state.change_frame(|frames| zero(frames.work_mut(frame)));
+                self.give_zero(STANDARD_FRAMES + frame as u16 - 1, is_given, zero, words);
             }
             (None | Some(1 | 10..=13), Some(number)) => {
                 let (geometry, offset) = match (kind, number) {
@@ -196,6 +194,15 @@ impl Interpreter {
             }
             (None, None) => self.bad_data(text, request, words, b'P'),
         }
+    }
+
+    /// Changes the zero of a frame; `is_given` where it is said where it is, and not only how far it moves.
+    fn give_zero(&mut self, frame: u16, is_given: bool, change: impl FnOnce(&mut Point), words: &Words) {
+        let frames = &self.state.frames;
+        if is_given && frame == frames.active && frames.is_workpiece_not_given() {
+            self.report(Diagnostic::new(said::ZeroTaken, words.span(b'P')));
+        }
+        self.change_frame(|frames| change(frames.work_mut(frame, is_given)));
     }
 
     fn bad_data(&mut self, text: &[u8], request: &mut Request, words: &Words, address: u8) {

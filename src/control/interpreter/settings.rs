@@ -6,7 +6,7 @@ use super::request::{OneShot, Request};
 use crate::control::contour::Purpose;
 use crate::control::events::Event;
 use crate::control::modal::Once;
-use crate::control::offsets::{EXTENDED_FRAMES, STANDARD_FRAMES};
+use crate::control::offsets::{EXTENDED_FRAMES, Frames, STANDARD_FRAMES};
 use crate::control::words::{Words, letters, plain, quote};
 use crate::geometry::Point;
 use crate::message::{Diagnostic, Message, Severity, said};
@@ -167,17 +167,17 @@ impl Interpreter {
     pub(super) fn setting(&mut self, text: &[u8], words: &Words) {
         let reading = self.reading();
         let length = |address: u8| words.get(address).and_then(|word| reading.length(word));
+        self.leave_compensation();
         let at = self.state.position;
         let radius = |address: u8| words.get(address).and_then(|word| reading.radius(word));
-        let x = radius(b'X').or(radius(b'U').map(|u| at.x + u));
-        let z = length(b'Z').or(length(b'W').map(|w| at.z + w));
-        let (to_x, to_z) = (x.unwrap_or(at.x), z.unwrap_or(at.z));
-        self.state.frames.shift.x += at.x - to_x;
-        self.state.frames.shift.z += at.z - to_z;
-        self.state.position = Point::new(to_x, to_z);
-        if let Some(tip) = &mut self.state.tip {
-            *tip = Point::new(tip.x + to_x - at.x, tip.z + to_z - at.z);
-        }
+        let (x, z) = (radius(b'X'), length(b'Z'));
+        // A name for where the tip stands, which differs from tool to tool.
+        let named = Point::new(x.map_or(0.0, |x| x - at.x), z.map_or(0.0, |z| z - at.z));
+        self.state.name_place(named);
+        let or_zero =
+            |given: Option<f64>, other: Option<f64>| given.filter(|_| other.is_none()).unwrap_or(0.0);
+        let (u, w) = (or_zero(radius(b'U'), x), or_zero(length(b'W'), z));
+        self.state.change_frame(|frames| frames.shift = Point::new(frames.shift.x - u, frames.shift.z - w));
         let spindle = &mut self.state.spindle;
         if let Some(highest) = words.get(b'S').and_then(plain) {
             spindle.highest = Some(highest);
@@ -195,12 +195,18 @@ impl Interpreter {
         }
     }
 
+    /// Changes the frame, and keeps the machine where it is.
+    pub(super) fn change_frame(&mut self, change: impl FnOnce(&mut Frames)) {
+        self.leave_compensation();
+        self.state.change_frame(change);
+    }
+
     /// G52: local shift, in every frame; X0 Z0 takes it away.
     pub(super) fn local_frame(&mut self, words: &Words) {
         let reading = self.reading();
         let length = |address: u8| words.get(address).and_then(|word| reading.length(word));
         let (x, z) = (words.get(b'X').and_then(|word| reading.radius(word)), length(b'Z'));
-        self.state.change_frame(|frames| {
+        self.change_frame(|frames| {
             let local = frames.local;
             frames.local = Point::new(x.unwrap_or(local.x), z.unwrap_or(local.z));
         });
@@ -211,8 +217,7 @@ impl Interpreter {
         let named = words.get(b'P').and_then(plain).map(|number| number as u32);
         match named {
             Some(frame) if (1..=u32::from(EXTENDED_FRAMES)).contains(&frame) => {
-                self.leave_compensation();
-                self.state.change_frame(|frames| frames.active = STANDARD_FRAMES + frame as u16 - 1);
+                self.change_frame(|frames| frames.active = STANDARD_FRAMES + frame as u16 - 1);
             }
             _ => {
                 let word = words.get(b'P').map_or(quote(text, span), |word| quote(text, word.span));

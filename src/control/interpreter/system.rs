@@ -185,7 +185,7 @@ impl Interpreter {
                 self.change_zero(|frames| &mut frames.external, axis, value * unit)
             }
             Some(System::Frame(frame, axis)) => {
-                self.change_zero(|frames| frames.work_mut(frame), axis, value * unit);
+                self.change_zero(|frames| frames.work_mut(frame, true), axis, value * unit);
             }
             Some(System::Offset(offset, Column::Tip)) => self.state.offsets.set(offset, Column::Tip, value),
             Some(System::Offset(offset, column)) => self.state.offsets.set(offset, column, value * unit),
@@ -204,8 +204,7 @@ impl Interpreter {
         axis: u32,
         value: f64,
     ) {
-        self.leave_compensation();
-        self.state.change_frame(|frames| {
+        self.change_frame(|frames| {
             let zero = which(frames);
             match axis {
                 1 => zero.x = Diameter::new(value).radius(),

@@ -430,7 +430,7 @@ fn plot_stretch(plot: &mut Plot, scene: &Scene, stretch: &Stretch, done: Option<
     for (at, motion) in places.zip(stretch.motions.clone()) {
         let ink = Ink::new(StrokeStyle::of(chunk.kind(at)), chunk.is_uncertain(at)).index();
         let layer = if motion >= until { ink } else { DONE + ink };
-        match chunk.straight(at) {
+        match chunk.straight_on_workpiece(at) {
             Some((from, to)) => plot.line(layer, from, to),
             None => plot.draw(layer, &StrokeShape::in_chunk(chunk, at)),
         }

@@ -29,13 +29,13 @@ impl Apart {
         let mut places = Vec::new();
         let mut first = 0;
         while first < scene.len() {
-            let own = motions.get(first).cycle.map(|step| step.cycle);
+            let own = motions.get_on_workpiece(first).cycle.map(|step| step.cycle);
             let line = motions.line(first);
             let mut end = first + 1;
             while own.is_some()
                 && end < scene.len()
                 && motions.line(end) == line
-                && motions.get(end).cycle.map(|step| step.cycle) == own
+                && motions.get_on_workpiece(end).cycle.map(|step| step.cycle) == own
             {
                 end += 1;
             }
@@ -87,14 +87,14 @@ fn put(places: &mut Vec<[Point; 2]>, motion: usize, start: Point, end: Point) {
 
 /// The last pass of a thread is in its place, those before it farther out of the work.
 fn thread(motions: &Motions, call: Range<usize>, pixel: f64, places: &mut Vec<[Point; 2]>) {
-    let home = motions.get(call.start).from.x;
+    let home = motions.get_on_workpiece(call.start).from.x;
     let mut last = 0;
     for motion in call.clone() {
-        last = motions.get(motion).cycle.map_or(0, |step| step.pass).max(last);
+        last = motions.get_on_workpiece(motion).cycle.map_or(0, |step| step.pass).max(last);
     }
     let gap = GAP.min(ROOM / f64::from(last.max(1))) * pixel;
     for index in call {
-        let motion = motions.get(index);
+        let motion = motions.get_on_workpiece(index);
         let Some(step) = motion.cycle.filter(|step| step.pass > 0 && step.pass < last) else { continue };
         let deep = if step.step == Step::Infeed { motion.to.x } else { motion.from.x };
         let out = Point { x: (home - deep).signum() * gap * f64::from(last - step.pass), z: 0.0 };
@@ -110,7 +110,7 @@ fn thread(motions: &Motions, call: Range<usize>, pixel: f64, places: &mut Vec<[P
 /// Pecks on one line go to and fro beside one another; what leads to the next line ends in its place.
 fn pecks(motions: &Motions, call: Range<usize>, pixel: f64, places: &mut Vec<[Point; 2]>) {
     let along = |motion: usize| {
-        let step = motions.get(motion).cycle.map(|step| step.step);
+        let step = motions.get_on_workpiece(motion).cycle.map(|step| step.step);
         !matches!(step, Some(Step::Relief | Step::Stepover | Step::Return | Step::Approach) | None)
     };
     let mut first = call.start;
@@ -123,7 +123,7 @@ fn pecks(motions: &Motions, call: Range<usize>, pixel: f64, places: &mut Vec<[Po
         let column = end - first;
         if column > 2 {
             let gap = PECK_GAP.min(ROOM / column as f64) * pixel;
-            let motion = motions.get(first);
+            let motion = motions.get_on_workpiece(first);
             let is_along_z = motion.from.x == motion.to.x;
             let at = |count: usize| {
                 let by = gap * count as f64;
