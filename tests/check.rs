@@ -266,7 +266,7 @@ fn sarif_has_an_address_for_a_file_that_is_named_from_the_root() {
 
 #[test]
 fn rules_are_selected_ignored_and_graded() {
-    let folder = Folder::new("selection").with("a.nc", "O1\nM3 S500\nG0 X\nG777\nM30\n");
+    let folder = Folder::new("selection").with("a.nc", "O1\nM3 S500\nG0 X\nG7.7\nM30\n");
     let found = |arguments: &[&str]| {
         let output = folder.check(&[&["a.nc", "--format", "json", "-q"], arguments].concat());
         let slugs: Vec<String> = rows(&output)
@@ -327,10 +327,10 @@ fn many_files_are_reported_in_their_order() {
 
 #[test]
 fn a_repaired_program_is_reported_as_any_other() {
-    let folder = Folder::new("repaired").with("a.nc", "O1\nGO1 X5O F0.1 M3 S500\nG777\nM30\n");
+    let folder = Folder::new("repaired").with("a.nc", "O1\nGO1 X5O F0.1 M3 S500\nG7.7\nM30\n");
     let slugs = |arguments: &[&str]| {
         let output = folder.check(&[&["--fix", "--dry-run", "a.nc", "--format", "json"], arguments].concat());
-        assert_eq!(out(&output), "O1\nG01 X50 F0.1 M3 S500\nG777\nM30\n");
+        assert_eq!(out(&output), "O1\nG01 X50 F0.1 M3 S500\nG7.7\nM30\n");
         let said = err(&output);
         let rows = said.lines().filter_map(|line| serde_json::from_str::<Value>(line).ok());
         let slugs = rows.filter_map(|row| row["slug"].as_str().map(str::to_owned));
@@ -350,7 +350,7 @@ fn a_repaired_program_is_reported_as_any_other() {
     assert_eq!(sarif["runs"][0]["results"][0]["ruleId"], "unknown-g-code");
     assert!(out(&folder.check(&["a.nc", "--fix"])).ends_with("1 error in 1 file\n"));
     let quiet = out(&folder.check(&["a.nc", "--fix", "--quiet"]));
-    assert!(quiet.contains("G777") && !quiet.contains("1 error in"), "{quiet}");
+    assert!(quiet.contains("G7.7") && !quiet.contains("1 error in"), "{quiet}");
     let named = folder.piped(&["-", "--fix", "--stdin-filename", "b c.nc"], FAULTY.as_bytes());
     assert!(err(&named).contains("b c.nc:3"), "{}", err(&named));
 }
@@ -398,11 +398,11 @@ fn pages_of_a_manual_are_reported_as_any_other_file() {
 fn a_configuration_says_how_programs_are_checked() {
     let folder = Folder::new("configured")
         .with("gcode-playground.toml", "control = \"fanuc\"\nignore = [\"no-program-end\"]\nmax-warnings = 0\nexclude = [\"old/**\"]\nextension = [\"nc\", \"txt\"]\n\n[rules]\nunknown-g-code = \"warning\"\n\n[[override]]\nfiles = [\"gsk/**\"]\ncontrol = \"gsk\"\nselect = \"number-missing\"\n")
-        .with("a.txt", "O1\nG777\n")
+        .with("a.txt", "O1\nG7.7\n")
         .with("old/b.nc", FAULTY)
-        .with("gsk/c.nc", "O1\nG777\nG0 X\n")
+        .with("gsk/c.nc", "O1\nG7.7\nG0 X\n")
         .with("gsk/own/gcode-playground.toml", "language = \"ru\"\n")
-        .with("gsk/own/d.nc", "O1\nG777\nM30\n");
+        .with("gsk/own/d.nc", "O1\nG7.7\nM30\n");
     let found = |arguments: &[&str]| {
         let output = folder.check(&[&["--format", "json"], arguments].concat());
         let rows = rows(&output).into_iter().filter(|row| row["slug"].is_string());

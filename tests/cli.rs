@@ -33,7 +33,7 @@ fn file(name: &str, content: &str) -> PathBuf {
 fn exit_status_tells_errors_from_bad_usage() {
     assert_eq!(run(&["check", "-"], b"G0 X1\nM30").status.code(), Some(0));
     assert_eq!(run(&["check", "-"], b"G0 X\nM30").status.code(), Some(1));
-    assert_eq!(run(&["motions", "-"], b"G777").status.code(), Some(1));
+    assert_eq!(run(&["motions", "-"], b"G7.7").status.code(), Some(1));
     assert_eq!(run(&["check", "there/is/no/such.nc"], b"").status.code(), Some(2));
     assert_eq!(run(&["draw"], b"").status.code(), Some(2));
     assert_eq!(run(&["check"], b"").status.code(), Some(2));
@@ -157,7 +157,7 @@ fn codes_are_listed_for_all_controls_or_one() {
     let all = text(&["codes"]);
     assert_eq!(line(&all, "FANUC"), "FANUC A FANUC B FANUC C GSK");
     assert_eq!(line(&all, "G90"), "G90 G77 G20 = turning cycle, straight or taper");
-    assert_eq!(line(&all, "G31"), "G31 = = = skip; not supported here");
+    assert_eq!(line(&all, "G31"), "G31 G31.1 G31.2 G31.3 G31.4 G31.8 = = = skip; not supported here");
     assert_eq!(line(&text(&["codes", "--control", "fanuc"]), "G33"), "");
     assert!(text(&["codes", "--control", "gsk"]).starts_with("  GSK\nMoves and corners\n"));
     assert!(line(&text(&["codes", "--control", "gsk", "--lang", "ru"]), "G33").contains("метчиком"));
@@ -223,10 +223,10 @@ fn encoded() -> Vec<Encoded> {
 #[test]
 fn messages_quote_a_program_in_any_encoding() {
     for (input, shown, column) in [
-        (&b"(\xb4\xd6\xb3\xb5) G777"[..], "(粗车) G777", 6),
-        (b"(\xd0\xe5\xe7\xe5\xf6) G777", "(Резец) G777", 9),
-        (b"(Gr\xf6\xdfe) G777", "(Größe) G777", 9),
-        (b"\xff\xfe(\0\xd6\0)\0 \0G\x007\x007\x007\0", "(Ö) G777", 5),
+        (&b"(\xb4\xd6\xb3\xb5) G7.7"[..], "(粗车) G7.7", 6),
+        (b"(\xd0\xe5\xe7\xe5\xf6) G7.7", "(Резец) G7.7", 9),
+        (b"(Gr\xf6\xdfe) G7.7", "(Größe) G7.7", 9),
+        (b"\xff\xfe(\0\xd6\0)\0 \0G\x007\x00.\x007\0", "(Ö) G7.7", 5),
     ] {
         let text = run(&["check", "-"], input).stdout;
         let text = std::str::from_utf8(&text).expect("UTF-8");
@@ -258,13 +258,13 @@ fn rewrite_tells_what_it_wrote_as_a_cycle() {
 fn fix_writes_the_files_back() {
     // (粗车) in GB18030, and line ends of Windows: only what is wrong changes.
     let path = file("fix.nc", "");
-    let before = b"O0001 (\xb4\xd6\xb3\xb5)\r\nGO1 X5O F0.1 M3 S500\r\nG00 X60 Z2 T1\r\nG777\r\nM30\r\n";
-    let after = b"O0001 (\xb4\xd6\xb3\xb5)\r\nG01 X50 F0.1 M3 S500\r\nG00 X60 Z2 T1\r\nG777\r\nM30\r\n";
+    let before = b"O0001 (\xb4\xd6\xb3\xb5)\r\nGO1 X5O F0.1 M3 S500\r\nG00 X60 Z2 T1\r\nG7.7\r\nM30\r\n";
+    let after = b"O0001 (\xb4\xd6\xb3\xb5)\r\nG01 X50 F0.1 M3 S500\r\nG00 X60 Z2 T1\r\nG7.7\r\nM30\r\n";
     std::fs::write(&path, before).expect("fix.nc");
     let name = path.to_str().unwrap();
     let dry = run(&["check", "--fix", "--dry-run", name], b"");
     assert_eq!((dry.stdout.as_slice(), dry.status.code()), (&after[..], Some(1)));
-    assert!(String::from_utf8_lossy(&dry.stderr).contains("G777"));
+    assert!(String::from_utf8_lossy(&dry.stderr).contains("G7.7"));
     assert_eq!(std::fs::read(&path).expect("fix.nc"), before);
     let output = run(&["check", "--fix", "--format", "json", name], b"");
     assert_eq!(std::fs::read(&path).expect("fix.nc"), after);
@@ -291,7 +291,7 @@ fn levels_of_rules_decide_the_exit_status() {
     let with = |command: &[&str], input: &[u8]| {
         run(&[command, &["--setup", setup.to_str().unwrap()]].concat(), input)
     };
-    assert_eq!(with(&["check", "-"], b"G777\nM30").status.code(), Some(0));
+    assert_eq!(with(&["check", "-"], b"G7.7\nM30").status.code(), Some(0));
     assert_eq!(with(&["check", "-"], b"G00 X1").status.code(), Some(1));
     assert_eq!(with(&["motions", "-"], b"(RULES NO-PROGRAM-END=OFF)\nG00 X1").status.code(), Some(0));
     let rules = rows(&with(&["rules", "--format", "json"], b""));
@@ -483,7 +483,7 @@ fn no_output_has_a_control_character_of_a_program() {
     let program = |depth: &str| {
         format!(
             "O0001 (STOCK D=50 LENGTH=60 GRIP=20)\nT0101 (TURNING {controls} R0.8)\n({controls})\nG97 S800 M03\n\
-             G00 X46 Z2 retract{controls} now\nG01 Z{depth} F0.2; turn {controls} x\nX{controls}52\nG777 {controls}X60\n\
+             G00 X46 Z2 retract{controls} now\nG01 Z{depth} F0.2; turn {controls} x\nX{controls}52\nG7.7 {controls}X60\n\
              G00 X200 \x1b]0;title\x07 Z200\n\x1b[31mX1\nN10 #3000=1 (STOP {controls})\nM30\n"
         )
     };

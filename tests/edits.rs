@@ -261,7 +261,7 @@ fn a_changed_comment_of_rules_counts_for_the_whole_program() {
     let limits = Limits { stride: 20, ..Limits::default() };
     let setup = Setup { limits, ..Setup::default() };
     let moves: String = (0..200).map(|x| format!("G00 X{x} Z2\n")).collect();
-    let text = format!("(RULES cut-with-spindle-stopped=info)\n{moves}G777\n{moves}");
+    let text = format!("(RULES cut-with-spindle-stopped=info)\n{moves}G7.7\n{moves}");
     let mut run = Run::new(text.into_bytes(), setup.clone());
     finish(&mut run);
     let told = |run: &Run| -> Vec<_> {

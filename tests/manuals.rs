@@ -279,7 +279,7 @@ fn embed_refuses_what_it_cannot_write() {
         assert_eq!(run(arguments, PROGRAM.as_bytes()).status.code(), Some(2), "{arguments:?}");
     }
     assert_eq!(run(&["embed", "-"], b"G00 X1\0\nM30\n").status.code(), Some(2));
-    assert_eq!(run(&["embed", "-"], b"G777\nM30\n").status.code(), Some(1));
+    assert_eq!(run(&["embed", "-"], b"G7.7\nM30\n").status.code(), Some(1));
 }
 
 #[test]
@@ -344,7 +344,7 @@ fn elements_that_cannot_be_drawn_are_told() {
         ("<pre data-gcode-playground>\nG00 X1 Z1\n<svg slot=\"fallback\"></svg></pre>\n", 1),
         ("<pre data-gcode-playground>\nG00 X1 Z1\n</pre>\n", 0),
         ("<gcode-playground src=\"a.nc\"><svg slot=\"fallback\"></svg></gcode-playground>\n", 0),
-        ("```gcode\nG777\n```\n", 0),
+        ("```gcode\nG7.7\n```\n", 0),
     ] {
         let output = run(&["embed", "--check", "-"], page.as_bytes());
         assert_eq!(output.status.code(), Some(code), "{page}{}", text(&output.stdout));

@@ -183,7 +183,7 @@ fn a_taper_with_the_wrong_sign_keeps_its_end_point() {
 
 #[test]
 fn codes_and_words() {
-    check("   G777 X5\n// ^^^^ PS0010");
+    check("   G7.7 X5\n// ^^^^ PS0010");
     check("M3 S-100\n// ^^^^^ PS0006");
     check("M3 S1.5\n// ^^^^ PS0007");
     check("G00 X50 X60\n//      ^^^ W-DUP-WORD");
@@ -595,7 +595,7 @@ fn check_levels(setup: &str, program: &str, expected: &[(&str, Severity)]) {
 #[test]
 fn a_setup_and_a_comment_say_how_grave_a_rule_is() {
     use Severity::{Error, Info, Warning};
-    let program = "G00 X50 Z2\nG777\nG00 X60";
+    let program = "G00 X50 Z2\nG7.7\nG00 X60";
     let end = ("no-program-end", Warning);
     check_levels("{}", program, &[("unknown-g-code", Error), end]);
     let lower = r#"{"rules": {"unknown-g-code": "info"}}"#;
@@ -609,7 +609,7 @@ fn a_setup_and_a_comment_say_how_grave_a_rule_is() {
     let noted = format!("O0001\n(Rules unknown-g-code=Warning)\n{program}");
     check_levels(lower, &noted, &[("unknown-g-code", Warning), end]);
     check_levels(r#"{"rules": {"no-program-end": "off"}}"#, &noted, &[("unknown-g-code", Warning)]);
-    check_levels("{}", "(RULES UNKNOWN-G-CODE=OFF NO-PROGRAM-END=OFF)\nG777", &[]);
+    check_levels("{}", "(RULES UNKNOWN-G-CODE=OFF NO-PROGRAM-END=OFF)\nG7.7", &[]);
     // What is reported for the setup itself, and about where a program comes from, has levels as well.
     check_levels("{}", "(RULES SETUP-COMMENT=ERROR QQQ=1)\nM30", &[("setup-comment", Error)]);
     check_levels(
@@ -635,7 +635,7 @@ fn messages_of_the_machine_have_levels_too() {
 
 #[test]
 fn a_level_changes_no_motion() {
-    let program = "G00 X50 Z2\nG01 X40 Y3 F0.1\nG777 X9\nG00 X60\nM30";
+    let program = "G00 X50 Z2\nG01 X40 Y3 F0.1\nG7.7 X9\nG00 X60\nM30";
     let usual = analyze(program.as_bytes(), &Setup::default());
     let rules: Vec<String> =
         usual.diagnostics.iter().map(|found| format!("\"{}\": \"off\"", found.message.slug())).collect();
@@ -652,7 +652,7 @@ fn a_level_changes_no_motion() {
 /// Rules that are off do not count against the limit of messages.
 #[test]
 fn what_is_off_is_not_counted() {
-    let program = "G777\n".repeat(50) + "Z1..2\nM30";
+    let program = "G7.7\n".repeat(50) + "Z1..2\nM30";
     let setup = |rules: &str| format!(r#"{{"limits": {{"messages": 10}}, "rules": {rules}}}"#);
     let told = |rules: &str| -> Vec<_> {
         let setup = Setup::from_json(&setup(rules)).expect("setup");

@@ -99,7 +99,7 @@ fn the_next_absolute_place_of_each_axis_ends_it() {
 #[test]
 fn what_kind_of_move_comes_is_unknown_until_a_code_says_it() {
     check("G0 X60 Z2\nM98 P9\nX50 Z1\nX40\nG0 X30\nX20", "R(60,2) R?(50,1) R?(40,1) R(30,1) R(20,1)");
-    check("G0 X60 Z2\nG777 X50\nX40\nX30\nG1 X20 F1 M3 S1", "R(60,2) R?(40,2) R?(30,2) F(20,2)");
+    check("G0 X60 Z2\nG7.7 X50\nX40\nX30\nG1 X20 F1 M3 S1", "R(60,2) R?(40,2) R?(30,2) F(20,2)");
     check("G0 X60 Z2\nG300 (MAKER)\nG0 X50 Z1\nX40", "R(60,2) R?(50,1) R(40,1)");
 }
 

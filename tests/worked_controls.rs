@@ -1,6 +1,7 @@
 //! What a control does with a block, worked out by hand from manuals and geometry, where it is easily taken otherwise.
 //! Each test names the line of the manual, or the sum.
 use gcode_playground::analyze;
+use gcode_playground::geometry::Point;
 use gcode_playground::motion::{Motion, MotionKind};
 use gcode_playground::playback::timing::seconds;
 use gcode_playground::setup::Setup;
@@ -142,4 +143,90 @@ fn a_count_of_repeats_lacks_no_point() {
     );
     let told = run("{}", &text).told;
     assert!(told.contains(&"point-missing 10".to_owned()), "{told:?}");
+}
+
+/// Such a code calls a macro of the machine builder (FANUC B-64304EN-1, G65 and codes that call macros): all words of its block
+/// are arguments. The cut after it names everything: 20 mm at 0.2 mm/rev and 500 rpm are 12 s.
+#[test]
+fn words_beside_a_code_of_the_machine_are_arguments() {
+    for code in ["G1461", "G114", "G200", "G333", "G399", "G411", "G600", "G900", "G103", "G110"] {
+        let block = format!("{code} W1. D8. X50 Z-4. L1.25 H0.767 C2. P1.25 S2. T7 M1. M30 M8. F9");
+        let text = format!(
+            "T0101\nG97 G99 S500 M3\nG00 X30. Z2.\nG01 Z0 F.1\n{block}\nG01 X30. Z-20. F.2\nG00 X50.\nM30\n"
+        );
+        let ran = run("{}", &text);
+        assert_eq!(ran.told, ["g-code-of-the-machine 5"], "{code}");
+        let [.., before, cut, _] = ran.motions[..] else { panic!("{code}: {:?}", ran.motions) };
+        assert_eq!(
+            (before.to, cut.from, cut.to),
+            (Point::new(15.0, 0.0), Point::new(15.0, 0.0), Point::new(15.0, -20.0))
+        );
+        assert_eq!((cut.process.tool, seconds(&cut, &ran.setup.machine)), ((1, 1), Some(12.0)), "{code}");
+        // Of a block without a code of group 01 nobody knows how it moves.
+        let ran = run("{}", &text.replace("G01 X30. Z-20.", "X30. Z-20."));
+        assert!(ran.motions[ran.motions.len() - 2].process.uncertain, "{code}");
+    }
+    // G43 is a tool length offset: only its H is no move.
+    let ran = run("{}", "T0101\nG97 G99 S500 M3\nG43 H1 G00 X30. Z2.\nG01 Z-20. F.2\nM30\n");
+    assert_eq!(ran.moves()[0], (MotionKind::Rapid, 30.0, 2.0));
+    // Words beside an unknown M code act.
+    let ran = run("{}", "G97 G99 S500 M3\nT01 M06\nG00 X30. Z2. M77\nG01 Z-20. F.2 T0202\nM30\n");
+    assert_eq!(
+        ran.motions.last().map(|cut| (cut.to, cut.process.tool)),
+        Some((Point::new(15.0, -20.0), (2, 2)))
+    );
+}
+
+/// I and K of a G40 block are the direction of a wall (FANUC 16-TC, 15.3.4): no corner. With a nose of 0.8 mm, whose tip 3 counts,
+/// the cut along X30 to Z-20 ends where the nose touches a wall that goes up there: its tip is at X30 Z-20. Without a wall the
+/// centre is beside the end, and the tip 0.8 mm further, at Z-20.8.
+#[test]
+fn i_and_k_of_g40_name_a_wall() {
+    let setup = r#"{"tools": {"T0101": {"type": "turning", "noseRadius": 0.8, "tip": 3}}}"#;
+    let ends = |leave: &str| {
+        let text = format!(
+            "T0101\nG97 G99 S500 M3\nG00 X60. Z5.\nG42 G00 X30. Z2.\nG01 Z-20. F.2\n{leave}\nG00 X80. Z20.\nM30\n"
+        );
+        let ran = run(setup, &text);
+        let cut = ran.motions.iter().find(|motion| motion.kind == MotionKind::Feed).expect("a cut");
+        let rounded = |at: Point| ((1000.0 * at.x).round() / 1000.0, (1000.0 * at.z).round() / 1000.0);
+        let after =
+            ran.motions.iter().skip_while(|motion| motion.kind != MotionKind::Feed).nth(1).expect("a move");
+        (rounded(cut.to), rounded(after.to), ran.told)
+    };
+    let at_wall = ((15.0, -20.0), (30.0, -20.0), vec![]);
+    assert_eq!(ends("G40 G01 X60. Z-20. I10. K0."), at_wall);
+    assert_eq!(ends("G40 G01 X60. Z-20. I10."), at_wall);
+    assert_eq!(ends("G40 G00 X60. Z-20. I10. K0."), at_wall);
+    assert_eq!(ends("G40 G01 X60. Z-20."), ((15.0, -20.8), (30.0, -20.0), vec![]));
+    // A cone of 45°: the offset paths meet r·tan 22.5° before the end.
+    let r = 0.8 * (std::f64::consts::PI / 8.0).tan();
+    let ((x, z), ..) = ends("G40 G01 X60. Z-20. I5. K-5.");
+    assert!((x - 15.0).abs() < 0.001 && (z - (-20.0 + r - 0.8)).abs() < 0.001, "{x} {z}");
+}
+
+/// Codes of FANUC's and GSK's lists that are not carried out are no errors; where they change what coordinates mean, the path is
+/// uncertain until they are switched off. The codes that switch them off are in many headers: nothing is said of them.
+#[test]
+fn codes_that_controls_have_are_never_denied() {
+    let told = |code: &str| {
+        run(
+            "{}",
+            &format!("T0101\nG97 G99 S500 M3\nG00 X30. Z2.\n{code}\nG01 X30. Z-20. F.2\nG00 X50.\nM30\n"),
+        )
+    };
+    for code in [
+        "G50.3", "G66.1", "G68.1", "G35", "G43.7", "G30.1", "G38", "G39", "G60", "G62", "G96.1", "G10.9",
+        "G53.1", "G61.1", "G06.2", "G07.2",
+    ] {
+        assert_eq!(told(code).told, ["not-supported 4"], "{code}");
+    }
+    for code in ["G15", "G40.1", "G49.1", "G50.1", "G69.1"] {
+        assert_eq!(told(code).told, [""; 0], "{code}");
+    }
+    let last_cut = |text: &str| {
+        told(text).motions.iter().rfind(|motion| motion.kind.cuts()).expect("a cut").process.uncertain
+    };
+    assert!(last_cut("G68.1 X0. Z0. R45.") && !last_cut("G68.1 X0. Z0. R45.\nG69.1\nG00 X30. Z2."));
+    assert_eq!(told("G47").told, ["unknown-g-code 4"]);
 }

@@ -13,7 +13,7 @@ use super::Asked;
 use super::form::{Form, Half};
 use super::role::Role;
 use super::snippet::{Piece, Snippet};
-use crate::control::codes::{self, Function, G, M, MotionMode, Multiple};
+use crate::control::codes::{self, Function, G, GCode, M, MotionMode, Multiple};
 use crate::control::macros::Found;
 use crate::control::modal::State;
 use crate::motion::SpindleTurn;
@@ -140,7 +140,8 @@ impl Proposing<'_> {
     /// The G codes of the control, those usual here first.
     fn g_codes(&self) -> Vec<Item> {
         let list = self.asked.codes;
-        let mut codes: Vec<_> = codes::g_codes(list).collect();
+        let is_supported = |(_, code): &(String, &GCode)| code.code != G::NotSupported;
+        let mut codes: Vec<_> = codes::g_codes(list).filter(is_supported).collect();
         order::by_key(&mut codes, |(_, code)| self.rank_g(code.code));
         let continued = self.second_block().map(|snippet| self.snippet(snippet));
         let codes = codes

@@ -6,8 +6,8 @@
 mod registry;
 
 pub use registry::{
-    Effect, Function, GCode, Row, Section, function_of, g_code, g_codes, m_code, m_codes, m_function, rows,
-    written,
+    Effect, Function, GCode, Row, Section, function_of, g_code, g_codes, is_of_machine, m_code, m_codes,
+    m_function, rows, written,
 };
 
 use super::words::plain;

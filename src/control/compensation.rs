@@ -254,8 +254,19 @@ impl Compensator {
 
     /// G40: the last element ends with the centre perpendicular to its end; the move of the G40 block,
     /// if it has one, ends with the tip on the programmed point. Without one the tip stays beside the
-    /// path until the next move.
-    pub fn cancel(mut self, element: Option<Element>, out: &mut impl FnMut(Outcome)) {
+    /// path until the next move. Where the block names a `wall` by its direction, radius and length in mm, the last element ends
+    /// where its offset path meets that of the wall, which begins at its end (FANUC 16-TC B-61804E 15.3.4).
+    pub fn cancel(mut self, element: Option<Element>, wall: Option<Point>, out: &mut impl FnMut(Outcome)) {
+        if let (Some(wall), Stage::Waiting(waiting)) = (wall, &self.stage) {
+            let (waiting, from) = (*waiting, waiting.element.to);
+            let wall = Element { from, to: from.moved(wall), shape: Shape::Line, ..waiting.element };
+            let wall = Track::new(&wall, waiting.side);
+            if let Some(meeting) = corner(Track::new(&waiting.element, waiting.side), wall, self.nose.radius)
+            {
+                self.stage = Stage::Standing;
+                self.finish(&waiting, meeting.end, out);
+            }
+        }
         self.flush(out);
         let Some(element) = element else { return };
         match element.shape {

@@ -318,6 +318,7 @@ impl<'a> Program<'a> {
                 return None;
             }
             let first = words.len();
+            let mut has_arguments = false;
             state = state.next();
             let has = |letters: &[u8]| block.words.iter().any(|word| is_among(letters, word.address));
             for word in &block.words {
@@ -335,7 +336,10 @@ impl<'a> Program<'a> {
                 let decimals = number.has_point().then_some(number.decimals);
                 if word.address == b'G' {
                     let key = number.tenths();
-                    state.read(key.and_then(|key| codes::g_code(key, list)).map(|found| found.code));
+                    let code = key.and_then(|key| codes::g_code(key, list)).map(|found| found.code);
+                    has_arguments |= matches!(code, Some(G::MacroCall(_)))
+                        || key.is_some_and(|key| codes::is_of_machine(key, list));
+                    state.read(code);
                 }
                 words.push(Word {
                     address: word.address,
@@ -371,8 +375,10 @@ impl<'a> Program<'a> {
             let ends = |word: &Word| {
                 word.address == b'M' && (matches!(word.value, 2.0 | 30.0) || word.value == 99.0 && !has(b"P"))
             };
-            let is_sure =
-                block.kind == BlockKind::Words && block.delete.is_none() && block.optional.is_none();
+            let is_sure = block.kind == BlockKind::Words
+                && block.delete.is_none()
+                && block.optional.is_none()
+                && !has_arguments;
             let end = (first..words.len()).find(|&index| is_sure && ends(&words[index]));
             let BlockCodes { rapid, thread, arc, reads_contour, .. } = state;
             rows.push(Row {

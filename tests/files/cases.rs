@@ -487,7 +487,7 @@ fn changed_baseline(bench: &Bench) {
     let child = command.stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().expect("the command line");
     let mut program = OpenOptions::new().write(true).open(path).expect("the pipe");
     bench.write("known.json", "[ ]\n");
-    program.write_all(b"G777\nM30\n").expect("a program");
+    program.write_all(b"G7.7\nM30\n").expect("a program");
     drop(program);
     assert_refused(&child.wait_with_output().expect("output"), &format!("known.json: {CHANGED}"));
     assert_eq!(bench.text("known.json"), "[ ]\n");

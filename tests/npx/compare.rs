@@ -177,7 +177,7 @@ impl Both {
             ("escape.nc", b"O1\nG0 X\x1b[31m50\x00\x07\nM30"),
             ("sub/old/O0002", b"\n\n"),
             (".gitignore", b"old/\n*.tap\n!kept.tap\n"),
-            ("kept.tap", b"G777\n"),
+            ("kept.tap", b"G7.7\n"),
             ("bad.toml", b"control = \"siemens\"\n"),
             ("setup.toml", b"[machine]\nrapidX = \"fast\"\n"),
         ];

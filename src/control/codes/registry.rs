@@ -51,7 +51,8 @@ functions! {
     MachineFunctions { Coolant Chuck LiveTool Orientation ThreadPullOut Tailstock RigidTapping Gear CAxis Synchronous
         Conveyor Interlock OtherMachine }
     OffStates { StrokeCheck ExactStop SpindleCheck Off }
-    NotYet { HighSpeed Skip AutomaticOffset Polygon Mirror }
+    NotYet { HighSpeed Skip AutomaticOffset Polygon Mirror OtherInterpolation OtherFeedControl OtherCompensation OtherCoordinates
+        OtherSynchronization OtherCycles OtherMacroCall }
 }
 
 /// What comes of a code here.
@@ -215,6 +216,11 @@ const G_CODES: &[GCode] = &[
     idle(490, Function::Off),
     idle(502, Function::Off),
     idle(690, Function::Off),
+    idle(150, Function::Off),
+    idle(401, Function::Off),
+    idle(491, Function::Off),
+    idle(501, Function::Off),
+    idle(691, Function::Off),
     not_supported(50, Function::HighSpeed),
     not_supported(51, Function::HighSpeed),
     not_supported(310, Function::Skip),
@@ -222,6 +228,100 @@ const G_CODES: &[GCode] = &[
     not_supported(370, Function::AutomaticOffset),
     not_supported(512, Function::Polygon),
     not_supported(680, Function::Mirror),
+    // FANUC's lists of the series 30i, 31i, 32i and 0i-F for lathes (B-64304EN-1, B-64694EN-1), and GSK 980TDi.
+    not_supported(311, Function::Skip),
+    not_supported(312, Function::Skip),
+    not_supported(313, Function::Skip),
+    not_supported(314, Function::Skip),
+    not_supported(318, Function::Skip),
+    not_supported(371, Function::AutomaticOffset),
+    not_supported(372, Function::AutomaticOffset),
+    not_supported(373, Function::AutomaticOffset),
+    not_supported(21, Function::OtherInterpolation),
+    not_supported(31, Function::OtherInterpolation),
+    not_supported(22, Function::OtherInterpolation),
+    not_supported(32, Function::OtherInterpolation),
+    not_supported(23, Function::OtherInterpolation),
+    not_supported(33, Function::OtherInterpolation),
+    not_supported(62, Function::OtherInterpolation),
+    not_supported(63, Function::OtherInterpolation),
+    not_supported(70, Function::OtherInterpolation),
+    not_supported(72, Function::OtherInterpolation),
+    not_supported(73, Function::OtherInterpolation),
+    not_supported(350, Function::OtherInterpolation),
+    not_supported(54, Function::OtherFeedControl),
+    not_supported(600, Function::OtherFeedControl),
+    not_supported(611, Function::OtherFeedControl),
+    not_supported(620, Function::OtherFeedControl),
+    not_supported(930, Function::OtherFeedControl),
+    not_supported(380, Function::OtherCompensation),
+    not_supported(390, Function::OtherCompensation),
+    not_supported(411, Function::OtherCompensation),
+    not_supported(421, Function::OtherCompensation),
+    not_supported(412, Function::OtherCompensation),
+    not_supported(422, Function::OtherCompensation),
+    not_supported(414, Function::OtherCompensation),
+    not_supported(424, Function::OtherCompensation),
+    not_supported(415, Function::OtherCompensation),
+    not_supported(425, Function::OtherCompensation),
+    not_supported(416, Function::OtherCompensation),
+    not_supported(426, Function::OtherCompensation),
+    not_supported(431, Function::OtherCompensation),
+    not_supported(433, Function::OtherCompensation),
+    not_supported(434, Function::OtherCompensation),
+    not_supported(435, Function::OtherCompensation),
+    not_supported(437, Function::OtherCompensation),
+    not_supported(438, Function::OtherCompensation),
+    not_supported(439, Function::OtherCompensation),
+    not_supported(441, Function::OtherCompensation),
+    not_supported(447, Function::OtherCompensation),
+    not_supported(103, Function::OtherCoordinates),
+    not_supported(106, Function::OtherCoordinates),
+    not_supported(109, Function::OtherCoordinates),
+    not_supported(160, Function::OtherCoordinates),
+    not_supported(171, Function::OtherCoordinates),
+    not_supported(301, Function::OtherCoordinates),
+    not_supported(503, Function::OtherCoordinates),
+    not_supported(511, Function::OtherCoordinates),
+    not_supported(531, Function::OtherCoordinates),
+    not_supported(532, Function::OtherCoordinates),
+    not_supported(536, Function::OtherCoordinates),
+    not_supported(542, Function::OtherCoordinates),
+    not_supported(544, Function::OtherCoordinates),
+    not_supported(681, Function::OtherCoordinates),
+    not_supported(682, Function::OtherCoordinates),
+    not_supported(683, Function::OtherCoordinates),
+    not_supported(684, Function::OtherCoordinates),
+    not_supported(504, Function::OtherSynchronization),
+    not_supported(505, Function::OtherSynchronization),
+    not_supported(506, Function::OtherSynchronization),
+    not_supported(514, Function::OtherSynchronization),
+    not_supported(515, Function::OtherSynchronization),
+    not_supported(516, Function::OtherSynchronization),
+    not_supported(804, Function::OtherSynchronization),
+    not_supported(805, Function::OtherSynchronization),
+    not_supported(811, Function::OtherSynchronization),
+    not_supported(814, Function::OtherSynchronization),
+    not_supported(815, Function::OtherSynchronization),
+    not_supported(961, Function::OtherSynchronization),
+    not_supported(962, Function::OtherSynchronization),
+    not_supported(963, Function::OtherSynchronization),
+    not_supported(964, Function::OtherSynchronization),
+    not_supported(707, Function::OtherCycles),
+    not_supported(717, Function::OtherCycles),
+    not_supported(727, Function::OtherCycles),
+    not_supported(737, Function::OtherCycles),
+    not_supported(747, Function::OtherCycles),
+    not_supported(757, Function::OtherCycles),
+    not_supported(767, Function::OtherCycles),
+    not_supported(835, Function::OtherCycles),
+    not_supported(836, Function::OtherCycles),
+    not_supported(842, Function::OtherCycles),
+    not_supported(853, Function::OtherCycles),
+    not_supported(875, Function::OtherCycles),
+    not_supported(876, Function::OtherCycles),
+    not_supported(882, Function::OtherCycles),
+    not_supported(661, Function::OtherMacroCall),
 ];
 
 const fn m(number: u16, function: Function, code: M) -> MCode {
@@ -386,6 +486,12 @@ pub fn g_code(key: u64, list: CodeList) -> Option<&'static GCode> {
     }
     let row = *WHOLE_G_ROWS[list as usize].get(usize::try_from(key / 10).ok()?)?;
     G_CODES.get(usize::from(row))
+}
+
+/// Whether a G code that is not in the list calls a macro of the machine builder; `key` is ten times its number. From G100 on
+/// they do, Haas's G103 and G110 to G129 among them.
+pub fn is_of_machine(key: u64, list: CodeList) -> bool {
+    key >= 1_000 && g_code(key, list).is_none()
 }
 
 #[cold]

@@ -42,7 +42,7 @@ fn run(side: Side, nose: Nose, path: &[Element], leave: Option<Element>) -> Vec<
     for element in path {
         compensator.push(*element, &mut |outcome| outcomes.push(outcome));
     }
-    compensator.cancel(leave, &mut |outcome| outcomes.push(outcome));
+    compensator.cancel(leave, None, &mut |outcome| outcomes.push(outcome));
     outcomes
 }
 

@@ -98,7 +98,12 @@ impl Interpreter {
         for (index, word) in block.words.iter().enumerate() {
             self.read_word(text, block, &mut request, &mut words, index, word);
         }
+        if request.arguments {
+            words = Words::new(block);
+        }
         self.set_feed_speed_tool(text, block, &request, &words);
+        let ends_compensation = request.switches_compensation && self.state.compensation == Compensation::Off;
+        self.wall = if ends_compensation { self.wall_of(&words) } else { None };
         self.state.spindle.by_maker |= request.maker_m && words.has_any(letters(b"SP"));
         if self.trace.is_some() {
             keep_process(self);
@@ -268,6 +273,13 @@ impl Interpreter {
         }
     }
 
+    /// The direction of the wall that I and K of a G40 block name (FANUC 16-TC B-61804E 15.3.4).
+    fn wall_of(&self, words: &Words) -> Option<Point> {
+        let length = |address: u8| words.get(address).and_then(|word| self.reading().length(word));
+        let (i, k) = (length(b'I'), length(b'K'));
+        Some(Point::new(i.unwrap_or(0.0), k.unwrap_or(0.0))).filter(|_| i.is_some() || k.is_some())
+    }
+
     /// Words that mean something in few blocks: whoever listens knows whether they do in this one.
     #[inline(never)]
     fn seldom_words(&mut self, text: &[u8], block: &Block, words: &Words) {
@@ -277,6 +289,7 @@ impl Interpreter {
         }
         // A straight move has its corner words, an arc those of its centre.
         let unread = match (self.state.motion, surface) {
+            (MotionMode::Rapid | MotionMode::Line, _) if self.wall.is_some() => letters(b"DJLPQ"),
             (MotionMode::Rapid, _) | (MotionMode::Line, Some(_)) => SELDOM,
             (MotionMode::Line | MotionMode::Arc(_), None) => letters(b"DJLPQ"),
             (MotionMode::Arc(_), Some(Surface::Face)) => letters(b"DKLPQ"),

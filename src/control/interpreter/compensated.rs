@@ -69,7 +69,7 @@ impl Interpreter {
                 }
                 compensating.compensator.push(element, &mut keep);
             }
-            None => compensating.compensator.clone().cancel(Some(element), &mut keep),
+            None => compensating.compensator.clone().cancel(Some(element), self.wall, &mut keep),
         }
         self.give_out(&mut compensating, outcomes);
         if side.is_some() {

@@ -176,8 +176,8 @@ impl Interpreter {
         match tenths {
             // High-speed cutting: the same path.
             Some(50 | 51) => {}
-            // Polygons and the mirror image, until they are switched off.
-            Some(512 | 680) => self.lose(Doubts::of(&[Doubt::Coordinates])),
+            // Polygons, mirror images, rotated and polar coordinates, until they are switched off.
+            Some(160 | 511 | 512 | 680..=684) => self.lose(Doubts::of(&[Doubt::Coordinates])),
             _ => {
                 let mut lost = Doubts::default();
                 for (doubt, letters) in [(Doubt::X, letters(b"XU")), (Doubt::Z, letters(b"ZW"))] {

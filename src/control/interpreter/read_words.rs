@@ -28,7 +28,8 @@ impl Interpreter {
         word: &Word,
     ) {
         let Value::Number { number, .. } = word.value else { return };
-        if request.macro_call.is_some() || (word.address == b'H' && request.length_offset) {
+        let is_argument = request.macro_call.is_some() || request.arguments;
+        if is_argument || (word.address == b'H' && request.length_offset) {
             return;
         }
         if let Some(wrong) = words::check(text, word) {
@@ -124,9 +125,7 @@ impl Interpreter {
                 self.observe(text, Event::Compensation);
             }
             G::Frame(frame) => {
-                self.leave_compensation();
-                let state = &mut self.state;
-                state.change_frame(|frames| frames.active = frame);
+                self.change_frame(|frames| frames.active = frame);
             }
             G::SurfaceSpeed => request.surface = Some(true),
             G::ConstantSpeed => request.surface = Some(false),
@@ -135,7 +134,7 @@ impl Interpreter {
                 self.state.feed_mode = mode;
             }
             // What makes coordinates doubtful is switched off.
-            G::Idle if matches!(tenths, Some(502 | 690)) => self.regain_coordinates(),
+            G::Idle if matches!(tenths, Some(150 | 501 | 502 | 690 | 691)) => self.regain_coordinates(),
             G::Idle => {}
             G::NotSupported => {
                 request.one_shot = Some(OneShot::NotSupported);
@@ -150,14 +149,15 @@ impl Interpreter {
     #[inline(never)]
     fn unknown_g(&mut self, text: &[u8], request: &mut Request, tenths: Option<u64>, word: &Word) {
         let quoted = quote(text, word.span);
-        // Tool length offsets of mills: on a lathe the T word has them, and on some
-        // machines with a B axis G43.
+        // Tool length offsets of mills: on a lathe the T word has them, and on some machines with a B axis G43. The other words of
+        // the block act.
         if matches!(tenths, Some(430 | 440)) {
             request.length_offset = true;
-            self.report(Diagnostic::new(said::MakerG { word: quoted }, word.span));
+            self.report(Diagnostic::new(said::LengthOffset { word: quoted }, word.span));
             return;
         }
-        if tenths.is_some_and(|key| matches!(key, 1_140..4_000 | 9_000..) && key.is_multiple_of(10)) {
+        if tenths.is_some_and(|key| codes::is_of_machine(key, self.dialect.code_list())) {
+            request.arguments = true;
             self.report(Diagnostic::new(said::MakerG { word: quoted }, word.span));
             self.lose_program();
             return;

@@ -67,6 +67,8 @@ pub(super) struct Request {
     pub hole: Option<codes::Hole>,
     /// G43: H names a length offset.
     pub length_offset: bool,
+    /// A G code of the machine: the words of its block are arguments of a macro.
+    pub arguments: bool,
     /// G54.1, whose P names the frame.
     pub extended_frame: Option<Span>,
     /// The motion of the block is not carried out.
