@@ -162,7 +162,7 @@ fn words_beside_a_code_of_the_machine_are_arguments() {
             (Point::new(15.0, 0.0), Point::new(15.0, 0.0), Point::new(15.0, -20.0))
         );
         assert_eq!((cut.process.tool, seconds(&cut, &ran.setup.machine)), ((1, 1), Some(12.0)), "{code}");
-        // Of a block without a code of group 01 nobody knows how it moves.
+        // Without a code of group 01 the kind of move is unknown.
         let ran = run("{}", &text.replace("G01 X30. Z-20.", "X30. Z-20."));
         assert!(ran.motions[ran.motions.len() - 2].process.uncertain, "{code}");
     }
@@ -205,8 +205,8 @@ fn i_and_k_of_g40_name_a_wall() {
     assert!((x - 15.0).abs() < 0.001 && (z - (-20.0 + r - 0.8)).abs() < 0.001, "{x} {z}");
 }
 
-/// Codes of FANUC's and GSK's lists that are not carried out are no errors; where they change what coordinates mean, the path is
-/// uncertain until they are switched off. The codes that switch them off are in many headers: nothing is said of them.
+/// Codes of FANUC's and GSK's lists that are not carried out are no errors. Where they change what coordinates mean, the path is
+/// uncertain until they are switched off. The codes that switch them off are accepted: many headers contain them.
 #[test]
 fn codes_that_controls_have_are_never_denied() {
     let told = |code: &str| {

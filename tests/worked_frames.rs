@@ -89,7 +89,7 @@ fn a_rapid_into_the_bar_is_found_wherever_the_zero_is() {
         let is_said = told.iter().any(|one| one.starts_with("work-zero-unknown"));
         assert_eq!(is_said, before.is_empty() && shift == "G10 L2 P1 Z-40.", "{before}{shift}: {told:?}");
     }
-    // In the seat that was turned there is room; and what G50 X Z says the tip stands at is no shift.
+    // In the turned seat there is room; G50 X Z is no shift.
     for (shift, to) in [("G52 Z-40.", "G00 X42. Z20."), ("G50 Z-38.", "G00 Z-20.\nX42.")] {
         assert!(!has_crash(&told("", shift, to)), "{shift}");
     }
@@ -100,7 +100,7 @@ fn a_rapid_into_the_bar_is_found_wherever_the_zero_is() {
         let unknown = told(before, shift, "G01 X42. Z-20. F.1");
         assert!(unknown.contains("work-zero-unknown 10") && !has_crash(&unknown), "{before}: {unknown:?}");
     }
-    // A zero that is set in the midst of the cuts, and was not given before, was 0: that is said.
+    // A zero that is set after the first cut, and was not given before, is taken as 0, with a message.
     assert!(told("", "G10 L2 P1 Z-40.", "G00 X42. Z-20.").contains("work-zero-unknown 8"));
 }
 

@@ -595,7 +595,7 @@ impl State {
             && if self.compensating.is_none() { self == other } else { rest(self) == rest(other) }
     }
 
-    /// G50 X Z: the tip is said to stand `by` farther than it did.
+    /// G50 X Z: the coordinates of the tip grow by `by`.
     pub fn name_place(&mut self, by: Point) {
         self.frames.rename(by);
         for place in std::iter::once(&mut self.position).chain(self.tip.as_mut()) {

@@ -16,11 +16,11 @@ pub const EXTENDED_FRAMES: u16 = 300;
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 struct Zero {
     at: Point,
-    /// The program says where it is, not only how far it moves.
+    /// The program sets it, and does not only move it.
     is_given: bool,
 }
 
-/// The zeros of a few frames; one without an entry is at zero, as far as nobody says more.
+/// Zeros by frame; a frame without an entry is at 0.
 #[derive(Clone, Debug, Default, PartialEq)]
 struct ByFrame(Vec<(u16, Zero)>);
 
@@ -106,7 +106,7 @@ impl Frames {
         });
     }
 
-    /// G50 X Z: the tip is said to be `by` farther, wherever it is. Where the workpiece is, is not changed by that.
+    /// G50 X Z: the coordinates of the tip grow by `by`. Neither the tip nor the workpiece moves.
     pub fn rename(&mut self, by: Point) {
         self.shift = Point::new(self.shift.x - by.x, self.shift.z - by.z);
         if let Some(Workpiece { zero, .. }) = &mut self.workpiece {
@@ -128,7 +128,7 @@ impl Frames {
         self.work.get(frame).at
     }
 
-    /// Zero of a frame, to be changed; `is_given` where it is said where it is.
+    /// Zero of a frame, to be changed. `is_given`: the change is absolute.
     pub fn work_mut(&mut self, frame: u16, is_given: bool) -> &mut Point {
         let zero = self.work.entry(frame);
         zero.is_given |= is_given;

@@ -196,7 +196,7 @@ impl Interpreter {
         }
     }
 
-    /// Changes the zero of a frame; `is_given` where it is said where it is, and not only how far it moves.
+    /// Changes the zero of a frame. `is_given`: the change is absolute.
     fn give_zero(&mut self, frame: u16, is_given: bool, change: impl FnOnce(&mut Point), words: &Words) {
         let frames = &self.state.frames;
         if is_given && frame == frames.active && frames.is_workpiece_not_given() {

@@ -206,7 +206,7 @@ impl Pen {
         self.context.stroke();
     }
 
-    /// Strokes pieces of lines, corners and width in CSS pixels. Dashes are where those of the whole line are.
+    /// Strokes pieces of lines, corners and width in CSS pixels. Dashes are at the same places as on the whole line.
     pub fn polylines(&self, colour: &str, pieces: &[Piece], width: f64, dash: Dash) -> Result<(), JsValue> {
         self.context.set_stroke_style_str(colour);
         self.context.set_line_width(width);
