@@ -25,6 +25,9 @@ const IN_PLACE: u64 = 1 << 30;
 /// The content of each file that was read, by [`place`].
 static READ: Mutex<BTreeMap<PathBuf, Content>> = Mutex::new(BTreeMap::new());
 
+/// Held while a file is written in place: another thread may write it by another of its names, and must not see half of it.
+static IN_PLACE_WRITE: Mutex<()> = Mutex::new(());
+
 /// Length and hash of a content.
 type Content = (u64, u64);
 
@@ -124,6 +127,7 @@ fn replace(target: &Path, old: Option<&Found>, bytes: &[u8]) -> Result<(), Strin
 
 /// Writes into the old file, and restores it if that fails.
 fn write_in_place(target: &Path, old: &Found, bytes: &[u8]) -> Result<(), String> {
+    let _alone = IN_PLACE_WRITE.lock().unwrap_or_else(PoisonError::into_inner);
     let mut backup = Temporary::beside(target, 0o600)?;
     let before = host::read(target, IN_PLACE).map_err(|error| reason(&error))?;
     host::write_whole(&mut backup.file, &before).map_err(|error| reason(&error))?;
