@@ -162,15 +162,17 @@ fn same_motion(before: &Motion, after: &Motion) -> bool {
         (a, b) => a == b,
     };
     let is_thread = before.kind == MotionKind::Thread;
-    let same_lead = match (before.lead, after.lead) {
+    let same = |before: Option<f64>, after: Option<f64>| match (before, after) {
         (Some(a), Some(b)) => relative(a, b),
         (a, b) => a.is_none() && b.is_none(),
     };
+    let same_lead = same(before.lead, after.lead) && same(before.lead_change, after.lead_change);
     let spindle =
         |process: &Process| (process.turn, process.tool, process.clamp, process.lowest, process.speed);
     before.kind == after.kind
         && same_place(before.from, after.from)
         && same_place(before.to, after.to)
+        && same_place(before.process.zero, after.process.zero)
         && same_center
         && same_turn
         && match (before.seconds, after.seconds) {

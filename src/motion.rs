@@ -494,6 +494,9 @@ impl Motion {
         (self.from, self.to) = (self.from.moved(by), self.to.moved(by));
         self.center = self.center.map(|center| center.moved(by));
         if let Some(programmed) = &mut self.programmed {
+            // In a virtual plane these are its points.
+            let own = self.rotary.and_then(|rotary| rotary.virtual_move);
+            let by = own.map_or(by, |own| own.surface.enter(by, 0.0, 0.0).0);
             programmed.from = programmed.from.moved(by);
             programmed.to = programmed.to.moved(by);
             programmed.center = programmed.center.map(|center| center.moved(by));

@@ -385,3 +385,17 @@ fn hostile_programs_are_compared_in_bounded_time() {
         );
     }
 }
+
+/// The cuts after a shift are elsewhere on the workpiece, though their words are the same.
+#[test]
+fn another_shift_of_the_work_zero_is_another_motion() {
+    let version = |shift: &str| {
+        format!(
+            "O1 (STOCK D=50 LENGTH=100)\nT0303\nG97 S500 M03\nG00 X52 Z-13\nG01 X30 F0.1\nG00 X52\nG52 Z{shift}\nG00 X52 Z-13\nG01 X30\nG00 X60\nM30\n"
+        )
+    };
+    let (found, status) = diff("shift", &version("-30"), &version("-40"));
+    assert_eq!((&found["sameMotions"], status), (&json!(false), 1));
+    let (found, status) = diff("no-shift", &version("-30"), &version("-30"));
+    assert_eq!((&found["sameMotions"], status), (&json!(true), 0));
+}

@@ -199,6 +199,14 @@ fn i_and_k_of_g40_name_a_wall() {
     assert_eq!(ends("G40 G01 X60. Z-20. I10."), at_wall);
     assert_eq!(ends("G40 G00 X60. Z-20. I10. K0."), at_wall);
     assert_eq!(ends("G40 G01 X60. Z-20."), ((15.0, -20.8), (30.0, -20.0), vec![]));
+    // Without a direction there is no wall.
+    for none in ["I0", "I0 K0", "K0."] {
+        assert_eq!(
+            ends(&format!("G40 G01 X60. Z-20. {none}")),
+            ((15.0, -20.8), (30.0, -20.0), vec![]),
+            "{none}"
+        );
+    }
     // A cone of 45°: the offset paths meet r·tan 22.5° before the end.
     let r = 0.8 * (std::f64::consts::PI / 8.0).tan();
     let ((x, z), ..) = ends("G40 G01 X60. Z-20. I5. K-5.");
@@ -227,6 +235,10 @@ fn codes_that_controls_have_are_never_denied() {
     let last_cut = |text: &str| {
         told(text).motions.iter().rfind(|motion| motion.kind.cuts()).expect("a cut").process.uncertain
     };
+    // How the blocks after a modal code that is not carried out move is not known.
+    let after_curve = told("G06.2 X30. Z0 R1. F.2\nX32. Z-5.\nX36. Z-10.").motions;
+    let between = after_curve.iter().filter(|motion| (-11.0..-1.0).contains(&motion.to.z));
+    assert_eq!(between.map(|motion| motion.process.uncertain).collect::<Vec<_>>(), [true, true]);
     assert!(last_cut("G68.1 X0. Z0. R45.") && !last_cut("G68.1 X0. Z0. R45.\nG69.1\nG00 X30. Z2."));
     assert_eq!(told("G47").told, ["unknown-g-code 4"]);
 }

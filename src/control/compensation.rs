@@ -260,9 +260,11 @@ impl Compensator {
         if let (Some(wall), Stage::Waiting(waiting)) = (wall, &self.stage) {
             let (waiting, from) = (*waiting, waiting.element.to);
             let wall = Element { from, to: from.moved(wall), shape: Shape::Line, ..waiting.element };
-            let wall = Track::new(&wall, waiting.side);
-            if let Some(meeting) = corner(Track::new(&waiting.element, waiting.side), wall, self.nose.radius)
-            {
+            // I0 K0 names no direction.
+            let track = (!wall.is_still()).then(|| Track::new(&wall, waiting.side));
+            let meeting = track
+                .and_then(|wall| corner(Track::new(&waiting.element, waiting.side), wall, self.nose.radius));
+            if let Some(meeting) = meeting {
                 self.stage = Stage::Standing;
                 self.finish(&waiting, meeting.end, out);
             }

@@ -4,7 +4,7 @@
 
 use std::sync::Arc;
 
-use crate::geometry::Point;
+use crate::geometry::{Point, SAME};
 
 /// Frames of G54 to G59; those of G54.1 P1 and on come after them.
 pub const STANDARD_FRAMES: u16 = 6;
@@ -101,8 +101,10 @@ impl Frames {
     pub fn place_workpiece(&mut self) {
         let known = self.workpiece.filter(|_| !self.is_elsewhere());
         let offset = self.offset();
+        // Sums and differences of the same numbers leave dust.
+        let without_dust = |length: f64| if length.abs() < SAME { 0.0 } else { length };
         self.on_workpiece = known.map_or(Point::default(), |Workpiece { zero, .. }| {
-            Point::new(offset.x - zero.x, offset.z - zero.z)
+            Point::new(without_dust(offset.x - zero.x), without_dust(offset.z - zero.z))
         });
     }
 

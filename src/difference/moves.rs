@@ -258,9 +258,11 @@ fn holds_surface_speed(process: &Process) -> bool {
 
 fn is_same(first: &Motion, second: &Motion) -> bool {
     let ways = first.kind == second.kind && is_same_end(first, second) && is_same_way(first, second);
-    let numbers = first.lead == second.lead && first.seconds == second.seconds;
+    let of = |motion: &Motion| (motion.lead, motion.lead_change, motion.seconds);
+    let numbers = of(first) == of(second);
     let tools = first.process.tool == second.process.tool;
-    ways && numbers && tools && (!first.kind.cuts() || cut(first, second).is_empty())
+    let is_same_place = is_near(first.process.zero, second.process.zero);
+    ways && numbers && tools && is_same_place && (!first.kind.cuts() || cut(first, second).is_empty())
 }
 
 fn is_same_end(first: &Motion, second: &Motion) -> bool {

@@ -364,7 +364,7 @@ impl<'a> Program<'a> {
                 // The first block of a pair.
                 role = Role::Other;
             }
-            if block.kind != BlockKind::Words || block.is_broken() {
+            if block.kind != BlockKind::Words || block.is_broken() || has_arguments {
                 role = Role::Other;
             }
             units.extend(state.inch);

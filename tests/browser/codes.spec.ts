@@ -27,7 +27,7 @@ test('by keyboard: opened, filtered, read, closed', async ({ page, engine }, inf
   await expect(row(page, 'G01')).toContainText('straight cut');
   await expect(row(page, 'M08')).toHaveCount(0);
   await expect(row(page, 'M07 M08 M09')).toContainText('no effect on the path');
-  await expect(row(page, 'G31')).toContainText('not supported here');
+  await expect(row(page, 'G51.2')).toContainText('not supported here');
   await page.screenshot({ path: info.outputPath('codes.png') });
 
   await page.keyboard.type('g1');

@@ -95,7 +95,7 @@ test('a dot goes with its text', async ({ page }) => {
   await open(page);
   await type(page, 'G99 M3 S800\nG00 X50 Z2\n');
   const dots = page.locator('.cm-lint-marker-error');
-  await page.keyboard.type('G7');
+  await page.keyboard.type('G6');
   await expect(dots).toHaveCount(1);
   await page.keyboard.press('Backspace');
   await page.keyboard.press('Backspace');
@@ -105,7 +105,7 @@ test('a dot goes with its text', async ({ page }) => {
   await expect(dots).toHaveCount(0);
 
   await test.step('and moves with its line', async () => {
-    await page.keyboard.type('\nG7');
+    await page.keyboard.type('\nG6');
     await expect(dots).toHaveCount(1);
     await page.keyboard.press('Home');
     await page.keyboard.press('Enter');

@@ -6,7 +6,7 @@
 
 use super::request::{OneShot, Request};
 use super::{AXES, Interpreter};
-use crate::control::codes::{MotionMode, Multiple, Switch};
+use crate::control::codes::{self, Function, MotionMode, Multiple, Switch};
 use crate::control::doubt::{Doubt, Doubts};
 use crate::control::events::Event;
 use crate::control::modal::Once;
@@ -180,6 +180,13 @@ impl Interpreter {
             Some(160 | 511 | 512 | 680..=684) => self.lose(Doubts::of(&[Doubt::Coordinates])),
             _ => {
                 let mut lost = Doubts::default();
+                // They may be modal: the blocks after them move in the same way.
+                let function = tenths.and_then(|key| codes::g_code(key, self.dialect.code_list()));
+                if let Some(Function::OtherInterpolation | Function::OtherCycles) =
+                    function.map(codes::GCode::function)
+                {
+                    lost.add(Doubt::Code);
+                }
                 for (doubt, letters) in [(Doubt::X, letters(b"XU")), (Doubt::Z, letters(b"ZW"))] {
                     if words.has_any(letters) {
                         lost.add(doubt);
