@@ -327,10 +327,9 @@ pub struct Process {
     /// In another work frame than the first cut, and nobody has said where its zero is: a second
     /// clamping, or the sub spindle.
     pub elsewhere: bool,
-    /// The work coordinate system in force: 0 for G54 to 5 for G59, then those of G54.1 P1 and on.
+    /// The work coordinate system in force: 0 to 5 for G54 to G59, 6 for G54.1 P1.
     pub frame: u16,
-    /// Zero of the program's coordinates in those of the workpiece, mm, as far as it is known: see
-    /// [`Motion::on_workpiece`].
+    /// Offset from programmed to workpiece coordinates, mm; zero where it is unknown. See [`Motion::on_workpiece`].
     pub zero: Point,
 }
 
@@ -485,7 +484,7 @@ impl Motion {
         self.rotary?.virtual_move
     }
 
-    /// The same motion in the coordinates of the workpiece, those of its first cut.
+    /// The same motion in workpiece coordinates: those of the frame of the first cut.
     pub fn on_workpiece(mut self) -> Motion {
         let by = std::mem::take(&mut self.process.zero);
         if by == Point::default() {

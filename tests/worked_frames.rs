@@ -113,7 +113,7 @@ fn grooves_of_two_work_coordinate_systems_are_side_by_side() {
     assert_eq!(ran.told, BTreeSet::new());
     let diameters = [-5.0, -8.5, -20.0, -38.5, -50.0].map(|z| ran.diameter(z));
     assert_eq!(diameters, [50.0, 40.0, 50.0, 44.0, 50.0]);
-    // Coordinates are those of the program, the offset beside them.
+    // Motions keep programmed coordinates and carry the offset.
     let second = ran.motions.iter().filter(|motion| motion.kind.cuts()).nth(1).expect("two cuts");
     assert_eq!(
         (second.to, second.process.frame, second.process.zero),

@@ -42,7 +42,7 @@ pub struct Hole {
 impl Hole {
     /// The same hole at another place.
     pub fn moved_by(self, way: Point) -> Self {
-        let moved = |point: Point| Point::new(point.x + way.x, point.z + way.z);
+        let moved = |point: Point| point.moved(way);
         Self {
             initial: moved(self.initial),
             r: moved(self.r),

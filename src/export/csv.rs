@@ -39,8 +39,8 @@ pub const COLUMNS: [&str; 25] = [
     "uncertain",
 ];
 
-/// The table: X a diameter and lengths in mm, angles in degrees, feed in mm/min. Places are those on the workpiece: what the
-/// program says, and the offset beside it.
+/// The table: X a diameter and lengths in mm, angles in degrees, feed in mm/min. `x`, `z` and the centre are coordinates of the workpiece:
+/// the programmed ones plus the offset of the row.
 pub fn csv(motions: &Motions, machine: &Machine) -> String {
     let mut text = COLUMNS.join(",");
     text.push_str("\r\n");

@@ -87,6 +87,19 @@ impl Way {
         }
     }
 
+    /// The same way, farther in the plane.
+    pub fn moved(self, by: Point) -> Self {
+        match self {
+            Self::Line(from, to) => Self::Line(from.moved(by), to.moved(by)),
+            Self::Arc(arc) => Self::Arc(Arc {
+                start: arc.start.moved(by),
+                end: arc.end.moved(by),
+                center: arc.center.moved(by),
+                ..arc
+            }),
+        }
+    }
+
     /// Distance of the way from the origin of the plane, mm.
     pub fn distance_from_center(&self) -> f64 {
         let origin = Point::default();
@@ -192,16 +205,7 @@ impl VirtualMove {
     /// The same move, farther by a radius and a length, mm.
     pub fn moved(&self, by: Point) -> Self {
         let (plane, third) = self.surface.enter(by, 0.0, 0.0);
-        let way = match self.way {
-            Way::Line(from, to) => Way::Line(from.moved(plane), to.moved(plane)),
-            Way::Arc(arc) => Way::Arc(Arc {
-                start: arc.start.moved(plane),
-                end: arc.end.moved(plane),
-                center: arc.center.moved(plane),
-                ..arc
-            }),
-        };
-        Self { way, third: (self.third.0 + third, self.third.1 + third), ..*self }
+        Self { way: self.way.moved(plane), third: (self.third.0 + third, self.third.1 + third), ..*self }
     }
 
     /// Whether it is one of a machine with a Y axis.

@@ -53,7 +53,7 @@ impl Outline {
 
     /// Where it is when the tip stands at a place.
     pub fn at(&self, tip: Point) -> Vec<Point> {
-        self.points.iter().map(|point| moved(*point, tip)).collect()
+        self.points.iter().map(|point| point.moved(tip)).collect()
     }
 
     /// The area it sweeps while the tip goes straight; nothing of nothing: the parts of the edge that look
@@ -74,10 +74,10 @@ impl Outline {
         for (index, &point) in self.points.iter().enumerate() {
             let behind = looks_ahead(index);
             match (before, behind) {
-                (true, true) => outline.push(moved(point, to)),
-                (false, false) => outline.push(moved(point, from)),
-                (true, false) => outline.extend([moved(point, to), moved(point, from)]),
-                (false, true) => outline.extend([moved(point, from), moved(point, to)]),
+                (true, true) => outline.push(point.moved(to)),
+                (false, false) => outline.push(point.moved(from)),
+                (true, false) => outline.extend([point.moved(to), point.moved(from)]),
+                (false, true) => outline.extend([point.moved(from), point.moved(to)]),
             }
             before = behind;
         }
@@ -159,10 +159,6 @@ fn cut_off(points: &[Point], depth: impl Fn(Point) -> f64) -> Vec<Point> {
         }
     }
     kept
-}
-
-fn moved(point: Point, by: Point) -> Point {
-    Point::new(point.x + by.x, point.z + by.z)
 }
 
 /// Positive where the way from `a` over `b` to `c` turns to the left.

@@ -112,7 +112,7 @@ impl Window {
         let crossings = ((high - self.low) / self.around).ceil() - first;
         if !(crossings > 0.0 && crossings <= MOST_CROSSINGS) {
             let moved = if crossings > 0.0 { 0.0 } else { self.move_of((low + high) / 2.0) };
-            return vec![Piece { way: moved_way(way, moved), shares: [0.0, 1.0], moved }];
+            return vec![Piece { way: way.moved(Point::new(moved, 0.0)), shares: [0.0, 1.0], moved }];
         }
         let mut cuts = vec![0.0];
         for crossing in 0..crossings as u32 {
@@ -130,7 +130,7 @@ impl Window {
             .map(|shares| {
                 let part = part(way, shares);
                 let moved = self.move_of(part.at(0.5).x);
-                Piece { way: moved_way(&part, moved), shares, moved }
+                Piece { way: part.moved(Point::new(moved, 0.0)), shares, moved }
             })
             .collect()
     }
@@ -169,17 +169,6 @@ fn part(way: &Way, [from, to]: [f64; 2]) -> Way {
     match way {
         Way::Line(..) => Way::Line(way.at(from), way.at(to)),
         Way::Arc(arc) => Way::Arc(Arc { start: way.at(from), end: way.at(to), ..*arc }),
-    }
-}
-
-/// A way so many mm further around the work.
-fn moved_way(way: &Way, by: f64) -> Way {
-    let moved = |at: Point| Point::new(at.x + by, at.z);
-    match *way {
-        Way::Line(from, to) => Way::Line(moved(from), moved(to)),
-        Way::Arc(arc) => {
-            Way::Arc(Arc { start: moved(arc.start), end: moved(arc.end), center: moved(arc.center), ..arc })
-        }
     }
 }
 

@@ -48,9 +48,8 @@ impl StepLabel {
 /// belongs to, else the first.
 pub fn labels(motions: &Motions, picked: &[Range<usize>], pointed: Option<usize>) -> Vec<StepLabel> {
     let holds = |index: usize| picked.iter().any(|range| range.contains(&index));
-    let pass_of = |index: usize| {
-        Some(motions.get_on_workpiece(index).cycle.filter(is_single)?).map(|own| (own.cycle, own.pass))
-    };
+    let pass_of =
+        |index: usize| Some(motions.get(index).cycle.filter(is_single)?).map(|own| (own.cycle, own.pass));
     let first = picked.first().map(|range| range.start);
     let Some(at) = pointed.filter(|&index| holds(index)).or(first).filter(|&index| index < motions.len())
     else {

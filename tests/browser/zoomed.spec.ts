@@ -23,7 +23,7 @@ interface Part {
 
 /** What a view shows. */
 interface Seen {
-  /** Pixels that differ clearly from those of the cut-out. */
+  /** The number of pixels that differ from the cut-out by more than anti-aliasing. */
   readonly different: number;
   /** Colours seen, as a check that something is. */
   readonly colours: number;

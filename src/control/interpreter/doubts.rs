@@ -181,9 +181,9 @@ impl Interpreter {
             _ => {
                 let mut lost = Doubts::default();
                 // They may be modal: the blocks after them move in the same way.
-                let function = tenths.and_then(|key| codes::g_code(key, self.dialect.code_list()));
+                let code = tenths.and_then(|key| codes::g_code(key, self.dialect.code_list()));
                 if let Some(Function::OtherInterpolation | Function::OtherCycles) =
-                    function.map(codes::GCode::function)
+                    code.map(codes::GCode::function)
                 {
                     lost.add(Doubt::Code);
                 }

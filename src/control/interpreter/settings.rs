@@ -171,7 +171,7 @@ impl Interpreter {
         let at = self.state.position;
         let radius = |address: u8| words.get(address).and_then(|word| reading.radius(word));
         let (x, z) = (radius(b'X'), length(b'Z'));
-        // A name for where the tip stands, which differs from tool to tool.
+        // New coordinates of the tip: old programs give them for each tool.
         let named = Point::new(x.map_or(0.0, |x| x - at.x), z.map_or(0.0, |z| z - at.z));
         self.state.name_place(named);
         let or_zero =

@@ -160,11 +160,7 @@ impl Interpreter {
             }
             System::Work(3) | System::Machine(3) => state.c,
             System::Work(axis) => coordinate(state.turning_place(), axis),
-            System::Machine(axis) => {
-                let place = state.turning_place();
-                let place = Point::new(place.x + offset.x, place.z + offset.z);
-                coordinate(place, axis)
-            }
+            System::Machine(axis) => coordinate(state.turning_place().moved(offset), axis),
             System::External(axis) => coordinate(state.frames.external, axis),
             System::Frame(frame, axis) => coordinate(state.frames.work(frame), axis),
             System::Offset(offset, column) => {

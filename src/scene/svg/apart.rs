@@ -29,13 +29,13 @@ impl Apart {
         let mut places = Vec::new();
         let mut first = 0;
         while first < scene.len() {
-            let own = motions.get_on_workpiece(first).cycle.map(|step| step.cycle);
+            let own = motions.get(first).cycle.map(|step| step.cycle);
             let line = motions.line(first);
             let mut end = first + 1;
             while own.is_some()
                 && end < scene.len()
                 && motions.line(end) == line
-                && motions.get_on_workpiece(end).cycle.map(|step| step.cycle) == own
+                && motions.get(end).cycle.map(|step| step.cycle) == own
             {
                 end += 1;
             }
@@ -65,16 +65,12 @@ impl Apart {
                 // Rapids may be drawn the other way round.
                 let turned = stroke.shape.start() != from;
                 let (first, last) = if turned { (end, start) } else { (start, end) };
-                StrokeShape::Line { from: moved(from, first), to: moved(to, last) }
+                StrokeShape::Line { from: from.moved(*first), to: to.moved(*last) }
             }
-            StrokeShape::Dot(at) => StrokeShape::Dot(moved(at, start)),
+            StrokeShape::Dot(at) => StrokeShape::Dot(at.moved(*start)),
             StrokeShape::Arc(_) | StrokeShape::Virtual(_) => shape,
         }
     }
-}
-
-fn moved(at: Point, by: &Point) -> Point {
-    Point::new(at.x + by.x, at.z + by.z)
 }
 
 /// Says where a motion is drawn.
@@ -90,7 +86,7 @@ fn thread(motions: &Motions, call: Range<usize>, pixel: f64, places: &mut Vec<[P
     let home = motions.get_on_workpiece(call.start).from.x;
     let mut last = 0;
     for motion in call.clone() {
-        last = motions.get_on_workpiece(motion).cycle.map_or(0, |step| step.pass).max(last);
+        last = motions.get(motion).cycle.map_or(0, |step| step.pass).max(last);
     }
     let gap = GAP.min(ROOM / f64::from(last.max(1))) * pixel;
     for index in call {
@@ -110,7 +106,7 @@ fn thread(motions: &Motions, call: Range<usize>, pixel: f64, places: &mut Vec<[P
 /// Pecks on one line go to and fro beside one another; what leads to the next line ends in its place.
 fn pecks(motions: &Motions, call: Range<usize>, pixel: f64, places: &mut Vec<[Point; 2]>) {
     let along = |motion: usize| {
-        let step = motions.get_on_workpiece(motion).cycle.map(|step| step.step);
+        let step = motions.get(motion).cycle.map(|step| step.step);
         !matches!(step, Some(Step::Relief | Step::Stepover | Step::Return | Step::Approach) | None)
     };
     let mut first = call.start;
