@@ -242,6 +242,10 @@ pub struct Motion {
     #[serde(skip_serializing_if = "Option::is_none")]
     #[cfg_attr(target_arch = "wasm32", tsify(optional))]
     pub lead: Option<f64>,
+    /// How far the spindle turns past its zero mark before a thread begins, degrees; left out where that is 0.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(target_arch = "wasm32", tsify(optional))]
+    pub start_angle: Option<f64>,
     /// How long it takes, seconds; left out where that cannot be known.
     #[serde(skip_serializing_if = "Option::is_none")]
     #[cfg_attr(target_arch = "wasm32", tsify(optional))]
@@ -923,6 +927,7 @@ pub fn motion(motion: &motion::Motion, line: u32, machine: &Machine) -> Motion {
         frame: frame_name(motion.process.frame),
         offset: Some(motion.process.zero).filter(|zero| *zero != Point::default()).map(place),
         lead: motion.lead.map(rounded),
+        start_angle: Some(motion.start_angle).filter(|&angle| angle != 0.0).map(rounded),
         seconds: timing::seconds(motion, machine).map(rounded),
         feed: timing::feed_at(motion, machine, motion.to.x).map(rounded),
         rpm: timing::speed_at(&motion.process, machine, motion.to.x).map(rounded),

@@ -24,7 +24,7 @@ use crate::geometry::virtual_plane::{VirtualMove, Way};
 use crate::geometry::{Point, Turn};
 use crate::message::said;
 use crate::motion::{
-    Cycle, CycleStep, Feed, Motion, MotionKind, Motions, Process, SpindleSpeed, SpindleTurn, Step,
+    Feed, Motion, MotionKind, Motions, Process, SpindleSpeed, SpindleTurn,
 };
 use crate::provenance;
 use crate::run::{Analysis, Run};
@@ -166,7 +166,9 @@ fn same_motion(before: &Motion, after: &Motion) -> bool {
         (Some(a), Some(b)) => relative(a, b),
         (a, b) => a.is_none() && b.is_none(),
     };
-    let same_lead = same(before.lead, after.lead) && same(before.lead_change, after.lead_change);
+    let same_lead = same(before.lead, after.lead)
+        && same(before.lead_change, after.lead_change)
+        && relative(before.start_angle, after.start_angle);
     let spindle =
         |process: &Process| (process.turn, process.tool, process.clamp, process.lowest, process.speed);
     before.kind == after.kind
@@ -849,8 +851,6 @@ impl Writer<'_> {
         self.remark(block);
         self.comments(block);
         self.watch(block);
-        let angle =
-            block.words.iter().find(|word| word.address == b'Q').map(|word| word.span.quote(self.text));
         self.line(&before);
         let counted = self.process.replace(*executed.ready).map(|process| discriminant(&process.feed));
         if counted != Some(discriminant(&executed.ready.feed)) {
@@ -886,9 +886,7 @@ impl Writer<'_> {
                 self.go_home(block, home, &motion);
                 continue;
             }
-            let first_cut = |step: CycleStep| step.cycle == Cycle::Threading && step.step == Step::Cut;
-            let is_thread = motion.cycle.is_some_and(first_cut);
-            self.motion(&motion, angle.as_deref().filter(|_| is_thread));
+            self.motion(&motion);
         }
         // M05 of the block itself comes after its moves.
         let stops = block.words.iter().any(|word| word.address == b'M' && plain(word) == Some(5.0));
@@ -952,8 +950,8 @@ impl Writer<'_> {
         }
     }
 
-    /// A motion as a block; `start_angle` is the Q of a thread.
-    fn motion(&mut self, motion: &Motion, start_angle: Option<&str>) {
+    /// A motion as a block.
+    fn motion(&mut self, motion: &Motion) {
         if let Some(seconds) = motion.seconds {
             let _ = writeln!(self.out, "G04 X{}", decimal(seconds));
             return;
@@ -982,8 +980,8 @@ impl Writer<'_> {
             let _ = write!(self.out, " F{}", feed.map_or_else(String::new, fine_decimal));
             self.feed = feed;
         }
-        if let Some(start_angle) = start_angle {
-            let _ = write!(self.out, " {start_angle}");
+        if motion.start_angle != 0.0 {
+            let _ = write!(self.out, " Q{:.0}", 1000.0 * motion.start_angle);
         }
         self.out.push('\n');
         self.written = match motion.kind {

@@ -428,6 +428,9 @@ pub struct Motion {
     pub lead: Option<f64>,
     /// By how much the lead grows in each revolution of the spindle (K of G34), mm.
     pub lead_change: Option<f64>,
+    /// How far the spindle turns past its zero mark before the first move of a thread begins (Q of G32, G34 and G92),
+    /// degrees. A thread that goes on from another move of it has none.
+    pub start_angle: f64,
     /// Seconds the tool waits, of dwells only.
     pub seconds: Option<f64>,
     /// What the program says, when nose radius compensation leads the tip elsewhere.
@@ -477,6 +480,17 @@ impl Motion {
     /// The lead of a thread, mm; the mean one where it changes.
     pub fn mean_lead(&self) -> Option<f64> {
         Some(f64::midpoint(self.lead?, self.last_lead()?))
+    }
+
+    /// Revolutions of the spindle in a motion that is locked to it.
+    pub fn turns(&self) -> Option<f64> {
+        Some(self.longer_axis() / self.mean_lead()?.abs()).filter(|turns| turns.is_finite())
+    }
+
+    /// Which fraction of a motion that is locked to the spindle is done after so many revolutions.
+    pub fn share_after(&self, turns: f64) -> Option<f64> {
+        let way = self.lead? * turns + self.lead_change.unwrap_or(0.0) * turns * turns / 2.0;
+        Some(way / self.longer_axis()).filter(|share| share.is_finite())
     }
 
     /// The move under polar or cylindrical interpolation that the program asks for.
@@ -596,6 +610,8 @@ pub struct Chunk {
     rotary: Vec<(u32, Rotary)>,
     /// Threads whose lead changes.
     lead_changes: Vec<(u32, f64)>,
+    /// Threads that begin past the zero mark of the spindle.
+    start_angles: Vec<(u32, f64)>,
     /// Motions before which the program stops.
     stops: Vec<(u32, (StopKind, BlockPlace))>,
     kind: Vec<u8>,
@@ -628,6 +644,7 @@ impl Chunk {
             programmed: Vec::new(),
             rotary: Vec::new(),
             lead_changes: Vec::new(),
+            start_angles: Vec::new(),
             stops: Vec::new(),
             kind: Vec::new(),
             x: Vec::new(),
@@ -699,6 +716,9 @@ impl Chunk {
         }
         if let Some(change) = motion.lead_change {
             self.lead_changes.push((index, change));
+        }
+        if motion.start_angle != 0.0 {
+            self.start_angles.push((index, motion.start_angle));
         }
         if let Some(step) = motion.cycle {
             self.rows[index as usize].cycle = pack_cycle(step);
@@ -805,6 +825,7 @@ impl Chunk {
             center: (is_arc && detail != NONE).then(|| self.centers[detail as usize]),
             lead: number.filter(|_| kind != MotionKind::Dwell),
             lead_change: look_up(&self.lead_changes, index),
+            start_angle: look_up(&self.start_angles, index).unwrap_or(0.0),
             seconds: number.filter(|_| kind == MotionKind::Dwell),
             programmed: look_up(&self.programmed, index),
             rotary: look_up(&self.rotary, index),

@@ -290,6 +290,7 @@ fn of_multiple(letter: u8, cycle: Multiple, half: Half) -> Role {
         (Multiple::Threading, b'R') | (Multiple::Threading, b'I') if !first => Role::ThreadTaper,
         (Multiple::Threading, b'P') if !whole => Role::ThreadHeight,
         (Multiple::Threading, b'Q') if !whole => Role::FirstDepth,
+        (Multiple::Threading, b'Q') => Role::StartAngle,
         (Multiple::Threading, b'K') => Role::ThreadHeight,
         (Multiple::Threading, b'D') => Role::FirstDepth,
         (Multiple::Threading, b'A') => Role::ThreadAngle,

@@ -258,7 +258,7 @@ fn holds_surface_speed(process: &Process) -> bool {
 
 fn is_same(first: &Motion, second: &Motion) -> bool {
     let ways = first.kind == second.kind && is_same_end(first, second) && is_same_way(first, second);
-    let of = |motion: &Motion| (motion.lead, motion.lead_change, motion.seconds);
+    let of = |motion: &Motion| (motion.lead, motion.lead_change, motion.start_angle, motion.seconds);
     let numbers = of(first) == of(second);
     let tools = first.process.tool == second.process.tool;
     let is_same_place = is_near(first.process.zero, second.process.zero);

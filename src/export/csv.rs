@@ -11,7 +11,7 @@ use crate::setup::Machine;
 
 /// The columns, named as in the rows of `motions`; what stands inside of another
 /// there has its name before it.
-pub const COLUMNS: [&str; 25] = [
+pub const COLUMNS: [&str; 26] = [
     "line",
     "kind",
     "tool",
@@ -24,6 +24,7 @@ pub const COLUMNS: [&str; 25] = [
     "r",
     "dir",
     "lead",
+    "start_angle",
     "seconds",
     "feed",
     "rpm",
@@ -72,6 +73,7 @@ fn write_row(text: &mut String, row: &api::Motion) {
         number(row.r),
         word(row.dir),
         number(row.lead),
+        number(row.start_angle),
         number(row.seconds),
         number(row.feed),
         number(row.rpm),
@@ -104,7 +106,7 @@ mod tests {
         assert_eq!(lines.len(), 4);
         assert_eq!(lines[0], COLUMNS.join(","));
         assert!(lines.iter().all(|line| line.split(',').count() == COLUMNS.len()), "{text}");
-        assert_eq!(lines[2], "2,feed,T0101,20,-5,,,,,,,,2.1,200,1000,,,,,,,,,,");
+        assert_eq!(lines[2], "2,feed,T0101,20,-5,,,,,,,,,2.1,200,1000,,,,,,,,,,");
         assert!(lines[3].starts_with("3,arc,T0101,30,-10,,30,-5,,5,cw,"), "{text}");
     }
 }

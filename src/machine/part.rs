@@ -61,7 +61,7 @@ struct Kept {
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Turned {
     /// How far the spindle is past a whole turn, in turns.
-    past: f64,
+    past: Option<f64>,
     /// What the insert cuts where it comes out here, between two turns: it stands while the work turns on, and
     /// cuts its groove all around, as wide as a turn at most.
     groove: Vec<Point>,
@@ -70,11 +70,19 @@ pub struct Turned {
 impl Turned {
     /// After a motion with its tool.
     fn after(&self, motion: &Motion, tool: &ResolvedTool) -> Self {
-        let turns = if motion.kind == MotionKind::Thread { turns(motion) } else { None };
-        let Some(past) = turns.map(|turns| (self.past + turns).fract()) else { return Self::default() };
+        let turns = motion.turns().filter(|_| motion.kind == MotionKind::Thread);
+        let Some(past) = turns.map(|turns| (self.before(motion) + turns).fract()) else {
+            return Self::default();
+        };
         let is_between = past > SAME && past < 1.0 - SAME;
         let cuts = is_between && takes_off(motion, tool) && tool.shape.action == Action::Threading;
-        Self { past, groove: if cuts { groove(motion, tool) } else { Vec::new() } }
+        Self { past: Some(past), groove: if cuts { groove(motion, tool) } else { Vec::new() } }
+    }
+
+    /// How far the spindle is past a whole turn, in turns, where a motion begins: a thread begins at its start angle,
+    /// unless it goes on from another.
+    fn before(&self, motion: &Motion) -> f64 {
+        self.past.unwrap_or_else(|| (motion.start_angle / 360.0).fract())
     }
 }
 
@@ -211,7 +219,7 @@ pub fn cut(motion: &Motion, turned: &Turned, tool: &ResolvedTool) -> Vec<Vec<Poi
 fn cut_so_far(motion: &Motion, share: f64, turned: &Turned, tool: &ResolvedTool) -> Vec<Vec<Point>> {
     let mut outlines: Vec<_> = left_by_thread(motion, turned).into_iter().collect();
     if takes_off(motion, tool) && motion.kind.cuts() {
-        outlines.extend(cut_by(motion, share, turned.past, tool));
+        outlines.extend(cut_by(motion, share, turned.before(motion), tool));
     }
     outlines
 }
@@ -261,9 +269,11 @@ fn cut_by(motion: &Motion, share: f64, past: f64, tool: &ResolvedTool) -> Vec<Ve
     let share = within(share, 0.0, 1.0);
     let edge = &tool.takes;
     let threads = tool.shape.action == Action::Threading && motion.kind == MotionKind::Thread;
-    if let Some(turns) = turns(motion).filter(|&turns| threads && turns <= MOST_TURNS) {
-        let (first, last) = ((past - SAME).ceil(), (past + share * turns + SAME).floor());
-        let places = (first as u32..=last as u32).map(|turn| (f64::from(turn) - past) / turns.max(SAME));
+    let turns = motion.first_part(share).turns();
+    if let Some(turns) = turns.filter(|&turns| threads && turns <= MOST_TURNS) {
+        let (first, last) = ((past - SAME).ceil(), (past + turns + SAME).floor());
+        let places =
+            (first as u32..=last as u32).map(|turn| motion.share_after(f64::from(turn) - past).unwrap_or(0.0));
         return places
             .map(|place| edge.at(between(motion.from, motion.to, within(place, 0.0, 1.0))))
             .collect();
@@ -272,12 +282,6 @@ fn cut_by(motion: &Motion, share: f64, past: f64, tool: &ResolvedTool) -> Vec<Ve
         Some(arc) => edge.along(&first_part(chords(&arc), share)).collect(),
         None => vec![edge.along_line(motion.from, between(motion.from, motion.to, share))],
     }
-}
-
-/// Spindle revolutions in a motion that is locked to it.
-fn turns(motion: &Motion) -> Option<f64> {
-    let long = (motion.to.x - motion.from.x).abs().max((motion.to.z - motion.from.z).abs());
-    Some(long / motion.lead?.abs()).filter(|turns| turns.is_finite())
 }
 
 /// The first part of a way of equal pieces. It keeps to the way, so that nothing it takes off

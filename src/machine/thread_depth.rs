@@ -120,7 +120,7 @@ impl Thread {
         let (crest, side) = self.crest;
         let depth = side * (crest - motion.to.x);
         let (last, deepest) = self.depths;
-        let turns = (motion.from.z - self.start) / self.lead;
+        let turns = (motion.from.z - self.start) / self.lead - motion.start_angle / 360.0;
         self.has_starts |= (turns - turns.round()).abs() * self.lead > NEAR || depth < last - NEAR;
         if depth > last + NEAR {
             self.passes += 1;

@@ -74,9 +74,7 @@ pub fn seconds(motion: &Motion, machine: &Machine) -> Option<f64> {
         (MotionKind::Thread, _, SpindleSpeed::Surface { .. })
         | (_, Feed::PerTurn(_), SpindleSpeed::Surface { .. }) => under_surface_speed(motion, machine)?,
         (MotionKind::Thread, ..) => {
-            60.0 * motion.longer_axis()
-                / motion.mean_lead()?
-                / speed_at(&motion.process, machine, motion.to.x)?
+            60.0 * motion.turns()? / speed_at(&motion.process, machine, motion.to.x)?
         }
         _ => 60.0 * length / feed_at(motion, machine, motion.to.x)?,
     };
@@ -110,7 +108,7 @@ fn under_surface_speed(motion: &Motion, machine: &Machine) -> Option<f64> {
     let limit = highest(&motion.process, machine);
     // Turns a mm of path.
     let turns = match (motion.kind, motion.process.feed) {
-        (MotionKind::Thread, _) => motion.longer_axis() / motion.length() / motion.mean_lead()?,
+        (MotionKind::Thread, _) => motion.turns()? / motion.length(),
         (_, Feed::PerTurn(feed)) => 1.0 / feed,
         _ => return None,
     };

@@ -266,6 +266,7 @@ fn same_motion(before: &Motion, after: &Motion) -> bool {
         && near(before.to, after.to)
         && both(before.center, after.center)
         && same_lead
+        && before.start_angle == after.start_angle
         && before.seconds == after.seconds
         && before.rotary == after.rotary
         && before.programmed.is_some() == after.programmed.is_some()

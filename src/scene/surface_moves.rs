@@ -186,7 +186,18 @@ pub(super) fn on_way(motion: &Motion, way: &Way) -> Motion {
         }
     };
     let kind = if motion.kind.cuts() { kind } else { motion.kind };
-    Motion { kind, from, to, center, rotary: None, lead: None, lead_change: None, cycle: None, ..*motion }
+    Motion {
+        kind,
+        from,
+        to,
+        center,
+        rotary: None,
+        lead: None,
+        lead_change: None,
+        start_angle: 0.0,
+        cycle: None,
+        ..*motion
+    }
 }
 
 /// The radius of a live tool, mm, where somebody has said it.

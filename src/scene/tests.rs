@@ -102,6 +102,7 @@ impl Path {
             center,
             lead,
             lead_change: None,
+            start_angle: 0.0,
             seconds,
             programmed: None,
             rotary: None,

@@ -4,4 +4,5 @@ mod gallery;
 mod inferred;
 mod invariants;
 mod reach;
+mod threads;
 mod worked;

@@ -354,10 +354,12 @@ impl Interpreter {
             }
             _ => [Some(to), None],
         };
+        let lead_change = given(b'K').filter(|_| self.state.motion == MotionMode::VariableThread);
+        let mut start_angle = self.start_angle(words);
         for end in ends.into_iter().flatten() {
-            let lead_change = given(b'K').filter(|_| self.state.motion == MotionMode::VariableThread);
-            let motion = Motion { lead: Some(lead), lead_change, ..self.motion(MotionKind::Thread, end) };
-            self.push(block, motion);
+            let motion = self.motion(MotionKind::Thread, end);
+            self.push(block, Motion { lead: Some(lead), lead_change, start_angle, ..motion });
+            start_angle = 0.0;
         }
     }
 

@@ -8,6 +8,7 @@ use super::Interpreter;
 use super::contours::Shape;
 use super::repairs::offer_other_sign;
 use super::request::Request;
+use super::singles::Thread;
 use crate::control::codes::Multiple;
 use crate::control::contour::Purpose;
 use crate::control::doubt::Doubt;
@@ -391,13 +392,15 @@ impl Interpreter {
     }
 
     /// Makes the moves of a cycle.
-    pub(super) fn run_cycle(&mut self, block: &Block, cycle: Cycle, lead: Option<f64>, moves: &[Move]) {
+    pub(super) fn run_cycle(&mut self, block: &Block, cycle: Cycle, thread: Option<Thread>, moves: &[Move]) {
         let kept = self.sink.kept();
         for step in moves {
             let tag = CycleStep { cycle, pass: step.pass, step: step.step };
-            let mut motion = self.motion(step.kind, step.to);
+            let motion =
+                Motion { cycle: Some(tag), center: step.center, ..self.motion(step.kind, step.to) };
+            let mut motion = thread.map_or(motion, |thread| thread.of(motion));
             motion.process.uncertain |= self.state.doubts.has(Doubt::Cycle);
-            self.push(block, Motion { cycle: Some(tag), center: step.center, lead, ..motion });
+            self.push(block, motion);
         }
         self.spend(moves.len() - (self.sink.kept() - kept), block);
     }

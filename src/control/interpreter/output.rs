@@ -20,6 +20,7 @@ impl Interpreter {
             center: None,
             lead: None,
             lead_change: None,
+            start_angle: 0.0,
             seconds: None,
             programmed: None,
             rotary: None,

@@ -13,7 +13,7 @@ use crate::cycles::Move;
 use crate::cycles::single::{self, PullOut, Single};
 use crate::geometry::Point;
 use crate::message::{Diagnostic, Fix, Message, Severity, said};
-use crate::motion::{CycleStep, Motion};
+use crate::motion::{CycleStep, Motion, Step};
 use crate::parts::{Part, late};
 use crate::setup::dialect::{Control, IInG92};
 use crate::source::Span;
@@ -27,6 +27,29 @@ late! {
     fn taper_word(taper: f64) -> String {
         format!("R{}", crate::units::number(taper))
     }
+}
+
+/// What the moves of a thread cycle have in common.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Thread {
+    /// Lead, mm.
+    pub lead: f64,
+    /// Start angle, degrees.
+    pub start_angle: f64,
+}
+
+impl Thread {
+    /// A motion of the cycle; the cut begins at the start angle.
+    pub(super) fn of(self, motion: Motion) -> Motion {
+        let begins = motion.cycle.is_some_and(|tag| tag.step == Step::Cut);
+        let start_angle = if begins { self.start_angle } else { 0.0 };
+        Motion { lead: Some(self.lead), start_angle, ..motion }
+    }
+}
+
+/// The angle of the start `number`, from 0, of a thread of so many starts, degrees (GSK980TDb, L of G92).
+pub(super) fn angle_of_start(number: u64, starts: u64) -> f64 {
+    360.0 * number as f64 / starts as f64
 }
 
 impl Interpreter {
@@ -127,13 +150,15 @@ impl Interpreter {
         let (taper_word, starts) = (self.taper_word(words, cycle), self.starts(words, cycle));
         let pass = SinglePass { block, words, cycle, start, end, taper_word, taper_span, lead, starts };
         self.observe(text, Event::SinglePass(pass));
-        for _ in 0..starts {
+        let own_angle = self.start_angle(words);
+        for start_number in 0..starts {
             self.state.memory.passes += 1;
             let pass = self.state.memory.passes;
             match (cycle, lead) {
                 (Single::Threading, Some(lead)) => {
                     let moves = single::threading(start, end, memory.taper, self.pull_out(words, lead));
-                    self.run_moves(block, cycle, pass, Some(lead), &moves);
+                    let start_angle = own_angle + angle_of_start(start_number, starts);
+                    self.run_moves(block, cycle, pass, Some(Thread { lead, start_angle }), &moves);
                 }
                 (Single::Facing, _) => {
                     let begin = Point::new(start.x, end.z + memory.taper);
@@ -214,6 +239,13 @@ impl Interpreter {
         starts.map_or(1, |starts| crate::geometry::within(starts, 1.0, 99.0) as u64)
     }
 
+    /// The start angle of a thread, degrees: Q counts thousandths, up to a full turn, and holds for its block
+    /// (B-64304EN, multiple threads).
+    pub(super) fn start_angle(&self, words: &Words) -> f64 {
+        let angle = words.get(b'Q').and_then(plain).unwrap_or(0.0);
+        crate::geometry::within(angle / 1000.0, 0.0, 360.0)
+    }
+
     /// How G92 leaves the thread: J and K (GSK), or the chamfer in tenths of a lead.
     pub(super) fn pull_out(&self, words: &Words, lead: f64) -> Option<PullOut> {
         let reading = self.reading();
@@ -234,17 +266,18 @@ impl Interpreter {
         (self.state.thread_chamfer_on && length > 0.0).then_some(PullOut { along: length, out: length })
     }
 
-    pub(super) fn run_moves(
+    fn run_moves(
         &mut self,
         block: &Block,
         cycle: Single,
         pass: u32,
-        lead: Option<f64>,
+        thread: Option<Thread>,
         moves: &[Move],
     ) {
         for step in moves {
             let tag = CycleStep { cycle: cycle.cycle(), pass, step: step.step };
-            let mut motion = Motion { cycle: Some(tag), lead, ..self.motion(step.kind, step.to) };
+            let motion = Motion { cycle: Some(tag), ..self.motion(step.kind, step.to) };
+            let mut motion = thread.map_or(motion, |thread| thread.of(motion));
             motion.process.uncertain |= self.state.doubts.has(Doubt::Cycle);
             self.push(block, motion);
         }

@@ -6,6 +6,7 @@
 use super::{AXES, Interpreter};
 use crate::control::events::{Event, ThreadPass, ThreadedBy, ThreadingCall};
 use crate::control::words::{Words, plain, quote};
+use super::singles::{Thread, angle_of_start};
 use crate::cycles::single::Single;
 use crate::cycles::threading::{self, MultiThread};
 use crate::cycles::units;
@@ -104,7 +105,13 @@ impl Interpreter {
                 let how = &how;
                 let call = ThreadingCall { block, words, start, how, lead, angle, one_block };
                 self.observe(text, Event::Threading(call));
-                self.run_cycle(block, Cycle::MultiThreading, Some(lead), &moves);
+                // P and Q of two blocks are depths; Q of one block is the start angle.
+                let own_angle = if one_block { self.start_angle(words) } else { 0.0 };
+                for number in 0..starts {
+                    let start_angle = own_angle + angle_of_start(number, starts);
+                    let thread = Thread { lead, start_angle };
+                    self.run_cycle(block, Cycle::MultiThreading, Some(thread), &moves);
+                }
                 return Some(());
             }
             Err(threading::ThreadingError::Angle) => said::ThreadAngle { angle }.into(),
