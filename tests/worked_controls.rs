@@ -2,7 +2,7 @@
 //! Each test names the line of the manual, or the sum.
 use gcode_playground::analyze;
 use gcode_playground::geometry::Point;
-use gcode_playground::motion::{Motion, MotionKind};
+use gcode_playground::motion::{Cycle, Motion, MotionKind};
 use gcode_playground::playback::timing::seconds;
 use gcode_playground::setup::Setup;
 use gcode_playground::units::Diameter;
@@ -77,6 +77,12 @@ fn degrees_of_c_count_as_millimetres_of_the_feed() {
     assert_eq!(ran.seconds_of_last_cut(), Some(54.7));
     let ran = run("{}", &format!("{head}G01 H-45 F90\nM46\nM30\n"));
     assert_eq!(ran.seconds_of_last_cut(), Some(30.0));
+    // Under G99 a turn of 0.2 at 500 rpm is 100 a minute: 90° and 91.24.
+    let head = head.replace("G98", "G99 G97 S500 M03");
+    let ran = run("{}", &format!("{head}G01 C90 F0.2\nM46\nM30\n"));
+    assert_eq!(ran.seconds_of_last_cut(), Some(54.0));
+    let ran = run("{}", &format!("{head}G00 C90\nG01 Z-10 C180 F0.2\nM46\nM30\n"));
+    assert_eq!(ran.seconds_of_last_cut(), Some(54.7));
 }
 
 /// FANUC B-64304EN-1, boring cycles of systems B and C: G85 leaves the hole at feed, G86 at rapid with the spindle stopped.
@@ -207,6 +213,24 @@ fn i_and_k_of_g40_name_a_wall() {
             "{none}"
         );
     }
+    // In a contour too: G71 ignores it with the compensation, and G70 ends at the wall.
+    let contour = |leave: &str| {
+        let cycles = "G71 U2. R1.\nG71 P10 Q20 U0 W0 F.2";
+        let text = format!(
+            "T0101\nG97 G99 S500 M3\nG00 X60. Z5.\n{cycles}\nN10 G42 G00 X30.\nG01 Z-20. F.2\n{leave}\nG70 P10 Q20\nM30\n"
+        );
+        let ran = run(setup, &text);
+        let motions = ran.motions.iter().map(|motion| (motion.cycle.map(|step| step.cycle), motion.to));
+        (motions.collect::<Vec<_>>(), ran.told)
+    };
+    let (plain, walled) = (contour("N20 G40 G01 X60."), contour("N20 G40 G01 X60. I10. K0."));
+    assert_eq!((&plain.1, &walled.1), (&vec![], &vec![]));
+    let rough = |motions: &[(Option<Cycle>, Point)]| -> Vec<_> {
+        motions.iter().filter(|own| own.0 == Some(Cycle::RoughTurning)).copied().collect()
+    };
+    assert_eq!(rough(&plain.0), rough(&walled.0));
+    assert!(plain.0.contains(&(Some(Cycle::Finishing), Point::new(15.0, -20.8))), "{plain:?}");
+    assert!(walled.0.contains(&(Some(Cycle::Finishing), Point::new(15.0, -20.0))), "{walled:?}");
     // A cone of 45°: the offset paths meet r·tan 22.5° before the end.
     let r = 0.8 * (std::f64::consts::PI / 8.0).tan();
     let ((x, z), ..) = ends("G40 G01 X60. Z-20. I5. K-5.");

@@ -303,9 +303,10 @@ pub enum Plane {
 }
 
 /// Tool nose radius compensation.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Compensation {
     /// G40.
+    #[default]
     Off,
     /// G41: the tool is left of the path.
     Left,

@@ -120,6 +120,8 @@ pub struct PathMove {
     pub third: Option<(f64, f64)>,
     /// No motion at all: the program stops here (M00, M01).
     pub stop: Option<StopKind>,
+    /// Of the move of a G40 block: the direction of the wall that I and K name, radius and length in mm.
+    pub wall: Option<Point>,
 }
 
 /// A plane beside that of turning. The position of the state is then a point of it.

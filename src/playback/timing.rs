@@ -63,20 +63,18 @@ pub fn seconds(motion: &Motion, machine: &Machine) -> Option<f64> {
     if motion.kind == MotionKind::Rapid {
         return rapid(motion, machine);
     }
-    if let (Feed::PerMinute(feed), true) = (motion.process.feed, motion.turned() > 0.0) {
-        return Some(60.0 * length.hypot(motion.turned()) / feed).filter(|seconds| seconds.is_finite());
-    }
-    if length <= SAME {
-        // C alone turns, by a feed per revolution; or nothing moves at all.
-        return if motion.is_turn() { None } else { Some(0.0) };
+    // Degrees count in the length of a feed (B-64304EN, feed of rotary axes).
+    let way = length.hypot(motion.turned());
+    if way <= SAME {
+        return Some(0.0);
     }
     let seconds = match (motion.kind, motion.process.feed, motion.process.speed) {
-        (MotionKind::Thread, _, SpindleSpeed::Surface { .. })
-        | (_, Feed::PerTurn(_), SpindleSpeed::Surface { .. }) => under_surface_speed(motion, machine)?,
-        (MotionKind::Thread, ..) => {
-            60.0 * motion.turns()? / speed_at(&motion.process, machine, motion.to.x)?
+        (MotionKind::Thread, _, SpindleSpeed::Surface { .. }) => under_surface_speed(motion, machine)?,
+        (_, Feed::PerTurn(_), SpindleSpeed::Surface { .. }) if length > SAME => {
+            under_surface_speed(motion, machine)? * way / length
         }
-        _ => 60.0 * length / feed_at(motion, machine, motion.to.x)?,
+        (MotionKind::Thread, ..) => 60.0 * motion.turns()? / speed_at(&motion.process, machine, motion.to.x)?,
+        _ => 60.0 * way / feed_at(motion, machine, motion.to.x)?,
     };
     Some(seconds).filter(|seconds| seconds.is_finite())
 }

@@ -10,7 +10,7 @@ use super::{AXES, Flow, Interpreter};
 use crate::control::codes::{Compensation, MotionMode, Plane};
 use crate::control::doubt::Doubt;
 use crate::control::events::Event;
-use crate::control::modal::{CycleMemory, Once};
+use crate::control::modal::{CycleMemory, Once, PathMove};
 use crate::control::words::{Words, letters, plain, quote};
 use crate::geometry::Point;
 use crate::geometry::virtual_plane::Surface;
@@ -102,8 +102,7 @@ impl Interpreter {
             words = Words::new(block);
         }
         self.set_feed_speed_tool(text, block, &request, &words);
-        let ends_compensation = request.switches_compensation && self.state.compensation == Compensation::Off;
-        self.wall = if ends_compensation { self.wall_of(&words) } else { None };
+        request.wall = if request.ends_compensation { self.wall_of(&words) } else { None };
         self.state.spindle.by_maker |= request.maker_m && words.has_any(letters(b"SP"));
         if self.trace.is_some() {
             keep_process(self);
@@ -230,7 +229,7 @@ impl Interpreter {
             return;
         }
         if words.has_any(SELDOM) {
-            self.seldom_words(text, block, words);
+            self.seldom_words(text, block, request, words);
         }
         match self.state.motion {
             MotionMode::Rapid if words.has_any(AXES | TURNS) => self.rapid(text, block, request, words),
@@ -269,7 +268,7 @@ impl Interpreter {
         if c.is_some() || !self.travel_plainly(block, MotionKind::Rapid, to, None) {
             let motion = self.motion(MotionKind::Rapid, to);
             let motion = self.turning(motion, c);
-            self.travel(block, motion, None);
+            self.travel(PathMove { wall: request.wall, ..self.path_move(block, motion) }, None);
         }
     }
 
@@ -282,14 +281,14 @@ impl Interpreter {
 
     /// Words that mean something in few blocks: whoever listens knows whether they do in this one.
     #[inline(never)]
-    fn seldom_words(&mut self, text: &[u8], block: &Block, words: &Words) {
+    fn seldom_words(&mut self, text: &[u8], block: &Block, request: &Request, words: &Words) {
         let surface = self.state.virtual_plane.map(|plane| plane.surface);
         if surface.is_none() && self.state.plane != Plane::Zx || !words.has_any(AXES | TURNS) {
             return;
         }
         // A straight move has its corner words, an arc those of its centre.
         let unread = match (self.state.motion, surface) {
-            (MotionMode::Rapid | MotionMode::Line, _) if self.wall.is_some() => letters(b"DJLPQ"),
+            (MotionMode::Rapid | MotionMode::Line, _) if request.wall.is_some() => letters(b"DJLPQ"),
             (MotionMode::Rapid, _) | (MotionMode::Line, Some(_)) => SELDOM,
             (MotionMode::Line | MotionMode::Arc(_), None) => letters(b"DJLPQ"),
             (MotionMode::Arc(_), Some(Surface::Face)) => letters(b"DKLPQ"),

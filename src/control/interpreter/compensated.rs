@@ -69,7 +69,7 @@ impl Interpreter {
                 }
                 compensating.compensator.push(element, &mut keep);
             }
-            None => compensating.compensator.clone().cancel(Some(element), self.wall, &mut keep),
+            None => compensating.compensator.clone().cancel(Some(element), path_move.wall, &mut keep),
         }
         self.give_out(&mut compensating, outcomes);
         if side.is_some() {

@@ -29,6 +29,8 @@ pub(super) struct Contours {
     pub recorded: Option<Vec<PathMove>>,
     /// What for, if a contour is being read.
     pub purpose: Option<Purpose>,
+    /// Compensation as the program commands it, while a contour is read for a roughing cycle, which ignores it.
+    pub ignored_compensation: Compensation,
     /// Places of the contour cycles, for the picture.
     pub landmarks: Vec<Landmarks>,
     /// The contours of G71 to G73.
@@ -265,7 +267,8 @@ impl Interpreter {
         purpose: Purpose,
     ) -> Result<(FirstBlock, Span, Resume), ShapeError> {
         if purpose == Purpose::Roughing {
-            self.state.compensation = Compensation::Off;
+            self.contours.ignored_compensation =
+                std::mem::replace(&mut self.state.compensation, Compensation::Off);
             self.state.tip = None;
         }
         let mut parser = Parser::resume(text, begins);

@@ -34,8 +34,8 @@ impl Interpreter {
             (comma(round), None, Corner::Round),
             (plain_word(b'L', gsk), None, Corner::Chamfer),
             (plain_word(b'D', gsk), None, Corner::Round),
-            (plain_word(b'I', straight && self.wall.is_none()), Some(Letter::I), Corner::Chamfer),
-            (plain_word(b'K', straight && self.wall.is_none()), Some(Letter::K), Corner::Chamfer),
+            (plain_word(b'I', straight && request.wall.is_none()), Some(Letter::I), Corner::Chamfer),
+            (plain_word(b'K', straight && request.wall.is_none()), Some(Letter::K), Corner::Chamfer),
             (plain_word(b'C', straight && !self.state.c_axis), Some(Letter::C), Corner::Chamfer),
             (plain_word(b'R', straight), Some(Letter::R), Corner::Round),
         ];

@@ -47,7 +47,6 @@ use super::origins::{Chronicle, Chronicler};
 use super::program::Program;
 use super::sink::Sink;
 use super::words::{Reading, letters, quote};
-use crate::geometry::Point;
 use crate::message::{Diagnostic, said};
 use crate::motion::{Chunk, Motions};
 use crate::parts::Part;
@@ -104,8 +103,6 @@ pub struct Interpreter {
     refused: bool,
     /// A value of the block under way comes from a variable that nobody knows.
     guessing: bool,
-    /// Direction, radius and length in mm, of the wall that the G40 block under way names by I and K.
-    wall: Option<Point>,
     /// A part of the module that a block needs and that has not been loaded.
     missing: Option<Part>,
 }
@@ -149,7 +146,6 @@ impl Interpreter {
             trace: None,
             refused: false,
             guessing: false,
-            wall: None,
             missing: None,
         }
     }

@@ -8,7 +8,7 @@ use super::{AXES, Interpreter};
 use crate::control::arcs::{self, CenterWords};
 use crate::control::codes::{Compensation, MotionMode, Plane};
 use crate::control::events::{Event, ThreadPass, ThreadedBy};
-use crate::control::modal::{Angle, Lead, Target};
+use crate::control::modal::{Angle, Lead, PathMove, Target};
 use crate::control::words::{self, Counts, Words, letters, plain, quote};
 use crate::cycles::single::Single;
 use crate::geometry::virtual_plane::{Flat, Surface};
@@ -150,7 +150,7 @@ impl Interpreter {
         }
         let motion = self.motion(MotionKind::Feed, to);
         let motion = self.turning(motion, c);
-        self.travel(block, motion, joint);
+        self.travel(PathMove { wall: request.wall, ..self.path_move(block, motion) }, joint);
     }
 
     /// The angle word of a straight move: `,A` or A, degrees.
@@ -276,7 +276,7 @@ impl Interpreter {
                     return;
                 }
                 let motion = Motion { center: Some(center), ..self.motion(kind, to) };
-                self.travel(block, motion, joint);
+                self.travel(self.path_move(block, motion), joint);
             }
             // It goes along Y, which was reported.
             Ok(None) if words.has_any(letters(b"YV")) && surface.is_none() => {}

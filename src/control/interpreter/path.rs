@@ -59,8 +59,8 @@ const IDLE_BLOCKS: u32 = 2;
 impl Interpreter {
     /// A move of the programmed path.
     #[inline(never)]
-    pub(super) fn travel(&mut self, block: &Block, motion: Motion, joint: Option<Joint>) {
-        let mut path_move = self.path_move(block, motion);
+    pub(super) fn travel(&mut self, mut path_move: PathMove, joint: Option<Joint>) {
+        let motion = path_move.motion;
         let still = motion.from.is_same(motion.to) && motion.center.is_none();
         if still && (motion.rotary.is_some() || path_move.third.is_some_and(|(from, to)| from != to)) {
             // Nothing moves in the plane of the path: no corner, nothing to compensate.

@@ -118,9 +118,14 @@ impl Interpreter {
             G::Plane(plane) => state.plane = plane,
             G::Unit(unit) => state.unit = unit,
             // Roughing cycles ignore compensation in their contour (GSK980TDb p. 102).
-            G::Compensation(_) if self.contours.purpose == Some(Purpose::Roughing) => {}
+            G::Compensation(compensation) if self.contours.purpose == Some(Purpose::Roughing) => {
+                let before = std::mem::replace(&mut self.contours.ignored_compensation, compensation);
+                request.ends_compensation |= compensation == Compensation::Off && before != compensation;
+            }
             G::Compensation(compensation) => {
                 request.switches_compensation = compensation != state.compensation;
+                request.ends_compensation =
+                    request.switches_compensation && compensation == Compensation::Off;
                 state.compensation = compensation;
                 self.observe(text, Event::Compensation);
             }

@@ -4,6 +4,7 @@
 
 use super::calls::CallCode;
 use crate::control::codes::{self, MacroCall, MotionMode, Multiple, Switch};
+use crate::geometry::Point;
 use crate::motion::StopKind;
 use crate::source::Span;
 
@@ -81,6 +82,10 @@ pub(super) struct Request {
     pub moved: bool,
     /// G40, G41 or G42 changes compensation.
     pub switches_compensation: bool,
+    /// G40 ends compensation, be it one that a roughing cycle ignores.
+    pub ends_compensation: bool,
+    /// The direction of the wall that I and K of that block name, radius and length in mm.
+    pub wall: Option<Point>,
 }
 
 impl Request {

@@ -277,7 +277,8 @@ impl Interpreter {
     #[inline]
     pub(super) fn path_move(&self, block: &Block, motion: Motion) -> PathMove {
         let third = self.state.virtual_plane.map(|plane| plane.third);
-        PathMove { motion, span: block.span, words: block.words_span(), line: block.line, third, stop: None }
+        let (span, words, line) = (block.span, block.words_span(), block.line);
+        PathMove { motion, span, words, line, third, stop: None, wall: None }
     }
 
     /// What the machine does for a motion of a virtual plane.
