@@ -23,9 +23,7 @@ use crate::control::words::plain;
 use crate::geometry::virtual_plane::{VirtualMove, Way};
 use crate::geometry::{Point, Turn};
 use crate::message::said;
-use crate::motion::{
-    Feed, Motion, MotionKind, Motions, Process, SpindleSpeed, SpindleTurn,
-};
+use crate::motion::{Feed, Motion, MotionKind, Motions, Process, SpindleSpeed, SpindleTurn};
 use crate::provenance;
 use crate::run::{Analysis, Run};
 use crate::setup::Setup;
@@ -202,6 +200,7 @@ fn write_with<'a>(
         mode: MotionMode::Rapid,
         written: MotionMode::Rapid,
         feed: None,
+        lead: None,
         inch: false,
         incremental: false,
         in_plane: false,
@@ -353,6 +352,8 @@ struct Writer<'a> {
     /// The code of group 01 in force at the end of the written text.
     written: MotionMode,
     feed: Option<f64>,
+    /// The lead that E, or I on GSK, gives at the end of the written text, mm; none after an F.
+    lead: Option<f64>,
     inch: bool,
     /// G91 of systems B and C.
     incremental: bool,
@@ -503,34 +504,38 @@ impl Writer<'_> {
             self.written = executed.mode;
         }
         let last = own.clone().next_back().map(|index| self.motions.get(index));
-        let cuts = |motion: &Motion| match motion.kind {
-            MotionKind::Feed | MotionKind::ArcClockwise | MotionKind::ArcCounterclockwise => true,
-            // A lead may also be given by E or I.
-            MotionKind::Thread => matches!(
-                executed.ready.feed,
-                Feed::PerMinute(feed) | Feed::PerTurn(feed) if motion.lead == Some(feed)
-            ),
-            MotionKind::Rapid | MotionKind::Dwell => false,
-        };
+        let lead = last.filter(|last| last.kind == MotionKind::Thread).and_then(|last| last.lead);
+        let has = |letter: u8| block.words.iter().any(|word| word.address == letter);
+        let names_lead = lead.is_some() && (has(b'E') || has(b'I'));
         let feed = match (executed.ready.feed, &last) {
-            (Feed::PerMinute(feed) | Feed::PerTurn(feed), _) if is_kept => Some(feed),
+            (Feed::PerMinute(feed) | Feed::PerTurn(feed), _) if is_kept && lead.is_none() => Some(feed),
             (_, Some(last)) => feed_of(last),
             _ => None,
         };
-        let has_feed = block.words.iter().any(|word| word.address == b'F');
-        let needs_feed =
-            if is_kept { goes_by_code || last.is_some() } else { last.as_ref().is_some_and(cuts) };
-        if needs_feed && !has_feed && feed.is_some() && feed != self.feed {
-            // A thread expanded before left its lead as F.
-            let unit = if self.inch { 25.4 } else { 1.0 };
-            let feed = feed.map_or_else(String::new, |feed| fine_decimal(feed / unit));
-            let _ = write!(self.out, "F{feed} ");
-        }
-        match executed.ready.feed {
-            Feed::PerMinute(feed) | Feed::PerTurn(feed) if has_feed => self.feed = Some(feed),
-            _ if needs_feed => self.feed = feed.or(self.feed),
+        let needs_feed = match is_kept {
+            true => goes_by_code || last.is_some(),
+            false => last.as_ref().is_some_and(|last| last.kind.cuts()),
+        };
+        // A thread expanded before left its lead as F.
+        let in_force = self.lead.filter(|_| lead.is_some()).or(self.feed);
+        match (executed.ready.feed, feed) {
+            (Feed::PerMinute(feed) | Feed::PerTurn(feed), _) if has(b'F') => self.set_feed(feed),
+            (_, Some(feed)) if needs_feed && !names_lead && in_force != Some(feed) => {
+                let unit = if self.inch { 25.4 } else { 1.0 };
+                let _ = write!(self.out, "F{} ", fine_decimal(feed / unit));
+                self.set_feed(feed);
+            }
             _ => {}
         }
+        if names_lead && lead != self.feed {
+            self.lead = lead;
+        }
+    }
+
+    /// F is written: a lead by another word is over.
+    fn set_feed(&mut self, feed: f64) {
+        self.feed = Some(feed);
+        self.lead = None;
     }
 
     /// Whether a block is more than plain moves.
@@ -979,6 +984,7 @@ impl Writer<'_> {
         {
             let _ = write!(self.out, " F{}", feed.map_or_else(String::new, fine_decimal));
             self.feed = feed;
+            self.lead = None;
         }
         if motion.start_angle != 0.0 {
             let _ = write!(self.out, " Q{:.0}", 1000.0 * motion.start_angle);

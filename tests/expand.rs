@@ -440,3 +440,47 @@ proptest! {
         prop_assert!(other.is_none(), "{}\n{text}\n-- expanded:\n{plain}", other.unwrap_or_default());
     }
 }
+
+/// A lead by E holds until an F is given; an expanded thread gives its lead by F.
+#[test]
+fn a_lead_by_e_holds_after_an_expanded_thread() {
+    let head = "O1\nT0303\nG99 G97 S300 M03\nG00 X34 Z8\nG01 X33 F0.2\nG00 X34\n";
+    let setup = Setup::default();
+    for body in [
+        // The cut between them has the F of before, the thread after it the lead of E.
+        "G92 X29.2 Z-20 E1.5\nX28.6\nG00 X34\nG01 Z5\nG00 X28\nG32 Z-20\nG00 X34",
+        "G92 X29.2 Z-20 E1.5\nG00 X34\nG32 Z-20\nG01 Z5\nG00 X34\nG32 Z-20\nG00 X34",
+        // E of a thread that is copied, and another one of an expanded thread.
+        "G32 Z-20 E2\nG00 X34\nG01 Z5\nG92 X29.2 Z-20 E1.5\nG00 X34\nG32 Z-20 E2\nG01 Z5\nG32 Z-20\nG00 X34",
+        "G32 Z-20 E2\nG00 X34\nZ5\nG32 Z-20\nG92 X29.2 Z-20\nG00 X34\nG32 Z-25\nG01 Z5\nG32 Z-25\nG00 X34",
+    ] {
+        let program = format!("{head}{body}\nM30\n");
+        assert!(expand(program.as_bytes(), &setup).contains("(G92 PASS 1)"), "{body}");
+        assert_eq!(difference(&program, &setup), None);
+        let leads = |text: &str| -> Vec<_> {
+            let threads = analyze(text.as_bytes(), &setup).motions;
+            threads
+                .iter()
+                .filter(|motion| motion.kind == MotionKind::Thread)
+                .map(|motion| motion.lead)
+                .collect()
+        };
+        assert_eq!(leads(&program), leads(&expand(program.as_bytes(), &setup)), "{body}");
+    }
+}
+
+/// Each pass is written with its start angle: Q, and L of GSK.
+#[test]
+fn starts_of_a_thread_have_their_angle() {
+    let program = "O1\nT0303\nG97 S300 M03\nG00 X34 Z8\nG92 X29.2 Z-20 F4 L2\nX29.2 Q90000\nG00 X34\nM30\n";
+    let setup = Setup::from_json(r#"{"dialect": {"control": "gsk"}}"#).expect("a setup");
+    assert_eq!(difference(program, &setup), None);
+    let plain = expand(program.as_bytes(), &setup);
+    let angles: Vec<_> = plain
+        .lines()
+        .filter(|line| line.starts_with("G32"))
+        .filter_map(|line| line.split_once(" Q"))
+        .map(|(_, q)| q)
+        .collect();
+    assert_eq!(angles, ["180000", "90000"], "{plain}");
+}

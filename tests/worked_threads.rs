@@ -102,6 +102,10 @@ fn a_lead_is_one_that_controls_take_and_standards_have() {
     says(&RIGHT.replace("F1.5", "F600"), &["lead-out-of-range 2"]);
     says(&RIGHT.replace("F1.5", "F0.0001"), &["lead-out-of-range 2"]);
     says(&RIGHT.replace("F1.5", "F0.15"), &["thread-very-fine 2"]);
+    // E gives a lead as F does.
+    says(&RIGHT.replace("F1.5", "E600"), &["lead-out-of-range 2"]);
+    says(&RIGHT.replace("F1.5", "E0.15"), &["thread-very-fine 2"]);
+    says(&RIGHT.replace("F1.5", "E1.5").replace("X28.6", "X28.6 E1"), &["thread-lead-changed 3"]);
     says("G00 X34 Z8\nG76 P011060 Q50 R0.05\nG76 X28.04 Z-20 P980 Q300 F600", &["lead-out-of-range 3"]);
     says("G00 X4 Z8\nG92 X0.9 Z-3 F0.2\nX0.8", &[]);
 }

@@ -343,13 +343,13 @@ impl Passes {
 
 /// The word that gives the lead: in millimetres, or as threads per inch.
 fn lead_word<'a>(words: &Words<'a>) -> Option<&'a Word> {
-    words.get(b'F').or_else(|| words.get(b'I'))
+    [b'E', b'F', b'I'].into_iter().find_map(|letter| words.get(letter))
 }
 
 /// A lead that no control takes, or no standard has, at the word that gives it.
 fn unusual_lead(text: &[u8], words: &Words, lead: f64, starts: u64) -> Option<Diagnostic> {
     let word = lead_word(words)?;
-    let leads = if word.address == b'F' { LEADS } else { LEADS_OF_INCH };
+    let leads = if word.address == b'I' { LEADS_OF_INCH } else { LEADS };
     let quoted = || quote(text, word.span);
     if !leads.contains(&lead) {
         return Some(Diagnostic::new(said::LeadOutOfRange { word: quoted() }, word.span));
