@@ -3,6 +3,7 @@
 use gcode_playground::analyze;
 use gcode_playground::api;
 use gcode_playground::machine::SimulationResult;
+use gcode_playground::message::Severity;
 use gcode_playground::run::Analysis;
 use gcode_playground::setup::Setup;
 use gcode_playground::units::number;
@@ -226,4 +227,50 @@ fn what_is_no_argument_is_a_fault_in_a_macro_as_in_every_program() {
     division("#4=5/#3\nM30");
     division("T0101\n#4=5/#3\nM99");
     division("O1\n#1=0\nG65 P2 A#1\nM30\nO2\n#4=5/#1\nM99");
+}
+
+/// The motions of a cycle along a contour with an error are those of the contour without it, in doubt. `cycle`: the
+/// blocks of the cycle at X44 Z2, `faulty` and `sound`: the contour from N10 to N20.
+#[track_caller]
+fn check_faulty_contour(cycle: &str, faulty: &str, sound: &str, slug: &str) {
+    let program = |contour: &str| format!("M3 S1 F1\nG0 X44 Z2\n{cycle}\nGOTO30\n{contour}\nN30 G0 X50");
+    let (faulty, sound) = (run("{}", &program(faulty)), run("{}", &program(sound)));
+    let errors = |analysis: &Analysis| -> Vec<_> {
+        let found = analysis.diagnostics.iter().filter(|found| found.severity == Severity::Error);
+        found.map(|found| found.message.slug()).collect()
+    };
+    assert_eq!((errors(&faulty), errors(&sound)), (vec![slug], vec![]), "{cycle}");
+    // Neither the way to the start nor that after the cycle is in doubt.
+    let expected = motions(&sound);
+    let mut expected: Vec<_> = expected.split(' ').map(|own| own.replacen('(', "?(", 1)).collect();
+    let last = expected.len() - 1;
+    assert!(last > 4, "{expected:?}");
+    for own in [0, last] {
+        expected[own] = expected[own].replace('?', "");
+    }
+    assert_eq!(motions(&faulty), expected.join(" "), "{cycle}");
+    // What is left of the material is not known.
+    assert_eq!(faulty.motions.first_incomplete(), Some(1), "{cycle}");
+}
+
+#[test]
+fn a_contour_with_an_error_is_drawn_in_doubt() {
+    let sound = "N10 G0 X30\nG1 Z-5\nX36 Z-8\nN20 X44";
+    let late = ["N10\nG0 X30\nG1 Z-5\nX36 Z-8\nN20 X44", "N10 G42\nG0 X30\nG1 Z-5\nX36 Z-8\nN20 X44"];
+    let refused = "N10 G0 X30\nG1 Z-5\nG2 X34 Z-6 R0.1\nG1 X36 Z-8\nN20 X44";
+    let called = "N10 G0 X30\nG1 Z-5\nM98 P7\nX36 Z-8\nN20 X44";
+    for cycle in ["G70 P10 Q20", "G71 U2 R1\nG71 P10 Q20 U0 W0", "G73 U4 W0 R3\nG73 P10 Q20 U0 W0"] {
+        for late in late {
+            check_faulty_contour(cycle, late, sound, "contour-first-block");
+        }
+        check_faulty_contour(cycle, refused, sound, "arc-radius-too-small");
+        check_faulty_contour(cycle, called, sound, "call-in-contour");
+    }
+    let facing = "G72 W2 R1\nG72 P10 Q20 U0 W0";
+    check_faulty_contour(
+        facing,
+        "N10\nG0 Z-10\nG1 X38\nX34 Z-6\nN20 Z2",
+        "N10 G0 Z-10\nG1 X38\nX34 Z-6\nN20 Z2",
+        "contour-first-block",
+    );
 }

@@ -22,6 +22,8 @@ pub enum Doubt {
     Code,
     /// What a cycle keeps from its blocks before: the place of G90 to G94, the amounts of G71 to G76.
     Cycle,
+    /// The contour of the cycle that runs: an error in it was reported.
+    Contour,
     /// What stands in variables; nothing ends it.
     Values,
     /// What coordinates mean: a mirror image, or a plane that was not switched on.

@@ -9,6 +9,7 @@ use super::request::Request;
 use super::{Flow, Interpreter, shortened};
 use crate::control::codes::{self, Compensation, G, MotionMode, Plane};
 use crate::control::contour::{FirstBlock, Landmarks, Purpose};
+use crate::control::doubt::Doubt;
 use crate::control::events::{ContourCall, Event, Observer};
 use crate::control::modal::{PathMove, State};
 use crate::control::words::{Words, plain, quote};
@@ -47,7 +48,7 @@ struct Roughed {
     program: u32,
 }
 
-/// Blocks ns to nf as they run.
+/// Blocks ns to nf as they run; after an error in them, what could be read.
 pub(super) struct Shape {
     /// Their moves.
     pub moves: Vec<PathMove>,
@@ -67,8 +68,6 @@ pub(super) struct Shape {
 
 /// Why a shape could not be read.
 enum ShapeError {
-    /// The error was reported; nf ends there.
-    Reported(Resume),
     /// It was reported that another operation lies in between.
     OtherOperation,
     /// nf was not found.
@@ -199,7 +198,9 @@ impl Interpreter {
                 None
             }
             Ok((.., ends)) if moves.len() > most => {
-                self.report(Diagnostic::new(said::TooManyPasses { code, most }, block.words_span()));
+                if !state.doubts.has(Doubt::Contour) {
+                    self.report(Diagnostic::new(said::TooManyPasses { code, most }, block.words_span()));
+                }
                 self.go_on_behind(block, begins.byte, ends);
                 None
             }
@@ -213,7 +214,10 @@ impl Interpreter {
                     state,
                     observer,
                 };
-                if self.contours.landmarks.len() < self.setup.limits.messages {
+                if !shape.is_sound() {
+                    self.state.doubts.add(Doubt::Contour);
+                    self.state.incomplete = true;
+                } else if self.contours.landmarks.len() < self.setup.limits.messages {
                     let (start, span) = (self.state.position, block.span);
                     let contour = shape.contour(start);
                     let (a, b) = (contour.first, contour.last());
@@ -234,10 +238,6 @@ impl Interpreter {
                 }
                 Some(shape)
             }
-            Err(ShapeError::Reported(ends)) => {
-                self.go_on_behind(block, begins.byte, ends);
-                None
-            }
             // What is in between is no contour: it runs as it is written.
             Err(ShapeError::OtherOperation) => None,
             Err(ShapeError::NotFound) => {
@@ -256,7 +256,7 @@ impl Interpreter {
         found.map(|found| found.begins)
     }
 
-    /// Runs the blocks ns to nf. The error is where to go on, if nf was found.
+    /// Runs the blocks ns to nf. After an error in one of them the contour is in [doubt](Doubt::Contour).
     fn read_shape(
         &mut self,
         text: &[u8],
@@ -291,9 +291,8 @@ impl Interpreter {
                 InContour::Allowed => sound &= !block.is_broken(),
                 InContour::Ignored => {
                     if block.sequence == Some(last) {
-                        sound &= self.end_shape();
-                        let ends = parser.position();
-                        return if sound { Ok((named, span, ends)) } else { Err(ShapeError::Reported(ends)) };
+                        self.end_shape(sound);
+                        return Ok((named, span, parser.position()));
                     }
                     continue;
                 }
@@ -326,15 +325,19 @@ impl Interpreter {
                 let straight = matches!(self.state.motion, MotionMode::Rapid | MotionMode::Line);
                 let moved = self.contours.recorded.as_ref().map_or(0, Vec::len) > moves;
                 // One fault, one message.
-                if sound && (!straight || (!moved && !named.x && !named.z)) {
+                let stays = !moved && !named.x && !named.z;
+                if sound && (!straight || stays) {
                     self.report(Diagnostic::new(said::ContourFirstBlock { code }, block.words_span()));
                     sound = false;
                 }
+                if stays {
+                    // What can be drawn begins with the first block that moves.
+                    first = None;
+                }
             }
             if block.sequence == Some(last) {
-                sound &= self.end_shape();
-                let ends = parser.position();
-                return if sound { Ok((named, span, ends)) } else { Err(ShapeError::Reported(ends)) };
+                self.end_shape(sound);
+                return Ok((named, span, parser.position()));
             }
             if block.program.is_some() && !is_first {
                 break;
@@ -343,20 +346,20 @@ impl Interpreter {
         Err(ShapeError::NotFound)
     }
 
-    /// The last block is read: nothing may wait for a further move. False: reported.
-    fn end_shape(&mut self) -> bool {
+    /// The last block is read: nothing may wait for a further move. `sound`: no error was reported so far.
+    fn end_shape(&mut self, sound: bool) {
         let waits = self.state.pending.take().and_then(|pending| {
             let angle = pending.angle.map(|angle| (angle.word, angle.span, "PS0326"));
             angle.or(pending.joint.map(|joint| (joint.word, joint.span, "PS0069")))
         });
         self.leave_compensation();
         self.state.tip = None;
-        match waits {
-            Some((word, span, alarm)) => {
-                self.report(Diagnostic::new(said::ContourOpenEnd { word, alarm }, span));
-                false
-            }
-            None => true,
+        let waits_for_a_move = waits.is_some();
+        if let Some((word, span, alarm)) = waits {
+            self.report(Diagnostic::new(said::ContourOpenEnd { word, alarm }, span));
+        }
+        if !sound || waits_for_a_move {
+            self.state.doubts.add(Doubt::Contour);
         }
     }
 
@@ -447,6 +450,11 @@ impl Interpreter {
 }
 
 impl Shape {
+    /// Whether no error in the contour was reported.
+    pub(super) fn is_sound(&self) -> bool {
+        !self.state.doubts.has(Doubt::Contour)
+    }
+
     /// The call of a cycle that reads this shape as a contour.
     pub(super) fn call<'a, How>(
         &self,

@@ -2,7 +2,8 @@
 //! and G75 are in `pecks`, G76 in `threads`.
 //!
 //! In: the words of a block. Out: the moves of the cycle. The geometry is in `cycles`; here are the words,
-//! their units and their alarms. A cycle that cannot run makes no motion at all.
+//! their units and their alarms. A cycle that cannot run makes no motion at all; along a contour with an error it
+//! makes what can be read, as uncertain motions.
 
 use super::Interpreter;
 use super::contours::Shape;
@@ -11,9 +12,9 @@ use super::request::Request;
 use super::singles::Thread;
 use crate::control::codes::Multiple;
 use crate::control::contour::Purpose;
-use crate::control::doubt::Doubt;
+use crate::control::doubt::{Doubt, Doubts};
 use crate::control::events::{Event, FinishingCall};
-use crate::control::modal::State;
+use crate::control::modal::{PathMove, State};
 use crate::control::words::{self, Words, letters, plain};
 use crate::cycles::pattern::{self, Pattern};
 use crate::cycles::roughing::{self, Direction, Roughing};
@@ -52,12 +53,21 @@ impl Interpreter {
             Multiple::FacePecking | Multiple::Grooving => self.pecking(text, block, words, cycle),
             Multiple::Threading => self.multi_threading(text, block, words),
         };
+        self.state.doubts.remove(Doubt::Contour);
         request.drop |= done.is_none();
     }
 
     /// G70: the contour as it is written, then home.
     fn finishing(&mut self, text: &[u8], block: &Block, words: &Words) -> Option<()> {
         let shape = self.shape(text, block, words, "G70", Purpose::Finishing)?;
+        let start = self.state.position;
+        if !shape.is_sound() {
+            // Its blocks have not changed the modal state.
+            self.go_along(block, &shape.moves);
+            self.return_to(block, start);
+            self.go_on_behind(block, shape.begins, shape.ends);
+            return None;
+        }
         let ends: Vec<_> = shape.moves.iter().map(|path_move| path_move.motion.to).collect();
         let leaves_at_rapid =
             shape.moves.last().is_some_and(|path_move| path_move.motion.kind == MotionKind::Rapid);
@@ -65,23 +75,35 @@ impl Interpreter {
         let call = FinishingCall { block, landmarks: &landmarks, ends: &ends, leaves_at_rapid };
         self.observe(text, Event::Finishing(call));
         self.contours.landmarks = landmarks;
-        let start = self.state.position;
-        for path_move in &shape.moves {
+        self.go_along(block, &shape.moves);
+        // The blocks change the modal state as they would on their own; the tool goes home.
+        let (position, reported, doubts) = (self.state.position, self.state.reported, self.state.doubts);
+        self.state = State { position, reported, doubts, ..shape.state };
+        self.go_on_observed_by(shape.observer);
+        self.return_to(block, start);
+        Some(())
+    }
+
+    /// The moves of G70 along a contour.
+    fn go_along(&mut self, block: &Block, moves: &[PathMove]) {
+        for path_move in moves {
             let step = match path_move.motion.kind {
                 MotionKind::Rapid => Step::Approach,
                 _ => Step::Contour,
             };
             let tag = CycleStep { cycle: Cycle::Finishing, pass: 0, step };
-            self.push(block, Motion { cycle: Some(tag), ..path_move.motion });
+            let mut motion = Motion { cycle: Some(tag), ..path_move.motion };
+            motion.process.uncertain |= self.state.doubts.has(Doubt::Contour);
+            self.push(block, motion);
         }
-        // The blocks change the modal state as they would on their own; the tool goes home.
-        let (position, reported, doubts) = (self.state.position, self.state.reported, self.state.doubts);
-        self.state = State { position, reported, doubts, ..shape.state };
-        self.go_on_observed_by(shape.observer);
+    }
+
+    /// The move of G70 back to its start point.
+    fn return_to(&mut self, block: &Block, start: Point) {
         let tag = CycleStep { cycle: Cycle::Finishing, pass: 0, step: Step::Return };
-        let home = Motion { cycle: Some(tag), ..self.motion(MotionKind::Rapid, start) };
+        let mut home = Motion { cycle: Some(tag), ..self.motion(MotionKind::Rapid, start) };
+        home.process.uncertain |= self.state.doubts.has(Doubt::Contour);
         self.push(block, home);
-        Some(())
     }
 
     /// G71 and G72.
@@ -180,6 +202,13 @@ impl Interpreter {
             last_pass: roughing::LastPass::Contour,
             checks: roughing::Checks::All,
         };
+        if !shape.is_sound() {
+            let most = self.moves_left();
+            if let Some(moves) = self.forgiving(block, &contour, &shape, &how, most) {
+                self.run_cycle(block, cycle.cycle(), None, &moves);
+            }
+            return None;
+        }
         let (moves, used) = self.rough(text, block, words, &shape, &contour, &how, code)?;
         let how = Roughing { shape: used, ..how };
         self.observe(text, Event::Roughing(shape.call(block, words, &contour, &how)));
@@ -332,16 +361,18 @@ impl Interpreter {
             },
         };
         let contour = shape.contour(self.state.position);
-        self.observe(text, Event::Pattern(shape.call(block, words, &contour, &how)));
+        if shape.is_sound() {
+            self.observe(text, Event::Pattern(shape.call(block, words, &contour, &how)));
+        }
         let most = self.moves_left();
-        match pattern::pattern(&shape.contour(self.state.position), &how, most) {
+        match pattern::pattern(&contour, &how, most) {
             Ok(moves) => self.run_cycle(block, Cycle::Pattern, None, &moves),
             Err(_) => {
                 self.refuse_long_cycle(block, "G73", 0, most);
                 return None;
             }
         }
-        Some(())
+        shape.is_sound().then_some(())
     }
 
     fn pattern_passes(&mut self, words: &Words, address: u8) -> Option<u32> {
@@ -396,10 +427,10 @@ impl Interpreter {
         let kept = self.sink.kept();
         for step in moves {
             let tag = CycleStep { cycle, pass: step.pass, step: step.step };
-            let motion =
-                Motion { cycle: Some(tag), center: step.center, ..self.motion(step.kind, step.to) };
+            let motion = Motion { cycle: Some(tag), center: step.center, ..self.motion(step.kind, step.to) };
             let mut motion = thread.map_or(motion, |thread| thread.of(motion));
-            motion.process.uncertain |= self.state.doubts.has(Doubt::Cycle);
+            motion.process.uncertain |=
+                self.state.doubts.has_any(Doubts::of(&[Doubt::Cycle, Doubt::Contour]));
             self.push(block, motion);
         }
         self.spend(moves.len() - (self.sink.kept() - kept), block);
