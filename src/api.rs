@@ -233,8 +233,8 @@ pub struct Motion {
     #[serde(skip_serializing_if = "Option::is_none")]
     #[cfg_attr(target_arch = "wasm32", tsify(optional))]
     pub frame: Option<String>,
-    /// What is added to X and Z of `to` and `center` for the place on the workpiece, mm, X as a diameter: how the program
-    /// has moved the work zero since the first cut. Left out where nothing is added.
+    /// What is added to X and Z of `to` and `center` for the place on the workpiece, mm, X as a diameter: from the
+    /// work zero of the first cut to the one in force. Left out where nothing is added.
     #[serde(skip_serializing_if = "Option::is_none")]
     #[cfg_attr(target_arch = "wasm32", tsify(optional))]
     pub offset: Option<Place>,

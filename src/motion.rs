@@ -591,6 +591,15 @@ struct Row {
 /// No entry in a side table.
 const NONE: u32 = u32::MAX;
 
+/// A work frame that the control has left.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct LeftFrame {
+    /// As [`Process::frame`].
+    pub frame: u16,
+    /// Machine place minus work place in it, mm.
+    pub offset: Point,
+}
+
 /// A run of motions with the places of the blocks that made them.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Chunk {
@@ -602,6 +611,8 @@ pub struct Chunk {
     start: Point,
     /// A block before the chunk could not be carried out.
     incomplete: bool,
+    /// Before the first cut: a work frame that was left, with the number of motions before that. See [`Chunk::place_on_workpiece`].
+    left: Vec<(usize, LeftFrame)>,
     /// Motions before whose start the frame changed: they begin here, not where the last one ended.
     starts: Vec<(u32, Point)>,
     /// Compensated motions as they were programmed.
@@ -640,6 +651,7 @@ impl Chunk {
             first_line,
             start,
             incomplete: false,
+            left: Vec::new(),
             starts: Vec::new(),
             programmed: Vec::new(),
             rotary: Vec::new(),
@@ -797,6 +809,50 @@ impl Chunk {
         self.z.reserve_exact(motions);
         self.rows.reserve_exact(motions);
         self.blocks.reserve_exact(other.blocks.len());
+    }
+
+    /// The work frame of the motions so far is left, while nothing says yet where the workpiece is.
+    pub fn leave_frame(&mut self, left: LeftFrame) {
+        let motions = self.kind.len();
+        if motions > self.left.last().map_or(0, |before| before.0) {
+            self.left.push((motions, left));
+        }
+    }
+
+    /// G50 X Z: the coordinates of the tip grow by `by`; neither it nor the workpiece moves.
+    pub fn rename(&mut self, by: Point) {
+        for (_, left) in &mut self.left {
+            left.offset = left.offset.moved(by.opposite());
+        }
+    }
+
+    /// The first cut says where the workpiece is: places the motions in frames that were left before it. `zero`: the
+    /// zero of a frame on the workpiece, where that is known.
+    #[cold]
+    pub fn place_on_workpiece(&mut self, zero: impl Fn(LeftFrame) -> Option<Point>) {
+        let current = self.processes.last().copied();
+        let mut first = 0;
+        for (end, left) in std::mem::take(&mut self.left) {
+            let zero = zero(left);
+            for index in first..end {
+                let own = *self.own_process(index);
+                let placed = Process {
+                    zero: zero.unwrap_or_default(),
+                    elsewhere: own.elsewhere || zero.is_none(),
+                    ..own
+                };
+                if placed != own {
+                    if self.processes.last() != Some(&placed) {
+                        self.processes.push(placed);
+                    }
+                    self.rows[index].process = self.processes.len() as u32 - 1;
+                    self.is_moved |= placed.zero != Point::default();
+                }
+            }
+            first = end;
+        }
+        // What is pushed next is of the process that was begun last.
+        self.processes.extend(current.filter(|own| self.processes.last() != Some(own)));
     }
 
     /// The program stops before the motion that is pushed next.

@@ -8,6 +8,7 @@ use gcode_playground::geometry::Point;
 use gcode_playground::machine::SimulationResult;
 use gcode_playground::machine::region::Region;
 use gcode_playground::motion::Motions;
+use gcode_playground::playback::totals::totals;
 use gcode_playground::run::Run;
 use gcode_playground::scene::{Plane, StrokeShape};
 use gcode_playground::setup::Setup;
@@ -72,6 +73,7 @@ fn a_rapid_into_the_bar_is_found_wherever_the_zero_is() {
         ("G10 L2 P1 Z-300.\nG10 L2 P3 Z-340.\n", "G56", "G00 X42. Z-20."),
         ("G10 L2 P1 Z0\nG10 L20 P5 Z-40.\n", "G54.1 P5", "G00 X42. Z-20."),
         ("", "#5222=-40.", "G00 X42. Z-20."),
+        ("", "#5222=#5222-40.", "G00 X42. Z-20."),
         ("", "#5202=-40.", "G00 X42. Z-20."),
         ("#5222=0\n#5242=-40.\n", "G55", "G00 X42. Z-20."),
         // Two shifts add up, and one is taken back.
@@ -87,7 +89,8 @@ fn a_rapid_into_the_bar_is_found_wherever_the_zero_is() {
         let line = lines_after(before) + shift.lines().count() + 8;
         assert!(told.contains(&format!("{crash} {line}")), "{before}{shift}: {told:?}");
         let is_said = told.iter().any(|one| one.starts_with("work-zero-unknown"));
-        assert_eq!(is_said, before.is_empty() && shift == "G10 L2 P1 Z-40.", "{before}{shift}: {told:?}");
+        let is_taken = before.is_empty() && ["G10 L2 P1 Z-40.", "#5222=-40."].contains(&shift);
+        assert_eq!(is_said, is_taken, "{before}{shift}: {told:?}");
     }
     // In the turned seat there is room; G50 X Z is no shift.
     for (shift, to) in [("G52 Z-40.", "G00 X42. Z20."), ("G50 Z-38.", "G00 Z-20.\nX42.")] {
@@ -100,8 +103,14 @@ fn a_rapid_into_the_bar_is_found_wherever_the_zero_is() {
         let unknown = told(before, shift, "G01 X42. Z-20. F.1");
         assert!(unknown.contains("work-zero-unknown 10") && !has_crash(&unknown), "{before}: {unknown:?}");
     }
-    // A zero that is set after the first cut, and was not given before, is taken as 0, with a message.
+    // A zero that is set after the first cut, and was not given before, is taken as 0, with a message: also while
+    // another one is in force, and by a system variable.
     assert!(told("", "G10 L2 P1 Z-40.", "G00 X42. Z-20.").contains("work-zero-unknown 8"));
+    assert!(told("", "#5222=-40.", "G00 X42. Z-20.").contains("work-zero-unknown 8"));
+    for zero in ["G10 L2 P1 Z-300.", "#5222=-300."] {
+        let told = told("G10 L2 P2 Z-30.\n", &format!("G55\n{zero}"), "G00 X60. Z5.");
+        assert!(told.contains("work-zero-unknown 10"), "{zero}: {told:?}");
+    }
 }
 
 /// A groove 3 mm wide to 40 mm at Z-10 of G54, and one to 44 mm at Z-10 of G55, 30 mm further.
@@ -168,4 +177,88 @@ fn strokes_are_on_the_workpiece() {
         _ => None,
     });
     assert_eq!(arc, Some(Point::new(25.0, -25.0)));
+}
+
+/// Remarks that compare a place with the blank are the same whatever the coordinates are: G52 Z100 moves the zero to
+/// Z100 of the workpiece.
+#[test]
+fn remarks_on_places_go_by_the_workpiece() {
+    let tool = "(STOCK D=50 LENGTH=100)\n(TOOL T0101 TYPE=TURNING INSERT=CNMG120408 KR=95)\n";
+    let head = "T0101\nG97 S1000 M03\nG00 X52. Z2.\nG90 X48. Z-30. F.2\n";
+    let word = |z: f64| format!("Z{z:.3}");
+    type Blocks = fn(&dyn Fn(f64) -> String) -> String;
+    let cases: [(&str, Blocks); 7] = [
+        ("tool-change-near-work", |z| format!("G00 X60. {}\nT0202", z(5.0))),
+        ("", |_| "G28 U0 W0\nT0202".to_owned()),
+        ("start-far-from-work", |z| format!("G00 X52. {}\nG90 X44. {} F.2", z(60.0), z(-20.0))),
+        ("taper-not-extended", |z| format!("G00 X52. {}\nG90 X44. {} R-3. F.2", z(5.0), z(-30.0))),
+        ("thread-run-in-short", |z| format!("G97 S300\nG00 X52. {}\nG92 X47. {} F2.", z(1.0), z(-20.0))),
+        ("pattern-first-pass-deep", |z| {
+            let contour = format!("N10 G00 X30. {}\nG01 {}\nN20 X52.", z(1.0), z(-20.0));
+            format!("G00 X54. {}\nG73 U1. W0 R2\nG73 P10 Q20 U0 W0 F.2\n{contour}", z(3.0))
+        }),
+        ("contour-ends-in-stock", |z| {
+            let contour = format!("N10 G00 X30.\nG01 {}\nN20 X40.", z(-20.0));
+            format!("G00 X52. {}\nG71 U2. R1.\nG71 P10 Q20 U0 W0 F.2\n{contour}", z(3.0))
+        }),
+    ];
+    for (slug, blocks) in cases {
+        let told = |shift: &str, by: f64| {
+            let blocks = blocks(&|z| word(z - by));
+            run(&format!("{tool}{head}{shift}\n{blocks}\nG00 X100.\nM30\n")).told
+        };
+        let plain = told("(NO SHIFT)", 0.0);
+        assert!(slug.is_empty() || plain.iter().any(|one| one.starts_with(slug)), "{slug}: {plain:?}");
+        assert_eq!(told("G52 Z100.", 100.0), plain, "{slug}");
+        assert_eq!(told("G10 P0 W-300.", -300.0), plain, "{slug}");
+    }
+}
+
+/// A cut from Z2 to Z-30, and one to Z-20 of coordinates that begin at Z-40.
+#[test]
+fn the_box_around_the_cuts_is_on_the_workpiece() {
+    let text =
+        "T0101\nG97 S800 M03\nG00 X40 Z2\nG01 Z-30 F0.2\nG00 X60\nG52 Z-40\nG00 X44 Z5\nG01 Z-20\nM30\n";
+    let ran = run(text);
+    let extents = totals(&ran.motions, &ran.setup.machine).1.extents.expect("cuts");
+    assert_eq!((extents.min, extents.max), (Point::new(20.0, -60.0), Point::new(22.0, 2.0)));
+}
+
+/// What moves before the first cut is on the workpiece too: X42 at Z-20 of the second coordinates is 42 mm at Z-60 of a bar of
+/// 50 mm.
+#[test]
+fn motions_before_the_first_cut_are_on_the_workpiece() {
+    let program = |zeros: &str, one: &str, other: &str, to: &str| {
+        format!(
+            "(STOCK D=50 LENGTH=100)\n(TOOL T0101 TYPE=TURNING INSERT=CNMG120408 KR=95)\n{zeros}\nT0101\nG97 S800 M03\n{one}\nG00 X60. Z5.\n{to}\nX60.\n{other}\nG00 Z2.\nG01 X44. F.2\nZ-30.\nG00 X60.\nM30\n"
+        )
+    };
+    for (zeros, one, other, known) in [
+        ("G10 L2 P1 Z0 G10 L2 P2 Z-40.", "G55", "G54", true),
+        ("#5222=0", "G52 Z-40.", "G52 Z0", true),
+        ("#5202=0", "G10 P0 Z-40.", "G10 P0 Z0", true),
+        ("(NO ZERO)", "G50 W40.", "G50 W-40.", true),
+        ("(NO ZERO)", "G55", "G54", false),
+        ("G10 L2 P2 Z-40.", "G55", "G54", false),
+    ] {
+        let zeros = zeros.replace(" G10", "\nG10");
+        let lines = zeros.matches('\n').count();
+        let ran = run(&program(&zeros, one, other, "X42. Z-20."));
+        let crash = format!("rapid-through-stock {}", lines + 8);
+        assert_eq!(ran.told.contains(&crash), known, "{one}: {:?}", ran.told);
+        let zero = if known { Point::new(0.0, -40.0) } else { Point::default() };
+        for (index, motion) in ran.motions.iter().enumerate() {
+            let expected = if index < 3 { (zero, !known) } else { (Point::default(), false) };
+            assert_eq!((motion.process.zero, motion.process.elsewhere), expected, "{one}: {index}");
+        }
+        // The same way in the coordinates of the first cut.
+        let moved = run(&program(&zeros, "(ONE)", "(OTHER)", "X42. Z-60."));
+        assert!(moved.told.contains(&crash), "{:?}", moved.told);
+    }
+    // G50 X Z names the place of the tip, which moves neither it nor the work.
+    let named =
+        run(&program("(NO ZERO)", "G52 Z-40.", "G52 Z0\nG50 Z100.", "X42. Z20.")
+            .replace("G00 Z2.", "G00 Z62."));
+    let zeros: Vec<_> = named.motions.iter().map(|motion| motion.process.zero.z).take(4).collect();
+    assert_eq!(zeros, [-40.0, -40.0, -40.0, 0.0]);
 }

@@ -22,8 +22,8 @@ use crate::cycles::threading::MultiThread;
 use crate::geometry::Point;
 use crate::message::Diagnostic;
 use crate::motion::Motion;
-use crate::setup::Setup;
 use crate::setup::dialect::{Dialect, FeedMode};
+use crate::setup::{Setup, Stock};
 use crate::source::Span;
 use crate::source::shift::Shift;
 use crate::text::block::{Block, Word};
@@ -48,6 +48,23 @@ impl Moment<'_> {
     /// How numbers are read at the moment.
     pub fn reading(&self) -> Reading {
         Reading { unit: self.state.unit, decimal: self.dialect.decimal }
+    }
+
+    /// The blank in the coordinates in force; `None` where it is not given, or where its place in them is not known.
+    pub fn stock(&self) -> Option<Stock> {
+        let frames = &self.state.frames;
+        let stock = self.setup.stock.filter(|_| !frames.is_elsewhere())?;
+        Some(stock.moved(frames.on_workpiece().opposite()))
+    }
+
+    /// All motions so far whose place on the workpiece is known, in the coordinates in force.
+    pub fn motions(&self) -> impl Iterator<Item = Motion> + '_ {
+        let here = self.state.frames.on_workpiece().opposite();
+        let known = self.sink.all_motions().filter(|motion| !motion.process.elsewhere);
+        known.map(move |mut motion| {
+            motion.process.zero = motion.process.zero.moved(here);
+            motion.on_workpiece()
+        })
     }
 
     /// Speed of the spindle with the tip at a radius, mm, rpm; no faster than the machine turns. `None` at

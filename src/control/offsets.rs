@@ -5,6 +5,7 @@
 use std::sync::Arc;
 
 use crate::geometry::{Point, SAME};
+use crate::motion::LeftFrame;
 
 /// Frames of G54 to G59; those of G54.1 P1 and on come after them.
 pub const STANDARD_FRAMES: u16 = 6;
@@ -67,27 +68,43 @@ struct Workpiece {
 }
 
 impl Frames {
-    /// Takes in that something is cut in the frame in force.
+    /// Takes in that something is cut in the frame in force. `true`: it is the first cut.
     #[inline]
-    pub fn cut(&mut self) {
-        if self.workpiece.is_none() {
+    pub fn cut(&mut self) -> bool {
+        let is_first = self.workpiece.is_none();
+        if is_first {
             self.workpiece = Some(Workpiece { frame: self.active, zero: self.offset() });
         }
+        is_first
+    }
+
+    /// The frame in force, before the first cut.
+    pub fn before_first_cut(&self) -> Option<LeftFrame> {
+        let own = LeftFrame { frame: self.active, offset: self.offset() };
+        self.workpiece.is_none().then_some(own)
     }
 
     /// Whether the first cut was made in another frame than that in force, and the program does not give the zeros of both.
     #[inline]
     pub fn is_elsewhere(&self) -> bool {
-        let is_given = |frame: u16| self.work.get(frame).is_given;
-        self.workpiece.is_some_and(|Workpiece { frame, .. }| {
-            frame != self.active && !(is_given(frame) && is_given(self.active))
-        })
+        self.workpiece.is_some_and(|workpiece| !self.is_known(self.active, workpiece))
     }
 
-    /// Whether the workpiece is in the frame in force, whose zero the program does not give.
-    pub fn is_workpiece_not_given(&self) -> bool {
-        self.workpiece.is_some_and(|Workpiece { frame, .. }| frame == self.active)
-            && !self.work.get(self.active).is_given
+    /// Whether the program says where a frame is on the workpiece.
+    fn is_known(&self, frame: u16, workpiece: Workpiece) -> bool {
+        let is_given = |frame: u16| self.work.get(frame).is_given;
+        frame == workpiece.frame || is_given(workpiece.frame) && is_given(frame)
+    }
+
+    /// Zero on the workpiece of a frame that was left before the first cut, as far as it is known.
+    pub fn place(&self, LeftFrame { frame, offset }: LeftFrame) -> Option<Point> {
+        let workpiece = self.workpiece.filter(|&workpiece| self.is_known(frame, workpiece))?;
+        Some(distance(workpiece.zero, offset))
+    }
+
+    /// Whether the workpiece is in this frame, and the program has not given its zero.
+    pub fn is_workpiece_not_given(&self, frame: u16) -> bool {
+        self.workpiece.is_some_and(|workpiece| workpiece.frame == frame) && !self.work.get(frame).is_given
     }
 
     /// Zero of the frame in force in that of the workpiece: added to a programmed place it gives the place on the
@@ -100,12 +117,8 @@ impl Frames {
     /// Works out [`Frames::on_workpiece`] after a change.
     pub fn place_workpiece(&mut self) {
         let known = self.workpiece.filter(|_| !self.is_elsewhere());
-        let offset = self.offset();
-        // Sums and differences of the same numbers leave dust.
-        let without_dust = |length: f64| if length.abs() < SAME { 0.0 } else { length };
-        self.on_workpiece = known.map_or(Point::default(), |Workpiece { zero, .. }| {
-            Point::new(without_dust(offset.x - zero.x), without_dust(offset.z - zero.z))
-        });
+        self.on_workpiece =
+            known.map_or(Point::default(), |workpiece| distance(workpiece.zero, self.offset()));
     }
 
     /// G50 X Z: the coordinates of the tip grow by `by`. Neither the tip nor the workpiece moves.
@@ -130,12 +143,27 @@ impl Frames {
         self.work.get(frame).at
     }
 
-    /// Zero of a frame, to be changed. `is_given`: the change is absolute.
-    pub fn work_mut(&mut self, frame: u16, is_given: bool) -> &mut Point {
+    /// Zero of a frame, to be changed.
+    pub fn work_mut(&mut self, frame: u16, setting: Setting) -> &mut Point {
         let zero = self.work.entry(frame);
-        zero.is_given |= is_given;
+        zero.is_given |= setting == Setting::Absolute;
         &mut zero.at
     }
+}
+
+/// From one zero to another; sums and differences of the same numbers leave dust.
+fn distance(from: Point, to: Point) -> Point {
+    let without_dust = |length: f64| if length.abs() < SAME { 0.0 } else { length };
+    Point::new(without_dust(to.x - from.x), without_dust(to.z - from.z))
+}
+
+/// How a zero is set.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Setting {
+    /// To a place.
+    Absolute,
+    /// By a distance from where it is.
+    Relative,
 }
 
 /// A column of the tool offset table.

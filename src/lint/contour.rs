@@ -194,7 +194,7 @@ pub fn roughing(call: &ContourCall<Roughing>, at: &Moment, reports: &mut Vec<Dia
     let turning = call.how.direction == Direction::Turning;
     let both = call.first.x && call.first.z;
     let code = call.how.direction.code();
-    for message in remarks(code, turning, call.contour, both, at.setup.stock) {
+    for message in remarks(code, turning, call.contour, both, at.stock()) {
         let place =
             if message.is::<said::ContourNotClosed>() { call.last_span } else { Some(call.first_span) };
         reports.push(Diagnostic::new(message, place.unwrap_or_else(|| call.block.words_span())));
@@ -222,8 +222,8 @@ pub fn pattern(call: &ContourCall<Pattern>, at: &Moment, reports: &mut Vec<Diagn
     for address in allowance_into_part(call.contour, call.how.allowance) {
         reports.push(allowance_sign(call.words, address, at));
     }
-    let turned = |stock| turned_before(call.contour, stock, at.sink.all_motions());
-    let diagnostic = pattern_remarks(call.contour, call.how.relief.x, at.setup.stock, turned);
+    let turned = |stock| turned_before(call.contour, stock, at.motions());
+    let diagnostic = pattern_remarks(call.contour, call.how.relief.x, at.stock(), turned);
     reports.extend(diagnostic.map(|message| Diagnostic::new(message, call.block.words_span())));
 }
 

@@ -148,7 +148,7 @@ impl SingleCycles {
         }
         let surface = before
             .map(|before| before.end.x + before.taper)
-            .or(at.setup.stock.map(|stock| start.x.min(stock.diameter.radius())));
+            .or(at.stock().map(|stock| start.x.min(stock.diameter.radius())));
         if let Some(depth) = edge_depth(cycle, &own, surface, before.is_none()) {
             reports.push(Diagnostic::new(said::TaperEdge { depth }, block.words_span()));
         }
@@ -159,7 +159,7 @@ impl SingleCycles {
         let own_word = moved.into_iter().find(|&address| words.get(address).is_some());
         if let (Some(before), Some(address)) = (before, own_word)
             && !is_one_pass_feed(at)
-            && let Some(message) = too_deep(cycle, &own, &before, at.setup.stock.as_ref())
+            && let Some(message) = too_deep(cycle, &own, &before, at.stock().as_ref())
         {
             // The passes after it are held against those before it.
             if self.reported.too_deep.first() {
@@ -175,7 +175,7 @@ impl SingleCycles {
                 reports.push(Diagnostic::new(message, words.span(address)));
             }
         } else if before.is_none()
-            && let Some(message) = at.setup.stock.as_ref().and_then(|stock| far_start(cycle, &own, stock))
+            && let Some(message) = at.stock().as_ref().and_then(|stock| far_start(cycle, &own, stock))
         {
             reports.push(Diagnostic::new(message, block.words_span()));
         }

@@ -209,7 +209,7 @@ impl Threads {
             reports.extend(small_angle(at.text, word.span, angle));
         }
         let known = Known {
-            face: at.setup.stock.map(|stock| stock.face),
+            face: at.stock().map(|stock| stock.face),
             margin: at.setup.machine.thread_speed_margin.unwrap_or(SPEED_MARGIN),
         };
         let span = pass.block.words_span();

@@ -14,14 +14,14 @@ const NEAR_WORK: f64 = 20.0;
 /// What is remembered of tool changes.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct ToolChanges {
-    /// Where the tip stood when a code sent the tool home; where home is the program does not say.
+    /// Where on the workpiece the tip stood when a code sent the tool home; where home is the program does not say.
     sent_home_from: Option<Point>,
 }
 
 impl ToolChanges {
     /// G28 or G30, in a block before the T word or in its own.
     pub fn home(&mut self, at: &Moment) {
-        self.sent_home_from = Some(at.state.position);
+        self.sent_home_from = Some(on_workpiece(at));
     }
 
     /// The turret turns.
@@ -31,11 +31,16 @@ impl ToolChanges {
             tip.x.abs() < stock.diameter.radius() + NEAR_WORK && tip.z < stock.face + NEAR_WORK
         };
         // Wherever it goes from there, the program says so.
-        let is_home = self.sent_home_from == Some(tip);
-        let is_near = at.contour.is_none() && !is_home && at.setup.stock.as_ref().is_some_and(near);
+        let is_home = self.sent_home_from == Some(on_workpiece(at));
+        let is_near = at.contour.is_none() && !is_home && at.stock().as_ref().is_some_and(near);
         let tool = || quote(at.text, word.span);
         let message =
             || said::ToolChangeNear { tool: tool(), x: Diameter::from_radius(tip.x).mm(), z: tip.z };
         is_near.then(|| Diagnostic::new(message(), word.span))
     }
+}
+
+/// Where on the workpiece the tip stands.
+fn on_workpiece(at: &Moment) -> Point {
+    at.state.position.moved(at.state.frames.on_workpiece())
 }

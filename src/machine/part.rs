@@ -272,8 +272,8 @@ fn cut_by(motion: &Motion, share: f64, past: f64, tool: &ResolvedTool) -> Vec<Ve
     let turns = motion.first_part(share).turns();
     if let Some(turns) = turns.filter(|&turns| threads && turns <= MOST_TURNS) {
         let (first, last) = ((past - SAME).ceil(), (past + turns + SAME).floor());
-        let places =
-            (first as u32..=last as u32).map(|turn| motion.share_after(f64::from(turn) - past).unwrap_or(0.0));
+        let places = (first as u32..=last as u32)
+            .map(|turn| motion.share_after(f64::from(turn) - past).unwrap_or(0.0));
         return places
             .map(|place| edge.at(between(motion.from, motion.to, within(place, 0.0, 1.0))))
             .collect();

@@ -21,7 +21,7 @@ pub struct ToolTotals {
     pub cut: f64,
     /// Path at rapid, mm.
     pub rapid: f64,
-    /// The box around its cuts; nothing where it does not cut.
+    /// The box around its cuts on the workpiece; nothing where there are none.
     pub extents: Option<Bounds>,
 }
 
@@ -46,10 +46,11 @@ pub fn totals(motions: &Motions, machine: &Machine) -> (Vec<ToolTotals>, ToolTot
                 MotionKind::Rapid => totals.rapid += motion.length(),
                 _ => totals.cut += motion.length(),
             }
-            if motion.kind.cuts() {
-                let own = motion
+            if motion.kind.cuts() && !motion.process.elsewhere {
+                let placed = motion.on_workpiece();
+                let own = placed
                     .arc()
-                    .map_or_else(|| Bounds::around(motion.from, motion.to), |arc| Bounds::of_arc(&arc));
+                    .map_or_else(|| Bounds::around(placed.from, placed.to), |arc| Bounds::of_arc(&arc));
                 totals.extents = join(totals.extents, Some(own));
             }
         }

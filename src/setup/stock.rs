@@ -2,6 +2,7 @@
 
 use serde::Deserialize;
 
+use crate::geometry::Point;
 use crate::units::Diameter;
 
 /// A bar or a tube, and how far it stands in the chuck.
@@ -24,6 +25,12 @@ pub struct Stock {
 }
 
 impl Stock {
+    /// The blank at another place.
+    pub fn moved(self, by: Point) -> Self {
+        let radially = |own: Diameter| Diameter::from_radius(own.radius() + by.x);
+        Self { diameter: radially(self.diameter), bore: radially(self.bore), face: self.face + by.z, ..self }
+    }
+
     /// Z of the back, mm.
     pub fn back(&self) -> f64 {
         self.face - self.length

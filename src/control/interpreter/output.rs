@@ -95,8 +95,8 @@ impl Interpreter {
         if let Some(stop) = self.state.stop.take() {
             self.sink.chunk.stop(&stop);
         }
-        if path_move.motion.kind.cuts() {
-            self.state.frames.cut();
+        if path_move.motion.kind.cuts() && self.state.frames.cut() {
+            self.place_motions_before();
         }
         self.sink.chunk.push(&path_move.motion, path_move.span, path_move.line);
     }

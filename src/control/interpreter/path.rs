@@ -109,8 +109,8 @@ impl Interpreter {
         let from = state.position;
         if !from.is_same(to) || center.is_some() {
             let process = state.process();
-            if kind.cuts() {
-                self.state.frames.cut();
+            if kind.cuts() && self.state.frames.cut() {
+                self.place_motions_before();
             }
             self.sink.chunk.push_move(kind, from, to, center, &process, block.span, block.line);
         }

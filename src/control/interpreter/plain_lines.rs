@@ -55,8 +55,8 @@ impl Interpreter {
                     self.sink.chunk.begin_process(&process);
                 }
                 self.sink.chunk.push_on(kind, from, to, None, line.span, number);
-                if kind.cuts() {
-                    self.state.frames.cut();
+                if kind.cuts() && self.state.frames.cut() {
+                    self.place_motions_before();
                 }
             }
             self.state.position = to;

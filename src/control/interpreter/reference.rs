@@ -8,11 +8,12 @@ use super::rotary::TURNS;
 use super::{AXES, Interpreter};
 use crate::control::events::Event;
 use crate::control::modal::{Once, Target};
-use crate::control::offsets::{Column, EXTENDED_FRAMES, OFFSETS, STANDARD_FRAMES};
+use crate::control::offsets::{Column, EXTENDED_FRAMES, OFFSETS, STANDARD_FRAMES, Setting};
 use crate::control::words::{Counts, Words, letters, plain, quote};
 use crate::geometry::Point;
 use crate::message::{Diagnostic, said};
 use crate::motion::MotionKind;
+use crate::source::Span;
 use crate::text::block::Block;
 use crate::units::Diameter;
 
@@ -161,7 +162,7 @@ impl Interpreter {
         // Under G91 of systems B and C the plain letters add as well.
         let (x, u) = if self.state.incremental { (None, x.or(u)) } else { (x, u) };
         let (z, w) = if self.state.incremental { (None, z.or(w)) } else { (z, w) };
-        let is_given = x.is_some() || z.is_some();
+        let setting = if x.is_some() || z.is_some() { Setting::Absolute } else { Setting::Relative };
         let zero = |point: &mut Point| {
             let radius = |diameter: f64| Diameter::new(diameter).radius();
             point.x = x.map_or(point.x + radius(u.unwrap_or(0.0)), radius);
@@ -170,9 +171,11 @@ impl Interpreter {
         match (kind, number.map(|number| number as u32)) {
             (None, Some(0)) => self.change_frame(|frames| zero(&mut frames.external)),
             (Some(2), Some(0)) => self.change_frame(|frames| zero(&mut frames.external)),
-            (Some(2), Some(frame @ 1..=6)) => self.give_zero(frame as u16 - 1, is_given, zero, words),
+            (Some(2), Some(frame @ 1..=6)) => {
+                self.set_zero(frame as u16 - 1, setting, zero, words.span(b'P'));
+            }
             (Some(20), Some(frame)) if (1..=u32::from(EXTENDED_FRAMES)).contains(&frame) => {
-                self.give_zero(STANDARD_FRAMES + frame as u16 - 1, is_given, zero, words);
+                self.set_zero(STANDARD_FRAMES + frame as u16 - 1, setting, zero, words.span(b'P'));
             }
             (None | Some(1 | 10..=13), Some(number)) => {
                 let (geometry, offset) = match (kind, number) {
@@ -196,13 +199,18 @@ impl Interpreter {
         }
     }
 
-    /// Changes the zero of a frame. `is_given`: the change is absolute.
-    fn give_zero(&mut self, frame: u16, is_given: bool, change: impl FnOnce(&mut Point), words: &Words) {
-        let frames = &self.state.frames;
-        if is_given && frame == frames.active && frames.is_workpiece_not_given() {
-            self.report(Diagnostic::new(said::ZeroTaken, words.span(b'P')));
+    /// Changes the zero of a frame, by the words at `span`.
+    pub(super) fn set_zero(
+        &mut self,
+        frame: u16,
+        setting: Setting,
+        change: impl FnOnce(&mut Point),
+        span: Span,
+    ) {
+        if setting == Setting::Absolute && self.state.frames.is_workpiece_not_given(frame) {
+            self.report(Diagnostic::new(said::ZeroTaken, span));
         }
-        self.change_frame(|frames| change(frames.work_mut(frame, is_given)));
+        self.change_frame(|frames| change(frames.work_mut(frame, setting)));
     }
 
     fn bad_data(&mut self, text: &[u8], request: &mut Request, words: &Words, address: u8) {

@@ -174,10 +174,11 @@ impl Interpreter {
         // New coordinates of the tip: old programs give them for each tool.
         let named = Point::new(x.map_or(0.0, |x| x - at.x), z.map_or(0.0, |z| z - at.z));
         self.state.name_place(named);
+        self.sink.chunk.rename(named);
         let or_zero =
             |given: Option<f64>, other: Option<f64>| given.filter(|_| other.is_none()).unwrap_or(0.0);
         let (u, w) = (or_zero(radius(b'U'), x), or_zero(length(b'W'), z));
-        self.state.change_frame(|frames| frames.shift = Point::new(frames.shift.x - u, frames.shift.z - w));
+        self.change_frame(|frames| frames.shift = Point::new(frames.shift.x - u, frames.shift.z - w));
         let spindle = &mut self.state.spindle;
         if let Some(highest) = words.get(b'S').and_then(plain) {
             spindle.highest = Some(highest);
@@ -198,7 +199,17 @@ impl Interpreter {
     /// Changes the frame, and keeps the machine where it is.
     pub(super) fn change_frame(&mut self, change: impl FnOnce(&mut Frames)) {
         self.leave_compensation();
+        if let Some(left) = self.state.frames.before_first_cut() {
+            self.sink.chunk.leave_frame(left);
+        }
         self.state.change_frame(change);
+    }
+
+    /// The first cut says where the workpiece is.
+    #[cold]
+    pub(super) fn place_motions_before(&mut self) {
+        let frames = &self.state.frames;
+        self.sink.chunk.place_on_workpiece(|left| frames.place(left));
     }
 
     /// G52: local shift, in every frame; X0 Z0 takes it away.

@@ -266,14 +266,7 @@ impl Interpreter {
         (self.state.thread_chamfer_on && length > 0.0).then_some(PullOut { along: length, out: length })
     }
 
-    fn run_moves(
-        &mut self,
-        block: &Block,
-        cycle: Single,
-        pass: u32,
-        thread: Option<Thread>,
-        moves: &[Move],
-    ) {
+    fn run_moves(&mut self, block: &Block, cycle: Single, pass: u32, thread: Option<Thread>, moves: &[Move]) {
         for step in moves {
             let tag = CycleStep { cycle: cycle.cycle(), pass, step: step.step };
             let motion = Motion { cycle: Some(tag), ..self.motion(step.kind, step.to) };

@@ -5,6 +5,7 @@
 
 use super::Interpreter;
 use crate::control::macros::{Found, Knowledge, MacroErrorKind, Memory, Stored, Variables};
+use crate::control::offsets::Setting;
 use crate::text::block::Block;
 
 /// The variables as a statement of a block sees them.
@@ -12,13 +13,15 @@ pub(super) struct Store<'a> {
     interpreter: &'a mut Interpreter,
     text: &'a [u8],
     block: &'a Block,
+    /// The system variable that was read last.
+    read: Option<u32>,
     /// Whether everything read so far is known.
     pub(super) knowledge: Knowledge,
 }
 
 impl<'a> Store<'a> {
     pub(super) fn new(interpreter: &'a mut Interpreter, text: &'a [u8], block: &'a Block) -> Self {
-        Self { interpreter, text, block, knowledge: Knowledge::Known }
+        Self { interpreter, text, block, read: None, knowledge: Knowledge::Known }
     }
 }
 
@@ -35,13 +38,17 @@ impl Memory for Store<'_> {
                 }
                 value
             }
-            Found::System => self.interpreter.read_system(self.text, self.block, variable),
+            Found::System => {
+                self.read = Some(variable);
+                self.interpreter.read_system(self.text, self.block, variable)
+            }
         })
     }
 
     fn write(&mut self, variable: u32, value: Option<f64>) -> Result<(), MacroErrorKind> {
         if self.interpreter.state.variables.write(variable, value)? == Stored::System {
-            self.interpreter.write_system(self.block, variable, value);
+            let setting = if self.read == Some(variable) { Setting::Relative } else { Setting::Absolute };
+            self.interpreter.write_system(self.block, variable, value, setting);
         }
         self.interpreter.state.variables.set_unknown(variable, self.knowledge);
         let level = self.interpreter.state.variables.level();

@@ -6,7 +6,7 @@
 use super::Interpreter;
 use crate::control::codes::{Compensation, Plane};
 use crate::control::modal::State;
-use crate::control::offsets::{Column, EXTENDED_FRAMES, STANDARD_FRAMES};
+use crate::control::offsets::{Column, EXTENDED_FRAMES, STANDARD_FRAMES, Setting};
 use crate::geometry::Point;
 use crate::message::{Diagnostic, said};
 use crate::setup::dialect::FeedMode;
@@ -171,17 +171,25 @@ impl Interpreter {
         })
     }
 
-    /// Writes a system variable; one that is not known here is reported once and ignored.
-    pub(super) fn write_system(&mut self, block: &Block, variable: u32, value: Option<f64>) {
+    /// Writes a system variable; one that is not known here is reported once and ignored. `setting`: whether the
+    /// value was worked out from the one before.
+    pub(super) fn write_system(
+        &mut self,
+        block: &Block,
+        variable: u32,
+        value: Option<f64>,
+        setting: Setting,
+    ) {
         let unit = self.state.unit.millimetres();
         let value = value.unwrap_or(0.0);
         self.trace_write(variable, value);
         match System::of(variable) {
             Some(System::External(axis)) => {
-                self.change_zero(|frames| &mut frames.external, axis, value * unit)
+                self.change_frame(|frames| set_axis(&mut frames.external, axis, value * unit));
             }
             Some(System::Frame(frame, axis)) => {
-                self.change_zero(|frames| frames.work_mut(frame, true), axis, value * unit);
+                let change = |zero: &mut Point| set_axis(zero, axis, value * unit);
+                self.set_zero(frame, setting, change, block.words_span());
             }
             Some(System::Offset(offset, Column::Tip)) => self.state.offsets.set(offset, Column::Tip, value),
             Some(System::Offset(offset, column)) => self.state.offsets.set(offset, column, value * unit),
@@ -192,21 +200,6 @@ impl Interpreter {
                 self.unknown_system(block, variable);
             }
         }
-    }
-
-    fn change_zero(
-        &mut self,
-        which: impl FnOnce(&mut crate::control::offsets::Frames) -> &mut Point,
-        axis: u32,
-        value: f64,
-    ) {
-        self.change_frame(|frames| {
-            let zero = which(frames);
-            match axis {
-                1 => zero.x = Diameter::new(value).radius(),
-                _ => zero.z = value,
-            }
-        });
     }
 
     fn unknown_system(&mut self, block: &Block, variable: u32) {
@@ -255,5 +248,13 @@ impl Interpreter {
             21 => 113 - u32::from(state.interpolation().is_some()),
             _ => 0,
         }
+    }
+}
+
+/// Sets a zero along X (axis 1, a diameter) or Z.
+fn set_axis(zero: &mut Point, axis: u32, value: f64) {
+    match axis {
+        1 => zero.x = Diameter::new(value).radius(),
+        _ => zero.z = value,
     }
 }

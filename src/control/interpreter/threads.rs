@@ -3,10 +3,10 @@
 //! In: the words of a block. Out: the passes. The geometry is in `cycles::threading`; what an instructor
 //! remarks in `lint::thread`.
 
+use super::singles::{Thread, angle_of_start};
 use super::{AXES, Interpreter};
 use crate::control::events::{Event, ThreadPass, ThreadedBy, ThreadingCall};
 use crate::control::words::{Words, plain, quote};
-use super::singles::{Thread, angle_of_start};
 use crate::cycles::single::Single;
 use crate::cycles::threading::{self, MultiThread};
 use crate::cycles::units;
