@@ -299,8 +299,16 @@ fn too_deep(stock: &Stock, motion: &Motion, tool: &ResolvedTool, part: &mut Part
     if !beside.iter().any(|point| radii.contains(&point.x) && places.contains(&point.z)) {
         return None;
     }
+    // What of the insert goes deeper than it may; the common part costs far more.
+    let deeper = [1.0, -1.0].map(|side| match is_across {
+        true => tool.takes.beyond(most, Point::new(0.0, side)).along_line(from, to),
+        false => tool.takes.beyond(most, Point::new(side, 0.0)).along_line(from, to),
+    });
+    if deeper.iter().all(Vec::is_empty) {
+        return None;
+    }
     let now = part.now();
-    if !beside.iter().any(|&point| now.holds(point)) {
+    if !beside.iter().any(|&point| now.holds(point)) || !deeper.iter().any(|outline| now.meets(outline)) {
         return None;
     }
     let depth = now.in_common(&cut(motion, &Turned::default(), tool)).area() / length;

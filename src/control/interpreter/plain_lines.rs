@@ -30,6 +30,7 @@ impl Interpreter {
         let cuts_plainly = !self.cut_is_news && self.state.feed.is_some_and(|feed| feed > 0.0);
         let (process, reading) = (self.state.process(), self.reading());
         let (mut taken, mut moves) = (0, false);
+        let mut placed = self.state.call_stack.main_pass.placed;
         // On the axis a drill may stand, of which something may have to be said.
         while taken < most.min(room) && !self.is_on_axis() {
             let Some(line) = parser.plain_line().filter(|line| line.span.start < end) else { break };
@@ -60,12 +61,12 @@ impl Interpreter {
                 }
             }
             self.state.position = to;
-            let placed = &mut self.state.call_stack.main_pass.placed;
-            *placed = [placed[0] | line.x.is_some(), placed[1] | line.z.is_some()];
+            placed = [placed[0] | line.x.is_some(), placed[1] | line.z.is_some()];
             self.state.sequence = line.sequence.unwrap_or(self.state.sequence);
             taken += 1;
         }
         if taken > 0 {
+            self.state.call_stack.main_pass.placed = placed;
             self.program.is_first_reading(parser.position().byte - 1);
             self.sink.fault = None;
         }
