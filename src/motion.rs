@@ -429,7 +429,7 @@ pub struct Motion {
     /// By how much the lead grows in each revolution of the spindle (K of G34), mm.
     pub lead_change: Option<f64>,
     /// How far the spindle turns past its zero mark before the first move of a thread begins (Q of G32, G34 and G92),
-    /// degrees. A thread that goes on from another move of it has none.
+    /// degrees. 0 for a move that continues a thread.
     pub start_angle: f64,
     /// Seconds the tool waits, of dwells only.
     pub seconds: Option<f64>,
@@ -487,7 +487,7 @@ impl Motion {
         Some(self.longer_axis() / self.mean_lead()?.abs()).filter(|turns| turns.is_finite())
     }
 
-    /// Which fraction of a motion that is locked to the spindle is done after so many revolutions.
+    /// Share of the way, 0 to 1, after this number of revolutions, in a motion that is locked to the spindle.
     pub fn share_after(&self, turns: f64) -> Option<f64> {
         let way = self.lead? * turns + self.lead_change.unwrap_or(0.0) * turns * turns / 2.0;
         Some(way / self.longer_axis()).filter(|share| share.is_finite())
@@ -811,7 +811,7 @@ impl Chunk {
         self.blocks.reserve_exact(other.blocks.len());
     }
 
-    /// The work frame of the motions so far is left, while nothing says yet where the workpiece is.
+    /// Leaves a work frame before the first cut, which says where the workpiece is.
     pub fn leave_frame(&mut self, left: LeftFrame) {
         let motions = self.kind.len();
         if motions > self.left.last().map_or(0, |before| before.0) {

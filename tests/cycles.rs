@@ -1148,7 +1148,7 @@ proptest! {
         prop_assert_eq!(passes, Some(depths.len() as u32));
     }
 
-    /// A cycle that cannot run makes no motion rather than half of itself, or what can be read of its contour, in doubt.
+    /// A cycle that cannot run makes no motion, or uncertain ones along a contour with an error.
     #[test]
     fn a_cycle_that_cannot_run_makes_no_certain_motion(
         shape in monotone(), fault in 0..FAULTS, frame in frame(false), roughing in roughing(),

@@ -229,7 +229,7 @@ fn what_is_no_argument_is_a_fault_in_a_macro_as_in_every_program() {
     division("O1\n#1=0\nG65 P2 A#1\nM30\nO2\n#4=5/#1\nM99");
 }
 
-/// The motions of a cycle along a contour with an error are those of the contour without it, in doubt. `cycle`: the
+/// A contour with an error makes the motions of the contour without it, marked as uncertain. `cycle`: the
 /// blocks of the cycle at X44 Z2, `faulty` and `sound`: the contour from N10 to N20.
 #[track_caller]
 fn check_faulty_contour(cycle: &str, faulty: &str, sound: &str, slug: &str) {
@@ -273,4 +273,21 @@ fn a_contour_with_an_error_is_drawn_in_doubt() {
         "N10 G0 Z-10\nG1 X38\nX34 Z-6\nN20 Z2",
         "contour-first-block",
     );
+}
+
+/// What else a cycle lacks is reported once its contour is right.
+#[test]
+fn an_error_in_a_contour_is_the_only_one_of_its_cycle() {
+    let contour = "N10\nG0 X30\nG1 Z-5\nN20 X44\nG0 X50";
+    for program in [
+        format!("M3 S1 F1\nG0 X44 Z2\nG71 P10 Q20 U0 W0\n{contour}"),
+        format!("M3 S1 F1\nG0 X44 Z2\nG73 P10 Q20 U0 W0\n{contour}"),
+        format!("M3 S1\nG0 X44 Z2\nG71 U2 R1\nG71 P10 Q20 U0 W0\n{contour}"),
+    ] {
+        let analysis = run("{}", &program);
+        let errors = analysis.diagnostics.iter().filter(|found| found.severity == Severity::Error);
+        let errors: Vec<_> = errors.map(|found| found.message.slug()).collect();
+        assert_eq!(errors, ["contour-first-block"], "{program}");
+        assert!(!motions(&analysis).contains('?'), "{program}");
+    }
 }

@@ -57,7 +57,7 @@ impl Moment<'_> {
         Some(stock.moved(frames.on_workpiece().opposite()))
     }
 
-    /// All motions so far whose place on the workpiece is known, in the coordinates in force.
+    /// The motions with a known place on the workpiece, in the coordinates in force.
     pub fn motions(&self) -> impl Iterator<Item = Motion> + '_ {
         let here = self.state.frames.on_workpiece().opposite();
         let known = self.sink.all_motions().filter(|motion| !motion.process.elsewhere);

@@ -40,7 +40,7 @@ impl ToolChanges {
     }
 }
 
-/// Where on the workpiece the tip stands.
+/// Place of the tip on the workpiece.
 fn on_workpiece(at: &Moment) -> Point {
     at.state.position.moved(at.state.frames.on_workpiece())
 }

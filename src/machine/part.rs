@@ -80,7 +80,7 @@ impl Turned {
     }
 
     /// How far the spindle is past a whole turn, in turns, where a motion begins: a thread begins at its start angle,
-    /// unless it goes on from another.
+    /// unless it continues another.
     fn before(&self, motion: &Motion) -> f64 {
         self.past.unwrap_or_else(|| (motion.start_angle / 360.0).fract())
     }

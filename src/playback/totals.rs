@@ -21,7 +21,7 @@ pub struct ToolTotals {
     pub cut: f64,
     /// Path at rapid, mm.
     pub rapid: f64,
-    /// The box around its cuts on the workpiece; nothing where there are none.
+    /// The box around its cuts on the workpiece, if there are any.
     pub extents: Option<Bounds>,
 }
 

@@ -103,7 +103,7 @@ fn the_grooves_of_a_growing_lead_grow_apart() {
     check("fanuc", &thread("Q180000").replace("Z4", "Z4.125"), &[-4.0, -9.0, -15.0, -22.0]);
 }
 
-/// A thread that goes on with another block goes on with the same turn, whatever its Q says.
+/// A block that continues a thread keeps its turn; its Q has no effect.
 #[test]
 fn a_thread_goes_on_with_the_turn_of_the_block_before() {
     let thread =

@@ -189,16 +189,22 @@ impl Interpreter {
             return None;
         }
         let most = self.setup.limits.moves_per_cycle;
+        // What else is wrong with the cycle is reported once its contour is right.
+        let is_sound = !state.doubts.has(Doubt::Contour);
+        let has_feed = match purpose {
+            Purpose::Roughing if read.is_ok() && is_sound => {
+                self.may_cut(text, block, words, &mut Request::default())
+            }
+            Purpose::Roughing => !no_feed,
+            Purpose::Finishing => true,
+        };
         match read {
-            Ok((.., ends))
-                if purpose == Purpose::Roughing
-                    && !self.may_cut(text, block, words, &mut Request::default()) =>
-            {
+            Ok((.., ends)) if !has_feed => {
                 self.go_on_behind(block, begins.byte, ends);
                 None
             }
             Ok((.., ends)) if moves.len() > most => {
-                if !state.doubts.has(Doubt::Contour) {
+                if is_sound {
                     self.report(Diagnostic::new(said::TooManyPasses { code, most }, block.words_span()));
                 }
                 self.go_on_behind(block, begins.byte, ends);
@@ -214,7 +220,7 @@ impl Interpreter {
                     state,
                     observer,
                 };
-                if !shape.is_sound() {
+                if !is_sound {
                     self.state.doubts.add(Doubt::Contour);
                     self.state.incomplete = true;
                 } else if self.contours.landmarks.len() < self.setup.limits.messages {
@@ -346,7 +352,7 @@ impl Interpreter {
         Err(ShapeError::NotFound)
     }
 
-    /// The last block is read: nothing may wait for a further move. `sound`: no error was reported so far.
+    /// Ends the contour: nothing may wait for a further move. `sound`: no error was reported before.
     fn end_shape(&mut self, sound: bool) {
         let waits = self.state.pending.take().and_then(|pending| {
             let angle = pending.angle.map(|angle| (angle.word, angle.span, "PS0326"));

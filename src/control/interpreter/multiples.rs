@@ -174,6 +174,9 @@ impl Interpreter {
         let shape = self.shape(text, block, words, code, Purpose::Roughing)?;
         self.go_on_behind(block, shape.begins, shape.ends);
         let Some(depth) = self.state.parameters.depth.filter(|&depth| depth > 0.0) else {
+            if !shape.is_sound() {
+                return None;
+            }
             let depth = self.state.parameters.depth;
             // A depth that is wrong in the first block was reported there.
             if let Some(word) = words.get(b'D') {
@@ -348,6 +351,10 @@ impl Interpreter {
         self.go_on_behind(block, shape.begins, shape.ends);
         let diagnostic = self.state.parameters.pattern_passes.is_some_and(|passes| passes < 1.0);
         if diagnostic && words.get(b'D').is_none() {
+            return None;
+        }
+        let has_passes = self.state.parameters.pattern_passes.is_some_and(|passes| passes >= 1.0);
+        if !has_passes && !shape.is_sound() {
             return None;
         }
         let passes = self.pattern_passes(words, b'D')?;

@@ -47,7 +47,7 @@ impl Thread {
     }
 }
 
-/// The angle of the start `number`, from 0, of a thread of so many starts, degrees (GSK980TDb, L of G92).
+/// Start angle of the start `number` (from 0) of `starts`, degrees (GSK980TDb, L of G92).
 pub(super) fn angle_of_start(number: u64, starts: u64) -> f64 {
     360.0 * number as f64 / starts as f64
 }
