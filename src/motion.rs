@@ -498,7 +498,7 @@ impl Motion {
         self.rotary?.virtual_move
     }
 
-    /// The same motion in workpiece coordinates: those of the frame of the first cut.
+    /// The same motion in the coordinates of the frame of the first cut (workpiece coordinates).
     pub fn on_workpiece(mut self) -> Motion {
         let by = std::mem::take(&mut self.process.zero);
         if by == Point::default() {
