@@ -70,6 +70,7 @@ mod uncertain;
 mod worked_controls;
 mod worked_cuts;
 mod worked_frames;
+mod worked_inference;
 mod worked_live_rapids;
 mod worked_planes;
 mod worked_threads;

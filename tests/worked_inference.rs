@@ -1,0 +1,202 @@
+//! What is inferred of tools and blank where a program does not name them. The expected parts are worked out by hand from the
+//! drawing that each program makes; see `src/machine/inferred.rs` for the order of evidence.
+use gcode_playground::geometry::Point;
+use gcode_playground::machine::SimulationResult;
+use gcode_playground::run::Run;
+use gcode_playground::setup::{Setup, Stock};
+use gcode_playground::units::Diameter;
+
+struct Ran {
+    simulation: SimulationResult,
+    stock: Stock,
+    told: Vec<&'static str>,
+}
+
+fn run(text: &str) -> Ran {
+    let mut run = Run::new(text.as_bytes().to_vec(), Setup::default());
+    while !run.advance(usize::MAX) {}
+    let mut analysis = run.into_analysis();
+    analysis.check_at_machine();
+    let simulation = SimulationResult::of(&analysis.motions, &analysis.setup);
+    let stock = simulation.resolved_setup().stock().expect("a blank").0;
+    Ran { simulation, stock, told: analysis.diagnostics.iter().map(|told| told.message.slug()).collect() }
+}
+
+impl Ran {
+    /// Diameters between which there is material at each Z, from the axis outwards, to a hundredth.
+    #[track_caller]
+    fn check(&self, expected: &[(f64, &[(f64, f64)])]) {
+        let part = self.simulation.finished().expect("a part");
+        for &(z, diameters) in expected {
+            let found: Vec<_> = part.radii(z).iter().map(|&(low, high)| (2.0 * low, 2.0 * high)).collect();
+            let near = |a: f64, b: f64| (a - b).abs() < 0.02;
+            let same = found.len() == diameters.len()
+                && found.iter().zip(diameters).all(|(a, b)| near(a.0, b.0) && near(a.1, b.1));
+            assert!(same, "at Z{z}: {found:?} instead of {diameters:?}, stock {:?}", self.stock);
+        }
+    }
+}
+
+/// The outside is turned to ⌀40 and ⌀48, a hole is drilled to Z-30, then a tool turns ⌀13.2 without a word: it bores.
+#[test]
+fn a_bore_after_drilling_leaves_the_outside() {
+    let outside = "T0404\nG97S900M3\nG0X40.Z2.\nG1Z-8.F0.2\nX48.\nG0X100.Z50.\n";
+    let drill = "T0101\nG97S700M3\nG0X0.Z3.\nG74R0.3\nG74Z-30.Q4000F0.1\nG0Z50.\n";
+    let bore = |way: &str| format!("T0606\nG97S900M3\nG0X14.6\nZ2.\nG1Z0F0.3\n{way}G0Z50.\nM30\n");
+    let ways = [
+        "X13.2Z-0.7F0.08\nZ-24.F0.1\nU-0.6\nZ2.F2.\n",
+        "X13.2,A45.F0.08\nZ-24.F0.1\nU-0.6\nZ2.F2.\n",
+        // Back out at feed on the same diameter.
+        "X13.2Z-0.7F0.08\nZ-24.F0.1\nZ2.F2.\n",
+        "X13.2F0.08\nZ-24.F0.1\nZ2.F2.\n",
+    ];
+    for way in ways {
+        let ran = run(&format!("O1\nG21G99\n{outside}{drill}{}", bore(way)));
+        ran.check(&[(-4.0, &[(13.2, 40.0)]), (-20.0, &[(13.2, 48.0)])]);
+    }
+    // Nothing else turns: a chamfer inwards opens a bore. The wall is inferred.
+    let ran = run(&format!("O1\nG21G99\n{drill}{}", bore(ways[0])));
+    let part = ran.simulation.finished().expect("a part");
+    let material = part.radii(-10.0);
+    assert!(
+        material.len() == 1 && (material[0].0 - 6.6).abs() < 0.02 && material[0].1 > 10.0,
+        "{material:?}"
+    );
+    // A pin after a centre drill is turned from outside: pass by pass, and it is deeper than the hole.
+    let pin = "T0101\nG97S700M3\nG0X0.Z3.\nG83Z-3.F0.1\nG80\nG0Z50.\nT0404\nG0X36.Z2.\nG1Z-20.F0.2\nG0U1.Z2.\nG0X32.\nG1Z-20.\nG0U1.Z2.\nM30\n";
+    run(&format!("O1\nG21G99\nG97S900M3\n{pin}")).check(&[(-10.0, &[(0.0, 32.0)])]);
+}
+
+/// A plunge to the axis in two steps, or with the chip broken, parts off with an insert of 3 mm: Z-40 to Z-37.
+#[test]
+fn a_plunge_in_steps_is_one_of_a_grooving_tool() {
+    let program =
+        |tool: &str, way: &str| format!("O1\nG21G99\n{tool}\nG97S800M3\nG0X64.Z-40.\n{way}G0X85.\nM30\n");
+    let pecks = "G1X50.F0.08\nG0X52.\nG1X38.\nG0X40.\nG1X26.\nG0X28.\nG1X14.\nG0X16.\nG1X-1.\n";
+    for tool in ["T0202 (PARTING 3MM)", "T0202 (CUTOFF)", "T0202"] {
+        for way in ["G1X50.F0.08\nX-1.\n", "G1X50.F0.08\nX20.\nX-1.\n", "G1X-1.F0.08\n", pecks] {
+            let ran = run(&program(tool, way));
+            ran.check(&[
+                (-36.9, &[(0.0, 64.0)]),
+                (-37.1, &[]),
+                (-39.9, &[]),
+                (-40.1, &[(0.0, 64.0)]),
+                (-1.0, &[(0.0, 64.0)]),
+            ]);
+        }
+    }
+    let groove = run(&program("T0202", &pecks.replace("X-1.", "X5.")));
+    groove.check(&[(-36.9, &[(0.0, 64.0)]), (-38.0, &[(0.0, 5.0)]), (-40.1, &[(0.0, 64.0)])]);
+}
+
+/// A bar puller, a gripper or a stop moves with the spindle stopped: it neither cuts nor defines the blank.
+#[test]
+fn nothing_is_cut_with_the_spindle_stopped() {
+    let turned = "O1\nG21G99\nT0101(OD CNMG)\nG50S3000\nG97S800M3\nG0X34.Z2.\nG1X28.F0.2\nZ-30.\nX34.\nG0X80.Z50.\nT0505(PARTING 3MM)\nG97S600M3\nG0X34.Z-33.\nG1X0F0.06\nG0X80.\nZ50.\n";
+    let axis = "M5\nG0X0Z5.\nG98G1Z-25.F300\nM11\nG4X1.\nG1Z40.F800\nM10\nG0Z80.\nM30\n";
+    let side = "M5\nG0Z-30.\nX70.\nG98G1X0F200.\nM11\nG4X1.\nW32.\nM10\nG0X80.\nZ80.\nM30\n";
+    for (tool, way) in
+        [("T0707(BAR PULLER)\n", axis), ("T0707\n", axis), ("T0707(BAR PULLER)\n", side), ("T0707\n", side)]
+    {
+        let ran = run(&format!("{turned}{tool}{way}"));
+        ran.check(&[(-10.0, &[(0.0, 28.0)]), (-31.5, &[]), (-35.0, &[(0.0, 34.0)])]);
+        assert!(!ran.told.contains(&"rapid-through-stock"), "{:?}", ran.told);
+    }
+    // Before any M03 the spindle is only not named: a fragment is drawn.
+    run("O1\nG21G99\nT0101\nG0X34.Z2.\nG1X28.F0.2\nZ-30.\nX36.\nG0Z2.\nM30\n")
+        .check(&[(-10.0, &[(0.0, 28.0)])]);
+    // Rigid tapping with the spindle stopped before it drills.
+    let tap = run(
+        "O1\n(STOCK D=40 LENGTH=50)\nG21G99\nT0101(DRILL 10)\nG97S800M3\nG0X0Z5.\nG1Z-20.F.1\nG0Z5.\nM5\n(TOOL T0202 TYPE=TAP D=12)\nT0202\nG0X0Z5.\nM29S300\nG84Z-15.F1.75\nG80\nM30\n",
+    );
+    let material = tap.simulation.finished().expect("a part").radii(-8.0);
+    assert!(material.len() == 1 && material[0].0 > 5.5, "{material:?}");
+}
+
+/// The first full face with nothing cut before it is the front of the blank.
+#[test]
+fn the_first_face_is_the_front_of_the_blank() {
+    let ran = run(
+        "O1\nG21G99\nT0101(OD CNMG)\nG50S3000\nG97S500M3\nG0Z-80.\nX60.\nG1X-1.6F0.2\nX60.\nG0X62.\nG0Z-79.\nX50.\nG1Z-100.\nX60.\nG28U0\nG28W0\nM30\n",
+    );
+    ran.check(&[(-40.0, &[]), (-79.5, &[]), (-90.0, &[(0.0, 50.0)]), (-101.0, &[(0.0, 60.0)])]);
+    // Parting off alone leaves the piece in front.
+    run("O1\nG21G99\nT0303\nG97S500M3\nG0X52.Z-40.\nG1X-1.F.1\nG0X60.\nM30\n")
+        .check(&[(-20.0, &[(0.0, 52.0)])]);
+    // Turned first, then parted off by the same tool.
+    let both = run("O1\nG21G99\nT0303\nG97S500M3\nG0X52.Z1.\nG1X48.F.1\nZ-45.\nG0X52.Z-40.\nM30\n");
+    both.check(&[(-20.0, &[(0.0, 48.0)])]);
+}
+
+/// A tap on the axis needs a bar to tap.
+#[test]
+fn a_tapped_bar_has_a_wall() {
+    let ran = run("O1\nG21G99\nT0101\nG97S300M3\nG0X0Z5.\nG32Z-20.F1.5\nM5\nM4\nG32Z5.F1.5\nM30\n");
+    assert!(ran.stock.diameter.mm() >= 20.0, "{:?}", ran.stock);
+    let material = ran.simulation.finished().expect("a part").radii(-10.0);
+    assert!(material.len() == 1 && material[0].1 - material[0].0 > 5.0, "{material:?}");
+}
+
+/// `T01 M06` in a program without four-digit T words selects a station.
+#[test]
+fn short_tool_words_beside_m06_are_stations() {
+    let program = |first: &str, second: &str| {
+        format!(
+            "O1\nG21G99\n{first}\nG97S900M3\nG0X42.Z2.\nG1X36.F0.2\nZ-40.\nG0X60.Z60.\n{second}\nG97S600M3\nG0X44.Z-18.\nG1X28.F0.08\nG0X44.\nG0Z60.\nM30\n"
+        )
+    };
+    let groove: &[(f64, &[(f64, f64)])] =
+        &[(-10.0, &[(0.0, 36.0)]), (-14.9, &[(0.0, 36.0)]), (-16.0, &[(0.0, 28.0)]), (-18.1, &[(0.0, 36.0)])];
+    run(&program("T0101", "T0303")).check(groove);
+    for (first, second) in [("T01 M06", "T03 M06"), ("M06 T01", "M06 T03"), ("T1 M6", "T3 M6")] {
+        let ran = run(&program(first, second));
+        ran.check(groove);
+        assert!(!ran.told.contains(&"tool-unknown"), "{:?}", ran.told);
+    }
+    // Beside four-digit words, two digits are an offset.
+    let ran = run(&program("T0101", "T03 M06"));
+    assert!(ran.told.contains(&"short-tool-word"), "{:?}", ran.told);
+}
+
+/// Work on the second side, in the other direction: faced at Z0, turned to ⌀38 towards +Z.
+#[test]
+fn work_towards_positive_z_has_its_blank_there() {
+    let ran = run(
+        "O1\nG21G99\nG55\nT0101(OD CNMG)\nG50S3000\nG97S700M4\nG0X46.Z-2.\nG1Z0F0.1\nX-1.\nG0X38.Z-2.\nG1Z15.F0.15\nX46.\nG0Z-5.\nM30\n",
+    );
+    ran.check(&[(-1.0, &[]), (1.0, &[(0.0, 38.0)]), (14.0, &[(0.0, 38.0)]), (16.0, &[(0.0, 46.0)])]);
+    // With the zero at the chuck the work is at +Z, too, but the tool goes towards −Z.
+    let usual = run(
+        "O1\nG21G99\nT0101\nG97S700M3\nG0X46.Z50.\nG1X-1.F.1\nG0X38.Z52.\nG1Z30.F0.15\nX46.\nG0Z55.\nM30\n",
+    );
+    usual.check(&[(51.0, &[]), (40.0, &[(0.0, 38.0)]), (29.0, &[(0.0, 46.0)])]);
+}
+
+/// An insert that turns a hub within a recess of the face leaves the rim.
+#[test]
+fn a_hub_in_a_recess_leaves_the_rim() {
+    let recess = "T0101(FACE GROOVE W4)\nG97S400M3\nG0X40.Z2.\nG1Z-3.F0.1\nX68.\nZ-6.\nX40.\nG0Z50.\n";
+    let hub = "T0202(OD FINISH)\nG97S900M3\nG0X39.Z2.\nG1Z-6.F0.1\nU1.\nG0Z2.\nM30\n";
+    let ran = run(&format!("O1\n(STOCK D=120 LENGTH=40)\nG21G99\n{recess}{hub}"));
+    ran.check(&[
+        (-1.0, &[(0.0, 39.0), (68.08, 120.0)]),
+        (-5.0, &[(0.0, 39.0), (68.08, 120.0)]),
+        (-7.0, &[(0.0, 120.0)]),
+    ]);
+}
+
+/// A bar without a bore has none in a frame that is shifted along X.
+#[test]
+fn a_solid_bar_stays_solid_in_a_shifted_frame() {
+    let bar = Stock {
+        diameter: Diameter::new(50.0),
+        bore: Diameter::new(0.0),
+        face: 0.0,
+        length: 80.0,
+        grip: None,
+    };
+    let moved = bar.moved(Point::new(3.0, -10.0));
+    assert_eq!((moved.diameter.mm(), moved.bore.mm(), moved.face), (56.0, 0.0, -10.0));
+    let tube = Stock { bore: Diameter::new(20.0), ..bar };
+    assert_eq!(tube.moved(Point::new(3.0, 0.0)).bore.mm(), 26.0);
+}
