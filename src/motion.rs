@@ -327,10 +327,20 @@ pub struct Process {
     /// In another work frame than the first cut, and nobody has said where its zero is: a second
     /// clamping, or the sub spindle.
     pub elsewhere: bool,
+    /// M05 stopped the spindle and nothing is known to turn a tool: a bar puller, a gripper, a stop. Unlike a
+    /// [stopped](SpindleTurn::Stopped) spindle before any M03, it removes nothing.
+    pub still: bool,
     /// The work coordinate system in force: 0 to 5 for G54 to G59, 6 for G54.1 P1.
     pub frame: u16,
     /// Offset from programmed to workpiece coordinates, mm; zero where it is unknown. See [`Motion::on_workpiece`].
     pub zero: Point,
+}
+
+impl Process {
+    /// Whether a cut removes material at a known place of the first clamping.
+    pub fn removes_material(&self) -> bool {
+        !self.uncertain && !self.elsewhere && !self.still
+    }
 }
 
 /// What most questions about a motion need of it; quicker than all of it.

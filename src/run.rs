@@ -54,6 +54,8 @@ pub struct Analysis {
     pub setup: Setup,
     /// The text decided the decimal rule, not the setup.
     pub decides_decimal: bool,
+    /// The text was concluded to be in inches, without a code that says so.
+    pub concludes_inches: bool,
     /// The unit of length at the end of the program.
     pub unit: Unit,
     /// Tools and blank, once somebody has asked for them.
@@ -184,6 +186,8 @@ pub struct Run {
 struct Recognised {
     foreign: Option<Foreign>,
     system: Option<(GSystem, Span)>,
+    /// The word that shows inches, where no code names the unit.
+    inches: Option<Span>,
 }
 
 impl Recognised {
@@ -191,13 +195,14 @@ impl Recognised {
     /// been loaded.
     fn of(text: &[u8], look: Look, dialect: &DialectChoice) -> Option<Self> {
         let (may_be_foreign, has_system) = (dialect.recognise != Some(false), dialect.g_system.is_some());
+        let inches = look.unit.inches().filter(|_| dialect.unit.is_none());
         if !look.is_unusual || !may_be_foreign && has_system {
-            return Some(Self::default());
+            return Some(Self { inches, ..Self::default() });
         }
         let shown = provenance::recognise(text)?;
         let foreign = shown.foreign.filter(|_| may_be_foreign);
         let is_open = foreign.is_none() && !has_system;
-        Some(Self { foreign, system: shown.system.filter(|_| is_open) })
+        Some(Self { foreign, system: shown.system.filter(|_| is_open), inches })
     }
 }
 
@@ -279,6 +284,10 @@ impl Run {
         if let Some((system, evidence)) = run.recognised.system {
             run.interpreter.set_system(system);
             run.interpreter.report(Diagnostic::new(said::SystemGuessed { system: system.name() }, evidence));
+        }
+        if let Some(evidence) = run.recognised.inches {
+            run.interpreter.set_unit(Unit::Inch);
+            run.interpreter.report(Diagnostic::new(said::InchesConcluded, evidence));
         }
         run.of_setup = run.interpreter.diagnostics().len();
         if let Some(number) = chosen {
@@ -564,6 +573,11 @@ impl Run {
         self.recognised.system.map(|system| system.0)
     }
 
+    /// Whether the text was concluded to be in inches, without a code that says so.
+    pub fn concludes_inches(&self) -> bool {
+        self.recognised.inches.is_some()
+    }
+
     /// The O number of the program that is run: the one that is chosen, or the first.
     pub fn program_number(&self) -> Option<u32> {
         let first = self.programs.iter().min_by_key(|(_, start)| **start);
@@ -584,8 +598,19 @@ impl Run {
         let unit = interpreter.state.unit;
         let motions = interpreter.into_motions();
         let (resolved, decides_decimal) = (OnceLock::new(), self.decided.is_some());
-        let blocks = self.blocks;
-        Analysis { motions, diagnostics, blocks, trace, codes, setup, decides_decimal, unit, resolved }
+        let (blocks, concludes_inches) = (self.blocks, self.recognised.inches.is_some());
+        Analysis {
+            motions,
+            diagnostics,
+            blocks,
+            trace,
+            codes,
+            setup,
+            decides_decimal,
+            concludes_inches,
+            unit,
+            resolved,
+        }
     }
 
     /// Begins with another program than the first of the text.

@@ -6,16 +6,29 @@
 use serde::{Deserialize, Serialize};
 
 /// Unit of length of the program.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize)]
 pub enum Unit {
     /// G21.
     #[default]
+    #[serde(rename = "mm")]
     Millimetre,
     /// G20.
+    #[serde(rename = "inch")]
     Inch,
 }
 
 impl Unit {
+    /// Both, in the order they are offered.
+    pub const ALL: [Unit; 2] = [Self::Millimetre, Self::Inch];
+
+    /// The name in a setup.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Millimetre => "mm",
+            Self::Inch => "inch",
+        }
+    }
+
     /// Millimetres in one unit.
     pub fn millimetres(self) -> f64 {
         match self {

@@ -59,7 +59,7 @@ fn an_unknown_key_of_a_setup_is_named() {
 fn every_switch_of_a_setup_is_read() {
     let setup = file(
         "all-keys.json",
-        r#"{"dialect": {"control": "gsk", "gSystem": "A", "decimal": "calculator", "pqUnit": "mm", "powerOnFeed": "G99",
+        r#"{"dialect": {"control": "gsk", "gSystem": "A", "unit": "mm", "decimal": "calculator", "pqUnit": "mm", "powerOnFeed": "G99",
             "feedMode": "G98", "xuConflict": "last", "negativeArcR": "over180", "g71Retract": "feed",
             "g73Intervals": "d-1", "g76Clamp": "prev", "reliefFirst": true, "iInG92": "tpi", "threadChamfer": 10,
             "typeII": true, "strict": false, "polarX": "diameter", "refPoint": {"x": 300, "z": 300}},

@@ -13,7 +13,7 @@ use gcode_playground::setup::notes::{DIALECT_WORDS, MACHINE_WORDS, Notes, RULE_W
 use gcode_playground::setup::{
     Machine, Position, Setup, Side, Stock, Tailstock, Tool, ToolKind, Travel, Turret,
 };
-use gcode_playground::units::Diameter;
+use gcode_playground::units::{self, Diameter};
 use proptest::prelude::*;
 
 const PROGRAM: &str = "O0001\nT0101\nG97 S800 M3\nG0 X40 Z2\nG1 Z-20 F0.2\nX44\nG0 X100 Z100\nM30\n";
@@ -88,6 +88,7 @@ prop_compose! {
     fn dialect()(
         control in proptest::option::of(proptest::sample::select(Control::ALL.to_vec())),
         g_system in proptest::option::of(proptest::sample::select(GSystem::ALL.to_vec())),
+        unit in proptest::option::of(proptest::sample::select(units::Unit::ALL.to_vec())),
         feed_mode in proptest::option::of(proptest::sample::select(FeedMode::ALL.to_vec())),
         decimal in proptest::option::of(proptest::sample::select(DecimalChoice::ALL.to_vec())),
         pq_unit in proptest::option::of(proptest::sample::select(PqUnit::ALL.to_vec())),
@@ -97,7 +98,7 @@ prop_compose! {
     ) -> DialectChoice {
         let ref_point = ref_point.map(|(x, z)| Position { x, z });
         DialectChoice {
-            control, g_system, feed_mode, decimal, pq_unit, negative_arc_r, ref_point, recognise, strict, type_ii,
+            control, g_system, unit, feed_mode, decimal, pq_unit, negative_arc_r, ref_point, recognise, strict, type_ii,
             ..DialectChoice::default()
         }
     }

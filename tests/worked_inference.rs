@@ -13,7 +13,11 @@ struct Ran {
 }
 
 fn run(text: &str) -> Ran {
-    let mut run = Run::new(text.as_bytes().to_vec(), Setup::default());
+    run_under(text, "{}")
+}
+
+fn run_under(text: &str, setup: &str) -> Ran {
+    let mut run = Run::new(text.as_bytes().to_vec(), Setup::from_json(setup).expect("a setup"));
     while !run.advance(usize::MAX) {}
     let mut analysis = run.into_analysis();
     analysis.check_at_machine();
@@ -165,6 +169,9 @@ fn work_towards_positive_z_has_its_blank_there() {
         "O1\nG21G99\nG55\nT0101(OD CNMG)\nG50S3000\nG97S700M4\nG0X46.Z-2.\nG1Z0F0.1\nX-1.\nG0X38.Z-2.\nG1Z15.F0.15\nX46.\nG0Z-5.\nM30\n",
     );
     ran.check(&[(-1.0, &[]), (1.0, &[(0.0, 38.0)]), (14.0, &[(0.0, 38.0)]), (16.0, &[(0.0, 46.0)])]);
+    // Facing goes back along +Z.
+    let faced = run("O1\nG21G99\nT0101\nG97S700M3\nG0X54.Z4.\nG94X20.Z0F0.15\nZ-2.\nZ-4.\nM30\n");
+    faced.check(&[(-1.0, &[(0.0, 20.0)]), (-5.0, &[(0.0, 52.0)])]);
     // With the zero at the chuck the work is at +Z, too, but the tool goes towards −Z.
     let usual = run(
         "O1\nG21G99\nT0101\nG97S700M3\nG0X46.Z50.\nG1X-1.F.1\nG0X38.Z52.\nG1Z30.F0.15\nX46.\nG0Z55.\nM30\n",
@@ -199,4 +206,40 @@ fn a_solid_bar_stays_solid_in_a_shifted_frame() {
     assert_eq!((moved.diameter.mm(), moved.bore.mm(), moved.face), (56.0, 0.0, -10.0));
     let tube = Stock { bore: Diameter::new(20.0), ..bar };
     assert_eq!(tube.moved(Point::new(3.0, 0.0)).bore.mm(), 26.0);
+}
+
+/// A program without G20 whose numbers show inches is read in inches: X.95 is 24.13 mm.
+#[test]
+fn an_inch_program_without_g20_is_read_in_inches() {
+    let way = "G0X.95Z.1\nG1Z0F.006\nX-.06\nG0X.87Z.1\nG1Z-1.125F.008\nX.95\nG28U0\nG28W0\nM30\n";
+    let program = |head: &str, tool: &str| format!("{head}\nG99G18\nT0101{tool}\nG50S3000\nG96S450M3\n{way}");
+    let (inches, millimetres) = ((-10.0, &[(0.0, 0.87 * 25.4)][..]), (-0.5, &[(0.0, 0.87)][..]));
+    for (head, tool, setup, is_inch) in [
+        ("O0065(PIN 1/2 IN)", "(1/32R CNMG)", "{}", true),
+        ("O0065", "(1/32R CNMG)", "{}", true),
+        ("O0065(PIN .5\" DIA)", "", "{}", true),
+        ("O0065(DIMENSIONS IN INCHES)", "", "{}", true),
+        // A cutting speed alone does not show it: a small part may turn fast.
+        ("O0065", "", "{}", false),
+        // Named by a code or the setup.
+        ("O0065(PIN 1/2 IN)\nG21", "", "{}", false),
+        ("O0065(PIN 1/2 IN)", "", r#"{"dialect": {"unit": "mm"}}"#, false),
+        ("(DIALECT UNIT=MM)(PIN 1/2 IN)", "(1/32R CNMG)", "{}", false),
+    ] {
+        let ran = run_under(&program(head, tool), setup);
+        ran.check(&[if is_inch { inches } else { millimetres }]);
+        assert_eq!(ran.told.contains(&"inches-concluded"), is_inch, "{head} {tool} {setup}: {:?}", ran.told);
+    }
+    // The setup can say so: then nothing is concluded.
+    let ran = run_under(&program("O0065", ""), r#"{"dialect": {"unit": "inch"}}"#);
+    ran.check(&[inches]);
+    assert!(!ran.told.contains(&"inches-concluded"));
+    // Four decimals are those of inches; a lead of 1/14 inch.
+    let fine = run("O1\nT0101\nG97S800M3\nG0X1.0625Z.1\nG1Z-1.F.008\nX1.2\nG0Z.1\nM30\n");
+    fine.check(&[(-10.0, &[(0.0, 1.0625 * 25.4)])]);
+    // Small work in millimetres: no sign of inches but its size and its feeds.
+    for small in ["(PIN 3MM)", "(2/3)", "(IN THE VICE)", "(DATE 1/12/26)"] {
+        let text = format!("O1{small}\nT0101\nG97S6000M3\nG0X3.995Z.5\nG1Z-6.F.02\nX5.\nG0Z1.\nM30\n");
+        run(&text).check(&[(-3.0, &[(0.0, 3.995)])]);
+    }
 }

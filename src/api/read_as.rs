@@ -56,7 +56,12 @@ impl ReadAs {
             facts.push(fact("dialect.gSystem", &text, basis));
         }
         let text = labels::unit_of_program(state.unit, language);
-        facts.push(ReadFact { key: None, text: text.to_owned(), basis: "program" });
+        let basis = match (run.concludes_inches(), given.unit) {
+            (true, _) => "recognised",
+            (false, Some(unit)) if unit == state.unit => "set",
+            (false, _) => "program",
+        };
+        facts.push(fact("dialect.unit", text, basis));
         let basis = match (run.decided_rule(), run.decimal_rule()) {
             (None, _) => "set",
             (Some(_), DecimalRule::LeastIncrement) => "recognised",

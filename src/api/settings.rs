@@ -26,6 +26,7 @@ pub fn fixes(message: &Message, language: Language) -> Vec<Fix> {
         return vec![fix("gSystem", system), fix("gSystem", Some("A"))];
     }
     match message.slug() {
+        "inches-concluded" => vec![fix("unit", Some("inch")), fix("unit", Some("mm"))],
         "least-increments-concluded" => {
             vec![fix("decimal", Some("leastIncrement")), fix("decimal", Some("calculator"))]
         }

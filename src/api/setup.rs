@@ -387,6 +387,7 @@ fn in_force(draft: &Draft, recognised: Option<GSystem>) -> DialectChoice {
     DialectChoice {
         control: Some(dialect.control),
         g_system: draft.setup.dialect.g_system.or(recognised).or(Some(dialect.g_system)),
+        unit: Some(dialect.unit),
         feed_mode: Some(dialect.feed_mode),
         pq_unit: Some(dialect.pq_unit),
         ref_point: Some(dialect.ref_point),

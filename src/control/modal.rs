@@ -296,6 +296,8 @@ pub struct Spindle {
     pub turn: SpindleTurn,
     /// S0 was given: the spindle stays stopped under M03 too.
     pub still: bool,
+    /// M05 stopped it after M03 or M04.
+    pub is_stopped: bool,
     /// M19 holds it at an angle until M03, M04 or M05.
     pub is_held: bool,
     /// A live tool turns.
@@ -306,6 +308,12 @@ pub struct Spindle {
 }
 
 impl Spindle {
+    /// Whether M05 or M19 stopped it, and nothing is known to turn a tool.
+    fn is_still(&self) -> bool {
+        let is_stopped = self.is_stopped || self.is_held && self.turn != SpindleTurn::Stopped;
+        is_stopped && !self.live_tool && !self.by_maker
+    }
+
     /// The same, no faster than the machine turns, rpm. `None` at the axis without any limit.
     pub fn speed_within(&self, x: f64, most: Option<f64>) -> Option<f64> {
         self.speed_at(x).map(|speed| most.map_or(speed, |most| speed.min(most))).or(most)
@@ -431,6 +439,8 @@ pub struct State {
     pub compensation: Compensation,
     /// Turret station and offset number.
     pub tool: (u16, u16),
+    /// A T word of three digits or more was read: the shorter ones are offsets.
+    pub has_long_tools: bool,
     /// Where the quill of the tailstock is (M25, M26).
     pub quill: Quill,
     /// A move that waits for the next one.
@@ -490,7 +500,7 @@ impl State {
             hole_return: HoleReturn::Initial,
             incremental: false,
             plane: Plane::Zx,
-            unit: Unit::Millimetre,
+            unit: dialect.unit,
             feed_mode: dialect.feed_mode,
             feed: None,
             lead: None,
@@ -502,12 +512,14 @@ impl State {
                 lowest: None,
                 turn: SpindleTurn::Stopped,
                 still: false,
+                is_stopped: false,
                 is_held: false,
                 live_tool: false,
                 by_maker: false,
             },
             compensation: Compensation::Off,
             tool: (0, 0),
+            has_long_tools: false,
             quill: Quill::Unsaid,
             pending: None,
             compensating: None,
@@ -645,6 +657,7 @@ impl State {
             uncertain: !self.doubts.is_empty() && self.is_path_doubtful(),
             incomplete: self.incomplete,
             elsewhere: self.frames.is_elsewhere(),
+            still: spindle.is_still() && !self.c_axis && self.virtual_plane.is_none(),
             frame: self.frames.active,
             zero: self.frames.on_workpiece(),
         }

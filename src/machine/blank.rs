@@ -4,10 +4,10 @@
 //! is cut: a wall around a bore, material on both sides of a groove, the bar left by a part-off. Must not
 //! know how tools are inferred.
 
+use super::evidence::Evidence;
 use super::tool::BLADE;
 use crate::geometry::{Point, SAME};
-use crate::limits::INFERRED_FROM;
-use crate::motion::{Cycle, Motion, MotionKind, Motions, Step};
+use crate::motion::{Cycle, Motion, MotionKind, Step};
 use crate::setup::{Side, Stock, Tool, ToolKind};
 use crate::units::Diameter;
 
@@ -35,12 +35,12 @@ const CLEAR: f64 = 1.0;
 
 /// A blank without what rapids would run along: from groove to groove, and past what is to be faced, tools go
 /// at the diameter of a start point.
-pub fn clear_of_rapids(stock: Stock, motions: &Motions) -> Stock {
+pub fn clear_of_rapids(stock: Stock, evidence: &Evidence) -> Stock {
     let radius = stock.diameter.radius();
     let on = |at: Point| (at.x - radius).abs() <= SAME;
     // Down to here cuts along Z have gone below the outside.
     let mut cut = stock.face;
-    for motion in motions.on_workpiece().take(INFERRED_FROM) {
+    for motion in evidence.moves() {
         let (from, to) = (motion.from, motion.to);
         let low = from.z.min(to.z).max(stock.back());
         let along = (from.z - to.z).abs() > SAME;
@@ -51,7 +51,7 @@ pub fn clear_of_rapids(stock: Stock, motions: &Motions) -> Stock {
             let diameter = Diameter::from_radius(radius - CLEAR);
             return if diameter > stock.bore { Stock { diameter, ..stock } } else { stock };
         }
-        if motion.kind.cuts() && along {
+        if motion.kind.cuts() && motion.process.removes_material() && along {
             cut = cut.min(low);
         }
     }
@@ -93,7 +93,9 @@ impl Extents {
         if let Some((Cycle::Threading | Cycle::MultiThreading, Step::PullOut)) = step {
             return;
         }
-        let crest = match motion.lead.filter(|_| motion.kind == MotionKind::Thread) {
+        // A tap on the axis has no crest.
+        let is_turned = motion.kind == MotionKind::Thread && from.x.max(to.x) > SAME;
+        let crest = match motion.lead.filter(|_| is_turned) {
             Some(lead) => FIRST_PASS * lead,
             None => 0.0,
         };
@@ -114,6 +116,11 @@ impl Extents {
     /// Least radius, mm; infinite where nothing is cut.
     pub fn least(&self) -> f64 {
         self.least
+    }
+
+    /// Greatest radius at negative Z, mm.
+    pub fn behind(&self) -> f64 {
+        self.behind
     }
 
     fn is_empty(&self) -> bool {
@@ -144,6 +151,17 @@ pub struct Cuts {
     face_grooves: Extents,
     /// On the spindle axis.
     holes: Extents,
+    /// Z of a full face at negative Z that an insert cuts before anything else.
+    first_face: Option<f64>,
+}
+
+/// Z of the first cut, where it is a full face at negative Z: nothing of the blank is in front of it. `is_blade`:
+/// whether the tool of a cut is a grooving tool, which parts off.
+pub fn first_face(evidence: &Evidence, is_blade: impl Fn(&Motion) -> bool) -> Option<f64> {
+    let mut cuts = evidence.moves();
+    let first = cuts.find(|motion| motion.kind.cuts() && motion.process.removes_material())?;
+    let is_face = (first.to.z - first.from.z).abs() <= SAME && first.to.x <= 1.0 && first.from.x > 1.0;
+    (is_face && first.to.z < -SAME && !is_blade(&first)).then_some(first.to.z)
 }
 
 impl Cuts {
@@ -162,6 +180,11 @@ impl Cuts {
             (ToolKind::Turning, _) | (ToolKind::Threading, _) => &mut self.outside,
         };
         cuts.join(extents);
+    }
+
+    /// Takes in the [first face](first_face).
+    pub fn begin_at(&mut self, face: Option<f64>) {
+        self.first_face = face;
     }
 
     /// A bar, or a tube for what is only bored, that shows what is cut; nothing where nothing is.
@@ -206,6 +229,11 @@ impl Cuts {
     /// Z of the front face. Zero is the finished face where anything is cut on its chuck side,
     /// else the back of the part.
     fn face(&self, all: &Extents, behind: bool) -> f64 {
+        // What a first face takes off is no longer than this, mm.
+        const FACED_OFF: f64 = 3.0;
+        if self.first_face.is_some_and(|face| all.high <= face + FACED_OFF) {
+            return all.high;
+        }
         let face = if behind { 0.0 } else { all.high }.max(all.faced);
         let Extents { high, faced, .. } = self.grooves;
         let right = high + BLADE;

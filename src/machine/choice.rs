@@ -6,14 +6,14 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
+use super::evidence::Evidence;
 use super::surface::{Facing, SHIFT, Surface, Track, WIDEST_SHIFT};
 use super::sweep::way_of;
-use super::tool::takes;
+use super::tool::{BLADE, EDGE, takes};
 use super::tool_use::{Purpose, ToolUse};
 use super::z_positions::{Places, ZPositions};
 use crate::geometry::SAME;
-use crate::limits::INFERRED_FROM;
-use crate::motion::{Motion, Motions, Process};
+use crate::motion::Motion;
 use crate::order;
 use crate::setup::{Side, Stock, Tool, ToolKind};
 
@@ -33,13 +33,16 @@ const IN_FRONT: [f64; 2] = [3.0, 0.5];
 /// Of so many plunges of a grooving insert that roughs for other tools one may be a groove.
 const FEW: usize = 4;
 
+/// How much of the room beside a recess's wall an insert takes at most.
+const ROOM: f64 = 0.9;
+
 /// Beyond this, mm, a program has a slip, and no blank.
 const LONGEST: f64 = 5000.0;
 
 /// Puts the tool that does it in place of each inferred tool that would cut too deep; `tools` has one for
 /// each use. Returns the first motion of each use that no tool is known for.
 pub(super) fn decide(
-    motions: &Motions,
+    evidence: &Evidence,
     uses: &[ToolUse],
     described_tools: &BTreeMap<u16, Tool>,
     stock: Option<Stock>,
@@ -52,7 +55,7 @@ pub(super) fn decide(
     }
     let mut unknown = Vec::new();
     let Some(stock) = stock else { return unknown };
-    let Some(led) = Led::of(motions, uses, &stock) else { return unknown };
+    let Some(led) = Led::of(evidence, uses, &stock) else { return unknown };
     let mut uncertain: Option<BTreeSet<u16>> = None;
     for (index, own) in uses.iter().enumerate().filter(|(_, own)| own.purpose == Purpose::Turning) {
         let Some(first) = tools.get_mut(index) else { continue };
@@ -79,16 +82,36 @@ pub(super) fn decide(
         match found {
             Some(tool) => **first = tool.clone(),
             // Of a tool some of whose cuts are left out the others say too little.
-            None if uncertain.get_or_insert_with(|| with_uncertain_cuts(motions)).contains(&own.station) => {}
+            None if uncertain.get_or_insert_with(|| with_uncertain_cuts(evidence)).contains(&own.station) => {
+            }
             None => unknown.push(own.first),
         }
     }
+    keep_within_recesses(uses, &stock, &mut tools);
     unknown
 }
 
+/// Gives the inserts that turn within a recess of the face edges that stay within it: what stands outside of the
+/// recess is no work of theirs.
+fn keep_within_recesses(uses: &[ToolUse], stock: &Stock, tools: &mut [&mut Tool]) {
+    let is_face = |tool: &Tool| tool.kind == Some(ToolKind::Grooving) && tool.side == Some(Side::Face);
+    let recesses = uses.iter().zip(&*tools).filter(|(_, tool)| is_face(tool));
+    let recesses: Vec<_> = recesses
+        .map(|(own, tool)| (own.extents.behind() + tool.width.unwrap_or(BLADE), own.deepest))
+        .filter(|&(wall, _)| wall < stock.diameter.radius() - SAME)
+        .collect();
+    for (own, tool) in uses.iter().zip(tools).filter(|(_, tool)| tool.kind == Some(ToolKind::Turning)) {
+        let turned = own.extents.behind();
+        let within = recesses.iter().filter(|&&(wall, bottom)| turned < wall && own.deepest >= bottom - SAME);
+        if let Some(room) = within.map(|(wall, _)| wall - turned).min_by(f64::total_cmp) {
+            tool.edge_length = Some(EDGE.min(ROOM * room));
+        }
+    }
+}
+
 /// The stations of the turret that have cuts which are left out.
-fn with_uncertain_cuts(motions: &Motions) -> BTreeSet<u16> {
-    let cuts = motions.on_workpiece().take(INFERRED_FROM).filter(|motion| motion.kind.cuts());
+fn with_uncertain_cuts(evidence: &Evidence) -> BTreeSet<u16> {
+    let cuts = evidence.moves().filter(|motion| motion.kind.cuts());
     order::gathered(cuts.filter(|cut| cut.process.uncertain).map(|cut| cut.process.tool.0))
 }
 
@@ -161,15 +184,14 @@ struct Led {
 }
 
 impl Led {
-    fn of(motions: &Motions, uses: &[ToolUse], stock: &Stock) -> Option<Self> {
+    fn of(evidence: &Evidence, uses: &[ToolUse], stock: &Stock) -> Option<Self> {
         let turns = |own: &ToolUse| matches!(own.purpose, Purpose::Turning | Purpose::Grooving);
         if !uses.iter().any(|own| own.purpose == Purpose::Turning) {
             return None;
         }
         let cuts = || {
-            let all = motions.on_workpiece().take(INFERRED_FROM);
-            let counts = |process: &Process| !process.uncertain && !process.elsewhere;
-            all.filter(move |motion| motion.kind.cuts() && counts(&motion.process) && motion.rotary.is_none())
+            let counts = |motion: &Motion| motion.kind.cuts() && motion.process.removes_material();
+            evidence.moves().filter(move |motion| counts(motion) && motion.rotary.is_none())
         };
         let index_of = |motion: &Motion| {
             let (station, purpose) = (motion.process.tool.0, Purpose::of(motion));

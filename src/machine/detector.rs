@@ -186,6 +186,8 @@ impl DangerDetector {
         part.end_thread(motion);
         match motion.kind {
             MotionKind::Rapid => self.rapid(index, &known, tool, part),
+            // A gripper touches the work.
+            _ if motion.process.still => {}
             _ => self.cut(index, motion, before.as_ref(), tool, part),
         }
     }

@@ -3,16 +3,33 @@
 //! In: the motions. Out: a [`Tool`] for each purpose of a station (`tool_use`, `choice`), and a [`Stock`]
 //! (its size: `blank`). An inferred tool is sharp and can follow every slope of its path. It is shown as
 //! inferred, and no alarm is raised because of it.
+//!
+//! The order of evidence, the strongest first:
+//!
+//! 1. What the setup or a `(TOOL …)` or `(STOCK …)` comment gives is never inferred.
+//! 2. A motion that cannot cut is no evidence: an uncertain one, one in an unknown frame, one with the spindle
+//!    stopped by M05 (`Process::removes_material`).
+//! 3. The direction of the work: if all cuts go into it towards +Z, everything is seen in a mirror (`evidence`).
+//! 4. The cycle, or the way on the axis, gives the purpose: a hole, a thread, a groove, a contour
+//!    (`tool_use::Purpose`).
+//! 5. How cuts end: a tool that leaves the work outwards turns, one that leaves it inwards bores; one that only
+//!    plunges, at once or in steps, grooves or parts off (`tool_use`).
+//! 6. What comments say of the tool, where the motions leave it open (`Setup::described_tools`).
+//! 7. What other tools leave: deep within it, and in a hole that was drilled before, a tool bores; an insert within a
+//!    recess of the face is no larger than the recess.
+//! 8. The contour that all tips make together: of the tools that come into question, the usual one that leaves it
+//!    whole (`choice`).
+//! 9. The blank surrounds all cuts (`blank`). A first cut across the whole face is its front.
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use super::blank::{Cuts, clear_of_rapids};
+use super::blank::{Cuts, clear_of_rapids, first_face};
 use super::choice;
+use super::evidence::Evidence;
 use super::tool_use::{Clamping, Purpose, ToolUse};
 use crate::geometry::SAME;
-use crate::limits::INFERRED_FROM;
 use crate::motion::Motions;
-use crate::setup::{Setup, Stock, Tool};
+use crate::setup::{Setup, Stock, Tool, ToolKind};
 
 /// What is inferred from a program.
 #[derive(Clone, Debug, Default)]
@@ -34,19 +51,29 @@ impl InferredSetup {
     /// Infers tools and blank of a program. `described_tools` is what its comments say of the tools, by
     /// station; `stock` the blank, where one is given.
     pub fn with(motions: &Motions, described_tools: &BTreeMap<u16, Tool>, stock: Option<Stock>) -> Self {
-        let uses = ToolUse::all(motions, described_tools, stock, Clamping::First);
+        let evidence = Evidence::of(motions, stock);
+        let stock = stock.map(|stock| evidence.stock(stock));
+        let uses = ToolUse::all(&evidence, described_tools, stock, Clamping::First);
         let mut tools = tools_of(&uses);
         let mut cuts = Cuts::default();
         for (own, (.., tool)) in uses.iter().zip(&tools) {
             cuts.add(&own.extents, tool);
         }
-        let blank = cuts.blank().map(|stock| clear_of_rapids(stock, motions));
+        cuts.begin_at(first_face(&evidence, |motion| {
+            let of = |(station, purpose, _): &&(u16, Purpose, Tool)| {
+                (*station, *purpose) == (motion.process.tool.0, Purpose::of(motion))
+            };
+            tools.iter().find(of).is_some_and(|(.., tool)| tool.kind == Some(ToolKind::Grooving))
+        }));
+        let blank = cuts.blank().map(|stock| clear_of_rapids(stock, &evidence));
         let choices = tools.iter_mut().map(|(.., tool)| tool).collect();
-        let unknown = choice::decide(motions, &uses, described_tools, stock.or(blank), choices);
+        let unknown = choice::decide(&evidence, &uses, described_tools, stock.or(blank), choices);
+        tools.iter_mut().for_each(|(.., tool)| evidence.tool(tool));
+        let blank = blank.map(|stock| evidence.stock(stock));
         let mut inferred = Self { tools, unknown, stock: blank };
         // No material is removed there: for these the first tool will do.
         if motions.cuts_elsewhere().is_some() {
-            for other in tools_of(&ToolUse::all(motions, described_tools, stock, Clamping::Other)) {
+            for other in tools_of(&ToolUse::all(&evidence, described_tools, stock, Clamping::Other)) {
                 if inferred.tools.iter().all(|own| (own.0, own.1) != (other.0, other.1)) {
                     inferred.tools.push(other);
                 }
@@ -67,7 +94,8 @@ pub fn inferred_setup(motions: &Motions, given: &Setup) -> Setup {
     let inferred = InferredSetup::with(motions, &given.described_tools, given.stock);
     let mut setup = Setup { stock: inferred.stock, ..Setup::default() };
     let (mut names, mut stations): (Vec<(u16, u16)>, BTreeSet<u16>) = Default::default();
-    for motion in motions.on_workpiece().take(INFERRED_FROM).filter(|motion| motion.kind.cuts()) {
+    let evidence = Evidence::of(motions, given.stock);
+    for motion in evidence.moves().filter(|motion| motion.kind.cuts()) {
         let name = motion.process.tool;
         if names.last() != Some(&name) && stations.insert(name.0) {
             names.push(name);
@@ -97,7 +125,6 @@ fn tools_of(uses: &[ToolUse]) -> Vec<(u16, Purpose, Tool)> {
 mod tests {
     use super::*;
     use crate::analyze;
-    use crate::setup::ToolKind;
 
     #[test]
     fn stations_are_named_as_the_program_calls_them() {

@@ -72,7 +72,7 @@ fn hole(motion: &Motion, tool: &ResolvedTool, part: &Region, c: f64) -> Option<L
     let into_face =
         into_face && (of_cycle(CycleFamily::FaceHole) || motion.cycle.is_none() && tool.is_live_drill());
     let is_hole = into_face || goes_into_side(motion, tool);
-    let known = motion.virtual_move().is_none() && !motion.process.uncertain && !motion.process.elsewhere;
+    let known = motion.virtual_move().is_none() && motion.process.removes_material();
     if !is_hole || !known || !motion.kind.cuts() || !tool.is_live_in(motion) {
         return None;
     }

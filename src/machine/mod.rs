@@ -10,6 +10,7 @@ pub mod compare;
 pub mod danger;
 pub mod defaults;
 pub mod detector;
+mod evidence;
 pub mod feature;
 pub mod inferred;
 pub mod live_holes;

@@ -226,7 +226,7 @@ fn cut_so_far(motion: &Motion, share: f64, turned: &Turned, tool: &ResolvedTool)
 
 /// Whether what a motion takes off shows in the section: it is known where its tool went, and the work turned.
 fn takes_off(motion: &Motion, tool: &ResolvedTool) -> bool {
-    !motion.process.uncertain && !motion.process.elsewhere && !tool.is_live_in(motion)
+    motion.process.removes_material() && !tool.is_live_in(motion)
 }
 
 /// What a thread leaves at its end, if `motion` is the first that is no thread.

@@ -136,7 +136,7 @@ impl RemovalWatch {
         let process = &motion.process;
         let tool = resolved.tool(motion);
         let is_turned = motion.rotary.is_none() && tool.shape.action != Action::Live;
-        if process.uncertain || process.incomplete || process.elsewhere || !is_turned {
+        if !process.removes_material() || process.incomplete || !is_turned {
             (self.call, self.threads) = (None, Threads::default());
             return;
         }

@@ -329,9 +329,9 @@ pub(super) fn takes(tool: &Tool) -> Outline {
     over_edge(tool, &Shape::of(tool))
 }
 
-/// The edge length of an inferred insert is not known: nothing is left standing over it.
+/// The edge length of an inferred insert is seldom known: nothing is left standing over it then.
 pub(super) fn over_edge(tool: &Tool, shape: &Shape) -> Outline {
-    let over = match tool.kind {
+    let over = match tool.kind.filter(|_| tool.edge_length.is_none()) {
         Some(ToolKind::Turning) => LONG,
         Some(ToolKind::Boring) => -LONG,
         _ => 0.0,

@@ -6,9 +6,10 @@
 use std::collections::BTreeMap;
 
 use super::blank::Extents;
+use super::evidence::Evidence;
 use crate::geometry::SAME;
-use crate::limits::INFERRED_FROM;
-use crate::motion::{Cycle, CycleFamily, Motion, MotionKind, Motions};
+use crate::motion::{Cycle, CycleFamily, Motion, MotionKind};
+use crate::setup::stock::deepest_cut;
 use crate::setup::{Side, Stock, Tool, ToolKind};
 use crate::units::Diameter;
 
@@ -74,13 +75,19 @@ pub(super) struct ToolUse {
     along: f64,
     /// Whether it follows the contour of a cycle.
     pub contour: bool,
-    /// Plunges that come back the way they went, and other cuts.
+    /// Plunges that come back the way they went, and all cuts. A plunge in steps counts with each of its steps.
     plunges: u32,
     cuts: u32,
+    /// Steps straight into the work that another step follows.
+    steps: u32,
     /// Cuts towards −Z, and towards +Z that end at a shoulder or climb; and such as go down towards +Z.
     left: u32,
     right: u32,
     down: u32,
+    /// Least radius of cuts along Z at negative Z, mm; infinite where there are none.
+    turned: f64,
+    /// Whether the first cut that reaches negative Z falls towards the axis: the chamfer of a bore does.
+    narrows: Option<bool>,
     /// Ways into the work along the axis, and back, and how far the deepest goes: Z, mm.
     holes: u32,
     pub deepest: f64,
@@ -111,18 +118,19 @@ impl Clamping {
 impl ToolUse {
     /// What is seen of each use of a station in a clamping.
     pub fn all(
-        motions: &Motions,
+        evidence: &Evidence,
         described_tools: &BTreeMap<u16, Tool>,
         stock: Option<Stock>,
         clamping: Clamping,
     ) -> Vec<Self> {
         let mut seen: Vec<ToolUse> = Vec::new();
         let mut before = None;
-        let moves = motions.on_workpiece().take(INFERRED_FROM).enumerate();
+        let moves = evidence.moves().enumerate();
         let mut moves = moves.filter(|(_, motion)| motion.kind != MotionKind::Dwell).peekable();
         while let Some((index, motion)) = moves.next() {
             let before = before.replace(motion);
-            if !motion.kind.cuts() || motion.process.uncertain || Clamping::of(&motion) != clamping {
+            let counts = motion.kind.cuts() && !motion.process.uncertain && !motion.process.still;
+            if !counts || Clamping::of(&motion) != clamping {
                 continue;
             }
             let (station, purpose) = (motion.process.tool.0, Purpose::of(&motion));
@@ -151,6 +159,11 @@ impl ToolUse {
         for own in seen.iter_mut().filter(|own| own.outside == 0) {
             own.outside = if bores(described_tools.get(&own.station)) { -1 } else { 0 };
         }
+        for index in 0..seen.len() {
+            if seen[index].outside == 0 && bores_after_drill(&seen[index], &seen) {
+                seen[index].outside = -1;
+            }
+        }
         // Nobody bores a bar that is solid: what leaves a cut inwards there runs into the work.
         let is_drilled = seen.iter().any(|own| own.purpose == Purpose::Hole);
         if stock.is_some_and(|stock| stock.bore.mm() <= SAME) && !is_drilled {
@@ -171,9 +184,12 @@ impl ToolUse {
             contour: false,
             plunges: 0,
             cuts: 0,
+            steps: 0,
             left: 0,
             right: 0,
             down: 0,
+            turned: f64::INFINITY,
+            narrows: None,
             holes: 0,
             deepest: f64::INFINITY,
             slopes: [0.0; 2],
@@ -194,18 +210,18 @@ impl ToolUse {
         self.cuts += 1;
         self.taps |= motion.kind == MotionKind::Thread;
         self.extents.add(motion);
-        let (after_x, after_z) = next.map_or((0.0, 0.0), way);
+        let after_x = next.map_or(0.0, |next| way(next).0);
         // Between tools it goes home, though that is not always seen.
         let own_next = next.filter(|next| next.process.tool == motion.process.tool);
         self.outside += leaves(motion, self.along, own_next);
         self.along = if motion.to.z < -SAME { dz } else { 0.0 };
+        if dz.abs() > SAME && motion.to.z < -SAME {
+            self.turned = self.turned.min(motion.from.x.min(motion.to.x));
+            self.narrows.get_or_insert(dz < -SAME && dx < -SAME);
+        }
         let cycle = motion.cycle.map(|step| step.cycle);
         self.contour |= cycle.is_some_and(|cycle| cycle.family() == CycleFamily::Contour);
-        let back =
-            |dx: f64, (x, z): (f64, f64)| z.abs() <= SAME && x * dx < 0.0 && x.abs() >= dx.abs() - SAME;
-        let (before_x, before_z) = before.map_or((0.0, 0.0), way);
-        let comes_back = before_z.abs() <= SAME && back(before_x, (dx, dz));
-        self.plunges += u32::from(dz.abs() <= SAME && (back(dx, (after_x, after_z)) || comes_back));
+        self.look_for_plunge(motion, before, next);
         // To the left, or to the right while still on the chuck side of the face.
         let ends_at_shoulder = dx > SAME || (dx.abs() <= SAME && after_x > SAME);
         self.left += u32::from(dz < -SAME);
@@ -230,6 +246,31 @@ impl ToolUse {
                     *slope = slope.max((sx * -dx).atan2(-dz));
                 }
             }
+        }
+    }
+
+    /// Counts a cut straight across the axis that comes back, in one step or in several; between steps the tool
+    /// may go back a little at rapid to break the chip.
+    fn look_for_plunge(&mut self, motion: &Motion, before: Option<&Motion>, next: Option<&Motion>) {
+        let across = |motion: &&Motion| (motion.to.z - motion.from.z).abs() <= SAME;
+        let way = |motion: &Motion| motion.to.x - motion.from.x;
+        let dx = way(motion);
+        let (Some(next), true) = (next.filter(across), across(&motion)) else {
+            self.steps = 0;
+            return;
+        };
+        let comes_back = before.filter(across).is_some_and(|before| {
+            let first = way(before);
+            first * dx < 0.0 && dx.abs() >= first.abs() - SAME
+        });
+        let goes_back =
+            way(next) * dx < 0.0 && (next.kind == MotionKind::Rapid || way(next).abs() >= dx.abs() - SAME);
+        if comes_back || goes_back {
+            self.plunges += 1 + std::mem::take(&mut self.steps);
+        } else if next.kind.cuts() && way(next) * dx > 0.0 {
+            self.steps += 1;
+        } else {
+            self.steps = 0;
         }
     }
 
@@ -290,6 +331,21 @@ impl ToolUse {
 /// Whether a comment says that a tool works in a bore.
 fn bores(words: Option<&Tool>) -> bool {
     words.is_some_and(|tool| tool.kind == Some(ToolKind::Boring) || tool.side == Some(Side::Inside))
+}
+
+/// Whether a use that leaves the work neither way works in a hole that was drilled before: further within what
+/// other tools turn than an insert cuts in one pass, or, where no other tool turns, from a chamfer inwards.
+fn bores_after_drill(own: &ToolUse, all: &[ToolUse]) -> bool {
+    let is_drilled = all.iter().any(|hole| {
+        hole.purpose == Purpose::Hole && hole.first < own.first && hole.deepest <= own.deepest + SAME
+    });
+    let turned = all.iter().filter(|other| other.purpose == Purpose::Turning && other.outside > 0);
+    let turned = turned.map(|other| other.turned).fold(f64::INFINITY, f64::min);
+    let is_within = match turned.is_finite() {
+        true => turned - own.extents.behind() > deepest_cut(turned),
+        false => own.narrows == Some(true),
+    };
+    is_drilled && is_within
 }
 
 /// Which way a tool leaves the work after a cut: 1 outwards, −1 inwards, 0 where that is not

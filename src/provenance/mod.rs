@@ -12,12 +12,14 @@ mod hints;
 mod signs;
 mod statement;
 mod system;
+mod unit;
 
 pub use self::decimal::{DecimalEvidence, Measure, NumberWithoutPoint};
 use self::finder::Finder;
 use self::signs::{Sign, Weight};
 use self::statement::{Statement, Statements};
 use self::system::Scales;
+use self::unit::UnitEvidence;
 use crate::message::{Message, said};
 use crate::parts::{Part, early};
 use crate::setup::dialect::GSystem;
@@ -132,6 +134,8 @@ pub struct Look {
     pub is_unusual: bool,
     /// What its numbers show of the decimal rule.
     pub numbers: DecimalEvidence,
+    /// What its head shows of the unit.
+    pub unit: UnitEvidence,
 }
 
 /// Looks at the beginning of a text, once for everything it shows.
@@ -152,6 +156,9 @@ fn look_until(text: &[u8], end: usize) -> Look {
         let is_head = (statement.span.start as usize) < HEAD;
         seen.is_unusual = seen.is_unusual || is_head && hints::is_unusual(text, &statement);
         seen.numbers.take(&statement);
+        if is_head {
+            seen.unit.take(text, &statement);
+        }
     }
     seen
 }

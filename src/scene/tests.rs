@@ -91,6 +91,7 @@ impl Path {
             uncertain: self.uncertain,
             incomplete: self.uncertain,
             elsewhere: false,
+            still: false,
             frame: 0,
             zero: Point::default(),
         };

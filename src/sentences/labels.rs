@@ -136,6 +136,7 @@ pub fn field(name: Name, language: Language) -> &'static str {
         Name::YAxis => ["Y axis", "Y 轴", "Ось Y"],
         Name::Control => ["Control", "数控系统", "Система ЧПУ"],
         Name::GSystem => ["G-code system", "G 代码体系", "Система G-кодов"],
+        Name::Unit => ["Unit without G20 or G21", "没有 G20、G21 时的单位", "Единица без G20 и G21"],
         Name::FeedMode => ["Feed mode at the start", "开始时的进给方式", "Подача в начале"],
         Name::Decimal => ["Number without a point", "无小数点的数", "Число без точки"],
         Name::PqUnit => ["P and Q of G74 to G76", "G74 至 G76 的 P、Q", "P и Q в G74–G76"],
@@ -284,6 +285,8 @@ pub fn choice(name: Name, choice: &'static str, language: Language) -> &'static 
         (Name::Control, "forum") => {
             language.among(["FANUC, P and Q in mm", "FANUC，P、Q 以 mm 计", "FANUC, P и Q в мм"])
         }
+        (Name::Unit, "mm") => unit_of_program(units::Unit::Millimetre, language),
+        (Name::Unit, "inch") => unit_of_program(units::Unit::Inch, language),
         (Name::FeedMode, "G98") => language.among(["mm/min (G98)", "mm/min（G98）", "мм/мин (G98)"]),
         (Name::FeedMode, "G99") => language.among(["mm/rev (G99)", "mm/r（G99）", "мм/об (G99)"]),
         (Name::PqUnit, "auto") => language.among(["inferred from the program", "按程序判断", "по программе"]),

@@ -3,7 +3,7 @@
 //! In: the choices of a setup. Out: a [`Dialect`] with every switch decided. Each switch says where controls
 //! differ; the default stands first in its list. Knows nothing of blocks.
 
-use crate::units::Diameter;
+use crate::units::{Diameter, Unit};
 use serde::Deserialize;
 
 /// A family of controls.
@@ -299,6 +299,8 @@ pub struct DialectChoice {
     pub control: Option<Control>,
     /// G-code system.
     pub g_system: Option<GSystem>,
+    /// Unit until a G20 or G21.
+    pub unit: Option<Unit>,
     /// Numbers without a point.
     pub decimal: Option<DecimalChoice>,
     /// Unit of P and Q.
@@ -344,6 +346,8 @@ pub struct Dialect {
     pub control: Control,
     /// G-code system.
     pub g_system: GSystem,
+    /// Unit until a G20 or G21.
+    pub unit: Unit,
     /// Numbers without a point.
     pub decimal: DecimalRule,
     /// Unit of P and Q.
@@ -397,6 +401,7 @@ impl Dialect {
         Self {
             control,
             g_system: choice.g_system.unwrap_or(GSystem::A),
+            unit: choice.unit.unwrap_or_default(),
             decimal: choice.decimal.unwrap_or_default().rule().unwrap_or_default(),
             pq_unit: choice.pq_unit.unwrap_or(PqUnit::Auto),
             feed_mode: choice.feed_mode.or(choice.power_on_feed).unwrap_or(power_on),

@@ -9,7 +9,7 @@ use crate::message::{Group, Levels, Severity};
 use crate::setup::dialect::{
     Control, DecimalChoice, DialectChoice, FeedMode, GSystem, NegativeArcR, PqUnit, USUAL_REF_POINT,
 };
-use crate::units::Diameter;
+use crate::units::{self, Diameter};
 use Entry::{Choice, Number, Switch, Text, Whole};
 
 /// What is written in a field.
@@ -95,6 +95,7 @@ pub enum Name {
     Classroom,
     Control,
     GSystem,
+    Unit,
     FeedMode,
     Decimal,
     PqUnit,
@@ -421,6 +422,7 @@ pub const DIALECT: &[Field<DialectChoice>] = &[
         named!(control among Control),
     ),
     field(Name::GSystem, "gSystem", "GSYSTEM", Choice(&["A", "B", "C"]), named!(g_system among GSystem)),
+    field(Name::Unit, "unit", "UNIT", Choice(&["mm", "inch"]), named!(unit among units::Unit)),
     field(Name::FeedMode, "feedMode", "FEEDMODE", Choice(&["G99", "G98"]), named!(feed_mode among FeedMode)),
     field(
         Name::Decimal,

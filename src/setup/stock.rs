@@ -25,10 +25,11 @@ pub struct Stock {
 }
 
 impl Stock {
-    /// The blank at another place.
+    /// The blank in coordinates that are shifted; one without a bore has none there.
     pub fn moved(self, by: Point) -> Self {
         let radially = |own: Diameter| Diameter::from_radius(own.radius() + by.x);
-        Self { diameter: radially(self.diameter), bore: radially(self.bore), face: self.face + by.z, ..self }
+        let bore = if self.bore.mm() == 0.0 { self.bore } else { radially(self.bore) };
+        Self { diameter: radially(self.diameter), bore, face: self.face + by.z, ..self }
     }
 
     /// Z of the back, mm.

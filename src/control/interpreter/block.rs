@@ -147,6 +147,7 @@ impl Interpreter {
         }
         if request.stop_spindle {
             self.observe(text, Event::SpindleStops { block, moved: request.moved });
+            self.state.spindle.is_stopped |= self.state.spindle.turn != SpindleTurn::Stopped;
             self.state.spindle.turn = SpindleTurn::Stopped;
             self.state.spindle.is_held = false;
             self.state.spindle.live_tool = false;

@@ -268,6 +268,8 @@ impl Interpreter {
         };
         for step in &moves {
             let mut motion = Motion { cycle: tag(step.step, step.pass), ..self.motion(step.kind, step.to) };
+            // Rigid tapping, or a live tool that an M code of the machine has started.
+            motion.process.still = false;
             motion.lead = lead.filter(|_| step.kind == MotionKind::Thread);
             if step.kind == MotionKind::Thread {
                 motion.process.turn = match step.step {

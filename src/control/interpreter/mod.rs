@@ -55,6 +55,7 @@ use crate::setup::dialect::{CodeList, Dialect, GSystem};
 use crate::source::Span;
 use crate::text::block::Block;
 use crate::text::parser::{READS_FAULTS, Resume};
+use crate::units::Unit;
 use contours::Contours;
 
 pub use calls::Here;
@@ -343,6 +344,11 @@ impl Interpreter {
     /// Reads the program in another G-code system.
     pub fn set_system(&mut self, system: GSystem) {
         self.dialect.g_system = system;
+    }
+
+    /// Reads the program in another unit, until a code names one.
+    pub fn set_unit(&mut self, unit: Unit) {
+        self.state.unit = unit;
     }
 
     /// An O program begins here and is run: the main program, unless a call is under way.

@@ -202,6 +202,7 @@ impl Interpreter {
             Some(M::Spindle(SpindleTurn::Stopped)) => request.stop_spindle = true,
             Some(M::Spindle(turn)) => {
                 state.spindle.turn = turn;
+                state.spindle.is_stopped = false;
                 state.spindle.is_held = false;
                 // A spindle that turns is no axis.
                 state.c_axis = false;

@@ -98,9 +98,15 @@ impl Interpreter {
         // `T2200` and later `T22`: the station stands at work already, now it gets its offset.
         let (at_work, in_force) = self.state.tool;
         let adds_offset = in_force == 0 && u64::from(at_work) == value;
-        if digits <= 2 && value > 0 && !adds_offset {
+        let is_short = digits <= 2 && value > 0;
+        self.state.has_long_tools |= digits > 2;
+        // M06 beside it, and no T word of four digits: a turret that takes two digits, or a changer.
+        let is_station = is_short && self.state.m_code == 6 && !self.state.has_long_tools;
+        if is_station {
+            let message = said::ShortToolAsStation { word: quote(text, word.span), station: value as u32 };
+            self.report(Diagnostic::new(message, word.span).graded(Severity::Info));
+        } else if is_short && !adds_offset {
             let message = said::ShortTool { word: quote(text, word.span), offset: offset as u32 };
-            // M06 beside it: a turret that takes two digits, or a changer.
             let diagnostic = Diagnostic::new(message, word.span);
             self.report(if self.state.m_code == 6 { diagnostic.graded(Severity::Info) } else { diagnostic });
         }
@@ -120,7 +126,11 @@ impl Interpreter {
                 return;
             }
         }
-        let station = if digits <= 2 { self.state.tool.0 } else { station as u16 };
+        let station = match digits {
+            0..=2 if is_station => value as u16,
+            0..=2 => at_work,
+            _ => station as u16,
+        };
         self.state.tool = (station, offset as u16);
     }
 

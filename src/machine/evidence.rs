@@ -1,0 +1,98 @@
+//! The motions that tools and blank are inferred from.
+//!
+//! In: all motions. Out: the first of them, on the workpiece, seen from the side from which the tools come:
+//! inference knows only work that tools reach from +Z. Must not know tools.
+
+use crate::geometry::{Point, SAME};
+use crate::limits::INFERRED_FROM;
+use crate::motion::{Motion, MotionKind, Motions};
+use crate::setup::{Stock, Tool};
+
+/// Longer cuts towards −Z are no approach, mm.
+const APPROACH: f64 = 2.0;
+
+/// Cuts begin no further in front of the face, mm.
+const IN_FRONT: f64 = 5.0;
+
+/// How far into the work a cut must go, mm.
+const DEEP: f64 = 3.0;
+
+/// The first motions of a program.
+#[derive(Clone, Copy, Debug)]
+pub struct Evidence<'a> {
+    motions: &'a Motions,
+    /// Whether Z is mirrored: the tools work towards +Z.
+    is_mirrored: bool,
+}
+
+impl<'a> Evidence<'a> {
+    /// Of a program; `stock` is the blank, where one is given.
+    pub fn of(motions: &'a Motions, stock: Option<Stock>) -> Self {
+        let evidence = Self { motions, is_mirrored: false };
+        let can_be = stock.is_none_or(|stock| stock.face > SAME);
+        Self { is_mirrored: can_be && evidence.is_towards_positive_z(), ..evidence }
+    }
+
+    /// The motions.
+    pub fn moves(&self) -> impl Iterator<Item = Motion> + 'a {
+        let is_mirrored = self.is_mirrored;
+        let moves = self.motions.on_workpiece().take(INFERRED_FROM);
+        moves.map(move |motion| if is_mirrored { mirrored(motion) } else { motion })
+    }
+
+    /// Whether all cuts begin at the face or in front of it on the side of −Z, and go towards +Z into the work: the
+    /// second side of a part, in a sub-spindle or with the part turned around.
+    fn is_towards_positive_z(&self) -> bool {
+        let (mut goes_in, mut clears, mut faces) = (false, false, false);
+        for motion in self.moves() {
+            let (from, to) = (motion.from, motion.to);
+            // A tool that has cut across to the axis only goes back.
+            let comes_from_face = std::mem::replace(
+                &mut faces,
+                motion.kind.cuts() && (to.z - from.z).abs() <= SAME && to.x < from.x - SAME,
+            );
+            clears |= to.z < -SAME;
+            if !motion.kind.cuts() || !motion.process.removes_material() {
+                continue;
+            }
+            let on_axis = from.x.max(to.x) <= SAME;
+            if on_axis || motion.rotary.is_some() || to.z < from.z - APPROACH || from.z.min(to.z) < -IN_FRONT
+            {
+                return false;
+            }
+            let is_turned = motion.kind != MotionKind::Thread && !comes_from_face;
+            goes_in |= is_turned && to.z > from.z + APPROACH && to.z > DEEP;
+        }
+        goes_in && clears
+    }
+
+    /// A blank as it is seen from this side, and back again.
+    pub fn stock(&self, stock: Stock) -> Stock {
+        if self.is_mirrored { Stock { face: -stock.back(), ..stock } } else { stock }
+    }
+
+    /// An inferred tool as it works.
+    pub fn tool(&self, tool: &mut Tool) {
+        if self.is_mirrored {
+            tool.tip = Some(match tool.tip_direction() {
+                1 => 2,
+                2 => 1,
+                3 => 4,
+                4 => 3,
+                5 => 7,
+                7 => 5,
+                across => across,
+            });
+        }
+    }
+}
+
+fn mirrored(motion: Motion) -> Motion {
+    let over = |at: Point| Point::new(at.x, -at.z);
+    let kind = match motion.kind {
+        MotionKind::ArcClockwise => MotionKind::ArcCounterclockwise,
+        MotionKind::ArcCounterclockwise => MotionKind::ArcClockwise,
+        other => other,
+    };
+    Motion { kind, from: over(motion.from), to: over(motion.to), center: motion.center.map(over), ..motion }
+}
