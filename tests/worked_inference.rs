@@ -243,3 +243,41 @@ fn an_inch_program_without_g20_is_read_in_inches() {
         run(&text).check(&[(-3.0, &[(0.0, 3.995)])]);
     }
 }
+/// G90 from X60 Z0 with U20 W30 R-5 bores a cone from ⌀70 at Z0 to ⌀80 at Z30: a tube with a bore of 60 at +Z (seed 000, case 3).
+#[test]
+fn a_cone_bored_towards_positive_z_is_in_a_tube() {
+    let ran = run("G00 X60 Z0 M03 S500\nG90 U20 W30 R-5 F0.2\nM30\n");
+    let part = ran.simulation.finished().expect("a part");
+    for (z, inner) in [(0.1, 70.03), (15.0, 75.0), (29.9, 79.97), (31.0, 60.0)] {
+        let material = part.radii(z);
+        assert!(material.len() == 1, "Z{z}: {material:?}");
+        assert!((2.0 * material[0].0 - inner).abs() < 0.05 && material[0].1 > 42.0, "Z{z}: {material:?}");
+    }
+    assert!(part.radii(-0.1).is_empty(), "{:?}", ran.stock);
+}
+
+/// G75 with columns 3.5 mm apart is one groove, from Z-29 to the right corner of the insert: no ridges of 0.5 mm stand.
+#[test]
+fn columns_of_pecks_leave_no_ridges() {
+    let program = |columns: &str| {
+        format!("T0202\nG97S500M03\nG00X52Z-20\nG75R0.4\nG75X36Z-29P3000{columns}R0F60\nG00X200\nM30\n")
+    };
+    let ran = run(&program("Q3500"));
+    for z in [-28.9, -24.5, -23.75, -20.25, -17.5, -16.1] {
+        ran.check(&[(z, &[(0.0, 36.0)])]);
+    }
+    // Further apart they are grooves of their own: lands stand between Z-23 and Z-24.5, Z-26 and Z-29.
+    run(&program("Q6000")).check(&[(-21.5, &[(0.0, 50.0)]), (-25.0, &[(0.0, 36.0)])]);
+}
+
+/// G73 with U18 takes a bar of ⌀36.5 down to a ball of R6 whose nose is at Z1: its first pass touches the bar where the
+/// contour is deepest, at X0 with 0.25 mm for finishing (seed 003).
+#[test]
+fn the_first_pass_of_g73_touches_the_blank() {
+    let ran = run(
+        "N010 G50 X100 Z100\nN020 G00 X50 Z10 M03 S600\nN030 G73 U18 W5 R10\nN040 G73 P50 Q100 U0.5 W0.5 F100\nN050 G01 X0 Z1\nN060 G03 X12 W-6 R6\nN070 G01 W-10\nN080 X20 W-15\nN090 W-13\nN100 G02 X34 W-7 R7\nN110 G70 P50 Q100 F30\nN120 M30\n",
+    );
+    let ball = 2.0 * (36f64 - 5.5 * 5.5).sqrt();
+    ran.check(&[(0.5, &[(0.0, ball)]), (-10.0, &[(0.0, 12.0)]), (-55.0, &[(0.0, 36.5)])]);
+    assert_eq!((ran.stock.diameter.mm(), ran.stock.face), (36.5, 1.0));
+}

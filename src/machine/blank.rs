@@ -60,7 +60,7 @@ pub fn clear_of_rapids(stock: Stock, evidence: &Evidence) -> Stock {
 
 /// How far cuts reach, mm.
 #[derive(Clone, Copy, Debug)]
-pub struct Extents {
+struct Reach {
     /// Maximum radius at negative Z, and anywhere.
     behind: f64,
     radius: f64,
@@ -68,26 +68,28 @@ pub struct Extents {
     least: f64,
     low: f64,
     high: f64,
-    /// Maximum Z of a cut across the face.
+    /// Maximum Z of a cut across the face, and of a rounding that begins on the axis.
     faced: f64,
 }
 
-impl Default for Extents {
+impl Default for Reach {
     fn default() -> Self {
         let (least, greatest) = (f64::INFINITY, f64::NEG_INFINITY);
         Self { behind: 0.0, radius: 0.0, least, low: least, high: greatest, faced: greatest }
     }
 }
 
-impl Extents {
-    /// Takes a cut in.
-    pub fn add(&mut self, motion: &Motion) {
+impl Reach {
+    fn add(&mut self, motion: &Motion) {
         let (from, to) = (motion.from, motion.to);
         let step = motion.cycle.map(|step| (step.cycle, step.step));
         self.low = self.low.min(from.z.min(to.z));
         self.high = self.high.max(from.z.max(to.z));
         if (from.z - to.z).abs() <= SAME && from.x.min(to.x) <= 1.0 && (from.x - to.x).abs() > 1.0 {
             self.faced = self.faced.max(to.z);
+        }
+        if motion.center.is_some() && from.x.abs() <= SAME && to.z < from.z {
+            self.faced = self.faced.max(from.z);
         }
         // On its way out of the thread the tool is in the air.
         if let Some((Cycle::Threading | Cycle::MultiThreading, Step::PullOut)) = step {
@@ -113,16 +115,6 @@ impl Extents {
         };
     }
 
-    /// Least radius, mm; infinite where nothing is cut.
-    pub fn least(&self) -> f64 {
-        self.least
-    }
-
-    /// Greatest radius at negative Z, mm.
-    pub fn behind(&self) -> f64 {
-        self.behind
-    }
-
     fn is_empty(&self) -> bool {
         self.low > self.high
     }
@@ -137,20 +129,70 @@ impl Extents {
     }
 }
 
+/// How far the cuts of a tool reach.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Extents {
+    /// All but those of the G73 under way.
+    cuts: Reach,
+    /// The last pass of G73 so far: those before it are further out than the blank, but for the first.
+    pattern: Reach,
+    pass: u32,
+}
+
+impl Extents {
+    /// Takes a cut in.
+    pub fn add(&mut self, motion: &Motion) {
+        let Some(step) = motion.cycle.filter(|step| step.cycle == Cycle::Pattern) else {
+            self.cuts.add(motion);
+            return;
+        };
+        match step.pass {
+            pass if pass < self.pass => self.cuts = self.all(),
+            // The first pass of G73 touches the blank where the contour is deepest.
+            pass if pass > self.pass && self.pass == 1 => {
+                let touched = self.pattern.least;
+                self.cuts.radius = self.cuts.radius.max(touched);
+                self.cuts.behind = self.cuts.behind.max(touched);
+            }
+            _ => {}
+        }
+        if step.pass != self.pass {
+            (self.pass, self.pattern) = (step.pass, Reach::default());
+        }
+        self.pattern.add(motion);
+    }
+
+    fn all(&self) -> Reach {
+        let mut all = self.cuts;
+        all.join(&self.pattern);
+        all
+    }
+
+    /// Least radius, mm; infinite where nothing is cut.
+    pub fn least(&self) -> f64 {
+        self.all().least
+    }
+
+    /// Greatest radius at negative Z, mm.
+    pub fn behind(&self) -> f64 {
+        self.all().behind
+    }
+}
+
 /// What is cut with each kind of tool.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Cuts {
     /// Turned, threaded, faced.
-    outside: Extents,
+    outside: Reach,
     /// Bored, grooved and threaded inside.
-    inside: Extents,
+    inside: Reach,
     /// Grooves in the outside, and what is parted off: places of the tip, the left
     /// corner of the grooving insert.
-    grooves: Extents,
+    grooves: Reach,
     /// Grooves in the end face: the tip is the inner corner.
-    face_grooves: Extents,
+    face_grooves: Reach,
     /// On the spindle axis.
-    holes: Extents,
+    holes: Reach,
     /// Z of a full face at negative Z that an insert cuts before anything else.
     first_face: Option<f64>,
 }
@@ -179,7 +221,7 @@ impl Cuts {
             (ToolKind::Grooving, Side::Outside) => &mut self.grooves,
             (ToolKind::Turning, _) | (ToolKind::Threading, _) => &mut self.outside,
         };
-        cuts.join(extents);
+        cuts.join(&extents.all());
     }
 
     /// Takes in the [first face](first_face).
@@ -200,7 +242,7 @@ impl Cuts {
         }
         let behind = all.low < -SAME;
         let face = self.face(&all, behind);
-        let reach = |of: &Extents| if behind { of.behind } else { of.radius };
+        let reach = |of: &Reach| if behind { of.behind } else { of.radius };
         let (around, bored) = (reach(&across), reach(&self.inside));
         let walled = if bored > SAME { bored + (WALL.0 * bored).max(WALL.1) } else { 0.0 };
         let radius = match around {
@@ -228,14 +270,14 @@ impl Cuts {
 
     /// Z of the front face. Zero is the finished face where anything is cut on its chuck side,
     /// else the back of the part.
-    fn face(&self, all: &Extents, behind: bool) -> f64 {
+    fn face(&self, all: &Reach, behind: bool) -> f64 {
         // What a first face takes off is no longer than this, mm.
         const FACED_OFF: f64 = 3.0;
         if self.first_face.is_some_and(|face| all.high <= face + FACED_OFF) {
             return all.high;
         }
         let face = if behind { 0.0 } else { all.high }.max(all.faced);
-        let Extents { high, faced, .. } = self.grooves;
+        let Reach { high, faced, .. } = self.grooves;
         let right = high + BLADE;
         // A grooving insert that goes to the axis in front of all its grooves cuts the face.
         let only_grooves = self.outside.is_empty() && self.holes.is_empty() && faced < high - SAME;

@@ -122,7 +122,7 @@ fn with_words(purpose: Purpose, inferred: &Tool, words: &Tool) -> Tool {
     match purpose {
         Purpose::Hole | Purpose::Live if same => tool.diameter = words.diameter.or(tool.diameter),
         _ if same && inferred.kind == Some(ToolKind::Grooving) => {
-            tool.width = words.width;
+            tool.width = words.width.or(tool.width);
             // A face is grooved by G74, and the other sides by G75.
             tool.side = words.side.filter(|_| inferred.side != Some(Side::Face)).or(tool.side);
         }

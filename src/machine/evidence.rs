@@ -5,7 +5,7 @@
 
 use crate::geometry::{Point, SAME};
 use crate::limits::INFERRED_FROM;
-use crate::motion::{Motion, MotionKind, Motions};
+use crate::motion::{CycleFamily, Motion, MotionKind, Motions, Step};
 use crate::setup::{Stock, Tool};
 
 /// Longer cuts towards −Z are no approach, mm.
@@ -41,9 +41,10 @@ impl<'a> Evidence<'a> {
     }
 
     /// Whether all cuts begin at the face or in front of it on the side of −Z, and go towards +Z into the work: the
-    /// second side of a part, in a sub-spindle or with the part turned around.
+    /// second side of a part, in a sub-spindle or with the part turned around. The tools come from the side of −Z,
+    /// or stand at Z0 in the bore.
     fn is_towards_positive_z(&self) -> bool {
-        let (mut goes_in, mut clears, mut faces) = (false, false, false);
+        let (mut goes_in, mut clears, mut faces, mut bores) = (false, false, false, false);
         for motion in self.moves() {
             let (from, to) = (motion.from, motion.to);
             // A tool that has cut across to the axis only goes back.
@@ -52,6 +53,10 @@ impl<'a> Evidence<'a> {
                 motion.kind.cuts() && (to.z - from.z).abs() <= SAME && to.x < from.x - SAME,
             );
             clears |= to.z < -SAME;
+            // A pass of a single cycle that goes outwards from its start at the face.
+            let pass = motion.cycle.filter(|step| step.cycle.family() == CycleFamily::Turning);
+            let goes_outwards = pass.is_some_and(|step| step.step == Step::Infeed) && to.x > from.x + SAME;
+            bores |= goes_outwards && from.z.abs() <= SAME;
             if !motion.kind.cuts() || !motion.process.removes_material() {
                 continue;
             }
@@ -63,7 +68,7 @@ impl<'a> Evidence<'a> {
             let is_turned = motion.kind != MotionKind::Thread && !comes_from_face;
             goes_in |= is_turned && to.z > from.z + APPROACH && to.z > DEEP;
         }
-        goes_in && clears
+        goes_in && (clears || bores)
     }
 
     /// A blank as it is seen from this side, and back again.

@@ -7,6 +7,7 @@ use std::collections::BTreeMap;
 
 use super::blank::Extents;
 use super::evidence::Evidence;
+use super::tool::BLADE;
 use crate::geometry::SAME;
 use crate::motion::{Cycle, CycleFamily, Motion, MotionKind};
 use crate::setup::stock::deepest_cut;
@@ -18,6 +19,9 @@ const MOST_USES: usize = 300;
 
 /// A shorter way back along +Z only clears the bottom of a groove, mm.
 const SHORT: f64 = 2.0;
+
+/// What stands between two columns of pecks is a ridge up to here, mm; a wider one is a land between two grooves.
+const RIDGE: f64 = 1.0;
 
 /// A rapid that moves less across the axis than this share of its way along it does not leave the work.
 const ASIDE: f64 = 0.1;
@@ -95,6 +99,10 @@ pub(super) struct ToolUse {
     slopes: [f64; 2],
     /// Whether it taps: on the axis, locked to the spindle.
     taps: bool,
+    /// Where the last column of pecks is, and how far apart two of one cycle are at most: along Z, or across for
+    /// grooves in the face, mm.
+    column: Option<f64>,
+    columns: f64,
     /// Whether grooves are in the end face.
     face: bool,
     pub extents: Extents,
@@ -194,6 +202,8 @@ impl ToolUse {
             deepest: f64::INFINITY,
             slopes: [0.0; 2],
             taps: false,
+            column: None,
+            columns: 0.0,
             face: false,
             extents: Extents::default(),
         }
@@ -234,6 +244,7 @@ impl ToolUse {
         if motion.cycle.is_some_and(|step| step.cycle == Cycle::FacePecking) {
             self.face = true;
         }
+        self.look_for_columns(motion, before);
         // On the way to the work at feed it follows no slope.
         if motion.to.z > SAME && before.is_none_or(|before| !before.kind.cuts()) {
             return;
@@ -246,6 +257,21 @@ impl ToolUse {
                     *slope = slope.max((sx * -dx).atan2(-dz));
                 }
             }
+        }
+    }
+
+    /// Notes how far apart the columns of G74 and G75 are.
+    fn look_for_columns(&mut self, motion: &Motion, before: Option<&Motion>) {
+        let Some(cycle) =
+            motion.cycle.map(|step| step.cycle).filter(|cycle| cycle.family() == CycleFamily::Pecking)
+        else {
+            self.column = None;
+            return;
+        };
+        let at = if cycle == Cycle::FacePecking { motion.from.x } else { motion.from.z };
+        let is_same_cycle = before.is_some_and(|before| before.cycle.map(|step| step.cycle) == Some(cycle));
+        if let Some(last) = self.column.replace(at).filter(|_| is_same_cycle) {
+            self.columns = self.columns.max((at - last).abs());
         }
     }
 
@@ -323,8 +349,11 @@ impl ToolUse {
         }
     }
 
+    /// A grooving insert; one as wide as the columns are apart, where a usual one would leave ridges.
     fn blade(&self, side: Side) -> Tool {
-        Tool { kind: Some(ToolKind::Grooving), side: Some(side), ..Tool::default() }
+        let leaves_ridges = self.columns > BLADE + SAME && self.columns <= BLADE + RIDGE + SAME;
+        let width = leaves_ridges.then_some(BLADE + RIDGE);
+        Tool { kind: Some(ToolKind::Grooving), side: Some(side), width, ..Tool::default() }
     }
 }
 

@@ -85,7 +85,7 @@ impl UnitEvidence {
                     self.fine = self.fine.or(is_fine.then_some(word.span));
                 }
                 // Without a point 10 mm, or a thousandth of an inch.
-                b'X' | b'Z' => self.excluded |= value >= LARGEST[0] && value < 100.0,
+                b'X' | b'Z' => self.excluded |= (LARGEST[0]..100.0).contains(&value),
                 b'F' | b'E' if threads => {
                     self.excluded |= value >= COARSEST;
                     self.fine = self.fine.or(is_fine.then_some(word.span));
