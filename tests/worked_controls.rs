@@ -266,3 +266,43 @@ fn codes_that_controls_have_are_never_denied() {
     assert!(last_cut("G68.1 X0. Z0. R45.") && !last_cut("G68.1 X0. Z0. R45.\nG69.1\nG00 X30. Z2."));
     assert_eq!(told("G47").told, ["unknown-g-code 4"]);
 }
+
+/// A subprogram that comes first and ends in M99 P is no main program: the block of P is one of the caller.
+#[test]
+fn a_subprogram_that_comes_first_may_end_in_m99_p() {
+    let caller = "O1001\nG21G40G99\nT0101\nG97S800M3\nG00X44.Z2.\nG01X40.F0.2\nZ-30.\nG00X44.\nM98P1000\nN300G00X100.Z100.\nM30\n";
+    let sub = |end: &str| format!("O1000\nG00X42.Z-20.\nG01X38.F0.1\nG00X44.\nM99{end}\n");
+    let [plain, to_block] = ["", " P300"].map(|end| run("{}", &format!("{}{caller}", sub(end))));
+    assert_eq!(plain.moves(), to_block.moves());
+    assert_eq!(plain.moves()[0], (MotionKind::Rapid, 44.0, 2.0));
+    let to_block = run("{}", &format!("{}{caller}", sub(" P300")));
+    assert!(
+        to_block.told.iter().all(|told| !told.contains("sequence") && !told.contains("not-run")),
+        "{:?}",
+        to_block.told
+    );
+}
+
+/// A contour of G71 that begins in front of the start point goes beyond it in Z.
+#[test]
+fn a_contour_in_front_of_the_start_point_goes_beyond_it_in_z() {
+    let text = |first: &str| {
+        format!(
+            "O1\nG21G40G99\nT0101\nG97S1000M3\nG00X30.Z0.\nG71U2.R0.5\nG71P10Q20U0.4W0.1F0.2\nN10{first}\nZ-32.\nX25.\nN20Z-42.\nM30\n"
+        )
+    };
+    let axis = |first: &str| {
+        let analysis =
+            gcode_playground::analyze(text(first).as_bytes(), &gcode_playground::setup::Setup::default());
+        let told =
+            analysis.diagnostics.iter().find(|told| told.message.slug() == "contour-beyond-start-point");
+        told.map(|told| {
+            format!(
+                "{:?}",
+                told.message.arguments().iter().find(|(name, _)| *name == "axis").map(|found| &found.1)
+            )
+        })
+    };
+    assert!(axis("G01X14.Z1.").is_some_and(|axis| axis.contains('Z')), "{:?}", axis("G01X14.Z1."));
+    assert!(axis("G00X32.").is_some_and(|axis| axis.contains('X')), "{:?}", axis("G00X32."));
+}

@@ -152,7 +152,9 @@ fn short_tool_words_beside_m06_are_stations() {
     let groove: &[(f64, &[(f64, f64)])] =
         &[(-10.0, &[(0.0, 36.0)]), (-14.9, &[(0.0, 36.0)]), (-16.0, &[(0.0, 28.0)]), (-18.1, &[(0.0, 36.0)])];
     run(&program("T0101", "T0303")).check(groove);
-    for (first, second) in [("T01 M06", "T03 M06"), ("M06 T01", "M06 T03"), ("T1 M6", "T3 M6")] {
+    for (first, second) in
+        [("T01 M06", "T03 M06"), ("M06 T01", "M06 T03"), ("T1 M6", "T3 M6"), ("T1 M06 M04", "T3 M06 M04")]
+    {
         let ran = run(&program(first, second));
         ran.check(groove);
         assert!(!ran.told.contains(&"tool-unknown"), "{:?}", ran.told);
@@ -219,8 +221,8 @@ fn an_inch_program_without_g20_is_read_in_inches() {
         ("O0065", "(1/32R CNMG)", "{}", true),
         ("O0065(PIN .5\" DIA)", "", "{}", true),
         ("O0065(DIMENSIONS IN INCHES)", "", "{}", true),
-        // A cutting speed alone does not show it: a small part may turn fast.
-        ("O0065", "", "{}", false),
+        // In metres 450 a minute would need 150,000 rpm; the limit is 3000.
+        ("O0065", "", "{}", true),
         // Named by a code or the setup.
         ("O0065(PIN 1/2 IN)\nG21", "", "{}", false),
         ("O0065(PIN 1/2 IN)", "", r#"{"dialect": {"unit": "mm"}}"#, false),
@@ -238,6 +240,8 @@ fn an_inch_program_without_g20_is_read_in_inches() {
     let fine = run("O1\nT0101\nG97S800M3\nG0X1.0625Z.1\nG1Z-1.F.008\nX1.2\nG0Z.1\nM30\n");
     fine.check(&[(-10.0, &[(0.0, 1.0625 * 25.4)])]);
     // Small work in millimetres: no sign of inches but its size and its feeds.
+    let fast = run("O1\nT0101\nG50S8000\nG96S200M3\nG0X3.995Z.5\nG1Z-6.F.02\nX5.\nG0Z1.\nM30\n");
+    fast.check(&[(-3.0, &[(0.0, 3.995)])]);
     for small in ["(PIN 3MM)", "(2/3)", "(IN THE VICE)", "(DATE 1/12/26)"] {
         let text = format!("O1{small}\nT0101\nG97S6000M3\nG0X3.995Z.5\nG1Z-6.F.02\nX5.\nG0Z1.\nM30\n");
         run(&text).check(&[(-3.0, &[(0.0, 3.995)])]);
@@ -280,4 +284,30 @@ fn the_first_pass_of_g73_touches_the_blank() {
     let ball = 2.0 * (36f64 - 5.5 * 5.5).sqrt();
     ran.check(&[(0.5, &[(0.0, ball)]), (-10.0, &[(0.0, 12.0)]), (-55.0, &[(0.0, 36.5)])]);
     assert_eq!((ran.stock.diameter.mm(), ran.stock.face), (36.5, 1.0));
+}
+
+/// A blank shows what is turned: it is no smaller than the widest cut along Z, and wider than a single pass.
+#[test]
+fn a_blank_is_no_smaller_than_what_is_turned() {
+    // One pass, to which the tool goes at feed from X50: a bar of 48.
+    let one = run("O1\nG21G40G99\nT0101\nG97S1000M3\nG00X50.Z2.\nG01X45.F0.2\nZ-30.\nG00X60.\nZ2.\nM30\n");
+    one.check(&[(-10.0, &[(0.0, 45.0)]), (-31.0, &[(0.0, 48.0)])]);
+    // The contour of G72 has a land of X50; rapids run along X51.
+    let land = run(
+        "O1\nG21G40G99\nT0101\nG97S1000M3\nG00X51.Z0.\nG01X0.F0.1\nG00Z1.\nX51.\nZ0.\nG72W1.5R0.5\nG72P1Q2U0.25W0.25\nN1G00Z-30.\nG01X50.F0.1\nZ-20.\nX30.\nZ0\nN2X0.\nG70P1Q2\nG00Z10.\nM30\n",
+    );
+    land.check(&[(-25.0, &[(0.0, 50.0)]), (-10.0, &[(0.0, 30.0)])]);
+    // In inches 2 mm are more than there is to spare.
+    let inch = run(
+        "O1\nG20G40G99\nT0101\nG97S400M3\nG00X.777Z.1\nG01Z0F.006\nX-.1\nG00X.309\nG01Z-.12\nG00X.777Z-.75\nZ-.12\nX.735\nG01Z-1.075\nG00X.777\nX4.Z4.\nM30\n",
+    );
+    inch.check(&[(-10.0, &[(0.0, 0.735 * 25.4)])]);
+}
+
+/// A program may end in the bottom of a groove: that is no bore.
+#[test]
+fn a_program_that_ends_in_a_groove_has_no_bore() {
+    let turned = "O1\nG21G99\nT0101\nG97S800M3\nG0X24.Z2.\nG1Z-45.F.2\nG0X26.Z2.\nX18.\nG1Z-22.\nG0X30.Z50.\nT0202\nG0X26.Z-39.\n";
+    let ran = run(&format!("{turned}G1X25.F.05\nZ-39.5\nX18.\nM30\n"));
+    ran.check(&[(-10.0, &[(0.0, 18.0)]), (-30.0, &[(0.0, 24.0)])]);
 }

@@ -102,6 +102,8 @@ pub enum RoughingError {
     BeyondStart {
         /// Where it does; `None`: with the first block (ns) already.
         piece: Option<usize>,
+        /// Whether it does so along the passes (G71: in Z), not across them.
+        along: bool,
     },
     /// The contour leaves no way to cut along, or no depth.
     NothingToCut,
@@ -235,7 +237,7 @@ fn bottom(contour: &Contour, frame: &Frame, how: &Roughing) -> Result<Vec<Piece>
     let forgiving = how.checks == Checks::Forgiving;
     let beyond = if forgiving { how.depth } else { DRAWN };
     if first.x < -DRAWN || first.z < -DRAWN {
-        return Err(RoughingError::BeyondStart { piece: None });
+        return Err(RoughingError::BeyondStart { piece: None, along: first.x >= -DRAWN });
     }
     let mut bottom = Vec::with_capacity(contour.pieces.len() + 1);
     if shape == Shape::Pockets && first.z > SAME {
@@ -271,7 +273,7 @@ fn bottom(contour: &Contour, frame: &Frame, how: &Roughing) -> Result<Vec<Piece>
                 return Err(RoughingError::NotMonotoneAcross { piece: index });
             }
             if end.x < -beyond {
-                return Err(RoughingError::BeyondStart { piece: Some(index) });
+                return Err(RoughingError::BeyondStart { piece: Some(index), along: false });
             }
             highest = highest.min(end.x);
             farthest = farthest.max(end.z);

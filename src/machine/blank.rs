@@ -35,8 +35,16 @@ const CLEAR: f64 = 1.0;
 
 /// A blank without what rapids would run along: from groove to groove, and past what is to be faced, tools go
 /// at the diameter of a start point.
+///
+/// It is no smaller than what is turned along Z.
 pub fn clear_of_rapids(stock: Stock, evidence: &Evidence) -> Stock {
     let radius = stock.diameter.radius();
+    let turns = |motion: &Motion| {
+        let along = (motion.from.z - motion.to.z).abs() > SAME && motion.from.z.min(motion.to.z) < -SAME;
+        along && motion.kind.cuts() && motion.process.removes_material()
+    };
+    let turned = evidence.moves().filter(turns).map(|motion| motion.from.x.min(motion.to.x));
+    let turned = turned.filter(|&turned| turned < radius - SAME).fold(0.0, f64::max);
     let on = |at: Point| (at.x - radius).abs() <= SAME;
     // Down to here cuts along Z have gone below the outside.
     let mut cut = stock.face;
@@ -48,7 +56,7 @@ pub fn clear_of_rapids(stock: Stock, evidence: &Evidence) -> Stock {
             continue;
         }
         if motion.kind == MotionKind::Rapid && on(from) && on(to) && along && low < cut - SAME {
-            let diameter = Diameter::from_radius(radius - CLEAR);
+            let diameter = Diameter::from_radius((radius - CLEAR).max(turned));
             return if diameter > stock.bore { Stock { diameter, ..stock } } else { stock };
         }
         if motion.kind.cuts() && motion.process.removes_material() && along {
@@ -70,12 +78,26 @@ struct Reach {
     high: f64,
     /// Maximum Z of a cut across the face, and of a rounding that begins on the axis.
     faced: f64,
+    /// Least radius of a feed along Z at negative Z.
+    turned: f64,
+    /// Greatest radius from which a feed across the axis goes in.
+    approach: f64,
 }
 
 impl Default for Reach {
     fn default() -> Self {
         let (least, greatest) = (f64::INFINITY, f64::NEG_INFINITY);
-        Self { behind: 0.0, radius: 0.0, least, low: least, high: greatest, faced: greatest }
+        let (turned, approach) = (least, 0.0);
+        Self {
+            behind: 0.0,
+            radius: 0.0,
+            least,
+            low: least,
+            high: greatest,
+            faced: greatest,
+            turned,
+            approach,
+        }
     }
 }
 
@@ -90,6 +112,11 @@ impl Reach {
         }
         if motion.center.is_some() && from.x.abs() <= SAME && to.z < from.z {
             self.faced = self.faced.max(from.z);
+        }
+        match (from.z - to.z).abs() > SAME {
+            true if from.z.min(to.z) < -SAME => self.turned = self.turned.min(from.x.min(to.x)),
+            false if to.x < from.x - SAME => self.approach = self.approach.max(from.x),
+            _ => {}
         }
         // On its way out of the thread the tool is in the air.
         if let Some((Cycle::Threading | Cycle::MultiThreading, Step::PullOut)) = step {
@@ -126,6 +153,8 @@ impl Reach {
         self.low = self.low.min(other.low);
         self.high = self.high.max(other.high);
         self.faced = self.faced.max(other.faced);
+        self.turned = self.turned.min(other.turned);
+        self.approach = self.approach.max(other.approach);
     }
 }
 
@@ -252,6 +281,10 @@ impl Cuts {
             _ if self.face_grooves.is_empty() => DRILLED,
             _ => 0.0,
         };
+        // One pass alone would remove nothing: the tool was at the outside of the bar before it.
+        let Reach { turned, approach, .. } = self.outside;
+        let is_one_pass = turned.is_finite() && turned >= radius - SAME && approach > radius + SAME;
+        let radius = if is_one_pass { (approach - CLEAR).max((approach + radius) / 2.0) } else { radius };
         // The outermost groove in the face has an outer wall too.
         let ringed = self.face_grooves.radius + BLADE;
         let radius = if self.face_grooves.is_empty() || radius > ringed { radius } else { ringed + FLANK };

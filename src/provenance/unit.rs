@@ -22,6 +22,12 @@ const FEET: f64 = 200.0;
 /// Work of this diameter at [`FEET`] metres a minute would turn at 16,000 rpm.
 const LARGEST_TURNED: f64 = 4.0;
 
+/// A cutting speed that no insert bears in metres a minute.
+const FASTEST_CUT: f64 = 600.0;
+
+/// A cutting speed so many times as high as the speed limit of the spindle allows is none in metres a minute.
+const BEYOND_LIMIT: f64 = 5.0;
+
 /// Least weight of the signs.
 const ENOUGH: usize = 2;
 
@@ -42,8 +48,10 @@ pub struct UnitEvidence {
     remark: Option<Span>,
     /// A coordinate or a lead with four decimals or more.
     fine: Option<Span>,
-    /// A cutting speed of 200 or more.
-    feet: Option<Span>,
+    /// The highest cutting speed of 200 or more.
+    feet: Option<(f64, Span)>,
+    /// The highest speed limit of G50 or G92, rpm.
+    limit: f64,
 }
 
 impl UnitEvidence {
@@ -52,7 +60,7 @@ impl UnitEvidence {
         if self.excluded {
             return;
         }
-        let (mut threads, mut speeds, mut dwells) = (false, false, false);
+        let (mut threads, mut speeds, mut dwells, mut limits) = (false, false, false, false);
         for (code, _) in statement.codes(b'G') {
             match code {
                 200 | 210 => self.excluded = true,
@@ -62,6 +70,7 @@ impl UnitEvidence {
                 990 | 950 => self.per_minute = false,
                 320 | 330 | 340 | 760 | 780 | 840 | 880 | 920 => threads = true,
                 960 => speeds = true,
+                500 => limits = true,
                 40 => dwells = true,
                 _ => {}
             }
@@ -94,7 +103,10 @@ impl UnitEvidence {
                     self.has_feed = true;
                     self.excluded |= value > FASTEST;
                 }
-                b'S' if speeds && value >= FEET => self.feet = self.feet.or(Some(word.span)),
+                b'S' if speeds && value >= self.feet.map_or(FEET, |feet| feet.0) => {
+                    self.feet = Some((value, word.span));
+                }
+                b'S' if limits => self.limit = self.limit.max(value),
                 _ => {}
             }
         }
@@ -102,12 +114,20 @@ impl UnitEvidence {
 
     /// The word or remark that shows that the program is in inches.
     pub fn inches(&self) -> Option<Span> {
-        let feet = self.feet.filter(|_| self.largest < LARGEST_TURNED);
+        // The highest cutting speed in metres a minute that work of this size reaches at the speed limit.
+        let reached = std::f64::consts::PI * self.largest * self.limit / 1000.0;
+        let of_feet = |(speed, _): (f64, Span)| match speed >= FASTEST_CUT
+            || speed > BEYOND_LIMIT * reached && self.limit > 0.0
+        {
+            true => 2,
+            false => usize::from(self.largest < LARGEST_TURNED),
+        };
+        let feet = self.feet.filter(|&feet| of_feet(feet) > 0);
         let weight = 2 * usize::from(self.remark.is_some())
             + 2 * usize::from(self.fine.is_some())
-            + usize::from(feet.is_some())
+            + feet.map_or(0, of_feet)
             + usize::from(self.has_feed);
-        let found = self.fine.or(self.remark).or(feet)?;
+        let found = self.fine.or(self.remark).or(feet.map(|feet| feet.1))?;
         (!self.excluded && self.pointed > 0 && self.has_feed && weight > ENOUGH).then_some(found)
     }
 }

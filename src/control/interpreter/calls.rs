@@ -199,8 +199,8 @@ impl Interpreter {
         let Some(call) = self.state.call_stack.calls.last_mut() else {
             let behind = |at: &Resume| at.byte > block.span.start;
             return match named.map(|sequence| (sequence, self.sequence(text, block, sequence))) {
-                // Ahead is a jump like any other.
-                Some((sequence, at)) if at.as_ref().is_none_or(behind) => {
+                // Ahead is a jump like any other; a block of the program that calls this one is not.
+                Some((sequence, at)) if at.as_ref().map_or(!self.is_subprogram(text, block), behind) => {
                     self.go_to(text, block, sequence, words.span(b'P'))
                 }
                 named => self.main_again(text, block, named.and_then(|(_, at)| at)),
@@ -261,16 +261,24 @@ impl Interpreter {
         self.lose_program();
     }
 
+    /// The program that calls the one of a block, which was begun as the main program because it comes first.
+    fn caller_of(&mut self, text: &[u8], block: &Block) -> Option<Resume> {
+        // Elsewhere: where to begin was decided already, by the setup or by this very search.
+        if self.program.begun_elsewhere {
+            return None;
+        }
+        let labels = self.program.labels(text);
+        labels.number_at(block.span.start).and_then(|own| labels.caller_of(own))
+    }
+
+    fn is_subprogram(&mut self, text: &[u8], block: &Block) -> bool {
+        self.caller_of(text, block).is_some()
+    }
+
     /// M99 of the main program: from its head, or from the block of P, once more, for ever.
     fn main_again(&mut self, text: &[u8], block: &Block, from: Option<Resume>) -> Flow {
-        // Elsewhere: where to begin was decided already, by the setup or by this very search.
-        if !self.program.begun_elsewhere {
-            let labels = self.program.labels(text);
-            let own = labels.number_at(block.span.start);
-            if let Some(main) = own.and_then(|own| labels.caller_of(own)) {
-                // A subprogram that stands before the program that calls it.
-                return Flow::Restart(main);
-            }
+        if let Some(main) = self.caller_of(text, block) {
+            return Flow::Restart(main);
         }
         if self.state.variables.lacks_arguments() {
             // The body of a macro, which goes back to the program that called it.

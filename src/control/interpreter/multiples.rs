@@ -288,7 +288,7 @@ impl Interpreter {
         let place = match fault {
             roughing::RoughingError::NotMonotoneAlong { piece }
             | roughing::RoughingError::NotMonotoneAcross { piece }
-            | roughing::RoughingError::BeyondStart { piece: Some(piece) } => shape.span_of(piece),
+            | roughing::RoughingError::BeyondStart { piece: Some(piece), .. } => shape.span_of(piece),
             _ => None,
         };
         // Where much of the contour lies beyond the start, it is the start that is wrong.
@@ -498,7 +498,9 @@ fn contour_message(
     Some(match fault {
         roughing::RoughingError::NotMonotoneAlong { piece } => turns_back(along, piece),
         roughing::RoughingError::NotMonotoneAcross { piece } => turns_back(across, piece),
-        roughing::RoughingError::BeyondStart { .. } => said::ContourBeyondStart { code, axis: across }.into(),
+        roughing::RoughingError::BeyondStart { along: is_along, .. } => {
+            said::ContourBeyondStart { code, axis: if is_along { along } else { across } }.into()
+        }
         roughing::RoughingError::NothingToCut => said::ContourNothingToCut { code }.into(),
         roughing::RoughingError::TooManyMoves => return None,
     })

@@ -198,6 +198,7 @@ impl Interpreter {
         self.observe(text, Event::MCode { number, known: code, word });
         let state = &mut self.state;
         state.m_code = number.min(u64::from(u32::MAX)) as u32;
+        request.changes_tool |= number == 6;
         match code {
             Some(M::Spindle(SpindleTurn::Stopped)) => request.stop_spindle = true,
             Some(M::Spindle(turn)) => {

@@ -60,6 +60,8 @@ pub(super) struct Request {
     pub end: bool,
     /// An M code that only the machine knows.
     pub maker_m: bool,
+    /// M06: the tool of the block is changed.
+    pub changes_tool: bool,
     /// M97, M98, M99.
     pub call_code: Option<CallCode>,
     /// G65 or G66: the words after it are arguments.

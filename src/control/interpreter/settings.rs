@@ -61,7 +61,7 @@ impl Interpreter {
         if let Some(word) = words.get(b'T') {
             self.plane_left_on(text, word.span);
             let before = self.state.tool;
-            self.tool(text, word);
+            self.tool(text, word, request.changes_tool);
             let goes_home = matches!(request.one_shot, Some(OneShot::Home | OneShot::OtherHome));
             self.observe(text, Event::Tool { word, before, goes_home });
         }
@@ -81,7 +81,7 @@ impl Interpreter {
 
     /// The T word: station and offset (seed 001).
     #[inline(never)]
-    pub(super) fn tool(&mut self, text: &[u8], word: &Word) {
+    pub(super) fn tool(&mut self, text: &[u8], word: &Word, changes_tool: bool) {
         let Value::Number { number, .. } = word.value else { return };
         let value = number.mantissa;
         let written = word.span.of(text);
@@ -101,20 +101,20 @@ impl Interpreter {
         let is_short = digits <= 2 && value > 0;
         self.state.has_long_tools |= digits > 2;
         // M06 beside it, and no T word of four digits: a turret that takes two digits, or a changer.
-        let is_station = is_short && self.state.m_code == 6 && !self.state.has_long_tools;
+        let is_station = is_short && changes_tool && !self.state.has_long_tools;
         if is_station {
             let message = said::ShortToolAsStation { word: quote(text, word.span), station: value as u32 };
             self.report(Diagnostic::new(message, word.span).graded(Severity::Info));
         } else if is_short && !adds_offset {
             let message = said::ShortTool { word: quote(text, word.span), offset: offset as u32 };
             let diagnostic = Diagnostic::new(message, word.span);
-            self.report(if self.state.m_code == 6 { diagnostic.graded(Severity::Info) } else { diagnostic });
+            self.report(if changes_tool { diagnostic.graded(Severity::Info) } else { diagnostic });
         }
         // Six digits are three and three: `T010101` would be offset 101; some machines have that many.
         let beyond = station > 999 || digits > 6;
         if beyond || (digits == 6 && offset > 99) {
             // With M06 it is the number of a tool changer.
-            let of_machine = !beyond || self.state.m_code == 6;
+            let of_machine = !beyond || changes_tool;
             let word_text = quote(text, word.span);
             let message: Message = match of_machine {
                 true => said::ToolNumberOfMachine { word: word_text }.into(),

@@ -341,10 +341,10 @@ fn a_contour_beyond_the_start_is_refused() {
     let turning = type_one(Direction::Turning, 2.0, 0.5, (0.0, 0.0));
     let high = [(20.0, 2.0), (20.0, -10.0), (41.0, -10.0), (41.0, -20.0)];
     let contour = straight(Approach::Rapid, (40.0, 2.0), &high);
-    check_error(&contour, &turning, RoughingError::BeyondStart { piece: Some(1) });
+    check_error(&contour, &turning, RoughingError::BeyondStart { piece: Some(1), along: false });
     let before = [(20.0, 3.0), (20.0, -10.0), (40.0, -10.0)];
     let contour = straight(Approach::Rapid, (40.0, 2.0), &before);
-    check_error(&contour, &turning, RoughingError::BeyondStart { piece: None });
+    check_error(&contour, &turning, RoughingError::BeyondStart { piece: None, along: true });
 }
 
 #[test]
