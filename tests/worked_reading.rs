@@ -40,3 +40,46 @@ fn control_characters_are_passed_over_outside_comments() {
         assert_eq!(ends(&marked, "{}"), [(60.0, 2.0), (60.0, -14.0), (100.0, 100.0)], "{byte:#x}");
     }
 }
+
+/// B-64484EN, program name: 32 characters in `< >`, called by `M98 <NAME>` and `G65 <NAME>`.
+#[test]
+fn programs_are_called_by_their_names() {
+    let text = |head: &str, call: &str, sub: &str| {
+        format!(
+            "%\n{head}\nG21 G99 G97 S500 M03 T0101\nG00 X52. Z2.\n{call}\nG00 X100. Z100.\nM30\n{sub}\nG01 W-5. F.2\nM99\n%\n"
+        )
+    };
+    let twice = [(52.0, 2.0), (52.0, -3.0), (52.0, -8.0), (100.0, 100.0)];
+    for (head, call, sub) in [
+        ("<SHAFT-1>", "M98 <SUB1> L2", "<SUB1>"),
+        ("<SHAFT-1>", "M98 <SUB1> L2", "O<SUB1>"),
+        ("O<SHAFT-1> (TURNED)", "M98<sub1>L2", "<SUB1> (CUT)"),
+        ("O1234<SHAFT-1>", "G65 <SUB.2> L2", "<SUB.2>"),
+        ("O1234", "M98 P20007", "O0007<SUB1>"),
+        ("O1234", "M98 <FINISHING PASS> L2", "O0007 <FINISHING PASS>"),
+        ("", "M98 <SUB1>\nM98 <SUB1>", "<SUB1>"),
+    ] {
+        let text = text(head, call, sub);
+        assert_eq!(told(&text, "{}"), [""; 0], "{text}");
+        assert_eq!(ends(&text, "{}"), twice, "{text}");
+    }
+    let missing = text("<MAIN>", "M98 <SUB2>", "<SUB1>");
+    assert_eq!(told(&missing, "{}"), ["program-not-found! 5", "program-not-run? 8"]);
+    let analysis = analyze(missing.as_bytes(), &Setup::default());
+    let said =
+        analysis.diagnostics.iter().map(|told| told.span.quote(missing.as_bytes())).collect::<Vec<_>>();
+    assert_eq!(said, ["<SUB2>", "<SUB1>"]);
+    assert!(told(&text("<SUB1>", "", "<SUB1>"), "{}").contains(&"duplicate-program-number! 8".to_owned()));
+}
+
+/// A name has its place at the head of a block and after the code of a call; elsewhere it is no word.
+#[test]
+fn a_name_without_a_place_is_reported() {
+    for block in ["G00 X50. <NAME>", "M98 P1000 <", "N10 <NAME>", "M98 <NA*ME>", "IF[#1<2]GOTO5"] {
+        let text = format!("O1\nG21 G99 G97 S500 M03 T0101\n{block}\nG00 X100. Z100.\nM30\n");
+        assert!(
+            told(&text, "{}").iter().any(|told| told.ends_with(" 3") && !told.contains(['!', '?'])),
+            "{block}"
+        );
+    }
+}
