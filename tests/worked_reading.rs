@@ -83,3 +83,90 @@ fn a_name_without_a_place_is_reported() {
         );
     }
 }
+
+const GSK: &str = r#"{"dialect": {"control": "gsk"}}"#;
+
+/// GSK980TDi manual, macro command list: the loop turns X48, X46 and X44; the jump passes over `G0 X1`.
+#[test]
+fn macro_a_assigns_and_jumps() {
+    let text = "O0010\nG98 M3 S500 T0101\nG0 X50 Z2\nG65 H01 P#200 Q3\nN20 G0 U-2\nG1 W-5 F100\nG0 W5\nG65 H03 P#200 Q#200 R1\n\
+                G65 H83 P20 Q#200 R0\nG65 H80 P90\nG0 X1\nN90 G0 X100 Z100\nM30\n";
+    let round = |x: f64| [(x, 2.0), (x, -3.0), (x, 2.0)];
+    let expected =
+        [[(50.0, 2.0)].as_slice(), &round(48.0), &round(46.0), &round(44.0), &[(100.0, 100.0)]].concat();
+    assert_eq!(ends(text, GSK), expected);
+    assert_eq!(told(text, GSK), [""; 0]);
+}
+
+/// Each operation of the list, worked out by hand; X is a diameter in millimetres.
+#[test]
+fn macro_a_has_the_operations_of_the_manual() {
+    for (operation, expected) in [
+        ("H01 P#200 Q-12", -12.0),
+        ("H02 P#200 Q30 R12", 42.0),
+        ("H03 P#200 Q30 R#500", 25.0),
+        ("H04 P#200 Q#500 R7", 35.0),
+        ("H05 P#200 Q7 R2", 3.5),
+        ("H11 P#200 Q12 R10", 14.0),
+        ("H12 P#200 Q12 R10", 8.0),
+        ("H13 P#200 Q12 R10", 6.0),
+        ("H21 P#200 Q49", 7.0),
+        ("H22 P#200 Q-7", 7.0),
+        ("H23 P#200 Q17 R#500", 2.0),
+        ("H24 P#200 Q18", 12.0),
+        ("H25 P#200 Q12", 18.0),
+        ("H26 P#500 Q4 R10", 2.0),
+        ("H27 P#200 Q30 R40", 50.0),
+        ("H28 P#200 Q50 R30", 40.0),
+        ("H31 P#200 Q40 R30", 20.0),
+        ("H32 P#200 Q40 R60", 20.0),
+        ("H33 P#200 Q10 R45", 10.0),
+        ("H34 P#200 Q1 R1", 45.0),
+    ] {
+        let to = if operation.contains("P#500") { "#500" } else { "#200" };
+        let text = format!("O1\nG98 M3 S500 T0101\n#500=5\nG65 {operation}\nG0 X{to} Z2\nM30\n");
+        assert_eq!(ends(&text, GSK), [(expected, 2.0)], "{operation}");
+    }
+}
+
+#[test]
+fn macro_a_compares() {
+    let jumps = |operation: u32, q: i32| {
+        let text =
+            format!("O1\nG98 M3 S500 T0101\nG65 H{operation} P90 Q{q} R5\nG0 X1\nN90 G0 X100 Z100\nM30\n");
+        ends(&text, GSK).len() == 1
+    };
+    for (operation, expected) in [
+        (80, [true; 3]),
+        (81, [false, true, false]),
+        (82, [true, false, true]),
+        (83, [false, false, true]),
+        (84, [true, false, false]),
+        (85, [false, true, true]),
+        (86, [true, true, false]),
+    ] {
+        assert_eq!([4, 5, 6].map(|q| jumps(operation, q)), expected, "H{operation}");
+    }
+}
+
+#[test]
+fn macro_a_says_what_it_cannot_do() {
+    let says = |operation: &str, setup: &str| {
+        told(&format!("O1\nG99 M3 S500 T0101\n{operation}\nG0 X50 Z2\nM30\n"), setup)
+    };
+    // H99: alarm 500+n; the program stops.
+    let text = "O1\nG65 H99 P3\nG0 X50 Z2\nM30\n";
+    assert_eq!((told(text, GSK), ends(text, GSK).len()), (vec!["macro-alarm 2".to_owned()], 0));
+    let analysis = analyze(text.as_bytes(), &Setup::from_json(GSK).expect("a setup"));
+    assert!(format!("{:?}", analysis.diagnostics[0].message).contains("503"));
+    assert_eq!(says("G65 H14 P#200 Q1", GSK), ["not-supported! 3"]);
+    assert_eq!(says("G65 H02 P#200 Q1", GSK), ["macro-format 3"]);
+    assert_eq!(says("G65 H05 P#200 Q1 R0", GSK), ["macro-division-by-zero 3"]);
+    assert_eq!(says("G65 H80 P77", GSK), ["sequence-number-not-found 3"]);
+    // FANUC 0 has macro A as well, but not these variables.
+    assert_eq!(says("G65 H01 P#100 Q3", "{}"), [""; 0]);
+    assert_eq!(says("G65 H01 P#200 Q3", "{}"), ["macro-variable-number 3"]);
+    // H is an argument like any other where a program is called.
+    let text = "O1\nG99 M3 S500 T0101\nG65 H20 P9010\nM30\nO9010\nG0 X#11 Z2\nM99\n";
+    assert_eq!(ends(text, "{}"), [(20.0, 2.0)]);
+}

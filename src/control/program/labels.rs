@@ -3,6 +3,7 @@
 //! In: the text. Out: places a parser can go on from. Made when first asked for, because most programs never
 //! ask. Knows nothing of what a block means, but for the numbers that calls name.
 
+use crate::control::codes;
 use crate::order;
 use crate::text::block::{Block, Value, Word};
 use crate::text::parser::{Parser, Resume};
@@ -172,6 +173,9 @@ impl Labels {
 fn called(block: &Block) -> Option<u32> {
     let code = |word: &Word| matches!((word.address, whole(word)), (b'M', Some(98)) | (b'G', Some(65 | 66)));
     block.words.iter().find(|word| code(word))?;
+    if codes::macro_a(block).is_some() {
+        return None;
+    }
     let word = block.words.iter().find(|word| word.address == b'P')?;
     whole(word).map(|value| program_and_repeats(value).0)
 }
