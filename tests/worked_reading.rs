@@ -170,3 +170,26 @@ fn macro_a_says_what_it_cannot_do() {
     let text = "O1\nG99 M3 S500 T0101\nG65 H20 P9010\nM30\nO9010\nG0 X#11 Z2\nM99\n";
     assert_eq!(ends(text, "{}"), [(20.0, 2.0)]);
 }
+
+/// Read in the system it is written in, as if the setup named it.
+#[test]
+fn programs_in_systems_b_and_c_are_read_in_them() {
+    let emco = "O0078\nG54\nG92 S2000\nT0101\nG96 S180 M04\nG95\nG00 X52. Z2.\nG73 U2. R1.\nG73 P10 Q20 U.5 W.1 F.25\n\
+                N10 G00 X30.\nG01 Z-25. F.1\nN20 X52.\nG72 P10 Q20\nG00 X100. Z50.\nT0303\nG97 S500 M03\nG00 X34. Z4.\n\
+                G78 P021560 Q50 R.02\nG78 X27.4 Z-20. P1300 Q400 F2.\nG00 X100. Z50.\nM30\n";
+    let fusion = "O1001\nG90 G94 G18\nG21\nG92 S4000\nG28 U0.\nT0101\nG90 G95 G18\nG54\nG97 S600 M3\nG0 X50. Z5.\nG92 S3000\n\
+                  G96 S190 M3\nG0 Z2.\nX40.\nG1 X36. F0.2\nZ-20.\nX50.\nG0 Z5.\nG28 U0.\nM30\n";
+    for (text, system, note) in
+        [(emco, "C", "g-code-system-concluded? 18"), (fusion, "B", "g-code-system-concluded? 4")]
+    {
+        let named = format!(r#"{{"dialect": {{"gSystem": "{system}"}}}}"#);
+        assert_eq!(ends(text, "{}"), ends(text, &named), "{system}");
+        let told = told(text, "{}");
+        assert!(told.contains(&note.to_owned()), "{told:?}");
+        assert!(!told.iter().any(|told| !told.contains(['?', '!'])), "{told:?}");
+    }
+    // Roughing in passes of 2 mm: X48, X44, X40, X36, X32, then the contour with its allowance.
+    let levels = ends(emco, "{}").into_iter().filter(|&(_, z)| z < -20.0).map(|(x, _)| x);
+    let levels: Vec<f64> = levels.collect();
+    assert!([48.0, 44.0, 40.0, 36.0, 32.0, 30.0].iter().all(|level| levels.contains(level)), "{levels:?}");
+}
