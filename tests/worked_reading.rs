@@ -3,7 +3,7 @@ use gcode_playground::analyze;
 use gcode_playground::message::Severity;
 use gcode_playground::setup::Setup;
 
-/// What is said of a program: code and line, the first being 1. Notes have a question mark, warnings an exclamation mark.
+/// The messages of a program: slug and line, from 1. A question mark follows the slug of a note, an exclamation mark that of a warning.
 fn told(text: &str, setup: &str) -> Vec<String> {
     let analysis = analyze(text.as_bytes(), &Setup::from_json(setup).expect("a setup"));
     let told = analysis.diagnostics.into_iter().map(|told| {
@@ -188,10 +188,10 @@ fn programs_in_systems_b_and_c_are_read_in_them() {
         assert!(told.contains(&note.to_owned()), "{told:?}");
         assert!(!told.iter().any(|told| !told.contains(['?', '!'])), "{told:?}");
     }
-    // Roughing in passes of 2 mm: X48, X44, X40, X36, X32, then the contour with its allowance.
+    // Roughing in passes of 2 mm in front of an allowance of 0.5: X48.5, X44.5, X40.5, X36.5, X32.5; the finish at X30.
     let levels = ends(emco, "{}").into_iter().filter(|&(_, z)| z < -20.0).map(|(x, _)| x);
     let levels: Vec<f64> = levels.collect();
-    assert!([48.0, 44.0, 40.0, 36.0, 32.0, 30.0].iter().all(|level| levels.contains(level)), "{levels:?}");
+    assert!([48.5, 44.5, 40.5, 36.5, 32.5, 30.0].iter().all(|level| levels.contains(level)), "{levels:?}");
 }
 
 /// Haas operator's manual, G112: Y is the second axis of the plane, a length; X is a diameter.
@@ -208,4 +208,18 @@ fn y_is_the_second_axis_of_polar_interpolation() {
     with_y.retain(|told| told != "axis-not-supported? 8");
     assert_eq!(with_y, with_c);
     assert_ne!(with_y.len(), told(&program("Y"), "{}").len());
+}
+
+/// LinuxCNC's G7: X is a diameter. The rest of the program is as a FANUC lathe in system B has it.
+#[test]
+fn a_plain_program_of_linuxcnc_is_read() {
+    let program = |head: &str| {
+        format!(
+            "{head} G18 G21 G40 G80 G90\nG95\nT0101 M6\nG97 S800 M3\nG0 X42. Z2.\nG1 Z-20. F0.2\nG0 X60. Z60.\nM2\n"
+        )
+    };
+    assert_eq!(told(&program("G7"), "{}"), told(&program(""), "{}"));
+    assert_eq!(ends(&program("G7"), "{}"), [(42.0, 2.0), (42.0, -20.0), (60.0, 60.0)]);
+    // FANUC's G07 names an axis.
+    assert!(told("O1\nG07 Z0\nM30\n", "{}").contains(&"not-supported! 2".to_owned()));
 }

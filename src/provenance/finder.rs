@@ -363,7 +363,7 @@ fn linuxcnc(statement: &Statement, found: &mut impl FnMut(Sign, Span)) {
             760 if statement.has_all(b"PZIJK") => found(Sign::ThreadIjk, span),
             921..=923 => found(Sign::OffsetCancel, span),
             430 if !statement.has_any(b"HXYZ") => found(Sign::ToolTable, span),
-            911 => found(Sign::IncrementalCentres, span),
+            911 if !statement.has_any(b"XYZUW") => found(Sign::IncrementalCentres, span),
             930 => found(Sign::InverseTime, span),
             _ => {}
         }

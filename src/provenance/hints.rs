@@ -49,6 +49,7 @@ fn has_code(statement: &Statement) -> bool {
         760 => has(b"CJ"),
         770 | 780 if has(b"P") => true,
         770..=820 => cycle,
+        900 => statement.codes(b'G').any(|(other, _)| matches!(other, 0 | 10)),
         920 | 940 => !has(b"XZUW"),
         960 => has(b"D"),
         _ => false,

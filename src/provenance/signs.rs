@@ -115,7 +115,7 @@ signs! {
     /// `G43` without H: the length of the tool of the table.
     ToolTable = For(LinuxCnc, 2),
     /// `G91.1`: incremental centres of arcs.
-    IncrementalCentres = For(LinuxCnc, 2),
+    IncrementalCentres = For(LinuxCnc, 4),
     /// `G93`: inverse time.
     InverseTime = For(LinuxCnc, 2),
     /// `(DEBUG,`, `(PRINT,`, `(LOG,`.

@@ -33,6 +33,8 @@ enum Sign {
     G33,
     /// `G90 G95`, `G91 G94` in one block: absolute or incremental, and the unit of the feed.
     FeedBesideAbsolute,
+    /// `G90 G00 X`: in A both are of group 01.
+    AbsoluteBesideMove,
     /// `G24 X Z`: facing cycle of C.
     G24,
     /// `G21 X Z F` alone: threading cycle of C.
@@ -68,11 +70,13 @@ enum Sign {
 }
 
 impl Sign {
-    /// What it suggests, and what it weighs.
+    /// The systems it suggests, and its weight.
     fn weight(self) -> (Side, u8) {
         match self {
             Self::G95 | Self::G92S => (Side::BAndC, 3),
-            Self::G91 | Self::G94F | Self::G33 | Self::FeedBesideAbsolute => (Side::BAndC, 2),
+            Self::G91 | Self::G94F | Self::G33 | Self::FeedBesideAbsolute | Self::AbsoluteBesideMove => {
+                (Side::BAndC, 2)
+            }
             Self::G77 | Self::G78 | Self::G79 => (Side::B, 3),
             Self::G78Data => (Side::C, 3),
             Self::G24 | Self::G21Cycle | Self::G78Depths | Self::G77Steps | Self::Finishing | Self::Unit => {
@@ -132,6 +136,7 @@ impl Scales {
                 920 if !axes && statement.has(b'S') => Sign::G92S,
                 920 if cycle && statement.has(b'F') => Sign::G92Cycle,
                 900 | 910 if codes([940, 950]) && !axes => Sign::FeedBesideAbsolute,
+                900 if axes && codes([0, 10]) && !statement.has_any(b"UW") => Sign::AbsoluteBesideMove,
                 780 if !axes && statement.word(b'P').is_some_and(|word| word.span.len() > 5) => Sign::G78Data,
                 780 if steps && names_contour => Sign::G78Depths,
                 770 if steps && names_contour => Sign::G77Steps,
@@ -198,7 +203,11 @@ impl Scales {
         let total = |side: Side| self.totals[side as usize];
         let (system, own) =
             if total(Side::C) > total(Side::B) + 1 { (GSystem::C, Side::C) } else { (GSystem::B, Side::B) };
-        let shown = [own, Side::BAndC].into_iter().find_map(|side| self.heaviest[side as usize]);
+        let [of_own, shared] = [own, Side::BAndC].map(|side| self.heaviest[side as usize]);
+        // What C alone has shows it, whatever it weighs.
+        let heavier = |(weight, span): &(u8, Span)| (*weight, std::cmp::Reverse(span.start));
+        let shown =
+            if system == GSystem::C { of_own } else { of_own.into_iter().chain(shared).max_by_key(heavier) };
         let (_, span) = shown?;
         let for_it = total(own) + total(Side::BAndC);
         (for_it >= ENOUGH + 2 * total(Side::A)).then_some((system, span))

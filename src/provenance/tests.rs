@@ -79,6 +79,12 @@ fn linuxcnc_has_o_words_and_names_of_variables() {
     check("G18 G8 G21\nM3S100 G4P1\nG0 X7.750\nG1 X5.673 F200.000\nM30\n", Target::LinuxCnc, "G8");
     check("G18 G20 G90 G95\nG96 D2500 S120 M3\nG0 X1.2 Z.1\n", Target::LinuxCnc, "G96");
     check("G7 G18 G21 G40 G90 G94\nT1 M6 G43\nG93\nG1 X10 Z2 F5\n", Target::LinuxCnc, "G7");
+    // A post for turning: arcs with incremental centres.
+    check(
+        "G18\nG90 G94 G91.1\nG20\nG53 G0 X0.\nT1 M6\nG90 G0 X1.2 Z.2\nG1 X1. F4.4\n",
+        Target::LinuxCnc,
+        "G91.1",
+    );
     check("G76 P1 Z-20 I-1 J0.2 K1.1 R1.5\n", Target::LinuxCnc, "G76");
 }
 
@@ -177,12 +183,13 @@ fn systems_b_and_c() {
     check_system("G91 G28 X0 Z0\nG90 G94 F200\nG1 Z-5\n", GSystem::B, "G91");
     check_system("G97 S400\nG0 X30 Z5\nG33 Z-20 F1.5\nG91 G0 X2\n", GSystem::B, "G33");
     check_system("G95 G90\nT0909\nG98 G83 Z-20 R-3 Q5000 F.1\nG99 G83 Z-9 R-3 F.1\n", GSystem::B, "G95");
-    // A post for system B that writes G32: a FANUC option lets it stand for G33.
+    // A post for system B that writes G32.
     check_system(
         "G90 G94 G18\nG28 U0.\nT0101\nG90 G95 G18\nG92 S3000\nG32 X35.5 F1.5\nG32 X35. Z-18. F1.5\n",
         GSystem::B,
         "G95",
     );
+    check_system("G18 G20\nG94\nG90 G0 X1.2 Z.2\nG1 X1. F4.4\nG90 G94\n", GSystem::B, "G90");
     check_system("G90 G94 G18\nG90 G95\nG28 U0.\nG0 X50. Z5.\n", GSystem::B, "G95");
     // EMCO with FANUC 0-TC: one number more or less than system A, and G78 is its thread.
     let emco =
@@ -205,10 +212,12 @@ fn doubts_leave_system_a() {
         "G94\nG0 X120 C0\nG12.1\nG1 X40 F100\n",
         "G50 S2000\nG99\nG91 G28 Z0.\n",
         "G20 G0 X1. Z.1\nG21\n",
-        // A facing cycle of A with a contour of its own, a finishing cycle named wrong.
+        // A facing cycle of A, and G72 in place of G70.
         "G72 W1. R.5\nG72 P10 Q20 U.2 W.1 F.2\nG70 P10 Q20\n",
         "G73 U9. W2. R4\nG73 P1 Q2 U.5 W.1 F.2\nG72 P1 Q2\n",
         "G32 Z-20. F1.5\nG0 U2.\n",
+        // The head of a mill and one block of its kind.
+        "G90 G0 X50. Z2.\nG1 Z-20. F.2\n",
         "(G95 G92 S100)\nG0 X1\n",
     ] {
         check_at_home(program);

@@ -1,7 +1,7 @@
 //! Names of programs: `<SHAFT-1>` (FANUC 30i, 0i-F).
 //!
-//! In: text. Out: the name that begins at a place, and the number it has here. A name is a number beyond all O numbers, so
-//! that whoever finds and calls programs by number does so by name. Knows nothing of what calls.
+//! In: text. Out: the name that begins at a byte, and its number. The number is beyond all O numbers: programs are found and called
+//! by name as they are by number. Knows nothing of calls.
 
 /// Most characters of a name (B-64484EN, program name).
 const LENGTH: usize = 32;
@@ -9,7 +9,7 @@ const LENGTH: usize = 32;
 /// The least number of a name; O numbers have eight digits.
 const FIRST: u32 = 1 << 30;
 
-/// Whether a program number stands for a name.
+/// Whether a program number is that of a name.
 pub fn is_name(number: u32) -> bool {
     number >= FIRST
 }

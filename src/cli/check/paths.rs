@@ -26,7 +26,7 @@ pub(super) const PROGRAMS: &[&str] = &[
 
 /// The endings that programs share with other files, and none: the text decides.
 const SHARED: &[&str] = &["txt", "g", "h", ""];
-/// So many blocks of a file with such an ending are looked at.
+/// The number of blocks of such a file that are read.
 const LOOKED_AT: usize = 100;
 
 /// The endings of the pages of a manual.

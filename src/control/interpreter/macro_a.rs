@@ -1,7 +1,7 @@
 //! Macro A: `G65 H02 P#200 Q#201 R5`, a statement of a macro written as a block (GSK980TD; FANUC 0).
 //!
-//! In: a block. Out: what it does to the variables, and where the program goes on. Each operation is a statement of macro B,
-//! which `control::macros` evaluates: here are only the forms of these statements.
+//! In: a block. Out: the changed variables, and where the program continues. Each operation is a statement of macro B,
+//! which `control::macros` evaluates; this file contains only the forms of these statements.
 
 use super::calls::Here;
 use super::store::Store;

@@ -181,11 +181,12 @@ impl Interpreter {
         }
     }
 
-    /// Whether a block of polar interpolation has Y as its second axis: a length, as C is (Haas operator's manual, G112). FANUC
-    /// names it C, so that is said once.
+    /// Whether a block of polar interpolation has Y as its second axis, on a machine without a Y axis: a length, as C is (Haas operator's manual, G112). FANUC
+    /// names it C, so this is reported once.
     #[cold]
     pub(super) fn names_second_axis_y(&mut self, text: &[u8], block: &Block) -> bool {
-        let is_polar = self.state.virtual_plane.is_some_and(|plane| plane.surface == Surface::Face);
+        let is_polar = self.state.virtual_plane.is_some_and(|plane| plane.surface == Surface::Face)
+            && !self.setup.machine.has_y();
         let find =
             |letters: &[u8]| block.words.iter().find(|word| letters.contains(&word.address) && !word.comma);
         let Some(word) = find(b"YV").filter(|_| is_polar && find(b"CH").is_none()) else { return false };
