@@ -663,12 +663,14 @@ impl Run {
         if number == 0 {
             self.interpreter.report(Diagnostic::new(said::ProgramNumberZero, span));
         } else if *self.programs.entry(number).or_insert(span.start) != span.start {
-            self.interpreter.report(Diagnostic::new(said::DuplicateProgram { number }, span));
+            let program = span.quote(text);
+            self.interpreter.report(Diagnostic::new(said::DuplicateProgram { program }, span));
         } else if self.ended
             && !self.interpreter.was_run(here.at)
             && !self.interpreter.is_called(text, number)
         {
-            self.interpreter.report(Diagnostic::new(said::NotRun { number }, span));
+            let program = span.quote(text);
+            self.interpreter.report(Diagnostic::new(said::NotRun { program }, span));
         }
         if self.ended {
             return None;

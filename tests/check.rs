@@ -86,6 +86,27 @@ fn a_folder_stands_for_the_programs_in_it() {
     assert_eq!(files(&folder, &["old/c.nc", "sub/notes.txt"]), ["old/c.nc", "sub/notes.txt"]);
 }
 
+/// Endings of 106 programs found in public: more than half were none of the usual ones.
+#[test]
+fn a_folder_is_searched_for_programs_by_ending_and_by_text() {
+    let mut folder =
+        Folder::new("endings").with("README.txt", "Programs for the small lathe.\nSee the sheet.\n");
+    folder = folder
+        .with("part.h", "#ifndef PART_H\n#define PART_H\nint x;\n#endif\n")
+        .with("LICENSE", "MIT License\n")
+        .with("p.pdf", "%PDF-1.4");
+    let programs = ["a.gc", "b.pgm", "c.dnc", "d.ncc", "e.PIM", "f.txt", "g.g", "h.h", "part"];
+    for name in programs {
+        folder = folder.with(name, RIGHT);
+    }
+    assert_eq!(files(&folder, &["."]), programs);
+    let told = err(&folder.check(&["."]));
+    assert!(told.contains("4 files with another ending not checked"), "{told}");
+    assert!(!err(&folder.check(&[".", "--quiet"])).contains("not checked"));
+    assert!(!err(&folder.check(&["a.gc"])).contains("not checked"));
+    assert!(err(&folder.check(&[".", "--extension", "gc"])).contains("12 files with another ending"));
+}
+
 #[test]
 fn patterns_and_endings_choose() {
     let folder = many("chosen");

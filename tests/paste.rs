@@ -26,7 +26,7 @@ fn checked(text: &str) -> Found {
             // What has no reason differs in blanks alone.
             if piece.reason.is_none() {
                 let solid = |text: &str| {
-                    text.chars().filter(|c| !c.is_whitespace() && *c != '\0').collect::<String>()
+                    text.chars().filter(|c| !c.is_whitespace() && !c.is_control()).collect::<String>()
                 };
                 assert_eq!(solid(was), solid(&piece.now), "lost without a word in {text:?}");
             }

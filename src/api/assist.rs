@@ -23,6 +23,7 @@ use crate::sentences::Language;
 use crate::sentences::assist::{Speaker, block_of};
 use crate::setup::dialect::CodeList;
 use crate::source::Span;
+use crate::text::program_name::is_name;
 use crate::units::Unit;
 
 /// The word at a place.
@@ -344,6 +345,9 @@ impl Reader<'_> {
         };
         let name = match found.name {
             Name::Sequence(number) => format!("N{number}"),
+            Name::Program(number) if is_name(number) => {
+                found.places.first().map_or_else(String::new, |named| named.span.quote(text))
+            }
             Name::Program(number) => format!("O{number:04}"),
             Name::Variable(number) => format!("#{number}"),
         };

@@ -12,6 +12,7 @@ use crate::run::Run;
 use crate::sentences::{Language, labels};
 use crate::setup::dialect::{Control, DecimalRule};
 use crate::setup::fields::Name;
+use crate::text::program_name;
 
 /// How a program was read.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -76,7 +77,7 @@ impl ReadAs {
         let levels = &run.setup().block_skip;
         let text = labels::block_skip(levels, language);
         facts.push(ReadFact { key: None, text, basis: said(!levels.is_empty()) });
-        if let Some(number) = run.program_number() {
+        if let Some(number) = run.program_number().filter(|&number| !program_name::is_name(number)) {
             let basis = said(run.setup().program.is_some());
             facts.push(ReadFact { key: None, text: format!("O{number:04}"), basis });
         }

@@ -24,6 +24,7 @@ use crate::source::Span;
 use crate::text::block::{Block, BlockKind, Value, Word};
 use crate::text::highlight::sequence_span;
 use crate::text::parser::Parser;
+use crate::text::program_name;
 use crate::units::Diameter;
 
 /// The word at a place, with what is known of it.
@@ -91,7 +92,7 @@ impl<'a> Asked<'a> {
             return Some(Hover::of(block.span, Role::Percent));
         }
         if let Some((number, span)) = block.program.filter(|(_, span)| at(span)) {
-            let quantity = Some(Quantity::Program(number));
+            let quantity = (!program_name::is_name(number)).then_some(Quantity::Program(number));
             return Some(Hover { quantity, ..Hover::of(span, Role::ProgramNumber) });
         }
         let sequence = block.sequence.and_then(|number| {
@@ -303,6 +304,7 @@ impl<'a> Asked<'a> {
             ContourFirst | ContourLast | CalledSequence | ReturnsTo | BeginsAt => {
                 Quantity::Sequence(plain(word)? as u32)
             }
+            CalledProgram if program_name::is_name(plain(word)? as u32) => return None,
             CalledProgram => Quantity::Program(program_of(plain(word)? as u64, form)),
             PatternPasses | Starts | InfeedMethod | Repeats | CallRepeats | DataNumber | DataKind
             | DataTip | ReferencePoint | FrameNumber | FinishAfter | Argument => count()?,

@@ -1,7 +1,7 @@
 //! The encodings of program files: bytes to UTF-8 and back, without loss.
 //!
 //! In: the bytes of a file. Out: its text as UTF-8, and the encoding to write it in again. Files with a byte
-//! order mark and valid UTF-8 are certain; otherwise what is not ASCII (comments, as a rule) is read as
+//! order mark, UTF-16 with a zero in every other byte and valid UTF-8 are certain; otherwise what is not ASCII (comments, as a rule) is read as
 //! Chinese, Russian and Western text, and the reading that surprises least is taken.
 //! `www/src/files/encoding-guess.ts` does the same on the page, with the same table; `tests/encodings.json`
 //! holds both to it. Must not know: what stands in a program.
@@ -18,8 +18,8 @@ use serde::Deserialize;
 pub enum Encoding {
     /// With or without a byte order mark, which stays in the text.
     Utf8,
-    /// With a byte order mark, which is no part of the text.
-    Utf16(Endian),
+    /// With or without a byte order mark, which is no part of the text.
+    Utf16(Endian, ByteOrderMark),
     /// One that can only be guessed.
     Legacy(&'static encoding_rs::Encoding),
 }
@@ -33,20 +33,35 @@ pub enum Endian {
     Big,
 }
 
+/// Whether a file in UTF-16 begins with a byte order mark.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum ByteOrderMark {
+    /// It does.
+    Present,
+    /// It does not.
+    Absent,
+}
+
 /// More bytes beyond ASCII than these change no guess.
 const LOOKED_AT: usize = 100_000;
 
 /// The text of a file as UTF-8, and what it was written in; encoding it again gives the very same bytes.
 pub fn decode(bytes: Vec<u8>) -> (Vec<u8>, Encoding) {
-    if bytes.is_ascii() {
+    let unmarked = unmarked_utf16(&bytes);
+    if unmarked.is_none() && bytes.is_ascii() {
         return (bytes, Encoding::Utf8);
+    }
+    let marked = [Endian::Little, Endian::Big].map(|endian| Encoding::Utf16(endian, ByteOrderMark::Present));
+    let unmarked = unmarked.map(|endian| Encoding::Utf16(endian, ByteOrderMark::Absent));
+    for encoding in marked.into_iter().chain(unmarked) {
+        if let Some(text) = encoding.decode(&bytes) {
+            return (text.into_bytes(), encoding);
+        }
     }
     if std::str::from_utf8(&bytes).is_ok() && !is_rather_chinese(&bytes) {
         return (bytes, Encoding::Utf8);
     }
-    let utf16 = [Encoding::Utf16(Endian::Little), Encoding::Utf16(Endian::Big)];
-    let guessed = by_likelihood(&bytes).map(Encoding::Legacy);
-    for encoding in utf16.into_iter().chain(guessed) {
+    for encoding in by_likelihood(&bytes).map(Encoding::Legacy) {
         if let Some(text) = encoding.decode(&bytes) {
             return (text.into_bytes(), encoding);
         }
@@ -60,8 +75,8 @@ impl Encoding {
     pub fn name(self) -> &'static str {
         match self {
             Encoding::Utf8 => "UTF-8",
-            Encoding::Utf16(Endian::Little) => "UTF-16LE",
-            Encoding::Utf16(Endian::Big) => "UTF-16BE",
+            Encoding::Utf16(Endian::Little, _) => "UTF-16LE",
+            Encoding::Utf16(Endian::Big, _) => "UTF-16BE",
             Encoding::Legacy(encoding) => encoding.name(),
         }
     }
@@ -70,8 +85,8 @@ impl Encoding {
     fn decode(self, bytes: &[u8]) -> Option<String> {
         let text = match self {
             Encoding::Utf8 => String::from_utf8(bytes.to_vec()).ok()?,
-            Encoding::Utf16(endian) => {
-                let (pairs, rest) = bytes.strip_prefix(&endian.mark())?.as_chunks::<2>();
+            Encoding::Utf16(endian, mark) => {
+                let (pairs, rest) = bytes.strip_prefix(mark.bytes(endian))?.as_chunks::<2>();
                 let units: Vec<u16> = pairs.iter().map(|&pair| endian.unit(pair)).collect();
                 String::from_utf16(&units).ok().filter(|_| rest.is_empty())?
             }
@@ -86,8 +101,8 @@ impl Encoding {
     pub fn encode(self, text: &str) -> Option<Cow<'_, [u8]>> {
         match self {
             Encoding::Utf8 => Some(Cow::Borrowed(text.as_bytes())),
-            Encoding::Utf16(endian) => {
-                let mut bytes = endian.mark().to_vec();
+            Encoding::Utf16(endian, mark) => {
+                let mut bytes = mark.bytes(endian).to_vec();
                 bytes.extend(text.encode_utf16().flat_map(|unit| endian.bytes(unit)));
                 Some(Cow::Owned(bytes))
             }
@@ -99,11 +114,17 @@ impl Encoding {
     }
 }
 
-impl Endian {
-    fn mark(self) -> [u8; 2] {
-        self.bytes(0xFEFF)
+impl ByteOrderMark {
+    fn bytes(self, endian: Endian) -> &'static [u8] {
+        match (self, endian) {
+            (ByteOrderMark::Present, Endian::Little) => &[0xFF, 0xFE],
+            (ByteOrderMark::Present, Endian::Big) => &[0xFE, 0xFF],
+            (ByteOrderMark::Absent, _) => &[],
+        }
     }
+}
 
+impl Endian {
     fn bytes(self, unit: u16) -> [u8; 2] {
         match self {
             Endian::Little => unit.to_le_bytes(),
@@ -135,6 +156,19 @@ struct Plausible {
 static PLAUSIBLE: LazyLock<Plausible> = LazyLock::new(|| {
     serde_json::from_str(include_str!("plausible.json")).expect("plausible.json is well formed")
 });
+
+/// The order of the bytes where a file is UTF-16 without a byte order mark: ASCII characters, most of a program, have a
+/// zero as their high byte, and none has one as its low byte. The feed of paper tape is zeros in a row, so both.
+fn unmarked_utf16(bytes: &[u8]) -> Option<Endian> {
+    let (pairs, _) = bytes.as_chunks::<2>();
+    let zeros = |at: usize| pairs.iter().filter(|pair| pair[at] == 0).count();
+    let least = pairs.len().div_ceil(2).max(2);
+    match (zeros(0), zeros(1)) {
+        (0, high) if high >= least => Some(Endian::Little),
+        (high, 0) if high >= least => Some(Endian::Big),
+        _ => None,
+    }
+}
 
 /// Whether what is valid UTF-8 is so by chance, as short Chinese comments can be: letters of alphabets nobody
 /// has in a program, in UTF-8, that are common characters in GB18030.
@@ -291,7 +325,7 @@ mod tests {
             assert_eq!(text.trim_start_matches('\u{feff}'), case.text);
             assert_eq!(
                 encoding.name().to_lowercase().replace('-', ""),
-                case.encoding.replace("-bom", "").replace('-', "")
+                case.encoding.replace("-no-bom", "").replace("-bom", "").replace('-', "")
             );
             assert_eq!(encoding.encode(&text).as_deref(), Some(bytes.as_slice()));
         }

@@ -15,7 +15,7 @@ use crate::cycles::single::Single;
 use crate::geometry::Turn;
 use crate::motion::{Cycle, Quill, SpindleTurn, StopKind};
 use crate::setup::dialect::{CodeList, FeedMode};
-use crate::text::block::Word;
+use crate::text::block::{Block, Word};
 use crate::units::Unit;
 
 /// Whether a code, ten times its number, is of modal group 01 on a control of list A or of GSK: a
@@ -40,6 +40,14 @@ pub fn is_passage(word: &Word) -> bool {
 /// Whether a word calls a macro: G65, G66. What stands after it are arguments.
 pub fn calls_macro(word: &Word) -> bool {
     matches!(whole_g(word), Some(G::MacroCall(_)))
+}
+
+/// The operation of a block of macro A: `G65 H01`, where H follows the code. What calls a program has its P there.
+pub fn macro_a(block: &Block) -> Option<u32> {
+    let code = |word: &Word| word.address == b'G' && whole(word) == Some(65);
+    let after = block.words.iter().position(code)? + 1;
+    let operation = block.words.get(after).filter(|word| word.address == b'H' && !word.comma)?;
+    u32::try_from(whole(operation)?).ok()
 }
 
 /// Whether a word only steers the program: those two, and G67.

@@ -379,6 +379,7 @@ pub enum Once {
     PlaneNotHere,
     PlaneRapid,
     G28NoAxis,
+    SecondAxisY,
 }
 
 impl Reported {

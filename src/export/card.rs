@@ -20,6 +20,7 @@ use crate::setup::{Setup, Stock};
 use crate::source::{Span, is_unprintable};
 use crate::text::block::{Block, BlockKind, Value, Word};
 use crate::text::parser::Parser;
+use crate::text::program_name::is_name;
 use crate::units::{Unit, number};
 use here::here;
 use words::{one_of, tool_kind, words};
@@ -347,7 +348,8 @@ impl Page {
 
 /// An O number as it is written.
 pub(super) fn program_name(number: u32) -> String {
-    format!("O{number:04}")
+    // Of a name the number means nothing to a reader.
+    if is_name(number) { String::new() } else { format!("O{number:04}") }
 }
 
 /// The blocks of a text, one after the other.

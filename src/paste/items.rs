@@ -98,9 +98,9 @@ pub(super) fn is_invisible(c: char) -> bool {
     matches!(c, '\u{200b}'..='\u{200f}' | '\u{2060}' | '\u{feff}' | '\u{ad}')
 }
 
-/// Whether a character is a blank within a line.
+/// Whether a character is a blank within a line: the lexer passes over control characters too.
 pub(super) fn is_blank(c: char) -> bool {
-    is_invisible(c) || (c.is_whitespace() && c != '\n' && c != '\r') || c == '\0'
+    is_invisible(c) || ((c.is_whitespace() || c.is_control()) && c != '\n' && c != '\r')
 }
 
 /// The plain sign of a character, and why it is another.

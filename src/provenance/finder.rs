@@ -11,7 +11,7 @@ use crate::source::Span;
 const MANY_Y: u32 = 8;
 
 /// Names that are a sign wherever they stand.
-const NAMES: [(&str, Sign); 34] = [
+const NAMES: [(&str, Sign); 35] = [
     ("ENDW", Sign::EndWhile),
     ("DIAMON", Sign::DiameterMode),
     ("DIAMOF", Sign::DiameterMode),
@@ -48,6 +48,7 @@ const NAMES: [(&str, Sign); 34] = [
     ("IC", Sign::IncrementCall),
     ("AC", Sign::IncrementCall),
     ("WORKPIECE", Sign::SiemensWord),
+    ("WAITM", Sign::WaitMark),
 ];
 /// From here on a name of [`NAMES`] needs `=` after it.
 const ASSIGNED: usize = 19;
@@ -79,6 +80,9 @@ const O_STATEMENTS: [&str; 12] = [
     "REPEAT",
     "ENDREPEAT",
 ];
+
+/// How commands of CNCSimulator begin, after `$`.
+const SIMULATOR: [&[u8]; 3] = [b"ADDREGPART", b"MESSAGE", b"ADDPART"];
 
 /// How remarks begin that do something.
 const REMARKS: [(&str, Sign); 13] = [
@@ -170,8 +174,20 @@ fn heads(text: &[u8], statement: &Statement, found: &mut impl FnMut(Sign, Span))
         [b'%', b'0'..=b'9', ..] => found(Sign::PercentNumber, statement.span),
         [b'%', b'_', b'n' | b'N', b'_', ..] => found(Sign::TransferHead, statement.span),
         [b'%', ..] if holds(line, b",MX,") => found(Sign::FagorHead, statement.span),
-        [b'$', ..] if holds(line, b".MIN%") => found(Sign::OkumaHead, statement.span),
-        [b'o' | b'O', b'<', b'a'..=b'z' | b'A'..=b'Z' | b'_', ..] => found(Sign::OWord, statement.span),
+        [b'$', .., b'%'] if line.contains(&b'.') => found(Sign::OkumaHead, statement.span),
+        [b'$', b'1'..=b'9', rest @ ..] if !rest.first().is_some_and(u8::is_ascii_alphanumeric) => {
+            found(Sign::PathHead, statement.span)
+        }
+        [b'$', name @ ..] if SIMULATOR.iter().any(|&one| begins(name, one)) => {
+            found(Sign::SimulatorCommand, statement.span);
+        }
+        [b'!', b'L' | b'l', b'0'..=b'9', ..] | [b'!', b'0'..=b'9', b'L' | b'l', b'0'..=b'9', ..] => {
+            found(Sign::PathWait, statement.span);
+        }
+        // `O<NAME>` alone is the name of a FANUC program.
+        [b'o' | b'O', b'<', b'a'..=b'z' | b'A'..=b'Z' | b'_', rest @ ..] if has_text_behind_name(rest) => {
+            found(Sign::OWord, statement.span);
+        }
         _ => {}
     }
     if let Some(span) = statement.named_variable {
@@ -256,6 +272,7 @@ fn assignments(text: &[u8], statement: &Statement, found: &mut impl FnMut(Sign, 
             }
             (b'P', true, true) if next_is(b'K') => found(Sign::ParameterK, word.span),
             (b'V', true, true) => found(Sign::VVariable, word.span),
+            (b'S', true, true) if word.span.len() == 3 => found(Sign::SpindleSpeed, word.span),
             (b'L', false, false) if next.is_some_and(|next| next.signed && is_axis(next)) => {
                 found(Sign::LineMove, word.span);
             }
@@ -298,6 +315,11 @@ fn other_lathes(statement: &Statement, found: &mut impl FnMut(Sign, Span)) {
     for (code, span) in statement.codes(b'G') {
         match code {
             710..=730 if xz && statement.has_all(b"PQR") => found(Sign::OneLineRoughing, span),
+            710..=730 if is_one_line_without_axes(statement) => {
+                found(if statement.has(b'E') { Sign::OneLineRecess } else { Sign::OneLineShort }, span);
+            }
+            710 if xz && statement.has_all(b"BDHF") && has_no(b"PQ") => found(Sign::ThreadByBdh, span),
+            1090 if statement.has(b'L') => found(Sign::Turret, span),
             710 | 720 if statement.has_all(b"IKL") && statement.has_any(b"XZ") && has_no(b"PQ") => {
                 found(Sign::RoughingIkl, span);
             }
@@ -316,6 +338,9 @@ fn other_lathes(statement: &Statement, found: &mut impl FnMut(Sign, Span)) {
             2900 | 2910 => found(Sign::LanguageSwitch, span),
             _ => {}
         }
+    }
+    if let Some(tool) = statement.word(b'T').filter(|word| digits_written(word) == 6) {
+        found(Sign::SixDigitTool, tool.span);
     }
     if let Some((170, span)) = statement.codes(b'M').next()
         && is_bare(statement)
@@ -337,6 +362,9 @@ fn linuxcnc(statement: &Statement, found: &mut impl FnMut(Sign, Span)) {
             960 if statement.has_all(b"DS") => found(Sign::SpeedLimitD, span),
             760 if statement.has_all(b"PZIJK") => found(Sign::ThreadIjk, span),
             921..=923 => found(Sign::OffsetCancel, span),
+            430 if !statement.has_any(b"HXYZ") => found(Sign::ToolTable, span),
+            911 if !statement.has_any(b"XYZUW") => found(Sign::IncrementalCentres, span),
+            930 => found(Sign::InverseTime, span),
             _ => {}
         }
     }
@@ -392,7 +420,10 @@ fn fanuc_lathe(statement: &Statement, found: &mut impl FnMut(Sign, Span)) {
             121 | 1120 => found(Sign::Polar, span),
             700 if statement.has_all(b"PQ") => found(Sign::Finishing, span),
             710..=730
-                if statement.has_all(b"PQ") && statement.has_any(b"UW") && !statement.has_any(b"XZ") =>
+                if statement.has_all(b"PQ")
+                    && statement.has_any(b"UW")
+                    && !statement.has_any(b"XZ")
+                    && !is_one_line_without_axes(statement) =>
             {
                 found(Sign::Roughing, span);
             }
@@ -416,6 +447,11 @@ fn fanuc_lathe(statement: &Statement, found: &mut impl FnMut(Sign, Span)) {
     }
 }
 
+/// `G71 U R P Q`, perhaps with E: depth and retract in the block that names the contour, and no allowance.
+fn is_one_line_without_axes(statement: &Statement) -> bool {
+    statement.has_all(b"PQRU") && !statement.has_any(b"XZWD")
+}
+
 /// No words but G, M and N.
 fn is_bare(statement: &Statement) -> bool {
     statement.words().iter().all(|word| matches!(word.letter, b'G' | b'M' | b'N'))
@@ -433,6 +469,16 @@ pub(super) fn is_zero(word: &Word) -> bool {
 /// Digits of a word, leading zeros included: 4 for `T0101`.
 fn digits_written(word: &Word) -> u32 {
     word.number.map_or(0, |_| word.span.len().saturating_sub(1) as u32)
+}
+
+/// Whether a letter or `[` follows a name and its `>`.
+fn has_text_behind_name(rest: &[u8]) -> bool {
+    let behind = rest.split(|&byte| byte == b'>').nth(1).unwrap_or_default();
+    behind.trim_ascii_start().first().is_some_and(|&byte| byte.is_ascii_alphabetic() || byte == b'[')
+}
+
+fn begins(line: &[u8], head: &[u8]) -> bool {
+    line.get(..head.len()).is_some_and(|start| start.eq_ignore_ascii_case(head))
 }
 
 fn holds(line: &[u8], part: &[u8]) -> bool {

@@ -14,11 +14,17 @@ const REMARKS: [&[u8; 3]; 11] =
 /// Whether a statement has anything of that kind.
 pub fn is_unusual(text: &[u8], statement: &Statement) -> bool {
     let line = statement.span.of(text);
-    let head = matches!(line, [b'%', _, ..] | [b'$', ..] | [b'o' | b'O', b'<', ..]);
+    let head = matches!(line, [b'%', _, ..] | [b'$' | b'!', ..] | [b'o' | b'O', b'<', ..]);
     let named = !statement.names().is_empty() || statement.named_variable.is_some();
     let assigned = statement.words().iter().any(|word| word.assigned);
     let beside_the_plane = statement.word(b'Y').is_some_and(|word| !is_zero(word) || statement.has(b'E'));
-    head || named || assigned || beside_the_plane || has_remark(text, statement) || has_code(statement)
+    let six_digits = statement.word(b'T').is_some_and(|word| word.span.len() == 7);
+    head || named
+        || assigned
+        || beside_the_plane
+        || six_digits
+        || has_remark(text, statement)
+        || has_code(statement)
 }
 
 fn has_remark(text: &[u8], statement: &Statement) -> bool {
@@ -32,13 +38,18 @@ fn has_remark(text: &[u8], statement: &Statement) -> bool {
 fn has_code(statement: &Statement) -> bool {
     let has = |letters: &[u8]| statement.has_any(letters);
     let cycle = has(b"XU") && has(b"ZW");
+    let bare = statement.words().iter().all(|word| matches!(word.letter, b'G' | b'N'));
     let unusual = |code: u32| match code {
-        70 | 80 | 240 | 330 | 331 | 360 | 370 | 910 | 921..=923 | 950 => true,
+        70 | 80 | 240 | 330 | 331 | 360 | 370 | 430 | 910 | 911 | 921..=923 | 930 | 950 | 1090 => true,
         200 | 210 => cycle && has(b"F"),
         640 => has(b"P"),
-        710..=730 => has(b"XZ"),
+        700 | 710 if bare => true,
+        720 if has(b"P") && !has(b"UW") => true,
+        710..=730 => has(b"XZE") || has(b"R") && has(b"P"),
         760 => has(b"CJ"),
+        770 | 780 if has(b"P") => true,
         770..=820 => cycle,
+        900 => statement.codes(b'G').any(|(other, _)| matches!(other, 0 | 10)),
         920 | 940 => !has(b"XZUW"),
         960 => has(b"D"),
         _ => false,

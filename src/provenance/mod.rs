@@ -48,6 +48,12 @@ pub enum Target {
     Okuma,
     /// GSK 928.
     Gsk928,
+    /// A lathe with a program for each of its paths: Citizen, Star, Tsugami.
+    Channels,
+    /// Mazak, programs in EIA/ISO.
+    Mazak,
+    /// CNCSimulator.
+    CncSimulator,
     /// A milling machine.
     Mill,
     /// A 3D printer.
@@ -65,6 +71,9 @@ impl Target {
             Self::Heidenhain => "Heidenhain",
             Self::Okuma => "Okuma OSP",
             Self::Gsk928 => "GSK 928",
+            Self::Channels => "Citizen / Star / Tsugami ($1 $2)",
+            Self::Mazak => "Mazak (EIA/ISO)",
+            Self::CncSimulator => "CNCSimulator",
             Self::Mill | Self::Printer => "",
         }
     }
@@ -80,12 +89,15 @@ impl Target {
             | Self::Fagor
             | Self::Heidenhain
             | Self::Okuma
-            | Self::Gsk928 => said::ForeignControl { control: self.name() }.into(),
+            | Self::Gsk928
+            | Self::Channels
+            | Self::Mazak
+            | Self::CncSimulator => said::ForeignControl { control: self.name() }.into(),
         }
     }
 
     /// All of them, in the order of their numbers.
-    pub const ALL: [Target; 9] = [
+    pub const ALL: [Target; 12] = [
         Self::Hnc,
         Self::Siemens,
         Self::LinuxCnc,
@@ -93,6 +105,9 @@ impl Target {
         Self::Heidenhain,
         Self::Okuma,
         Self::Gsk928,
+        Self::Channels,
+        Self::Mazak,
+        Self::CncSimulator,
         Self::Mill,
         Self::Printer,
     ];
@@ -239,8 +254,13 @@ impl Scores {
         match target {
             Target::Mill | Target::Printer => self.lathe,
             Target::Hnc | Target::LinuxCnc | Target::Fagor | Target::Gsk928 => self.fanuc,
-            // Their languages have names no FANUC program has.
-            Target::Siemens | Target::Heidenhain | Target::Okuma => 0,
+            // Their languages have words no FANUC program has.
+            Target::Siemens
+            | Target::Heidenhain
+            | Target::Okuma
+            | Target::Channels
+            | Target::Mazak
+            | Target::CncSimulator => 0,
         }
     }
 

@@ -40,6 +40,10 @@ signs! {
     PercentNumber = For(Hnc, 3),
     /// `G71 U R P Q X Z`: both blocks of a cycle in one.
     OneLineRoughing = For(Hnc, 4),
+    /// `G71 U R P Q E`: the same for a contour with a recess.
+    OneLineRecess = For(Hnc, 4),
+    /// `G71 U R P Q`: the same without allowances.
+    OneLineShort = For(Hnc, 1),
     /// `G80 X Z F`: turning.
     TurningG80 = For(Hnc, 2),
     /// `G81 X Z`: facing.
@@ -79,6 +83,8 @@ signs! {
     NamedAddress = For(Siemens, 3),
     /// `TRANS Z`, `ATRANS Z`.
     FrameShift = For(Siemens, 3),
+    /// `WAITM(`: waiting for another channel.
+    WaitMark = For(Siemens, 4),
     /// `GOTOF`, `MCALL`, `STOPRE` and their kind.
     SiemensWord = For(Siemens, 3),
     /// `M17` alone: end of a subprogram.
@@ -93,7 +99,7 @@ signs! {
     /// `G7`: diameters.
     DiametersG7 = For(LinuxCnc, 2),
     /// `G8`: radii.
-    RadiiG8 = For(LinuxCnc, 2),
+    RadiiG8 = For(LinuxCnc, 4),
     /// `G64 P`: path tolerance.
     PathTolerance = For(LinuxCnc, 2),
     /// `G33.1`: rigid tapping.
@@ -101,11 +107,17 @@ signs! {
     /// `G33 Z K` without F.
     ThreadByK = For(LinuxCnc, 2),
     /// `G96 D S`: speed limit by D.
-    SpeedLimitD = For(LinuxCnc, 3),
+    SpeedLimitD = For(LinuxCnc, 4),
     /// `G76 P Z I J K`.
     ThreadIjk = For(LinuxCnc, 4),
     /// `G92.1`, `G92.2`, `G92.3`.
     OffsetCancel = For(LinuxCnc, 2),
+    /// `G43` without H: the length of the tool of the table.
+    ToolTable = For(LinuxCnc, 2),
+    /// `G91.1`: incremental centres of arcs.
+    IncrementalCentres = For(LinuxCnc, 4),
+    /// `G93`: inverse time.
+    InverseTime = For(LinuxCnc, 2),
     /// `(DEBUG,`, `(PRINT,`, `(LOG,`.
     ActiveRemark = For(LinuxCnc, 3),
     /// `(MSG,`.
@@ -146,7 +158,11 @@ signs! {
     /// `$SHAFT.MIN%`.
     OkumaHead = For(Okuma, 4),
     /// `NAT01`.
-    NamedSequence = For(Okuma, 3),
+    NamedSequence = For(Okuma, 4),
+    /// `G71 X Z B D H F`: threading.
+    ThreadByBdh = For(Okuma, 3),
+    /// `T010101`: radius offset, station and offset.
+    SixDigitTool = For(Okuma, 1),
     /// `G85 NLAP1`.
     LapCall = For(Okuma, 4),
     /// `VZSHZ=`, `VZOFZ=`.
@@ -157,6 +173,19 @@ signs! {
     OkumaWord = For(Okuma, 3),
     /// `SB=`: speed of a live tool.
     LiveToolSpeed = For(Okuma, 3),
+
+    /// `$1`: the program of a path.
+    PathHead = For(Channels, 5),
+    /// `!L1`, `!2L1`: waiting for another path.
+    PathWait = For(Channels, 3),
+    /// `S1=500`: speed of a spindle.
+    SpindleSpeed = For(Channels, 2),
+
+    /// `G109 L1`: turret.
+    Turret = For(Mazak, 4),
+
+    /// `$AddRegPart`, `$Message`.
+    SimulatorCommand = For(CncSimulator, 4),
 
     /// `G81 X Z I K`.
     CycleIk = For(Gsk928, 3),

@@ -9,6 +9,9 @@ use crate::source::Span;
 /// Least weight of what suggests B or C.
 const ENOUGH: u8 = 3;
 
+/// Most contours that are remembered.
+const MOST_CONTOURS: usize = 16;
+
 /// Things that are written in one system only. Each counts once.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Sign {
@@ -28,12 +31,26 @@ enum Sign {
     G94F,
     /// `G33 Z F`: threading in B and C.
     G33,
+    /// `G90 G95`, `G91 G94` in one block: absolute or incremental, and the unit of the feed.
+    FeedBesideAbsolute,
+    /// `G90 G00 X`: in A both are of group 01.
+    AbsoluteBesideMove,
     /// `G24 X Z`: facing cycle of C.
     G24,
     /// `G21 X Z F` alone: threading cycle of C.
     G21Cycle,
     /// `G20 X Z F` alone: turning cycle of C.
     G20Cycle,
+    /// `G78 P021560 Q R`: first block of the threading cycle of C.
+    G78Data,
+    /// `G78 X Z P Q F`: its second block.
+    G78Depths,
+    /// `G77 X Z P Q F`: grooving cycle of C.
+    G77Steps,
+    /// `G72 P Q` over the contour of a `G73`, `G74` or `G75 P Q`: finishing after roughing in C.
+    Finishing,
+    /// `G70`, `G71` without a word: inch and millimetre in C.
+    Unit,
     /// `G98`, `G99` without a hole cycle: the feed units of A.
     FeedUnit,
     /// `G50 S`: speed clamp of A.
@@ -53,28 +70,45 @@ enum Sign {
 }
 
 impl Sign {
-    /// What it weighs for A, B and C.
-    fn weights(self) -> [u8; 3] {
+    /// The systems it suggests, and its weight.
+    fn weight(self) -> (Side, u8) {
         match self {
-            Self::G95 | Self::G92S => [0, 3, 1],
-            Self::G77 | Self::G78 | Self::G79 => [0, 3, 0],
-            Self::G91 | Self::G94F | Self::G33 => [0, 2, 0],
-            Self::G24 | Self::G21Cycle => [0, 0, 2],
-            Self::G20Cycle => [0, 0, 1],
-            Self::FeedUnit | Self::G50S | Self::G92Cycle | Self::G94Cycle | Self::G90Taper => [3, 0, 0],
-            Self::G32 => [2, 0, 0],
-            Self::G90Cycle | Self::Increments => [1, 0, 0],
+            Self::G95 | Self::G92S => (Side::BAndC, 3),
+            Self::G91 | Self::G94F | Self::G33 | Self::FeedBesideAbsolute | Self::AbsoluteBesideMove => {
+                (Side::BAndC, 2)
+            }
+            Self::G77 | Self::G78 | Self::G79 => (Side::B, 3),
+            Self::G78Data => (Side::C, 3),
+            Self::G24 | Self::G21Cycle | Self::G78Depths | Self::G77Steps | Self::Finishing | Self::Unit => {
+                (Side::C, 2)
+            }
+            Self::G20Cycle => (Side::C, 1),
+            Self::FeedUnit | Self::G50S | Self::G92Cycle | Self::G94Cycle | Self::G90Taper => (Side::A, 3),
+            // Controls in B and C have it as well where their builder wants it, and posts write it.
+            Self::G32 | Self::G90Cycle | Self::Increments => (Side::A, 1),
         }
     }
+}
+
+/// The systems a sign suggests.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Side {
+    A,
+    BAndC,
+    B,
+    C,
 }
 
 /// Weighs up the statements of a program.
 #[derive(Clone, Debug, Default)]
 pub struct Scales {
     seen: u32,
-    totals: [u8; 3],
-    /// The heaviest sign for B and for C, the first of its weight.
-    heaviest: [Option<(u8, Span)>; 3],
+    /// For each side.
+    totals: [u8; 4],
+    /// The heaviest sign of each side, the first of its weight.
+    heaviest: [Option<(u8, Span)>; 4],
+    /// P and Q of the contours that a `G73`, `G74` or `G75` has named.
+    roughed: Vec<[Option<u64>; 2]>,
     /// A hole cycle is in force: G98 and G99 may be its return levels.
     hole_cycle: bool,
 }
@@ -88,6 +122,10 @@ impl Scales {
         let axes = statement.has_any(b"XZUW");
         let cycle = statement.has_any(b"XU") && statement.has_any(b"ZW") && !statement.has_any(b"PQ");
         let alone = statement.codes(b'G').count() == 1;
+        let codes = |wanted: [u32; 2]| statement.codes(b'G').any(|(code, _)| wanted.contains(&code));
+        let steps = statement.has_any(b"XU") && statement.has_any(b"ZW") && statement.has(b'F');
+        let contour = [b'P', b'Q'].map(|letter| statement.word(letter)?.number?.integer());
+        let names_contour = contour.iter().all(Option::is_some);
         let hole = |(code, _): (u32, Span)| (810..=890).contains(&code);
         self.hole_cycle |= statement.codes(b'G').any(hole);
         let mut plain = true;
@@ -97,6 +135,23 @@ impl Scales {
                 950 => Sign::G95,
                 920 if !axes && statement.has(b'S') => Sign::G92S,
                 920 if cycle && statement.has(b'F') => Sign::G92Cycle,
+                900 | 910 if codes([940, 950]) && !axes => Sign::FeedBesideAbsolute,
+                900 if axes && codes([0, 10]) && !statement.has_any(b"UW") => Sign::AbsoluteBesideMove,
+                780 if !axes && statement.word(b'P').is_some_and(|word| word.span.len() > 5) => Sign::G78Data,
+                780 if steps && names_contour => Sign::G78Depths,
+                770 if steps && names_contour => Sign::G77Steps,
+                730..=750 if names_contour && !statement.has_any(b"XZ") => {
+                    if self.roughed.len() < MOST_CONTOURS {
+                        self.roughed.push(contour);
+                    }
+                    continue;
+                }
+                720 if names_contour && !statement.has_any(b"XZUW") && self.roughed.contains(&contour) => {
+                    Sign::Finishing
+                }
+                700 | 710 if statement.words().iter().all(|word| matches!(word.letter, b'G' | b'N')) => {
+                    Sign::Unit
+                }
                 770 if cycle => Sign::G77,
                 780 if cycle => Sign::G78,
                 790 if cycle => Sign::G79,
@@ -135,20 +190,26 @@ impl Scales {
             return;
         }
         self.seen |= bit;
-        for (system, weight) in sign.weights().into_iter().enumerate() {
-            self.totals[system] += weight;
-            if weight > 0 && self.heaviest[system].is_none_or(|(most, _)| weight > most) {
-                self.heaviest[system] = Some((weight, span));
-            }
+        let (side, weight) = sign.weight();
+        self.totals[side as usize] += weight;
+        let heaviest = &mut self.heaviest[side as usize];
+        if heaviest.is_none_or(|(most, _)| weight > most) {
+            *heaviest = Some((weight, span));
         }
     }
 
     /// The system, when it is another than A beyond doubt: enough for it and little for A.
     pub fn verdict(&self) -> Option<(GSystem, Span)> {
-        let [a, b, c] = self.totals;
-        let (system, at) = if c > b { (GSystem::C, 2) } else { (GSystem::B, 1) };
-        let total = self.totals[at];
-        let (_, span) = self.heaviest[at]?;
-        (total >= ENOUGH + 2 * a).then_some((system, span))
+        let total = |side: Side| self.totals[side as usize];
+        let (system, own) =
+            if total(Side::C) > total(Side::B) + 1 { (GSystem::C, Side::C) } else { (GSystem::B, Side::B) };
+        let [of_own, shared] = [own, Side::BAndC].map(|side| self.heaviest[side as usize]);
+        // What C alone has shows it, whatever it weighs.
+        let heavier = |(weight, span): &(u8, Span)| (*weight, std::cmp::Reverse(span.start));
+        let shown =
+            if system == GSystem::C { of_own } else { of_own.into_iter().chain(shared).max_by_key(heavier) };
+        let (_, span) = shown?;
+        let for_it = total(own) + total(Side::BAndC);
+        (for_it >= ENOUGH + 2 * total(Side::A)).then_some((system, span))
     }
 }

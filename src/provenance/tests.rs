@@ -39,6 +39,17 @@ fn hnc_has_both_blocks_of_a_cycle_in_one() {
     let roughing =
         "%0021\nT0101\nM03 S500\nG00 X42 Z2\nG71 U1.5 R1 P1 Q2 X0.5 Z0.1 F120\nN1 G01 X20 Z0\nN2 X40\nM30\n";
     check(roughing, Target::Hnc, "G71");
+    // The word E is the allowance of a contour with a recess (HNC-18iT programming manual, G71).
+    check(
+        "%0001\nT0101\nG00 X50 Z2\nG71 U1.5 R1 P10 Q20 E0.4 F100\nN10 G00 X30\nN20 X50\nM30\n",
+        Target::Hnc,
+        "G71",
+    );
+    check(
+        "%0001\nT0101\nG00 X50 Z2\nG72 U1.5 R1 P10 Q20 F100\nN10 G00 X30\nN20 X50\nM30\n",
+        Target::Hnc,
+        "%0001",
+    );
     check("%7\nT0101\nG00 X42 Z2\nG80 X38 Z-20 F100\nX36\nM30\n", Target::Hnc, "%7");
     check("G36\nG00 X42 Z2\nG80 X38 Z-20 I-2 F100\nM30\n", Target::Hnc, "G36");
     check("%0003\nT0101\nG82 X19.2 Z-18 F1.5\nM30\n", Target::Hnc, "%0003");
@@ -64,6 +75,16 @@ fn linuxcnc_has_o_words_and_names_of_variables() {
     check("o100 sub\nG1 X#1 F0.1\no100 endsub\nM2\n", Target::LinuxCnc, "o100 sub");
     check("#<deep> = 3\no<pass> call [#<deep>]\nM2\n", Target::LinuxCnc, "o<pass> call [#<deep>]");
     check("G18 G8 G21 G40 G90\nG64 P0.01\nT1 M6\nG0 X10 Z2\n", Target::LinuxCnc, "G8");
+    // ioSender and grblHAL: radii, and X would be taken for diameters.
+    check("G18 G8 G21\nM3S100 G4P1\nG0 X7.750\nG1 X5.673 F200.000\nM30\n", Target::LinuxCnc, "G8");
+    check("G18 G20 G90 G95\nG96 D2500 S120 M3\nG0 X1.2 Z.1\n", Target::LinuxCnc, "G96");
+    check("G7 G18 G21 G40 G90 G94\nT1 M6 G43\nG93\nG1 X10 Z2 F5\n", Target::LinuxCnc, "G7");
+    // A post for turning: arcs with incremental centres.
+    check(
+        "G18\nG90 G94 G91.1\nG20\nG53 G0 X0.\nT1 M6\nG90 G0 X1.2 Z.2\nG1 X1. F4.4\n",
+        Target::LinuxCnc,
+        "G91.1",
+    );
     check("G76 P1 Z-20 I-1 J0.2 K1.1 R1.5\n", Target::LinuxCnc, "G76");
 }
 
@@ -84,8 +105,23 @@ fn heidenhain_writes_plain_text() {
 #[test]
 fn okuma_names_its_sequences() {
     check("$SHAFT.MIN%\nG50 S2000\nG00 X500 Z500\n", Target::Okuma, "$SHAFT.MIN%");
-    check("NAT01\nG50 S2000\nG85 NLAP1 D4 U0.3 W0.1 F0.3\nNLAP1 G81\nG80\n", Target::Okuma, "NLAP1");
+    check("NAT01\nG50 S2000\nG85 NLAP1 D4 U0.3 W0.1 F0.3\nNLAP1 G81\nG80\n", Target::Okuma, "NAT01");
+    check("O100\nNAT01\nG50 S2000\nG97 S600 M03 M42 T010101\nM02\n", Target::Okuma, "NAT01");
+    check("G50 S2000\nT010101\nG71 X36.4 Z-20 B60 D0.6 U0.1 H1.8 F2 M32 M73\nM02\n", Target::Okuma, "G71");
+    check("$SHAFT.SSB%\nOSUB1\nG00 X500\nRTS\n", Target::Okuma, "$SHAFT.SSB%");
     check("VZSHZ=80\nG00 X500 Z500\n", Target::Okuma, "VZSHZ");
+}
+
+#[test]
+fn other_machines_have_words_of_their_own() {
+    // Mitsubishi M70 and FANUC of Swiss-type lathes: `$1` is the program of the first path, `!L1` waits for the other.
+    check("O1000\n$1\nG50 Z0\nM03 S1=2000\n!L1\nG0 X20 Z0 T0100\n$2\n!L1\nM30\n", Target::Channels, "$1");
+    check("O1\n!L1\nM3 S1=500\nG0 X20 Z0\n", Target::Channels, "!L1");
+    check("$1 (MAIN)\nG0 X1\n", Target::Channels, "$1 (MAIN)");
+    check("G0 X40 Z2\nWAITM(1,1,2)\n", Target::Siemens, "WAITM(");
+    check("O1\nG109 L1\nT001001\nG96 S120\nG0 X40. Z2.\n", Target::Mazak, "G109");
+    check("$AddRegPart 1 2\nG0 X40 Z2\n", Target::CncSimulator, "$AddRegPart 1 2");
+    check("$Message \"hello\"\nG0 X40 Z2\n", Target::CncSimulator, "$Message \"hello\"");
 }
 
 #[test]
@@ -147,6 +183,22 @@ fn systems_b_and_c() {
     check_system("G91 G28 X0 Z0\nG90 G94 F200\nG1 Z-5\n", GSystem::B, "G91");
     check_system("G97 S400\nG0 X30 Z5\nG33 Z-20 F1.5\nG91 G0 X2\n", GSystem::B, "G33");
     check_system("G95 G90\nT0909\nG98 G83 Z-20 R-3 Q5000 F.1\nG99 G83 Z-9 R-3 F.1\n", GSystem::B, "G95");
+    // A post for system B that writes G32.
+    check_system(
+        "G90 G94 G18\nG28 U0.\nT0101\nG90 G95 G18\nG92 S3000\nG32 X35.5 F1.5\nG32 X35. Z-18. F1.5\n",
+        GSystem::B,
+        "G95",
+    );
+    check_system("G18 G20\nG94\nG90 G0 X1.2 Z.2\nG1 X1. F4.4\nG90 G94\n", GSystem::B, "G90");
+    check_system("G90 G94 G18\nG90 G95\nG28 U0.\nG0 X50. Z5.\n", GSystem::B, "G95");
+    // EMCO with FANUC 0-TC: one number more or less than system A, and G78 is its thread.
+    let emco =
+        "G92 S2000\nT0101\nG95\nG0 X52. Z2.\nG73 U2. R1.\nG73 P10 Q20 U.5 W.1 F.25\nN10 G00 X30.\nN20 X52.\n";
+    check_system(&format!("{emco}G72 P10 Q20\n"), GSystem::C, "G72");
+    check_system(&format!("{emco}G78 P021560 Q50 R.02\nG78 X27.4 Z-20. P1300 Q400 F2.\n"), GSystem::C, "G78");
+    check_system("G71\nG0 X34. Z4.\nG78 P021560 Q50 R.02\n", GSystem::C, "G78");
+    check_system("G95\nG92 S900\nG0 X52. Z-9.\nG77 R1.\nG77 X40. Z-20. P2000 Q3000 F.1\n", GSystem::C, "G77");
+    check_system("G95\nG0 X52. Z2.\nG75 U9. W2. R4\nG75 P1 Q2 U.5 W.1 F.2\nG72 P1 Q2\n", GSystem::C, "G72");
     check_system("G0 X30 Z2\nG24 X0 Z1 F0.2\nG21 X18 Z-20 F1.5\n", GSystem::C, "G24");
 }
 
@@ -160,6 +212,12 @@ fn doubts_leave_system_a() {
         "G94\nG0 X120 C0\nG12.1\nG1 X40 F100\n",
         "G50 S2000\nG99\nG91 G28 Z0.\n",
         "G20 G0 X1. Z.1\nG21\n",
+        // A facing cycle of A, and G72 in place of G70.
+        "G72 W1. R.5\nG72 P10 Q20 U.2 W.1 F.2\nG70 P10 Q20\n",
+        "G73 U9. W2. R4\nG73 P1 Q2 U.5 W.1 F.2\nG72 P1 Q2\n",
+        "G32 Z-20. F1.5\nG0 U2.\n",
+        // The head of a mill and one block of its kind.
+        "G90 G0 X50. Z2.\nG1 Z-20. F.2\n",
         "(G95 G92 S100)\nG0 X1\n",
     ] {
         check_at_home(program);
@@ -248,11 +306,11 @@ fn programs_of_the_gallery_count_units() {
 }
 
 /// A statement for each sign.
-const SIGNS: &str = "%1234|G71 U1 R1 P1 Q2 X1 Z1|G80 X38 Z-20 F100|G81 X20 Z-3|G82 X19 Z-18 F1.5|G76 C2 A60 X20 Z-30 K1 F2|G36|G37|\
+const SIGNS: &str = "%1234|G71 U1 R1 P1 Q2 X1 Z1|G71 U1 R1 P1 Q2 E1|G72 U1 R1 P1 Q2|G80 X38 Z-20 F100|G81 X20 Z-3|G82 X19 Z-18 F1.5|G76 C2 A60 X20 Z-30 K1 F2|G36|G37|\
 ENDW|CYCLE95(1,2)|LCYC95|DIAMON|%_N_SHAFT_MPF|R1=5|X=R1|LIMS=3000|MSG(1)|X=IC(5)|T=\"ROUGH\"|G2 X1 Z2 CR=5|TRANS Z80|GOTOF 1|M17|\
-G290|o100 sub|#<deep> = 3|G7|G8|G64 P0.01|G33.1 Z-5 K1|G33 Z-5 K1|G96 D2500 S200|G76 P1.5 Z-20 I-1 J0.2 K0.9|G92.1|(DEBUG, x)|(MSG, x)|\
+G290|o100 sub|#<deep> = 3|G7|G8|G64 P0.01|T1 G43|G91.1|G93|G33.1 Z-5 K1|G33 Z-5 K1|G96 D2500 S200|G76 P1.5 Z-20 I-1 J0.2 K0.9|G92.1|(DEBUG, x)|(MSG, x)|\
 (RPT N10,N20)|(GOTO N10)|(IF P1 EQ 1 GOTO N2)|(P1=20)|(CALL 1)|(SUB 1)|(RET)|P1=K20|%SHAFT,MX,1|BEGIN PGM X MM|BLK FORM 0.1|\
-TOOL CALL 1|L X+10 FMAX|L X+10|LBL 1|$SHAFT.MIN%|NAT01|G85 NLAP1|VZSHZ=1|V1=5|NOEX|SB=500|G81 X20 Z-30 I2 K1|G82 X1 Z-3 I2 K1 L3|\
+TOOL CALL 1|L X+10 FMAX|L X+10|LBL 1|$SHAFT.MIN%|$1|!L1|S1=500|WAITM(1,1,2)|G109 L1|$AddRegPart 1|T010101|G71 X1 Z1 B1 D1 H1 F1|NAT01|G85 NLAP1|VZSHZ=1|V1=5|NOEX|SB=500|G81 X20 Z-30 I2 K1|G82 X1 Z-3 I2 K1 L3|\
 G71 X20 I1 K2 L3|G43 H1|T1 M6|Y5|G2 X1 Y2 I3 J4|G81 X1 Y2 Z-3|G41 D1|G17|G49|G91 G28 Z0|M104 S200|M109 S200|M140 S60|M190 S60|\
 G1 X1 Y1 E2|G1 X1 Y0 E2|G92 E0|M82|G29|;LAYER:1|G95|G92 S2000|G77 X20 Z-10|G78 X20 Z-10|G79 X20 Z-10|G91|G94 F100|G33 Z-20 F1.5|\
 G24 X20 Z-5|G21 X20 Z-10 F1|G20 X20 Z-10 F1|G98|G50 S2000|G90 X20 Z-10 F1|X1 W-2|T0101|G96 S100|G70 P1 Q2|N10 G0 X50 Z2|(ROUGH)";

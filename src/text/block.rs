@@ -58,8 +58,10 @@ pub struct Block {
     pub delete: Option<u8>,
     /// A slash within the block: the words from that index on stand under block delete of that level.
     pub optional: Option<(usize, u8)>,
-    /// Program number (`O1234`) at its head.
+    /// Program number (`O1234`) at its head, or the number of its [name](super::program_name).
     pub program: Option<(u32, Span)>,
+    /// The number of the name after a program number: `O1234<NAME>`.
+    pub second_name: Option<u32>,
     /// Sequence number (`N10`) at its head.
     pub sequence: Option<u32>,
     /// The other words, in order.
@@ -136,6 +138,7 @@ impl Block {
         self.optional = None;
         self.has_expressions = false;
         self.program = None;
+        self.second_name = None;
         self.sequence = None;
         self.words.clear();
         self.comments.clear();

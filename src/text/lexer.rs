@@ -112,7 +112,7 @@ pub struct PlainWord {
 /// What a token is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum TokenKind {
-    /// Spaces, tabs, form feeds, a byte order mark.
+    /// Spaces, tabs and other control characters, a byte order mark.
     Blank,
     /// `\n`, `\r\n` or a lone `\r`.
     LineEnd,
@@ -334,7 +334,7 @@ impl<'a> Lexer<'a> {
             self.at += 1;
             match self.peek_byte() {
                 Some(byte) if byte >= 0x80 && self.printed().is_some() => break,
-                Some(0x80.. | 0..=8 | 0x0E..=0x1F | 0x7F) => {}
+                Some(0x80..) => {}
                 Some(b'!' | b'"' | b'$' | b'&' | b'\'' | b')' | b'<' | b'>' | b'?' | b'@') => {}
                 Some(b'\\' | b'^' | b'_' | b'`' | b'{' | b'|' | b'}' | b'~') => {}
                 _ => break,
@@ -363,7 +363,14 @@ pub(super) fn plain_number(text: &[u8], first: usize) -> Option<(bool, Number, u
     }
     match text.get(end) {
         // Digits after a blank belong to the same number: the parser joins them, and says so.
-        Some(b' ' | b'\t') if matches!(text.get(end + 1), Some(b'0'..=b'9' | b'.' | b' ' | b'\t')) => None,
+        Some(&byte)
+            if is_blank(byte)
+                && text
+                    .get(end + 1)
+                    .is_some_and(|&next| is_blank(next) || matches!(next, b'0'..=b'9' | b'.')) =>
+        {
+            None
+        }
         // A second point or a misread digit after them too.
         Some(b'.' | b'O' | b'o' | b'l' | 0xEF) => None,
         _ => Some((negative, Number { mantissa, decimals, digits: digits as u8, points }, end)),
@@ -382,11 +389,11 @@ fn digits(text: &[u8], mut at: usize, before: u64) -> (usize, u64) {
     (at, integer)
 }
 
-/// Whether a byte is a blank: NUL is the feed of paper tape, 0x0B and 0x0C that of a printer, 0x1A the end of a
-/// DOS file.
+/// Whether a byte is a blank: a space, or any control character but a line end. A control passes over them: NUL is the
+/// feed of paper tape, 0x11 to 0x14 start and stop the reader and the punch, 0x0C is a form feed, 0x1A the end of a DOS file.
 #[inline]
 pub const fn is_blank(byte: u8) -> bool {
-    matches!(byte, b' ' | b'\t' | 0 | 0x0B | 0x0C | 0x1A)
+    matches!(byte, 0..=b'\t' | 0x0B | 0x0C | 0x0E..=b' ' | 0x7F)
 }
 
 /// Whether a byte belongs to no word, statement or comment: a blank or the end of a block.

@@ -8,3 +8,4 @@ mod misread;
 pub mod parser;
 pub mod plain_line;
 mod plain_words;
+pub mod program_name;

@@ -2,8 +2,10 @@
 //!
 //! ```text
 //! program  = { block ( LINE-END | ";" ) }
-//! block    = "%" | { "/" [digit] } [ "O" number | ":" number ] [ "N" number ] ( macro | { word | comment } )
+//! block    = "%" | { "/" [digit] } [ ( "O" | ":" ) number [ name ] | [ "O" ] name ] [ "N" number ] ( macro | { word | comment } )
 //! word     = [ "," ] letter [ sign ] ( number | expression )        blanks may stand anywhere between
+//!          | name                                                   after M98, G65, G66: the program that is called
+//! name     = "<" … ">"
 //! macro    = ( "#" | "IF" | "WHILE" | "GOTO" | "DO" | "END" ) …      up to the end of the block
 //! comment  = "(" … ")"
 //! ```
@@ -17,6 +19,7 @@ use super::lost_letter;
 use super::misread::{self, Misread};
 use super::plain_line::PlainLine;
 use super::plain_words::{PlainWords, begins_in_other_script};
+use super::program_name;
 use crate::limits::DIGITS;
 use crate::message::{Diagnostic, Edit, Fix, Message, Repair, Severity, said, sort_by_place};
 use crate::order;
@@ -419,6 +422,7 @@ impl<'a> Parser<'a> {
             }
             TokenKind::Macro(b'#') => self.macro_statement(block, token.span),
             TokenKind::Number(number) => self.lone_number(block, number, token.span),
+            TokenKind::Unknown if self.program_name(block, token.span.start as usize, token.span.start) => {}
             TokenKind::Unknown if self.misread_word(block, token.span.start) => {}
             TokenKind::Minus | TokenKind::PrintedMinus | TokenKind::Plus if self.digit_follows() => {
                 if let Some(TokenKind::Number(number)) = self.lexer.next_token().map(|next| next.kind) {
@@ -451,6 +455,9 @@ impl<'a> Parser<'a> {
             block.has_expressions = true;
             let span = Span { start: comma.unwrap_or(first).start, end };
             block.word(Word { address: letter, comma: comma.is_some(), value: Value::Expression, span });
+            return;
+        }
+        if letter == b'O' && comma.is_none() && self.program_name(block, self.lexer.position(), first.start) {
             return;
         }
         let mut negative = false;
@@ -509,6 +516,33 @@ impl<'a> Parser<'a> {
         self.lexer.seek(after);
         let message = said::NumberMissing { address: letter as char };
         block.fault(Diagnostic::new(message, start));
+    }
+
+    /// Takes the name of a program whose `<` is at byte `at`; `start` is where it begins with its O. At the head of a block it
+    /// is that of the program, after the code of a call that of the program called. False: there is none, or it has no place.
+    #[cold]
+    fn program_name(&mut self, block: &mut Block, at: usize, start: u32) -> bool {
+        let Some((number, end)) = program_name::read(self.lexer.text(), at) else { return false };
+        let span = Span { start, end: end as u32 };
+        let is_head = block.words.is_empty() && block.sequence.is_none() && block.faults.is_empty();
+        match block.program {
+            None if is_head => block.program = Some((number, span)),
+            Some(_) if is_head && block.second_name.is_none() && start as usize == at => {
+                block.second_name = Some(number);
+            }
+            _ if block.words.iter().any(calls_program) && start as usize == at => {
+                let number = Number { mantissa: u64::from(number), digits: DIGITS, ..Number::default() };
+                block.word(Word {
+                    address: b'P',
+                    comma: false,
+                    value: Value::Number { number, negative: false },
+                    span,
+                });
+            }
+            _ => return false,
+        }
+        self.lexer.seek(end);
+        true
     }
 
     /// Stores a complete word, or what its number is worth complaining about.
@@ -1047,6 +1081,12 @@ fn in_brackets(text: &[u8], told: Diagnostic, is_sure: bool) -> Diagnostic {
         }
         _ => told,
     }
+}
+
+/// M98, M198, G65, G66: a block with such a word names a program.
+fn calls_program(word: &Word) -> bool {
+    let Value::Number { number, negative: false } = word.value else { return false };
+    matches!((word.address, number.integer()), (b'M', Some(98 | 198)) | (b'G', Some(65 | 66)))
 }
 
 /// Drops what is too much. Faults with a safe fix are all kept: one that a fix uncovered would be new.

@@ -6,6 +6,7 @@ use crate::setup::dialect::CodeList;
 use crate::source::{Span, line_around};
 use crate::text::block::{Block, BlockKind};
 use crate::text::parser::{Parser, Resume};
+use crate::text::program_name::is_name;
 
 /// Bytes before and after a line that are looked through.
 const FAR: usize = 256 * 1024;
@@ -41,7 +42,9 @@ impl Around {
                 continue;
             }
             around.sequences.extend(block.sequence.map(|number| (number, at)));
-            around.programs.extend(block.program.map(|(number, _)| (number, at)));
+            around.programs.extend(
+                block.program.filter(|(number, _)| !is_name(*number)).map(|(number, _)| (number, at)),
+            );
             if at < line.start && !block.words.is_empty() && block.kind != BlockKind::Macro {
                 around.take_words(text, &block, codes);
                 around.last = Some(at);

@@ -260,6 +260,10 @@ impl Job<'_> {
         for problem in &problems {
             say(format_args!("{NAME}: {problem}"));
         }
+        if found.left_out > 0 && !self.check.markdown && !self.check.quiet {
+            let files = super::counted(found.left_out, "file");
+            say(format_args!("{NAME}: {files} with another ending not checked; `--extension` names others"));
+        }
         if self.check.markdown && !self.check.quiet {
             say(format_args!("{NAME}: {}", reports::programs_of_pages(&counts)));
         }

@@ -11,12 +11,23 @@ use std::path::{Path, PathBuf};
 use ignore::gitignore::{Gitignore, GitignoreBuilder};
 
 use super::super::configuration::{self, Configurations};
+use super::super::encoding;
 use super::super::system::{self, PathKind};
 use super::super::terminal::printable_name;
+use crate::limits;
+use crate::text::block::Block;
+use crate::text::parser::Parser;
 
 /// The endings of program files. Controls of FANUC write programs without an ending, as `O0001`: these are meant as well.
-pub(super) const PROGRAMS: &[&str] =
-    &["nc", "cnc", "ngc", "gcode", "tap", "eia", "iso", "prg", "min", "mpf", "spf"];
+pub(super) const PROGRAMS: &[&str] = &[
+    "nc", "cnc", "ncc", "ngc", "gcode", "gc", "tap", "dnc", "eia", "iso", "prg", "pgm", "pim", "min", "mpf",
+    "spf",
+];
+
+/// The endings that programs share with other files, and none: the text decides.
+const SHARED: &[&str] = &["txt", "g", "h", ""];
+/// The number of blocks of such a file that are read.
+const LOOKED_AT: usize = 100;
 
 /// The endings of the pages of a manual.
 pub(super) const PAGES: &[&str] = &["md", "markdown", "mdx", "html", "htm", "rst"];
@@ -42,6 +53,8 @@ pub(super) struct Found {
     pub files: Vec<PathBuf>,
     /// What could not be looked into, as sentences.
     pub problems: Vec<String>,
+    /// How many files of folders are not meant because of their endings.
+    pub left_out: usize,
 }
 
 /// Finds the files; `usual` are the endings where none is given. The error names a pattern that is not one.
@@ -145,12 +158,13 @@ impl Walk<'_> {
                     self.folder(&shown, &file);
                     self.ignored.truncate(depth);
                 }
-                PathKind::File if is_meant(&shown, &self.endings, self.usual) => {
+                PathKind::File if is_meant(&shown, &file, &self.endings, self.usual) => {
                     if self.seen.insert(shown.clone()) {
                         self.found.files.push(shown);
                     }
                 }
-                PathKind::File | PathKind::Other => {}
+                PathKind::File => self.found.left_out += 1,
+                PathKind::Other => {}
             }
         }
     }
@@ -196,17 +210,36 @@ fn parents(folder: &Path) -> Vec<Gitignore> {
     said
 }
 
-/// Whether a file of a folder is one of those that are meant.
-fn is_meant(file: &Path, endings: &[String], usual: &[&str]) -> bool {
-    let Some(ending) = file.extension() else {
-        let name = file.file_name().and_then(OsStr::to_str).unwrap_or_default();
-        return usual == PROGRAMS && is_program_number(name);
-    };
+/// Whether a file of a folder is one of those that are meant: the name it is shown with, and that from the root of the disk.
+fn is_meant(shown: &Path, absolute: &Path, endings: &[String], usual: &[&str]) -> bool {
+    let ending = shown.extension().and_then(OsStr::to_str).unwrap_or_default();
     let is_one = |wanted: &str| ending.eq_ignore_ascii_case(wanted.trim_start_matches('.'));
-    match endings.is_empty() {
-        true => usual.iter().any(|wanted| is_one(wanted)),
-        false => endings.iter().any(|wanted| is_one(wanted)),
+    if ending.is_empty() && usual == PROGRAMS {
+        let name = shown.file_name().and_then(OsStr::to_str).unwrap_or_default();
+        if is_program_number(name) {
+            return true;
+        }
     }
+    if !endings.is_empty() {
+        return endings.iter().any(|wanted| is_one(wanted));
+    }
+    let is_shared = || usual == PROGRAMS && SHARED.iter().any(|wanted| is_one(wanted));
+    usual.iter().any(|wanted| is_one(wanted)) || is_shared() && is_program(absolute)
+}
+
+/// Whether the beginning of a file is blocks, with hardly anything else.
+fn is_program(file: &Path) -> bool {
+    let Ok(bytes) = system::peek(file, limits::TEXT_BUFFER as u64) else { return false };
+    let (text, _) = encoding::decode(bytes);
+    let (mut parser, mut block) = (Parser::new(&text), Block::default());
+    let (mut blocks, mut faulty, mut has_code) = (0, 0, false);
+    while blocks < LOOKED_AT && parser.next_block(&mut block) {
+        let is_empty = block.words.is_empty() && block.faults.is_empty();
+        blocks += usize::from(!is_empty);
+        faulty += usize::from(!block.faults.is_empty());
+        has_code |= block.words.iter().any(|word| matches!(word.address, b'G' | b'M'));
+    }
+    has_code && 4 * faulty <= blocks
 }
 
 /// `O0001`.

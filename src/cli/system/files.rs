@@ -40,6 +40,11 @@ pub(in crate::cli) fn read(file: &Path, most: u64) -> io::Result<Vec<u8>> {
     Ok(bytes)
 }
 
+/// Reads a file to see what it is: it does not count as one that was read.
+pub(in crate::cli) fn peek(file: &Path, most: u64) -> io::Result<Vec<u8>> {
+    host::read(file, most)
+}
+
 /// Whether this process has read the file, no pipe or device.
 pub(in crate::cli) fn was_read(file: &Path) -> bool {
     let is_file = host::found(file).is_ok_and(|found| found.kind == PathKind::File);

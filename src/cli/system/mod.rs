@@ -19,7 +19,7 @@ use native as host;
 #[cfg(target_arch = "wasm32")]
 use node as host;
 
-pub(super) use files::{read, same_as, standard, was_read, write};
+pub(super) use files::{peek, read, same_as, standard, was_read, write};
 #[cfg(not(target_arch = "wasm32"))]
 pub(super) use host::report_size_limit;
 pub(super) use host::{

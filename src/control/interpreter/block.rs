@@ -72,6 +72,9 @@ impl Interpreter {
         if block.is_overlong() {
             return self.torn_block(text, block, here);
         }
+        if self.state.virtual_plane.is_some() && self.names_second_axis_y(text, block) {
+            return self.words_of(text, &with_c(block), here);
+        }
         self.words_of(text, block, here)
     }
 
@@ -396,6 +399,19 @@ impl Interpreter {
 }
 
 /// The block as it is when the slash within it counts.
+/// The block with the second axis of polar interpolation named as FANUC does: C, and H for increments.
+fn with_c(block: &Block) -> Block {
+    let mut own = block.clone();
+    for word in own.words.iter_mut().filter(|word| !word.comma) {
+        word.address = match word.address {
+            b'Y' => b'C',
+            b'V' => b'H',
+            other => other,
+        };
+    }
+    own
+}
+
 fn without_optional(block: &Block) -> Block {
     let mut rest = block.clone();
     if let Some((first, _)) = rest.optional.take() {

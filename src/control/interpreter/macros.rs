@@ -200,7 +200,7 @@ impl Interpreter {
         self.report_macro_with(fault.kind, span, repair(text, fault.kind, within, span));
     }
 
-    fn report_macro(&mut self, kind: MacroErrorKind, span: Span) {
+    pub(super) fn report_macro(&mut self, kind: MacroErrorKind, span: Span) {
         self.report_macro_with(kind, span, None);
     }
 
@@ -337,6 +337,9 @@ impl Interpreter {
     }
 
     fn words_with_expressions(&mut self, text: &[u8], block: &Block, here: Here) -> Flow {
+        if let Some(operation) = self.macro_a_of(text, block).filter(|_| !block.is_broken()) {
+            return self.macro_a(text, block, here, operation);
+        }
         self.guessing = false;
         let own = self.evaluated(text, block);
         if std::mem::take(&mut self.guessing) && !self.sink.muted {
@@ -471,6 +474,9 @@ impl Interpreter {
     }
 
     fn call_of_macro(&mut self, text: &[u8], block: &Block, here: Here, call: MacroCall) -> Flow {
+        if let Some(operation) = self.macro_a_of(text, block) {
+            return self.macro_a(text, block, here, operation);
+        }
         let value = |word: &&Word| plain(word);
         let find = |address: u8| block.words.iter().find(|word| word.address == address);
         let Some(number) = find(b'P').as_ref().and_then(value).filter(|&number| number >= 1.0) else {

@@ -15,6 +15,7 @@ pub(crate) mod contours;
 mod corner;
 mod doubts;
 pub(crate) mod holes;
+mod macro_a;
 mod macro_body;
 pub(crate) mod macros;
 mod motions;

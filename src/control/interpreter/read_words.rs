@@ -42,6 +42,7 @@ impl Interpreter {
             }
         }
         match word.address {
+            b'G' if number.mantissa == 7 && is_diameter_mode(word, block) => {}
             b'G' => self.read_g(text, request, number.tenths(), word),
             b'M' => self.read_m(text, request, number.mantissa, word),
             b'C' if word.comma => request.comma[0] = Some(index),
@@ -227,4 +228,10 @@ impl Interpreter {
             }
         }
     }
+}
+
+/// `G7` of LinuxCNC: X is a diameter, as it is here. FANUC writes G07, and names the axis that it makes hypothetical.
+fn is_diameter_mode(word: &Word, block: &Block) -> bool {
+    word.span.len() == 2
+        && block.words.iter().all(|word| matches!(word.address, b'G' | b'M' | b'S' | b'T' | b'F'))
 }

@@ -6,6 +6,7 @@
 use super::Interpreter;
 use crate::control::macros::{Found, Knowledge, MacroErrorKind, Memory, Stored, Variables};
 use crate::control::offsets::Setting;
+use crate::setup::dialect::Control;
 use crate::text::block::Block;
 
 /// The variables as a statement of a block sees them.
@@ -23,10 +24,17 @@ impl<'a> Store<'a> {
     pub(super) fn new(interpreter: &'a mut Interpreter, text: &'a [u8], block: &'a Block) -> Self {
         Self { interpreter, text, block, read: None, knowledge: Knowledge::Known }
     }
+
+    /// Whether the control has the variable at all is known to `Variables`, except of those that one control has.
+    fn exists(&self, variable: u32) -> Result<(), MacroErrorKind> {
+        let is_gsk = self.interpreter.dialect.control == Control::Gsk;
+        if is_gsk || !Variables::is_of_gsk(variable) { Ok(()) } else { Err(MacroErrorKind::VariableNumber) }
+    }
 }
 
 impl Memory for Store<'_> {
     fn read(&mut self, variable: u32) -> Result<Option<f64>, MacroErrorKind> {
+        self.exists(variable)?;
         Ok(match self.interpreter.state.variables.read(variable)? {
             Found::Value(value) => {
                 if value.is_none() && Variables::may_be_argument(variable) {
@@ -46,6 +54,7 @@ impl Memory for Store<'_> {
     }
 
     fn write(&mut self, variable: u32, value: Option<f64>) -> Result<(), MacroErrorKind> {
+        self.exists(variable)?;
         if self.interpreter.state.variables.write(variable, value)? == Stored::System {
             let setting = if self.read == Some(variable) { Setting::Relative } else { Setting::Absolute };
             self.interpreter.write_system(self.block, variable, value, setting);

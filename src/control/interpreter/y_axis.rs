@@ -13,7 +13,7 @@ use crate::control::modal::{Once, VirtualPlane};
 use crate::control::words::{Words, letters, quote};
 use crate::geometry::virtual_plane::{Flat, Space, Surface, VirtualMove, Way};
 use crate::geometry::{Point, SAME};
-use crate::message::{Diagnostic, said};
+use crate::message::{Diagnostic, Severity, said};
 use crate::motion::{Motion, MotionKind, Rotary};
 use crate::parts::{Part, early};
 use crate::text::block::{Block, Word};
@@ -179,6 +179,22 @@ impl Interpreter {
         if let Some((word, y)) = self.y_named(words) {
             self.go_along_y(text, block, word, y);
         }
+    }
+
+    /// Whether a block of polar interpolation has Y as its second axis, on a machine without a Y axis: a length, as C is (Haas operator's manual, G112). FANUC
+    /// names it C, so this is reported once.
+    #[cold]
+    pub(super) fn names_second_axis_y(&mut self, text: &[u8], block: &Block) -> bool {
+        let is_polar = self.state.virtual_plane.is_some_and(|plane| plane.surface == Surface::Face)
+            && !self.setup.machine.has_y();
+        let find =
+            |letters: &[u8]| block.words.iter().find(|word| letters.contains(&word.address) && !word.comma);
+        let Some(word) = find(b"YV").filter(|_| is_polar && find(b"CH").is_none()) else { return false };
+        if self.state.reported.first(Once::SecondAxisY) {
+            let message = said::SecondAxisY { word: quote(text, word.span) };
+            self.report(Diagnostic::new(message, word.span).graded(Severity::Info));
+        }
+        true
     }
 
     /// With a Y axis a rapid to a place along Y. Elsewhere a place off Y0 is reported once, and the motion of X and Z

@@ -430,14 +430,14 @@ fn printing_is_recognised() {
 #[test]
 fn variables_exist_by_number() {
     let mut variables = Variables::default();
-    for number in [1, 33, 100, 199, 500, 999] {
+    for number in [1, 33, 100, 199, 200, 231, 500, 999] {
         assert_eq!(variables.read(number), Ok(Found::Value(None)));
         assert_eq!(variables.write(number, Some(f64::from(number))), Ok(Stored::Done));
         assert_eq!(variables.read(number), Ok(Found::Value(Some(f64::from(number)))));
         assert_eq!(variables.write(number, None), Ok(Stored::Done));
         assert_eq!(variables.read(number), Ok(Found::Value(None)));
     }
-    for number in [34, 99, 200, 499] {
+    for number in [34, 99, 232, 499] {
         assert_eq!(variables.read(number), Err(MacroErrorKind::VariableNumber));
         assert_eq!(variables.write(number, None), Err(MacroErrorKind::VariableNumber));
     }

@@ -18,8 +18,8 @@ pub type Locals = [Option<f64>; LOCALS];
 /// Most levels: the main program and five calls inside each other.
 pub const MOST_LEVELS: usize = 1 + MACRO_LEVELS;
 
-/// Common variables lost at power off: #100 to #199.
-const PASSING: usize = 100;
+/// Common variables lost at power off: #100 to #199, on GSK to #231.
+const PASSING: usize = 132;
 
 /// Common variables kept at power off: #500 to #999.
 const KEPT: usize = 500;
@@ -47,7 +47,7 @@ pub enum Stored {
 pub struct Variables {
     /// One for each level, the main program first; never empty.
     levels: Arc<Vec<Locals>>,
-    /// #100 to #199.
+    /// #100 to #231.
     passing: Arc<[Option<f64>; PASSING]>,
     /// #500 to #999.
     kept: Arc<[Option<f64>; KEPT]>,
@@ -100,10 +100,10 @@ impl Place {
         Ok(match variable {
             0 => Self::Vacant,
             1..=33 => Self::Local(number - 1),
-            100..=199 => Self::Passing(number - 100),
+            100..=231 => Self::Passing(number - 100),
             500..=999 => Self::Kept(number - 500),
             1000.. => Self::System,
-            34..=99 | 200..=499 => return Err(MacroErrorKind::VariableNumber),
+            34..=99 | 232..=499 => return Err(MacroErrorKind::VariableNumber),
         })
     }
 }
@@ -161,6 +161,11 @@ impl Variables {
 
 /// What is not known: the arguments of a macro that was not called, and what comes of them.
 impl Variables {
+    /// Whether GSK alone has a variable: #200 to #231 (GSK980TD, common variables).
+    pub fn is_of_gsk(variable: u32) -> bool {
+        matches!(variable, 200..=231)
+    }
+
     /// Whether a vacant variable may be an argument that a call hands over by its letter.
     pub fn may_be_argument(variable: u32) -> bool {
         matches!(variable, 1..=9 | 11 | 13 | 17..=26)
@@ -230,12 +235,16 @@ impl Memory for Variables {
     /// Without system variables: they do not exist here.
     fn read(&mut self, variable: u32) -> Result<Option<f64>, MacroErrorKind> {
         match Variables::read(self, variable)? {
+            _ if Self::is_of_gsk(variable) => Err(MacroErrorKind::VariableNumber),
             Found::Value(value) => Ok(value),
             Found::System => Err(MacroErrorKind::VariableNumber),
         }
     }
 
     fn write(&mut self, variable: u32, value: Option<f64>) -> Result<(), MacroErrorKind> {
+        if Self::is_of_gsk(variable) {
+            return Err(MacroErrorKind::VariableNumber);
+        }
         match Variables::write(self, variable, value)? {
             Stored::Done => Ok(()),
             Stored::System => Err(MacroErrorKind::VariableNumber),

@@ -3,9 +3,11 @@
 //! In: the text. Out: places a parser can go on from. Made when first asked for, because most programs never
 //! ask. Knows nothing of what a block means, but for the numbers that calls name.
 
+use crate::control::codes;
 use crate::order;
 use crate::text::block::{Block, Value, Word};
 use crate::text::parser::{Parser, Resume};
+use crate::text::program_name;
 
 /// A number and the block it leads to.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -46,6 +48,8 @@ impl Sorted {
 struct Program {
     /// Its number, if it has one: a text may begin without.
     number: Option<u32>,
+    /// The number of its name, if it has one besides.
+    name: Option<u32>,
     /// Its first block.
     head: Resume,
 }
@@ -70,8 +74,10 @@ impl Labels {
     pub fn new(text: &[u8]) -> Self {
         let mut parser = Parser::new(text);
         let mut block = Block::default();
-        let mut labels =
-            Self { programs: vec![Program { number: None, head: Resume::default() }], ..Self::default() };
+        let mut labels = Self {
+            programs: vec![Program { number: None, name: None, head: Resume::default() }],
+            ..Self::default()
+        };
         let mut sequences = Vec::new();
         // By index of the program that calls, the number it calls.
         let mut calls = Vec::new();
@@ -82,9 +88,10 @@ impl Labels {
                 break;
             }
             if let Some((number, _)) = block.program {
+                let program = Program { number: Some(number), name: block.second_name, head: at };
                 match labels.programs.last_mut().filter(|_| !begun) {
-                    Some(first) => (first.number, first.head) = (Some(number), at),
-                    None => labels.programs.push(Program { number: Some(number), head: at }),
+                    Some(first) => *first = program,
+                    None => labels.programs.push(program),
                 }
             }
             begun |= !block.is_empty();
@@ -94,11 +101,15 @@ impl Labels {
             calls.extend(called(&block).map(|called| (labels.programs.len() - 1, called)));
         }
         let label = |number, at| Label { number, program: 0, at };
-        let heads = labels.programs.iter().filter_map(|program| Some(label(program.number?, program.head)));
+        let numbers = |program: &Program| [program.number, program.name].into_iter().flatten();
+        let heads = labels
+            .programs
+            .iter()
+            .flat_map(|program| numbers(program).map(|number| label(number, program.head)));
         let made_by = |&(caller, called): &(usize, u32)| label(called, labels.programs[caller].head);
         let called = Sorted::new(calls.iter().map(made_by).collect());
         let is_called = |&(caller, _): &(usize, u32)| {
-            labels.programs[caller].number.is_some_and(|own| called.first(0, own, 0).is_some())
+            numbers(&labels.programs[caller]).any(|own| called.first(0, own, 0).is_some())
         };
         let callers = calls.iter().filter(|call| !is_called(call)).map(made_by).collect();
         (labels.heads, labels.callers) = (Sorted::new(heads.collect()), Sorted::new(callers));
@@ -133,14 +144,18 @@ impl Labels {
         self.programs.get(self.index_at(at)).map_or(Resume::default(), |program| program.head)
     }
 
-    /// Whether a program of the text calls the program of a number.
+    /// Whether a program of the text calls the program of a number, or of the name it has besides.
     pub fn is_called(&self, number: u32) -> bool {
-        self.calls.first(0, number, 0).is_some()
+        let calls = |number: u32| self.calls.first(0, number, 0).is_some();
+        let name = || self.programs.iter().find(|program| program.number == Some(number))?.name;
+        calls(number) || name().is_some_and(calls)
     }
 
     /// The first program that calls the one of a number and is called by none itself.
     pub fn caller_of(&self, number: u32) -> Option<Resume> {
-        self.callers.first(0, number, 0)
+        let name = || self.programs.iter().find(|program| program.number == Some(number))?.name;
+        let caller = |number: u32| self.callers.first(0, number, 0);
+        caller(number).or_else(|| caller(name()?))
     }
 
     fn index_at(&self, at: u32) -> usize {
@@ -158,6 +173,9 @@ impl Labels {
 fn called(block: &Block) -> Option<u32> {
     let code = |word: &Word| matches!((word.address, whole(word)), (b'M', Some(98)) | (b'G', Some(65 | 66)));
     block.words.iter().find(|word| code(word))?;
+    if codes::macro_a(block).is_some() {
+        return None;
+    }
     let word = block.words.iter().find(|word| word.address == b'P')?;
     whole(word).map(|value| program_and_repeats(value).0)
 }
@@ -174,6 +192,7 @@ fn whole(word: &Word) -> Option<u64> {
 pub fn program_and_repeats(value: u64) -> (u32, u32) {
     match value {
         0..=9999 => (value as u32, 1),
+        _ if u32::try_from(value).is_ok_and(program_name::is_name) => (value as u32, 1),
         _ => ((value % 10_000) as u32, (value / 10_000).clamp(1, 9_999) as u32),
     }
 }

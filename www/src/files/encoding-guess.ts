@@ -1,7 +1,7 @@
 // Which encoding a program file is in.
 //
 // In: bytes. Out: an encoding in which they are text that becomes the same bytes again. Files with a byte
-// order mark and valid UTF-8 are certain; otherwise what is not ASCII (comments, as a rule) is read as
+// order mark, UTF-16 with a zero in every other byte and valid UTF-8 are certain; otherwise what is not ASCII (comments, as a rule) is read as
 // Chinese, Russian and Western text, and the reading that surprises least is taken. src/cli/encoding.rs does
 // the same on the command line, with the same table; tests/encodings.json holds both to it. Must not know:
 // what stands in a program.
@@ -21,7 +21,7 @@ export interface Guess {
 
 export function guess(bytes: Uint8Array): Guess {
   const binary = isBinary(bytes);
-  const certain: Encoding[] = ['utf-8-bom', 'utf-16le', 'utf-16be'];
+  const certain: Encoding[] = ['utf-8-bom', 'utf-16le', 'utf-16be', ...unmarkedUtf16(bytes)];
   if (!isRatherChinese(bytes)) certain.push('utf-8');
   for (const encoding of [...certain, ...byLikelihood(bytes)]) {
     const text = decode(bytes, encoding);
@@ -29,6 +29,20 @@ export function guess(bytes: Uint8Array): Guess {
   }
   // Not reached: every byte is a character of Windows-1252.
   return { encoding: 'windows-1252', text: new TextDecoder('windows-1252').decode(bytes), binary };
+}
+
+/**
+ * UTF-16 without a byte order mark, if these are its bytes: ASCII characters, most of a program, have a zero as their
+ * high byte, and none has one as its low byte. The feed of paper tape is zeros in a row, so both.
+ */
+function unmarkedUtf16(bytes: Uint8Array): Encoding[] {
+  const pairs = bytes.length >> 1;
+  const zeros = [0, 0];
+  for (let at = 0; at < 2 * pairs; at++) if (bytes[at] === 0) zeros[at & 1] = (zeros[at & 1] ?? 0) + 1;
+  const [first = 0, second = 0] = zeros;
+  const least = Math.max(2, Math.ceil(pairs / 2));
+  if (first === 0 && second >= least) return ['utf-16le-no-bom'];
+  return second === 0 && first >= least ? ['utf-16be-no-bom'] : [];
 }
 
 /**

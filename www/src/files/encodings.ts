@@ -5,8 +5,8 @@
 // from the browser's own decoder, so there are no tables. Must not know: what a text is for, or which
 // encoding is the likely one.
 
-/** Those with a byte order mark have it as part of their name, so that it is written again. */
-export const ENCODINGS = ['utf-8', 'utf-8-bom', 'utf-16le', 'utf-16be', 'gb18030', 'windows-1251', 'windows-1252'] as const;
+/** The names say whether there is a byte order mark, so that it is written again: UTF-16 has one unless it says `no-bom`. */
+export const ENCODINGS = ['utf-8', 'utf-8-bom', 'utf-16le', 'utf-16be', 'utf-16le-no-bom', 'utf-16be-no-bom', 'gb18030', 'windows-1251', 'windows-1252'] as const;
 export type Encoding = (typeof ENCODINGS)[number];
 
 /** Their names, the same in every language. */
@@ -15,6 +15,8 @@ export const ENCODING_NAMES: Readonly<Record<Encoding, string>> = {
   'utf-8-bom': 'UTF-8 BOM',
   'utf-16le': 'UTF-16 LE',
   'utf-16be': 'UTF-16 BE',
+  'utf-16le-no-bom': 'UTF-16 LE, no BOM',
+  'utf-16be-no-bom': 'UTF-16 BE, no BOM',
   gb18030: 'GB18030',
   'windows-1251': 'Windows-1251',
   'windows-1252': 'Windows-1252',
@@ -41,7 +43,7 @@ export function decode(bytes: Uint8Array, encoding: Encoding): string | undefine
   const mark = MARKS[encoding] ?? [];
   if (mark.some((byte, i) => bytes[i] !== byte)) return undefined;
   if (encoding === 'utf-8' && MARKS['utf-8-bom']?.every((byte, i) => bytes[i] === byte) === true) return undefined;
-  const label = encoding === 'utf-8-bom' ? 'utf-8' : encoding;
+  const label = encoding.replace(/(-no)?-bom$/, '');
   let text: string;
   try {
     text = new TextDecoder(label, { fatal: true, ignoreBOM: true }).decode(bytes.subarray(mark.length));
@@ -64,6 +66,9 @@ export function encode(text: string, encoding: Encoding): Encoded {
     case 'utf-16le':
     case 'utf-16be':
       return { kind: 'bytes', bytes: utf16(`\uFEFF${text}`, encoding === 'utf-16le') };
+    case 'utf-16le-no-bom':
+    case 'utf-16be-no-bom':
+      return { kind: 'bytes', bytes: utf16(text, encoding === 'utf-16le-no-bom') };
     case 'gb18030':
     case 'windows-1251':
     case 'windows-1252':

@@ -161,8 +161,8 @@ function nameOf(address: string): string {
   }
 }
 
-/** Most programs are ASCII; what recognises encodings is loaded only for others. */
+/** Most programs are ASCII without the zeros of UTF-16; what recognises encodings is loaded only for others. */
 async function decoded(bytes: Uint8Array): Promise<{ readonly text: string; readonly encoding: Encoding }> {
-  if (bytes.every((byte) => byte < 0x80)) return { text: new TextDecoder().decode(bytes), encoding: 'utf-8' };
+  if (bytes.every((byte) => byte > 0 && byte < 0x80)) return { text: new TextDecoder().decode(bytes), encoding: 'utf-8' };
   return (await loaded(() => import('../files/encoding-guess'))).guess(bytes);
 }

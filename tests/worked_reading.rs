@@ -1,0 +1,225 @@
+//! What a file is read as, worked out by hand: control characters, programs of other controls, G-code systems, program names.
+use gcode_playground::analyze;
+use gcode_playground::message::Severity;
+use gcode_playground::setup::Setup;
+
+/// The messages of a program: slug and line, from 1. A question mark follows the slug of a note, an exclamation mark that of a warning.
+fn told(text: &str, setup: &str) -> Vec<String> {
+    let analysis = analyze(text.as_bytes(), &Setup::from_json(setup).expect("a setup"));
+    let told = analysis.diagnostics.into_iter().map(|told| {
+        let line = text[..told.span.start as usize].matches('\n').count() + 1;
+        let mark = match told.severity {
+            Severity::Info => "?",
+            Severity::Warning => "!",
+            Severity::Error | Severity::Off => "",
+        };
+        format!("{}{mark} {line}", told.message.slug())
+    });
+    told.collect()
+}
+
+/// Where the moves of a program end: X as a diameter, Z.
+fn ends(text: &str, setup: &str) -> Vec<(f64, f64)> {
+    let analysis = analyze(text.as_bytes(), &Setup::from_json(setup).expect("a setup"));
+    let round = |value: f64| (value * 1e4).round() / 1e4;
+    analysis.motions.iter().map(|motion| (round(2.0 * motion.to.x), round(motion.to.z))).collect()
+}
+
+/// B-64304EN (ISO code): the tape has NUL, DC1 to DC4 and DEL, which are no significant characters. None is part of a word.
+#[test]
+fn control_characters_are_passed_over_outside_comments() {
+    let plain =
+        "%\nO0001\nG21 G99 G97 S500 M03 T0101\nG00 X60. Z2.\nG01 Z-14. F.2\nG00 X100. Z100.\nM30\n%\n";
+    for byte in (1..=0x1Fu8).filter(|byte| !b"\n\r".contains(byte)).chain([0, 0x7F]) {
+        let sign = char::from(byte);
+        let marked: String = plain
+            .lines()
+            .map(|line| format!("{sign}{}{sign}\n", line.replace(' ', &format!("{sign} "))))
+            .collect();
+        assert_eq!(told(&marked, "{}"), told(plain, "{}"), "{byte:#x}");
+        assert_eq!(ends(&marked, "{}"), [(60.0, 2.0), (60.0, -14.0), (100.0, 100.0)], "{byte:#x}");
+    }
+}
+
+/// B-64484EN, program name: 32 characters in `< >`, called by `M98 <NAME>` and `G65 <NAME>`.
+#[test]
+fn programs_are_called_by_their_names() {
+    let text = |head: &str, call: &str, sub: &str| {
+        format!(
+            "%\n{head}\nG21 G99 G97 S500 M03 T0101\nG00 X52. Z2.\n{call}\nG00 X100. Z100.\nM30\n{sub}\nG01 W-5. F.2\nM99\n%\n"
+        )
+    };
+    let twice = [(52.0, 2.0), (52.0, -3.0), (52.0, -8.0), (100.0, 100.0)];
+    for (head, call, sub) in [
+        ("<SHAFT-1>", "M98 <SUB1> L2", "<SUB1>"),
+        ("<SHAFT-1>", "M98 <SUB1> L2", "O<SUB1>"),
+        ("O<SHAFT-1> (TURNED)", "M98<sub1>L2", "<SUB1> (CUT)"),
+        ("O1234<SHAFT-1>", "G65 <SUB.2> L2", "<SUB.2>"),
+        ("O1234", "M98 P20007", "O0007<SUB1>"),
+        ("O1234", "M98 <FINISHING PASS> L2", "O0007 <FINISHING PASS>"),
+        ("", "M98 <SUB1>\nM98 <SUB1>", "<SUB1>"),
+    ] {
+        let text = text(head, call, sub);
+        assert_eq!(told(&text, "{}"), [""; 0], "{text}");
+        assert_eq!(ends(&text, "{}"), twice, "{text}");
+    }
+    let missing = text("<MAIN>", "M98 <SUB2>", "<SUB1>");
+    assert_eq!(told(&missing, "{}"), ["program-not-found! 5", "program-not-run? 8"]);
+    let analysis = analyze(missing.as_bytes(), &Setup::default());
+    let said =
+        analysis.diagnostics.iter().map(|told| told.span.quote(missing.as_bytes())).collect::<Vec<_>>();
+    assert_eq!(said, ["<SUB2>", "<SUB1>"]);
+    assert!(told(&text("<SUB1>", "", "<SUB1>"), "{}").contains(&"duplicate-program-number! 8".to_owned()));
+}
+
+/// A name has its place at the head of a block and after the code of a call; elsewhere it is no word.
+#[test]
+fn a_name_without_a_place_is_reported() {
+    for block in ["G00 X50. <NAME>", "M98 P1000 <", "N10 <NAME>", "M98 <NA*ME>", "IF[#1<2]GOTO5"] {
+        let text = format!("O1\nG21 G99 G97 S500 M03 T0101\n{block}\nG00 X100. Z100.\nM30\n");
+        assert!(
+            told(&text, "{}").iter().any(|told| told.ends_with(" 3") && !told.contains(['!', '?'])),
+            "{block}"
+        );
+    }
+}
+
+const GSK: &str = r#"{"dialect": {"control": "gsk"}}"#;
+
+/// GSK980TDi manual, macro command list: the loop turns X48, X46 and X44; the jump passes over `G0 X1`.
+#[test]
+fn macro_a_assigns_and_jumps() {
+    let text = "O0010\nG98 M3 S500 T0101\nG0 X50 Z2\nG65 H01 P#200 Q3\nN20 G0 U-2\nG1 W-5 F100\nG0 W5\nG65 H03 P#200 Q#200 R1\n\
+                G65 H83 P20 Q#200 R0\nG65 H80 P90\nG0 X1\nN90 G0 X100 Z100\nM30\n";
+    let round = |x: f64| [(x, 2.0), (x, -3.0), (x, 2.0)];
+    let expected =
+        [[(50.0, 2.0)].as_slice(), &round(48.0), &round(46.0), &round(44.0), &[(100.0, 100.0)]].concat();
+    assert_eq!(ends(text, GSK), expected);
+    assert_eq!(told(text, GSK), [""; 0]);
+}
+
+/// Each operation of the list, worked out by hand; X is a diameter in millimetres.
+#[test]
+fn macro_a_has_the_operations_of_the_manual() {
+    for (operation, expected) in [
+        ("H01 P#200 Q-12", -12.0),
+        ("H02 P#200 Q30 R12", 42.0),
+        ("H03 P#200 Q30 R#500", 25.0),
+        ("H04 P#200 Q#500 R7", 35.0),
+        ("H05 P#200 Q7 R2", 3.5),
+        ("H11 P#200 Q12 R10", 14.0),
+        ("H12 P#200 Q12 R10", 8.0),
+        ("H13 P#200 Q12 R10", 6.0),
+        ("H21 P#200 Q49", 7.0),
+        ("H22 P#200 Q-7", 7.0),
+        ("H23 P#200 Q17 R#500", 2.0),
+        ("H24 P#200 Q18", 12.0),
+        ("H25 P#200 Q12", 18.0),
+        ("H26 P#500 Q4 R10", 2.0),
+        ("H27 P#200 Q30 R40", 50.0),
+        ("H28 P#200 Q50 R30", 40.0),
+        ("H31 P#200 Q40 R30", 20.0),
+        ("H32 P#200 Q40 R60", 20.0),
+        ("H33 P#200 Q10 R45", 10.0),
+        ("H34 P#200 Q1 R1", 45.0),
+    ] {
+        let to = if operation.contains("P#500") { "#500" } else { "#200" };
+        let text = format!("O1\nG98 M3 S500 T0101\n#500=5\nG65 {operation}\nG0 X{to} Z2\nM30\n");
+        assert_eq!(ends(&text, GSK), [(expected, 2.0)], "{operation}");
+    }
+}
+
+#[test]
+fn macro_a_compares() {
+    let jumps = |operation: u32, q: i32| {
+        let text =
+            format!("O1\nG98 M3 S500 T0101\nG65 H{operation} P90 Q{q} R5\nG0 X1\nN90 G0 X100 Z100\nM30\n");
+        ends(&text, GSK).len() == 1
+    };
+    for (operation, expected) in [
+        (80, [true; 3]),
+        (81, [false, true, false]),
+        (82, [true, false, true]),
+        (83, [false, false, true]),
+        (84, [true, false, false]),
+        (85, [false, true, true]),
+        (86, [true, true, false]),
+    ] {
+        assert_eq!([4, 5, 6].map(|q| jumps(operation, q)), expected, "H{operation}");
+    }
+}
+
+#[test]
+fn macro_a_says_what_it_cannot_do() {
+    let says = |operation: &str, setup: &str| {
+        told(&format!("O1\nG99 M3 S500 T0101\n{operation}\nG0 X50 Z2\nM30\n"), setup)
+    };
+    // H99: alarm 500+n; the program stops.
+    let text = "O1\nG65 H99 P3\nG0 X50 Z2\nM30\n";
+    assert_eq!((told(text, GSK), ends(text, GSK).len()), (vec!["macro-alarm 2".to_owned()], 0));
+    let analysis = analyze(text.as_bytes(), &Setup::from_json(GSK).expect("a setup"));
+    assert!(format!("{:?}", analysis.diagnostics[0].message).contains("503"));
+    assert_eq!(says("G65 H14 P#200 Q1", GSK), ["not-supported! 3"]);
+    assert_eq!(says("G65 H02 P#200 Q1", GSK), ["macro-format 3"]);
+    assert_eq!(says("G65 H05 P#200 Q1 R0", GSK), ["macro-division-by-zero 3"]);
+    assert_eq!(says("G65 H80 P77", GSK), ["sequence-number-not-found 3"]);
+    // FANUC 0 has macro A as well, but not these variables.
+    assert_eq!(says("G65 H01 P#100 Q3", "{}"), [""; 0]);
+    assert_eq!(says("G65 H01 P#200 Q3", "{}"), ["macro-variable-number 3"]);
+    // H is an argument like any other where a program is called.
+    let text = "O1\nG99 M3 S500 T0101\nG65 H20 P9010\nM30\nO9010\nG0 X#11 Z2\nM99\n";
+    assert_eq!(ends(text, "{}"), [(20.0, 2.0)]);
+}
+
+/// Read in the system it is written in, as if the setup named it.
+#[test]
+fn programs_in_systems_b_and_c_are_read_in_them() {
+    let emco = "O0078\nG54\nG92 S2000\nT0101\nG96 S180 M04\nG95\nG00 X52. Z2.\nG73 U2. R1.\nG73 P10 Q20 U.5 W.1 F.25\n\
+                N10 G00 X30.\nG01 Z-25. F.1\nN20 X52.\nG72 P10 Q20\nG00 X100. Z50.\nT0303\nG97 S500 M03\nG00 X34. Z4.\n\
+                G78 P021560 Q50 R.02\nG78 X27.4 Z-20. P1300 Q400 F2.\nG00 X100. Z50.\nM30\n";
+    let fusion = "O1001\nG90 G94 G18\nG21\nG92 S4000\nG28 U0.\nT0101\nG90 G95 G18\nG54\nG97 S600 M3\nG0 X50. Z5.\nG92 S3000\n\
+                  G96 S190 M3\nG0 Z2.\nX40.\nG1 X36. F0.2\nZ-20.\nX50.\nG0 Z5.\nG28 U0.\nM30\n";
+    for (text, system, note) in
+        [(emco, "C", "g-code-system-concluded? 18"), (fusion, "B", "g-code-system-concluded? 4")]
+    {
+        let named = format!(r#"{{"dialect": {{"gSystem": "{system}"}}}}"#);
+        assert_eq!(ends(text, "{}"), ends(text, &named), "{system}");
+        let told = told(text, "{}");
+        assert!(told.contains(&note.to_owned()), "{told:?}");
+        assert!(!told.iter().any(|told| !told.contains(['?', '!'])), "{told:?}");
+    }
+    // Roughing in passes of 2 mm in front of an allowance of 0.5: X48.5, X44.5, X40.5, X36.5, X32.5; the finish at X30.
+    let levels = ends(emco, "{}").into_iter().filter(|&(_, z)| z < -20.0).map(|(x, _)| x);
+    let levels: Vec<f64> = levels.collect();
+    assert!([48.5, 44.5, 40.5, 36.5, 32.5, 30.0].iter().all(|level| levels.contains(level)), "{levels:?}");
+}
+
+/// Haas operator's manual, G112: Y is the second axis of the plane, a length; X is a diameter.
+#[test]
+fn y_is_the_second_axis_of_polar_interpolation() {
+    let program = |second: &str| {
+        format!(
+            "O1\nG21 G98 G17\nT0505\nG97 S500 M03\nG00 X80. Z2. C0.\nG112\nG01 Z-1. F100.\nG01 X20. {second}15.\nG03 X-20. {second}15. R30.\nG113\nG00 X100. Z100.\nM30\n"
+        )
+    };
+    assert_eq!(ends(&program("Y"), "{}"), ends(&program("C"), "{}"));
+    let with_c = told(&program("C"), "{}");
+    let mut with_y = told(&program("Y"), "{}");
+    with_y.retain(|told| told != "axis-not-supported? 8");
+    assert_eq!(with_y, with_c);
+    assert_ne!(with_y.len(), told(&program("Y"), "{}").len());
+}
+
+/// LinuxCNC's G7: X is a diameter. The rest of the program is as a FANUC lathe in system B has it.
+#[test]
+fn a_plain_program_of_linuxcnc_is_read() {
+    let program = |head: &str| {
+        format!(
+            "{head} G18 G21 G40 G80 G90\nG95\nT0101 M6\nG97 S800 M3\nG0 X42. Z2.\nG1 Z-20. F0.2\nG0 X60. Z60.\nM2\n"
+        )
+    };
+    assert_eq!(told(&program("G7"), "{}"), told(&program(""), "{}"));
+    assert_eq!(ends(&program("G7"), "{}"), [(42.0, 2.0), (42.0, -20.0), (60.0, 60.0)]);
+    // FANUC's G07 names an axis.
+    assert!(told("O1\nG07 Z0\nM30\n", "{}").contains(&"not-supported! 2".to_owned()));
+}
