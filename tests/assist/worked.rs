@@ -46,7 +46,7 @@ impl Program {
         self.asking.form(byte, Language::English)
     }
 
-    /// The letters of the form, and what is said of the word of these letters.
+    /// The letters of the words of the form.
     fn letters(&mut self, line: usize) -> Vec<String> {
         let form = self.form(line).expect("a form");
         let own = form.lines.into_iter().find(|line| line.own).expect("the block");
@@ -59,7 +59,7 @@ impl Program {
         own.words.into_iter().find(|word| word.letters == letters).expect("a word").otherwise
     }
 
-    /// The word at `word` in a line: its value and what is known of it.
+    /// The value of a word in a line, and the facts about it.
     fn word(&mut self, line: usize, word: &str) -> (String, Vec<String>) {
         let start = self.byte(line) as usize;
         let at = start + self.text[start..].find(word).expect("the word");
@@ -85,7 +85,7 @@ fn the_state_under_g121_is_in_the_words_of_the_program() {
     assert_eq!(square.axes(9), ["X Ø80 mm > Ø50 mm", "Z -20 mm > -20 mm", "C 0 mm > 0 mm"]);
     assert_eq!(square.axes(10), ["X Ø50 mm > Ø50 mm", "Z -20 mm > -20 mm", "C 0 mm > 25 mm"]);
     assert_eq!(square.axes(12), ["X Ø-50 mm > Ø-50 mm", "Z -20 mm > -20 mm", "C 25 mm > -25 mm"]);
-    // Once around: C has turned by 360° and stands where it began.
+    // After a full turn C is at 360°.
     assert_eq!(square.axes(16), ["X Ø100 mm > Ø100 mm", "Z -20 mm > -20 mm", "C 0 mm > 360°"]);
     assert!(square.word(10, "C25").1.contains(&"From 0 mm to 25 mm.".to_owned()));
     assert!(square.word(9, "X50").1.contains(&"From Ø80 mm to Ø50 mm.".to_owned()));
@@ -168,7 +168,7 @@ fn the_sentence_of_a_block_with_a_corner_is_of_the_block_itself() {
     assert!(explained.starts_with("Cuts straight from X34 Z-20 to X50 Z-20: 8 mm."), "{explained}");
 }
 
-/// In a loop of one block, each time it is carried out has a move of its own, also where that comes with the next.
+/// In a loop of one block, each execution has a move of its own, even if it is made during the next one.
 #[test]
 fn each_time_of_a_compensated_loop_has_its_own_sentence() {
     let mut program = compensated(
