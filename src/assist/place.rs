@@ -1,8 +1,8 @@
 //! The motions of one execution of a block, at the places the block programs.
 //!
 //! In: a block once carried out, and the motions of the run. Out: its own motions. A move before a corner, and every move
-//! under nose radius compensation, becomes a motion while a later block is carried out, so the motions that are made
-//! during a block may be those of another one.
+//! under nose radius compensation, becomes a motion while a later block is carried out, so motions made during a
+//! block may belong to another one.
 
 use super::fact::Quantity;
 use crate::control::modal::State;
@@ -93,7 +93,7 @@ fn holds(state: &State, span: Span) -> bool {
     compensating.chain(pending).any(|path_move| path_move.span == span)
 }
 
-/// Where a motion begins in the coordinates of the path: those of the virtual plane where one is in force.
+/// The start of a motion in the coordinates of the path, which are those of the virtual plane if one is in force.
 fn start(motion: &Motion) -> Point {
     let in_plane = || motion.virtual_move().map_or(motion.from, |own| own.way.at(0.0));
     motion.programmed.map_or_else(in_plane, |programmed| programmed.from)
