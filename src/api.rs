@@ -64,7 +64,8 @@ pub struct Diagnostic {
     pub end_line: u32,
     /// One past the last column.
     pub end_column: u32,
-    /// UTF-16 offset of the start, each line end counted as one unit.
+    /// UTF-16 offset of the start in the text as it was given, CR LF counted as two units. In the page's own protocol each
+    /// line end counts as one.
     pub from: u32,
     /// UTF-16 offset of the end.
     pub to: u32,
@@ -573,7 +574,7 @@ pub struct Dimension {
     pub x: [Diameter; 2],
     /// Z of its ends, mm.
     pub z: [f64; 2],
-    /// mm: along the axis; of a face across it; of a taper along its slope, of an arc its chord.
+    /// mm: along the axis, of a taper as well (L of C = (D - d) / L, seed 001); of a face across it, of an arc its chord.
     pub length: f64,
     /// Half angle of a taper, degrees.
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -618,7 +619,10 @@ impl Dimension {
             kind,
             x: x.map(diameter),
             z: [from.z, to.z].map(to_micrometres),
-            length: to_micrometres(from.distance(to)),
+            length: to_micrometres(match feature.shape {
+                Shape::Taper { .. } => (from.z - to.z).abs(),
+                _ => from.distance(to),
+            }),
             angle,
             ratio,
             radius,
@@ -849,6 +853,7 @@ impl Places<'_> {
     fn edit(&self, span: Span, text: String) -> Edit {
         let (start, end) = self.corners(span);
         let (from, to) = self.offsets(span);
+        let text = self.lines.with_line_ends(text);
         Edit { line: start.0, column: start.1, end_line: end.0, end_column: end.1, from, to, text }
     }
 

@@ -543,7 +543,7 @@ impl Current {
         let side = if pointer.x < 0.0 { -1.0 } else { 1.0 };
         let corners = feature.iter().flat_map(|feature| &feature.corners);
         self.section_mut().edge = corners.map(|at| Point::new(side * at.x, at.z)).collect();
-        feature
+        feature.map(|feature| feature.as_programmed(self.run.motions()))
     }
 
     /// Marks no edge.

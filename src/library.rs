@@ -27,7 +27,7 @@ use crate::source::LineIndex;
 pub fn check(text: &[u8], setup: &Setup, language: Language) -> Vec<Diagnostic> {
     let mut analysis = analyze(text, setup);
     analysis.check_at_machine();
-    let places = Places { text, lines: &LineIndex::new(text) };
+    let places = Places { text, lines: &LineIndex::as_written(text) };
     analysis.diagnostics.iter().map(|found| places.diagnostic(found, language)).collect()
 }
 

@@ -42,17 +42,23 @@ pub struct AppliedFix {
 
 /// The program with all safe repairs; they are looked for again until there is none.
 pub fn repaired(text: &[u8], setup: &Setup) -> Repaired {
-    within(MOST_ROUNDS, text, setup)
+    repaired_of(text, setup, &|_| true)
+}
+
+/// The program with the safe repairs of some messages.
+pub fn repaired_of(text: &[u8], setup: &Setup, wanted: &dyn Fn(&Diagnostic) -> bool) -> Repaired {
+    within(MOST_ROUNDS, text, setup, wanted)
 }
 
 /// Repairs in at most `most` rounds.
-fn within(most: usize, text: &[u8], setup: &Setup) -> Repaired {
+fn within(most: usize, text: &[u8], setup: &Setup, wanted: &dyn Fn(&Diagnostic) -> bool) -> Repaired {
     let limits = Limits { messages: MESSAGES.max(setup.limits.messages), ..setup.limits };
     let setup = Setup { limits, ..setup.clone() };
     let (mut text, mut taken, mut open) = (text.to_vec(), Vec::new(), None);
     let mut earlier: Vec<Vec<Edit>> = Vec::new();
     loop {
-        let analysis = crate::analyze(&text, &setup);
+        let mut analysis = crate::analyze(&text, &setup);
+        analysis.diagnostics.retain(wanted);
         let fixes = safe(&analysis.diagnostics);
         if fixes.is_empty() {
             break;
@@ -142,10 +148,10 @@ mod tests {
     fn a_repair_that_is_still_open_is_named() {
         // The letter O is an error, so brackets around the text are not safe yet.
         let text = b"G00 X5O retract\nM30";
-        let repaired = within(1, text, &Setup::default());
+        let repaired = within(1, text, &Setup::default(), &|_| true);
         assert_eq!(repaired.text, b"G00 X50 retract\nM30");
         assert_eq!(repaired.open, Some(Repair::Write { text: "(retract)".into() }));
-        assert_eq!(within(2, text, &Setup::default()).open, None);
+        assert_eq!(within(2, text, &Setup::default(), &|_| true).open, None);
     }
 
     #[test]

@@ -40,6 +40,7 @@ use crate::parts::{Part, late};
 use crate::scene::canvas::Painter;
 use crate::sentences::{Language, labels};
 use crate::setup::{Setup, TriedValue};
+use crate::source::LineIndex;
 use crate::text::highlight::highlight;
 use crate::units::Unit;
 
@@ -252,6 +253,12 @@ impl Playground {
         diagnostics(self)
     }
 
+    /// The same for the package for Node: offsets into the text as it was given, CR LF counted as two units.
+    #[wasm_bindgen(js_name = diagnosticsAsWritten, unchecked_return_type = "Diagnostic[]")]
+    pub fn diagnostics_as_written(&self) -> Result<JsValue, JsValue> {
+        diagnostics_as_written(self)
+    }
+
     /// The names of the rules that the setup switches off, one by one.
     #[wasm_bindgen(js_name = rulesOff)]
     pub fn rules_off(&self) -> Vec<String> {
@@ -302,9 +309,12 @@ impl Playground {
 
 late! {
     fn diagnostics(playground: &Playground) -> Result<JsValue, JsValue> {
-        let (places, all) = (playground.places(), playground.all_diagnostics());
-        let rows = all.iter().map(|found| places.diagnostic(found, playground.language));
-        to_js(&rows.collect::<Vec<_>>())
+        playground.rows(playground.places())
+    }
+
+    fn diagnostics_as_written(playground: &Playground) -> Result<JsValue, JsValue> {
+        let text = playground.current.run().text();
+        playground.rows(Places { text, lines: &LineIndex::as_written(text) })
     }
 
     fn count_findings(playground: &Playground, summary: &mut Summary) {
@@ -442,6 +452,12 @@ impl Playground {
         }
         sort_by_place(&mut all);
         all
+    }
+
+    fn rows(&self, places: Places<'_>) -> Result<JsValue, JsValue> {
+        let all = self.all_diagnostics();
+        let rows = all.iter().map(|found| places.diagnostic(found, self.language));
+        to_js(&rows.collect::<Vec<_>>())
     }
 
     fn places(&self) -> Places<'_> {

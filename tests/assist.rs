@@ -10,6 +10,8 @@ mod completion;
 mod navigation;
 #[path = "assist/seeds.rs"]
 mod seeds;
+#[path = "assist/worked.rs"]
+mod worked;
 
 use crate::fixtures;
 use std::fmt::Write;

@@ -346,6 +346,67 @@ fn many_files_are_reported_in_their_order() {
     assert!(files.is_sorted(), "{files:?}");
 }
 
+/// `--select` and `select` of the configuration choose messages and fixes.
+#[test]
+fn fixes_are_those_of_the_selected_rules() {
+    let before = "O1\nGO1 X50 F0.1 M3 S500 (FACE\nM30\n";
+    let with_comment = "O1\nGO1 X50 F0.1 M3 S500 (FACE)\nM30\n";
+    let folder = Folder::new("selected").with("a.nc", before);
+    let fixed =
+        |arguments: &[&str]| out(&folder.check(&[&["--fix", "--dry-run", "a.nc"], arguments].concat()));
+    assert_eq!(fixed(&["--select", "comment-not-closed"]), with_comment);
+    assert_eq!(fixed(&["--select", "no-program-end"]), before);
+    assert_eq!(fixed(&[]), "O1\nG01 X50 F0.1 M3 S500 (FACE)\nM30\n");
+    let folder = folder.with("gcode-playground.toml", "select = [\"comment-not-closed\"]\n");
+    assert_eq!(out(&folder.check(&["--fix", "--dry-run", "a.nc"])), with_comment);
+}
+
+/// Offsets count in the text as it is decoded: the edits of a fix, applied by offset, repair it and nothing else.
+#[test]
+fn offsets_are_those_of_the_text_as_it_is_written() {
+    let program = "O0001 (外圆 😀)\nT0101 (ROUGH\nGO1 X5 F0.1 M3 S500";
+    let texts = [
+        program.to_owned(),
+        program.replace('\n', "\r\n"),
+        program.replace('\n', "\r"),
+        program.replacen('\n', "\r\n", 2),
+    ];
+    for text in texts {
+        let folder = Folder::new("offsets").with("a.nc", &text);
+        let mut units: Vec<u16> = text.encode_utf16().collect();
+        let mut edits: Vec<(usize, usize, String)> = Vec::new();
+        for row in rows(&folder.check(&["a.nc", "--format", "json"])) {
+            let Some(fixes) = row["fixes"].as_array() else { continue };
+            let at = |value: &Value, key: &str| value[key].as_u64().unwrap() as usize;
+            if row["slug"] == "letter-for-digit" {
+                let quoted = String::from_utf16(&units[at(&row, "from")..at(&row, "to")]).unwrap();
+                assert_eq!(quoted, "GO1", "{text:?}");
+            }
+            for edit in fixes
+                .iter()
+                .filter(|fix| fix["safe"] == true)
+                .flat_map(|fix| fix["edits"].as_array().unwrap())
+            {
+                edits.push((at(edit, "from"), at(edit, "to"), edit["text"].as_str().unwrap().to_owned()));
+            }
+        }
+        edits.sort();
+        for (from, to, new) in edits.into_iter().rev() {
+            units.splice(from..to, new.encode_utf16());
+        }
+        let repaired = String::from_utf16(&units).unwrap();
+        assert!(repaired.contains("G01 X5") && repaired.contains("(ROUGH)"), "{repaired:?}");
+        assert_eq!(repaired, out(&folder.check(&["a.nc", "--fix", "--dry-run"])), "as --fix writes it");
+    }
+    // GBK: decoded, each character of the comment is one unit.
+    let folder = Folder::new("offsets-gbk").with("a.nc", "");
+    std::fs::write(folder.0.join("a.nc"), b"O0001 (\xb4\xd6\xb3\xb5)\r\nGO1 X5 F0.1 M3 S500\r\nM30\r\n")
+        .expect("a file");
+    let rows = rows(&folder.check(&["a.nc", "--format", "json"]));
+    let found = rows.iter().find(|row| row["slug"] == "letter-for-digit").expect("a message");
+    assert_eq!((found["from"].as_u64(), found["to"].as_u64()), (Some(12), Some(15)));
+}
+
 #[test]
 fn a_repaired_program_is_reported_as_any_other() {
     let folder = Folder::new("repaired").with("a.nc", "O1\nGO1 X5O F0.1 M3 S500\nG7.7\nM30\n");
@@ -360,7 +421,6 @@ fn a_repaired_program_is_reported_as_any_other() {
     assert_eq!(slugs(&[]), (vec!["unknown-g-code".to_owned()], Some(1)));
     assert_eq!(slugs(&["--severity", "unknown-g-code=info"]).1, Some(0));
     assert_eq!(slugs(&["--ignore", "unknown-g-code"]), (vec![], Some(0)));
-    assert_eq!(slugs(&["--select", "no-program-end"]), (vec![], Some(0)));
     folder.check(&["a.nc", "--fix", "--write-baseline", "known.json"]);
     assert_eq!(slugs_of(&folder.check(&["a.nc", "--fix", "--baseline", "known.json"])), [""; 0]);
     let report = folder.check(&["a.nc", "--fix", "--format", "sarif", "--output-file", "out.sarif"]);

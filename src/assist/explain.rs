@@ -3,10 +3,9 @@
 //! In: the motions of a block, and what is known of the machine. Out: an [`Explanation`], plain values that any language can be
 //! made of. Nothing is asked of the program: what a stroke of the picture belongs to is explained in the same way.
 
-use std::ops::Range;
-
 use super::Asked;
 use super::fact::Quantity;
+use super::place::{Place, as_programmed, is_clockwise, own_motions};
 use crate::geometry::virtual_plane::{VirtualMove, Way};
 use crate::geometry::{Point, SAME};
 use crate::motion::{Cycle, CycleFamily, Feed, Motion, MotionKind, Motions, Step};
@@ -17,19 +16,19 @@ use crate::units::Diameter;
 /// Plain moves of a block that are named one by one.
 const NAMED: usize = 3;
 
-/// A part of what a block does. Places are those of the tip, X as a radius.
+/// A part of what a block does, at its programmed places.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Action {
     /// A rapid.
-    Rapid(Point, Point),
+    Rapid(Place, Place),
     /// A straight cut along one axis, and its length.
-    Straight(Point, Point, Quantity),
+    Straight(Place, Place, Quantity),
     /// A straight cut along both axes, and its angle with Z.
-    Taper(Point, Point, Quantity),
+    Taper(Place, Place, Quantity),
     /// An arc: its end, its radius, whether it is clockwise.
-    Arc(Point, Quantity, bool),
+    Arc(Place, Quantity, bool),
     /// A cut locked to the spindle, and its lead.
-    Thread(Point, Point, Quantity),
+    Thread(Place, Place, Quantity),
     /// The tool waits.
     Dwell(Quantity),
     /// C takes part: where it ends.
@@ -37,9 +36,9 @@ pub enum Action {
     /// Y takes part: where it begins and ends.
     AlongY(Quantity, Quantity),
     /// So many moves, from one place to another.
-    Moves(u32, Point, Point),
-    /// One pass of a single cycle: the cycle, the diameter or Z it cuts at, from one place to another.
-    Pass(Cycle, Quantity, Point, Point),
+    Moves(u32, Place, Place),
+    /// One pass of a single cycle: the cycle, the diameter or Z it cuts at where it is no taper, from one place to another.
+    Pass(Cycle, Option<Quantity>, Place, Place),
     /// Passes of a cycle, how deep each is and all are, and where the last one is.
     Passes {
         /// The cycle.
@@ -79,21 +78,20 @@ pub struct Explanation {
 }
 
 impl Explanation {
-    /// What some motions of one block do.
-    pub fn of(motions: &Motions, own: Range<usize>, machine: &Machine) -> Self {
-        let own: Vec<Motion> =
-            (own.start..own.end.min(motions.len())).map(|index| motions.get(index)).collect();
-        let Some(first) = own.first() else { return Self::default() };
-        let cycle = own.iter().find_map(|motion| motion.cycle);
+    /// What some motions of one execution of a block do.
+    pub fn of(own: &[Motion], machine: &Machine) -> Self {
+        let moves = as_programmed(own);
+        let (Some(first), Some(last)) = (moves.first(), moves.last()) else { return Self::default() };
+        let cycle = moves.iter().find_map(|motion| motion.cycle);
         let actions = match cycle {
-            Some(step) => of_cycle(step.cycle, &own, first.from),
-            None if own.len() > NAMED => {
-                vec![Action::Moves(own.len() as u32, first.from, own[own.len() - 1].to)]
+            Some(step) => of_cycle(step.cycle, &moves, first.from),
+            None if moves.len() > NAMED => {
+                vec![Action::Moves(moves.len() as u32, place_of(first, 0.0), place_of(last, 1.0))]
             }
-            None => own.iter().flat_map(plain).collect(),
+            None => moves.iter().flat_map(plain).collect(),
         };
         let (mut seconds, mut is_known, mut without_rapids) = (0.0, true, false);
-        for motion in &own {
+        for motion in own {
             match timing::seconds(motion, machine) {
                 Some(own) => seconds += own,
                 None if motion.kind == MotionKind::Rapid => without_rapids = true,
@@ -104,7 +102,7 @@ impl Explanation {
         let is_dwell = matches!(actions[..], [Action::Dwell(_)]);
         let time = (is_known && !is_dwell && (cuts || !without_rapids))
             .then_some(Quantity::Seconds(rounded(seconds)));
-        Self { actions, feed: feed_of_all(&own), time, without_rapids }
+        Self { actions, feed: feed_of_all(own), time, without_rapids }
     }
 }
 
@@ -113,42 +111,49 @@ impl Asked<'_> {
     pub fn explanation(&self, motions: &Motions) -> Explanation {
         match self.visit {
             Some(visit) if visit.purpose.is_none() => {
-                Explanation::of(motions, visit.motions.clone(), &self.setup.machine)
+                Explanation::of(&own_motions(motions, self.block.span, visit), &self.setup.machine)
             }
             _ => Explanation::default(),
         }
     }
 }
 
-fn plain(motion: &Motion) -> Vec<Action> {
-    match motion.virtual_move().filter(VirtualMove::has_y) {
-        Some(own) => in_space(motion, &own),
-        None => vec![in_plane(motion)],
+/// Where a motion begins (0) or ends (1).
+fn place_of(motion: &Motion, t: f64) -> Place {
+    match motion.virtual_move() {
+        Some(own) => Place::on(&own, t),
+        None => Place::turning(if t == 0.0 { motion.from } else { motion.to }),
     }
 }
 
-/// A move on a machine with a Y axis: what X and Z do, then Y and C where they take part.
-fn in_space(motion: &Motion, own: &VirtualMove) -> Vec<Action> {
-    let (from, to) = (motion.from, motion.to);
-    let path = match own.way {
-        _ if motion.kind == MotionKind::Rapid => Action::Rapid(from, to),
-        Way::Arc(arc) => {
-            Action::Arc(to, Quantity::Length(arc.radius()), motion.kind == MotionKind::ArcClockwise)
-        }
-        Way::Line(..) => Action::Straight(from, to, Quantity::Length((own.length() * 100.0).round() / 100.0)),
+/// What the plane of the path does, then the axes beside it.
+fn plain(motion: &Motion) -> Vec<Action> {
+    let own = motion.virtual_move();
+    let path = match &own {
+        Some(own) => Some(in_virtual_plane(motion, own)),
+        None if motion.is_turn() && motion.from.is_same(motion.to) => None,
+        None => Some(in_plane(motion)),
     };
-    let y = (own.y_at(0.0), own.y_at(1.0));
-    let along_y = (y.0 != y.1).then_some(Action::AlongY(Quantity::Length(y.0), Quantity::Length(y.1)));
+    let y = own.filter(VirtualMove::has_y).map(|own| (own.y_at(0.0), own.y_at(1.0)));
+    let along_y = y.filter(|(from, to)| from != to);
+    let along_y = along_y.map(|(from, to)| Action::AlongY(Quantity::Length(from), Quantity::Length(to)));
     let turned = motion.rotary.filter(|rotary| rotary.from != rotary.to);
     let turn = turned.map(|rotary| Action::Turn(Quantity::Degrees(rotary.to)));
-    [Some(path), along_y, turn].into_iter().flatten().collect()
+    [path, along_y, turn].into_iter().flatten().collect()
+}
+
+/// A move under G12.1 or G07.1, or on a machine with a Y axis.
+fn in_virtual_plane(motion: &Motion, own: &VirtualMove) -> Action {
+    let (from, to) = (Place::on(own, 0.0), Place::on(own, 1.0));
+    match own.way {
+        _ if motion.kind == MotionKind::Rapid => Action::Rapid(from, to),
+        Way::Arc(arc) => Action::Arc(to, Quantity::Length(arc.radius()), is_clockwise(motion, Some(own))),
+        Way::Line(..) => Action::Straight(from, to, Quantity::Length((own.length() * 100.0).round() / 100.0)),
+    }
 }
 
 fn in_plane(motion: &Motion) -> Action {
-    let (from, to) = (motion.from, motion.to);
-    if let Some(rotary) = motion.rotary {
-        return Action::Turn(Quantity::Degrees(rotary.to));
-    }
+    let (from, to) = (Place::turning(motion.from), Place::turning(motion.to));
     match motion.kind {
         MotionKind::Rapid => Action::Rapid(from, to),
         MotionKind::Dwell => Action::Dwell(Quantity::Seconds(motion.seconds.unwrap_or_default())),
@@ -156,11 +161,11 @@ fn in_plane(motion: &Motion) -> Action {
             Action::Thread(from, to, Quantity::FeedPerTurn(motion.lead.unwrap_or_default()))
         }
         MotionKind::ArcClockwise | MotionKind::ArcCounterclockwise => {
-            let radius = motion.center.map_or(0.0, |center| center.distance(to));
-            Action::Arc(to, Quantity::Length(radius), motion.kind == MotionKind::ArcClockwise)
+            let radius = motion.center.map_or(0.0, |center| center.distance(motion.to));
+            Action::Arc(to, Quantity::Length(radius), is_clockwise(motion, None))
         }
         MotionKind::Feed => {
-            let (x, z) = ((to.x - from.x).abs(), (to.z - from.z).abs());
+            let (x, z) = ((motion.to.x - motion.from.x).abs(), (motion.to.z - motion.from.z).abs());
             if x > SAME && z > SAME {
                 Action::Taper(from, to, Quantity::Degrees(x.atan2(z).to_degrees()))
             } else {
@@ -183,7 +188,11 @@ fn of_cycle(cycle: Cycle, own: &[Motion], start: Point) -> Vec<Action> {
         return match cycle {
             Cycle::Pattern => vec![Action::Pattern(cycle, passes)],
             _ if has_contour => vec![along],
-            _ => vec![Action::Moves(own.len() as u32, start, own[own.len() - 1].to)],
+            _ => vec![Action::Moves(
+                own.len() as u32,
+                Place::turning(start),
+                Place::turning(own[own.len() - 1].to),
+            )],
         };
     };
     let facing = matches!(cycle, Cycle::Facing | Cycle::RoughFacing);
@@ -192,7 +201,9 @@ fn of_cycle(cycle: Cycle, own: &[Motion], start: Point) -> Vec<Action> {
     };
     match cycle.family() {
         CycleFamily::Turning | CycleFamily::Threading if passes == 1 => {
-            vec![Action::Pass(cycle, at(last.from), last.from, last.to)]
+            let is_taper = if facing { last.from.z != last.to.z } else { last.from.x != last.to.x };
+            let at = (!is_taper).then(|| at(last.from));
+            vec![Action::Pass(cycle, at, Place::turning(last.from), Place::turning(last.to))]
         }
         CycleFamily::Threading => vec![Action::PassesTo(cycle, passes, at(last.to))],
         CycleFamily::Pecking => {

@@ -5,6 +5,7 @@
 use super::Asked;
 use super::fact::{Fact, Quantity};
 use super::form::{Form, Half, g_of};
+use super::place::of_c;
 use super::role::Role;
 use crate::control::codes::{self, Function, G, Hole, MotionMode, Multiple};
 use crate::control::contour::Purpose;
@@ -17,7 +18,8 @@ use crate::control::words::{Reading, plain};
 use crate::cycles::single::Single;
 use crate::cycles::units::{self, Amount, Written};
 use crate::geometry::Point;
-use crate::motion::{Motions, SpindleTurn};
+use crate::geometry::virtual_plane::Surface;
+use crate::motion::{Cycle, CycleStep, Motions, SpindleTurn, Step};
 use crate::playback::timing;
 use crate::setup::dialect::{DecimalRule, FeedMode, PqUnit};
 use crate::source::Span;
@@ -210,7 +212,11 @@ impl<'a> Asked<'a> {
         let quantity = self.quantity(word, role, form, before, reading);
         let mut facts = Vec::new();
         self.about_role(word, role, form, quantity, motions, &mut facts);
-        if counts_increments(word, role, reading.decimal) {
+        let is_in_millimetres = || {
+            !matches!(form, Form::Multiple(_, Half::Whole))
+                && self.amount_reading(word, form, before, reading) != units::Reading::Micrometres
+        };
+        if counts_increments(word, role, reading.decimal) && !(is_amount(role) && is_in_millimetres()) {
             let increment = reading.unit.increment() * reading.unit.millimetres();
             facts.push(Fact::WithoutPoint(Quantity::Length(increment)));
         }
@@ -272,7 +278,9 @@ impl<'a> Asked<'a> {
             {
                 diameter()?
             }
-            EndC | WayC | ViaC | HoleAngle if state.virtual_plane.is_none() => {
+            EndC | WayC | ViaC | HoleAngle
+                if state.interpolation().is_none_or(|plane| plane.surface != Surface::Face) =>
+            {
                 Quantity::Degrees(reading.degrees(word)?)
             }
             EndX | EndZ | EndC | EndY | WayX | WayZ | WayC | WayY | ViaX | ViaZ | ViaC | ViaWayX
@@ -339,11 +347,18 @@ impl<'a> Asked<'a> {
                 _ => reading.length(word),
             };
         }
+        let read = self.amount_reading(word, form, state, reading);
+        Some(amount(word, increment)?.mm(read, reading.unit))
+    }
+
+    /// What P and Q of G74 to G76 and Q of holes count.
+    fn amount_reading(&self, word: &Word, form: Form, state: &State, reading: Reading) -> units::Reading {
+        let increment = reading.unit.increment() * reading.unit.millimetres();
         let of = |address: u8| {
             let word = self.block.words.iter().rev().find(|word| word.address == address && !word.comma)?;
             amount(word, increment)
         };
-        let read = match (self.dialect.pq_unit, form) {
+        match (self.dialect.pq_unit, form) {
             (PqUnit::Mm, _) => units::Reading::Millimetres(units::Because::Point),
             (PqUnit::Um, _) | (_, Form::Hole { .. }) => units::Reading::Micrometres,
             (PqUnit::Auto, Form::Multiple(Multiple::Threading, Half::First)) => {
@@ -353,12 +368,7 @@ impl<'a> Asked<'a> {
                 units::threading(state.parameters.least_amount, of(b'P'), of(b'Q'))
             }
             (PqUnit::Auto, _) => units::pecking(state.position, self.end(state, reading), of(b'P'), of(b'Q')),
-        };
-        let counted = amount(word, increment)?.in_increments;
-        Some(match read {
-            units::Reading::Micrometres => counted,
-            units::Reading::Millimetres(_) => counted / increment * reading.unit.millimetres(),
-        })
+        }
     }
 
     /// Where the axis words of the block lead.
@@ -396,6 +406,9 @@ impl<'a> Asked<'a> {
             }
             Role::EndZ | Role::WayZ => {
                 facts.push(from_to(before.turning_place().z, after.turning_place().z, false))
+            }
+            Role::EndC | Role::WayC => {
+                facts.push(Fact::FromTo(of_c(before, before.place_of_c()), of_c(after, after.place_of_c())))
             }
             Role::Feed | Role::Lead => {
                 self.about_feed(role, quantity, before, after, &visit.before.origins, facts)
@@ -556,21 +569,20 @@ impl<'a> Asked<'a> {
         Some(Fact::Argument(index as u32 + 1))
     }
 
-    /// How many passes the block makes, and where the last of them is.
+    /// How many passes the block makes, and where the last of them cuts.
     fn about_passes(&self, motions: &Motions, facts: &mut Vec<Fact>) {
         let Some(visit) = self.visit else { return };
         let own = visit.motions.start..visit.motions.end.min(motions.len());
-        let cuts = own.map(|index| motions.get(index)).filter(|motion| motion.kind.cuts());
-        let passes: Vec<_> = cuts
-            .filter_map(|motion| Some((motion.cycle.filter(|step| step.pass > 0)?.pass, motion.to.x)))
+        let passes = own.map(|index| motions.get(index)).filter(|motion| motion.kind.cuts());
+        let passes: Vec<_> = passes
+            .filter_map(|motion| Some((motion.cycle.filter(|step| step.pass > 0)?, motion.to.x)))
             .collect();
-        let Some(&(last, x)) = passes.iter().max_by_key(|(pass, _)| *pass) else { return };
+        let Some(last) = passes.iter().map(|(step, _)| step.pass).max() else { return };
         facts.push(Fact::Passes(last));
-        if matches!(
-            Form::of(self.block, &visit.before.state, self.codes),
-            Form::Multiple(Multiple::Threading, _)
-        ) {
-            facts.push(Fact::LastPass(Quantity::Diameter(Diameter::from_radius(x))));
+        // The pull-out of a pass ends beside the thread.
+        let cut = passes.iter().rev().find(|(step, _)| step.step == Step::Cut);
+        if let Some((CycleStep { cycle: Cycle::MultiThreading, .. }, x)) = cut {
+            facts.push(Fact::LastPass(Quantity::Diameter(Diameter::from_radius(*x))));
         }
     }
 }
@@ -705,18 +717,15 @@ fn amount(word: &Word, increment: f64) -> Option<Amount> {
     Some(Amount { in_increments: plain(word)? * increment, written })
 }
 
+/// Whether it is P or Q of G74 to G76, or Q of a hole.
+fn is_amount(role: Role) -> bool {
+    use Role::*;
+    matches!(role, Peck | StepOver | LeastDepth | ThreadHeight | FirstDepth | HolePeck)
+}
+
 /// Whether a beginner may wonder what a number without a point counts.
 fn counts_increments(word: &Word, role: Role, rule: DecimalRule) -> bool {
     let Value::Number { number, .. } = word.value else { return false };
-    let always = matches!(
-        role,
-        Role::Peck
-            | Role::StepOver
-            | Role::LeastDepth
-            | Role::ThreadHeight
-            | Role::FirstDepth
-            | Role::HolePeck
-    );
     let is_length = matches!(word.address, b'X' | b'Z' | b'U' | b'W' | b'R' | b'I' | b'K')
         && !matches!(
             role,
@@ -724,5 +733,5 @@ fn counts_increments(word: &Word, role: Role, rule: DecimalRule) -> bool {
         );
     !number.has_point()
         && number.mantissa > 0
-        && (always || (is_length && rule == DecimalRule::LeastIncrement))
+        && (is_amount(role) || (is_length && rule == DecimalRule::LeastIncrement))
 }

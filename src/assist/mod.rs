@@ -11,6 +11,7 @@ pub mod form;
 pub mod hover;
 pub mod names;
 pub mod outline;
+pub mod place;
 pub mod role;
 pub mod signature;
 pub mod snippet;

@@ -7,6 +7,7 @@ use super::names::{Name, Named, names, number_after};
 use crate::control::codes::{self, Function, G, MotionMode};
 use crate::control::words::plain;
 use crate::setup::dialect::CodeList;
+use crate::setup::notes::Notes;
 use crate::source::{Span, line_end};
 use crate::text::block::{Block, BlockKind};
 use crate::text::parser::Parser;
@@ -60,7 +61,8 @@ pub struct Outline {
 /// The outline of a text.
 pub fn outline(text: &[u8], codes: CodeList) -> Outline {
     let end = text.len().min(MOST_BYTES);
-    let mut outlining = Outlining { text, codes, ..Outlining::default() };
+    let notes = Notes::read(&text[..end]).spans().collect();
+    let mut outlining = Outlining { text, codes, notes, ..Outlining::default() };
     let mut parser = Parser::new(&text[..end]);
     let mut block = Block::default();
     while parser.next_block(&mut block) && outlining.entries.len() < MOST {
@@ -74,6 +76,8 @@ pub fn outline(text: &[u8], codes: CodeList) -> Outline {
 struct Outlining<'a> {
     text: &'a [u8],
     codes: CodeList,
+    /// Comments that the setup is read from: they name nothing.
+    notes: Vec<Span>,
     entries: Vec<Entry>,
     /// The sequence numbers that are named, and those that stand there: their entries are left out where nothing names them.
     named: Vec<u32>,
@@ -106,7 +110,7 @@ impl Outlining<'_> {
             self.close_program();
             (self.program, self.is_head) = (Some(block.span), true);
             let name = block.program.map_or(block.span, |(_, span)| span);
-            self.add(Kind::Program, 0, block, name, block.comments.first().copied());
+            self.add(Kind::Program, 0, block, name, self.comment_of(block));
         } else if block.is_empty() && block.sequence.is_none() && block.kind == BlockKind::Words {
             self.comment_alone(block);
             return;
@@ -114,7 +118,7 @@ impl Outlining<'_> {
         let depth = u8::from(self.program.is_some());
         if let Some((station, name)) = self.station_of(block) {
             self.close_tool();
-            let own = block.comments.first().copied();
+            let own = self.comment_of(block);
             let before = self.comment.filter(|_| own.is_none());
             // The comment before a tool is its name, not an operation of its own.
             self.entries.retain(|entry| entry.kind != Kind::Operation || Some(entry.name) != before);
@@ -126,8 +130,9 @@ impl Outlining<'_> {
         if let Some(function) = cycle {
             self.add(Kind::Cycle(function), depth, block, block.words_span(), None);
         } else if let Some(number) = block.sequence {
-            let (at, comment) = (block.span.start, block.comments.first().copied());
-            let name = Span { end: comment.map_or(block.span.end, |comment| comment.start), ..block.span };
+            let (at, comment) = (block.span.start, self.comment_of(block));
+            let end = block.comments.first().map_or(block.span.end, |comment| comment.start);
+            let name = Span { end, ..block.span };
             self.sequences.push((number, Entry { kind: Kind::Sequence, depth, at, name, comment }));
         }
         self.fold(block, cycle.is_some(), &found);
@@ -140,7 +145,7 @@ impl Outlining<'_> {
 
     /// A comment that stands alone: the first of several names what comes, after the head of a program the last.
     fn comment_alone(&mut self, block: &Block) {
-        let Some(&comment) = block.comments.first() else { return };
+        let Some(comment) = self.comment_of(block) else { return };
         if self.is_head {
             self.comment = Some(comment);
         } else if self.comment.is_none() {
@@ -148,6 +153,12 @@ impl Outlining<'_> {
             let depth = u8::from(self.program.is_some()) + u8::from(self.tool.is_some());
             self.add(Kind::Operation, depth, block, comment, None);
         }
+    }
+
+    /// What a block is called in the words of the programmer.
+    fn comment_of(&self, block: &Block) -> Option<Span> {
+        let is_note = |comment: &Span| self.notes.iter().any(|note| comment.contains(*note));
+        block.comments.iter().find(|comment| !is_note(comment)).copied()
     }
 
     fn add(&mut self, kind: Kind, depth: u8, block: &Block, name: Span, comment: Option<Span>) {

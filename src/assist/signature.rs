@@ -46,6 +46,12 @@ pub struct Slot {
     pub otherwise: Otherwise,
 }
 
+impl Slot {
+    fn takes(&self, word: &Word) -> bool {
+        self.letters.contains(&word.address) && word.comma == self.comma
+    }
+}
+
 /// A block of a form.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Line {
@@ -105,6 +111,12 @@ const fn corner(letters: &'static [u8]) -> Slot {
 
 const RAPID: &[Slot] = &[stays(b"XU"), stays(b"ZW")];
 const LINE: &[Slot] = &[stays(b"XU"), stays(b"ZW"), as_set(b"F"), corner(b"C"), corner(b"R"), corner(b"A")];
+const RAPID_AND_C: &[Slot] = &[stays(b"XU"), stays(b"ZW"), stays(b"CH")];
+const LINE_AND_C: &[Slot] =
+    &[stays(b"XU"), stays(b"ZW"), stays(b"CH"), as_set(b"F"), corner(b"C"), corner(b"R"), corner(b"A")];
+const FACE_LINE: &[Slot] = &[stays(b"XU"), stays(b"CH"), as_set(b"F")];
+const SIDE_LINE: &[Slot] = &[stays(b"ZW"), stays(b"CH"), as_set(b"F")];
+const SIDE_ARC: &[Slot] = &[stays(b"ZW"), stays(b"CH"), must(b"R"), as_set(b"F")];
 const ARC: &[Slot] = &[stays(b"XU"), stays(b"ZW"), must(b"RIK"), as_set(b"F")];
 const FACE_ARC: &[Slot] = &[stays(b"XU"), stays(b"CH"), must(b"RIJ"), as_set(b"F")];
 const XY_ARC: &[Slot] = &[stays(b"XU"), stays(b"YV"), must(b"RIJ"), as_set(b"F")];
@@ -230,20 +242,17 @@ impl Asked<'_> {
         let state = &*self.before();
         let form = Form::of(self.block, state, self.codes);
         let mut lines = lines(form, self.dialect);
-        let is_arc = matches!(form, Form::Motion { mode: MotionMode::Arc(_), .. });
-        let interpolation = state.interpolation().map(|plane| plane.surface);
-        // The plane of the arc, where it is not that of turning.
-        let other_plane = match (interpolation, state.plane) {
-            (Some(Surface::Face), _) => Some(FACE_ARC),
-            (None, Plane::Xy) => Some(XY_ARC),
-            (None, Plane::Yz) => Some(YZ_ARC),
-            _ => None,
-        };
-        let other_plane = other_plane.filter(|_| is_arc);
-        if let Some((line, slots)) = lines.first_mut().zip(other_plane) {
+        let other_axes = other_axes(form, state);
+        if let Some((line, slots)) = lines.first_mut().zip(other_axes) {
             line.slots = slots;
         }
         let own = lines.iter().position(|line| line.form == form)?;
+        // Without a code of its own, a block has the form of a move only if it contains a word of it.
+        if let Form::Motion { own: false, .. } | Form::Hole { own: false, .. } = form
+            && !self.block.words.iter().any(|word| word.address != b'F' && takes(&lines[own], word))
+        {
+            return None;
+        }
         let surface = state.spindle.surface;
         let reading = Reading { unit: state.unit, decimal: self.dialect.decimal };
         let (start, end) = (state.position, self.end(state, reading));
@@ -257,15 +266,21 @@ impl Asked<'_> {
             line.slots
                 .iter()
                 .map(|slot| {
-                    let stands =
-                        |word: &&Word| slot.letters.contains(&word.address) && word.comma == slot.comma;
-                    let found = self.block.words.iter().find(stands).filter(|_| index == own);
+                    let found =
+                        self.block.words.iter().find(|word| slot.takes(word)).filter(|_| index == own);
                     let letter = found.map_or(slot.letters[0], |word| word.address);
                     let role = Role::of(&sample(letter, slot.comma), line.form, surface, state.c_axis);
-                    let role = if other_plane.is_some() { role.in_plane_of(letter, state) } else { role };
+                    let role = if other_axes.is_some() { role.in_plane_of(letter, state) } else { role };
                     let mut slot = *slot;
                     if role == Role::StepOver && steps_over {
                         slot.otherwise = Otherwise::Missing;
+                    }
+                    // Modal passes keep R; the code spelled again forgets it.
+                    let keeps_taper = matches!(form, Form::Motion { own: false, .. })
+                        && matches!(role, Role::TaperX | Role::TaperZ)
+                        && state.memory.taper != 0.0;
+                    if keeps_taper {
+                        slot.otherwise = Otherwise::AsSet;
                     }
                     let in_force = match slot.otherwise {
                         Otherwise::AsSet if found.is_none() => in_force(role, state),
@@ -281,6 +296,28 @@ impl Asked<'_> {
         });
         Some(Signature { lines: lines.collect(), own })
     }
+}
+
+/// The words of a move where its axes are not X and Z alone.
+fn other_axes(form: Form, state: &State) -> Option<&'static [Slot]> {
+    let Form::Motion { mode, .. } = form else { return None };
+    let surface = state.interpolation().map(|plane| plane.surface);
+    match (mode, surface, state.plane) {
+        (MotionMode::Arc(_), Some(Surface::Face), _) => Some(FACE_ARC),
+        (MotionMode::Arc(_), Some(_), _) => Some(SIDE_ARC),
+        (MotionMode::Arc(_), None, Plane::Xy) => Some(XY_ARC),
+        (MotionMode::Arc(_), None, Plane::Yz) => Some(YZ_ARC),
+        (MotionMode::Line, Some(Surface::Face), _) => Some(FACE_LINE),
+        (MotionMode::Line, Some(_), _) => Some(SIDE_LINE),
+        (MotionMode::Line, None, _) if state.c_axis => Some(LINE_AND_C),
+        (MotionMode::Rapid, None, _) if state.c_axis => Some(RAPID_AND_C),
+        _ => None,
+    }
+}
+
+/// Whether a line has a place for a word.
+fn takes(line: &Line, word: &Word) -> bool {
+    line.slots.iter().any(|slot| slot.takes(word))
 }
 
 /// What a word of a letter is in a form.
@@ -305,6 +342,7 @@ fn in_force(role: Role, state: &State) -> Option<Quantity> {
         Role::Feed | Role::Lead => feed_of(state),
         Role::CycleEndX => target(cycle.x, true),
         Role::CycleEndZ => target(cycle.z, false),
+        Role::TaperX | Role::TaperZ => Some(Quantity::Length(cycle.taper)),
         Role::PassDepth | Role::PassDepthZ => multiple.depth.map(Quantity::Length),
         Role::Escape => Some(Quantity::Length(multiple.escape)),
         Role::PeckRetract => Some(Quantity::Length(multiple.retract)),

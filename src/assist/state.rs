@@ -5,6 +5,7 @@
 use super::Asked;
 use super::fact::Quantity;
 use super::hover::{code_in_force, feed_of};
+use super::place::of_c;
 use super::role::Role;
 use crate::control::codes::{self, Function, G, Switch};
 use crate::control::contour::Purpose;
@@ -12,12 +13,12 @@ use crate::control::macros::{Found, LOCALS};
 use crate::control::modal::{State, Target};
 use crate::control::origins::Modal;
 use crate::control::program::{Call, CallKind};
-use crate::geometry::Point;
+use crate::cycles::units;
 use crate::geometry::virtual_plane::Surface;
 use crate::motion::SpindleTurn;
 use crate::playback::timing;
 use crate::run::replay::{Moment, Visit};
-use crate::setup::dialect::{CodeList, GSystem};
+use crate::setup::dialect::{CodeList, GSystem, PqUnit};
 use crate::units::Diameter;
 
 /// A value that is in force.
@@ -59,8 +60,6 @@ pub struct AxisRow {
     pub before: Quantity,
     /// After it.
     pub after: Quantity,
-    /// The way between them, in the same measure.
-    pub way: Quantity,
 }
 
 /// A macro variable.
@@ -149,7 +148,8 @@ impl Asked<'_> {
     }
 
     fn row(&self, modal: Modal, before: &Moment, after: &Moment) -> Option<Row> {
-        let [was, is] = [before, after].map(|moment| in_force(modal, &moment.state, self.codes));
+        let [was, is] =
+            [before, after].map(|moment| in_force(modal, &moment.state, self.codes, self.dialect.pq_unit));
         let since = after.origins.since(modal);
         // What no program has touched, and few know, would only be in the way.
         let is_shown = is_always_shown(modal, self.dialect.g_system)
@@ -193,7 +193,7 @@ fn is_always_shown(modal: Modal, system: GSystem) -> bool {
     }
 }
 
-fn in_force(modal: Modal, state: &State, list: CodeList) -> InForce {
+fn in_force(modal: Modal, state: &State, list: CodeList, pq_unit: PqUnit) -> InForce {
     let (cycle, multiple) = (&state.memory, &state.parameters);
     let length = |length: f64| InForce::Quantity(Quantity::Length(length));
     let optional = |value: Option<f64>| value.map_or(InForce::Nothing, length);
@@ -249,7 +249,7 @@ fn in_force(modal: Modal, state: &State, list: CodeList) -> InForce {
         Modal::CycleTaper => length(cycle.taper),
         Modal::Depth => optional(multiple.depth),
         Modal::Escape => length(multiple.escape),
-        Modal::Relief => multiple.relief.map_or(InForce::Nothing, |relief: Point| {
+        Modal::Relief => multiple.relief.map_or(InForce::Nothing, |relief| {
             InForce::Pair(Quantity::Length(relief.x), Quantity::Length(relief.z))
         }),
         Modal::PatternPasses => multiple
@@ -258,7 +258,14 @@ fn in_force(modal: Modal, state: &State, list: CodeList) -> InForce {
         Modal::Retract => length(multiple.retract),
         Modal::ThreadFinishing => InForce::Quantity(Quantity::Count(f64::from(multiple.finishing))),
         Modal::ThreadAngle => InForce::Quantity(Quantity::Degrees(multiple.angle)),
-        Modal::ThreadLeast => optional(multiple.least_amount.map(|amount| amount.in_increments)),
+        Modal::ThreadLeast => optional(multiple.least_amount.map(|amount| {
+            let reading = match pq_unit {
+                PqUnit::Um => units::Reading::Micrometres,
+                PqUnit::Mm => units::Reading::Millimetres(units::Because::Point),
+                PqUnit::Auto => units::threading(Some(amount), None, None),
+            };
+            amount.mm(reading, state.unit)
+        })),
         Modal::ThreadAllowance => length(multiple.thread_allowance),
     }
 }
@@ -295,27 +302,16 @@ fn axes(before: &State, after: &State) -> Vec<AxisRow> {
     let across = |radius: f64| Quantity::Diameter(Diameter::from_radius(radius));
     let (from, to) = (before.turning_place(), after.turning_place());
     let mut axes = vec![
-        AxisRow {
-            axis: 'X',
-            before: across(from.x),
-            after: across(to.x),
-            way: Quantity::Length(Diameter::from_radius(to.x - from.x).mm()),
-        },
-        AxisRow {
-            axis: 'Z',
-            before: Quantity::Length(from.z),
-            after: Quantity::Length(to.z),
-            way: Quantity::Length(to.z - from.z),
-        },
+        AxisRow { axis: 'X', before: across(from.x), after: across(to.x) },
+        AxisRow { axis: 'Z', before: Quantity::Length(from.z), after: Quantity::Length(to.z) },
     ];
     let [was, is] = [before.place_along_y(), after.place_along_y()];
     if was != 0.0 || is != 0.0 {
-        let [was, is, way] = [was, is, is - was].map(Quantity::Length);
-        axes.insert(1, AxisRow { axis: 'Y', before: was, after: is, way });
+        axes.insert(1, AxisRow { axis: 'Y', before: Quantity::Length(was), after: Quantity::Length(is) });
     }
-    if before.c_axis || after.c_axis || before.c != 0.0 || after.c != 0.0 {
-        let [was, is, way] = [before.c, after.c, after.c - before.c].map(Quantity::Degrees);
-        axes.push(AxisRow { axis: 'C', before: was, after: is, way });
+    let [was, is] = [before.place_of_c(), after.place_of_c()];
+    if before.c_axis || after.c_axis || was != 0.0 || is != 0.0 {
+        axes.push(AxisRow { axis: 'C', before: of_c(before, was), after: of_c(after, is) });
     }
     axes
 }

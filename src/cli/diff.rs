@@ -58,7 +58,7 @@ pub(super) fn run(arguments: &Diff) -> Result<Status, String> {
     let programs = [program_with(first, with, |run| run)?, program_with(second, with, |run| run)?];
     let language = texts.language();
     let found = difference::ProgramDifference::of(programs.each_ref().map(version));
-    let lines = programs.each_ref().map(|program| LineIndex::new(&program.text));
+    let lines = programs.each_ref().map(|program| LineIndex::as_written(&program.text));
     let places = [0, 1].map(|side| Places { text: &programs[side].text, lines: &lines[side] });
     let rows = ProgramDifference::new(&found, places, programs[1].analysis.unit, language);
     let [a, b] = &programs;

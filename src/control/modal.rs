@@ -547,13 +547,22 @@ impl State {
         self.virtual_plane.as_ref().filter(|plane| !matches!(plane.surface, Surface::Flat(_)))
     }
 
-    /// Place of the tip in the plane of X and Z, also while Y is in the plane of the path.
+    /// X (as a radius) and Z of the programmed position, in whichever plane the path is. Under G12.1 X is the coordinate
+    /// of the virtual plane, as the program counts it, not the distance from the axis.
     pub fn turning_place(&self) -> Point {
         match self.virtual_plane {
-            Some(VirtualPlane { surface: surface @ Surface::Flat(_), third, .. }) => {
-                surface.machine(self.position, third.1)
-            }
-            _ => self.position,
+            Some(VirtualPlane { surface: Surface::Face, third, .. }) => Point::new(self.position.z, third.1),
+            Some(VirtualPlane { surface, third, .. }) => surface.machine(self.position, third.1),
+            None => self.position,
+        }
+    }
+
+    /// C of the programmed position as the program counts it: degrees, but mm under G12.1.
+    pub fn place_of_c(&self) -> f64 {
+        match self.virtual_plane.map(|plane| plane.surface) {
+            Some(Surface::Face) => self.position.x,
+            Some(Surface::Cylinder { radius, .. }) => (self.position.x / radius).to_degrees(),
+            Some(Surface::Flat(_)) | None => self.c,
         }
     }
 

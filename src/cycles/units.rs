@@ -6,6 +6,7 @@
 
 use super::grooving::steps;
 use crate::geometry::Point;
+use crate::units::Unit;
 
 /// Whether a number was written with a decimal point.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -23,6 +24,17 @@ pub struct Amount {
     pub in_increments: f64,
     /// How it was written.
     pub written: Written,
+}
+
+impl Amount {
+    /// The length it means, mm.
+    pub fn mm(self, reading: Reading, unit: Unit) -> f64 {
+        match reading {
+            Reading::Micrometres => self.in_increments,
+            // The number as it was written is a length in the unit of the program.
+            Reading::Millimetres(_) => self.in_increments / unit.increment(),
+        }
+    }
 }
 
 /// What P and Q count.

@@ -12,12 +12,16 @@ use crate::setup::Side;
 
 /// How far corners may lie off the line or circle of their feature, mm: chords, and the nose's own chords.
 const OFF: f64 = 0.006;
+/// How far a corner may be off: farther than the edges that meet there, mm.
+const OFF_CORNER: f64 = 0.01;
 /// A circle that fits fewer chords than this is none.
 const LEAST_CHORDS: usize = 4;
 /// Nor one that turns less than this, radians.
 const LEAST_SWEEP: f64 = 0.05;
 /// Larger arcs are lines, mm.
 const LARGEST_RADIUS: f64 = 5000.0;
+/// Motions among whose ends a size is looked for: a pointer asks at every step.
+const MOST_MOTIONS: usize = 100_000;
 /// Edges looked at on either side.
 const MOST_EDGES: usize = 600;
 
@@ -64,6 +68,72 @@ impl Feature {
     /// The two ends.
     pub fn ends(&self) -> [Point; 2] {
         [self.corners.first(), self.corners.last()].map(|end| end.copied().unwrap_or_default())
+    }
+
+    /// The feature with its sizes as the program states them: where an end is beside a programmed point, X or Z by no more
+    /// than the part is off, it is there.
+    pub fn as_programmed(mut self, motions: &Motions) -> Self {
+        if motions.len() > MOST_MOTIONS {
+            return self;
+        }
+        let mut ends = self.ends().map(Stated::new);
+        let mut diameters = match self.shape {
+            Shape::Thread { minor, major, .. } => {
+                [minor, major].map(|radius| Stated::new(Point::new(radius, 0.0)))
+            }
+            _ => [Stated::new(Point::default()); 2],
+        };
+        for chunk in motions.chunks() {
+            for index in (0..chunk.len()).filter(|&index| chunk.kind(index).cuts()) {
+                let motion = chunk.get_on_workpiece(index);
+                let programmed = motion.programmed.filter(|_| motion.rotary.is_none());
+                for point in programmed.map_or([motion.from, motion.to], |own| [own.from, own.to]) {
+                    ends.iter_mut().chain(&mut diameters).for_each(|stated| stated.meet(point));
+                }
+            }
+        }
+        let [from, to] = ends.map(Stated::place);
+        match &mut self.shape {
+            Shape::Thread { minor, major, .. } => [*minor, *major] = diameters.map(|stated| stated.x.0),
+            Shape::Taper { .. } => self.shape = taper(from, to),
+            Shape::Cylinder | Shape::Face | Shape::Arc { .. } => {}
+        }
+        if let [first, .., last] = &mut self.corners[..] {
+            [*first, *last] = [from, to];
+        }
+        self
+    }
+}
+
+/// A place, and the programmed point, X and Z nearest to it, each with its distance, mm.
+#[derive(Clone, Copy)]
+struct Stated {
+    at: Point,
+    point: Option<(Point, f64)>,
+    x: (f64, f64),
+    z: (f64, f64),
+}
+
+impl Stated {
+    fn new(at: Point) -> Self {
+        Self { at, point: None, x: (at.x, OFF), z: (at.z, OFF) }
+    }
+
+    fn meet(&mut self, point: Point) {
+        let off = point.distance(self.at);
+        if off < self.point.map_or(OFF_CORNER, |(_, least)| least) {
+            self.point = Some((point, off));
+        }
+        for (nearest, own, value) in [(&mut self.x, self.at.x, point.x), (&mut self.z, self.at.z, point.z)] {
+            let off = (value - own).abs();
+            if off < nearest.1 {
+                *nearest = (value, off);
+            }
+        }
+    }
+
+    fn place(self) -> Point {
+        self.point.map_or(Point::new(self.x.0, self.z.0), |(point, _)| point)
     }
 }
 
@@ -181,12 +251,17 @@ fn edge_feature(corners: &[Point], edge: usize) -> Option<Feature> {
     } else if dz.abs() < OFF / 2.0 {
         Shape::Face
     } else {
-        let ratio = dz.abs() / (2.0 * dx.abs());
-        let is_near = (ratio - ratio.round()).abs() < 0.002 * ratio && (1.0..=200.0).contains(&ratio.round());
-        let half_angle = dx.abs().atan2(dz.abs());
-        Shape::Taper { half_angle, ratio: is_near.then(|| ratio.round()) }
+        taper(from, to)
     };
     Some(Feature { shape, corners: line })
+}
+
+fn taper(from: Point, to: Point) -> Shape {
+    let (dx, dz) = (to.x - from.x, to.z - from.z);
+    let ratio = dz.abs() / (2.0 * dx.abs());
+    let is_near = (ratio - ratio.round()).abs() < 0.002 * ratio && (1.0..=200.0).contains(&ratio.round());
+    let half_angle = dx.abs().atan2(dz.abs());
+    Shape::Taper { half_angle, ratio: is_near.then(|| ratio.round()) }
 }
 
 /// The corners from an edge on to both sides, as long as they fit.
@@ -330,6 +405,27 @@ mod tests {
         assert_eq!(ratio, Some(5.0));
         assert_eq!(feature(PROFILE, 20.0, -40.0).shape, Shape::Cylinder);
         assert_eq!(feature_with("0", PROFILE, 30.0, -5.0), None);
+    }
+
+    #[test]
+    fn sizes_are_those_the_program_states() {
+        // A cone from Ø40 to Ø50 whose chords leave it a few micrometres off.
+        let program = "T0101\nG00 X70 Z2\nG42 G00 X36 Z0\nG01 X40 F0.2\nX50 Z-20\nZ-45\nX70\nG40 G00 X75 Z2";
+        let setup = Setup::from_json(&SETUP.replace("NOSE", "0.4")).expect("a setup");
+        let motions = analyze(program.as_bytes(), &setup).motions;
+        let stated = |diameter: f64, z: f64| {
+            let found = feature_with("0.4", program, diameter, z).expect("an edge");
+            let [from, to] = found.as_programmed(&motions).ends();
+            let (first, last) = if from.z > to.z { (from, to) } else { (to, from) };
+            [first.x, first.z, last.x, last.z]
+        };
+        assert_eq!(stated(45.0, -10.0), [20.0, 0.0, 25.0, -20.0]);
+        let [x, z, end, _] = stated(50.0, -38.0);
+        assert_eq!([x, z, end], [25.0, -20.0, 25.0]);
+        // What no program states stays as it is.
+        let other =
+            Feature { shape: Shape::Cylinder, corners: vec![Point::new(23.3, -1.0), Point::new(23.3, -9.0)] };
+        assert_eq!(other.clone().as_programmed(&motions), other);
     }
 
     #[test]

@@ -289,9 +289,8 @@ impl Replay {
                 kept.purpose == Some(Purpose::Roughing) && purpose != Some(Purpose::Roughing)
             }
             (Time::Number(wanted), Some(_)) => number <= wanted,
-            (Time::Motion(wanted), Some(kept)) => {
-                !kept.motions.contains(&wanted) && motions.contains(&wanted)
-            }
+            // A motion may be made by a later block than its own.
+            (Time::Motion(wanted), Some(kept)) => !kept.motions.contains(&wanted) && motions.start <= wanted,
         };
         if is_meant {
             self.visit = Some(Visit { number, purpose, carried_out, before, after, values, motions });

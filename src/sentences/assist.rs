@@ -8,6 +8,7 @@ use super::template::fill;
 use crate::assist::complete::{What, Why};
 use crate::assist::explain::{Action, Explanation};
 use crate::assist::fact::{Fact, Quantity};
+use crate::assist::place::Place;
 use crate::assist::role::Role;
 use crate::assist::signature::Otherwise;
 use crate::assist::snippet::Snippet;
@@ -16,7 +17,6 @@ use crate::control::codes::{self, G, Group};
 use crate::control::contour::Purpose;
 use crate::control::origins::Modal;
 use crate::control::program::CallKind;
-use crate::geometry::Point;
 use crate::message::{Arguments, Value};
 use crate::motion::Cycle;
 use crate::setup::dialect::FeedMode;
@@ -58,7 +58,7 @@ told! {
     Vacant, CallFrame, MacroFrame, LoopFrame, ReadByRoughing, ReadByFinishing,
     // What a block does
     ExplainRapid, ExplainStraight, ExplainTaper, ExplainClockwise, ExplainCounterclockwise, ExplainThread, ExplainDwell, ExplainTurn, ExplainAlongY,
-    ExplainMoves, ExplainPass, ExplainPasses, ExplainPassesZ, ExplainPassTo, ExplainPassesTo, ExplainPattern, ExplainContour,
+    ExplainMoves, ExplainPass, ExplainTaperPass, ExplainPasses, ExplainPassesZ, ExplainPassTo, ExplainPassesTo, ExplainPattern, ExplainContour,
     ExplainPecks, ExplainPecksInColumns, ExplainHole, ExplainHoleInPecks,
     // How fast and how long, and what is set
     ExplainFeedTime, ExplainFeedTimeWithoutRapids, ExplainTime, ExplainTimeWithoutRapids, ExplainFeed, ExplainSets,
@@ -339,8 +339,13 @@ impl Speaker<'_> {
     fn action(&self, action: &Action) -> String {
         let named =
             |name: &'static str, quantity: Quantity| (name, Value::Text(self.quantity(quantity).into()));
-        let place = |name: &'static str, at: Point| (name, Value::Text(self.place(at).into()));
+        let place = |name: &'static str, at: Place| (name, Value::Text(self.place(at).into()));
         let count = |name: &'static str, count: u32| (name, Value::Count(i64::from(count)));
+        // A diameter, or a place along Z.
+        let level = |at: Quantity| match at {
+            Quantity::Length(z) => place("at", Place { x: None, z: Some(z), c: None }),
+            at => named("at", at),
+        };
         let code = |cycle: Cycle| ("cycle", Value::Text(cycle.code().into()));
         let (told, arguments): (Told, Arguments) = match *action {
             Action::Rapid(from, to) => (Told::ExplainRapid, vec![place("from", from), place("to", to)]),
@@ -363,8 +368,11 @@ impl Speaker<'_> {
             Action::Moves(moves, from, to) => {
                 (Told::ExplainMoves, vec![count("count", moves), place("from", from), place("to", to)])
             }
-            Action::Pass(cycle, at, from, to) => {
-                (Told::ExplainPass, vec![code(cycle), named("at", at), place("from", from), place("to", to)])
+            Action::Pass(cycle, Some(at), from, to) => {
+                (Told::ExplainPass, vec![code(cycle), level(at), place("from", from), place("to", to)])
+            }
+            Action::Pass(cycle, None, from, to) => {
+                (Told::ExplainTaperPass, vec![code(cycle), place("from", from), place("to", to)])
             }
             Action::Passes { cycle, passes, each, depth, last } => {
                 let told = if matches!(last, Quantity::Diameter(_)) {
@@ -372,12 +380,12 @@ impl Speaker<'_> {
                 } else {
                     Told::ExplainPassesZ
                 };
-                let depths = [named("each", each), named("depth", depth), named("at", last)];
+                let depths = [named("each", each), named("depth", depth), level(last)];
                 (told, [code(cycle), count("passes", passes)].into_iter().chain(depths).collect())
             }
             Action::PassesTo(cycle, passes, at) => {
                 let told = if passes == 1 { Told::ExplainPassTo } else { Told::ExplainPassesTo };
-                (told, vec![code(cycle), count("passes", passes), named("at", at)])
+                (told, vec![code(cycle), count("passes", passes), level(at)])
             }
             Action::Pattern(cycle, passes) => {
                 (Told::ExplainPattern, vec![code(cycle), count("passes", passes)])
@@ -385,7 +393,7 @@ impl Speaker<'_> {
             Action::Contour(length) => (Told::ExplainContour, vec![named("length", length)]),
             Action::Pecks(cycle, pecks, columns, at) => {
                 let told = if columns == 1 { Told::ExplainPecks } else { Told::ExplainPecksInColumns };
-                (told, vec![code(cycle), count("pecks", pecks), count("columns", columns), named("at", at)])
+                (told, vec![code(cycle), count("pecks", pecks), count("columns", columns), level(at)])
             }
             Action::Hole(cycle, from, to, pecks) => {
                 let told = if pecks == 1 { Told::ExplainHole } else { Told::ExplainHoleInPecks };
@@ -400,9 +408,16 @@ impl Speaker<'_> {
     }
 
     /// A place in the words of a block.
-    fn place(&self, at: Point) -> String {
+    fn place(&self, at: Place) -> String {
         let length = |mm: f64| number(mm / self.unit.millimetres());
-        format!("X{} Z{}", length(Diameter::from_radius(at.x).mm()), length(at.z))
+        let x = at.x.map(|x| format!("X{}", length(Diameter::from_radius(x).mm())));
+        let z = at.z.map(|z| format!("Z{}", length(z)));
+        let c = at.c.map(|c| match c {
+            Quantity::Length(mm) => format!("C{}", length(mm)),
+            Quantity::Degrees(c) => format!("C{}", number(c)),
+            other => self.quantity(other),
+        });
+        [x, z, c].into_iter().flatten().collect::<Vec<_>>().join(" ")
     }
 
     /// Which cycle reads a block as a part of its contour.

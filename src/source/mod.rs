@@ -75,13 +75,16 @@ pub struct LineIndex {
     /// Places whose UTF-16 offset is known, in order: all starts of lines, and more in long lines. Empty
     /// while all text is ASCII without CRLF (offsets are then bytes).
     marks: Vec<Mark>,
+    /// The line end of new text, if offsets count the text as it is written.
+    line_end: Option<&'static str>,
 }
 
 /// A place whose UTF-16 offset is known.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 struct Mark {
     byte: u32,
-    /// UTF-16 units before it, each line end counted as one, as editors that fold CRLF do.
+    /// UTF-16 units before it; each line end counts as one, as in editors that fold CRLF, unless the offsets are those of
+    /// the text as it is written.
     units: u32,
 }
 
@@ -92,11 +95,38 @@ impl LineIndex {
     /// Reads the line starts of `text`.
     pub fn new(text: &[u8]) -> Self {
         let (starts, plain) = line_starts(text);
-        let mut index = Self { starts, marks: Vec::new() };
+        let mut index = Self { starts, marks: Vec::new(), line_end: None };
         if !plain {
             index.mark(text);
         }
         index
+    }
+
+    /// Reads the line starts of `text`, with offsets into it as it is written: CR LF counts as two units. Follows no change.
+    pub fn as_written(text: &[u8]) -> Self {
+        let starts = line_starts(text).0;
+        let mut index = Self { starts, marks: Vec::new(), line_end: Some(only_line_end(text)) };
+        if !text.is_ascii() {
+            index.mark(text);
+            let mut pairs = 0;
+            let mut next = 0;
+            for mark in &mut index.marks {
+                let before = &text[next..mark.byte as usize];
+                pairs += memchr_iter(b'\r', before).filter(|&at| before.get(at + 1) == Some(&b'\n')).count()
+                    as u32;
+                next = mark.byte as usize;
+                mark.units += pairs;
+            }
+        }
+        index
+    }
+
+    /// New text with the line ends of the text as it is written; with `\n` where each line end counts as one unit.
+    pub fn with_line_ends(&self, new: String) -> String {
+        match self.line_end {
+            None | Some("\n") => new,
+            Some(end) => new.replace('\n', end),
+        }
     }
 
     /// Follows a change of the text: the bytes `replaced` of it gave way to `inserted` others, and it is
@@ -184,7 +214,8 @@ impl LineIndex {
         LineColumn { line, column: self.utf16_offset(text, byte) - self.utf16_offset(text, start) }
     }
 
-    /// UTF-16 offset of a byte from the start of the text, each line end counted as one unit.
+    /// UTF-16 offset of a byte from the start of the text, each line end counted as one unit unless the index was made
+    /// by [`LineIndex::as_written`].
     pub fn utf16_offset(&self, text: &[u8], byte: u32) -> u32 {
         let byte = byte.min(text.len() as u32);
         if self.marks.is_empty() {
@@ -260,6 +291,16 @@ pub fn behind_line_end(text: &[u8], end: usize) -> usize {
     text.len().min(end + width)
 }
 
+/// The line end of a text where it has one kind only, CR LF or CR; otherwise LF.
+pub fn only_line_end(text: &[u8]) -> &'static str {
+    let is_lone = |at: usize| at == 0 || text[at - 1] != b'\r';
+    match (memchr(b'\r', text), memchr(b'\n', text)) {
+        (Some(_), None) => "\r",
+        (Some(_), Some(_)) if !memchr_iter(b'\n', text).any(is_lone) => "\r\n",
+        _ => "\n",
+    }
+}
+
 /// First byte of each line, and whether every byte is one UTF-16 unit.
 fn line_starts(text: &[u8]) -> (Vec<u32>, bool) {
     let ascii = text.is_ascii();
@@ -313,6 +354,27 @@ fn chars(bytes: &[u8]) -> impl Iterator<Item = (usize, u32)> {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    /// Worked out by encoding the text before the byte as UTF-16.
+    #[test]
+    fn offsets_as_written_count_what_is_there() {
+        let texts = [
+            "G0X1\nX2\n",
+            "G0X1\r\nX2\r\n",
+            "G0X1\rX2\r",
+            "G0 (外圆)\r\nX1\rZ😀2\n\r\n(ж)\r\r\nX3",
+            &format!("({})\r\nX1 (é)\r\nX2", "外😀".repeat(300)),
+        ];
+        for text in texts {
+            let index = LineIndex::as_written(text.as_bytes());
+            for (byte, _) in text.char_indices() {
+                let units = text[..byte].encode_utf16().count() as u32;
+                assert_eq!(index.utf16_offset(text.as_bytes(), byte as u32), units, "{text:?} {byte}");
+            }
+            let (written, folded) = (index.line_column(text.as_bytes(), 9), LineIndex::new(text.as_bytes()));
+            assert_eq!(written, folded.line_column(text.as_bytes(), 9));
+        }
+    }
 
     #[test]
     fn columns_count_utf16_units_and_any_line_end() {

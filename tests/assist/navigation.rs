@@ -142,3 +142,25 @@ fn the_number_that_is_asked_about_is_among_its_uses() {
     }
     assert!(asked > 200, "{asked}");
 }
+
+#[test]
+fn a_comment_of_the_setup_names_no_tool() {
+    let names = |text: &str| {
+        let lines = LineIndex::new(text.as_bytes());
+        let places = Places { text: text.as_bytes(), lines: &lines };
+        let reader = Reader { places, language: Language::English, unit: Unit::Millimetre };
+        let entries = reader.outline(CodeList::A).entries;
+        entries
+            .into_iter()
+            .map(|own| format!("{} {} ({})", own.kind, own.name, own.detail))
+            .collect::<Vec<_>>()
+    };
+    let stock = "O0001\n(STOCK D=62 LENGTH=80)\nT0101\nG00 X60 Z2\nM30\n";
+    assert_eq!(names(stock), ["program O0001 ()", "tool T0101 ()"]);
+    let name_before = "O0001\n(ROUGH)\n(STOCK D=62 LENGTH=80)\nT0101\nG00 X60 Z2\nM30\n";
+    assert_eq!(names(name_before), ["program O0001 ()", "tool T0101 (ROUGH)"]);
+    let beside = "O0001\nT0303 (TOOL T0303 TYPE=THREADING)(THREAD)\nG00 X60 Z2\nM30\n";
+    assert_eq!(names(beside), ["program O0001 ()", "tool T0303 (THREAD)"]);
+    let later = "O0001\nT0101\nG00 X60 Z2\n(FINISH)\n(TOOL T0303 WIDTH=3)\nT0303\nG00 X60 Z2\nM30\n";
+    assert_eq!(names(later), ["program O0001 ()", "tool T0101 ()", "tool T0303 (FINISH)"]);
+}

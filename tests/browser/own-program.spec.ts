@@ -58,7 +58,6 @@ test('a text over everything is a program of its own, and one undo brings back t
       await page.keyboard.insertText(OWN);
     }],
     ['opened', () => openFile(page, 'own.nc', Buffer.from(OWN))],
-    ['set', () => page.locator('gcode-playground').evaluate((element, text) => void ((element as unknown as { value: string }).value = text), OWN)],
   ];
   for (const [how, act] of ways) {
     await test.step(how, async () => {
@@ -116,6 +115,27 @@ test('an edit, and a text that keeps most of the program, leave its context', as
   await pasteOver(page, text.split('\n').slice(0, 4).join('\n'));
   await expect.poll(() => context(page)).toEqual(before);
   await expect(title(page)).toHaveCount(1);
+});
+
+test('a text that the page sets leaves what the page says of it', async ({ page }) => {
+  await open(page, `#${EXAMPLE}`);
+  const before = await context(page);
+  await page.locator('gcode-playground').evaluate((element, text) => void ((element as unknown as { value: string }).value = text), OWN);
+  await expect.poll(() => value(page)).toBe(OWN);
+  expect(await context(page)).toEqual(before);
+});
+
+test('the text it has already, set again after each key, leaves cursor and history', async ({ page }) => {
+  await open(page, `#${EXAMPLE}`);
+  await page.locator('gcode-playground').evaluate((element) => element.addEventListener('gcode-change', (event) => {
+    (element as unknown as { value: string }).value = (event as CustomEvent<{ value: string }>).detail.value;
+  }));
+  await editor(page).focus();
+  await page.keyboard.press('Control+End');
+  await page.keyboard.type('(HELLO)');
+  await expect.poll(() => value(page)).toBe(`${program(EXAMPLE)}(HELLO)`);
+  await page.keyboard.press('Control+z');
+  await expect.poll(() => value(page)).toBe(program(EXAMPLE));
 });
 
 test('what the page sets beside a text is for that text', async ({ page }) => {

@@ -44,4 +44,17 @@ for (const name of readdirSync(join(root, 'tests', 'programs'))) {
   assert.deepEqual(json(motions(program, setup && JSON.parse(setup))), rows('motions', ...more, file), `motions of ${name}`);
   compared++;
 }
+
+// Offsets are those of the text as it was given, whatever its line ends: safe fixes applied by offset repair it.
+const faulty = 'O0001 (外圆 😀)\nT0101 (ROUGH\nGO1 X5 F0.1 M3 S500\nM30\n';
+const mixed = faulty.replace('\n', '\r\n').replace('ROUGH\n', 'ROUGH\r');
+for (const text of [faulty, faulty.replaceAll('\n', '\r\n'), faulty.replaceAll('\n', '\r'), mixed]) {
+  const found = check(text);
+  const letter = found.find(({ slug }) => slug === 'letter-for-digit');
+  assert.equal(text.slice(letter.from, letter.to), 'GO1', JSON.stringify(text));
+  const edits = found.flatMap(({ fixes }) => fixes.filter(({ safe }) => safe).flatMap((fix) => fix.edits)).sort((a, b) => b.from - a.from);
+  const repaired = edits.reduce((now, { from, to, text: own }) => now.slice(0, from) + own + now.slice(to), text);
+  assert.equal(repaired, text.replace('GO1', 'G01').replace('(ROUGH', '(ROUGH)'));
+}
+
 console.log(`${compared} programs as on the command line`);

@@ -1,11 +1,28 @@
-import type { Diagnostic, Stroke, Summary } from './node/gcode_playground.js';
+import type { Diagnostic, FileFormat, ProgramDifference, Stroke, Summary } from './node/gcode_playground.js';
 
-export type { Diagnostic, Stroke, Summary };
+export type { Diagnostic, FileFormat, ProgramDifference, Stroke, Summary };
+
+/** The file a program came from. */
+export interface ProgramFile {
+  readonly name: string;
+  readonly encoding: 'utf-8' | 'utf-8-bom' | 'utf-16le' | 'utf-16be' | 'gb18030' | 'windows-1251' | 'windows-1252';
+}
+
+/** A program and its file; the text has its own line ends. */
+export interface OpenedProgram {
+  readonly text: string;
+  readonly file: ProgramFile | undefined;
+}
 
 /** A lathe program, its drawing, its problems, and the tool moving along it. `docs/element.html` of the site describes all of it. */
 export class GcodePlayground extends HTMLElement {
-  /** The program. Setting it fires no event. */
+  /** The program; each line end is `\n`. Setting it fires no event; the text it has already changes nothing. */
   value: string;
+  /** The program as it was given, with its own line ends, and its file. Offsets in events count in this text. */
+  get opened(): OpenedProgram;
+  set opened(opened: OpenedProgram);
+  /** The file the program came from. */
+  readonly file: ProgramFile | undefined;
   /** UTF-16 units of the program, every line end counted as one. */
   readonly length: number;
   /** The control; overrides `dialect.control` of the setup. */
@@ -54,6 +71,12 @@ export class GcodePlayground extends HTMLElement {
   currentStep(): Promise<string | null>;
   /** The line of the cursor, from 1. */
   readonly cursorLine: number;
+  /** Puts the cursor into a line, from 1, and marks it. */
+  goToLine(line: number): void;
+  /** A file of the menu "Export"; nothing where there is none, such as the profile of a program without a part. */
+  exported(format: FileFormat | 'png'): Promise<Uint8Array | undefined>;
+  /** What differs between another version, the first, and the program, and the tool paths of both as SVG. */
+  differenceFrom(other: { readonly text: string; readonly names: readonly [string, string] }): Promise<{ readonly rows: ProgramDifference; readonly drawing: string } | undefined>;
   /** All of the setup the program is run with, as JSON; nothing where it cannot be read. */
   readonly wholeSetup: string | undefined;
   /** The drawing, or the picture as it is shown. */

@@ -29,9 +29,9 @@ use super::system::{self, Stream, say};
 use super::{NAME, Status, encoded, encoding, read_within, run_text, save, save_apart, terminal};
 use crate::api::InferredStock;
 use crate::limits;
-use crate::repair::repaired;
+use crate::repair::repaired_of;
 use crate::sentences::Language;
-use crate::source::LineIndex;
+use crate::source::{LineIndex, only_line_end};
 use baseline::Baseline;
 use finding::{Finding, Programs, Subject, What};
 use reports::{Counts, Report, Wanted};
@@ -195,22 +195,17 @@ fn once(check: &Check) -> Result<Status, String> {
 
 /// A text with the line ends of the text before it, where all of those are CR LF, or all are CR.
 fn with_line_ends_of(before: &[u8], mut text: Vec<u8>) -> Vec<u8> {
-    if before.contains(&b'\r') && !before.contains(&b'\n') {
-        text.iter_mut().filter(|byte| **byte == b'\n').for_each(|byte| *byte = b'\r');
-        return text;
-    }
-    let is_lone = |text: &[u8], at: usize| text[at] == b'\n' && (at == 0 || text[at - 1] != b'\r');
-    if !before.contains(&b'\n') || (0..before.len()).any(|at| is_lone(before, at)) {
-        return text;
-    }
-    let mut ended = Vec::with_capacity(text.len());
-    for at in 0..text.len() {
-        if is_lone(&text, at) {
-            ended.push(b'\r');
+    match only_line_end(before) {
+        "\r" => text.iter_mut().filter(|byte| **byte == b'\n').for_each(|byte| *byte = b'\r'),
+        "\r\n" => {
+            let is_lone = |at: usize| text[at] == b'\n' && (at == 0 || text[at - 1] != b'\r');
+            let ended =
+                (0..text.len()).flat_map(|at| is_lone(at).then_some(b'\r').into_iter().chain([text[at]]));
+            return ended.collect();
         }
-        ended.push(text[at]);
+        _ => {}
     }
-    ended
+    text
 }
 
 /// A check of some files.
@@ -364,7 +359,7 @@ impl Job<'_> {
         let (mut text, encoding) = encoding::decode(bytes);
         let (mut lines_of_repairs, mut was_repaired) = (Vec::new(), false);
         if self.check.fix {
-            let repaired = repaired(&text, &setup);
+            let repaired = repaired_of(&text, &setup, &|found| self.selection.takes(settings, found));
             if let Some(open) = &repaired.open {
                 let open = open.words(self.language);
                 return Err(format!(

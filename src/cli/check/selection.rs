@@ -68,7 +68,12 @@ impl Selection {
 
     /// Removes what is not among the rules that are reported alone.
     pub(super) fn keep(&self, settings: &Settings, found: &mut Vec<Diagnostic>) {
+        found.retain(|one| self.takes(settings, one));
+    }
+
+    /// Whether a message is of the rules that are reported alone; where none are named, all are.
+    pub(super) fn takes(&self, settings: &Settings, found: &Diagnostic) -> bool {
         let select = if self.select.is_empty() { &settings.select } else { &self.select };
-        found.retain(|one| select.is_empty() || select.contains(&one.message.slug()));
+        select.is_empty() || select.contains(&found.message.slug())
     }
 }

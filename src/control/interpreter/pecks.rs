@@ -159,11 +159,7 @@ impl Interpreter {
     }
 
     pub(super) fn amount_in(&self, amount: Amount, reading: units::Reading) -> f64 {
-        match (reading, self.state.unit) {
-            (units::Reading::Micrometres, _) => amount.in_increments,
-            (units::Reading::Millimetres(_), Unit::Millimetre) => amount.in_increments / INCREMENT,
-            (units::Reading::Millimetres(_), Unit::Inch) => amount.in_increments / INCREMENT * 10.0,
-        }
+        amount.mm(reading, self.state.unit)
     }
 
     /// Says that P and Q were read as millimetres, or that a control takes no point

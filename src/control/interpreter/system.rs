@@ -158,7 +158,7 @@ impl Interpreter {
                 let at = block.span.start;
                 f64::from(self.program.labels(text).number_at(at).unwrap_or(0))
             }
-            System::Work(3) | System::Machine(3) => state.c,
+            System::Work(3) | System::Machine(3) => state.place_of_c(),
             System::Work(axis) => coordinate(state.turning_place(), axis),
             System::Machine(axis) => coordinate(state.turning_place().moved(offset), axis),
             System::External(axis) => coordinate(state.frames.external, axis),

@@ -12,7 +12,8 @@ export interface Options {
 
 /**
  * What is wrong with a program, in the order of the text; collisions too, where the setup or the program names a blank.
- * `text` as bytes is a file: its encoding is found out. Throws an `Error` that names what is wrong with the setup.
+ * `from` and `to` of a message and of the edits of its fixes are UTF-16 offsets into `text` as it was given: `text.slice(from, to)`.
+ * Bytes are UTF-8; offsets then count in the text as `TextDecoder` with `ignoreBOM: true` decodes it. Throws an `Error` that names what is wrong with the setup.
  */
 export function check(text: string | Uint8Array, setup?: Setup, options?: Options): Diagnostic[];
 

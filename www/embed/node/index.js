@@ -55,7 +55,7 @@ function withRun(text, setup, options, use) {
 export function check(text, setup, options) {
   return withRun(text, setup, options, (playground) => {
     while (!playground.removeMaterial(AT_ONCE));
-    return playground.diagnostics();
+    return playground.diagnosticsAsWritten();
   });
 }
 

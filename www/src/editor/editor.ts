@@ -20,7 +20,7 @@ import { folding, showFoldable } from './folding';
 import { foldOthers, folds, unfoldAt } from './folds';
 import { marks, runningLine, showHovered, showMarked, showRunning, showTokens, showUses } from './marks';
 import { contextEffect, contextOf, programContext } from './context';
-import { docOf, fileOf, fileOfText, origin, renamed, textWithLineEnds } from './file';
+import { docOf, fileOf, fileOfText, lineEndsIn, origin, renamed, textWithLineEnds } from './file';
 import { Follower } from './follow';
 import type { Access, Change, EditorEvents, LineRange, ProgramContext, Span, Start, TextHolder } from './holder';
 import { editorPhrases } from './phrases';
@@ -31,6 +31,7 @@ import { endTrial, triedOf, triedValues, tryValue } from './tried';
 import { wordHover } from './word-hover';
 import { editorTheme } from './theme';
 import type { Language } from '../dom/language';
+import type { LineEnds } from '../files/line-ends';
 import { make } from '../dom/dom';
 import { loaded } from '../dom/network';
 import { COMMON } from '../dom/words';
@@ -113,6 +114,10 @@ export class Editor implements TextHolder {
 
   get textWithLineEnds(): string {
     return textWithLineEnds(this.#view.state);
+  }
+
+  get lineEnds(): LineEnds {
+    return lineEndsIn(this.#view.state);
   }
 
   get file(): ProgramFile | undefined {

@@ -99,6 +99,14 @@ export function textWithLineEnds(state: EditorState): string {
   return parts.join('');
 }
 
+/** The line ends of the text. */
+export function lineEndsIn(state: EditorState): LineEnds {
+  const { mostEnds, otherEnds } = state.field(field);
+  const others: [number, LineEndText][] = [];
+  for (const other = otherEnds.iter(); other.value !== null; other.next()) others.push([other.from, other.value.text]);
+  return { most: mostEnds, others };
+}
+
 /** What to add to the change that puts in a whole text, so that its file and its line ends are known. */
 export function origin(ends: LineEnds, file: ProgramFile | undefined): StateEffect<unknown> {
   return setOrigin.of(originOf(ends, file));

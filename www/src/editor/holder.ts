@@ -4,6 +4,7 @@
 // no event; what the reader does, does.
 
 import type { CompletionHelp, Fix, Setting, TextCommand, WordHelp } from '../protocol/protocol';
+import type { LineEnds } from '../files/line-ends';
 import type { ProgramFile, ProgramText } from './program-text';
 
 export interface Span {
@@ -74,6 +75,7 @@ export interface TextHolder {
   readonly text: string;
   /** With the line ends of the file. */
   readonly textWithLineEnds: string;
+  readonly lineEnds: LineEnds;
   /** UTF-16 units. */
   readonly length: number;
   /** Counts the versions of the text. */

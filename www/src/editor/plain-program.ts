@@ -38,6 +38,10 @@ export class PlainProgram implements TextHolder {
     return parts.join('') + upTo(this.length);
   }
 
+  get lineEnds(): LineEnds {
+    return this.#program.ends;
+  }
+
   get length(): number {
     return this.#text.length;
   }

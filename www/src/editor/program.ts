@@ -9,6 +9,7 @@ import { make } from '../dom/dom';
 import type { Language } from '../dom/language';
 import { loaded } from '../dom/network';
 import { COMMON } from '../dom/words';
+import type { LineEnds } from '../files/line-ends';
 import type { Diagnostic, Fix, TextCommand, TriedValue } from '../protocol/protocol';
 import type { Editor } from './editor';
 import type { Access, Change, EditorEvents, LineRange, ProgramContext, Span, TextHolder } from './holder';
@@ -82,6 +83,10 @@ export class Program implements TextHolder {
 
   get textWithLineEnds(): string {
     return this.#holder.textWithLineEnds;
+  }
+
+  get lineEnds(): LineEnds {
+    return this.#holder.lineEnds;
   }
 
   get length(): number {

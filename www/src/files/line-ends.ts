@@ -53,3 +53,20 @@ export function inPieces(text: string): string[] {
   } while (from < text.length);
   return pieces;
 }
+
+/** Offsets into the folded text as offsets into the text as it is in its file. */
+export function offsetsInFile({ most, others }: LineEnds, text: () => string): (offset: number) => number {
+  if (most !== '\r\n' && !others.some(([, end]) => end === '\r\n')) return (offset) => offset;
+  const other = new Map(others);
+  /** Folded offsets of the line ends of two units, in order. */
+  const wide = [...text().matchAll(/\n/g)].map(({ index }) => index).filter((at) => (other.get(at) ?? most) === '\r\n');
+  return (offset) => {
+    let [low, high] = [0, wide.length];
+    while (low < high) {
+      const middle = (low + high) >> 1;
+      if (wide[middle]! < offset) low = middle + 1;
+      else high = middle;
+    }
+    return offset + low;
+  };
+}

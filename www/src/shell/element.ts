@@ -33,8 +33,8 @@
 // Other `view`, `controls` or `readonly`: it is made anew around the program, what could be undone is forgotten.
 // Properties: value (the program), length (of it, each line end counted as one), opened (its file, with the
 // text as it is in it), origin (any text by which the page knows whose the program is). Setting one, or an attribute, fires no event.
-// A text that replaces most of the one before is another program: the attributes of the program are removed and
-// `origin` becomes null, unless the page sets one of them in the same turn before the text. Undo brings all of it back. Methods: play(), pause(),
+// The text it has already changes nothing. A text of the reader's that replaces most of the one before is another program: the attributes of the program
+// are removed and `origin` becomes null; undo brings all of it back. A text that the page sets leaves them. Methods: play(), pause(),
 // openFile(file), saveFile(), exported(format): the bytes of a file of the menu "Export", focus(), keepPart() to lay the parts of later programs over this one's,
 // endComparison(), differenceFrom({text, names}) for the blocks and motions in which another version differs, currentStep() and pictureFile(format),
 // both promises, cursorLine, goToLine(line) and wholeSetup, and for automation
@@ -47,8 +47,8 @@
 //   locateOnSide(z, c): the same of the side, C in degrees; Y in mm where its ruler shows Y
 // Events (bubbling, only for what the reader did, and `report` for each finished run):
 //   gcode-change   detail {value}
-//   gcode-select   detail {stroke}
-//   gcode-report   detail {summary, diagnostics}
+//   gcode-select   detail {stroke}: `from` and `to` are UTF-16 offsets into the text as it was given, with its own line ends (`opened.text`)
+//   gcode-report   detail {summary, diagnostics}: offsets likewise, also of edits
 //   gcode-settled  detail {run}: as `settled`, each time
 //   gcode-switch   detail {blockSkip, program}
 //   gcode-setup    detail {setup}: the attribute follows the form
@@ -87,8 +87,6 @@ export interface OpenedProgram {
   readonly file: ProgramFile | undefined;
 }
 
-/** Attributes that go with the program. */
-const OF_THE_PROGRAM: readonly string[] = ['control', 'setup', 'block-skip', 'program'];
 /** Attributes that say what is there at all. */
 const MAKES_ANEW: readonly string[] = ['view', 'controls', 'readonly'];
 /** What the author says of lines and picture. */
@@ -150,7 +148,6 @@ export class GcodePlayground extends Base {
   }
 
   attributeChangedCallback(attribute: string, before: string | null, now: string | null): void {
-    if (OF_THE_PROGRAM.includes(attribute)) this.#made?.contextGiven();
     if (before === now) return;
     if (attribute === 'language') this.#made?.languageChanged();
     else if (attribute === 'theme') this.#made?.coloursChanged();
@@ -172,8 +169,10 @@ export class GcodePlayground extends Base {
     return this.#made?.editor.text ?? this.#early?.text ?? textInside(this);
   }
 
+  /** The text it has already changes nothing: a page that hands back each change keeps the cursor, the history and the file. */
   set value(text: string) {
-    this.opened = { text, file: undefined };
+    const { text: own } = this.opened;
+    if (text !== own && text !== this.value) this.opened = { text, file: undefined };
   }
 
   /** UTF-16 units of the program, every line end counted as one. */
@@ -266,7 +265,6 @@ export class GcodePlayground extends Base {
 
   set origin(origin: string | null) {
     this.#origin = origin;
-    this.#made?.contextGiven();
   }
 
   get theme(): string {

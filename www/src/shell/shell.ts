@@ -8,7 +8,6 @@
 import type { Language } from '../dom/language';
 import { isOffline, loaded, NeedsReload } from '../dom/network';
 import { words } from '../dom/words';
-import { isAnotherProgram } from '../editor/another-program';
 import type { ProgramContext, Span } from '../editor/holder';
 import { Program } from '../editor/program';
 import { programText, type ProgramFile, type ProgramText } from '../editor/program-text';
@@ -17,6 +16,7 @@ import { REGIONS, type Control, type NewestQuestion, type Panel, type PanelKind,
 import type { Answer, Command, CompletionHelp, Diagnostic, Help, HelpWanted, QuestionKind, Questions, Readout, Report, Stroke, Summary, WordHelp } from '../protocol/protocol';
 import type { Heard } from '../worker/core-client';
 import { linesOf, oneOf, stepOf, FRAMES, SIDES } from './author';
+import { diagnosticsAsGiven, strokeAsGiven } from './as-given';
 import { controlsOf, layout, SHOWN, type Layout, type Offered, type View } from './layout';
 import { Missing, type MissingKind } from './missing';
 import type { OpenLink } from './open-link';
@@ -108,7 +108,6 @@ export class PlaygroundShell implements Shell {
   /** The editor is there, or is being loaded. */
   #editorAsked = false;
   /** The page around has said in this turn how the program is run: that is for a text it puts in as well. */
-  #contextGiven: ReturnType<typeof setTimeout> | undefined;
   /** Why the setup could not even be sent. */
   #setupUnreadable: string | undefined;
 
@@ -137,7 +136,7 @@ export class PlaygroundShell implements Shell {
       neutral: () => this.#neutral,
       contextChanged: (context) => {
         this.#runs.anotherProgram();
-        this.#runIn(context, 'by-the-reader');
+        this.#runIn(context);
       },
       cursorMoved: () => {
         this.#runs.cursorMoved();
@@ -321,13 +320,6 @@ export class PlaygroundShell implements Shell {
     this.#runs.setupChanged();
   }
 
-  /** The page around has said how the program is run, if only once more. */
-  contextGiven(): void {
-    clearTimeout(this.#contextGiven);
-    // A task, not a microtask: those can run inside of a script that sets attribute and text.
-    this.#contextGiven = setTimeout(() => (this.#contextGiven = undefined));
-  }
-
   /** The program the element starts with. */
   start(text: string, file: ProgramFile | undefined): void {
     this.editor.setText(programText(text), file, 'final');
@@ -356,13 +348,11 @@ export class PlaygroundShell implements Shell {
     this.#arrived('program');
   }
 
-  /** Another program from outside, with no word to the page around. */
+  /** Another text from outside, with no word to the page around; how it is run stays as the page says. */
   put(program: ProgramText, file: ProgramFile | undefined): void {
     const { editor } = this;
-    const isAnother = this.#contextGiven === undefined && isAnotherProgram(editor.text, program.pieces.join(''), [{ from: 0, to: editor.length }]);
-    const context = isAnother ? this.#neutral : this.#context;
-    editor.setText(program, file, editor.length > 0 ? 'undoable' : 'final', context);
-    this.#runIn(context, 'by-the-page');
+    editor.setText(program, file, editor.length > 0 ? 'undoable' : 'final', this.#context);
+    this.#tell((panel) => panel.programReplaced?.());
     // What was said of a file is not said of this program.
     this.service('hideNotice')('file');
     this.#runs.forgetCursor();
@@ -437,7 +427,7 @@ export class PlaygroundShell implements Shell {
     if (as === 'another') {
       const context = this.#neutral;
       this.editor.setText(program, file, 'undoable', context);
-      this.#runIn(context, 'by-the-reader');
+      this.#runIn(context);
     } else this.editor.setText(program, file, 'undoable');
     this.#runs.forgetCursor();
     this.#runs.textChanged('fit');
@@ -463,7 +453,7 @@ export class PlaygroundShell implements Shell {
     this.editor.select(stroke);
     if (focus === 'focus') this.editor.focus();
     this.#cursorPutAt(stroke.from);
-    this.#events.fire('gcode-select', { stroke });
+    this.#events.fire('gcode-select', { stroke: strokeAsGiven(stroke, this.editor) });
   }
 
   chooseProblem(problem: Diagnostic): void {
@@ -587,12 +577,12 @@ export class PlaygroundShell implements Shell {
     return { ...NEUTRAL, setup: this.#services.ownSetup?.() ?? null };
   }
 
-  #runIn(context: ProgramContext, by: 'by-the-reader' | 'by-the-page'): void {
+  #runIn(context: ProgramContext): void {
     const before = this.#context;
     // Another program can have the same context, too.
     if (CONTEXT_KEYS.some((key) => context[key] !== before[key])) Object.assign(this.#host, context);
     this.#tell((panel) => panel.programReplaced?.());
-    if (by === 'by-the-reader') this.#events.fire('gcode-context', context);
+    this.#events.fire('gcode-context', context);
   }
 
   /** The setup as the attributes have it; nothing where it cannot be read. */
@@ -614,7 +604,7 @@ export class PlaygroundShell implements Shell {
     else this.service('notice')(WORDS[this.#language].setupRejected(rejected), 'setup');
     this.#available(hasMotions(report));
     this.editor.diagnostics = diagnostics;
-    this.#events.fire<{ summary: Summary; diagnostics: readonly Diagnostic[] }>('gcode-report', { summary, diagnostics });
+    this.#events.fire<{ summary: Summary; diagnostics: readonly Diagnostic[] }>('gcode-report', { summary, diagnostics: diagnosticsAsGiven(diagnostics, this.editor) });
   }
 
   /** There, or not to be had. */

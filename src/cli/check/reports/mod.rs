@@ -185,7 +185,7 @@ impl Report {
         if self.wanted.statistics {
             return (Vec::new(), counts);
         }
-        let places = Places { text: &subject.text, lines: &LineIndex::new(&subject.text) };
+        let places = Places { text: &subject.text, lines: &LineIndex::as_written(&subject.text) };
         let rows = || subject.findings.iter().filter_map(|one| one.row(places, self.wanted.language));
         let name = &subject.name;
         let text = match self.wanted.format {

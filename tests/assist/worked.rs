@@ -1,0 +1,282 @@
+//! Answers worked out by hand: each value from the block, a manual or geometry, none from an answer of the program.
+
+use gcode_playground::api::assist::{FormHelp, StateHelp};
+use gcode_playground::run::replay::Time;
+use gcode_playground::sentences::Language;
+use gcode_playground::setup::Setup;
+
+use super::asking::Asking;
+
+/// A program, and questions about the blocks of its lines, counted from 1.
+struct Program {
+    text: &'static str,
+    asking: Asking,
+}
+
+impl Program {
+    fn new(text: &'static str) -> Self {
+        Self::with(text, Setup::default())
+    }
+
+    fn with(text: &'static str, setup: Setup) -> Self {
+        Self { text, asking: Asking::new(text, setup) }
+    }
+
+    fn byte(&self, line: usize) -> u32 {
+        self.text.split_inclusive('\n').take(line - 1).map(str::len).sum::<usize>() as u32
+    }
+
+    fn state(&mut self, line: usize, time: Time) -> StateHelp {
+        let byte = self.byte(line);
+        self.asking.state(byte, time, Language::English)
+    }
+
+    fn explanation(&mut self, line: usize) -> String {
+        self.state(line, Time::Usual).explanation
+    }
+
+    /// The positions before and after: `X Ø80 mm > Ø50 mm`.
+    fn axes(&mut self, line: usize) -> Vec<String> {
+        let axes = self.state(line, Time::Usual).axes;
+        axes.iter().map(|row| format!("{} {} > {}", row.name, row.before, row.after)).collect()
+    }
+
+    fn form(&mut self, line: usize) -> Option<FormHelp> {
+        let byte = self.byte(line);
+        self.asking.form(byte, Language::English)
+    }
+
+    /// The letters of the words of the form.
+    fn letters(&mut self, line: usize) -> Vec<String> {
+        let form = self.form(line).expect("a form");
+        let own = form.lines.into_iter().find(|line| line.own).expect("the block");
+        own.words.into_iter().map(|word| word.letters).collect()
+    }
+
+    fn otherwise(&mut self, line: usize, letters: &str) -> String {
+        let form = self.form(line).expect("a form");
+        let own = form.lines.into_iter().find(|line| line.own).expect("the block");
+        own.words.into_iter().find(|word| word.letters == letters).expect("a word").otherwise
+    }
+
+    /// The value of a word in a line, and the facts about it.
+    fn word(&mut self, line: usize, word: &str) -> (String, Vec<String>) {
+        let start = self.byte(line) as usize;
+        let at = start + self.text[start..].find(word).expect("the word");
+        let help = self.asking.word(at as u32, Time::Usual, Language::English).expect("a word");
+        (help.value.unwrap_or_default(), help.facts.into_iter().map(|fact| fact.text).collect())
+    }
+}
+
+/// Seed 002's square under G12.1, with a cutter of radius 10.
+const SQUARE: &str = "O1\nM45\nG28 H0\nG00 T0101\nG97 S100 M13\nG00 X80 Z30\nG98 G01 Z-20 F100\nG12.1\nG42 X50\nC25\nX-50\n\
+                      C-25\nX50\nC0\nG40 X100\nG13.1\nM30\n";
+
+fn square() -> Program {
+    let setup = r#"{"tools": {"T0101": {"toolRadius": 10, "type": "endmill", "geometryR": 10}}}"#;
+    Program::with(SQUARE, Setup::from_json(setup).expect("a setup"))
+}
+
+/// X and C are the coordinates of the virtual plane, both in mm as the program counts them; Z stays.
+#[test]
+fn the_state_under_g121_is_in_the_words_of_the_program() {
+    let mut square = square();
+    assert_eq!(square.axes(8), ["X Ø80 mm > Ø80 mm", "Z -20 mm > -20 mm", "C 0° > 0 mm"]);
+    assert_eq!(square.axes(9), ["X Ø80 mm > Ø50 mm", "Z -20 mm > -20 mm", "C 0 mm > 0 mm"]);
+    assert_eq!(square.axes(10), ["X Ø50 mm > Ø50 mm", "Z -20 mm > -20 mm", "C 0 mm > 25 mm"]);
+    assert_eq!(square.axes(12), ["X Ø-50 mm > Ø-50 mm", "Z -20 mm > -20 mm", "C 25 mm > -25 mm"]);
+    // After a full turn C is at 360°.
+    assert_eq!(square.axes(16), ["X Ø100 mm > Ø100 mm", "Z -20 mm > -20 mm", "C 0 mm > 360°"]);
+    assert!(square.word(10, "C25").1.contains(&"From 0 mm to 25 mm.".to_owned()));
+    assert!(square.word(9, "X50").1.contains(&"From Ø80 mm to Ø50 mm.".to_owned()));
+}
+
+/// The cutter goes 10 mm beside the square: from X80 to X70 (5 mm of radius, 3 s), then 35 mm up to its corner at 45°
+/// (21 s), 70 mm to the next one (42 s).
+#[test]
+fn the_sentence_under_g121_is_of_the_block_itself() {
+    let mut square = square();
+    assert_eq!(square.explanation(9), "Cuts straight from X80 C0 to X50 C0: 15 mm. At 100 mm/min, in 3 s.");
+    assert_eq!(
+        square.explanation(10),
+        "Cuts straight from X50 C0 to X50 C25: 25 mm. Turns C to 45°. At 100 mm/min, in 21 s."
+    );
+    assert_eq!(
+        square.explanation(11),
+        "Cuts straight from X50 C25 to X-50 C25: 50 mm. Turns C to 135°. At 100 mm/min, in 42 s."
+    );
+    assert_eq!(square.letters(10), ["X/U", "C/H", "F"]);
+}
+
+/// On the cylinder C is an angle: 90° of a radius of 20 mm is 31.42 mm.
+#[test]
+fn the_state_and_the_sentence_under_g071() {
+    let mut program = Program::new(
+        "O1\nM45\nG28 H0\nG97 S100 M13\nG00 X40 Z-5\nG98 G01 X36 F100\nG07.1 C20\nG01 Z-15 F100\nC90\nZ-5 C180\nG07.1 C0\nM30\n",
+    );
+    assert_eq!(program.axes(9), ["X Ø36 mm > Ø36 mm", "Z -15 mm > -15 mm", "C 0° > 90°"]);
+    let explained = program.explanation(9);
+    assert!(
+        explained.starts_with("Cuts straight from Z-15 C0 to Z-15 C90: 31.42 mm. Turns C to 90°."),
+        "{explained}"
+    );
+    assert_eq!(program.word(9, "C90").0, "90°");
+    assert_eq!(program.letters(9), ["Z/W", "C/H", "F"]);
+}
+
+/// With C connected, a move can name it; a rapid of X and C does both.
+#[test]
+fn c_beside_x_and_z() {
+    let mut program = Program::new("O1\nM45\nG28 H0\nG00 X50 Z2\nG00 X40 C90\nG98 G01 C180 F360\nM30\n");
+    let explained = program.explanation(5);
+    assert!(explained.starts_with("Rapid from X50 Z2 to X40 Z2. Turns C to 90°."), "{explained}");
+    let explained = program.explanation(6);
+    assert!(explained.starts_with("Turns C to 180°."), "{explained}");
+    assert_eq!(program.letters(6), ["X/U", "Z/W", "C/H", "F", ",C", ",R", ",A"]);
+}
+
+const COMPENSATED: &str =
+    "O1\nT0101 M3 S1000\nG00 X60 Z5\nG42 G00 X30 Z2\nG99 G01 Z-20 F0.2\nX40\nX50 Z-40\nG40 G00 X60\nM30\n";
+
+fn compensated(text: &'static str) -> Program {
+    let setup = r#"{"tools": {"T0101": {"noseRadius": 0.8, "tip": 3}}}"#;
+    Program::with(text, Setup::from_json(setup).expect("a setup"))
+}
+
+/// Under G42 each move is made while a later block is read; the sentence names the programmed places of the block.
+#[test]
+fn the_sentence_under_g42_is_of_the_block_itself() {
+    let mut program = compensated(COMPENSATED);
+    let begins = |explained: String, expected: &str| assert!(explained.starts_with(expected), "{explained}");
+    begins(program.explanation(4), "Rapid from X60 Z5 to X30 Z2.");
+    begins(program.explanation(5), "Cuts straight from X30 Z2 to X30 Z-20: 22 mm.");
+    begins(program.explanation(6), "Cuts straight from X30 Z-20 to X40 Z-20: 5 mm.");
+    // 5 mm of radius along 20 mm: 14.036°.
+    begins(program.explanation(7), "Cuts a taper from X40 Z-20 to X50 Z-40, 14.0362° to the Z axis.");
+    begins(program.explanation(8), "Rapid from X50 Z-40 to X60 Z-40.");
+}
+
+/// A move that waits for its corner is explained with the corner, the block after it without.
+#[test]
+fn the_sentence_of_a_block_with_a_corner_is_of_the_block_itself() {
+    let mut program =
+        Program::new("O1\nT0101 M3 S1000\nG00 X30 Z2\nG99 G01 Z-20 ,C2 F0.2\nX50\nZ-40 A180\nG00 X60\nM30\n");
+    let explained = program.explanation(4);
+    let corner = "Cuts straight from X30 Z2 to X30 Z-18: 20 mm. Cuts a taper from X30 Z-18 to X34 Z-20, 45° to the Z axis.";
+    assert!(explained.starts_with(corner), "{explained}");
+    let explained = program.explanation(5);
+    assert!(explained.starts_with("Cuts straight from X34 Z-20 to X50 Z-20: 8 mm."), "{explained}");
+}
+
+/// In a loop of one block, each execution has a move of its own, even if it is made during the next one.
+#[test]
+fn each_time_of_a_compensated_loop_has_its_own_sentence() {
+    let mut program = compensated(
+        "O1\nT0101 M3 S1000\nG00 X60 Z5\nG42 G00 X30 Z2\n#1=0\nWHILE[#1LT3]DO1\nG01 W-5 F0.2\n#1=#1+1\nEND1\nG01 X50\nX52 Z-20\nG40 G00 X60\nM30\n",
+    );
+    for (time, from, to) in [(1, 2, -3), (2, -3, -8), (3, -8, -13)] {
+        let explained = program.state(7, Time::Number(time)).explanation;
+        let expected = format!("Cuts straight from X30 Z{from} to X30 Z{to}: 5 mm.");
+        assert!(explained.starts_with(&expected), "{time}: {explained}");
+    }
+}
+
+/// R of a taper stays in force while the code does: without the word the pass has the taper of the one before.
+#[test]
+fn r_of_a_modal_taper_stays_in_force() {
+    let mut program = Program::new(
+        "O1\nT0101 M3 S800\nG00 X62 Z2\nG99 G90 X50 Z-30 R-5 F0.2\nX46\nG90 X44\nG94 X40 Z-5 R-3\nZ-7\nG92 X50 Z-20 R-1 F2\nX49\nG00 X80\nM30\n",
+    );
+    assert_eq!(program.otherwise(5, "R"), "Without it: -5 mm, as set before.");
+    assert_eq!(program.otherwise(8, "R"), "Without it: -3 mm, as set before.");
+    assert_eq!(program.otherwise(10, "R"), "Without it: -1 mm, as set before.");
+    // Spelled again, the code forgets its taper (seed 000).
+    assert_eq!(program.otherwise(6, "R"), "Without it: 0.");
+}
+
+/// The pull-out of a pass ends farther out than the thread it cuts.
+#[test]
+fn the_last_pass_of_g76_is_its_last_cut() {
+    let mut program = Program::new(
+        "O1\nT0101 M3 S400\nG00 X60 Z10\nG76 P011060 Q100 R0.1\nG76 X33.8 Z-60 P2400 Q700 F4\nG00 X80\nM30\n",
+    );
+    let (_, facts) = program.word(5, "Q700");
+    assert!(facts.contains(&"The last is at Ø33.8 mm.".to_owned()), "{facts:?}");
+    assert!(program.explanation(5).contains("the last cuts at Ø33.8 mm"));
+}
+
+/// P and Q count millimetres where the setup says so (seed 003).
+#[test]
+fn p_and_q_in_millimetres() {
+    let millimetres =
+        || Setup::from_json(r#"{"dialect": {"control": "forum", "pqUnit": "mm"}}"#).expect("a setup");
+    let thread =
+        "O1\nM3 S200\nG00 X60 Z10\nG76 P011060 Q0.1 R0.1\nG76 X33.8 Z-60 R0 P2.4 Q0.7 F4\nG00 X80\nM30\n";
+    let mut program = Program::with(thread, millimetres());
+    assert_eq!(program.word(4, "Q0.1").0, "0.1 mm");
+    let state = program.state(4, Time::Usual);
+    let least = state.rows.iter().find(|row| row.name.contains("G76") && row.after == "0.1 mm");
+    assert!(least.is_some() && !state.explanation.contains("0.0001"), "{state:#?}");
+    assert_eq!(program.word(5, "P2.4").0, "2.4 mm");
+
+    let mut program =
+        Program::with("O1\nM3 S250\nG00 X0 Z2\nG74 R1\nG74 Z-12 Q5 F30\nG00 X60 Z40\nM30\n", millimetres());
+    let (value, facts) = program.word(5, "Q5");
+    assert_eq!(value, "5 mm");
+    assert!(facts.iter().all(|fact| !fact.contains("0.001")), "{facts:?}");
+    let groove = "O1\nM3 S250\nG00 X42 Z-20\nG75 R1\nG75 X30 Z-30 P3 Q2 F30\nG00 X60 Z40\nM30\n";
+    let mut program = Program::with(groove, millimetres());
+    for (word, expected) in [("P3", "3 mm"), ("Q2", "2 mm")] {
+        let (value, facts) = program.word(5, word);
+        assert_eq!(value, expected);
+        assert!(facts.iter().all(|fact| !fact.contains("0.001")), "{facts:?}");
+    }
+    // On a control they count micrometres.
+    let control = "O1\nM3 S250\nG00 X0 Z2\nG74 R1\nG74 Z-12 Q5000 F0.1\nG00 X60 Z40\nM30\n";
+    let (value, facts) = Program::new(control).word(5, "Q5000");
+    assert_eq!(value, "5 mm");
+    assert!(facts.iter().any(|fact| fact.contains("0.001 mm")), "{facts:?}");
+}
+
+/// A pass of a taper cuts at no one diameter or Z.
+#[test]
+fn the_sentence_of_a_tapered_pass() {
+    let mut program = Program::new(
+        "O1\nT0101 M3 S800\nG00 X62 Z2\nG99 G90 X58 Z-25 R-10.8 F0.2\nG90 X56 Z-25\nG94 X40 Z-5 R-3\nG94 X40 Z-6\nG00 X80\nM30\n",
+    );
+    let begins = |explained: String, expected: &str| assert!(explained.starts_with(expected), "{explained}");
+    begins(program.explanation(4), "G90: one taper pass from X36.4 Z2 to X58 Z-25, and back to the start.");
+    begins(
+        program.explanation(5),
+        "G90: one pass at Ø56 mm, from X56 Z2 to X56 Z-25, and back to the start.",
+    );
+    begins(program.explanation(6), "G94: one taper pass from X62 Z-8 to X40 Z-5, and back to the start.");
+    begins(program.explanation(7), "G94: one pass at Z-6, from X62 Z-6 to X40 Z-6, and back to the start.");
+    let mut program = Program::new(
+        "O1\nT0101 M3 S400\nG00 X60 Z10\nG76 P011060 Q100 R0.1\nG76 X33.8 Z-60 P2400 Q700 F4\nG76 P021560 Q100 R0.1\nG00 X80\nM30\n",
+    );
+    let (_, facts) = program.word(4, "P011060");
+    assert!(
+        facts.contains(&"Finishing passes: 1. Pull-out: 1 × lead. Tool angle: 60°.".to_owned()),
+        "{facts:?}"
+    );
+    let (_, facts) = program.word(6, "P021560");
+    assert!(
+        facts.contains(&"Finishing passes: 2. Pull-out: 1.5 × lead. Tool angle: 60°.".to_owned()),
+        "{facts:?}"
+    );
+}
+
+/// A block that names neither a code of a move nor an axis has no form.
+#[test]
+fn a_block_that_moves_nothing_has_no_form() {
+    let mut program = Program::new(
+        "O1\nT0101 M3 S400\nG00 X60 Z10\nM05\nM712\nS300 M03\nG97 S500\nG99 F0.2\nG32 Z-20 F2\nM05\nX70\nM30\n",
+    );
+    for line in [2, 4, 5, 6, 7, 8, 10, 12] {
+        assert!(program.form(line).is_none(), "line {line}");
+    }
+    for line in [3, 9, 11] {
+        assert!(program.form(line).is_some(), "line {line}");
+    }
+}
