@@ -379,6 +379,8 @@ pub enum Once {
     PlaneNotHere,
     PlaneRapid,
     G28NoAxis,
+    AxisA,
+    AxisB,
 }
 
 impl Reported {

@@ -77,8 +77,13 @@ impl Observer for Lints {
     }
 
     fn waits_for(&self, changed: Range<u32>) -> bool {
-        let waiting = [self.feed.waiting(), self.rotary.waiting(), self.single_cycles.waiting()];
-        waiting.into_iter().chain(self.spindle.waiting()).flatten().any(|byte| changed.contains(&byte))
+        let waiting = [self.rotary.waiting(), self.single_cycles.waiting()];
+        waiting
+            .into_iter()
+            .chain(self.feed.waiting())
+            .chain(self.spindle.waiting())
+            .flatten()
+            .any(|byte| changed.contains(&byte))
     }
 
     fn set_aside(&mut self) -> Box<dyn Observer> {
@@ -117,12 +122,14 @@ impl Lints {
             Event::FeedMode(mode) => self.feed.mode(mode, at),
             Event::Feed => self.feed.given(at, reports),
             Event::SpindleSpeed { value, word } => self.spindle.speed(value, word, at, reports),
-            Event::UnreadWords { block, words, unread } => words::unread(block, words, unread, at, reports),
+            Event::UnreadWords { block, words, unread, code } => {
+                reports.extend(words::unread(block, words, unread, code, at));
+            }
             Event::Dwell { words, seconds } => reports.extend(dwell::waits(words, seconds, at)),
             Event::VacantWord { word } => reports.extend(self.vacant.meets(word, at)),
             Event::While { statement, enter } => self.loops.meets(statement, enter, at),
             Event::SpeedMode { surface, block, words } => {
-                self.spindle.speed_mode(surface, block, words, at, reports);
+                self.spindle.speed_mode(surface, block, words, at);
             }
             Event::HighestSpeed => self.spindle.highest_speed(),
             Event::SpindleStops { block, moved } => {
@@ -144,6 +151,7 @@ impl Lints {
                 if at.state.tool.0 != before.0 {
                     self.threads.tool_changes();
                     self.spindle.tool_changes(reports);
+                    self.feed.tool_ends(at, reports);
                     if before.0 != 0 {
                         self.compensations.left_on(word.span, at, reports);
                         reports.extend(self.tool_changes.turns(word, at));
@@ -233,6 +241,7 @@ impl Lints {
             Event::SettingsUnknown => self.spindle.is_unknown(),
             Event::ProgramEnds { end } => {
                 self.feed.look_at_lone_word(at, reports);
+                self.feed.tool_ends(at, reports);
                 self.spindle.report_still_move(reports);
                 reports.extend(self.rotary.still_connected());
                 if let Some(end) = end {
@@ -240,6 +249,7 @@ impl Lints {
                 }
             }
             Event::RunEnds => {
+                self.feed.tool_ends(at, reports);
                 self.spindle.report_still_move(reports);
                 self.spindle.report_speed_clamp(reports);
                 reports.extend(self.rotary.still_connected());

@@ -28,7 +28,7 @@ impl Interpreter {
         let gsk = self.dialect.control == Control::Gsk;
         let [chamfer, round, _] = request.comma;
         let comma = |index: Option<usize>| index.map(|index| &block.words[index]);
-        let plain_word = |letter: u8, allowed: bool| words.get(letter).filter(|_| allowed);
+        let plain_word = |letter: u8, allowed: bool| if allowed { words.get(letter) } else { None };
         let candidates = [
             (comma(chamfer), None, Corner::Chamfer as fn(f64) -> Corner),
             (comma(round), None, Corner::Round),
