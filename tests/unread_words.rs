@@ -235,16 +235,6 @@ fn a_speed_is_kept_where_a_cut_uses_it() {
     assert!(kept("G97\nG01 X30"));
 }
 
-/// `G1 Z-80. F5.` on the way to the work, and the feed of the cut after it.
-#[test]
-fn the_feed_of_an_approach_is_no_other_unit() {
-    let text =
-        |blocks: &str| format!("O0001\nT0101\nG97 G99 S650 M03\nG00 X120 Z5\n{blocks}\nG00 X200\nM30\n");
-    assert!(!slugs(&text("G01 Z-80. F5.\nG01 X100. F0.2")).contains(&"feed-unit-mixed-up"));
-    assert!(slugs(&text("G01 Z-80. F5.\nX100.")).contains(&"feed-unit-mixed-up"));
-    assert!(slugs(&text("G01 Z-80. F100\nG01 X100. F0.2")).contains(&"feed-unit-mixed-up"));
-}
-
 /// A bore that gets narrower toward the chuck: U of the allowance is right, and the start point is wrong.
 #[test]
 fn no_other_sign_is_offered_for_an_allowance_whose_start_point_is_wrong() {
@@ -252,5 +242,77 @@ fn no_other_sign_is_offered_for_an_allowance_whose_start_point_is_wrong() {
     let analysis = analyze(text.as_bytes(), &Setup::default());
     for told in &analysis.diagnostics {
         assert!(!told.fixes.iter().any(|fix| fix.edits.iter().any(|edit| edit.text == "U1")), "{told:?}");
+    }
+}
+
+/// Both blocks of a cycle in one: one message, and no thread with the R of the first block as its taper.
+#[test]
+fn both_blocks_of_a_cycle_in_one_block_are_one_fault() {
+    for block in [
+        "G76 P3 Q0.02 R0.005 X20.0 Z-30.0 P2.0 Q0.5 F1.0",
+        "G76 P020060 Q100 R0.05 X27.4 Z-20 P1300 Q400 F2",
+        "G71 U2 R1 P10 Q20 U0.5 W0.1 F0.2\nN10 G00 X40\nG01 Z-20\nN20 X52",
+        "G73 U5 W2 R3 P10 Q20 U0.5 W0.1\nN10 G00 X40\nG01 Z-20\nN20 X52",
+        "G75 R1 X40 Z-10 P2000 Q2000 R0",
+    ] {
+        let text = format!("{HEAD}{block}\nG00 X200 Z200\nM30\n");
+        let found: Vec<_> =
+            slugs(&text).into_iter().filter(|slug| *slug != "not-checked-behind-fault").collect();
+        assert_eq!(found, ["cycle-in-one-block"], "{block}");
+    }
+    let one_block = "G71 P10 Q20 U0.5 W0.1 D2000 F0.2\nN10 G00 X40\nG01 Z-20\nN20 X52";
+    assert!(!slugs(&format!("{HEAD}{one_block}\nM30\n")).contains(&"cycle-in-one-block"));
+}
+
+/// 30i, 31i and 32i round and chamfer between a line and an arc (B-64304EN, optional chamfering and corner R). Line and
+/// arc meet at X30 Z0 under 90°: the arc of R2 has its centre 2 mm from both.
+#[test]
+fn a_corner_between_a_line_and_an_arc_is_made() {
+    let text =
+        "O0001\nT0101\nG97 G99 S500 M03\nG00 X20 Z0\nG01 X30 ,R2 F0.2\nG02 X50 Z-20 R25\nG01 X60\nM30\n";
+    assert!(!slugs(text).contains(&"corner-without-next-move"), "{:?}", slugs(text));
+    let analysis = analyze(text.as_bytes(), &Setup::default());
+    let arcs: Vec<_> = (0..analysis.motions.len())
+        .map(|index| analysis.motions.get(index))
+        .filter_map(|motion| Some((motion.from, motion.to, motion.center?)))
+        .collect();
+    assert_eq!(arcs.len(), 2);
+    for end in [arcs[0].0, arcs[0].1] {
+        assert!((end.distance(arcs[0].2) - 2.0).abs() < 1e-6);
+    }
+    // It ends on the circle of the arc, where that goes on.
+    assert!((arcs[0].1.distance(arcs[1].2) - 25.0).abs() < 1e-6);
+    assert_eq!(arcs[0].1, arcs[1].0);
+    let strict = Setup::from_json(r#"{"dialect": {"strict": true}}"#).expect("a setup");
+    let found = analyze(text.as_bytes(), &strict);
+    assert!(found.diagnostics.iter().any(|told| told.message.slug() == "corner-without-next-move"));
+}
+
+/// Names of variables and PRM exist on controls: they are no mistakes.
+#[test]
+fn names_of_variables_and_parameters_are_not_supported() {
+    let text = "O0001\nSETVN 500[DIA,LEN]\n#500=40.\nT0101\nG97 G99 S500 M03\nG00 X52. Z2.\nG01 X[#DIA] F.2\n#1=PRM[3401,0]\nG00 X100. Z100.\nM30\n";
+    let found = slugs(text);
+    assert_eq!(found.iter().filter(|slug| **slug == "not-supported").count(), 2, "{found:?}");
+    let analysis = analyze(text.as_bytes(), &Setup::default());
+    assert!(!analysis.diagnostics.iter().any(|told| told.is_error()), "{found:?}");
+}
+
+#[test]
+fn a_highest_speed_that_no_lathe_turns_is_reported() {
+    for (block, reported) in [("G50 S22000", true), ("G50 S2200", false), ("G50 S9999", false)] {
+        let text = format!("{HEAD}{block}\nG96 S100\nG01 X40 F0.2\nG00 X200 Z200\nM30\n");
+        assert_eq!(slugs(&text).contains(&"speed-unusual"), reported, "{block}");
+    }
+}
+
+/// Q180 of a thread may be 180°; Q400 is no angle, and may be the first depth of G76.
+#[test]
+fn a_start_angle_beyond_a_full_turn_is_not_offered() {
+    for (word, offered) in [("Q180", 1), ("Q400", 0)] {
+        let text = format!("{HEAD}G92 X48 Z-20 F2 {word}\nG00 X200 Z200\nM30\n");
+        let analysis = analyze(text.as_bytes(), &Setup::default());
+        let told = analysis.diagnostics.iter().find(|told| told.message.slug() == "thread-angle-small");
+        assert_eq!(told.expect("the message").fixes.len(), offered, "{word}");
     }
 }

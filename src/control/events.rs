@@ -244,7 +244,7 @@ pub enum Event<'a> {
     /// G96 or G97.
     SpeedMode { surface: bool, block: &'a Block, words: &'a Words<'a> },
     /// G50 S.
-    HighestSpeed,
+    HighestSpeed { word: &'a Word },
     /// T, after it has come into force; `before` was in force, `goes_home`: the block also goes home.
     Tool { word: &'a Word, before: (u16, u16), goes_home: bool },
     /// M05 takes effect.

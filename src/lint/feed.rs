@@ -5,19 +5,13 @@ use super::single_cycle;
 use crate::control::compensation::Axis;
 use crate::control::events::Moment;
 use crate::control::modal::Target;
-use crate::control::words::{Words, letters, quote};
+use crate::control::words::{Words, letters};
 use crate::cycles::single::Single;
 use crate::message::{Diagnostic, Message, said};
 use crate::setup::dialect::{DecimalRule, FeedMode};
 use crate::source::Span;
 use crate::source::shift::Shift;
 use crate::text::block::{Block, Value, Word};
-
-/// No cut is made with this feed, mm/rev.
-const TOO_LARGE: f64 = 5.0;
-
-/// With up to this, mm/rev, some approach the work or draw back at feed.
-const OF_APPROACH: f64 = 10.0;
 
 /// What the F in force was used for since it was given.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -55,8 +49,6 @@ pub struct Feed {
     alone: Option<Alone>,
     /// That the number does not fit the unit of F.
     unit: Once,
-    /// An F per turn that fits an approach at most: the next F shows whether it was one.
-    approach: Option<(Span, f64)>,
 }
 
 impl Feed {
@@ -65,8 +57,6 @@ impl Feed {
         self.is_old |= mode != at.state.feed_mode && at.state.feed.is_some();
         self.mode_named = true;
         self.unit.forget();
-        // In what unit the F of the approach was meant is not known.
-        self.approach = None;
     }
 
     /// Whoever writes a lone G94 in code system B has chosen the unit of F.
@@ -115,17 +105,7 @@ impl Feed {
     #[inline(never)]
     fn fits_unit(&mut self, words: &Words, feed: f64, at: &Moment, reports: &mut Vec<Diagnostic>) {
         let per_turn = at.state.feed_mode == FeedMode::PerTurn;
-        let mixed_up = if per_turn { feed >= TOO_LARGE } else { feed < 2.0 };
-        if let Some((span, feed)) = self.approach.take()
-            && mixed_up
-        {
-            self.too_large(span, feed, at, reports);
-        }
-        let along_one_axis = words.has_any(letters(b"XU")) != words.has_any(letters(b"ZW"));
-        if per_turn && mixed_up && feed <= OF_APPROACH && along_one_axis && at.contour.is_none() {
-            self.approach = Some((words.span(b'F'), feed));
-            return;
-        }
+        let mixed_up = if per_turn { feed >= 5.0 } else { feed < 2.0 };
         // Without a point it counts increments, which each machine has its own of.
         let counts = at.dialect.decimal == DecimalRule::LeastIncrement
             && words.get(b'F').is_some_and(
@@ -138,20 +118,6 @@ impl Feed {
                 false => said::FeedPerMinuteTooSmall { word, feed }.into(),
             };
             reports.push(Diagnostic::new(message, words.span(b'F')));
-        }
-    }
-
-    fn too_large(&mut self, span: Span, feed: f64, at: &Moment, reports: &mut Vec<Diagnostic>) {
-        if self.unit.first() {
-            let word = quote(at.text, span);
-            reports.push(Diagnostic::new(said::FeedPerTurnTooLarge { word, feed }, span));
-        }
-    }
-
-    /// The program ends, or another tool comes: an F that was no longer changed was for cuts.
-    pub fn tool_ends(&mut self, at: &Moment, reports: &mut Vec<Diagnostic>) {
-        if let Some((span, feed)) = self.approach.take() {
-            self.too_large(span, feed, at, reports);
         }
     }
 
@@ -194,13 +160,12 @@ impl Feed {
     }
 
     /// First byte of a word that is looked at later.
-    pub fn waiting(&self) -> [Option<u32>; 2] {
-        [self.alone.map(|alone| alone.span.start), self.approach.map(|(span, _)| span.start)]
+    pub fn waiting(&self) -> Option<u32> {
+        self.alone.map(|alone| alone.span.start)
     }
 
     /// Moves places along.
     pub fn shift(&mut self, shift: &Shift) {
         self.alone = self.alone.map(|alone| Alone { span: shift.span(alone.span), ..alone });
-        self.approach = self.approach.map(|(span, feed)| (shift.span(span), feed));
     }
 }

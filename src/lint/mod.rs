@@ -77,13 +77,8 @@ impl Observer for Lints {
     }
 
     fn waits_for(&self, changed: Range<u32>) -> bool {
-        let waiting = [self.rotary.waiting(), self.single_cycles.waiting()];
-        waiting
-            .into_iter()
-            .chain(self.feed.waiting())
-            .chain(self.spindle.waiting())
-            .flatten()
-            .any(|byte| changed.contains(&byte))
+        let waiting = [self.feed.waiting(), self.rotary.waiting(), self.single_cycles.waiting()];
+        waiting.into_iter().chain(self.spindle.waiting()).flatten().any(|byte| changed.contains(&byte))
     }
 
     fn set_aside(&mut self) -> Box<dyn Observer> {
@@ -131,7 +126,7 @@ impl Lints {
             Event::SpeedMode { surface, block, words } => {
                 self.spindle.speed_mode(surface, block, words, at);
             }
-            Event::HighestSpeed => self.spindle.highest_speed(),
+            Event::HighestSpeed { word } => self.spindle.highest_speed(word, at, reports),
             Event::SpindleStops { block, moved } => {
                 self.spindle.stops(block, moved, reports);
                 self.threads.spindle_stops();
@@ -151,7 +146,6 @@ impl Lints {
                 if at.state.tool.0 != before.0 {
                     self.threads.tool_changes();
                     self.spindle.tool_changes(reports);
-                    self.feed.tool_ends(at, reports);
                     if before.0 != 0 {
                         self.compensations.left_on(word.span, at, reports);
                         reports.extend(self.tool_changes.turns(word, at));
@@ -241,7 +235,6 @@ impl Lints {
             Event::SettingsUnknown => self.spindle.is_unknown(),
             Event::ProgramEnds { end } => {
                 self.feed.look_at_lone_word(at, reports);
-                self.feed.tool_ends(at, reports);
                 self.spindle.report_still_move(reports);
                 reports.extend(self.rotary.still_connected());
                 if let Some(end) = end {
@@ -249,7 +242,6 @@ impl Lints {
                 }
             }
             Event::RunEnds => {
-                self.feed.tool_ends(at, reports);
                 self.spindle.report_still_move(reports);
                 self.spindle.report_speed_clamp(reports);
                 reports.extend(self.rotary.still_connected());

@@ -266,8 +266,12 @@ impl Spindle {
     }
 
     /// G50 S.
-    pub fn highest_speed(&mut self) {
+    pub fn highest_speed(&mut self, word: &Word, at: &Moment, reports: &mut Vec<Diagnostic>) {
         self.unclamped = None;
+        if plain(word).is_some_and(|highest| highest > FASTEST_SMALL.max(fastest_turn(at))) {
+            let message = said::SpindleSpeedHigh { word: quote(at.text, word.span) };
+            reports.push(Diagnostic::new(message, word.span));
+        }
     }
 
     /// M05 takes effect.

@@ -94,6 +94,9 @@ impl Interpreter {
         for (index, word) in block.words.iter().enumerate() {
             self.read_word(text, block, &mut request, &mut words, index, word);
         }
+        if !request.duplicates.is_empty() {
+            self.report_duplicates(text, block, &mut request);
+        }
         if request.arguments {
             words = Words::new(block);
         }

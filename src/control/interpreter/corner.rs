@@ -56,7 +56,12 @@ impl Interpreter {
         Ok(Some(Joint {
             corner: corner(if letter.is_some() { value.abs() } else { value }),
             signed: letter.map(|letter| (letter, value)),
-            before: if gsk && letter.is_none() { Follower::LineOrArc } else { Follower::Line },
+            // Newer controls round between a line and an arc, older ones raise PS0052.
+            before: if letter.is_none() && (gsk || !self.dialect.strict) {
+                Follower::LineOrArc
+            } else {
+                Follower::Line
+            },
             span: word.span,
             word: quoted,
         }))
