@@ -74,7 +74,11 @@ fn l_and_d_of_gsk_join_a_line_to_an_arc() {
 
 #[test]
 fn an_arc_that_cannot_form_a_corner_keeps_its_centre() {
-    check("M3 S500\nG98 G1 X40 Z0 F100\nZ-20 ,C2\nG3 X60 Z-30 R10", "F(40,0) A+(60,-30)c(40,-30)");
+    check_with(
+        r#"{"initial": {"x": 100, "z": 50}, "dialect": {"strict": true}}"#,
+        "M3 S500\nG98 G1 X40 Z0 F100\nZ-20 ,C2\nG3 X60 Z-30 R10",
+        "F(40,0) A+(60,-30)c(40,-30)",
+    );
 }
 
 #[test]

@@ -67,6 +67,7 @@ mod spelling;
 mod teams;
 mod timing;
 mod uncertain;
+mod unread_words;
 mod worked_controls;
 mod worked_cuts;
 mod worked_frames;

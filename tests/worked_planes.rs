@@ -151,7 +151,7 @@ fn arcs_on_the_face_have_i_and_j_or_r() {
     says(&on_the_face("G03 X0 C25 I-25 K5"), &["centre-word-outside-plane 10"]);
     assert_eq!(arcs(&on_the_face("G03 X0 C25 I-25 K5")), 1);
     // R counts, and what stands beside it does not.
-    says(&on_the_face("G03 X0 C25 R25 K5"), &[]);
+    says(&on_the_face("G03 X0 C25 R25 K5"), &["word-without-effect 10"]);
 }
 
 #[test]

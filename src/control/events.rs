@@ -244,7 +244,7 @@ pub enum Event<'a> {
     /// G96 or G97.
     SpeedMode { surface: bool, block: &'a Block, words: &'a Words<'a> },
     /// G50 S.
-    HighestSpeed,
+    HighestSpeed { word: &'a Word },
     /// T, after it has come into force; `before` was in force, `goes_home`: the block also goes home.
     Tool { word: &'a Word, before: (u16, u16), goes_home: bool },
     /// M05 takes effect.
@@ -256,9 +256,9 @@ pub enum Event<'a> {
     CutWithoutFeed { block: &'a Block },
     /// A move at rapid.
     Rapid,
-    /// A move by G00 to G03 has words that it does not read, among the letters of `unread`; another code of the
-    /// block may read them.
-    UnreadWords { block: &'a Block, words: &'a Words<'a>, unread: u32 },
+    /// A block has words that the control ignores, those of the letters of `unread`; `code` would have read
+    /// them, where the block has such a code.
+    UnreadWords { block: &'a Block, words: &'a Words<'a>, unread: u32, code: Option<&'static str> },
     /// G04 waits, s.
     Dwell { words: &'a Words<'a>, seconds: f64 },
     /// A word is left out, since the value of its variable is vacant.

@@ -380,6 +380,8 @@ pub enum Once {
     PlaneRapid,
     G28NoAxis,
     SecondAxisY,
+    AxisA,
+    AxisB,
 }
 
 impl Reported {

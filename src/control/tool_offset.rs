@@ -30,6 +30,16 @@ pub fn unknown(state: &State, setup: &Setup) -> Option<u16> {
     (offset != 0 && !known).then_some(offset)
 }
 
+/// The offset in force where neither the setup nor the program says anything of its nose radius.
+pub fn unknown_radius(state: &State, setup: &Setup) -> Option<u16> {
+    let (station, offset) = state.tool;
+    let tool = setup.tools.get(&format!("T{station:02}{offset:02}"));
+    let known = tool.is_some_and(Tool::has_compensation_radius)
+        || state.offsets.get(offset, Column::Radius).is_some()
+        || state.offsets.get(offset, Column::WearRadius).is_some();
+    (offset != 0 && !known).then_some(offset)
+}
+
 /// The nose of the tool in force.
 pub fn nose(state: &State, setup: &Setup) -> Nose {
     let (radius, tip) = nose_entry(state, setup);

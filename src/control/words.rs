@@ -3,6 +3,8 @@
 //! In: a block and the rules for numbers. Out: values by address. The one place that knows the decimal-point
 //! rule, inches, and that X counts diameters.
 
+use std::cell::Cell;
+
 use crate::message::{Diagnostic, Severity, said};
 use crate::setup::dialect::DecimalRule;
 use crate::source::Span;
@@ -35,6 +37,8 @@ pub struct Words<'b> {
     index: [u8; 26],
     /// Bit `n` for each letter `A + n` that is there.
     given: u32,
+    /// The same for each letter that was asked for: `get` is how the control reads a word.
+    read: Cell<u32>,
 }
 
 /// The bits of some letters, for [`Words::has_any`].
@@ -52,7 +56,7 @@ impl<'b> Words<'b> {
     /// No words yet.
     #[inline]
     pub fn new(block: &'b Block) -> Self {
-        Self { block, index: [0; 26], given: 0 }
+        Self { block, index: [0; 26], given: 0, read: Cell::new(0) }
     }
 
     /// Takes the word at `index` of the block; returns the one of the same address before it, if any.
@@ -71,9 +75,16 @@ impl<'b> Words<'b> {
         self.given & bits != 0
     }
 
-    /// The word of an address.
+    /// The words that were not read, by [`letters`].
+    #[inline]
+    pub fn unread(&self) -> u32 {
+        self.given & !self.read.get()
+    }
+
+    /// The word of an address, which counts as read from here on.
     #[inline]
     pub fn get(&self, address: u8) -> Option<&'b Word> {
+        self.read.set(self.read.get() | 1 << (address - b'A'));
         match self.index[(address - b'A') as usize] {
             0 => None,
             index => Some(&self.block.words[index as usize - 1]),

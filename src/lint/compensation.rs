@@ -1,8 +1,9 @@
 //! Nose radius compensation: the side that belongs to a cut, where it is left on, and where it has no effect.
 
 use super::once::Once;
-use crate::control::codes::{Compensation, Multiple};
+use crate::control::codes::{Compensation, MotionMode, Multiple};
 use crate::control::events::{CompensatedMove, Moment, SinglePass};
+use crate::control::tool_offset;
 use crate::control::words::{plain, quote};
 use crate::geometry::Point;
 use crate::message::{Diagnostic, Severity, said};
@@ -20,6 +21,8 @@ pub struct Compensations {
     /// It was switched since the last motion, so that it has shifted no path yet.
     is_idle: bool,
     reported: Reported,
+    /// Offsets, by the bit of their number, whose unknown radius was reported.
+    unknown: u128,
 }
 
 /// What was reported.
@@ -81,11 +84,33 @@ impl Compensations {
     /// The words of a block are carried out. Two blocks without a move while compensation is on are reported.
     pub fn block_ends(&mut self, block: &Block, moved: bool, at: &Moment, reports: &mut Vec<Diagnostic>) {
         self.is_idle &= !moved;
+        if moved {
+            self.radius_unknown(block, at, reports);
+        }
         let compensating = at.state.compensating.as_ref().filter(|_| !moved);
         if compensating.is_some_and(|own| own.idle_blocks == 2 && !own.waiting.is_empty())
             && self.reported.idle_blocks.first()
         {
             reports.push(Diagnostic::new(said::CompensationIdleBlocks, block.words_span()));
+        }
+    }
+
+    /// A cut under compensation by a tool of which nobody says anything: a note for each offset.
+    fn radius_unknown(&mut self, block: &Block, at: &Moment, reports: &mut Vec<Diagnostic>) {
+        let cuts = matches!(at.state.motion, MotionMode::Line | MotionMode::Arc(_));
+        if at.state.compensation == Compensation::Off
+            || !cuts
+            || at.state.virtual_plane.is_some()
+            || at.state.c_axis
+        {
+            return;
+        }
+        let Some(offset) = tool_offset::unknown_radius(at.state, at.setup) else { return };
+        let bit = 1 << offset.min(127);
+        if self.unknown & bit == 0 {
+            self.unknown |= bit;
+            let message = said::NoseRadiusUnknown { offset: u32::from(offset) };
+            reports.push(Diagnostic::new(message, block.words_span()));
         }
     }
 
@@ -168,6 +193,7 @@ impl Compensations {
     /// What `other` has reported counts as reported.
     pub fn has_heard_of(&mut self, other: &Self) {
         self.reported = other.reported;
+        self.unknown = other.unknown;
     }
 }
 

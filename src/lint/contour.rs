@@ -176,13 +176,30 @@ pub fn roughing_called(call: &ContourCall<Roughing>, at: &Moment, reports: &mut 
             roughing::Axis::X => b'U',
             roughing::Axis::Z => b'W',
         };
-        reports.push(allowance_sign(call.words, address, at));
+        let mut diagnostic = allowance_sign(call.words, address, at);
+        if axis == roughing::Axis::X && call.how.direction == Direction::Turning && starts_on_wrong_side(call)
+        {
+            diagnostic.fixes.clear();
+        }
+        reports.push(diagnostic);
     }
     let depth = call.how.depth;
     if depth >= DEEPEST - SAME {
         let message = said::InfeedTooDeep { depth, most: DEEPEST };
         reports.push(Diagnostic::new(message, call.block.words_span()));
     }
+}
+
+/// Whether the start point is on the other side of a contour than the work: a bore gets narrower toward the chuck,
+/// a shaft gets thicker. The sign of the allowance is right there.
+fn starts_on_wrong_side(call: &ContourCall<Roughing>) -> bool {
+    let (start, first) = (call.contour.start, call.contour.first);
+    let Some(deepest) = call.contour.pieces.iter().map(|piece| piece.to).min_by(|a, b| a.z.total_cmp(&b.z))
+    else {
+        return false;
+    };
+    let (side, way) = (start.x - first.x, deepest.x - first.x);
+    deepest.z < first.z - SAME && way.abs() > SAME && side.abs() > SAME && side.signum() != way.signum()
 }
 
 /// Remarks about G71 or G72 that has its passes: the first block of the contour, and where it begins and ends.

@@ -117,14 +117,16 @@ impl Lints {
             Event::FeedMode(mode) => self.feed.mode(mode, at),
             Event::Feed => self.feed.given(at, reports),
             Event::SpindleSpeed { value, word } => self.spindle.speed(value, word, at, reports),
-            Event::UnreadWords { block, words, unread } => words::unread(block, words, unread, at, reports),
+            Event::UnreadWords { block, words, unread, code } => {
+                reports.extend(words::unread(block, words, unread, code, at));
+            }
             Event::Dwell { words, seconds } => reports.extend(dwell::waits(words, seconds, at)),
             Event::VacantWord { word } => reports.extend(self.vacant.meets(word, at)),
             Event::While { statement, enter } => self.loops.meets(statement, enter, at),
             Event::SpeedMode { surface, block, words } => {
-                self.spindle.speed_mode(surface, block, words, at, reports);
+                self.spindle.speed_mode(surface, block, words, at);
             }
-            Event::HighestSpeed => self.spindle.highest_speed(),
+            Event::HighestSpeed { word } => self.spindle.highest_speed(word, at, reports),
             Event::SpindleStops { block, moved } => {
                 self.spindle.stops(block, moved, reports);
                 self.threads.spindle_stops();

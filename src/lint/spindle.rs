@@ -50,6 +50,15 @@ struct Unclamped {
     before: u32,
 }
 
+/// G97 without S.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct KeptSpeed {
+    /// The words of its block.
+    block: Span,
+    /// The speed that was reached, rpm.
+    speed: f64,
+}
+
 /// What is remembered of the spindle.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Spindle {
@@ -63,6 +72,8 @@ pub struct Spindle {
     pub unknown_m: bool,
     /// The orientation (M19, M20) that holds the spindle, which nothing has started since.
     held: Option<u64>,
+    /// G97 without S has kept the speed that was reached; S may still follow.
+    kept: Option<KeptSpeed>,
     /// Coolant flows (M07, M08).
     coolant: bool,
     /// That the spindle is stopped.
@@ -79,6 +90,10 @@ impl Spindle {
     /// A cut at feed begins. `feed_mode_named`: a code of the feed mode appeared before it.
     #[inline]
     pub fn cut(&mut self, block: &Block, feed_mode_named: bool, at: &Moment, reports: &mut Vec<Diagnostic>) {
+        if let Some(KeptSpeed { block, speed }) = self.kept.take() {
+            let message = said::SpeedNotRepeated { code: "G97", speed };
+            reports.push(Diagnostic::new(message, block));
+        }
         if self.checklist.first() {
             self.look_at_checklist(block, feed_mode_named, at, reports);
         }
@@ -224,6 +239,7 @@ impl Spindle {
 
     /// S outside of G50: S0 stops the spindle, another speed lets it turn again.
     pub fn speed(&mut self, value: f64, word: &Word, at: &Moment, reports: &mut Vec<Diagnostic>) {
+        self.kept = None;
         reports.extend(unusual_speed(value, word, at));
         if at.state.spindle.still != (value == 0.0) {
             self.stopped.forget();
@@ -231,14 +247,7 @@ impl Spindle {
     }
 
     /// G96 or G97.
-    pub fn speed_mode(
-        &mut self,
-        surface: bool,
-        block: &Block,
-        words: &Words,
-        at: &Moment,
-        reports: &mut Vec<Diagnostic>,
-    ) {
+    pub fn speed_mode(&mut self, surface: bool, block: &Block, words: &Words, at: &Moment) {
         let spindle = &at.state.spindle;
         let speed_given = words.get(b'S').is_some();
         if !surface {
@@ -247,8 +256,7 @@ impl Spindle {
                 // G97 without S keeps the speed that was reached last.
                 let kept = at.spindle_speed(at.state.position.x).unwrap_or(spindle.rpm).floor();
                 if kept > 0.0 {
-                    let message = said::SpeedNotRepeated { code: "G97", speed: kept };
-                    reports.push(Diagnostic::new(message, block.words_span()));
+                    self.kept = Some(KeptSpeed { block: block.words_span(), speed: kept });
                 }
             }
         } else if !spindle.surface && spindle.highest.is_none() {
@@ -258,8 +266,12 @@ impl Spindle {
     }
 
     /// G50 S.
-    pub fn highest_speed(&mut self) {
+    pub fn highest_speed(&mut self, word: &Word, at: &Moment, reports: &mut Vec<Diagnostic>) {
         self.unclamped = None;
+        if plain(word).is_some_and(|highest| highest > FASTEST_SMALL.max(fastest_turn(at))) {
+            let message = said::SpindleSpeedHigh { word: quote(at.text, word.span) };
+            reports.push(Diagnostic::new(message, word.span));
+        }
     }
 
     /// M05 takes effect.
@@ -299,8 +311,12 @@ impl Spindle {
     }
 
     /// First bytes of the blocks and words that are reported later.
-    pub fn waiting(&self) -> [Option<u32>; 2] {
-        [self.unclamped.map(|unclamped| unclamped.before), self.still_move.map(|still| still.block.start)]
+    pub fn waiting(&self) -> [Option<u32>; 3] {
+        [
+            self.unclamped.map(|unclamped| unclamped.before),
+            self.still_move.map(|still| still.block.start),
+            self.kept.map(|kept| kept.block.start),
+        ]
     }
 
     /// Moves places along.
@@ -309,6 +325,7 @@ impl Spindle {
             span: shift.span(unclamped.span),
             before: shift.byte(unclamped.before),
         });
+        self.kept = self.kept.map(|kept| KeptSpeed { block: shift.span(kept.block), ..kept });
         self.still_move = self.still_move.map(|still| StillMove {
             block: shift.span(still.block),
             words: shift.span(still.words),

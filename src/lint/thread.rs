@@ -364,8 +364,10 @@ fn small_angle(text: &[u8], span: Span, angle: f64) -> Option<Diagnostic> {
     if angle <= 0.0 || angle >= 1000.0 || word.contains('.') {
         return None;
     }
-    let fix = Fix::write(span, format!("Q{}", angle as u32 * 1000));
-    Some(Diagnostic::new(said::ThreadAngleSmall { word, degrees: angle / 1000.0 }, span).with(fix))
+    // More is no angle in degrees: it may be a depth of G76.
+    let fix = (angle <= 360.0).then(|| Fix::write(span, format!("Q{}", angle as u32 * 1000)));
+    let diagnostic = Diagnostic::new(said::ThreadAngleSmall { word, degrees: angle / 1000.0 }, span);
+    Some(Diagnostic { fixes: fix.into_iter().collect(), ..diagnostic })
 }
 
 /// Whether two passes may be of one thread, whatever their leads: one tool, one end, nearly one diameter.

@@ -2,68 +2,52 @@
 //!
 //! In: the words of a block whose code does not ask for them. Out: that the control ignores them.
 
-use crate::control::codes::{self, G, MotionMode};
 use crate::control::doubt::Doubt;
 use crate::control::events::Moment;
 use crate::control::macros::Variables;
-use crate::control::words::{Words, behind_letter, letters, plain, quote};
+use crate::control::words::{Words, behind_letter, letters, quote};
 use crate::cycles::single::Single;
-use crate::geometry::Turn;
 use crate::message::{Diagnostic, Fix, Message, Severity, said};
-use crate::setup::dialect::Control;
 use crate::source::Span;
 use crate::source::shift::Shift;
-use crate::text::block::{Block, Value, Word};
+use crate::text::block::{Block, Word};
 
-/// Words of a move by G00 to G03 that no code of its block reads. `unread`: the letters that the move does
-/// not read itself.
-pub fn unread(block: &Block, words: &Words, unread: u32, at: &Moment, reports: &mut Vec<Diagnostic>) {
-    if at.state.call_stack.modal.is_some() || block.words.iter().any(|word| reads_others(word, at)) {
-        return;
+/// The first of the words that the control ignores, those of the letters of `unread`: one fault, one message,
+/// for P and Q mostly belong together. `code`: the code of the block that would have read them.
+pub fn unread(
+    block: &Block,
+    words: &Words,
+    unread: u32,
+    code: Option<&'static str>,
+    at: &Moment,
+) -> Option<Diagnostic> {
+    // Of two words with one letter the later counts; the other was reported.
+    let counts = |word: &&Word| words.get(word.address).is_some_and(|own| own.span == word.span);
+    let word = block
+        .words
+        .iter()
+        .filter(|word| !word.comma && unread & letters(&[word.address]) != 0)
+        .find(counts)?;
+    let quoted = quote(at.text, word.span);
+    let number = behind_letter(&quoted);
+    let corner = match word.address {
+        b'L' => Some(format!(",C{number}")),
+        b'D' => Some(format!(",R{number}")),
+        _ => None,
+    };
+    if let Some(meant) = corner.filter(|_| code == Some("G01") && at.state.virtual_plane.is_none()) {
+        let fix = Fix::write(word.span, meant.clone());
+        return Some(Diagnostic::new(said::CornerWordIgnored { word: quoted, meant }, word.span).with(fix));
     }
-    let gsk = at.dialect.control == Control::Gsk;
-    let first = block.words.iter().find(|word| {
-        let letter = word.address;
-        // Of two words with one letter the later counts; the other was reported.
-        let counts = words.get(letter).is_some_and(|own| own.span == word.span);
-        // L and D are corner words there; P of S selects the spindle; D of G41 or T was an offset on other controls.
-        let has = |address: u8| words.get(address).is_some();
-        let is_read = match letter {
-            b'L' => gsk,
-            b'D' => gsk || has(b'T') || block.words.iter().any(switches_compensation),
-            // What is said of those of an arc the control says itself.
-            b'I' | b'J' | b'K' => matches!(at.state.motion, MotionMode::Arc(_)),
-            b'P' | b'Q' => has(b'S') || block.words.iter().any(|word| word.address == b'M'),
-            _ => false,
-        };
-        counts && !is_read && unread & letters(&[letter]) != 0
-    });
-    // One fault, one message: P and Q mostly belong together.
-    reports.extend(first.map(|word| ignored(word, at)));
-}
-
-/// Whether a code of the block may read words of its own.
-fn reads_others(word: &Word, at: &Moment) -> bool {
-    let Value::Number { number, .. } = word.value else { return false };
-    match word.address {
-        b'M' => !matches!(number.mantissa, 0..=5 | 7..=9 | 30),
-        b'G' => {
-            let code = number.tenths().and_then(|key| codes::g_code(key, at.dialect.code_list()));
-            !code.is_some_and(|found| {
-                matches!(
-                    found.code,
-                    G::Motion(_)
-                        | G::Plane(_)
-                        | G::Unit(_)
-                        | G::Compensation(_)
-                        | G::Frame(_)
-                        | G::Distance { .. }
-                        | G::Feed(_)
-                )
-            })
+    let is_arc = matches!(code, Some("G02" | "G03"));
+    let message: Message = match code {
+        Some(_) if is_arc && matches!(word.address, b'I' | b'J' | b'K') => {
+            said::CentreWordIgnored { word: quoted, radius: words.quote(at.text, b'R') }.into()
         }
-        _ => false,
-    }
+        Some(code) => said::WordIgnored { word: quoted, code }.into(),
+        None => said::WordNotRead { word: quoted }.into(),
+    };
+    Some(Diagnostic::new(message, word.span).with(Fix::delete(at.text, word.span)))
 }
 
 /// A word of another axis in a block of a single cycle without X and Z: the cycle does not run, and nothing moves.
@@ -72,34 +56,6 @@ pub fn without_axis(words: &Words, cycle: Single, at: &Moment) -> Option<Diagnos
     let fix = Fix::delete(at.text, words.span(letter));
     let message = said::WordIgnored { word: words.quote(at.text, letter), code: cycle.cycle().code() };
     Some(Diagnostic::new(message, words.span(letter)).with(fix))
-}
-
-fn switches_compensation(word: &Word) -> bool {
-    word.address == b'G' && plain(word).is_some_and(|code| (40.0..=42.0).contains(&code))
-}
-
-/// A word that the control ignores.
-fn ignored(word: &Word, at: &Moment) -> Diagnostic {
-    let quoted = quote(at.text, word.span);
-    let number = behind_letter(&quoted);
-    let polar = at.state.virtual_plane.is_some();
-    let corner = match word.address {
-        b'L' => Some(format!(",C{number}")),
-        b'D' => Some(format!(",R{number}")),
-        _ => None,
-    };
-    if let Some(meant) = corner.filter(|_| at.state.motion == MotionMode::Line && !polar) {
-        let fix = Fix::write(word.span, meant.clone());
-        return Diagnostic::new(said::CornerWordIgnored { word: quoted, meant }, word.span).with(fix);
-    }
-    let code = match at.state.motion {
-        MotionMode::Rapid => "G00",
-        MotionMode::Arc(Turn::Clockwise) => "G02",
-        MotionMode::Arc(Turn::Counterclockwise) => "G03",
-        _ => "G01",
-    };
-    let fix = Fix::delete(at.text, word.span);
-    Diagnostic::new(said::WordIgnored { word: quoted, code }, word.span).with(fix)
 }
 
 /// The vacant variables that were reported: each once.

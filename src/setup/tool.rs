@@ -185,7 +185,17 @@ impl Tool {
 
     /// Nose radius, mm: as given, or as the insert's designation says; 0 where nothing is known.
     pub fn nose(&self) -> f64 {
-        self.nose_radius.or_else(|| self.insert()?.nose_radius).unwrap_or(0.0)
+        self.known_nose().unwrap_or(0.0)
+    }
+
+    fn known_nose(&self) -> Option<f64> {
+        self.nose_radius.or_else(|| self.insert()?.nose_radius)
+    }
+
+    /// Whether something is known of which compensation can make a radius.
+    pub fn has_compensation_radius(&self) -> bool {
+        let given = self.tool_radius.or(self.geometry_r).or_else(|| self.cutter_radius());
+        given.is_some() || self.known_nose().is_some()
     }
 }
 

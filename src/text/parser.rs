@@ -175,7 +175,11 @@ impl<'a> Parser<'a> {
         let is_text = !plain.has_value && !plain.is_ambiguous;
         // `; 其实N10 …` is no block either, but only the author knows about N10.
         let is_remark = is_text || begins_in_other_script(block.span.of(text));
-        if behind_semicolon && unclear && is_remark && reads_as_prose(block.span.of(text)) {
+        // `;(TURN (LONG CUT))`: it is in brackets, and those within are reported.
+        let is_comment = block.words.is_empty()
+            && block.faults.iter().any(|fault| fault.message.is::<said::CommentNested>())
+            && block.faults.iter().all(|fault| fault.message.is::<said::CommentNested>());
+        if behind_semicolon && unclear && !is_comment && is_remark && reads_as_prose(block.span.of(text)) {
             return self.take_as_comment(block, is_text);
         }
         if block.words.is_empty() && only_marks_outside_brackets(block.span.of(text)) {
@@ -398,7 +402,11 @@ impl<'a> Parser<'a> {
             }
             TokenKind::NestedComment => {
                 block.comment(token.span);
-                block.fault(Diagnostic::new(said::CommentNested, token.span));
+                // `(OD (80 DEG)`: the comment ends where the control ends it.
+                let text = token.span.of(self.lexer.text());
+                if text[..text.len() - 1].contains(&b')') {
+                    block.fault(Diagnostic::new(said::CommentNested, token.span));
+                }
             }
             _ if block.is_full() => {}
             TokenKind::Letter(letter) => self.letter(block, letter, token.span, None),

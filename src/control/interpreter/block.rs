@@ -13,13 +13,9 @@ use crate::control::events::Event;
 use crate::control::modal::{CycleMemory, Once, PathMove};
 use crate::control::words::{Words, letters, plain, quote};
 use crate::geometry::Point;
-use crate::geometry::virtual_plane::Surface;
 use crate::message::{Diagnostic, Message, Severity, said};
 use crate::motion::{MotionKind, Quill, SpindleTurn};
 use crate::text::block::{Block, BlockKind, Word};
-
-/// Words that mean something in few blocks of a move.
-const SELDOM: u32 = letters(b"DIJKLPQR");
 
 impl Interpreter {
     /// Carries out one block.
@@ -101,6 +97,9 @@ impl Interpreter {
         for (index, word) in block.words.iter().enumerate() {
             self.read_word(text, block, &mut request, &mut words, index, word);
         }
+        if !request.duplicates.is_empty() {
+            self.report_duplicates(text, block, &mut request);
+        }
         if request.arguments {
             words = Words::new(block);
         }
@@ -125,9 +124,13 @@ impl Interpreter {
             }
             let before = self.state.doubts;
             self.make_motions(text, block, &mut request, &words);
+            let unread = words.unread();
             if request.drop {
                 self.refuse(text, block, &request, &words);
             } else {
+                if unread != 0 {
+                    self.unread_words(text, block, &request, &words, unread);
+                }
                 if !self.state.doubts.is_empty() {
                     self.regain(&request, &words, before);
                 }
@@ -232,9 +235,6 @@ impl Interpreter {
             request.drop = true;
             return;
         }
-        if words.has_any(SELDOM) {
-            self.seldom_words(text, block, request, words);
-        }
         match self.state.motion {
             MotionMode::Rapid if words.has_any(AXES | TURNS) => self.rapid(text, block, request, words),
             MotionMode::Line if words.has_any(AXES | TURNS | letters(b"A")) || request.comma[2].is_some() => {
@@ -281,27 +281,6 @@ impl Interpreter {
         let length = |address: u8| words.get(address).and_then(|word| self.reading().length(word));
         let (i, k) = (length(b'I'), length(b'K'));
         Some(Point::new(i.unwrap_or(0.0), k.unwrap_or(0.0))).filter(|_| i.is_some() || k.is_some())
-    }
-
-    /// Words that mean something in few blocks: whoever listens knows whether they do in this one.
-    #[inline(never)]
-    fn seldom_words(&mut self, text: &[u8], block: &Block, request: &Request, words: &Words) {
-        let surface = self.state.virtual_plane.map(|plane| plane.surface);
-        if surface.is_none() && self.state.plane != Plane::Zx || !words.has_any(AXES | TURNS) {
-            return;
-        }
-        // A straight move has its corner words, an arc those of its centre.
-        let unread = match (self.state.motion, surface) {
-            (MotionMode::Rapid | MotionMode::Line, _) if request.wall.is_some() => letters(b"DJLPQ"),
-            (MotionMode::Rapid, _) | (MotionMode::Line, Some(_)) => SELDOM,
-            (MotionMode::Line | MotionMode::Arc(_), None) => letters(b"DJLPQ"),
-            (MotionMode::Arc(_), Some(Surface::Face)) => letters(b"DKLPQ"),
-            (MotionMode::Arc(_), Some(Surface::Cylinder { .. } | Surface::Flat(_))) => letters(b"DLPQ"),
-            _ => return,
-        };
-        if words.has_any(unread) {
-            self.observe(text, Event::UnreadWords { block, words, unread });
-        }
     }
 
     /// A code that uses up the words of its block.

@@ -5,11 +5,11 @@
 use super::{Flow, Interpreter};
 use crate::control::modal::MACROS;
 use crate::control::program::{Call, CallKind, program_and_repeats};
-use crate::control::words::{Words, plain};
+use crate::control::words::{Words, plain, quote};
 use crate::message::{Diagnostic, Message, said};
 use crate::parts::early;
 use crate::source::Span;
-use crate::text::block::Block;
+use crate::text::block::{Block, Word};
 use crate::text::parser::Resume;
 
 /// Where a block stands in the text.
@@ -103,6 +103,14 @@ impl Interpreter {
             CallCode::Call | CallCode::LocalCall => {
                 let named = words.get(b'P').and_then(plain).filter(|&number| number >= 1.0);
                 let Some(named) = named.map(|number| number as u64) else {
+                    // Only Haas calls with M97, and always with P; elsewhere M97 is one of the machine.
+                    let is_m97 = |word: &&Word| word.address == b'M' && plain(word) == Some(97.0);
+                    let of_machine = call_code == CallCode::LocalCall && words.get(b'P').is_none();
+                    if let Some(word) = block.words.iter().find(is_m97).filter(|_| of_machine) {
+                        let word_text = quote(text, word.span);
+                        self.report(Diagnostic::new(said::UnknownM { word: word_text }, word.span));
+                        return Flow::Next;
+                    }
                     let code = if call_code == CallCode::Call { "M98" } else { "M97" };
                     self.report(Diagnostic::new(said::CallNoNumber { code }, block.words_span()));
                     self.lose_program();

@@ -28,7 +28,7 @@ impl Interpreter {
         let gsk = self.dialect.control == Control::Gsk;
         let [chamfer, round, _] = request.comma;
         let comma = |index: Option<usize>| index.map(|index| &block.words[index]);
-        let plain_word = |letter: u8, allowed: bool| words.get(letter).filter(|_| allowed);
+        let plain_word = |letter: u8, allowed: bool| if allowed { words.get(letter) } else { None };
         let candidates = [
             (comma(chamfer), None, Corner::Chamfer as fn(f64) -> Corner),
             (comma(round), None, Corner::Round),
@@ -56,7 +56,12 @@ impl Interpreter {
         Ok(Some(Joint {
             corner: corner(if letter.is_some() { value.abs() } else { value }),
             signed: letter.map(|letter| (letter, value)),
-            before: if gsk && letter.is_none() { Follower::LineOrArc } else { Follower::Line },
+            // Newer controls round between a line and an arc, older ones raise PS0052.
+            before: if letter.is_none() && (gsk || !self.dialect.strict) {
+                Follower::LineOrArc
+            } else {
+                Follower::Line
+            },
             span: word.span,
             word: quoted,
         }))

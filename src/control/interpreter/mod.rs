@@ -36,6 +36,7 @@ mod store;
 mod system;
 pub(crate) mod threads;
 pub(crate) mod trace;
+mod unread;
 pub(crate) mod y_axis;
 
 #[cfg(test)]

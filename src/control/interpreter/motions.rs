@@ -206,14 +206,14 @@ impl Interpreter {
             _ => turn,
         };
         let [first, second] = [up.min(right), up.max(right)].map(char::from);
-        let stray =
-            words.get(third).filter(|word| given(b'R').is_none() && plain(word) != Some(0.0)).map(|word| {
-                Diagnostic::new(
-                    said::CenterOutsidePlane { word: quote(text, word.span), first, second },
-                    word.span,
-                )
-            });
-        let center_words = match (given(b'R'), given(up), given(right)) {
+        // Beside R the words of the centre are not read.
+        let radius = given(b'R');
+        let of_centre = |address: u8| if radius.is_none() { given(address) } else { None };
+        let stray = of_centre(third).filter(|&way| way != 0.0).map(|_| {
+            let word = words.quote(text, third);
+            Diagnostic::new(said::CenterOutsidePlane { word, first, second }, words.span(third))
+        });
+        let center_words = match (radius, of_centre(up), of_centre(right)) {
             (Some(radius), ..) => CenterWords::Radius(radius),
             (None, None, None) => {
                 let alarm = self.dialect.strict || self.dialect.control == Control::Gsk;
@@ -333,7 +333,10 @@ impl Interpreter {
         let pass = ThreadPass { block, words, start: from, end: to, lead, starts, by: ThreadedBy::Move };
         self.observe(text, Event::ThreadMove { pass, code });
         let gsk = self.dialect.control == Control::Gsk;
-        let ends = match (self.state.motion, given(b'J'), given(b'K')) {
+        let is_variable = self.state.motion == MotionMode::VariableThread;
+        let j = if gsk { given(b'J') } else { None };
+        let k = if gsk || is_variable { given(b'K') } else { None };
+        let ends = match (self.state.motion, j, k) {
             (MotionMode::Tapping, ..) => [Some(to), Some(from)],
             (MotionMode::VariableThread, _, change) => {
                 let length = (to.z - from.z).abs().max((to.x - from.x).abs());
@@ -354,7 +357,7 @@ impl Interpreter {
             }
             _ => [Some(to), None],
         };
-        let lead_change = given(b'K').filter(|_| self.state.motion == MotionMode::VariableThread);
+        let lead_change = k.filter(|_| is_variable);
         let mut start_angle = self.start_angle(words);
         for end in ends.into_iter().flatten() {
             let motion = self.motion(MotionKind::Thread, end);

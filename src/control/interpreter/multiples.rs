@@ -116,8 +116,8 @@ impl Interpreter {
         let depth_word = if turning { b'U' } else { b'W' };
         if !words.has_any(letters(b"PQ")) {
             // X or Z in the first block: the depth lost its letter's place (PS0066).
-            if let Some(address) = [b'X', b'Z'].into_iter().find(|&address| words.get(address).is_some())
-                && (words.get(depth_word).is_none() || self.dialect.strict)
+            if (!words.has_any(letters(&[depth_word])) || self.dialect.strict)
+                && let Some(address) = [b'X', b'Z'].into_iter().find(|&address| words.get(address).is_some())
             {
                 let own = if address == b'X' { 'U' } else { 'W' };
                 let word = words.quote(text, address);

@@ -5,7 +5,7 @@
 use super::Interpreter;
 use super::calls::CallCode;
 use super::request::{Exclusive, OneShot, Request};
-use crate::control::codes::{self, Compensation, G, M, Switch};
+use crate::control::codes::{self, Compensation, G, M, Multiple, Switch};
 use crate::control::contour::Purpose;
 use crate::control::doubt::{Doubt, Doubts};
 use crate::control::events::Event;
@@ -58,10 +58,43 @@ impl Interpreter {
                     let used = quote(text, block.words[index].span);
                     let message = said::DuplicateWord { address: address as char, used };
                     let fixes = [before.span, word.span].map(|span| Fix::delete(text, span));
-                    self.report(Diagnostic { fixes: fixes.into(), ..Diagnostic::new(message, word.span) });
+                    let duplicate = Diagnostic::new(message, word.span);
+                    request.duplicates.push(Diagnostic { fixes: fixes.into(), ..duplicate });
                 }
             }
         }
+    }
+
+    /// Reports addresses that appear twice; both blocks of a cycle in one line are one fault.
+    #[cold]
+    pub(super) fn report_duplicates(&mut self, text: &[u8], block: &Block, request: &mut Request) {
+        let duplicates = std::mem::take(&mut request.duplicates);
+        let Some(OneShot::Multiple(cycle)) = request.one_shot.filter(|_| request.macro_call.is_none()) else {
+            return duplicates.into_iter().for_each(|duplicate| self.report(duplicate));
+        };
+        // The words with which the second block begins, and those that both blocks have.
+        let (second, both): (&[u8], &[u8]) = match cycle {
+            Multiple::Finishing => (b"", b""),
+            Multiple::RoughTurning | Multiple::RoughFacing | Multiple::Pattern => (b"PQ", b"UWR"),
+            Multiple::FacePecking | Multiple::Grooving => (b"XZUW", b"R"),
+            Multiple::Threading => (b"XZUW", b"PQR"),
+        };
+        let at = block.words.iter().position(|word| second.contains(&word.address)).unwrap_or(0);
+        let (before, behind) = block.words.split_at(at);
+        let is_in_both = |letter: &u8| {
+            [before, behind].iter().all(|words| words.iter().any(|word| word.address == *letter))
+        };
+        let begins = behind.first().filter(|_| both.iter().any(is_in_both));
+        let Some(begins) = begins else {
+            return duplicates.into_iter().for_each(|duplicate| self.report(duplicate));
+        };
+        let is_cycle = |word: &&Word| word.address == b'G' && word.span.start < begins.span.start;
+        let code = block.words.iter().rfind(is_cycle).map(|word| quote(text, word.span));
+        let fix = code.map(|code| Fix::insert(begins.span.start, format!("\n{code} ")));
+        let message = said::CycleInOneBlock { code: cycle.cycle().code() };
+        let diagnostic = Diagnostic::new(message, block.words_span());
+        self.report(Diagnostic { fixes: fix.into_iter().collect(), ..diagnostic });
+        request.drop = true;
     }
 
     fn read_g(&mut self, text: &[u8], request: &mut Request, tenths: Option<u64>, word: &Word) {

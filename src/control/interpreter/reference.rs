@@ -47,7 +47,7 @@ impl Interpreter {
         self.other_axes(text, block, words);
         let turns = words.has_any(TURNS);
         if !words.has_any(AXES) && !turns {
-            if !words.has_any(letters(b"YV")) && self.state.reported.first(Once::G28NoAxis) {
+            if !words.has_any(letters(b"YVAB")) && self.state.reported.first(Once::G28NoAxis) {
                 let code = if request.one_shot == Some(OneShot::OtherHome) { "G30" } else { "G28" };
                 self.report(Diagnostic::new(said::G28NoAxis { code }, block.words_span()));
             }

@@ -5,6 +5,7 @@
 use super::calls::CallCode;
 use crate::control::codes::{self, MacroCall, MotionMode, Multiple, Switch};
 use crate::geometry::Point;
+use crate::message::Diagnostic;
 use crate::motion::StopKind;
 use crate::source::Span;
 
@@ -68,6 +69,8 @@ pub(super) struct Request {
     pub macro_call: Option<MacroCall>,
     /// A hole cycle stands in the block.
     pub hole: Option<codes::Hole>,
+    /// Words whose address appears twice.
+    pub duplicates: Vec<Diagnostic>,
     /// G43: H names a length offset.
     pub length_offset: bool,
     /// A G code of the machine: the words of its block are arguments of a macro.

@@ -190,9 +190,9 @@ impl Interpreter {
         let (u, w) = (or_zero(radius(b'U'), x), or_zero(length(b'W'), z));
         self.change_frame(|frames| frames.shift = Point::new(frames.shift.x - u, frames.shift.z - w));
         let spindle = &mut self.state.spindle;
-        if let Some(highest) = words.get(b'S').and_then(plain) {
+        if let Some((word, highest)) = words.get(b'S').and_then(|word| Some((word, plain(word)?))) {
             spindle.highest = Some(highest);
-            self.observe(text, Event::HighestSpeed);
+            self.observe(text, Event::HighestSpeed { word });
         }
         let spindle = &mut self.state.spindle;
         if let Some(lowest) = words.get(b'Q').and_then(plain) {

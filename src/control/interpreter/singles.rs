@@ -150,7 +150,7 @@ impl Interpreter {
         let (taper_word, starts) = (self.taper_word(words, cycle), self.starts(words, cycle));
         let pass = SinglePass { block, words, cycle, start, end, taper_word, taper_span, lead, starts };
         self.observe(text, Event::SinglePass(pass));
-        let own_angle = self.start_angle(words);
+        let own_angle = if cycle == Single::Threading { self.start_angle(words) } else { 0.0 };
         for start_number in 0..starts {
             self.state.memory.passes += 1;
             let pass = self.state.memory.passes;
@@ -235,7 +235,7 @@ impl Interpreter {
     /// How often a G92 pass is cut: once, or for each start (GSK L).
     pub(super) fn starts(&self, words: &Words, cycle: Single) -> u64 {
         let several = cycle == Single::Threading && self.dialect.control == Control::Gsk;
-        let starts = words.get(b'L').filter(|_| several).and_then(plain);
+        let starts = if several { words.get(b'L').and_then(plain) } else { None };
         starts.map_or(1, |starts| crate::geometry::within(starts, 1.0, 99.0) as u64)
     }
 
@@ -250,7 +250,8 @@ impl Interpreter {
     pub(super) fn pull_out(&self, words: &Words, lead: f64) -> Option<PullOut> {
         let reading = self.reading();
         let gsk = self.dialect.control == Control::Gsk;
-        let given = |address: u8| words.get(address).filter(|_| gsk).and_then(|word| reading.length(word));
+        let given =
+            |address: u8| if gsk { words.get(address).and_then(|word| reading.length(word)) } else { None };
         match (given(b'J'), given(b'K')) {
             (None, None) => self.chamfer(lead),
             (j, k) => {

@@ -166,10 +166,22 @@ impl<'a> Evaluator<'a> {
             let number = self.bracket(Self::sum)?.or_zero()?;
             self.rounding = rounding;
             number
+        } else if self.is_named() {
+            self.cursor.name();
+            return Err(MacroErrorKind::NotSupported("#NAME (SETVN)").at(self.cursor.since(start)));
         } else {
             self.cursor.number().ok_or_else(|| MacroErrorKind::Expression.at(self.cursor.here()))?
         };
         functions::count(number).ok_or_else(|| MacroErrorKind::VariableNumber.at(self.cursor.since(start)))
+    }
+
+    /// Whether a name follows, as SETVN gives it, rather than a misread digit such as `O` or `l`.
+    fn is_named(&self) -> bool {
+        let mut ahead = self.cursor;
+        // `# Title` is text.
+        let follows_at_once = ahead.here().start == ahead.since(0).end;
+        follows_at_once
+            && ahead.name().iter().any(|letter| !b"OILSBZQ".contains(&letter.to_ascii_uppercase()))
     }
 
     /// Conditions, any of which may hold.
@@ -296,7 +308,13 @@ impl<'a> Evaluator<'a> {
     fn function(&mut self) -> Result<f64, MacroError> {
         let start = self.cursor.start();
         let name = self.cursor.name();
-        let unknown = MacroErrorKind::UnknownFunction.at(self.cursor.since(start));
+        // PRM reads a parameter of the control.
+        let kind = if name.eq_ignore_ascii_case(b"PRM") {
+            MacroErrorKind::NotSupported("PRM")
+        } else {
+            MacroErrorKind::UnknownFunction
+        };
+        let unknown = kind.at(self.cursor.since(start));
         let function = Function::named(name).ok_or(unknown)?;
         let mut second = None;
         let first = self.bracket(|evaluator| {

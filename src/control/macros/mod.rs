@@ -76,6 +76,8 @@ pub enum MacroErrorKind {
     JumpTarget,
     /// A letter that cannot hand over an argument: PS0129.
     ArgumentLetter,
+    /// Something that controls have and that is not done here.
+    NotSupported(&'static str),
 }
 
 impl MacroErrorKind {
@@ -97,7 +99,8 @@ impl MacroErrorKind {
             | Self::Format
             | Self::LoopNumber
             | Self::WordsBehind
-            | Self::ArgumentLetter => false,
+            | Self::ArgumentLetter
+            | Self::NotSupported(_) => false,
         }
     }
 
@@ -120,6 +123,7 @@ impl MacroErrorKind {
             Self::WordsBehind => said::MacroWordsBehind.into(),
             Self::JumpTarget => said::MacroJumpTarget.into(),
             Self::ArgumentLetter => said::MacroArgumentLetter.into(),
+            Self::NotSupported(what) => said::NotSupported { what: what.to_owned() }.into(),
         }
     }
 

@@ -61,7 +61,9 @@ impl Program<'_> {
                 None if row.contour && before.value >= 0.0 && !self.rows[before.block].contour => {
                     word.value > before.value + 0.001
                 }
-                None if row.arc && before.value.abs() < 0.001 => !self.comes_from_behind(word),
+                None if row.arc && before.value.abs() < 0.001 => {
+                    !self.comes_from_behind(word) && !self.has_several_frames()
+                }
                 // The last of a row that went on that way: no retreat goes so far.
                 None => {
                     let near = word.value <= 3.0 * before.value.abs() && word.value * self.unit >= 5.0;

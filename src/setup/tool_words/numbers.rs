@@ -41,6 +41,26 @@ const NOSES: (f64, f64) = (0.05, 3.2);
 const WIDTHS: (f64, f64) = (0.3, 20.0);
 const DIAMETERS: (f64, f64) = (0.3, 100.0);
 
+/// Drills, whose diameter often follows as a number alone: `DRILL 8`.
+const DRILLS: [&str; 16] = [
+    "DRILL",
+    "BOHRER",
+    "FORET",
+    "СВЕРЛО",
+    "СВЕРЛ",
+    "WIERTLO",
+    "WIERTŁO",
+    "SVERLO",
+    "VRTAK",
+    "VRTÁK",
+    "MATKAP",
+    "BOR",
+    "ドリル",
+    "钻头",
+    "鑽頭",
+    "钻",
+];
+
 /// Inches where the first of G20 and G21 in a text is G20.
 pub fn unit_of(text: &str) -> Unit {
     let mut at = 0;
@@ -110,7 +130,9 @@ pub fn diameter(text: &str, unit: Unit) -> Option<f64> {
         let before = own.before.trim_start_matches("DE ");
         own.has_unit()
             || own.fraction
-            || before == "D"
+            || before == "FI"
+            // `钻头D8`
+            || before.trim_start_matches(|letter: char| !letter.is_ascii()) == "D"
             || before.ends_with('Ø')
             || before.ends_with('⌀')
             || before.ends_with('Φ')
@@ -124,9 +146,10 @@ pub fn diameter(text: &str, unit: Unit) -> Option<f64> {
     let before_drill = || {
         measures(text).find(|own| {
             own.behind.starts_with("DRILL")
-                || (matches!(own.before, "BROCA" | "DE" | "MECHA" | "PUNTA")
-                    && own.behind.is_empty()
-                    && !own.glued)
+                || (own.behind.is_empty()
+                    && !own.glued
+                    && (matches!(own.before, "BROCA" | "DE" | "MECHA" | "PUNTA")
+                        || DRILLS.contains(&own.before) && !own.may_count(unit)))
         })
     };
     named.or_else(before_drill).map(|own| own.in_millimetres(unit)).filter(in_range(DIAMETERS))
@@ -137,6 +160,12 @@ fn in_range((low, high): (f64, f64)) -> impl Fn(&f64) -> bool {
 }
 
 impl Measure<'_> {
+    /// Whether it may be the number of a tool, `DRILL 2`, rather than a measure.
+    fn may_count(&self, unit: Unit) -> bool {
+        let is_whole = self.value.fract() == 0.0;
+        is_whole && (unit == Unit::Inch || self.value < 3.0)
+    }
+
     fn has_unit(&self) -> bool {
         matches!(self.behind, "MM" | "\"" | "IN" | "INCH" | "''" | "ММ" | "毫米")
     }

@@ -22,7 +22,9 @@ use Form::{Part, Stem, Word};
 #[rustfmt::skip]
 pub const KINDS: &[(Form, &str, Option<ToolKind>)] = &[
     // What only sounds like a tool.
-    (Stem, "THREAD RELIEF", None), (Stem, "THREAD BUR", None), (Stem, "BAR PULL", None), (Stem, "PARTS CATCH", None),
+    (Stem, "THREAD RELIEF", None), (Stem, "THREAD BUR", None), (Stem, "BAR PULL", None), (Part, "BARPULL", None),
+    (Stem, "PULLER", None), (Stem, "GRIPPER", None), (Stem, "STOCK PULL", None), (Stem, "STOCK STOP", None), (Stem, "BAR STOP", None),
+    (Stem, "PARTS CATCH", None),
     (Stem, "CENTER OF", None), (Stem, "CUT OFF LENGTH", None), (Part, "退刀槽", None), (Stem, "TURNING TOOL CHANGE", None),
     // Live cutters.
     (Stem, "ENDMILL", Some(Endmill)), (Stem, "END MILL", Some(Endmill)), (Stem, "THREADMILL", Some(Endmill)),
@@ -43,14 +45,17 @@ pub const KINDS: &[(Form, &str, Option<ToolKind>)] = &[
     (Stem, "MANDRIL", Some(Boring)), (Stem, "ALESA", Some(Boring)), (Stem, "ALÉSA", Some(Boring)), (Stem, "BARENO", Some(Boring)),
     (Stem, "РАСТОЧ", Some(Boring)), (Part, "镗", Some(Boring)), (Part, "鏜", Some(Boring)), (Part, "内孔", Some(Boring)), (Part, "內孔", Some(Boring)),
     // Drills.
-    (Stem, "DRILL", Some(Drill)), (Word, "SPOT", Some(Drill)), (Stem, "CSINK", Some(Drill)), (Stem, "COUNTERSINK", Some(Drill)),
+    (Part, "DRILL", Some(Drill)), (Stem, "WIERT", Some(Drill)), (Stem, "SVERL", Some(Drill)), (Stem, "VRTAK", Some(Drill)),
+    (Stem, "VRTÁK", Some(Drill)), (Stem, "MATKAP", Some(Drill)), (Stem, "MATA BOR", Some(Drill)), (Part, "ドリル", Some(Drill)), (Word, "SPOT", Some(Drill)), (Stem, "CSINK", Some(Drill)), (Stem, "COUNTERSINK", Some(Drill)),
     (Stem, "REAMER", Some(Drill)), (Part, "BOHRER", Some(Drill)), (Part, "BOHREN", Some(Drill)), (Part, "ZENTRIER", Some(Drill)),
     (Stem, "BROCA", Some(Drill)), (Stem, "FURAC", Some(Drill)), (Stem, "FURAÇ", Some(Drill)), (Stem, "FURAA", Some(Drill)),
     (Stem, "FURAR", Some(Drill)), (Stem, "TALADR", Some(Drill)), (Stem, "PUNTA", Some(Drill)), (Stem, "FORATURA", Some(Drill)),
     (Stem, "FORET", Some(Drill)), (Stem, "PERÇ", Some(Drill)), (Stem, "PERCAGE", Some(Drill)), (Stem, "СВЕРЛ", Some(Drill)),
     (Stem, "ЦЕНТРОВ", Some(Drill)), (Stem, "РАЗВЕРТ", Some(Drill)), (Part, "钻", Some(Drill)), (Part, "鑽", Some(Drill)), (Part, "钻孔", Some(Drill)),
     // Grooving inserts.
-    (Stem, "GROOV", Some(Grooving)), (Word, "GRV", Some(Grooving)), (Stem, "CUTOFF", Some(Grooving)), (Stem, "CUT OFF", Some(Grooving)),
+    (Part, "GROOV", Some(Grooving)), (Part, "STECHSTAHL", Some(Grooving)), (Part, "STECHST.", Some(Grooving)), (Stem, "PRZECIN", Some(Grooving)),
+    (Stem, "ROWEK", Some(Grooving)), (Stem, "KANAVK", Some(Grooving)), (Stem, "OTREZ", Some(Grooving)), (Stem, "SAIGN", Some(Grooving)),
+    (Stem, "ZAPICH", Some(Grooving)), (Word, "GRV", Some(Grooving)), (Stem, "CUTOFF", Some(Grooving)), (Stem, "CUT OFF", Some(Grooving)),
     (Stem, "CUT-OFF", Some(Grooving)), (Stem, "PARTING", Some(Grooving)), (Stem, "PART OFF", Some(Grooving)), (Stem, "PART-OFF", Some(Grooving)),
     (Stem, "PARTOFF", Some(Grooving)), (Part, "STECHEN", Some(Grooving)), (Part, "STECHER", Some(Grooving)), (Part, "STECHMEI", Some(Grooving)),
     (Part, "STECHDREH", Some(Grooving)), (Part, "ABSTECH", Some(Grooving)), (Part, "EINSTICH", Some(Grooving)), (Part, "NUTDREH", Some(Grooving)),
@@ -78,7 +83,7 @@ pub const KINDS: &[(Form, &str, Option<ToolKind>)] = &[
 /// Terms and the side of the work they name.
 #[rustfmt::skip]
 pub const SIDES: &[(Form, &str, Side)] = &[
-    (Stem, "FACE GROOV", Side::Face), (Stem, "FACIAL", Side::Face), (Part, "PLANSTECH", Side::Face), (Part, "PLANEINSTECH", Side::Face),
+    (Stem, "FACE GROOV", Side::Face), (Part, "FACEGROOV", Side::Face), (Stem, "FACIAL", Side::Face), (Part, "PLANSTECH", Side::Face), (Part, "PLANEINSTECH", Side::Face),
     (Part, "AXIALEINSTECH", Side::Face), (Part, "AXIALSTECH", Side::Face), (Stem, "GOLA FRONTALE", Side::Face), (Stem, "RANURADO FRONTAL", Side::Face),
     (Stem, "КАНАВОЧНЫЙ ТОРЦ", Side::Face), (Part, "端面槽", Side::Face), (Part, "端面切槽", Side::Face),
     (Word, "ID", Side::Inside), (Word, "I.D", Side::Inside), (Stem, "INSIDE", Side::Inside), (Stem, "INTERN", Side::Inside),

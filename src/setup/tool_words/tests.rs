@@ -125,6 +125,41 @@ fn designations_and_measures() {
 }
 
 #[test]
+fn words_of_more_languages_and_words_run_together() {
+    for (comment, expected) in [
+        ("WIERTLO FI8", "drill d8"),
+        ("wiertło fi 20", "drill d20"),
+        ("SVERLO 8", "drill d8"),
+        ("VRTAK 6.5", "drill d6.5"),
+        ("MATKAP 10", "drill d10"),
+        ("MATA BOR 8", "drill d8"),
+        ("ドリル 8", "drill d8"),
+        ("钻头D8", "drill d8"),
+        ("钻头 8", "drill d8"),
+        ("СВЕРЛО 8", "drill d8"),
+        ("DRILL 8", "drill d8"),
+        ("CENTERDRILL", "drill"),
+        ("DRILL 2", "drill"),
+        ("STECHSTAHL 3MM", "grooving w3"),
+        ("STECHST. B3", "grooving w3"),
+        ("PRZECINAK 3MM", "grooving w3"),
+        ("ROWEK", "grooving"),
+        ("KANAVKA", "grooving"),
+        ("OTREZKA", "grooving"),
+        ("SAIGNEE", "grooving"),
+        ("ZAPICHOVAK", "grooving"),
+        ("FACEGROOVINGROUGHTGF4MM", "grooving face w4"),
+        ("BAR PULLER", "nothing"),
+        ("PULLER", "nothing"),
+        ("GRIPPER", "nothing"),
+        ("STOCK PULL", "nothing"),
+    ] {
+        assert_eq!(words(comment, Unit::Millimetre), expected, "{comment}");
+    }
+    assert_eq!(words("DRILL 8", Unit::Inch), "drill");
+}
+
+#[test]
 fn a_number_glued_to_the_name_of_a_tool_is_a_counter() {
     for (comment, expected) in [
         ("GROOVE1", "grooving"),

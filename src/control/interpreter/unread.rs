@@ -1,0 +1,169 @@
+//! The words of a block that the control has not read: an axis that is not shown, or a word that is ignored.
+//!
+//! In: a block that was carried out, and which of its words were read ([`Words::unread`]). Out: a note of the axis, an
+//! event for the rest. What other machines or functions read that are not done here is not reported: nobody can
+//! say that the control ignores it.
+
+use super::request::{OneShot, Request};
+use super::rotary::TURNS;
+use super::{AXES, Interpreter};
+use crate::control::codes::{self, G, MotionMode, Plane};
+use crate::control::events::Event;
+use crate::control::modal::Once;
+use crate::control::words::{Words, letters, plain};
+use crate::geometry::Turn;
+use crate::message::{Diagnostic, Severity, said};
+use crate::setup::dialect::{CodeList, Control};
+use crate::text::block::{Block, Value, Word};
+
+/// Words that each code reads, or that a later block does: N and O, F, S and T.
+const ALWAYS: u32 = letters(b"FNOST");
+
+/// Words of the axes whose moves are shown.
+const SHOWN_AXES: u32 = letters(b"CHYV");
+
+/// Words of the axes that are not shown.
+const OTHER_AXES: u32 = letters(b"AB");
+
+impl Interpreter {
+    /// Reports what of a block was not read, the words of the letters of `unread`.
+    #[cold]
+    #[inline(never)]
+    pub(super) fn unread_words(
+        &mut self,
+        text: &[u8],
+        block: &Block,
+        request: &Request,
+        words: &Words,
+        unread: u32,
+    ) {
+        let is_flat = self.state.virtual_plane.is_none() && self.state.plane != Plane::Zx;
+        let is_open = request.maker_m
+            || request.call_code.is_some()
+            || request.macro_call.is_some()
+            || self.state.call_stack.modal.is_some()
+            || is_flat
+            || matches!(request.one_shot, Some(OneShot::Data | OneShot::NotSupported))
+            || block.words.iter().any(|word| self.reads_others(word));
+        if is_open {
+            return;
+        }
+        let unread = unread & !ALWAYS & !self.read_by_others(block, request, words);
+        let is_cycle = matches!(request.one_shot, Some(OneShot::Multiple(_) | OneShot::Dwell))
+            || request.one_shot.is_none()
+                && self.state.hole.is_none()
+                && matches!(self.state.motion, MotionMode::Cycle(_));
+        if !is_cycle {
+            for address in *b"AB" {
+                if unread & letters(&[address]) != 0 {
+                    self.other_axis(text, words, address);
+                }
+            }
+        }
+        let unread = if is_cycle { unread } else { unread & !OTHER_AXES };
+        if unread != 0 {
+            let code = self.code_of_block(request, words);
+            self.observe(text, Event::UnreadWords { block, words, unread, code });
+        }
+    }
+
+    /// A word of an axis that is not shown: a note for each axis.
+    fn other_axis(&mut self, text: &[u8], words: &Words, address: u8) {
+        let once = if address == b'A' { Once::AxisA } else { Once::AxisB };
+        if self.state.reported.first(once) {
+            let (axis, word) = (address as char, words.quote(text, address));
+            let note = Diagnostic::new(said::OtherAxis { word, axis }, words.span(address));
+            self.report(note.graded(Severity::Info));
+        }
+    }
+
+    /// Whether a code may read words of its own that are not known here.
+    fn reads_others(&self, word: &Word) -> bool {
+        let Value::Number { number, .. } = word.value else { return true };
+        match word.address {
+            b'M' => !matches!(number.mantissa, 0..=5 | 7..=9 | 30),
+            b'G' => {
+                let code = number.tenths().and_then(|key| codes::g_code(key, self.dialect.code_list()));
+                code.is_none_or(|found| found.code == G::Idle)
+            }
+            _ => false,
+        }
+    }
+
+    /// Letters of the words that something beside the move of the block may read.
+    fn read_by_others(&self, block: &Block, request: &Request, words: &Words) -> u32 {
+        let mut read = 0;
+        let code = |word: &Word| plain(word).filter(|_| word.address == b'G');
+        let has_code = |from: f64, to: f64| {
+            block.words.iter().any(|word| code(word).is_some_and(|code| (from..=to).contains(&code)))
+        };
+        let moves = request.one_shot.is_none() && self.state.hole.is_none();
+        let is_path = matches!(self.state.motion, MotionMode::Rapid | MotionMode::Line | MotionMode::Arc(_));
+        // L and D are the corner words of GSK.
+        if self.dialect.control == Control::Gsk && moves && is_path {
+            read |= letters(b"DL");
+        }
+        // GSK asks with K whether the contour is checked (GSK980TDb p. 100).
+        if self.dialect.control == Control::Gsk && matches!(request.one_shot, Some(OneShot::Multiple(_))) {
+            read |= letters(b"JK");
+        }
+        // D of G41 or T was an offset on other controls.
+        if words.has_any(letters(b"T")) || has_code(40.0, 42.0) {
+            read |= letters(b"D");
+        }
+        // P and Q name a spindle beside S or M, P an axis beside G96, and a frame beside G54.
+        let is_spindle = words.has_any(letters(b"S")) || block.words.iter().any(|word| word.address == b'M');
+        if is_spindle || request.surface.is_some() || has_code(54.0, 59.0) {
+            read |= letters(b"PQ");
+        }
+        // E is kept like F.
+        if !words.has_any(AXES | TURNS) && request.one_shot.is_none() {
+            read |= letters(b"E");
+        }
+        // An arc or a thread has no C; where C is connected, it may turn beside them.
+        let takes_c = self.state.c_axis
+            || self.state.virtual_plane.is_some()
+            || matches!(self.state.motion, MotionMode::Rapid | MotionMode::Line);
+        match request.one_shot {
+            Some(OneShot::Multiple(_) | OneShot::Dwell) => {}
+            _ if moves && !takes_c => read |= letters(b"YV"),
+            _ => read |= SHOWN_AXES,
+        }
+        if request.one_shot == Some(OneShot::LocalFrame) {
+            read |= AXES;
+        }
+        read
+    }
+
+    /// The code that reads the words of a block, as list A writes it; `None` where there is none, or another list
+    /// writes it otherwise.
+    fn code_of_block(&self, request: &Request, words: &Words) -> Option<&'static str> {
+        let is_list_a = matches!(self.dialect.code_list(), CodeList::A | CodeList::Gsk);
+        let code = match request.one_shot {
+            Some(OneShot::Dwell) => "G04",
+            Some(OneShot::Home) => "G28",
+            Some(OneShot::OtherHome) => "G30",
+            Some(OneShot::CheckHome) => "G27",
+            Some(OneShot::FromHome) => "G29",
+            Some(OneShot::Machine) => "G53",
+            Some(OneShot::LocalFrame) => "G52",
+            Some(OneShot::Setting) if is_list_a => "G50",
+            Some(OneShot::Multiple(cycle)) if is_list_a => cycle.cycle().code(),
+            Some(_) => return None,
+            None if !words.has_any(AXES | TURNS | letters(b"IJKR")) => return None,
+            None => match (self.state.hole, self.state.motion) {
+                (Some(hole), _) => hole.kind.code(),
+                (None, MotionMode::Rapid) => "G00",
+                (None, MotionMode::Line) => "G01",
+                (None, MotionMode::Arc(Turn::Clockwise)) => "G02",
+                (None, MotionMode::Arc(Turn::Counterclockwise)) => "G03",
+                (None, MotionMode::Thread) => "G32",
+                (None, MotionMode::Tapping) => "G33",
+                (None, MotionMode::VariableThread) => "G34",
+                (None, MotionMode::Cycle(cycle)) if is_list_a => cycle.cycle().code(),
+                (None, MotionMode::Cycle(_)) => return None,
+            },
+        };
+        Some(code)
+    }
+}
