@@ -37,7 +37,7 @@ pub struct Words<'b> {
     index: [u8; 26],
     /// Bit `n` for each letter `A + n` that is there.
     given: u32,
-    /// The same for each letter that was asked for: `get` is how the control reads a word.
+    /// The same for each letter that was read by `get`.
     read: Cell<u32>,
 }
 

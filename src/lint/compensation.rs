@@ -95,7 +95,7 @@ impl Compensations {
         }
     }
 
-    /// A cut under compensation by a tool of which nobody says anything: a note for each offset.
+    /// A cut under compensation with an unknown nose radius: a note for each offset.
     fn radius_unknown(&mut self, block: &Block, at: &Moment, reports: &mut Vec<Diagnostic>) {
         let cuts = matches!(at.state.motion, MotionMode::Line | MotionMode::Arc(_));
         if at.state.compensation == Compensation::Off

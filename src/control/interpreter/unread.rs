@@ -1,8 +1,7 @@
 //! The words of a block that the control has not read: an axis that is not shown, or a word that is ignored.
 //!
 //! In: a block that was carried out, and which of its words were read ([`Words::unread`]). Out: a note of the axis, an
-//! event for the rest. What other machines or functions read that are not done here is not reported: nobody can
-//! say that the control ignores it.
+//! event for the rest. Words that a code of the machine or an unsupported function may read are not reported.
 
 use super::request::{OneShot, Request};
 use super::rotary::TURNS;
@@ -77,7 +76,7 @@ impl Interpreter {
         }
     }
 
-    /// Whether a code may read words of its own that are not known here.
+    /// Whether a code may read words of its own.
     fn reads_others(&self, word: &Word) -> bool {
         let Value::Number { number, .. } = word.value else { return true };
         match word.address {

@@ -146,7 +146,7 @@ export async function go({ steps, from }: { steps: readonly (Step & { delay: num
   await playground.settled;
   // The tool may still stand where a step has put it.
   const whole = found<HTMLButtonElement>('.playback .place > button.quiet');
-  if (!whole.hidden) whole.click();
+  if (getComputedStyle(whole).visibility === 'visible') whole.click();
 }
 
 /** Waits until the page has settled, and looks at it. */

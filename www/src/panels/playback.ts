@@ -229,7 +229,8 @@ class Playback implements Panel {
     // While it is dragged, the hand says where the slider is, not an answer to where it was.
     if (!this.#slider.matches(':active')) this.#slider.value = String(place?.share ?? 0);
     this.#board.shown = place;
-    this.#whole.hidden = place === undefined;
+    // It keeps its room: the drawing would jump with the first step.
+    this.#whole.classList.toggle('not-yet', place === undefined);
     this.#showDoing();
     // What is read aloud while it plays would never come to an end.
     if (this.#playing) return;
