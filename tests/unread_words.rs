@@ -62,8 +62,8 @@ fn words_that_a_single_cycle_does_not_read_are_reported() {
 fn words_that_a_multiple_cycle_does_not_read_are_reported() {
     let second = format!("G71 P10 Q20 U0.5 W0.1\n{CONTOUR}");
     all_are_reported("", "G71 U2 R1", "ABCDEHIJKLVXYZ", &second);
-    let second = format!("G72 P10 Q20 U0.5 W0.1\nN10 G00 Z-20\nG01 X40\nN20 Z2\n");
-    all_are_reported("", "G72 W2 R1", "ABCDEHIJKLVXYZ", &second);
+    let second = "G72 P10 Q20 U0.5 W0.1\nN10 G00 Z-20\nG01 X40\nN20 Z2\n";
+    all_are_reported("", "G72 W2 R1", "ABCDEHIJKLVXYZ", second);
     all_are_reported("G71 U2 R1\n", "G71 P10 Q20 U0.5 W0.1", "ABCEHIJKLRVY", CONTOUR);
     all_are_reported("G73 U2 W2 R3\n", "G73 P10 Q20 U0.5 W0.1", "ABCEHIJKLRVY", CONTOUR);
     let roughed = format!("G71 U2 R1\nG71 P10 Q20 U0.5 W0.1\n{CONTOUR}");
