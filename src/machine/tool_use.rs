@@ -388,13 +388,14 @@ fn leaves(motion: &Motion, along: f64, next: Option<&Motion>) -> i32 {
     if motion.to.z > SAME || faces || next.is_some_and(|next| next.kind.cuts()) {
         return 0;
     }
+    let is_last = next.is_none();
     let goes_back = (SAME..SHORT).contains(&dz) && dx.abs() <= SAME;
     let aside = |next: &&Motion| (next.to.x - next.from.x).abs() > ASIDE * (next.to.z - next.from.z).abs();
     let next = next.filter(|_| !goes_back).filter(aside);
     let after = next.map_or(0.0, |next| next.to.x - next.from.x);
     let escapes = along.abs() > SAME && dz * along <= SAME * SAME;
     // A program that ends in the bottom of a groove leaves nothing.
-    let on_the_way = if escapes && next.is_some() { dx } else { 0.0 };
+    let on_the_way = if escapes && !is_last { dx } else { 0.0 };
     // Deeper in along Z nothing leaves the work.
     let deeper = next.is_some_and(|next| next.to.z < next.from.z - SAME);
     // Straight out, or back along Z from where the last cut led.

@@ -51,7 +51,7 @@ fn as_resolved(tool: &Tool, basis: Basis, pitch: f64) -> Reach {
             Reach::rhombus(180.0 - entering - point, point, edge, 0.0, flip, basis == Basis::Inferred)
         }
         ToolKind::Grooving if tool.side == Some(Side::Face) => Reach::face_blade(3.0),
-        ToolKind::Grooving => Reach::blade(3.0, up),
+        ToolKind::Grooving => Reach::blade(tool.width.unwrap_or(3.0), up),
         ToolKind::Threading => Reach::thread(up, pitch),
         ToolKind::Drill => Reach::drill(tool.diameter.map_or(10.0, Diameter::mm)),
         kind => panic!("{kind:?}"),

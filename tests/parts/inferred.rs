@@ -49,7 +49,7 @@ hand-02-g71-one-block-away: ⌀44.6, 0 to -55.0: T03 turning C 95 tip 4
 hand-03-g71-boring: ⌀55.0 bore 19.6, 0 to -35.0: T04 boring C 95
 hand-04-g71-type2-pocket: ⌀56.4, 0 to -30.0: T01 turning V 93
 hand-05-g72-arc: ⌀60.4, 0 to -35.0: T01 turning C 95
-hand-06-g73-three-passes: ⌀58.6, 0 to -35.0: T01 turning C 95
+hand-06-g73-three-passes: ⌀46.6, 0 to -35.0: T01 turning C 95
 hand-07-g74-columns-drill: ⌀66.0, 0 to -35.0: T05 grooving face, T06 drill
 hand-08-g75-columns: ⌀50.0, 0 to -40.0: T02 grooving outside
 hand-09-g76-taper-pullout: ⌀30.6, 0 to -30.0: T03 threading outside
@@ -77,7 +77,7 @@ s002-g121-square-asprinted: ⌀80.0, 0 to -40.0: T01 endmill
 s002-g50-g96: nothing:
 s003-g71: ⌀41.5, 0.2 to -74.8: T00 turning C 95
 s003-g72: ⌀39.1, 0 to -40.0: T00 turning C 95
-s003-g73: ⌀70.5, 0 to -60.0: T00 turning C 95
+s003-g73: ⌀36.5, 1 to -64.0: T00 turning C 95
 s003-g74: ⌀30.0, 0 to -20.0: T00 drill
 s003-g75: ⌀40.0, 30 to -10.0: T00 grooving outside
 s003-g76: ⌀38.8, 0 to -75.0: T00 threading outside
@@ -93,7 +93,7 @@ syn-g76-um: ⌀29.9, 0 to -40.0: T00 threading outside
 syn-g84-tap: ⌀40.0, 0 to -60.0: T05 drill ⌀8.5, T06 tap ⌀10.0
 syn-g90-q1: ⌀115.0 bore 60.0, 0 to -60.0: T00 boring C 95
 syn-g90-q2: ⌀60.0, 0 to -40.0: T00 turning C 95
-syn-g90-q3: ⌀80.0, 30 to -10.0: T00 turning D 93
+syn-g90-q3: ⌀100.0 bore 60.0, 50 to 0.0: T00 boring D 93 tip 1
 syn-g90-q4: ⌀60.0, 30 to -10.0: T00 turning C 95
 syn-g90-r-violation: nothing:
 syn-g92: ⌀30.0, 0 to -35.0: T00 threading outside
