@@ -311,3 +311,32 @@ fn a_program_that_ends_in_a_groove_has_no_bore() {
     let ran = run(&format!("{turned}G1X25.F.05\nZ-39.5\nX18.\nM30\n"));
     ran.check(&[(-10.0, &[(0.0, 18.0)]), (-30.0, &[(0.0, 24.0)])]);
 }
+
+/// A plunge with a dwell at its bottom is one of a grooving tool, also where the tool breaks an edge afterwards: 3 mm wide.
+#[test]
+fn a_plunge_with_a_dwell_is_one_of_a_grooving_tool() {
+    let turned = "O1\nG21G40G99\nT0101\nG97S600M3\nG00X46.Z2.\nX40.\nG01Z-60.F0.2\nX46.\nG00X50.Z60.\n";
+    let groove = "T0202\nS200M3\nG00X42.Z-14.\nG01X36.F0.03\nG04P1000\nG00X42.\nZ-11.\nG01X36.Z-14.F0.1\nG00X50.\nZ60.\nM30\n";
+    run(&format!("{turned}{groove}")).check(&[
+        (-14.1, &[(0.0, 40.0)]),
+        (-12.5, &[(0.0, 36.0)]),
+        (-11.1, &[(0.0, 36.0)]),
+    ]);
+}
+
+/// The passes of G73 come nearer from outside, though its start point is within the largest diameter.
+#[test]
+fn a_pattern_from_outside_is_turned_outside() {
+    let ran = run(
+        "O1\nG21G40G98\nT0101\nM03S1000\nG00X20.Z10.\nG73U9.75W0R5F100\nG73P10Q20U0.5W0\nN10G00X0Z10.\nG01Z0\nX14.\nZ-10.\nX20.Z-20.\nN20G00X40.\nG70P10Q20F50\nG00X60.Z100.\nM30\n",
+    );
+    ran.check(&[(-5.0, &[(0.0, 14.0)]), (-15.0, &[(0.0, 17.0)])]);
+}
+
+/// A tool that only approaches along the outside of the bar and then plunges is a grooving tool of 3 mm.
+#[test]
+fn an_approach_along_the_outside_is_no_contour() {
+    let ran =
+        run("O1\nG21G99\nG50S3000\nT0101\nG97S650M3\nG0X45.Z2.\nG1Z-80.F5.\nX33.F0.2\nG0X60.\nZ50.\nM30\n");
+    ran.check(&[(-81.0, &[(0.0, 45.0)]), (-78.5, &[(0.0, 33.0)]), (-76.0, &[(0.0, 45.0)])]);
+}

@@ -318,8 +318,8 @@ impl<'a> Asked<'a> {
             | DataTip | ReferencePoint | FrameNumber | FinishAfter | Argument => count()?,
             ProgramNumber | SequenceNumber | BlockSkip | Percent | Comment | SetupNote | MacroStatement
             | Variable | InchInput | MetricInput | FeedPerMinute | FeedPerTurn | SpindleForward
-            | SpindleReverse | SpindleStop | LiveTool | LiveToolForward | LiveToolReverse | CoolantOn
-            | CoolantOff | ChuckClamp | ChuckUnclamp | FirstOrientation | SecondOrientation
+            | SpindleReverse | SpindleStop | LiveTool | LiveToolForward | LiveToolReverse | ToolChange
+            | CoolantOn | CoolantOff | ChuckClamp | ChuckUnclamp | FirstOrientation | SecondOrientation
             | TailstockForward | TailstockBack | SynchronousOn | SynchronousOff | ConveyorForward
             | ConveyorStop | InterlockOff | InterlockOn | PlaneXy | PlaneZx | PlaneYz | Absolute
             | Incremental | InitialLevel | RPointLevel | ProgramStop | OptionalStop | CAxisOn | CAxisOff

@@ -34,7 +34,7 @@ roles! {
     InchInput MetricInput FeedPerMinute FeedPerTurn SpindleForward SpindleReverse SpindleStop PlaneXy PlaneZx
     PlaneYz Absolute Incremental InitialLevel RPointLevel ProgramStop OptionalStop CAxisOn CAxisOff PullOutOn PullOutOff
     DataInput DataEnd MacroOnce MacroModal MacroOff WorkFrame UnknownCode
-    CoolantOn CoolantOff ChuckClamp ChuckUnclamp LiveTool LiveToolForward LiveToolReverse FirstOrientation SecondOrientation
+    ToolChange CoolantOn CoolantOff ChuckClamp ChuckUnclamp LiveTool LiveToolForward LiveToolReverse FirstOrientation SecondOrientation
     TailstockForward TailstockBack SynchronousOn SynchronousOff ConveyorForward ConveyorStop InterlockOff InterlockOn
     // Places and ways
     EndX EndZ EndC EndY WayX WayZ WayC WayY ViaX ViaZ ViaC ViaWayX ViaWayZ MachineX MachineZ OriginX OriginZ ShiftX ShiftZ LocalX LocalZ
@@ -71,6 +71,7 @@ impl Role {
             3 => Self::SpindleForward,
             4 => Self::SpindleReverse,
             5 => Self::SpindleStop,
+            6 => Self::ToolChange,
             7 | 8 => Self::CoolantOn,
             9 => Self::CoolantOff,
             10 | 68 => Self::ChuckClamp,

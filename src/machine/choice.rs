@@ -223,6 +223,11 @@ impl Led {
         for motion in cuts() {
             let Some(index) = index_of(&motion) else { continue };
             let way = way_of(&motion);
+            // Along the outside of the blank the tool is in the air.
+            let outside = stock.diameter.radius() - SAME;
+            if facing(&uses[index]) == Facing::Outwards && way.iter().all(|at| at.x >= outside) {
+                continue;
+            }
             tracks[index].add(&way, facing(&uses[index]), &positions);
             let across = (motion.to.z - motion.from.z).abs() <= SAME;
             if across && motion.to.x <= TO_AXIS && motion.from.x > TO_AXIS {

@@ -84,6 +84,10 @@ pub(super) struct ToolUse {
     cuts: u32,
     /// Steps straight into the work that another step follows.
     steps: u32,
+    /// Whether it dwells at the end of a cut straight across the axis.
+    dwells: bool,
+    /// The last pass of G73 and where it begins, radius, mm.
+    pattern: Option<(u32, f64)>,
     /// Cuts towards −Z, and towards +Z that end at a shoulder or climb; and such as go down towards +Z.
     left: u32,
     right: u32,
@@ -133,9 +137,15 @@ impl ToolUse {
     ) -> Vec<Self> {
         let mut seen: Vec<ToolUse> = Vec::new();
         let mut before = None;
-        let moves = evidence.moves().enumerate();
-        let mut moves = moves.filter(|(_, motion)| motion.kind != MotionKind::Dwell).peekable();
+        let mut moves = evidence.moves().enumerate().peekable();
         while let Some((index, motion)) = moves.next() {
+            let mut dwells = false;
+            while moves.next_if(|(_, next)| next.kind == MotionKind::Dwell).is_some() {
+                dwells = true;
+            }
+            if motion.kind == MotionKind::Dwell {
+                continue;
+            }
             let before = before.replace(motion);
             let counts = motion.kind.cuts() && !motion.process.uncertain && !motion.process.still;
             if !counts || Clamping::of(&motion) != clamping {
@@ -152,6 +162,8 @@ impl ToolUse {
                 }
             };
             seen[at].look(&motion, before.as_ref(), moves.peek().map(|(_, next)| next));
+            let across = (motion.to.z - motion.from.z).abs() <= SAME && motion.to.x < motion.from.x - SAME;
+            seen[at].dwells |= dwells && across && motion.to.z < -SAME && motion.to.x > 1.0;
         }
         // The beginning of a contour on the axis, or a facing tool that goes back, is no hole.
         let stations: Vec<u16> =
@@ -193,6 +205,8 @@ impl ToolUse {
             plunges: 0,
             cuts: 0,
             steps: 0,
+            dwells: false,
+            pattern: None,
             left: 0,
             right: 0,
             down: 0,
@@ -223,7 +237,10 @@ impl ToolUse {
         let after_x = next.map_or(0.0, |next| way(next).0);
         // Between tools it goes home, though that is not always seen.
         let own_next = next.filter(|next| next.process.tool == motion.process.tool);
-        self.outside += leaves(motion, self.along, own_next);
+        self.outside += match motion.cycle.filter(|step| step.cycle == Cycle::Pattern) {
+            Some(step) => self.goes_on_in_pattern(step.pass, motion.from.x),
+            None => leaves(motion, self.along, own_next),
+        };
         self.along = if motion.to.z < -SAME { dz } else { 0.0 };
         if dz.abs() > SAME && motion.to.z < -SAME {
             self.turned = self.turned.min(motion.from.x.min(motion.to.x));
@@ -275,6 +292,19 @@ impl ToolUse {
         }
     }
 
+    /// Which side a pass of G73 is on: the passes come nearer to the contour, from outside (1) or from the axis (−1).
+    fn goes_on_in_pattern(&mut self, pass: u32, begins: f64) -> i32 {
+        match self.pattern {
+            Some((last, _)) if last == pass => 0,
+            before => {
+                self.pattern = Some((pass, begins));
+                let moved =
+                    before.filter(|(last, _)| *last < pass).map_or(0.0, |(_, before)| before - begins);
+                if moved.abs() <= SAME { 0 } else { moved.signum() as i32 }
+            }
+        }
+    }
+
     /// Counts a cut straight across the axis that comes back, in one step or in several; between steps the tool
     /// may go back a little at rapid to break the chip.
     fn look_for_plunge(&mut self, motion: &Motion, before: Option<&Motion>, next: Option<&Motion>) {
@@ -316,7 +346,9 @@ impl ToolUse {
                 Tool { kind: Some(ToolKind::Threading), side: Some(side), ..Tool::default() }
             }
             Purpose::Grooving => self.blade(if self.face { Side::Face } else { side }),
-            Purpose::Turning if self.plunges > 0 && self.plunges == self.cuts => self.blade(Side::Outside),
+            Purpose::Turning if self.plunges > 0 && (self.plunges == self.cuts || self.dwells) => {
+                self.blade(Side::Outside)
+            }
             Purpose::Turning => {
                 let kind = if inside { ToolKind::Boring } else { ToolKind::Turning };
                 let slope = self.slopes[usize::from(inside)].to_degrees();

@@ -43,9 +43,10 @@ pub fn read(text: &[u8]) -> BTreeMap<u16, Tool> {
     let mut found: Vec<(Tie, u16, Tool)> = Vec::new();
     let mut above: Vec<Tool> = Vec::new();
     let mut station: Option<u16> = None;
+    let mut has_long = false;
     for block in lexer::blocks(text.as_bytes()) {
         let Line { code, comments } = split(&text[block.start as usize..block.end as usize]);
-        let called = tool_number(&code);
+        let called = tool_number(&code, &mut has_long);
         if called.is_some() {
             station = called;
         }
@@ -159,13 +160,16 @@ fn split(line: &str) -> Line<'_> {
     Line { code, comments }
 }
 
-/// The station of the last T word of three digits or more: shorter ones call no station.
-fn tool_number(code: &[String]) -> Option<u16> {
-    code.iter()
-        .flat_map(|piece| numbers::after_letters(piece, &["T"]))
-        .filter(|digits| digits.len() > 2)
-        .filter_map(station)
-        .last()
+/// The station of the last T word of three digits or more; a shorter one calls a station beside M06, until `has_long`:
+/// a longer one was read.
+fn tool_number(code: &[String], has_long: &mut bool) -> Option<u16> {
+    let all = |letter: &'static [&'static str]| {
+        code.iter().flat_map(move |piece| numbers::after_letters(piece, letter))
+    };
+    *has_long |= all(&["T"]).any(|digits| digits.len() > 2);
+    let changes_tool = all(&["M"]).any(|digits| digits.parse() == Ok(6));
+    let calls = |digits: &&str| digits.len() > 2 || changes_tool && !*has_long;
+    all(&["T"]).filter(calls).filter_map(station).last()
 }
 
 /// The station that a comment itself names: `T0303`, `T7`, `TOOL 3`.
@@ -173,8 +177,13 @@ fn named(comment: &str) -> Option<u16> {
     const WORDS: [&str; 8] =
         ["TOOL", "FERRAMENTA", "HERRAMIENTA", "WERKZEUG", "UTENSILE", "OUTIL", "ИНСТРУМЕНТ", "T"];
     let text = capitals::in_capitals(comment);
-    let found = numbers::after_letters(&text, &WORDS).filter_map(station).next();
-    found.filter(|&number| number > 0)
+    let is_size = |digits: &&str| {
+        let end = digits.as_ptr() as usize - text.as_ptr() as usize + digits.len();
+        let rest = text[end..].trim_start();
+        ["MM", "\"", ".", "IN"].iter().any(|unit| rest.starts_with(unit))
+    };
+    let mut numbers = numbers::after_letters(&text, &WORDS).filter(|digits| !is_size(digits));
+    numbers.find_map(station).filter(|&number| number > 0)
 }
 
 fn station(digits: &str) -> Option<u16> {

@@ -37,7 +37,8 @@ pub fn long_texts() -> Vec<Hostile> {
         case("O1 X1 O2 X1", numbered(|n| format!("O{n}\nX1\n")), "I-NOT-RUN", 3),
         case("O1 M98P1 O2 M98P1", numbered(|n| format!("O{n} M98 P1\n")), "PS0077", 1),
         case("O1 M98P2 O2 M98P3", numbered(|n| format!("O{n} M98 P{}\n", n + 1)), "PS0077", 11),
-        case("O1 M99 O2 M98P1", numbered(|n| format!("O{n} M98 P1 M99\n")), "I-NOT-RUN", 2),
+        // P is that of M99: O1 is a subprogram that comes first, and O2 is run instead of it.
+        case("O1 M99 O2 M98P1", numbered(|n| format!("O{n} M98 P1 M99\n")), "I-NOT-RUN", 3),
         case(
             "O1 M99 and many that call it",
             format!("O1\nM99\n{}", numbered(|n| format!("O{} M98 P1\n", n + 1))),

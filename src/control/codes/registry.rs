@@ -48,7 +48,7 @@ functions! {
     Coordinates { Setting LocalFrame Machine Frame ExtendedFrame Distance CheckHome Home FromHome OtherHome Data }
     Modes { Plane Unit Feed SurfaceSpeed ConstantSpeed Spindle Tool }
     Flow { Pause End Call LocalCall CardCall Return MacroCall ModalMacro Variables If Goto While Output BlockSkip }
-    MachineFunctions { Coolant Chuck LiveTool Orientation ThreadPullOut Tailstock RigidTapping Gear CAxis Synchronous
+    MachineFunctions { ToolChange Coolant Chuck LiveTool Orientation ThreadPullOut Tailstock RigidTapping Gear CAxis Synchronous
         Conveyor Interlock OtherMachine }
     OffStates { StrokeCheck ExactStop SpindleCheck Off }
     NotYet { HighSpeed Skip AutomaticOffset Polygon Mirror OtherInterpolation OtherFeedControl OtherCompensation OtherCoordinates
@@ -341,6 +341,7 @@ static M_CODES: &[MCode] = &[
     m(97, Function::LocalCall, M::LocalCall),
     m(198, Function::CardCall, M::Call),
     m(99, Function::Return, M::Return),
+    m(6, Function::ToolChange, M::Idle),
     m(7, Function::Coolant, M::Idle),
     m(8, Function::Coolant, M::Idle),
     m(9, Function::Coolant, M::Idle),

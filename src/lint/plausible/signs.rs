@@ -34,7 +34,10 @@ impl Program<'_> {
     /// `Z-8`, `Z18`, `Z-24`: a Z without its minus in a row that goes one way with it.
     pub(super) fn lost_minus_in_row(&self) -> Vec<Diagnostic> {
         let mut diagnostics = Vec::new();
-        for (before, word, behind) in self.neighbours(b"ZW") {
+        let other_frame = self.other_frame();
+        for (before, word, behind) in
+            self.neighbours(b"ZW").into_iter().filter(|(_, word, _)| word.block < other_frame)
+        {
             let row = &self.rows[word.block];
             let Some(before) = before else { continue };
             if word.address != b'Z'
@@ -265,6 +268,15 @@ impl Program<'_> {
         (from..to)
             .map(|index| self.motions.glance(index))
             .any(|motion| leads_to(motion.from, motion.to, place))
+    }
+
+    /// The first block of another work coordinate system than the one of the first places: its zero point may be that of
+    /// a sub-spindle.
+    fn other_frame(&self) -> usize {
+        let first_place = self.words.iter().find(|word| word.address == b'Z').map_or(0, |word| word.block);
+        let frames =
+            self.words.iter().filter(|word| word.address == b'G' && (55.0..=59.0).contains(&word.value));
+        frames.map(|word| word.block).find(|&block| block > first_place).unwrap_or(usize::MAX)
     }
 
     /// G55 to G59: the zero point of another spindle may lie elsewhere.

@@ -205,8 +205,12 @@ fn comments_belong_to_tools() {
     check("(GROOVE)\nG0 X40 Z2\nT0101\n", &[]);
     // What is a note of the setup is no prose.
     check("(TOOL T0101 TYPE=TURNING INSERT=CNMG120408)\n", &[]);
-    // Two digits call no station.
+    // Two digits call no station, unless M06 changes the tool and no longer word was read.
     check("T01 (DRILL)\n", &[]);
+    check("T01 M06 (DRILL)\nM6 T3\n(GROOVING TOOL, 4 MM WIDE)\n", &[(1, Drill), (3, Grooving)]);
+    check("T0101\nG0 X40 Z2\nT03 M06 (DRILL)\n", &[]);
+    // A size is no station.
+    check("T0202 (GROOVE TOOL 4MM)\nT0303 (GROOVE TOOL 3 MM)\n", &[(2, Grooving), (3, Grooving)]);
 }
 
 #[test]
