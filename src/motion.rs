@@ -508,6 +508,23 @@ impl Motion {
         self.rotary?.virtual_move
     }
 
+    /// The same cut on the side of +X, where the tool works on the side of −X: the work turns, so it removes the same.
+    /// A facing that goes a little past the axis stays as it is.
+    pub fn on_positive_side(self) -> Motion {
+        const PAST_AXIS: f64 = 2.0;
+        let (from, to) = (self.from, self.to);
+        if from.x + to.x >= 0.0 || from.x.min(to.x) >= -PAST_AXIS {
+            return self;
+        }
+        let over = |at: Point| Point::new(-at.x, at.z);
+        let kind = match self.kind {
+            MotionKind::ArcClockwise => MotionKind::ArcCounterclockwise,
+            MotionKind::ArcCounterclockwise => MotionKind::ArcClockwise,
+            other => other,
+        };
+        Motion { kind, from: over(from), to: over(to), center: self.center.map(over), ..self }
+    }
+
     /// The same motion in the coordinates of the frame of the first cut (workpiece coordinates).
     pub fn on_workpiece(mut self) -> Motion {
         let by = std::mem::take(&mut self.process.zero);

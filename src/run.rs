@@ -540,7 +540,7 @@ impl Run {
     /// The setup as what happens at the machine needs it: with what prose in comments says of the tools. It
     /// is read now, so whoever needs it often keeps it.
     pub fn setup_at_machine(&self) -> Setup {
-        at_machine(self.setup(), &self.text)
+        at_machine(self.setup(), &self.text, self.interpreter.dialect().unit)
     }
 
     /// Motions of all full chunks; all motions once the run has ended.
@@ -594,7 +594,7 @@ impl Run {
         let mut interpreter = self.interpreter;
         let (trace, codes) = (interpreter.take_trace(), interpreter.code_list());
         let diagnostics = if self.finished { self.sorted } else { interpreter.diagnostics().to_vec() };
-        let setup = at_machine(interpreter.setup(), &self.text);
+        let setup = at_machine(interpreter.setup(), &self.text, interpreter.dialect().unit);
         let unit = interpreter.state.unit;
         let motions = interpreter.into_motions();
         let (resolved, decides_decimal) = (OnceLock::new(), self.decided.is_some());
@@ -622,13 +622,15 @@ impl Run {
     /// Begins again, with another program of the text.
     fn restart(&mut self, main: Resume) {
         let setup = self.interpreter.setup().clone();
-        let (system, traced) = (self.interpreter.system(), self.interpreter.has_trace());
+        let (system, unit) = (self.interpreter.system(), self.interpreter.dialect().unit);
+        let traced = self.interpreter.has_trace();
         let mut kept = self.interpreter.take_diagnostics();
         kept.truncate(self.of_setup);
         self.missing = self.missing();
         let before = std::mem::replace(&mut self.interpreter, observed(setup));
         self.interpreter.chronicled_like(before.chronicler());
         self.interpreter.set_system(system);
+        self.interpreter.set_unit(unit);
         if traced {
             self.interpreter.keep_trace();
         }
@@ -821,9 +823,10 @@ fn place_of_end(text: &[u8]) -> (usize, &'static str) {
     place
 }
 
-/// The setup of a run with what prose in comments of its text says of the tools.
-fn at_machine(setup: &Setup, text: &[u8]) -> Setup {
-    Setup { described_tools: tool_words::read(text), ..setup.clone() }
+/// The setup of a run with what prose in comments of its text says of the tools; `unit` is that of the text where no code
+/// names one.
+fn at_machine(setup: &Setup, text: &[u8], unit: Unit) -> Setup {
+    Setup { described_tools: tool_words::read(text, unit), ..setup.clone() }
 }
 
 /// A control at power-on, with the lints that listen to it, once they are loaded, unless the setup switches

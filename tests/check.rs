@@ -101,10 +101,10 @@ fn a_folder_is_searched_for_programs_by_ending_and_by_text() {
     }
     assert_eq!(files(&folder, &["."]), programs);
     let told = err(&folder.check(&["."]));
-    assert!(told.contains("4 files with another ending not checked"), "{told}");
+    assert!(told.contains("4 files left out because of their ending or content"), "{told}");
     assert!(!err(&folder.check(&[".", "--quiet"])).contains("not checked"));
     assert!(!err(&folder.check(&["a.gc"])).contains("not checked"));
-    assert!(err(&folder.check(&[".", "--extension", "gc"])).contains("12 files with another ending"));
+    assert!(err(&folder.check(&[".", "--extension", "gc"])).contains("12 files left out"));
 }
 
 #[test]

@@ -260,6 +260,11 @@ fn both_blocks_of_a_cycle_in_one_block_are_one_fault() {
             slugs(&text).into_iter().filter(|slug| *slug != "not-checked-behind-fault").collect();
         assert_eq!(found, ["cycle-in-one-block"], "{block}");
     }
+    // The second block gets the code of the cycle, wherever it is.
+    let text = format!("{HEAD}G71 G99 U2 R1 P10 Q20 U0.5 W0.1 F0.2\nN10 G00 X40\nG01 Z-20\nN20 X52\nM30\n");
+    let analysis = analyze(text.as_bytes(), &Setup::default());
+    let fixes: Vec<_> = analysis.diagnostics.iter().flat_map(|told| &told.fixes).collect();
+    assert!(format!("{fixes:?}").contains(r#""\nG71 ""#), "{fixes:?}");
     let one_block = "G71 P10 Q20 U0.5 W0.1 D2000 F0.2\nN10 G00 X40\nG01 Z-20\nN20 X52";
     assert!(!slugs(&format!("{HEAD}{one_block}\nM30\n")).contains(&"cycle-in-one-block"));
 }

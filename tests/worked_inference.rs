@@ -340,3 +340,72 @@ fn an_approach_along_the_outside_is_no_contour() {
         run("O1\nG21G99\nG50S3000\nT0101\nG97S650M3\nG0X45.Z2.\nG1Z-80.F5.\nX33.F0.2\nG0X60.\nZ50.\nM30\n");
     ran.check(&[(-81.0, &[(0.0, 45.0)]), (-78.5, &[(0.0, 33.0)]), (-76.0, &[(0.0, 45.0)])]);
 }
+
+/// The work turns: a cut at X-40 removes what one at X40 does. Facing a little past the axis is no such cut.
+#[test]
+fn cuts_on_the_side_of_negative_x_are_removed() {
+    let program = |sign: &str| {
+        format!(
+            "O1\nG21G40G99\nT0101\nG97S800M3\nG00X{sign}55.Z0.\nG01X0.F0.1\nG00Z2.\nX{sign}50.\nG01Z-30.F0.2\nX{sign}55.\nG00Z2.\nX{sign}40.\nG01Z-18.F0.2\nG0{}X{sign}44.Z-20.R2.\nG01X{sign}55.\nG00Z2.\nM30\n",
+            if sign.is_empty() { 2 } else { 3 }
+        )
+    };
+    let expected: &[(f64, &[(f64, f64)])] =
+        &[(-10.0, &[(0.0, 40.0)]), (-20.1, &[(0.0, 50.0)]), (-25.0, &[(0.0, 50.0)]), (-31.0, &[(0.0, 55.0)])];
+    for sign in ["", "-"] {
+        let ran = run(&program(sign));
+        ran.check(expected);
+        assert!(!ran.simulation.finished().expect("a part").radii(-19.0).is_empty());
+    }
+    let past = run(
+        "O1\nG21G40G99\nT0101\nG97S800M3\nG00X52.Z0.\nG01X-1.6F0.1\nG00Z2.\nX50.\nG01Z-30.F0.2\nX52.\nG00Z2.\nX48.\nG01Z-20.\nX52.\nM30\n",
+    );
+    past.check(&[(-10.0, &[(0.0, 48.0)]), (-25.0, &[(0.0, 50.0)])]);
+}
+
+/// A lead of .0625 is 16 threads an inch: no thread is so fine in millimetres.
+#[test]
+fn a_lead_too_fine_for_millimetres_shows_inches() {
+    for head in ["(NAT#1 THREADING)\nG50S1500\n", "O0066(SCREW)\nG99G18\n"] {
+        let ran = run(&format!(
+            "{head}T0303\nG97S800M3\nG0X1.0Z0.2\nG76P010060Q50R0.002\nG76X0.9Z-0.8P500Q50F0.0625\nG0X2.0Z1.0\nM30\n"
+        ));
+        assert!(ran.told.contains(&"inches-concluded"), "{:?}", ran.told);
+    }
+    let millimetres = run("O1\nT0303\nG97S800M3\nG0X8.Z2.\nG92X5.5Z-8.F0.5\nX5.2\nG0X20.\nM30\n");
+    assert!(!millimetres.told.contains(&"inches-concluded"));
+}
+
+/// A single pass to which the tool comes at rapid takes 1 mm off the bar.
+#[test]
+fn a_single_pass_is_seen() {
+    run("O1001\nG99G21G40\nT0202\nG97S220M03\nG00X80.0Z2.0\nG01Z-12.0F0.20\nG00X100.0\nM30\n")
+        .check(&[(-5.0, &[(0.0, 80.0)]), (-13.0, &[(0.0, 82.0)])]);
+}
+
+/// The unit holds where the run begins again with the program that calls the first one.
+#[test]
+fn the_unit_holds_where_a_run_begins_again() {
+    let ran = run(
+        "O0002(GROOVE)\nG01U-.1F.005\nU.1\nM99\nO0001(PIN 1/2 IN)\nT0101\nG97G99S800M3\nG0X.7Z.1\nG1Z-1.F.008\nX.8\nG0Z.1\nX.6\nG1Z-.5\nX.8\nM98P0002\nM30\n",
+    );
+    ran.check(&[(-5.0, &[(0.0, 0.6 * 25.4)])]);
+}
+
+/// Comments that name no size in inches: pages, operations, dates, prose. A long word costs no time.
+#[test]
+fn comments_without_inches() {
+    let program =
+        |comment: &str| format!("O1 ({comment})\nT0101\nG97G99S3000M3\nG0X8.5Z1.\nG1Z-12.F.02\nX9.\nM30\n");
+    for comment in ["OP 1/2", "TOOL 1 IN USE", "2/3", "1/12/26", "PAGE 1/4", "FINISH"] {
+        let ran = run(&program(comment));
+        assert!(!ran.told.contains(&"inches-concluded"), "{comment}");
+    }
+    for comment in ["1/2 IN", "3/8-16 UNC", "1/32R", "5 IN BAR", "ALL IN INCHES", "DIA .5\""] {
+        let ran = run(&program(comment));
+        assert!(ran.told.contains(&"inches-concluded"), "{comment}");
+    }
+    let begun = std::time::Instant::now();
+    run(&program(&"I".repeat(1_000_000)));
+    assert!(begun.elapsed().as_secs() < 10);
+}

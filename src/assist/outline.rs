@@ -157,7 +157,11 @@ impl Outlining<'_> {
 
     /// What a block is called in the words of the programmer.
     fn comment_of(&self, block: &Block) -> Option<Span> {
-        let is_note = |comment: &Span| self.notes.iter().any(|note| comment.contains(*note));
+        // Both are in the order of the text.
+        let is_note = |comment: &Span| {
+            let next = self.notes.partition_point(|note| note.start < comment.start);
+            self.notes.get(next).is_some_and(|note| comment.contains(*note))
+        };
         block.comments.iter().find(|comment| !is_note(comment)).copied()
     }
 

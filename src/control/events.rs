@@ -256,8 +256,8 @@ pub enum Event<'a> {
     CutWithoutFeed { block: &'a Block },
     /// A move at rapid.
     Rapid,
-    /// A block has words that the control ignores, those of the letters of `unread`; `code` would have read
-    /// them, where the block has such a code.
+    /// A block has words that the control ignores, those of the letters of `unread`. `code`: the code that the
+    /// block carries out, which does not read them; `None` where it has no such code.
     UnreadWords { block: &'a Block, words: &'a Words<'a>, unread: u32, code: Option<&'static str> },
     /// G04 waits, s.
     Dwell { words: &'a Words<'a>, seconds: f64 },

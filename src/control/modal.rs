@@ -298,6 +298,8 @@ pub struct Spindle {
     pub still: bool,
     /// M05 stopped it after M03 or M04.
     pub is_stopped: bool,
+    /// An M code of the machine's own has run since M05: it may turn a spindle or a tool.
+    pub may_turn: bool,
     /// M19 holds it at an angle until M03, M04 or M05.
     pub is_held: bool,
     /// A live tool turns.
@@ -311,7 +313,7 @@ impl Spindle {
     /// Whether M05 or M19 stopped it, and nothing is known to turn a tool.
     fn is_still(&self) -> bool {
         let is_stopped = self.is_stopped || self.is_held && self.turn != SpindleTurn::Stopped;
-        is_stopped && !self.live_tool && !self.by_maker
+        is_stopped && !self.live_tool && !self.by_maker && !self.may_turn
     }
 
     /// The same, no faster than the machine turns, rpm. `None` at the axis without any limit.
@@ -516,6 +518,7 @@ impl State {
                 turn: SpindleTurn::Stopped,
                 still: false,
                 is_stopped: false,
+                may_turn: false,
                 is_held: false,
                 live_tool: false,
                 by_maker: false,

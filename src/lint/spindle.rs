@@ -250,6 +250,7 @@ impl Spindle {
     pub fn speed_mode(&mut self, surface: bool, block: &Block, words: &Words, at: &Moment) {
         let spindle = &at.state.spindle;
         let speed_given = words.get(b'S').is_some();
+        self.kept = None;
         if !surface {
             self.unclamped = None;
             if spindle.surface && !speed_given {

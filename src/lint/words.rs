@@ -13,7 +13,7 @@ use crate::source::shift::Shift;
 use crate::text::block::{Block, Word};
 
 /// The first of the words that the control ignores, those of the letters of `unread`: one fault, one message,
-/// for P and Q mostly belong together. `code`: the code of the block that would have read them.
+/// for P and Q mostly belong together. `code`: the code that the block carries out, which does not read them.
 pub fn unread(
     block: &Block,
     words: &Words,

@@ -78,7 +78,7 @@ struct Reach {
     high: f64,
     /// Maximum Z of a cut across the face, and of a rounding that begins on the axis.
     faced: f64,
-    /// Least radius of a feed along Z at negative Z.
+    /// Least radius of cuts at negative Z; threads, and faces that are cut to the axis, do not count.
     turned: f64,
     /// Greatest radius from which a feed across the axis goes in.
     approach: f64,
@@ -113,10 +113,13 @@ impl Reach {
         if motion.center.is_some() && from.x.abs() <= SAME && to.z < from.z {
             self.faced = self.faced.max(from.z);
         }
-        match (from.z - to.z).abs() > SAME {
-            true if from.z.min(to.z) < -SAME => self.turned = self.turned.min(from.x.min(to.x)),
-            false if to.x < from.x - SAME => self.approach = self.approach.max(from.x),
-            _ => {}
+        let (along, goes_in) = ((from.z - to.z).abs() > SAME, to.x < from.x - SAME);
+        let is_face = !along && from.x.min(to.x) <= 1.0;
+        if from.z.min(to.z) < -SAME && motion.kind != MotionKind::Thread && !is_face {
+            self.turned = self.turned.min(from.x.min(to.x));
+        }
+        if !along && goes_in {
+            self.approach = self.approach.max(from.x);
         }
         // On its way out of the thread the tool is in the air.
         if let Some((Cycle::Threading | Cycle::MultiThreading, Step::PullOut)) = step {
@@ -222,6 +225,8 @@ pub struct Cuts {
     face_grooves: Reach,
     /// On the spindle axis.
     holes: Reach,
+    /// Something is milled, of which the blank shows nothing.
+    is_milled: bool,
     /// Z of a full face at negative Z that an insert cuts before anything else.
     first_face: Option<f64>,
 }
@@ -241,7 +246,10 @@ impl Cuts {
         let side = tool.working_side();
         let cuts = match (tool.kind.unwrap_or(ToolKind::Turning), side) {
             // It turns itself, and nothing of the profile.
-            (ToolKind::Endmill, _) => return,
+            (ToolKind::Endmill, _) => {
+                self.is_milled = true;
+                return;
+            }
             (ToolKind::Drill | ToolKind::Tap, _) => &mut self.holes,
             (ToolKind::Boring, _) | (ToolKind::Grooving | ToolKind::Threading, Side::Inside) => {
                 &mut self.inside
@@ -281,10 +289,12 @@ impl Cuts {
             _ if self.face_grooves.is_empty() => DRILLED,
             _ => 0.0,
         };
-        // One pass alone would remove nothing: the tool was at the outside of the bar before it.
+        // One pass alone would remove nothing. Before it the tool was at the outside of the bar, or came at rapid.
         let Reach { turned, approach, .. } = self.outside;
-        let is_one_pass = turned.is_finite() && turned >= radius - SAME && approach > radius + SAME;
-        let radius = if is_one_pass { (approach - CLEAR).max((approach + radius) / 2.0) } else { radius };
+        let others = !self.grooves.is_empty() || self.is_milled;
+        let is_one_pass = turned.is_finite() && turned >= radius - SAME && !others;
+        let outside = if approach > radius + SAME { approach - CLEAR } else { radius + CLEAR };
+        let radius = if is_one_pass { outside.max((approach + radius) / 2.0) } else { radius };
         // The outermost groove in the face has an outer wall too.
         let ringed = self.face_grooves.radius + BLADE;
         let radius = if self.face_grooves.is_empty() || radius > ringed { radius } else { ringed + FLANK };

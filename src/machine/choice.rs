@@ -91,8 +91,7 @@ pub(super) fn decide(
     unknown
 }
 
-/// Gives the inserts that turn within a recess of the face edges that stay within it: what stands outside of the
-/// recess is no work of theirs.
+/// Shortens the edges of inserts that turn within a face recess, so that they do not cut its outer wall.
 fn keep_within_recesses(uses: &[ToolUse], stock: &Stock, tools: &mut [&mut Tool]) {
     let is_face = |tool: &Tool| tool.kind == Some(ToolKind::Grooving) && tool.side == Some(Side::Face);
     let recesses = uses.iter().zip(&*tools).filter(|(_, tool)| is_face(tool));

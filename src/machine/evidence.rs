@@ -8,10 +8,10 @@ use crate::limits::INFERRED_FROM;
 use crate::motion::{CycleFamily, Motion, MotionKind, Motions, Step};
 use crate::setup::{Stock, Tool};
 
-/// Longer cuts towards −Z are no approach, mm.
+/// A cut towards −Z that is longer than this is not an approach, mm.
 const APPROACH: f64 = 2.0;
 
-/// Cuts begin no further in front of the face, mm.
+/// Cuts begin at most this far in front of the face, mm.
 const IN_FRONT: f64 = 5.0;
 
 /// How far into the work a cut must go, mm.
@@ -36,13 +36,13 @@ impl<'a> Evidence<'a> {
     /// The motions.
     pub fn moves(&self) -> impl Iterator<Item = Motion> + 'a {
         let is_mirrored = self.is_mirrored;
-        let moves = self.motions.on_workpiece().take(INFERRED_FROM);
+        let moves = self.motions.on_workpiece().take(INFERRED_FROM).map(Motion::on_positive_side);
         moves.map(move |motion| if is_mirrored { mirrored(motion) } else { motion })
     }
 
     /// Whether all cuts begin at the face or in front of it on the side of −Z, and go towards +Z into the work: the
     /// second side of a part, in a sub-spindle or with the part turned around. The tools come from the side of −Z,
-    /// or stand at Z0 in the bore.
+    /// or begin at Z0 in the bore.
     fn is_towards_positive_z(&self) -> bool {
         let (mut goes_in, mut clears, mut faces, mut bores) = (false, false, false, false);
         for motion in self.moves() {

@@ -12,7 +12,7 @@ use crate::setup::Side;
 
 /// How far corners may lie off the line or circle of their feature, mm: chords, and the nose's own chords.
 const OFF: f64 = 0.006;
-/// How far a corner may be off: farther than the edges that meet there, mm.
+/// How far a corner may be off, mm; more than an edge, because the errors of two edges add up.
 const OFF_CORNER: f64 = 0.01;
 /// A circle that fits fewer chords than this is none.
 const LEAST_CHORDS: usize = 4;
@@ -70,8 +70,8 @@ impl Feature {
         [self.corners.first(), self.corners.last()].map(|end| end.copied().unwrap_or_default())
     }
 
-    /// The feature with its sizes as the program states them: where an end is beside a programmed point, X or Z by no more
-    /// than the part is off, it is there.
+    /// The feature with its sizes as the program states them: an end whose X or Z is within `OFF` of a programmed one takes
+    /// that value.
     pub fn as_programmed(mut self, motions: &Motions) -> Self {
         if motions.len() > MOST_MOTIONS {
             return self;
@@ -92,11 +92,13 @@ impl Feature {
                 }
             }
         }
+        let is_stated = ends.iter().all(|end| end.point.is_some());
         let [from, to] = ends.map(Stated::place);
         match &mut self.shape {
             Shape::Thread { minor, major, .. } => [*minor, *major] = diameters.map(|stated| stated.x.0),
-            Shape::Taper { .. } => self.shape = taper(from, to),
-            Shape::Cylinder | Shape::Face | Shape::Arc { .. } => {}
+            // The nose moves the ends of a taper along it, and its angle is that of the program.
+            Shape::Taper { .. } if is_stated => self.shape = taper(from, to),
+            Shape::Taper { .. } | Shape::Cylinder | Shape::Face | Shape::Arc { .. } => {}
         }
         if let [first, .., last] = &mut self.corners[..] {
             [*first, *last] = [from, to];

@@ -73,7 +73,8 @@ impl InferredSetup {
         let mut inferred = Self { tools, unknown, stock: blank };
         // No material is removed there: for these the first tool will do.
         if motions.cuts_elsewhere().is_some() {
-            for other in tools_of(&ToolUse::all(&evidence, described_tools, stock, Clamping::Other)) {
+            for mut other in tools_of(&ToolUse::all(&evidence, described_tools, stock, Clamping::Other)) {
+                evidence.tool(&mut other.2);
                 if inferred.tools.iter().all(|own| (own.0, own.1) != (other.0, other.1)) {
                     inferred.tools.push(other);
                 }

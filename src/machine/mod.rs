@@ -172,7 +172,7 @@ impl SimulationResult {
                 self.watch.finish();
                 return true;
             }
-            let motion = motions.get_on_workpiece(index);
+            let motion = motions.get_on_workpiece(index).on_positive_side();
             self.detector.check_motion(index, &motion, &self.resolved, part);
             let block = || motions.span(index).start;
             self.watch.check_motion(index, &motion, block, &self.resolved, part);

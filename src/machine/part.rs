@@ -172,7 +172,7 @@ impl Part {
         let count = count.min(self.done);
         let Kept { done: from, mut turned, mut region } = self.near(count);
         let mut outlines: Vec<Vec<Point>> = Vec::new();
-        for motion in (from..count).map(|index| motions.get_on_workpiece(index)) {
+        for motion in (from..count).map(|index| motions.get_on_workpiece(index).on_positive_side()) {
             let tool = resolved.tool(&motion);
             outlines.extend(cut(&motion, &turned, tool));
             turned = turned.after(&motion, tool);
@@ -180,7 +180,7 @@ impl Part {
         region.cut(&outlines);
         self.last.replace(Some(Kept { done: count, turned: turned.clone(), region: region.clone() }));
         if count < motions.len() && count < self.done && share > 0.0 {
-            let motion = motions.get_on_workpiece(count);
+            let motion = motions.get_on_workpiece(count).on_positive_side();
             region.cut(&cut_so_far(&motion, share, &turned, resolved.tool(&motion)));
         }
         region

@@ -20,7 +20,7 @@ const MOST_USES: usize = 300;
 /// A shorter way back along +Z only clears the bottom of a groove, mm.
 const SHORT: f64 = 2.0;
 
-/// What stands between two columns of pecks is a ridge up to here, mm; a wider one is a land between two grooves.
+/// Material up to this width between two columns of pecks is a ridge; wider material is a land between two grooves, mm.
 const RIDGE: f64 = 1.0;
 
 /// A rapid that moves less across the axis than this share of its way along it does not leave the work.

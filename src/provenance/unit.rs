@@ -28,8 +28,11 @@ const FASTEST_CUT: f64 = 600.0;
 /// A cutting speed so many times as high as the speed limit of the spindle allows is none in metres a minute.
 const BEYOND_LIMIT: f64 = 5.0;
 
+/// A lead finer than this is none in millimetres.
+const FINEST: f64 = 0.2;
+
 /// Least weight of the signs.
-const ENOUGH: usize = 2;
+const ENOUGH: usize = 3;
 
 /// What the numbers and remarks of a program show of its unit.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -48,6 +51,8 @@ pub struct UnitEvidence {
     remark: Option<Span>,
     /// A coordinate or a lead with four decimals or more.
     fine: Option<Span>,
+    /// A lead that is too fine for millimetres.
+    lead: Option<Span>,
     /// The highest cutting speed of 200 or more.
     feet: Option<(f64, Span)>,
     /// The highest speed limit of G50 or G92, rpm.
@@ -96,6 +101,8 @@ impl UnitEvidence {
                 // Without a point 10 mm, or a thousandth of an inch.
                 b'X' | b'Z' => self.excluded |= (LARGEST[0]..100.0).contains(&value),
                 b'F' | b'E' if threads => {
+                    let is_too_fine = number.has_point() && value > 0.0 && value < FINEST;
+                    self.lead = self.lead.or(is_too_fine.then_some(word.span));
                     self.excluded |= value >= COARSEST;
                     self.fine = self.fine.or(is_fine.then_some(word.span));
                 }
@@ -125,33 +132,59 @@ impl UnitEvidence {
         let feet = self.feet.filter(|&feet| of_feet(feet) > 0);
         let weight = 2 * usize::from(self.remark.is_some())
             + 2 * usize::from(self.fine.is_some())
+            + 3 * usize::from(self.lead.is_some())
             + feet.map_or(0, of_feet)
             + usize::from(self.has_feed);
-        let found = self.fine.or(self.remark).or(feet.map(|feet| feet.1))?;
-        (!self.excluded && self.pointed > 0 && self.has_feed && weight > ENOUGH).then_some(found)
+        let found = self.fine.or(self.lead).or(self.remark).or(feet.map(|feet| feet.1))?;
+        let cuts = self.has_feed || self.lead.is_some();
+        (!self.excluded && self.pointed > 0 && cuts && weight >= ENOUGH).then_some(found)
     }
 }
 
-/// Whether a remark names inches: `1/2 IN`, `3/8"`, `INCH`, `1/32R`.
+/// Whether a remark names inches: `1/2 IN`, `3/8"`, `3/8-16`, `1/32R`, `.5 IN DIA`, `INCH`.
 fn names_inches(remark: &[u8]) -> bool {
-    let is_letter = |at: usize| remark.get(at).is_some_and(u8::is_ascii_alphabetic);
-    let is_digit = |at: usize| remark.get(at).is_some_and(u8::is_ascii_digit);
+    let byte = |at: usize| remark.get(at).copied().unwrap_or(b')');
+    let begins = |at: usize| at == 0 || !byte(at - 1).is_ascii_alphanumeric();
+    let is_behind_number = |at: usize| {
+        let gap = at > 0 && byte(at - 1) == b' ';
+        at > usize::from(gap) && byte(at - 1 - usize::from(gap)).is_ascii_digit()
+    };
     (0..remark.len()).any(|at| match remark[at] {
-        b'"' => at > 0 && is_digit(at - 1),
-        // Halves to sixty-fourths: other fractions are dates, quantities and pages.
-        b'/' => {
-            let parts = [&b"2"[..], b"4", b"8", b"16", b"32", b"64"];
-            let digits = remark[at + 1..].iter().take_while(|byte| byte.is_ascii_digit()).count();
-            at > 0 && is_digit(at - 1) && parts.contains(&&remark[at + 1..at + 1 + digits])
-        }
+        b'"' => at > 0 && byte(at - 1).is_ascii_digit(),
+        b'/' => at > 0 && byte(at - 1).is_ascii_digit() && is_fraction(&remark[at + 1..]),
         b'I' | b'i' => {
-            let word = remark[at..].iter().take_while(|byte| byte.is_ascii_alphabetic()).count();
-            let name = remark[at..at + word].to_ascii_uppercase();
-            let begins = at == 0 || !is_letter(at - 1);
-            let behind_number =
-                remark[..at].iter().rev().find(|byte| **byte != b' ').is_some_and(u8::is_ascii_digit);
-            begins && (matches!(&name[..], b"INCH" | b"INCHES") || name == b"IN" && behind_number)
+            let rest = &remark[at..];
+            let is = |name: &[u8]| {
+                let ends = !rest.get(name.len()).is_some_and(u8::is_ascii_alphanumeric);
+                ends && rest.get(..name.len()).is_some_and(|own| own.eq_ignore_ascii_case(name))
+            };
+            let named = begins(at) && (is(b"INCH") || is(b"INCHES"));
+            named || is(b"IN") && is_behind_number(at) && is_size(&rest[2..])
         }
         _ => false,
     })
+}
+
+/// Whether the denominator of an inch size follows the stroke: of halves to sixty-fourths, with a unit, the pitch of a thread or
+/// R for a radius after it. Other fractions are dates, pages and operations.
+fn is_fraction(rest: &[u8]) -> bool {
+    let digits = rest.iter().take_while(|byte| byte.is_ascii_digit()).count();
+    let is_denominator = [&b"2"[..], b"4", b"8", b"16", b"32", b"64"].contains(&&rest[..digits]);
+    let after = rest[digits..].trim_ascii_start();
+    let follows = match after {
+        [b'"', ..] => true,
+        [b'-', digit, ..] => digit.is_ascii_digit(),
+        [b'R' | b'r', end, ..] => !end.is_ascii_alphanumeric(),
+        [b'I' | b'i', b'N' | b'n', rest @ ..] => is_size(rest),
+        _ => false,
+    };
+    is_denominator && follows
+}
+
+/// Whether `IN` is the unit of a size, by what follows it: the end of the remark, or what has the size.
+fn is_size(after: &[u8]) -> bool {
+    const THINGS: [&[u8]; 9] = [b"DIA", b"BAR", b"DRILL", b"STOCK", b"OD", b"ID", b"LONG", b"ROUND", b"X"];
+    let after = after.trim_ascii_start();
+    let begins = |thing: &&[u8]| after.get(..thing.len()).is_some_and(|own| own.eq_ignore_ascii_case(thing));
+    matches!(after.first(), None | Some(b')' | b',' | b';' | b'.')) || THINGS.iter().any(begins)
 }

@@ -17,6 +17,7 @@ use crate::control::origins::{Chronicle, Origins};
 use crate::control::program::Labels;
 use crate::text::block::Block;
 use crate::text::parser::{Parser, Resume};
+use crate::units::Unit;
 
 /// The control between two blocks.
 #[derive(Clone, Debug)]
@@ -183,6 +184,10 @@ impl Run {
         };
         if let Some((system, _)) = self.recognised.system {
             run.interpreter.set_system(system);
+        }
+        // A snapshot has its own.
+        if checkpoint.is_none() && self.recognised.inches.is_some() {
+            run.interpreter.set_unit(Unit::Inch);
         }
         if checkpoint.is_none()
             && let Some(number) = self.setup().program

@@ -16,8 +16,7 @@ use std::collections::BTreeMap;
 use super::notes::HEAD;
 use super::{Side, Tool, ToolKind};
 use crate::text::lexer;
-use crate::units::Diameter;
-use numbers::Unit;
+use crate::units::{Diameter, Unit};
 
 /// How well a comment is tied to a tool.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -32,14 +31,15 @@ enum Tie {
     Named,
 }
 
-/// What the comments at the head of a text say of the tools, by turret station.
-pub fn read(text: &[u8]) -> BTreeMap<u16, Tool> {
+/// What the comments at the head of a text say of the tools, by turret station. `unit` is that of sizes where no code of the
+/// text names one.
+pub fn read(text: &[u8], unit: Unit) -> BTreeMap<u16, Tool> {
     let head = &text[..text.len().min(HEAD)];
     if memchr::memchr(b'(', head).is_none() {
         return BTreeMap::new();
     }
     let text = &*String::from_utf8_lossy(head);
-    let unit = numbers::unit_of(text);
+    let unit = numbers::unit_of(text).unwrap_or(unit);
     let mut found: Vec<(Tie, u16, Tool)> = Vec::new();
     let mut above: Vec<Tool> = Vec::new();
     let mut station: Option<u16> = None;
@@ -180,7 +180,12 @@ fn named(comment: &str) -> Option<u16> {
     let is_size = |digits: &&str| {
         let end = digits.as_ptr() as usize - text.as_ptr() as usize + digits.len();
         let rest = text[end..].trim_start();
-        ["MM", "\"", ".", "IN"].iter().any(|unit| rest.starts_with(unit))
+        let is_unit = |unit: &&str| {
+            rest.strip_prefix(*unit).is_some_and(|after| !after.starts_with(char::is_alphanumeric))
+        };
+        let has_fraction =
+            rest.strip_prefix('.').is_some_and(|after| after.starts_with(|c: char| c.is_ascii_digit()));
+        rest.starts_with('"') || has_fraction || ["MM", "IN", "INCH"].iter().any(is_unit)
     };
     let mut numbers = numbers::after_letters(&text, &WORDS).filter(|digits| !is_size(digits));
     numbers.find_map(station).filter(|&number| number > 0)

@@ -257,7 +257,9 @@ impl Job<'_> {
         }
         if found.left_out > 0 && !self.check.markdown && !self.check.quiet {
             let files = super::counted(found.left_out, "file");
-            say(format_args!("{NAME}: {files} with another ending not checked; `--extension` names others"));
+            say(format_args!(
+                "{NAME}: {files} left out because of their ending or content; `--extension` chooses others"
+            ));
         }
         if self.check.markdown && !self.check.quiet {
             say(format_args!("{NAME}: {}", reports::programs_of_pages(&counts)));

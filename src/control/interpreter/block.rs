@@ -105,6 +105,7 @@ impl Interpreter {
         }
         self.set_feed_speed_tool(text, block, &request, &words);
         request.wall = if request.ends_compensation { self.wall_of(&words) } else { None };
+        self.state.spindle.may_turn |= request.maker_m;
         self.state.spindle.by_maker |= request.maker_m && words.has_any(letters(b"SP"));
         if self.trace.is_some() {
             keep_process(self);
@@ -158,6 +159,7 @@ impl Interpreter {
             self.state.spindle.is_held = false;
             self.state.spindle.live_tool = false;
             self.state.spindle.by_maker = false;
+            self.state.spindle.may_turn = false;
         }
         if request.quill_comes {
             self.state.quill = Quill::Forward;
@@ -377,7 +379,6 @@ impl Interpreter {
     }
 }
 
-/// The block as it is when the slash within it counts.
 /// The block with the second axis of polar interpolation named as FANUC does: C, and H for increments.
 fn with_c(block: &Block) -> Block {
     let mut own = block.clone();
@@ -391,6 +392,7 @@ fn with_c(block: &Block) -> Block {
     own
 }
 
+/// The block as it is when the slash within it counts.
 fn without_optional(block: &Block) -> Block {
     let mut rest = block.clone();
     if let Some((first, _)) = rest.optional.take() {

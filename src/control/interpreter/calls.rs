@@ -207,7 +207,8 @@ impl Interpreter {
         let Some(call) = self.state.call_stack.calls.last_mut() else {
             let behind = |at: &Resume| at.byte > block.span.start;
             return match named.map(|sequence| (sequence, self.sequence(text, block, sequence))) {
-                // Ahead is a jump like any other; a block of the program that calls this one is not.
+                // A sequence number further on is a jump like any other, unless this program is a subprogram: then the number
+                // belongs to its caller.
                 Some((sequence, at)) if at.as_ref().map_or(!self.is_subprogram(text, block), behind) => {
                     self.go_to(text, block, sequence, words.span(b'P'))
                 }
@@ -269,7 +270,7 @@ impl Interpreter {
         self.lose_program();
     }
 
-    /// The program that calls the one of a block, which was begun as the main program because it comes first.
+    /// The program that calls the program of a block. The run began with the latter only because it is first in the text.
     fn caller_of(&mut self, text: &[u8], block: &Block) -> Option<Resume> {
         // Elsewhere: where to begin was decided already, by the setup or by this very search.
         if self.program.begun_elsewhere {

@@ -350,6 +350,7 @@ impl Interpreter {
 
     /// Reads the program in another unit, until a code names one.
     pub fn set_unit(&mut self, unit: Unit) {
+        self.dialect.unit = unit;
         self.state.unit = unit;
     }
 

@@ -88,7 +88,13 @@ impl Interpreter {
         let Some(begins) = begins else {
             return duplicates.into_iter().for_each(|duplicate| self.report(duplicate));
         };
-        let is_cycle = |word: &&Word| word.address == b'G' && word.span.start < begins.span.start;
+        let list = self.dialect.code_list();
+        let is_cycle = |word: &&Word| {
+            let Value::Number { number, .. } = word.value else { return false };
+            let code =
+                number.tenths().filter(|_| word.address == b'G').and_then(|key| codes::g_code(key, list));
+            code.is_some_and(|found| found.code == G::Multiple(cycle)) && word.span.start < begins.span.start
+        };
         let code = block.words.iter().rfind(is_cycle).map(|word| quote(text, word.span));
         let fix = code.map(|code| Fix::insert(begins.span.start, format!("\n{code} ")));
         let message = said::CycleInOneBlock { code: cycle.cycle().code() };

@@ -3,23 +3,7 @@
 //! In: a comment in capitals and the unit of the program. Out: millimetres. What has a
 //! unit of its own has that.
 
-/// What a program measures lengths in.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Unit {
-    /// Millimetres.
-    Millimetre,
-    /// Inches.
-    Inch,
-}
-
-impl Unit {
-    fn millimetres(self) -> f64 {
-        match self {
-            Self::Millimetre => 1.0,
-            Self::Inch => 25.4,
-        }
-    }
-}
+use crate::units::Unit;
 
 /// A number with what stands around it.
 #[derive(Clone, Copy, Debug)]
@@ -61,8 +45,8 @@ const DRILLS: [&str; 16] = [
     "钻",
 ];
 
-/// Inches where the first of G20 and G21 in a text is G20.
-pub fn unit_of(text: &str) -> Unit {
+/// The unit that the first G20 or G21 of a text names.
+pub fn unit_of(text: &str) -> Option<Unit> {
     let mut at = 0;
     let bytes = text.as_bytes();
     while let Some(found) = bytes[at..].iter().position(|byte| matches!(byte, b'G' | b'g' | b'(')) {
@@ -74,12 +58,16 @@ pub fn unit_of(text: &str) -> Unit {
         }
         let digits = &bytes[at + 1..bytes.len().min(at + 4)];
         match digits {
-            [b'2', b'0', rest @ ..] if !rest.first().is_some_and(u8::is_ascii_digit) => return Unit::Inch,
-            [b'2', b'1', rest @ ..] if !rest.first().is_some_and(u8::is_ascii_digit) => break,
+            [b'2', b'0', rest @ ..] if !rest.first().is_some_and(u8::is_ascii_digit) => {
+                return Some(Unit::Inch);
+            }
+            [b'2', b'1', rest @ ..] if !rest.first().is_some_and(u8::is_ascii_digit) => {
+                return Some(Unit::Millimetre);
+            }
             _ => at += 1,
         }
     }
-    Unit::Millimetre
+    None
 }
 
 /// `CR:.016`, `R0.8`, `.031 TNR`.

@@ -184,14 +184,16 @@ fn a_number_glued_to_the_name_of_a_tool_is_a_counter() {
 
 /// Station and kind of each tool.
 fn check(text: &str, expected: &[(u16, ToolKind)]) {
-    let found: Vec<_> =
-        read(text.as_bytes()).into_iter().filter_map(|(station, tool)| Some((station, tool.kind?))).collect();
+    let found: Vec<_> = read(text.as_bytes(), Unit::Millimetre)
+        .into_iter()
+        .filter_map(|(station, tool)| Some((station, tool.kind?)))
+        .collect();
     assert_eq!(found, expected, "{text}");
 }
 
 #[test]
 fn comments_belong_to_tools() {
-    use ToolKind::{Drill, Grooving, Threading, Turning};
+    use ToolKind::{Boring, Drill, Grooving, Threading, Turning};
     check("T0303 (GROOVE W=3)\nG0 X40", &[(3, Grooving)]);
     check("N3T0505(ROSCA)\n", &[(5, Threading)]);
     check("(T0404 - ROSCA EXTERNA G76)\n(T07007 DRILL)\nG0 X1\n", &[(4, Threading), (7, Drill)]);
@@ -209,13 +211,15 @@ fn comments_belong_to_tools() {
     check("T01 (DRILL)\n", &[]);
     check("T01 M06 (DRILL)\nM6 T3\n(GROOVING TOOL, 4 MM WIDE)\n", &[(1, Drill), (3, Grooving)]);
     check("T0101\nG0 X40 Z2\nT03 M06 (DRILL)\n", &[]);
+    check("(TOOL 3 INSIDE BORING BAR)\nT0101\nG0 X1\n", &[(3, Boring)]);
+    check("(TOOL 2. DRILL 8 MM)\nT0101\nG0 X1\n", &[(2, Drill)]);
     // A size is no station.
     check("T0202 (GROOVE TOOL 4MM)\nT0303 (GROOVE TOOL 3 MM)\n", &[(2, Grooving), (3, Grooving)]);
 }
 
 #[test]
 fn the_unit_is_that_of_the_program() {
-    let width = |text: &str| read(text.as_bytes())[&3].width;
+    let width = |text: &str| read(text.as_bytes(), Unit::Millimetre)[&3].width;
     assert_eq!(width("(G21)\nG20\nT0303 (GROOVE W.1)"), Some(2.54));
     assert_eq!(width("G21 T0303 (GROOVE W3)"), Some(3.0));
     assert_eq!(width("G200 T0303 (GROOVE W3)"), Some(3.0));

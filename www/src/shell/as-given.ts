@@ -16,6 +16,7 @@ export function strokeAsGiven(stroke: Stroke, program: Program): Stroke {
 
 /** The messages of a run, with their fixes. */
 export function diagnosticsAsGiven(diagnostics: readonly Diagnostic[], program: Program): readonly Diagnostic[] {
+  if (diagnostics.length === 0) return diagnostics;
   const offset = offsetsInFile(program.lineEnds, () => program.text);
   const { most } = program.lineEnds;
   return diagnostics.map((found) => placed(offset, {

@@ -107,7 +107,6 @@ export class PlaygroundShell implements Shell {
   #isIdle = false;
   /** The editor is there, or is being loaded. */
   #editorAsked = false;
-  /** The page around has said in this turn how the program is run: that is for a text it puts in as well. */
   /** Why the setup could not even be sent. */
   #setupUnreadable: string | undefined;
 
