@@ -516,13 +516,17 @@ impl Motion {
         if from.x + to.x >= 0.0 || from.x.min(to.x) >= -PAST_AXIS {
             return self;
         }
-        let over = |at: Point| Point::new(-at.x, at.z);
+        self.mirrored(|at| Point::new(-at.x, at.z))
+    }
+
+    /// The motion in a mirror that takes points `over`; arcs turn the other way.
+    pub fn mirrored(self, over: impl Fn(Point) -> Point) -> Motion {
         let kind = match self.kind {
             MotionKind::ArcClockwise => MotionKind::ArcCounterclockwise,
             MotionKind::ArcCounterclockwise => MotionKind::ArcClockwise,
             other => other,
         };
-        Motion { kind, from: over(from), to: over(to), center: self.center.map(over), ..self }
+        Motion { kind, from: over(self.from), to: over(self.to), center: self.center.map(over), ..self }
     }
 
     /// The same motion in the coordinates of the frame of the first cut (workpiece coordinates).

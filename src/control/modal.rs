@@ -313,7 +313,7 @@ impl Spindle {
     /// Whether M05 or M19 stopped it, and nothing is known to turn a tool.
     fn is_still(&self) -> bool {
         let is_stopped = self.is_stopped || self.is_held && self.turn != SpindleTurn::Stopped;
-        is_stopped && !self.live_tool && !self.by_maker && !self.may_turn
+        is_stopped && !self.live_tool && !self.may_turn
     }
 
     /// The same, no faster than the machine turns, rpm. `None` at the axis without any limit.

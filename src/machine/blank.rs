@@ -36,15 +36,17 @@ const CLEAR: f64 = 1.0;
 /// A blank without what rapids would run along: from groove to groove, and past what is to be faced, tools go
 /// at the diameter of a start point.
 ///
-/// It is no smaller than what is turned along Z.
+/// The diameter stays at least that of the widest cut along Z.
 pub fn clear_of_rapids(stock: Stock, evidence: &Evidence) -> Stock {
     let radius = stock.diameter.radius();
     let turns = |motion: &Motion| {
         let along = (motion.from.z - motion.to.z).abs() > SAME && motion.from.z.min(motion.to.z) < -SAME;
         along && motion.kind.cuts() && motion.process.removes_material()
     };
-    let turned = evidence.moves().filter(turns).map(|motion| motion.from.x.min(motion.to.x));
-    let turned = turned.filter(|&turned| turned < radius - SAME).fold(0.0, f64::max);
+    let turned = || {
+        let turned = evidence.moves().filter(turns).map(|motion| motion.from.x.min(motion.to.x));
+        turned.filter(|&turned| turned < radius - SAME).fold(0.0, f64::max)
+    };
     let on = |at: Point| (at.x - radius).abs() <= SAME;
     // Down to here cuts along Z have gone below the outside.
     let mut cut = stock.face;
@@ -56,7 +58,7 @@ pub fn clear_of_rapids(stock: Stock, evidence: &Evidence) -> Stock {
             continue;
         }
         if motion.kind == MotionKind::Rapid && on(from) && on(to) && along && low < cut - SAME {
-            let diameter = Diameter::from_radius((radius - CLEAR).max(turned));
+            let diameter = Diameter::from_radius((radius - CLEAR).max(turned()));
             return if diameter > stock.bore { Stock { diameter, ..stock } } else { stock };
         }
         if motion.kind.cuts() && motion.process.removes_material() && along {
@@ -86,17 +88,15 @@ struct Reach {
 
 impl Default for Reach {
     fn default() -> Self {
-        let (least, greatest) = (f64::INFINITY, f64::NEG_INFINITY);
-        let (turned, approach) = (least, 0.0);
         Self {
             behind: 0.0,
             radius: 0.0,
-            least,
-            low: least,
-            high: greatest,
-            faced: greatest,
-            turned,
-            approach,
+            least: f64::INFINITY,
+            low: f64::INFINITY,
+            high: f64::NEG_INFINITY,
+            faced: f64::NEG_INFINITY,
+            turned: f64::INFINITY,
+            approach: 0.0,
         }
     }
 }
@@ -164,9 +164,9 @@ impl Reach {
 /// How far the cuts of a tool reach.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Extents {
-    /// All but those of the G73 under way.
+    /// The cuts outside of the current G73.
     cuts: Reach,
-    /// The last pass of G73 so far: those before it are further out than the blank, but for the first.
+    /// The latest pass of G73. Earlier passes reach beyond the blank.
     pattern: Reach,
     pass: u32,
 }
@@ -227,8 +227,6 @@ pub struct Cuts {
     holes: Reach,
     /// Something is milled, of which the blank shows nothing.
     is_milled: bool,
-    /// Z of a full face at negative Z that an insert cuts before anything else.
-    first_face: Option<f64>,
 }
 
 /// Z of the first cut, where it is a full face at negative Z: nothing of the blank is in front of it. `is_blade`:
@@ -261,13 +259,8 @@ impl Cuts {
         cuts.join(&extents.all());
     }
 
-    /// Takes in the [first face](first_face).
-    pub fn begin_at(&mut self, face: Option<f64>) {
-        self.first_face = face;
-    }
-
     /// A bar, or a tube for what is only bored, that shows what is cut; nothing where nothing is.
-    pub fn blank(&self) -> Option<Stock> {
+    pub fn blank(&self, first_face: Option<f64>) -> Option<Stock> {
         let mut across = self.outside;
         across.join(&self.grooves);
         across.join(&self.holes);
@@ -278,7 +271,7 @@ impl Cuts {
             return None;
         }
         let behind = all.low < -SAME;
-        let face = self.face(&all, behind);
+        let face = self.face(&all, behind, first_face);
         let reach = |of: &Reach| if behind { of.behind } else { of.radius };
         let (around, bored) = (reach(&across), reach(&self.inside));
         let walled = if bored > SAME { bored + (WALL.0 * bored).max(WALL.1) } else { 0.0 };
@@ -313,10 +306,10 @@ impl Cuts {
 
     /// Z of the front face. Zero is the finished face where anything is cut on its chuck side,
     /// else the back of the part.
-    fn face(&self, all: &Reach, behind: bool) -> f64 {
+    fn face(&self, all: &Reach, behind: bool, first_face: Option<f64>) -> f64 {
         // What a first face takes off is no longer than this, mm.
         const FACED_OFF: f64 = 3.0;
-        if self.first_face.is_some_and(|face| all.high <= face + FACED_OFF) {
+        if first_face.is_some_and(|face| all.high <= face + FACED_OFF) {
             return all.high;
         }
         let face = if behind { 0.0 } else { all.high }.max(all.faced);

@@ -37,7 +37,8 @@ impl<'a> Evidence<'a> {
     pub fn moves(&self) -> impl Iterator<Item = Motion> + 'a {
         let is_mirrored = self.is_mirrored;
         let moves = self.motions.on_workpiece().take(INFERRED_FROM).map(Motion::on_positive_side);
-        moves.map(move |motion| if is_mirrored { mirrored(motion) } else { motion })
+        let over = |at: Point| Point::new(at.x, -at.z);
+        moves.map(move |motion| if is_mirrored { motion.mirrored(over) } else { motion })
     }
 
     /// Whether all cuts begin at the face or in front of it on the side of −Z, and go towards +Z into the work: the
@@ -90,14 +91,4 @@ impl<'a> Evidence<'a> {
             });
         }
     }
-}
-
-fn mirrored(motion: Motion) -> Motion {
-    let over = |at: Point| Point::new(at.x, -at.z);
-    let kind = match motion.kind {
-        MotionKind::ArcClockwise => MotionKind::ArcCounterclockwise,
-        MotionKind::ArcCounterclockwise => MotionKind::ArcClockwise,
-        other => other,
-    };
-    Motion { kind, from: over(motion.from), to: over(motion.to), center: motion.center.map(over), ..motion }
 }

@@ -13,7 +13,7 @@
 //! 4. The cycle, or the way on the axis, gives the purpose: a hole, a thread, a groove, a contour
 //!    (`tool_use::Purpose`).
 //! 5. How cuts end: a tool that leaves the work outwards turns, one that leaves it inwards bores; one that only
-//!    plunges, at once or in steps, grooves or parts off (`tool_use`).
+//!    plunges, in one step or several, grooves or parts off (`tool_use`).
 //! 6. What comments say of the tool, where the motions leave it open (`Setup::described_tools`).
 //! 7. What other tools leave: deep within it, and in a hole that was drilled before, a tool bores; an insert within a
 //!    recess of the face is no larger than the recess.
@@ -28,6 +28,7 @@ use super::choice;
 use super::evidence::Evidence;
 use super::tool_use::{Clamping, Purpose, ToolUse};
 use crate::geometry::SAME;
+use crate::limits::INFERRED_FROM;
 use crate::motion::Motions;
 use crate::setup::{Setup, Stock, Tool, ToolKind};
 
@@ -59,13 +60,13 @@ impl InferredSetup {
         for (own, (.., tool)) in uses.iter().zip(&tools) {
             cuts.add(&own.extents, tool);
         }
-        cuts.begin_at(first_face(&evidence, |motion| {
+        let front = first_face(&evidence, |motion| {
             let of = |(station, purpose, _): &&(u16, Purpose, Tool)| {
                 (*station, *purpose) == (motion.process.tool.0, Purpose::of(motion))
             };
             tools.iter().find(of).is_some_and(|(.., tool)| tool.kind == Some(ToolKind::Grooving))
-        }));
-        let blank = cuts.blank().map(|stock| clear_of_rapids(stock, &evidence));
+        });
+        let blank = cuts.blank(front).map(|stock| clear_of_rapids(stock, &evidence));
         let choices = tools.iter_mut().map(|(.., tool)| tool).collect();
         let unknown = choice::decide(&evidence, &uses, described_tools, stock.or(blank), choices);
         tools.iter_mut().for_each(|(.., tool)| evidence.tool(tool));
@@ -95,8 +96,7 @@ pub fn inferred_setup(motions: &Motions, given: &Setup) -> Setup {
     let inferred = InferredSetup::with(motions, &given.described_tools, given.stock);
     let mut setup = Setup { stock: inferred.stock, ..Setup::default() };
     let (mut names, mut stations): (Vec<(u16, u16)>, BTreeSet<u16>) = Default::default();
-    let evidence = Evidence::of(motions, given.stock);
-    for motion in evidence.moves().filter(|motion| motion.kind.cuts()) {
+    for motion in motions.iter().take(INFERRED_FROM).filter(|motion| motion.kind.cuts()) {
         let name = motion.process.tool;
         if names.last() != Some(&name) && stations.insert(name.0) {
             names.push(name);

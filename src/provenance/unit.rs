@@ -25,7 +25,7 @@ const LARGEST_TURNED: f64 = 4.0;
 /// A cutting speed that no insert bears in metres a minute.
 const FASTEST_CUT: f64 = 600.0;
 
-/// A cutting speed so many times as high as the speed limit of the spindle allows is none in metres a minute.
+/// A cutting speed this many times higher than the speed limit of the spindle allows is not in metres per minute.
 const BEYOND_LIMIT: f64 = 5.0;
 
 /// A lead finer than this is none in millimetres.
@@ -41,7 +41,7 @@ pub struct UnitEvidence {
     excluded: bool,
     /// G98 is in force.
     per_minute: bool,
-    /// Largest X so far.
+    /// Largest X.
     largest: f64,
     /// Coordinates with a point.
     pointed: usize,
@@ -181,7 +181,7 @@ fn is_fraction(rest: &[u8]) -> bool {
     is_denominator && follows
 }
 
-/// Whether `IN` is the unit of a size, by what follows it: the end of the remark, or what has the size.
+/// Whether `IN` is the unit of a size: the end of the remark or the name of a measured thing follows.
 fn is_size(after: &[u8]) -> bool {
     const THINGS: [&[u8]; 9] = [b"DIA", b"BAR", b"DRILL", b"STOCK", b"OD", b"ID", b"LONG", b"ROUND", b"X"];
     let after = after.trim_ascii_start();

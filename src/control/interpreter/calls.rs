@@ -209,7 +209,9 @@ impl Interpreter {
             return match named.map(|sequence| (sequence, self.sequence(text, block, sequence))) {
                 // A sequence number further on is a jump like any other, unless this program is a subprogram: then the number
                 // belongs to its caller.
-                Some((sequence, at)) if at.as_ref().map_or(!self.is_subprogram(text, block), behind) => {
+                Some((sequence, at))
+                    if at.as_ref().map_or_else(|| self.caller_of(text, block).is_none(), behind) =>
+                {
                     self.go_to(text, block, sequence, words.span(b'P'))
                 }
                 named => self.main_again(text, block, named.and_then(|(_, at)| at)),
@@ -278,10 +280,6 @@ impl Interpreter {
         }
         let labels = self.program.labels(text);
         labels.number_at(block.span.start).and_then(|own| labels.caller_of(own))
-    }
-
-    fn is_subprogram(&mut self, text: &[u8], block: &Block) -> bool {
-        self.caller_of(text, block).is_some()
     }
 
     /// M99 of the main program: from its head, or from the block of P, once more, for ever.

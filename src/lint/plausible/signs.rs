@@ -270,8 +270,7 @@ impl Program<'_> {
             .any(|motion| leads_to(motion.from, motion.to, place))
     }
 
-    /// The first block of another work coordinate system than the one of the first places: its zero point may be that of
-    /// a sub-spindle.
+    /// The first block with G55 to G59 after the first Z word: the zero point of this frame may be that of a sub-spindle.
     fn other_frame(&self) -> usize {
         let first_place = self.words.iter().find(|word| word.address == b'Z').map_or(0, |word| word.block);
         let frames =
