@@ -24,7 +24,7 @@ mod output;
 pub(crate) mod path;
 pub(crate) mod pecks;
 mod plain_lines;
-mod read_words;
+pub(crate) mod read_words;
 mod reference;
 pub(crate) mod repairs;
 mod request;
@@ -36,7 +36,7 @@ mod store;
 mod system;
 pub(crate) mod threads;
 pub(crate) mod trace;
-mod unread;
+pub(crate) mod unread;
 pub(crate) mod y_axis;
 
 #[cfg(test)]

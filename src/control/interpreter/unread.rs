@@ -12,6 +12,7 @@ use crate::control::modal::Once;
 use crate::control::words::{Words, letters, plain};
 use crate::geometry::Turn;
 use crate::message::{Diagnostic, Severity, said};
+use crate::parts::{Part, late};
 use crate::setup::dialect::{CodeList, Control};
 use crate::text::block::{Block, Value, Word};
 
@@ -24,18 +25,25 @@ const SHOWN_AXES: u32 = letters(b"CHYV");
 /// Words of the axes that are not shown.
 const OTHER_AXES: u32 = letters(b"AB");
 
-impl Interpreter {
+late! {
     /// Reports what of a block was not read, the words of the letters of `unread`.
-    #[cold]
-    #[inline(never)]
     pub(super) fn unread_words(
-        &mut self,
+        control: &mut Interpreter,
         text: &[u8],
         block: &Block,
         request: &Request,
         words: &Words,
         unread: u32,
     ) {
+        control.report_unread(text, block, request, words, unread);
+    }
+}
+
+/// The part that reports unread words. A run without it begins again when it is loaded, for the lints.
+pub(super) const UNREAD: Part = Part::Late;
+
+impl Interpreter {
+    fn report_unread(&mut self, text: &[u8], block: &Block, request: &Request, words: &Words, unread: u32) {
         let is_flat = self.state.virtual_plane.is_none() && self.state.plane != Plane::Zx;
         let is_open = request.maker_m
             || request.call_code.is_some()

@@ -3,8 +3,6 @@
 //! In: the text. Out: places a parser can go on from. Made when first asked for, because most programs never
 //! ask. Knows nothing of what a block means, but for the numbers that calls name.
 
-use std::collections::BTreeMap;
-
 use crate::control::codes;
 use crate::order;
 use crate::text::block::{Block, Value, Word};
@@ -65,8 +63,6 @@ pub struct Labels {
     programs: Vec<Program>,
     /// The programs by their number.
     heads: Sorted,
-    /// The numbers of names by the numbers of the programs that have both.
-    names: BTreeMap<u32, u32>,
     /// By called number: the programs that call it.
     calls: Sorted,
     /// The same, but only of programs that are called by none themselves.
@@ -116,9 +112,6 @@ impl Labels {
             numbers(&labels.programs[caller]).any(|own| called.first(0, own, 0).is_some())
         };
         let callers = calls.iter().filter(|call| !is_called(call)).map(made_by).collect();
-        let named = labels.programs.iter().filter_map(|program| Some((program.number?, program.name?)));
-        // The first program of a number counts.
-        labels.names = named.rev().collect();
         (labels.heads, labels.callers) = (Sorted::new(heads.collect()), Sorted::new(callers));
         (labels.labels, labels.calls) = (Sorted::new(sequences), called);
         labels
@@ -154,13 +147,19 @@ impl Labels {
     /// Whether a program of the text calls the program of a number, or of the name it has besides.
     pub fn is_called(&self, number: u32) -> bool {
         let calls = |number: u32| self.calls.first(0, number, 0).is_some();
-        calls(number) || self.names.get(&number).is_some_and(|&name| calls(name))
+        calls(number) || self.name_of(number).is_some_and(calls)
     }
 
     /// The first program that calls the one of a number and is called by none itself.
     pub fn caller_of(&self, number: u32) -> Option<Resume> {
         let caller = |number: u32| self.callers.first(0, number, 0);
-        caller(number).or_else(|| caller(*self.names.get(&number)?))
+        caller(number).or_else(|| caller(self.name_of(number)?))
+    }
+
+    /// The number of the name that the program of a number has besides.
+    fn name_of(&self, number: u32) -> Option<u32> {
+        let program = self.programs.get(self.index_at(self.program(number)?.byte))?;
+        program.name.filter(|_| program.number == Some(number))
     }
 
     fn index_at(&self, at: u32) -> usize {
