@@ -54,6 +54,8 @@ pub enum Target {
     Mazak,
     /// CNCSimulator.
     CncSimulator,
+    /// Philips 3000, later MAHO.
+    Philips,
     /// A milling machine.
     Mill,
     /// A 3D printer.
@@ -74,6 +76,7 @@ impl Target {
             Self::Channels => "Citizen / Star / Tsugami ($1 $2)",
             Self::Mazak => "Mazak (EIA/ISO)",
             Self::CncSimulator => "CNCSimulator",
+            Self::Philips => "Philips / MAHO",
             Self::Mill | Self::Printer => "",
         }
     }
@@ -92,12 +95,13 @@ impl Target {
             | Self::Gsk928
             | Self::Channels
             | Self::Mazak
-            | Self::CncSimulator => said::ForeignControl { control: self.name() }.into(),
+            | Self::CncSimulator
+            | Self::Philips => said::ForeignControl { control: self.name() }.into(),
         }
     }
 
     /// All of them, in the order of their numbers.
-    pub const ALL: [Target; 12] = [
+    pub const ALL: [Target; 13] = [
         Self::Hnc,
         Self::Siemens,
         Self::LinuxCnc,
@@ -108,6 +112,7 @@ impl Target {
         Self::Channels,
         Self::Mazak,
         Self::CncSimulator,
+        Self::Philips,
         Self::Mill,
         Self::Printer,
     ];
@@ -265,7 +270,8 @@ impl Scores {
             | Target::Okuma
             | Target::Channels
             | Target::Mazak
-            | Target::CncSimulator => 0,
+            | Target::CncSimulator
+            | Target::Philips => 0,
         }
     }
 

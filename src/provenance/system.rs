@@ -35,6 +35,8 @@ enum Sign {
     FeedBesideAbsolute,
     /// `G90 G00 X`: in A both are of group 01.
     AbsoluteBesideMove,
+    /// `G90` without X, Z, U and W: in A a cycle without a place.
+    AbsoluteAlone,
     /// `G24 X Z`: facing cycle of C.
     G24,
     /// `G21 X Z F` alone: threading cycle of C.
@@ -74,9 +76,12 @@ impl Sign {
     fn weight(self) -> (Side, u8) {
         match self {
             Self::G95 | Self::G92S => (Side::BAndC, 3),
-            Self::G91 | Self::G94F | Self::G33 | Self::FeedBesideAbsolute | Self::AbsoluteBesideMove => {
-                (Side::BAndC, 2)
-            }
+            Self::G91
+            | Self::G94F
+            | Self::G33
+            | Self::FeedBesideAbsolute
+            | Self::AbsoluteBesideMove
+            | Self::AbsoluteAlone => (Side::BAndC, 2),
             Self::G77 | Self::G78 | Self::G79 => (Side::B, 3),
             Self::G78Data => (Side::C, 3),
             Self::G24 | Self::G21Cycle | Self::G78Depths | Self::G77Steps | Self::Finishing | Self::Unit => {
@@ -155,6 +160,7 @@ impl Scales {
                 770 if cycle => Sign::G77,
                 780 if cycle => Sign::G78,
                 790 if cycle => Sign::G79,
+                900 if !axes => Sign::AbsoluteAlone,
                 910 => Sign::G91,
                 940 if axes => Sign::G94Cycle,
                 940 if statement.has(b'F') => Sign::G94F,
@@ -210,6 +216,14 @@ impl Scales {
             if system == GSystem::C { of_own } else { of_own.into_iter().chain(shared).max_by_key(heavier) };
         let (_, span) = shown?;
         let for_it = total(own) + total(Side::BAndC);
-        (for_it >= ENOUGH + 2 * total(Side::A)).then_some((system, span))
+        (for_it >= ENOUGH + 2 * self.weight_of_a()).then_some((system, span))
+    }
+
+    /// What suggests A. A program that changes between G90 and G91 is not written in A: its `G50 S` is a slip or a habit.
+    fn weight_of_a(&self) -> u8 {
+        let has = |signs: &[Sign]| signs.iter().any(|&sign| self.seen & 1 << (sign as u8) != 0);
+        let absolute = [Sign::AbsoluteAlone, Sign::AbsoluteBesideMove, Sign::FeedBesideAbsolute];
+        let is_slip = has(&[Sign::G91]) && has(&absolute) && has(&[Sign::G50S]);
+        self.totals[Side::A as usize] - if is_slip { 2 } else { 0 }
     }
 }

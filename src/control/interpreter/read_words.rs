@@ -179,7 +179,14 @@ impl Interpreter {
             self.lose_program();
             return;
         }
-        self.report(Diagnostic::new(said::UnknownG { word: quoted }, word.span));
+        // `G50 S` is the speed limit of system A. The others write G92.
+        let is_limit = tenths == Some(500);
+        let fix = is_limit.then(|| Fix::write(word.span, "G92".to_owned()));
+        let unknown = Diagnostic::new(said::UnknownG { word: quoted }, word.span);
+        self.report(Diagnostic { fixes: fix.into_iter().collect(), ..unknown });
+        if is_limit {
+            request.one_shot = Some(OneShot::Setting);
+        }
         // It may have been one of group 01.
         self.lose(Doubts::of(&[Doubt::Code]));
         request.drop = true;
