@@ -132,6 +132,9 @@ impl Interpreter {
                 if unread != 0 {
                     self.unread_words(text, block, &request, &words, unread);
                 }
+                if request.comma != [None; 3] {
+                    self.unread_corner(text, block, &request, &words);
+                }
                 if !self.state.doubts.is_empty() {
                     self.regain(&request, &words, before);
                 }
