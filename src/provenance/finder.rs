@@ -454,9 +454,10 @@ fn fanuc_lathe(statement: &Statement, found: &mut impl FnMut(Sign, Span)) {
     }
 }
 
-/// `G71 U R P Q`, perhaps with E: depth and retract in the block that names the contour, and no allowance.
+/// `G71 U R P Q`, perhaps with E: depth and retract in the block that names the contour. There is no allowance, or a second U.
 fn is_one_line_without_axes(statement: &Statement) -> bool {
-    statement.has_all(b"PQRU") && !statement.has_any(b"XZWD")
+    let allowances = statement.words().iter().filter(|word| word.letter == b'U').count() > 1;
+    statement.has_all(b"PQRU") && !statement.has_any(b"XZD") && (allowances || !statement.has(b'W'))
 }
 
 /// No words but G, M and N.

@@ -19,6 +19,8 @@ enum Sign {
     G95,
     /// `G92 S` without X and Z: speed clamp in B and C.
     G92S,
+    /// `G92 X Z` before any F: the coordinate system in B and C, for a thread has a lead.
+    G92Place,
     /// `G77 X Z`: turning cycle of B.
     G77,
     /// `G78 X Z`: threading cycle of B.
@@ -82,6 +84,7 @@ impl Sign {
             | Self::FeedBesideAbsolute
             | Self::AbsoluteBesideMove
             | Self::AbsoluteAlone => (Side::BAndC, 2),
+            Self::G92Place => (Side::BAndC, 1),
             Self::G77 | Self::G78 | Self::G79 => (Side::B, 3),
             Self::G78Data => (Side::C, 3),
             Self::G24 | Self::G21Cycle | Self::G78Depths | Self::G77Steps | Self::Finishing | Self::Unit => {
@@ -116,6 +119,8 @@ pub struct Scales {
     roughed: Vec<[Option<u64>; 2]>,
     /// A hole cycle is in force: G98 and G99 may be its return levels.
     hole_cycle: bool,
+    /// An F was read.
+    has_feed: bool,
 }
 
 impl Scales {
@@ -140,6 +145,7 @@ impl Scales {
                 950 => Sign::G95,
                 920 if !axes && statement.has(b'S') => Sign::G92S,
                 920 if cycle && statement.has(b'F') => Sign::G92Cycle,
+                920 if cycle && !self.has_feed => Sign::G92Place,
                 900 | 910 if codes([940, 950]) && !axes => Sign::FeedBesideAbsolute,
                 900 if axes && codes([0, 10]) && !statement.has_any(b"UW") => Sign::AbsoluteBesideMove,
                 780 if !axes && statement.word(b'P').is_some_and(|word| word.span.len() > 5) => Sign::G78Data,
@@ -181,6 +187,7 @@ impl Scales {
             };
             self.add(sign, span);
         }
+        self.has_feed |= statement.has(b'F');
         let increment = statement.words().iter().find(|word| matches!(word.letter, b'U' | b'W'));
         if let Some(word) = increment
             && plain

@@ -52,6 +52,12 @@ fn hnc_has_both_blocks_of_a_cycle_in_one() {
         Target::Hnc,
         "%0001",
     );
+    // Its allowances may be U and W, as on FANUC, where no block has two U.
+    let twice = |head: &str| {
+        format!("{head}\nT0101\nG00 X46 Z3\nG71 U2 R1 P10 Q20 U0.4 W0.1 F100\nN10 G00 X20\nN20 Z-40\nM30\n")
+    };
+    check(&twice("%0003"), Target::Hnc, "%0003");
+    check_at_home(&twice("O0003"));
     check("%7\nT0101\nG00 X42 Z2\nG80 X38 Z-20 F100\nX36\nM30\n", Target::Hnc, "%7");
     check("G36\nG00 X42 Z2\nG80 X38 Z-20 I-2 F100\nM30\n", Target::Hnc, "G36");
     check("%0003\nT0101\nG82 X19.2 Z-18 F1.5\nM30\n", Target::Hnc, "%0003");
@@ -188,6 +194,7 @@ fn lathe_programs_are_at_home() {
 fn systems_b_and_c() {
     check_system("G21 G40 G90 G95\nG92 S2500\nG28 U0\nG71 U2 R1\nG71 P1 Q2 U.5 W.1 F.3\n", GSystem::B, "G95");
     check_system("G0 X30 Z2\nG92 S1500\n", GSystem::B, "G92");
+    check_system("G92 X100 Z50\nG94 G90\nT0101\nG0 X32 Z2\nG1 X28 F100\n", GSystem::B, "G90");
     check_system("G0 X30 Z2\nG77 X28 Z-20 F0.2\nX26\n", GSystem::B, "G77");
     // Increments by G91 show B in spite of the speed limit of A.
     let slip =

@@ -30,6 +30,9 @@ use crate::source::{Span, line_end};
 /// Most faults of one block without a safe fix that are reported; one mistake easily upsets the words after it.
 const FAULTS_PER_BLOCK: usize = 3;
 
+/// Bytes at the head of a text within which the leader of the tape, the sign after it and the first word of the program are.
+pub const LEADER: usize = 1024;
+
 /// The part of the module that reads what is not written as it should be.
 pub const READS_FAULTS: Part = Part::Early;
 
@@ -162,6 +165,9 @@ impl<'a> Parser<'a> {
     /// Looks again at a block with faults: it may be text, or contain plain words.
     fn reconsider(&self, block: &mut Block, behind_semicolon: bool) {
         let text = self.lexer.text();
+        if !self.begun && !self.is_trial && leader(text).is_some_and(|end| block.span.start < end) {
+            return keep_as_comment(block, trimmed(text, block.span));
+        }
         for fault in block.faults.iter_mut().filter(|fault| fault.message.is::<said::CommentOpen>()) {
             // `(face X20`: the bracket may belong before X20.
             let hidden = Span { start: fault.span.end, end: block.span.end };
@@ -536,7 +542,7 @@ impl<'a> Parser<'a> {
         match block.program {
             None if is_head => block.program = Some((number, span)),
             Some(_) if is_head && block.second_name.is_none() && start as usize == at => {
-                block.second_name = Some(number);
+                block.second_name = Some((number, span));
             }
             _ if block.words.iter().any(calls_program) && start as usize == at => {
                 let number = Number { mantissa: u64::from(number), digits: DIGITS, ..Number::default() };
@@ -691,13 +697,11 @@ impl<'a> Parser<'a> {
         let number = number.trim_start_matches(|sign: char| sign != '.' && !sign.is_ascii_digit());
         let number = Number::read(without_blanks(number).as_bytes());
         let told = Diagnostic::new(said::CommaForPoint { word: written }, span);
-        if number.points > 1 || goes_on {
+        if number.points > 1 || number.digits > DIGITS || goes_on {
             return block.fault(told);
         }
         block.fault(told.with(Fix::replace(Repair::DecimalPoint, comma, ".")));
-        if number.digits <= DIGITS {
-            self.store(block, word.address, word.comma, word.negative, number, span);
-        }
+        self.store(block, word.address, word.comma, word.negative, number, span);
     }
 
     /// Whether a comma comes next, and a digit, a point or another comma right after it.
@@ -963,11 +967,9 @@ impl<'a> Parser<'a> {
 
     /// Text after a `;` that does not read as words is a remark.
     fn take_as_comment(&self, block: &mut Block, is_sure: bool) {
-        let (text, span, line) = (self.lexer.text(), block.span, block.line);
-        block.clear();
-        (block.span, block.line) = (span, line);
-        let remark = trimmed(text, span);
-        block.comment(remark);
+        let text = self.lexer.text();
+        let remark = trimmed(text, block.span);
+        keep_as_comment(block, remark);
         let told = Diagnostic::new(said::TextAfterSemicolon { text: short_quote(text, remark) }, remark);
         block.fault(in_brackets(text, told, is_sure));
     }
@@ -1030,6 +1032,37 @@ impl Resume {
     pub fn begins_line(&self) -> bool {
         !self.after_semicolon
     }
+}
+
+/// Where the first sign `%` of a text begins, if what is before it is the leader of the tape: a control skips it (B-64484EN,
+/// program components). Only text is taken for a leader, and only before a program: a program with mistakes before
+/// a single `%` at its end is read.
+fn leader(text: &[u8]) -> Option<u32> {
+    let head = &text[..text.len().min(LEADER)];
+    let sign = head.iter().position(|&byte| byte == b'%')?;
+    let begins_line =
+        head[..sign].iter().rev().find(|&&byte| !is_blank(byte)).is_some_and(|&byte| is_between_blocks(byte));
+    let precedes_program = head[sign..].iter().any(|&byte| byte != b'%' && !is_between_blocks(byte));
+    if !begins_line || !precedes_program {
+        return None;
+    }
+    let mut parser = Parser { is_trial: true, ..Parser::new(&text[..sign]) };
+    let mut block = Block::default();
+    while parser.next_block(&mut block) {
+        let is_text = block.is_broken() && (block.words.is_empty() || reads_as_prose(block.span.of(text)));
+        if block.program.is_some() || !block.is_empty() && !is_text {
+            return None;
+        }
+    }
+    Some(sign as u32)
+}
+
+/// Makes a block a comment.
+fn keep_as_comment(block: &mut Block, remark: Span) {
+    let (span, line) = (block.span, block.line);
+    block.clear();
+    (block.span, block.line) = (span, line);
+    block.comment(remark);
 }
 
 /// Whether text that belongs to no word cannot have been meant as one: a rule of dashes, commas between

@@ -133,6 +133,9 @@ impl Interpreter {
                 if unread != 0 && UNREAD.is_loaded() {
                     unread_words(self, text, block, &request, &words, unread);
                 }
+                if request.comma != [None; 3] {
+                    self.unread_corner(text, block, &request, &words);
+                }
                 if !self.state.doubts.is_empty() {
                     self.regain(&request, &words, before);
                 }

@@ -400,8 +400,9 @@ impl Interpreter {
                 self.report(fault.clone());
             }
         }
-        // After a warning the word is read as intended, so its other faults are reported.
-        self.sink.fault = block.faults.iter().find(|fault| fault.is_error()).map(|fault| fault.span);
+        // Where the words are read as intended, their other faults are reported.
+        let fault = block.faults.iter().find(|fault| fault.is_error() && block.is_broken());
+        self.sink.fault = fault.map(|fault| fault.span);
     }
 }
 
