@@ -18,7 +18,7 @@ use super::lexer::{Lexer, Number, TokenKind, is_between_blocks, is_blank};
 use super::lost_letter;
 use super::misread::{self, Misread};
 use super::plain_line::PlainLine;
-use super::plain_words::{PlainWords, begins_in_other_script};
+use super::plain_words::{PlainWords, begins_as_sentence, begins_in_other_script};
 use super::program_name;
 use crate::limits::DIGITS;
 use crate::message::{Diagnostic, Edit, Fix, Message, Repair, Severity, said, sort_by_place};
@@ -140,7 +140,7 @@ impl<'a> Parser<'a> {
         if !block.faults.is_empty() && may_read_faults(block) {
             reconsider(self, block, behind_semicolon);
         }
-        if block.kind == BlockKind::Percent && self.begun {
+        if block.kind == BlockKind::Percent && self.begun && !names_program(self.lexer.text(), block.span) {
             self.ended = true;
         }
         self.begun |= !block.is_empty() && block.kind != BlockKind::Percent;
@@ -170,8 +170,11 @@ impl<'a> Parser<'a> {
         }
         for fault in block.faults.iter_mut().filter(|fault| fault.message.is::<said::CommentOpen>()) {
             // `(face X20`: the bracket may belong before X20.
+            // `(STOPS AT M01, IF ON`: text goes on after it.
             let hidden = Span { start: fault.span.end, end: block.span.end };
-            if PlainWords::of(text, hidden, &[]).has_value {
+            let groups = PlainWords::of(text, hidden, &[]).groups;
+            let last = Span { start: groups.last().map_or(hidden.start, |group| group.end), ..hidden };
+            if PlainWords::of(text, last, &[]).has_value {
                 fault.severity = Severity::Error;
                 fault.fixes.iter_mut().for_each(|fix| fix.safe = false);
             }
@@ -180,7 +183,8 @@ impl<'a> Parser<'a> {
         let unclear = block.is_broken() || block.words.is_empty();
         let is_text = !plain.has_value && !plain.is_ambiguous;
         // `; 其实N10 …` is no block either, but only the author knows about N10.
-        let is_remark = is_text || begins_in_other_script(block.span.of(text));
+        let own = block.span.of(text);
+        let is_remark = is_text || begins_in_other_script(own) || begins_as_sentence(own);
         // `;(TURN (LONG CUT))`: it is in brackets, and those within are reported.
         let is_comment = block.words.is_empty()
             && block.faults.iter().any(|fault| fault.message.is::<said::CommentNested>())
@@ -1057,6 +1061,23 @@ fn leader(text: &[u8]) -> Option<u32> {
     Some(sign as u32)
 }
 
+/// Whether nothing but the number of a program is before the first sign `%` of a text: a control skips it, and what follows is
+/// the program.
+fn names_program(text: &[u8], sign: Span) -> bool {
+    let before = &text[..sign.start as usize];
+    if before.len() > LEADER || before.contains(&b'%') {
+        return false;
+    }
+    let mut parser = Parser { is_trial: true, ..Parser::new(before) };
+    let mut block = Block::default();
+    while parser.next_block(&mut block) {
+        if !block.words.is_empty() || !block.faults.is_empty() || block.kind != BlockKind::Words {
+            return false;
+        }
+    }
+    true
+}
+
 /// Makes a block a comment.
 fn keep_as_comment(block: &mut Block, remark: Span) {
     let (span, line) = (block.span, block.line);
@@ -1245,6 +1266,8 @@ mod tests {
     #[test]
     fn the_tape_begins_and_ends_with_percent() {
         assert_eq!(read("%leader\nG0 X1\n%\nnever read"), ["%", "G0 X1", "%"]);
+        assert_eq!(read("O90 (CONE)\n%\nG0 X1\n%\nnever read"), ["O90", "%", "G0 X1", "%"]);
+        assert_eq!(read("%\nO90\n%\nnever read"), ["%", "O90", "%"]);
     }
 
     #[test]
@@ -1273,6 +1296,20 @@ mod tests {
     #[test]
     fn prose_behind_a_semicolon_is_a_remark() {
         assert_eq!(read("G0 X1; rough the face"), ["G0 X1", "!text-after-semicolon"]);
+        for remark in [
+            "turn to Z-50 (F0.2)",
+            "Aproximação em X",
+            "Posição intermediária",
+            "Insert: CNMG 12 04 08",
+            "start oil",
+            "Inch units.",
+        ] {
+            assert_eq!(read(&format!("G0 X1; {remark}")), ["G0 X1", "!text-after-semicolon"], "{remark}");
+        }
+        for block in ["GOl X20", "X20 turn", "IF[#1EQ1]GOTO2"] {
+            let told = read(&format!("G0 X1; {block}")).concat();
+            assert!(!told.contains("text-after-semicolon"), "{told}");
+        }
         assert_eq!(read("G0 X1; 粗车"), ["G0 X1", "!text-after-semicolon"]);
         // A broken block is no remark: nothing may hide a lost sign.
         assert_eq!(
