@@ -231,6 +231,6 @@ impl Scales {
         let has = |signs: &[Sign]| signs.iter().any(|&sign| self.seen & 1 << (sign as u8) != 0);
         let absolute = [Sign::AbsoluteAlone, Sign::AbsoluteBesideMove, Sign::FeedBesideAbsolute];
         let is_slip = has(&[Sign::G91]) && has(&absolute) && has(&[Sign::G50S]);
-        self.totals[Side::A as usize] - if is_slip { 2 } else { 0 }
+        self.totals[Side::A as usize] - if is_slip { 3 } else { 0 }
     }
 }

@@ -168,6 +168,9 @@ impl<'a> Parser<'a> {
         if !self.begun && !self.is_trial && leader(text).is_some_and(|end| block.span.start < end) {
             return keep_as_comment(block, trimmed(text, block.span));
         }
+        if let Some(remark) = slashed_remark(text, block) {
+            return self.take_slashed_remark(block, remark, behind_semicolon);
+        }
         for fault in block.faults.iter_mut().filter(|fault| fault.message.is::<said::CommentOpen>()) {
             // `(face X20`: the bracket may belong before X20.
             // `(STOPS AT M01, IF ON`: text goes on after it.
@@ -184,7 +187,9 @@ impl<'a> Parser<'a> {
         let is_text = !plain.has_value && !plain.is_ambiguous;
         // `; 其实N10 …` is no block either, but only the author knows about N10.
         let own = block.span.of(text);
-        let is_remark = is_text || begins_in_other_script(own) || begins_as_sentence(own);
+        let has_sentence =
+            !plain.has_value && plain.groups.iter().any(|group| group.of(text).contains(&b' '));
+        let is_remark = is_text || has_sentence || begins_in_other_script(own) || begins_as_sentence(own);
         // `;(TURN (LONG CUT))`: it is in brackets, and those within are reported.
         let is_comment = block.words.is_empty()
             && block.faults.iter().any(|fault| fault.message.is::<said::CommentNested>())
@@ -978,6 +983,23 @@ impl<'a> Parser<'a> {
         block.fault(in_brackets(text, told, is_sure));
     }
 
+    /// Reads a block without the remark after its `//`.
+    fn take_slashed_remark(&self, block: &mut Block, remark: Span, behind_semicolon: bool) {
+        let mut rest = self.read_without(block, &[remark]);
+        if !rest.faults.is_empty() {
+            self.reconsider(&mut rest, behind_semicolon);
+        }
+        let text = self.lexer.text();
+        let told = Diagnostic::new(said::TextAfterSlashes { text: short_quote(text, remark) }, remark);
+        let written = remark.quote(text);
+        let inside = written.trim_start_matches(['/', ' ', '\t']);
+        let fix = Fix::write(remark, format!("({inside})"));
+        let told = if inside.contains(['(', ')']) { told } else { told.with(Fix { safe: true, ..fix }) };
+        rest.comment(remark);
+        rest.fault(told);
+        *block = rest;
+    }
+
     /// Goes to the end of the line.
     fn skip_line(&mut self) {
         while !matches!(self.lexer.peek_byte(), None | Some(b'\n' | b'\r')) {
@@ -1076,6 +1098,17 @@ fn names_program(text: &[u8], sign: Span) -> bool {
         }
     }
     true
+}
+
+/// From the `//` of a block to its end, where a sentence follows as in programs of C.
+fn slashed_remark(text: &[u8], block: &Block) -> Option<Span> {
+    let own = block.span.of(text);
+    let at = own.windows(2).position(|pair| pair == b"//")?;
+    let remark = trimmed(text, Span { start: block.span.start + at as u32, ..block.span });
+    let is_inside = |comment: &Span| comment.start <= remark.start && remark.start < comment.end;
+    let slashes = own[at..].iter().take_while(|&&byte| byte == b'/').count();
+    let is_sentence = begins_as_sentence(&own[at + slashes..]);
+    (is_sentence && !block.comments.iter().any(is_inside)).then_some(remark)
 }
 
 /// Makes a block a comment.
@@ -1306,6 +1339,11 @@ mod tests {
         ] {
             assert_eq!(read(&format!("G0 X1; {remark}")), ["G0 X1", "!text-after-semicolon"], "{remark}");
         }
+        for remark in ["XZ Plane selection (LATHE)", "🔧 Facing", "✂️ Desbaste do contorno"] {
+            assert_eq!(read(&format!("G0 X1; {remark}")), ["G0 X1", "!text-after-semicolon"], "{remark}");
+        }
+        assert_eq!(read("G0 X1 // facing, no change in X5"), ["G0 X1 !text-after-semicolon"]);
+        assert_eq!(read("// facing"), ["!text-after-semicolon"]);
         for block in ["GOl X20", "X20 turn", "IF[#1EQ1]GOTO2"] {
             let told = read(&format!("G0 X1; {block}")).concat();
             assert!(!told.contains("text-after-semicolon"), "{told}");

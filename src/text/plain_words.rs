@@ -148,6 +148,8 @@ fn is_plain(piece: &str) -> bool {
 pub fn begins_as_sentence(bytes: &[u8]) -> bool {
     const LETTERS: usize = 3;
     let Ok(text) = std::str::from_utf8(bytes.trim_ascii()) else { return false };
+    // Pictures in front of headings: `🔧 Facing`.
+    let text = text.trim_start_matches(|sign: char| !sign.is_ascii() && !sign.is_alphanumeric()).trim_start();
     let (word, rest) = text.split_at(text.find(|letter: char| !letter.is_alphabetic()).unwrap_or(text.len()));
     let ends = |sign: char| sign.is_whitespace() || matches!(sign, ',' | ':' | '.' | '!' | '?' | '/' | '—');
     // `ç` of `Posição` is no misread digit.
