@@ -80,8 +80,25 @@ fn words_that_a_multiple_cycle_does_not_read_are_reported() {
 fn words_that_a_single_move_of_the_machine_does_not_read_are_reported() {
     all_are_reported("", "G53 X0 Z0", "BDEIJKLPQRUW", "");
     all_are_reported("", "G28 U0 W0", "ABDEIJKLPQR", "");
-    all_are_reported("", "G04 X1", "ABCDEHIJKLQRYZ", "");
+    all_are_reported("", "G04 X1", "ABCDEHIJKLPQRUYZ", "");
     all_are_reported("", "G50 S2000", "ABDEIJKLR", "");
+}
+
+/// Where X gives the time of a dwell, P is not read, and of C and H one takes effect.
+#[test]
+fn a_word_beside_another_of_the_same_meaning_is_reported() {
+    let text = |block: &str| format!("{HEAD}G28 H0\n{block}\nG00 X200 Z200\nM30\n");
+    assert_eq!(slugs(&text("G04 P500 X1")), ["word-without-effect"]);
+    assert_eq!(slugs(&text("G04 X1 U2")), ["word-without-effect"]);
+    assert_eq!(slugs(&text("G00 C90 H10")), ["absolute-and-incremental"]);
+    assert_eq!(slugs(&text("G01 Z1 C90 H10")), ["absolute-and-incremental"]);
+    let analysis = analyze(text("G00 C90 H10").as_bytes(), &Setup::default());
+    let turned: Vec<_> = (0..analysis.motions.len())
+        .filter_map(|index| analysis.motions.get(index).rotary)
+        .map(|rotary| (rotary.from, rotary.to))
+        .collect();
+    // FANUC takes the later word.
+    assert_eq!(turned, [(0.0, 10.0)]);
 }
 
 /// F in G00, S, T, D of G41, P beside M and S, arguments and data are read later, or by what is not known here.

@@ -108,7 +108,7 @@ impl Feed {
         let mixed_up = if per_turn { feed >= 5.0 } else { feed < 2.0 };
         // Without a point it counts increments, which each machine has its own of.
         let counts = at.dialect.decimal == DecimalRule::LeastIncrement
-            && words.get(b'F').is_some_and(
+            && words.peek(b'F').is_some_and(
                 |word| matches!(word.value, Value::Number { number, .. } if !number.has_point()),
             );
         if mixed_up && !counts && self.unit.first() {

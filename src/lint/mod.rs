@@ -176,7 +176,7 @@ impl Lints {
                 if let Some(end) = self.single_cycles.end(at) {
                     if let Some(word) = taper {
                         reports.extend(single_cycle::axis_missing(at, word.span, cycle, end));
-                    } else if let Some(word) = words.get(b'F') {
+                    } else if let Some(word) = words.peek(b'F') {
                         self.feed.stands_alone(word, cycle, end);
                     }
                 }

@@ -156,7 +156,7 @@ impl SingleCycles {
             Single::Facing => [b'Z', b'W'],
             Single::Turning | Single::Threading => [b'X', b'U'],
         };
-        let own_word = moved.into_iter().find(|&address| words.get(address).is_some());
+        let own_word = moved.into_iter().find(|&address| words.peek(address).is_some());
         if let (Some(before), Some(address)) = (before, own_word)
             && !is_one_pass_feed(at)
             && let Some(message) = too_deep(cycle, &own, &before, at.stock().as_ref())

@@ -270,7 +270,7 @@ impl Interpreter {
             self.observe(text, Event::FromAxis { block, to });
         }
         request.moved = words.has_any(AXES);
-        let c = self.turn_target(words);
+        let c = self.turn_target(text, words);
         if c.is_some() || !self.travel_plainly(block, MotionKind::Rapid, to, None) {
             let motion = self.motion(MotionKind::Rapid, to);
             let motion = self.turning(motion, c);

@@ -123,7 +123,7 @@ impl Interpreter {
             // C turns beside the plane.
             self.leave_flat();
         }
-        let c = self.turn_target(words);
+        let c = self.turn_target(text, words);
         self.enter_flat(match self.state.plane {
             Plane::Xy => Flat::Xy,
             Plane::Zx => Flat::Zx,
@@ -139,7 +139,7 @@ impl Interpreter {
         if self.state.pending.is_none() && self.state.compensating.is_none() {
             self.leave_flat();
         }
-        let is_named = words.get(b'Y').is_some() && !self.state.incremental;
+        let is_named = words.peek(b'Y').is_some() && !self.state.incremental;
         if is_named || self.state.y.abs() <= SAME {
             self.state.doubts.remove(Doubt::Y);
         }
