@@ -406,7 +406,8 @@ pub fn multi_threading(call: &ThreadingCall, at: &Moment, reports: &mut Vec<Diag
 
 /// P and Q of G76 with their letters exchanged, where that is what the message is about.
 fn swapped_amounts(text: &[u8], words: &Words, message: &Message) -> Vec<Fix> {
-    let (Some(p), Some(q), true) = (words.peek(b'P'), words.peek(b'Q'), message.is::<said::ThreadFirstDepth>())
+    let (Some(p), Some(q), true) =
+        (words.peek(b'P'), words.peek(b'Q'), message.is::<said::ThreadFirstDepth>())
     else {
         return Vec::new();
     };

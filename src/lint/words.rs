@@ -12,8 +12,8 @@ use crate::source::Span;
 use crate::source::shift::Shift;
 use crate::text::block::{Block, Word};
 
-/// The first of the words that the control ignores, those of the letters of `unread`: one fault, one message,
-/// for P and Q mostly belong together. `code`: the code that the block carries out, which does not read them.
+/// The first of the words that the control ignores; `unread` contains their letters. One fault, one message:
+/// P and Q mostly belong together. `code`: the code that the block carries out, which does not read them.
 pub fn unread(
     block: &Block,
     words: &Words,

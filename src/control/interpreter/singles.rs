@@ -68,7 +68,8 @@ impl Interpreter {
         if let Some(value) = taper.and_then(|word| reading.length(word)) {
             self.state.memory.taper = value;
         }
-        if cycle == Single::Threading && self.dialect.i_in_g92 == IInG92::Taper && words.peek(b'I').is_some() {
+        if cycle == Single::Threading && self.dialect.i_in_g92 == IInG92::Taper && words.peek(b'I').is_some()
+        {
             self.observe(text, Event::OldTaperWord { words });
         }
         if !words.has_any(AXES) {
