@@ -174,7 +174,13 @@ impl<'a> Parser<'a> {
         let unclear = block.is_broken() || block.words.is_empty();
         let is_text = !plain.has_value && !plain.is_ambiguous;
         // `; 其实N10 …` is no block either, but only the author knows about N10.
-        let is_remark = is_text || begins_in_other_script(block.span.of(text));
+        let begins_in_text = |word: &Word| {
+            let before = (word.span.start as usize).checked_sub(1);
+            before.is_some_and(|at| text[at].is_ascii_alphabetic())
+        };
+        // `; move 100%, speed 1mm/sec`: each value follows the last letter of a plain word.
+        let is_sentence = plain.texts >= 2 && block.words.iter().all(begins_in_text);
+        let is_remark = is_text || is_sentence || begins_in_other_script(block.span.of(text));
         // `;(TURN (LONG CUT))`: it is in brackets, and those within are reported.
         let is_comment = block.words.is_empty()
             && block.faults.iter().any(|fault| fault.message.is::<said::CommentNested>())
