@@ -75,7 +75,9 @@ fn unchecked(text: &[u8], analysis: &Analysis, uncertain: Uncertain) -> String {
         // slip, and may be read as one.
         out = write_with(text, analysis, Points::Everywhere(rule), uncertain).out;
     }
-    if analysis.concludes_inches && provenance::look_at_head(out.as_bytes()).unit.inches().is_none() {
+    if analysis.concludes_inches
+        && provenance::recognise(out.as_bytes()).is_none_or(|shown| shown.inches.is_none())
+    {
         out.insert_str(end_of_head(&out), "(DIALECT UNIT=INCH)\n");
     }
     if analysis.decides_decimal && provenance::numbers(out.as_bytes()).rule() != rule {

@@ -195,14 +195,16 @@ impl Recognised {
     /// been loaded.
     fn of(text: &[u8], look: Look, dialect: &DialectChoice) -> Option<Self> {
         let (may_be_foreign, has_system) = (dialect.recognise != Some(false), dialect.g_system.is_some());
-        let inches = look.unit.inches().filter(|_| dialect.unit.is_none());
-        if !look.is_unusual || !may_be_foreign && has_system {
-            return Some(Self { inches, ..Self::default() });
+        let is_unknown = look.is_unusual && (may_be_foreign || !has_system);
+        let has_no_unit = look.may_be_inches && dialect.unit.is_none();
+        if !is_unknown && !has_no_unit {
+            return Some(Self::default());
         }
         let shown = provenance::recognise(text)?;
         let foreign = shown.foreign.filter(|_| may_be_foreign);
         let is_open = foreign.is_none() && !has_system;
-        Some(Self { foreign, system: shown.system.filter(|_| is_open), inches })
+        let system = shown.system.filter(|_| is_open);
+        Some(Self { foreign, system, inches: shown.inches.filter(|_| has_no_unit) })
     }
 }
 

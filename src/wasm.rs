@@ -382,6 +382,7 @@ entry! { Early install_early {
     crate::control::interpreter::holes::install();
     crate::control::interpreter::macros::install();
     crate::control::interpreter::path::install();
+    crate::control::interpreter::read_words::install();
     crate::control::interpreter::y_axis::install();
     crate::message::levels::install();
     crate::provenance::install();
@@ -413,6 +414,7 @@ entry! { Late install_late {
     crate::control::interpreter::singles::install();
     crate::control::interpreter::threads::install();
     crate::control::interpreter::trace::install();
+    crate::control::interpreter::unread::install();
     crate::current::install();
     crate::current::machined::install();
     crate::run::install();

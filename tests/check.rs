@@ -107,6 +107,20 @@ fn a_folder_is_searched_for_programs_by_ending_and_by_text() {
     assert!(err(&folder.check(&[".", "--extension", "gc"])).contains("12 files left out"));
 }
 
+/// The beginning of a file shows whether it is a program. Where that ends within a line or a character, nothing is lost.
+#[test]
+fn of_a_long_file_only_the_beginning_shows_what_it_is() {
+    let program =
+        |line: &str| format!("O1\nG21 G99 G97 S500 M03 T0101\n{}M30\n", line.repeat(200_000 / line.len()));
+    let text = program("G01 X50. Z-1. F.2 (精车)\n");
+    let folder = Folder::new("long")
+        .with("a.txt", &text)
+        .with("b.txt", text.encode_utf16().flat_map(u16::to_le_bytes).collect::<Vec<_>>())
+        .with("c.txt", program("G01 X50.\r"))
+        .with("d.txt", format!("{}G01 X50.\n", "These are words.\n".repeat(10_000)));
+    assert_eq!(files(&folder, &["."]), ["a.txt", "b.txt", "c.txt"]);
+}
+
 #[test]
 fn patterns_and_endings_choose() {
     let folder = many("chosen");

@@ -243,9 +243,7 @@ fn a_bracket_within_a_comment_is_reported_where_text_is_left_over() {
 fn a_sentence_after_a_semicolon_is_one_fault() {
     let text = |rest: &str| format!("O0001\nT0101\nG97 S800 M03\nG00 X60 Z5 {rest}\nM30\n");
     assert_eq!(slugs(&text("; move 100%, speed 1mm/sec")), ["text-after-semicolon"]);
-    for blocks in ["; X20 move 100%, speed 1mm/sec", "; move X50 speed 1mm/sec"] {
-        assert!(!slugs(&text(blocks)).contains(&"text-after-semicolon"), "{blocks}");
-    }
+    assert!(!slugs(&text("; X20 move 100%, speed 1mm/sec")).contains(&"text-after-semicolon"));
     assert_eq!(slugs(&text("; G00 X70")), [""; 0]);
 }
 

@@ -41,6 +41,164 @@ fn control_characters_are_passed_over_outside_comments() {
     }
 }
 
+/// B-64484EN, program components: what precedes the first `%` is the tape start section, and the control skips it.
+#[test]
+fn text_before_the_first_percent_sign_is_a_leader() {
+    let program =
+        "%\nO0001\nG21 G99 G97 S500 M03 T0101\nG00 X60. Z2.\nG01 Z-14. F.2\nG00 X100. Z100.\nM30\n%\n";
+    let way = [(60.0, 2.0), (60.0, -14.0), (100.0, 100.0)];
+    for leader in [
+        "PAWN 30",
+        "国王  35",
+        "车",
+        "毛坯料宽40 长露出超过90",
+        "SHAFT\n\n  DRAWING NO 12-3 (REV A)\n---",
+        "Made by: me; 2026-11-27",
+    ] {
+        for end in ["\n", "\r\n", "\n\n \n"] {
+            let text = format!("{leader}{end}{program}");
+            assert_eq!(told(&text, "{}"), [""; 0], "{text}");
+            assert_eq!(ends(&text, "{}"), way, "{text}");
+        }
+        // `%O0001`: the number may be on the line of the sign.
+        let text = format!("{leader}\n{}", program.replacen("%\n", "%", 1));
+        assert_eq!((told(&text, "{}"), ends(&text, "{}")), (vec![], way.to_vec()), "{text}");
+    }
+}
+
+/// A program is no leader, whatever mistakes are in it: neither before a single `%` at its end, nor before another program.
+#[test]
+fn a_program_before_a_percent_sign_is_read() {
+    for (text, expected) in [
+        ("PAWN 30\n%\n", vec!["number-missing 1"; 3]),
+        ("Hello world\n%", vec!["text-outside-comment 1"]),
+        ("Hello world\n%\n%\n", vec!["text-outside-comment 1"]),
+        ("GO0 X60.\n%\nO2\nM30\n%\n", vec!["letter-for-digit 1"]),
+        ("O1 SHAFT\nX\n%\nO2\nM30\n%\n", vec!["text-outside-comment 1", "number-missing 2"]),
+    ] {
+        let told: Vec<_> = told(text, "{}").into_iter().filter(|told| !told.contains(['!', '?'])).collect();
+        assert_eq!(told, expected, "{text}");
+    }
+    let text = "HEAD\nG00 X60. Z2.\n%\nO2\nG00 X50. Z2.\nM30\n%\n";
+    assert_eq!(ends(text, "{}"), [(60.0, 2.0)]);
+}
+
+/// X20,5 can only be X20.5: the alarm stays, the block is carried out as with a point, in the blocks of cycles too.
+#[test]
+fn a_decimal_comma_is_read_as_a_point() {
+    let head = "O0001\nG21 G99 G97 S500 M03 T0101\nG00 X62. Z2.\n";
+    for body in [
+        "G01 X20,5 F0,2\nZ-20\nX62.",
+        "G01 X20.5 F0,2\nG02 X30,5 Z-3,0 R5,0\nG01 X62.",
+        "G71 U2 R1\nG71 P10 Q20 U1 W0,2 F0,3\nN10 G00 X30,5\nG01 Z-20\nN20 X60.",
+        "G75 R0,5\nG75 X56,08 Z-10 P2000 Q2000 F0,1",
+        "G90 X50,5 Z-10. F0,2\nX40,5",
+        "G01 X30. ,R2,5 F0,2\nZ-20,5 ,C1,5\nX62.",
+        "G32 Z-20,5 F1,5\nG00 X62.",
+    ] {
+        let text = format!("{head}{body}\nG00 X100. Z100.\nM30\n");
+        let point = |text: &str| {
+            let mut signs: Vec<char> = text.chars().collect();
+            for at in 1..signs.len() - 1 {
+                if signs[at] == ',' && signs[at - 1].is_ascii_digit() && signs[at + 1].is_ascii_digit() {
+                    signs[at] = '.';
+                }
+            }
+            signs.into_iter().collect::<String>()
+        };
+        let meant = point(&text);
+        let ends_meant = ends(&meant, "{}");
+        assert_eq!(ends(&text, "{}"), ends_meant, "{text}");
+        assert!(ends_meant.len() >= 3, "{text}");
+        let (commas, others): (Vec<_>, Vec<_>) =
+            told(&text, "{}").into_iter().partition(|told| told.starts_with("comma-for-point "));
+        assert_eq!(others, told(&meant, "{}"), "{text}");
+        assert_eq!(
+            commas.len(),
+            text.chars().zip(meant.chars()).filter(|(was, is)| was != is).count(),
+            "{text}"
+        );
+    }
+    let turned = format!("{head}G01 X20,5 F0,2\nZ-20\nG00 X100. Z100.\nM30\n");
+    assert_eq!(ends(&turned, "{}"), [(62.0, 2.0), (20.5, 2.0), (20.5, -20.0), (100.0, 100.0)]);
+    // Two commas in a number, or too many digits: nothing is read.
+    for word in ["X1,2,3", "X20.5,5", "X12345678,5"] {
+        let text = format!("{head}G01 {word} F.2\nG00 X100. Z100.\nM30\n");
+        assert_eq!(ends(&text, "{}"), [(62.0, 2.0), (100.0, 100.0)], "{text}");
+    }
+}
+
+/// A corner word needs a block that moves along a path; elsewhere nothing reads it.
+#[test]
+fn corner_words_without_a_corner_are_reported() {
+    for block in [
+        "G71 U2. R1. ,R2",
+        "G74 R1. ,R2\nG74 Z-20. Q2000 F.1",
+        "G76 P010060 Q50 R.05 ,C1",
+        "G04 X1. ,R2",
+        "G28 U0 W0 ,R2",
+        "G50 S2000 ,R2",
+        "G53 X0 Z0 ,C1",
+        "G01 ,R2",
+        "G00 ,R2",
+        "M08 ,R2",
+    ] {
+        let text = format!(
+            "O1\nG21 G99 G97 S500 M03 T0101\nG00 X60. Z2.\nG01 X58. F.2\n{block}\nG00 X100. Z100.\nM30\n"
+        );
+        let told = told(&text, "{}");
+        assert!(told.contains(&"word-without-effect! 5".to_owned()), "{block} {told:?}");
+    }
+    for block in ["G01 X50. ,R2\nZ-20.", "G01 Z-5. ,C1\nX62.", "G01 ,A135 X62.", "G65 P1 ,R2", "M98 P1 ,R2"] {
+        let text = format!(
+            "O1\nG21 G99 G97 S500 M03 T0101\nG00 X40. Z2.\nG01 X38. F.2\n{block}\nG00 X100. Z100.\nM30\n"
+        );
+        assert!(!told(&text, "{}").contains(&"word-without-effect! 5".to_owned()), "{block}");
+    }
+}
+
+/// What a misread word is reported to mean is what everything after it sees: T0303 is station 3 with offset 3.
+#[test]
+fn a_misread_tool_word_has_a_station() {
+    let text = |tool: &str| {
+        format!(
+            "O1\nG21 G40 G99 G97 S500 M03 T0101\nG00 X32. Z2.\nG01 X28. F.2\nG00 X60. Z50.\n{tool}\nG00 X32. Z-25.\nG01 X2. F.05\nG00 X60.\nM30\n"
+        )
+    };
+    for tool in ["TO3O3", "T03O3", "To3o3"] {
+        assert_eq!(told(&text(tool), "{}"), ["letter-for-digit 6"], "{tool}");
+        let analysis = analyze(text(tool).as_bytes(), &Setup::default());
+        let tools: Vec<_> = analysis.motions.iter().map(|motion| motion.process.tool).collect();
+        let meant = analyze(text("T0303").as_bytes(), &Setup::default());
+        assert_eq!(tools, meant.motions.iter().map(|motion| motion.process.tool).collect::<Vec<_>>());
+    }
+}
+
+/// System B of FANUC: G92 sets coordinates, G94 is feed a minute. Two cycles of system A without an axis are no cycles.
+#[test]
+fn a_head_with_a_setting_of_coordinates_and_g94_g90_is_system_b() {
+    let text = "N10 G92 X100 Z50\nN20 G94 G90\nN30 T0101\nN40 S1000 M03\nN50 G00 X32 Z2\nN60 G01 X28 F100\nN70 Z-20\nN80 G00 X100 Z50\nN90 M30\n";
+    let named = r#"{"dialect": {"gSystem": "B"}}"#;
+    assert_eq!(ends(text, "{}"), ends(text, named));
+    assert_eq!(told(text, "{}"), ["g-code-system-concluded? 2"]);
+}
+
+/// HNC, programming manual, G71: one block has depth, retract, contour and allowances.
+#[test]
+fn roughing_of_hnc_in_one_block_is_recognised() {
+    for cycle in [
+        "G71 U2 R1 P10 Q20 U0.4 W0.1 F100",
+        "G71 U7.0 R1.0 P10 Q20 U4.0 W2.0 S500",
+        "G71 U2 R1 P10 Q20 X0.4 Z0.1 F100",
+    ] {
+        let text = format!(
+            "%0003\nT0101\nM03 S800\nG00 X46 Z3\n{cycle}\nN10 G00 X20\nG01 Z-20\nX30\nN20 Z-40\nG00 X80 Z80\nM30\n"
+        );
+        let told = told(&text, "{}");
+        assert!(told.len() == 1 && told[0].starts_with("program-for-another-control "), "{told:?}");
+    }
+}
+
 /// B-64484EN, program name: 32 characters in `< >`, called by `M98 <NAME>` and `G65 <NAME>`.
 #[test]
 fn programs_are_called_by_their_names() {

@@ -21,6 +21,7 @@ use crate::order;
 use crate::run::replay::block_at;
 use crate::source::{Span, line_around};
 use crate::text::parser::Resume;
+use crate::text::program_name;
 
 /// Most proposals of one kind.
 const MOST: usize = 60;
@@ -210,17 +211,17 @@ impl Proposing<'_> {
     fn programs(&self) -> Vec<Item> {
         let programs = &self.around.programs;
         let own = programs.iter().rev().find(|(_, at)| *at <= self.span.start);
-        let others = programs.iter().filter(|program| Some(*program) != own);
+        let others =
+            programs.iter().filter(|program| Some(*program) != own && !program_name::is_name(program.0));
         others.map(|(number, at)| fixed(format!("P{number}"), What::Program(*at))).collect()
     }
 
     fn variables(&self) -> Vec<Item> {
-        let numbers = (1..=33).chain(100..200).chain(500..1000);
         let value = |number: u32| match self.state.variables.read(number) {
             Ok(Found::Value(value)) => value,
             _ => None,
         };
-        let items = numbers.filter_map(|number| {
+        let items = (1..1000).filter_map(|number| {
             value(number).map(|value| fixed(format!("#{number}"), What::Variable(value)))
         });
         items.collect()

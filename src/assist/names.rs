@@ -48,7 +48,8 @@ pub struct Named {
 pub fn names(text: &[u8], block: &Block, codes: CodeList) -> Vec<Named> {
     let mut found = Vec::new();
     let own = |name, span| Named { name, span, defines: true, anywhere: false };
-    found.extend(block.program.map(|(number, span)| own(Name::Program(number), span)));
+    let heads = block.program.into_iter().chain(block.second_name);
+    found.extend(heads.map(|(number, span)| own(Name::Program(number), span)));
     let sequence = block.sequence.and_then(|number| {
         let span = sequence_span(text, block.span.start as usize, block.span.end as usize)?;
         Some(own(Name::Sequence(number), span))

@@ -8,6 +8,7 @@ use crate::setup::dialect::CodeList;
 use crate::source::{Span, line_around};
 use crate::text::block::Block;
 use crate::text::parser::{Parser, Resume};
+use crate::text::program_name;
 
 /// Most places that are listed.
 const MOST: usize = 500;
@@ -61,12 +62,14 @@ pub fn uses(text: &[u8], codes: CodeList, byte: u32) -> Option<Uses> {
 /// All places of a name, with which program of the text each is in, from 0.
 fn all(text: &[u8], codes: CodeList, name: Name) -> Vec<(Named, u32)> {
     let digits = name.number().to_string();
+    let names_program = matches!(name, Name::Program(number) if program_name::is_name(number));
     let (mut found, mut program, mut begun) = (Vec::new(), 0, false);
     let mut start = 0;
     while start < text.len() {
         let line = line_around(text, start);
         let own = line.of(text);
-        if may_begin_a_program(own) || ends_a_number(own, digits.as_bytes()) {
+        let may_use = if names_program { own.contains(&b'<') } else { ends_a_number(own, digits.as_bytes()) };
+        if may_begin_a_program(own) || may_use {
             read_line(text, line, codes, |named, block| {
                 // The head of a program: a text may begin without one.
                 program += u32::from(block.program.is_some() && begun);
@@ -91,11 +94,11 @@ fn read_line(text: &[u8], line: Span, codes: CodeList, mut take: impl FnMut(Vec<
     }
 }
 
-/// Whether a block of the line may begin with O, or with the colon of an older code.
+/// Whether a block of the line may begin with O, the colon of an older code, or a name.
 fn may_begin_a_program(line: &[u8]) -> bool {
     line.split(|&byte| byte == b';').any(|block| {
         let first = block.iter().find(|byte| !matches!(byte, b' ' | b'\t' | b'%'));
-        first.is_some_and(|byte| matches!(byte, b'O' | b'o' | b':'))
+        first.is_some_and(|byte| matches!(byte, b'O' | b'o' | b':' | b'<'))
     })
 }
 

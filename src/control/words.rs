@@ -10,6 +10,7 @@ use crate::setup::dialect::DecimalRule;
 use crate::source::Span;
 use crate::text::block::{Block, Value, Word};
 use crate::text::lexer::Number;
+use crate::text::misread;
 use crate::units::{Diameter, Unit};
 
 /// What stands after the letter of a word as it is written.
@@ -105,6 +106,19 @@ impl<'b> Words<'b> {
     /// The text of a word, blanks left out.
     pub fn quote(&self, text: &[u8], address: u8) -> String {
         self.peek(address).map_or_else(String::new, |word| quote(text, word.span))
+    }
+}
+
+/// The text of a word as it was meant: without blanks, with digits for the letters that stand for them, and with a point for a comma.
+pub fn as_meant(text: &[u8], span: Span) -> String {
+    let written = quote(text, span);
+    match misread::read(written.as_bytes(), 0) {
+        Some(misread) if misread.len == written.len() => misread.plain,
+        // A comma at the head belongs to a corner word: `,R2`.
+        _ => written
+            .char_indices()
+            .map(|(at, sign)| if at > 0 && matches!(sign, ',' | '，') { '.' } else { sign })
+            .collect(),
     }
 }
 

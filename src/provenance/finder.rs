@@ -173,6 +173,10 @@ fn heads(text: &[u8], statement: &Statement, found: &mut impl FnMut(Sign, Span))
     match line {
         [b'%', b'0'..=b'9', ..] => found(Sign::PercentNumber, statement.span),
         [b'%', b'_', b'n' | b'N', b'_', ..] => found(Sign::TransferHead, statement.span),
+        [b'%', b'M' | b'm' | b'S' | b's', b'P' | b'p', b'F' | b'f', b'0'..=b'9', ..] => {
+            found(Sign::TransferHead, statement.span);
+        }
+        [b'%', b'P' | b'T', b'M'] => found(Sign::PhilipsHead, statement.span),
         [b'%', ..] if holds(line, b",MX,") => found(Sign::FagorHead, statement.span),
         [b'$', .., b'%'] if line.contains(&b'.') => found(Sign::OkumaHead, statement.span),
         [b'$', b'1'..=b'9', rest @ ..] if !rest.first().is_some_and(u8::is_ascii_alphanumeric) => {
@@ -333,6 +337,9 @@ fn other_lathes(statement: &Statement, found: &mut impl FnMut(Sign, Span)) {
             800 if turning && alone && statement.has(b'F') => found(Sign::TurningG80, span),
             810 if turning && alone => found(Sign::FacingG81, span),
             820 if turning && alone => found(Sign::ThreadingG82, span),
+            660 | 680 | 690 if statement.has_all(b"XZCSE") => found(Sign::ContourSe, span),
+            810 | 820 if statement.has_all(b"XZQRCL") => found(Sign::SectionQrcl, span),
+            360 if xz && statement.has(b'R') => found(Sign::RoundingG36, span),
             360 if is_bare(statement) => found(Sign::DiametersG36, span),
             370 if is_bare(statement) => found(Sign::RadiiG37, span),
             2900 | 2910 => found(Sign::LanguageSwitch, span),
@@ -447,9 +454,10 @@ fn fanuc_lathe(statement: &Statement, found: &mut impl FnMut(Sign, Span)) {
     }
 }
 
-/// `G71 U R P Q`, perhaps with E: depth and retract in the block that names the contour, and no allowance.
+/// `G71 U R P Q`, perhaps with E: depth and retract in the block that names the contour. There is no allowance, or a second U.
 fn is_one_line_without_axes(statement: &Statement) -> bool {
-    statement.has_all(b"PQRU") && !statement.has_any(b"XZWD")
+    let allowances = statement.words().iter().filter(|word| word.letter == b'U').count() > 1;
+    statement.has_all(b"PQRU") && !statement.has_any(b"XZD") && (allowances || !statement.has(b'W'))
 }
 
 /// No words but G, M and N.

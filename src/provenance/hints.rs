@@ -48,6 +48,7 @@ fn has_code(statement: &Statement) -> bool {
         710..=730 => has(b"XZE") || has(b"R") && has(b"P"),
         760 => has(b"CJ"),
         770 | 780 if has(b"P") => true,
+        660 | 680 | 690 => has(b"E"),
         770..=820 => cycle,
         900 => statement.codes(b'G').any(|(other, _)| matches!(other, 0 | 10)),
         920 | 940 => !has(b"XZUW"),

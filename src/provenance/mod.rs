@@ -19,7 +19,7 @@ use self::finder::Finder;
 use self::signs::{Sign, Weight};
 use self::statement::{Statement, Statements};
 use self::system::Scales;
-use self::unit::UnitEvidence;
+use self::unit::{UnitEvidence, UnitHint};
 use crate::message::{Message, said};
 use crate::parts::{Part, early};
 use crate::setup::dialect::GSystem;
@@ -54,6 +54,8 @@ pub enum Target {
     Mazak,
     /// CNCSimulator.
     CncSimulator,
+    /// Philips 3000, later MAHO.
+    Philips,
     /// A milling machine.
     Mill,
     /// A 3D printer.
@@ -74,6 +76,7 @@ impl Target {
             Self::Channels => "Citizen / Star / Tsugami ($1 $2)",
             Self::Mazak => "Mazak (EIA/ISO)",
             Self::CncSimulator => "CNCSimulator",
+            Self::Philips => "Philips / MAHO",
             Self::Mill | Self::Printer => "",
         }
     }
@@ -92,12 +95,13 @@ impl Target {
             | Self::Gsk928
             | Self::Channels
             | Self::Mazak
-            | Self::CncSimulator => said::ForeignControl { control: self.name() }.into(),
+            | Self::CncSimulator
+            | Self::Philips => said::ForeignControl { control: self.name() }.into(),
         }
     }
 
     /// All of them, in the order of their numbers.
-    pub const ALL: [Target; 12] = [
+    pub const ALL: [Target; 13] = [
         Self::Hnc,
         Self::Siemens,
         Self::LinuxCnc,
@@ -108,6 +112,7 @@ impl Target {
         Self::Channels,
         Self::Mazak,
         Self::CncSimulator,
+        Self::Philips,
         Self::Mill,
         Self::Printer,
     ];
@@ -140,6 +145,8 @@ pub struct Provenance {
     /// System B or C, where the text of a FANUC lathe is beyond doubt written in it;
     /// nothing is no reason to leave A.
     pub system: Option<(GSystem, Span)>,
+    /// The word or remark that shows inches, where no code names the unit.
+    pub inches: Option<Span>,
 }
 
 /// What the first look at a text shows.
@@ -149,8 +156,8 @@ pub struct Look {
     pub is_unusual: bool,
     /// What its numbers show of the decimal rule.
     pub numbers: DecimalEvidence,
-    /// What its head shows of the unit.
-    pub unit: UnitEvidence,
+    /// Its head names no unit and may be in inches: [`recognise`] says whether it is.
+    pub may_be_inches: bool,
 }
 
 /// Looks at the beginning of a text, once for everything it shows.
@@ -164,7 +171,7 @@ pub fn look_at_head(text: &[u8]) -> Look {
 }
 
 fn look_until(text: &[u8], end: usize) -> Look {
-    let mut seen = Look::default();
+    let (mut seen, mut unit) = (Look::default(), UnitHint::default());
     let mut statement = Statement::default();
     let mut statements = Statements::new(&text[..text.len().min(NUMBERS)]);
     while statements.read(&mut statement) && (statement.span.start as usize) < end {
@@ -172,27 +179,30 @@ fn look_until(text: &[u8], end: usize) -> Look {
         seen.is_unusual = seen.is_unusual || is_head && hints::is_unusual(text, &statement);
         seen.numbers.take(&statement);
         if is_head {
-            seen.unit.take(text, &statement);
+            unit.take(&statement);
         }
     }
-    seen
+    Look { may_be_inches: unit.is_open(), ..seen }
 }
 
 early! {
     fn read_closely(text: &[u8]) -> Provenance {
         let (mut scores, mut finder, mut scales) = (Scores::default(), Finder::default(), Scales::default());
+        let mut unit = UnitEvidence::default();
         let mut statement = Statement::default();
         let mut statements = Statements::new(&text[..text.len().min(NUMBERS)]);
         while statements.read(&mut statement) && (statement.span.start as usize) < HEAD {
             finder.look(text, &statement, |sign, span| scores.add(sign, span));
             scales.take(&statement);
+            unit.take(text, &statement);
         }
-        Provenance { foreign: scores.verdict(), system: scales.verdict() }
+        Provenance { foreign: scores.verdict(), system: scales.verdict(), inches: unit.inches() }
     }
 }
 
 /// For what control a text was written, by its head; `None` where the part of the module that can say so has not
-/// been loaded. It is needed for texts that are [unusual](Look::is_unusual).
+/// been loaded. It is needed for texts that are [unusual](Look::is_unusual) or
+/// [may be in inches](Look::may_be_inches).
 pub fn recognise(text: &[u8]) -> Option<Provenance> {
     RECOGNISED_BY.is_loaded().then(|| read_closely(text))
 }
@@ -260,7 +270,8 @@ impl Scores {
             | Target::Okuma
             | Target::Channels
             | Target::Mazak
-            | Target::CncSimulator => 0,
+            | Target::CncSimulator
+            | Target::Philips => 0,
         }
     }
 

@@ -65,7 +65,7 @@ signs! {
     CycleName = For(Siemens, 3),
     /// `DIAMON`, `DIAMOF`, `DIAM90`.
     DiameterMode = For(Siemens, 4),
-    /// `%_N_SHAFT_MPF`.
+    /// `%_N_SHAFT_MPF`, `%MPF1005`, `%SPF20`.
     TransferHead = For(Siemens, 4),
     /// `R1=`.
     RParameter = For(Siemens, 2),
@@ -141,6 +141,12 @@ signs! {
     ParameterK = For(Fagor, 4),
     /// `%SHAFT,MX,`.
     FagorHead = For(Fagor, 4),
+    /// `G68 X Z C … S E`: roughing of the contour between two blocks (Fagor 8055 T, G66, G68, G69).
+    ContourSe = For(Fagor, 4),
+    /// `G81 X Z Q R C L`: turning of a straight section (G81, G82).
+    SectionQrcl = For(Fagor, 4),
+    /// `G36 R X Z`: rounding of a corner.
+    RoundingG36 = For(Fagor, 2),
 
     /// `BEGIN PGM`, `END PGM`.
     ProgramFrame = For(Heidenhain, 4),
@@ -186,6 +192,9 @@ signs! {
 
     /// `$AddRegPart`, `$Message`.
     SimulatorCommand = For(CncSimulator, 4),
+
+    /// `%PM`, `%TM` alone: program and tool memory. `G96 D S` is written there, too.
+    PhilipsHead = For(Philips, 5),
 
     /// `G81 X Z I K`.
     CycleIk = For(Gsk928, 3),

@@ -19,6 +19,8 @@ enum Sign {
     G95,
     /// `G92 S` without X and Z: speed clamp in B and C.
     G92S,
+    /// `G92 X Z` before any F: the coordinate system in B and C, for a thread has a lead.
+    G92Place,
     /// `G77 X Z`: turning cycle of B.
     G77,
     /// `G78 X Z`: threading cycle of B.
@@ -35,6 +37,8 @@ enum Sign {
     FeedBesideAbsolute,
     /// `G90 G00 X`: in A both are of group 01.
     AbsoluteBesideMove,
+    /// `G90` without X, Z, U and W: in A a cycle without a place.
+    AbsoluteAlone,
     /// `G24 X Z`: facing cycle of C.
     G24,
     /// `G21 X Z F` alone: threading cycle of C.
@@ -74,9 +78,13 @@ impl Sign {
     fn weight(self) -> (Side, u8) {
         match self {
             Self::G95 | Self::G92S => (Side::BAndC, 3),
-            Self::G91 | Self::G94F | Self::G33 | Self::FeedBesideAbsolute | Self::AbsoluteBesideMove => {
-                (Side::BAndC, 2)
-            }
+            Self::G91
+            | Self::G94F
+            | Self::G33
+            | Self::FeedBesideAbsolute
+            | Self::AbsoluteBesideMove
+            | Self::AbsoluteAlone => (Side::BAndC, 2),
+            Self::G92Place => (Side::BAndC, 1),
             Self::G77 | Self::G78 | Self::G79 => (Side::B, 3),
             Self::G78Data => (Side::C, 3),
             Self::G24 | Self::G21Cycle | Self::G78Depths | Self::G77Steps | Self::Finishing | Self::Unit => {
@@ -111,6 +119,8 @@ pub struct Scales {
     roughed: Vec<[Option<u64>; 2]>,
     /// A hole cycle is in force: G98 and G99 may be its return levels.
     hole_cycle: bool,
+    /// An F was read.
+    has_feed: bool,
 }
 
 impl Scales {
@@ -135,6 +145,7 @@ impl Scales {
                 950 => Sign::G95,
                 920 if !axes && statement.has(b'S') => Sign::G92S,
                 920 if cycle && statement.has(b'F') => Sign::G92Cycle,
+                920 if cycle && !self.has_feed => Sign::G92Place,
                 900 | 910 if codes([940, 950]) && !axes => Sign::FeedBesideAbsolute,
                 900 if axes && codes([0, 10]) && !statement.has_any(b"UW") => Sign::AbsoluteBesideMove,
                 780 if !axes && statement.word(b'P').is_some_and(|word| word.span.len() > 5) => Sign::G78Data,
@@ -155,6 +166,7 @@ impl Scales {
                 770 if cycle => Sign::G77,
                 780 if cycle => Sign::G78,
                 790 if cycle => Sign::G79,
+                900 if !axes => Sign::AbsoluteAlone,
                 910 => Sign::G91,
                 940 if axes => Sign::G94Cycle,
                 940 if statement.has(b'F') => Sign::G94F,
@@ -175,6 +187,7 @@ impl Scales {
             };
             self.add(sign, span);
         }
+        self.has_feed |= statement.has(b'F');
         let increment = statement.words().iter().find(|word| matches!(word.letter, b'U' | b'W'));
         if let Some(word) = increment
             && plain
@@ -210,6 +223,14 @@ impl Scales {
             if system == GSystem::C { of_own } else { of_own.into_iter().chain(shared).max_by_key(heavier) };
         let (_, span) = shown?;
         let for_it = total(own) + total(Side::BAndC);
-        (for_it >= ENOUGH + 2 * total(Side::A)).then_some((system, span))
+        (for_it >= ENOUGH + 2 * self.weight_of_a()).then_some((system, span))
+    }
+
+    /// What suggests A. A program that changes between G90 and G91 is not written in A: its `G50 S` is a slip or a habit.
+    fn weight_of_a(&self) -> u8 {
+        let has = |signs: &[Sign]| signs.iter().any(|&sign| self.seen & 1 << (sign as u8) != 0);
+        let absolute = [Sign::AbsoluteAlone, Sign::AbsoluteBesideMove, Sign::FeedBesideAbsolute];
+        let is_slip = has(&[Sign::G91]) && has(&absolute) && has(&[Sign::G50S]);
+        self.totals[Side::A as usize] - if is_slip { 2 } else { 0 }
     }
 }

@@ -34,17 +34,65 @@ const FINEST: f64 = 0.2;
 /// Least weight of the signs.
 const ENOUGH: usize = 3;
 
+/// Whether a program may be in inches: no code names a unit, and no coordinate is too large.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct UnitHint {
+    /// A unit is named, or a number is too large for inches.
+    excluded: bool,
+    /// A coordinate has a point.
+    pointed: bool,
+}
+
+impl UnitHint {
+    /// Takes in one more statement.
+    pub fn take(&mut self, statement: &Statement) {
+        if self.excluded {
+            return;
+        }
+        let mut dwells = false;
+        for (code, _) in statement.codes(b'G') {
+            match code {
+                200 | 210 => self.excluded = true,
+                // System C, unless they call a cycle.
+                700 | 710 if !statement.has_any(b"PQUX") => self.excluded = true,
+                40 => dwells = true,
+                _ => {}
+            }
+        }
+        let [x, z] = LARGEST;
+        for word in statement.words().iter().filter(|word| !word.assigned && !dwells) {
+            let Some(number) = word.number else { continue };
+            let most = match word.letter {
+                b'X' | b'U' => x,
+                b'Z' | b'W' => z,
+                _ => continue,
+            };
+            let value = number.value();
+            if number.has_point() {
+                self.pointed = true;
+                self.excluded |= value >= most;
+            } else if matches!(word.letter, b'X' | b'Z') {
+                // Without a point 10 mm, or a thousandth of an inch.
+                self.excluded |= (x..100.0).contains(&value);
+            }
+        }
+    }
+
+    /// The program may be in inches.
+    pub fn is_open(&self) -> bool {
+        self.pointed && !self.excluded
+    }
+}
+
 /// What the numbers and remarks of a program show of its unit.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct UnitEvidence {
-    /// A unit is named, or a number is too large for inches.
-    excluded: bool,
+    /// Whether it may be in inches at all.
+    hint: UnitHint,
     /// G98 is in force.
     per_minute: bool,
-    /// Largest X.
+    /// Largest X with a point.
     largest: f64,
-    /// Coordinates with a point.
-    pointed: usize,
     /// A feed of cuts.
     has_feed: bool,
     /// A remark names inches.
@@ -62,15 +110,13 @@ pub struct UnitEvidence {
 impl UnitEvidence {
     /// Takes in one more statement.
     pub fn take(&mut self, text: &[u8], statement: &Statement) {
-        if self.excluded {
+        self.hint.take(statement);
+        if self.hint.excluded {
             return;
         }
         let (mut threads, mut speeds, mut dwells, mut limits) = (false, false, false, false);
         for (code, _) in statement.codes(b'G') {
             match code {
-                200 | 210 => self.excluded = true,
-                // System C, unless they call a cycle.
-                700 | 710 if !statement.has_any(b"PQUX") => self.excluded = true,
                 980 | 940 if !statement.has_any(b"XZUW") => self.per_minute = true,
                 990 | 950 => self.per_minute = false,
                 320 | 330 | 340 | 760 | 780 | 840 | 880 | 920 => threads = true,
@@ -90,25 +136,20 @@ impl UnitEvidence {
             let is_fine = number.has_point() && decimals >= 4;
             match word.letter {
                 b'X' | b'Z' | b'U' | b'W' if number.has_point() => {
-                    let [x, z] = LARGEST;
-                    self.excluded |= value >= if matches!(word.letter, b'X' | b'U') { x } else { z };
-                    self.pointed += 1;
                     if word.letter == b'X' {
                         self.largest = self.largest.max(value);
                     }
                     self.fine = self.fine.or(is_fine.then_some(word.span));
                 }
-                // Without a point 10 mm, or a thousandth of an inch.
-                b'X' | b'Z' => self.excluded |= (LARGEST[0]..100.0).contains(&value),
                 b'F' | b'E' if threads => {
                     let is_too_fine = number.has_point() && value > 0.0 && value < FINEST;
                     self.lead = self.lead.or(is_too_fine.then_some(word.span));
-                    self.excluded |= value >= COARSEST;
+                    self.hint.excluded |= value >= COARSEST;
                     self.fine = self.fine.or(is_fine.then_some(word.span));
                 }
                 b'F' if !self.per_minute => {
                     self.has_feed = true;
-                    self.excluded |= value > FASTEST;
+                    self.hint.excluded |= value > FASTEST;
                 }
                 b'S' if speeds && value >= self.feet.map_or(FEET, |feet| feet.0) => {
                     self.feet = Some((value, word.span));
@@ -137,7 +178,7 @@ impl UnitEvidence {
             + usize::from(self.has_feed);
         let found = self.fine.or(self.lead).or(self.remark).or(feet.map(|feet| feet.1))?;
         let cuts = self.has_feed || self.lead.is_some();
-        (!self.excluded && self.pointed > 0 && cuts && weight >= ENOUGH).then_some(found)
+        (self.hint.is_open() && cuts && weight >= ENOUGH).then_some(found)
     }
 }
 

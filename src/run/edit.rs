@@ -14,7 +14,7 @@ use crate::parts::{Part, late};
 use crate::provenance;
 use crate::setup::notes::{self, Notes};
 use crate::source::shift::Shift;
-use crate::text::parser::Resume;
+use crate::text::parser::{LEADER, Resume};
 
 /// Most blocks from one snapshot to the next, for each motion that there may be.
 const BLOCKS_PER_MOTION: usize = 4;
@@ -125,6 +125,7 @@ impl Run {
         text.splice(start..end, edit.insert);
         let checkpoint = self.checkpoints.last().filter(|_| {
             text.len() <= self.setup().limits.text
+                && start >= LEADER
                 && (start >= provenance::HEAD
                     || Some(self.recognised)
                         == Recognised::of(&text, provenance::look_at_head(&text), &self.setup().dialect))

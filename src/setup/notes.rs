@@ -14,7 +14,7 @@
 //! and `[BILLET X62 Z70`, as class simulators write a bar of 62 mm, 70 mm long.
 //!
 //! In: the text of a program. Out: what its first lines say, and what in it cannot be read. Prose that begins
-//! with one of these words, but holds no `=`, is prose.
+//! with one of these words, but has no `=` or more words without one, is prose.
 
 use std::borrow::Cow;
 
@@ -374,8 +374,26 @@ impl Comment<'_> {
             _ => self.opened_by == b'(' && memchr::memchr(b'=', inside).is_some(),
         };
         let named = Keyword::ALL.into_iter().find(|own| own.name().as_bytes().eq_ignore_ascii_case(word));
-        named.filter(stands_here)
+        named.filter(stands_here).filter(|_| !is_prose(&inside[word.len()..]))
     }
+}
+
+/// Whether prose follows the first word of a comment, in spite of an `=`: `(START SPINDLE, D=1.7)`, `(MACHINE THE OD, D=40)`.
+/// One strange word in front of the settings is a slip.
+fn is_prose(rest: &[u8]) -> bool {
+    let mut words = rest.split(u8::is_ascii_whitespace).filter(|word| !word.is_empty()).peekable();
+    let Some([first, second, .., last]) = words.peek() else { return false };
+    let is_word = first.is_ascii_alphabetic() && second.is_ascii_alphabetic();
+    let ends_clause = *last == b',';
+    let (mut bare, mut all) = (0, 0);
+    let mut begins_bare = None;
+    for word in words {
+        let is_bare = !word.contains(&b'=');
+        begins_bare.get_or_insert(is_bare);
+        bare += usize::from(is_bare);
+        all += 1;
+    }
+    is_word && begins_bare == Some(true) && (ends_clause || 2 * bare > all)
 }
 
 /// What is at the head of a text in parentheses and brackets, each closed by the next one or the end of its line.
@@ -533,6 +551,11 @@ mod tests {
     fn prose_is_prose_and_a_slip_is_told() {
         let prose = Notes::read(b"(STOCK: ROUND BAR)\n(TOOL 1 - ROUGHING)\n(MACHINE THE FACE)\n(X=3)");
         assert_eq!(prose, Notes::default());
+        let sizes = Notes::read(
+            b"(Start spindle, D=1.748, SFM=300, RPM=655)\n(Stock removal, D=40)\n(machine the OD, D=40)\n(TOOL CHANGE POINT AT X=200 Z=100)",
+        );
+        assert_eq!(sizes, Notes::default());
+        assert_eq!(Notes::read(b"(STOCK BAR D=65 LENGTH=80)").unreadable.len(), 1);
         let text = b"(STOCK D=65 LENGHT=80 BORE=x)";
         let notes = Notes::read(text);
         let told: Vec<_> = notes.unreadable.iter().map(|fault| fault.span.of(text)).collect();

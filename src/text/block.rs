@@ -60,8 +60,8 @@ pub struct Block {
     pub optional: Option<(usize, u8)>,
     /// Program number (`O1234`) at its head, or the number of its [name](super::program_name).
     pub program: Option<(u32, Span)>,
-    /// The number of the name after a program number: `O1234<NAME>`.
-    pub second_name: Option<u32>,
+    /// The number of the name after a program number, and the name: `O1234<NAME>`.
+    pub second_name: Option<(u32, Span)>,
     /// Sequence number (`N10`) at its head.
     pub sequence: Option<u32>,
     /// The other words, in order.
@@ -89,9 +89,12 @@ impl Block {
         self.kind == BlockKind::Words && self.words.is_empty() && self.program.is_none()
     }
 
-    /// Whether a fault of its writing keeps it from being carried out.
+    /// Whether a fault of its writing keeps it from being carried out. A comma for the decimal point does not: only one number
+    /// can be meant, and the word is read so.
     pub fn is_broken(&self) -> bool {
-        self.faults.iter().any(|fault| fault.is_error())
+        let is_read =
+            |fault: &Diagnostic| fault.message.is::<said::CommaForPoint>() && !fault.fixes.is_empty();
+        self.faults.iter().any(|fault| fault.is_error() && !is_read(fault))
     }
 
     /// Whether it has more words than are kept.
@@ -148,7 +151,7 @@ impl Block {
     /// Moves its places along, when the text before them has changed.
     pub(super) fn shift(&mut self, shift: &Shift) {
         let words = self.words.iter_mut().map(|word| &mut word.span);
-        let program = self.program.iter_mut().map(|(_, span)| span);
+        let program = self.program.iter_mut().chain(&mut self.second_name).map(|(_, span)| span);
         for span in words.chain(program).chain(&mut self.comments).chain([&mut self.span]) {
             *span = shift.span(*span);
         }

@@ -4,7 +4,7 @@ pub mod block;
 pub mod highlight;
 pub mod lexer;
 mod lost_letter;
-mod misread;
+pub mod misread;
 pub mod parser;
 pub mod plain_line;
 mod plain_words;

@@ -18,7 +18,7 @@ use super::lexer::{Lexer, Number, TokenKind, is_between_blocks, is_blank};
 use super::lost_letter;
 use super::misread::{self, Misread};
 use super::plain_line::PlainLine;
-use super::plain_words::{PlainWords, begins_in_other_script};
+use super::plain_words::{PlainWords, begins_as_sentence, begins_in_other_script};
 use super::program_name;
 use crate::limits::DIGITS;
 use crate::message::{Diagnostic, Edit, Fix, Message, Repair, Severity, said, sort_by_place};
@@ -29,6 +29,9 @@ use crate::source::{Span, line_end};
 
 /// Most faults of one block without a safe fix that are reported; one mistake easily upsets the words after it.
 const FAULTS_PER_BLOCK: usize = 3;
+
+/// Bytes at the head of a text within which the leader of the tape, the sign after it and the first word of the program are.
+pub const LEADER: usize = 1024;
 
 /// The part of the module that reads what is not written as it should be.
 pub const READS_FAULTS: Part = Part::Early;
@@ -137,7 +140,7 @@ impl<'a> Parser<'a> {
         if !block.faults.is_empty() && may_read_faults(block) {
             reconsider(self, block, behind_semicolon);
         }
-        if block.kind == BlockKind::Percent && self.begun {
+        if block.kind == BlockKind::Percent && self.begun && !names_program(self.lexer.text(), block.span) {
             self.ended = true;
         }
         self.begun |= !block.is_empty() && block.kind != BlockKind::Percent;
@@ -162,10 +165,16 @@ impl<'a> Parser<'a> {
     /// Looks again at a block with faults: it may be text, or contain plain words.
     fn reconsider(&self, block: &mut Block, behind_semicolon: bool) {
         let text = self.lexer.text();
+        if !self.begun && !self.is_trial && leader(text).is_some_and(|end| block.span.start < end) {
+            return keep_as_comment(block, trimmed(text, block.span));
+        }
         for fault in block.faults.iter_mut().filter(|fault| fault.message.is::<said::CommentOpen>()) {
             // `(face X20`: the bracket may belong before X20.
+            // `(STOPS AT M01, IF ON`: text goes on after it.
             let hidden = Span { start: fault.span.end, end: block.span.end };
-            if PlainWords::of(text, hidden, &[]).has_value {
+            let groups = PlainWords::of(text, hidden, &[]).groups;
+            let last = Span { start: groups.last().map_or(hidden.start, |group| group.end), ..hidden };
+            if PlainWords::of(text, last, &[]).has_value {
                 fault.severity = Severity::Error;
                 fault.fixes.iter_mut().for_each(|fix| fix.safe = false);
             }
@@ -174,13 +183,8 @@ impl<'a> Parser<'a> {
         let unclear = block.is_broken() || block.words.is_empty();
         let is_text = !plain.has_value && !plain.is_ambiguous;
         // `; 其实N10 …` is no block either, but only the author knows about N10.
-        let begins_in_text = |word: &Word| {
-            let before = (word.span.start as usize).checked_sub(1);
-            before.is_some_and(|at| text[at].is_ascii_alphabetic())
-        };
-        // `; move 100%, speed 1mm/sec`: each value follows the last letter of a plain word.
-        let is_sentence = plain.texts >= 2 && block.words.iter().all(begins_in_text);
-        let is_remark = is_text || is_sentence || begins_in_other_script(block.span.of(text));
+        let own = block.span.of(text);
+        let is_remark = is_text || begins_in_other_script(own) || begins_as_sentence(own);
         // `;(TURN (LONG CUT))`: it is in brackets, and those within are reported.
         let is_comment = block.words.is_empty()
             && block.faults.iter().any(|fault| fault.message.is::<said::CommentNested>())
@@ -542,7 +546,7 @@ impl<'a> Parser<'a> {
         match block.program {
             None if is_head => block.program = Some((number, span)),
             Some(_) if is_head && block.second_name.is_none() && start as usize == at => {
-                block.second_name = Some(number);
+                block.second_name = Some((number, span));
             }
             _ if block.words.iter().any(calls_program) && start as usize == at => {
                 let number = Number { mantissa: u64::from(number), digits: DIGITS, ..Number::default() };
@@ -697,13 +701,11 @@ impl<'a> Parser<'a> {
         let number = number.trim_start_matches(|sign: char| sign != '.' && !sign.is_ascii_digit());
         let number = Number::read(without_blanks(number).as_bytes());
         let told = Diagnostic::new(said::CommaForPoint { word: written }, span);
-        if number.points > 1 || goes_on {
+        if number.points > 1 || number.digits > DIGITS || goes_on {
             return block.fault(told);
         }
         block.fault(told.with(Fix::replace(Repair::DecimalPoint, comma, ".")));
-        if number.digits <= DIGITS {
-            self.store(block, word.address, word.comma, word.negative, number, span);
-        }
+        self.store(block, word.address, word.comma, word.negative, number, span);
     }
 
     /// Whether a comma comes next, and a digit, a point or another comma right after it.
@@ -969,11 +971,9 @@ impl<'a> Parser<'a> {
 
     /// Text after a `;` that does not read as words is a remark.
     fn take_as_comment(&self, block: &mut Block, is_sure: bool) {
-        let (text, span, line) = (self.lexer.text(), block.span, block.line);
-        block.clear();
-        (block.span, block.line) = (span, line);
-        let remark = trimmed(text, span);
-        block.comment(remark);
+        let text = self.lexer.text();
+        let remark = trimmed(text, block.span);
+        keep_as_comment(block, remark);
         let told = Diagnostic::new(said::TextAfterSemicolon { text: short_quote(text, remark) }, remark);
         block.fault(in_brackets(text, told, is_sure));
     }
@@ -1036,6 +1036,54 @@ impl Resume {
     pub fn begins_line(&self) -> bool {
         !self.after_semicolon
     }
+}
+
+/// Where the first sign `%` of a text begins, if what is before it is the leader of the tape: a control skips it (B-64484EN,
+/// program components). Only text is taken for a leader, and only before a program: a program with mistakes before
+/// a single `%` at its end is read.
+fn leader(text: &[u8]) -> Option<u32> {
+    let head = &text[..text.len().min(LEADER)];
+    let sign = head.iter().position(|&byte| byte == b'%')?;
+    let begins_line =
+        head[..sign].iter().rev().find(|&&byte| !is_blank(byte)).is_some_and(|&byte| is_between_blocks(byte));
+    let precedes_program = head[sign..].iter().any(|&byte| byte != b'%' && !is_between_blocks(byte));
+    if !begins_line || !precedes_program {
+        return None;
+    }
+    let mut parser = Parser { is_trial: true, ..Parser::new(&text[..sign]) };
+    let mut block = Block::default();
+    while parser.next_block(&mut block) {
+        let is_text = block.is_broken() && (block.words.is_empty() || reads_as_prose(block.span.of(text)));
+        if block.program.is_some() || !block.is_empty() && !is_text {
+            return None;
+        }
+    }
+    Some(sign as u32)
+}
+
+/// Whether nothing but the number of a program is before the first sign `%` of a text: a control skips it, and what follows is
+/// the program.
+fn names_program(text: &[u8], sign: Span) -> bool {
+    let before = &text[..sign.start as usize];
+    if before.len() > LEADER || before.contains(&b'%') {
+        return false;
+    }
+    let mut parser = Parser { is_trial: true, ..Parser::new(before) };
+    let mut block = Block::default();
+    while parser.next_block(&mut block) {
+        if !block.words.is_empty() || !block.faults.is_empty() || block.kind != BlockKind::Words {
+            return false;
+        }
+    }
+    true
+}
+
+/// Makes a block a comment.
+fn keep_as_comment(block: &mut Block, remark: Span) {
+    let (span, line) = (block.span, block.line);
+    block.clear();
+    (block.span, block.line) = (span, line);
+    block.comment(remark);
 }
 
 /// Whether text that belongs to no word cannot have been meant as one: a rule of dashes, commas between
@@ -1218,6 +1266,8 @@ mod tests {
     #[test]
     fn the_tape_begins_and_ends_with_percent() {
         assert_eq!(read("%leader\nG0 X1\n%\nnever read"), ["%", "G0 X1", "%"]);
+        assert_eq!(read("O90 (CONE)\n%\nG0 X1\n%\nnever read"), ["O90", "%", "G0 X1", "%"]);
+        assert_eq!(read("%\nO90\n%\nnever read"), ["%", "O90", "%"]);
     }
 
     #[test]
@@ -1246,6 +1296,20 @@ mod tests {
     #[test]
     fn prose_behind_a_semicolon_is_a_remark() {
         assert_eq!(read("G0 X1; rough the face"), ["G0 X1", "!text-after-semicolon"]);
+        for remark in [
+            "turn to Z-50 (F0.2)",
+            "Aproximação em X",
+            "Posição intermediária",
+            "Insert: CNMG 12 04 08",
+            "start oil",
+            "Inch units.",
+        ] {
+            assert_eq!(read(&format!("G0 X1; {remark}")), ["G0 X1", "!text-after-semicolon"], "{remark}");
+        }
+        for block in ["GOl X20", "X20 turn", "IF[#1EQ1]GOTO2"] {
+            let told = read(&format!("G0 X1; {block}")).concat();
+            assert!(!told.contains("text-after-semicolon"), "{told}");
+        }
         assert_eq!(read("G0 X1; 粗车"), ["G0 X1", "!text-after-semicolon"]);
         // A broken block is no remark: nothing may hide a lost sign.
         assert_eq!(

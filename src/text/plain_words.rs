@@ -144,6 +144,17 @@ fn is_plain(piece: &str) -> bool {
     is_letters && !is_keyword(piece) && !is_like_words(piece)
 }
 
+/// Whether some bytes begin with a word of prose, whatever numbers follow: `turn to Z-50`.
+pub fn begins_as_sentence(bytes: &[u8]) -> bool {
+    const LETTERS: usize = 3;
+    let Ok(text) = std::str::from_utf8(bytes.trim_ascii()) else { return false };
+    let (word, rest) = text.split_at(text.find(|letter: char| !letter.is_alphabetic()).unwrap_or(text.len()));
+    let ends = |sign: char| sign.is_whitespace() || matches!(sign, ',' | ':' | '.' | '!' | '?' | '/' | '—');
+    // `ç` of `Posição` is no misread digit.
+    let has_accent = word.chars().any(|letter| matches!(letter, 'À'..='ɏ'));
+    (has_accent || is_plain(word)) && word.chars().count() >= LETTERS && rest.chars().next().is_none_or(ends)
+}
+
 fn is_keyword(run: &str) -> bool {
     KEYWORDS.iter().any(|keyword| run.eq_ignore_ascii_case(keyword))
 }

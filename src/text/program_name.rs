@@ -45,5 +45,7 @@ mod tests {
         }
         assert_eq!(super::read(b"<sub_1>", 0), super::read(b"<SUB_1>", 0));
         assert_ne!(super::read(b"<SUB1>", 0), super::read(b"<SUB2>", 0));
+        // The page counts it too (`switches-in-text.ts`).
+        assert_eq!(super::read(b"<SHAFT-1>", 0), Some((1_254_805_063, 9)));
     }
 }

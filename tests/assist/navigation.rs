@@ -115,6 +115,22 @@ fn a_number_leads_to_its_block_and_back() {
 }
 
 #[test]
+fn the_name_of_a_program_leads_to_it() {
+    let text = "<MAIN>\nN10 G0 X1\nM98 <SUB-1>\nM98 P7\nM30\nO0007<sub-1>\nN10 M99\n";
+    let at = |word: &str, offset: usize| {
+        let mut marked = text.to_owned();
+        marked.insert_str(text.find(word).expect(word) + offset, "$0");
+        places(&marked).map(|(_, places, next)| (places, next))
+    };
+    let uses = |list: [&str; 2]| list.map(str::to_owned).to_vec();
+    assert_eq!(at("<SUB-1>", 2), Some((uses(["3:<SUB-1>", "6:<sub-1>*"]), 6)));
+    assert_eq!(at("<sub-1>", 2), Some((uses(["3:<SUB-1>", "6:<sub-1>*"]), 3)));
+    assert_eq!(at("P7", 1), Some((uses(["4:P7", "6:O0007*"]), 6)));
+    // A name begins a program: N10 of the other one is another block.
+    assert_eq!(at("N10 M99", 0).map(|found| found.0), Some(vec!["7:N10*".to_owned()]));
+}
+
+#[test]
 fn local_variables_are_those_of_their_program_and_a_return_goes_to_the_caller() {
     let text = "O1\n#1=5\n#100=#1\nM98 P2\nN50 M30\nO2\n#$01=6\n#100=7\nM99 P50\n";
     let (name, local, _) = places(text).expect("a variable");

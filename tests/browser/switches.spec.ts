@@ -84,6 +84,18 @@ test('switches show for the levels and programs of the text, and are put into th
   });
 });
 
+test('programs with names are chosen by them', async ({ page }) => {
+  const setup = await listen(page);
+  await open(page);
+  await type(page, '<SHAFT-1>\nG0 X50 Z2\nM30\nO<bush>\nG0 X10\nX20\nM30\nO0007<DISC>\nM30\n');
+  await expect(chosen(page).getByRole('option')).toHaveText(['<SHAFT-1>', '<bush>', 'O0007']);
+  await expect(status(page)).toContainText(/\b1 motion/);
+  await chosen(page).selectOption('<bush>');
+  await expect(status(page)).toContainText(/\b2 motions/);
+  await chosen(page).selectOption('<SHAFT-1>');
+  expect((await setup()).program ?? 1_254_805_063).toBe(1_254_805_063);
+});
+
 test('in Chinese and Russian, and from attributes', async ({ page }) => {
   const setup = await listen(page);
   await open(page);

@@ -76,7 +76,7 @@ pub const CLASSES: &[Class] = &[
     class("letter O for 0", letter_o),
     class("letter l for 1", letter_l),
     class("doubled point", doubled_point),
-    class("comma for point", comma_for_point),
+    unseen("comma for point", comma_for_point),
     unseen("dash for minus", printed_minus),
     class("lost minus", lost_minus),
     class("address without number", no_number),

@@ -14,7 +14,6 @@ use super::super::configuration::{self, Configurations};
 use super::super::encoding;
 use super::super::system::{self, PathKind};
 use super::super::terminal::printable_name;
-use crate::limits;
 use crate::text::block::Block;
 use crate::text::parser::Parser;
 
@@ -28,6 +27,8 @@ pub(super) const PROGRAMS: &[&str] = &[
 const SHARED: &[&str] = &["txt", "g", "h", ""];
 /// The number of blocks of such a file that are read.
 const LOOKED_AT: usize = 100;
+/// The bytes of such a file that are read.
+const HEAD: u64 = 64 << 10;
 
 /// The endings of the pages of a manual.
 pub(super) const PAGES: &[&str] = &["md", "markdown", "mdx", "html", "htm", "rst"];
@@ -229,7 +230,12 @@ fn is_meant(shown: &Path, absolute: &Path, endings: &[String], usual: &[&str]) -
 
 /// Whether the beginning of a file is blocks, with hardly anything else.
 fn is_program(file: &Path) -> bool {
-    let Ok(bytes) = system::peek(file, limits::TEXT_BUFFER as u64) else { return false };
+    let Ok(mut bytes) = system::peek(file, HEAD) else { return false };
+    if bytes.len() as u64 == HEAD {
+        // The last line may be torn, and the last character.
+        let end = bytes.iter().rposition(|&byte| byte == b'\n').unwrap_or(bytes.len());
+        bytes.truncate(end);
+    }
     let (text, _) = encoding::decode(bytes);
     let (mut parser, mut block) = (Parser::new(&text), Block::default());
     let (mut blocks, mut faulty, mut has_code) = (0, 0, false);

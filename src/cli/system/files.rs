@@ -40,9 +40,9 @@ pub(in crate::cli) fn read(file: &Path, most: u64) -> io::Result<Vec<u8>> {
     Ok(bytes)
 }
 
-/// Reads a file to see what it is: it does not count as one that was read.
+/// The first bytes of a file, at most so many, to see what it is: it does not count as one that was read.
 pub(in crate::cli) fn peek(file: &Path, most: u64) -> io::Result<Vec<u8>> {
-    host::read(file, most)
+    host::read_head(file, most)
 }
 
 /// Whether this process has read the file, no pipe or device.

@@ -42,6 +42,13 @@ pub(super) fn read(file: &Path, most: u64) -> io::Result<Vec<u8>> {
     within(opened, most)
 }
 
+/// Reads the first bytes of a file, at most so many.
+pub(super) fn read_head(file: &Path, most: u64) -> io::Result<Vec<u8>> {
+    let mut bytes = Vec::new();
+    File::open(file)?.take(most).read_to_end(&mut bytes)?;
+    Ok(bytes)
+}
+
 /// Reads standard input, no further than one byte beyond the limit.
 pub(in crate::cli) fn read_standard_input(most: u64) -> io::Result<Vec<u8>> {
     within(io::stdin().lock(), most)

@@ -34,6 +34,18 @@ export function readFile(path, most) {
   }
 }
 
+export function readHead(path, most) {
+  const file = openSync(path, 'r');
+  try {
+    const bytes = Buffer.allocUnsafe(Math.min(most, fstatSync(file).size));
+    let length = 0;
+    for (let read = -1; read !== 0 && length < bytes.length; length += read) read = readSync(file, bytes, length);
+    return bytes.subarray(0, length);
+  } finally {
+    closeSync(file);
+  }
+}
+
 export function readStandardInput(most) {
   return readWithin(0, most);
 }

@@ -15,6 +15,8 @@ extern "C" {
     #[wasm_bindgen(catch)]
     fn readFile(path: &str, most: f64) -> Result<Vec<u8>, JsValue>;
     #[wasm_bindgen(catch)]
+    fn readHead(path: &str, most: f64) -> Result<Vec<u8>, JsValue>;
+    #[wasm_bindgen(catch)]
     fn readStandardInput(most: f64) -> Result<Vec<u8>, JsValue>;
     #[wasm_bindgen(catch)]
     fn createFile(path: &str, mode: u32) -> Result<i32, JsValue>;
@@ -76,6 +78,11 @@ pub(in crate::cli) fn processors() -> usize {
 /// Reads a file of at most so many bytes. The error of a larger one is `FileTooLarge`; it is not read.
 pub(super) fn read(file: &Path, most: u64) -> io::Result<Vec<u8>> {
     readFile(&text(file), most as f64).map_err(error)
+}
+
+/// Reads the first bytes of a file, at most so many.
+pub(super) fn read_head(file: &Path, most: u64) -> io::Result<Vec<u8>> {
+    readHead(&text(file), most as f64).map_err(error)
 }
 
 /// Reads standard input, no further than one byte beyond the limit.

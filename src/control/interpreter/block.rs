@@ -6,6 +6,7 @@ use super::calls::Here;
 use super::request::{OneShot, Request};
 use super::rotary::TURNS;
 use super::trace::{keep_block, keep_process};
+use super::unread::{UNREAD, unread_words};
 use super::{AXES, Flow, Interpreter};
 use crate::control::codes::{Compensation, MotionMode, Plane};
 use crate::control::doubt::Doubt;
@@ -130,8 +131,11 @@ impl Interpreter {
             if request.drop {
                 self.refuse(text, block, &request, &words);
             } else {
-                if unread != 0 {
-                    self.unread_words(text, block, &request, &words, unread);
+                if unread != 0 && UNREAD.is_loaded() {
+                    unread_words(self, text, block, &request, &words, unread);
+                }
+                if request.comma != [None; 3] {
+                    self.unread_corner(text, block, &request, &words);
                 }
                 if !self.state.doubts.is_empty() {
                     self.regain(&request, &words, before);

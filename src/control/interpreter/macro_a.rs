@@ -4,10 +4,10 @@
 //! which `control::macros` evaluates; this file contains only the forms of these statements.
 
 use super::calls::Here;
-use super::store::Store;
+use super::macros::Evaluated;
 use super::{Flow, Interpreter};
 use crate::control::codes;
-use crate::control::macros::{self, Action, Knowledge, MacroErrorKind};
+use crate::control::macros::{Action, MacroErrorKind};
 use crate::control::words::plain;
 use crate::message::{Diagnostic, said};
 use crate::setup::dialect::Control;
@@ -78,36 +78,17 @@ impl Interpreter {
             self.lose_program();
             return Flow::Next;
         };
-        let statement = statement.as_bytes();
-        let mut store = Store::new(self, text, block);
-        let outcome = macros::statement(statement, &mut store);
-        let unknown = store.knowledge == Knowledge::Unknown;
-        match outcome {
-            Err(fault) if unknown && fault.kind.depends_on_values() => {
-                self.unknown_statement(text, block, statement, here)
-            }
-            Ok(Action::Goto(_)) if unknown => self.unknown_statement(text, block, statement, here),
-            Ok(Action::Alarm { .. }) if self.state.variables.lacks_arguments() => {
-                self.lose_program();
-                Flow::Next
-            }
-            Ok(Action::Alarm { number, .. }) => {
+        match self.evaluate(text, block, statement.as_bytes(), here) {
+            Evaluated::Action(Action::Goto(sequence)) => self.go_to(text, block, sequence, span),
+            Evaluated::Action(Action::Alarm { number, .. }) => {
                 let number = number.saturating_add(FIRST_ALARM);
                 let words = span.quote(text);
                 self.report_always(Diagnostic::new(said::MacroAlarm { number, words }, span));
                 Flow::End
             }
-            Ok(action) => {
-                if unknown {
-                    self.unknown_condition(text, block, statement);
-                }
-                match action {
-                    Action::Goto(sequence) => self.go_to(text, block, sequence, span),
-                    _ => Flow::Next,
-                }
-            }
-            Err(fault) => {
-                self.lose_statement(statement);
+            Evaluated::Action(_) => Flow::Next,
+            Evaluated::Flow(flow) => flow,
+            Evaluated::Fault(fault) => {
                 self.report_macro(fault.kind, span);
                 Flow::Next
             }

@@ -46,6 +46,16 @@ early! {
     }
 }
 
+/// What a statement asks for.
+pub(super) enum Evaluated {
+    /// This action.
+    Action(Action),
+    /// Nothing more; the program continues here.
+    Flow(Flow),
+    /// The statement cannot be carried out.
+    Fault(MacroError),
+}
+
 impl Interpreter {
     /// Carries out a macro statement.
     #[cold]
@@ -70,6 +80,36 @@ impl Interpreter {
         }
     }
 
+    /// Evaluates the statement of a block. What depends on values that are not known is done here.
+    pub(super) fn evaluate(&mut self, text: &[u8], block: &Block, statement: &[u8], here: Here) -> Evaluated {
+        let mut store = Store::new(self, text, block);
+        let outcome = macros::statement(statement, &mut store);
+        let unknown = store.knowledge == Knowledge::Unknown;
+        match outcome {
+            Err(fault) if unknown && fault.kind.depends_on_values() => {
+                Evaluated::Flow(self.unknown_statement(text, block, statement, here))
+            }
+            Ok(Action::Goto(_) | Action::While { .. }) if unknown => {
+                Evaluated::Flow(self.unknown_statement(text, block, statement, here))
+            }
+            // Its own check of what it was given.
+            Ok(Action::Alarm { .. }) if self.state.variables.lacks_arguments() => {
+                self.lose_program();
+                Evaluated::Flow(Flow::Next)
+            }
+            Ok(action) => {
+                if unknown {
+                    self.unknown_condition(text, block, statement);
+                }
+                Evaluated::Action(action)
+            }
+            Err(fault) => {
+                self.lose_statement(statement);
+                Evaluated::Fault(fault)
+            }
+        }
+    }
+
     fn statement(&mut self, text: &[u8], block: &Block, here: Here) -> Flow {
         if let Some(word) = block.words.first() {
             self.report_macro(MacroErrorKind::WordsBehind, word.span.to(block.span));
@@ -81,31 +121,14 @@ impl Interpreter {
         }
         let span = statement_span(block);
         let statement = span.of(text);
-        let mut store = Store::new(self, text, block);
-        let outcome = macros::statement(statement, &mut store);
-        let unknown = store.knowledge == Knowledge::Unknown;
-        let action = match outcome {
-            Err(fault) if unknown && fault.kind.depends_on_values() => {
-                return self.unknown_statement(text, block, statement, here);
-            }
-            Ok(Action::Goto(_) | Action::While { .. }) if unknown => {
-                return self.unknown_statement(text, block, statement, here);
-            }
-            // Its own check of what it was given.
-            Ok(Action::Alarm { .. }) if self.state.variables.lacks_arguments() => {
-                self.lose_program();
-                return Flow::Next;
-            }
-            Ok(action) => action,
-            Err(fault) => {
-                self.lose_statement(statement);
+        let action = match self.evaluate(text, block, statement, here) {
+            Evaluated::Action(action) => action,
+            Evaluated::Flow(flow) => return flow,
+            Evaluated::Fault(fault) => {
                 self.faulty_statement(text, block, here, &fault);
                 return Flow::Next;
             }
         };
-        if unknown {
-            self.unknown_condition(text, block, statement);
-        }
         let within = |range: std::ops::Range<usize>| Span {
             start: span.start + range.start as u32,
             end: span.start + range.end as u32,

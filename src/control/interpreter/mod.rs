@@ -24,7 +24,7 @@ mod output;
 pub(crate) mod path;
 pub(crate) mod pecks;
 mod plain_lines;
-mod read_words;
+pub(crate) mod read_words;
 mod reference;
 pub(crate) mod repairs;
 mod request;
@@ -36,7 +36,7 @@ mod store;
 mod system;
 pub(crate) mod threads;
 pub(crate) mod trace;
-mod unread;
+pub(crate) mod unread;
 pub(crate) mod y_axis;
 
 #[cfg(test)]
@@ -400,8 +400,9 @@ impl Interpreter {
                 self.report(fault.clone());
             }
         }
-        // After a warning the word is read as intended, so its other faults are reported.
-        self.sink.fault = block.faults.iter().find(|fault| fault.is_error()).map(|fault| fault.span);
+        // Where the words are read as intended, their other faults are reported.
+        let fault = block.faults.iter().find(|fault| fault.is_error() && block.is_broken());
+        self.sink.fault = fault.map(|fault| fault.span);
     }
 }
 

@@ -12,6 +12,7 @@ use crate::control::events::Event;
 use crate::control::words::{self, Words, quote};
 use crate::message::{Diagnostic, Fix, Severity, said};
 use crate::motion::{Quill, SpindleTurn};
+use crate::parts::{Part, early};
 use crate::source::Span;
 use crate::text::block::{Block, Value, Word};
 
@@ -69,38 +70,9 @@ impl Interpreter {
     #[cold]
     pub(super) fn report_duplicates(&mut self, text: &[u8], block: &Block, request: &mut Request) {
         let duplicates = std::mem::take(&mut request.duplicates);
-        let Some(OneShot::Multiple(cycle)) = request.one_shot.filter(|_| request.macro_call.is_none()) else {
-            return duplicates.into_iter().for_each(|duplicate| self.report(duplicate));
-        };
-        // The words with which the second block begins, and those that both blocks have.
-        let (second, both): (&[u8], &[u8]) = match cycle {
-            Multiple::Finishing => (b"", b""),
-            Multiple::RoughTurning | Multiple::RoughFacing | Multiple::Pattern => (b"PQ", b"UWR"),
-            Multiple::FacePecking | Multiple::Grooving => (b"XZUW", b"R"),
-            Multiple::Threading => (b"XZUW", b"PQR"),
-        };
-        let at = block.words.iter().position(|word| second.contains(&word.address)).unwrap_or(0);
-        let (before, behind) = block.words.split_at(at);
-        let is_in_both = |letter: &u8| {
-            [before, behind].iter().all(|words| words.iter().any(|word| word.address == *letter))
-        };
-        let begins = behind.first().filter(|_| both.iter().any(is_in_both));
-        let Some(begins) = begins else {
-            return duplicates.into_iter().for_each(|duplicate| self.report(duplicate));
-        };
-        let list = self.dialect.code_list();
-        let is_cycle = |word: &&Word| {
-            let Value::Number { number, .. } = word.value else { return false };
-            let code =
-                number.tenths().filter(|_| word.address == b'G').and_then(|key| codes::g_code(key, list));
-            code.is_some_and(|found| found.code == G::Multiple(cycle)) && word.span.start < begins.span.start
-        };
-        let code = block.words.iter().rfind(is_cycle).map(|word| quote(text, word.span));
-        let fix = code.map(|code| Fix::insert(begins.span.start, format!("\n{code} ")));
-        let message = said::CycleInOneBlock { code: cycle.cycle().code() };
-        let diagnostic = Diagnostic::new(message, block.words_span());
-        self.report(Diagnostic { fixes: fix.into_iter().collect(), ..diagnostic });
-        request.drop = true;
+        if self.has(Part::Early) && !cycle_in_one_block(self, text, block, request) {
+            duplicates.into_iter().for_each(|duplicate| self.report(duplicate));
+        }
     }
 
     fn read_g(&mut self, text: &[u8], request: &mut Request, tenths: Option<u64>, word: &Word) {
@@ -207,7 +179,14 @@ impl Interpreter {
             self.lose_program();
             return;
         }
-        self.report(Diagnostic::new(said::UnknownG { word: quoted }, word.span));
+        // `G50 S` is the speed limit of system A. The others write G92.
+        let is_limit = tenths == Some(500);
+        let fix = is_limit.then(|| Fix::write(word.span, "G92".to_owned()));
+        let unknown = Diagnostic::new(said::UnknownG { word: quoted }, word.span);
+        self.report(Diagnostic { fixes: fix.into_iter().collect(), ..unknown });
+        if is_limit {
+            request.one_shot = Some(OneShot::Setting);
+        }
         // It may have been one of group 01.
         self.lose(Doubts::of(&[Doubt::Code]));
         request.drop = true;
@@ -266,6 +245,42 @@ impl Interpreter {
                 self.report(Diagnostic::new(said::UnknownM { word: quote(text, word.span) }, word.span));
             }
         }
+    }
+}
+
+early! {
+    /// Reports and drops a block that contains both blocks of a cycle; false for other blocks.
+    fn cycle_in_one_block(control: &mut Interpreter, text: &[u8], block: &Block, request: &mut Request) -> bool {
+        let Some(OneShot::Multiple(cycle)) = request.one_shot.filter(|_| request.macro_call.is_none()) else {
+            return false;
+        };
+        // The words with which the second block begins, and those that both blocks have.
+        let (second, both): (&[u8], &[u8]) = match cycle {
+            Multiple::Finishing => (b"", b""),
+            Multiple::RoughTurning | Multiple::RoughFacing | Multiple::Pattern => (b"PQ", b"UWR"),
+            Multiple::FacePecking | Multiple::Grooving => (b"XZUW", b"R"),
+            Multiple::Threading => (b"XZUW", b"PQR"),
+        };
+        let at = block.words.iter().position(|word| second.contains(&word.address)).unwrap_or(0);
+        let (before, behind) = block.words.split_at(at);
+        let is_in_both = |letter: &u8| {
+            [before, behind].iter().all(|words| words.iter().any(|word| word.address == *letter))
+        };
+        let Some(begins) = behind.first().filter(|_| both.iter().any(is_in_both)) else { return false };
+        let list = control.dialect.code_list();
+        let is_cycle = |word: &&Word| {
+            let Value::Number { number, .. } = word.value else { return false };
+            let code =
+                number.tenths().filter(|_| word.address == b'G').and_then(|key| codes::g_code(key, list));
+            code.is_some_and(|found| found.code == G::Multiple(cycle)) && word.span.start < begins.span.start
+        };
+        let code = block.words.iter().rfind(is_cycle).map(|word| quote(text, word.span));
+        let fix = code.map(|code| Fix::insert(begins.span.start, format!("\n{code} ")));
+        let message = said::CycleInOneBlock { code: cycle.cycle().code() };
+        let diagnostic = Diagnostic::new(message, block.words_span());
+        control.report(Diagnostic { fixes: fix.into_iter().collect(), ..diagnostic });
+        request.drop = true;
+        true
     }
 }
 

@@ -7,7 +7,7 @@ use crate::control::contour::Purpose;
 use crate::control::events::Event;
 use crate::control::modal::Once;
 use crate::control::offsets::{EXTENDED_FRAMES, Frames, STANDARD_FRAMES};
-use crate::control::words::{Words, letters, plain, quote};
+use crate::control::words::{Words, as_meant, letters, plain, quote};
 use crate::geometry::Point;
 use crate::message::{Diagnostic, Message, Severity, said};
 use crate::motion::{Motion, MotionKind, SpindleTurn};
@@ -84,11 +84,11 @@ impl Interpreter {
     pub(super) fn tool(&mut self, text: &[u8], word: &Word, changes_tool: bool) {
         let Value::Number { number, .. } = word.value else { return };
         let value = number.mantissa;
-        let written = word.span.of(text);
-        let digits = match written.iter().any(|byte| matches!(byte, b'#' | b'[')) {
+        let written = as_meant(text, word.span);
+        let digits = match written.contains(['#', '[']) {
             // A value from a variable has no leading zeros.
             true => value.checked_ilog10().map_or(1, |power| power as usize + 1),
-            false => written.iter().filter(|byte| byte.is_ascii_digit()).count(),
+            false => written.bytes().filter(u8::is_ascii_digit).count(),
         };
         let (station, offset) = match digits {
             0..=2 => (0, value),

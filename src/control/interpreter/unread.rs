@@ -9,9 +9,10 @@ use super::{AXES, Interpreter};
 use crate::control::codes::{self, G, MotionMode, Plane};
 use crate::control::events::Event;
 use crate::control::modal::Once;
-use crate::control::words::{Words, letters, plain};
+use crate::control::words::{Words, letters, plain, quote};
 use crate::geometry::Turn;
-use crate::message::{Diagnostic, Severity, said};
+use crate::message::{Diagnostic, Fix, Message, Severity, said};
+use crate::parts::{Part, late};
 use crate::setup::dialect::{CodeList, Control};
 use crate::text::block::{Block, Value, Word};
 
@@ -24,18 +25,25 @@ const SHOWN_AXES: u32 = letters(b"CHYV");
 /// Words of the axes that are not shown.
 const OTHER_AXES: u32 = letters(b"AB");
 
-impl Interpreter {
+late! {
     /// Reports what of a block was not read, the words of the letters of `unread`.
-    #[cold]
-    #[inline(never)]
     pub(super) fn unread_words(
-        &mut self,
+        control: &mut Interpreter,
         text: &[u8],
         block: &Block,
         request: &Request,
         words: &Words,
         unread: u32,
     ) {
+        control.report_unread(text, block, request, words, unread);
+    }
+}
+
+/// The part that reports unread words. A run without it begins again when it is loaded, for the lints.
+pub(super) const UNREAD: Part = Part::Late;
+
+impl Interpreter {
+    fn report_unread(&mut self, text: &[u8], block: &Block, request: &Request, words: &Words, unread: u32) {
         let is_flat = self.state.virtual_plane.is_none() && self.state.plane != Plane::Zx;
         let is_open = request.maker_m
             || request.call_code.is_some()
@@ -64,6 +72,29 @@ impl Interpreter {
             let code = self.code_of_block(request, words);
             self.observe(text, Event::UnreadWords { block, words, unread, code });
         }
+    }
+
+    /// Reports a corner word of a block that does not move along a path: `,R2` in a block of G71, or alone.
+    #[cold]
+    #[inline(never)]
+    pub(super) fn unread_corner(&mut self, text: &[u8], block: &Block, request: &Request, words: &Words) {
+        let is_path = request.one_shot.is_none()
+            && self.state.hole.is_none()
+            && (words.has_any(AXES | TURNS) || request.comma[2].is_some());
+        let is_open = request.maker_m
+            || request.call_code.is_some()
+            || request.macro_call.is_some()
+            || matches!(request.one_shot, Some(OneShot::Data | OneShot::NotSupported));
+        let Some(index) = request.comma.into_iter().flatten().min().filter(|_| !is_path && !is_open) else {
+            return;
+        };
+        let span = block.words[index].span;
+        let word = quote(text, span);
+        let message: Message = match self.code_of_block(request, words) {
+            Some(code) => said::WordIgnored { word, code }.into(),
+            None => said::WordNotRead { word }.into(),
+        };
+        self.report(Diagnostic::new(message, span).with(Fix::delete(text, span)));
     }
 
     /// A word of an axis that is not shown: a note for each axis.

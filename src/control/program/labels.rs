@@ -3,8 +3,6 @@
 //! In: the text. Out: places a parser can go on from. Made when first asked for, because most programs never
 //! ask. Knows nothing of what a block means, but for the numbers that calls name.
 
-use std::collections::BTreeMap;
-
 use crate::control::codes;
 use crate::order;
 use crate::text::block::{Block, Value, Word};
@@ -65,8 +63,6 @@ pub struct Labels {
     programs: Vec<Program>,
     /// The programs by their number.
     heads: Sorted,
-    /// The numbers of names by the numbers of the programs that have both.
-    names: BTreeMap<u32, u32>,
     /// By called number: the programs that call it.
     calls: Sorted,
     /// The same, but only of programs that are called by none themselves.
@@ -92,7 +88,11 @@ impl Labels {
                 break;
             }
             if let Some((number, _)) = block.program {
-                let program = Program { number: Some(number), name: block.second_name, head: at };
+                let program = Program {
+                    number: Some(number),
+                    name: block.second_name.map(|(number, _)| number),
+                    head: at,
+                };
                 match labels.programs.last_mut().filter(|_| !begun) {
                     Some(first) => *first = program,
                     None => labels.programs.push(program),
@@ -102,7 +102,8 @@ impl Labels {
             if let Some(sequence) = block.sequence {
                 sequences.push(Label { number: sequence, program: labels.programs.len() as u32 - 1, at });
             }
-            calls.extend(called(&block).map(|called| (labels.programs.len() - 1, called)));
+            let call = called(&block).map(|called| (labels.programs.len() - 1, called));
+            calls.extend(call.map(|call| (call, codes::macro_a(&block).is_some())));
         }
         let label = |number, at| Label { number, program: 0, at };
         let numbers = |program: &Program| [program.number, program.name].into_iter().flatten();
@@ -110,17 +111,20 @@ impl Labels {
             .programs
             .iter()
             .flat_map(|program| numbers(program).map(|number| label(number, program.head)));
+        labels.heads = Sorted::new(heads.collect());
+        // `G65 H80 P90` is a statement of macro A, unless P names a program of the text.
+        let is_call = |&((_, number), is_macro_a): &((usize, u32), bool)| {
+            !is_macro_a || labels.heads.first(0, number, 0).is_some()
+        };
+        let calls: Vec<_> = calls.into_iter().filter(is_call).map(|(call, _)| call).collect();
         let made_by = |&(caller, called): &(usize, u32)| label(called, labels.programs[caller].head);
         let called = Sorted::new(calls.iter().map(made_by).collect());
         let is_called = |&(caller, _): &(usize, u32)| {
             numbers(&labels.programs[caller]).any(|own| called.first(0, own, 0).is_some())
         };
         let callers = calls.iter().filter(|call| !is_called(call)).map(made_by).collect();
-        let named = labels.programs.iter().filter_map(|program| Some((program.number?, program.name?)));
-        // The first program of a number counts.
-        labels.names = named.rev().collect();
-        (labels.heads, labels.callers) = (Sorted::new(heads.collect()), Sorted::new(callers));
-        (labels.labels, labels.calls) = (Sorted::new(sequences), called);
+        (labels.labels, labels.calls, labels.callers) =
+            (Sorted::new(sequences), called, Sorted::new(callers));
         labels
     }
 
@@ -154,13 +158,19 @@ impl Labels {
     /// Whether a program of the text calls the program of a number, or of the name it has besides.
     pub fn is_called(&self, number: u32) -> bool {
         let calls = |number: u32| self.calls.first(0, number, 0).is_some();
-        calls(number) || self.names.get(&number).is_some_and(|&name| calls(name))
+        calls(number) || self.name_of(number).is_some_and(calls)
     }
 
     /// The first program that calls the one of a number and is called by none itself.
     pub fn caller_of(&self, number: u32) -> Option<Resume> {
         let caller = |number: u32| self.callers.first(0, number, 0);
-        caller(number).or_else(|| caller(*self.names.get(&number)?))
+        caller(number).or_else(|| caller(self.name_of(number)?))
+    }
+
+    /// The number of the name that the program of a number has besides.
+    fn name_of(&self, number: u32) -> Option<u32> {
+        let program = self.programs.get(self.index_at(self.program(number)?.byte))?;
+        program.name.filter(|_| program.number == Some(number))
     }
 
     fn index_at(&self, at: u32) -> usize {
@@ -178,9 +188,6 @@ impl Labels {
 fn called(block: &Block) -> Option<u32> {
     let code = |word: &Word| matches!((word.address, whole(word)), (b'M', Some(98)) | (b'G', Some(65 | 66)));
     block.words.iter().find(|word| code(word))?;
-    if codes::macro_a(block).is_some() {
-        return None;
-    }
     let word = block.words.iter().find(|word| word.address == b'P')?;
     whole(word).map(|value| program_and_repeats(value).0)
 }
@@ -205,6 +212,12 @@ pub fn program_and_repeats(value: u64) -> (u32, u32) {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn a_call_beside_h_is_one_where_there_is_its_program() {
+        let labels = Labels::new(b"O1\nG65 H2 P9010\nG65 H80 P90\nM30\nO9010\nM99\n");
+        assert!(labels.is_called(9010) && !labels.is_called(90));
+    }
 
     #[test]
     fn the_search_goes_forward_then_from_the_head_of_its_own_program() {

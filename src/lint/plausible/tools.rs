@@ -3,6 +3,7 @@
 use std::collections::BTreeSet;
 
 use super::Program;
+use crate::control::words::as_meant;
 use crate::message::{Diagnostic, Fix, said};
 use crate::source::Span;
 
@@ -24,7 +25,7 @@ impl Program<'_> {
     pub(super) fn other_offset(&self) -> Vec<Diagnostic> {
         let (mut calls, mut known): (Vec<Call>, BTreeSet<(u64, u64)>) = Default::default();
         for word in self.words.iter().filter(|word| word.address == b'T') {
-            let digits = word.span.of(self.text).iter().filter(|byte| byte.is_ascii_digit()).count();
+            let digits = as_meant(self.text, word.span).bytes().filter(u8::is_ascii_digit).count();
             if !matches!(digits, 3 | 4) {
                 continue;
             }

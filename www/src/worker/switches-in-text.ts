@@ -11,9 +11,11 @@ const PROGRAMS_LIMIT = 500;
 /** What stands further along a line is not looked at. */
 const LINE_LIMIT = 1_000;
 
-const INTERESTING = /\/|[Oo:][ \t]*\d/;
+const INTERESTING = /\/|[Oo:][ \t]*\d|</;
 const COMMENT = /\([^)]*\)?/g;
 const HEAD = /^\s*(?:\/\d?\s*)*[O:]\s*(\d{1,8})/i;
+/** A program that has a name and no number (`src/text/program_name.rs`). */
+const NAME = /^\s*(?:\/\d?\s*)*O?<([A-Z0-9+\-_. ]{1,32})>/i;
 const SLASH_AT_HEAD = /^\s*(?:N\s*\d+\s*)?\/([1-9])?/i;
 const SLASH = /\/([1-9])?/g;
 /** Where a slash is a division, unless it stands at the head. */
@@ -22,6 +24,12 @@ const EXPRESSION = /[#[=]/;
 /** Whether some lines may say anything at all about switches; most do not. */
 export function mayTellOfSwitches(lines: string): boolean {
   return INTERESTING.test(lines);
+}
+
+/** The number by which the interpreter knows a name: FNV-1a of its capital letters, beyond all O numbers. */
+function numberOf(name: string): number {
+  const hash = [...name.toUpperCase()].reduce((hash, sign) => Math.imul(hash ^ sign.charCodeAt(0), 0x01000193), 0x811c9dc5) >>> 0;
+  return 2 ** 30 + ((hash ^ (hash >>> 30)) & (2 ** 30 - 1));
 }
 
 export class SwitchFinder {
@@ -50,11 +58,14 @@ export class SwitchFinder {
       for (const slash of EXPRESSION.test(block) ? [SLASH_AT_HEAD.exec(block)] : block.matchAll(SLASH)) {
         if (slash !== null) this.#levels.add(Number(slash[1] ?? 1));
       }
-      const head = HEAD.exec(block);
-      if (head === null || this.#programs.size >= PROGRAMS_LIMIT) continue;
-      const digits = head[1] ?? '';
-      const number = Number(digits);
-      if (!this.#programs.has(number)) this.#programs.set(number, { number, name: `O${digits}` });
+      const digits = HEAD.exec(block)?.[1];
+      const name = NAME.exec(block)?.[1]?.trim() ?? '';
+      if (digits !== undefined) this.#add({ number: Number(digits), name: `O${digits}` });
+      else if (name !== '') this.#add({ number: numberOf(name), name: `<${name}>` });
     }
+  }
+
+  #add(program: ProgramHead): void {
+    if (this.#programs.size < PROGRAMS_LIMIT && !this.#programs.has(program.number)) this.#programs.set(program.number, program);
   }
 }
