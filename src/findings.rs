@@ -52,10 +52,12 @@ pub fn diagnostics(
         if message.is::<said::StartInStock>() && run.iter().any(is_known) {
             continue;
         }
-        // A feed without its point was reported where it is written, perhaps in a block before.
-        if message.is::<said::FeedPerTurnHigh>()
-            && run.iter().any(|other| other.message.is::<said::LeadingZero>())
-        {
+        // A feed without its point was reported where it is written, perhaps in a block before; so was one in the other unit.
+        let is_about_feed = |other: &Diagnostic| {
+            other.message.is::<said::LeadingZero>()
+                || other.message.is::<said::FeedPerTurnTooLarge>() && span.contains(other.span)
+        };
+        if message.is::<said::FeedPerTurnHigh>() && run.iter().any(is_about_feed) {
             continue;
         }
         let same = |other: &Diagnostic| other.span == span && other.message.slug() == message.slug();

@@ -710,7 +710,7 @@ impl Run {
         if let Some(back) = self.interpreter.run_out(span) {
             return Flow::Jump(back);
         }
-        self.interpreter.finish();
+        self.interpreter.finish(text);
         self.report_no_end(text, span, None);
         if self.interpreter.has_wandered() { Flow::End } else { Flow::Next }
     }
@@ -728,7 +728,7 @@ impl Run {
 
     fn finish_text(&mut self) {
         let end = self.text.len();
-        self.interpreter.finish();
+        self.interpreter.finish(&self.text);
         if !self.begun && self.diagnostics().is_empty() {
             self.interpreter.report(Diagnostic::new(said::EmptyProgram, Span::new(0, 0)));
         }

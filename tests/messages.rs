@@ -203,6 +203,10 @@ fn feed_and_spindle() {
     check("M3 S500\n   G32 Z5\n// ^^^^^^ PS0011");
     check_with("{}", "M3 S500\nG01 X50 F200\n//      ^^^^ W-FEED-MODE\nG01 X40 F100");
     check("M3 S500\nG01 X50 F0.2\n//      ^^^^ W-FEED-MODE");
+    check_with("{}", "M3 S500\nG01 X50 F10\n//      ^^^ W-FEED-MODE");
+    check_with("{}", "M3 S500\nG01 X50 F10\n//      ^^^ W-FEED-MODE\nG01 X40 F6\nG98 X30 F100");
+    // A fast approach: the feed that follows fits the unit.
+    check_with("{}", "M3 S500\nG01 X50 F5\nX40 F0.2");
     check("M3 S500\nG01 X50 F100\n   G99 X40\n// ^^^^^^^ W-FEED-KEPT");
     check("   G01 X50 F100\n// ^^^^^^^^^^^^ W-NO-SPINDLE\nX40");
     check("G96 S120 M3\n//  ^^^^ W-CSS-NOCLAMP");

@@ -201,6 +201,21 @@ N130 G70 P50 Q120 F30 r, C1 Y( o8 q6 R* n\n\nK1 }8 }9 h! I8\n2. 端面(G72) ( Q'
     assert!(reasons(text).iter().all(|reason| *reason == Reason::Noise));
 }
 
+/// Lines of noise before a program begin with words in small letters, and noise has brackets.
+#[test]
+fn noise_before_a_program_is_no_block() {
+    let text = "8 d6 w, |2 R/ H2 P\n\nm8 k/ h( y9 I& ]$ C1 V! K\n\nG50 X60 Z40 0 y1 l\" d o q( W0 o+ q, r\n\n\
+G00 X0 Z2 ( i: c' ?2 `, D2 ~) {/ H\n\nG74 R1 ' c\" b! E3 o- X. ?8 w\n\nG74 Z-12 Q5 F30 S250 : K% L2 T( B; _6 J2\n";
+    assert_eq!(only(text), "G50 X60 Z40\nG00 X0 Z2\nG74 R1\nG74 Z-12 Q5 F30 S250\n");
+    // A program in small letters has small words alone on a line, and remarks may have signs.
+    let small = "g00 x50 z2\ng01 z-20 f0.2\nm9 q( W0 o+ q, r: {\nm30 l\" d' o: q(\n";
+    assert!(only(small).contains("m9\nm30"), "{}", only(small));
+    assert_eq!(
+        only("G00 X50 Z2 (8 +/- .1 ?)\nG01 Z-20 F0.2\nM30\n"),
+        "G00 X50 Z2 (8 +/- .1 ?)\nG01 Z-20 F0.2\nM30\n"
+    );
+}
+
 #[test]
 fn programs_in_a_sentence_need_two_moves() {
     let text = "программа записана как G00X54Z5; G94x30z0r-20f0.1, ошибка в том, что точка A (54,5). Запись G90 X50 Z-30 режет цилиндр.";

@@ -15,6 +15,7 @@ use gcode_playground::setup::{
 };
 use gcode_playground::units::{self, Diameter};
 use proptest::prelude::*;
+use std::collections::{BTreeMap, BTreeSet};
 
 const PROGRAM: &str = "O0001\nT0101\nG97 S800 M3\nG0 X40 Z2\nG1 Z-20 F0.2\nX44\nG0 X100 Z100\nM30\n";
 
@@ -282,4 +283,54 @@ fn every_rule_can_be_set() {
         assert_eq!((rules, note.unreadable.len()), (Ok(note.rules.clone()), 0), "{}", rule.slug);
         assert_eq!(note.rules.of(rule.slug), Some(Severity::Off));
     }
+}
+
+/// The keys of an interface of `www/embed/node/setup.d.ts`, with their types.
+fn typed(name: &str) -> BTreeMap<String, String> {
+    let text = include_str!("../www/embed/node/setup.d.ts");
+    let body = text.split(&format!("interface {name} {{")).nth(1).and_then(|rest| rest.split("\n}").next());
+    let keys = body.expect(name).lines().filter_map(|line| line.trim().strip_prefix("readonly "));
+    let keys = keys.filter_map(|line| line.trim_end_matches(';').split_once(": "));
+    keys.map(|(key, of)| (key.trim_end_matches('?').to_owned(), of.to_owned())).collect()
+}
+
+/// The types of the npm package know the keys of a setup that are read, and the choices of its fields.
+#[test]
+fn the_types_of_a_setup_are_what_is_read() {
+    for (name, wrong) in [
+        ("Setup", r#"{"zz": 1}"#),
+        ("SetupDialect", r#"{"dialect": {"zz": 1}}"#),
+        ("SetupPosition", r#"{"initial": {"zz": 1}}"#),
+        ("SetupTool", r#"{"tools": {"T0101": {"zz": 1}}}"#),
+        ("SetupStock", r#"{"stock": {"zz": 1}}"#),
+        ("SetupTailstock", r#"{"tailstock": {"zz": 1}}"#),
+        ("SetupMachine", r#"{"machine": {"zz": 1}}"#),
+        ("SetupTravel", r#"{"machine": {"travel": {"zz": 1}}}"#),
+        ("SetupLimits", r#"{"limits": {"zz": 1}}"#),
+    ] {
+        let error = Setup::from_json(wrong).expect_err(name);
+        let expected = error.split("expected").nth(1).expect("the keys");
+        let expected: BTreeSet<_> = expected.split('`').skip(1).step_by(2).map(str::to_owned).collect();
+        assert_eq!(typed(name).into_keys().collect::<BTreeSet<_>>(), expected, "{name}");
+    }
+    fn choices<T>(name: &str, fields: &[Field<T>]) {
+        let typed = typed(name);
+        for field in fields.iter().filter(|field| !field.key.contains('.')) {
+            let expected = match field.entry {
+                Entry::Choice(choices) => {
+                    choices.iter().map(|one| format!("'{one}'")).collect::<Vec<_>>().join(" | ")
+                }
+                Entry::Switch => "boolean".to_owned(),
+                Entry::Text => "string".to_owned(),
+                Entry::Number(_) | Entry::Whole => "number".to_owned(),
+            };
+            assert_eq!(typed[field.key], expected, "{name}.{}", field.key);
+        }
+    }
+    choices("SetupStock", fields::STOCK);
+    choices("SetupTool", fields::TOOL);
+    choices("SetupTailstock", fields::TAILSTOCK);
+    choices("SetupMachine", fields::MACHINE);
+    choices("SetupDialect", fields::DIALECT);
+    choices("SetupPosition", fields::START);
 }

@@ -1,5 +1,5 @@
 //! A word of a block is used, explained or reported. The expectations are worked out by hand from FANUC's formats of the
-//! codes (B-64304EN, B-64604EN), not from what the program says.
+//! codes (B-64304EN, B-64604EN), not from the output of the program.
 use gcode_playground::analyze;
 use gcode_playground::message::Severity;
 use gcode_playground::setup::Setup;
@@ -7,7 +7,7 @@ use gcode_playground::setup::Setup;
 const HEAD: &str = "O0001 (STOCK D=50 LENGTH=80)\nT0101\nG97 G99 S800 M03 F0.2\nG00 X52 Z2\n";
 const CONTOUR: &str = "N10 G00 X40\nG01 Z-20\nN20 X52\n";
 
-/// What is said about the characters of one word, which is put after a block.
+/// The messages at one word, which is put after a block.
 #[track_caller]
 fn said_about(setup: &str, before: &str, block: &str, word: &str, after: &str) -> Vec<String> {
     let text = format!("{HEAD}{before}{block} {word}\n{after}G00 X200 Z200\nM30\n");
@@ -80,11 +80,28 @@ fn words_that_a_multiple_cycle_does_not_read_are_reported() {
 fn words_that_a_single_move_of_the_machine_does_not_read_are_reported() {
     all_are_reported("", "G53 X0 Z0", "BDEIJKLPQRUW", "");
     all_are_reported("", "G28 U0 W0", "ABDEIJKLPQR", "");
-    all_are_reported("", "G04 X1", "ABCDEHIJKLQRYZ", "");
+    all_are_reported("", "G04 X1", "ABCDEHIJKLPQRUYZ", "");
     all_are_reported("", "G50 S2000", "ABDEIJKLR", "");
 }
 
-/// F in G00, S, T, D of G41, P beside M and S, arguments and data are read later, or by what is not known here.
+/// Where X gives the time of a dwell, P is not read, and of C and H one takes effect.
+#[test]
+fn a_word_beside_another_of_the_same_meaning_is_reported() {
+    let text = |block: &str| format!("{HEAD}G28 H0\n{block}\nG00 X200 Z200\nM30\n");
+    assert_eq!(slugs(&text("G04 P500 X1")), ["word-without-effect"]);
+    assert_eq!(slugs(&text("G04 X1 U2")), ["word-without-effect"]);
+    assert_eq!(slugs(&text("G00 C90 H10")), ["absolute-and-incremental"]);
+    assert_eq!(slugs(&text("G01 Z1 C90 H10")), ["absolute-and-incremental"]);
+    let analysis = analyze(text("G00 C90 H10").as_bytes(), &Setup::default());
+    let turned: Vec<_> = (0..analysis.motions.len())
+        .filter_map(|index| analysis.motions.get(index).rotary)
+        .map(|rotary| (rotary.from, rotary.to))
+        .collect();
+    // FANUC takes the later word.
+    assert_eq!(turned, [(0.0, 10.0)]);
+}
+
+/// F in G00, S, T, D of G41, P beside M and S, arguments and data are read later, or by codes that are not known here.
 #[test]
 fn words_that_are_read_elsewhere_are_not_reported() {
     for (block, word) in [
@@ -125,7 +142,7 @@ fn words_that_are_read_elsewhere_are_not_reported() {
     }
 }
 
-/// F, S and T of a contour are read by G70, its other words are those of moves.
+/// F, S and T of a contour are read by G70, its other words by the moves.
 #[test]
 fn words_of_a_contour_are_reported_once() {
     let blocks =
@@ -163,7 +180,7 @@ fn slugs(text: &str) -> Vec<&'static str> {
     analysis.diagnostics.iter().map(|told| told.message.slug()).collect()
 }
 
-/// Compensation without a radius shows the programmed path: a note for each offset, and none where the
+/// Compensation without a radius shows the programmed path: a note for each offset, none if the
 /// radius is known.
 #[test]
 fn an_unknown_nose_radius_is_noted_once_for_each_offset() {
@@ -219,6 +236,15 @@ fn a_bracket_within_a_comment_is_reported_where_text_is_left_over() {
     assert_eq!(slugs(&text("(OD TOOL (80 DEG)")), [""; 0]);
     assert_eq!(slugs(&text("(OD (80 DEG) TOOL)")), ["comment-in-comment"]);
     assert_eq!(slugs(&text("; (TURN (LONG CUT) TO Z-20)")), ["comment-in-comment"]);
+}
+
+/// One message for a sentence after `;`, also with numbers in it; blocks there are read.
+#[test]
+fn a_sentence_after_a_semicolon_is_one_fault() {
+    let text = |rest: &str| format!("O0001\nT0101\nG97 S800 M03\nG00 X60 Z5 {rest}\nM30\n");
+    assert_eq!(slugs(&text("; move 100%, speed 1mm/sec")), ["text-after-semicolon"]);
+    assert!(!slugs(&text("; X20 move 100%, speed 1mm/sec")).contains(&"text-after-semicolon"));
+    assert_eq!(slugs(&text("; G00 X70")), [""; 0]);
 }
 
 /// The S of the next block is not too late, as long as nothing is cut between the two.
@@ -285,7 +311,7 @@ fn a_corner_between_a_line_and_an_arc_is_made() {
     for end in [arcs[0].0, arcs[0].1] {
         assert!((end.distance(arcs[0].2) - 2.0).abs() < 1e-6);
     }
-    // It ends on the circle of the arc, where that goes on.
+    // It ends on the circle of the arc, which continues there.
     assert!((arcs[0].1.distance(arcs[1].2) - 25.0).abs() < 1e-6);
     assert_eq!(arcs[0].1, arcs[1].0);
     let strict = Setup::from_json(r#"{"dialect": {"strict": true}}"#).expect("a setup");

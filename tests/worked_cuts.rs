@@ -51,6 +51,29 @@ fn a_cycle_takes_something_off() {
     says_of(groove, "G00 X62 Z-20\nG75 R0.5\nG75 X50 P2000 F0.08", &[]);
 }
 
+/// A pass that lies within an earlier one removes nothing; a repeated last pass is a spring pass (seed 000, O0002).
+#[test]
+fn a_pass_within_an_earlier_one_is_found() {
+    says("G00 X62 Z2\nG90 X56 Z-30 F0.2\nX52\nX52\nX48", &["pass-not-deeper 4"]);
+    says("G00 X62 Z2\nG90 X56 Z-30 F0.2\nX52\nX52", &[]);
+    says("G00 X62 Z2\nG90 X56 Z-30 F0.2\nX52\nX52 Z-20\nX48 Z-30", &["pass-not-deeper 4"]);
+    // Further along, or deeper at one end, it takes something off.
+    says("G00 X62 Z2\nG90 X56 Z-20 F0.2\nX52\nX52 Z-30\nX48", &[]);
+    // From Z0, radius 27.6 at the start and 29.6 at Z-32; then 28.1, and 29.6 at Z-26, where the cone has 29.225.
+    says("G00 X62 Z0\nG90 X59.2 Z-32 R-2 F0.2\nZ-26 R-1.5", &["pass-not-deeper 3"]);
+    says("G00 X62 Z0\nG90 X59.2 Z-26 R-1.5 F0.2\nZ-32 R-2", &[]);
+    says("G00 X62 Z2\nG94 X20 Z-2 F0.1\nZ-4\nZ-4\nZ-6", &["pass-not-deeper 4"]);
+}
+
+/// The cone of a face ends at the face: the way to its start point counts all the same (seed 004).
+#[test]
+fn a_taper_starts_near_the_work() {
+    says("G00 X64 Z14\nG94 X40 Z0 R-12 F0.1", &["start-far-from-work? 2"]);
+    says("G00 X64 Z2\nG94 X40 Z0 R-12 F0.1", &[]);
+    // Passes that come nearer with the same R: the start is in front of the first.
+    says("G00 X64 Z14\nG94 X40 Z10 R-12 F0.1\nZ5\nZ0", &[]);
+}
+
 #[test]
 fn a_rapid_through_the_work_is_found_with_tools_that_are_narrow() {
     // Nobody names the tool, and what is left before Z-20 leaves only a needle that does all of it.

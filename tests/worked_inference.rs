@@ -236,7 +236,7 @@ fn an_inch_program_without_g20_is_read_in_inches() {
     let ran = run_under(&program("O0065", ""), r#"{"dialect": {"unit": "inch"}}"#);
     ran.check(&[inches]);
     assert!(!ran.told.contains(&"inches-concluded"));
-    // Four decimals are those of inches; a lead of 1/14 inch.
+    // Four decimals are usual in inches; a lead of 1/14 inch.
     let fine = run("O1\nT0101\nG97S800M3\nG0X1.0625Z.1\nG1Z-1.F.008\nX1.2\nG0Z.1\nM30\n");
     fine.check(&[(-10.0, &[(0.0, 1.0625 * 25.4)])]);
     // Small work in millimetres: no sign of inches but its size and its feeds.
@@ -260,7 +260,7 @@ fn a_cone_bored_towards_positive_z_is_in_a_tube() {
     assert!(part.radii(-0.1).is_empty(), "{:?}", ran.stock);
 }
 
-/// G75 with columns 3.5 mm apart is one groove, from Z-29 to the right corner of the insert: no ridges of 0.5 mm stand.
+/// G75 with columns 3.5 mm apart is one groove, from Z-29 to the right corner of the insert: no ridges of 0.5 mm are left.
 #[test]
 fn columns_of_pecks_leave_no_ridges() {
     let program = |columns: &str| {
@@ -270,7 +270,7 @@ fn columns_of_pecks_leave_no_ridges() {
     for z in [-28.9, -24.5, -23.75, -20.25, -17.5, -16.1] {
         ran.check(&[(z, &[(0.0, 36.0)])]);
     }
-    // Further apart they are grooves of their own: lands stand between Z-23 and Z-24.5, Z-26 and Z-29.
+    // Farther apart they are separate grooves, with lands from Z-24.5 to Z-23 and from Z-29 to Z-26.
     run(&program("Q6000")).check(&[(-21.5, &[(0.0, 50.0)]), (-25.0, &[(0.0, 36.0)])]);
 }
 

@@ -17,6 +17,11 @@ pub fn fixes(message: &Message, language: Language) -> Vec<Fix> {
     {
         return vec![fix("recognise", Some("false"))];
     }
+    // A and B cannot be set.
+    if message.is::<said::AxisNotHere>() || message.is::<said::PlaneNotHere>() {
+        let field = fields::MACHINE.iter().find(|field| field.key == "yAxis");
+        return vec![written(field, "machine.yAxis", Some("true"), language)];
+    }
     if message.is::<said::SystemGuessed>() {
         let arguments = message.arguments();
         let system = arguments.iter().find_map(|(name, value)| match value {
@@ -35,10 +40,6 @@ pub fn fixes(message: &Message, language: Language) -> Vec<Fix> {
         "pockets-not-available" => vec![fix("typeII", Some("true"))],
         "arc-radius-negative" => vec![fix("negativeArcR", Some("over180"))],
         "machine-zero-unknown" | "not-at-reference-point" => vec![fix("refPoint.x", None)],
-        "axis-not-supported" | "plane-not-supported" => {
-            let field = fields::MACHINE.iter().find(|field| field.key == "yAxis");
-            vec![written(field, "machine.yAxis", Some("true"), language)]
-        }
         _ => Vec::new(),
     }
 }
@@ -117,6 +118,8 @@ mod tests {
         check(machine, "{}", "machine-zero-unknown", &[("refPoint.x", None)]);
         let beside = "O1\nT0101 S800 M3\nG0 X40 Z2\nG1 Y8 F0.2\nY0\nM30\n";
         check(beside, "{}", "axis-not-supported", &[("yAxis", Some("true"))]);
+        let other = "O1\nT0101 S800 M3\nG0 X40 Z2\nG1 B8 F0.2\nM30\n";
+        check(other, "{}", "axis-not-supported", &[]);
         let plane = "O1\nG17\nT0101 S800 M3\nG0 X40 Z2\nG3 X50 Z-5 R5 F0.2\nM30\n";
         check(plane, "{}", "plane-not-supported", &[("yAxis", Some("true"))]);
     }

@@ -16,7 +16,7 @@ use crate::units::Diameter;
 /// Plain moves of a block that are named one by one.
 const NAMED: usize = 3;
 
-/// A part of what a block does, at its programmed places.
+/// A part of the work of a block, at its programmed places.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Action {
     /// A rapid.

@@ -360,7 +360,8 @@ impl<'a> Asked<'a> {
         };
         match (self.dialect.pq_unit, form) {
             (PqUnit::Mm, _) => units::Reading::Millimetres(units::Because::Point),
-            (PqUnit::Um, _) | (_, Form::Hole { .. }) => units::Reading::Micrometres,
+            (PqUnit::Um, _) => units::Reading::Micrometres,
+            (PqUnit::Auto, Form::Hole { .. }) => self.peck_reading(amount(word, increment), reading),
             (PqUnit::Auto, Form::Multiple(Multiple::Threading, Half::First)) => {
                 units::threading(amount(word, increment), None, None)
             }
@@ -369,6 +370,14 @@ impl<'a> Asked<'a> {
             }
             (PqUnit::Auto, _) => units::pecking(state.position, self.end(state, reading), of(b'P'), of(b'Q')),
         }
+    }
+
+    /// What Q of a hole counted when the block was carried out: its unit depends on the levels of the hole.
+    fn peck_reading(&self, amount: Option<Amount>, reading: Reading) -> units::Reading {
+        let in_millimetres = units::Reading::Millimetres(units::Because::Point);
+        let peck = self.visit.and_then(|visit| visit.after.state.hole?.peck);
+        let is_peck = |amount: Amount| peck == Some(amount.mm(in_millimetres, reading.unit).abs());
+        if amount.is_some_and(is_peck) { in_millimetres } else { units::Reading::Micrometres }
     }
 
     /// Where the axis words of the block lead.

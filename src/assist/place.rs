@@ -93,7 +93,7 @@ fn holds(state: &State, span: Span) -> bool {
     compensating.chain(pending).any(|path_move| path_move.span == span)
 }
 
-/// The start of a motion in the coordinates of the path, which are those of the virtual plane if one is in force.
+/// The start of a motion in the coordinates of the path: in the virtual plane, if one is in force.
 fn start(motion: &Motion) -> Point {
     let in_plane = || motion.virtual_move().map_or(motion.from, |own| own.way.at(0.0));
     motion.programmed.map_or_else(in_plane, |programmed| programmed.from)

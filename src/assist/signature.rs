@@ -247,7 +247,7 @@ impl Asked<'_> {
             line.slots = slots;
         }
         let own = lines.iter().position(|line| line.form == form)?;
-        // Without a code of its own, a block has the form of a move only if it contains a word of it.
+        // A block without a code has the form of a move only if it contains one of its words.
         if let Form::Motion { own: false, .. } | Form::Hole { own: false, .. } = form
             && !self.block.words.iter().any(|word| word.address != b'F' && takes(&lines[own], word))
         {

@@ -256,7 +256,7 @@ pub enum Event<'a> {
     CutWithoutFeed { block: &'a Block },
     /// A move at rapid.
     Rapid,
-    /// A block has words that the control ignores, those of the letters of `unread`. `code`: the code that the
+    /// A block has words that the control ignores; `unread` contains their letters. `code`: the code that the
     /// block carries out, which does not read them; `None` where it has no such code.
     UnreadWords { block: &'a Block, words: &'a Words<'a>, unread: u32, code: Option<&'static str> },
     /// G04 waits, s.

@@ -13,6 +13,7 @@ pub mod modal;
 pub mod offsets;
 pub mod origins;
 pub mod program;
+pub mod second_axis;
 pub mod sink;
 pub mod tool_offset;
 pub mod words;

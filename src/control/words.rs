@@ -38,7 +38,7 @@ pub struct Words<'b> {
     index: [u8; 26],
     /// Bit `n` for each letter `A + n` that is there.
     given: u32,
-    /// The same for each letter that was read by `get`.
+    /// The same for each letter that the control has read, by [`Words::get`].
     read: Cell<u32>,
 }
 
@@ -82,10 +82,16 @@ impl<'b> Words<'b> {
         self.given & !self.read.get()
     }
 
-    /// The word of an address, which counts as read from here on.
+    /// The word of an address that the control uses, or explains by a message: it counts as read.
     #[inline]
-    pub fn get(&self, address: u8) -> Option<&'b Word> {
+    pub(super) fn get(&self, address: u8) -> Option<&'b Word> {
         self.read.set(self.read.get() | 1 << (address - b'A'));
+        self.peek(address)
+    }
+
+    /// The word of an address for a message or a check: it does not count as read.
+    #[inline]
+    pub fn peek(&self, address: u8) -> Option<&'b Word> {
         match self.index[(address - b'A') as usize] {
             0 => None,
             index => Some(&self.block.words[index as usize - 1]),
@@ -94,12 +100,12 @@ impl<'b> Words<'b> {
 
     /// Place of a word; of the whole block where the address is not there.
     pub fn span(&self, address: u8) -> Span {
-        self.get(address).map_or_else(|| self.block.words_span(), |word| word.span)
+        self.peek(address).map_or_else(|| self.block.words_span(), |word| word.span)
     }
 
     /// The text of a word, blanks left out.
     pub fn quote(&self, text: &[u8], address: u8) -> String {
-        self.get(address).map_or_else(String::new, |word| quote(text, word.span))
+        self.peek(address).map_or_else(String::new, |word| quote(text, word.span))
     }
 }
 

@@ -21,7 +21,7 @@ pub fn waits(words: &Words, seconds: f64, at: &Moment) -> Option<Diagnostic> {
     }
     let whole = |word: &&Word| matches!(word.value, Value::Number { number, .. } if !number.has_point());
     let text = |word: &Word| quote(at.text, word.span);
-    if let Some(word) = words.get(b'X').or(words.get(b'U')) {
+    if let Some(word) = words.peek(b'X').or(words.peek(b'U')) {
         let value = plain(word).filter(|_| whole(&word))?;
         if seconds < LONG || value != seconds {
             return None;
@@ -32,7 +32,7 @@ pub fn waits(words: &Words, seconds: f64, at: &Moment) -> Option<Diagnostic> {
     }
     // Macros stop reading ahead by a dwell that is as short as it can be.
     let is_main = at.state.variables.level() == 0;
-    let word = words.get(b'P').filter(|word| is_main && whole(word))?;
+    let word = words.peek(b'P').filter(|word| is_main && whole(word))?;
     let value = plain(word).filter(|value| (1.0..=SHORT).contains(value) && value / 1000.0 == seconds)?;
     let quoted = text(word);
     let fix = Fix::write(word.span, format!("P{}000", behind_letter(&quoted).trim_start_matches(['0', '+'])));

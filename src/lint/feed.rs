@@ -5,7 +5,7 @@ use super::single_cycle;
 use crate::control::compensation::Axis;
 use crate::control::events::Moment;
 use crate::control::modal::Target;
-use crate::control::words::{Words, letters};
+use crate::control::words::{Words, letters, quote};
 use crate::cycles::single::Single;
 use crate::message::{Diagnostic, Message, said};
 use crate::setup::dialect::{DecimalRule, FeedMode};
@@ -36,6 +36,14 @@ struct Alone {
     end: (Axis, Target),
 }
 
+/// From here on F under G99 is a feed per minute, mm/rev. From [`DOUBTFUL`] on it may be a fast approach in air: a smaller
+/// feed per revolution that follows shows that the unit is meant.
+const PER_MINUTE: f64 = 20.0;
+const DOUBTFUL: f64 = 5.0;
+
+/// A feed per revolution that a tool takes, mm/rev.
+const USUAL: f64 = 1.0;
+
 /// What is remembered of F.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Feed {
@@ -49,6 +57,8 @@ pub struct Feed {
     alone: Option<Alone>,
     /// That the number does not fit the unit of F.
     unit: Once,
+    /// F under G99 from [`DOUBTFUL`] on, and its value, mm/rev.
+    doubtful: Option<(Span, f64)>,
 }
 
 impl Feed {
@@ -105,19 +115,37 @@ impl Feed {
     #[inline(never)]
     fn fits_unit(&mut self, words: &Words, feed: f64, at: &Moment, reports: &mut Vec<Diagnostic>) {
         let per_turn = at.state.feed_mode == FeedMode::PerTurn;
-        let mixed_up = if per_turn { feed >= 5.0 } else { feed < 2.0 };
+        let mixed_up = if per_turn { feed >= DOUBTFUL } else { feed < 2.0 };
+        if per_turn && feed <= USUAL {
+            self.doubtful = None;
+        }
         // Without a point it counts increments, which each machine has its own of.
         let counts = at.dialect.decimal == DecimalRule::LeastIncrement
-            && words.get(b'F').is_some_and(
+            && words.peek(b'F').is_some_and(
                 |word| matches!(word.value, Value::Number { number, .. } if !number.has_point()),
             );
-        if mixed_up && !counts && self.unit.first() {
+        if !mixed_up || counts {
+            return;
+        }
+        let span = words.span(b'F');
+        if per_turn {
+            self.doubtful = self.doubtful.or(Some((span, feed)));
+            if feed >= PER_MINUTE {
+                self.report_doubtful(at, reports);
+            }
+        } else if self.unit.first() {
             let word = words.quote(at.text, b'F');
-            let message: Message = match per_turn {
-                true => said::FeedPerTurnTooLarge { word, feed }.into(),
-                false => said::FeedPerMinuteTooSmall { word, feed }.into(),
-            };
-            reports.push(Diagnostic::new(message, words.span(b'F')));
+            reports.push(Diagnostic::new(said::FeedPerMinuteTooSmall { word, feed }, span));
+        }
+    }
+
+    /// No smaller feed per revolution has followed, or the program ends.
+    pub fn report_doubtful(&mut self, at: &Moment, reports: &mut Vec<Diagnostic>) {
+        if let Some((span, feed)) = self.doubtful.take()
+            && self.unit.first()
+        {
+            let message = said::FeedPerTurnTooLarge { word: quote(at.text, span), feed };
+            reports.push(Diagnostic::new(message, span));
         }
     }
 
@@ -159,13 +187,14 @@ impl Feed {
         self.unit = other.unit;
     }
 
-    /// First byte of a word that is looked at later.
-    pub fn waiting(&self) -> Option<u32> {
-        self.alone.map(|alone| alone.span.start)
+    /// First bytes of the words that are looked at later.
+    pub fn waiting(&self) -> [Option<u32>; 2] {
+        [self.alone.map(|alone| alone.span.start), self.doubtful.map(|(span, _)| span.start)]
     }
 
     /// Moves places along.
     pub fn shift(&mut self, shift: &Shift) {
         self.alone = self.alone.map(|alone| Alone { span: shift.span(alone.span), ..alone });
+        self.doubtful = self.doubtful.map(|(span, feed)| (shift.span(span), feed));
     }
 }

@@ -77,8 +77,12 @@ impl Observer for Lints {
     }
 
     fn waits_for(&self, changed: Range<u32>) -> bool {
-        let waiting = [self.feed.waiting(), self.rotary.waiting(), self.single_cycles.waiting()];
-        waiting.into_iter().chain(self.spindle.waiting()).flatten().any(|byte| changed.contains(&byte))
+        let waiting = self.feed.waiting().into_iter().chain(self.single_cycles.waiting());
+        waiting
+            .chain([self.rotary.waiting()])
+            .chain(self.spindle.waiting())
+            .flatten()
+            .any(|byte| changed.contains(&byte))
     }
 
     fn set_aside(&mut self) -> Box<dyn Observer> {
@@ -176,7 +180,7 @@ impl Lints {
                 if let Some(end) = self.single_cycles.end(at) {
                     if let Some(word) = taper {
                         reports.extend(single_cycle::axis_missing(at, word.span, cycle, end));
-                    } else if let Some(word) = words.get(b'F') {
+                    } else if let Some(word) = words.peek(b'F') {
                         self.feed.stands_alone(word, cycle, end);
                     }
                 }
@@ -242,6 +246,7 @@ impl Lints {
                 }
             }
             Event::RunEnds => {
+                self.feed.report_doubtful(at, reports);
                 self.spindle.report_still_move(reports);
                 self.spindle.report_speed_clamp(reports);
                 reports.extend(self.rotary.still_connected());

@@ -167,8 +167,8 @@ impl Rotary {
             });
         }
         let reading = at.reading();
-        if let Some((word, c)) = words.get(b'C').and_then(|word| Some((word, reading.length(word)?.abs()))) {
-            let x = words.get(b'X').and_then(|word| reading.radius(word)).unwrap_or(at.state.position.z);
+        if let Some((word, c)) = words.peek(b'C').and_then(|word| Some((word, reading.length(word)?.abs()))) {
+            let x = words.peek(b'X').and_then(|word| reading.radius(word)).unwrap_or(at.state.position.z);
             let like_degrees = c >= 90.0 && c % 90.0 == 0.0 && x.abs() < c / 2.0;
             let outside = at.setup.stock.is_some_and(|stock| c > stock.diameter.mm());
             if (like_degrees || outside) && self.angle.first() {

@@ -37,6 +37,34 @@ pub struct DeepestPass {
     taper: f64,
 }
 
+impl DeepestPass {
+    /// Whether all that the pass removes lies in what `other` has removed.
+    fn is_within(&self, other: &Self, cycle: Single) -> bool {
+        // Along the cut, and into the work.
+        let axes = |point: Point| match cycle {
+            Single::Facing => (point.x, point.z),
+            _ => (point.z, point.x),
+        };
+        let ways = |pass: &Self| {
+            let ((along, into), (end_along, end_into)) = (axes(pass.start), axes(pass.end));
+            (end_along - along, end_into - into)
+        };
+        let ((length, depth), (other_length, other_depth)) = (ways(self), ways(other));
+        let (forward, inward) = (other_length.signum(), (2.0 * other_depth + other.taper).signum());
+        let (length, other_length) = (length * forward, other_length * forward);
+        let at_begin = |depth: f64, taper: f64| (depth + taper) * inward;
+        let (begin, other_begin) = (at_begin(depth, self.taper), at_begin(other_depth, other.taper));
+        let (end, other_end) = (depth * inward, other_depth * inward);
+        let other_there = other_begin + (other_end - other_begin) * length / other_length;
+        self.start.distance(other.start) <= NEAR
+            && length > 0.0
+            && length <= other_length + NEAR
+            && begin.min(end) >= -NEAR
+            && begin <= other_begin + NEAR
+            && end <= other_there + NEAR
+    }
+}
+
 /// What is remembered of the single cycles.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct SingleCycles {
@@ -46,6 +74,8 @@ pub struct SingleCycles {
     named: Option<Axis>,
     /// The deepest pass since the cycle came into force.
     deepest: Option<DeepestPass>,
+    /// The axis word of a pass that repeats the deepest one: a spring pass, unless a deeper one follows.
+    repeated: Option<Span>,
     reported: Reported,
 }
 
@@ -96,7 +126,7 @@ impl SingleCycles {
 
     /// A one-shot code: what was given to a cycle is forgotten.
     pub fn one_shot(&mut self) {
-        (self.deepest, self.named) = (None, None);
+        (self.deepest, self.named, self.repeated) = (None, None, None);
     }
 
     /// The taper of a G92 is given by I where R is usual.
@@ -156,8 +186,13 @@ impl SingleCycles {
             Single::Facing => [b'Z', b'W'],
             Single::Turning | Single::Threading => [b'X', b'U'],
         };
-        let own_word = moved.into_iter().find(|&address| words.get(address).is_some());
-        if let (Some(before), Some(address)) = (before, own_word)
+        let own_word = moved.into_iter().find(|&address| words.peek(address).is_some());
+        let place = b"XUZW".iter().find_map(|&address| words.peek(own_word.unwrap_or(address)));
+        let repeats = self.repeats(&own, before.as_ref(), cycle, place.map(|word| word.span));
+        if let Some(span) = repeats.filter(|_| self.reported.pass_not_deeper.first()) {
+            let message = said::PassRemovesNothing { word: quote(at.text, span) };
+            reports.push(Diagnostic::new(message, span));
+        } else if let (Some(before), Some(address)) = (before, own_word)
             && !is_one_pass_feed(at)
             && let Some(message) = too_deep(cycle, &own, &before, at.stock().as_ref())
         {
@@ -184,19 +219,40 @@ impl SingleCycles {
         }
     }
 
+    /// The axis word of a pass that removes nothing: the own one, at `span`, or the one before it, which it shows to be
+    /// no spring pass.
+    fn repeats(
+        &mut self,
+        own: &DeepestPass,
+        before: Option<&DeepestPass>,
+        cycle: Single,
+        span: Option<Span>,
+    ) -> Option<Span> {
+        let repeated = self.repeated.take();
+        let before = before.filter(|_| cycle != Single::Threading)?;
+        let (is_within, contains) = (own.is_within(before, cycle), before.is_within(own, cycle));
+        self.repeated = span.filter(|_| is_within && contains);
+        match (is_within, contains) {
+            (false, true) => repeated,
+            (true, false) if pass_not_deeper(cycle, own, before).is_none() => span,
+            _ => None,
+        }
+    }
+
     /// What `other` has reported counts as reported.
     pub fn has_heard_of(&mut self, other: &Self) {
         self.reported = other.reported;
     }
 
-    /// First byte of a word that is looked at later.
-    pub fn waiting(&self) -> Option<u32> {
-        self.g90_alone.map(|span| span.start)
+    /// First bytes of the words that are looked at later.
+    pub fn waiting(&self) -> [Option<u32>; 2] {
+        [self.g90_alone, self.repeated].map(|span| Some(span?.start))
     }
 
     /// Moves places along.
     pub fn shift(&mut self, shift: &Shift) {
         self.g90_alone = self.g90_alone.map(|span| shift.span(span));
+        self.repeated = self.repeated.map(|span| shift.span(span));
     }
 }
 
@@ -291,25 +347,24 @@ fn too_deep(
 
 /// The deeper of two passes.
 fn deeper(cycle: Single, own: DeepestPass, before: Option<DeepestPass>) -> DeepestPass {
-    let Some(before) = before else { return own };
-    let same_end = match cycle {
-        Single::Facing => (own.end.x - before.end.x).abs() <= NEAR,
-        _ => (own.end.z - before.end.z).abs() <= NEAR,
-    };
-    let kept = same_end && pass_not_deeper(cycle, &own, &before).is_some();
-    if kept { before } else { own }
+    before.filter(|before| own.is_within(before, cycle)).unwrap_or(own)
 }
 
 /// A cycle that starts too far from the blank.
 fn far_start(cycle: Single, own: &DeepestPass, stock: &Stock) -> Option<Message> {
     let radius = stock.diameter.radius();
     let outside = own.end.x < own.start.x;
-    let far_x = own.start.x - radius;
-    if outside && far_x > FAR && own.end.x < radius {
+    let far_x = own.start.x - radius.max(own.end.x);
+    // The end of a taper may lie at the surface of the blank, or in front of it.
+    let (x, z) = match cycle {
+        Single::Facing => (own.end.x, own.end.z + own.taper.min(0.0)),
+        Single::Turning | Single::Threading => (own.end.x + own.taper.min(0.0), own.end.z),
+    };
+    if outside && far_x > FAR && x < radius {
         return Some(said::AirCut { axis: 'X', distance: far_x }.into());
     }
-    let far_z = own.start.z - stock.face;
-    if cycle != Single::Threading && far_z > FAR && own.end.z < stock.face {
+    let far_z = own.start.z - stock.face.max(own.end.z);
+    if cycle != Single::Threading && far_z > FAR && z < stock.face {
         return Some(said::AirCut { axis: 'Z', distance: far_z }.into());
     }
     None

@@ -249,7 +249,7 @@ impl Spindle {
     /// G96 or G97.
     pub fn speed_mode(&mut self, surface: bool, block: &Block, words: &Words, at: &Moment) {
         let spindle = &at.state.spindle;
-        let speed_given = words.get(b'S').is_some();
+        let speed_given = words.peek(b'S').is_some();
         self.kept = None;
         if !surface {
             self.unclamped = None;
@@ -384,9 +384,9 @@ fn fastest_turn(at: &Moment) -> f64 {
 
 /// Whether the words of a block leave the tool where it is: `W0`.
 pub fn stays(words: &Words) -> bool {
-    let idle = |address: u8| words.get(address).and_then(plain).is_some_and(|way| way == 0.0);
+    let idle = |address: u8| words.peek(address).and_then(plain).is_some_and(|way| way == 0.0);
     !words.has_any(letters(b"XZCHA"))
         && words.has_any(letters(b"UW"))
         && !words.has_any(letters(b"RIK"))
-        && [b'U', b'W'].into_iter().all(|address| words.get(address).is_none() || idle(address))
+        && [b'U', b'W'].into_iter().all(|address| words.peek(address).is_none() || idle(address))
 }

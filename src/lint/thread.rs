@@ -202,7 +202,7 @@ impl Threads {
         let spindle = &at.state.spindle;
         let speed = if spindle.surface { 0.0 } else { spindle.rpm };
         let &ThreadPass { start, end, lead, by, .. } = pass;
-        let angle_word = pass.words.get(b'Q').filter(|_| by != ThreadedBy::Passes);
+        let angle_word = pass.words.peek(b'Q').filter(|_| by != ThreadedBy::Passes);
         let angle = angle_word.and_then(plain);
         let mut own = Pass { start, end, lead, speed, tool: at.state.tool, angle, repeats: false };
         if let Some((word, angle)) = angle_word.zip(angle) {
@@ -232,7 +232,7 @@ impl Threads {
         if let Some(unusual) = unusual {
             reports.push(unusual);
         } else {
-            let fits = pass.words.get(b'Q').is_some() || passes.begins_well(&own);
+            let fits = pass.words.peek(b'Q').is_some() || passes.begins_well(&own);
             let starts = pass.starts as f64;
             reports.append(&mut remarks(&own, before.as_ref(), fits, starts, known, span));
         }
@@ -320,8 +320,8 @@ impl Passes {
         }
         let repeats = before.repeats;
         let before = Diameter::from_radius(before.end.x).mm();
-        let letter = *b"XU".iter().find(|&&letter| pass.words.get(letter).is_some()).unwrap_or(&b'Z');
-        let span = pass.words.get(letter).map_or_else(|| pass.block.words_span(), |word| word.span);
+        let letter = *b"XU".iter().find(|&&letter| pass.words.peek(letter).is_some()).unwrap_or(&b'Z');
+        let span = pass.words.peek(letter).map_or_else(|| pass.block.words_span(), |word| word.span);
         // From its first pass a thread begins anew: the same once more, for another part.
         if deeper < -NEAR && (own.end.x - self.first.x).abs() > NEAR {
             let word = quote(at.text, span);
@@ -343,7 +343,7 @@ impl Passes {
 
 /// The word that gives the lead: in millimetres, or as threads per inch.
 fn lead_word<'a>(words: &Words<'a>) -> Option<&'a Word> {
-    [b'E', b'F', b'I'].into_iter().find_map(|letter| words.get(letter))
+    [b'E', b'F', b'I'].into_iter().find_map(|letter| words.peek(letter))
 }
 
 /// A lead that no control takes, or no standard has, at the word that gives it.
@@ -399,14 +399,15 @@ pub fn multi_threading(call: &ThreadingCall, at: &Moment, reports: &mut Vec<Diag
         reports.push(Diagnostic::new(message, block.words_span()));
     }
     let taper_word = if one_block { b'I' } else { b'R' };
-    if words.get(taper_word).is_some() {
+    if words.peek(taper_word).is_some() {
         reports.extend(taper::shape(Single::Threading, start, how.end, how.taper, words, taper_word, at));
     }
 }
 
 /// P and Q of G76 with their letters exchanged, where that is what the message is about.
 fn swapped_amounts(text: &[u8], words: &Words, message: &Message) -> Vec<Fix> {
-    let (Some(p), Some(q), true) = (words.get(b'P'), words.get(b'Q'), message.is::<said::ThreadFirstDepth>())
+    let (Some(p), Some(q), true) =
+        (words.peek(b'P'), words.peek(b'Q'), message.is::<said::ThreadFirstDepth>())
     else {
         return Vec::new();
     };

@@ -12,8 +12,8 @@ use crate::source::Span;
 use crate::source::shift::Shift;
 use crate::text::block::{Block, Word};
 
-/// The first of the words that the control ignores, those of the letters of `unread`: one fault, one message,
-/// for P and Q mostly belong together. `code`: the code that the block carries out, which does not read them.
+/// The first of the words that the control ignores; `unread` contains their letters. One fault, one message:
+/// P and Q mostly belong together. `code`: the code that the block carries out, which does not read them.
 pub fn unread(
     block: &Block,
     words: &Words,
@@ -22,7 +22,7 @@ pub fn unread(
     at: &Moment,
 ) -> Option<Diagnostic> {
     // Of two words with one letter the later counts; the other was reported.
-    let counts = |word: &&Word| words.get(word.address).is_some_and(|own| own.span == word.span);
+    let counts = |word: &&Word| words.peek(word.address).is_some_and(|own| own.span == word.span);
     let word = block
         .words
         .iter()
@@ -52,7 +52,7 @@ pub fn unread(
 
 /// A word of another axis in a block of a single cycle without X and Z: the cycle does not run, and nothing moves.
 pub fn without_axis(words: &Words, cycle: Single, at: &Moment) -> Option<Diagnostic> {
-    let letter = b"CHYV".iter().copied().find(|&letter| words.get(letter).is_some())?;
+    let letter = b"CHYV".iter().copied().find(|&letter| words.peek(letter).is_some())?;
     let fix = Fix::delete(at.text, words.span(letter));
     let message = said::WordIgnored { word: words.quote(at.text, letter), code: cycle.cycle().code() };
     Some(Diagnostic::new(message, words.span(letter)).with(fix))

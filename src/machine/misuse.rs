@@ -16,8 +16,8 @@ const FAST_ON_LARGE: f64 = 2.0;
 /// Diameter of a blank that is turned on heavy lathes, mm.
 const LARGE: f64 = 200.0;
 
-/// From here on it is reported as a feed in the other unit, mm/rev.
-const FEED_OF_OTHER_UNIT: f64 = 5.0;
+/// From here on it is a feed in the other unit, mm/rev.
+const FEED_OF_OTHER_UNIT: f64 = 20.0;
 
 /// Nearer to the spindle axis than this, mm, is on it.
 const OFF_AXIS: f64 = 0.01;

@@ -81,9 +81,12 @@ pub(super) struct Blocks {
 
 /// Puts the items of a text together.
 pub(super) fn assemble(text: &str, items: &[Item]) -> Blocks {
+    let words = || items.iter().filter(|item| matches!(item.kind, Kind::Word(_)));
+    let small = words().filter(|item| is_small(text, item)).count();
     let mut assembler = Assembler {
         text,
         items,
+        in_capitals: words().count() > 2 * small,
         blocks: Blocks { list: Vec::new(), owner: vec![NOBODY; items.len()] },
         open: false,
         reachable: false,
@@ -105,9 +108,16 @@ pub(super) fn assemble(text: &str, items: &[Item]) -> Blocks {
     blocks
 }
 
+/// Whether a word begins with a small letter.
+fn is_small(text: &str, item: &Item) -> bool {
+    slice(text, item.span).starts_with(|c: char| c.is_ascii_lowercase())
+}
+
 struct Assembler<'a> {
     text: &'a str,
     items: &'a [Item],
+    /// Most words of the text have capital letters.
+    in_capitals: bool,
     blocks: Blocks,
     /// The last block goes on.
     open: bool,
@@ -275,10 +285,13 @@ impl Assembler<'_> {
         if !self.open {
             return;
         }
-        let small = |item: &Item| slice(self.text, item.span).starts_with(|c: char| c.is_ascii_lowercase());
+        let small = |item: &Item| is_small(self.text, item);
         let Some(block) = self.blocks.list.last() else { return };
         let (first, mut end) = (block.first, block.end);
         if small(&self.items[first]) {
+            if end == first + 1 && self.in_capitals {
+                self.dissolve();
+            }
             return;
         }
         while end > first + 1

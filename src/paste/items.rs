@@ -353,13 +353,24 @@ impl Reader<'_> {
                 ')' => {
                     depth -= 1;
                     if depth == 0 {
-                        return Some((Kind::Comment, start + at + c.len_utf8()));
+                        let to = start + at + c.len_utf8();
+                        return (!self.is_noise(start, to, end)).then_some((Kind::Comment, to));
                     }
                 }
                 _ => {}
             }
         }
         self.open_comment(start, end)
+    }
+
+    /// Whether brackets after a word belong to noise, which continues to the end of the line.
+    fn is_noise(&self, start: usize, to: usize, end: usize) -> bool {
+        let is_behind = matches!(self.items.last().map(|item| item.kind), Some(Kind::Word(_)));
+        is_behind
+            && end - to <= LONGEST_BRACKET
+            && unreadable_chunks(&self.text[to..end]) > 0
+            && unreadable_chunks(&self.text[start..to]) >= NOISE_CHUNKS
+            && last_prose(&self.text[start..end]) == 0
     }
 
     /// A bracket that is not closed.

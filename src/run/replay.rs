@@ -15,6 +15,7 @@ use crate::control::interpreter::Interpreter;
 use crate::control::modal::State;
 use crate::control::origins::{Chronicle, Origins};
 use crate::control::program::Labels;
+use crate::control::second_axis;
 use crate::text::block::Block;
 use crate::text::parser::{Parser, Resume};
 use crate::units::Unit;
@@ -56,6 +57,16 @@ pub struct Found {
     pub times: u32,
     /// One of these times.
     pub visit: Option<Visit>,
+}
+
+impl Found {
+    /// The block as it is carried out.
+    pub fn block(&self, run: &Run) -> Block {
+        let (_, block) = block_at(run.text(), self.place.start, self.place.start.byte);
+        let state = self.visit.as_ref().map(|visit| &visit.before.state);
+        let names_y = |state: &State| second_axis::named_y(&block, state, &run.setup().machine).is_some();
+        if state.is_some_and(names_y) { second_axis::with_c(&block) } else { block }
+    }
 }
 
 /// Which time a block is carried out is meant.

@@ -83,7 +83,7 @@ pub struct LineIndex {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 struct Mark {
     byte: u32,
-    /// UTF-16 units before it; each line end counts as one, as in editors that fold CRLF, unless the offsets are those of
+    /// UTF-16 units before it; each line end counts as one, as in editors that fold CRLF, unless the offsets count in
     /// the text as it is written.
     units: u32,
 }

@@ -10,7 +10,7 @@ use crate::api::assist::Reader;
 use crate::assist::Asked;
 use crate::parts::late;
 use crate::run::RunId;
-use crate::run::replay::{Found, Replay, Time, block_at};
+use crate::run::replay::{Found, Replay, Time};
 use crate::source::Span;
 
 /// What is asked of a block.
@@ -176,7 +176,7 @@ fn with_answer(
     let run = playground.current.run();
     let answer = playground.question.found.as_ref().filter(|(of, ..)| *of == run.id());
     let Some((_, _, found)) = answer else { return Ok(JsValue::UNDEFINED) };
-    let (_, block) = block_at(run.text(), found.place.start, found.place.start.byte);
+    let block = found.block(run);
     let asked = Asked::new(run, found, &block);
     make(&reader(playground), &asked)
 }

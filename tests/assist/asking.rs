@@ -4,7 +4,7 @@ use gcode_playground::api::Places;
 use gcode_playground::api::assist::{FormHelp, Reader, StateHelp, WordHelp};
 use gcode_playground::assist::Asked;
 use gcode_playground::run::Run;
-use gcode_playground::run::replay::{Found, Time, block_at};
+use gcode_playground::run::replay::{Found, Time};
 use gcode_playground::sentences::Language;
 use gcode_playground::setup::Setup;
 use gcode_playground::source::{LineIndex, Span};
@@ -31,7 +31,7 @@ impl Asking {
         let mut replay = self.run.replay(start, byte, time);
         while !self.run.advance_replay(&mut replay, 1000) {}
         let found = replay.found();
-        let (_, block) = block_at(self.run.text(), found.place.start, found.place.start.byte);
+        let block = found.block(&self.run);
         (found, block)
     }
 

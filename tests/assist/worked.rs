@@ -108,6 +108,34 @@ fn the_sentence_under_g121_is_of_the_block_itself() {
     assert_eq!(square.letters(10), ["X/U", "C/H", "F"]);
 }
 
+/// Haas names the second axis Y: it is explained as the C that it is read as.
+#[test]
+fn y_under_g112_is_the_second_axis() {
+    let mut program = Program::new(
+        "O1\nM45\nG28 H0\nG00 T0101\nG97 S100 M13\nG00 X80 Z30\nG98 G01 Z-20 F100\nG112\nG01 X50\nY25\nX-50\nV-50\nG113\nM30\n",
+    );
+    assert_eq!(program.axes(10), ["X Ø50 mm > Ø50 mm", "Z -20 mm > -20 mm", "C 0 mm > 25 mm"]);
+    assert_eq!(program.letters(10), ["X/U", "C/H", "F"]);
+    let explained = program.explanation(10);
+    assert!(explained.starts_with("Cuts straight from X50 C0 to X50 C25: 25 mm."), "{explained}");
+    let (value, facts) = program.word(10, "Y25");
+    assert_eq!(value, "25 mm");
+    assert!(facts.contains(&"From 0 mm to 25 mm.".to_owned()), "{facts:?}");
+    assert_eq!(program.word(12, "V-50").0, "-50 mm");
+}
+
+/// Q3 would be thousands of pecks of 0.003 mm: the control takes 3 mm, and so does the help.
+#[test]
+fn the_peck_of_a_hole_counts_as_the_control_took_it() {
+    let counts = |facts: &[String]| facts.iter().any(|fact| fact.contains("without a point"));
+    for (word, in_increments) in [("Q3", false), ("Q3.", false), ("Q3000", true)] {
+        let text = format!("O1\nT0101\nG97 S800 M03\nG00 X0 Z5\nG98 G83 Z-40 R-3 {word} F100\nG80\nM30\n");
+        let mut program = Program::new(text.leak());
+        let (value, facts) = program.word(5, word);
+        assert_eq!((value.as_str(), counts(&facts)), ("3 mm", in_increments), "{word}: {facts:?}");
+    }
+}
+
 /// On the cylinder C is an angle: 90° of a radius of 20 mm is 31.42 mm.
 #[test]
 fn the_state_and_the_sentence_under_g071() {
@@ -168,7 +196,7 @@ fn the_sentence_of_a_block_with_a_corner_is_of_the_block_itself() {
     assert!(explained.starts_with("Cuts straight from X34 Z-20 to X50 Z-20: 8 mm."), "{explained}");
 }
 
-/// In a loop of one block, each execution has a move of its own, even if it is made during the next one.
+/// In a loop of one block, each execution has its own move, even if it is made during the next one.
 #[test]
 fn each_time_of_a_compensated_loop_has_its_own_sentence() {
     let mut program = compensated(

@@ -1,5 +1,6 @@
 // The reference: from the help of the page to a document, and between the documents.
 import { chromiumTest as test, expect } from './engines';
+import { manual, openHtml, settled } from './embedded';
 import { open } from './page';
 
 for (const [language, help, link] of [
@@ -28,6 +29,20 @@ test('the help of the published element leads to its own copy of the reference',
   await reference.getByRole('link', { name: 'All rules' }).click();
   await expect(reference).toHaveURL(/\/embed\/rules\/en\/index\.html$/);
   await expect(reference.getByRole('heading', { level: 1 })).toHaveText('All rules');
+});
+
+test('attributes of the element name the folders of the documents and of the rule pages', async ({ page }) => {
+  await openHtml(page, manual('<gcode-playground docs="https://manual.example/lathe/docs" rules=""><pre>\nG00 X50 Z2\nM30\n</pre></gcode-playground>'));
+  await settled(page);
+  await page.getByRole('button', { name: 'Help (?)' }).click();
+  const reference = page.getByRole('link', { name: 'Documentation' });
+  await reference.focus();
+  await expect(reference).toHaveAttribute('href', 'https://manual.example/lathe/docs/index.html');
+  await expect(page.getByRole('link', { name: 'All rules' })).toHaveCount(0);
+  await page.evaluate(() => document.querySelector('gcode-playground')!.setAttribute('rules', 'pages/'));
+  const rules = page.getByRole('link', { name: 'All rules' });
+  await rules.focus();
+  await expect(rules).toHaveAttribute('href', /^https?:.*\/pages\/en\/index\.html$/);
 });
 
 test('links lead from one document to another, to a part of it, and back to the playground', async ({ page }) => {

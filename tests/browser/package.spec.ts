@@ -113,8 +113,19 @@ test('in Node, every program of the tests says what it says on the command line'
 
 test('from TypeScript, strictly', async () => {
   await writeFile(join(project, 'program.ts'), `
-    import { check, motions, svg, type Diagnostic } from 'gcode-playground';
+    import { check, motions, svg, type Diagnostic, type Setup } from 'gcode-playground';
     import type { GcodePlayground } from 'gcode-playground/element.js';
+    import type {} from 'gcode-playground/react';
+    import type { JSX } from 'react';
+    const setup: Setup = { stock: { diameter: 60, length: 80 }, tools: { T0101: { type: 'boring' } }, rules: { classroom: 'off' } };
+    check('', setup);
+    // @ts-expect-error: no such key.
+    check('', { stok: 1 });
+    // @ts-expect-error: a blank has a length.
+    check('', { stock: { diameter: 60 } });
+    export const props: JSX.IntrinsicElements['gcode-playground'] = { value: 'G00 X50', setup, blockSkip: '1', 'ongcode-change': ({ detail }) => console.log(detail.value) };
+    // @ts-expect-error: no such view.
+    export const wrong: JSX.IntrinsicElements['gcode-playground'] = { view: 'nothing' };
     const found: Diagnostic[] = check('G00 X50', { dialect: { control: 'gsk' } }, { language: 'zh' });
     export const lines: number[] = found.map(({ line }) => line);
     export const ends: number[] = motions('G00 X50').map(({ to }) => to.x);
@@ -125,6 +136,11 @@ test('from TypeScript, strictly', async () => {
       document.querySelector('gcode-playground')?.play();
     }
   `);
+  // What the types need of React's.
+  const react = join(project, 'node_modules', 'react');
+  await mkdir(react, { recursive: true });
+  await writeFile(join(react, 'package.json'), JSON.stringify({ name: 'react', types: 'index.d.ts' }));
+  await writeFile(join(react, 'index.d.ts'), 'export interface HTMLAttributes<T> { className?: string }\nexport type DetailedHTMLProps<E, T> = E;\nexport namespace JSX { interface IntrinsicElements {} }\n');
   const config = { compilerOptions: { target: 'ES2022', module: 'NodeNext', moduleResolution: 'NodeNext', lib: ['ES2023', 'DOM'], strict: true, exactOptionalPropertyTypes: true, noEmit: true, types: [] }, files: ['program.ts'] };
   await writeFile(join(project, 'tsconfig.json'), JSON.stringify(config));
   const { stdout } = await run(process.execPath, [join(WWW, 'node_modules', 'typescript', 'bin', 'tsc'), '--project', project], { cwd: project }).catch((error: { stdout: string }) => error);

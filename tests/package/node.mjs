@@ -45,7 +45,7 @@ for (const name of readdirSync(join(root, 'tests', 'programs'))) {
   compared++;
 }
 
-// Offsets are those of the text as it was given, whatever its line ends: safe fixes applied by offset repair it.
+// Offsets count in the text as it was given, with any line ends: safe fixes applied by offset repair it.
 const faulty = 'O0001 (外圆 😀)\nT0101 (ROUGH\nGO1 X5 F0.1 M3 S500\nM30\n';
 const mixed = faulty.replace('\n', '\r\n').replace('ROUGH\n', 'ROUGH\r');
 for (const text of [faulty, faulty.replaceAll('\n', '\r\n'), faulty.replaceAll('\n', '\r'), mixed]) {

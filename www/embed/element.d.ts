@@ -1,6 +1,8 @@
 import type { Diagnostic, FileFormat, ProgramDifference, Stroke, Summary } from './node/gcode_playground.js';
+import type { Setup } from './node/setup.js';
 
 export type { Diagnostic, FileFormat, ProgramDifference, Stroke, Summary };
+export type { Setup, SetupDialect, SetupLimits, SetupMachine, SetupPosition, SetupStock, SetupTailstock, SetupTool, SetupTravel } from './node/setup.js';
 
 /** The file a program came from. */
 export interface ProgramFile {
@@ -29,7 +31,7 @@ export class GcodePlayground extends HTMLElement {
   control: string | null;
   /** What is not in the program, as JSON; an object can be assigned. */
   get setup(): string | null;
-  set setup(setup: string | object | null);
+  set setup(setup: Setup | string | null);
   /** The levels of block skip that are on: `1,2`. */
   blockSkip: string | null;
   /** The O number that is run. */
@@ -56,6 +58,10 @@ export class GcodePlayground extends HTMLElement {
   caption: string | null;
   /** The page that "Open in the playground" leads to; none where it is empty. */
   playground: string | null;
+  /** The folder of the rule pages, `rules/` beside `element.js` where it is null; no links to them where it is empty. */
+  rules: string | null;
+  /** The folder of the documents, `docs/` beside `element.js` where it is null; no link to them where it is empty. */
+  docs: string | null;
   /** Any text by which the page knows whose the program is. */
   origin: string | null;
   /** Resolved with the number of the run once all there is to show of it is shown. */
@@ -103,6 +109,12 @@ export interface GcodePlaygroundEvents {
   'gcode-split': CustomEvent<{ readonly split: string }>;
   'gcode-context': CustomEvent<{ readonly control: string | null; readonly setup: string | null; readonly blockSkip: string | null; readonly program: string | null; readonly origin: string | null }>;
 }
+
+/** What JSX can give the element: its properties, and handlers of its events. React knows them with `import type {} from 'gcode-playground/react'`. */
+export type GcodePlaygroundProps = Partial<Pick<GcodePlayground, 'value' | 'src' | 'control' | 'blockSkip' | 'program' | 'loading' | 'language' | 'theme' | 'view' | 'controls'
+  | 'readonly' | 'step' | 'highlight' | 'lines' | 'fit' | 'turret' | 'caption' | 'playground' | 'rules' | 'docs' | 'origin'>> & {
+  readonly setup?: Setup | string | null;
+} & { readonly [Event in keyof GcodePlaygroundEvents as `on${Event}`]?: (event: GcodePlaygroundEvents[Event]) => void };
 
 declare global {
   interface HTMLElementTagNameMap {

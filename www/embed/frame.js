@@ -4,6 +4,8 @@ import { GcodePlayground } from './element.js';
 
 /** The page that the author of this copy names, in `<meta name="playground" content="…">`. */
 const named = document.querySelector('meta[name="playground"]')?.content ?? '';
+/** Attributes that name a folder of pages. */
+const PAGES = ['rules', 'docs'];
 const isFramed = window.top !== window;
 
 const element = document.createElement('gcode-playground');
@@ -14,7 +16,7 @@ element.style.setProperty('--playground-height', '100vh');
 function show() {
   const said = new URLSearchParams(location.hash.slice(1));
   for (const name of GcodePlayground.observedAttributes) {
-    const value = name === 'program' ? null : name === 'playground' ? playground(said.get(name)) : said.get(name);
+    const value = name === 'program' ? null : name === 'playground' ? playground(said.get(name)) : PAGES.includes(name) ? pages(name, said.get(name)) : said.get(name);
     if (value === null) element.removeAttribute(name);
     else element.setAttribute(name, value);
   }
@@ -30,6 +32,13 @@ function playground(said) {
   if (said !== null) console.warn(`playground=${said} is ignored: it is not on ${location.origin}, and <meta name="playground"> does not name its host.`);
   // Outside a frame this page is the playground.
   return isFramed ? named || null : '';
+}
+
+/** Where links to rule pages and documents lead: to this host or the named one, as `playground`. */
+function pages(name, said) {
+  if (said === null || said === '' || isTrusted(said)) return said;
+  console.warn(`${name}=${said} is ignored: it is not on ${location.origin}, and <meta name="playground"> does not name its host.`);
+  return null;
 }
 
 function isTrusted(address) {

@@ -4,7 +4,7 @@
 //! `element.ts`; `tests/manuals.rs` holds the two against each other.
 
 /// An attribute, and the values it has; none where any text may be one.
-const KNOWN: [(&str, &[&str]); 18] = [
+const KNOWN: [(&str, &[&str]); 20] = [
     ("src", &[]),
     ("control", &["fanuc", "gsk", "forum"]),
     ("setup", &[]),
@@ -23,6 +23,8 @@ const KNOWN: [(&str, &[&str]); 18] = [
     ("caption", &[]),
     ("loading", &["lazy", "eager", "click"]),
     ("playground", &[]),
+    ("rules", &[]),
+    ("docs", &[]),
 ];
 /// Attributes that the element has beside those of its program.
 const OF_THE_PAGE: [&str; 2] = ["split", "hints"];

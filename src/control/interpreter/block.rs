@@ -12,6 +12,7 @@ use crate::control::codes::{Compensation, MotionMode, Plane};
 use crate::control::doubt::Doubt;
 use crate::control::events::Event;
 use crate::control::modal::{CycleMemory, Once, PathMove};
+use crate::control::second_axis::with_c;
 use crate::control::words::{Words, letters, plain, quote};
 use crate::geometry::Point;
 use crate::message::{Diagnostic, Message, Severity, said};
@@ -274,7 +275,7 @@ impl Interpreter {
             self.observe(text, Event::FromAxis { block, to });
         }
         request.moved = words.has_any(AXES);
-        let c = self.turn_target(words);
+        let c = self.turn_target(text, words);
         if c.is_some() || !self.travel_plainly(block, MotionKind::Rapid, to, None) {
             let motion = self.motion(MotionKind::Rapid, to);
             let motion = self.turning(motion, c);
@@ -381,19 +382,6 @@ impl Interpreter {
         }
         state.motion = mode;
     }
-}
-
-/// The block with the second axis of polar interpolation named as FANUC does: C, and H for increments.
-fn with_c(block: &Block) -> Block {
-    let mut own = block.clone();
-    for word in own.words.iter_mut().filter(|word| !word.comma) {
-        word.address = match word.address {
-            b'Y' => b'C',
-            b'V' => b'H',
-            other => other,
-        };
-    }
-    own
 }
 
 /// The block as it is when the slash within it counts.

@@ -101,6 +101,7 @@ impl Interpreter {
                 return None;
             }
         }
+        // `get`: the message explains the word.
         if let Some(address) = [b'X', b'Z'].into_iter().find(|&address| words.get(address).is_some()) {
             let message = said::CycleWord { code, word: words.quote(text, address) };
             let severity = if self.dialect.strict { Severity::Error } else { Severity::Warning };

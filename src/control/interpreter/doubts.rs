@@ -120,7 +120,7 @@ impl Interpreter {
                 lost = if code_is_known { Doubts::default() } else { lost };
                 lost.add(Doubt::Cycle);
             }
-            None if request.comma[2].is_some() || words.get(b'A').is_some() => lost.join(PLACE),
+            None if request.comma[2].is_some() || words.peek(b'A').is_some() => lost.join(PLACE),
             None => lost.join(named),
         }
         self.lose(lost);
@@ -141,7 +141,7 @@ impl Interpreter {
     /// the program all the same.
     #[cold]
     pub(super) fn pass_over_contour(&mut self, text: &[u8], cycle: &Block, words: &Words) {
-        let sequence = |address: u8| words.get(address).and_then(plain).map(|number| number as u32);
+        let sequence = |address: u8| words.peek(address).and_then(plain).map(|number| number as u32);
         if self.program.jump.is_some() || self.contours.recorded.is_some() {
             return;
         }
@@ -226,7 +226,7 @@ impl Interpreter {
     /// What a block that was carried out makes certain again; `before` was in doubt when it began.
     #[cold]
     pub(super) fn regain(&mut self, request: &Request, words: &Words, before: Doubts) {
-        let by_angle = request.comma[2].is_some() || words.get(b'A').is_some();
+        let by_angle = request.comma[2].is_some() || words.peek(b'A').is_some();
         for doubt in [Doubt::X, Doubt::Z, Doubt::C] {
             let known = self.ends_at_place(request, words, doubt);
             let doubts = &mut self.state.doubts;
@@ -260,7 +260,7 @@ impl Interpreter {
         let hole = self.state.hole.map(|hole| hole.kind.is_face());
         match request.one_shot {
             Some(OneShot::Home | OneShot::OtherHome) => {
-                words.get(absolute).is_some() || words.get(incremental).is_some()
+                words.peek(absolute).is_some() || words.peek(incremental).is_some()
             }
             Some(OneShot::CheckHome | OneShot::FromHome | OneShot::Machine | OneShot::Setting) => is_absolute,
             Some(
@@ -288,7 +288,7 @@ impl Interpreter {
 
     /// Whether the word of an axis that counts names a place.
     fn is_absolute(&self, words: &Words, absolute: u8, incremental: u8) -> bool {
-        match (words.get(absolute), words.get(incremental)) {
+        match (words.peek(absolute), words.peek(incremental)) {
             (Some(_), None) => !self.state.incremental,
             (Some(absolute), Some(incremental)) => match self.dialect.xu_conflict {
                 XuConflict::Absolute => true,

@@ -117,7 +117,7 @@ impl Interpreter {
             false => Point::new(memory.level.x, place.from(from.z)),
         };
         let turn = if face || !words.has_any(depth_words) || words.has_any(TURNS) {
-            self.turn_target(words)
+            self.turn_target(text, words)
         } else {
             None
         };
@@ -134,7 +134,7 @@ impl Interpreter {
             }
         };
         let point = |level: f64| if face { Point::new(at.x, level) } else { Point::new(level, at.z) };
-        if words.get(b'Q').is_some() {
+        if words.peek(b'Q').is_some() {
             let (start, end) = (point(r_level), point(bottom));
             let Some((_, _, q)) = self.amounts(text, words, |_, q| units::pecking(start, end, None, q))
             else {

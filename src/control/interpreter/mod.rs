@@ -283,9 +283,9 @@ impl Interpreter {
     }
 
     /// Makes the moves that wait for a next one: the program has ended.
-    pub fn finish(&mut self) {
+    pub fn finish(&mut self, text: &[u8]) {
         self.settle();
-        self.observe(&[], Event::RunEnds);
+        self.observe(text, Event::RunEnds);
     }
 
     /// Closes the last chunk, so that [`Interpreter::motions`] holds all motions.

@@ -55,6 +55,15 @@ impl Interpreter {
     pub(super) fn conflict(&mut self, text: &[u8], a: &Word, i: &Word, counts: Counts) -> Target {
         let reading = self.reading();
         let value = |word: &Word| reading.coordinate(word, counts).unwrap_or(0.0);
+        match self.absolute_counts(text, a, i) {
+            true => Target::Absolute(value(a)),
+            false => Target::Incremental(value(i)),
+        }
+    }
+
+    /// Reports an absolute and an incremental word of one axis in a block. Whether the absolute one takes effect.
+    #[cold]
+    pub(super) fn absolute_counts(&mut self, text: &[u8], a: &Word, i: &Word) -> bool {
         let absolute_counts = match self.dialect.xu_conflict {
             XuConflict::Absolute => true,
             XuConflict::Last => a.span.start > i.span.start,
@@ -68,7 +77,7 @@ impl Interpreter {
         }
         let diagnostic = Diagnostic::new(said::AbsoluteAndIncremental { absolute, incremental, used }, span);
         self.report(Diagnostic { fixes: fixes.into(), ..diagnostic });
-        if absolute_counts { Target::Absolute(value(a)) } else { Target::Incremental(value(i)) }
+        absolute_counts
     }
 
     /// Whether the tip stands on the axis of the spindle.
@@ -81,7 +90,7 @@ impl Interpreter {
     pub(super) fn line(&mut self, text: &[u8], block: &Block, request: &mut Request, words: &Words) {
         let (x, z) = self.plane_targets(text, words);
         let angle = self.angle(text, block, request, words);
-        let c = self.turn_target(words);
+        let c = self.turn_target(text, words);
         if c.is_none() && angle.is_none() && !words.has_any(AXES) && self.state.virtual_plane.is_none() {
             // A chamfer word alone.
             if self.joint(text, block, request, words).is_err() {
@@ -191,7 +200,7 @@ impl Interpreter {
             Some(Surface::Face | Surface::Flat(Flat::Xy)) => (b'J', b'I', b'K'),
             Some(Surface::Flat(Flat::Yz)) => (b'K', b'J', b'I'),
             Some(Surface::Cylinder { .. }) => {
-                if let Some(address) = [b'I', b'J', b'K'].into_iter().find(|&word| words.get(word).is_some())
+                if let Some(address) = [b'I', b'J', b'K'].into_iter().find(|&word| words.peek(word).is_some())
                 {
                     let word = words.quote(text, address);
                     self.report(Diagnostic::new(said::CylinderForbidden { word }, words.span(address)));

@@ -117,7 +117,7 @@ impl Interpreter {
         if !words.has_any(letters(b"PQ")) {
             // X or Z in the first block: the depth lost its letter's place (PS0066).
             if (!words.has_any(letters(&[depth_word])) || self.dialect.strict)
-                && let Some(address) = [b'X', b'Z'].into_iter().find(|&address| words.get(address).is_some())
+                && let Some(address) = [b'X', b'Z'].into_iter().find(|&address| words.peek(address).is_some())
             {
                 let own = if address == b'X' { 'U' } else { 'W' };
                 let word = words.quote(text, address);
@@ -146,7 +146,7 @@ impl Interpreter {
                 }
             }
             let other_word = if turning { b'W' } else { b'U' };
-            if words.get(depth_word).is_none() && words.get(other_word).is_some() {
+            if words.get(depth_word).is_none() && words.peek(other_word).is_some() {
                 // U and W have changed their roles: G71 takes U, G72 takes W.
                 let word = words.quote(text, other_word);
                 let fix = Fix::write(
@@ -323,7 +323,7 @@ impl Interpreter {
         let radius = |address: u8| words.get(address).and_then(|word| reading.radius(word));
         let parameters = &mut self.state.parameters;
         if !words.has_any(letters(b"PQ")) {
-            if let Some(address) = [b'X', b'Z'].into_iter().find(|&address| words.get(address).is_some()) {
+            if let Some(address) = [b'X', b'Z'].into_iter().find(|&address| words.peek(address).is_some()) {
                 let own = if address == b'X' { 'U' } else { 'W' };
                 let word = words.quote(text, address);
                 let fix = Fix::write(words.span(address), format!("{own}{}", words::behind_letter(&word)));

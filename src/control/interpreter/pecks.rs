@@ -181,7 +181,7 @@ impl Interpreter {
             return false;
         }
         if let (PqUnit::Auto, units::Reading::Millimetres(_)) = (self.dialect.pq_unit, reading) {
-            let address = pointed.unwrap_or(if words.get(b'Q').is_some() { b'Q' } else { b'P' });
+            let address = pointed.unwrap_or(if words.peek(b'Q').is_some() { b'Q' } else { b'P' });
             let word = words.quote(text, address);
             let fixes = self.in_micrometres(text, words);
             let diagnostic = Diagnostic::new(said::AmountInMillimetres { word }, words.span(address));

@@ -64,7 +64,7 @@ impl Interpreter {
             if named(letters(b"XU")) { middle.x } else { kept.x },
             if named(letters(b"ZW")) { middle.z } else { kept.z },
         ));
-        let c = self.turn_target(words);
+        let c = self.turn_target(text, words);
         let motion = self.motion(MotionKind::Rapid, middle);
         let motion = self.turning(motion, c);
         self.push(block, motion);

@@ -198,18 +198,23 @@ impl Interpreter {
     }
 
     /// The angle that C and H name outside a virtual plane, degrees; `None` where C stays.
-    pub(super) fn turn_target(&mut self, words: &Words) -> Option<f64> {
+    pub(super) fn turn_target(&mut self, text: &[u8], words: &Words) -> Option<f64> {
         if !words.has_any(TURNS) || self.state.virtual_plane.is_some() {
             return None;
         }
         let is_axis =
-            self.state.c_axis || self.state.motion == MotionMode::Rapid || words.get(b'H').is_some();
+            self.state.c_axis || self.state.motion == MotionMode::Rapid || words.peek(b'H').is_some();
         if !is_axis {
             return None;
         }
         let (reading, from) = (self.reading(), self.state.c);
-        let absolute = words.get(b'C').and_then(|word| reading.degrees(word));
-        let turned = words.get(b'H').and_then(|word| reading.degrees(word));
+        let (c, h) = match (words.get(b'C'), words.get(b'H')) {
+            (Some(c), Some(h)) if self.absolute_counts(text, c, h) => (Some(c), None),
+            (Some(_), Some(h)) => (None, Some(h)),
+            one => one,
+        };
+        let absolute = c.and_then(|word| reading.degrees(word));
+        let turned = h.and_then(|word| reading.degrees(word));
         let span = words.span(if absolute.is_some() { b'C' } else { b'H' });
         self.connect_c(&[], span);
         match (absolute, turned) {

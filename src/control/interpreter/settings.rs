@@ -32,7 +32,7 @@ impl Interpreter {
         let reading = self.reading();
         if self.contours.purpose == Some(Purpose::Roughing)
             && let Some(address) =
-                [b'F', b'S', b'T'].into_iter().find(|&address| words.get(address).is_some())
+                [b'F', b'S', b'T'].into_iter().find(|&address| words.peek(address).is_some())
         {
             self.observe(text, Event::IgnoredInRoughing { address, words });
         }
@@ -137,9 +137,10 @@ impl Interpreter {
     /// G04.
     pub(super) fn dwell(&mut self, text: &[u8], block: &Block, words: &Words, request: &mut Request) {
         let reading = self.reading();
-        let by_seconds = words.get(b'X').or(words.get(b'U')).and_then(|word| reading.seconds(word));
-        let pointed = words
-            .get(b'P')
+        // Where X or U gives the time, P is not read.
+        let by_seconds = words.get(b'X').or_else(|| words.get(b'U')).and_then(|word| reading.seconds(word));
+        let milliseconds = if by_seconds.is_none() { words.get(b'P') } else { None };
+        let pointed = milliseconds
             .filter(|word| matches!(word.value, Value::Number { number, .. } if number.has_point()));
         let forum = self.dialect.control == Control::Forum;
         if let Some(word) = pointed.filter(|_| !forum) {
@@ -153,7 +154,7 @@ impl Interpreter {
             }
         }
         let scale = if pointed.is_some() && !forum { 1.0 } else { 1000.0 };
-        let by_milliseconds = words.get(b'P').and_then(plain).map(|value| value / scale);
+        let by_milliseconds = milliseconds.and_then(plain).map(|value| value / scale);
         match by_seconds.or(by_milliseconds) {
             Some(seconds) if seconds > 0.0 => {
                 self.observe(text, Event::Dwell { words, seconds });
@@ -198,7 +199,7 @@ impl Interpreter {
         if let Some(lowest) = words.get(b'Q').and_then(plain) {
             spindle.lowest = Some(lowest);
         }
-        let limit = [b'Q', b'S'].into_iter().find(|&address| words.get(address).is_some());
+        let limit = [b'Q', b'S'].into_iter().find(|&address| words.peek(address).is_some());
         if let (Some(lowest), Some(highest), Some(limit)) = (spindle.lowest, spindle.highest, limit)
             && lowest > highest
         {

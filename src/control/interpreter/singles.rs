@@ -68,7 +68,8 @@ impl Interpreter {
         if let Some(value) = taper.and_then(|word| reading.length(word)) {
             self.state.memory.taper = value;
         }
-        if cycle == Single::Threading && self.dialect.i_in_g92 == IInG92::Taper && words.get(b'I').is_some() {
+        if cycle == Single::Threading && self.dialect.i_in_g92 == IInG92::Taper && words.peek(b'I').is_some()
+        {
             self.observe(text, Event::OldTaperWord { words });
         }
         if !words.has_any(AXES) {
@@ -88,7 +89,7 @@ impl Interpreter {
             request.drop = true;
             return;
         }
-        let other = [b'Y', b'V', b'C', b'H'].into_iter().find(|&address| words.get(address).is_some());
+        let other = [b'Y', b'V', b'C', b'H'].into_iter().find(|&address| words.peek(address).is_some());
         if let Some(address) = other {
             let message = said::CycleAxis { code: cycle.cycle().code(), word: words.quote(text, address) };
             let fix = Fix::delete(text, words.span(address));
@@ -188,7 +189,7 @@ impl Interpreter {
             Single::Facing => Some(b'K'),
             Single::Threading => (self.dialect.i_in_g92 == IInG92::Taper).then_some(b'I'),
         };
-        [Some(b'R'), old].into_iter().flatten().find(|&address| words.get(address).is_some())
+        [Some(b'R'), old].into_iter().flatten().find(|&address| words.peek(address).is_some())
     }
 
     /// Checks the taper (its place and its word) against the start point. `own_word`: the text and the place of

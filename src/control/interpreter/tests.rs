@@ -75,7 +75,7 @@ fn carried_out(mut control: Interpreter, text: &str) -> (Interpreter, Vec<Flow>)
             Flow::Restart(_) | Flow::End => break,
         }
     }
-    control.finish();
+    control.finish(text);
     control.close();
     (control, flows)
 }

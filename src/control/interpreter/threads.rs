@@ -47,7 +47,7 @@ impl Interpreter {
         if !words.has_any(AXES) {
             return self.threading_parameters(text, words);
         }
-        let one_block = words.get(b'K').is_some();
+        let one_block = words.peek(b'K').is_some();
         let start = self.state.position;
         let end = self.target(text, words);
         let lead = self.lead(text, block, words, "G76")?;
@@ -149,7 +149,7 @@ impl Interpreter {
                 self.report(Diagnostic { fixes: fix.into_iter().collect(), ..diagnostic });
             }
         }
-        if words.get(b'Q').is_some() {
+        if words.peek(b'Q').is_some() {
             self.state.parameters.least_amount = self.amount(words, b'Q');
             let least = self.state.parameters.least_amount.map_or(0.0, |least| least.in_increments);
             if self.dialect.pq_unit != PqUnit::Mm && least > LEAST_DEPTH {

@@ -107,7 +107,7 @@ impl Interpreter {
         }
     }
 
-    /// Whether a code may read words of its own.
+    /// Whether a code may read words that the playground does not know.
     fn reads_others(&self, word: &Word) -> bool {
         let Value::Number { number, .. } = word.value else { return true };
         match word.address {

@@ -10,6 +10,7 @@ use super::{AXES, Interpreter};
 use crate::control::codes::{Compensation, MotionMode, Plane};
 use crate::control::doubt::{Doubt, Doubts};
 use crate::control::modal::{Once, VirtualPlane};
+use crate::control::second_axis;
 use crate::control::words::{Words, letters, quote};
 use crate::geometry::virtual_plane::{Flat, Space, Surface, VirtualMove, Way};
 use crate::geometry::{Point, SAME};
@@ -123,7 +124,7 @@ impl Interpreter {
             // C turns beside the plane.
             self.leave_flat();
         }
-        let c = self.turn_target(words);
+        let c = self.turn_target(text, words);
         self.enter_flat(match self.state.plane {
             Plane::Xy => Flat::Xy,
             Plane::Zx => Flat::Zx,
@@ -139,7 +140,7 @@ impl Interpreter {
         if self.state.pending.is_none() && self.state.compensating.is_none() {
             self.leave_flat();
         }
-        let is_named = words.get(b'Y').is_some() && !self.state.incremental;
+        let is_named = words.peek(b'Y').is_some() && !self.state.incremental;
         if is_named || self.state.y.abs() <= SAME {
             self.state.doubts.remove(Doubt::Y);
         }
@@ -181,15 +182,10 @@ impl Interpreter {
         }
     }
 
-    /// Whether a block of polar interpolation has Y as its second axis, on a machine without a Y axis: a length, as C is (Haas operator's manual, G112). FANUC
-    /// names it C, so this is reported once.
+    /// Whether a block of polar interpolation has Y as its second axis, which is reported once.
     #[cold]
     pub(super) fn names_second_axis_y(&mut self, text: &[u8], block: &Block) -> bool {
-        let is_polar = self.state.virtual_plane.is_some_and(|plane| plane.surface == Surface::Face)
-            && !self.setup.machine.has_y();
-        let find =
-            |letters: &[u8]| block.words.iter().find(|word| letters.contains(&word.address) && !word.comma);
-        let Some(word) = find(b"YV").filter(|_| is_polar && find(b"CH").is_none()) else { return false };
+        let Some(word) = second_axis::named_y(block, &self.state, &self.setup.machine) else { return false };
         if self.state.reported.first(Once::SecondAxisY) {
             let message = said::SecondAxisY { word: quote(text, word.span) };
             self.report(Diagnostic::new(message, word.span).graded(Severity::Info));

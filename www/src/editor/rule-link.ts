@@ -1,7 +1,8 @@
 // Links to the pages of the rules and to the reference, which are built beside the page.
 //
-// In: a diagnostic. Out: a link to the page of its rule, in the reader's language. Also on another site the
-// pages are where this module came from. Must not know: what a rule is about.
+// In: a diagnostic. Out: a link to the page of its rule, in the reader's language. The pages are where this module came from, on
+// another site too, or where the attributes `rules` and `docs` of the element say: a bundler copies the module alone.
+// Must not know: the content of a rule.
 
 import { make } from '../dom/dom';
 import type { Language } from '../dom/language';
@@ -29,14 +30,33 @@ export function allRulesLink(language: Language): HTMLAnchorElement {
 
 /** The reference is in English. */
 export function referenceLink(language: Language): HTMLAnchorElement {
-  return link('docs/index.html', WORDS[language].reference, 'en');
+  return link('docs', 'index.html', WORDS[language].reference, 'en');
 }
 
 function linkTo(page: string, text: string, language: Language): HTMLAnchorElement {
-  return link(`rules/${language}/${encodeURIComponent(page)}.html`, text, language);
+  return link('rules', `${language}/${encodeURIComponent(page)}.html`, text, language);
 }
 
-function link(path: string, text: string, hreflang: string): HTMLAnchorElement {
-  const href = new URL(path, HOME).href;
-  return make('a', { className: 'rule-link', href, hreflang, target: '_blank', rel: 'noopener' }, text);
+function link(folder: 'rules' | 'docs', page: string, text: string, hreflang: string): HTMLAnchorElement {
+  const href = new URL(`${folder}/${page}`, HOME).href;
+  const made = make('a', { className: 'rule-link', href, hreflang, target: '_blank', rel: 'noopener' }, text);
+  made.dataset.pages = folder;
+  // Before a click, a middle click or the menu of the right button: only a link that is in an element has its attributes.
+  for (const near of ['pointerenter', 'pointerdown', 'focus', 'click']) {
+    made.addEventListener(near, () => (made.href = addressIn(made, folder, page) ?? href));
+  }
+  return made;
+}
+
+/** Where the element names the folder. */
+function addressIn(link: HTMLElement, folder: string, page: string): string | undefined {
+  const root = link.getRootNode();
+  const named = root instanceof ShadowRoot ? root.host.getAttribute(folder) : null;
+  if (named === null || named === '') return undefined;
+  try {
+    const address = new URL(page, new URL(named.replace(/\/?$/, '/'), document.baseURI));
+    return /^https?:$/.test(address.protocol) ? address.href : undefined;
+  } catch {
+    return undefined;
+  }
 }

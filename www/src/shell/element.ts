@@ -26,6 +26,7 @@
 //   turret    front | rear
 //   caption   a line under the element, which names it
 //   playground https://…               the page that "Open in the playground" leads to; none where it is empty
+//   rules, docs https://…              the folders of the rule pages and of the documents; no links to them where they are empty
 //   loading   lazy | eager | click     when it starts: near the view, at once, or when the reader asks for it
 //   split     40                       percent of the width for the program, where it stands beside the drawing; follows the divider
 //   hints     "edit play pick"     the hints of the first minute that are still to be shown; none without it
@@ -92,11 +93,14 @@ const MAKES_ANEW: readonly string[] = ['view', 'controls', 'readonly'];
 /** What the author says of lines and picture. */
 const AUTHORS: readonly string[] = ['highlight', 'lines', 'fit', 'turret', 'caption', 'playground'];
 
+/** Read when the pointer or the focus reaches a link. */
+const PAGES: readonly string[] = ['rules', 'docs'];
+
 /** Where Node reads this, there are no elements, and nobody makes one. */
 const Base = (globalThis as { HTMLElement?: typeof HTMLElement }).HTMLElement ?? (class {} as typeof HTMLElement);
 
 export class GcodePlayground extends Base {
-  static readonly observedAttributes = ['src', 'control', 'setup', 'block-skip', 'program', 'language', 'theme', 'view', 'controls', 'readonly', 'step', 'highlight', 'lines', 'fit', 'turret', 'caption', 'loading', 'playground'];
+  static readonly observedAttributes = ['src', 'control', 'setup', 'block-skip', 'program', 'language', 'theme', 'view', 'controls', 'readonly', 'step', 'highlight', 'lines', 'fit', 'turret', 'caption', 'loading', 'playground', 'rules', 'docs'];
 
   /** Whose the program is: set by the page, which knows it by this; none after another program has taken its place. */
   #origin: string | null = null;
@@ -148,7 +152,7 @@ export class GcodePlayground extends Base {
   }
 
   attributeChangedCallback(attribute: string, before: string | null, now: string | null): void {
-    if (before === now) return;
+    if (before === now || PAGES.includes(attribute)) return;
     if (attribute === 'language') this.#made?.languageChanged();
     else if (attribute === 'theme') this.#made?.coloursChanged();
     else if (MAKES_ANEW.includes(attribute)) this.#lookChanged();
@@ -362,6 +366,24 @@ export class GcodePlayground extends Base {
 
   set playground(address: string | null) {
     this.#setOrRemove('playground', address);
+  }
+
+  /** The folder of the rule pages: an address; no links to them where it is empty. */
+  get rules(): string | null {
+    return this.getAttribute('rules');
+  }
+
+  set rules(address: string | null) {
+    this.#setOrRemove('rules', address);
+  }
+
+  /** The folder of the documents: an address; no link to them where it is empty. */
+  get docs(): string | null {
+    return this.getAttribute('docs');
+  }
+
+  set docs(address: string | null) {
+    this.#setOrRemove('docs', address);
   }
 
   play(): void {

@@ -1,0 +1,151 @@
+/**
+ * What is not in the program. Every key is optional, an unknown one is an error that names it. Lengths are mm, X values diameters.
+ * `docs/setup.html` of the site describes all of it.
+ */
+export interface Setup {
+  /** The control and its switches. */
+  readonly dialect?: SetupDialect;
+  /** Where the tool tip is before the first block. */
+  readonly initial?: SetupPosition;
+  /** The tools by their T word in four digits: `T0101`. */
+  readonly tools?: { readonly [tool: string]: SetupTool };
+  /** The blank. */
+  readonly stock?: SetupStock;
+  readonly tailstock?: SetupTailstock;
+  readonly machine?: SetupMachine;
+  /** The levels of block skip that are active: `/` is 1. */
+  readonly blockSkip?: readonly number[];
+  /** The O number to run; the first of the text if it is not given. */
+  readonly program?: number;
+  readonly limits?: SetupLimits;
+  /** The severity of rules by their slug, and of `classroom`, a group of rules. */
+  readonly rules?: { readonly [rule: string]: 'off' | 'info' | 'warning' | 'error' };
+  /** Whether blocks that a control runs without an alarm are judged. */
+  readonly lints?: 'on' | 'off';
+}
+
+/** A place, mm; X is a diameter. */
+export interface SetupPosition {
+  readonly x: number;
+  readonly z: number;
+}
+
+/** The blank: a bar or a tube. */
+export interface SetupStock {
+  readonly diameter: number;
+  /** Diameter of the bore; 0 for a bar. */
+  readonly bore?: number;
+  /** Z of the front face. */
+  readonly face?: number;
+  /** Length from the front face towards -Z. */
+  readonly length: number;
+  /** Clamping length, from the back end. */
+  readonly grip?: number;
+}
+
+export interface SetupTool {
+  readonly type?: 'turning' | 'boring' | 'grooving' | 'threading' | 'drill' | 'tap' | 'endmill';
+  /** The side of the work that a grooving or threading insert is for. */
+  readonly side?: 'outside' | 'inside' | 'face';
+  /** The designation of the insert (ISO 1832): `CNMG120408`, `16ER1.5ISO`. */
+  readonly insert?: string;
+  readonly noseRadius?: number;
+  /** Tool-tip direction, 0 to 9. */
+  readonly tip?: number;
+  /** Main edge to the feed along Z, degrees. */
+  readonly enteringAngle?: number;
+  /** Between the edges, degrees. */
+  readonly pointAngle?: number;
+  readonly edgeLength?: number;
+  /** Of a grooving insert. */
+  readonly width?: number;
+  /** Of a drill, tap or milling cutter. */
+  readonly diameter?: number;
+  /** Overhang beyond the holder. */
+  readonly reach?: number;
+  /** Diameter of a boring bar. */
+  readonly shank?: number;
+  /** Of the thread, or of the point of a drill, degrees. */
+  readonly angle?: number;
+  /** Of a live milling cutter. */
+  readonly toolRadius?: number;
+  /** R of the geometry offset. */
+  readonly geometryR?: number;
+}
+
+export interface SetupTailstock {
+  /** Z of the tip of the centre. */
+  readonly z: number;
+  /** Of the quill. */
+  readonly diameter: number;
+}
+
+export interface SetupMachine {
+  /** Rapid traverse rate, mm/min. */
+  readonly rapidX?: number;
+  readonly rapidZ?: number;
+  /** Rpm. */
+  readonly maxSpeed?: number;
+  /** K of the rule n <= 1200/P - K for threads, rpm. */
+  readonly threadSpeedMargin?: number;
+  readonly travel?: SetupTravel;
+  readonly turret?: 'rear' | 'front';
+  readonly yAxis?: boolean;
+}
+
+/** Where the tool tip can go, mm; X is a diameter. */
+export interface SetupTravel {
+  readonly xMin?: number;
+  readonly xMax?: number;
+  readonly zMin?: number;
+  readonly zMax?: number;
+}
+
+/** The control, and switches in which controls differ; those that are not given are the control's. */
+export interface SetupDialect {
+  readonly control?: 'fanuc' | 'gsk' | 'forum';
+  /** The G-code system; inferred from the program if it is not given. */
+  readonly gSystem?: 'A' | 'B' | 'C';
+  /** The unit until a G20 or G21; inferred from the program if it is not given. */
+  readonly unit?: 'mm' | 'inch';
+  /** The unit of numbers without a decimal point. */
+  readonly decimal?: 'auto' | 'calculator' | 'leastIncrement';
+  /** The unit of P and Q in G74, G75 and G76. */
+  readonly pqUnit?: 'auto' | 'um' | 'mm';
+  /** The same as `feedMode`. */
+  readonly powerOnFeed?: 'G99' | 'G98';
+  readonly feedMode?: 'G99' | 'G98';
+  /** Which of X and U in one block takes effect. */
+  readonly xuConflict?: 'last' | 'absolute';
+  readonly negativeArcR?: 'over180' | 'alarm';
+  readonly g71Retract?: 'rapid' | 'feed';
+  readonly g73Intervals?: 'd-1' | 'd';
+  readonly g76Clamp?: 'prev' | 'sqrt';
+  readonly reliefFirst?: boolean;
+  readonly iInG92?: 'taper' | 'tpi';
+  /** In tenths of the lead, 0 to 99. */
+  readonly threadChamfer?: number;
+  readonly typeII?: boolean;
+  readonly strict?: boolean;
+  readonly polarX?: 'diameter' | 'radius';
+  readonly refPoint?: SetupPosition;
+  readonly recognise?: boolean;
+}
+
+/** What a run may use up; `docs/limits.html` of the site describes it. */
+export interface SetupLimits {
+  readonly text?: number;
+  readonly motions?: number;
+  readonly movesPerCycle?: number;
+  readonly cycleWork?: number;
+  readonly repeatedBlocks?: number;
+  readonly repeatedText?: number;
+  readonly rounds?: number;
+  readonly macroSteps?: number;
+  readonly callDepth?: number;
+  readonly macroDepth?: number;
+  readonly messages?: number;
+  readonly partMotions?: number;
+  readonly partCorners?: number;
+  readonly comparedBlocks?: number;
+}
