@@ -993,8 +993,10 @@ impl<'a> Parser<'a> {
         let told = Diagnostic::new(said::TextAfterSlashes { text: short_quote(text, remark) }, remark);
         let written = remark.quote(text);
         let inside = written.trim_start_matches(['/', ' ', '\t']);
-        let fix = Fix::write(remark, format!("({inside})"));
-        let told = if inside.contains(['(', ')']) { told } else { told.with(Fix { safe: true, ..fix }) };
+        let plain = PlainWords::of(text, remark, &[]);
+        let safe = !plain.has_value && !plain.is_ambiguous;
+        let fix = Fix { safe, ..Fix::write(remark, format!("({inside})")) };
+        let told = if inside.contains(['(', ')', '（', '）']) { told } else { told.with(fix) };
         rest.comment(remark);
         rest.fault(told);
         *block = rest;
@@ -1339,7 +1341,7 @@ mod tests {
         ] {
             assert_eq!(read(&format!("G0 X1; {remark}")), ["G0 X1", "!text-after-semicolon"], "{remark}");
         }
-        for remark in ["XZ Plane selection (LATHE)", "🔧 Facing", "✂️ Desbaste do contorno"] {
+        for remark in ["XZ Plane selection (LATHE)", "🔧 Facing", "✂️ Turning"] {
             assert_eq!(read(&format!("G0 X1; {remark}")), ["G0 X1", "!text-after-semicolon"], "{remark}");
         }
         assert_eq!(read("G0 X1 // facing, no change in X5"), ["G0 X1 !text-after-semicolon"]);
