@@ -121,6 +121,60 @@ fn of_a_long_file_only_the_beginning_shows_what_it_is() {
     assert_eq!(files(&folder, &["."]), ["a.txt", "b.txt", "c.txt"]);
 }
 
+/// A control has all programs in its memory; here each is a file.
+#[test]
+fn subprograms_are_found_in_files_of_their_own() {
+    let main = |call: &str| {
+        format!("%\nO0001\nG21 G99 G97 S500 M03 T0101\nG00 X42. Z2.\n{call}\nG00 X100. Z100.\nM30\n%\n")
+    };
+    let pass = |head: &str| format!("%\n{head}G01 W-5. F.2\nM99\n%\n");
+    let folder = Folder::new("subprograms")
+        .with("number.nc", main("M98 P2000"))
+        .with("O2000.nc", pass("O2000\n"))
+        .with("other.nc", main("M98 P32001"))
+        .with("2001.txt", "G01 W-5. F.2\nM99\n")
+        .with("bare.nc", main("G65 P2002"))
+        .with("O2002", pass("O1\nM99\nO2002\n"))
+        .with("name.nc", main("M98 <pass>"))
+        .with("PASS.NC", pass("<PASS>\n"))
+        .with("nested.nc", main("M98 P3000"))
+        .with("O3000.nc", "O3000\nM98 P2000\nM99\n")
+        .with("shelf.nc", main("M98 P4000"))
+        .with("shelf/O4000.nc", pass("O4000\n"))
+        .with("wrong.nc", main("M98 P5000"))
+        .with("O5000.nc", pass("O5001\n"))
+        .with("faulty.nc", main("M98 P6000"))
+        .with("O6000.nc", "O6000\nG7.7\nM99\n");
+    let run = |command: &str, arguments: &[&str]| {
+        let mut gcode = Command::new(env!("CARGO_BIN_EXE_gcode-playground"));
+        gcode.current_dir(&folder.0).arg(command).args(arguments).output().expect("it runs")
+    };
+    let cuts = |arguments: &[&str]| out(&run("motions", arguments)).matches("\"kind\":\"feed\"").count();
+    for (file, count) in [("number.nc", 1), ("other.nc", 3), ("bare.nc", 1), ("name.nc", 1), ("nested.nc", 1)]
+    {
+        assert_eq!(cuts(&[file]), count, "{file}");
+        let told = out(&folder.check(&[file, "--format", "json"]));
+        assert!(!told.contains("\"slug\""), "{file}: {told}");
+    }
+    for file in ["shelf.nc", "wrong.nc"] {
+        assert_eq!(cuts(&[file]), 0, "{file}");
+        assert!(out(&folder.check(&[file])).contains("is not in this file"), "{file}");
+    }
+    assert_eq!(cuts(&["shelf.nc", "--library", "shelf"]), 1);
+    assert!(!out(&folder.check(&["shelf.nc", "--library", "shelf"])).contains("is not in this file"));
+    // What is wrong in a subprogram is reported for its own file.
+    assert!(!out(&folder.check(&["faulty.nc"])).contains("G7.7"));
+    assert!(out(&folder.check(&["O6000.nc"])).contains("G7.7"));
+    // Repairs do not write it into the program.
+    let before = fs::read(folder.0.join("number.nc")).expect("a program");
+    folder.check(&["number.nc", "--fix"]);
+    assert_eq!(fs::read(folder.0.join("number.nc")).expect("a program"), before);
+    let configured = folder.with("gcode-playground.toml", "library = \"shelf\"\n");
+    let mut gcode = Command::new(env!("CARGO_BIN_EXE_gcode-playground"));
+    let motions = gcode.current_dir(&configured.0).args(["motions", "shelf.nc"]).output().expect("it runs");
+    assert_eq!(out(&motions).matches("\"kind\":\"feed\"").count(), 1);
+}
+
 #[test]
 fn patterns_and_endings_choose() {
     let folder = many("chosen");

@@ -177,10 +177,10 @@ fn all_of_them_name_this_version() {
 
 #[test]
 fn the_hooks_take_the_files_that_a_folder_stands_for() {
-    let paths = source("src/cli/check/paths.rs");
     let hooks = source(".pre-commit-hooks.yaml");
-    for (list, count) in [("PROGRAMS", 1), ("PAGES", 1)] {
-        let (_, rest) = paths.split_once(&format!("const {list}: &[&str] =")).expect(list);
+    for (file, list, count) in [("subprograms.rs", "ENDINGS", 1), ("check/paths.rs", "PAGES", 1)] {
+        let lists = source(&format!("src/cli/{file}"));
+        let (_, rest) = lists.split_once(&format!("const {list}: &[&str] =")).expect(list);
         let words = rest.split(';').next().expect("a list");
         let endings: Vec<&str> = words.split('"').skip(1).step_by(2).collect();
         assert!(endings.len() > 3, "{endings:?}");

@@ -30,6 +30,7 @@ use crate::source::LineIndex;
 
 /// What to write, or what to check.
 #[derive(clap::Args)]
+#[command(mut_arg("library", |library| library.hide(true)))]
 pub(super) struct Embed {
     /// The program, where `-` reads standard input; with `--check` and `--fix` pages.
     #[arg(required = true)]
@@ -133,6 +134,9 @@ fn attribute(text: &str) -> Result<(String, String), String> {
 pub(super) fn run(embed: &Embed) -> Result<Status, String> {
     if embed.check || embed.fix {
         return pages(&embed.files, embed.fix);
+    }
+    if !embed.with.library.is_empty() {
+        return Err("`--library`: an element contains one program only".to_owned());
     }
     let [file] = embed.files.as_slice() else {
         return Err("one program at a time becomes an element".to_owned());

@@ -20,6 +20,7 @@ mod options;
 mod rewrite;
 mod rules;
 mod status;
+mod subprograms;
 mod summary;
 mod system;
 mod terminal;
@@ -323,9 +324,12 @@ fn program_run(input: &Input, begin: impl FnOnce(Run) -> Run) -> Result<Program,
 
 /// The same with a file and a setup of their own.
 fn program_with(file: &Path, with: &With, begin: impl FnOnce(Run) -> Run) -> Result<Program, String> {
-    let setup = setup_of(file, with)?;
+    let configurations = Configurations::new(with)?;
+    let setup = configurations.settings(file)?.setup.clone();
     let (name, text) = read(file)?;
     let (text, encoding) = encoding::decode(text);
+    let joined = subprograms::join(&text, &configurations.libraries(file)?, setup.limits.text);
+    let text = joined.map_or(text, |joined| joined.text);
     Ok(run_text(name, text, encoding, setup, begin))
 }
 

@@ -36,6 +36,10 @@ pub(super) struct With {
     /// The control; overrides the one of the setup.
     #[arg(long, value_enum)]
     pub control: Option<ControlName>,
+    /// A folder with subprograms, such as `O2000.nc` for `M98 P2000`; may be given more than once. The folder of the program is
+    /// always one.
+    #[arg(long, value_name = "FOLDER")]
+    pub library: Vec<PathBuf>,
 }
 
 /// The language of what is written for people.

@@ -62,9 +62,10 @@ fn the_reference_lists_every_option_of_the_command_line() {
 fn the_reference_lists_the_values_of_every_argument() {
     let values = |cell: &str| -> BTreeSet<String> { cell.split_whitespace().map(str::to_owned).collect() };
     let rows = first_cells("www/docs/command-line.md", "| option |");
-    // What an option such as `--setup` takes is "a … file".
+    // What an option such as `--setup` takes is "a … file", or "a folder".
     let rows = rows.iter().map(|cells| (cells[1].clone(), values(&cells[2])));
-    let table: arguments::Values = rows.filter(|(_, own)| !own.contains("file")).collect();
+    let table: arguments::Values =
+        rows.filter(|(_, own)| !own.contains("file") && !own.contains("folder")).collect();
     let lines = usage_of_the_reference();
     for name in subcommands() {
         let own = lines.iter().map(String::as_str);

@@ -26,12 +26,15 @@ use super::configuration::{Configurations, Settings};
 use super::manual_page::Page;
 use super::options::{Texts, With};
 use super::system::{self, Stream, say};
-use super::{NAME, Status, encoded, encoding, read_within, run_text, save, save_apart, terminal};
+use super::{
+    NAME, Status, encoded, encoding, read_within, run_text, save, save_apart, subprograms, terminal,
+};
 use crate::api::InferredStock;
 use crate::limits;
+use crate::message::Diagnostic;
 use crate::repair::repaired_of;
 use crate::sentences::Language;
-use crate::source::{LineIndex, only_line_end};
+use crate::source::{LineIndex, Span, only_line_end};
 use baseline::Baseline;
 use finding::{Finding, Programs, Subject, What};
 use reports::{Counts, Report, Wanted};
@@ -87,7 +90,7 @@ pub(super) struct Check {
     fix: bool,
     /// The files are pages of a manual (Markdown, HTML or reStructuredText, by their endings): every program
     /// in them is checked, and messages name its place in the page.
-    #[arg(long, conflicts_with = "fix")]
+    #[arg(long, conflicts_with_all = ["fix", "library"])]
     markdown: bool,
     /// With `--fix`: print the repaired programs instead, and report what is left on standard error.
     #[arg(long, requires = "fix")]
@@ -206,6 +209,15 @@ fn with_line_ends_of(before: &[u8], mut text: Vec<u8>) -> Vec<u8> {
         _ => {}
     }
     text
+}
+
+/// Keeps the messages of a program of so many bytes, without those of the subprograms after it.
+fn keep_own(diagnostics: &mut Vec<Diagnostic>, bytes: usize) {
+    let is_own = |span: Span| span.end as usize <= bytes;
+    diagnostics.retain(|diagnostic| is_own(diagnostic.span));
+    for diagnostic in diagnostics {
+        diagnostic.fixes.retain(|fix| fix.edits.iter().all(|edit| is_own(edit.span)));
+    }
 }
 
 /// A check of some files.
@@ -376,7 +388,13 @@ impl Job<'_> {
             }));
             text = with_line_ends_of(&text, repaired.text);
         }
-        let mut program = run_text(name, text, encoding, setup, |run| run);
+        let folders = self.configurations.libraries(given.map_or(file, Path::new))?;
+        let joined = subprograms::join(&text, &folders, setup.limits.text);
+        let own = joined.as_ref().map_or(text.len(), |joined| joined.own);
+        let run = joined.map_or_else(|| text.clone(), |joined| joined.text);
+        let mut program = run_text(name, run, encoding, setup, |run| run);
+        program.text = text;
+        keep_own(&mut program.analysis.diagnostics, own);
         let mut printed = None;
         if self.check.fix {
             let is_printed = self.check.dry_run || file == Path::new("-");

@@ -12,16 +12,14 @@ use ignore::gitignore::{Gitignore, GitignoreBuilder};
 
 use super::super::configuration::{self, Configurations};
 use super::super::encoding;
+use super::super::subprograms;
 use super::super::system::{self, PathKind};
 use super::super::terminal::printable_name;
 use crate::text::block::Block;
 use crate::text::parser::Parser;
 
 /// The endings of program files. Controls of FANUC write programs without an ending, as `O0001`: these are meant as well.
-pub(super) const PROGRAMS: &[&str] = &[
-    "nc", "cnc", "ncc", "ngc", "gcode", "gc", "tap", "dnc", "eia", "iso", "prg", "pgm", "pim", "min", "mpf",
-    "spf",
-];
+pub(super) const PROGRAMS: &[&str] = subprograms::ENDINGS;
 
 /// The endings that programs share with other files, and none: the text decides.
 const SHARED: &[&str] = &["txt", "g", "h", ""];

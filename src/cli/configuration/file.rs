@@ -32,6 +32,8 @@ pub(in crate::cli) struct Keys {
     pub extension: Vec<Said<String>>,
     /// What is left out in folders, as lines of a `.gitignore`.
     pub exclude: Vec<Said<String>>,
+    /// The folders with subprograms.
+    pub library: Vec<Said<String>>,
     /// The list of known findings.
     pub baseline: Option<Said<String>>,
     /// How many warnings are allowed.
@@ -67,7 +69,8 @@ pub(in crate::cli) struct Override {
 /// Keys of [`Values`].
 const VALUES: [&str; 5] = ["control", "setup", "select", "ignore", "rules"];
 /// Keys of a file besides.
-const USUAL: [&str; 6] = ["language", "extension", "exclude", "baseline", "max-warnings", "override"];
+const USUAL: [&str; 7] =
+    ["language", "extension", "exclude", "library", "baseline", "max-warnings", "override"];
 /// Keys of an override besides.
 const OF_OVERRIDES: [&str; 1] = ["files"];
 
@@ -103,6 +106,7 @@ fn keys(table: &DeTable<'_>, lines: &Lines<'_>) -> Result<Keys, Fault> {
                 keys.extension = said.into_iter().flat_map(each).collect();
             }
             "exclude" => keys.exclude = texts(value, lines)?,
+            "library" => keys.library = texts(value, lines)?,
             "baseline" => keys.baseline = Some(lines.said(value, text(value)?.to_owned())),
             "max-warnings" => keys.max_warnings = Some(lines.said(value, count(value)?)),
             "override" => keys.overrides = overrides(value, lines)?,

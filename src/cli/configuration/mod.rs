@@ -194,6 +194,16 @@ impl<'a> Configurations<'a> {
         read
     }
 
+    /// The folders with the subprograms of a program: its own, those of the options, those of the configuration.
+    pub(super) fn libraries(&self, file: &Path) -> Result<Vec<PathBuf>, String> {
+        let own = if file == Path::new("-") { None } else { absolute(file).parent().map(Path::to_owned) };
+        let mut folders: Vec<_> = own.into_iter().chain(self.with.library.iter().cloned()).collect();
+        if let Some(configuration) = self.of(file)? {
+            folders.extend(configuration.keys.library.iter().map(|said| configuration.file(&said.value)));
+        }
+        Ok(folders)
+    }
+
     /// What is said about a program.
     pub(super) fn settings(&self, file: &Path) -> Result<Arc<Settings>, String> {
         let configuration = self.of(file)?;

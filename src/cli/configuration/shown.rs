@@ -104,8 +104,11 @@ fn whole_check(rows: &mut Rows, configuration: Option<&Configuration>) {
         Some(said) => rows.said("language", said.value.tag(), said),
         None => rows.usual("language", "en"),
     }
-    let lists =
-        [("extension", keys.map(|keys| &keys.extension)), ("exclude", keys.map(|keys| &keys.exclude))];
+    let lists = [
+        ("extension", keys.map(|keys| &keys.extension)),
+        ("exclude", keys.map(|keys| &keys.exclude)),
+        ("library", keys.map(|keys| &keys.library)),
+    ];
     for (key, list) in lists {
         list.into_iter().flatten().for_each(|said| rows.said(key, &said.value, said));
     }

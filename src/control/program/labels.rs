@@ -3,8 +3,11 @@
 //! In: the text. Out: places a parser can go on from. Made when first asked for, because most programs never
 //! ask. Knows nothing of what a block means, but for the numbers that calls name.
 
+use std::collections::BTreeSet;
+
 use crate::control::codes;
 use crate::order;
+use crate::source::Span;
 use crate::text::block::{Block, Value, Word};
 use crate::text::parser::{Parser, Resume};
 use crate::text::program_name;
@@ -102,7 +105,7 @@ impl Labels {
             if let Some(sequence) = block.sequence {
                 sequences.push(Label { number: sequence, program: labels.programs.len() as u32 - 1, at });
             }
-            let call = called(&block).map(|called| (labels.programs.len() - 1, called));
+            let call = called(&block).map(|(called, _)| (labels.programs.len() - 1, called));
             calls.extend(call.map(|call| (call, codes::macro_a(&block).is_some())));
         }
         let label = |number, at| Label { number, program: 0, at };
@@ -184,12 +187,26 @@ impl Labels {
     }
 }
 
-/// The number of the program that a block calls by M98, G65 or G66.
-fn called(block: &Block) -> Option<u32> {
-    let code = |word: &Word| matches!((word.address, whole(word)), (b'M', Some(98)) | (b'G', Some(65 | 66)));
+/// The programs that a text calls and does not contain: each number once, and the word that names it first.
+pub fn calls_elsewhere(text: &[u8]) -> Vec<(u32, Span)> {
+    let (mut parser, mut block) = (Parser::new(text), Block::default());
+    let (mut heads, mut calls) = (BTreeSet::new(), BTreeMap::new());
+    while parser.next_block(&mut block) {
+        heads.extend(block.program.into_iter().chain(block.second_name).map(|(number, _)| number));
+        if let Some((number, word)) = called(&block).filter(|_| codes::macro_a(&block).is_none()) {
+            calls.entry(number).or_insert(word);
+        }
+    }
+    calls.into_iter().filter(|(number, _)| !heads.contains(number)).collect()
+}
+
+/// The number of the program that a block calls by M98, M198, G65 or G66, and the word that names it.
+fn called(block: &Block) -> Option<(u32, Span)> {
+    let code =
+        |word: &Word| matches!((word.address, whole(word)), (b'M', Some(98 | 198)) | (b'G', Some(65 | 66)));
     block.words.iter().find(|word| code(word))?;
     let word = block.words.iter().find(|word| word.address == b'P')?;
-    whole(word).map(|value| program_and_repeats(value).0)
+    whole(word).map(|value| (program_and_repeats(value).0, word.span))
 }
 
 fn whole(word: &Word) -> Option<u64> {
