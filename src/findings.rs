@@ -3,6 +3,8 @@
 //! In: the findings of the machine, the levels that are asked for. Out: messages at the blocks that made the
 //! motions, one for each block and danger: a cycle that runs into something does so in every pass.
 
+use crate::geometry::SAME;
+use crate::limits::INFERRED_FROM;
 use crate::machine::danger::{Axis, Danger, Finding};
 use crate::machine::removal::{Removal, Unusual};
 use crate::machine::resolved_setup::{Basis, ResolvedSetup};
@@ -145,19 +147,64 @@ fn behind_left_out(simulation: &SimulationResult, motions: &Motions) -> Option<D
 }
 
 /// What the part is not made of: cuts in a work frame whose zero nobody gave, reported at the first; and each
-/// tool that is not known, at its first cut. Nothing where no part could be shown anyway.
+/// tool that is not known, and each drill whose diameter is not, at its first cut. Nothing where no part could be shown anyway.
 pub fn not_shown(resolved: &ResolvedSetup, motions: &Motions) -> impl Iterator<Item = Diagnostic> {
     let has_part = resolved.stock().is_some();
     let elsewhere = motions.cuts_elsewhere().filter(|_| has_part);
     let elsewhere =
         elsewhere.map(|(first, cuts)| Diagnostic::new(said::ElsewhereLeftOut { cuts }, motions.span(first)));
     let unknown = if has_part { resolved.unknown() } else { &[] };
-    let unknown = unknown.iter().map(|&index| {
+    let shows_part = resolved.shows_part();
+    let unknown = unknown.iter().map(move |&index| {
         let (station, offset) = motions.get(index).process.tool;
         let tool = format!("T{station:02}{offset:02}");
-        Diagnostic::new(said::ToolUnknown { tool }, motions.span(index))
+        let message: Message = match shows_part {
+            true => said::ToolUnknownCuts { tool }.into(),
+            false => said::ToolUnknown { tool }.into(),
+        };
+        Diagnostic::new(message, motions.span(index))
     });
-    elsewhere.into_iter().chain(unknown)
+    let drills = if has_part { assumed_drills(resolved, motions) } else { Vec::new() };
+    elsewhere.into_iter().chain(unknown).chain(drills)
+}
+
+/// The first cut of each drill whose diameter is assumed. A centre drill has none: a deeper drill makes its hole.
+fn assumed_drills(resolved: &ResolvedSetup, motions: &Motions) -> Vec<Diagnostic> {
+    struct Hole {
+        tool: (u16, u16),
+        first: usize,
+        deepest: f64,
+        assumed: Option<Diameter>,
+    }
+    let mut holes: Vec<Hole> = Vec::new();
+    if resolved.tools().all(|tool| tool.assumed_diameter().is_none()) {
+        return Vec::new();
+    }
+    let cuts = (0..motions.len().min(INFERRED_FROM)).filter(|&index| motions.kind(index).cuts());
+    for index in cuts {
+        let motion = motions.get_on_workpiece(index).on_positive_side();
+        let tool = resolved.tool(&motion);
+        if tool.tool.kind != Some(ToolKind::Drill) || !motion.process.removes_material() {
+            continue;
+        }
+        match holes.iter_mut().find(|hole| hole.tool.0 == motion.process.tool.0) {
+            Some(hole) => hole.deepest = hole.deepest.min(motion.to.z),
+            None => holes.push(Hole {
+                tool: motion.process.tool,
+                first: index,
+                deepest: motion.to.z,
+                assumed: tool.assumed_diameter(),
+            }),
+        }
+    }
+    let deepest = holes.iter().map(|hole| hole.deepest).fold(f64::INFINITY, f64::min);
+    let shown = holes.iter().filter(|hole| hole.deepest <= deepest + SAME);
+    let told = shown.filter_map(|hole| {
+        let (station, offset) = hole.tool;
+        let (tool, diameter) = (format!("T{station:02}{offset:02}"), hole.assumed?.mm());
+        Some(Diagnostic::new(said::DrillAssumed { tool, diameter }, motions.span(hole.first)))
+    });
+    told.collect()
 }
 
 /// The cut with which the feed of a cut came into force, perhaps in front of the work.

@@ -86,7 +86,7 @@ impl Analysis {
             let left_out = findings::not_shown(self.resolved_setup(), &self.motions);
             let left_out: Vec<_> =
                 left_out.filter_map(|diagnostic| self.setup.rules.graded(diagnostic)).collect();
-            self.diagnostics.extend(left_out);
+            self.diagnostics.extend(left_out.into_iter().map(|found| found.in_unit(self.unit)));
         }
         sort_by_place(&mut self.diagnostics);
     }
@@ -825,10 +825,11 @@ fn place_of_end(text: &[u8]) -> (usize, &'static str) {
     place
 }
 
-/// The setup of a run with what prose in comments of its text says of the tools; `unit` is that of the text where no code
+/// The setup of a run with what prose in comments of its text says of tools and blank; `unit` is that of the text where no code
 /// names one.
 fn at_machine(setup: &Setup, text: &[u8], unit: Unit) -> Setup {
-    Setup { described_tools: tool_words::read(text, unit), ..setup.clone() }
+    let described_stock = tool_words::stock(text, unit);
+    Setup { described_tools: tool_words::read(text, unit), described_stock, ..setup.clone() }
 }
 
 /// A control at power-on, with the lints that listen to it, once they are loaded, unless the setup switches

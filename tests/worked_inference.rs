@@ -3,7 +3,7 @@
 use gcode_playground::geometry::Point;
 use gcode_playground::machine::SimulationResult;
 use gcode_playground::run::Run;
-use gcode_playground::setup::{Setup, Stock};
+use gcode_playground::setup::{Setup, Stock, ToolKind};
 use gcode_playground::units::Diameter;
 
 struct Ran {
@@ -408,4 +408,127 @@ fn comments_without_inches() {
     let begun = std::time::Instant::now();
     run(&program(&"I".repeat(1_000_000)));
     assert!(begun.elapsed().as_secs() < 10);
+}
+
+/// A facing cut to Z0 leaves nothing loose in front of the face, whatever the angle of its edge.
+#[test]
+fn nothing_floats_in_front_of_the_face() {
+    let ran = run(
+        "O1\nG21G99\nT0101\nG97S1000M3\nG0Z3.\nX42.\nG72W1.R1.\nG72P10Q20U0.W0.F0.3\nN10G0Z0.\nG1X-1.6F0.1\nN20Z1.\n\
+         G0X42.Z3.\nX30.\nG1Z-20.F0.2\nX42.\nG0Z50.\nM30\n",
+    );
+    ran.check(&[(0.5, &[]), (1.5, &[]), (-1.0, &[(0.0, 30.0)]), (-19.9, &[(0.0, 30.0)])]);
+    // What is parted off is no such piece.
+    let parted = run(
+        "O1\nG21G99\nT0101\nG97S1000M3\nG0X42.Z2.\nG1X38.F0.2\nZ-20.\nX42.\nG0X60.Z50.\nT0202(PARTING W=3)\nG0X44.Z-5.\n\
+         G1X-1.F0.1\nG0X60.\nZ50.\nM30\n",
+    );
+    assert_eq!(parted.simulation.finished().expect("a part").pieces().count(), 2);
+}
+
+/// T0303 plunges and turns as no usual insert can. The part is that of T0101, and a message states it.
+#[test]
+fn a_tool_that_is_not_known_leaves_the_cuts_of_the_others() {
+    let unknown = "T0303\nG0X54.Z2.\nX42.Z-10.\nG1X40.F0.1\nX30.\nZ-20.\nX36.Z-30.\nX28.Z-38.\nX42.\nG0Z-24.\nG1X20.\nG0X54.\n";
+    let outside = "T0101\nG0X54.Z2.\nX46.\nG1Z-45.F0.2\nX54.\nG0X80.Z50.\n";
+    let ran = run(&format!("O1\nG21G99\nG97S600M3\n{outside}{unknown}G0X80.Z50.\nM30\n"));
+    assert_eq!(ran.told, ["tool-unknown"]);
+    ran.check(&[(-5.0, &[(0.0, 46.0)]), (-24.0, &[(0.0, 46.0)]), (-46.0, &[(0.0, 54.0)])]);
+    // Where it is the only one there is nothing to show.
+    let alone = run(&format!("O1\nG21G99\nG97S600M3\n{unknown}G0X80.Z50.\nM30\n"));
+    assert_eq!(alone.told, ["tool-unknown"]);
+    assert!(alone.simulation.finished().is_none());
+}
+
+/// The rapid to X48 Z-1 goes into a bar of 50 mm, whatever its tool is.
+#[test]
+fn a_rapid_of_a_tool_that_is_not_known_runs_into_the_stock() {
+    let cycle =
+        "G71U2.R0.5\nG71P10Q20U0.4W0.1F0.25\nN10G0X20.\nG1Z-20.F0.1\nX30.Z-30.\nN20X48.\nG0X100.Z50.\nM30\n";
+    let program = |x: f64| {
+        format!("O1\n(STOCK D=50 LENGTH=80)\nG21G99\nT0101\nG97S800M3\nG0X60.Z5.\nG0X{x}Z-1.\n{cycle}")
+    };
+    let crash = run(&program(48.0));
+    assert!(crash.told.contains(&"rapid-through-stock"), "{:?}", crash.told);
+    assert!(!run(&program(52.0)).told.contains(&"rapid-through-stock"));
+}
+
+/// The last block of the contour goes back slanting from X50 Z-60 to X55 Z2: where it passes Z0 is no size of a bar.
+#[test]
+fn a_blank_has_a_diameter_in_whole_millimetres() {
+    let ran = run(
+        "O1\nG21G99\nT0101\nG97S800M3\nG0X55.Z2.\nG71U2.R0.5\nG71P10Q20U0.5W0.1F0.3\nN10G0X20.\nG1Z-30.F0.15\nX40.\nZ-60.\n\
+         X50.\nN20X55.Z2.\nG70P10Q20F0.1\nG0X100.Z50.\nM30\n",
+    );
+    assert_eq!(ran.stock.diameter, Diameter::new(55.0));
+}
+
+/// What a comment says of the bar counts where it suits what is cut: ⌀44 is turned to Z-30 from an approach at X56.
+#[test]
+fn a_blank_in_words() {
+    let program = |words: &str| {
+        format!(
+            "O1 ({words})\nG21G99\nT0101\nG97S800M3\nG0X56.Z2.\nG1X50.F0.2\nZ-30.\nX56.\nG0Z2.\nX44.\nG1Z-30.\nX56.\nG0Z50.\nM30\n"
+        )
+    };
+    let sizes = |words: &str| {
+        let stock = run(&program(words)).stock;
+        (stock.diameter.mm(), stock.length)
+    };
+    let (inferred, length) = sizes("SHAFT");
+    assert_eq!(sizes("BRUT PHI55 X 60MM"), (55.0, 60.0));
+    assert_eq!(sizes("Ø55 bar stock"), (55.0, length));
+    // That is the part, or a slip.
+    for words in ["BLANK D20", "BLANK D500", "毛坯 φ30×10"] {
+        assert_eq!(sizes(words), (inferred, length), "{words}");
+    }
+}
+
+/// The assumed diameter of a drill is reported once, unless a tool bores the hole afterwards.
+#[test]
+fn a_drill_of_assumed_diameter_is_said() {
+    let drill = |words: &str| {
+        format!(
+            "O1\nG21G99\nG97S800M3\nT0202{words}\nG0X0Z5.\nG1Z-20.F0.1\nG0Z5.\nG1Z-30.\nG0Z5.\nX80.Z50.\n"
+        )
+    };
+    let told =
+        |text: String| run(&text).told.iter().filter(|slug| **slug == "drill-diameter-assumed").count();
+    assert_eq!(told(drill("") + "M30\n"), 1);
+    assert_eq!(told(drill("(DRILL D12)") + "M30\n"), 0);
+    // A deeper drill makes the hole of a centre drill.
+    let centre = "T0404\nG0X0Z5.\nG1Z-5.F0.1\nG0Z5.\nX80.Z50.\n";
+    let before = |words: &str| drill(words).replacen("T0202", &format!("{centre}T0202"), 1);
+    assert_eq!(told(before("(DRILL D12)") + "M30\n"), 0);
+    assert_eq!(told(before("") + "M30\n"), 1);
+    assert_eq!(told(drill("") + "T0303\nG0X18.Z2.\nG1Z-15.F0.1\nX16.\nG0Z2.\nZ50.\nM30\n"), 0);
+}
+
+/// A contour with a step inwards, ⌀20 from Z-30 to Z-32: no insert is known that makes it, and the step is as it is programmed.
+#[test]
+fn a_contour_with_a_step_inwards_is_turned() {
+    let ran = run(
+        "O1\nG21G40G98\nT0101\nM3S1000\nG0X60.Z50.\nG73U6.W0R3F100\nG73P10Q20U0.5W0\nN10G0X12.Z10.\nG1Z0\nX24.Z-10.\nZ-30.\n\
+         X20.\nZ-32.\nX24.\nZ-36.\nN20G0X30.\nG70P10Q20F50\nG0X60.Z100.\nM30\n",
+    );
+    let tool = ran.simulation.resolved_setup().tools().next().expect("a tool").tool.clone();
+    assert_eq!((tool.kind, tool.width), (Some(ToolKind::Turning), None));
+    ran.check(&[
+        (-29.99, &[(0.0, 24.0)]),
+        (-30.01, &[(0.0, 20.0)]),
+        (-31.99, &[(0.0, 20.0)]),
+        (-32.01, &[(0.0, 24.0)]),
+    ]);
+}
+
+/// G72 from outside leaves a nub of ⌀20 in front of a cone: an outside tool, not a grooving insert.
+#[test]
+fn a_facing_cycle_from_outside_has_an_outside_tool() {
+    let ran = run(
+        "O1\nG21G99\nT0101\nG97S500M3\nG0X85.Z2.\nG72W2.R0.5\nG72P10Q50U0.W0.F0.25\nN10G0Z-20.\nG1X70.F0.15\nZ-15.\nX40.Z-8.\n\
+         N50X20.\nG70P10Q50\nG0X100.Z50.\nM30\n",
+    );
+    let tool = ran.simulation.resolved_setup().tools().next().expect("a tool").tool.clone();
+    assert_eq!(tool.kind, Some(ToolKind::Turning));
+    ran.check(&[(-17.0, &[(0.0, 70.0)]), (-11.5, &[(0.0, 55.0)])]);
 }

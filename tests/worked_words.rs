@@ -274,7 +274,7 @@ fn a_cut_in_material_has_a_feed_that_an_insert_takes() {
     // In the air, on the axis (a tap in a floating holder), and as the lead of a thread it may be.
     says("G01 X46 F2\nZ-30 F0.2\nX52", &[]);
     says("G00 X46\nG01 Z-30 F0.6\nX52", &[]);
-    says("G00 X0\nG01 Z-20 F1.5\nZ2\nG00 X60", &[]);
+    says("G00 X0\nG01 Z-20 F1.5\nZ2\nG00 X60", &["drill-diameter-assumed 6"]);
     says("G00 X54 Z5\nG97 S300\nG92 X49.2 Z-20 F1.5\nX48.6\nX48.2", &[]);
     says("G00 X46\nG98 G01 Z-30 F200\nX52", &[]);
 }

@@ -43,7 +43,7 @@ impl InferredStock {
             return None;
         }
         let resolved = analysis.resolved_setup();
-        let (stock, _) = resolved.stock().filter(|_| resolved.unknown().is_empty())?;
+        let (stock, _) = resolved.stock().filter(|_| resolved.shows_part())?;
         let Stock { diameter, bore, face, length, .. } = stock;
         let [diameter, bore] = [diameter, bore].map(|own| own.map(super::to_micrometres));
         let [face, length] = [face, length].map(super::to_micrometres);

@@ -147,7 +147,7 @@ impl Readout {
                 labels::tool_kind(resolved_tool.tool.kind.unwrap_or(ToolKind::Turning), language)
             }),
             tool_inferred: resolved_tool.is_some_and(|resolved_tool| {
-                resolved_tool.basis == Basis::Inferred || resolved_tool.tool.kind.is_none()
+                resolved_tool.basis != Basis::Given || resolved_tool.tool.kind.is_none()
             }),
             stop: stop_at(motions, playhead).map(|stop| {
                 let (from, to) = places.offsets(stop.span);

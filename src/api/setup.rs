@@ -185,7 +185,7 @@ impl SetupOverview {
     pub fn new(resolved: &ResolvedSetup, language: Language) -> Self {
         let name = |basis: Basis| match basis {
             Basis::Given => "given",
-            Basis::Inferred => "inferred",
+            Basis::Inferred | Basis::Unknown => "inferred",
         };
         let tools = resolved.tools().map(|tool| ToolOverview {
             station: tool.station,

@@ -22,7 +22,7 @@ pub enum Doubt {
     Code,
     /// What a cycle keeps from its blocks before: the place of G90 to G94, the amounts of G71 to G76.
     Cycle,
-    /// The contour of the cycle that runs: an error in it was reported.
+    /// The cycle that runs: an error in its blocks or in its contour was reported.
     Contour,
     /// What stands in variables; nothing ends it.
     Values,

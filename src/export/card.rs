@@ -454,10 +454,14 @@ fn about(resolved_tool: &ResolvedTool, measures: Measures) -> [String; 3] {
     let more = [
         tool.insert.clone().filter(|_| resolved_tool.basis == Basis::Given),
         tool.width.map(|width| measures.length(width)),
-        tool.diameter.map(|diameter| format!("⌀{}", measures.bare(diameter.mm()))),
+        (tool.diameter.or(resolved_tool.assumed_diameter()))
+            .map(|diameter| format!("⌀{}", measures.bare(diameter.mm()))),
     ];
     for more in more.into_iter().flatten() {
         kind = [kind, more].join(" ").trim().to_owned();
+    }
+    if resolved_tool.basis == Basis::Unknown {
+        return ["–", "–", "–"].map(str::to_owned);
     }
     if resolved_tool.basis == Basis::Inferred {
         return [format!("{kind} ({})", w.inferred), "–".into(), "–".into()];

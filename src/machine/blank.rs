@@ -54,7 +54,7 @@ pub fn clear_of_rapids(stock: Stock, evidence: &Evidence) -> Stock {
         let (from, to) = (motion.from, motion.to);
         let low = from.z.min(to.z).max(stock.back());
         let along = (from.z - to.z).abs() > SAME;
-        if motion.process.elsewhere {
+        if motion.process.elsewhere || motion.process.uncertain {
             continue;
         }
         if motion.kind == MotionKind::Rapid && on(from) && on(to) && along && low < cut - SAME {
@@ -135,8 +135,12 @@ impl Reach {
         let greatest = |from: Point, to: Point| from.x.max(to.x) + crest;
         self.radius = self.radius.max(greatest(from, to));
         // What lies in front of the face says nothing of the blank.
-        let cross =
-            |from: Point, to: Point| Point::new(from.x + from.z / (from.z - to.z) * (to.x - from.x), 0.0);
+        let cross = |from: Point, to: Point| {
+            let x = from.x + from.z / (from.z - to.z) * (to.x - from.x);
+            // A bar has a diameter in whole millimetres.
+            let bar = Diameter::new((Diameter::from_radius(x).mm() - SAME).ceil());
+            Point::new(bar.radius().min(from.x.max(to.x)), 0.0)
+        };
         self.behind = match (from.z <= SAME, to.z <= SAME) {
             (true, true) => self.behind.max(greatest(from, to)),
             (true, false) => self.behind.max(greatest(from, cross(from, to))),

@@ -12,8 +12,8 @@ use super::sweep::way_of;
 use super::tool::{BLADE, EDGE, takes};
 use super::tool_use::{Purpose, ToolUse};
 use super::z_positions::{Places, ZPositions};
-use crate::geometry::SAME;
-use crate::motion::Motion;
+use crate::geometry::{Point, SAME};
+use crate::motion::{Cycle, Motion};
 use crate::order;
 use crate::setup::{Side, Stock, Tool, ToolKind};
 
@@ -22,6 +22,9 @@ const WIDTHS: [f64; 4] = [3.0, 2.0, 1.5, 1.0];
 
 /// Width of a grooving insert whose tip alone is known, mm: it makes the contour as it is programmed.
 const THIN: f64 = 0.04;
+
+/// Angle of a turning insert whose tip alone is known, degrees: it makes a contour with steps inwards as it is programmed.
+const NEEDLE: f64 = 0.1;
 
 /// A cut across the axis that ends nearer to it than this, mm, faces the work or parts it off.
 const TO_AXIS: f64 = 1.0;
@@ -69,7 +72,7 @@ pub(super) fn decide(
         let is_blade = words.kind == Some(ToolKind::Grooving) || (grooves && own.station > 0 && !own.contour);
         let mut all = candidates(first, own, &words);
         let (inserts, blades): (Vec<Tool>, Vec<Tool>) =
-            all.drain(..).partition(|tool| tool.kind != Some(ToolKind::Grooving));
+            all.drain(..).partition(|tool| tool.kind != Some(ToolKind::Grooving) && !is_tip_alone(tool));
         let mut found = None;
         if is_blade {
             found = blades.iter().find(|tool| led.does(index, own, tool));
@@ -168,8 +171,17 @@ fn candidates(first: &Tool, own: &ToolUse, words: &Tool) -> Vec<Tool> {
         Some(width) => all.push(blade(width)),
         None => all.extend(WIDTHS.map(blade)),
     }
-    all.push(Tool { tip: Some(if inside { 6 } else { 8 }), ..blade(THIN) });
+    let tip = Some(if inside { 6 } else { 8 });
+    all.push(match words.kind {
+        Some(ToolKind::Grooving) => Tool { tip, ..blade(THIN) },
+        _ => Tool { kind: Some(kind), point_angle: Some(NEEDLE), tip, ..Tool::default() },
+    });
     all
+}
+
+/// Whether of a tool the tip alone is known.
+fn is_tip_alone(tool: &Tool) -> bool {
+    tool.width == Some(THIN) || tool.point_angle == Some(NEEDLE)
 }
 
 /// Where tools are led, and what is to stay.
@@ -222,13 +234,19 @@ impl Led {
         for motion in cuts() {
             let Some(index) = index_of(&motion) else { continue };
             let way = way_of(&motion);
+            let is_facing = motion.cycle.is_some_and(|own| own.cycle == Cycle::RoughFacing);
+            let across = (motion.to.z - motion.from.z).abs() <= SAME;
+            if is_facing && across && facing(&uses[index]) == Facing::Outwards {
+                // In front of a facing pass nothing higher stays: the contour falls towards the face.
+                let front = Point::new(motion.to.x, stock.face);
+                tracks[index].add(&[front, motion.to], Facing::Outwards, &positions);
+            }
             // Along the outside of the blank the tool is in the air.
             let outside = stock.diameter.radius() - SAME;
             if facing(&uses[index]) == Facing::Outwards && way.iter().all(|at| at.x >= outside) {
                 continue;
             }
             tracks[index].add(&way, facing(&uses[index]), &positions);
-            let across = (motion.to.z - motion.from.z).abs() <= SAME;
             if across && motion.to.x <= TO_AXIS && motion.from.x > TO_AXIS {
                 faces.push((motion.to.z, index));
             }
@@ -271,7 +289,7 @@ impl Led {
         let track = &self.tracks[index];
         let steps = track.without_grooves(surface);
         let few = FEW * (track.plunges.len() - steps.plunges.len()) <= track.plunges.len();
-        few && (tool.tip.is_some() || !surface.is_gouged(&takes(tool), &steps, SHIFT))
+        few && (is_tip_alone(tool) || !surface.is_gouged(&takes(tool), &steps, SHIFT))
     }
 
     fn side(&self, own: &ToolUse) -> (Facing, &Surface) {
@@ -289,7 +307,7 @@ impl Led {
 
     /// Whether a tool can do what a use needs.
     fn does(&self, index: usize, own: &ToolUse, tool: &Tool) -> bool {
-        if tool.kind != Some(ToolKind::Grooving) {
+        if tool.kind != Some(ToolKind::Grooving) && !is_tip_alone(tool) {
             return self.follows(index, own, tool, SHIFT);
         }
         let track = &self.tracks[index];
@@ -298,7 +316,7 @@ impl Led {
             return false;
         }
         // A tip alone: what it makes is the contour, if it or another one is led along all of it.
-        if tool.tip.is_some() {
+        if is_tip_alone(tool) {
             if own.contour {
                 return surface.clears_plunges(&track.without_last_step(&self.positions), self.front);
             }

@@ -375,7 +375,7 @@ impl DangerDetector {
 
 /// Whether a slope is steeper than the trailing edge of a turning tool, and the edge cuts because of it.
 fn too_steep(motion: &Motion, tool: &ResolvedTool, part: &mut Part) -> Option<Danger> {
-    if tool.basis == Basis::Inferred || motion.arc().is_some() || motion.kind != MotionKind::Feed {
+    if tool.basis != Basis::Given || motion.arc().is_some() || motion.kind != MotionKind::Feed {
         return None;
     }
     let side = match tool.tool.kind? {

@@ -19,7 +19,8 @@
 //!    recess of the face is no larger than the recess.
 //! 8. The contour that all tips make together: of the tools that come into question, the usual one that leaves it
 //!    whole (`choice`).
-//! 9. The blank surrounds all cuts (`blank`). A first cut across the whole face is its front.
+//! 9. The blank surrounds all cuts (`blank`). A first cut across the whole face is its front. What comments say of its
+//!    size counts where it suits the cuts (`Setup::described_stock`).
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -30,7 +31,7 @@ use super::tool_use::{Clamping, Purpose, ToolUse};
 use crate::geometry::SAME;
 use crate::limits::INFERRED_FROM;
 use crate::motion::Motions;
-use crate::setup::{Setup, Stock, Tool, ToolKind};
+use crate::setup::{DescribedStock, Setup, Stock, Tool, ToolKind};
 
 /// What is inferred from a program.
 #[derive(Clone, Debug, Default)]
@@ -46,12 +47,17 @@ pub struct InferredSetup {
 impl InferredSetup {
     /// Infers tools and blank of a program of which nothing else is known.
     pub fn of(motions: &Motions) -> Self {
-        Self::with(motions, &BTreeMap::new(), None)
+        Self::with(motions, &BTreeMap::new(), DescribedStock::default(), None)
     }
 
     /// Infers tools and blank of a program. `described_tools` is what its comments say of the tools, by
-    /// station; `stock` the blank, where one is given.
-    pub fn with(motions: &Motions, described_tools: &BTreeMap<u16, Tool>, stock: Option<Stock>) -> Self {
+    /// station, `described_stock` what they say of the blank; `stock` the blank, where one is given.
+    pub fn with(
+        motions: &Motions,
+        described_tools: &BTreeMap<u16, Tool>,
+        described_stock: DescribedStock,
+        stock: Option<Stock>,
+    ) -> Self {
         let evidence = Evidence::of(motions, stock);
         let stock = stock.map(|stock| evidence.stock(stock));
         let uses = ToolUse::all(&evidence, described_tools, stock, Clamping::First);
@@ -67,6 +73,7 @@ impl InferredSetup {
             tools.iter().find(of).is_some_and(|(.., tool)| tool.kind == Some(ToolKind::Grooving))
         });
         let blank = cuts.blank(front).map(|stock| clear_of_rapids(stock, &evidence));
+        let blank = blank.map(|stock| described_stock.applied_to(stock));
         let choices = tools.iter_mut().map(|(.., tool)| tool).collect();
         let unknown = choice::decide(&evidence, &uses, described_tools, stock.or(blank), choices);
         tools.iter_mut().for_each(|(.., tool)| evidence.tool(tool));
@@ -93,7 +100,7 @@ impl InferredSetup {
 /// The inferred blank and tools as a setup. A tool is named as the program first calls it; `T0000` is
 /// what cuts before any T word.
 pub fn inferred_setup(motions: &Motions, given: &Setup) -> Setup {
-    let inferred = InferredSetup::with(motions, &given.described_tools, given.stock);
+    let inferred = InferredSetup::with(motions, &given.described_tools, given.described_stock, given.stock);
     let mut setup = Setup { stock: inferred.stock, ..Setup::default() };
     let (mut names, mut stations): (Vec<(u16, u16)>, BTreeSet<u16>) = Default::default();
     for motion in motions.iter().take(INFERRED_FROM).filter(|motion| motion.kind.cuts()) {

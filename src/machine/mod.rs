@@ -50,6 +50,8 @@ pub struct SimulationResult {
     machine: Machine,
     limits: Limits,
     limit: Option<SimulationLimit>,
+    /// The first cut of a tool that is not known.
+    first_unknown: Option<usize>,
     /// How many motions the program has.
     motions: usize,
 }
@@ -95,14 +97,14 @@ impl Simulation {
     /// The same with the tools and the blank that are already known.
     fn of_resolved(resolved: ResolvedSetup, motions: &Motions, setup: &Setup) -> Self {
         let limits = setup.limits;
-        // With a tool that nobody knows, no part is better than a wrong one.
-        let known = resolved.stock().filter(|_| resolved.unknown().is_empty());
-        let part = known.map(|(stock, _)| Part::new(&stock));
+        let part = resolved.stock().map(|(stock, _)| Part::new(&stock));
         let detector = DangerDetector::new(&resolved, motions, setup);
         let watch = RemovalWatch::new(&resolved, motions);
         let limit =
             (motions.len() > limits.part_motions).then_some(SimulationLimit::Motions(limits.part_motions));
+        let first_unknown = resolved.unknown().iter().copied().min();
         let result = SimulationResult {
+            first_unknown,
             resolved,
             part,
             detector,
@@ -172,7 +174,9 @@ impl SimulationResult {
                 self.watch.finish();
                 return true;
             }
-            let motion = motions.get_on_workpiece(index).on_positive_side();
+            let mut motion = motions.get_on_workpiece(index).on_positive_side();
+            // After a cut that takes nothing off it is not known what is in the way.
+            motion.process.incomplete |= self.first_unknown.is_some_and(|first| first <= index);
             self.detector.check_motion(index, &motion, &self.resolved, part);
             let block = || motions.span(index).start;
             self.watch.check_motion(index, &motion, block, &self.resolved, part);
@@ -227,16 +231,21 @@ impl SimulationResult {
     /// What is left of the blank after all motions that were done; nothing where there is no
     /// blank, or a bound was met.
     pub fn finished(&self) -> Option<Region> {
-        Some(self.part.as_ref().filter(|_| self.limit.is_none())?.finished())
+        Some(self.shown().filter(|_| self.limit.is_none())?.finished())
     }
 
     /// What is left when so many motions are done, and of the next one the fraction `share`.
     pub fn part_at(&self, motions: &Motions, count: usize, share: f64) -> Option<Region> {
-        Some(self.part.as_ref().filter(|_| self.limit.is_none())?.at(motions, &self.resolved, count, share))
+        Some(self.shown().filter(|_| self.limit.is_none())?.at(motions, &self.resolved, count, share))
     }
 
     /// The blank.
     pub fn blank(&self) -> Option<&Region> {
-        Some(self.part.as_ref()?.blank())
+        Some(self.shown()?.blank())
+    }
+
+    /// The work, where there is a part to show.
+    fn shown(&self) -> Option<&Part> {
+        self.part.as_ref().filter(|_| self.resolved.shows_part())
     }
 }

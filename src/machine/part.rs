@@ -7,9 +7,10 @@
 use std::cell::RefCell;
 
 use super::region::Region;
-use super::resolved_setup::{ResolvedSetup, ResolvedTool};
+use super::resolved_setup::{Basis, ResolvedSetup, ResolvedTool};
 use super::sweep::chords;
 use super::tool::Action;
+use crate::geometry::bounds::Bounds;
 use crate::geometry::{Point, SAME, within};
 use crate::motion::{Motion, MotionKind, Motions};
 use crate::setup::Stock;
@@ -22,6 +23,9 @@ const MOST_WAITING: usize = 1500;
 
 /// Motions from one kept state to the next, at least.
 const STRIDE: usize = 32;
+
+/// A loose piece in front of Z0 that is no longer than this, mm, is what a facing cut leaves; a longer one was parted off.
+const LOOSE: f64 = 3.0;
 
 /// Most corners of all states that are kept; beyond, every other one is dropped.
 const MOST_KEPT: usize = 1_000_000;
@@ -164,6 +168,7 @@ impl Part {
     pub fn finished(&self) -> Region {
         let mut now = self.now.clone();
         now.cut(&self.waiting);
+        now.drop_pieces(is_left_by_facing);
         now
     }
 
@@ -178,10 +183,12 @@ impl Part {
             turned = turned.after(&motion, tool);
         }
         region.cut(&outlines);
+        region.drop_pieces(is_left_by_facing);
         self.last.replace(Some(Kept { done: count, turned: turned.clone(), region: region.clone() }));
         if count < motions.len() && count < self.done && share > 0.0 {
             let motion = motions.get_on_workpiece(count).on_positive_side();
             region.cut(&cut_so_far(&motion, share, &turned, resolved.tool(&motion)));
+            region.drop_pieces(is_left_by_facing);
         }
         region
     }
@@ -204,10 +211,16 @@ impl Part {
     fn settle(&mut self) {
         if !self.waiting.is_empty() {
             self.now.cut(&self.waiting);
+            self.now.drop_pieces(is_left_by_facing);
             self.waiting.clear();
             self.corners = 0;
         }
     }
+}
+
+/// Whether a piece is what a cut across the face left in front of it: it lies in front of Z0, and others do not.
+fn is_left_by_facing(piece: Bounds, all: Bounds) -> bool {
+    all.min.z < -SAME && piece.min.z > -SAME && piece.max.z - piece.min.z <= LOOSE
 }
 
 /// What a motion takes off, as outlines that may overlap.
@@ -224,9 +237,9 @@ fn cut_so_far(motion: &Motion, share: f64, turned: &Turned, tool: &ResolvedTool)
     outlines
 }
 
-/// Whether what a motion takes off shows in the section: it is known where its tool went, and the work turned.
+/// Whether what a motion takes off shows in the section: it is known which tool went where, and the work turned.
 fn takes_off(motion: &Motion, tool: &ResolvedTool) -> bool {
-    motion.process.removes_material() && !tool.is_live_in(motion)
+    motion.process.removes_material() && tool.basis != Basis::Unknown && !tool.is_live_in(motion)
 }
 
 /// What a thread leaves at its end, if `motion` is the first that is no thread.

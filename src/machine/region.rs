@@ -62,6 +62,21 @@ impl Region {
         }
     }
 
+    /// Drops pieces of several; `is_dropped`: whether a piece of these bounds is, beside the bounds of all.
+    pub fn drop_pieces(&mut self, is_dropped: impl Fn(Bounds, Bounds) -> bool) {
+        if self.shapes.len() < 2 {
+            return;
+        }
+        let bounds = |shape: &Vec<Vec<IntPoint<i32>>>| {
+            let mut points = shape.iter().flatten().map(off_grid);
+            let first = Bounds::of(points.next()?);
+            Some(points.fold(first, Bounds::with))
+        };
+        let all = self.shapes.iter().filter_map(bounds).reduce(|a, b| a.with(b.min).with(b.max));
+        let Some(all) = all else { return };
+        self.shapes.retain(|shape| bounds(shape).is_none_or(|own| !is_dropped(own, all)));
+    }
+
     /// The part of it that lies in the outlines.
     pub fn in_common(&self, outlines: &[impl AsRef<[Point]>]) -> Self {
         Self::combined(self, outlines, OverlayRule::Intersect)

@@ -14,6 +14,7 @@ use super::tool_use::Purpose;
 use crate::geometry::{Point, SAME};
 use crate::motion::{CycleFamily, Motion, Motions};
 use crate::setup::{Setup, Side, Stock, Tool, ToolKind};
+use crate::units::Diameter;
 
 /// What a tool or a blank is based on.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -22,6 +23,8 @@ pub enum Basis {
     Given,
     /// Inferred from the program.
     Inferred,
+    /// Neither: each tool that comes into question would cut into the contour. It takes nothing off.
+    Unknown,
 }
 
 /// A tool with its shape.
@@ -62,18 +65,32 @@ pub struct ResolvedSetup {
 impl ResolvedSetup {
     /// Of a program that has run.
     pub fn new(motions: &Motions, setup: &Setup) -> Self {
-        let inferred = InferredSetup::with(motions, &setup.described_tools, setup.stock);
+        let inferred =
+            InferredSetup::with(motions, &setup.described_tools, setup.described_stock, setup.stock);
         let leads = leads(motions);
         let for_pitch = |station: u16, tool: &Tool| for_pitch(tool, leads.get(&station).copied());
         let given = setup.tools.iter().filter_map(|(name, tool)| {
             let (station, offset) = station_of(name)?;
             Some((station, offset, ResolvedTool::given(station, for_pitch(station, tool))))
         });
+        let mut given: Vec<_> = given.collect();
+        let mut unknown = inferred.unknown.clone();
+        unknown.retain(|&index| given.iter().all(|own| own.0 != motions.get(index).process.tool.0));
+        let unknown_uses: Vec<_> = unknown
+            .iter()
+            .map(|&index| motions.get_on_workpiece(index).on_positive_side())
+            .map(|motion| (motion.process.tool.0, Purpose::of(&motion)))
+            .collect();
         let inferred_tools = inferred.tools().map(|(station, purpose, tool)| {
-            (station, purpose, ResolvedTool::inferred(station, for_pitch(station, tool)))
+            let tool = ResolvedTool::inferred(station, for_pitch(station, tool));
+            let is_unknown = unknown_uses.contains(&(station, purpose));
+            (
+                station,
+                purpose,
+                ResolvedTool { basis: if is_unknown { Basis::Unknown } else { tool.basis }, ..tool },
+            )
         });
         let stock = setup.stock.map(|stock| (stock, Basis::Given));
-        let mut given: Vec<_> = given.collect();
         if given.iter().any(|(.., tool)| tool.is_drill()) {
             let stations = live_drills(motions);
             for (station, _, tool) in &mut given {
@@ -82,8 +99,6 @@ impl ResolvedSetup {
                 }
             }
         }
-        let mut unknown = inferred.unknown.clone();
-        unknown.retain(|&index| given.iter().all(|own| own.0 != motions.get(index).process.tool.0));
         Self {
             unknown,
             given,
@@ -116,6 +131,12 @@ impl ResolvedSetup {
     /// would cut into the contour.
     pub fn unknown(&self) -> &[usize] {
         &self.unknown
+    }
+
+    /// Whether there is a part to show: a blank, and a tool that takes something off it, where any cuts.
+    pub fn shows_part(&self) -> bool {
+        let all_unknown = || self.tools().all(|tool| tool.basis == Basis::Unknown);
+        self.stock.is_some() && (self.unknown.is_empty() || !all_unknown())
     }
 
     /// The blank, and whether it is given or inferred.
@@ -164,6 +185,12 @@ impl ResolvedTool {
             || motion.rotary.is_some()
             || family == Some(CycleFamily::SideHole)
             || self.is_drill() && beside_axis && family == Some(CycleFamily::FaceHole)
+    }
+
+    /// The diameter that is assumed for a drill of which nothing names one.
+    pub fn assumed_diameter(&self) -> Option<Diameter> {
+        let is_assumed = self.basis != Basis::Given && self.tool.kind == Some(ToolKind::Drill);
+        (is_assumed && self.tool.diameter.is_none()).then_some(DRILL)
     }
 
     /// Whether it is a drill or tap that turns itself in all its motions.

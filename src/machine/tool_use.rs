@@ -137,7 +137,8 @@ impl ToolUse {
     ) -> Vec<Self> {
         let mut seen: Vec<ToolUse> = Vec::new();
         let mut before = None;
-        let mut moves = evidence.moves().enumerate().peekable();
+        let is_certain = |(_, motion): &(usize, Motion)| !motion.process.uncertain;
+        let mut moves = evidence.moves().enumerate().filter(is_certain).peekable();
         while let Some((index, motion)) = moves.next() {
             let mut dwells = false;
             while moves.next_if(|(_, next)| next.kind == MotionKind::Dwell).is_some() {
@@ -147,7 +148,7 @@ impl ToolUse {
                 continue;
             }
             let before = before.replace(motion);
-            let counts = motion.kind.cuts() && !motion.process.uncertain && !motion.process.still;
+            let counts = motion.kind.cuts() && !motion.process.still;
             if !counts || Clamping::of(&motion) != clamping {
                 continue;
             }

@@ -186,7 +186,7 @@ impl Drawing {
         let Some(work) = scene.work() else { return };
         let guessed = match work.basis {
             Basis::Given => "",
-            Basis::Inferred => " guessed",
+            Basis::Inferred | Basis::Unknown => " guessed",
         };
         for side in scene.plane().sides() {
             let seen = |outlines: &Outlines, camera: &Camera| -> Vec<Vec<Pixel>> {

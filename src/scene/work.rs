@@ -188,7 +188,7 @@ impl Work {
         };
         match self.basis {
             Basis::Given => [lines, Vec::new()],
-            Basis::Inferred => without(&lines, &closed(&self.blank)),
+            Basis::Inferred | Basis::Unknown => without(&lines, &closed(&self.blank)),
         }
     }
 

@@ -29,7 +29,7 @@ use crate::units::Diameter;
 use dialect::DialectChoice;
 pub use machine::{Machine, Tailstock, Travel, Turret};
 pub use side::Side;
-pub use stock::Stock;
+pub use stock::{DescribedStock, Stock};
 pub use tool::{Tool, ToolKind};
 
 /// A setup as written: every key optional, an unknown key is an error that names it.
@@ -46,6 +46,9 @@ pub struct Setup {
     /// and of a run only in the setup for its machine (`Run::setup_at_machine`).
     #[serde(skip)]
     pub described_tools: BTreeMap<u16, Tool>,
+    /// The same of the blank.
+    #[serde(skip)]
+    pub described_stock: DescribedStock,
     /// The blank.
     pub stock: Option<Stock>,
     /// The centre of the tailstock, where the work is held by one.
@@ -102,6 +105,7 @@ impl Clone for Setup {
             initial: self.initial,
             tools: BTreeMap::new(),
             described_tools: BTreeMap::new(),
+            described_stock: self.described_stock,
             stock: self.stock,
             tailstock: self.tailstock,
             machine: self.machine,

@@ -24,6 +24,34 @@ pub struct Stock {
     pub grip: Option<f64>,
 }
 
+/// The sizes of a blank that prose names.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct DescribedStock {
+    /// Outside diameter, mm.
+    pub diameter: Option<Diameter>,
+    /// Length, mm.
+    pub length: Option<f64>,
+}
+
+impl DescribedStock {
+    /// The inferred blank with the described sizes that suit the cuts: others are those of the part.
+    pub fn applied_to(self, inferred: Stock) -> Stock {
+        /// How much smaller than the inferred one a size is at least, and how much larger at most, as a share of it.
+        const DIAMETERS: [f64; 2] = [0.9, 2.0];
+        const LENGTHS: [f64; 2] = [0.83, 3.0];
+        let suits = |size: f64, inferred: f64, [least, most]: [f64; 2]| {
+            (least * inferred..=most * inferred).contains(&size)
+        };
+        let diameter = self.diameter.filter(|own| suits(own.mm(), inferred.diameter.mm(), DIAMETERS));
+        let length = self.length.filter(|&own| suits(own, inferred.length, LENGTHS));
+        Stock {
+            diameter: diameter.unwrap_or(inferred.diameter),
+            length: length.unwrap_or(inferred.length),
+            ..inferred
+        }
+    }
+}
+
 impl Stock {
     /// The blank in coordinates that are shifted; one without a bore has none there.
     pub fn moved(self, by: Point) -> Self {

@@ -6,6 +6,7 @@
 //! Terms are in `terms`. A comment belongs to the tool it names, else to the T word in its line, else to the
 //! T word before it, else to the one after it.
 
+mod blank;
 mod capitals;
 mod numbers;
 mod terms;
@@ -14,7 +15,7 @@ use crate::order;
 use std::collections::BTreeMap;
 
 use super::notes::HEAD;
-use super::{Side, Tool, ToolKind};
+use super::{DescribedStock, Side, Tool, ToolKind};
 use crate::text::lexer;
 use crate::units::{Diameter, Unit};
 
@@ -82,6 +83,24 @@ pub fn read(text: &[u8], unit: Unit) -> BTreeMap<u16, Tool> {
         tools.entry(station).and_modify(|known| fill(known, &tool)).or_insert(tool);
     }
     tools
+}
+
+/// The sizes of the blank in comments at the head of a text, or in the lines before its first `%`; of each size the first.
+pub fn stock(text: &[u8], unit: Unit) -> DescribedStock {
+    let text = &*String::from_utf8_lossy(&text[..text.len().min(HEAD)]);
+    let unit = numbers::unit_of(text).unwrap_or(unit);
+    let title = text.split_once('%').map_or("", |(title, _)| title);
+    let mut known = DescribedStock::default();
+    let comments = text.split('(').skip(1).filter_map(|rest| rest.split([')', '\n', '\r']).next());
+    for comment in title.lines().filter(|line| !line.contains('(')).chain(comments) {
+        if comment.contains('=') || !comment.contains(|letter: char| letter.is_ascii_digit()) {
+            continue;
+        }
+        let said = blank::described(&capitals::in_capitals(comment), unit);
+        known.diameter = known.diameter.or(said.diameter);
+        known.length = known.length.or(said.length);
+    }
+    known
 }
 
 /// What the words of a comment say of a tool.

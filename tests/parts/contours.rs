@@ -375,5 +375,5 @@ fn a_contour_that_ends_in_the_bar_is_cut_as_it_is_written() {
         "{HEAD}T0101\nG00 X60 Z2\nG71 U2 R1\nG71 P100 Q200 U0.3 W0.2 F0.25\nN100 G00 X48\nG01 Z-20\nX34\nZ-45\nX26\n\
          N200 X60\nG70 P100 Q200\n"
     );
-    check(&program, "grooving", &[(-10.0, 48.0), (-30.0, 34.0), (-44.0, 34.0)]);
+    check(&program, "turning", &[(-10.0, 48.0), (-30.0, 34.0), (-44.0, 34.0)]);
 }

@@ -50,7 +50,7 @@ hand-03-g71-boring: ⌀55.0 bore 19.6, 0 to -35.0: T04 boring C 95
 hand-04-g71-type2-pocket: ⌀56.4, 0 to -30.0: T01 turning V 93
 hand-05-g72-arc: ⌀60.4, 0 to -35.0: T01 turning C 95
 hand-06-g73-three-passes: ⌀46.6, 0 to -35.0: T01 turning C 95
-hand-07-g74-columns-drill: ⌀66.0, 0 to -35.0: T05 grooving face, T06 drill
+hand-07-g74-columns-drill: ⌀66.0, 0 to -35.0: T05 grooving face, T06 drill ⌀10.0
 hand-08-g75-columns: ⌀50.0, 0 to -40.0: T02 grooving outside
 hand-09-g76-taper-pullout: ⌀30.6, 0 to -30.0: T03 threading outside
 hand-10-corners: ⌀96.0, 0 to -100.0: T01 turning C 95
@@ -78,7 +78,7 @@ s002-g50-g96: nothing:
 s003-g71: ⌀41.5, 0.2 to -74.8: T00 turning C 95
 s003-g72: ⌀39.1, 0 to -40.0: T00 turning C 95
 s003-g73: ⌀36.5, 1 to -64.0: T00 turning C 95
-s003-g74: ⌀30.0, 0 to -20.0: T00 drill
+s003-g74: ⌀30.0, 0 to -20.0: T00 drill ⌀10.0
 s003-g75: ⌀40.0, 30 to -10.0: T00 grooving outside
 s003-g76: ⌀38.8, 0 to -75.0: T00 threading outside
 s004-g94-right: ⌀50.0, 0 to -60.0: T00 turning C 95

@@ -118,8 +118,11 @@ impl Interpreter {
             }
             self.refuse(text, block, &request, &words);
             self.forget_next_move();
-            if matches!(request.one_shot, Some(OneShot::Multiple(_))) {
+            if let Some(OneShot::Multiple(cycle)) = request.one_shot {
                 self.pass_over_contour(text, block, &words);
+                if self.program.jump.is_some() {
+                    self.contour_of_broken(text, block, &words, cycle);
+                }
             }
         } else {
             if !self.state.doubts.is_empty() {

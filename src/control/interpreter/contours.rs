@@ -87,7 +87,7 @@ enum InContour {
 
 impl Interpreter {
     /// Reads the shape that P and Q name. `None`: the error was reported; the program goes on after nf if
-    /// that was found.
+    /// that was found. A roughing cycle without a feed rate has no sound shape.
     pub(super) fn shape(
         &mut self,
         text: &[u8],
@@ -180,7 +180,7 @@ impl Interpreter {
         let moves = std::mem::replace(&mut self.contours.recorded, outer).unwrap_or_default();
         self.contours.purpose = outer_purpose;
         let reported = self.state.reported;
-        let state = std::mem::replace(&mut self.state, before);
+        let mut state = std::mem::replace(&mut self.state, before);
         if let Some(chronicler) = &mut self.chronicler {
             chronicler.contour_ends();
         }
@@ -191,19 +191,14 @@ impl Interpreter {
         }
         let most = self.setup.limits.moves_per_cycle;
         // What else is wrong with the cycle is reported once its contour is right.
-        let is_sound = !state.doubts.has(Doubt::Contour);
-        let has_feed = match purpose {
-            Purpose::Roughing if read.is_ok() && is_sound => {
-                self.may_cut(text, block, words, &mut Request::default())
-            }
-            Purpose::Roughing => !no_feed,
-            Purpose::Finishing => true,
-        };
+        let reads_sound = read.is_ok() && !state.doubts.has(Doubt::Contour);
+        let may_cut = purpose == Purpose::Finishing
+            || reads_sound && self.may_cut(text, block, words, &mut Request::default());
+        if !may_cut {
+            state.doubts.add(Doubt::Contour);
+        }
+        let is_sound = reads_sound && may_cut;
         match read {
-            Ok((.., ends)) if !has_feed => {
-                self.go_on_behind(block, begins.byte, ends);
-                None
-            }
             Ok((.., ends)) if moves.len() > most => {
                 if is_sound {
                     self.report(Diagnostic::new(said::TooManyPasses { code, most }, block.words_span()));

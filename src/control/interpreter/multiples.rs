@@ -2,8 +2,8 @@
 //! and G75 are in `pecks`, G76 in `threads`.
 //!
 //! In: the words of a block. Out: the moves of the cycle. The geometry is in `cycles`; here are the words,
-//! their units and their alarms. A cycle that cannot run makes no motion at all; along a contour with an error it
-//! makes what can be read, as uncertain motions.
+//! their units and their alarms. After an error in its blocks or its contour a cycle makes what can be read, as
+//! uncertain motions: its passes where they are known, else the contour as it is written.
 
 use super::Interpreter;
 use super::contours::Shape;
@@ -63,8 +63,8 @@ impl Interpreter {
         let start = self.state.position;
         if !shape.is_sound() {
             // Its blocks have not changed the modal state.
-            self.go_along(block, &shape.moves);
-            self.return_to(block, start);
+            self.go_along(block, Cycle::Finishing, &shape.moves);
+            self.return_to(block, Cycle::Finishing, start);
             self.go_on_behind(block, shape.begins, shape.ends);
             return None;
         }
@@ -75,32 +75,59 @@ impl Interpreter {
         let call = FinishingCall { block, landmarks: &landmarks, ends: &ends, leaves_at_rapid };
         self.observe(text, Event::Finishing(call));
         self.contours.landmarks = landmarks;
-        self.go_along(block, &shape.moves);
+        self.go_along(block, Cycle::Finishing, &shape.moves);
         // The blocks change the modal state as they would on their own; the tool goes home.
         let (position, reported, doubts) = (self.state.position, self.state.reported, self.state.doubts);
         self.state = State { position, reported, doubts, ..shape.state };
         self.go_on_observed_by(shape.observer);
-        self.return_to(block, start);
+        self.return_to(block, Cycle::Finishing, start);
         Some(())
     }
 
-    /// The moves of G70 along a contour.
-    fn go_along(&mut self, block: &Block, moves: &[PathMove]) {
+    /// The contour of a roughing cycle whose passes are not known, and the way back.
+    #[cold]
+    fn contour_alone(&mut self, block: &Block, cycle: Cycle, shape: &Shape) {
+        let start = self.state.position;
+        self.state.doubts.add(Doubt::Contour);
+        let feed = self.state.process().feed;
+        let mut moves = shape.moves.clone();
+        // The F of the contour does not count.
+        moves.iter_mut().for_each(|path_move| path_move.motion.process.feed = feed);
+        self.go_along(block, cycle, &moves);
+        self.return_to(block, cycle, start);
+    }
+
+    /// The contour of a cycle whose own block cannot be read. What is wrong with either was reported.
+    #[cold]
+    pub(super) fn contour_of_broken(&mut self, text: &[u8], block: &Block, words: &Words, cycle: Multiple) {
+        let (reported, muted) = (self.state.reported, std::mem::replace(&mut self.sink.muted, true));
+        let (observer, jump) = (self.observer.take(), self.program.jump);
+        let shape = self.shape(text, block, words, cycle.cycle().code(), Purpose::Roughing);
+        (self.observer, self.program.jump) = (observer, jump);
+        (self.state.reported, self.sink.muted) = (reported, muted);
+        if let Some(shape) = shape {
+            self.contour_alone(block, cycle.cycle(), &shape);
+        }
+        self.state.doubts.remove(Doubt::Contour);
+    }
+
+    /// The moves of a cycle along its contour.
+    fn go_along(&mut self, block: &Block, cycle: Cycle, moves: &[PathMove]) {
         for path_move in moves {
             let step = match path_move.motion.kind {
                 MotionKind::Rapid => Step::Approach,
                 _ => Step::Contour,
             };
-            let tag = CycleStep { cycle: Cycle::Finishing, pass: 0, step };
+            let tag = CycleStep { cycle, pass: 0, step };
             let mut motion = Motion { cycle: Some(tag), ..path_move.motion };
             motion.process.uncertain |= self.state.doubts.has(Doubt::Contour);
             self.push(block, motion);
         }
     }
 
-    /// The move of G70 back to its start point.
-    fn return_to(&mut self, block: &Block, start: Point) {
-        let tag = CycleStep { cycle: Cycle::Finishing, pass: 0, step: Step::Return };
+    /// The move of a cycle back to its start point.
+    fn return_to(&mut self, block: &Block, cycle: Cycle, start: Point) {
+        let tag = CycleStep { cycle, pass: 0, step: Step::Return };
         let mut home = Motion { cycle: Some(tag), ..self.motion(MotionKind::Rapid, start) };
         home.process.uncertain |= self.state.doubts.has(Doubt::Contour);
         self.push(block, home);
@@ -174,20 +201,18 @@ impl Interpreter {
         let shape = self.shape(text, block, words, code, Purpose::Roughing)?;
         self.go_on_behind(block, shape.begins, shape.ends);
         let Some(depth) = self.state.parameters.depth.filter(|&depth| depth > 0.0) else {
-            if !shape.is_sound() {
-                return None;
-            }
             let depth = self.state.parameters.depth;
             // A depth that is wrong in the first block was reported there.
-            if let Some(word) = words.get(b'D') {
+            if let Some(word) = words.get(b'D').filter(|_| shape.is_sound()) {
                 let depth = plain(word).map(|depth| depth * self.state.unit.millimetres());
                 let message: Message = depth.map_or(said::DepthMissing { code }.into(), |depth| {
                     said::DepthNotPositive { code, depth }.into()
                 });
                 self.report(Diagnostic::new(message, word.span));
-            } else if depth.is_none() {
+            } else if depth.is_none() && shape.is_sound() {
                 self.report(Diagnostic::new(said::DepthMissing { code }, block.words_span()));
             }
+            self.contour_alone(block, cycle.cycle(), &shape);
             return None;
         };
         let contour = shape.contour(self.state.position);
@@ -207,12 +232,17 @@ impl Interpreter {
         };
         if !shape.is_sound() {
             let most = self.moves_left();
-            if let Some(moves) = self.forgiving(block, &contour, &shape, &how, most) {
-                self.run_cycle(block, cycle.cycle(), None, &moves);
+            self.state.doubts.add(Doubt::Contour);
+            match self.forgiving(block, &contour, &shape, &how, most) {
+                Some(moves) => self.run_cycle(block, cycle.cycle(), None, &moves),
+                None => self.contour_alone(block, cycle.cycle(), &shape),
             }
             return None;
         }
-        let (moves, used) = self.rough(text, block, words, &shape, &contour, &how, code)?;
+        let Some((moves, used)) = self.rough(text, block, words, &shape, &contour, &how, code) else {
+            self.contour_alone(block, cycle.cycle(), &shape);
+            return None;
+        };
         let how = Roughing { shape: used, ..how };
         self.observe(text, Event::Roughing(shape.call(block, words, &contour, &how)));
         self.run_cycle(block, cycle.cycle(), None, &moves);
@@ -349,15 +379,17 @@ impl Interpreter {
         }
         let shape = self.shape(text, block, words, "G73", Purpose::Roughing)?;
         self.go_on_behind(block, shape.begins, shape.ends);
-        let diagnostic = self.state.parameters.pattern_passes.is_some_and(|passes| passes < 1.0);
-        if diagnostic && words.get(b'D').is_none() {
+        let passes = self.state.parameters.pattern_passes;
+        let was_reported = passes.is_some_and(|passes| passes < 1.0) && words.get(b'D').is_none();
+        let has_passes = passes.is_some_and(|passes| passes >= 1.0);
+        let passes = match has_passes || shape.is_sound() && !was_reported {
+            true => self.pattern_passes(words, b'D'),
+            false => None,
+        };
+        let Some(passes) = passes else {
+            self.contour_alone(block, Cycle::Pattern, &shape);
             return None;
-        }
-        let has_passes = self.state.parameters.pattern_passes.is_some_and(|passes| passes >= 1.0);
-        if !has_passes && !shape.is_sound() {
-            return None;
-        }
-        let passes = self.pattern_passes(words, b'D')?;
+        };
         let how = Pattern {
             relief: self.state.parameters.relief.unwrap_or_default(),
             passes,

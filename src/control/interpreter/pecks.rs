@@ -7,6 +7,7 @@ use super::multiples::{INCREMENT, NEAR};
 use super::request::Request;
 use super::{AXES, Interpreter};
 use crate::control::codes::Multiple;
+use crate::control::doubt::Doubt;
 use crate::control::words::{Words, letters, plain, quote};
 use crate::cycles::grooving::{self, Pecking};
 use crate::cycles::units::{self, Amount, Written};
@@ -46,8 +47,9 @@ impl Interpreter {
         };
         let start = self.state.position;
         let end = self.target(text, words);
-        if !self.may_cut(text, block, words, &mut Request::default()) {
-            return None;
+        let may_cut = self.may_cut(text, block, words, &mut Request::default());
+        if !may_cut {
+            self.state.doubts.add(Doubt::Contour);
         }
         // The older one-block form spells P, Q and R as I, K and D, in millimetres.
         let (x_amount, z_amount, relief) = if words.has_any(letters(b"IK")) {
@@ -79,7 +81,7 @@ impl Interpreter {
             let message = said::GrooveStep { word: words.quote(text, other), step, width };
             self.report(Diagnostic::new(message, words.span(other)));
         }
-        let how = Pecking {
+        let mut how = Pecking {
             end,
             peck,
             stepover,
@@ -94,7 +96,7 @@ impl Interpreter {
         let (message, span): (Message, Span) = match grooving::peck(start, direction, &how, most) {
             Ok(moves) => {
                 self.run_cycle(block, cycle.cycle(), None, &moves);
-                return Some(());
+                return may_cut.then_some(());
             }
             Err(grooving::PeckingError::NegativeRelief) => {
                 (said::ReliefNegative { word: words.quote(text, b'R') }.into(), words.span(b'R'))
@@ -114,6 +116,20 @@ impl Interpreter {
             }
         };
         self.report(Diagnostic::new(message, span));
+        // Without its wrong words: one column where their distance is missing.
+        how.relief = how.relief.abs();
+        how.peck = how.peck.map(f64::abs);
+        how.stepover = how.stepover.map(f64::abs);
+        if how.stepover.is_none_or(|step| step == 0.0) {
+            match direction {
+                grooving::Direction::Face => how.end.x = start.x,
+                grooving::Direction::Radial => how.end.z = start.z,
+            }
+        }
+        self.state.doubts.add(Doubt::Contour);
+        if let Ok(moves) = grooving::peck(start, direction, &how, most) {
+            self.run_cycle(block, cycle.cycle(), None, &moves);
+        }
         None
     }
 

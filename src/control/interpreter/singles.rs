@@ -130,43 +130,45 @@ impl Interpreter {
         }
         let lead = match cycle {
             Single::Threading => {
-                let Some(lead) = self.lead(text, block, words, "G92") else {
-                    request.drop = true;
-                    return;
-                };
-                self.observe(text, Event::Thread { block, code: "G92", to: None });
-                if !self.has_whole_angle(text, words) {
-                    request.drop = true;
-                    return;
+                let lead = self.lead(text, block, words, "G92");
+                if lead.is_some() {
+                    self.observe(text, Event::Thread { block, code: "G92", to: None });
                 }
-                Some(lead)
+                lead.filter(|_| self.has_whole_angle(text, words))
             }
-            Single::Turning | Single::Facing => {
-                if !self.may_cut(text, block, words, request) {
-                    return;
-                }
-                None
-            }
+            Single::Turning | Single::Facing => None,
+        };
+        let may_cut = match cycle {
+            Single::Threading => lead.is_some(),
+            Single::Turning | Single::Facing => self.may_cut(text, block, words, request),
         };
         let (taper_word, starts) = (self.taper_word(words, cycle), self.starts(words, cycle));
-        let pass = SinglePass { block, words, cycle, start, end, taper_word, taper_span, lead, starts };
-        self.observe(text, Event::SinglePass(pass));
+        if may_cut {
+            let pass = SinglePass { block, words, cycle, start, end, taper_word, taper_span, lead, starts };
+            self.observe(text, Event::SinglePass(pass));
+        } else {
+            // Its moves are known all the same.
+            request.drop = true;
+            self.state.doubts.add(Doubt::Cycle);
+        }
         let own_angle = if cycle == Single::Threading { self.start_angle(words) } else { 0.0 };
         for start_number in 0..starts {
             self.state.memory.passes += 1;
             let pass = self.state.memory.passes;
-            match (cycle, lead) {
-                (Single::Threading, Some(lead)) => {
-                    let moves = single::threading(start, end, memory.taper, self.pull_out(words, lead));
+            match cycle {
+                Single::Threading => {
+                    let pull_out = lead.and_then(|lead| self.pull_out(words, lead));
+                    let moves = single::threading(start, end, memory.taper, pull_out);
                     let start_angle = own_angle + angle_of_start(start_number, starts);
-                    self.run_moves(block, cycle, pass, Some(Thread { lead, start_angle }), &moves);
+                    let thread = lead.map(|lead| Thread { lead, start_angle });
+                    self.run_moves(block, cycle, pass, thread, &moves);
                 }
-                (Single::Facing, _) => {
+                Single::Facing => {
                     let begin = Point::new(start.x, end.z + memory.taper);
                     let end = Point::new(end.x, end.z + self.nose_shift(begin, end, Axis::Z));
                     self.run_moves(block, cycle, pass, None, &single::facing(start, end, memory.taper));
                 }
-                _ => {
+                Single::Turning => {
                     let begin = Point::new(end.x + memory.taper, start.z);
                     let end = Point::new(end.x + self.nose_shift(begin, end, Axis::X), end.z);
                     self.run_moves(block, cycle, pass, None, &single::turning(start, end, memory.taper));

@@ -5,9 +5,10 @@
 
 use super::singles::{Thread, angle_of_start};
 use super::{AXES, Interpreter};
+use crate::control::doubt::Doubt;
 use crate::control::events::{Event, ThreadPass, ThreadedBy, ThreadingCall};
 use crate::control::words::{Words, plain, quote};
-use crate::cycles::single::Single;
+use crate::cycles::single::{self, Single};
 use crate::cycles::threading::{self, MultiThread};
 use crate::cycles::units;
 use crate::geometry::Point;
@@ -50,7 +51,11 @@ impl Interpreter {
         let one_block = words.peek(b'K').is_some();
         let start = self.state.position;
         let end = self.target(text, words);
-        let lead = self.lead(text, block, words, "G76")?;
+        let taper = if one_block { length(b'I') } else { length(b'R') }.unwrap_or(0.0);
+        let Some(lead) = self.lead(text, block, words, "G76") else {
+            self.last_pass(block, start, end, taper, None);
+            return None;
+        };
         self.observe(text, Event::Thread { block, code: "G76", to: None });
         let starts = self.starts(words, Single::Threading);
         let own_start = Point::new(end.x, start.z);
@@ -62,7 +67,10 @@ impl Interpreter {
         } else {
             // Q of the first block is read in the unit of this pair.
             let least = self.state.parameters.least_amount;
-            let (unit, p, q) = self.amounts(text, words, |p, q| units::threading(least, p, q))?;
+            let Some((unit, p, q)) = self.amounts(text, words, |p, q| units::threading(least, p, q)) else {
+                self.last_pass(block, start, end, taper, Some(lead));
+                return None;
+            };
             (p, q, least.map_or(0.0, |least| self.amount_in(least, unit)), 1)
         };
         let angle = if one_block {
@@ -73,9 +81,9 @@ impl Interpreter {
         let gsk = self.dialect.control == Control::Gsk;
         if !gsk && !one_block && !THREAD_ANGLES.contains(&angle) {
             // Reported at the first block.
+            self.last_pass(block, start, end, taper, Some(lead));
             return None;
         }
-        let taper = if one_block { length(b'I') } else { length(b'R') }.unwrap_or(0.0);
         let parameters = self.state.parameters;
         let how = MultiThread {
             end,
@@ -126,7 +134,17 @@ impl Interpreter {
             }
         };
         self.report(Diagnostic::new(message, block.words_span()));
+        self.last_pass(block, start, end, taper, Some(lead));
         None
+    }
+
+    /// The last pass of a G76 whose other passes are not known.
+    #[cold]
+    fn last_pass(&mut self, block: &Block, start: Point, end: Point, taper: f64, lead: Option<f64>) {
+        self.state.doubts.add(Doubt::Contour);
+        let moves = single::threading(start, end, taper, lead.and_then(|lead| self.chamfer(lead)));
+        let thread = lead.map(|lead| Thread { lead, start_angle: 0.0 });
+        self.run_cycle(block, Cycle::MultiThreading, thread, &moves);
     }
 
     /// The first block of G76: `P(m)(r)(a) Q R`.

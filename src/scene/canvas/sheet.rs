@@ -148,7 +148,7 @@ fn work(pen: &Pen, scene: &Scene, view: &View) -> Result<(), JsValue> {
 fn blank_dash(basis: Basis) -> Dash {
     match basis {
         Basis::Given => Dash::Solid,
-        Basis::Inferred => Dash::Broken(7.0, 4.0),
+        Basis::Inferred | Basis::Unknown => Dash::Broken(7.0, 4.0),
     }
 }
 

@@ -7,14 +7,14 @@ use crate::units::Unit;
 
 /// A number with what stands around it.
 #[derive(Clone, Copy, Debug)]
-struct Measure<'a> {
-    value: f64,
+pub(super) struct Measure<'a> {
+    pub value: f64,
     /// Whether it is written as a fraction.
     fraction: bool,
     /// The letters, and signs such as `Ø`, right before it, without `:`, `=`, points and blanks.
-    before: &'a str,
+    pub before: &'a str,
     /// Letters and `"` after it.
-    behind: &'a str,
+    pub behind: &'a str,
     /// Whether it is written right at the letters before it and has no decimal point, as
     /// a counter is (`GROOVE1`).
     glued: bool,
@@ -118,7 +118,7 @@ pub fn diameter(text: &str, unit: Unit) -> Option<f64> {
         let before = own.before.trim_start_matches("DE ");
         own.has_unit()
             || own.fraction
-            || before == "FI"
+            || matches!(before, "FI" | "PHI" | "Ф")
             // `钻头D8`
             || before.trim_start_matches(|letter: char| !letter.is_ascii()) == "D"
             || before.ends_with('Ø')
@@ -158,7 +158,13 @@ impl Measure<'_> {
         matches!(self.behind, "MM" | "\"" | "IN" | "INCH" | "''" | "ММ" | "毫米")
     }
 
-    fn in_millimetres(&self, unit: Unit) -> f64 {
+    /// Whether its unit is the inch, or it is a fraction.
+    pub fn is_inch(&self) -> bool {
+        self.fraction || matches!(self.behind, "\"" | "IN" | "INCH" | "''")
+    }
+
+    /// Its length, mm; `unit` is that of numbers without one.
+    pub fn in_millimetres(&self, unit: Unit) -> f64 {
         let own = match self.behind {
             "MM" | "ММ" | "毫米" => Unit::Millimetre,
             "\"" | "IN" | "INCH" | "''" => Unit::Inch,
@@ -185,7 +191,7 @@ pub fn after_letters<'a>(text: &'a str, words: &'a [&str]) -> impl Iterator<Item
 }
 
 /// All numbers of a comment. One that is part of a name (`CNMG432`, `N2A`), or counts (`#5`), is none.
-fn measures(text: &str) -> impl Iterator<Item = Measure<'_>> {
+pub(super) fn measures(text: &str) -> impl Iterator<Item = Measure<'_>> {
     let mut at = 0;
     std::iter::from_fn(move || {
         loop {

@@ -131,6 +131,11 @@ impl Bytes {
     }
 }
 
+/// Whether a comment contains a term.
+pub fn is_named(text: &str, term: &str, form: Form) -> bool {
+    stands(text, &Bytes::of(term), term, form)
+}
+
 /// Whether a term stands in a comment of these bytes.
 fn stands(text: &str, bytes: &Bytes, term: &str, form: Form) -> bool {
     bytes.hold_all_of(term)

@@ -224,3 +224,89 @@ fn the_unit_is_that_of_the_program() {
     assert_eq!(width("G21 T0303 (GROOVE W3)"), Some(3.0));
     assert_eq!(width("G200 T0303 (GROOVE W3)"), Some(3.0));
 }
+
+/// The blank that a comment names: `50 x 52`, with `–` for a size it leaves open.
+fn blank_of(comment: &str, unit: Unit) -> String {
+    let said = blank::described(&capitals::in_capitals(comment), unit);
+    let number =
+        |own: Option<f64>| own.map_or("–".to_owned(), |own| format!("{}", (1000.0 * own).round() / 1000.0));
+    format!("{} x {}", number(said.diameter.map(Diameter::mm)), number(said.length))
+}
+
+#[test]
+fn blanks_in_words() {
+    for (comment, expected) in [
+        ("MATERIAU : C35   BRUT : PHI50 X 52MM", "50 x 52"),
+        ("MATERIAL: STEEL | OD: 80mm | LENGTH: 120mm", "80 x 120"),
+        ("OD: 80mm, LENGTH: 120mm", "80 x 120"),
+        ("load Ø55 bar stock, 65 mm stickout", "55 x –"),
+        ("毛坯料宽40", "40 x –"),
+        ("毛坯料宽40 长露出超过90", "40 x –"),
+        ("毛坯 φ50×80", "50 x 80"),
+        ("毛坯直径50 长80", "50 x 80"),
+        ("заготовка Ф50х80", "50 x 80"),
+        ("Заготовка: пруток диаметр 50, длина 80", "50 x 80"),
+        ("ROHTEIL D60 L100", "60 x 100"),
+        ("Rohling Ø60x100", "60 x 100"),
+        ("BARRA DE ACERO DIAMETRO 2.5", "2.5 x –"),
+        ("BRUTO Ø60 LARGO 100", "60 x 100"),
+        ("TARUGO DIA. 50.8 X 100", "50.8 x 100"),
+        ("BLANK DIA 40", "40 x –"),
+    ] {
+        assert_eq!(blank_of(comment, Unit::Millimetre), expected, "{comment}");
+    }
+    for (comment, expected) in [
+        ("material is .75 diameter brass stock", "19.05 x –"),
+        ("material is .375 SS round stock", "9.525 x –"),
+        ("MATERIAL 1.75\" 6061 ALUMINUM BARSTOCK", "44.45 x –"),
+        ("MATERIAL 5/8\" 4140 STEEL BARSTOCK", "15.875 x –"),
+        ("MATL: 2.0\" OD, ALUMINUM BAR STOCK", "50.8 x –"),
+        // Which of the two?
+        ("material is .375 or .25 SS round stock", "– x –"),
+    ] {
+        assert_eq!(blank_of(comment, Unit::Inch), expected, "{comment}");
+    }
+}
+
+#[test]
+fn what_names_no_blank() {
+    for comment in [
+        "MATERIAL: AISI 1020 STEEL",
+        "MATERIAL 1018 CRS",
+        "LEAVE .010 STOCK",
+        "FACE STOCK 2MM",
+        "T0101 ROUGH OD STOCK TO D40",
+        "BAR STOCK PULL 40MM",
+        "STOCK PULLER D20",
+        "PERFILAMENTO C/ SOBREMATERIAL D20",
+        "OD: 80mm",
+        "LENGTH: 120mm",
+        "DRILL D20 STOCK",
+        "毛坯余量 φ2",
+        "ROUGH OD R0.8",
+        "X = 24 - 2.4",
+    ] {
+        assert_eq!(blank_of(comment, Unit::Millimetre), "– x –", "{comment}");
+    }
+}
+
+/// Text before the first `%` is a title, which controls skip. It may name the blank.
+#[test]
+fn blanks_in_a_program() {
+    let said = |text: &str| stock(text.as_bytes(), Unit::Millimetre);
+    let both = DescribedStock { diameter: Some(Diameter::new(50.0)), length: Some(80.0) };
+    assert_eq!(said("毛坯 φ50×80\n%\nO1\nG0X1\n"), both);
+    assert_eq!(said("%\nO1\n(毛坯 φ50)\n(BLANK LENGTH 80)\n(BLANK DIA 60)\nG0X1\n"), both);
+    assert_eq!(said("O1\n(STOCK D=65 LENGTH=80)\nG0X1\n"), DescribedStock::default());
+    let inches = stock(b"O1\nG20\n(.75 diameter brass stock)\n", Unit::Millimetre);
+    assert!(inches.diameter.is_some_and(|own| (own.mm() - 19.05).abs() < 1e-9), "{inches:?}");
+}
+
+#[test]
+fn drills_in_words() {
+    for comment in
+        ["FORET PHI12", "Ø12 U drill", "сверло Ф12", "钻头 φ12", "BOHRER Ø12", "DRILL DIA 12", "BROCA Ø12"]
+    {
+        assert_eq!(words(comment, Unit::Millimetre), "drill d12", "{comment}");
+    }
+}
