@@ -142,9 +142,9 @@ signs! {
     /// `%SHAFT,MX,`.
     FagorHead = For(Fagor, 4),
     /// `G68 X Z C … S E`: roughing of the contour between two blocks (Fagor 8055 T, G66, G68, G69).
-    ContourSe = For(Fagor, 4),
+    ContourSe = For(Fagor, 8),
     /// `G81 X Z Q R C L`: turning of a straight section (G81, G82).
-    SectionQrcl = For(Fagor, 4),
+    SectionQrcl = For(Fagor, 6),
     /// `G36 R X Z`: rounding of a corner.
     RoundingG36 = For(Fagor, 2),
 

@@ -132,7 +132,7 @@ fn other_machines_have_words_of_their_own() {
     check("%MPF1005\nN10 G54\nN20 T1 D1 G96 S300 F0.2 M4\nN30 X22 Z1\n", Target::Siemens, "%MPF1005");
     check("%PM\nN9000\nN20 G99 X105 Z1237\nN40 G96 S250 D1600 M39\n", Target::Philips, "%PM");
     let cycle = "G68 X39.8 Z-60 C1 L0.25 M0.1 H0 S310 E350";
-    check(&format!("N10 G90 G95 G96\nN20 {cycle}\nN150 G36 R20 X55 Z-25\n"), Target::Fagor, "G68");
+    check(&format!("N10 G90 G95 G96\nG92 S2000\nN20 {cycle}\nN150 G36 R20 X55 Z-25\n"), Target::Fagor, "G68");
     check("N10 G90\nN20 G81 X50 Z-10 Q80 R-10 C2 L1 M1\n", Target::Fagor, "G81");
     check("$Message \"hello\"\nG0 X40 Z2\n", Target::CncSimulator, "$Message \"hello\"");
 }
