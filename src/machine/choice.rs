@@ -231,10 +231,15 @@ impl Led {
         let facing = |own: &ToolUse| if own.is_inside() { Facing::Inwards } else { Facing::Outwards };
         let mut tracks = vec![Track::new(&positions); uses.len()];
         let mut faces: Vec<(f64, usize)> = Vec::new();
+        let mut roughs_by_facing = false;
         for motion in cuts() {
             let Some(index) = index_of(&motion) else { continue };
             let way = way_of(&motion);
-            let is_facing = motion.cycle.is_some_and(|own| own.cycle == Cycle::RoughFacing);
+            let cycle = motion.cycle.map(|own| own.cycle);
+            if let Some(roughing) = cycle.filter(|&cycle| cycle != Cycle::Finishing) {
+                roughs_by_facing = roughing == Cycle::RoughFacing;
+            }
+            let is_facing = cycle.is_some() && roughs_by_facing;
             let across = (motion.to.z - motion.from.z).abs() <= SAME;
             if is_facing && across && facing(&uses[index]) == Facing::Outwards {
                 // In front of a facing pass nothing higher stays: the contour falls towards the face.

@@ -239,9 +239,14 @@ impl Interpreter {
             }
             return None;
         }
-        let Some((moves, used)) = self.rough(text, block, words, &shape, &contour, &how, code) else {
-            self.contour_alone(block, cycle.cycle(), &shape);
-            return None;
+        let (moves, used) = match self.rough(text, block, words, &shape, &contour, &how, code) {
+            Ok(found) => found,
+            Err(refused) => {
+                if refused == Refused::Contour {
+                    self.contour_alone(block, cycle.cycle(), &shape);
+                }
+                return None;
+            }
         };
         let how = Roughing { shape: used, ..how };
         self.observe(text, Event::Roughing(shape.call(block, words, &contour, &how)));
@@ -260,7 +265,7 @@ impl Interpreter {
         contour: &Contour,
         how: &Roughing,
         code: &'static str,
-    ) -> Option<(Vec<Move>, roughing::Shape)> {
+    ) -> Result<(Vec<Move>, roughing::Shape), Refused> {
         let turning = how.direction == Direction::Turning;
         let (start, first) = (contour.start, contour.first);
         let (second_named, idiom, second_moves) = if turning {
@@ -297,10 +302,10 @@ impl Interpreter {
         }
         if how.shape == roughing::Shape::Pockets && !self.dialect.type_ii {
             self.report(Diagnostic::new(said::ContourTypeTwo { code }, block.words_span()));
-            return None;
+            return Err(Refused::Contour);
         }
         let fault = match moves {
-            Ok(moves) => return Some((moves, how.shape)),
+            Ok(moves) => return Ok((moves, how.shape)),
             Err(fault) => fault,
         };
         let type_two = Roughing { shape: roughing::Shape::Pockets, ..how };
@@ -312,7 +317,7 @@ impl Interpreter {
         let Some(message) = contour_message(fault, code, turning, shape, remedy) else {
             // Found out only after that many moves.
             self.refuse_long_cycle(block, code, most, most);
-            return None;
+            return Err(Refused::Length);
         };
         // At the block of the contour, which is where it can be fixed.
         let place = match fault {
@@ -338,12 +343,12 @@ impl Interpreter {
         }
         if self.dialect.strict {
             self.report(message);
-            return None;
+            return Err(Refused::Contour);
         }
         // Many such programs run: some controls leave the check out, others allow a tolerance.
         let found = self.forgiving(block, contour, shape, &how, most);
         self.report(if found.is_some() { message.graded(Severity::Warning) } else { message });
-        found.map(|moves| (moves, how.shape))
+        found.map(|moves| (moves, how.shape)).ok_or(Refused::Contour)
     }
 
     /// G73.
@@ -499,6 +504,15 @@ impl Interpreter {
         }
         None
     }
+}
+
+/// Why a contour is not roughed; it was reported.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Refused {
+    /// The contour cannot be roughed.
+    Contour,
+    /// It takes too many moves.
+    Length,
 }
 
 /// What can be done about a contour that turns back.
