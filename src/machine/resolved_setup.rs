@@ -70,7 +70,11 @@ impl ResolvedSetup {
             Some((station, offset, ResolvedTool::given(station, for_pitch(station, tool))))
         });
         let inferred_tools = inferred.tools().map(|(station, purpose, tool)| {
-            (station, purpose, ResolvedTool::inferred(station, for_pitch(station, tool)))
+            let mut tool = ResolvedTool::inferred(station, for_pitch(station, tool));
+            if purpose == Purpose::Live {
+                tool.shape.action = Action::Live;
+            }
+            (station, purpose, tool)
         });
         let stock = setup.stock.map(|stock| (stock, Basis::Given));
         let mut given: Vec<_> = given.collect();
