@@ -151,8 +151,16 @@ fn behind_left_out(simulation: &SimulationResult, motions: &Motions) -> Option<D
 pub fn not_shown(resolved: &ResolvedSetup, motions: &Motions) -> impl Iterator<Item = Diagnostic> {
     let has_part = resolved.stock().is_some();
     let elsewhere = motions.cuts_elsewhere().filter(|_| has_part);
-    let elsewhere =
-        elsewhere.map(|(first, cuts)| Diagnostic::new(said::ElsewhereLeftOut { cuts }, motions.span(first)));
+    let elsewhere = elsewhere.map(|(first, cuts)| {
+        let frame_of_first_cut =
+            motions.iter().find(|motion| motion.kind.cuts()).map(|cut| cut.process.frame);
+        // In the frame of the first cut it can only be the other end.
+        let message: Message = match frame_of_first_cut == Some(motions.get(first).process.frame) {
+            true => said::OtherEndLeftOut { cuts }.into(),
+            false => said::ElsewhereLeftOut { cuts }.into(),
+        };
+        Diagnostic::new(message, motions.span(first))
+    });
     let unknown = if has_part { resolved.unknown() } else { &[] };
     let shows_part = resolved.shows_part();
     let unknown = unknown.iter().map(move |&index| {

@@ -324,7 +324,7 @@ pub struct Process {
     pub uncertain: bool,
     /// An earlier block could not be carried out: what is left of the material is not known.
     pub incomplete: bool,
-    /// In another work frame than the first cut, and nobody has said where its zero is: a second
+    /// On the other end of the part, or in another work frame than the first cut whose zero is not given: a second
     /// clamping, or the sub spindle.
     pub elsewhere: bool,
     /// M05 stopped the spindle and nothing is known to turn a tool: a bar puller, a gripper, a stop. Unlike a

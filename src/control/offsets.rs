@@ -56,6 +56,22 @@ pub struct Frames {
     workpiece: Option<Workpiece>,
     /// Zero of the frame in force in that of the workpiece, as far as it is known.
     on_workpiece: Point,
+    /// Whether the other end of the workpiece is machined.
+    side: Side,
+}
+
+/// Which end of the workpiece is machined, as stops and the comments beside them say.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+enum Side {
+    /// The first one.
+    #[default]
+    First,
+    /// The first one, and since the last cut a comment says that the part is turned round.
+    Announced,
+    /// The first one, and the program has stopped since the last cut.
+    Stopped,
+    /// The other one, and nothing is known of its zero.
+    Other,
 }
 
 /// The frame of the workpiece: the one in which it is cut first, as it is then.
@@ -72,6 +88,9 @@ impl Frames {
     #[inline]
     pub fn cut(&mut self) -> bool {
         let is_first = self.workpiece.is_none();
+        if self.side != Side::First && self.side != Side::Other {
+            self.side = Side::First;
+        }
         if is_first {
             self.workpiece = Some(Workpiece { frame: self.active, zero: self.offset() });
         }
@@ -84,10 +103,38 @@ impl Frames {
         self.workpiece.is_none().then_some(own)
     }
 
-    /// Whether the first cut was made in another frame than that in force, and the program does not give the zeros of both.
+    /// Takes in a comment that says that the part is turned round. `true`: the program has stopped for it, and the
+    /// other end is machined from here on.
+    pub fn announce_other_end(&mut self) -> bool {
+        let turns = self.side == Side::Stopped;
+        self.side = match self.side {
+            Side::Stopped | Side::Other => Side::Other,
+            Side::First | Side::Announced => Side::Announced,
+        };
+        turns
+    }
+
+    /// Takes in a stop (M00, M01). `true`: the other end is machined from here on.
+    pub fn stop(&mut self) -> bool {
+        let turns = self.side == Side::Announced;
+        self.side = match self.side {
+            Side::Announced | Side::Other => Side::Other,
+            Side::First | Side::Stopped => Side::Stopped,
+        };
+        turns
+    }
+
+    /// Whether something has been cut.
+    pub fn has_cut(&self) -> bool {
+        self.workpiece.is_some()
+    }
+
+    /// Whether the other end of the workpiece is machined, or the first cut was made in another frame than that in
+    /// force, and the program does not give the zeros of both.
     #[inline]
     pub fn is_elsewhere(&self) -> bool {
-        self.workpiece.is_some_and(|workpiece| !self.is_known(self.active, workpiece))
+        self.side == Side::Other
+            || self.workpiece.is_some_and(|workpiece| !self.is_known(self.active, workpiece))
     }
 
     /// Whether the program says where a frame is on the workpiece.

@@ -7,6 +7,9 @@ use super::{Move, sign};
 use crate::geometry::{Point, SAME};
 use crate::motion::{MotionKind, Step};
 
+/// Greatest offset from the axis, mm, of a drill while the spindle turns: an indexable drill is offset to enlarge the hole.
+pub const OFF_CENTER: f64 = 2.5;
+
 /// How the tool leaves the bottom.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Exit {

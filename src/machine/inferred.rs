@@ -11,16 +11,18 @@
 //!    stopped by M05 (`Process::removes_material`).
 //! 3. The direction of the work: if all cuts go into it towards +Z, everything is seen in a mirror (`evidence`).
 //! 4. The cycle, or the way on the axis, gives the purpose: a hole, a thread, a groove, a contour
-//!    (`tool_use::Purpose`).
-//! 5. How cuts end: a tool that leaves the work outwards turns, one that leaves it inwards bores; one that only
+//!    (`tool_use::Purpose`). A drill may be a little off the axis while the spindle turns. Off the axis a drill or an
+//!    end mill named by a comment is a live tool, and so is a tool that only plunges while C turns between.
+//! 5. The roughing cycle of a contour: G70 finishes on the side from which it was roughed, wherever G70 starts (`finishing`).
+//! 6. How cuts end: a tool that leaves the work outwards turns, one that leaves it inwards bores; one that only
 //!    plunges, in one step or several, grooves or parts off (`tool_use`).
-//! 6. What comments say of the tool, where the motions leave it open (`Setup::described_tools`).
-//! 7. What other tools leave: deep within it, and in a hole that was drilled before, a tool bores; an insert within a
+//! 7. What comments say of the tool, where the motions leave it open (`Setup::described_tools`).
+//! 8. What other tools leave: deep within it, and in a hole that was drilled before, a tool bores; an insert within a
 //!    recess of the face is no larger than the recess.
-//! 8. The contour that all tips make together: of the tools that come into question, the usual one that leaves it
+//! 9. The contour that all tips make together: of the tools that come into question, the usual one that leaves it
 //!    whole (`choice`).
-//! 9. The blank surrounds all cuts (`blank`). A first cut across the whole face is its front. What comments say of its
-//!    size counts where it suits the cuts (`Setup::described_stock`).
+//! 10. The blank surrounds all cuts (`blank`). A first cut across the whole face is its front. What comments say of its
+//!     size counts where it suits the cuts (`Setup::described_stock`).
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -64,7 +66,10 @@ impl InferredSetup {
         let mut tools = tools_of(&uses);
         let mut cuts = Cuts::default();
         for (own, (.., tool)) in uses.iter().zip(&tools) {
-            cuts.add(&own.extents, tool);
+            let is_live = own.purpose == Purpose::Live;
+            // Beside the axis a drill is milled into the blank as any live tool is.
+            let milled = Tool { kind: Some(ToolKind::Endmill), ..Tool::default() };
+            cuts.add(&own.extents, if is_live { &milled } else { tool });
         }
         let front = first_face(&evidence, |motion| {
             let of = |(station, purpose, _): &&(u16, Purpose, Tool)| {

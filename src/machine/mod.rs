@@ -12,6 +12,7 @@ pub mod defaults;
 pub mod detector;
 mod evidence;
 pub mod feature;
+mod finishing;
 pub mod inferred;
 pub mod live_holes;
 mod live_way;

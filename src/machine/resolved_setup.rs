@@ -84,11 +84,12 @@ impl ResolvedSetup {
         let inferred_tools = inferred.tools().map(|(station, purpose, tool)| {
             let tool = ResolvedTool::inferred(station, for_pitch(station, tool));
             let is_unknown = unknown_uses.contains(&(station, purpose));
-            (
-                station,
-                purpose,
-                ResolvedTool { basis: if is_unknown { Basis::Unknown } else { tool.basis }, ..tool },
-            )
+            let mut tool =
+                ResolvedTool { basis: if is_unknown { Basis::Unknown } else { tool.basis }, ..tool };
+            if purpose == Purpose::Live {
+                tool.shape.action = Action::Live;
+            }
+            (station, purpose, tool)
         });
         let stock = setup.stock.map(|stock| (stock, Basis::Given));
         if given.iter().any(|(.., tool)| tool.is_drill()) {

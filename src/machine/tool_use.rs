@@ -7,9 +7,11 @@ use std::collections::BTreeMap;
 
 use super::blank::Extents;
 use super::evidence::Evidence;
+use super::finishing::Finishings;
 use super::tool::BLADE;
+use crate::cycles::drilling::OFF_CENTER;
 use crate::geometry::SAME;
-use crate::motion::{Cycle, CycleFamily, Motion, MotionKind};
+use crate::motion::{Cycle, CycleFamily, Motion, MotionKind, SpindleTurn};
 use crate::setup::stock::deepest_cut;
 use crate::setup::{Side, Stock, Tool, ToolKind};
 use crate::units::Diameter;
@@ -54,6 +56,7 @@ impl Purpose {
         match motion.cycle.map(|step| step.cycle.family()) {
             _ if motion.rotary.is_some() => Self::Live,
             Some(CycleFamily::SideHole) => Self::Live,
+            Some(CycleFamily::FaceHole) if is_off_center_hole(motion) => Self::Hole,
             Some(CycleFamily::FaceHole) if !on_axis => Self::Live,
             Some(CycleFamily::Turning) => Self::Turning,
             Some(CycleFamily::Threading) if of_motion != Self::Hole => Self::Threading,
@@ -101,6 +104,13 @@ pub(super) struct ToolUse {
     pub deepest: f64,
     /// Steepest way into the work behind the tip, radians from the spindle axis: outside and inside.
     slopes: [f64; 2],
+    /// Cuts that can be a hole off the axis: plunges, cuts straight across into the work that a rapid follows,
+    /// and cuts straight along Z that come back the way they went.
+    like_holes: u32,
+    /// Whether all cuts go straight across the axis.
+    is_across: bool,
+    /// Cuts with a spindle that turned before and is stopped now, while something may turn the tool.
+    stopped: u32,
     /// Whether it taps: on the axis, locked to the spindle.
     taps: bool,
     /// Where the last column of pecks is, and how far apart two of one cycle are at most: along Z, or across for
@@ -137,6 +147,10 @@ impl ToolUse {
     ) -> Vec<Self> {
         let mut seen: Vec<ToolUse> = Vec::new();
         let mut before = None;
+        let finishings = Finishings::of(evidence);
+        let mut has_turned = false;
+        // How often C turns at rapid, by station.
+        let mut turns_of_c: BTreeMap<u16, u32> = BTreeMap::new();
         let is_certain = |(_, motion): &(usize, Motion)| !motion.process.uncertain;
         let mut moves = evidence.moves().enumerate().filter(is_certain).peekable();
         while let Some((index, motion)) = moves.next() {
@@ -148,6 +162,10 @@ impl ToolUse {
                 continue;
             }
             let before = before.replace(motion);
+            has_turned |= motion.process.turn != SpindleTurn::Stopped;
+            if motion.rotary.is_some() && !motion.kind.cuts() {
+                *turns_of_c.entry(motion.process.tool.0).or_default() += 1;
+            }
             let counts = motion.kind.cuts() && !motion.process.still;
             if !counts || Clamping::of(&motion) != clamping {
                 continue;
@@ -162,7 +180,9 @@ impl ToolUse {
                     seen.len() - 1
                 }
             };
-            seen[at].look(&motion, before.as_ref(), moves.peek().map(|(_, next)| next));
+            let next = moves.peek().map(|(_, next)| next);
+            seen[at].look(&motion, before.as_ref(), next, finishings.side(index));
+            seen[at].stopped += u32::from(has_turned && motion.process.turn == SpindleTurn::Stopped);
             let across = (motion.to.z - motion.from.z).abs() <= SAME && motion.to.x < motion.from.x - SAME;
             seen[at].dwells |= dwells && across && motion.to.z < -SAME && motion.to.x > 1.0;
         }
@@ -170,6 +190,10 @@ impl ToolUse {
         let stations: Vec<u16> =
             seen.iter().filter(|own| own.purpose != Purpose::Hole).map(|own| own.station).collect();
         seen.retain(|own| own.purpose != Purpose::Hole || own.holes > 0 || !stations.contains(&own.station));
+        for own in &mut seen {
+            let turns_of_c = turns_of_c.get(&own.station).copied().unwrap_or_default();
+            own.purpose = own.purpose_by_words(described_tools.get(&own.station), turns_of_c);
+        }
         // A live cutter that also moves along X or Z alone bores nothing.
         let live: Vec<u16> =
             seen.iter().filter(|own| own.purpose == Purpose::Live).map(|own| own.station).collect();
@@ -216,6 +240,9 @@ impl ToolUse {
             holes: 0,
             deepest: f64::INFINITY,
             slopes: [0.0; 2],
+            like_holes: 0,
+            is_across: true,
+            stopped: 0,
             taps: false,
             column: None,
             columns: 0.0,
@@ -229,7 +256,33 @@ impl ToolUse {
         self.outside < 0 && matches!(self.purpose, Purpose::Turning | Purpose::Threading | Purpose::Grooving)
     }
 
-    fn look(&mut self, motion: &Motion, before: Option<&Motion>, next: Option<&Motion>) {
+    /// The purpose, corrected by comments, the spindle and the C axis: off the axis a drill or an end mill is a live
+    /// tool, and pecks near the axis are those of a drill.
+    fn purpose_by_words(&self, words: Option<&Tool>, turns_of_c: u32) -> Purpose {
+        let kind = words.and_then(|words| words.kind);
+        let is_cutter = kind == Some(ToolKind::Endmill);
+        let is_drill = matches!(kind, Some(ToolKind::Drill | ToolKind::Tap));
+        let all_stopped = self.stopped == self.cuts;
+        // H beside G41 is a turn of C, too: one alone says little.
+        let moves_with_c = turns_of_c > 1 || turns_of_c > 0 && all_stopped;
+        match self.purpose {
+            Purpose::Turning if is_cutter && (self.is_across || moves_with_c || all_stopped) => Purpose::Live,
+            Purpose::Turning if is_drill && self.makes_holes() && (self.is_across || all_stopped) => {
+                Purpose::Live
+            }
+            Purpose::Turning if moves_with_c && self.makes_holes() => Purpose::Live,
+            Purpose::Grooving if self.face && self.extents.behind() <= OFF_CENTER => Purpose::Hole,
+            purpose => purpose,
+        }
+    }
+
+    /// Whether all cuts can be holes off the axis.
+    fn makes_holes(&self) -> bool {
+        self.like_holes >= self.cuts
+    }
+
+    /// `side`: that of the finishing cycle, where it is known.
+    fn look(&mut self, motion: &Motion, before: Option<&Motion>, next: Option<&Motion>, side: Option<i32>) {
         let way = |motion: &Motion| (motion.to.x - motion.from.x, motion.to.z - motion.from.z);
         let (dx, dz) = way(motion);
         self.cuts += 1;
@@ -240,7 +293,7 @@ impl ToolUse {
         let own_next = next.filter(|next| next.process.tool == motion.process.tool);
         self.outside += match motion.cycle.filter(|step| step.cycle == Cycle::Pattern) {
             Some(step) => self.goes_on_in_pattern(step.pass, motion.from.x),
-            None => leaves(motion, self.along, own_next),
+            None => side.unwrap_or_else(|| leaves(motion, self.along, own_next)),
         };
         self.along = if motion.to.z < -SAME { dz } else { 0.0 };
         if dz.abs() > SAME && motion.to.z < -SAME {
@@ -249,13 +302,22 @@ impl ToolUse {
         }
         let cycle = motion.cycle.map(|step| step.cycle);
         self.contour |= cycle.is_some_and(|cycle| cycle.family() == CycleFamily::Contour);
+        let plunges = self.plunges;
         self.look_for_plunge(motion, before, next);
+        let goes_in = dz.abs() <= SAME && dx < -SAME && motion.to.z < -SAME;
+        let is_single = goes_in && next.is_none_or(|next| !next.kind.cuts());
+        self.is_across &= dz.abs() <= SAME;
+        self.like_holes += match self.plunges - plunges {
+            0 => u32::from(is_single || is_along_and_back(motion, before, next)),
+            plunges => plunges,
+        };
         // To the left, or to the right while still on the chuck side of the face.
         let ends_at_shoulder = dx > SAME || (dx.abs() <= SAME && after_x > SAME);
         self.left += u32::from(dz < -SAME);
         self.right += u32::from(dz > SAME && motion.to.z < -SAME && ends_at_shoulder);
         self.down += u32::from(dz > SAME && dx < -SAME);
         let axis = |motion: &Motion| motion.from.x.abs() <= 0.01 && motion.to.x.abs() <= 0.01;
+        self.holes += u32::from(dz < -SAME && is_off_center_hole(motion));
         let drills = !matches!(cycle, None | Some(Cycle::Finishing | Cycle::RoughTurning | Cycle::Pattern));
         self.deepest = self.deepest.min(motion.to.z);
         self.holes += u32::from(dz < -SAME && axis(motion) && (drills || next.is_some_and(axis)));
@@ -336,11 +398,18 @@ impl ToolUse {
         let inside = self.is_inside();
         let side = if inside { Side::Inside } else { Side::Outside };
         match self.purpose {
+            // Holes off the axis; all other work of live tools is milling.
+            Purpose::Live if self.makes_holes() => Tool { kind: Some(ToolKind::Drill), ..Tool::default() },
             Purpose::Live => Tool { kind: Some(ToolKind::Endmill), ..Tool::default() },
             Purpose::Hole => {
                 let kind = if self.taps { ToolKind::Tap } else { ToolKind::Drill };
-                let diameter =
-                    if bore.is_finite() && bore > 0.0 { Some(Diameter::from_radius(bore)) } else { None };
+                // Off the axis it makes a larger hole.
+                let radius = bore - self.extents.behind();
+                let diameter = if radius.is_finite() && radius > 0.0 {
+                    Some(Diameter::from_radius(radius))
+                } else {
+                    None
+                };
                 Tool { kind: Some(kind), diameter, ..Tool::default() }
             }
             Purpose::Threading => {
@@ -388,6 +457,26 @@ impl ToolUse {
         let width = leaves_ridges.then_some(BLADE + RIDGE);
         Tool { kind: Some(ToolKind::Grooving), side: Some(side), width, ..Tool::default() }
     }
+}
+
+/// Whether a motion is one of a hole cycle that a drill in a turning spindle makes a little off the axis, as
+/// indexable drills are set.
+fn is_off_center_hole(motion: &Motion) -> bool {
+    let is_hole = motion
+        .cycle
+        .is_some_and(|step| step.cycle.family() == CycleFamily::FaceHole && step.cycle != Cycle::FaceTapping);
+    let turns = motion.process.turn != SpindleTurn::Stopped && motion.rotary.is_none();
+    is_hole && turns && motion.from.x.abs().max(motion.to.x.abs()) <= OFF_CENTER
+}
+
+/// Whether a cut straight along Z comes back the way it went, or is the way back.
+fn is_along_and_back(motion: &Motion, before: Option<&Motion>, next: Option<&Motion>) -> bool {
+    let along = |motion: &&Motion| (motion.to.x - motion.from.x).abs() <= SAME;
+    let way = |motion: &Motion| motion.to.z - motion.from.z;
+    let goes_back = |first: &Motion, second: &Motion| way(first) < -SAME && way(second) > SAME;
+    along(&motion)
+        && (next.filter(along).is_some_and(|next| goes_back(motion, next))
+            || before.filter(along).is_some_and(|before| before.kind.cuts() && goes_back(before, motion)))
 }
 
 /// Whether a comment says that a tool works in a bore.

@@ -149,6 +149,13 @@ pub fn described(comment: &str, unit: Unit) -> Tool {
     tool
 }
 
+/// Whether a comment says that the part is turned round and the other end machined. In the block of a stop
+/// (`is_at_stop`) the number of the operation says so.
+pub fn turns_round(comment: &str, is_at_stop: bool) -> bool {
+    let text = capitals::in_capitals(comment);
+    terms::turns_round(&text) || is_at_stop && terms::is_second_operation(&text)
+}
+
 /// Puts into the gaps of a tool what another one says, as far as both can be the same tool.
 fn fill(known: &mut Tool, other: &Tool) {
     known.kind = known.kind.or(other.kind);

@@ -60,6 +60,9 @@ impl Interpreter {
             return Flow::Next;
         }
         if block.words.is_empty() {
+            if !block.comments.is_empty() {
+                self.look_for_other_end(text, block, None);
+            }
             // What can only be text moves nothing; anything else that is broken may have been a motion.
             if broken && block.faults.iter().any(|fault| !super::doubts::is_text(fault)) {
                 self.excuse_feed(text, block);
@@ -153,6 +156,9 @@ impl Interpreter {
         }
         if self.state.compensation != Compensation::Off || self.state.compensating.is_some() {
             self.observe(text, Event::CompensatedBlock { block, moved: request.moved });
+        }
+        if request.stop.is_some() || !block.comments.is_empty() {
+            self.look_for_other_end(text, block, request.stop);
         }
         if let Some(kind) = request.stop {
             self.stop(block, kind);

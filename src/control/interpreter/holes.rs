@@ -156,7 +156,10 @@ impl Interpreter {
             request.drop = true;
             return;
         }
-        if turn.is_some() || !face || at.x.abs() > crate::geometry::SAME {
+        let spindle = &self.state.spindle;
+        let turns = spindle.turn != SpindleTurn::Stopped && !spindle.is_held && !self.state.c_axis;
+        let off_center = if turns && !kind.is_tap() { drilling::OFF_CENTER } else { crate::geometry::SAME };
+        if turn.is_some() || !face || at.x.abs() > off_center {
             self.observe(text, Event::Milling { block });
         }
         let hole = drilling::Hole {

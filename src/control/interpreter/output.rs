@@ -7,6 +7,7 @@ use crate::control::modal::PathMove;
 use crate::geometry::Point;
 use crate::message::said;
 use crate::motion::{Motion, MotionKind, Process, Stop, StopKind};
+use crate::setup::tool_words::turns_round;
 use crate::text::block::Block;
 
 impl Interpreter {
@@ -35,6 +36,24 @@ impl Interpreter {
     pub(super) fn push(&mut self, block: &Block, motion: Motion) {
         self.emit(self.path_move(block, motion));
         self.state.position = motion.to;
+    }
+
+    /// Reads what the comments of a block say of turning the part round. `stop`: the block is M00 or M01.
+    #[cold]
+    pub(super) fn look_for_other_end(&mut self, text: &[u8], block: &Block, stop: Option<StopKind>) {
+        if !self.state.frames.has_cut() || self.contours.recorded.is_some() {
+            return;
+        }
+        let is_at_stop = stop == Some(StopKind::Always);
+        let says = block.comments.iter().any(|comment| {
+            turns_round(String::from_utf8_lossy(comment.of(text)).trim_matches(['(', ')']), is_at_stop)
+        });
+        let frames = &mut self.state.frames;
+        let mut turns = stop.is_some() && frames.stop();
+        turns |= says && frames.announce_other_end();
+        if turns {
+            self.state.frames.place_workpiece();
+        }
     }
 
     /// M00, M01: the program stops once all moves before it are made, those that

@@ -78,7 +78,31 @@ pub const KINDS: &[(Form, &str, Option<ToolKind>)] = &[
     (Stem, "ТОЧЕН", Some(Turning)), (Stem, "ТОКАР", Some(Turning)), (Part, "外圆", Some(Turning)), (Part, "外圓", Some(Turning)), (Part, "粗车", Some(Turning)),
     (Part, "精车", Some(Turning)), (Part, "粗車", Some(Turning)), (Part, "精車", Some(Turning)), (Part, "端面", Some(Turning)), (Part, "偏刀", Some(Turning)),
     (Part, "车刀", Some(Turning)), (Part, "車刀", Some(Turning)),
+    // Live tools that nothing else names.
+    (Stem, "LIVE TOOL", Some(Endmill)), (Stem, "DRIVEN TOOL", Some(Endmill)), (Stem, "ПРИВОДН", Some(Endmill)), (Part, "动力刀", Some(Endmill)),
 ];
+
+/// Terms that say that the part is turned round, so that the other end is machined from there on.
+#[rustfmt::skip]
+pub const TURNED_ROUND: &[(Form, &str)] = &[
+    (Stem, "FLIP"), (Word, "TURN PART"), (Word, "TURN THE PART"), (Word, "TURN WORK"), (Word, "TURN AROUND"), (Word, "TURN ROUND"),
+    (Word, "TURN OVER"), (Word, "REVERSE PART"), (Word, "REVERSE THE PART"), (Word, "REVERSE WORK"), (Word, "SECOND SIDE"),
+    (Word, "2ND SIDE"), (Word, "SIDE 2"), (Word, "OTHER SIDE"), (Word, "SECOND END"), (Word, "2ND END"), (Word, "OTHER END"),
+    (Word, "WENDEN"), (Word, "UMSPANNEN"), (Word, "UMDREHEN"), (Word, "ZWEITE SEITE"), (Word, "2. SEITE"), (Word, "2.SEITE"),
+    (Word, "SEITE 2"), (Stem, "RETOURN"), (Stem, "DEUXIÈME CÔT"), (Stem, "DEUXIEME COT"), (Stem, "2EME COT"), (Stem, "2ÈME CÔT"),
+    (Word, "VIRAR"), (Word, "VIRE A"), (Stem, "INVERTER A PE"), (Stem, "INVERTER PE"), (Word, "SEGUNDO LADO"), (Word, "OUTRO LADO"),
+    (Word, "DAR VUELTA"), (Word, "DAR LA VUELTA"), (Stem, "VOLTEAR"), (Word, "OTRO LADO"), (Word, "SEGUNDA CARA"), (Word, "GIRARE"),
+    (Word, "GIRA PEZZO"), (Word, "SECONDO LATO"), (Stem, "ПЕРЕВЕРН"), (Stem, "ПЕРЕВОРОТ"), (Stem, "ПЕРЕУСТАНОВ"), (Stem, "ВТОРАЯ СТОРОН"),
+    (Stem, "2 СТОРОН"), (Stem, "2-Я СТОРОН"), (Stem, "ВТОРОЙ УСТАНОВ"), (Part, "调头"), (Part, "掉头"), (Part, "調頭"), (Part, "掉頭"),
+    (Part, "翻面"), (Part, "反面"), (Part, "第二面"), (Part, "另一端"), (Part, "另一头"),
+];
+
+/// The same as the whole comment of an M00 block: the number of the operation.
+const SECOND_OPERATION: [&str; 6] = ["OP2", "OP 2", "OP20", "OP 20", "2ND OP", "SECOND OP"];
+
+/// What is turned round where it is no part.
+const INSERTS: &[(Form, &str)] =
+    &[(Stem, "INSERT"), (Stem, "TOOL"), (Part, "PLATTE"), (Stem, "ПЛАСТИН"), (Part, "刀片")];
 
 /// Terms and the side of the work they name.
 #[rustfmt::skip]
@@ -106,6 +130,18 @@ const BLADES: &[(&str, Side)] = &[
 pub fn kind(text: &str) -> Option<ToolKind> {
     let bytes = Bytes::of(text);
     KINDS.iter().find(|(form, term, _)| stands(text, &bytes, term, *form)).and_then(|(.., kind)| *kind)
+}
+
+/// Whether a comment says that the part is turned round.
+pub fn turns_round(text: &str) -> bool {
+    let bytes = Bytes::of(text);
+    let has = |terms: &[(Form, &str)]| terms.iter().any(|(form, term)| stands(text, &bytes, term, *form));
+    has(TURNED_ROUND) && !has(INSERTS)
+}
+
+/// Whether a comment names the second operation and nothing else.
+pub fn is_second_operation(text: &str) -> bool {
+    SECOND_OPERATION.contains(&text.trim())
 }
 
 /// The side of the work that a comment names.

@@ -1,0 +1,130 @@
+//! Which side of the work G70 finishes: that of the roughing cycle of the same contour.
+//!
+//! In: the motions. Out: the side of each finishing cycle that follows a roughing cycle of a contour in the same place.
+//! The way to and from the start point of G70 shows nothing: it may be anywhere. Must not know tools.
+
+use std::ops::RangeInclusive;
+
+use super::evidence::Evidence;
+use crate::geometry::{Point, SAME};
+use crate::motion::{Cycle, Motion, Step};
+
+/// Farthest that roughing stays away from the contour, mm: the allowances of U and W.
+const ALLOWANCE: f64 = 3.0;
+
+/// Most roughing cycles that are compared with a finishing cycle.
+const COMPARED: usize = 50;
+
+/// The finishing cycles of a program whose side is known, in order: their motions, and 1 outside, −1 inside.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Finishings(Vec<(RangeInclusive<usize>, i32)>);
+
+impl Finishings {
+    /// Those of a program.
+    pub fn of(evidence: &Evidence) -> Self {
+        let (mut found, mut roughed) = (Vec::new(), Vec::new());
+        let mut call: Option<Call> = None;
+        for (index, motion) in evidence.moves().enumerate() {
+            let own = call.as_mut().filter(|call| call.takes(&motion));
+            match own {
+                Some(call) => call.add(index, &motion),
+                None => {
+                    close(
+                        std::mem::replace(&mut call, Call::begin(index, &motion)),
+                        &mut roughed,
+                        &mut found,
+                    );
+                }
+            }
+        }
+        close(call, &mut roughed, &mut found);
+        Self(found)
+    }
+
+    /// The side of the finishing cycle that a motion belongs to, where it is known.
+    pub fn side(&self, index: usize) -> Option<i32> {
+        let next = self.0.partition_point(|(motions, _)| *motions.end() < index);
+        self.0.get(next).filter(|(motions, _)| motions.contains(&index)).map(|own| own.1)
+    }
+}
+
+/// A call of a cycle under way.
+#[derive(Clone, Copy, Debug)]
+struct Call {
+    cycle: Cycle,
+    first: usize,
+    last: usize,
+    /// Where it begins.
+    start: Point,
+    /// The least and the greatest place of the cuts along the contour.
+    area: Option<[Point; 2]>,
+    pass: u32,
+    is_over: bool,
+}
+
+impl Call {
+    fn begin(index: usize, motion: &Motion) -> Option<Self> {
+        let cycle = motion.cycle?.cycle;
+        if !matches!(cycle, Cycle::Finishing | Cycle::RoughTurning | Cycle::RoughFacing | Cycle::Pattern) {
+            return None;
+        }
+        let start = motion.from;
+        let mut call = Self { cycle, first: index, last: index, start, area: None, pass: 0, is_over: false };
+        call.add(index, motion);
+        Some(call)
+    }
+
+    /// Whether a motion belongs to it: after the way back to the start point the next one begins.
+    fn takes(&self, motion: &Motion) -> bool {
+        !self.is_over && motion.cycle.is_some_and(|step| step.cycle == self.cycle)
+    }
+
+    fn add(&mut self, index: usize, motion: &Motion) {
+        let Some(step) = motion.cycle else { return };
+        self.last = index;
+        self.is_over = step.step == Step::Return && step.pass == 0;
+        if !motion.kind.cuts() {
+            return;
+        }
+        // The passes of G73 come nearer to the contour; those of G71 and G72 are in front of it.
+        if step.cycle == Cycle::Pattern && step.pass != self.pass {
+            (self.pass, self.area) = (step.pass, None);
+        }
+        let (from, to) = (motion.from, motion.to);
+        let [low, high] = self.area.unwrap_or([from, from]);
+        self.area = Some([
+            Point::new(low.x.min(from.x).min(to.x), low.z.min(from.z).min(to.z)),
+            Point::new(high.x.max(from.x).max(to.x), high.z.max(from.z).max(to.z)),
+        ]);
+    }
+}
+
+/// Whether a finishing cycle is where a contour was roughed: it reaches as deep, along the axis and towards the work.
+fn is_same_contour([low, high]: [Point; 2], [own_low, own_high]: [Point; 2], side: i32) -> bool {
+    let near = |a: f64, b: f64| (a - b).abs() <= ALLOWANCE;
+    let deepest = if side > 0 { near(low.x, own_low.x) } else { near(high.x, own_high.x) };
+    deepest && near(low.z, own_low.z)
+}
+
+fn close(
+    call: Option<Call>,
+    roughed: &mut Vec<([Point; 2], i32)>,
+    found: &mut Vec<(RangeInclusive<usize>, i32)>,
+) {
+    let Some(call) = call else { return };
+    let Some(area) = call.area else { return };
+    if call.cycle == Cycle::Finishing {
+        let roughed = roughed.iter().rev().take(COMPARED);
+        if let Some((_, side)) =
+            roughed.copied().find(|&(roughed, side)| is_same_contour(roughed, area, side))
+        {
+            found.push((call.first..=call.last, side));
+        }
+        return;
+    }
+    // The material is between the start point and the contour.
+    let away = call.start.x - (area[0].x + area[1].x) / 2.0;
+    if away.abs() > SAME {
+        roughed.push((area, if away > 0.0 { 1 } else { -1 }));
+    }
+}

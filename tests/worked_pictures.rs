@@ -1,0 +1,157 @@
+//! Parts that the picture shows where the program alone says what is cut: finishing that starts inside the contour, drills beside
+//! the axis, holes of live tools, parts that are turned round. The expected parts are worked out by hand.
+use gcode_playground::machine::SimulationResult;
+use gcode_playground::run::Run;
+use gcode_playground::setup::Setup;
+
+struct Ran {
+    simulation: SimulationResult,
+    told: Vec<&'static str>,
+}
+
+fn run(text: &str) -> Ran {
+    let mut run = Run::new(text.as_bytes().to_vec(), Setup::default());
+    while !run.advance(usize::MAX) {}
+    let mut analysis = run.into_analysis();
+    analysis.check_at_machine();
+    let simulation = SimulationResult::of(&analysis.motions, &analysis.setup);
+    Ran { simulation, told: analysis.diagnostics.iter().map(|told| told.message.slug()).collect() }
+}
+
+impl Ran {
+    /// Diameters between which there is material at each Z, from the axis outwards, to two hundredths.
+    #[track_caller]
+    fn check(&self, expected: &[(f64, &[(f64, f64)])]) {
+        let part = self.simulation.finished().expect("a part");
+        for &(z, diameters) in expected {
+            let found: Vec<_> = part.radii(z).iter().map(|&(low, high)| (2.0 * low, 2.0 * high)).collect();
+            let near = |a: f64, b: f64| (a - b).abs() < 0.02;
+            let same = found.len() == diameters.len()
+                && found.iter().zip(diameters).all(|(a, b)| near(a.0, b.0) && near(a.1, b.1));
+            let stock = self.simulation.resolved_setup().stock();
+            assert!(same, "at Z{z}: {found:?} instead of {diameters:?}, stock {stock:?}");
+        }
+    }
+
+    fn tells(&self, slug: &str) -> bool {
+        self.told.contains(&slug)
+    }
+}
+
+const OUTSIDE: &str = "T0101\nG97S800M3\nG0X52.Z2.\nX40.\nG1Z-30.F.2\nX52.\nG0X100.Z100.\n";
+
+/// The contour is roughed from outside and finished: wherever G70 starts, the bar stays solid.
+#[test]
+fn finishing_is_on_the_side_of_roughing() {
+    let contour = "N10G0X20.\nG1Z-30.\nX38.\nZ-60.\nN20X52.\n";
+    for roughing in [
+        format!("G0X52.Z2.\nG71U1.5R.5\nG71P10Q20U.3W.1F.2\n{contour}"),
+        format!("G0X52.Z2.\nG73U10.W2.R4\nG73P10Q20U.3W.1F.2\n{contour}"),
+    ] {
+        for start in ["X20.Z2.", "X0.Z5.", "X52.Z2."] {
+            let ran = run(&format!(
+                "O1\nG21G99\nT0101\nG97S800M3\n{roughing}G0X100.Z50.\nT0202\nG0{start}\nG70P10Q20F.1\nG0X100.Z50.\nM30\n"
+            ));
+            ran.check(&[(-15.0, &[(0.0, 20.0)]), (-45.0, &[(0.0, 38.0)])]);
+            let stock = ran.simulation.resolved_setup().stock().expect("a blank").0;
+            assert!(stock.bore.mm() == 0.0 && stock.diameter.mm() < 60.0, "{start}: {stock:?}");
+        }
+    }
+    // A bore stays one, though G70 starts at X60.
+    let bore = "G0X18.Z2.\nG71U1.R.5\nG71P10Q20U-.3W.1F.2\nN10G0X40.\nG1Z-20.\nX30.\nZ-40.\nN20X18.\n";
+    for start in ["X18.Z2.", "X60.Z2."] {
+        let ran = run(&format!(
+            "O1\n(STOCK D=70 BORE=18 LENGTH=60)\nG21G99\nT0303\nG97S800M3\n{bore}G0Z50.\nX100.\nT0404\nG0{start}\nG70P10Q20F.1\nG0Z50.\nM30\n"
+        ));
+        ran.check(&[(-10.0, &[(40.0, 70.0)]), (-30.0, &[(30.0, 70.0)]), (-50.0, &[(18.0, 70.0)])]);
+    }
+}
+
+/// A drill of a hole cycle a little off the axis makes a hole on the axis, and the same tool bores it.
+#[test]
+fn an_indexable_drill_off_the_axis_makes_a_hole() {
+    for hole in ["G83X1.8Z-25.R2.Q5000F.05\nG80\n", "G74R.5\nG74Z-25.Q5000F.05\n"] {
+        let ran = run(&format!(
+            "O1\nG21G99\n{OUTSIDE}T0707\nG97S1700M3\nG0X1.8Z5.\n{hole}G0Z5.\nG0X30.Z2.\nG1Z-20.F.1\nG0X20.\nZ100.\nM30\n"
+        ));
+        ran.check(&[(-10.0, &[(30.0, 40.0)])]);
+        let bottom = ran.simulation.finished().expect("a part").radii(-24.0);
+        assert!(bottom.len() == 1 && bottom[0].0 > 0.0, "{bottom:?}");
+        assert!(!ran.tells("live-tool-stopped"), "{:?}", ran.told);
+    }
+    // Farther from the axis it is a live tool.
+    let beside = run(&format!(
+        "O1\nG21G99\n{OUTSIDE}T0707\nG97S1700M3\nG0X20.Z5.\nG83X20.Z-25.R2.Q5000F.05\nG80\nG0Z5.\nM30\n"
+    ));
+    beside.check(&[(-10.0, &[(0.0, 40.0)])]);
+    assert!(beside.tells("live-tool-stopped"), "{:?}", beside.told);
+}
+
+/// Holes that a live tool drills beside the axis leave no ring: with G01 along X or Z, named by words or shown by C.
+#[test]
+fn holes_of_live_tools_leave_no_ring() {
+    let radial = "G0Z-20.X60.\nC0\nG1X30.F.1\nG0X60.\nC180.\nG1X30.F.1\nG0X60.\n";
+    let last_diagonal = "G0Z-20.X60.\nG1X30.F.1\nG0X60.\nZ-20.\nG1X30.F.1\n";
+    let slot = "G0Z-20.X60.\nC90.\nG1X34.F.1\nZ-15.\nX60.\n";
+    let axial = "G0X24.Z2.\nC0\nG1Z-10.F.1\nG0Z2.\nC180.\nG1Z-10.F.1\nG0Z2.\n";
+    for (tool, way) in [
+        ("T0606(LIVE DRILL 8MM)", radial),
+        ("T0606(DRILL D8)", radial),
+        ("T0606(DRILL D8)", last_diagonal),
+        ("T0606(FRESA D8)", slot),
+        ("T0606(ENDMILL D8)", radial),
+        ("T0606", radial),
+        ("T0606(LIVE DRILL 8MM)", axial),
+        ("T0606", axial),
+    ] {
+        let ran = run(&format!("O1\nG21G99\n{OUTSIDE}M5\n{tool}\nG97S2500M13\n{way}G0X100.Z100.\nM5\nM30\n"));
+        ran.check(&[(-5.0, &[(0.0, 40.0)]), (-18.5, &[(0.0, 40.0)]), (-20.5, &[(0.0, 40.0)])]);
+    }
+    // The same way in a turning spindle, without C and words, is a groove of 3 mm.
+    let groove =
+        run(&format!("O1\nG21G99\n{OUTSIDE}T0606\nG97S500M3\nG0Z-20.X60.\nG1X30.F.1\nG0X60.\nG0Z50.\nM30\n"));
+    groove.check(&[(-18.5, &[(0.0, 30.0)])]);
+}
+
+/// What follows a stop at which the part is turned round is the other end: said, and not cut into the first end.
+#[test]
+fn the_other_end_is_not_cut_into_the_first() {
+    let second = "T0101\nG97S800M3\nG0X30.Z2.\nG1Z-12.F.2\nX52.\nG0X100.Z100.\nM30\n";
+    let first: &[(f64, &[(f64, f64)])] = &[(-6.0, &[(0.0, 40.0)]), (-20.0, &[(0.0, 40.0)])];
+    for stop in [
+        "M5\nM00(FLIP PART)\n",
+        "M0 (TURN PART AROUND)\n",
+        "(FLIP PART)\nG28U0W0\nM00\n",
+        "M00\n\n(SECOND SIDE)\n",
+        "M01 (FLIP)\n",
+        "M00 (OP20)\n",
+        "M00 (wenden)\n",
+        "M00 (TEIL UMSPANNEN)\n",
+        "M00 (调头)\n",
+        "M00 (掉头装夹)\n",
+        "M00 (Перевернуть деталь)\n",
+        "M00 (retourner la piece)\n",
+        "M00 (virar a peça)\n",
+        "M00 (dar vuelta la pieza)\n",
+    ] {
+        let ran = run(&format!("O1\nG21G99\n{OUTSIDE}{stop}{second}"));
+        ran.check(first);
+        assert!(ran.tells("work-zero-unknown"), "{stop}: {:?}", ran.told);
+    }
+    // Another step on the same end.
+    for stop in [
+        "M00\n",
+        "M01 (OP2 FINISH)\n",
+        "M00\n(OP 2, FINISHING)\n",
+        "M00 (CHECK SIZE)\n",
+        "M00 (FLIP INSERT)\n",
+        "(TURN PART)\nG1X60.F.2\nM00\n",
+        "(FLIP PART AFTERWARDS)\n",
+    ] {
+        let ran = run(&format!("O1\nG21G99\n{OUTSIDE}{stop}{second}"));
+        ran.check(&[(-6.0, &[(0.0, 30.0)]), (-20.0, &[(0.0, 40.0)])]);
+        assert!(!ran.tells("work-zero-unknown"), "{stop}: {:?}", ran.told);
+    }
+    // What is said before the first cut is of this program.
+    run(&format!("O1\nG21G99\nM00(SECOND SIDE)\n{OUTSIDE}M30\n")).check(&[(-20.0, &[(0.0, 40.0)])]);
+}
