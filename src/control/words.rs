@@ -109,7 +109,7 @@ impl<'b> Words<'b> {
     }
 }
 
-/// The text of a word as it was meant: without blanks, with digits for the letters that stand for them, and with a point for a comma.
+/// The intended text of a word: without blanks, with digits for the letters that stand for them, and with a point for a comma.
 pub fn as_meant(text: &[u8], span: Span) -> String {
     let written = quote(text, span);
     match misread::read(written.as_bytes(), 0) {

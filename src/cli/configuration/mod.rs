@@ -194,7 +194,7 @@ impl<'a> Configurations<'a> {
         read
     }
 
-    /// The folders with the subprograms of a program: its own, those of the options, those of the configuration.
+    /// The folders in which subprograms are searched for: the folder of the program, then `--library`, then the key `library`.
     pub(super) fn libraries(&self, file: &Path) -> Result<Vec<PathBuf>, String> {
         let own = if file == Path::new("-") { None } else { absolute(file).parent().map(Path::to_owned) };
         let mut folders: Vec<_> = own.into_iter().chain(self.with.library.iter().cloned()).collect();

@@ -40,7 +40,7 @@ pub(in crate::cli) fn read(file: &Path, most: u64) -> io::Result<Vec<u8>> {
     Ok(bytes)
 }
 
-/// The first bytes of a file, at most so many, to see what it is: it does not count as one that was read.
+/// The first bytes of a file, at most `most`, to see whether it is a program: the file does not count as read.
 pub(in crate::cli) fn peek(file: &Path, most: u64) -> io::Result<Vec<u8>> {
     host::read_head(file, most)
 }

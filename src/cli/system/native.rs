@@ -42,7 +42,7 @@ pub(super) fn read(file: &Path, most: u64) -> io::Result<Vec<u8>> {
     within(opened, most)
 }
 
-/// Reads the first bytes of a file, at most so many.
+/// Reads the first bytes of a file, at most `most`.
 pub(super) fn read_head(file: &Path, most: u64) -> io::Result<Vec<u8>> {
     let mut bytes = Vec::new();
     File::open(file)?.take(most).read_to_end(&mut bytes)?;

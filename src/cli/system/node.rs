@@ -80,7 +80,7 @@ pub(super) fn read(file: &Path, most: u64) -> io::Result<Vec<u8>> {
     readFile(&text(file), most as f64).map_err(error)
 }
 
-/// Reads the first bytes of a file, at most so many.
+/// Reads the first bytes of a file, at most `most`.
 pub(super) fn read_head(file: &Path, most: u64) -> io::Result<Vec<u8>> {
     readHead(&text(file), most as f64).map_err(error)
 }
