@@ -44,7 +44,10 @@ fn cycles_of_far_too_many_passes_are_refused_at_once() {
             case.name,
             codes(&analysis)
         );
-        assert_eq!(analysis.motions.len(), 1, "{}", case.name);
+        // Its contour at most is drawn, as uncertain.
+        assert!(analysis.motions.len() <= 10, "{}", case.name);
+        let certain = analysis.motions.iter().filter(|motion| !motion.process.uncertain).count();
+        assert_eq!(certain, 1, "{}", case.name);
     }
 }
 
