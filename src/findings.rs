@@ -9,6 +9,7 @@ use crate::machine::danger::{Axis, Danger, Finding};
 use crate::machine::removal::{Removal, Unusual};
 use crate::machine::resolved_setup::{Basis, ResolvedSetup};
 use crate::machine::thread_run_out::ShortRunOut;
+use crate::machine::turned_material::rapids_into_it;
 use crate::machine::{SimulationLimit, SimulationResult};
 use crate::message::{Diagnostic, Levels, Message, Severity, said};
 use crate::motion::{Feed, Motions, Process, SpindleSpeed};
@@ -41,7 +42,7 @@ pub fn diagnostics(
         Diagnostic::new(message, Span::new(0, 0))
     }));
     told.extend(behind_left_out(simulation, motions));
-    told.extend(not_shown(simulation.resolved_setup(), motions));
+    told.extend(without_simulation(simulation.resolved_setup(), motions));
     for finding in simulation.findings() {
         let is_feed = matches!(finding.danger, Danger::FastFeed { .. });
         let motion = if is_feed { feed_begins(motions, finding.motion) } else { finding.motion };
@@ -146,9 +147,18 @@ fn behind_left_out(simulation: &SimulationResult, motions: &Motions) -> Option<D
     (cuts > 0 || looked_for).then(|| Diagnostic::new(message, motions.span(first)))
 }
 
+/// The messages that need no simulation: cuts and tools that are left out of the part, and rapids into turned surfaces
+/// where the blank is inferred.
+pub fn without_simulation(resolved: &ResolvedSetup, motions: &Motions) -> Vec<Diagnostic> {
+    let rapids = rapids_into_it(motions, resolved);
+    let rapids =
+        rapids.iter().map(|finding| Diagnostic::new(message(finding, motions), motions.span(finding.motion)));
+    not_shown(resolved, motions).chain(rapids).collect()
+}
+
 /// What the part is not made of: cuts in a work frame whose zero nobody gave, reported at the first; and each
 /// tool that is not known, and each drill whose diameter is not, at its first cut. Nothing where no part could be shown anyway.
-pub fn not_shown(resolved: &ResolvedSetup, motions: &Motions) -> impl Iterator<Item = Diagnostic> {
+fn not_shown(resolved: &ResolvedSetup, motions: &Motions) -> impl Iterator<Item = Diagnostic> {
     let has_part = resolved.stock().is_some();
     let elsewhere = motions.cuts_elsewhere().filter(|_| has_part);
     let elsewhere = elsewhere.map(|(first, cuts)| {

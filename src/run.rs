@@ -83,10 +83,10 @@ impl Analysis {
                 findings::diagnostics(&simulation, &self.motions, &self.setup.rules, &self.diagnostics);
             self.diagnostics.extend(found.into_iter().map(|found| found.in_unit(self.unit)));
         } else {
-            let left_out = findings::not_shown(self.resolved_setup(), &self.motions);
-            let left_out: Vec<_> =
-                left_out.filter_map(|diagnostic| self.setup.rules.graded(diagnostic)).collect();
-            self.diagnostics.extend(left_out.into_iter().map(|found| found.in_unit(self.unit)));
+            let found = findings::without_simulation(self.resolved_setup(), &self.motions);
+            let rules = &self.setup.rules;
+            let found = found.into_iter().filter_map(|found| rules.graded(found));
+            self.diagnostics.extend(found.map(|found| found.in_unit(self.unit)));
         }
         sort_by_place(&mut self.diagnostics);
     }

@@ -155,3 +155,58 @@ fn the_other_end_is_not_cut_into_the_first() {
     // What is said before the first cut is of this program.
     run(&format!("O1\nG21G99\nM00(SECOND SIDE)\n{OUTSIDE}M30\n")).check(&[(-20.0, &[(0.0, 40.0)])]);
 }
+
+/// A rapid into a surface that the program has turned is reported though the blank is inferred: ⌀44 is there from Z-50 to Z-70,
+/// whatever the bar was.
+#[test]
+fn a_rapid_into_a_turned_surface_is_reported() {
+    let shaft =
+        "O1\nG21G99\nT0101\nG97S800M3\nG0X52.Z2.\nX36.\nG1Z-50.F.2\nX44.\nZ-70.\nX52.\nG0X100.Z100.\n";
+    let blade = "T0303\nG97S600M3\nG0X40.Z-40.\nG1X30.F.05\n";
+    for (way, is_reported) in [
+        // Along the groove's side into the step.
+        ("G0X37.\nZ-56.\nX100.\n", true),
+        // Straight in.
+        ("G0X50.\nZ-60.\nX40.\nX100.\n", true),
+        // Above the step.
+        ("G0X46.\nZ-56.\nX100.\n", false),
+        ("G0X37.\nZ-45.\nX100.\n", false),
+        ("G0X100.\nZ-56.\nX45.\n", false),
+        // On the chuck side of all cuts the bar may be thinner.
+        ("G0X60.\nZ-90.\nX40.\nX100.\n", false),
+        // Another part may be in the chuck.
+        ("G0X100.\nM00\nX37.Z-40.\nZ-56.\nX100.\n", false),
+        // Into the groove that was cut, and out of it.
+        ("G0X50.\nX31.\nX100.\n", false),
+    ] {
+        let ran = run(&format!("{shaft}{blade}{way}G0X100.Z100.\nM30\n"));
+        assert_eq!(ran.tells("rapid-through-stock"), is_reported, "{way}: {:?}", ran.told);
+    }
+    // Between two turned stretches, from the back one into the wall where the front one ends.
+    let between = |way: &str| {
+        format!(
+            "O1\nG21G99\nT0505\nG97S800M3\nG0X92.Z8.\nG1X78.F.2\nZ-18.\nX84.\nG0X96.\nZ-42.\nG1X74.\nZ-58.\n{way}M30\n"
+        )
+    };
+    assert!(run(&between("G0X120.Z120.\n")).tells("rapid-through-stock"));
+    assert!(!run(&between("G0X120.\nZ120.\n")).tells("rapid-through-stock"));
+    // Into a fillet: at Z-53 it has a diameter of 44 - 2√7 = 38.7.
+    let fillet = |z: &str| {
+        format!(
+            "O1\nG21G99\nT0101\nG97S800M3\nG0X52.Z2.\nX36.\nG1Z-50.F.2\nG2X44.Z-54.R4.\nG1Z-70.\nX52.\nG0X100.Z100.\nX36.Z-46.\nZ{z}\nX100.\nM30\n"
+        )
+    };
+    assert!(run(&fillet("-54.")).tells("rapid-through-stock"));
+    assert!(!run(&fillet("-50.5")).tells("rapid-through-stock"));
+    // The first passes of G73 are outside of the bar: the wall at Z-36 is one from ⌀24 to ⌀30.
+    let pattern = "O1\nG21G40G98\nT0100\nM3S1000\nG0X60.Z100.\nG73U6.W0R3F100\nG73P10Q20U0.5W0\nN10G0X12.Z10.\nG1Z0\nX24.Z-10.\nZ-36.\nN20G0X30.\nG70P10Q20F50\nG0X60.Z100.\nT0303\nG0X27.Z-38.\nG1X2.F20\nG0X46.\nZ150.\nM30\n";
+    assert!(!run(pattern).tells("rapid-through-stock"));
+    // Through the wall at the end, 1 mm deep.
+    let end = |z: &str| {
+        format!(
+            "O1\nG21G99\nT0404\nG97S800M3\nG0X15.Z1.\nG1Z-52.F.2\nX22.\nG0Z50.\nT0808\nG0X15.Z3.\nZ{z}\nG1X10.F.1\nG0X50.\nM30\n"
+        )
+    };
+    assert!(run(&end("-53.")).tells("rapid-through-stock"));
+    assert!(!run(&end("-52.")).tells("rapid-through-stock"));
+}

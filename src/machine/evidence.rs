@@ -33,6 +33,11 @@ impl<'a> Evidence<'a> {
         Self { is_mirrored: can_be && evidence.is_towards_positive_z(), ..evidence }
     }
 
+    /// Whether Z is mirrored.
+    pub fn is_mirrored(&self) -> bool {
+        self.is_mirrored
+    }
+
     /// The motions.
     pub fn moves(&self) -> impl Iterator<Item = Motion> + 'a {
         let is_mirrored = self.is_mirrored;

@@ -28,6 +28,7 @@ pub mod thread_point;
 pub mod thread_run_out;
 pub mod tool;
 mod tool_use;
+pub mod turned_material;
 mod z_positions;
 
 use crate::limits::Limits;

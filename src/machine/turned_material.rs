@@ -1,0 +1,295 @@
+//! Rapids into material that is there whatever the blank was: below the surfaces that the program itself has turned.
+//!
+//! In: the motions of a program whose blank is inferred, and its tools. Out: the rapids whose tip is led into such
+//! material. Only tips that work outside count: of a bore and of what a drill leaves less is known. After a stop, a
+//! parting cut and a cut that is not known, nothing is certain any more. Must not know messages.
+
+use super::danger::{Danger, Finding};
+use super::evidence::Evidence;
+use super::resolved_setup::{Basis, ResolvedSetup, ResolvedTool};
+use crate::geometry::{Point, SAME};
+use crate::limits::INFERRED_FROM;
+use crate::motion::{Cycle, Motion, MotionKind, Motions, StopKind};
+use crate::setup::{Side, Stock, ToolKind};
+
+/// Into how many places along Z the blank is divided.
+const PLACES: usize = 1000;
+
+/// Most places that are looked at; beyond, nothing more is found.
+const MOST_WORK: usize = 20_000_000;
+
+/// How deep below a surface the tip must be, and how far beyond a wall, mm: more than a nose radius leaves.
+const DEEP: f64 = 0.5;
+
+/// Below a surface material is certain to this depth, mm: within, the work may be hollow.
+const THICK: f64 = 5.0;
+
+/// On the chuck side of the last wall material is certain over this length, mm.
+const BEHIND: f64 = 5.0;
+
+/// A cut no farther below the outside of the inferred blank than this, mm, may be in the air.
+const SKIN: f64 = 0.5;
+
+/// A cut across that ends nearer to the axis than this, mm, parts off what is in front of it.
+const TO_AXIS: f64 = 1.0;
+
+/// A tool that plunges clears no more than this beside its tip, mm: which corner is led is not known.
+const WIDEST: f64 = 6.0;
+
+/// The rapids into turned material, in order; none where the blank is given.
+pub fn rapids_into_it(motions: &Motions, resolved: &ResolvedSetup) -> Vec<Finding> {
+    let Some((stock, Basis::Inferred)) = resolved.stock() else { return Vec::new() };
+    if !resolved.unknown().is_empty() || Evidence::of(motions, None).is_mirrored() {
+        return Vec::new();
+    }
+    let stops = motions.stops(0..motions.len()).filter(|(_, stop)| stop.kind == StopKind::Always);
+    let mut stops = stops.map(|(index, _)| index).peekable();
+    let mut material = TurnedMaterial::new(stock);
+    let mut found = Vec::new();
+    let moves = motions.on_workpiece().take(INFERRED_FROM).map(Motion::on_positive_side);
+    for (index, motion) in moves.enumerate() {
+        while stops.next_if(|&stop| stop <= index).is_some() {
+            material.lose();
+        }
+        if motion.kind == MotionKind::Dwell {
+            continue;
+        }
+        if let Some(at) = material.next(&motion, resolved.tool(&motion)) {
+            found.push(Finding { motion: index, at, danger: Danger::RapidThroughStock });
+            // What follows is a consequence.
+            material.lose();
+        }
+    }
+    found
+}
+
+/// The surfaces that a program has turned so far.
+#[derive(Clone, Debug)]
+struct TurnedMaterial {
+    stock: Stock,
+    /// Least radius of the cuts at each place, mm, from the back on; infinite where there is none.
+    turned: Vec<f64>,
+    /// Half the height of a wall from which material goes on towards −Z, as a radius, mm; 0 where there is none. The
+    /// upper half may be the way out of the work.
+    walls: Vec<f64>,
+    /// Radius up to which material is certain; worked out again after a cut.
+    certain: Option<Vec<f64>>,
+    /// The motion before is a cut along the work.
+    follows_cut: bool,
+    station: Option<u16>,
+    /// Axes whose place is not known, X and Z: the tool was changed near the work, and they have not moved since.
+    unknown: [bool; 2],
+    work: usize,
+}
+
+impl TurnedMaterial {
+    fn new(stock: Stock) -> Self {
+        Self {
+            stock,
+            turned: vec![f64::INFINITY; PLACES],
+            walls: vec![0.0; PLACES],
+            certain: None,
+            follows_cut: false,
+            station: None,
+            unknown: [false; 2],
+            work: 0,
+        }
+    }
+
+    /// Nothing is certain any more.
+    fn lose(&mut self) {
+        self.turned.fill(f64::INFINITY);
+        self.walls.fill(0.0);
+        self.certain = None;
+    }
+
+    /// Takes in the next motion. Returns where a rapid first meets certain material.
+    fn next(&mut self, motion: &Motion, tool: &ResolvedTool) -> Option<Point> {
+        let follows_cut = std::mem::take(&mut self.follows_cut);
+        let station = motion.process.tool.0;
+        if self.station.replace(station).is_some_and(|last| last != station) && self.is_near(motion.from) {
+            self.unknown = [true; 2];
+        }
+        let comes_from_elsewhere = self.unknown != [false; 2];
+        self.unknown[0] &= (motion.to.x - motion.from.x).abs() <= SAME;
+        self.unknown[1] &= (motion.to.z - motion.from.z).abs() <= SAME;
+        let is_placed = self.unknown == [false; 2];
+        if !motion.process.removes_material() || motion.process.incomplete {
+            if motion.kind.cuts() {
+                self.lose();
+            }
+            return None;
+        }
+        let is_turning = matches!(tool.tool.kind, Some(ToolKind::Turning | ToolKind::Grooving));
+        let is_outside = is_turning && tool.tool.working_side() == Side::Outside && !tool.is_live_in(motion);
+        if self.work >= MOST_WORK {
+            return None;
+        }
+        if motion.kind.cuts() {
+            self.cut(motion, is_outside, follows_cut);
+            return None;
+        }
+        let is_looked_at = is_outside && motion.cycle.is_none() && is_placed;
+        is_looked_at.then(|| self.meets(motion, comes_from_elsewhere)).flatten()
+    }
+
+    fn is_near(&self, at: Point) -> bool {
+        at.x < self.stock.diameter.radius() + 1.0 && at.z < self.stock.face + 1.0
+    }
+
+    /// Length of a place, mm.
+    fn step(&self) -> f64 {
+        self.stock.length / PLACES as f64
+    }
+
+    /// The places that lie within a stretch of Z.
+    fn places(&self, low: f64, high: f64) -> std::ops::Range<usize> {
+        let at = |z: f64| ((z - self.stock.back()) / self.step()).clamp(0.0, PLACES as f64);
+        let (first, last) = ((at(low) - SAME).ceil() as usize, (at(high) + SAME).floor() as usize);
+        first..last.max(first)
+    }
+
+    fn cut(&mut self, motion: &Motion, is_outside: bool, follows_cut: bool) {
+        let (from, to) = (motion.from, motion.to);
+        let (low, high) = (from.z.min(to.z), from.z.max(to.z));
+        if high - low <= SAME {
+            self.cut_across(motion, is_outside, follows_cut);
+            return;
+        }
+        if !is_outside || motion.kind == MotionKind::Thread {
+            return;
+        }
+        self.follows_cut = low < self.stock.face - SAME;
+        let (places, step) = (self.places(low, high), self.step());
+        self.work += places.len();
+        self.certain = None;
+        let (back, outside) = (self.stock.back(), self.stock.diameter.radius() - SKIN);
+        for place in places {
+            let z = back + place as f64 * step;
+            let x = radius_at(motion, z).min(radius_at(motion, z + step));
+            if x <= outside {
+                self.turned[place] = self.turned[place].min(x);
+            }
+        }
+    }
+
+    /// A cut straight across the axis: it parts off, leaves a wall, or makes a groove.
+    fn cut_across(&mut self, motion: &Motion, is_outside: bool, follows_cut: bool) {
+        let (from, to) = (motion.from, motion.to);
+        let least = from.x.min(to.x);
+        if least <= TO_AXIS {
+            for place in self.places(to.z - WIDEST, self.stock.face) {
+                (self.turned[place], self.walls[place]) = (f64::INFINITY, 0.0);
+            }
+        } else if is_outside && to.x > from.x {
+            // The first passes of G73 may be in the air.
+            let is_pattern = motion.cycle.is_some_and(|step| step.cycle == Cycle::Pattern);
+            if !follows_cut || is_pattern {
+                return;
+            }
+            let half = (from.x + to.x.min(self.stock.diameter.radius())) / 2.0;
+            if let Some(place) = self.places(to.z - BEHIND, to.z).last() {
+                let wall = &mut self.walls[place];
+                *wall = if *wall > 0.0 { wall.min(half) } else { half };
+            }
+        } else if is_outside && to.x < from.x {
+            let places = self.places(to.z - WIDEST, to.z + WIDEST);
+            self.work += places.len();
+            for place in places {
+                self.turned[place] = self.turned[place].min(least);
+            }
+        }
+        self.certain = None;
+    }
+
+    /// Where the tip of a rapid is first within certain material. `only_end`: where it begins is not known.
+    fn meets(&mut self, motion: &Motion, only_end: bool) -> Option<Point> {
+        let (from, to) = (motion.from, motion.to);
+        let (low, high) = (from.z.min(to.z), from.z.max(to.z));
+        if from.x.min(to.x) >= self.stock.diameter.radius() || low >= self.stock.face {
+            return None;
+        }
+        if self.certain.is_none() {
+            self.work += PLACES;
+            self.certain = Some(self.certain_radii());
+        }
+        let certain = self.certain.as_ref()?;
+        let is_within = |at: Point, place: usize| {
+            certain.get(place).is_some_and(|&radius| (radius - THICK..radius).contains(&at.x))
+        };
+        let place_of = |z: f64| ((z - self.stock.back()) / self.step()).max(0.0) as usize;
+        if only_end {
+            return is_within(to, place_of(to.z)).then_some(to);
+        }
+        // The tool is there already: what was taken for material is none.
+        if is_within(from, place_of(from.z)) {
+            return None;
+        }
+        if high - low <= self.step() {
+            let radius = *certain.get(place_of(to.z))?;
+            let goes_in = radius > 0.0 && from.x >= radius && to.x < radius;
+            return goes_in.then(|| Point::new(radius, to.z));
+        }
+        let (places, step, back) = (self.places(low, high), self.step(), self.stock.back());
+        self.work += places.len();
+        let at = |place: usize| {
+            let z = back + (place as f64 + 0.5) * step;
+            Point::new(from.x + (z - from.z) / (to.z - from.z) * (to.x - from.x), z)
+        };
+        let hit = |&place: &usize| is_within(at(place), place);
+        let place = if to.z < from.z { places.rev().find(hit) } else { places.into_iter().find(hit) };
+        place.map(at)
+    }
+
+    /// The radius up to which material is certain at each place: below what was turned there, and between two turned
+    /// stretches below the lower one, or below the middle of the wall where the front one ends.
+    fn certain_radii(&self) -> Vec<f64> {
+        let mut radii = vec![0.0; PLACES];
+        // Radius of the next turned place towards −Z.
+        let mut behind = vec![0.0; PLACES];
+        let mut last = 0.0;
+        for (own, &turned) in behind.iter_mut().zip(&self.turned) {
+            *own = last;
+            if turned.is_finite() {
+                last = turned;
+            }
+        }
+        let (mut front, mut wall, mut length) = (0.0, 0.0, 0.0);
+        for place in (0..PLACES).rev() {
+            if self.turned[place].is_finite() {
+                (front, wall, length) = (self.turned[place], 0.0, 0.0);
+                radii[place] = front;
+                continue;
+            }
+            wall = f64::max(wall, self.walls[place]);
+            length += self.step();
+            radii[place] = match wall > 0.0 {
+                true if behind[place] > 0.0 || length <= BEHIND => wall,
+                true => 0.0,
+                false => f64::min(front, behind[place]),
+            };
+        }
+        // A nose radius leaves material beside a wall.
+        let reach = (DEEP / self.step()).ceil() as usize;
+        let near = |place: usize| &radii[place.saturating_sub(reach)..(place + reach + 1).min(PLACES)];
+        let lowest = |place: usize| near(place).iter().copied().fold(f64::INFINITY, f64::min);
+        (0..PLACES).map(|place| lowest(place) - DEEP).collect()
+    }
+}
+
+/// The radius of a cut that goes along Z at a place, mm.
+fn radius_at(motion: &Motion, z: f64) -> f64 {
+    let (from, to) = (motion.from, motion.to);
+    let Some(arc) = motion.arc() else {
+        return from.x + (z - from.z) / (to.z - from.z) * (to.x - from.x);
+    };
+    let aside = (arc.radius().powi(2) - (z - arc.center.z).powi(2)).max(0.0).sqrt();
+    let (least, greatest) = (from.x.min(to.x), from.x.max(to.x));
+    if least >= arc.center.x - SAME {
+        arc.center.x + aside
+    } else if greatest <= arc.center.x + SAME {
+        arc.center.x - aside
+    } else {
+        least.min(arc.center.x - arc.radius())
+    }
+}
