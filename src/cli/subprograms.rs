@@ -1,4 +1,4 @@
-//! Subprograms in files of their own: `M98 P2000` where `O2000.nc` is in the folder of the program or in a library.
+//! Subprograms in separate files: `M98 P2000` calls `O2000.nc` in the folder of the program or in a library.
 //!
 //! In: a program and folders. Out: the program, then the subprograms that it calls and does not contain, each once, as a
 //! control has them all in its memory. Must not know what is done with the program.
@@ -31,7 +31,7 @@ pub(super) struct Joined {
     pub own: usize,
 }
 
-/// Puts the subprograms after a program, of at most `most` bytes together; nothing where none is missing or found.
+/// Appends the subprograms to a program, at most `most` bytes in all; `None` if none is missing or found.
 pub(super) fn join(text: &[u8], folders: &[PathBuf], most: usize) -> Option<Joined> {
     if !may_call(text) {
         return None;

@@ -109,7 +109,7 @@ impl<'b> Words<'b> {
     }
 }
 
-/// The intended text of a word: without blanks, with digits for the letters that stand for them, and with a point for a comma.
+/// The intended text of a word: no blanks, digits instead of letters that look alike, a point instead of a comma.
 pub fn as_meant(text: &[u8], span: Span) -> String {
     let written = quote(text, span);
     match misread::read(written.as_bytes(), 0) {

@@ -20,7 +20,7 @@ const COMPARED: usize = 50;
 pub(super) struct Finishings(Vec<(RangeInclusive<usize>, i32)>);
 
 impl Finishings {
-    /// Those of a program.
+    /// Finds the finishing cycles of a program.
     pub fn of(evidence: &Evidence) -> Self {
         let (mut found, mut roughed) = (Vec::new(), Vec::new());
         let mut call: Option<Call> = None;
@@ -86,7 +86,7 @@ impl Call {
         if !motion.kind.cuts() {
             return;
         }
-        // The passes of G73 come nearer to the contour; those of G71 and G72 are in front of it.
+        // The passes of G73 approach the contour; the area of each pass replaces that of the last one.
         if step.cycle == Cycle::Pattern && step.pass != self.pass {
             (self.pass, self.area) = (step.pass, None);
         }

@@ -257,7 +257,7 @@ impl ToolUse {
     }
 
     /// The purpose, corrected by comments, the spindle and the C axis: off the axis a drill or an end mill is a live
-    /// tool, and pecks near the axis are those of a drill.
+    /// tool, and a tool that pecks near the axis is a drill.
     fn purpose_by_words(&self, words: Option<&Tool>, turns_of_c: u32) -> Purpose {
         let kind = words.and_then(|words| words.kind);
         let is_cutter = kind == Some(ToolKind::Endmill);

@@ -1,8 +1,8 @@
-//! Rapids into material that is there whatever the blank was: below the surfaces that the program itself has turned.
+//! Rapids into material that exists for any blank: below the surfaces that the program itself has turned.
 //!
-//! In: the motions of a program whose blank is inferred, and its tools. Out: the rapids whose tip is led into such
-//! material. Only tips that work outside count: of a bore and of what a drill leaves less is known. After a stop, a
-//! parting cut and a cut that is not known, nothing is certain any more. Must not know messages.
+//! In: the motions of a program whose blank is inferred, and its tools. Out: the rapids whose tip enters such
+//! material. Only outside tools are checked: bores and drilled holes leave less certain surfaces. After a stop, a
+//! parting cut or a cut of an unknown tool, no material is certain. Must not know messages.
 
 use super::danger::{Danger, Finding};
 use super::evidence::Evidence;
@@ -63,14 +63,14 @@ pub fn rapids_into_it(motions: &Motions, resolved: &ResolvedSetup) -> Vec<Findin
     found
 }
 
-/// The surfaces that a program has turned so far.
+/// The surfaces turned so far.
 #[derive(Clone, Debug)]
 struct TurnedMaterial {
     stock: Stock,
     /// Least radius of the cuts at each place, mm, from the back on; infinite where there is none.
     turned: Vec<f64>,
-    /// Half the height of a wall from which material goes on towards −Z, as a radius, mm; 0 where there is none. The
-    /// upper half may be the way out of the work.
+    /// Half the height of a wall with material on its −Z side, as a radius, mm; 0 without a wall. The tool may have left
+    /// the work along the upper half.
     walls: Vec<f64>,
     /// Radius up to which material is certain; worked out again after a cut.
     certain: Option<Vec<f64>>,
@@ -221,7 +221,7 @@ impl TurnedMaterial {
         if only_end {
             return is_within(to, place_of(to.z)).then_some(to);
         }
-        // The tool is there already: what was taken for material is none.
+        // The rapid begins within the material: the estimate is wrong.
         if is_within(from, place_of(from.z)) {
             return None;
         }

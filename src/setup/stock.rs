@@ -34,7 +34,7 @@ pub struct DescribedStock {
 }
 
 impl DescribedStock {
-    /// The inferred blank with the described sizes that suit the cuts: others are those of the part.
+    /// The inferred blank with the described sizes that suit the cuts. Other sizes describe the part.
     pub fn applied_to(self, inferred: Stock) -> Stock {
         /// How much smaller than the inferred one a size is at least, and how much larger at most, as a share of it.
         const DIAMETERS: [f64; 2] = [0.9, 2.0];

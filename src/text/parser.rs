@@ -173,7 +173,7 @@ impl<'a> Parser<'a> {
         }
         for fault in block.faults.iter_mut().filter(|fault| fault.message.is::<said::CommentOpen>()) {
             // `(face X20`: the bracket may belong before X20.
-            // `(STOPS AT M01, IF ON`: text goes on after it.
+            // `(STOPS AT M01, IF ON`: more text follows the value.
             let hidden = Span { start: fault.span.end, end: block.span.end };
             let groups = PlainWords::of(text, hidden, &[]).groups;
             let last = Span { start: groups.last().map_or(hidden.start, |group| group.end), ..hidden };
@@ -1085,8 +1085,7 @@ fn leader(text: &[u8]) -> Option<u32> {
     Some(sign as u32)
 }
 
-/// Whether nothing but the number of a program is before the first sign `%` of a text: a control skips it, and what follows is
-/// the program.
+/// Whether the first `%` of a text follows a lone program number. A control skips the number and runs the blocks after `%`.
 fn names_program(text: &[u8], sign: Span) -> bool {
     let before = &text[..sign.start as usize];
     if before.len() > LEADER || before.contains(&b'%') {
