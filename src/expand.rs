@@ -178,6 +178,7 @@ fn same_motion(before: &Motion, after: &Motion) -> bool {
         && same_place(before.from, after.from)
         && same_place(before.to, after.to)
         && same_place(before.process.zero, after.process.zero)
+        && (before.process.frame, before.process.elsewhere) == (after.process.frame, after.process.elsewhere)
         && same_center
         && same_turn
         && match (before.seconds, after.seconds) {
@@ -254,9 +255,12 @@ fn write_with<'a>(
         let is_called = jumps && index > 0 && block.program.is_some();
         let refused = kept[index] && executed.failed && range.is_empty();
         let mut is_copied = false;
-        if is_called && range.is_empty() {
+        if is_called && range.is_empty() && block.words.is_empty() {
             writer.remark(&block);
             writer.comments(&block);
+        } else if is_called && range.is_empty() {
+            // `O2 G55`: its codes hold.
+            writer.write(&block, executed, range.clone(), leaves);
         } else if executed.steers && !refused && !(is_last && ends_main(&block)) {
             writer.steer(&block, executed, range.clone(), leaves);
         } else if !kept[index] && writer.must_write(&block, executed, range.clone()) {

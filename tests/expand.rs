@@ -443,6 +443,15 @@ proptest! {
 
 /// A lead by E holds until an F is given; an expanded thread gives its lead by F.
 #[test]
+fn codes_beside_the_number_of_a_subprogram_hold() {
+    for head in ["O2 G55", "O2RG55", "O2 G98 F100.", "O2 G01 X40."] {
+        check(&format!(
+            "O1\nT0101\nG97 S500 M03\nG00 X50. Z2. F0.2\nM98 P2\nG00 X20.\nG90 X18. Z-5. F.2\nG00 X60.\nM30\n{head}\nG00 X14.25\nM99\n"
+        ));
+    }
+}
+
+#[test]
 fn a_lead_by_e_holds_after_an_expanded_thread() {
     let head = "O1\nT0303\nG99 G97 S300 M03\nG00 X34 Z8\nG01 X33 F0.2\nG00 X34\n";
     let setup = Setup::default();
