@@ -271,10 +271,24 @@ impl TurnedMaterial {
         }
         // A nose radius leaves material beside a wall.
         let reach = (DEEP / self.step()).ceil() as usize;
-        let near = |place: usize| &radii[place.saturating_sub(reach)..(place + reach + 1).min(PLACES)];
-        let lowest = |place: usize| near(place).iter().copied().fold(f64::INFINITY, f64::min);
-        (0..PLACES).map(|place| lowest(place) - DEEP).collect()
+        let lowest = lowest_within(&radii, reach);
+        lowest.into_iter().map(|radius| radius - DEEP).collect()
     }
+}
+
+/// The least value within so many places on both sides of each one. Doubles the width of the window until it is reached.
+fn lowest_within(values: &[f64], reach: usize) -> Vec<f64> {
+    let at = |list: &[f64], place: usize| list.get(place).copied().unwrap_or(f64::INFINITY);
+    let reach = reach.min(values.len());
+    // Of the window that begins at each place, in front of the first value too.
+    let mut lows: Vec<f64> =
+        std::iter::repeat_n(f64::INFINITY, reach).chain(values.iter().copied()).collect();
+    let (whole, mut width) = (2 * reach + 1, 1);
+    while 2 * width <= whole {
+        lows = (0..lows.len()).map(|place| at(&lows, place).min(at(&lows, place + width))).collect();
+        width *= 2;
+    }
+    (0..values.len()).map(|place| at(&lows, place).min(at(&lows, place + whole - width))).collect()
 }
 
 /// The radius of a cut that goes along Z at a place, mm.
@@ -291,5 +305,19 @@ fn radius_at(motion: &Motion, z: f64) -> f64 {
         arc.center.x - aside
     } else {
         least.min(arc.center.x - arc.radius())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::lowest_within;
+
+    #[test]
+    fn the_least_value_near_each_place() {
+        let values = [5.0, 3.0, 4.0, 9.0, 8.0, 7.0, 6.0];
+        assert_eq!(lowest_within(&values, 0), values);
+        assert_eq!(lowest_within(&values, 1), [3.0, 3.0, 3.0, 4.0, 7.0, 6.0, 6.0]);
+        assert_eq!(lowest_within(&values, 2), [3.0, 3.0, 3.0, 3.0, 4.0, 6.0, 6.0]);
+        assert_eq!(lowest_within(&values, 100), [3.0; 7]);
     }
 }

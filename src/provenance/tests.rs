@@ -155,6 +155,7 @@ fn a_printer_heats_and_pushes() {
 fn lathe_programs_are_at_home() {
     check_at_home("");
     // G68 is the mirror of a second turret, G81 and G83 drill at a place, with the clamp of the C axis.
+    check_at_home("G66 P9100 X4. Z-6. C1. S3. E4.\nG82 X30. Z-10. C90. R-3. Q500 L2 P100 F40.\n");
     check_at_home("G68\nG0 X40 Z2\nG69\nG83 X30 C90 Z-20 R-3 Q5000 F40 M31\nG80\n");
     check_at_home(
         "%\nO0001\nG50 S2000\nT0101\nG96 S150 M03\nG0 X42. Z2.\nG71 U2. R1.\nG71 P10 Q20 U.5 W.1 F.2\nM30\n%",

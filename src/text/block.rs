@@ -89,11 +89,11 @@ impl Block {
         self.kind == BlockKind::Words && self.words.is_empty() && self.program.is_none()
     }
 
-    /// Whether a fault of its writing keeps it from being carried out. A comma for the decimal point does not: only one number
-    /// can be meant, and the word is read so.
+    /// Whether a fault of its writing keeps it from being carried out. A comma that can only be the decimal point does not.
     pub fn is_broken(&self) -> bool {
-        let is_read =
-            |fault: &Diagnostic| fault.message.is::<said::CommaForPoint>() && !fault.fixes.is_empty();
+        let is_read = |fault: &Diagnostic| {
+            fault.message.is::<said::CommaForPoint>() && fault.fixes.iter().any(|fix| fix.safe)
+        };
         self.faults.iter().any(|fault| fault.is_error() && !is_read(fault))
     }
 

@@ -165,7 +165,8 @@ impl<'a> Parser<'a> {
     /// Looks again at a block with faults: it may be text, or contain plain words.
     fn reconsider(&self, block: &mut Block, behind_semicolon: bool) {
         let text = self.lexer.text();
-        if !self.begun && !self.is_trial && leader(text).is_some_and(|end| block.span.start < end) {
+        let may_lead = !self.begun && !self.is_trial && (block.span.start as usize) < LEADER;
+        if may_lead && leader(text).is_some_and(|end| block.span.start < end) {
             return keep_as_comment(block, trimmed(text, block.span));
         }
         if let Some(remark) = slashed_remark(text, block) {
@@ -470,7 +471,7 @@ impl<'a> Parser<'a> {
 
     /// Reads the word of a letter just taken.
     fn letter(&mut self, block: &mut Block, letter: u8, first: Span, comma: Option<Span>) {
-        if comma.is_none() && self.begins_keyword(letter, first) {
+        if comma.is_none() && self.begins_keyword(letter, first) && !self.begins_remark(block, first) {
             return self.macro_statement(block, first);
         }
         if self.begins_function() {
@@ -705,11 +706,16 @@ impl<'a> Parser<'a> {
         let number = written.trim_start_matches([',', '，']).replace([',', '，'], ".");
         let number = number.trim_start_matches(|sign: char| sign != '.' && !sign.is_ascii_digit());
         let number = Number::read(without_blanks(number).as_bytes());
-        let told = Diagnostic::new(said::CommaForPoint { word: written }, span);
+        let told = Diagnostic::new(said::CommaForPoint { word: written.clone() }, span);
         if number.points > 1 || number.digits > DIGITS || goes_on {
             return block.fault(told);
         }
-        block.fault(told.with(Fix::replace(Repair::DecimalPoint, comma, ".")));
+        let point = Fix::replace(Repair::DecimalPoint, comma, ".");
+        if may_be_thousands(word.address, &written) {
+            let whole = Fix::write(span, written.replace([',', '，'], ""));
+            return block.fault(told.with(Fix { safe: false, ..point }).with(whole));
+        }
+        block.fault(told.with(point));
         self.store(block, word.address, word.comma, word.negative, number, span);
     }
 
@@ -897,6 +903,13 @@ impl<'a> Parser<'a> {
         self.follows(first, keyword)
     }
 
+    /// Whether the keyword at the head of a block after `;` begins a sentence: `; end of program`.
+    fn begins_remark(&self, block: &Block, first: Span) -> bool {
+        let rest = &self.lexer.text()[first.start as usize..];
+        let line = &rest[..line_end(rest, 0)];
+        self.after_semicolon && block.is_empty() && begins_as_sentence(line)
+    }
+
     /// Whether a keyword begins at a place.
     fn follows(&self, first: Span, keyword: &[u8]) -> bool {
         let rest = &self.lexer.text()[first.start as usize..];
@@ -985,11 +998,20 @@ impl<'a> Parser<'a> {
 
     /// Reads a block without the remark after its `//`.
     fn take_slashed_remark(&self, block: &mut Block, remark: Span, behind_semicolon: bool) {
-        let mut rest = self.read_without(block, &[remark]);
-        if !rest.faults.is_empty() {
-            self.reconsider(&mut rest, behind_semicolon);
-        }
         let text = self.lexer.text();
+        let Span { start: byte, .. } = block.span;
+        let here = Resume {
+            byte,
+            line: block.line,
+            begun: self.begun,
+            after_semicolon: behind_semicolon,
+            ended: false,
+        };
+        let mut own =
+            Parser { is_trial: self.is_trial, ..Parser::resume(&text[..remark.start as usize], here) };
+        let mut rest = Block::default();
+        own.next_block(&mut rest);
+        (rest.span, rest.line) = (block.span, block.line);
         let told = Diagnostic::new(said::TextAfterSlashes { text: short_quote(text, remark) }, remark);
         let written = remark.quote(text);
         let inside = written.trim_start_matches(['/', ' ', '\t']);
@@ -1101,6 +1123,18 @@ fn names_program(text: &[u8], sign: Span) -> bool {
     true
 }
 
+/// Whether the comma of a word may separate thousands: `S1,200`, `F1,200`, `P1,500`.
+fn may_be_thousands(address: u8, written: &str) -> bool {
+    let Some((before, after)) = written.split_once([',', '，']) else { return false };
+    let whole = before.trim_start_matches(|sign: char| !sign.is_ascii_digit());
+    let is_group = after.len() == 3 && after.bytes().all(|byte| byte.is_ascii_digit());
+    matches!(address, b'F' | b'P' | b'Q' | b'S')
+        && is_group
+        && whole.len() <= 3
+        && !whole.starts_with('0')
+        && !whole.is_empty()
+}
+
 /// From the `//` of a block to its end, where a sentence follows as in programs of C.
 fn slashed_remark(text: &[u8], block: &Block) -> Option<Span> {
     let own = block.span.of(text);
@@ -1108,7 +1142,8 @@ fn slashed_remark(text: &[u8], block: &Block) -> Option<Span> {
     let remark = trimmed(text, Span { start: block.span.start + at as u32, ..block.span });
     let is_inside = |comment: &Span| comment.start <= remark.start && remark.start < comment.end;
     let slashes = own[at..].iter().take_while(|&&byte| byte == b'/').count();
-    let is_sentence = begins_as_sentence(&own[at + slashes..]);
+    let after = &own[at + slashes..];
+    let is_sentence = begins_as_sentence(after) || begins_in_other_script(after);
     (is_sentence && !block.comments.iter().any(is_inside)).then_some(remark)
 }
 
@@ -1340,12 +1375,44 @@ mod tests {
         ] {
             assert_eq!(read(&format!("G0 X1; {remark}")), ["G0 X1", "!text-after-semicolon"], "{remark}");
         }
+        for remark in [
+            "End of program",
+            "End",
+            "if needed",
+            "do not change",
+            "Tool 1",
+            "ID bore",
+            "OD finish",
+            "to home",
+        ] {
+            assert_eq!(read(&format!("G0 X1; {remark}")), ["G0 X1", "!text-after-semicolon"], "{remark}");
+        }
+        for word in ["S1,200", "F1,200", "P1,500"] {
+            assert_eq!(read(&format!("G0 {word}")), ["G0 !comma-for-point"], "{word}");
+        }
+        assert_eq!(read("F0,200 Z1,250"), ["F0.2 Z1.25 !comma-for-point !comma-for-point"]);
         for remark in ["XZ Plane selection (LATHE)", "🔧 Facing", "✂️ Turning"] {
             assert_eq!(read(&format!("G0 X1; {remark}")), ["G0 X1", "!text-after-semicolon"], "{remark}");
         }
         assert_eq!(read("G0 X1 // facing, no change in X5"), ["G0 X1 !text-after-semicolon"]);
         assert_eq!(read("// facing"), ["!text-after-semicolon"]);
-        for block in ["GOl X20", "X20 turn", "IF[#1EQ1]GOTO2"] {
+        for (block, fault) in
+            [("G1 X40,5", "comma-for-point"), ("G0 X5O", "letter-for-digit"), ("G0 Z", "number-missing")]
+        {
+            let told = read(&format!("{block} // feed in")).concat();
+            assert!(told.contains(fault) && told.contains("text-after-semicolon"), "{told}");
+        }
+        assert_eq!(read("G0 X50 turn Z2. // feed in").len(), 1);
+        for block in [
+            "GOl X20",
+            "X20 turn",
+            "IF[#1EQ1]GOTO2",
+            "END1",
+            "WHILE #1",
+            "IF #1 EQ 2 GOTO 3",
+            "DO 1",
+            "XO Z2",
+        ] {
             let told = read(&format!("G0 X1; {block}")).concat();
             assert!(!told.contains("text-after-semicolon"), "{told}");
         }

@@ -154,7 +154,17 @@ pub fn begins_as_sentence(bytes: &[u8]) -> bool {
     let ends = |sign: char| sign.is_whitespace() || matches!(sign, ',' | ':' | '.' | '!' | '?' | '/' | '—');
     // `ç` of `Posição` is no misread digit.
     let has_accent = word.chars().any(|letter| matches!(letter, 'À'..='ɏ'));
-    (has_accent || is_plain(word)) && word.chars().count() >= LETTERS && rest.chars().next().is_none_or(ends)
+    let follows = rest.chars().next().is_none_or(ends);
+    if !follows || is_keyword(word) {
+        // `end of program`, but not `END1`, `IF [`.
+        let goes_on = rest.trim_start().chars().next().is_none_or(char::is_alphabetic);
+        return follows && goes_on && !rest.contains(['#', '[']);
+    }
+    let next = rest.trim_start().split(|letter: char| !letter.is_alphabetic()).next().unwrap_or_default();
+    let is_long = |word: &str| word.chars().count() >= LETTERS;
+    // `ID bore`, `to home`; `TOOL` is a word, although its letters are like digits.
+    let is_short = word.chars().count() + 1 == LETTERS && is_long(next) && is_plain(next);
+    is_short || is_long(word) && (has_accent || is_plain(word)) || word.eq_ignore_ascii_case("TOOL")
 }
 
 fn is_keyword(run: &str) -> bool {

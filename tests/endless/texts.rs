@@ -27,6 +27,13 @@ pub fn long_texts() -> Vec<Hostile> {
         case("DO1 and as many END1", format!("O1\n{}{}", half("DO1\n"), half("END1\n")), "PS0126", 3),
         case("DO1 1 and as many END1", format!("O1\n{}{}", half("DO1 1\n"), half("END1\n")), "PS0114", 2),
         case("O1", megabyte("O1\n"), "W-DUP-O", 2),
+        case(
+            "text in front of a % and lines of text after it",
+            format!("{}%\n{}", "foo bar baz qux\n".repeat(60), megabyte("some more words here\n")),
+            "E-PLAIN-TEXT",
+            62,
+        ),
+        case("remarks after // in faulty blocks", text("G1 X40,5 F0.2 // feed in\n"), "E-OCR", 2),
         case("O1 O2 O3", numbered(|n| format!("O{n}\n")), "I-EMPTY", 1),
         case(
             "O1 O2 O3 and motions behind them",

@@ -119,6 +119,10 @@ impl Interpreter {
             if let Some(mode) = request.motion {
                 self.enter(text, mode, block, &words);
             }
+            // The speed limit of a G50 that this system does not have was meant: nothing is reported as a consequence.
+            if !broken && request.one_shot == Some(OneShot::Setting) && !words.has_any(AXES) {
+                self.setting(text, &words);
+            }
             self.refuse(text, block, &request, &words);
             self.forget_next_move();
             if let Some(OneShot::Multiple(cycle)) = request.one_shot {
