@@ -144,7 +144,10 @@ fn subprograms_are_found_in_files_of_their_own() {
         .with("wrong.nc", main("M98 P5000"))
         .with("O5000.nc", pass("O5001\n"))
         .with("faulty.nc", main("M98 P6000"))
-        .with("O6000.nc", "O6000\nG7.7\nM99\n");
+        .with("O6000.nc", "O6000\nG7.7\nM99\n")
+        .with("sign.nc", "O0001\n%\nG21 G99 G97 S500 M03 T0101\nG00 X42. Z2.\nM98 P2000\nG01 W-5. F.2\nM30\n")
+        .with("head.nc", main("M98 P7000"))
+        .with("O7000.nc", "O7000\n%\nG01 W-5. F.2\nM99\n%\n");
     let run = |command: &str, arguments: &[&str]| {
         let mut gcode = Command::new(env!("CARGO_BIN_EXE_gcode-playground"));
         gcode.current_dir(&folder.0).arg(command).args(arguments).output().expect("it runs")
@@ -156,6 +159,8 @@ fn subprograms_are_found_in_files_of_their_own() {
         let told = out(&folder.check(&[file, "--format", "json"]));
         assert!(!told.contains("\"slug\""), "{file}: {told}");
     }
+    // A head before the sign `%`, in the program and in the subprogram.
+    assert_eq!((cuts(&["sign.nc"]), cuts(&["head.nc"])), (2, 1));
     for file in ["shelf.nc", "wrong.nc"] {
         assert_eq!(cuts(&[file]), 0, "{file}");
         assert!(out(&folder.check(&[file])).contains("is not in this file"), "{file}");

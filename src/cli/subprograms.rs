@@ -3,10 +3,10 @@
 //! In: a program and folders. Out: the program, then the subprograms that it calls and does not contain, each once, as a
 //! control has them all in its memory. Must not know what is done with the program.
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 use std::ffi::OsStr;
 use std::ops::Range;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 use super::encoding;
 use super::system::{self, PathKind};
@@ -23,6 +23,9 @@ pub(super) const ENDINGS: &[&str] = &[
 /// Most files that are added to a program.
 const MOST_FILES: usize = 100;
 
+/// Most programs that are searched for: each search may read files.
+const MOST_SEARCHES: usize = 1000;
+
 /// A program with its subprograms.
 pub(super) struct Joined {
     /// The program up to the sign that ends its tape, then the subprograms.
@@ -37,16 +40,17 @@ pub(super) fn join(text: &[u8], folders: &[PathBuf], most: usize) -> Option<Join
         return None;
     }
     let (mut joined, mut looked_for, mut files) = (Vec::new(), BTreeSet::new(), 0);
-    let mut own = 0;
+    let (mut own, mut library) = (0, None);
     loop {
         let read = if joined.is_empty() { text } else { &joined[..] };
-        let missing = calls_elsewhere(read).into_iter().filter(|(number, _)| looked_for.insert(*number));
+        let missing = calls_elsewhere(read)
+            .into_iter()
+            .filter(|(number, _)| looked_for.len() < MOST_SEARCHES && looked_for.insert(*number));
         let missing: Vec<(u32, String)> = missing.map(|(number, word)| (number, word.quote(read))).collect();
         let before = files;
         for (number, word) in missing {
-            let Some(program) = folders.iter().find_map(|folder| find(number, &word, folder, most)) else {
-                continue;
-            };
+            let library = library.get_or_insert_with(|| Library::of(folders));
+            let Some(program) = library.find(number, &word, most) else { continue };
             if joined.is_empty() {
                 joined = text[..extent(text).end].to_vec();
                 own = joined.len();
@@ -76,49 +80,83 @@ fn may_call(text: &[u8]) -> bool {
     })
 }
 
-/// The program of a number in a folder; `word` is how the call names it.
-fn find(number: u32, word: &str, folder: &Path, most: usize) -> Option<Vec<u8>> {
-    let name = word.strip_prefix('<').and_then(|name| name.strip_suffix('>')).map(str::trim);
-    let is_named_so = |file: &OsStr| {
-        let file = Path::new(file);
-        let ending = file.extension().and_then(OsStr::to_str).unwrap_or_default();
-        let is_program = ENDINGS.iter().chain(&["txt", ""]).any(|one| ending.eq_ignore_ascii_case(one));
-        let stem = file.file_stem().and_then(OsStr::to_str).unwrap_or_default();
-        let digits = stem.strip_prefix(['O', 'o']).unwrap_or(stem);
-        let has_number = digits.bytes().all(|byte| byte.is_ascii_digit()) && digits.parse() == Ok(number);
-        is_program && name.map_or(has_number, |name| stem.eq_ignore_ascii_case(name))
-    };
-    let head = name.map_or_else(|| format!("O{number:04}"), |_| word.to_owned());
-    let entries = system::entries(folder).ok()?.into_iter();
-    entries.filter(|entry| entry.kind == PathKind::File && is_named_so(&entry.name)).find_map(|entry| {
-        let (text, _) = encoding::decode(system::read(&folder.join(entry.name), most as u64).ok()?);
-        program_of(&text, number, &head)
-    })
+/// The program files of folders, in the order of the folders.
+struct Library {
+    /// By their names without the ending, in small letters.
+    by_stem: BTreeMap<String, Vec<PathBuf>>,
+    /// By the numbers that their names are.
+    by_number: BTreeMap<u32, Vec<PathBuf>>,
+}
+
+impl Library {
+    /// Lists each folder once.
+    fn of(folders: &[PathBuf]) -> Self {
+        let (mut by_stem, mut by_number) = (BTreeMap::new(), BTreeMap::new());
+        for folder in folders {
+            let entries = system::entries(folder).unwrap_or_default().into_iter();
+            for entry in entries.filter(|entry| entry.kind == PathKind::File) {
+                let path = folder.join(entry.name);
+                let ending = path.extension().and_then(OsStr::to_str).unwrap_or_default();
+                let is_program =
+                    ENDINGS.iter().chain(&["txt", ""]).any(|one| ending.eq_ignore_ascii_case(one));
+                let Some(stem) = path.file_stem().and_then(OsStr::to_str).filter(|_| is_program) else {
+                    continue;
+                };
+                let (stem, digits) =
+                    (stem.to_ascii_lowercase(), stem.strip_prefix(['O', 'o']).unwrap_or(stem));
+                let number = digits.bytes().all(|byte| byte.is_ascii_digit()).then(|| digits.parse().ok());
+                if let Some(number) = number.flatten() {
+                    by_number.entry(number).or_insert_with(Vec::new).push(path.clone());
+                }
+                by_stem.entry(stem).or_insert_with(Vec::new).push(path);
+            }
+        }
+        Self { by_stem, by_number }
+    }
+
+    /// The program of a number; `word` is how the call names it.
+    fn find(&self, number: u32, word: &str, most: usize) -> Option<Vec<u8>> {
+        let name = word.strip_prefix('<').and_then(|name| name.strip_suffix('>')).map(str::trim);
+        let (files, head) = match name {
+            Some(name) => (self.by_stem.get(&name.to_ascii_lowercase()), word.to_owned()),
+            None => (self.by_number.get(&number), format!("O{number:04}")),
+        };
+        files?.iter().find_map(|file| {
+            let (text, _) = encoding::decode(system::read(file, most as u64).ok()?);
+            program_of(&text, number, &head)
+        })
+    }
 }
 
 /// The programs of a file, which must contain that of the number, or no head; then `head` is put before it.
 fn program_of(text: &[u8], number: u32, head: &str) -> Option<Vec<u8>> {
-    let (mut parser, mut block, mut heads) = (Parser::new(text), Block::default(), Vec::new());
+    let (mut parser, mut block, extent) = (Parser::new(text), Block::default(), extent(text));
+    // A head before the sign `%` is that of the first program after it.
+    let (mut before, mut heads) = (Vec::new(), Vec::new());
     while parser.next_block(&mut block) {
-        heads.extend(block.program.into_iter().chain(block.second_name).map(|(number, _)| number));
+        let is_inside = block.span.start as usize >= extent.start;
+        let found = if is_inside { &mut heads } else { &mut before };
+        found.extend(block.program.into_iter().chain(block.second_name).map(|(number, _)| number));
     }
-    let body = &text[extent(text)];
+    let body = &text[extent];
     match () {
         () if heads.contains(&number) => Some([body, b"\n"].concat()),
-        () if heads.is_empty() => Some([head.as_bytes(), b"\n", body, b"\n"].concat()),
+        () if before.contains(&number) || before.is_empty() && heads.is_empty() => {
+            Some([head.as_bytes(), b"\n", body, b"\n"].concat())
+        }
         () => None,
     }
 }
 
-/// Where the programs of a tape are: after the first sign `%` and before the last one.
+/// Where the programs of a tape are: after the first sign `%` and before the one that ends the program.
 fn extent(text: &[u8]) -> Range<usize> {
     let (mut parser, mut block) = (Parser::new(text), Block::default());
-    let (mut own, mut begun) = (0..text.len(), false);
+    let mut own = 0..text.len();
     while parser.next_block(&mut block) {
         match block.kind {
-            BlockKind::Percent if begun => own.end = block.span.start as usize,
+            BlockKind::Percent if parser.ended() => own.end = block.span.start as usize,
             BlockKind::Percent => own.start = block.span.end as usize,
-            BlockKind::Words | BlockKind::Macro => begun |= !block.is_empty(),
+            BlockKind::Words | BlockKind::Macro => {}
         }
     }
     if own.end == text.len() {
@@ -142,6 +180,34 @@ mod tests {
         assert_eq!(program("O1\nM99\nO2000\nM99%\n").as_deref(), Some("O1\nM99\nO2000\nM99\n"));
         assert_eq!(program("G01 W-1.\nM99").as_deref(), Some("O2000\nG01 W-1.\nM99\n"));
         assert_eq!(program("O2001\nM99\n"), None);
+        // A head before the sign `%`.
+        assert_eq!(program("O2000\n%\nM99\n%\n").as_deref(), Some("O2000\n\nM99\n\n"));
+        assert_eq!(program("O2000\n%\nM99\n").as_deref(), Some("O2000\n\nM99\n\n"));
+        assert_eq!(program("O2001\n%\nM99\n%\n"), None);
+    }
+
+    #[test]
+    fn a_program_ends_at_the_sign_that_the_parser_stops_at() {
+        let own = |text: &str| text[extent(text.as_bytes())].to_owned();
+        assert_eq!(own("%\nO1\nM30\n%\nO2\n"), "\nO1\nM30\n");
+        assert_eq!(own("O1\n%\nM30\n"), "\nM30\n");
+        assert_eq!(own("O1\n%\nM30\n%\nO2\n"), "\nM30\n");
+    }
+
+    #[test]
+    fn a_bounded_number_of_programs_is_searched_for() {
+        let calls: String = (1..=3000).map(|number| format!("M98 P{number}\n")).collect();
+        let folder = std::env::temp_dir().join(format!("subprograms-{}", std::process::id()));
+        std::fs::create_dir_all(&folder).expect("a folder");
+        for number in 1..=2000 {
+            std::fs::write(folder.join(format!("O{number:04}.nc")), "M99\n").expect("a file");
+        }
+        let started = std::time::Instant::now();
+        let joined = join(calls.as_bytes(), std::slice::from_ref(&folder), 1 << 20).expect("subprograms");
+        let took = started.elapsed();
+        std::fs::remove_dir_all(&folder).expect("it goes");
+        assert_eq!(joined.text[joined.own..].split(|byte| *byte == b'O').count() - 1, MOST_FILES);
+        assert!(took.as_secs() < 2, "{took:?}");
     }
 
     #[test]

@@ -147,6 +147,11 @@ impl<'a> Parser<'a> {
         true
     }
 
+    /// Whether a sign `%` has ended the program.
+    pub fn ended(&self) -> bool {
+        self.ended
+    }
+
     /// The next line, if it is a plain one; it is not taken.
     #[inline]
     pub fn plain_line(&self) -> Option<PlainLine> {

@@ -390,11 +390,15 @@ impl Job<'_> {
         }
         let folders = self.configurations.libraries(given.map_or(file, Path::new))?;
         let joined = subprograms::join(&text, &folders, setup.limits.text);
-        let own = joined.as_ref().map_or(text.len(), |joined| joined.own);
-        let run = joined.map_or_else(|| text.clone(), |joined| joined.text);
-        let mut program = run_text(name, run, encoding, setup, |run| run);
-        program.text = text;
-        keep_own(&mut program.analysis.diagnostics, own);
+        let mut program = match joined {
+            None => run_text(name, text, encoding, setup, |run| run),
+            Some(joined) => {
+                let mut program = run_text(name, joined.text, encoding, setup, |run| run);
+                program.text = text;
+                keep_own(&mut program.analysis.diagnostics, joined.own);
+                program
+            }
+        };
         let mut printed = None;
         if self.check.fix {
             let is_printed = self.check.dry_run || file == Path::new("-");
