@@ -57,7 +57,7 @@ test('what nobody has said is shown as assumed, and can be said by keyboard', as
 });
 
 test('an assumed stock can be taken over, and collisions are looked for', async ({ page }) => {
-  const crash = PROGRAM.replace('G0 X100 Z100', 'G0 X30 Z-22\nG0 X100 Z100');
+  const crash = PROGRAM.replace('G0 X100 Z100', 'G0 X42 Z-23\nG0 X100 Z100');
   await open(page);
   await openFile(page, 'own.nc', Buffer.from(crash));
   const told = page.getByText('Stock assumed: collisions not checked');
