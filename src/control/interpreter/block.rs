@@ -6,7 +6,7 @@ use super::calls::Here;
 use super::request::{OneShot, Request};
 use super::rotary::TURNS;
 use super::trace::{keep_block, keep_process};
-use super::unread::{UNREAD, unread_words};
+use super::unread::{UNREAD, unread_corner, unread_words};
 use super::{AXES, Flow, Interpreter};
 use crate::control::codes::{Compensation, MotionMode, Plane};
 use crate::control::doubt::Doubt;
@@ -144,8 +144,8 @@ impl Interpreter {
                 if unread != 0 && UNREAD.is_loaded() {
                     unread_words(self, text, block, &request, &words, unread);
                 }
-                if request.comma != [None; 3] {
-                    self.unread_corner(text, block, &request, &words);
+                if request.comma != [None; 3] && UNREAD.is_loaded() {
+                    unread_corner(self, text, block, &request, &words);
                 }
                 if !self.state.doubts.is_empty() {
                     self.regain(&request, &words, before);

@@ -37,6 +37,17 @@ late! {
     ) {
         control.report_unread(text, block, request, words, unread);
     }
+
+    /// Reports a corner word of a block that does not move along a path: `,R2` in a block of G71, or alone.
+    pub(super) fn unread_corner(
+        control: &mut Interpreter,
+        text: &[u8],
+        block: &Block,
+        request: &Request,
+        words: &Words,
+    ) {
+        control.report_unread_corner(text, block, request, words);
+    }
 }
 
 /// The part that reports unread words. A run without it begins again when it is loaded, for the lints.
@@ -45,14 +56,7 @@ pub(super) const UNREAD: Part = Part::Late;
 impl Interpreter {
     fn report_unread(&mut self, text: &[u8], block: &Block, request: &Request, words: &Words, unread: u32) {
         let is_flat = self.state.virtual_plane.is_none() && self.state.plane != Plane::Zx;
-        let is_open = request.maker_m
-            || request.call_code.is_some()
-            || request.macro_call.is_some()
-            || self.state.call_stack.modal.is_some()
-            || is_flat
-            || matches!(request.one_shot, Some(OneShot::Data | OneShot::NotSupported))
-            || block.words.iter().any(|word| self.reads_others(word));
-        if is_open {
+        if is_flat || self.reads_all(request) || block.words.iter().any(|word| self.reads_others(word)) {
             return;
         }
         let unread = unread & !ALWAYS & !self.read_by_others(block, request, words);
@@ -74,17 +78,20 @@ impl Interpreter {
         }
     }
 
-    /// Reports a corner word of a block that does not move along a path: `,R2` in a block of G71, or alone.
-    #[cold]
-    #[inline(never)]
-    pub(super) fn unread_corner(&mut self, text: &[u8], block: &Block, request: &Request, words: &Words) {
+    /// Whether the words of a block may all be read: by a macro, a code of the machine or an unsupported function.
+    fn reads_all(&self, request: &Request) -> bool {
+        request.maker_m
+            || request.call_code.is_some()
+            || request.macro_call.is_some()
+            || self.state.call_stack.modal.is_some()
+            || matches!(request.one_shot, Some(OneShot::Data | OneShot::NotSupported))
+    }
+
+    fn report_unread_corner(&mut self, text: &[u8], block: &Block, request: &Request, words: &Words) {
         let is_path = request.one_shot.is_none()
             && self.state.hole.is_none()
             && (words.has_any(AXES | TURNS) || request.comma[2].is_some());
-        let is_open = request.maker_m
-            || request.call_code.is_some()
-            || request.macro_call.is_some()
-            || matches!(request.one_shot, Some(OneShot::Data | OneShot::NotSupported));
+        let is_open = self.reads_all(request);
         let Some(index) = request.comma.into_iter().flatten().min().filter(|_| !is_path && !is_open) else {
             return;
         };
