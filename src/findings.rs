@@ -55,7 +55,8 @@ pub fn diagnostics(
         if message.is::<said::StartInStock>() && run.iter().any(is_known) {
             continue;
         }
-        // A feed without its point was reported where it is written, perhaps in a block before; so was one in the other unit.
+        // A feed without its decimal point is reported where it is written, perhaps in an earlier block. A feed in the wrong
+        // unit is reported there, too.
         let is_about_feed = |other: &Diagnostic| {
             other.message.is::<said::LeadingZero>()
                 || other.message.is::<said::FeedPerTurnTooLarge>() && span.contains(other.span)
@@ -202,7 +203,9 @@ fn assumed_drills(resolved: &ResolvedSetup, motions: &Motions) -> Vec<Diagnostic
     for index in cuts {
         let motion = motions.get_on_workpiece(index).on_positive_side();
         let tool = resolved.tool(&motion);
-        if tool.tool.kind != Some(ToolKind::Drill) || !motion.process.removes_material() {
+        // What a live drill makes beside the axis is not in the section.
+        let is_left_out = tool.is_live_in(&motion) || !motion.process.removes_material();
+        if tool.tool.kind != Some(ToolKind::Drill) || is_left_out {
             continue;
         }
         match holes.iter_mut().find(|hole| hole.tool.0 == motion.process.tool.0) {

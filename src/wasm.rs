@@ -409,6 +409,7 @@ entry! { Late install_late {
     rewrite::install();
     setup::install();
     crate::control::interpreter::contours::install();
+    crate::control::interpreter::output::install();
     crate::control::interpreter::pecks::install();
     crate::control::interpreter::repairs::install();
     crate::control::interpreter::singles::install();

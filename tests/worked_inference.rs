@@ -502,6 +502,16 @@ fn a_drill_of_assumed_diameter_is_said() {
     assert_eq!(told(before("(DRILL D12)") + "M30\n"), 0);
     assert_eq!(told(before("") + "M30\n"), 1);
     assert_eq!(told(drill("") + "T0303\nG0X18.Z2.\nG1Z-15.F0.1\nX16.\nG0Z2.\nZ50.\nM30\n"), 0);
+    // What holds or moves the work drills nothing.
+    for words in ["(BAR STOP)", "(BAR PULLER)", "(TAILSTOCK CENTER)"] {
+        assert_eq!(told(drill(words) + "M30\n"), 0, "{words}");
+    }
+    // Holes of a live drill in the side are not in the section.
+    let turned = "T0101\nG0X52.Z2.\nX40.\nG1Z-30.F.2\nX52.\nG0X100.Z100.\n";
+    let radial = "M5\nG97S2500M13\nG0Z-20.X60.\nC0\nG1X30.F.1\nG0X60.\nC180.\nG1X30.F.1\nG0X100.\n";
+    for tool in ["T0303 (LIVE DRILL)", "T0303 (DRILL)", "T0303"] {
+        assert_eq!(told(format!("O1\nG21G99\nG97S800M3\n{turned}{tool}\n{radial}M30\n")), 0, "{tool}");
+    }
 }
 
 /// A contour with a step inwards, ⌀20 from Z-30 to Z-32: no insert is known that makes it, and the step is as it is programmed.

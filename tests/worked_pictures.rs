@@ -87,6 +87,32 @@ fn an_indexable_drill_off_the_axis_makes_a_hole() {
     assert!(beside.tells("live-tool-stopped"), "{:?}", beside.told);
 }
 
+/// A face groove beside the axis is a groove if the comment says so: an insert of 3 mm from X0 to X4 leaves ⌀10 with a flat bottom.
+#[test]
+fn a_face_groove_beside_the_axis_is_no_hole() {
+    let program = |tool: &str| {
+        format!(
+            "O1\n(STOCK D=50 LENGTH=80)\nG21G99\nT0202{tool}\nG97S800M3\nG0X4.Z2.\nG74R.5\nG74X0Z-5.P1000Q2000F.05\nG0Z50.\nM30\n"
+        )
+    };
+    run(&program("(GROOVE FACE)")).check(&[(-4.0, &[(10.0, 50.0)]), (-5.1, &[(0.0, 50.0)])]);
+    // A drill of ⌀10 with a point of 118°: 1 mm above its tip it has a radius of tan 59° = 1.664.
+    let drilled = run(&program("(DRILL)")).simulation.finished().expect("a part").radii(-4.0);
+    assert!(drilled.len() == 1 && drilled[0].0 < 4.5, "{drilled:?}");
+}
+
+/// An indexable drill off the axis shows nothing of the bar.
+#[test]
+fn a_hole_off_the_axis_defines_no_bar() {
+    for start in ["0", "2."] {
+        let ran = run(&format!(
+            "O1\nG21G99\nT0202(U DRILL D25)\nG97S800M3\nG0X{start}Z2.\nG74R.5\nG74Z-30.Q5000F.05\nG0Z50.\nM30\n"
+        ));
+        let stock = ran.simulation.resolved_setup().stock().expect("a blank").0;
+        assert!(stock.diameter.mm() > 25.0, "{start}: {stock:?}");
+    }
+}
+
 /// Holes that a live tool drills beside the axis leave no ring: with G01 along X or Z, named by words or shown by C.
 #[test]
 fn holes_of_live_tools_leave_no_ring() {
@@ -133,6 +159,9 @@ fn the_other_end_is_not_cut_into_the_first() {
         "M00 (retourner la piece)\n",
         "M00 (virar a peça)\n",
         "M00 (dar vuelta la pieza)\n",
+        "M00 (FLIP PART, CHANGE TOOL)\n",
+        "M00 (OTHER SIDE OF THE PART)\n",
+        "M00 (SIDE 2)\n",
     ] {
         let ran = run(&format!("O1\nG21G99\n{OUTSIDE}{stop}{second}"));
         ran.check(first);
@@ -147,6 +176,22 @@ fn the_other_end_is_not_cut_into_the_first() {
         "M00 (FLIP INSERT)\n",
         "(TURN PART)\nG1X60.F.2\nM00\n",
         "(FLIP PART AFTERWARDS)\n",
+        "M00 (DO NOT FLIP PART)\n",
+        "M00 (НЕ ПЕРЕВОРАЧИВАТЬ, НЕ ПЕРЕВЕРНУТЬ)\n",
+        "M01\n(FACE SIDE 2.5 DEEP)\n",
+        "M00 (FACE SIDE 2.5 DEEP)\n",
+        "M00 (SIDE 25 LONG)\n",
+        "M01\n(GROOVE SIDE 2)\n",
+        "M00\nT0303 (FINISH OTHER END OF GROOVE)\n",
+        "M00\nT0303 (FINISH 2ND END)\n",
+        "M00 (OTHER SIDE OF SHOULDER)\n",
+        "M01\n(OTHER SIDE OF SHOULDER)\n",
+        "M00\n(FLIP CHIP CONVEYOR ON)\n",
+        "M00\n(GIRARE MANDRINO)\n",
+        "M00\n(RETOURNER AU ZERO)\n",
+        "M00\n(ПЕРЕУСТАНОВКА РЕЗЦА)\n",
+        "M00\n(反面刀)\n",
+        "M00 (PLATTE WENDEN)\n",
     ] {
         let ran = run(&format!("O1\nG21G99\n{OUTSIDE}{stop}{second}"));
         ran.check(&[(-6.0, &[(0.0, 30.0)]), (-20.0, &[(0.0, 40.0)])]);

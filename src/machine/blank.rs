@@ -6,6 +6,7 @@
 
 use super::evidence::Evidence;
 use super::tool::BLADE;
+use crate::cycles::drilling::OFF_CENTER;
 use crate::geometry::{Point, SAME};
 use crate::motion::{Cycle, Motion, MotionKind, Step};
 use crate::setup::{Side, Stock, Tool, ToolKind};
@@ -227,7 +228,7 @@ pub struct Cuts {
     grooves: Reach,
     /// Grooves in the end face: the tip is the inner corner.
     face_grooves: Reach,
-    /// On the spindle axis.
+    /// On the spindle axis, or a little off it.
     holes: Reach,
     /// Something is milled, of which the blank shows nothing.
     is_milled: bool,
@@ -246,13 +247,20 @@ impl Cuts {
     /// Takes in what a tool cuts.
     pub fn add(&mut self, extents: &Extents, tool: &Tool) {
         let side = tool.working_side();
+        let mut all = extents.all();
         let cuts = match (tool.kind.unwrap_or(ToolKind::Turning), side) {
             // It turns itself, and nothing of the profile.
             (ToolKind::Endmill, _) => {
                 self.is_milled = true;
                 return;
             }
-            (ToolKind::Drill | ToolKind::Tap, _) => &mut self.holes,
+            (ToolKind::Drill | ToolKind::Tap, _) => {
+                // An indexable drill a little off the axis shows no more of the bar than one on it.
+                if all.radius <= OFF_CENTER {
+                    (all.radius, all.behind) = (0.0, 0.0);
+                }
+                &mut self.holes
+            }
             (ToolKind::Boring, _) | (ToolKind::Grooving | ToolKind::Threading, Side::Inside) => {
                 &mut self.inside
             }
@@ -260,7 +268,7 @@ impl Cuts {
             (ToolKind::Grooving, Side::Outside) => &mut self.grooves,
             (ToolKind::Turning, _) | (ToolKind::Threading, _) => &mut self.outside,
         };
-        cuts.join(&extents.all());
+        cuts.join(&all);
     }
 
     /// A bar, or a tube for what is only bored, that shows what is cut; nothing where nothing is.

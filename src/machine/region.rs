@@ -62,7 +62,8 @@ impl Region {
         }
     }
 
-    /// Drops pieces of several; `is_dropped`: whether a piece of these bounds is, beside the bounds of all.
+    /// Removes the pieces for which `is_dropped` is true. Its arguments are the bounds of the piece and of the whole region.
+    /// A region of one piece stays as it is.
     pub fn drop_pieces(&mut self, is_dropped: impl Fn(Bounds, Bounds) -> bool) {
         if self.shapes.len() < 2 {
             return;

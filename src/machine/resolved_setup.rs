@@ -40,6 +40,8 @@ pub struct ResolvedTool {
     pub takes: Outline,
     /// Whether it is given or inferred.
     pub basis: Basis,
+    /// Whether the comments name something that cuts nothing, such as a bar stop.
+    cuts_nothing: bool,
 }
 
 /// How large the part of an inferred tool is that is held against the work, as a share of it:
@@ -86,6 +88,7 @@ impl ResolvedSetup {
             let is_unknown = unknown_uses.contains(&(station, purpose));
             let mut tool =
                 ResolvedTool { basis: if is_unknown { Basis::Unknown } else { tool.basis }, ..tool };
+            tool.cuts_nothing = setup.described_tools.get(&station) == Some(&Tool::default());
             if purpose == Purpose::Live {
                 tool.shape.action = Action::Live;
             }
@@ -188,10 +191,11 @@ impl ResolvedTool {
             || self.is_drill() && beside_axis && family == Some(CycleFamily::FaceHole)
     }
 
-    /// The diameter that is assumed for a drill of which nothing names one.
+    /// The diameter that is assumed for an inferred drill if neither setup nor comments give one.
     pub fn assumed_diameter(&self) -> Option<Diameter> {
-        let is_assumed = self.basis != Basis::Given && self.tool.kind == Some(ToolKind::Drill);
-        (is_assumed && self.tool.diameter.is_none()).then_some(DRILL)
+        let is_inferred = self.basis != Basis::Given && self.tool.kind == Some(ToolKind::Drill);
+        let is_drill = is_inferred && !self.cuts_nothing;
+        (is_drill && self.tool.diameter.is_none()).then_some(DRILL)
     }
 
     /// Whether it is a drill or tap that turns itself in all its motions.
@@ -205,7 +209,7 @@ impl ResolvedTool {
 
     fn given(station: u16, tool: Tool) -> Self {
         let shape = Shape::of(&tool);
-        Self { station, takes: shape.edge.clone(), shape, tool, basis: Basis::Given }
+        Self { station, takes: shape.edge.clone(), shape, tool, basis: Basis::Given, cuts_nothing: false }
     }
 
     fn inferred(station: u16, tool: Tool) -> Self {
@@ -217,7 +221,7 @@ impl ResolvedTool {
         };
         shape.body = None;
         let takes = over_edge(&tool, &shape);
-        Self { station, shape, takes, tool, basis: Basis::Inferred }
+        Self { station, shape, takes, tool, basis: Basis::Inferred, cuts_nothing: false }
     }
 }
 

@@ -262,6 +262,7 @@ impl ToolUse {
         let kind = words.and_then(|words| words.kind);
         let is_cutter = kind == Some(ToolKind::Endmill);
         let is_drill = matches!(kind, Some(ToolKind::Drill | ToolKind::Tap));
+        let is_insert = matches!(kind, Some(ToolKind::Grooving | ToolKind::Turning | ToolKind::Boring));
         let all_stopped = self.stopped == self.cuts;
         // H beside G41 is a turn of C, too: one alone says little.
         let moves_with_c = turns_of_c > 1 || turns_of_c > 0 && all_stopped;
@@ -271,7 +272,9 @@ impl ToolUse {
                 Purpose::Live
             }
             Purpose::Turning if moves_with_c && self.makes_holes() => Purpose::Live,
-            Purpose::Grooving if self.face && self.extents.behind() <= OFF_CENTER => Purpose::Hole,
+            Purpose::Grooving if self.face && self.extents.behind() <= OFF_CENTER && !is_insert => {
+                Purpose::Hole
+            }
             purpose => purpose,
         }
     }

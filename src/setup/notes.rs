@@ -172,7 +172,7 @@ impl Notes {
         if keyword == Keyword::Billet {
             return self.billet(inside, start);
         }
-        if !rest.iter().any(|word| !word.value.is_empty()) {
+        if !has_value(inside) {
             return;
         }
         let whole = Span::new(start, start + inside.len());
@@ -376,6 +376,18 @@ impl Comment<'_> {
         let named = Keyword::ALL.into_iter().find(|own| own.name().as_bytes().eq_ignore_ascii_case(word));
         named.filter(stands_here).filter(|_| !is_prose(&inside[word.len()..]))
     }
+}
+
+/// Whether what is in parentheses is read as settings.
+pub fn is_note(inside: &str) -> bool {
+    let comment = Comment { opened_by: b'(', start: 0, inside: inside.as_bytes() };
+    comment.keyword().is_some() && has_value(inside)
+}
+
+/// Whether a word after the first one sets something: `D=65`.
+fn has_value(inside: &str) -> bool {
+    let mut words = inside.split_ascii_whitespace().skip(1);
+    words.any(|word| word.split_once('=').is_some_and(|(_, value)| !value.is_empty()))
 }
 
 /// Whether prose follows the first word of a comment, in spite of an `=`: `(START SPINDLE, D=1.7)`, `(MACHINE THE OD, D=40)`.

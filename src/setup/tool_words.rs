@@ -14,7 +14,7 @@ mod terms;
 use crate::order;
 use std::collections::BTreeMap;
 
-use super::notes::HEAD;
+use super::notes::{self, HEAD};
 use super::{DescribedStock, Side, Tool, ToolKind};
 use crate::text::lexer;
 use crate::units::{Diameter, Unit};
@@ -32,7 +32,8 @@ enum Tie {
     Named,
 }
 
-/// What the comments at the head of a text say of the tools, by turret station. `unit` is that of sizes where no code of the
+/// What the comments at the head of a text say of the tools, by turret station; of a bar stop and the like, which cut
+/// nothing, an empty [`Tool`]. `unit` is that of sizes where no code of the
 /// text names one.
 pub fn read(text: &[u8], unit: Unit) -> BTreeMap<u16, Tool> {
     let head = &text[..text.len().min(HEAD)];
@@ -53,7 +54,7 @@ pub fn read(text: &[u8], unit: Unit) -> BTreeMap<u16, Tool> {
         }
         for comment in comments.into_iter().filter(|comment| !is_note(comment)) {
             let tool = described(comment, unit);
-            if tool == Tool::default() {
+            if tool == Tool::default() && !terms::handles_work(&capitals::in_capitals(comment)) {
                 continue;
             }
             match (named(comment), station) {
@@ -93,7 +94,7 @@ pub fn stock(text: &[u8], unit: Unit) -> DescribedStock {
     let mut known = DescribedStock::default();
     let comments = text.split('(').skip(1).filter_map(|rest| rest.split([')', '\n', '\r']).next());
     for comment in title.lines().filter(|line| !line.contains('(')).chain(comments) {
-        if comment.contains('=') || !comment.contains(|letter: char| letter.is_ascii_digit()) {
+        if notes::is_note(comment) || !comment.contains(|letter: char| letter.is_ascii_digit()) {
             continue;
         }
         let said = blank::described(&capitals::in_capitals(comment), unit);
@@ -149,11 +150,15 @@ pub fn described(comment: &str, unit: Unit) -> Tool {
     tool
 }
 
-/// Whether a comment says that the part is turned round and the other end machined. In the block of a stop
-/// (`is_at_stop`) the number of the operation says so.
+/// Whether a comment says that the part is turned round and the other end machined. `is_at_stop`: it is in the block of
+/// a stop.
 pub fn turns_round(comment: &str, is_at_stop: bool) -> bool {
-    let text = capitals::in_capitals(comment);
-    terms::turns_round(&text) || is_at_stop && terms::is_second_operation(&text)
+    terms::turns_round(&capitals::in_capitals(comment), is_at_stop)
+}
+
+/// Whether a comment is the number of the second operation, which says the same in the block of M00.
+pub fn is_second_operation(comment: &str) -> bool {
+    terms::is_second_operation(&capitals::in_capitals(comment))
 }
 
 /// Puts into the gaps of a tool what another one says, as far as both can be the same tool.

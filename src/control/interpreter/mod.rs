@@ -20,7 +20,7 @@ mod macro_body;
 pub(crate) mod macros;
 mod motions;
 mod multiples;
-mod output;
+pub(crate) mod output;
 pub(crate) mod path;
 pub(crate) mod pecks;
 mod plain_lines;

@@ -7,8 +7,26 @@ use crate::control::modal::PathMove;
 use crate::geometry::Point;
 use crate::message::said;
 use crate::motion::{Motion, MotionKind, Process, Stop, StopKind};
-use crate::setup::tool_words::turns_round;
+use crate::parts::{Part, late};
+use crate::setup::tool_words::{is_second_operation, turns_round};
 use crate::text::block::Block;
+
+/// The part that reads comments on turning the part round. A run without it begins again when it is loaded, for the lints.
+const OTHER_END: Part = Part::Late;
+
+late! {
+    /// Whether the comments of a block say that the part is turned round.
+    fn announces_other_end(text: &[u8], block: &Block, stop: Option<StopKind>) -> bool {
+        // A comment beside a T word is about the tool.
+        !block.words.iter().any(|word| word.address == b'T')
+            && block.comments.iter().any(|comment| {
+                let comment = String::from_utf8_lossy(comment.of(text));
+                let comment = comment.trim_matches(['(', ')']);
+                turns_round(comment, stop.is_some())
+                    || stop == Some(StopKind::Always) && is_second_operation(comment)
+            })
+    }
+}
 
 impl Interpreter {
     /// A motion from where the tip stands.
@@ -44,10 +62,7 @@ impl Interpreter {
         if !self.state.frames.has_cut() || self.contours.recorded.is_some() {
             return;
         }
-        let is_at_stop = stop == Some(StopKind::Always);
-        let says = block.comments.iter().any(|comment| {
-            turns_round(String::from_utf8_lossy(comment.of(text)).trim_matches(['(', ')']), is_at_stop)
-        });
+        let says = OTHER_END.is_loaded() && announces_other_end(text, block, stop);
         let frames = &mut self.state.frames;
         let mut turns = stop.is_some() && frames.stop();
         turns |= says && frames.announce_other_end();

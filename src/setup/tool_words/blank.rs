@@ -4,27 +4,30 @@
 //! motions contradict.
 
 use super::numbers::{Measure, measures};
-use super::terms::{Form, is_named, kind};
+use super::terms::{Form, first, kind, names_any};
 use crate::setup::ToolKind;
 use crate::setup::stock::DescribedStock;
 use crate::units::{Diameter, Unit};
 use Form::{Part, Stem, Word};
 
-/// Terms for a blank.
+/// Terms for a blank, but those for its material.
 #[rustfmt::skip]
 const BLANKS: &[(Form, &str)] = &[
-    (Part, "BARSTOCK"), (Word, "STOCK"), (Word, "BLANK"), (Stem, "BILLET"), (Word, "MATERIAL"), (Word, "MATL"), (Word, "ROUND BAR"),
-    (Stem, "BRUT"), (Word, "MATERIAU"), (Word, "MATÉRIAU"), (Part, "ROHTEIL"), (Part, "ROHLING"), (Part, "ROHMATERIAL"),
+    (Part, "BARSTOCK"), (Word, "STOCK"), (Word, "BLANK"), (Stem, "BILLET"), (Word, "ROUND BAR"), (Stem, "BRUT"), (Part, "ROHTEIL"), (Part, "ROHLING"), (Part, "ROHMATERIAL"),
     (Part, "RUNDSTANGE"), (Stem, "BARRA"), (Stem, "TOCHO"), (Stem, "TARUGO"), (Stem, "GREZZO"), (Stem, "PRĘT"), (Stem, "POLOTOVAR"),
     (Stem, "ЗАГОТОВ"), (Stem, "ПРУТОК"), (Stem, "ПРУТКА"), (Part, "毛坯"), (Part, "坯料"), (Part, "棒料"),
 ];
+
+/// Terms for a material, which may be named by a grade: `MATERIAL D2 STEEL`.
+const MATERIALS: &[(Form, &str)] =
+    &[(Word, "MATERIAL"), (Word, "MATL"), (Word, "MATERIAU"), (Word, "MATÉRIAU")];
 
 /// Terms with one of those in them that name no blank.
 #[rustfmt::skip]
 const OTHERS: &[(Form, &str)] = &[
     (Word, "STOCK PULL"), (Stem, "STOCK PULLER"), (Word, "STOCK STOP"), (Word, "STOCK TO"), (Stem, "STOCK ALLOW"), (Stem, "STOCK REMOV"),
     (Word, "STOCK LEFT"), (Word, "FACE STOCK"), (Stem, "LEAVE"), (Stem, "LEAVING"), (Stem, "REMOVE"), (Stem, "REMAINING"), (Word, "TOOL"),
-    (Part, "余量"),
+    (Word, "FINISH STOCK"), (Word, "FINISHING STOCK"), (Word, "STOCK FOR"), (Word, "STOCK ON"), (Word, "STOCK PER"), (Part, "余量"),
 ];
 
 /// Terms for a round bar, beside which a number alone is its diameter.
@@ -36,39 +39,55 @@ const BARS: &[(Form, &str)] = &[
     (Word, "MATERIAL"),
 ];
 
+/// Terms for other sizes of a bar than its diameter.
+#[rustfmt::skip]
+const OTHER_SIZES: &[(Form, &str)] = &[
+    (Part, "STICKOUT"), (Part, "STICK OUT"), (Stem, "OVERHANG"), (Stem, "PROTRU"), (Stem, "PROJECT"), (Stem, "WIDTH"), (Word, "WIDE"),
+    (Stem, "THICK"), (Word, "THK"), (Stem, "LENGTH"), (Word, "LONG"), (Stem, "DEPTH"), (Word, "DEEP"), (Stem, "HEIGHT"), (Word, "WALL"),
+];
+
 /// The sizes of the blank that a comment in capitals names.
 pub(super) fn described(text: &str, unit: Unit) -> DescribedStock {
-    let text = &*with_blanks(text);
+    let text = &*spelled_out(text);
     let is_tool = kind(text).is_some_and(|kind| kind != ToolKind::Turning);
-    let is_other = || OTHERS.iter().any(|(form, term)| is_named(text, term, *form));
-    let is_blank = || BLANKS.iter().any(|(form, term)| is_named(text, term, *form));
-    let outside = || measures(text).find(|own| own.before == "OD");
-    let along = || measures(text).find(is_length);
-    if is_tool || is_other() {
+    if is_tool || names_any(text, OTHERS) {
         return DescribedStock::default();
     }
-    if !is_blank() {
-        // `OD: 80mm | LENGTH: 120mm` names both.
-        let both = outside().zip(along());
-        return both.map_or_else(DescribedStock::default, |(diameter, length)| DescribedStock {
-            diameter: Some(Diameter::new(diameter.in_millimetres(unit))),
-            length: Some(length.in_millimetres(unit)),
-        });
-    }
-    let is_bar = || BARS.iter().any(|(form, term)| is_named(text, term, *form));
-    let diameter = measures(text).find(is_diameter).or_else(|| {
-        let sized = only(measures(text).filter(|own| own.is_inch()));
-        sized.or_else(|| only(measures(text)).filter(|own| own.value.fract() != 0.0)).filter(|_| is_bar())
-    });
-    DescribedStock {
+    let said = |diameter: Option<Measure>, length: Option<Measure>| DescribedStock {
         diameter: diameter.map(|own| Diameter::new(own.in_millimetres(unit))),
-        length: along().map(|own| own.in_millimetres(unit)),
-    }
+        length: length.map(|own| own.in_millimetres(unit)),
+    };
+    let of_blank = first(text, BLANKS);
+    let Some((_, behind)) = of_blank.or_else(|| first(text, MATERIALS)) else {
+        // `OD: 80mm | LENGTH: 120mm` names both.
+        let both = measures(text).find(|own| own.before == "OD").zip(measures(text).find(is_length));
+        return both
+            .map_or_else(DescribedStock::default, |(diameter, length)| said(Some(diameter), Some(length)));
+    };
+    // The sizes of the part may be named, too: those behind the term are sizes of the blank.
+    let all = || measures(behind).chain(measures(text));
+    let in_plane = all().find(|own| own.before == "X").zip(all().find(|own| own.before == "Z"));
+    let is_grade = |own: &Measure| of_blank.is_none() && own.before == "D" && own.is_digit();
+    let alone = || {
+        let sized = only(measures(text).filter(Measure::is_inch));
+        let sized = sized.or_else(|| only(measures(text)).filter(|own| own.value.fract() != 0.0));
+        sized.filter(|own| is_unnamed(own) && names_any(text, BARS) && !names_any(text, OTHER_SIZES))
+    };
+    let diameter = all().find(|own| is_diameter(own) && !is_grade(own)).or(in_plane.map(|(x, _)| x));
+    let length = all().find(is_length).or(in_plane.map(|(_, z)| z));
+    said(diameter.or_else(alone), length)
 }
 
 /// The only one of these.
 fn only<'a>(mut all: impl Iterator<Item = Measure<'a>>) -> Option<Measure<'a>> {
     all.next().filter(|_| all.next().is_none())
+}
+
+/// Whether no letters before a measure name it, but terms for the blank.
+fn is_unnamed(own: &Measure) -> bool {
+    matches!(own.before, "" | "IS" | "OF" | "FROM" | "BAR" | "ROUND")
+        || names_any(own.before, BLANKS)
+        || names_any(own.before, MATERIALS)
 }
 
 fn is_diameter(own: &Measure) -> bool {
@@ -84,15 +103,19 @@ fn is_length(own: &Measure) -> bool {
     ["LENGTH", "LONGUEUR", "LANGE", "LÄNGE", "LARGO", "COMPRIMENTO", "ДЛИН"]
         .iter()
         .any(|name| own.before.starts_with(name))
-        || matches!(own.before, "L" | "LG" | "X")
+        || matches!(own.before, "L" | "LG" | "LEN")
         || own.before.ends_with(['长', '長'])
 }
 
-/// Blanks around the sign between diameter and length, an X for each: `50×80`, `50Х80`, `50*80`.
-fn with_blanks(text: &str) -> String {
+/// `LG` instead of the sign between diameter and length (`50×80`, `50Х80`, `50*80`), and no minus after Z, the direction in
+/// which a blank extends.
+fn spelled_out(text: &str) -> String {
     let is_sign = |letter: char| matches!(letter, 'X' | 'Х' | '×' | '*');
     let mut apart = String::with_capacity(text.len());
     for (at, letter) in text.char_indices() {
+        if letter == '-' && text[..at].ends_with('Z') {
+            continue;
+        }
         if !is_sign(letter) {
             apart.push(letter);
             continue;
@@ -102,7 +125,7 @@ fn with_blanks(text: &str) -> String {
         let behind = text[at + letter.len_utf8()..].trim_start().trim_start_matches(['L', 'Ø', 'Φ']);
         let is_between = before.ends_with(|c: char| c.is_ascii_digit())
             && behind.starts_with(|c: char| c.is_ascii_digit());
-        if is_between { apart.push_str(" X ") } else { apart.push(letter) }
+        if is_between { apart.push_str(" LG ") } else { apart.push(letter) }
     }
     apart
 }

@@ -158,6 +158,11 @@ impl Measure<'_> {
         matches!(self.behind, "MM" | "\"" | "IN" | "INCH" | "''" | "ММ" | "毫米")
     }
 
+    /// Whether it is one digit right at the letters before it.
+    pub fn is_digit(&self) -> bool {
+        self.glued && self.value < 10.0
+    }
+
     /// Whether its unit is the inch, or it is a fraction.
     pub fn is_inch(&self) -> bool {
         self.fraction || matches!(self.behind, "\"" | "IN" | "INCH" | "''")

@@ -22,9 +22,7 @@ use Form::{Part, Stem, Word};
 #[rustfmt::skip]
 pub const KINDS: &[(Form, &str, Option<ToolKind>)] = &[
     // What only sounds like a tool.
-    (Stem, "THREAD RELIEF", None), (Stem, "THREAD BUR", None), (Stem, "BAR PULL", None), (Part, "BARPULL", None),
-    (Stem, "PULLER", None), (Stem, "GRIPPER", None), (Stem, "STOCK PULL", None), (Stem, "STOCK STOP", None), (Stem, "BAR STOP", None),
-    (Stem, "PARTS CATCH", None),
+    (Stem, "THREAD RELIEF", None), (Stem, "THREAD BUR", None),
     (Stem, "CENTER OF", None), (Stem, "CUT OFF LENGTH", None), (Part, "退刀槽", None), (Stem, "TURNING TOOL CHANGE", None),
     // Live cutters.
     (Stem, "ENDMILL", Some(Endmill)), (Stem, "END MILL", Some(Endmill)), (Stem, "THREADMILL", Some(Endmill)),
@@ -82,27 +80,55 @@ pub const KINDS: &[(Form, &str, Option<ToolKind>)] = &[
     (Stem, "LIVE TOOL", Some(Endmill)), (Stem, "DRIVEN TOOL", Some(Endmill)), (Stem, "ПРИВОДН", Some(Endmill)), (Part, "动力刀", Some(Endmill)),
 ];
 
+/// What holds or moves the work and cuts nothing.
+#[rustfmt::skip]
+const HANDLING: &[(Form, &str)] = &[
+    (Stem, "BAR PULL"), (Part, "BARPULL"), (Stem, "PULLER"), (Stem, "GRIPPER"), (Stem, "STOCK PULL"), (Stem, "STOCK STOP"), (Stem, "BAR STOP"),
+    (Word, "BARSTOP"), (Stem, "PARTS CATCH"), (Stem, "TAILSTOCK CENT"),
+];
+
 /// Terms that say that the part is turned round, so that the other end is machined from there on.
 #[rustfmt::skip]
-pub const TURNED_ROUND: &[(Form, &str)] = &[
-    (Stem, "FLIP"), (Word, "TURN PART"), (Word, "TURN THE PART"), (Word, "TURN WORK"), (Word, "TURN AROUND"), (Word, "TURN ROUND"),
-    (Word, "TURN OVER"), (Word, "REVERSE PART"), (Word, "REVERSE THE PART"), (Word, "REVERSE WORK"), (Word, "SECOND SIDE"),
-    (Word, "2ND SIDE"), (Word, "SIDE 2"), (Word, "OTHER SIDE"), (Word, "SECOND END"), (Word, "2ND END"), (Word, "OTHER END"),
-    (Word, "WENDEN"), (Word, "UMSPANNEN"), (Word, "UMDREHEN"), (Word, "ZWEITE SEITE"), (Word, "2. SEITE"), (Word, "2.SEITE"),
-    (Word, "SEITE 2"), (Stem, "RETOURN"), (Stem, "DEUXIÈME CÔT"), (Stem, "DEUXIEME COT"), (Stem, "2EME COT"), (Stem, "2ÈME CÔT"),
-    (Word, "VIRAR"), (Word, "VIRE A"), (Stem, "INVERTER A PE"), (Stem, "INVERTER PE"), (Word, "SEGUNDO LADO"), (Word, "OUTRO LADO"),
-    (Word, "DAR VUELTA"), (Word, "DAR LA VUELTA"), (Stem, "VOLTEAR"), (Word, "OTRO LADO"), (Word, "SEGUNDA CARA"), (Word, "GIRARE"),
-    (Word, "GIRA PEZZO"), (Word, "SECONDO LATO"), (Stem, "ПЕРЕВЕРН"), (Stem, "ПЕРЕВОРОТ"), (Stem, "ПЕРЕУСТАНОВ"), (Stem, "ВТОРАЯ СТОРОН"),
-    (Stem, "2 СТОРОН"), (Stem, "2-Я СТОРОН"), (Stem, "ВТОРОЙ УСТАНОВ"), (Part, "调头"), (Part, "掉头"), (Part, "調頭"), (Part, "掉頭"),
-    (Part, "翻面"), (Part, "反面"), (Part, "第二面"), (Part, "另一端"), (Part, "另一头"),
+const TURNED_ROUND: &[(Form, &str)] = &[
+    (Word, "FLIP PART"), (Word, "FLIP THE PART"), (Word, "FLIP WORK"), (Word, "FLIP WORKPIECE"), (Word, "FLIP THE WORKPIECE"),
+    (Word, "FLIP PIECE"), (Word, "TURN PART"), (Word, "TURN THE PART"), (Word, "TURN WORK"), (Word, "REVERSE PART"),
+    (Word, "REVERSE THE PART"), (Word, "REVERSE WORK"), (Word, "SECOND SIDE"), (Word, "2ND SIDE"), (Word, "SECOND END"), (Word, "2ND END"),
+    (Word, "WENDEN"), (Word, "UMSPANNEN"), (Word, "ZWEITE SEITE"), (Word, "2. SEITE"), (Word, "2.SEITE"), (Stem, "RETOURNER LA PI"),
+    (Stem, "DEUXIÈME CÔT"), (Stem, "DEUXIEME COT"), (Stem, "2EME COT"), (Stem, "2ÈME CÔT"), (Stem, "VIRAR A PE"), (Stem, "VIRAR PE"),
+    (Stem, "INVERTER A PE"), (Stem, "INVERTER PE"), (Word, "SEGUNDO LADO"), (Word, "SEGUNDA CARA"), (Stem, "VOLTEAR LA PI"),
+    (Stem, "VOLTEAR PI"), (Stem, "GIRARE IL PEZZ"), (Stem, "GIRARE PEZZ"), (Word, "GIRA PEZZO"), (Word, "SECONDO LATO"), (Stem, "ПЕРЕВЕРН"),
+    (Stem, "ПЕРЕВОРОТ"), (Stem, "ПЕРЕУСТАНОВКА ДЕТАЛ"), (Stem, "ПЕРЕУСТАНОВИТЬ ДЕТАЛ"), (Stem, "ВТОРАЯ СТОРОН"), (Stem, "2 СТОРОН"),
+    (Stem, "2-Я СТОРОН"), (Stem, "ВТОРОЙ УСТАНОВ"), (Part, "调头"), (Part, "掉头"), (Part, "調頭"), (Part, "掉頭"), (Part, "翻面"), (Part, "第二面"),
+];
+
+/// Terms that say so in the block of a stop; elsewhere they are about a groove, the spindle or the chips.
+#[rustfmt::skip]
+const TURNED_ROUND_AT_STOP: &[(Form, &str)] = &[
+    (Stem, "FLIP"), (Word, "TURN AROUND"), (Word, "TURN ROUND"), (Word, "TURN OVER"), (Word, "SIDE 2"), (Word, "OTHER SIDE"),
+    (Word, "OTHER END"), (Word, "UMDREHEN"), (Word, "SEITE 2"), (Stem, "RETOURN"), (Word, "VIRAR"), (Word, "VIRE A"), (Word, "OUTRO LADO"),
+    (Word, "DAR VUELTA"), (Word, "DAR LA VUELTA"), (Stem, "VOLTEAR"), (Word, "OTRO LADO"), (Word, "GIRARE"), (Stem, "ПЕРЕУСТАНОВ"),
+    (Part, "反面"), (Part, "另一端"), (Part, "另一头"),
 ];
 
 /// The same as the whole comment of an M00 block: the number of the operation.
 const SECOND_OPERATION: [&str; 6] = ["OP2", "OP 2", "OP20", "OP 20", "2ND OP", "SECOND OP"];
 
-/// What is turned round where it is no part.
-const INSERTS: &[(Form, &str)] =
-    &[(Stem, "INSERT"), (Stem, "TOOL"), (Part, "PLATTE"), (Stem, "ПЛАСТИН"), (Part, "刀片")];
+/// Inserts, which are turned round too.
+const INSERTS: &[(Form, &str)] = &[(Part, "PLATTE"), (Stem, "ПЛАСТИН"), (Part, "刀片")];
+
+/// What else is turned round or turned: terms of [`TURNED_ROUND_AT_STOP`] do not count beside them.
+#[rustfmt::skip]
+const OTHER_OBJECTS: &[(Form, &str)] = &[
+    (Stem, "INSERT"), (Stem, "TOOL"), (Stem, "CHIP"), (Stem, "SPINDLE"), (Stem, "MANDRIN"), (Word, "ZERO"), (Word, "ZÉRO"), (Word, "HOME"),
+    (Stem, "РЕЗЕЦ"), (Stem, "РЕЗЦ"), (Stem, "ИНСТРУМЕНТ"), (Part, "刀"),
+];
+
+/// Negations: the terms after one do not count.
+#[rustfmt::skip]
+const NEGATIONS: &[(Form, &str)] = &[
+    (Word, "NOT"), (Word, "DON'T"), (Word, "DONT"), (Word, "NO FLIP"), (Stem, "NO VOLTE"), (Word, "NO DAR"), (Word, "NICHT"), (Word, "NE"), (Word, "NAO"), (Word, "NÃO"), (Word, "NON"),
+    (Word, "НЕ"), (Part, "不"), (Part, "勿"),
+];
 
 /// Terms and the side of the work they name.
 #[rustfmt::skip]
@@ -128,15 +154,38 @@ const BLADES: &[(&str, Side)] = &[
 
 /// The kind of tool that a comment names.
 pub fn kind(text: &str) -> Option<ToolKind> {
+    if handles_work(text) {
+        return None;
+    }
     let bytes = Bytes::of(text);
     KINDS.iter().find(|(form, term, _)| stands(text, &bytes, term, *form)).and_then(|(.., kind)| *kind)
 }
 
-/// Whether a comment says that the part is turned round.
-pub fn turns_round(text: &str) -> bool {
-    let bytes = Bytes::of(text);
-    let has = |terms: &[(Form, &str)]| terms.iter().any(|(form, term)| stands(text, &bytes, term, *form));
-    has(TURNED_ROUND) && !has(INSERTS)
+/// Whether a comment names what holds or moves the work and cuts nothing: a bar stop.
+pub fn handles_work(text: &str) -> bool {
+    names_any(text, HANDLING)
+}
+
+/// Whether a comment says that the part is turned round. `is_at_stop`: it is in the block of a stop.
+pub fn turns_round(text: &str, is_at_stop: bool) -> bool {
+    let said = first(text, NEGATIONS).map_or(text, |(before, _)| before);
+    let bytes = Bytes::of(said);
+    let says = |terms: &[(Form, &str)]| {
+        let mut found = terms.iter().flat_map(|(form, term)| places(said, &bytes, term, *form));
+        found.any(|(before, term, behind)| names_part(before, term, behind))
+    };
+    let says_at_stop = || says(TURNED_ROUND_AT_STOP) && !names_any(text, OTHER_OBJECTS);
+    (says(TURNED_ROUND) || is_at_stop && says_at_stop()) && !names_any(text, INSERTS)
+}
+
+/// Whether a side or an end is one of the part: not the beginning of a size (`SIDE 2.5`), nor `OTHER SIDE OF SHOULDER`.
+fn names_part(before: &str, term: &str, behind: &str) -> bool {
+    let is_digit = |c: char| c.is_ascii_digit();
+    let is_size = term.ends_with(is_digit) && behind.starts_with(|c| is_digit(c) || matches!(c, '.' | ','))
+        || term.starts_with(is_digit) && before.ends_with(|c| is_digit(c) || matches!(c, '.' | ','));
+    let owner = behind.trim_start().strip_prefix("OF ").map(|owner| owner.trim_start_matches("THE "));
+    let is_part = |owner: &str| ["PART", "WORK", "PIECE"].iter().any(|name| owner.starts_with(name));
+    !is_size && owner.is_none_or(is_part)
 }
 
 /// Whether a comment names the second operation and nothing else.
@@ -167,23 +216,42 @@ impl Bytes {
     }
 }
 
-/// Whether a comment contains a term.
-pub fn is_named(text: &str, term: &str, form: Form) -> bool {
-    stands(text, &Bytes::of(term), term, form)
+/// Whether a comment contains one of some terms.
+pub fn names_any(text: &str, terms: &[(Form, &str)]) -> bool {
+    let bytes = Bytes::of(text);
+    terms.iter().any(|(form, term)| stands(text, &bytes, term, *form))
 }
 
-/// Whether a term stands in a comment of these bytes.
+/// The text before and behind the first of some terms in a comment.
+pub fn first<'a>(text: &'a str, terms: &[(Form, &'a str)]) -> Option<(&'a str, &'a str)> {
+    let bytes = Bytes::of(text);
+    let found = terms.iter().flat_map(|(form, term)| places(text, &bytes, term, *form));
+    found.map(|(before, _, behind)| (before, behind)).min_by_key(|(before, _)| before.len())
+}
+
+/// Whether a comment of these bytes contains a term.
 fn stands(text: &str, bytes: &Bytes, term: &str, form: Form) -> bool {
-    bytes.hold_all_of(term)
-        && text.match_indices(term).any(|(at, _)| {
-            let before = text[..at].chars().next_back().is_some_and(char::is_alphabetic);
-            let behind = text[at + term.len()..].chars().next().is_some_and(char::is_alphabetic);
-            match form {
-                Word => !before && !behind,
-                Stem => !before,
-                Part => true,
-            }
-        })
+    places(text, bytes, term, form).next().is_some()
+}
+
+/// The places of a term in a comment of these bytes: the text before it, the term and the text behind it.
+fn places<'a>(
+    text: &'a str,
+    bytes: &Bytes,
+    term: &'a str,
+    form: Form,
+) -> impl Iterator<Item = (&'a str, &'a str, &'a str)> + use<'a> {
+    let text = if bytes.hold_all_of(term) { text } else { "" };
+    let places = text.match_indices(term).map(|(at, term)| (&text[..at], term, &text[at + term.len()..]));
+    places.filter(move |(before, _, behind)| {
+        let before = before.chars().next_back().is_some_and(char::is_alphabetic);
+        let behind = behind.chars().next().is_some_and(char::is_alphabetic);
+        match form {
+            Word => !before && !behind,
+            Stem => !before,
+            Part => true,
+        }
+    })
 }
 
 /// The tool of the first designation of an insert in a comment.

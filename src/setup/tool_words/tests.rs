@@ -252,6 +252,12 @@ fn blanks_in_words() {
         ("BRUTO Ø60 LARGO 100", "60 x 100"),
         ("TARUGO DIA. 50.8 X 100", "50.8 x 100"),
         ("BLANK DIA 40", "40 x –"),
+        ("BLANK X50 Z80", "50 x 80"),
+        ("STOCK X55 Z-60", "55 x 60"),
+        ("BLANK X50", "– x –"),
+        ("FINISH DIA 51 FROM BAR STOCK DIA 60", "60 x –"),
+        ("BAR STOCK DIA 60 FINISH DIA 51", "60 x –"),
+        ("PART LENGTH 40, BAR STOCK DIA 60 LENGTH 90", "60 x 90"),
     ] {
         assert_eq!(blank_of(comment, Unit::Millimetre), expected, "{comment}");
     }
@@ -261,6 +267,18 @@ fn blanks_in_words() {
         ("MATERIAL 1.75\" 6061 ALUMINUM BARSTOCK", "44.45 x –"),
         ("MATERIAL 5/8\" 4140 STEEL BARSTOCK", "15.875 x –"),
         ("MATL: 2.0\" OD, ALUMINUM BAR STOCK", "50.8 x –"),
+        ("BAR STOCK 2.25", "57.15 x –"),
+        // A grade of steel, or a size.
+        ("MATERIAL D2 STEEL", "– x –"),
+        ("MATERIAL: D3", "– x –"),
+        ("MATERIAL: D2 STEEL, DIA 3", "76.2 x –"),
+        ("MATERIAL D2.", "50.8 x –"),
+        ("ROUND BAR D2", "50.8 x –"),
+        // Named otherwise.
+        ("MATERIAL WIDTH 2.25", "– x –"),
+        ("MATERIAL THICKNESS 2.25", "– x –"),
+        ("BAR STOCK 2.25 STICKOUT", "– x –"),
+        ("MATERIAL HARDNESS 2.25", "– x –"),
         // Which of the two?
         ("material is .375 or .25 SS round stock", "– x –"),
     ] {
@@ -298,6 +316,21 @@ fn blanks_in_a_program() {
     assert_eq!(said("毛坯 φ50×80\n%\nO1\nG0X1\n"), both);
     assert_eq!(said("%\nO1\n(毛坯 φ50)\n(BLANK LENGTH 80)\n(BLANK DIA 60)\nG0X1\n"), both);
     assert_eq!(said("O1\n(STOCK D=65 LENGTH=80)\nG0X1\n"), DescribedStock::default());
+    // Only what is read as settings is left to the notes.
+    let [wide, both] =
+        [None, Some(80.0)].map(|length| DescribedStock { diameter: Some(Diameter::new(65.0)), length });
+    for (comment, expected) in [
+        ("STOCK BAR D=65 LEN 80", both),
+        ("BAR STOCK D=65", wide),
+        ("MATERIAL: D=65 L=80", both),
+        ("BLANK L=80 D=65", both),
+        ("STOCK D = 65 LENGTH = 80", both),
+        ("X = 24 - 2.4", DescribedStock::default()),
+        ("FINISH STOCK X=0.5 Z=0.1", DescribedStock::default()),
+        ("STOCK ON OD=0.5 L=0.1", DescribedStock::default()),
+    ] {
+        assert_eq!(said(&format!("O1\n({comment})\nG0X1\n")), expected, "{comment}");
+    }
     let inches = stock(b"O1\nG20\n(.75 diameter brass stock)\n", Unit::Millimetre);
     assert!(inches.diameter.is_some_and(|own| (own.mm() - 19.05).abs() < 1e-9), "{inches:?}");
 }
