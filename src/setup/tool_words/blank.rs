@@ -64,7 +64,7 @@ pub(super) fn described(text: &str, unit: Unit) -> DescribedStock {
         return both
             .map_or_else(DescribedStock::default, |(diameter, length)| said(Some(diameter), Some(length)));
     };
-    // The sizes of the part may be named, too: those behind the term are sizes of the blank.
+    // The sizes of the part may be named, too: those after the term are sizes of the blank.
     let all = || measures(behind).chain(measures(text));
     let in_plane = all().find(|own| own.before == "X").zip(all().find(|own| own.before == "Z"));
     let is_grade = |own: &Measure| of_blank.is_none() && own.before == "D" && own.is_digit();

@@ -222,7 +222,7 @@ pub fn names_any(text: &str, terms: &[(Form, &str)]) -> bool {
     terms.iter().any(|(form, term)| stands(text, &bytes, term, *form))
 }
 
-/// The text before and behind the first of some terms in a comment.
+/// The text before and after the first of some terms in a comment.
 pub fn first<'a>(text: &'a str, terms: &[(Form, &'a str)]) -> Option<(&'a str, &'a str)> {
     let bytes = Bytes::of(text);
     let found = terms.iter().flat_map(|(form, term)| places(text, &bytes, term, *form));
@@ -234,7 +234,7 @@ fn stands(text: &str, bytes: &Bytes, term: &str, form: Form) -> bool {
     places(text, bytes, term, form).next().is_some()
 }
 
-/// The places of a term in a comment of these bytes: the text before it, the term and the text behind it.
+/// The places of a term in a comment of these bytes: the text before it, the term and the text after it.
 fn places<'a>(
     text: &'a str,
     bytes: &Bytes,

@@ -272,7 +272,6 @@ fn blanks_in_words() {
         ("MATERIAL D2 STEEL", "– x –"),
         ("MATERIAL: D3", "– x –"),
         ("MATERIAL: D2 STEEL, DIA 3", "76.2 x –"),
-        ("MATERIAL D2.", "50.8 x –"),
         ("ROUND BAR D2", "50.8 x –"),
         // Named otherwise.
         ("MATERIAL WIDTH 2.25", "– x –"),
