@@ -232,8 +232,11 @@ fn endless_cycles_are_refused_at_once() {
         assert!(seconds < MOST_SECONDS, "{}: {seconds} s", case.name);
         let messages = rows(playground.diagnostics());
         assert!(messages.iter().any(|row| row["code"] == case.code), "{}: {messages:?}", case.name);
+        // Its contour at most is drawn, as uncertain.
         let motions = rows(playground.motions(0, u32::MAX));
-        assert_eq!(motions.len(), 1, "{}", case.name);
+        assert!(motions.len() <= 10, "{}", case.name);
+        let certain = motions.iter().filter(|row| row["uncertain"] != true).count();
+        assert_eq!(certain, 1, "{}", case.name);
     }
 }
 
