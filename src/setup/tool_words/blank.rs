@@ -74,7 +74,9 @@ pub(super) fn described(text: &str, unit: Unit) -> DescribedStock {
         sized.filter(|own| is_unnamed(own) && names_any(text, BARS) && !names_any(text, OTHER_SIZES))
     };
     let diameter = all().find(|own| is_diameter(own) && !is_grade(own)).or(in_plane.map(|(x, _)| x));
-    let length = all().find(is_length).or(in_plane.map(|(_, z)| z));
+    // `3.0 IN DIA X 4.0 IN`: an X after another size is the sign between the two.
+    let after_another = || measures(text).skip(1).find(|own| own.before == "X");
+    let length = all().find(is_length).or(in_plane.map(|(_, z)| z)).or_else(after_another);
     said(diameter.or_else(alone), length)
 }
 
@@ -96,7 +98,7 @@ fn is_diameter(own: &Measure) -> bool {
         || before.ends_with(['Ø', '⌀', 'Φ', '宽', '径'])
         || ["DIA", "DURCHM", "ДИАМ"]
             .iter()
-            .any(|name| before.starts_with(name) || own.behind.starts_with(name))
+            .any(|name| [before, own.behind, own.behind_unit].iter().any(|word| word.starts_with(name)))
 }
 
 fn is_length(own: &Measure) -> bool {
@@ -104,6 +106,7 @@ fn is_length(own: &Measure) -> bool {
         .iter()
         .any(|name| own.before.starts_with(name))
         || matches!(own.before, "L" | "LG" | "LEN")
+        || [own.behind, own.behind_unit].contains(&"LONG")
         || own.before.ends_with(['长', '長'])
 }
 

@@ -15,6 +15,8 @@ pub(super) struct Measure<'a> {
     pub before: &'a str,
     /// Letters and `"` after it.
     pub behind: &'a str,
+    /// Letters after a unit: `DIA` of `3.0 IN DIA`.
+    pub behind_unit: &'a str,
     /// Whether it is written right at the letters before it and has no decimal point, as
     /// a counter is (`GROOVE1`).
     glued: bool,
@@ -101,7 +103,7 @@ pub fn width(text: &str, unit: Unit) -> Option<f64> {
                 .iter()
                 .any(|name| before.starts_with(name))
     });
-    let with_unit = || measures(text).find(Measure::has_unit);
+    let with_unit = || measures(text).find(|own| is_unit(own.behind));
     // A number alone, that is no name of the insert, no counter and no other measure.
     let alone = || {
         measures(text).find(|own| {
@@ -116,7 +118,7 @@ pub fn width(text: &str, unit: Unit) -> Option<f64> {
 pub fn diameter(text: &str, unit: Unit) -> Option<f64> {
     let is_diameter = |own: &Measure| {
         let before = own.before.trim_start_matches("DE ");
-        own.has_unit()
+        is_unit(own.behind)
             || own.fraction
             || matches!(before, "FI" | "PHI" | "Ф")
             // `钻头D8`
@@ -152,10 +154,6 @@ impl Measure<'_> {
     fn may_count(&self, unit: Unit) -> bool {
         let is_whole = self.value.fract() == 0.0;
         is_whole && (unit == Unit::Inch || self.value < 3.0)
-    }
-
-    fn has_unit(&self) -> bool {
-        matches!(self.behind, "MM" | "\"" | "IN" | "INCH" | "''" | "ММ" | "毫米")
     }
 
     /// Whether it is one digit right at the letters before it.
@@ -227,11 +225,21 @@ fn measure(text: &str, start: usize, end: usize) -> Option<Measure<'_>> {
         lead.char_indices().rev().take_while(|(_, c)| is_letter(*c)).last().map_or(lead.len(), |(at, _)| at);
     let tail = text[end..].trim_start_matches(' ');
     let signs = tail.chars().take_while(|c| matches!(c, '"' | '\'' | '°')).map(char::len_utf8).sum();
-    let letters: usize = tail.chars().take_while(|c| c.is_alphabetic()).map(char::len_utf8).sum();
-    let behind = &tail[..if signs > 0 { signs } else { letters }];
+    let behind = &tail[..if signs > 0 { signs } else { letters(tail) }];
+    let next = tail[behind.len()..].trim_start_matches(' ');
+    let behind_unit = if is_unit(behind) { &next[..letters(next)] } else { "" };
     // `16ER1.5` and `N2A4` are names.
     let is_name = lead.len() == start && from < start && lead[..from].ends_with(|c: char| c.is_ascii_digit());
     let counts = text[..start].ends_with(['#', '-']) || is_name;
     let glued = lead.len() == start && from < start && !written.contains(['.', ',', '/']);
-    (!counts).then_some(Measure { value, fraction, before: &lead[from..], behind, glued })
+    (!counts).then_some(Measure { value, fraction, before: &lead[from..], behind, behind_unit, glued })
+}
+
+/// Length of the letters at the head of a text, bytes.
+fn letters(text: &str) -> usize {
+    text.find(|c: char| !c.is_alphabetic()).unwrap_or(text.len())
+}
+
+fn is_unit(text: &str) -> bool {
+    matches!(text, "MM" | "\"" | "IN" | "INCH" | "''" | "ММ" | "毫米")
 }

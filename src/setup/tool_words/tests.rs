@@ -268,6 +268,9 @@ fn blanks_in_words() {
         ("MATERIAL 5/8\" 4140 STEEL BARSTOCK", "15.875 x –"),
         ("MATL: 2.0\" OD, ALUMINUM BAR STOCK", "50.8 x –"),
         ("BAR STOCK 2.25", "57.15 x –"),
+        ("STOCK: 3.0 IN DIA X 4.0 IN LONG", "76.2 x 101.6"),
+        ("STOCK 3.0 DIA X 4.0", "76.2 x 101.6"),
+        ("STOCK 3.0\" DIA. 80 MM LONG", "76.2 x 80"),
         // A grade of steel, or a size.
         ("MATERIAL D2 STEEL", "– x –"),
         ("MATERIAL: D3", "– x –"),
