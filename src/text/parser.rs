@@ -910,9 +910,16 @@ impl<'a> Parser<'a> {
 
     /// Whether the keyword at the head of a block after `;` begins a sentence: `; end of program`.
     fn begins_remark(&self, block: &Block, first: Span) -> bool {
+        // Once for a block: the search goes to its end.
+        let is_head = block.is_empty() && block.faults.is_empty() && !block.is_unread;
+        if !self.after_semicolon || !is_head {
+            return false;
+        }
         let rest = &self.lexer.text()[first.start as usize..];
-        let line = &rest[..line_end(rest, 0)];
-        self.after_semicolon && block.is_empty() && begins_as_sentence(line)
+        // With the `;` that ends the block: a lone keyword in front of it is none of a sentence.
+        let end = memchr::memchr3(b';', b'\n', b'\r', rest)
+            .map_or(rest.len(), |end| end + usize::from(rest[end] == b';'));
+        begins_as_sentence(&rest[..end])
     }
 
     /// Whether a keyword begins at a place.
@@ -1018,14 +1025,10 @@ impl<'a> Parser<'a> {
         own.next_block(&mut rest);
         (rest.span, rest.line) = (block.span, block.line);
         let told = Diagnostic::new(said::TextAfterSlashes { text: short_quote(text, remark) }, remark);
-        let written = remark.quote(text);
-        let inside = written.trim_start_matches(['/', ' ', '\t']);
         let plain = PlainWords::of(text, remark, &[]);
-        let safe = !plain.has_value && !plain.is_ambiguous;
-        let fix = Fix { safe, ..Fix::write(remark, format!("({inside})")) };
-        let told = if inside.contains(['(', ')', '（', '）']) { told } else { told.with(fix) };
+        let is_sure = !plain.has_value && !plain.is_ambiguous;
         rest.comment(remark);
-        rest.fault(told);
+        rest.fault(in_brackets_without(&['/', ' ', '\t'], text, told, is_sure));
         *block = rest;
     }
 
@@ -1101,15 +1104,10 @@ fn leader(text: &[u8]) -> Option<u32> {
     if !begins_line || !precedes_program {
         return None;
     }
-    let mut parser = Parser { is_trial: true, ..Parser::new(&text[..sign]) };
-    let mut block = Block::default();
-    while parser.next_block(&mut block) {
-        let is_text = block.is_broken() && (block.words.is_empty() || reads_as_prose(block.span.of(text)));
-        if block.program.is_some() || !block.is_empty() && !is_text {
-            return None;
-        }
-    }
-    Some(sign as u32)
+    let is_text =
+        |block: &Block| block.is_broken() && (block.words.is_empty() || reads_as_prose(block.span.of(text)));
+    let leads = |block: &Block| block.program.is_none() && (block.is_empty() || is_text(block));
+    all_blocks(&text[..sign], leads).then_some(sign as u32)
 }
 
 /// Whether the first `%` of a text follows a lone program number. A control skips the number and runs the blocks after `%`.
@@ -1118,10 +1116,16 @@ fn names_program(text: &[u8], sign: Span) -> bool {
     if before.len() > LEADER || before.contains(&b'%') {
         return false;
     }
-    let mut parser = Parser { is_trial: true, ..Parser::new(before) };
-    let mut block = Block::default();
+    all_blocks(before, |block| {
+        block.words.is_empty() && block.faults.is_empty() && block.kind == BlockKind::Words
+    })
+}
+
+/// Whether something holds for all blocks of a text that is read for a trial.
+fn all_blocks(text: &[u8], holds: impl Fn(&Block) -> bool) -> bool {
+    let (mut parser, mut block) = (Parser { is_trial: true, ..Parser::new(text) }, Block::default());
     while parser.next_block(&mut block) {
-        if !block.words.is_empty() || !block.faults.is_empty() || block.kind != BlockKind::Words {
+        if !holds(&block) {
             return false;
         }
     }
@@ -1210,7 +1214,12 @@ fn without_second_point(word: &str) -> Option<String> {
 
 /// Offers to put a remark in brackets, unless it has some of its own.
 fn in_brackets(text: &[u8], told: Diagnostic, is_sure: bool) -> Diagnostic {
-    match std::str::from_utf8(told.span.of(text)) {
+    in_brackets_without(&[], text, told, is_sure)
+}
+
+/// The same without the signs at its head that made it a remark.
+fn in_brackets_without(signs: &[char], text: &[u8], told: Diagnostic, is_sure: bool) -> Diagnostic {
+    match std::str::from_utf8(told.span.of(text)).map(|remark| remark.trim_start_matches(signs)) {
         Ok(remark) if !remark.is_empty() && !remark.contains(['(', ')', '（', '）']) => {
             let fix = Fix { safe: is_sure, ..Fix::write(told.span, format!("({remark})")) };
             told.with(fix)

@@ -33,6 +33,8 @@ pub fn long_texts() -> Vec<Hostile> {
             "E-PLAIN-TEXT",
             62,
         ),
+        case("keywords after ;", format!("O1\n{}", megabyte(";IF")), "PS0125", 2),
+        case("a keyword of prose again and again", format!("O1\nG0 X1; {}", megabyte("if ")), "PS0005", 2),
         case("remarks after // in faulty blocks", text("G1 X40,5 F0.2 // feed in\n"), "E-OCR", 2),
         case("O1 O2 O3", numbered(|n| format!("O{n}\n")), "I-EMPTY", 1),
         case(
