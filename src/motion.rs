@@ -258,6 +258,11 @@ pub enum Feed {
     PerTurn(f64),
 }
 
+impl Feed {
+    /// From here on a feed per revolution is one in the other unit, mm/rev.
+    pub const OF_OTHER_UNIT: f64 = 20.0;
+}
+
 /// How the spindle turns.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum SpindleSpeed {

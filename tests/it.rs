@@ -16,6 +16,8 @@ mod format;
 mod markdown;
 #[path = "fixtures/project.rs"]
 mod project;
+#[path = "fixtures/ran.rs"]
+mod ran;
 mod random_programs;
 #[path = "mutations/text.rs"]
 mod text;

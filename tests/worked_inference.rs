@@ -1,45 +1,9 @@
 //! What is inferred of tools and blank where a program does not name them. The expected parts are worked out by hand from the
 //! drawing that each program makes; see `src/machine/inferred.rs` for the order of evidence.
+use crate::ran::{run, run_under};
 use gcode_playground::geometry::Point;
-use gcode_playground::machine::SimulationResult;
-use gcode_playground::run::Run;
-use gcode_playground::setup::{Setup, Stock, ToolKind};
+use gcode_playground::setup::{Stock, ToolKind};
 use gcode_playground::units::Diameter;
-
-struct Ran {
-    simulation: SimulationResult,
-    stock: Stock,
-    told: Vec<&'static str>,
-}
-
-fn run(text: &str) -> Ran {
-    run_under(text, "{}")
-}
-
-fn run_under(text: &str, setup: &str) -> Ran {
-    let mut run = Run::new(text.as_bytes().to_vec(), Setup::from_json(setup).expect("a setup"));
-    while !run.advance(usize::MAX) {}
-    let mut analysis = run.into_analysis();
-    analysis.check_at_machine();
-    let simulation = SimulationResult::of(&analysis.motions, &analysis.setup);
-    let stock = simulation.resolved_setup().stock().expect("a blank").0;
-    Ran { simulation, stock, told: analysis.diagnostics.iter().map(|told| told.message.slug()).collect() }
-}
-
-impl Ran {
-    /// Diameters between which there is material at each Z, from the axis outwards, to a hundredth.
-    #[track_caller]
-    fn check(&self, expected: &[(f64, &[(f64, f64)])]) {
-        let part = self.simulation.finished().expect("a part");
-        for &(z, diameters) in expected {
-            let found: Vec<_> = part.radii(z).iter().map(|&(low, high)| (2.0 * low, 2.0 * high)).collect();
-            let near = |a: f64, b: f64| (a - b).abs() < 0.02;
-            let same = found.len() == diameters.len()
-                && found.iter().zip(diameters).all(|(a, b)| near(a.0, b.0) && near(a.1, b.1));
-            assert!(same, "at Z{z}: {found:?} instead of {diameters:?}, stock {:?}", self.stock);
-        }
-    }
-}
 
 /// The outside is turned to ⌀40 and ⌀48, a hole is drilled to Z-30, then a tool turns ⌀13.2 without a word: it bores.
 #[test]

@@ -1,42 +1,6 @@
 //! Parts that the picture shows where the program alone says what is cut: finishing that starts inside the contour, drills beside
 //! the axis, holes of live tools, parts that are turned round. The expected parts are worked out by hand.
-use gcode_playground::machine::SimulationResult;
-use gcode_playground::run::Run;
-use gcode_playground::setup::Setup;
-
-struct Ran {
-    simulation: SimulationResult,
-    told: Vec<&'static str>,
-}
-
-fn run(text: &str) -> Ran {
-    let mut run = Run::new(text.as_bytes().to_vec(), Setup::default());
-    while !run.advance(usize::MAX) {}
-    let mut analysis = run.into_analysis();
-    analysis.check_at_machine();
-    let simulation = SimulationResult::of(&analysis.motions, &analysis.setup);
-    Ran { simulation, told: analysis.diagnostics.iter().map(|told| told.message.slug()).collect() }
-}
-
-impl Ran {
-    /// Diameters between which there is material at each Z, from the axis outwards, to two hundredths.
-    #[track_caller]
-    fn check(&self, expected: &[(f64, &[(f64, f64)])]) {
-        let part = self.simulation.finished().expect("a part");
-        for &(z, diameters) in expected {
-            let found: Vec<_> = part.radii(z).iter().map(|&(low, high)| (2.0 * low, 2.0 * high)).collect();
-            let near = |a: f64, b: f64| (a - b).abs() < 0.02;
-            let same = found.len() == diameters.len()
-                && found.iter().zip(diameters).all(|(a, b)| near(a.0, b.0) && near(a.1, b.1));
-            let stock = self.simulation.resolved_setup().stock();
-            assert!(same, "at Z{z}: {found:?} instead of {diameters:?}, stock {stock:?}");
-        }
-    }
-
-    fn tells(&self, slug: &str) -> bool {
-        self.told.contains(&slug)
-    }
-}
+use crate::ran::run;
 
 const OUTSIDE: &str = "T0101\nG97S800M3\nG0X52.Z2.\nX40.\nG1Z-30.F.2\nX52.\nG0X100.Z100.\n";
 
@@ -53,7 +17,7 @@ fn finishing_is_on_the_side_of_roughing() {
                 "O1\nG21G99\nT0101\nG97S800M3\n{roughing}G0X100.Z50.\nT0202\nG0{start}\nG70P10Q20F.1\nG0X100.Z50.\nM30\n"
             ));
             ran.check(&[(-15.0, &[(0.0, 20.0)]), (-45.0, &[(0.0, 38.0)])]);
-            let stock = ran.simulation.resolved_setup().stock().expect("a blank").0;
+            let stock = ran.stock;
             assert!(stock.bore.mm() == 0.0 && stock.diameter.mm() < 60.0, "{start}: {stock:?}");
         }
     }
@@ -108,7 +72,7 @@ fn a_hole_off_the_axis_defines_no_bar() {
         let ran = run(&format!(
             "O1\nG21G99\nT0202(U DRILL D25)\nG97S800M3\nG0X{start}Z2.\nG74R.5\nG74Z-30.Q5000F.05\nG0Z50.\nM30\n"
         ));
-        let stock = ran.simulation.resolved_setup().stock().expect("a blank").0;
+        let stock = ran.stock;
         assert!(stock.diameter.mm() > 25.0, "{start}: {stock:?}");
     }
 }
@@ -197,7 +161,7 @@ fn the_other_end_is_not_cut_into_the_first() {
         ran.check(&[(-6.0, &[(0.0, 30.0)]), (-20.0, &[(0.0, 40.0)])]);
         assert!(!ran.tells("work-zero-unknown"), "{stop}: {:?}", ran.told);
     }
-    // What is said before the first cut is of this program.
+    // Before the first cut the comment names the side that is machined.
     run(&format!("O1\nG21G99\nM00(SECOND SIDE)\n{OUTSIDE}M30\n")).check(&[(-20.0, &[(0.0, 40.0)])]);
 }
 

@@ -148,7 +148,7 @@ fn program_of(text: &[u8], number: u32, head: &str) -> Option<Vec<u8>> {
     }
 }
 
-/// Where the programs of a tape are: after the first sign `%` and before the one that ends the program.
+/// The bytes of a text from its first `%` to the one that ends the program.
 fn extent(text: &[u8]) -> Range<usize> {
     let (mut parser, mut block) = (Parser::new(text), Block::default());
     let mut own = 0..text.len();

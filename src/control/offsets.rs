@@ -88,7 +88,7 @@ impl Frames {
     #[inline]
     pub fn cut(&mut self) -> bool {
         let is_first = self.workpiece.is_none();
-        if self.side != Side::First && self.side != Side::Other {
+        if matches!(self.side, Side::Announced | Side::Stopped) {
             self.side = Side::First;
         }
         if is_first {
@@ -106,21 +106,18 @@ impl Frames {
     /// Takes in a comment that says that the part is turned round. `true`: the program has stopped for it, and the
     /// other end is machined from here on.
     pub fn announce_other_end(&mut self) -> bool {
-        let turns = self.side == Side::Stopped;
-        self.side = match self.side {
-            Side::Stopped | Side::Other => Side::Other,
-            Side::First | Side::Announced => Side::Announced,
-        };
-        turns
+        self.turn_after(Side::Stopped, Side::Announced)
     }
 
     /// Takes in a stop (M00, M01). `true`: the other end is machined from here on.
     pub fn stop(&mut self) -> bool {
-        let turns = self.side == Side::Announced;
-        self.side = match self.side {
-            Side::Announced | Side::Other => Side::Other,
-            Side::First | Side::Stopped => Side::Stopped,
-        };
+        self.turn_after(Side::Announced, Side::Stopped)
+    }
+
+    /// The first of the two signs that the part is turned round is `own`, the second follows `other`. `true`: this is the second.
+    fn turn_after(&mut self, other: Side, own: Side) -> bool {
+        let turns = self.side == other;
+        self.side = if turns || self.side == Side::Other { Side::Other } else { own };
         turns
     }
 

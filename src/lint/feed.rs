@@ -8,6 +8,7 @@ use crate::control::modal::Target;
 use crate::control::words::{Words, letters, quote};
 use crate::cycles::single::Single;
 use crate::message::{Diagnostic, Message, said};
+use crate::motion;
 use crate::setup::dialect::{DecimalRule, FeedMode};
 use crate::source::Span;
 use crate::source::shift::Shift;
@@ -36,9 +37,8 @@ struct Alone {
     end: (Axis, Target),
 }
 
-/// From here on F under G99 is a feed per minute, mm/rev. From [`DOUBTFUL`] on it may be a fast approach in air: a smaller
-/// feed per revolution that follows shows that the unit is meant.
-const PER_MINUTE: f64 = 20.0;
+/// From here on F under G99 may be a fast approach in air, mm/rev: a smaller feed per revolution that follows shows that
+/// the unit is meant.
 const DOUBTFUL: f64 = 5.0;
 
 /// A feed per revolution that a tool takes, mm/rev.
@@ -130,7 +130,7 @@ impl Feed {
         let span = words.span(b'F');
         if per_turn {
             self.doubtful = self.doubtful.or(Some((span, feed)));
-            if feed >= PER_MINUTE {
+            if feed >= motion::Feed::OF_OTHER_UNIT {
                 self.report_doubtful(at, reports);
             }
         } else if self.unit.first() {

@@ -27,7 +27,7 @@ const THIN: f64 = 0.04;
 const NEEDLE: f64 = 0.1;
 
 /// A cut across the axis that ends nearer to it than this, mm, faces the work or parts it off.
-const TO_AXIS: f64 = 1.0;
+pub(super) const TO_AXIS: f64 = 1.0;
 
 /// What is left in front of a face is no longer than this, mm, and no longer than the other where the tool
 /// does not go on behind it: a longer piece is parted off.

@@ -12,6 +12,7 @@ use super::part::{Part, Turned, cut};
 use super::region::Region;
 use super::resolved_setup::{Basis, ResolvedSetup, ResolvedTool};
 use super::sweep::{Outline, way_of};
+use super::tip_place::{Route, TipPlace};
 use super::tool::Action;
 use crate::geometry::{Point, SAME};
 use crate::motion::{Cycle, CycleFamily, Motion, MotionKind, Motions, Quill, Step};
@@ -71,11 +72,7 @@ pub struct DangerDetector {
     c: f64,
     /// The motion before, dwells aside.
     before: Option<Motion>,
-    /// Station of the tool of the last motion.
-    station: Option<u16>,
-    /// Axes whose place is not known, X and Z: the tool was changed at the work, and
-    /// they have not moved since.
-    unknown: [bool; 2],
+    tip: TipPlace,
     /// The thread under way begins within the work.
     plunges: bool,
     /// Where the pass of a cycle under way began.
@@ -114,8 +111,7 @@ impl DangerDetector {
             live_cuts: LiveCuts::default(),
             c: 0.0,
             before: None,
-            station: None,
-            unknown: [false; 2],
+            tip: TipPlace::default(),
             plunges: false,
             pass_start: None,
             findings: Vec::new(),
@@ -150,23 +146,18 @@ impl DangerDetector {
         let before = self.before.replace(*motion);
         let tool = resolved.tool(motion);
         let station = motion.process.tool.0;
-        if self.station.replace(station).is_some_and(|last| last != station) && self.is_at_work(motion.from) {
-            self.unknown = [true; 2];
-        }
-        let comes_from_elsewhere = self.unknown != [false; 2];
-        self.unknown[0] &= (motion.to.x - motion.from.x).abs() <= SAME;
-        self.unknown[1] &= (motion.to.z - motion.from.z).abs() <= SAME;
+        let route = self.tip.follow(motion, self.is_at_work(motion.from));
         if motion.kind.cuts() && resolved.misses(station) && !self.missed.contains(&station) {
             self.missed.push(station);
             self.tell(index, motion.from, Danger::ToolNotListed { station });
         }
         self.travel(index, motion);
-        if self.unknown != [false; 2] {
+        if route == Route::Unknown {
             self.passes_over(motion);
             return;
         }
         // A tool is not changed in the work: where a rapid comes from is not known, only where it arrives.
-        let known = if comes_from_elsewhere && !motion.kind.cuts() {
+        let known = if route == Route::EndKnown && !motion.kind.cuts() {
             Motion { from: motion.to, ..*motion }
         } else {
             *motion

@@ -16,9 +16,6 @@ const FAST_ON_LARGE: f64 = 2.0;
 /// Diameter of a blank that is turned on heavy lathes, mm.
 const LARGE: f64 = 200.0;
 
-/// From here on it is a feed in the other unit, mm/rev.
-const FEED_OF_OTHER_UNIT: f64 = 20.0;
-
 /// Nearer to the spindle axis than this, mm, is on it.
 const OFF_AXIS: f64 = 0.01;
 
@@ -135,7 +132,7 @@ impl Misuse {
             return None;
         }
         let per_turn = match (motion.process.feed, motion.process.speed) {
-            (Feed::PerTurn(feed), _) if feed < FEED_OF_OTHER_UNIT => feed,
+            (Feed::PerTurn(feed), _) if feed < Feed::OF_OTHER_UNIT => feed,
             (Feed::PerMinute(feed), SpindleSpeed::Constant(speed)) if speed > 0.0 => feed / speed,
             _ => return None,
         };

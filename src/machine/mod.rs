@@ -26,6 +26,7 @@ pub mod sweep;
 mod thread_depth;
 pub mod thread_point;
 pub mod thread_run_out;
+mod tip_place;
 pub mod tool;
 mod tool_use;
 pub mod turned_material;

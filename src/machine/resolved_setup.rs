@@ -84,10 +84,10 @@ impl ResolvedSetup {
             .map(|motion| (motion.process.tool.0, Purpose::of(&motion)))
             .collect();
         let inferred_tools = inferred.tools().map(|(station, purpose, tool)| {
-            let tool = ResolvedTool::inferred(station, for_pitch(station, tool));
-            let is_unknown = unknown_uses.contains(&(station, purpose));
-            let mut tool =
-                ResolvedTool { basis: if is_unknown { Basis::Unknown } else { tool.basis }, ..tool };
+            let mut tool = ResolvedTool::inferred(station, for_pitch(station, tool));
+            if unknown_uses.contains(&(station, purpose)) {
+                tool.basis = Basis::Unknown;
+            }
             tool.cuts_nothing = setup.described_tools.get(&station) == Some(&Tool::default());
             if purpose == Purpose::Live {
                 tool.shape.action = Action::Live;

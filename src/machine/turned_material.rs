@@ -4,9 +4,11 @@
 //! material. Only outside tools are checked: bores and drilled holes leave less certain surfaces. After a stop, a
 //! parting cut or a cut of an unknown tool, no material is certain. Must not know messages.
 
+use super::choice::TO_AXIS;
 use super::danger::{Danger, Finding};
 use super::evidence::Evidence;
 use super::resolved_setup::{Basis, ResolvedSetup, ResolvedTool};
+use super::tip_place::{Route, TipPlace};
 use crate::geometry::{Point, SAME};
 use crate::limits::INFERRED_FROM;
 use crate::motion::{Cycle, Motion, MotionKind, Motions, StopKind};
@@ -30,13 +32,10 @@ const BEHIND: f64 = 5.0;
 /// A cut no farther below the outside of the inferred blank than this, mm, may be in the air.
 const SKIN: f64 = 0.5;
 
-/// A cut across that ends nearer to the axis than this, mm, parts off what is in front of it.
-const TO_AXIS: f64 = 1.0;
-
 /// A tool that plunges clears no more than this beside its tip, mm: which corner is led is not known.
 const WIDEST: f64 = 6.0;
 
-/// The rapids into turned material, in order; none where the blank is given.
+/// The rapids into turned material, in order. If the blank is given, the list is empty: the detector finds them.
 pub fn rapids_into_it(motions: &Motions, resolved: &ResolvedSetup) -> Vec<Finding> {
     let Some((stock, Basis::Inferred)) = resolved.stock() else { return Vec::new() };
     if !resolved.unknown().is_empty() || Evidence::of(motions, None).is_mirrored() {
@@ -63,7 +62,7 @@ pub fn rapids_into_it(motions: &Motions, resolved: &ResolvedSetup) -> Vec<Findin
     found
 }
 
-/// The surfaces turned so far.
+/// The material below the turned surfaces, as the motions go on.
 #[derive(Clone, Debug)]
 struct TurnedMaterial {
     stock: Stock,
@@ -76,9 +75,7 @@ struct TurnedMaterial {
     certain: Option<Vec<f64>>,
     /// The motion before is a cut along the work.
     follows_cut: bool,
-    station: Option<u16>,
-    /// Axes whose place is not known, X and Z: the tool was changed near the work, and they have not moved since.
-    unknown: [bool; 2],
+    tip: TipPlace,
     work: usize,
 }
 
@@ -90,8 +87,7 @@ impl TurnedMaterial {
             walls: vec![0.0; PLACES],
             certain: None,
             follows_cut: false,
-            station: None,
-            unknown: [false; 2],
+            tip: TipPlace::default(),
             work: 0,
         }
     }
@@ -106,14 +102,7 @@ impl TurnedMaterial {
     /// Takes in the next motion. Returns where a rapid first meets certain material.
     fn next(&mut self, motion: &Motion, tool: &ResolvedTool) -> Option<Point> {
         let follows_cut = std::mem::take(&mut self.follows_cut);
-        let station = motion.process.tool.0;
-        if self.station.replace(station).is_some_and(|last| last != station) && self.is_near(motion.from) {
-            self.unknown = [true; 2];
-        }
-        let comes_from_elsewhere = self.unknown != [false; 2];
-        self.unknown[0] &= (motion.to.x - motion.from.x).abs() <= SAME;
-        self.unknown[1] &= (motion.to.z - motion.from.z).abs() <= SAME;
-        let is_placed = self.unknown == [false; 2];
+        let route = self.tip.follow(motion, self.is_near(motion.from));
         if !motion.process.removes_material() || motion.process.incomplete {
             if motion.kind.cuts() {
                 self.lose();
@@ -129,8 +118,8 @@ impl TurnedMaterial {
             self.cut(motion, is_outside, follows_cut);
             return None;
         }
-        let is_looked_at = is_outside && motion.cycle.is_none() && is_placed;
-        is_looked_at.then(|| self.meets(motion, comes_from_elsewhere)).flatten()
+        let is_looked_at = is_outside && motion.cycle.is_none() && route != Route::Unknown;
+        is_looked_at.then(|| self.meets(motion, route == Route::EndKnown)).flatten()
     }
 
     fn is_near(&self, at: Point) -> bool {
@@ -276,7 +265,7 @@ impl TurnedMaterial {
     }
 }
 
-/// The least value within so many places on both sides of each one. Doubles the width of the window until it is reached.
+/// For each place, the least value among it and its `reach` neighbours on both sides. The window is doubled until it has its width.
 fn lowest_within(values: &[f64], reach: usize) -> Vec<f64> {
     let at = |list: &[f64], place: usize| list.get(place).copied().unwrap_or(f64::INFINITY);
     let reach = reach.min(values.len());

@@ -47,7 +47,7 @@ impl Judged {
 const ENOUGH: usize = 300;
 /// Least share of messages that are true or defensible, percent.
 const SHARES: [(Severity, usize); 2] = [(Severity::Error, 97), (Severity::Warning, 95)];
-/// A rule with so many messages must be true or defensible in `SHARE` percent of them.
+/// At least `SHARE` percent of the messages of a rule must be true or defensible if it has `MANY` of them.
 const MANY: usize = 5;
 const SHARE: usize = 80;
 
@@ -102,7 +102,7 @@ fn broken_bounds(list: &[Judged], enough: usize) -> Vec<String> {
     broken
 }
 
-/// A list of warnings in which so many messages of a rule have these verdicts.
+/// A list of warnings: for each rule the numbers of true, false and unsure messages.
 fn list(rules: &[(&str, usize, usize, usize)]) -> Vec<Judged> {
     list_of("warning", rules)
 }

@@ -211,7 +211,7 @@ fn with_line_ends_of(before: &[u8], mut text: Vec<u8>) -> Vec<u8> {
     text
 }
 
-/// Keeps the messages of the program, its first `bytes` bytes, and drops those of its subprograms.
+/// Drops the messages of the subprograms, which follow the first `bytes` bytes.
 fn keep_own(diagnostics: &mut Vec<Diagnostic>, bytes: usize) {
     let is_own = |span: Span| span.end as usize <= bytes;
     diagnostics.retain(|diagnostic| is_own(diagnostic.span));
