@@ -5,7 +5,7 @@
 
 use std::f64::consts::{FRAC_PI_2, TAU};
 
-use super::{Arc, Point, Turn};
+use super::{Arc, Point, Turn, wrapped};
 
 /// An upright box; both corners in mm, `x` a radius.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -34,8 +34,8 @@ impl Bounds {
         for quarter in 0..4 {
             let angle = f64::from(quarter) * FRAC_PI_2;
             let turned = match arc.turn {
-                Turn::Counterclockwise => (angle - start).rem_euclid(TAU),
-                Turn::Clockwise => (start - angle).rem_euclid(TAU),
+                Turn::Counterclockwise => wrapped(angle - start, TAU),
+                Turn::Clockwise => wrapped(start - angle, TAU),
             };
             if turned < sweep.abs() {
                 bounds = bounds.with(arc.at(turned / sweep.abs()));

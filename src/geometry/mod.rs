@@ -57,6 +57,12 @@ impl Point {
     }
 }
 
+/// The remainder of a value divided by a positive period, from 0 to the period. Unlike `rem_euclid` it brings no `fmod` into
+/// the core of the module.
+pub fn wrapped(value: f64, period: f64) -> f64 {
+    if (0.0..period).contains(&value) { value } else { value - (value / period).floor() * period }
+}
+
 /// Which way an arc turns, seen with Z to the right and X up.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Turn {
@@ -111,7 +117,7 @@ impl Arc {
         if self.start.is_same(self.end) {
             return if self.turn == Turn::Counterclockwise { full } else { -full };
         }
-        let angle = (self.end_angle() - self.start_angle()).rem_euclid(full);
+        let angle = wrapped(self.end_angle() - self.start_angle(), full);
         match self.turn {
             Turn::Counterclockwise => angle,
             Turn::Clockwise => angle - full,

@@ -6,7 +6,7 @@
 //! the end face (seen from the tailstock), Z and the unrolled circumference for the cylinder, two of X, Y and Z
 //! as [`Flat`] says. Knows nothing of words and blocks.
 
-use super::{Arc, Point, SAME};
+use super::{Arc, Point, SAME, wrapped};
 
 /// Which plane it is.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -115,7 +115,7 @@ impl Way {
                 // The point of the circle nearest to the origin lies on the ray from its centre through it.
                 let toward = (-arc.center.x).atan2(-arc.center.z) - arc.start_angle();
                 let turned = if arc.sweep() < 0.0 { -toward } else { toward };
-                if turned.rem_euclid(std::f64::consts::TAU) <= arc.sweep().abs() {
+                if wrapped(turned, std::f64::consts::TAU) <= arc.sweep().abs() {
                     (arc.center.distance(origin) - arc.radius()).abs().min(ends)
                 } else {
                     ends
@@ -137,8 +137,8 @@ impl Way {
                 let full = std::f64::consts::TAU;
                 match (sweep.abs() >= full - 1e-12, sweep > 0.0) {
                     (true, _) => sweep,
-                    (false, true) => straight.rem_euclid(full),
-                    (false, false) => -(-straight).rem_euclid(full),
+                    (false, true) => wrapped(straight, full),
+                    (false, false) => -wrapped(-straight, full),
                 }
             }
             // Seen from outside, neither a line nor a circle covers half a turn.

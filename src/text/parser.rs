@@ -41,6 +41,10 @@ early! {
         parser.reconsider(block, behind_semicolon);
     }
 
+    fn is_sentence(bytes: &[u8]) -> bool {
+        begins_as_sentence(bytes)
+    }
+
     fn take_misread(parser: &mut Parser, block: &mut Block, start: u32, misread: &Misread) {
         parser.take_misread(block, start, misread);
     }
@@ -909,17 +913,21 @@ impl<'a> Parser<'a> {
     }
 
     /// Whether the keyword at the head of a block after `;` begins a sentence: `; end of program`.
-    fn begins_remark(&self, block: &Block, first: Span) -> bool {
+    fn begins_remark(&self, block: &mut Block, first: Span) -> bool {
         // Once for a block: the search goes to its end.
         let is_head = block.is_empty() && block.faults.is_empty() && !block.is_unread;
         if !self.after_semicolon || !is_head {
+            return false;
+        }
+        if !READS_FAULTS.is_loaded() {
+            block.is_unread = true;
             return false;
         }
         let rest = &self.lexer.text()[first.start as usize..];
         // With the `;` that ends the block: a lone keyword in front of it is none of a sentence.
         let end = memchr::memchr3(b';', b'\n', b'\r', rest)
             .map_or(rest.len(), |end| end + usize::from(rest[end] == b';'));
-        begins_as_sentence(&rest[..end])
+        is_sentence(&rest[..end])
     }
 
     /// Whether a keyword begins at a place.
