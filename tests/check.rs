@@ -144,7 +144,9 @@ fn subprograms_are_found_in_files_of_their_own() {
         .with("wrong.nc", main("M98 P5000"))
         .with("O5000.nc", pass("O5001\n"))
         .with("faulty.nc", main("M98 P6000"))
-        .with("O6000.nc", "O6000\nG7.7\nM99\n")
+        .with("O6000.nc", "O6000\nG7.7\nG7.8\nM99\n")
+        .with("deep.nc", main("M98 P6001"))
+        .with("O6001.nc", "O6001\nM98 P6000\nM99\n")
         .with("sign.nc", "O0001\n%\nG21 G99 G97 S500 M03 T0101\nG00 X42. Z2.\nM98 P2000\nG01 W-5. F.2\nM30\n")
         .with("head.nc", main("M98 P7000"))
         .with("O7000.nc", "O7000\n%\nG01 W-5. F.2\nM99\n%\n");
@@ -167,9 +169,14 @@ fn subprograms_are_found_in_files_of_their_own() {
     }
     assert_eq!(cuts(&["shelf.nc", "--library", "shelf"]), 1);
     assert!(!out(&folder.check(&["shelf.nc", "--library", "shelf"])).contains("is not in this file"));
-    // What is wrong in a subprogram is reported for its own file.
-    assert!(!out(&folder.check(&["faulty.nc"])).contains("G7.7"));
+    // What is wrong in a subprogram is reported for its own file; the first error, which ends the check of collisions, at the
+    // call as well.
     assert!(out(&folder.check(&["O6000.nc"])).contains("G7.7"));
+    for (file, call) in [("faulty.nc", "P6000"), ("deep.nc", "P6001")] {
+        let told = out(&folder.check(&[file]));
+        assert!(told.contains(&format!("{file}:5:5\n")) && told.contains(call), "{told}");
+        assert_eq!((told.matches("error[").count(), told.contains("G7.8")), (1, false), "{told}");
+    }
     // Repairs do not write it into the program.
     let before = fs::read(folder.0.join("number.nc")).expect("a program");
     folder.check(&["number.nc", "--fix"]);
@@ -178,6 +185,27 @@ fn subprograms_are_found_in_files_of_their_own() {
     let mut gcode = Command::new(env!("CARGO_BIN_EXE_gcode-playground"));
     let motions = gcode.current_dir(&configured.0).args(["motions", "shelf.nc"]).output().expect("it runs");
     assert_eq!(out(&motions).matches("\"kind\":\"feed\"").count(), 1);
+}
+
+/// What a subprogram runs into depends on the blank and the tool of the program that calls it.
+#[test]
+fn dangers_in_a_subprogram_are_reported_at_the_call() {
+    let main = "O0001 (STOCK D=50 LENGTH=80)\nG21 G99 G97 S500 M03 T0101\nG00 X60. Z2.\nM98 P2001\nG00 X100. Z100.\nM30\n";
+    let subprogram = "O2001\nG00 X40.\nG00 Z-20.\nG00 X60.\nM99\n";
+    let folder = Folder::new("dangers")
+        .with("main.nc", main)
+        .with("O2001.nc", subprogram)
+        .with("one/main.nc", [main, subprogram].concat());
+    let places = |file: &str| -> Vec<(u64, u64)> {
+        let told = out(&folder.check(&[file, "--format", "json"]));
+        let rows = told.lines().map(|line| serde_json::from_str::<Value>(line).expect("JSON"));
+        let dangers = rows.filter(|row| row["slug"] == "rapid-through-stock");
+        dangers
+            .map(|row| (row["line"].as_u64().expect("a line"), row["column"].as_u64().expect("a column")))
+            .collect()
+    };
+    assert_eq!(places("one/main.nc").first(), Some(&(9, 1)));
+    assert_eq!(places("main.nc"), [(4, 5)]);
 }
 
 #[test]

@@ -341,11 +341,22 @@ fn run_text(
     setup: Setup,
     begin: impl FnOnce(Run) -> Run,
 ) -> Program {
+    let mut program = run_at_control(name, text, encoding, setup, begin);
+    program.analysis.check_at_machine();
+    program
+}
+
+/// The same without what happens at the machine.
+fn run_at_control(
+    name: String,
+    text: Vec<u8>,
+    encoding: Encoding,
+    setup: Setup,
+    begin: impl FnOnce(Run) -> Run,
+) -> Program {
     let mut run = begin(Run::new(text.clone(), setup));
     while !run.advance(usize::MAX) {}
-    let mut analysis = run.into_analysis();
-    analysis.check_at_machine();
-    Program { name, text, encoding, analysis }
+    Program { name, text, encoding, analysis: run.into_analysis() }
 }
 
 /// What a program is run with: what the options name, and what its configuration says.

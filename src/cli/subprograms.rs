@@ -11,6 +11,7 @@ use std::path::PathBuf;
 use super::encoding;
 use super::system::{self, PathKind};
 use crate::control::program::calls_elsewhere;
+use crate::source::Span;
 use crate::text::block::{Block, BlockKind};
 use crate::text::parser::Parser;
 
@@ -31,7 +32,22 @@ pub(super) struct Joined {
     /// The program up to the sign that ends its tape, then the subprograms.
     pub text: Vec<u8>,
     /// Bytes of the program itself.
-    pub own: usize,
+    own: usize,
+    /// Where each subprogram begins, and the word of the program that calls it, directly or through another one.
+    added: Vec<(usize, Span)>,
+}
+
+impl Joined {
+    /// Whether a place is in the program itself.
+    pub fn is_own(&self, place: Span) -> bool {
+        place.end as usize <= self.own
+    }
+
+    /// The first word of the program that calls the subprogram of a place; `None` in the program itself.
+    pub fn call(&self, place: Span) -> Option<Span> {
+        let until = self.added.partition_point(|(start, _)| *start <= place.start as usize);
+        self.added[..until].last().map(|(_, call)| *call)
+    }
 }
 
 /// Appends the subprograms to a program, at most `most` bytes in all; `None` if none is missing or found.
@@ -39,36 +55,33 @@ pub(super) fn join(text: &[u8], folders: &[PathBuf], most: usize) -> Option<Join
     if !may_call(text) {
         return None;
     }
-    let (mut joined, mut looked_for, mut files) = (Vec::new(), BTreeSet::new(), 0);
-    let (mut own, mut library) = (0, None);
+    let own = &text[..extent(text).end];
+    let mut joined = Joined { text: own.to_vec(), own: own.len(), added: Vec::new() };
+    let (mut looked_for, mut library) = (BTreeSet::new(), None);
     loop {
-        let read = if joined.is_empty() { text } else { &joined[..] };
-        let missing = calls_elsewhere(read)
+        let missing = calls_elsewhere(&joined.text)
             .into_iter()
             .filter(|(number, _)| looked_for.len() < MOST_SEARCHES && looked_for.insert(*number));
-        let missing: Vec<(u32, String)> = missing.map(|(number, word)| (number, word.quote(read))).collect();
-        let before = files;
-        for (number, word) in missing {
+        let missing: Vec<(u32, Span, String)> =
+            missing.map(|(number, word)| (number, word, word.quote(&joined.text))).collect();
+        let before = joined.added.len();
+        for (number, word, written) in missing {
             let library = library.get_or_insert_with(|| Library::of(folders));
-            let Some(program) = library.find(number, &word, most) else { continue };
-            if joined.is_empty() {
-                joined = text[..extent(text).end].to_vec();
-                own = joined.len();
-            }
-            if files == MOST_FILES || joined.len() + program.len() >= most {
+            let Some(program) = library.find(number, &written, most) else { continue };
+            if joined.added.len() == MOST_FILES || joined.text.len() + program.len() >= most {
                 break;
             }
-            if !joined.ends_with(b"\n") {
-                joined.push(b'\n');
+            if !joined.text.ends_with(b"\n") {
+                joined.text.push(b'\n');
             }
-            joined.extend(program);
-            files += 1;
+            joined.added.push((joined.text.len(), joined.call(word).unwrap_or(word)));
+            joined.text.extend(program);
         }
-        if files == before {
+        if joined.added.len() == before {
             break;
         }
     }
-    (files > 0).then_some(Joined { text: joined, own })
+    (!joined.added.is_empty()).then_some(joined)
 }
 
 /// Whether a text may call anything: it has M98, M198, G65 or G66.

@@ -15,8 +15,9 @@ mod selection;
 #[cfg(not(target_arch = "wasm32"))]
 mod watch;
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::io::{self, Write};
+use std::mem;
 use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::mpsc;
@@ -25,16 +26,17 @@ use std::thread;
 use super::configuration::{Configurations, Settings};
 use super::manual_page::Page;
 use super::options::{Texts, With};
+use super::subprograms::{self, Joined};
 use super::system::{self, Stream, say};
 use super::{
-    NAME, Status, encoded, encoding, read_within, run_text, save, save_apart, subprograms, terminal,
+    NAME, Status, encoded, encoding, read_within, run_at_control, run_text, save, save_apart, terminal,
 };
 use crate::api::InferredStock;
 use crate::limits;
-use crate::message::Diagnostic;
+use crate::message::{Diagnostic, Severity, said, sort_by_place};
 use crate::repair::repaired_of;
 use crate::sentences::Language;
-use crate::source::{LineIndex, Span, only_line_end};
+use crate::source::{LineIndex, only_line_end};
 use baseline::Baseline;
 use finding::{Finding, Programs, Subject, What};
 use reports::{Counts, Report, Wanted};
@@ -211,13 +213,26 @@ fn with_line_ends_of(before: &[u8], mut text: Vec<u8>) -> Vec<u8> {
     text
 }
 
-/// Drops the messages of the subprograms, which follow the first `bytes` bytes.
-fn keep_own(diagnostics: &mut Vec<Diagnostic>, bytes: usize) {
-    let is_own = |span: Span| span.end as usize <= bytes;
-    diagnostics.retain(|diagnostic| is_own(diagnostic.span));
-    for diagnostic in diagnostics {
-        diagnostic.fixes.retain(|fix| fix.edits.iter().all(|edit| is_own(edit.span)));
-    }
+/// Keeps the messages of the program itself. Of those of a subprogram, which is checked as a file of its own, what only the
+/// joined run shows is reported at the call: the dangers at the machine, and the first block that is not carried out.
+/// `of_control`: the messages before those of the machine.
+fn report_at_calls(diagnostics: &mut Vec<Diagnostic>, joined: &Joined, of_control: &[Diagnostic]) {
+    let mut reported = BTreeSet::new();
+    diagnostics.retain_mut(|diagnostic| {
+        let Some(call) = joined.call(diagnostic.span) else {
+            diagnostic.fixes.retain(|fix| fix.edits.iter().all(|edit| joined.is_own(edit.span)));
+            return joined.is_own(diagnostic.span);
+        };
+        let message = &diagnostic.message;
+        let (is_reported, slug) = match of_control.contains(diagnostic) {
+            true => (diagnostic.is_error() || message.is::<said::ProgramNotFound>(), None),
+            false => (diagnostic.severity >= Severity::Warning, Some(message.slug())),
+        };
+        diagnostic.span = call;
+        diagnostic.fixes.clear();
+        is_reported && reported.insert((call.start, slug))
+    });
+    sort_by_place(diagnostics);
 }
 
 /// A check of some files.
@@ -392,10 +407,13 @@ impl Job<'_> {
         let joined = subprograms::join(&text, &folders, setup.limits.text);
         let mut program = match joined {
             None => run_text(name, text, encoding, setup, |run| run),
-            Some(joined) => {
-                let mut program = run_text(name, joined.text, encoding, setup, |run| run);
+            Some(mut joined) => {
+                let run = mem::take(&mut joined.text);
+                let mut program = run_at_control(name, run, encoding, setup, |run| run);
+                let of_control = program.analysis.diagnostics.clone();
+                program.analysis.check_at_machine();
+                report_at_calls(&mut program.analysis.diagnostics, &joined, &of_control);
                 program.text = text;
-                keep_own(&mut program.analysis.diagnostics, joined.own);
                 program
             }
         };
