@@ -1,7 +1,7 @@
 //! Help at the word and the state of the control, asked at places of fixtures that are marked with `$0`.
 //!
 //! Each file `tests/assist/*.nc` is a program with marks; the file `.help` beside it is what is answered at each of them, in
-//! three languages. `UPDATE=1 cargo test --test it assist::` writes them anew; read what has changed before it is committed.
+//! three languages. `UPDATE_EXPECT=1 cargo test --test it assist::` writes them anew; read what has changed before it is committed.
 #[path = "assist/asking.rs"]
 mod asking;
 #[path = "assist/completion.rs"]
@@ -16,8 +16,10 @@ mod worked;
 use crate::fixtures;
 use std::fmt::Write;
 use std::fs;
+use std::path::Path;
 
 use asking::Asking;
+use expect_test::expect_file;
 use gcode_playground::api::assist::{FormHelp, StateHelp, WordHelp};
 use gcode_playground::assist::role::Role;
 use gcode_playground::assist::signature::Otherwise;
@@ -125,23 +127,11 @@ fn answers_at_the_marked_places_are_the_committed_ones() {
     files.retain(|path| path.extension().is_some_and(|ending| ending == "nc"));
     files.sort();
     assert!(files.len() >= 5, "{files:?}");
-    let mut changed = Vec::new();
     for path in files {
         let answered = answers(&fs::read_to_string(&path).expect("a program"));
-        let expected = path.with_extension("help");
-        if std::env::var_os("UPDATE").is_some() {
-            fs::write(&expected, &answered).expect("a file");
-            continue;
-        }
-        let committed = fs::read_to_string(&expected).unwrap_or_default();
-        let differ = committed.lines().zip(answered.lines()).enumerate().find(|(_, (old, new))| old != new);
-        if let Some((line, (old, new))) = differ {
-            changed.push(format!("{}, line {}: `{new}` instead of `{old}`", expected.display(), line + 1));
-        } else if committed != answered {
-            changed.push(format!("{}: another length", expected.display()));
-        }
+        let name = path.with_extension("help").file_name().expect("a name").to_owned();
+        expect_file![Path::new("assist").join(name)].assert_eq(&answered);
     }
-    assert!(changed.is_empty(), "{changed:#?}");
 }
 
 /// Every word of every program of the gallery is explained, and none of the correct ones is said to have no meaning.

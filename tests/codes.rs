@@ -1,9 +1,10 @@
 //! The table of supported codes: the one in the reference is the registry's, every row has its words in every
 //! language, and the interpreter recognises what stands in it and nothing else.
-//! `UPDATE=1 cargo test --test it codes::` writes it.
+//! `UPDATE_EXPECT=1 cargo test --test it codes::` writes it.
 use std::collections::HashSet;
 use std::fmt::Write;
 
+use expect_test::expect_file;
 use gcode_playground::analyze;
 use gcode_playground::api::{self, CodeRow};
 use gcode_playground::control::codes::{self, Effect};
@@ -59,14 +60,7 @@ fn the_reference_shows_the_registry() {
     let begin = page.find(BEGIN).expect("the table's begin") + BEGIN.len();
     let end = page.find(END).expect("the table's end");
     let wanted = format!("{}{}{}", &page[..begin], table(), &page[end..]);
-    if std::env::var_os("UPDATE").is_some() {
-        std::fs::write(path, wanted).expect("codes.md");
-    } else {
-        assert!(
-            page == wanted,
-            "www/docs/codes.md has an older table: run `UPDATE=1 cargo test --test it codes::`"
-        );
-    }
+    expect_file![path].assert_eq(&wanted);
 }
 
 #[test]

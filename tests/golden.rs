@@ -1,9 +1,9 @@
-//! The pictures of the gallery as they were last looked at. `UPDATE=1 cargo test --test it golden::` writes them
+//! The pictures of the gallery as they were last looked at. `UPDATE_EXPECT=1 cargo test --test it golden::` writes them
 //! anew; look at each that has changed before it is committed.
 
 use crate::fixtures;
-use std::path::PathBuf;
 
+use expect_test::expect_file;
 use fixtures::gallery;
 use gcode_playground::analyze;
 use gcode_playground::machine::SimulationResult;
@@ -39,7 +39,6 @@ fn face(Analysis { motions, setup, .. }: &Analysis) -> Option<String> {
 
 #[test]
 fn pictures_are_the_committed_ones() {
-    let mut changed = Vec::new();
     let mut names = Vec::new();
     for id in gallery() {
         let analysis = analysis(&id);
@@ -47,16 +46,10 @@ fn pictures_are_the_committed_ones() {
         for (name, picture) in pictures {
             let Some(picture) = picture else { continue };
             assert!(picture.len() < LARGEST, "{name}: {} bytes", picture.len());
-            let path = PathBuf::from(format!("tests/golden/{name}.svg"));
-            if std::env::var_os("UPDATE").is_some() {
-                std::fs::write(&path, &picture).expect("a file");
-            } else if std::fs::read_to_string(&path).ok().as_ref() != Some(&picture) {
-                changed.push(name.clone());
-            }
+            expect_file![format!("golden/{name}.svg")].assert_eq(&picture);
             names.push(format!("{name}.svg"));
         }
     }
-    assert!(changed.is_empty(), "{changed:?}: run with UPDATE=1, and look at them");
     let files = std::fs::read_dir("tests/golden").expect("a folder");
     let mut left: Vec<_> = files.filter_map(|file| file.ok()?.file_name().into_string().ok()).collect();
     left.retain(|file| !names.contains(file));

@@ -5,6 +5,7 @@ use std::process::{Command, Output, Stdio};
 use std::time::{Duration, Instant};
 use std::{env, fs};
 
+use expect_test::expect_file;
 use serde_json::Value;
 
 const PROGRAM: &str = "O0001 (STOCK D=40 LENGTH=60)\nT0101\nG97 S800 M03\nG00 X42 Z2\n\nG90 X36 Z-20 F0.2\nX32 (A<B & C)\nG00 X100 Z100\nM30\n";
@@ -236,7 +237,7 @@ fn embed_writes_an_element_with_its_program_and_its_picture() {
     assert!(!text(&code.stdout).contains("<svg"));
 }
 
-/// What `tests/browser/manuals.spec.ts` shows to browsers is what `embed` writes; `UPDATE=1` writes it.
+/// What `tests/browser/manuals.spec.ts` shows to browsers is what `embed` writes; `UPDATE_EXPECT=1` writes it.
 #[test]
 fn the_pages_of_the_browser_tests_are_those_of_embed() {
     for (name, format) in [("hard.html", "html"), ("hard.markdown", "markdown")] {
@@ -247,11 +248,7 @@ fn the_pages_of_the_browser_tests_are_those_of_embed() {
         );
         // Of what is hard for a page not all is a program.
         assert_eq!(output.status.code(), Some(1), "{}", text(&output.stderr));
-        if env::var_os("UPDATE").is_some() {
-            fs::write(fixture(name), &output.stdout).expect(name);
-        }
-        let there = fs::read_to_string(fixture(name)).unwrap_or_default();
-        assert!(text(&output.stdout) == there, "{name}: UPDATE=1 cargo test --test it manuals::");
+        expect_file![fixture(name)].assert_eq(text(&output.stdout));
     }
 }
 

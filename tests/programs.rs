@@ -2,6 +2,7 @@
 //! output, which the wasm tests compare with as well.
 
 use crate::fixtures;
+use expect_test::expect_file;
 use fixtures::{Program, all, check_messages, compare, folder, gallery, same};
 use gcode_playground::api::{self, Places};
 use gcode_playground::expand::expand;
@@ -98,7 +99,7 @@ fn the_spindle_is_as_commanded() {
     assert_eq!(checked, 6);
 }
 
-/// The whole output, as committed next to each program. `UPDATE=1 cargo test` writes it anew; the difference
+/// The whole output, as committed next to each program. `UPDATE_EXPECT=1 cargo test` writes it anew; the difference
 /// is then read in the version control.
 #[test]
 fn output_is_the_committed_one() {
@@ -110,12 +111,7 @@ fn output_is_the_committed_one() {
             output.push_str(&row.to_string());
             output.push('\n');
         }
-        let path = folder().join(&program.id).join("output.jsonl");
-        if std::env::var_os("UPDATE").is_some() {
-            std::fs::write(&path, &output).expect("output.jsonl");
-        } else {
-            assert_eq!(output, program.output, "{}: run with UPDATE=1 and read the difference", program.id);
-        }
+        expect_file![folder().join(&program.id).join("output.jsonl")].assert_eq(&output);
     }
 }
 

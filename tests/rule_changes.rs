@@ -1,9 +1,10 @@
 //! The list of changes of rules, `www/docs/rule-changes.md`: read from the first version to the last it ends with the rules as they are.
-//! `UPDATE=1 cargo test --test it rule_changes::` adds what is missing to the version that is not released yet.
+//! `UPDATE_EXPECT=1 cargo test --test it rule_changes::` adds what is missing to the version that is not released yet.
 use std::collections::BTreeMap;
 use std::fs;
 use std::path::{Path, PathBuf};
 
+use expect_test::expect_file;
 use gcode_playground::message::{RULES, Severity};
 
 const LIST: &str = "www/docs/rule-changes.md";
@@ -98,16 +99,7 @@ fn updated(list: &str, rules: &Severities) -> String {
 #[test]
 fn the_list_ends_with_the_rules_as_they_are() {
     let list = source(LIST);
-    if std::env::var_os("UPDATE").is_some() {
-        fs::write(path(LIST), updated(&list, &as_they_are())).expect(LIST);
-        return;
-    }
-    let told = after_all(&list).unwrap_or_else(|problem| panic!("{LIST}: {problem}"));
-    let missing = changes(&told, &as_they_are());
-    assert!(
-        missing.is_empty(),
-        "{LIST} does not tell of {missing:?}: UPDATE=1 cargo test --test it rule_changes::"
-    );
+    expect_file![path(LIST)].assert_eq(&updated(&list, &as_they_are()));
 }
 
 #[test]

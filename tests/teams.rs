@@ -1,5 +1,5 @@
 //! The page "Checks in a repository": its files are those of the example, its commands do there what it says, its tables are those of
-//! `action.yml` and `templates/check.yml` (`UPDATE=1 cargo test --test it teams::` writes them), and all of them name this version.
+//! `action.yml` and `templates/check.yml` (`UPDATE_EXPECT=1 cargo test --test it teams::` writes them), and all of them name this version.
 //!
 //! What the tools make of the files is followed by `tests/teams/run.py`, which `cargo xtask teams` calls.
 
@@ -9,6 +9,8 @@ use std::fmt::Write;
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
+
+use expect_test::expect_file;
 
 use markdown::Document;
 use project::{ROOT, files, source};
@@ -141,14 +143,10 @@ fn the_tables_are_those_of_the_files() {
         let page = source(PAGE);
         let (begin, end) = (format!("<!-- {name} -->\n"), format!("<!-- /{name} -->"));
         let (before, rest) = page.split_once(&begin).expect("a table");
-        let (told, after) = rest.split_once(&end).expect("its end");
+        let (_, after) = rest.split_once(&end).expect("its end");
         let table = table(file);
         assert!(table.lines().count() > 5, "{file}: {table}");
-        if std::env::var_os("UPDATE").is_some() {
-            fs::write(&path, format!("{before}{begin}{table}{end}{after}")).expect(PAGE);
-        } else {
-            assert_eq!(told, table, "UPDATE=1 cargo test --test it teams::");
-        }
+        expect_file![&path].assert_eq(&format!("{before}{begin}{table}{end}{after}"));
     }
 }
 

@@ -4,6 +4,7 @@ use std::collections::BTreeSet;
 use std::fmt::Write;
 use std::fs;
 
+use expect_test::expect_file;
 use gcode_playground::run::replay::Time;
 use gcode_playground::sentences::Language;
 use gcode_playground::setup::Setup;
@@ -11,7 +12,7 @@ use gcode_playground::setup::Setup;
 use super::asking::Asking;
 use super::fixtures;
 
-const FILE: &str = "tests/assist/seeds.help";
+const FILE: &str = "seeds.help";
 
 /// The marked words of a program: its letter and what it is make its kind.
 fn words(id: &str) -> String {
@@ -50,10 +51,5 @@ fn each_kind_of_word_in_every_program_of_the_seeds_is_explained_as_committed() {
     let seeds: Vec<_> = fixtures::gallery().into_iter().filter(|id| id.starts_with("s0")).collect();
     assert!(seeds.len() >= 25, "{seeds:?}");
     let answered: String = seeds.iter().map(|id| format!("## {id}\n{}\n", words(id))).collect();
-    if std::env::var_os("UPDATE").is_some() {
-        fs::write(FILE, &answered).expect("a file");
-    }
-    let committed = fs::read_to_string(FILE).unwrap_or_default();
-    let differ = committed.lines().zip(answered.lines()).enumerate().find(|(_, (old, new))| old != new);
-    assert!(differ.is_none() && committed.len() == answered.len(), "{FILE}: {differ:?}");
+    expect_file![FILE].assert_eq(&answered);
 }

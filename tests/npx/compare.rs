@@ -2,7 +2,7 @@
 //! error, exit status, files. Part of `cargo xtask test --all`.
 //!
 //! It makes every call that the reference shows, runs commands and formats over the programs of `tests/programs`, and reads files that are hard to read.
-//! `options.md` beside this file has the table of what is the same; `UPDATE=1` writes it.
+//! `options.md` beside this file has the table of what is the same; `UPDATE_EXPECT=1` writes it.
 //! The cases of `tests/files.rs`, writes that fail, are tried under Node too.
 
 #[path = "../documentation/calls.rs"]
@@ -20,6 +20,8 @@ use std::io::Write;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 use std::{env, fs};
+
+use expect_test::expect_file;
 
 const ROOT: &str = env!("CARGO_MANIFEST_DIR");
 const TABLE: &str = "tests/npx/options.md";
@@ -64,12 +66,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     if !both.different.is_empty() {
         return Err(both.different.join("\n").into());
     }
-    let path = Path::new(ROOT).join(TABLE);
-    if env::var_os("UPDATE").is_some() {
-        fs::write(&path, &table)?;
-    } else if fs::read_to_string(&path).unwrap_or_default() != table {
-        return Err(format!("{TABLE} is not what was found; UPDATE=1 writes it:\n{table}").into());
-    }
+    expect_file![Path::new(ROOT).join(TABLE)].assert_eq(&table);
     Ok(())
 }
 
