@@ -6,6 +6,7 @@
 use crate::geometry::SAME;
 use crate::limits::INFERRED_FROM;
 use crate::machine::danger::{Axis, Danger, Finding};
+use crate::machine::live_holes::goes_into_side;
 use crate::machine::removal::{Removal, Unusual};
 use crate::machine::resolved_setup::{Basis, ResolvedSetup};
 use crate::machine::thread_run_out::ShortRunOut;
@@ -158,7 +159,8 @@ pub fn without_simulation(resolved: &ResolvedSetup, motions: &Motions) -> Vec<Di
 }
 
 /// What the part is not made of: cuts in a work frame whose zero nobody gave, reported at the first; and each
-/// tool that is not known, and each drill whose diameter is not, at its first cut. Nothing where no part could be shown anyway.
+/// tool that is not known, and each drill whose diameter is not, at its first cut; the first hole across the axis. Nothing where no
+/// part could be shown anyway.
 fn not_shown(resolved: &ResolvedSetup, motions: &Motions) -> impl Iterator<Item = Diagnostic> {
     let has_part = resolved.stock().is_some();
     let elsewhere = motions.cuts_elsewhere().filter(|_| has_part);
@@ -184,7 +186,13 @@ fn not_shown(resolved: &ResolvedSetup, motions: &Motions) -> impl Iterator<Item 
         Diagnostic::new(message, motions.span(index))
     });
     let drills = if has_part { assumed_drills(resolved, motions) } else { Vec::new() };
-    elsewhere.into_iter().chain(unknown).chain(drills)
+    let is_cross_hole = |&index: &usize| {
+        let motion = motions.get_on_workpiece(index).on_positive_side();
+        goes_into_side(&motion, resolved.tool(&motion))
+    };
+    let cross_hole = (0..motions.len().min(INFERRED_FROM)).filter(|_| has_part).find(is_cross_hole);
+    let cross_hole = cross_hole.map(|index| Diagnostic::new(said::CrossHolesLeftOut, motions.span(index)));
+    elsewhere.into_iter().chain(unknown).chain(drills).chain(cross_hole)
 }
 
 /// The first cut of each drill whose diameter is assumed. A centre drill has none: a deeper drill makes its hole.
