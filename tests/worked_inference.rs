@@ -506,3 +506,106 @@ fn a_facing_cycle_from_outside_has_an_outside_tool() {
     assert_eq!(tool.kind, Some(ToolKind::Turning));
     ran.check(&[(-17.0, &[(0.0, 70.0)]), (-11.5, &[(0.0, 55.0)])]);
 }
+
+/// The way back of G94 towards its start in the plane of the first pass is no cut of a left-hand tool. Each pass leaves its face.
+#[test]
+fn a_facing_cycle_from_the_plane_of_its_first_pass_faces() {
+    let stock = "O1(STOCK D=44 LENGTH=80)\nG21G99\nT0101M3S800\n";
+    for start in ["G0X46.Z-2.\n", "G0X46.Z-1.\n", "G0X46.Z2.\n"] {
+        let ran = run(&format!("{stock}{start}G94X-1.Z-2.F0.3\nZ-4.\nG0X100.Z100.\nM30\n"));
+        ran.check(&[(-0.5, &[]), (-3.9, &[]), (-4.1, &[(0.0, 44.0)]), (-16.0, &[(0.0, 44.0)])]);
+    }
+    // The contour of G72 turns back towards the face: 0.1 and 0.2 mm stay.
+    let ran = run(
+        "O1\nG21G99\nT0101M3S800\nG0X85.Z2.\nG72W2.R1.\nG72P70Q100U0.2W0.1F0.25\nN70G0Z-10.\nN80G1X40.\nN90Z-5.\n\
+         N100X80.\nG0X100.Z50.\nM30\n",
+    );
+    let part = ran.simulation.finished().expect("a part");
+    assert!(part.radii(-11.0).first().is_some_and(|material| material.1 > 40.0), "{:?}", part.radii(-11.0));
+    assert!(part.radii(-22.0).first().is_some_and(|material| material.1 > 40.0), "{:?}", part.radii(-22.0));
+}
+
+/// A drill of 10 mm drills to Z-56 and goes 2.5 mm off the axis down to Z-28: a hole of 15 mm there.
+#[test]
+fn a_drill_that_is_fed_off_the_axis_makes_a_larger_hole() {
+    let ran = run(
+        "O1(STOCK D=60 LENGTH=98)\nG21G99\nT0202(DRILL 10)\nG97S800M3\nG0X0Z2.\nG74R1.\nG74Z-56.Q5000F0.1\nG0Z0\n\
+         G1X5.F0.1\nZ-28.\nG0Z2.\nG0X100.Z100.\nM30\n",
+    );
+    ran.check(&[(-10.0, &[(15.0, 60.0)]), (-40.0, &[(10.0, 60.0)]), (-57.0, &[(0.0, 60.0)])]);
+}
+
+/// A tool that cuts straight in, and again after C has turned by 180°, makes two holes, and no groove.
+#[test]
+fn cross_holes_are_no_groove() {
+    let turned = "O1\nG21G99\nT0101\nG97S800M3\nG0X85.Z2.\nG1X80.F0.2\nZ-60.\nG0X90.Z50.\nM5\n";
+    let ways = [
+        "G0X85.Z-18.\nM35\nG28H0\nG98G1X20.F100.\nG0X85.\nC180.\nG1X20.\nG0X85.\n",
+        // Chamfered from both sides of the wall.
+        "G0X85.Z-18.\nM35\nG28H0\nG98G1X76.F100.\nG4X0.5\nG0X70.\nG1X72.\nG4X0.5\nG0X85.\nC180.\nG1X76.\nG4X0.5\nG0X70.\nG1X72.\n\
+         G4X0.5\nG0X85.\n",
+    ];
+    for way in ways {
+        for tool in ["T0707", "T0707 (LIVE DRILL)", "T0707 (DEBURR CROSS HOLES)"] {
+            let ran = run(&format!("{turned}{tool}\nG97S4000M3P12\n{way}M5P12\nM34\nG0X150.Z150.\nM30\n"));
+            ran.check(&[(-10.0, &[(0.0, 80.0)]), (-17.0, &[(0.0, 80.0)]), (-59.0, &[(0.0, 80.0)])]);
+            let holes = way == ways[0];
+            assert!(!holes || ran.told.contains(&"cross-holes-left-out"), "{tool}: {:?}", ran.told);
+        }
+    }
+    // Without C in between they are grooves.
+    let groove = run(&format!(
+        "{turned}T0303\nM3S500\nG0X85.Z-18.\nG1X60.F0.1\nG0X85.\nZ-30.\nG1X60.\nG0X85.\nZ150.\nM30\n"
+    ));
+    groove.check(&[(-17.0, &[(0.0, 60.0)]), (-29.0, &[(0.0, 60.0)]), (-40.0, &[(0.0, 80.0)])]);
+    assert!(!groove.told.contains(&"cross-holes-left-out"), "{:?}", groove.told);
+}
+
+/// An insert of 35° leaves a cone of 5.9 mm on the face at Z-3.24: nothing holds it.
+#[test]
+fn a_cone_that_facing_leaves_falls_off() {
+    let ran = run(
+        "O1(STOCK D=118 LENGTH=60)\nG21G99\nT0101M3S800\nG0X138.Z25.\nZ-1.803\nX118.11\nG1X110.824F0.127\nX107.95Z-3.24\n\
+         X-1.6\nX1.274Z-1.803\nG0X138.\nZ25.\nM30\n",
+    );
+    ran.check(&[(-0.5, &[]), (-2.0, &[]), (-3.3, &[(0.0, 118.0)])]);
+    // A thin ring that is parted off stays.
+    let ring = run(
+        "O1(STOCK D=40 LENGTH=60)\nG21G99\nT0101(PARTING W=3)\nG97S1000M3\nG0X44.Z-5.\nG1X-1.F0.1\nG0X60.\nZ50.\nM30\n",
+    );
+    assert_eq!(ring.simulation.finished().expect("a part").pieces().count(), 2);
+}
+
+/// A groove from Z-31.5 to Z-28.5, to which the tool is fed along the work, just as with G00.
+#[test]
+fn a_groove_approached_by_a_feed_is_one_of_a_grooving_tool() {
+    let turned = "O1\nG21G99\nT0101M3S800\nG0X52.Z2.\nX40.\nG1Z-32.F0.2\nX45.\nZ-60.\nX52.\nG0X60.Z20.\n";
+    for approach in ["G0X50.Z2.\nG1Z-31.5F0.3\n", "G0X50.Z-31.5\n"] {
+        let ran = run(&format!("{turned}T0202M3S600\n{approach}G1X35.F0.1\nX50.\nG0X100.Z50.\nM30\n"));
+        ran.check(&[
+            (-28.0, &[(0.0, 40.0)]),
+            (-29.0, &[(0.0, 35.0)]),
+            (-31.0, &[(0.0, 35.0)]),
+            (-31.8, &[(0.0, 40.0)]),
+            (-40.0, &[(0.0, 45.0)]),
+        ]);
+        assert!(!ran.told.contains(&"tool-unknown"), "{:?}", ran.told);
+    }
+}
+
+/// The grooves of a tool go outwards, and so does its way out: it works in a bore.
+#[test]
+fn a_tool_whose_grooves_go_outwards_bores() {
+    let ran = run(
+        "O1\nG21G99\nT0101\nG97S400M3\nG0X52.Z2.\nG1Z-22.5F2.\nX53.5F0.3\nG75R0.05\nG75Z-30.5X57.05P200Q2500F0.04\n\
+         G1Z-21.45F0.3\nM30\n",
+    );
+    let part = ran.simulation.finished().expect("a part");
+    for (z, bore) in [(-10.0, 26.0), (-28.0, 28.525)] {
+        let material = part.radii(z);
+        assert!(
+            material.len() == 1 && (material[0].0 - bore).abs() < 0.02 && material[0].1 > 28.6,
+            "{z}: {material:?}"
+        );
+    }
+}

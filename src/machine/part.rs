@@ -27,6 +27,9 @@ const STRIDE: usize = 32;
 /// A loose piece in front of Z0 that is no longer than this, mm, is what a facing cut leaves; a longer one was parted off.
 const LOOSE: f64 = 3.0;
 
+/// At negative Z it is the rest of a core only where its radius is no larger than this share of that of the work.
+const CORE: f64 = 0.4;
+
 /// Most corners of all states that are kept; beyond, every other one is dropped.
 const MOST_KEPT: usize = 1_000_000;
 
@@ -218,9 +221,11 @@ impl Part {
     }
 }
 
-/// Whether a piece is what a cut across the face left in front of it: it lies in front of Z0, and others do not.
+/// Whether a piece is what a cut across the face left in front of it: it lies in front of Z0 or is the rest of a core on
+/// the axis, and others are nearer to the chuck.
 fn is_left_by_facing(piece: Bounds, all: Bounds) -> bool {
-    all.min.z < -SAME && piece.min.z > -SAME && piece.max.z - piece.min.z <= LOOSE
+    let in_front = piece.min.z > if piece.max.x <= CORE * all.max.x { all.min.z + SAME } else { -SAME };
+    in_front && all.min.z < -SAME && piece.max.z - piece.min.z <= LOOSE
 }
 
 /// What a motion takes off, as outlines that may overlap.

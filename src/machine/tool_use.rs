@@ -95,6 +95,10 @@ pub(super) struct ToolUse {
     left: u32,
     right: u32,
     down: u32,
+    /// Whether it makes a facing cycle, whose cuts towards +Z are returns or follow the contour.
+    faces: bool,
+    /// Cuts along Z that end at negative Z with a cut straight into the work next.
+    approaches: u32,
     /// Least radius of cuts along Z at negative Z, mm; infinite where there are none.
     turned: f64,
     /// Whether the first cut that reaches negative Z falls towards the axis: the chamfer of a bore does.
@@ -107,8 +111,8 @@ pub(super) struct ToolUse {
     /// Cuts that can be a hole off the axis: plunges, cuts straight across into the work that a rapid follows,
     /// and cuts straight along Z that come back the way they went.
     like_holes: u32,
-    /// Whether all cuts go straight across the axis.
-    is_across: bool,
+    /// Cuts that go straight across the axis.
+    across: u32,
     /// Cuts with a spindle that turned before and is stopped now, while something may turn the tool.
     stopped: u32,
     /// Whether it taps: on the axis, locked to the spindle.
@@ -164,7 +168,10 @@ impl ToolUse {
             let before = before.replace(motion);
             has_turned |= motion.process.turn != SpindleTurn::Stopped;
             if motion.rotary.is_some() && !motion.kind.cuts() {
-                *turns_of_c.entry(motion.process.tool.0).or_default() += 1;
+                // One after a cut says as much as two before: between two cuts only a live tool needs it.
+                let station = motion.process.tool.0;
+                let has_cut = seen.iter().any(|own| own.station == station);
+                *turns_of_c.entry(station).or_default() += 1 + u32::from(has_cut);
             }
             let counts = motion.kind.cuts() && !motion.process.still;
             if !counts || Clamping::of(&motion) != clamping {
@@ -200,9 +207,20 @@ impl ToolUse {
         for own in seen.iter_mut().filter(|own| live.contains(&own.station)) {
             own.outside = 0;
         }
-        // What motions leave open, words decide.
+        // A drill that is fed off the axis in its hole is one still.
+        let holes: Vec<(u16, f64)> =
+            seen.iter().filter(|own| own.holes > 0).map(|own| (own.station, own.deepest)).collect();
+        let is_in_hole = |own: &ToolUse| {
+            holes.iter().any(|&(station, bottom)| station == own.station && bottom <= own.deepest - SAME)
+        };
+        seen.retain(|own| {
+            own.purpose != Purpose::Turning || own.outside != 0 || own.contour || !is_in_hole(own)
+        });
+        // What motions leave open, words decide, and the grooves of the same tool.
+        let inside: Vec<u16> = seen.iter().filter(|own| own.is_inside()).map(|own| own.station).collect();
         for own in seen.iter_mut().filter(|own| own.outside == 0) {
-            own.outside = if bores(described_tools.get(&own.station)) { -1 } else { 0 };
+            let bores = bores(described_tools.get(&own.station)) || inside.contains(&own.station);
+            own.outside = if bores { -1 } else { 0 };
         }
         for index in 0..seen.len() {
             if seen[index].outside == 0 && bores_after_drill(&seen[index], &seen) {
@@ -235,13 +253,15 @@ impl ToolUse {
             left: 0,
             right: 0,
             down: 0,
+            faces: false,
+            approaches: 0,
             turned: f64::INFINITY,
             narrows: None,
             holes: 0,
             deepest: f64::INFINITY,
             slopes: [0.0; 2],
             like_holes: 0,
-            is_across: true,
+            across: 0,
             stopped: 0,
             taps: false,
             column: None,
@@ -267,16 +287,29 @@ impl ToolUse {
         // H beside G41 is a turn of C, too: one alone says little.
         let moves_with_c = turns_of_c > 1 || turns_of_c > 0 && all_stopped;
         match self.purpose {
-            Purpose::Turning if is_cutter && (self.is_across || moves_with_c || all_stopped) => Purpose::Live,
-            Purpose::Turning if is_drill && self.makes_holes() && (self.is_across || all_stopped) => {
+            Purpose::Turning if is_cutter && (self.is_across() || moves_with_c || all_stopped) => {
                 Purpose::Live
             }
-            Purpose::Turning if moves_with_c && self.makes_holes() => Purpose::Live,
+            Purpose::Turning if is_drill && self.makes_holes() && (self.is_across() || all_stopped) => {
+                Purpose::Live
+            }
+            Purpose::Turning if moves_with_c && (self.is_across() || self.makes_holes()) => Purpose::Live,
             Purpose::Grooving if self.face && self.extents.behind() <= OFF_CENTER && !is_insert => {
                 Purpose::Hole
             }
             purpose => purpose,
         }
+    }
+
+    /// Whether all cuts go straight across the axis.
+    fn is_across(&self) -> bool {
+        self.across == self.cuts
+    }
+
+    /// Whether all cuts but those that lead there go straight across the axis, and some are plunges.
+    fn only_plunges(&self) -> bool {
+        let leads_there = self.approaches > 0 && self.across + self.approaches == self.cuts;
+        self.plunges > 0 && (self.plunges == self.cuts || leads_there || self.dwells)
     }
 
     /// Whether all cuts can be holes off the axis.
@@ -309,7 +342,7 @@ impl ToolUse {
         self.look_for_plunge(motion, before, next);
         let goes_in = dz.abs() <= SAME && dx < -SAME && motion.to.z < -SAME;
         let is_single = goes_in && next.is_none_or(|next| !next.kind.cuts());
-        self.is_across &= dz.abs() <= SAME;
+        self.across += u32::from(dz.abs() <= SAME);
         self.like_holes += match self.plunges - plunges {
             0 => u32::from(is_single || is_along_and_back(motion, before, next)),
             plunges => plunges,
@@ -319,6 +352,13 @@ impl ToolUse {
         self.left += u32::from(dz < -SAME);
         self.right += u32::from(dz > SAME && motion.to.z < -SAME && ends_at_shoulder);
         self.down += u32::from(dz > SAME && dx < -SAME);
+        self.faces |= matches!(cycle, Some(Cycle::Facing | Cycle::RoughFacing));
+        let goes_along = dx.abs() <= SAME && dz < -SAME && motion.to.z < -SAME;
+        let goes_in_next = next.is_some_and(|next| {
+            let (dx, dz) = way(next);
+            next.kind.cuts() && dx < -SAME && dz.abs() <= SAME
+        });
+        self.approaches += u32::from(goes_along && goes_in_next);
         let axis = |motion: &Motion| motion.from.x.abs() <= 0.01 && motion.to.x.abs() <= 0.01;
         self.holes += u32::from(dz < -SAME && is_off_center_hole(motion));
         let drills = !matches!(cycle, None | Some(Cycle::Finishing | Cycle::RoughTurning | Cycle::Pattern));
@@ -419,14 +459,13 @@ impl ToolUse {
                 Tool { kind: Some(ToolKind::Threading), side: Some(side), ..Tool::default() }
             }
             Purpose::Grooving => self.blade(if self.face { Side::Face } else { side }),
-            Purpose::Turning if self.plunges > 0 && (self.plunges == self.cuts || self.dwells) => {
-                self.blade(Side::Outside)
-            }
+            Purpose::Turning if self.only_plunges() => self.blade(Side::Outside),
             Purpose::Turning => {
                 let kind = if inside { ToolKind::Boring } else { ToolKind::Turning };
                 let slope = self.slopes[usize::from(inside)].to_degrees();
                 // One that only cuts away from the chuck has its edge on the other side.
-                let tip = (!inside && self.right > 0 && self.left + self.down == 0).then_some(4);
+                let is_left_hand = self.right > 0 && self.left + self.down == 0 && !self.faces;
+                let tip = (!inside && is_left_hand).then_some(4);
                 // The usual roughing tool, or the bluntest that can follow.
                 let (insert, entering) = match slope {
                     slope if slope < 4.5 => ("C", 95.0),
