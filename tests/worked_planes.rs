@@ -237,7 +237,7 @@ M30
 
 #[test]
 fn holes_of_live_drills_take_nothing_off_all_around() {
-    says(LIVE_HOLES, &["cross-holes-left-out"]);
+    says(LIVE_HOLES, &["cross-holes-left-out? 16"]);
     let analysis = analyze(LIVE_HOLES.as_bytes(), &Setup::default());
     let setup = Notes::read(LIVE_HOLES.as_bytes()).applied_to(Setup::default());
     let part = SimulationResult::of(&analysis.motions, &setup).finished().expect("a blank");
