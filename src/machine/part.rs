@@ -224,7 +224,8 @@ impl Part {
 /// Whether a piece is what a cut across the face left in front of it: it lies in front of Z0 or is the rest of a core on
 /// the axis, and others are nearer to the chuck.
 fn is_left_by_facing(piece: Bounds, all: Bounds) -> bool {
-    let in_front = piece.min.z > if piece.max.x <= CORE * all.max.x { all.min.z + SAME } else { -SAME };
+    let is_core = piece.min.x <= SAME && piece.max.x <= CORE * all.max.x;
+    let in_front = piece.min.z > if is_core { all.min.z + SAME } else { -SAME };
     in_front && all.min.z < -SAME && piece.max.z - piece.min.z <= LOOSE
 }
 
