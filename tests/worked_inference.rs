@@ -515,6 +515,11 @@ fn a_facing_cycle_from_the_plane_of_its_first_pass_faces() {
         let ran = run(&format!("{stock}{start}G94X-1.Z-2.F0.3\nZ-4.\nG0X100.Z100.\nM30\n"));
         ran.check(&[(-0.5, &[]), (-3.9, &[]), (-4.1, &[(0.0, 44.0)]), (-16.0, &[(0.0, 44.0)])]);
     }
+    // The same block by block.
+    let ran = run(&format!(
+        "{stock}G0X46.Z-1.\nG1X20.F0.2\nG0X46.\nZ-4.\nG1X20.\nZ-1.\nG0X46.\nZ-6.\nG1X20.\nZ-1.\nG0X100.Z50.\nM30\n"
+    ));
+    ran.check(&[(-0.5, &[(0.0, 20.0)]), (-5.9, &[(0.0, 20.0)]), (-6.1, &[(0.0, 44.0)])]);
     // The contour of G72 turns back towards the face: 0.1 and 0.2 mm stay.
     let ran = run(
         "O1\nG21G99\nT0101M3S800\nG0X85.Z2.\nG72W2.R1.\nG72P70Q100U0.2W0.1F0.25\nN70G0Z-10.\nN80G1X40.\nN90Z-5.\n\

@@ -97,6 +97,8 @@ pub(super) struct ToolUse {
     down: u32,
     /// Whether it makes a facing cycle, whose cuts towards +Z are returns or follow the contour.
     faces: bool,
+    /// Z of the cut straight into the work that is nearest to the face, mm: back to it the tool goes in the air.
+    front: f64,
     /// Cuts along Z that end at negative Z with a cut straight into the work next.
     approaches: u32,
     /// Least radius of cuts along Z at negative Z, mm; infinite where there are none.
@@ -254,6 +256,7 @@ impl ToolUse {
             right: 0,
             down: 0,
             faces: false,
+            front: f64::NEG_INFINITY,
             approaches: 0,
             turned: f64::INFINITY,
             narrows: None,
@@ -350,7 +353,11 @@ impl ToolUse {
         // To the left, or to the right while still on the chuck side of the face.
         let ends_at_shoulder = dx > SAME || (dx.abs() <= SAME && after_x > SAME);
         self.left += u32::from(dz < -SAME);
-        self.right += u32::from(dz > SAME && motion.to.z < -SAME && ends_at_shoulder);
+        let is_new = motion.to.z < -SAME && motion.to.z > self.front + SAME;
+        self.right += u32::from(dz > SAME && is_new && ends_at_shoulder);
+        if dz.abs() <= SAME && dx < -SAME {
+            self.front = self.front.max(motion.to.z);
+        }
         self.down += u32::from(dz > SAME && dx < -SAME);
         self.faces |= matches!(cycle, Some(Cycle::Facing | Cycle::RoughFacing));
         let goes_along = dx.abs() <= SAME && dz < -SAME && motion.to.z < -SAME;
