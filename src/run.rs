@@ -4,6 +4,7 @@
 //! what they do.
 
 pub(crate) mod edit;
+mod gathered;
 pub(crate) mod repeated;
 pub mod replay;
 mod tried;
@@ -766,6 +767,7 @@ impl Run {
             self.report_decimal_rule();
         }
         sort_by_place(&mut self.sorted);
+        gathered::gather(&mut self.sorted, &self.text);
     }
 
     fn compare_numbers(&mut self) {

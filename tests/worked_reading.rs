@@ -1,6 +1,8 @@
 //! What a file is read as, worked out by hand: control characters, programs of other controls, G-code systems, program names.
 use gcode_playground::analyze;
 use gcode_playground::message::Severity;
+use gcode_playground::repair::repaired;
+use gcode_playground::sentences::Language;
 use gcode_playground::setup::Setup;
 
 /// The messages of a program: slug and line, from 1. A question mark follows the slug of a note, an exclamation mark that of a warning.
@@ -23,6 +25,24 @@ fn ends(text: &str, setup: &str) -> Vec<(f64, f64)> {
     let analysis = analyze(text.as_bytes(), &Setup::from_json(setup).expect("a setup"));
     let round = |value: f64| (value * 1e4).round() / 1e4;
     analysis.motions.iter().map(|motion| (round(2.0 * motion.to.x), round(motion.to.z))).collect()
+}
+
+/// Remarks without brackets and comments that are not closed are a habit: each is reported once, at the first, with the number
+/// of the others, and its fix repairs all. A bracket before a word that may belong to the block is a separate error.
+#[test]
+fn a_habit_is_reported_once_and_repaired_everywhere() {
+    let text = "O1\nG0 X50 Z2 M3 S500; approach\nG1 Z-5 F0.2; rough it\nX60 (shoulder\n(face X20\nG0 X100; retract\nZ50 (home\nM30\n";
+    let expected = ["text-after-semicolon! 2", "comment-not-closed! 4", "comment-not-closed 5"];
+    assert_eq!(told(text, "{}"), expected);
+    let analysis = analyze(text.as_bytes(), &Setup::default());
+    let said: Vec<String> =
+        analysis.diagnostics.iter().map(|told| told.sentence(Language::English).message).collect();
+    assert_eq!(said[0], "`approach` after the `;` was taken as a comment (further places: 2).");
+    assert!(said[1].starts_with("This bracket is not closed (further places: 1)"), "{said:?}");
+    assert!(said[2].starts_with("This bracket is not closed;"), "{said:?}");
+    let repaired = repaired(text.as_bytes(), &Setup::default());
+    let right = "O1\nG0 X50 Z2 M3 S500; (approach)\nG1 Z-5 F0.2; (rough it)\nX60 (shoulder)\n(face X20\nG0 X100; (retract)\nZ50 (home)\nM30\n";
+    assert_eq!(String::from_utf8_lossy(&repaired.text), right);
 }
 
 /// B-64304EN (ISO code): the tape has NUL, DC1 to DC4 and DEL, which are no significant characters. None is part of a word.

@@ -1287,7 +1287,7 @@ fn without_blanks(written: &str) -> String {
     written.chars().filter(|letter| !letter.is_ascii_whitespace()).collect()
 }
 
-fn short_quote(text: &[u8], span: Span) -> String {
+pub(crate) fn short_quote(text: &[u8], span: Span) -> String {
     let end = span.end.min(span.start + 4 * QUOTE_LENGTH as u32);
     let quote = Span { start: span.start, end }.quote(text);
     if quote.chars().count() <= QUOTE_LENGTH && end == span.end {
