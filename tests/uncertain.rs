@@ -312,8 +312,10 @@ fn a_cycle_with_an_error_is_drawn_in_doubt() {
     check("F1", thread, "thread-without-depth", "R?(40,2) T?(40,-5) R?(44,-5) R?(44,2)");
     check("F1", "G75 R1\nG75 X40 P-2000", "peck-negative", "F?(40,2) R?(44,2)");
     check("", "G75 R1\nG75 X40 P2000", "feed-missing", "F?(40,2) R?(44,2)");
-    // The distance of the columns is missing: the first is known.
-    check("F1", "G75 R1\nG75 X40 Z-5 P2000", "peck-missing", "F?(40,2) R?(44,2)");
+    // The distance of the columns is missing: the first and the last are known.
+    let columns = "F?(40,2) R?(44,2) R?(44,-5) F?(40,-5) R?(44,-5) R?(44,2)";
+    check("F1", "G75 R1\nG75 X40 Z-5 P2000", "peck-missing", columns);
+    check("F1", "G75 R1\nG75 X40 Z-5 P2000 Q0", "peck-missing", columns);
 }
 
 /// What else a cycle lacks is reported once its contour is right.

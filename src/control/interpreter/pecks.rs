@@ -52,21 +52,28 @@ impl Interpreter {
             self.state.doubts.add(Doubt::Contour);
         }
         // The older one-block form spells P, Q and R as I, K and D, in millimetres.
-        let (x_amount, z_amount, relief) = if words.has_any(letters(b"IK")) {
+        let in_one_block = words.has_any(letters(b"IK"));
+        let (x_amount, z_amount, relief) = if in_one_block {
             (length(b'I'), length(b'K'), words.get(b'D').and_then(|word| self.one_block_depth(word)))
         } else {
             let (_, p, q) = self.amounts(text, words, |p, q| units::pecking(start, end, p, q))?;
             (p, q, length(b'R'))
         };
-        let (peck, stepover) = match direction {
-            grooving::Direction::Face => (z_amount, x_amount),
-            grooving::Direction::Radial => (x_amount, z_amount),
+        let (x_word, z_word) = if in_one_block { (b'I', b'K') } else { (b'P', b'Q') };
+        let (peck, stepover, address, other) = match direction {
+            grooving::Direction::Face => (z_amount, x_amount, z_word, x_word),
+            grooving::Direction::Radial => (x_amount, z_amount, x_word, z_word),
         };
-        let (address, other) = if cycle == Multiple::FacePecking { (b'Q', b'P') } else { (b'P', b'Q') };
+        let missing = |address: u8| -> (Message, Span) {
+            match words.get(address) {
+                Some(word) => (said::PeckWordZero { code, word: quote(text, word.span) }.into(), word.span),
+                None => (said::PeckMissing { code, address: address as char }.into(), block.words_span()),
+            }
+        };
         if peck.unwrap_or(0.0) == 0.0 {
-            let message = said::PeckMissing { code, address: address as char };
+            let (message, span) = missing(address);
             let severity = if self.dialect.strict { Severity::Error } else { Severity::Warning };
-            self.report(Diagnostic::new(message, block.words_span()).graded(severity));
+            self.report(Diagnostic::new(message, span).graded(severity));
             if self.dialect.strict {
                 return None;
             }
@@ -101,9 +108,7 @@ impl Interpreter {
             Err(grooving::PeckingError::NegativeRelief) => {
                 (said::ReliefNegative { word: words.quote(text, b'R') }.into(), words.span(b'R'))
             }
-            Err(grooving::PeckingError::NoStepover) => {
-                (said::PeckMissing { code, address: other as char }.into(), block.words_span())
-            }
+            Err(grooving::PeckingError::NoStepover) => missing(other),
             Err(grooving::PeckingError::NegativePeck) => {
                 (said::PeckNegative { word: words.quote(text, address) }.into(), words.span(address))
             }
@@ -116,15 +121,15 @@ impl Interpreter {
             }
         };
         self.report(Diagnostic::new(message, span));
-        // Without its wrong words: one column where their distance is missing.
+        // Without its wrong words: a column at either end where their distance is missing.
         how.relief = how.relief.abs();
         how.peck = how.peck.map(f64::abs);
         how.stepover = how.stepover.map(f64::abs);
         if how.stepover.is_none_or(|step| step == 0.0) {
-            match direction {
-                grooving::Direction::Face => how.end.x = start.x,
-                grooving::Direction::Radial => how.end.z = start.z,
-            }
+            how.stepover = Some(match direction {
+                grooving::Direction::Face => (end.x - start.x).abs(),
+                grooving::Direction::Radial => (end.z - start.z).abs(),
+            });
         }
         self.state.doubts.add(Doubt::Contour);
         if let Ok(moves) = grooving::peck(start, direction, &how, most) {
