@@ -14,7 +14,8 @@ use Form::{Part, Stem, Word};
 #[rustfmt::skip]
 const BLANKS: &[(Form, &str)] = &[
     (Part, "BARSTOCK"), (Word, "STOCK"), (Word, "BLANK"), (Stem, "BILLET"), (Word, "ROUND BAR"), (Stem, "BRUT"), (Part, "ROHTEIL"), (Part, "ROHLING"), (Part, "ROHMATERIAL"),
-    (Part, "RUNDSTANGE"), (Stem, "BARRA"), (Stem, "TOCHO"), (Stem, "TARUGO"), (Stem, "GREZZO"), (Stem, "PRĘT"), (Stem, "POLOTOVAR"),
+    (Part, "RUNDSTANGE"), (Stem, "BARRA"), (Stem, "TOCHO"), (Stem, "TARUGO"), (Stem, "GREZZO"), (Stem, "PRĘT"), (Word, "PRET"), (Stem, "SUROWK"), (Stem, "SURÓWK"),
+    (Stem, "POLOTOVAR"),
     (Stem, "ЗАГОТОВ"), (Stem, "ПРУТОК"), (Stem, "ПРУТКА"), (Part, "毛坯"), (Part, "坯料"), (Part, "棒料"),
 ];
 
@@ -58,6 +59,9 @@ pub(super) fn described(text: &str, unit: Unit) -> DescribedStock {
         length: length.map(|own| own.in_millimetres(unit)),
     };
     let of_blank = first(text, BLANKS);
+    if let Some(bar) = bar_alone(text) {
+        return said(Some(bar), None);
+    }
     let Some((_, behind)) = of_blank.or_else(|| first(text, MATERIALS)) else {
         // `OD: 80mm | LENGTH: 120mm` names both.
         let both = measures(text).find(|own| own.before == "OD").zip(measures(text).find(is_length));
@@ -76,8 +80,24 @@ pub(super) fn described(text: &str, unit: Unit) -> DescribedStock {
     let diameter = all().find(|own| is_diameter(own) && !is_grade(own)).or(in_plane.map(|(x, _)| x));
     // `3.0 IN DIA X 4.0 IN`: an X after another size is the sign between the two.
     let after_another = || measures(text).skip(1).find(|own| own.before == "X");
+    // `BRUT: 50 X 52`.
+    let before_sign = || {
+        let mut sizes = measures(behind);
+        sizes.next().filter(is_unnamed).filter(|_| sizes.next().is_some_and(|own| own.before == "LG"))
+    };
     let length = all().find(is_length).or(in_plane.map(|(_, z)| z)).or_else(after_another);
-    said(diameter.or_else(alone), length)
+    said(diameter.or_else(alone).or_else(before_sign), length)
+}
+
+/// `2.000 BAR`, `Ø50 BAR`, `2" BAR`: a size and the word, nothing else. `70 BAR` may be a pressure, and so may `6.5 BAR`.
+fn bar_alone(text: &str) -> Option<Measure<'_>> {
+    let size = text.trim().strip_suffix("BAR")?.trim_end();
+    let signs = ["MM", "INCH", "IN", "DIA", "\"", "Ø", "⌀"];
+    let number = signs.iter().fold(size.to_owned(), |left, sign| left.replace(sign, ""));
+    let is_number = number.chars().all(|sign| sign.is_ascii_digit() || matches!(sign, '.' | '/' | ' '));
+    let has_sign = number.len() < size.len();
+    let in_thousandths = number.split_once('.').is_some_and(|(_, decimals)| decimals.len() == 3);
+    only(measures(size)).filter(|_| is_number && (has_sign || in_thousandths))
 }
 
 /// The only one of these.
