@@ -347,6 +347,24 @@ fn a_single_pass_is_seen() {
         .check(&[(-5.0, &[(0.0, 80.0)]), (-13.0, &[(0.0, 82.0)])]);
 }
 
+/// The first of several passes takes something off as well: the tool came to ⌀35 from ⌀45, the blank is between the two.
+#[test]
+fn the_first_of_several_passes_is_seen() {
+    let ran = run(
+        "O7\nG21G99\nT0101\nG97S800M03\nG00X45.Z2.\nX35.\nG01Z-50.F0.2\nG00X45.Z2.\nX31.\nG01Z-38.\nG00X100.Z100.\nM30\n",
+    );
+    ran.check(&[(-20.0, &[(0.0, 31.0)]), (-45.0, &[(0.0, 35.0)]), (-51.0, &[(0.0, 37.0)])]);
+}
+
+/// The lead of a thread that grows without end makes no blank of a metre: the thread is in a bar of ⌀30, 30 long.
+#[test]
+fn a_lead_without_end_makes_no_large_blank() {
+    let ran = run(
+        "O8\nG21G99\nT0303\nG97S400M3\nG0X35.Z5.\n#100=1.5\nN1G0X29.7\nG32Z-30.F#100\nG0X35.\nZ5.\n#100=#100+1.\nIF[#100LT400.]GOTO1\nM30\n",
+    );
+    assert!((29.7..=32.0).contains(&ran.stock.diameter.mm()) && ran.stock.length <= 45.0, "{:?}", ran.stock);
+}
+
 /// The unit holds where the run begins again with the program that calls the first one.
 #[test]
 fn the_unit_holds_where_a_run_begins_again() {

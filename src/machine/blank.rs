@@ -24,6 +24,9 @@ const BEHIND: f64 = 5.0;
 /// The first pass of a thread is so much below the crest, as a part of its lead.
 const FIRST_PASS: f64 = 0.2;
 
+/// The lead of a thread above which its first pass is no deeper, mm.
+const COARSEST: f64 = 5.0;
+
 /// Radius of a blank that is only drilled, mm.
 const DRILLED: f64 = 15.0;
 
@@ -65,6 +68,30 @@ pub fn clear_of_rapids(stock: Stock, evidence: &Evidence) -> Stock {
         if motion.kind.cuts() && motion.process.removes_material() && along {
             cut = cut.min(low);
         }
+    }
+    stock
+}
+
+/// A blank that is larger than the first cut along Z, where the tool came to that cut from outside of it: the cut removes
+/// something.
+pub fn larger_than_first_pass(stock: Stock, evidence: &Evidence) -> Stock {
+    let radius = stock.diameter.radius();
+    let mut before = None;
+    for motion in evidence.moves() {
+        let (from, to) = (motion.from, motion.to);
+        let is_turned =
+            motion.kind.cuts() && motion.process.removes_material() && from.x.max(to.x) > OFF_CENTER;
+        if is_turned && from.z - to.z > SAME && to.z < stock.face - SAME {
+            let is_outside = from.x.min(to.x) >= radius - SAME && motion.kind != MotionKind::Thread;
+            let infeed =
+                before.filter(|infeed: &Motion| is_outside && infeed.to == from && from.z >= stock.face);
+            let outside = infeed
+                .filter(|infeed| (infeed.from.z - from.z).abs() <= SAME)
+                .map_or(0.0, |infeed| infeed.from.x);
+            let larger = (radius + CLEAR).min((radius + outside) / 2.0);
+            return Stock { diameter: Diameter::from_radius(larger.max(radius)), ..stock };
+        }
+        before = Some(motion);
     }
     stock
 }
@@ -129,7 +156,7 @@ impl Reach {
         // A tap on the axis has no crest.
         let is_turned = motion.kind == MotionKind::Thread && from.x.max(to.x) > SAME;
         let crest = match motion.lead.filter(|_| is_turned) {
-            Some(lead) => FIRST_PASS * lead,
+            Some(lead) => FIRST_PASS * lead.min(COARSEST),
             None => 0.0,
         };
         self.least = self.least.min(from.x.min(to.x) - crest);
