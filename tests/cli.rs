@@ -420,7 +420,7 @@ fn an_assumed_stock_is_told_and_that_collisions_were_not_checked() {
     // What `check` says last sums up.
     for (command, last) in [("check", "nothing found in 1 file\n"), ("summary", "")] {
         let text = String::from_utf8(run(&[command, "-"], program).stdout).expect("UTF-8");
-        let note = "<stdin>: stock assumed, collisions not checked. This stock in the program: (STOCK D=44 LENGTH=25)\n";
+        let note = "<stdin>: stock assumed, collisions not checked; to check them, add this comment to the program: (STOCK D=44 LENGTH=25)\n";
         assert!(text.ends_with(&format!("{note}{last}")), "{text}");
         let rows = rows(&run(&[command, "--format", "json", "-"], program));
         let told = rows.last().expect("a row");

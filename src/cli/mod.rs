@@ -237,7 +237,10 @@ fn why_no_part(program: &Program, simulation: &SimulationResult) -> String {
     let Analysis { motions, diagnostics, .. } = &program.analysis;
     let told = crate::findings::diagnostics(simulation, motions, &Levels::default(), diagnostics);
     let why = told.iter().find(|told| told.message.kind() == Kind::Unsupported);
-    why.map_or_else(|| "nothing is cut".to_owned(), |told| told.message.sentence(Language::English).message)
+    why.map_or_else(
+        || "nothing is turned".to_owned(),
+        |told| told.message.sentence(Language::English).message,
+    )
 }
 
 /// The picture of a program.

@@ -46,9 +46,9 @@ pub fn category(kind: Kind, language: Language) -> &'static str {
 /// comment that names this stock.
 pub fn inferred_stock(note: &str, language: Language) -> String {
     let said = language.among([
-        "stock assumed, collisions not checked. This stock in the program:",
-        "毛坯为假定，未检查碰撞。在程序中写明此毛坯：",
-        "заготовка по умолчанию, столкновения не проверялись. Эта заготовка в программе:",
+        "stock assumed, collisions not checked; to check them, add this comment to the program:",
+        "毛坯为假定，未检查碰撞；要检查，请在程序中加上此注释：",
+        "заготовка по умолчанию, столкновения не проверялись; для проверки добавьте в программу комментарий:",
     ]);
     format!("{said} {note}")
 }
