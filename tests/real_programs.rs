@@ -96,6 +96,28 @@ fn inch_programs_are_told_of_in_inches() {
     }
 }
 
+/// In systems B and C, G94 is feed per minute, G95 feed per revolution, and G92 limits the speed.
+#[test]
+fn messages_name_the_codes_of_the_g_code_system() {
+    for system in ["B", "C"] {
+        let head = format!("(DIALECT GSYSTEM={system})\nG95 M3 S500\nG0 X50. Z2.\n");
+        for (rest, message) in [
+            ("G1 X40. F50.\n", "`F50.` under G95 is 50 mm/rev."),
+            ("G94 G1 X40. F.5\n", "`F.5` under G94 is only 0.5 mm/min."),
+            ("G94 G1 X40. F50.\nG95 X39.\n", "After G95 the old feed rate 50"),
+            ("G12.1\nG1 X40. F.2\nG13.1\n", "Feed per revolution (G95) cannot"),
+        ] {
+            let found = said(&format!("{head}{rest}"));
+            assert!(found.iter().any(|found| found.contains(message)), "{message}\nis not in\n{found:#?}");
+        }
+        let text = format!("{head}G96 S150\nG1 X40. F.2\n");
+        let analysis = analyze(text.as_bytes(), &Setup::default());
+        let told =
+            analysis.diagnostics.iter().find(|found| found.message.slug() == "surface-speed-without-clamp");
+        assert_eq!(told.expect("told").fixes[0].edits[0].text, "G92 S2000\n");
+    }
+}
+
 #[test]
 fn slips_of_the_hand_are_told_at_their_word_and_nothing_else_is_lost() {
     let program = |slip: &str| format!("M3 S500\nG0 X20 Z2\nG1 Z-5 F.2\n{slip}\nG0 X60 Z9");

@@ -2,6 +2,7 @@
 
 use super::once::Once;
 use super::single_cycle;
+use crate::control::codes::{self, G};
 use crate::control::compensation::Axis;
 use crate::control::events::Moment;
 use crate::control::modal::Target;
@@ -43,6 +44,16 @@ const DOUBTFUL: f64 = 5.0;
 
 /// A feed per revolution that a tool takes, mm/rev.
 const USUAL: f64 = 1.0;
+
+/// A code as the G-code system in force writes it.
+pub fn code_of(code: G, at: &Moment) -> String {
+    codes::written(code, at.dialect.code_list()).unwrap_or_default()
+}
+
+/// The codes of feed per revolution and feed per minute.
+pub fn feed_codes(at: &Moment) -> (String, String) {
+    (code_of(G::Feed(FeedMode::PerTurn), at), code_of(G::Feed(FeedMode::PerMinute), at))
+}
 
 /// What is remembered of F.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -98,9 +109,10 @@ impl Feed {
                 // The unit was changed: that is reported, not the lead as well.
                 self.used_for = Use::Open;
             }
+            let code = code_of(G::Feed(at.state.feed_mode), at);
             let message: Message = match at.state.feed_mode {
-                FeedMode::PerTurn => said::FeedNotRepeatedPerTurn { feed }.into(),
-                FeedMode::PerMinute => said::FeedNotRepeatedPerMinute { feed }.into(),
+                FeedMode::PerTurn => said::FeedNotRepeatedPerTurn { feed, code }.into(),
+                FeedMode::PerMinute => said::FeedNotRepeatedPerMinute { feed, code }.into(),
             };
             reports.push(Diagnostic::new(message, block.words_span()));
         } else if self.used_for == Use::Thread {
@@ -135,7 +147,9 @@ impl Feed {
             }
         } else if self.unit.first() {
             let word = words.quote(at.text, b'F');
-            reports.push(Diagnostic::new(said::FeedPerMinuteTooSmall { word, feed }, span));
+            let (per_turn, per_minute) = feed_codes(at);
+            let message = said::FeedPerMinuteTooSmall { word, feed, per_turn, per_minute };
+            reports.push(Diagnostic::new(message, span));
         }
     }
 
@@ -144,7 +158,9 @@ impl Feed {
         if let Some((span, feed)) = self.doubtful.take()
             && self.unit.first()
         {
-            let message = said::FeedPerTurnTooLarge { word: quote(at.text, span), feed };
+            let (per_turn, per_minute) = feed_codes(at);
+            let word = quote(at.text, span);
+            let message = said::FeedPerTurnTooLarge { word, feed, per_turn, per_minute };
             reports.push(Diagnostic::new(message, span));
         }
     }

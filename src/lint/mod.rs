@@ -248,7 +248,7 @@ impl Lints {
             Event::RunEnds => {
                 self.feed.report_doubtful(at, reports);
                 self.spindle.report_still_move(reports);
-                self.spindle.report_speed_clamp(reports);
+                self.spindle.report_speed_clamp(at, reports);
                 reports.extend(self.rotary.still_connected());
                 self.contours.run_ends(reports);
                 self.loops.report(reports);

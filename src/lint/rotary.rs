@@ -1,6 +1,7 @@
 //! The C axis and live tools: whether something has connected or started them, and what is
 //! programmed in a virtual plane.
 
+use super::feed::feed_codes;
 use super::once::Once;
 use super::spindle::block_start;
 use crate::control::codes::{Compensation, M, Switch};
@@ -154,7 +155,9 @@ impl Rotary {
         }
         let feed_is_wrong = at.state.feed_mode == FeedMode::PerTurn && self.feed.first();
         if feed_is_wrong {
-            reports.push(Diagnostic::new(said::PolarFeedPerTurn, block.words_span()));
+            let (per_turn, per_minute) = feed_codes(at);
+            reports
+                .push(Diagnostic::new(said::PolarFeedPerTurn { per_turn, per_minute }, block.words_span()));
         }
         if at.state.compensation != Compensation::Off && at.nose_radius() == 0.0 && self.radius.first() {
             let span = block.words_span();

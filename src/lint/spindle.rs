@@ -1,7 +1,9 @@
 //! The spindle before a cut: whether it turns, how fast, and how fast at most; and the
 //! classroom checklist of each tool.
 
+use super::feed::{code_of, feed_codes};
 use super::once::Once;
+use crate::control::codes::G;
 use crate::control::events::Moment;
 use crate::control::words::{Words, letters, plain, quote};
 use crate::message::{Diagnostic, Fix, Message, said};
@@ -98,7 +100,7 @@ impl Spindle {
             self.look_at_checklist(block, feed_mode_named, at, reports);
         }
         if self.unclamped.is_some() {
-            self.report_speed_clamp(reports);
+            self.report_speed_clamp(at, reports);
         }
         let spindle = &at.state.spindle;
         if spindle.turn == SpindleTurn::Stopped || spindle.still {
@@ -162,7 +164,10 @@ impl Spindle {
     ) {
         let missing: [Option<Message>; 3] = [
             (at.state.tool == (0, 0)).then(|| said::ToolNotNamed.into()),
-            (!feed_mode_named).then(|| said::FeedModeNotNamed.into()),
+            (!feed_mode_named).then(|| {
+                let (per_turn, per_minute) = feed_codes(at);
+                said::FeedModeNotNamed { per_turn, per_minute }.into()
+            }),
             (!self.coolant).then(|| said::CoolantOff.into()),
         ];
         let missing = missing.into_iter().flatten();
@@ -171,12 +176,13 @@ impl Spindle {
 
     /// A motion under G96 without a highest speed: once in a program.
     #[inline(never)]
-    pub fn report_speed_clamp(&mut self, reports: &mut Vec<Diagnostic>) {
+    pub fn report_speed_clamp(&mut self, at: &Moment, reports: &mut Vec<Diagnostic>) {
         if let Some(Unclamped { span, before }) = self.unclamped.take()
             && self.no_clamp.first()
         {
-            let fix = Fix::insert(before, "G50 S2000\n".to_owned());
-            reports.push(Diagnostic::new(said::NoSpeedClamp, span).with(fix));
+            let code = code_of(G::Setting, at);
+            let fix = Fix::insert(before, format!("{code} S2000\n"));
+            reports.push(Diagnostic::new(said::NoSpeedClamp { code }, span).with(fix));
         }
     }
 
