@@ -356,6 +356,15 @@ fn the_first_of_several_passes_is_seen() {
     ran.check(&[(-20.0, &[(0.0, 31.0)]), (-45.0, &[(0.0, 35.0)]), (-51.0, &[(0.0, 37.0)])]);
 }
 
+/// A bore of ⌀30 to Z-50 in a tube, the tool back at ⌀26: the hole of the tube is between the two, and the end of the cut is seen.
+#[test]
+fn the_end_of_a_bore_is_seen() {
+    let ran =
+        run("O8\nG21G99\nT0404\nG97S800M03\nG00X36.Z2.\nG01X30.Z-1.F0.1\nZ-50.\nG00X26.Z-40.\nZ4.\nM30\n");
+    let outside = ran.stock.diameter.mm();
+    ran.check(&[(-20.0, &[(30.0, outside)]), (-51.0, &[(28.0, outside)])]);
+}
+
 /// The lead of a thread that grows without end makes no blank of a metre: the thread is in a bar of ⌀30, 30 long.
 #[test]
 fn a_lead_without_end_makes_no_large_blank() {

@@ -96,6 +96,23 @@ pub fn larger_than_first_pass(stock: Stock, evidence: &Evidence) -> Stock {
     stock
 }
 
+/// A tube with a bore that is smaller than the cut that makes it, where the tool goes further in after that cut and back through
+/// the bore: the end of the cut is seen.
+pub fn smaller_than_bored(stock: Stock, evidence: &Evidence) -> Stock {
+    let bored = stock.bore.radius();
+    let mut at_end = false;
+    for motion in evidence.moves() {
+        let (from, to) = (motion.from, motion.to);
+        if at_end && motion.kind == MotionKind::Rapid && to.x < bored - SAME {
+            let bore = ((bored + to.x) / 2.0).max(bored - CLEAR).max(0.0);
+            return Stock { bore: Diameter::from_radius(bore), ..stock };
+        }
+        let is_straight = (from.x - bored).abs().max((to.x - bored).abs()) <= SAME;
+        at_end = is_straight && motion.kind.cuts() && motion.process.removes_material() && to.z < -SAME;
+    }
+    stock
+}
+
 /// How far cuts reach, mm.
 #[derive(Clone, Copy, Debug)]
 struct Reach {

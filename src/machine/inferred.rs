@@ -26,7 +26,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use super::blank::{Cuts, clear_of_rapids, first_face, larger_than_first_pass};
+use super::blank::{Cuts, clear_of_rapids, first_face, larger_than_first_pass, smaller_than_bored};
 use super::choice;
 use super::evidence::Evidence;
 use super::tool_use::{Clamping, Purpose, ToolUse};
@@ -79,6 +79,7 @@ impl InferredSetup {
         });
         let blank = cuts.blank(front).map(|stock| clear_of_rapids(stock, &evidence));
         let blank = blank.map(|stock| larger_than_first_pass(stock, &evidence));
+        let blank = blank.map(|stock| smaller_than_bored(stock, &evidence));
         let blank = blank.map(|stock| described_stock.applied_to(stock));
         let choices = tools.iter_mut().map(|(.., tool)| tool).collect();
         let unknown = choice::decide(&evidence, &uses, described_tools, stock.or(blank), choices);
