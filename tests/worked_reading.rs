@@ -2,6 +2,8 @@
 use gcode_playground::analyze;
 use gcode_playground::message::Severity;
 use gcode_playground::repair::repaired;
+use gcode_playground::rewrite::applied;
+use gcode_playground::run::{Run, TextEdit};
 use gcode_playground::sentences::Language;
 use gcode_playground::setup::Setup;
 
@@ -43,6 +45,51 @@ fn a_habit_is_reported_once_and_repaired_everywhere() {
     let repaired = repaired(text.as_bytes(), &Setup::default());
     let right = "O1\nG0 X50 Z2 M3 S500; (approach)\nG1 Z-5 F0.2; (rough it)\nX60 (shoulder)\n(face X20\nG0 X100; (retract)\nZ50 (home)\nM30\n";
     assert_eq!(String::from_utf8_lossy(&repaired.text), right);
+}
+
+/// A control ignores everything from `(` to `)`. The lines of text between are part of the comment: one message, at the bracket.
+/// Further lines that are blocks are carried out, and reported as before.
+#[test]
+fn a_comment_over_several_lines_is_one() {
+    for (remark, after) in [
+        ("(first line\nsecond line 1.5\nthird)", 5),
+        ("(X=minor diam., Z=into\ngroove, K=depth, D=first\nsides, F=feed=1/TPI=1/16, by table )", 5),
+        ("(rough the face\r\nto 1.5 and X5O)", 4),
+    ] {
+        let text = format!("O1\nG0 X50 Z2 M3 S500 {remark}\nG1 Z-5 F0.2\nM30\n");
+        assert_eq!(told(&text, "{}"), ["comment-not-closed! 2"], "{remark}");
+        assert_eq!(ends(&text, "{}").len(), 2);
+        assert_eq!(text.lines().nth(after - 1), Some("G1 Z-5 F0.2"));
+        let analysis = analyze(text.as_bytes(), &Setup::default());
+        let fixed = applied(text.as_bytes(), &analysis.diagnostics[0].fixes[0].edits);
+        assert_eq!(told(&String::from_utf8(fixed).expect("UTF-8"), "{}"), [""; 0], "{remark}");
+    }
+    let blocks = told("O1\nG0 X50 Z2 M3 S500 (rough\nX20 1.5\nG1 Z-5 F0.2)\nM30\n", "{}");
+    assert!(blocks.len() > 1, "{blocks:?}");
+    let far =
+        told(&format!("O1\nG0 X50 Z2 M3 S500 (rough\n{}end)\nM30\n", "more text 1.5\n".repeat(7)), "{}");
+    assert!(far.len() > 1, "{far:?}");
+}
+
+/// A change of one bracket changes how the lines around it are read, as in a fresh run.
+#[test]
+fn the_brackets_of_a_long_comment_can_be_typed() {
+    let cuts = |from: usize| (from..from + 3000).map(|z| format!("G1 Z-{z}. F0.2\n")).collect::<String>();
+    let text =
+        format!("O1\nG0 X50 Z2 M3 S500\n{}(first line\nsecond 1.5\nthird)\n{}M30\n", cuts(1), cuts(4001));
+    for bracket in ["(first", "third)"] {
+        let place = text.find(bracket).expect("there") + if bracket.starts_with('(') { 0 } else { 5 };
+        let mut run = Run::new(text.clone().into_bytes(), Setup::default());
+        while !run.advance(usize::MAX) {}
+        let without = TextEdit { start: place, end: place + 1, insert: Vec::new() };
+        let back = TextEdit { start: place, end: place, insert: vec![text.as_bytes()[place]] };
+        for edit in [without, back] {
+            run.edit(edit);
+            while !run.advance(usize::MAX) {}
+            let fresh = analyze(run.text(), &Setup::default());
+            assert_eq!(run.diagnostics(), fresh.diagnostics);
+        }
+    }
 }
 
 /// B-64304EN (ISO code): the tape has NUL, DC1 to DC4 and DEL, which are no significant characters. None is part of a word.

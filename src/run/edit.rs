@@ -14,6 +14,7 @@ use crate::parts::{Part, late};
 use crate::provenance;
 use crate::setup::notes::{self, Notes};
 use crate::source::shift::Shift;
+use crate::text::long_comment;
 use crate::text::parser::{LEADER, Resume};
 
 /// Most blocks from one snapshot to the next, for each motion that there may be.
@@ -112,12 +113,14 @@ impl Run {
         let end = edit.end.min(self.text.len());
         let start = edit.start.min(end);
         let bytes = edit.insert.len() as i64 - (end - start) as i64;
-        let line = self.text[..start]
+        // How a line is read may depend on those around it.
+        let (first, last) = long_comment::around(&self.text, start, end);
+        let line = self.text[..first]
             .iter()
             .rposition(|byte| matches!(byte, b'\n' | b'\r'))
             .map_or(0, |end| end + 1);
-        let before = self.before_edit(line as u32, end as u32, bytes);
-        let keep = self.checkpoints.partition_point(|checkpoint| (checkpoint.byte() as usize) < start);
+        let before = self.before_edit(line as u32, last as u32, bytes);
+        let keep = self.checkpoints.partition_point(|checkpoint| (checkpoint.byte() as usize) < first);
         self.checkpoints.truncate(keep);
         self.numbers = None;
         self.faulty = FaultyBlocks::default();

@@ -3,6 +3,7 @@
 pub mod block;
 pub mod highlight;
 pub mod lexer;
+pub(crate) mod long_comment;
 mod lost_letter;
 pub mod misread;
 pub mod parser;

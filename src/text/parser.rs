@@ -15,6 +15,7 @@
 
 use super::block::{Block, BlockKind, Value, Word};
 use super::lexer::{Lexer, Number, TokenKind, is_between_blocks, is_blank};
+use super::long_comment;
 use super::lost_letter;
 use super::misread::{self, Misread};
 use super::plain_line::PlainLine;
@@ -181,7 +182,14 @@ impl<'a> Parser<'a> {
         if let Some(remark) = slashed_remark(text, block) {
             return self.take_slashed_remark(block, remark, behind_semicolon);
         }
+        if long_comment::continues(text, block.span) {
+            return keep_as_comment(block, trimmed(text, block.span));
+        }
         for fault in block.faults.iter_mut().filter(|fault| fault.message.is::<said::CommentOpen>()) {
+            if let Some((ends, _)) = long_comment::over_lines(text, fault.span.start as usize) {
+                *fault = over_lines(text, fault.span, &ends);
+                continue;
+            }
             // `(face X20`: the bracket may belong before X20.
             // `(STOPS AT M01, IF ON`: more text follows the value.
             let hidden = Span { start: fault.span.end, end: block.span.end };
@@ -1162,6 +1170,17 @@ fn slashed_remark(text: &[u8], block: &Block) -> Option<Span> {
     let after = &own[at + slashes..];
     let is_sentence = begins_as_sentence(after) || begins_in_other_script(after);
     (is_sentence && !block.comments.iter().any(is_inside)).then_some(remark)
+}
+
+/// What is said of a comment over several lines, which end there. The fix puts each of them in brackets.
+fn over_lines(text: &[u8], open: Span, ends: &[u32]) -> Diagnostic {
+    let edits = ends.iter().flat_map(|&end| {
+        let close = end - u32::from(text[end as usize - 1] == b'\r');
+        [(close, ")"), (end + 1, "(")]
+            .map(|(at, text)| Edit { span: Span { start: at, end: at }, text: text.to_owned() })
+    });
+    let fix = Fix { title: Repair::CloseComment, safe: false, edits: edits.collect() };
+    Diagnostic::new(said::CommentOverLines, open).with(fix)
 }
 
 /// Makes a block a comment.
