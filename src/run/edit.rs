@@ -53,17 +53,20 @@ pub(super) struct PreviousRun {
     shift: Shift,
     /// First byte of the first line that has changed.
     unchanged: u32,
+    /// From this byte of the text as it is now on, lines are read as before the change.
+    same_from: i64,
     /// Bytes of the text as it is now, without the blanks at its end.
     filled: usize,
 }
 
 impl PreviousRun {
     /// Takes in a further change, of the text as it is now.
-    fn edit(mut self, line: u32, end: u32, bytes: i64) -> Self {
+    fn edit(mut self, line: u32, end: u32, bytes: i64, same_from: i64) -> Self {
         self.unchanged = self.unchanged.min(line);
         let behind = i64::from(self.shift.from) + self.shift.bytes;
         self.shift.from += (i64::from(end) - behind).max(0) as u32;
         self.shift.bytes += bytes;
+        self.same_from = same_from.max(self.same_from + bytes);
         self.next = 0;
         self
     }
@@ -72,7 +75,7 @@ impl PreviousRun {
     fn meeting(&mut self, behind: u32) -> Option<u32> {
         while let Some(there) = self.remainder.at(self.next) {
             let byte = self.shift.byte(there.byte);
-            if self.shift.moves(there.byte) && byte > behind {
+            if self.shift.moves(there.byte) && byte > behind && i64::from(byte) >= self.same_from {
                 return Some(byte);
             }
             self.next += 1;
@@ -115,11 +118,11 @@ impl Run {
         let bytes = edit.insert.len() as i64 - (end - start) as i64;
         // How a line is read may depend on those around it.
         let (first, last) = long_comment::around(&self.text, start, end);
-        let line = self.text[..first]
+        let line = self.text[..start]
             .iter()
             .rposition(|byte| matches!(byte, b'\n' | b'\r'))
             .map_or(0, |end| end + 1);
-        let before = self.before_edit(line as u32, last as u32, bytes);
+        let before = self.before_edit(line as u32, end as u32, bytes, last as i64 + bytes);
         let keep = self.checkpoints.partition_point(|checkpoint| (checkpoint.byte() as usize) < first);
         self.checkpoints.truncate(keep);
         self.numbers = None;
@@ -156,9 +159,9 @@ impl Run {
     }
 
     /// What this run, or the one before it, gave after a change that is about to be made.
-    fn before_edit(&mut self, line: u32, end: u32, bytes: i64) -> Option<PreviousRun> {
+    fn before_edit(&mut self, line: u32, end: u32, bytes: i64, same_from: i64) -> Option<PreviousRun> {
         if let Some(before) = self.previous.take() {
-            return Some(before.edit(line, end, bytes));
+            return Some(before.edit(line, end, bytes, same_from));
         }
         if !self.finished || self.stopped || !self.interpreter.is_straight() {
             return None;
@@ -180,6 +183,7 @@ impl Run {
             next: 0,
             shift: Shift { from: end, bytes, lines: 0 },
             unchanged: line,
+            same_from,
             filled: 0,
         })
     }

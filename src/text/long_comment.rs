@@ -11,8 +11,8 @@ pub const LINES: usize = 6;
 /// Most bytes of a comment.
 const BYTES: usize = 600;
 
-/// The ends of the lines of a comment whose `(` is at byte `open`, and the byte after its `)`; nothing where it ends on its
-/// line, there is another bracket before or in it, or one of the further lines contains no word of text.
+/// The ends of the lines of a comment with `(` at byte `open`, and the byte after its `)`; `None` if it ends on its line,
+/// there is another bracket before or in it, or one of the further lines contains no word of text.
 pub fn over_lines(text: &[u8], open: usize) -> Option<(Vec<u32>, usize)> {
     let before = text[open.saturating_sub(BYTES)..open].iter().rev().take_while(|&&byte| byte != b'\n');
     if text[open] != b'(' || before.into_iter().any(|&byte| byte == b'(') {

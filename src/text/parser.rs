@@ -1172,7 +1172,7 @@ fn slashed_remark(text: &[u8], block: &Block) -> Option<Span> {
     (is_sentence && !block.comments.iter().any(is_inside)).then_some(remark)
 }
 
-/// What is said of a comment over several lines, which end there. The fix puts each of them in brackets.
+/// The message about a comment over several lines, which end at `ends`. The fix puts each of them in brackets.
 fn over_lines(text: &[u8], open: Span, ends: &[u32]) -> Diagnostic {
     let edits = ends.iter().flat_map(|&end| {
         let close = end - u32::from(text[end as usize - 1] == b'\r');
