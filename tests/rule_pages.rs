@@ -200,6 +200,23 @@ fn a_mistake_in_a_message_is_told_with_its_line() {
 }
 
 #[test]
+fn english_fills_what_another_language_lacks() {
+    let whole = include_str!("../src/rules/number-missing.md");
+    for (line, missing) in [("zh: ", "no `zh:`"), ("ru help: ", "no `ru help:`")] {
+        let lines = whole.lines().filter(|own| !own.starts_with(line));
+        let text: String = lines.map(|own| format!("{own}\n")).collect();
+        let rule = RuleFile::read(&text).unwrap_or_else(|mistakes| panic!("{mistakes:?}"));
+        let told: Vec<_> = rule.missing.iter().map(|mistake| mistake.what.clone()).collect();
+        assert_eq!(told, [format!("NumberMissing: {missing}")]);
+        let [english, chinese, russian] = &rule.messages[0].sentences;
+        match line {
+            "zh: " => assert_eq!(chinese, english),
+            _ => assert_eq!(russian.help, english.help),
+        }
+    }
+}
+
+#[test]
 fn what_a_page_says_is_held_against_what_happens() {
     let read = |wrong: &str, right: &str, head: &str| {
         let said = "What: a\n\nWhy: b\n\nRepair: c\n";

@@ -145,16 +145,23 @@ impl Message {
         }
     }
 
-    /// Puts the English sentence in the place of one that a language has not got; returns what was missing.
+    /// Puts the English sentence or help where a language has none; returns what was missing.
     pub(super) fn fill_in_english(&mut self) -> Vec<Mistake> {
         let (line, [english, others @ ..]) = (self.line, &mut self.sentences);
-        let missing = others.iter_mut().zip(&LANGUAGES[1..]).filter(|(said, _)| said.message.is_empty());
-        missing
-            .map(|(said, tag)| {
+        let mut missing = Vec::new();
+        for (said, tag) in others.iter_mut().zip(&LANGUAGES[1..]) {
+            let what = if said.message.is_empty() {
                 said.clone_from(english);
-                Mistake { line, what: format!("{}: no `{tag}:`", self.name) }
-            })
-            .collect()
+                ""
+            } else if said.help.is_none() && english.help.is_some() {
+                said.help.clone_from(&english.help);
+                " help"
+            } else {
+                continue;
+            };
+            missing.push(Mistake { line, what: format!("{}: no `{tag}{what}:`", self.name) });
+        }
+        missing
     }
 
     /// Checks that all languages say it, and quote all arguments and nothing else.
