@@ -67,6 +67,8 @@ test('a proposal that is pressed while the list catches up is taken', async ({ p
   await page.keyboard.type('G');
   const first = list(page).getByRole('option').first();
   await expect(first).toContainText('G76 X');
+  // The list is far outside of the page until its place has been measured.
+  await expect.poll(async () => (await first.boundingBox())?.y ?? -1).toBeGreaterThan(0);
   const box = (await first.boundingBox())!;
   await page.mouse.move(box.x + box.width / 2, box.y + box.height / 2);
   await page.keyboard.type('7');

@@ -197,7 +197,10 @@ class WebKitTab implements Tab {
   }
 
   async goto(address: string): Promise<void> {
-    await this.call('POST', '/url', { url: this.relay.inFront(address) });
+    const url = this.relay.inFront(address);
+    await this.call('POST', '/url', { url });
+    // WebKitWebDriver loses the first load of a session at times, on a busy machine: the page stays blank.
+    if ((await this.call('GET', '/url')) === 'about:blank') await this.call('POST', '/url', { url });
   }
   async reload(): Promise<void> {
     await this.call('POST', '/refresh', {});
