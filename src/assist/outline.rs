@@ -253,7 +253,7 @@ impl Outlining<'_> {
 
     fn finish(mut self, is_cut: bool) -> Outline {
         self.close_program();
-        self.named.sort_unstable();
+        crate::order::by_key(&mut self.named, |number| *number);
         let named = &self.named;
         let wanted = self.sequences.into_iter().filter(|(number, _)| named.binary_search(number).is_ok());
         self.entries.extend(wanted.map(|(_, entry)| entry));

@@ -13,6 +13,7 @@ use super::contour::Purpose;
 use super::modal::{State, Target};
 use crate::geometry::Point;
 use crate::motion::SpindleTurn;
+use crate::order;
 use crate::setup::dialect::FeedMode;
 use crate::source::shift::Shift;
 use crate::text::block::Block;
@@ -340,7 +341,8 @@ impl Origins {
         let mut since = meeting.since;
         since.iter_mut().zip(&self.since).for_each(|(own, old)| *own = place(*old, *own));
         let own = |key| meeting.variables.get(key).copied().unwrap_or(NEVER);
-        let variables = self.variables.iter().map(|(key, old)| (*key, place(*old, own(key)))).collect();
+        let variables = self.variables.iter().map(|(key, old)| (*key, place(*old, own(key))));
+        let variables: BTreeMap<_, _> = order::gathered(variables);
         Self { values: self.values, since, variables: Arc::new(variables) }
     }
 }

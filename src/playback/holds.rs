@@ -116,7 +116,7 @@ pub fn lines_that_move(motions: &Motions, lines: &[u32]) -> Vec<u32> {
         }
     }
     next.retain(|&line| line != u32::MAX);
-    next.sort_unstable();
+    crate::order::by_key(&mut next, |line| *line);
     next.dedup();
     next
 }

@@ -7,6 +7,7 @@ use std::f64::consts::{PI, TAU};
 
 use crate::geometry::virtual_plane::Way;
 use crate::geometry::{Arc, Point, SAME, within};
+use crate::order;
 
 /// Into how many strips a turn is divided to find out where nothing is cut.
 const STRIPS: usize = 360;
@@ -119,7 +120,7 @@ impl Window {
             cuts.extend(crossed(way, self.low + (first + f64::from(crossing)) * self.around));
         }
         cuts.push(1.0);
-        cuts.sort_by(f64::total_cmp);
+        order::by(&mut cuts, f64::total_cmp);
         let parts = cuts.windows(2).map(|ends| [ends[0], ends[1]]);
         let length = match way {
             Way::Line(from, to) => from.distance(*to),

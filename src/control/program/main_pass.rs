@@ -6,6 +6,8 @@
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
+use crate::order;
+
 /// The value of a variable; `None` when it is vacant.
 type Value = Option<f64>;
 
@@ -107,7 +109,7 @@ impl MainPass {
             let moved = |(&(block, variable), &access): (&(u32, u32), &Access)| {
                 ((if block == u32::MAX { block } else { byte(block) }, variable), access)
             };
-            self.accesses = Arc::new(self.accesses.iter().map(moved).collect());
+            self.accesses = Arc::new(order::gathered(self.accesses.iter().map(moved)));
         }
     }
 }

@@ -17,6 +17,7 @@ pub use call_stack::{Call, CallKind, CallStack, Loop, ModalCall, Rounds};
 pub use labels::{Labels, calls_elsewhere, program_and_repeats};
 pub use main_pass::MainPass;
 
+use crate::order;
 use crate::source::Span;
 use crate::text::parser::Resume;
 
@@ -112,7 +113,7 @@ impl Program {
     /// The same program, of which nothing from `at` on has been read. Only right for one that was
     /// read straight through so far.
     pub fn back_at(self, at: Resume, work: usize) -> Self {
-        let heads = self.heads.into_iter().filter(|&head| head < at.byte).collect();
+        let heads = order::gathered(self.heads.into_iter().filter(|&head| head < at.byte));
         let budget = Budget::after_work(work);
         Self { unread_from: at.byte, heads, budget, ..Self::default() }
     }
