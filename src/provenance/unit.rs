@@ -49,18 +49,19 @@ impl UnitHint {
         if self.excluded {
             return;
         }
-        let mut dwells = false;
+        let mut no_places = false;
         for (code, _) in statement.codes(b'G') {
             match code {
                 200 | 210 => self.excluded = true,
                 // System C, unless they call a cycle.
                 700 | 710 if !statement.has_any(b"PQUX") => self.excluded = true,
-                40 => dwells = true,
+                // No coordinates of the workpiece.
+                40 | 100 | 530 => no_places = true,
                 _ => {}
             }
         }
         let [x, z] = LARGEST;
-        for word in statement.words().iter().filter(|word| !word.assigned && !dwells) {
+        for word in statement.words().iter().filter(|word| !word.assigned && !no_places) {
             let Some(number) = word.number else { continue };
             let most = match word.letter {
                 b'X' | b'U' => x,
@@ -114,22 +115,24 @@ impl UnitEvidence {
         if self.hint.excluded {
             return;
         }
-        let (mut threads, mut speeds, mut dwells, mut limits) = (false, false, false, false);
+        let (mut threads, mut speeds, mut no_places, mut limits) = (false, false, false, false);
+        let moves = statement.codes(b'G').any(|(code, _)| matches!(code, 0 | 10 | 20 | 30));
         for (code, _) in statement.codes(b'G') {
             match code {
-                980 | 940 if !statement.has_any(b"XZUW") => self.per_minute = true,
+                // In system B G98 beside a hole cycle is the return level.
+                980 | 940 if !statement.has_any(b"XZUW") || moves => self.per_minute = true,
                 990 | 950 => self.per_minute = false,
                 320 | 330 | 340 | 760 | 780 | 840 | 880 | 920 => threads = true,
                 960 => speeds = true,
                 500 => limits = true,
-                40 => dwells = true,
+                40 | 100 | 530 => no_places = true,
                 _ => {}
             }
         }
         if let Some(remark) = statement.remark.filter(|_| self.remark.is_none()) {
             self.remark = names_inches(remark.of(text)).then_some(remark);
         }
-        for word in statement.words().iter().filter(|word| !word.assigned && !dwells) {
+        for word in statement.words().iter().filter(|word| !word.assigned && !no_places) {
             let Some(number) = word.number else { continue };
             let (value, written) = (number.value(), word.span.of(text));
             let decimals = written.iter().rev().take_while(|&&byte| byte != b'.').count();
