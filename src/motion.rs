@@ -8,7 +8,7 @@ use std::ops::Range;
 use std::sync::atomic::{AtomicU64, Ordering};
 
 use crate::geometry::virtual_plane::VirtualMove;
-use crate::geometry::{Arc, Point, Turn};
+use crate::geometry::{Arc, Point, SAME, Turn};
 use crate::heap;
 use crate::source::Span;
 use crate::source::shift::Shift;
@@ -518,7 +518,10 @@ impl Motion {
     pub fn on_positive_side(self) -> Motion {
         const PAST_AXIS: f64 = 2.0;
         let (from, to) = (self.from, self.to);
-        if from.x + to.x >= 0.0 || from.x.min(to.x) >= -PAST_AXIS {
+        // Past the axis a facing tool only comes from the other side or goes back there. One that goes along the work or away
+        // from the axis turns a pin.
+        let turns = from.x < -SAME && (to.x < from.x - SAME || to.z < from.z - SAME);
+        if from.x + to.x >= 0.0 || from.x.min(to.x) >= -PAST_AXIS && !(turns && self.kind.cuts()) {
             return self;
         }
         self.mirrored(|at| Point::new(-at.x, at.z))

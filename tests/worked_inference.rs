@@ -81,6 +81,39 @@ fn nothing_is_cut_with_the_spindle_stopped() {
     assert!(material.len() == 1 && material[0].0 > 5.5, "{material:?}");
 }
 
+/// After the first M05 a tool that comments name as a bar puller cuts nothing either, whichever codes open the chuck.
+#[test]
+fn a_bar_puller_drills_nothing() {
+    for words in ["(BARPULLER)", "(BARPULER)", "(BAR STOP)"] {
+        let ran = run(&format!(
+            "O1\nG21G99\nT0303\nG97S2000M3\nG0X30.Z2.\nX24.\nG1Z-12.F0.1\nX30.\nG0Z50.\nT0808(CUT-OFF 2MM)\nG97S1200M3\nG0X30.Z-10.\n\
+             G1X-1.F0.08\nG0X30.\nZ50.\nM5\nT0505{words}\nG98\nG0X0.Z10.\nG1Z-6.F2000.\nZ-14.F500.\nG4X2.\nM21\nG1Z2.F500.\nG4X2.\nM22\nG0Z10.\nG99\nM30\n"
+        ));
+        ran.check(&[(-4.0, &[(0.0, 24.0)]), (-9.0, &[]), (-11.0, &[(0.0, 24.0)]), (-13.0, &[(0.0, 30.0)])]);
+        assert!(!ran.told.contains(&"spindle-stopped"), "{:?}", ran.told);
+    }
+}
+
+/// On the side of -X a pin of ⌀1.3 and ⌀2 is turned; facing past the axis to X-1.6 turns none.
+#[test]
+fn a_pin_is_turned_on_the_negative_side() {
+    for side in ["-", ""] {
+        run(&format!(
+            "O1\nG21G99\nT0101\nG97S1200M3\nG0X{side}6.Z2.\nX{side}1.3\nG1Z-6.5F.1\nX{side}2.\nZ-10.5\nX{side}6.\nG0Z10.\nM30\n"
+        ))
+        .check(&[(-3.0, &[(0.0, 1.3)]), (-8.0, &[(0.0, 2.0)]), (-11.0, &[(0.0, 6.0)])]);
+    }
+    run("O1\nG21G99\nT0101\nG97S1200M3\nG0X32.Z0\nG1X-1.6F.1\nG0Z2.\nX28.\nG1Z-20.\nX32.\nG0Z50.\nM30\n")
+        .check(&[(-0.1, &[(0.0, 28.0)]), (-10.0, &[(0.0, 28.0)])]);
+}
+
+/// A tool that ends where it came to the work from outside turns the outside, also if it goes to a smaller diameter next.
+#[test]
+fn a_tool_that_returns_to_its_clearance_turns_outside() {
+    run("O1\nG21G99\nT0505\nG97S750M3\nG0X25.1Z3.\nX17.88\nG1Z-14.7F.1\nX25.1\nG0X18.4Z10.\nZ.2\nG1X12.F.2\nG0Z30.\nM30\n")
+        .check(&[(-7.0, &[(0.0, 17.88)]), (-14.0, &[(0.0, 17.88)]), (-16.0, &[(0.0, 25.1)])]);
+}
+
 /// The first full face with nothing cut before it is the front of the blank.
 #[test]
 fn the_first_face_is_the_front_of_the_blank() {
@@ -200,6 +233,12 @@ fn an_inch_program_without_g20_is_read_in_inches() {
     let ran = run_under(&program("O0065", ""), r#"{"dialect": {"unit": "inch"}}"#);
     ran.check(&[inches]);
     assert!(!ran.told.contains(&"inches-concluded"));
+    // A feed per minute beside G01, and places of the machine, show no millimetres.
+    let pulled = run(
+        "O3001(PAWN)\n(2.0IN STOCK STICKOUT)\nG10L2P1Z-25.\nG53X0Z-43.\nT0101\nG97S300M03\nG00X1.325Z.25\nX0.95\nG01Z-1.25F0.005\nX1.325\nG00Z.25\n\
+         T0707(STOCK PULLER)\nG00Z2.\nX0\nG98G01Z1.F50.\nG99\nM30\n",
+    );
+    assert!(pulled.told.contains(&"inches-concluded"), "{:?}", pulled.told);
     // Four decimals are usual in inches; a lead of 1/14 inch.
     let fine = run("O1\nT0101\nG97S800M3\nG0X1.0625Z.1\nG1Z-1.F.008\nX1.2\nG0Z.1\nM30\n");
     fine.check(&[(-10.0, &[(0.0, 1.0625 * 25.4)])]);

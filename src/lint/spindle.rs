@@ -218,6 +218,8 @@ impl Spindle {
         match number {
             // A bar is pulled, or fed against a stop, with the spindle stopped and the chuck open.
             CLAMP_ON | CLAMP_OFF | CHUCK_CLOSE | CHUCK_OPEN => self.chuck_moves(number, at),
+            // On some machines other codes open and close the chuck.
+            _ if !is_known && self.still_move.is_some() => self.chuck_moves(number, at),
             3 | 4 => {
                 self.held = None;
                 self.report_still_move(reports);

@@ -89,6 +89,9 @@ impl ResolvedSetup {
                 tool.basis = Basis::Unknown;
             }
             tool.cuts_nothing = setup.described_tools.get(&station) == Some(&Tool::default());
+            if tool.cuts_nothing && purpose == Purpose::Hole {
+                tool.takes = Outline::default();
+            }
             if purpose == Purpose::Live {
                 tool.shape.action = Action::Live;
             }

@@ -80,6 +80,8 @@ pub(super) struct ToolUse {
     outside: i32,
     /// How far the last cut on the chuck side of the face went along Z, mm.
     along: f64,
+    /// Where the tool went straight in at rapid in front of the face, radius, mm: an outside tool clears the work there.
+    clear: Option<f64>,
     /// Whether it follows the contour of a cycle.
     pub contour: bool,
     /// Plunges that come back the way they went, and all cuts. A plunge in steps counts with each of its steps.
@@ -246,6 +248,7 @@ impl ToolUse {
             first,
             outside: 0,
             along: 0.0,
+            clear: None,
             contour: false,
             plunges: 0,
             cuts: 0,
@@ -330,8 +333,15 @@ impl ToolUse {
         let after_x = next.map_or(0.0, |next| way(next).0);
         // Between tools it goes home, though that is not always seen.
         let own_next = next.filter(|next| next.process.tool == motion.process.tool);
+        if let Some(rapid) = before.filter(|before| before.kind == MotionKind::Rapid) {
+            let (dx, dz) = way(rapid);
+            let goes_in = dz.abs() <= SAME && dx < -SAME && rapid.to.z > SAME;
+            self.clear = goes_in.then_some(rapid.from.x);
+        }
+        let returns = dz.abs() <= SAME && self.clear.is_some_and(|clear| (motion.to.x - clear).abs() <= SAME);
         self.outside += match motion.cycle.filter(|step| step.cycle == Cycle::Pattern) {
             Some(step) => self.goes_on_in_pattern(step.pass, motion.from.x),
+            None if dx > SAME && returns => 1,
             None => side.unwrap_or_else(|| leaves(motion, self.along, own_next)),
         };
         self.along = if motion.to.z < -SAME { dz } else { 0.0 };

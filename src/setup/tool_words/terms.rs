@@ -83,7 +83,7 @@ pub const KINDS: &[(Form, &str, Option<ToolKind>)] = &[
 /// What holds or moves the work and cuts nothing.
 #[rustfmt::skip]
 const HANDLING: &[(Form, &str)] = &[
-    (Stem, "BAR PULL"), (Part, "BARPULL"), (Stem, "PULLER"), (Stem, "GRIPPER"), (Stem, "STOCK PULL"), (Stem, "STOCK STOP"), (Stem, "BAR STOP"),
+    (Stem, "BAR PUL"), (Part, "BARPUL"), (Stem, "PULLER"), (Stem, "GRIPPER"), (Stem, "STOCK PULL"), (Stem, "STOCK STOP"), (Stem, "BAR STOP"),
     (Word, "BARSTOP"), (Stem, "PARTS CATCH"), (Stem, "TAILSTOCK CENT"),
 ];
 
