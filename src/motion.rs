@@ -517,10 +517,13 @@ impl Motion {
     /// A facing that goes a little past the axis stays as it is.
     pub fn on_positive_side(self) -> Motion {
         const PAST_AXIS: f64 = 2.0;
+        // The radius of the thinnest pin that is turned there, mm.
+        const THINNEST: f64 = 0.5;
         let (from, to) = (self.from, self.to);
         // Past the axis a facing tool only comes from the other side or goes back there. One that goes along the work or away
         // from the axis turns a pin.
-        let turns = from.x < -SAME && (to.x < from.x - SAME || to.z < from.z - SAME);
+        let goes_on = to.x < from.x - SAME || to.z < from.z - SAME && to.x <= SAME;
+        let turns = from.x <= -THINNEST && goes_on;
         if from.x + to.x >= 0.0 || from.x.min(to.x) >= -PAST_AXIS && !(turns && self.kind.cuts()) {
             return self;
         }

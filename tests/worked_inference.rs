@@ -105,6 +105,9 @@ fn a_pin_is_turned_on_the_negative_side() {
     }
     run("O1\nG21G99\nT0101\nG97S1200M3\nG0X32.Z0\nG1X-1.6F.1\nG0Z2.\nX28.\nG1Z-20.\nX32.\nG0Z50.\nM30\n")
         .check(&[(-0.1, &[(0.0, 28.0)]), (-10.0, &[(0.0, 28.0)])]);
+    // From beyond the axis back over it: a tip, ⌀1 at Z-2.
+    run("O1\nG21G99\nT0101\nG97S1200M3\nG0X32.Z-0.5\nG1X-2.F.1\nX1.Z-2.\nX30.Z-20.\nG0X32.\nZ50.\nM30\n")
+        .check(&[(-1.2, &[]), (-2.0, &[(0.0, 1.0)])]);
 }
 
 /// A tool that ends where it came to the work from outside turns the outside, also if it goes to a smaller diameter next.
