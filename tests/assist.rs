@@ -1,7 +1,7 @@
 //! Help at the word and the state of the control, asked at places of fixtures that are marked with `$0`.
 //!
 //! Each file `tests/assist/*.nc` is a program with marks; the file `.help` beside it is what is answered at each of them, in
-//! three languages. `UPDATE_EXPECT=1 cargo test --test it assist::` writes them anew; read what has changed before it is committed.
+//! three languages. `UPDATE_EXPECT=1 cargo test --test it assist::` updates them; read the difference before you commit it.
 #[path = "assist/asking.rs"]
 mod asking;
 #[path = "assist/completion.rs"]

@@ -99,7 +99,7 @@ fn the_spindle_is_as_commanded() {
     assert_eq!(checked, 6);
 }
 
-/// The whole output, as committed next to each program. `UPDATE_EXPECT=1 cargo test` writes it anew; the difference
+/// The whole output, as committed next to each program. `UPDATE_EXPECT=1 cargo test` updates it; the difference
 /// is then read in the version control.
 #[test]
 fn output_is_the_committed_one() {

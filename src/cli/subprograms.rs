@@ -161,7 +161,7 @@ fn program_of(text: &[u8], number: u32, head: &str) -> Option<Vec<u8>> {
     }
 }
 
-/// The bytes of a text from its first `%` to the one that ends the program.
+/// The range between the first `%` of a text and the `%` that ends its program.
 fn extent(text: &[u8]) -> Range<usize> {
     let (mut parser, mut block) = (Parser::new(text), Block::default());
     let mut own = 0..text.len();

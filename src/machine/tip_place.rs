@@ -1,11 +1,11 @@
 //! Where the tip is after tool changes: a tool that is changed near the work comes from an unknown place.
 //!
-//! In: the motions in order. Out: what is known of the path of each. Must not know the work.
+//! In: the motions in order. Out: which part of each path is known. Must not depend on the blank.
 
 use crate::geometry::SAME;
 use crate::motion::Motion;
 
-/// What is known of the path of a motion.
+/// The known part of the path of a motion.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Route {
     /// All of it.
@@ -16,7 +16,7 @@ pub enum Route {
     Unknown,
 }
 
-/// The place of the tip as the motions go on.
+/// The state of the tip after the motions so far.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct TipPlace {
     /// Station of the tool of the last motion.

@@ -62,7 +62,7 @@ pub fn rapids_into_it(motions: &Motions, resolved: &ResolvedSetup) -> Vec<Findin
     found
 }
 
-/// The material below the turned surfaces, as the motions go on.
+/// The material below the surfaces that the motions so far have turned.
 #[derive(Clone, Debug)]
 struct TurnedMaterial {
     stock: Stock,

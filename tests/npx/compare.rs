@@ -2,7 +2,7 @@
 //! error, exit status, files. Part of `cargo xtask test --all`.
 //!
 //! It makes every call that the reference shows, runs commands and formats over the programs of `tests/programs`, and reads files that are hard to read.
-//! `options.md` beside this file has the table of what is the same; `UPDATE_EXPECT=1` writes it.
+//! The table in `options.md` lists the options with equal output; `UPDATE_EXPECT=1` updates it.
 //! The cases of `tests/files.rs`, writes that fail, are tried under Node too.
 
 #[path = "../documentation/calls.rs"]
