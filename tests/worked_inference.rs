@@ -117,6 +117,13 @@ fn a_tool_that_returns_to_its_clearance_turns_outside() {
         .check(&[(-7.0, &[(0.0, 17.88)]), (-14.0, &[(0.0, 17.88)]), (-16.0, &[(0.0, 25.1)])]);
 }
 
+/// G71 whose contour with its allowance ends beyond the start point: its pass begins outside of the cut all the same.
+#[test]
+fn a_pass_of_g71_that_goes_in_turns_outside() {
+    run("O1\nG21G99\nT0505\nG97S750M3\nG0X25.1Z3.\nG71U4.5R.5\nG71P21Q22U6.W.2F.2\nN21G0X16.48\nG1Z-12.3F.08\nN22X25.1\nG70P21Q22\nG0Z30.\nM30\n")
+        .check(&[(-6.0, &[(0.0, 16.48)]), (-12.0, &[(0.0, 16.48)])]);
+}
+
 /// The first full face with nothing cut before it is the front of the blank.
 #[test]
 fn the_first_face_is_the_front_of_the_blank() {

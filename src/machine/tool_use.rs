@@ -333,16 +333,21 @@ impl ToolUse {
         let after_x = next.map_or(0.0, |next| way(next).0);
         // Between tools it goes home, though that is not always seen.
         let own_next = next.filter(|next| next.process.tool == motion.process.tool);
+        // How far the tool went straight across at rapid before it.
+        let mut infeed = 0.0;
         if let Some(rapid) = before.filter(|before| before.kind == MotionKind::Rapid) {
             let (dx, dz) = way(rapid);
-            let goes_in = dz.abs() <= SAME && dx < -SAME && rapid.to.z > SAME;
-            self.clear = goes_in.then_some(rapid.from.x);
+            infeed = if dz.abs() <= SAME { dx } else { 0.0 };
+            self.clear = (infeed < -SAME && rapid.to.z > SAME).then_some(rapid.from.x);
         }
         let returns = dz.abs() <= SAME && self.clear.is_some_and(|clear| (motion.to.x - clear).abs() <= SAME);
-        self.outside += match motion.cycle.filter(|step| step.cycle == Cycle::Pattern) {
-            Some(step) => self.goes_on_in_pattern(step.pass, motion.from.x),
-            None if dx > SAME && returns => 1,
-            None => side.unwrap_or_else(|| leaves(motion, self.along, own_next)),
+        self.outside += match motion.cycle.map(|step| (step.cycle, step.pass)) {
+            Some((Cycle::Pattern, pass)) => self.goes_on_in_pattern(pass, motion.from.x),
+            // A pass of G71 begins outside of its cut, in a bore nearer to the axis; that is more than the way it leaves.
+            Some((Cycle::RoughTurning, _)) if infeed < -SAME => 2,
+            Some((Cycle::RoughTurning, _)) if infeed > SAME => -2,
+            _ if dx > SAME && returns => 1,
+            _ => side.unwrap_or_else(|| leaves(motion, self.along, own_next)),
         };
         self.along = if motion.to.z < -SAME { dz } else { 0.0 };
         if dz.abs() > SAME && motion.to.z < -SAME {
