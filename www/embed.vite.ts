@@ -7,22 +7,36 @@ import { defineConfig, type Plugin } from 'vite';
 import { compiledEarly } from './compiled-early';
 
 /** The names of the package, where the build has another one. */
-const NAMES: Readonly<Record<string, string>> = { 'gcode_playground_bg.wasm': 'core.wasm', further: 'panels', 'solid-view': 'solid', index: 'codemirror' };
-const assetFileNames = ({ names: [name = ''] }: { readonly names: readonly string[] }): string => NAMES[name] ?? '[name][extname]';
+const NAMES: Readonly<Record<string, string>> = {
+  'gcode_playground_bg.wasm': 'core.wasm',
+  further: 'panels',
+  'solid-view': 'solid',
+  index: 'codemirror',
+};
+const assetFileNames = ({ names: [name = ''] }: { readonly names: readonly string[] }): string =>
+  NAMES[name] ?? '[name][extname]';
 
 /** The licences of the packages whose code is in the element, as one file. */
 const licences: Plugin = {
   name: 'licences',
   generateBundle(_options, bundle) {
     const modules = Object.values(bundle).flatMap((file) => (file.type === 'chunk' ? file.moduleIds : []));
-    const packages = new Set(modules.map((id) => /^.*\/node_modules\/(?:@[^/]+\/)?[^/]+/.exec(id)?.[0]).filter((folder) => folder !== undefined));
+    const packages = new Set(
+      modules
+        .map((id) => /^.*\/node_modules\/(?:@[^/]+\/)?[^/]+/.exec(id)?.[0])
+        .filter((folder) => folder !== undefined),
+    );
     const source = [...packages].sort().map(licenceOf).join('\n');
     this.emitFile({ type: 'asset', fileName: 'THIRD-PARTY-LICENSES.txt', source });
   },
 };
 
 function licenceOf(folder: string): string {
-  const { name, version, license } = JSON.parse(readFileSync(join(folder, 'package.json'), 'utf8')) as { readonly name: string; readonly version: string; readonly license: string };
+  const { name, version, license } = JSON.parse(readFileSync(join(folder, 'package.json'), 'utf8')) as {
+    readonly name: string;
+    readonly version: string;
+    readonly license: string;
+  };
   const file = existsSync(folder) ? readdirSync(folder).find((file) => /^licen[cs]e/i.test(file)) : undefined;
   if (file === undefined) throw new Error(`${name} has no licence file`);
   return `${name} ${version} · ${license}\n${'='.repeat(72)}\n${readFileSync(join(folder, file), 'utf8')}`;
@@ -33,7 +47,11 @@ export default defineConfig({
   base: './',
   publicDir: false,
   build: {
-    target: 'es2022', outDir: 'dist/embed', emptyOutDir: true, assetsInlineLimit: 0, cssTarget: 'chrome123',
+    target: 'es2022',
+    outDir: 'dist/embed',
+    emptyOutDir: true,
+    assetsInlineLimit: 0,
+    cssTarget: 'chrome123',
     // Who bundles the element preloads in a way of their own.
     modulePreload: false,
     rollupOptions: {

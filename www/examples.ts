@@ -40,13 +40,20 @@ function files(): Map<string, string> {
     const about = JSON.parse(read(id, 'about.json')) as About;
     abouts.set(id, about);
     pictures.set(id, smallPicture(read(id, 'output.jsonl')));
-    files.set(`examples/${id}.json`, JSON.stringify({ ...example(about), program: read(id, 'program.nc'), setup: read(id, 'setup.json') }));
+    files.set(
+      `examples/${id}.json`,
+      JSON.stringify({ ...example(about), program: read(id, 'program.nc'), setup: read(id, 'setup.json') }),
+    );
   }
   for (const language of LANGUAGES) {
     const list = subjects.map(({ subject, programs }) => ({
       subject: subject[language],
       examples: programs.map((id) => ({
-        id, title: abouts.get(id)?.title[language], shows: abouts.get(id)?.shows[language], codes: codes(read(id, 'program.nc')), picture: pictures.get(id),
+        id,
+        title: abouts.get(id)?.title[language],
+        shows: abouts.get(id)?.shows[language],
+        codes: codes(read(id, 'program.nc')),
+        picture: pictures.get(id),
       })),
     }));
     files.set(`examples/${language}.json`, JSON.stringify(list));
@@ -56,12 +63,21 @@ function files(): Map<string, string> {
 
 /** What of `about.json` the page shows. */
 function example({ title, shows, added, compareWith }: About): object {
-  return { title, shows, ...(added === undefined ? {} : { added }), ...(compareWith === undefined ? {} : { compareWith }) };
+  return {
+    title,
+    shows,
+    ...(added === undefined ? {} : { added }),
+    ...(compareWith === undefined ? {} : { compareWith }),
+  };
 }
 
 /** The words that a program is searched by: each of G, M and T once. */
 function codes(program: string): string {
-  const written = program.replace(/\([^)]*\)/g, '').toUpperCase().match(/[GMT]\d+(?:\.\d+)?/g) ?? [];
+  const written =
+    program
+      .replace(/\([^)]*\)/g, '')
+      .toUpperCase()
+      .match(/[GMT]\d+(?:\.\d+)?/g) ?? [];
   return [...new Set(written)].join(' ');
 }
 

@@ -10,9 +10,17 @@ const ICONS = join(import.meta.dirname, 'icons');
 
 /** As in `src/page/words.ts`, and the one word under an icon. */
 const NAMES = {
-  en: { name: 'G-code playground', short_name: 'G-code', description: 'Write a lathe program, see the tool path, find the mistakes.' },
+  en: {
+    name: 'G-code playground',
+    short_name: 'G-code',
+    description: 'Write a lathe program, see the tool path, find the mistakes.',
+  },
   zh: { name: 'G 代码演练场', short_name: 'G 代码', description: '编写车床程序，查看刀具轨迹，找出错误。' },
-  ru: { name: 'Песочница G-кода', short_name: 'G-код', description: 'Напишите программу для токарного станка, посмотрите траекторию, найдите ошибки.' },
+  ru: {
+    name: 'Песочница G-кода',
+    short_name: 'G-код',
+    description: 'Напишите программу для токарного станка, посмотрите траекторию, найдите ошибки.',
+  },
 } as const;
 
 /** What the page's own button takes, without `.txt`: a text is not always a program. */
@@ -21,7 +29,15 @@ const PROGRAMS = ['.nc', '.cnc', '.tap', '.gcode', '.ngc', '.mpf', '.min', '.eia
 function manifest(lang: keyof typeof NAMES): string {
   return JSON.stringify({
     // One and the same application, whatever it is called.
-    id: './', start_url: './', scope: './', lang, ...NAMES[lang], display: 'standalone', background_color: '#f4f6f8', theme_color: '#0b6485', categories: ['education', 'productivity'],
+    id: './',
+    start_url: './',
+    scope: './',
+    lang,
+    ...NAMES[lang],
+    display: 'standalone',
+    background_color: '#f4f6f8',
+    theme_color: '#0b6485',
+    categories: ['education', 'productivity'],
     icons: [
       { src: 'icons/icon.svg', sizes: 'any', type: 'image/svg+xml' },
       { src: 'icons/icon-192.png', sizes: '192x192', type: 'image/png' },
@@ -35,8 +51,14 @@ function manifest(lang: keyof typeof NAMES): string {
 export const installable: Plugin = {
   name: 'installable',
   generateBundle() {
-    for (const lang of ['en', 'zh', 'ru'] as const) this.emitFile({ type: 'asset', fileName: `manifest-${lang}.webmanifest`, source: manifest(lang) });
-    for (const name of readdirSync(ICONS)) this.emitFile({ type: 'asset', fileName: `icons/${name}`, source: readFileSync(join(ICONS, name)) });
-    this.emitFile({ type: 'asset', fileName: 'from-disk.js', source: readFileSync(join(import.meta.dirname, 'from-disk.js'), 'utf8') });
+    for (const lang of ['en', 'zh', 'ru'] as const)
+      this.emitFile({ type: 'asset', fileName: `manifest-${lang}.webmanifest`, source: manifest(lang) });
+    for (const name of readdirSync(ICONS))
+      this.emitFile({ type: 'asset', fileName: `icons/${name}`, source: readFileSync(join(ICONS, name)) });
+    this.emitFile({
+      type: 'asset',
+      fileName: 'from-disk.js',
+      source: readFileSync(join(import.meta.dirname, 'from-disk.js'), 'utf8'),
+    });
   },
 };

@@ -50,8 +50,14 @@ export default defineConfig({
   publicDir: false,
   define: { LISTED_BY_THE_BUILD: JSON.stringify(listed) },
   build: {
-    target: 'es2022', outDir: 'dist', emptyOutDir: false, modulePreload: false,
+    target: 'es2022',
+    outDir: 'dist',
+    emptyOutDir: false,
+    modulePreload: false,
     // A module would not be taken by every browser as a service worker.
-    rollupOptions: { input: 'src/offline/service-worker.ts', output: { format: 'iife', entryFileNames: 'service-worker.js' } },
+    rollupOptions: {
+      input: 'src/offline/service-worker.ts',
+      output: { format: 'iife', entryFileNames: 'service-worker.js' },
+    },
   },
 });

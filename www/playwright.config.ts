@@ -15,12 +15,38 @@ const files = (...names: string[]): string[] => names.map((name) => `**/${name}.
 
 /** What does not run in every engine; tests/browser/README.md says why. */
 const CHROMIUM_ONLY = files(
-  'accessible', 'devices', 'docs', 'killed-while-typing', 'links', 'long-program', 'many', 'origins', 'own-programs-rules', 'package', 'parts', 'phone', 'playing-smoothly', 'report', 'room', 'solid', 'stored',
+  'accessible',
+  'devices',
+  'docs',
+  'killed-while-typing',
+  'links',
+  'long-program',
+  'many',
+  'origins',
+  'own-programs-rules',
+  'package',
+  'parts',
+  'phone',
+  'playing-smoothly',
+  'report',
+  'room',
+  'solid',
+  'stored',
 );
 const NOT_IN_WEBKIT = files('encodings');
 /** Input, storage, canvas, clipboard, worker, layout: what engines differ in. */
 const WHERE_ENGINES_DIFFER = files(
-  'completion', 'embedding', 'failed-loads', 'files', 'first-program', 'layout', 'own-program', 'paste', 'playback', 'policy', 'views',
+  'completion',
+  'embedding',
+  'failed-loads',
+  'files',
+  'first-program',
+  'layout',
+  'own-program',
+  'paste',
+  'playback',
+  'policy',
+  'views',
 );
 /** Their product is built for `cargo xtask test --all` alone. */
 const OF_THE_PACKAGE = files('package');
@@ -55,14 +81,30 @@ export default defineConfig<object, WorkerOptions>({
     launchOptions: {
       ...(executablePath === undefined || executablePath === '' ? {} : { executablePath }),
       args: [
-        '--no-sandbox', '--disable-gpu', '--disable-quic', '--no-first-run', '--disable-background-networking',
-        '--disable-component-update', '--disable-sync',
+        '--no-sandbox',
+        '--disable-gpu',
+        '--disable-quic',
+        '--no-first-run',
+        '--disable-background-networking',
+        '--disable-component-update',
+        '--disable-sync',
       ],
     },
   },
   projects: [
-    { name: 'chromium', use: { engine: 'chromium' }, testIgnore: everywhere ? [] : OF_THE_PACKAGE, grepInvert: everywhere ? [] : NIGHT },
+    {
+      name: 'chromium',
+      use: { engine: 'chromium' },
+      testIgnore: everywhere ? [] : OF_THE_PACKAGE,
+      grepInvert: everywhere ? [] : NIGHT,
+    },
     { name: 'firefox', use: { engine: 'firefox' }, testMatch: tested, testIgnore: CHROMIUM_ONLY, grepInvert: leftOut },
-    { name: 'webkit', use: { engine: 'webkit' }, testMatch: tested, testIgnore: [...CHROMIUM_ONLY, ...NOT_IN_WEBKIT], grepInvert: leftOut },
+    {
+      name: 'webkit',
+      use: { engine: 'webkit' },
+      testMatch: tested,
+      testIgnore: [...CHROMIUM_ONLY, ...NOT_IN_WEBKIT],
+      grepInvert: leftOut,
+    },
   ],
 });

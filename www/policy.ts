@@ -31,10 +31,17 @@ export const policy: Plugin = {
       if (!html.includes(CHARSET)) throw new Error(`index.html does not contain ${CHARSET}`);
       // The parser of HTML turns CRLF into LF before a script is hashed.
       const text = html.replaceAll('\r\n', '\n');
-      const hashes = [...text.matchAll(/<script>(.*?)<\/script>/gs)].map(([, script = '']) => `'sha256-${createHash('sha256').update(script).digest('base64')}'`);
+      const hashes = [...text.matchAll(/<script>(.*?)<\/script>/gs)].map(
+        ([, script = '']) => `'sha256-${createHash('sha256').update(script).digest('base64')}'`,
+      );
       const all = { ...SOURCES, 'script-src': [...(SOURCES['script-src'] ?? []), ...hashes] };
-      const content = Object.entries(all).map(([directive, sources]) => `${directive} ${sources.join(' ')}`).join('; ');
-      return text.replace(CHARSET, `${CHARSET}\n    <meta http-equiv="Content-Security-Policy" content="${content}" />`);
+      const content = Object.entries(all)
+        .map(([directive, sources]) => `${directive} ${sources.join(' ')}`)
+        .join('; ');
+      return text.replace(
+        CHARSET,
+        `${CHARSET}\n    <meta http-equiv="Content-Security-Policy" content="${content}" />`,
+      );
     },
   },
 };

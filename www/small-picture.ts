@@ -37,7 +37,12 @@ interface Stroke {
 }
 
 export function smallPicture(jsonLines: string): SmallPicture | undefined {
-  return smallPictureOf(jsonLines.split('\n').filter((line) => line !== '').map((line) => JSON.parse(line) as Row));
+  return smallPictureOf(
+    jsonLines
+      .split('\n')
+      .filter((line) => line !== '')
+      .map((line) => JSON.parse(line) as Row),
+  );
 }
 
 export function smallPictureOf(rows: readonly Row[]): SmallPicture | undefined {
@@ -49,7 +54,10 @@ export function smallPictureOf(rows: readonly Row[]): SmallPicture | undefined {
   if (cut.length === 0) return undefined;
   const [rights, ups] = [cut.map(([right]) => right), cut.map(([, up]) => up)];
   const [left, right, low, high] = [Math.min(...rights), Math.max(...rights), Math.min(...ups), Math.max(...ups)];
-  const scale = Math.min((WIDTH - 2 * MARGIN) / Math.max(right - left, 1), (HEIGHT - 2 * MARGIN) / Math.max(high - low, 1));
+  const scale = Math.min(
+    (WIDTH - 2 * MARGIN) / Math.max(right - left, 1),
+    (HEIGHT - 2 * MARGIN) / Math.max(high - low, 1),
+  );
   const px = (value: number): number => Math.round(WIDTH / 2 + (value - (left + right) / 2) * scale);
   const py = (value: number): number => Math.round(HEIGHT / 2 - (value - (low + high) / 2) * scale);
   const axis = py(0);
@@ -64,7 +72,12 @@ function inSection(rows: readonly Row[]): Stroke[] {
   return rows.slice(1).flatMap((row, before): Stroke[] => {
     const from = rows[before]?.to;
     if (from === undefined || row.to === undefined) return [];
-    return [{ kind: row.kind === 'rapid' ? 'rapid' : 'cut', points: row.kind === 'arc' ? arc(from, row) : [inMm(from), inMm(row.to)] }];
+    return [
+      {
+        kind: row.kind === 'rapid' ? 'rapid' : 'cut',
+        points: row.kind === 'arc' ? arc(from, row) : [inMm(from), inMm(row.to)],
+      },
+    ];
   });
 }
 
@@ -73,7 +86,9 @@ function onTheFace(rows: readonly Row[]): Stroke[] {
   const place = ({ x, c }: Place): readonly [number, number] => [x / 2, c ?? 0];
   return rows.slice(1).flatMap((row, before): Stroke[] => {
     const from = rows[before]?.to;
-    return row.mode !== 'polar' || from === undefined || row.to === undefined ? [] : [{ kind: 'cut', points: [place(from), place(row.to)] }];
+    return row.mode !== 'polar' || from === undefined || row.to === undefined
+      ? []
+      : [{ kind: 'cut', points: [place(from), place(row.to)] }];
   });
 }
 
@@ -90,7 +105,7 @@ function arc(from: Place, { to, center, dir }: Row): readonly (readonly [number,
   const turn = 2 * Math.PI;
   let sweep = Math.atan2(by - my, bx - mx) - start;
   // Z+ to the right and X+ up, G02 runs clockwise.
-  sweep = dir === 'cw' ? -((((-sweep) % turn) + turn) % turn) : ((sweep % turn) + turn) % turn;
+  sweep = dir === 'cw' ? -(((-sweep % turn) + turn) % turn) : ((sweep % turn) + turn) % turn;
   const chords = Math.max(Math.ceil(Math.abs(sweep) / 0.18), 1);
   return Array.from({ length: chords + 1 }, (_, i) => {
     const angle = start + (sweep * i) / chords;
@@ -99,7 +114,12 @@ function arc(from: Place, { to, center, dir }: Row): readonly (readonly [number,
 }
 
 /** What lies on a stroke before it is left out, and so is what lies far outside. */
-function path(strokes: readonly Stroke[], kind: Stroke['kind'], px: (value: number) => number, py: (value: number) => number): string {
+function path(
+  strokes: readonly Stroke[],
+  kind: Stroke['kind'],
+  px: (value: number) => number,
+  py: (value: number) => number,
+): string {
   const drawn = new Set<string>();
   let text = '';
   let pen = '';

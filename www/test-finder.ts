@@ -16,7 +16,12 @@ export default async function finder(): Promise<void> {
       target: 'es2022',
       outDir: here('test-build'),
       minify: true,
-      lib: { entry: here('../tests/browser/engines/finder.ts'), formats: ['iife'], name: 'finder', fileName: () => 'finder.js' },
+      lib: {
+        entry: here('../tests/browser/engines/finder.ts'),
+        formats: ['iife'],
+        name: 'finder',
+        fileName: () => 'finder.js',
+      },
     },
   });
 }

@@ -29,7 +29,12 @@ export function tables(code) {
   const found = [];
   const walk = (node) => {
     if (node === null || typeof node !== 'object') return;
-    if (node.type === 'CallExpression' && node.callee.name === 'words' && node.arguments[0]?.type === 'ObjectExpression') found.push(properties(node.arguments[0]));
+    if (
+      node.type === 'CallExpression' &&
+      node.callee.name === 'words' &&
+      node.arguments[0]?.type === 'ObjectExpression'
+    )
+      found.push(properties(node.arguments[0]));
     for (const value of Object.values(node)) walk(value);
   };
   walk(parseAst(code));

@@ -22,10 +22,18 @@ const preloads: Plugin = {
       const module = files.filter(({ fileName }) => /gcode_playground_bg-[\w-]+\.wasm$/.test(fileName));
       const panels = files.filter((file) => file.type === 'chunk' && file.isDynamicEntry && file.name === 'further');
       const imported = panels.flatMap((file) => (file.type === 'chunk' ? file.imports : []));
-      const scripts = new Set([...panels.map(({ fileName }) => fileName), ...imported].filter((file) => file !== 'element.js'));
-      const link = (attrs: Record<string, string | boolean>): HtmlTagDescriptor => ({ tag: 'link', attrs, injectTo: 'head' });
+      const scripts = new Set(
+        [...panels.map(({ fileName }) => fileName), ...imported].filter((file) => file !== 'element.js'),
+      );
+      const link = (attrs: Record<string, string | boolean>): HtmlTagDescriptor => ({
+        tag: 'link',
+        attrs,
+        injectTo: 'head',
+      });
       return [
-        ...module.map(({ fileName }) => link({ rel: 'preload', as: 'fetch', type: 'application/wasm', crossorigin: true, href: `./${fileName}` })),
+        ...module.map(({ fileName }) =>
+          link({ rel: 'preload', as: 'fetch', type: 'application/wasm', crossorigin: true, href: `./${fileName}` }),
+        ),
         ...[...scripts].map((file) => link({ rel: 'modulepreload', crossorigin: true, href: `./${file}` })),
       ];
     },
@@ -38,7 +46,9 @@ const foreignPage: Plugin = {
   configurePreviewServer({ middlewares }) {
     middlewares.use('/foreign/site/page.html', (_request, response) => {
       response.setHeader('content-type', 'text/html; charset=utf-8');
-      response.end('<!doctype html><html lang="en"><head><meta charset="utf-8"><title>A manual</title></head><body></body></html>');
+      response.end(
+        '<!doctype html><html lang="en"><head><meta charset="utf-8"><title>A manual</title></head><body></body></html>',
+      );
     });
   },
 };
@@ -87,8 +97,15 @@ export default defineConfig({
   define: { PLAYGROUND_VERSION: JSON.stringify(version) },
   plugins: [preloads, examples, installable, compiledEarly, policy, foreignPage, atWork],
   build: {
-    target: 'es2022', outDir: 'dist', emptyOutDir: true, assetsInlineLimit: 0, cssTarget: 'chrome123',
-    modulePreload: { resolveDependencies: (file, needed, { hostId, hostType }) => (hostType === 'html' ? needed : needed.filter((each) => each !== file && isPreloaded(each, hostId))) },
+    target: 'es2022',
+    outDir: 'dist',
+    emptyOutDir: true,
+    assetsInlineLimit: 0,
+    cssTarget: 'chrome123',
+    modulePreload: {
+      resolveDependencies: (file, needed, { hostId, hostType }) =>
+        hostType === 'html' ? needed : needed.filter((each) => each !== file && isPreloaded(each, hostId)),
+    },
     rollupOptions: {
       input: { index: 'index.html', element: 'src/shell/element.ts' },
       // The element has a name that stays, for other pages.

@@ -27,7 +27,9 @@ async function violations(page: ChromiumPage, where: string): Promise<string[]> 
     });
     return violations;
   });
-  return found.flatMap(({ id, nodes }) => nodes.map(({ target, failureSummary }) => `${where}: ${id}: ${JSON.stringify(target)} ${failureSummary ?? ''}`));
+  return found.flatMap(({ id, nodes }) =>
+    nodes.map(({ target, failureSummary }) => `${where}: ${id}: ${JSON.stringify(target)} ${failureSummary ?? ''}`),
+  );
 }
 
 /** A link of a task, or of an answer to it. */
@@ -55,10 +57,18 @@ const DIALOGS: readonly { readonly what: string; readonly button: RegExp }[] = [
 
 for (const locale of ['en', 'zh', 'ru'] as const) {
   for (const colorScheme of ['light', 'dark'] as const) {
-    test(`axe finds nothing on the page and in its dialogs: ${locale}, ${colorScheme}`, { tag: locale === 'en' && colorScheme === 'light' ? [] : '@night' }, async ({ browser, baseURL }) => {
+    test(`axe finds nothing on the page and in its dialogs: ${locale}, ${colorScheme}`, {
+      tag: locale === 'en' && colorScheme === 'light' ? [] : '@night',
+    }, async ({ browser, baseURL }) => {
       test.setTimeout(120_000);
       // axe adds a style sheet, which the policies of the pages block.
-      const context = await browser.newContext({ bypassCSP: true, ...(baseURL === undefined ? {} : { baseURL }), locale, colorScheme, viewport: { width: 1440, height: 900 } });
+      const context = await browser.newContext({
+        bypassCSP: true,
+        ...(baseURL === undefined ? {} : { baseURL }),
+        locale,
+        colorScheme,
+        viewport: { width: 1440, height: 900 },
+      });
       const page = (await context.newPage()) as ChromiumPage;
       await open(page);
       const wrong = await violations(page, 'first');
@@ -86,18 +96,28 @@ for (const locale of ['en', 'zh', 'ru'] as const) {
           await page.getByRole('button', { name: /^(Supported codes|支持的代码|Поддерживаемые коды)$/ }).click();
           wrong.push(...(await violations(page, 'codes')));
         }
-        for (let i = 0; i < 3 && (await page.getByRole('dialog').or(page.getByRole('menu')).count()) > 0; i++) await page.keyboard.press('Escape');
+        for (let i = 0; i < 3 && (await page.getByRole('dialog').or(page.getByRole('menu')).count()) > 0; i++)
+          await page.keyboard.press('Escape');
         await expect(page.getByRole('dialog')).toHaveCount(0);
       }
       await page.getByRole('button', { name: /^(More|更多|Ещё)$/ }).click();
-      await page.getByRole('button', { name: /^(Compare with another version|与其他版本比较|Сравнить с другой версией)…$/ }).click();
+      await page
+        .getByRole('button', { name: /^(Compare with another version|与其他版本比较|Сравнить с другой версией)…$/ })
+        .click();
       await page.getByRole('dialog').getByRole('textbox').fill(PROGRAM.replace('X48', 'X47'));
-      await page.getByRole('dialog').getByRole('button', { name: /^(Compare|比较|Сравнить)$/ }).click();
-      await expect(page.getByRole('dialog').getByRole('img', { name: /^(Tool paths|两者的刀具轨迹|Траектории)/ })).toBeVisible();
+      await page
+        .getByRole('dialog')
+        .getByRole('button', { name: /^(Compare|比较|Сравнить)$/ })
+        .click();
+      await expect(
+        page.getByRole('dialog').getByRole('img', { name: /^(Tool paths|两者的刀具轨迹|Траектории)/ }),
+      ).toBeVisible();
       wrong.push(...(await violations(page, 'comparison')));
       await page.keyboard.press('Escape');
       await page.evaluate((hash) => void (location.hash = hash), await linked('task'));
-      await page.getByRole('button', { name: /^(Copy link to hand in|复制用于提交的链接|Копировать ссылку для сдачи)$/ }).click();
+      await page
+        .getByRole('button', { name: /^(Copy link to hand in|复制用于提交的链接|Копировать ссылку для сдачи)$/ })
+        .click();
       await page.getByRole('button', { name: /^(Show solution|显示答案|Показать решение)$/ }).click();
       await expect(page.locator('#solution a')).toHaveAttribute('href', /#share/);
       wrong.push(...(await violations(page, 'a task')));
@@ -106,7 +126,12 @@ for (const locale of ['en', 'zh', 'ru'] as const) {
       wrong.push(...(await violations(page, 'an answer')));
       await page.setViewportSize({ width: 390, height: 844 });
       wrong.push(...(await violations(page, 'on a phone')));
-      for (const path of [`rules/${locale}/index.html`, `rules/${locale}/number-missing.html`, 'docs/index.html', 'docs/element.html']) {
+      for (const path of [
+        `rules/${locale}/index.html`,
+        `rules/${locale}/number-missing.html`,
+        'docs/index.html',
+        'docs/element.html',
+      ]) {
         const answer = await page.goto(`./${path}`);
         expect(answer?.ok(), path).toBe(true);
         wrong.push(...(await violations(page, path)));
@@ -118,10 +143,27 @@ for (const locale of ['en', 'zh', 'ru'] as const) {
 }
 
 for (const colorScheme of ['light', 'dark'] as const) {
-  test(`axe finds nothing in a manual with an element of each kind, and keys reach all of them in their order: ${colorScheme}`, async ({ page }) => {
-    const kinds = ['view="all" caption="Figure 1"', 'view="all" readonly lines="3-8" highlight="4" caption="Figure 2"', 'view="picture" caption="Figure 3"', 'view="playback" step="3" caption="Figure 4"', 'view="code" caption="Figure 5"'];
-    const elements = kinds.map((attributes) => `<gcode-playground ${attributes} language="en"><pre slot="fallback">A</pre><pre>${PROGRAM}G999\n</pre></gcode-playground>`);
-    await openHtml(page, manual(`<main><h1>A manual</h1>${elements.join('')}</main>`, `<style>:root { color-scheme: ${colorScheme}; background: Canvas; color: CanvasText; }</style>`));
+  test(`axe finds nothing in a manual with an element of each kind, and keys reach all of them in their order: ${colorScheme}`, async ({
+    page,
+  }) => {
+    const kinds = [
+      'view="all" caption="Figure 1"',
+      'view="all" readonly lines="3-8" highlight="4" caption="Figure 2"',
+      'view="picture" caption="Figure 3"',
+      'view="playback" step="3" caption="Figure 4"',
+      'view="code" caption="Figure 5"',
+    ];
+    const elements = kinds.map(
+      (attributes) =>
+        `<gcode-playground ${attributes} language="en"><pre slot="fallback">A</pre><pre>${PROGRAM}G999\n</pre></gcode-playground>`,
+    );
+    await openHtml(
+      page,
+      manual(
+        `<main><h1>A manual</h1>${elements.join('')}</main>`,
+        `<style>:root { color-scheme: ${colorScheme}; background: Canvas; color: CanvasText; }</style>`,
+      ),
+    );
     for (let which = 0; which < kinds.length; which++) await settled(page, which);
     expect(await violations(page, 'manual')).toEqual([]);
     // Tab goes through the elements one after the other; each thing it stops at has a name.
@@ -132,7 +174,10 @@ for (const colorScheme of ['light', 'dark'] as const) {
         const host = document.activeElement;
         const inner = host?.shadowRoot?.activeElement;
         if (inner === null || inner === undefined) return undefined;
-        const name = inner.getAttribute('aria-label') ?? (inner.getAttribute('aria-labelledby') !== null ? 'labelled' : inner.textContent) ?? '';
+        const name =
+          inner.getAttribute('aria-label') ??
+          (inner.getAttribute('aria-labelledby') !== null ? 'labelled' : inner.textContent) ??
+          '';
         return { element: [...document.querySelectorAll('gcode-playground')].indexOf(host!), name: name.trim() };
       });
       if (stop === undefined) break;
@@ -142,7 +187,21 @@ for (const colorScheme of ['light', 'dark'] as const) {
     const order = stops.map(({ element }) => element);
     expect(order).toEqual([...order].sort((a, b) => a - b));
     expect(new Set(order)).toEqual(new Set([0, 1, 2, 3, 4]));
-    expect(stops.filter(({ element }) => element === 3).map(({ name }) => name.replace(/[.,(].*/, '').trim())).toEqual(
-      ['Drawing of the tool path', 'Previous motion', 'Play', 'Next motion', 'Step by', 'Position along the path', 'SBK: Single block', 'M01: Optional stop', 'Speed', 'Show the whole path', 'Show all', 'Zoom in', 'Zoom out', 'Open in the playground']);
+    expect(stops.filter(({ element }) => element === 3).map(({ name }) => name.replace(/[.,(].*/, '').trim())).toEqual([
+      'Drawing of the tool path',
+      'Previous motion',
+      'Play',
+      'Next motion',
+      'Step by',
+      'Position along the path',
+      'SBK: Single block',
+      'M01: Optional stop',
+      'Speed',
+      'Show the whole path',
+      'Show all',
+      'Zoom in',
+      'Zoom out',
+      'Open in the playground',
+    ]);
   });
 }

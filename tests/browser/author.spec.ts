@@ -2,7 +2,16 @@
 import { expect, test, type BasicPage } from './engines';
 import { manual, openHtml, programOf, settled, type Playground } from './embedded';
 
-const PROGRAM = ['O0001', 'T0101 (T01 R0.4) M03 S800', 'G00 X52 Z2', 'G01 X40 F0.2', 'Z-20', 'X50 Z-30', 'G00 X300 Z400', 'M30'].join('\n');
+const PROGRAM = [
+  'O0001',
+  'T0101 (T01 R0.4) M03 S800',
+  'G00 X52 Z2',
+  'G01 X40 F0.2',
+  'Z-20',
+  'X50 Z-30',
+  'G00 X300 Z400',
+  'M30',
+].join('\n');
 
 /** An element with the program and these attributes. */
 async function show(page: BasicPage, attributes: string, text = PROGRAM): Promise<void> {
@@ -11,16 +20,24 @@ async function show(page: BasicPage, attributes: string, text = PROGRAM): Promis
 }
 
 function set(page: BasicPage, attribute: string, value: string | null): Promise<void> {
-  return page.evaluate(async ({ attribute, value }) => {
-    const element = document.querySelector('gcode-playground') as Playground;
-    Reflect.set(element, attribute, value);
-    await element.settled;
-  }, { attribute, value });
+  return page.evaluate(
+    async ({ attribute, value }) => {
+      const element = document.querySelector('gcode-playground') as Playground;
+      Reflect.set(element, attribute, value);
+      await element.settled;
+    },
+    { attribute, value },
+  );
 }
 
 /** The scripts that were loaded, without their hashes. */
 function scripts(page: BasicPage): Promise<string[]> {
-  return page.evaluate(() => performance.getEntriesByType('resource').map(({ name }) => /([\w-]+?)(-[\w-]{8})?\.js$/.exec(name)?.[1]).filter((name) => name !== undefined));
+  return page.evaluate(() =>
+    performance
+      .getEntriesByType('resource')
+      .map(({ name }) => /([\w-]+?)(-[\w-]{8})?\.js$/.exec(name)?.[1])
+      .filter((name) => name !== undefined),
+  );
 }
 
 /** How many pixels of the section have a colour of the style sheet. */
@@ -32,7 +49,10 @@ function pixels(page: BasicPage, colour: string): Promise<number> {
     probe.style.color = `var(--playground-${colour})`;
     const [red = 0, green = 0, blue = 0] = (getComputedStyle(probe).color.match(/[\d.]+/g) ?? []).map(Number);
     probe.remove();
-    const context = Object.assign(document.createElement('canvas'), { width: canvas.width, height: canvas.height }).getContext('2d')!;
+    const context = Object.assign(document.createElement('canvas'), {
+      width: canvas.width,
+      height: canvas.height,
+    }).getContext('2d')!;
     context.drawImage(canvas, 0, 0);
     const { data } = context.getImageData(0, 0, canvas.width, canvas.height);
     let found = 0;
@@ -83,7 +103,8 @@ test('controls names the parts of the page that are shown', async ({ page }) => 
   await expect(page.getByRole('textbox', { name: 'Program' })).toBeVisible();
   await expect(page.getByRole('img', { name: /tool path/ })).toBeVisible();
   for (const role of ['slider', 'status'] as const) await expect(page.getByRole(role)).toHaveCount(0);
-  for (const name of ['Setup', 'Export', 'Play', 'Help (?)', 'Time']) await expect(page.getByRole('button', { name, exact: true })).toHaveCount(0);
+  for (const name of ['Setup', 'Export', 'Play', 'Help (?)', 'Time'])
+    await expect(page.getByRole('button', { name, exact: true })).toHaveCount(0);
   await set(page, 'controls', 'playback status');
   await expect(page.getByRole('button', { name: 'Play' })).toBeVisible();
   await expect(page.getByRole('status')).toContainText('5 motions');
@@ -103,7 +124,8 @@ test('a readonly program can be read, copied and played, but not changed', async
   expect(await programOf(page)).toBe(text);
   await expect(page.getByRole('region', { name: 'Problems' })).toBeVisible();
   await expect(page.getByRole('button', { name: /^(Fix|Apply)/ })).toHaveCount(0);
-  for (const name of ['Write as a cycle…', 'Setup']) await expect(page.getByRole('button', { name, exact: true })).toHaveCount(0);
+  for (const name of ['Write as a cycle…', 'Setup'])
+    await expect(page.getByRole('button', { name, exact: true })).toHaveCount(0);
   expect(await editor.getAttribute('aria-readonly')).toBe('true');
   await page.evaluate(() => Reflect.set(document.querySelector('gcode-playground')!, 'readonly', false));
   await editor.focus();
@@ -137,7 +159,9 @@ test('highlight is there from the start, also in the picture alone', async ({ pa
 test('lines shows a part of the program; the rest unfolds', async ({ page }) => {
   await show(page, 'lines="3-6"');
   await expect(page.getByRole('button', { name: 'Show lines 1–2' })).toBeVisible();
-  expect((await lines(page, 'cm-line')).filter((line) => !line.startsWith('Show'))).toEqual(PROGRAM.split('\n').slice(2, 6));
+  expect((await lines(page, 'cm-line')).filter((line) => !line.startsWith('Show'))).toEqual(
+    PROGRAM.split('\n').slice(2, 6),
+  );
   expect(await programOf(page)).toBe(PROGRAM);
   await page.getByRole('button', { name: 'Show lines 7–8' }).click();
   expect((await lines(page, 'cm-line')).slice(-2)).toEqual(['G00 X300 Z400', 'M30']);
@@ -166,7 +190,9 @@ test('fit says whether the picture shows the part or the whole path', async ({ p
   await show(page, 'view="picture"');
   const size = (): Promise<number> =>
     page.evaluate(async () => {
-      const element = document.querySelector('gcode-playground') as Playground & { locate(x: number, z: number): Promise<{ clientX: number }> };
+      const element = document.querySelector('gcode-playground') as Playground & {
+        locate(x: number, z: number): Promise<{ clientX: number }>;
+      };
       const [a, b] = await Promise.all([element.locate(0, 0), element.locate(0, -30)]);
       return a.clientX - b.clientX;
     });
@@ -182,7 +208,9 @@ test('turret and caption', async ({ page }) => {
   await show(page, 'view="picture" turret="front" caption="Figure 3: a shoulder"');
   const down = (): Promise<boolean> =>
     page.evaluate(async () => {
-      const element = document.querySelector('gcode-playground') as Playground & { locate(x: number, z: number): Promise<{ clientY: number }> };
+      const element = document.querySelector('gcode-playground') as Playground & {
+        locate(x: number, z: number): Promise<{ clientY: number }>;
+      };
       return (await element.locate(50, 0)).clientY > (await element.locate(0, 0)).clientY;
     });
   expect(await down()).toBe(true);
@@ -199,7 +227,9 @@ test('every attribute of the reference is a property', async ({ page }) => {
   const missing = await page.evaluate(() => {
     const element = document.querySelector('gcode-playground')!;
     const { observedAttributes } = element.constructor as unknown as { readonly observedAttributes: readonly string[] };
-    return observedAttributes.filter((name) => !(name.replace(/-(\w)/g, (_, letter: string) => letter.toUpperCase()) in element));
+    return observedAttributes.filter(
+      (name) => !(name.replace(/-(\w)/g, (_, letter: string) => letter.toUpperCase()) in element),
+    );
   });
   expect(missing).toEqual([]);
 });
@@ -209,16 +239,28 @@ for (const view of ['picture', 'playback'] as const) {
     await show(page, `view="${view}"`);
     for (const width of [320, 500, 700, 1000]) {
       for (const height of [260, 400, 560]) {
-        const seen = await page.evaluate(async ({ width, height }) => {
-          const element = document.querySelector<Playground>('gcode-playground')!;
-          Object.assign(element.style, { width: `${width}px`, height: `${height}px` });
-          await element.settled;
-          const root = element.shadowRoot!;
-          const box = (selector: string): DOMRect => root.querySelector(selector)!.getBoundingClientRect();
-          const [frame, pictures, bar] = [box('.frame'), box('.pictures'), root.querySelector('.playback')?.getBoundingClientRect()];
-          const below = bar === undefined || bar.height === 0 ? pictures.bottom : Math.max(bar.bottom, pictures.bottom);
-          return { above: Math.round(pictures.top - frame.top), left: Math.round(frame.bottom - below), height: Math.round(pictures.height) };
-        }, { width, height });
+        const seen = await page.evaluate(
+          async ({ width, height }) => {
+            const element = document.querySelector<Playground>('gcode-playground')!;
+            Object.assign(element.style, { width: `${width}px`, height: `${height}px` });
+            await element.settled;
+            const root = element.shadowRoot!;
+            const box = (selector: string): DOMRect => root.querySelector(selector)!.getBoundingClientRect();
+            const [frame, pictures, bar] = [
+              box('.frame'),
+              box('.pictures'),
+              root.querySelector('.playback')?.getBoundingClientRect(),
+            ];
+            const below =
+              bar === undefined || bar.height === 0 ? pictures.bottom : Math.max(bar.bottom, pictures.bottom);
+            return {
+              above: Math.round(pictures.top - frame.top),
+              left: Math.round(frame.bottom - below),
+              height: Math.round(pictures.height),
+            };
+          },
+          { width, height },
+        );
         const where = `${width} × ${height}: ${JSON.stringify(seen)}`;
         expect(seen.above, where).toBeLessThanOrEqual(2);
         // What does not fit scrolls; nothing stays empty.
@@ -231,10 +273,11 @@ for (const view of ['picture', 'playback'] as const) {
 
 test('a page that is being laid out, and has no width for a moment, leaves the picture as it is', async ({ page }) => {
   await show(page, 'view="picture"');
-  const size = (): Promise<string> => page.evaluate(() => {
-    const { width, height } = document.querySelector('gcode-playground')!.shadowRoot!.querySelector('canvas')!;
-    return `${width} × ${height}`;
-  });
+  const size = (): Promise<string> =>
+    page.evaluate(() => {
+      const { width, height } = document.querySelector('gcode-playground')!.shadowRoot!.querySelector('canvas')!;
+      return `${width} × ${height}`;
+    });
   const before = await size();
   const cuts = await pixels(page, 'feed');
   expect(cuts).toBeGreaterThan(100);
@@ -256,14 +299,21 @@ test('a page that is being laid out, and has no width for a moment, leaves the p
 });
 
 test('what is typed in an element is no command of the page around it', async ({ page }) => {
-  await openHtml(page, manual(`<gcode-playground><input slot="intro" aria-label="The page's own"><pre>\n${PROGRAM}\n</pre></gcode-playground>`));
+  await openHtml(
+    page,
+    manual(
+      `<gcode-playground><input slot="intro" aria-label="The page's own"><pre>\n${PROGRAM}\n</pre></gcode-playground>`,
+    ),
+  );
   await settled(page);
   await page.evaluate(() => {
     const heard: string[] = [];
     Object.assign(globalThis, { heard });
-    for (const type of ['keydown', 'keyup']) document.addEventListener(type, (event) => heard.push(`${type} ${(event as KeyboardEvent).key}`));
+    for (const type of ['keydown', 'keyup'])
+      document.addEventListener(type, (event) => heard.push(`${type} ${(event as KeyboardEvent).key}`));
   });
-  const heard = (): Promise<string[]> => page.evaluate(() => (globalThis as unknown as { heard: string[] }).heard.splice(0));
+  const heard = (): Promise<string[]> =>
+    page.evaluate(() => (globalThis as unknown as { heard: string[] }).heard.splice(0));
   const textbox = page.getByRole('textbox', { name: 'Program' });
   await textbox.focus();
   for (const key of ['ArrowRight', 'ArrowLeft', 's', '/', '?', 'Enter', 'Backspace']) await page.keyboard.press(key);
@@ -300,12 +350,21 @@ test('in a column of any width no words at the foot run into others', async ({ p
           if (node.textContent?.trim() === '' || node.parentElement?.closest('.unseen, [hidden]') !== null) continue;
           const range = document.createRange();
           range.selectNodeContents(node);
-          for (const box of range.getClientRects()) if (box.width > 1) boxes.push({ text: node.textContent ?? '', box });
+          for (const box of range.getClientRects())
+            if (box.width > 1) boxes.push({ text: node.textContent ?? '', box });
         }
-        const found = boxes.filter(({ box }) => box.left < inside.left - 1 || box.right > inside.right + 1 || box.bottom > inside.bottom + 1).map(({ text }) => `${text} sticks out`);
+        const found = boxes
+          .filter(
+            ({ box }) => box.left < inside.left - 1 || box.right > inside.right + 1 || box.bottom > inside.bottom + 1,
+          )
+          .map(({ text }) => `${text} sticks out`);
         for (const [at, one] of boxes.entries()) {
           for (const other of boxes.slice(at + 1)) {
-            const isOver = one.box.left < other.box.right - 1 && other.box.left < one.box.right - 1 && one.box.top < other.box.bottom - 2 && other.box.top < one.box.bottom - 2;
+            const isOver =
+              one.box.left < other.box.right - 1 &&
+              other.box.left < one.box.right - 1 &&
+              one.box.top < other.box.bottom - 2 &&
+              other.box.top < one.box.bottom - 2;
             if (isOver) found.push(`${one.text} over ${other.text}`);
           }
         }

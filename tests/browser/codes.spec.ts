@@ -4,7 +4,10 @@ import { open, type } from './page';
 
 const dialog = (page: Page) => page.getByRole('dialog', { name: 'Supported codes' });
 const headings = (page: Page) => dialog(page).getByRole('columnheader').locator('visible=true');
-const row = (page: Page, code: string) => dialog(page).getByRole('row').filter({ has: page.getByRole('rowheader', { name: code, exact: true }) });
+const row = (page: Page, code: string) =>
+  dialog(page)
+    .getByRole('row')
+    .filter({ has: page.getByRole('rowheader', { name: code, exact: true }) });
 
 async function openCodes(page: Page): Promise<void> {
   await page.getByRole('button', { name: 'Help (?)' }).click();
@@ -34,7 +37,12 @@ test('by keyboard: opened, filtered, read, closed', async ({ page, engine }, inf
   await expect(dialog(page).getByRole('log')).toHaveText('1 row');
   await expect(row(page, 'G01')).toBeVisible();
   await filter.fill('G77');
-  await expect(dialog(page).getByRole('rowheader').locator('visible=true')).toHaveText(['Single cycles', 'G90', 'Multiple repetitive cycles', 'G75']);
+  await expect(dialog(page).getByRole('rowheader').locator('visible=true')).toHaveText([
+    'Single cycles',
+    'G90',
+    'Multiple repetitive cycles',
+    'G75',
+  ]);
   await expect(row(page, 'G90')).toContainText('G77');
   await filter.fill('thread');
   await expect(row(page, 'G76')).toBeVisible();

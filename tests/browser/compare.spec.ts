@@ -2,7 +2,8 @@
 import { expect, test, type BasicPage, type Locator } from './engines';
 import { editor, open, type } from './page';
 
-const PROGRAM = '(STOCK D=60 LENGTH=80)\nT0101\nG97 S800 M03\nG00 X62 Z2\nG00 X50\nG01 Z-20 F0.2\nX56 Z-30\nG00 X100 Z100\nM30\n';
+const PROGRAM =
+  '(STOCK D=60 LENGTH=80)\nT0101\nG97 S800 M03\nG00 X62 Z2\nG00 X50\nG01 Z-20 F0.2\nX56 Z-30\nG00 X100 Z100\nM30\n';
 const OTHER = PROGRAM.replace('G00 X50\n', 'G00 X49.96\n');
 
 const dialog = (page: BasicPage): Locator => page.getByRole('dialog');
@@ -51,7 +52,9 @@ test('numbers and blanks are no difference, and an empty field says what is miss
   const status = dialog(page).getByRole('status');
   await compareWith(page, '  ');
   await expect(status).toContainText('There is no program yet');
-  const numbered = PROGRAM.split('\n').map((line, at) => (line === '' ? '' : `N${at + 1}0  ${line}`)).join('\n');
+  const numbered = PROGRAM.split('\n')
+    .map((line, at) => (line === '' ? '' : `N${at + 1}0  ${line}`))
+    .join('\n');
   await compareWith(page, numbered);
   await expect(status).toHaveText('No difference.');
 });

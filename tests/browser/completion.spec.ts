@@ -4,7 +4,8 @@ import { editor, open, type } from './page';
 
 const HEAD = 'O1\nT0101\nG97 S600 M03\nG00 X34 Z4\nG76 P021260 Q100 R0.05\n';
 const list = (page: BasicPage): Locator => page.getByRole('listbox');
-const text = (page: BasicPage): Promise<string> => page.locator('gcode-playground').evaluate((element) => (element as unknown as { value: string }).value);
+const text = (page: BasicPage): Promise<string> =>
+  page.locator('gcode-playground').evaluate((element) => (element as unknown as { value: string }).value);
 
 const SECOND_BLOCK = /\nG76 X[\d.]+ Z-?[\d.]+ P\d+ Q\d+ F[\d.]+$/;
 const HEIGHT = { en: 'thread height', zh: '牙型高度', ru: 'высота профиля' } as const;
@@ -78,7 +79,9 @@ test('a proposal that is pressed while the list catches up is taken', async ({ p
   await expect(editor(page)).toBeFocused();
 });
 
-test('the list is turned off with one switch, which is remembered, and comes when it is asked for', async ({ page }) => {
+test('the list is turned off with one switch, which is remembered, and comes when it is asked for', async ({
+  page,
+}) => {
   await open(page);
   await type(page, HEAD);
   await page.keyboard.press('F1');
@@ -100,7 +103,11 @@ test('the list is turned off with one switch, which is remembered, and comes whe
 });
 
 test('nothing of it is loaded before the reader is in the text', async ({ page }) => {
-  const loaded = (): Promise<number> => page.evaluate(() => performance.getEntriesByType('resource').filter(({ name }) => /\/completion-[\w-]{8}\.js$/.test(name)).length);
+  const loaded = (): Promise<number> =>
+    page.evaluate(
+      () =>
+        performance.getEntriesByType('resource').filter(({ name }) => /\/completion-[\w-]{8}\.js$/.test(name)).length,
+    );
   await open(page);
   expect(await loaded()).toBe(0);
   await editor(page).focus();

@@ -1,6 +1,19 @@
 // Cycles on the page: every example runs, a stroke says which pass it is, and a program can be expanded.
 import { expect, test, type Page } from './engines';
-import { between, clipboard, editor, examples, motionCount, open, problems, program, status, tooltip, type, value } from './page';
+import {
+  between,
+  clipboard,
+  editor,
+  examples,
+  motionCount,
+  open,
+  problems,
+  program,
+  status,
+  tooltip,
+  type,
+  value,
+} from './page';
 
 const dialog = (page: Page) => page.getByRole('dialog', { name: 'The expanded program' });
 const writeOut = (page: Page) => page.getByRole('button', { name: 'Expand cycles' });

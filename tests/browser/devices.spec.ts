@@ -11,26 +11,43 @@ function element(attributes: string): string {
 
 for (const width of [320, 375]) {
   for (const view of ['all', 'picture', 'playback']) {
-    test(`on a phone ${width} px wide the drawing is at least 240 px high: view="${view}"`, async ({ browser, baseURL }, info) => {
+    test(`on a phone ${width} px wide the drawing is at least 240 px high: view="${view}"`, async ({
+      browser,
+      baseURL,
+    }, info) => {
       const context = await browser.newContext({
-        ...(baseURL === undefined ? {} : { baseURL }), viewport: { width, height: 640 }, deviceScaleFactor: 2, isMobile: true, hasTouch: true, locale: 'en-US',
+        ...(baseURL === undefined ? {} : { baseURL }),
+        viewport: { width, height: 640 },
+        deviceScaleFactor: 2,
+        isMobile: true,
+        hasTouch: true,
+        locale: 'en-US',
       });
       const page = (await context.newPage()) as ChromiumPage;
-      await openHtml(page, manual(`${TEXT}${element(`view="${view}"`)}${TEXT}`, '<meta name="viewport" content="width=device-width">'));
+      await openHtml(
+        page,
+        manual(`${TEXT}${element(`view="${view}"`)}${TEXT}`, '<meta name="viewport" content="width=device-width">'),
+      );
       await settled(page);
       await page.locator('gcode-playground').scrollIntoViewIfNeeded();
       const seen = await page.locator('gcode-playground').evaluate((element) => {
         const canvas = element.shadowRoot!.querySelector('canvas')!;
         const { top, bottom } = canvas.getBoundingClientRect();
-        const frames = ['.shown', '.frame'].map((frame) => element.shadowRoot!.querySelector(frame)!.getBoundingClientRect());
-        return Math.min(bottom, ...frames.map((frame) => frame.bottom)) - Math.max(top, ...frames.map((frame) => frame.top));
+        const frames = ['.shown', '.frame'].map((frame) =>
+          element.shadowRoot!.querySelector(frame)!.getBoundingClientRect(),
+        );
+        return (
+          Math.min(bottom, ...frames.map((frame) => frame.bottom)) - Math.max(top, ...frames.map((frame) => frame.top))
+        );
       });
       expect(seen).toBeGreaterThanOrEqual(240);
       expect(await page.evaluate(() => document.documentElement.scrollWidth)).toBeLessThanOrEqual(width);
       await page.screenshot({ path: info.outputPath('phone.png') });
 
       // A finger over the drawing scrolls the page; once the drawing was tapped, it moves the drawing.
-      await page.locator('gcode-playground').evaluate((element) => element.shadowRoot!.querySelector('canvas')!.scrollIntoView({ block: 'center' }));
+      await page
+        .locator('gcode-playground')
+        .evaluate((element) => element.shadowRoot!.querySelector('canvas')!.scrollIntoView({ block: 'center' }));
       const box = (await page.getByRole('img', { name: /tool path/ }).boundingBox())!;
       const at = { x: box.x + box.width / 2, y: box.y + box.height / 2 };
       const client = await context.newCDPSession(page);
@@ -48,7 +65,9 @@ for (const width of [320, 375]) {
       const state = (): Promise<{ scrolled: number; shown: number }> =>
         page.locator('gcode-playground').evaluate(async (element) => {
           await (element as Playground).settled;
-          const { clientY } = await (element as Playground & { locate(x: number, z: number): Promise<{ clientY: number }> }).locate(0, 0);
+          const { clientY } = await (
+            element as Playground & { locate(x: number, z: number): Promise<{ clientY: number }> }
+          ).locate(0, 0);
           return { scrolled: scrollY, shown: clientY + scrollY };
         });
       const before = await state();
@@ -71,12 +90,24 @@ for (const width of [320, 375]) {
 test('a light page on a dark system shows a light element, and a page for both a dark one', async ({ page }) => {
   await page.emulateMedia({ colorScheme: 'dark' });
   const ground = (): Promise<number> =>
-    page.locator('gcode-playground').evaluate((element) =>
-      getComputedStyle(element.shadowRoot!.querySelector('.frame')!).backgroundColor.match(/\d+/g)!.slice(0, 3).map(Number).reduce((sum, value) => sum + value, 0) / 3);
+    page.locator('gcode-playground').evaluate(
+      (element) =>
+        getComputedStyle(element.shadowRoot!.querySelector('.frame')!)
+          .backgroundColor.match(/\d+/g)!
+          .slice(0, 3)
+          .map(Number)
+          .reduce((sum, value) => sum + value, 0) / 3,
+    );
   // A page of its own: what a page said of colours is not forgotten with its text.
-  const heads = { plain: '', meta: '<meta name="color-scheme" content="light dark">', style: '<style>:root { color-scheme: light dark; }</style>' };
+  const heads = {
+    plain: '',
+    meta: '<meta name="color-scheme" content="light dark">',
+    style: '<style>:root { color-scheme: light dark; }</style>',
+  };
   for (const [name, head] of Object.entries(heads)) {
-    await page.route(`**/${name}.html`, (route) => route.fulfill({ contentType: 'text/html', body: manual(element('view="picture"'), head) }));
+    await page.route(`**/${name}.html`, (route) =>
+      route.fulfill({ contentType: 'text/html', body: manual(element('view="picture"'), head) }),
+    );
     await page.goto(`./rules/en/${name}.html`);
     await settled(page);
     if (name === 'plain') expect(await ground()).toBeGreaterThan(200);
@@ -86,15 +117,23 @@ test('a light page on a dark system shows a light element, and a page for both a
 
 for (const view of ['all', 'picture', 'playback', 'code']) {
   test(`a dark page prints light, with the program in its own lines: view="${view}"`, async ({ page }, info) => {
-    await openHtml(page, manual(element(`view="${view}" caption="Figure 1"`), '<style>:root { color-scheme: dark; }</style>'));
+    await openHtml(
+      page,
+      manual(element(`view="${view}" caption="Figure 1"`), '<style>:root { color-scheme: dark; }</style>'),
+    );
     await settled(page);
     await page.emulateMedia({ media: 'print' });
     await page.evaluate(() => dispatchEvent(new Event('beforeprint')));
-    for (const line of ['G97 S800 M03', 'G01 X40 F0.2', 'M30']) await expect(page.getByText(line, { exact: false }).locator('visible=true').first()).toBeVisible();
+    for (const line of ['G97 S800 M03', 'G01 X40 F0.2', 'M30'])
+      await expect(page.getByText(line, { exact: false }).locator('visible=true').first()).toBeVisible();
     const lines = await page.locator('gcode-playground').evaluate((element) => {
       const root = element.shadowRoot!;
       const printed = [...root.querySelectorAll('.sheet-program li, .paper')].filter((part) => part.checkVisibility());
-      return printed.map((part) => (part as HTMLElement).innerText).join('\n').trim().split('\n');
+      return printed
+        .map((part) => (part as HTMLElement).innerText)
+        .join('\n')
+        .trim()
+        .split('\n');
     });
     expect(lines).toEqual(PROGRAM.trim().split('\n'));
     const shot = await page.screenshot({ path: info.outputPath('paper.png'), fullPage: true });
@@ -114,27 +153,43 @@ for (const view of ['all', 'picture', 'playback', 'code']) {
 }
 
 for (const view of ['all', 'picture', 'playback']) {
-  test(`printed before there is a picture, what stands in its place and the program are on paper: view="${view}"`, async ({ page }, info) => {
+  test(`printed before there is a picture, what stands in its place and the program are on paper: view="${view}"`, async ({
+    page,
+  }, info) => {
     // The interpreter never comes.
     await page.route(/\.wasm$/, () => undefined);
     const fallback = '<svg slot="fallback" width="400" height="700"><rect width="400" height="700" fill="#ccc"/></svg>';
     const far = '<div style="height: 4000px"></div>';
-    await openHtml(page, manual(`<gcode-playground view="${view}">${fallback}<pre>${PROGRAM}</pre></gcode-playground>${far}<gcode-playground view="${view}"><pre>${PROGRAM}</pre></gcode-playground>`));
+    await openHtml(
+      page,
+      manual(
+        `<gcode-playground view="${view}">${fallback}<pre>${PROGRAM}</pre></gcode-playground>${far}<gcode-playground view="${view}"><pre>${PROGRAM}</pre></gcode-playground>`,
+      ),
+    );
     await page.emulateMedia({ media: 'print' });
     await page.evaluate(() => {
       dispatchEvent(new Event('beforeprint'));
     });
-    const printed = await page.locator('gcode-playground').evaluateAll((elements) => elements.map((element) => {
-      const root = element.shadowRoot!;
-      const whole = root.querySelector('.frame')!.getBoundingClientRect();
-      const svg = element.querySelector('svg')?.getBoundingClientRect();
-      return {
-        lines: [...root.querySelectorAll('.sheet-program li, .paper')].filter((part) => part.checkVisibility()).map((part) => (part as HTMLElement).innerText).join('\n').trim(),
-        picture: svg === undefined ? undefined : svg.bottom <= whole.bottom + 1 && svg.height === 700,
-        buttons: [...root.querySelectorAll('button')].filter((button) => button.checkVisibility()).length,
-      };
-    }));
+    const printed = await page.locator('gcode-playground').evaluateAll((elements) =>
+      elements.map((element) => {
+        const root = element.shadowRoot!;
+        const whole = root.querySelector('.frame')!.getBoundingClientRect();
+        const svg = element.querySelector('svg')?.getBoundingClientRect();
+        return {
+          lines: [...root.querySelectorAll('.sheet-program li, .paper')]
+            .filter((part) => part.checkVisibility())
+            .map((part) => (part as HTMLElement).innerText)
+            .join('\n')
+            .trim(),
+          picture: svg === undefined ? undefined : svg.bottom <= whole.bottom + 1 && svg.height === 700,
+          buttons: [...root.querySelectorAll('button')].filter((button) => button.checkVisibility()).length,
+        };
+      }),
+    );
     await page.screenshot({ path: info.outputPath('paper.png'), fullPage: true });
-    expect(printed).toEqual([{ lines: PROGRAM.trim(), picture: true, buttons: 0 }, { lines: PROGRAM.trim(), picture: undefined, buttons: 0 }]);
+    expect(printed).toEqual([
+      { lines: PROGRAM.trim(), picture: true, buttons: 0 },
+      { lines: PROGRAM.trim(), picture: undefined, buttons: 0 },
+    ]);
   });
 }

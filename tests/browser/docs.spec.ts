@@ -22,7 +22,10 @@ for (const [language, help, link] of [
 test('the help of the published element leads to its own copy of the reference', async ({ page }) => {
   await page.goto('./embed/index.html#program=G00%20X50%20Z2');
   await page.getByRole('button', { name: 'Help (?)' }).click();
-  const [reference] = await Promise.all([page.waitForEvent('popup'), page.getByRole('link', { name: 'Documentation' }).click()]);
+  const [reference] = await Promise.all([
+    page.waitForEvent('popup'),
+    page.getByRole('link', { name: 'Documentation' }).click(),
+  ]);
   await reference.waitForLoadState();
   expect(reference.url()).toMatch(/\/embed\/docs\/index\.html$/);
   await expect(reference.getByRole('heading', { level: 1 })).toHaveText('Reference');
@@ -32,7 +35,12 @@ test('the help of the published element leads to its own copy of the reference',
 });
 
 test('attributes of the element name the folders of the documents and of the rule pages', async ({ page }) => {
-  await openHtml(page, manual('<gcode-playground docs="https://manual.example/lathe/docs" rules=""><pre>\nG00 X50 Z2\nM30\n</pre></gcode-playground>'));
+  await openHtml(
+    page,
+    manual(
+      '<gcode-playground docs="https://manual.example/lathe/docs" rules=""><pre>\nG00 X50 Z2\nM30\n</pre></gcode-playground>',
+    ),
+  );
   await settled(page);
   await page.getByRole('button', { name: 'Help (?)' }).click();
   const reference = page.getByRole('link', { name: 'Documentation' });
@@ -64,6 +72,8 @@ test('a narrow window shows the whole of a wide table by scrolling the table, no
   await page.goto('./docs/setup.html');
   const wide = await page.evaluate(() => document.documentElement.scrollWidth - document.documentElement.clientWidth);
   expect(wide).toBeLessThanOrEqual(0);
-  const scrolls = await page.evaluate(() => [...document.querySelectorAll('.table')].some((table) => table.scrollWidth > table.clientWidth));
+  const scrolls = await page.evaluate(() =>
+    [...document.querySelectorAll('.table')].some((table) => table.scrollWidth > table.clientWidth),
+  );
   expect(scrolls).toBe(true);
 });

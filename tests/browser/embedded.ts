@@ -38,7 +38,10 @@ export function manual(body: string, head = ''): string {
 /** Waits until an element shows all there is to show. */
 export async function settled(page: BasicPage, which = 0): Promise<void> {
   await expect(page.locator('gcode-playground').nth(which)).toBeVisible();
-  await page.locator('gcode-playground').nth(which).evaluate(async (element) => void (await (element as Playground).settled));
+  await page
+    .locator('gcode-playground')
+    .nth(which)
+    .evaluate(async (element) => void (await (element as Playground).settled));
 }
 
 /** Presses each button of an element once, and closes what opens; how many buttons there were. */
@@ -57,7 +60,10 @@ export function pressEveryButton(page: BasicPage): Promise<number> {
 
 /** The program of an element. */
 export function programOf(page: BasicPage, which = 0): Promise<string> {
-  return page.locator('gcode-playground').nth(which).evaluate((element) => (element as Playground).value);
+  return page
+    .locator('gcode-playground')
+    .nth(which)
+    .evaluate((element) => (element as Playground).value);
 }
 
 /** What stands for `<` and `&` in the text of a page. */

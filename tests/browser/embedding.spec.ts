@@ -79,16 +79,23 @@ const WAYS: Readonly<Record<string, Way>> = {
     policy: () => "default-src 'none'; script-src 'self' 'wasm-unsafe-eval'; connect-src 'self'",
   },
   'a strict policy, another origin': {
-    apart: true, fileHeaders: CORS,
-    policy: (own, other) => `default-src 'none'; script-src ${own} ${other} 'wasm-unsafe-eval'; connect-src ${own} ${other}; worker-src blob:`,
+    apart: true,
+    fileHeaders: CORS,
+    policy: (own, other) =>
+      `default-src 'none'; script-src ${own} ${other} 'wasm-unsafe-eval'; connect-src ${own} ${other}; worker-src blob:`,
   },
   'a strict policy, another origin, without `worker-src blob:`': {
-    apart: true, fileHeaders: CORS,
-    policy: (own, other) => `default-src 'none'; script-src ${own} ${other} 'wasm-unsafe-eval'; connect-src ${own} ${other}`,
+    apart: true,
+    fileHeaders: CORS,
+    policy: (own, other) =>
+      `default-src 'none'; script-src ${own} ${other} 'wasm-unsafe-eval'; connect-src ${own} ${other}`,
   },
-  'a policy without `\'wasm-unsafe-eval\'`': { policy: () => "default-src 'none'; script-src 'self'; connect-src 'self'" },
+  "a policy without `'wasm-unsafe-eval'`": {
+    policy: () => "default-src 'none'; script-src 'self'; connect-src 'self'",
+  },
   'Trusted Types required': {
-    policy: () => "default-src 'none'; script-src 'self' 'wasm-unsafe-eval'; connect-src 'self'; require-trusted-types-for 'script'; trusted-types gcode-playground",
+    policy: () =>
+      "default-src 'none'; script-src 'self' 'wasm-unsafe-eval'; connect-src 'self'; require-trusted-types-for 'script'; trusted-types gcode-playground",
   },
   'the worker is missing': { missing: /^worker\.js$/ },
   'the module is missing': { missing: /^core\.wasm$/ },
@@ -100,7 +107,16 @@ const LINKS: readonly { readonly said?: string; readonly named?: string; readonl
   { said: '', href: null },
   { said: '../play/', href: 'OWN/play/' },
   { said: 'OWN/play/', href: 'OWN/play/' },
-  ...['https://evil.example/', '//evil.example/', 'OWN@evil.example/', 'OWN.evil.example/', 'javascript:alert(1)', 'http://127.0.0.1:9/', 'blob:OWN/play/', 'https://['].map((said) => ({ said, href: 'OWN/embed/index.html' })),
+  ...[
+    'https://evil.example/',
+    '//evil.example/',
+    'OWN@evil.example/',
+    'OWN.evil.example/',
+    'javascript:alert(1)',
+    'http://127.0.0.1:9/',
+    'blob:OWN/play/',
+    'https://[',
+  ].map((said) => ({ said, href: 'OWN/embed/index.html' })),
   { named: 'https://lathe.example/play/', href: 'https://lathe.example/play/' },
   { named: 'https://lathe.example/play/', said: 'https://lathe.example/other/', href: 'https://lathe.example/other/' },
   { named: 'https://lathe.example/play/', said: 'OWN/play/', href: 'OWN/play/' },
@@ -115,25 +131,36 @@ async function expectNone(leadsTo: () => Promise<string | null>): Promise<void> 
   }
 }
 
-test('"Open in the playground" of a frame leads to its own host, or to the page that its copy names', { tag: '@night' }, async ({ page }) => {
+test('"Open in the playground" of a frame leads to its own host, or to the page that its copy names', {
+  tag: '@night',
+}, async ({ page }) => {
   for (const { said, named, href } of LINKS) {
     const own = await serve(FILES, (origin): Site => {
-      const attributes = new URLSearchParams({ program: 'G00 X1', ...(said === undefined ? {} : { playground: said.replace('OWN', origin) }) });
+      const attributes = new URLSearchParams({
+        program: 'G00 X1',
+        ...(said === undefined ? {} : { playground: said.replace('OWN', origin) }),
+      });
       return {
         pages: {
           '/index.html': `<!DOCTYPE html><title>A manual</title><iframe src="/embed/copy.html#${String(attributes).replaceAll('+', '%20').replaceAll('&', '&amp;')}" width="900" height="600"></iframe>`,
-          '/embed/copy.html': named === undefined ? FRAME_PAGE : FRAME_PAGE.replace('<title>', `<meta name="playground" content="${named}"><title>`),
+          '/embed/copy.html':
+            named === undefined
+              ? FRAME_PAGE
+              : FRAME_PAGE.replace('<title>', `<meta name="playground" content="${named}"><title>`),
         },
         filesAt: '/embed/',
       };
     });
     try {
       await page.goto(`${own.origin}/index.html`);
-      const leadsTo = (): Promise<string | null> => page.evaluate(() => {
-        const { contentDocument } = document.querySelector('iframe') ?? { contentDocument: document };
-        const link = contentDocument?.querySelector('gcode-playground')?.shadowRoot?.querySelector<HTMLAnchorElement>('[part=open-link]');
-        return link == null || link.hidden ? null : link.href;
-      });
+      const leadsTo = (): Promise<string | null> =>
+        page.evaluate(() => {
+          const { contentDocument } = document.querySelector('iframe') ?? { contentDocument: document };
+          const link = contentDocument
+            ?.querySelector('gcode-playground')
+            ?.shadowRoot?.querySelector<HTMLAnchorElement>('[part=open-link]');
+          return link == null || link.hidden ? null : link.href;
+        });
       if (href !== null) await expect.poll(leadsTo, `${said} ${named}`).toBe(href.replace('OWN', own.origin));
       else await expectNone(leadsTo);
       // Outside a frame there is no link, whatever the address says.
@@ -150,9 +177,19 @@ test('"Open in the playground" of a frame leads to its own host, or to the page 
 function expected(): ReadonlyMap<string, Readonly<Record<string, string>>> {
   const document = readFileSync(join(__dirname, '..', '..', 'www', 'docs', 'element.md'), 'utf8');
   const table = document.split('<!-- ways -->')[1]?.split('<!-- /ways -->')[0] ?? '';
-  const [head = [], , ...rows] = table.trim().split('\n').map((row) => row.split('|').slice(1, -1).map((cell) => cell.trim()));
+  const [head = [], , ...rows] = table
+    .trim()
+    .split('\n')
+    .map((row) =>
+      row
+        .split('|')
+        .slice(1, -1)
+        .map((cell) => cell.trim()),
+    );
   const engines = head.slice(1).map((name) => name.toLowerCase());
-  return new Map(rows.map(([way = '', ...cells]) => [way, Object.fromEntries(cells.map((cell, at) => [engines[at] ?? '', cell]))]));
+  return new Map(
+    rows.map(([way = '', ...cells]) => [way, Object.fromEntries(cells.map((cell, at) => [engines[at] ?? '', cell]))]),
+  );
 }
 
 const TABLE = expected();
@@ -174,24 +211,40 @@ ${program(ID)}
 }
 
 /** Opens a page that embeds the element in this way; what came of it. */
-async function embed(way: Way, view: string, open: (address: string) => Promise<unknown>): Promise<{ readonly outcome: Outcome; readonly asked: readonly string[] }> {
+async function embed(
+  way: Way,
+  view: string,
+  open: (address: string) => Promise<unknown>,
+): Promise<{ readonly outcome: Outcome; readonly asked: readonly string[] }> {
   const filesAt = way.folder ?? '/embed/';
-  const filesOf = { filesAt, ...(way.fileHeaders === undefined ? {} : { fileHeaders: way.fileHeaders }), ...(way.missing === undefined ? {} : { missing: way.missing }) };
+  const filesOf = {
+    filesAt,
+    ...(way.fileHeaders === undefined ? {} : { fileHeaders: way.fileHeaders }),
+    ...(way.missing === undefined ? {} : { missing: way.missing }),
+  };
   const other = way.apart === true ? await serve(FILES, () => filesOf) : undefined;
   const own = await serve(FILES, (origin): Site => {
     const policy = way.policy?.(origin, other?.origin ?? origin);
     const manual = page(`${other?.origin ?? origin}${filesAt}element.js`, '/reporter.js', view);
-    const addressed = `${filesAt}with-reporter.html#${new URLSearchParams({ view, program: program(ID) })}`.replaceAll('+', '%20').replaceAll('&', '&amp;');
+    const addressed = `${filesAt}with-reporter.html#${new URLSearchParams({ view, program: program(ID) })}`
+      .replaceAll('+', '%20')
+      .replaceAll('&', '&amp;');
     const inFrame = way.addressed === true ? addressed : '/frame.html';
     const frame = `<!DOCTYPE html><title>A manual</title><iframe sandbox="allow-scripts" src="${inFrame}" width="800" height="600"></iframe>`;
     return {
       pages: {
         '/index.html': way.framed === true ? frame : manual,
         '/frame.html': manual,
-        [`${filesAt}with-reporter.html`]: FRAME_PAGE.replace('<noscript>', '<script type="module" src="/reporter.js"></script><noscript>'),
+        [`${filesAt}with-reporter.html`]: FRAME_PAGE.replace(
+          '<noscript>',
+          '<script type="module" src="/reporter.js"></script><noscript>',
+        ),
         '/reporter.js': REPORTER.replace('REPORT', `${origin}/report`),
       },
-      pageHeaders: { ...(policy === undefined ? {} : { 'content-security-policy': policy }), ...(way.framed === true ? CORS : {}) },
+      pageHeaders: {
+        ...(policy === undefined ? {} : { 'content-security-policy': policy }),
+        ...(way.framed === true ? CORS : {}),
+      },
       ...(other === undefined ? filesOf : {}),
     };
   });
@@ -213,7 +266,9 @@ test('the table of ways to embed has the ways that are tested', () => {
 
 for (const [name, way] of Object.entries(WAYS)) {
   // The whole element needs no more than the picture does.
-  for (const view of name.startsWith('a strict policy') || name.startsWith('Trusted') ? ['picture', 'all'] : ['picture']) {
+  for (const view of name.startsWith('a strict policy') || name.startsWith('Trusted')
+    ? ['picture', 'all']
+    : ['picture']) {
     test(`embedded: ${name}, view="${view}"`, async ({ page, engine }) => {
       const { outcome, asked } = await embed(way, view, (address) => page.goto(address));
       const cell = TABLE.get(name)?.[engine];
@@ -229,7 +284,11 @@ for (const [name, way] of Object.entries(WAYS)) {
         expect(outcome.says, text).toContain('O0002');
       } else throw new Error(`${name}, ${engine}: nothing is expected`);
       const files = asked.filter((path) => /\.(js|wasm)$/.test(path) && !path.endsWith('/reporter.js'));
-      if (cell === 'shown') expect(files.filter((path, at) => files.indexOf(path) !== at), 'asked for twice').toEqual([]);
+      if (cell === 'shown')
+        expect(
+          files.filter((path, at) => files.indexOf(path) !== at),
+          'asked for twice',
+        ).toEqual([]);
     });
   }
 }

@@ -6,7 +6,11 @@ import { editor, open, openFile, status, value } from './page';
 
 /** Held against the command line too. */
 const cases = (
-  JSON.parse(readFileSync(join(__dirname, '..', 'encodings.json'), 'utf8')) as { encoding: string; text: string; bytes: string }[]
+  JSON.parse(readFileSync(join(__dirname, '..', 'encodings.json'), 'utf8')) as {
+    encoding: string;
+    text: string;
+    bytes: string;
+  }[]
 ).map(({ encoding, text, bytes }) => ({ encoding, text, bytes: Buffer.from(bytes, 'hex') }));
 
 const encoding = (page: Page) => page.getByRole('combobox', { name: 'Encoding' });
@@ -35,7 +39,9 @@ async function cursorBehind(page: Page, line: number, text: string): Promise<voi
   for (let i = 0; i < text.length; i++) await page.keyboard.press('ArrowRight');
 }
 
-test('Chinese, Russian and Western programs read well and are saved as they were', { tag: '@night' }, async ({ page }) => {
+test('Chinese, Russian and Western programs read well and are saved as they were', { tag: '@night' }, async ({
+  page,
+}) => {
   for (const [i, one] of cases.entries()) {
     await test.step(`${one.encoding}: ${one.text.slice(0, 30)}`, async () => {
       await openAfresh(page);
@@ -59,7 +65,10 @@ test('bytes of any kind are saved as they were', async ({ page }) => {
     ['tape.nc', Buffer.from('\0\0\0%\r\nO1\0\r\nM30\r\n%\0\0\u001a\u001a', 'latin1')],
     ['cut-short.nc', Buffer.concat([Buffer.from('G0 X1 ('), Buffer.from([0xb4, 0xd6, 0xb3])])],
     ['all-bytes.nc', all],
-    ['euro-of-old.nc', Buffer.concat([Buffer.from('(price '), Buffer.from([0x80, 0x20, 0xb4, 0xd6]), Buffer.from(')\n')])],
+    [
+      'euro-of-old.nc',
+      Buffer.concat([Buffer.from('(price '), Buffer.from([0x80, 0x20, 0xb4, 0xd6]), Buffer.from(')\n')]),
+    ],
     ['bom-alone.nc', Buffer.from([0xef, 0xbb, 0xbf])],
     ['bom-and-no-utf8.nc', Buffer.concat([Buffer.from([0xef, 0xbb, 0xbf]), all])],
     ['half-a-pair.nc', Buffer.from([0xff, 0xfe, 0x47, 0x00, 0x00, 0xd8, 0x0a, 0x00])],
@@ -111,7 +120,11 @@ test('one word edited is the only change in the file', async ({ page }) => {
 test('a character without a place in the encoding is told, and the file saved as UTF-8', async ({ page }) => {
   await open(page);
   // (Резец)
-  const bytes = Buffer.concat([Buffer.from('('), Buffer.from([0xd0, 0xe5, 0xe7, 0xe5, 0xf6]), Buffer.from(')\r\nM30\r\n')]);
+  const bytes = Buffer.concat([
+    Buffer.from('('),
+    Buffer.from([0xd0, 0xe5, 0xe7, 0xe5, 0xf6]),
+    Buffer.from(')\r\nM30\r\n'),
+  ]);
   await openFile(page, 'резец.nc', bytes);
   await expect(encoding(page)).toHaveValue('windows-1251');
   await cursorBehind(page, 1, '(Резец');

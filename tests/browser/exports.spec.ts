@@ -27,7 +27,13 @@ test('every kind of file holds the program', async ({ page }) => {
     const { name, text } = await save(page, /Setup sheet/);
     expect(name).toBe('setup-sheet.html');
     expect(text).toMatch(/^<!doctype html>/);
-    for (const part of ['<h1>Setup sheet', '<svg ', '<code>G71 P50 Q120 U0.5 W0.2 F100</code>', 'rough turning', '10 passes']) {
+    for (const part of [
+      '<h1>Setup sheet',
+      '<svg ',
+      '<code>G71 P50 Q120 U0.5 W0.2 F100</code>',
+      'rough turning',
+      '10 passes',
+    ]) {
       expect(text).toContain(part);
     }
   });
@@ -78,7 +84,31 @@ test('every kind of file holds the program', async ({ page }) => {
 
 test('files are named after the one that was opened, and the program keeps its encoding', async ({ page }) => {
   await open(page);
-  await openFile(page, 'втулка.MPF.nc', new Uint8Array([0x28, 0xc2, 0xf2, 0xf3, 0xeb, 0xea, 0xe0, 0x20, 0xe4, 0xeb, 0xff, 0x20, 0xe2, 0xe0, 0xeb, 0xe0, 0x29, 0x0a, ...Buffer.from('G0 X20 Z2\nG90 X18 Z-10 F0.2\nX16\nM30\n')]));
+  await openFile(
+    page,
+    'втулка.MPF.nc',
+    new Uint8Array([
+      0x28,
+      0xc2,
+      0xf2,
+      0xf3,
+      0xeb,
+      0xea,
+      0xe0,
+      0x20,
+      0xe4,
+      0xeb,
+      0xff,
+      0x20,
+      0xe2,
+      0xe0,
+      0xeb,
+      0xe0,
+      0x29,
+      0x0a,
+      ...Buffer.from('G0 X20 Z2\nG90 X18 Z-10 F0.2\nX16\nM30\n'),
+    ]),
+  );
   await expect(status(page)).toContainText('9 motions');
   const { name, bytes } = await save(page, /NC/);
   expect(name).toBe('втулка.MPF-plain.nc');

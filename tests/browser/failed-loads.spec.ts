@@ -25,7 +25,11 @@ const FILES: Readonly<Record<string, File>> = {
   'the core module': { pattern: /gcode_playground_bg-[\w-]+\.wasm$/, says: INTERPRETER, status: '—' },
   'the script of the worker': { pattern: /\/worker-[\w-]{8}\.js$/, says: INTERPRETER, status: '—' },
   'the part that reads the setup': { pattern: /\/early-[\w-]{8}\.wasm$/, says: PARTS, status: '—' },
-  'the part of the machine': { pattern: /\/late-[\w-]{8}\.wasm$/, says: PARTS, status: /part and messages could not be loaded/ },
+  'the part of the machine': {
+    pattern: /\/late-[\w-]{8}\.wasm$/,
+    says: PARTS,
+    status: /part and messages could not be loaded/,
+  },
   'the sentences': { pattern: /\/en-[\w-]{8}\.txt$/, says: PARTS, status: /part and messages could not be loaded/ },
   'the editor': { pattern: editorFile(), says: 'The editor could not be loaded', status: /^2 motions/ },
 };
@@ -40,7 +44,9 @@ function editorFile(): RegExp {
 /** The file that contains CodeMirror, which the editor imports. */
 function codeMirror(): RegExp {
   const assets = join(DIST, 'assets');
-  const found = readdirSync(assets).filter((file) => /^index-[\w-]+\.js$/.test(file) && readFileSync(join(assets, file), 'utf8').includes('cm-content'));
+  const found = readdirSync(assets).filter(
+    (file) => /^index-[\w-]+\.js$/.test(file) && readFileSync(join(assets, file), 'utf8').includes('cm-content'),
+  );
   if (found.length !== 1) throw new Error(`CodeMirror is in ${found.length} files`);
   return new RegExp(`/${found[0]?.replace('.js', '')}\\.js$`);
 }
@@ -86,7 +92,9 @@ async function press(page: Page): Promise<void> {
 
 for (const [name, file] of Object.entries(FILES)) {
   for (const how of ['missing', 'closed', 'corrupted'] as const) {
-    test(`${name} is ${how} when the page starts`, { tag: how === 'missing' ? [] : '@one-engine' }, async ({ page }) => {
+    test(`${name} is ${how} when the page starts`, { tag: how === 'missing' ? [] : '@one-engine' }, async ({
+      page,
+    }) => {
       const site = await storedSite();
       site.refuse(file.pattern, how);
       await page.goto(`${site.address}#${new URLSearchParams(WITH_SETUP)}`);
@@ -118,7 +126,9 @@ test('the network returns while the editor is tried again', async ({ page, engin
 });
 
 for (const how of ['missing', 'closed', 'corrupted'] as const) {
-  test(`the library of the editor is ${how} when the page starts`, { tag: how === 'missing' ? [] : '@one-engine' }, async ({ page, engine }) => {
+  test(`the library of the editor is ${how} when the page starts`, {
+    tag: how === 'missing' ? [] : '@one-engine',
+  }, async ({ page, engine }) => {
     const site = await storedSite();
     const library = { pattern: codeMirror(), says: 'The editor could not be loaded', status: /^2 motions/ };
     site.refuse(library.pattern, how);
@@ -127,7 +137,8 @@ for (const how of ['missing', 'closed', 'corrupted'] as const) {
     site.refuse();
     // Browsers keep the failure of a file that another one imports: all of them that of a script with a fault, Firefox every one.
     await TRIGGERS[how](page, library.says);
-    if (how === 'corrupted' || engine === 'firefox') await notice(page, 'the page has to be reloaded').getByRole('button', { name: 'Reload' }).click();
+    if (how === 'corrupted' || engine === 'firefox')
+      await notice(page, 'the page has to be reloaded').getByRole('button', { name: 'Reload' }).click();
     await works(page, 2);
     await site.stop();
   });
@@ -146,16 +157,31 @@ const KEEPS_WORKERS = `
 `;
 
 async function open(page: Page, site: StoredSite): Promise<void> {
-  const html = readFileSync(join(DIST, 'index.html'), 'utf8').replace('<head>', '<head><script src="./keeps-workers.js"></script>');
-  site.publish(new Map([['index.html', html], ['keeps-workers.js', KEEPS_WORKERS]]));
+  const html = readFileSync(join(DIST, 'index.html'), 'utf8').replace(
+    '<head>',
+    '<head><script src="./keeps-workers.js"></script>',
+  );
+  site.publish(
+    new Map([
+      ['index.html', html],
+      ['keeps-workers.js', KEEPS_WORKERS],
+    ]),
+  );
   await page.goto(`${site.address}#${new URLSearchParams({ program: PROGRAM, setup: '{}' })}`);
   await works(page, 2);
-  await page.locator('gcode-playground').evaluate((element) => (element as HTMLElement & { settled: Promise<number> }).settled);
+  await page
+    .locator('gcode-playground')
+    .evaluate((element) => (element as HTMLElement & { settled: Promise<number> }).settled);
 }
 
 /** An error of the worker that nothing in it catches. */
 async function workerFails(page: Page): Promise<void> {
-  await page.evaluate(() => void (Reflect.get(window, 'workers') as Worker[]).at(-1)?.dispatchEvent(new ErrorEvent('error', { message: 'a fault' })));
+  await page.evaluate(
+    () =>
+      void (Reflect.get(window, 'workers') as Worker[])
+        .at(-1)
+        ?.dispatchEvent(new ErrorEvent('error', { message: 'a fault' })),
+  );
 }
 
 test('an error of the worker: the notice stays until a program has run', async ({ page }) => {
@@ -186,7 +212,9 @@ for (const how of ['missing', 'closed', 'corrupted'] as const) {
     // A worker that had been kept by the browser still starts.
     await expect(page.getByRole('alert').filter({ hasText: 'The interpreter' })).toBeVisible();
     await workerFails(page);
-    await expect(page.getByRole('alert').filter({ hasText: 'The interpreter' }).getByRole('button', { name: 'Try again' })).toBeVisible();
+    await expect(
+      page.getByRole('alert').filter({ hasText: 'The interpreter' }).getByRole('button', { name: 'Try again' }),
+    ).toBeVisible();
     site.refuse();
     await type(page, NEXT_PROGRAM);
     await works(page, 3);

@@ -6,17 +6,21 @@ const notice = (page: Page) => page.getByRole('alert');
 
 /** Drops a file on an element that a selector finds, through shadow roots; says whether the page took it. */
 async function drop(page: Page, where: 'the drawing' | 'the header', name: string, text: string): Promise<boolean> {
-  return page.evaluate(({ where, name, text }) => {
-    const root = document.querySelector('gcode-playground')?.shadowRoot;
-    const target = where === 'the header' ? document.querySelector('header') : root?.querySelector('canvas');
-    const data = new DataTransfer();
-    data.items.add(new File([text], name, { type: 'text/plain' }));
-    const event = (type: string): DragEvent => new DragEvent(type, { bubbles: true, composed: true, cancelable: true, dataTransfer: data });
-    target?.dispatchEvent(event('dragover'));
-    const dropped = event('drop');
-    target?.dispatchEvent(dropped);
-    return dropped.defaultPrevented;
-  }, { where, name, text });
+  return page.evaluate(
+    ({ where, name, text }) => {
+      const root = document.querySelector('gcode-playground')?.shadowRoot;
+      const target = where === 'the header' ? document.querySelector('header') : root?.querySelector('canvas');
+      const data = new DataTransfer();
+      data.items.add(new File([text], name, { type: 'text/plain' }));
+      const event = (type: string): DragEvent =>
+        new DragEvent(type, { bubbles: true, composed: true, cancelable: true, dataTransfer: data });
+      target?.dispatchEvent(event('dragover'));
+      const dropped = event('drop');
+      target?.dispatchEvent(dropped);
+      return dropped.defaultPrevented;
+    },
+    { where, name, text },
+  );
 }
 
 for (const where of ['the drawing', 'the header'] as const) {

@@ -11,8 +11,11 @@ test('an example is found by what it is about, and opened', async ({ page }) => 
   await expect(gallery(page).getByRole('status')).toHaveText(`${examples.length} examples`);
   await expect(gallery(page).getByRole('heading', { name: 'Threads' })).toBeVisible();
   await test.step('with a picture of each program that cuts', async () => {
-    const drawn = await gallery(page).getByRole('listitem').evaluateAll((cards: readonly Element[]) =>
-      cards.map((card) => card.querySelector('path.cut')?.getAttribute('d') ?? ''));
+    const drawn = await gallery(page)
+      .getByRole('listitem')
+      .evaluateAll((cards: readonly Element[]) =>
+        cards.map((card) => card.querySelector('path.cut')?.getAttribute('d') ?? ''),
+      );
     // G50 and G96 set speeds, and move nothing.
     expect(drawn.filter((path) => path === '')).toHaveLength(1);
     expect(drawn.join(' ')).not.toContain('NaN');

@@ -2,17 +2,25 @@
 import { expect, test, type BasicPage, type Locator } from './engines';
 import { atCursor, editor, goTo, open, status, tab, type } from './page';
 
-const THREAD = 'O1\nT0101\nG97 S600 M03\nG00 X34 Z4\nG76 P021260 Q100 R0.05\nG76 X27.4 Z-25 P1299 Q400 F2\nG00 X100 Z100\nM30';
+const THREAD =
+  'O1\nT0101\nG97 S600 M03\nG00 X34 Z4\nG76 P021260 Q100 R0.05\nG76 X27.4 Z-25 P1299 Q400 F2\nG00 X100 Z100\nM30';
 const LOOP = 'O1\n#1=40\nWHILE [#1 GT 30] DO1\nG65 P9 X#1\n#1=#1-2\nEND1\nM30\nO9\nG00 X#24 Z2\nM99';
 
-const row = (page: BasicPage, name: string): Locator => atCursor(page).getByRole('row').filter({ has: page.getByRole('rowheader', { name, exact: true }) });
+const row = (page: BasicPage, name: string): Locator =>
+  atCursor(page)
+    .getByRole('row')
+    .filter({ has: page.getByRole('rowheader', { name, exact: true }) });
 
 /** What is read out from now on; it stands there for a moment only. */
 async function announcements(page: BasicPage): Promise<() => Promise<string>> {
   await page.locator('.cm-announced').evaluate((live) => {
     const heard: string[] = [];
     Object.assign(globalThis, { heard });
-    new MutationObserver(() => heard.push(live.textContent ?? '')).observe(live, { childList: true, characterData: true, subtree: true });
+    new MutationObserver(() => heard.push(live.textContent ?? '')).observe(live, {
+      childList: true,
+      characterData: true,
+      subtree: true,
+    });
   });
   return () => page.evaluate(() => (globalThis as unknown as { heard: string[] }).heard.join(' '));
 }

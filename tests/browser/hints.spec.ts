@@ -13,7 +13,9 @@ test('what the reader does is not hinted at again, and nothing is hinted at in t
   await page.keyboard.type('(MY OWN)');
   await expect(hint(page)).toHaveText(/^Play below shows the tool/);
   // What is said of the change takes room above the button.
-  await page.locator('gcode-playground').evaluate((element) => (element as unknown as { settled: Promise<number> }).settled);
+  await page
+    .locator('gcode-playground')
+    .evaluate((element) => (element as unknown as { settled: Promise<number> }).settled);
   await play(page).click();
   await expect(hint(page)).toHaveText(/^Click a stroke/);
   await page.getByRole('button', { name: GOT_IT }).click();

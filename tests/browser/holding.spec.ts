@@ -2,7 +2,19 @@
 import { expect, test, type BasicPage } from './engines';
 import { goTo, open, type } from './page';
 
-const LOOP = ['O1', 'T0101 M3 S500', 'G0 X50 Z2', '#1=0', 'WHILE [#1 LT 2] DO1', 'G1 X[40-#1] F1', 'G0 Z[5-#1]', '#1=#1+1', 'END1', 'G0 X100', 'M30'].join('\n');
+const LOOP = [
+  'O1',
+  'T0101 M3 S500',
+  'G0 X50 Z2',
+  '#1=0',
+  'WHILE [#1 LT 2] DO1',
+  'G1 X[40-#1] F1',
+  'G0 Z[5-#1]',
+  '#1=#1+1',
+  'END1',
+  'G0 X100',
+  'M30',
+].join('\n');
 
 /** The program, played so quickly that nobody waits. */
 async function openLoop(page: BasicPage): Promise<void> {

@@ -25,25 +25,55 @@ function looks(page: BasicPage): Promise<Looks[]> {
   return page.evaluate(() => {
     const root = document.querySelector('gcode-playground')!.shadowRoot!;
     const KEYS = [
-      'letter-spacing', 'text-transform', 'font-style', 'font-weight', 'font-size', 'font-family', 'font-variant-caps', 'line-height', 'word-spacing', 'text-indent', 'text-align',
-      'white-space', 'color', 'text-shadow', 'list-style-type', 'cursor', 'hyphens', 'tab-size', 'word-break', 'font-feature-settings', 'border-collapse', 'direction',
+      'letter-spacing',
+      'text-transform',
+      'font-style',
+      'font-weight',
+      'font-size',
+      'font-family',
+      'font-variant-caps',
+      'line-height',
+      'word-spacing',
+      'text-indent',
+      'text-align',
+      'white-space',
+      'color',
+      'text-shadow',
+      'list-style-type',
+      'cursor',
+      'hyphens',
+      'tab-size',
+      'word-break',
+      'font-feature-settings',
+      'border-collapse',
+      'direction',
     ];
-    return [...root.querySelectorAll('*')].filter((element) => !element.matches('style, slot, slot *')).map((element) => {
-      const style = getComputedStyle(element);
-      const { width, height } = element.getBoundingClientRect();
-      return {
-        what: `${element.localName}.${element.getAttribute('class') ?? ''}`,
-        style: KEYS.map((key) => `${key}: ${style.getPropertyValue(key)}`).join('; '),
-        size: `${Math.round(width)} × ${Math.round(height)}`,
-      };
-    });
+    return [...root.querySelectorAll('*')]
+      .filter((element) => !element.matches('style, slot, slot *'))
+      .map((element) => {
+        const style = getComputedStyle(element);
+        const { width, height } = element.getBoundingClientRect();
+        return {
+          what: `${element.localName}.${element.getAttribute('class') ?? ''}`,
+          style: KEYS.map((key) => `${key}: ${style.getPropertyValue(key)}`).join('; '),
+          size: `${Math.round(width)} × ${Math.round(height)}`,
+        };
+      });
   });
 }
 
 test('an element takes no more of the page than its own height', async ({ page }) => {
-  await openHtml(page, manual(`<gcode-playground style="--playground-height: 600px"><pre>${PROGRAM}</pre></gcode-playground>`, '<style>body { margin: 0; }</style>'));
+  await openHtml(
+    page,
+    manual(
+      `<gcode-playground style="--playground-height: 600px"><pre>${PROGRAM}</pre></gcode-playground>`,
+      '<style>body { margin: 0; }</style>',
+    ),
+  );
   await settled(page);
-  expect(await page.evaluate(() => document.documentElement.scrollHeight - document.documentElement.clientHeight)).toBe(0);
+  expect(await page.evaluate(() => document.documentElement.scrollHeight - document.documentElement.clientHeight)).toBe(
+    0,
+  );
 });
 
 for (const view of ['all', 'playback', 'code']) {
@@ -64,7 +94,13 @@ for (const view of ['all', 'playback', 'code']) {
 }
 
 test('in a page that reads from right to left, code and drawing read from left to right', async ({ page }) => {
-  await openHtml(page, manual(`<gcode-playground caption="מבחן"><pre>${PROGRAM}</pre></gcode-playground>`).replace('lang="en"', 'lang="he" dir="rtl"'));
+  await openHtml(
+    page,
+    manual(`<gcode-playground caption="מבחן"><pre>${PROGRAM}</pre></gcode-playground>`).replace(
+      'lang="en"',
+      'lang="he" dir="rtl"',
+    ),
+  );
   await settled(page);
   const places = await page.evaluate(() => {
     const root = document.querySelector('gcode-playground')!.shadowRoot!;
@@ -83,7 +119,9 @@ test('in a page that reads from right to left, code and drawing read from left t
   expect(places).toHaveLength('#100=#1+5;'.length);
   expect(places).toEqual([...places].sort((a, b) => a - b));
   const [right, left] = await page.evaluate(async () => {
-    const element = document.querySelector('gcode-playground') as Playground & { locate(x: number, z: number): Promise<{ clientX: number }> };
+    const element = document.querySelector('gcode-playground') as Playground & {
+      locate(x: number, z: number): Promise<{ clientX: number }>;
+    };
     return [(await element.locate(0, 0)).clientX, (await element.locate(0, -20)).clientX];
   });
   expect(right).toBeGreaterThan(left!);
@@ -97,10 +135,15 @@ function brightness(page: BasicPage): Promise<[number, number]> {
     await new Promise((done) => setTimeout(done, 200));
     await element.settled;
     const canvas = element.shadowRoot!.querySelector('canvas')!;
-    const context = Object.assign(document.createElement('canvas'), { width: canvas.width, height: canvas.height }).getContext('2d')!;
+    const context = Object.assign(document.createElement('canvas'), {
+      width: canvas.width,
+      height: canvas.height,
+    }).getContext('2d')!;
     context.drawImage(canvas, 0, 0);
     const { data } = context.getImageData(canvas.width - 3, 3, 1, 1);
-    const ground = getComputedStyle(element.shadowRoot!.querySelector('.frame')!).backgroundColor.match(/[\d.]+/g)!.map(Number);
+    const ground = getComputedStyle(element.shadowRoot!.querySelector('.frame')!)
+      .backgroundColor.match(/[\d.]+/g)!
+      .map(Number);
     return [(data[0]! + data[1]! + data[2]!) / 3, (ground[0]! + ground[1]! + ground[2]!) / 3];
   });
 }
@@ -109,7 +152,10 @@ test('the colours are those of the page around, also when they change', async ({
   const html = `<gcode-playground><pre>${PROGRAM}</pre></gcode-playground>`;
   const expectAll = async (range: 'light' | 'dark'): Promise<void> => {
     const all = await brightness(page);
-    expect(all.every((value) => (range === 'light' ? value > 200 : value < 60)), `${range}: ${all.join()}`).toBe(true);
+    expect(
+      all.every((value) => (range === 'light' ? value > 200 : value < 60)),
+      `${range}: ${all.join()}`,
+    ).toBe(true);
   };
   await openHtml(page, manual(html, '<style>:root.night { color-scheme: dark; background: black; }</style>'));
   await settled(page);
@@ -138,7 +184,9 @@ test('what is in the slot fallback is shown until there is a picture, and withou
     element.remove();
     await import(new URL('../../element.js', location.href).href);
     const first = new Promise<boolean>((done) => {
-      new ResizeObserver(() => done(document.querySelector('[slot=fallback]')!.checkVisibility())).observe(document.querySelector('[slot=fallback]') ?? document.body);
+      new ResizeObserver(() => done(document.querySelector('[slot=fallback]')!.checkVisibility())).observe(
+        document.querySelector('[slot=fallback]') ?? document.body,
+      );
     });
     document.body.append(element);
     Reflect.set(window, 'first', await first);
@@ -149,26 +197,66 @@ test('what is in the slot fallback is shown until there is a picture, and withou
   await expect(page.getByRole('img', { name: /tool path/ })).toBeVisible();
 });
 
-const SCRIPTS = ['<img src=x onerror="window.ran = 1">', '"><script>window.ran = 2</' + 'script>', "javascript:window.ran=3", '</pre><svg onload="window.ran = 4">', '`${window.ran = 5}`'];
+const SCRIPTS = [
+  '<img src=x onerror="window.ran = 1">',
+  '"><script>window.ran = 2</' + 'script>',
+  'javascript:window.ran=3',
+  '</pre><svg onload="window.ran = 4">',
+  '`${window.ran = 5}`',
+];
 
 test('texts that look like scripts run nothing, wherever they stand', { tag: '@night' }, async ({ page }) => {
-  const quoted = (text: string): string => text.replaceAll('&', '&amp;').replaceAll('"', '&quot;').replaceAll('<', '&lt;');
-  const ATTRIBUTES = ['src', 'control', 'setup', 'block-skip', 'program', 'language', 'theme', 'view', 'controls', 'step', 'highlight', 'lines', 'fit', 'turret', 'caption', 'split', 'hints'];
-  const elements = ATTRIBUTES.flatMap((name) => SCRIPTS.map((text) =>
-    `<gcode-playground ${name}="${quoted(text)}" style="--playground-height: 300px"><pre>G00 X1 (${quoted(text)})\n${quoted(text)}</pre></gcode-playground>`));
-  const marked = SCRIPTS.map((text) => `<pre data-gcode-playground data-caption="${quoted(text)}" data-onload="${quoted(text)}" data-onclick="${quoted(text)}" data-srcdoc="${quoted(text)}">${quoted(text)}</pre>`);
+  const quoted = (text: string): string =>
+    text.replaceAll('&', '&amp;').replaceAll('"', '&quot;').replaceAll('<', '&lt;');
+  const ATTRIBUTES = [
+    'src',
+    'control',
+    'setup',
+    'block-skip',
+    'program',
+    'language',
+    'theme',
+    'view',
+    'controls',
+    'step',
+    'highlight',
+    'lines',
+    'fit',
+    'turret',
+    'caption',
+    'split',
+    'hints',
+  ];
+  const elements = ATTRIBUTES.flatMap((name) =>
+    SCRIPTS.map(
+      (text) =>
+        `<gcode-playground ${name}="${quoted(text)}" style="--playground-height: 300px"><pre>G00 X1 (${quoted(text)})\n${quoted(text)}</pre></gcode-playground>`,
+    ),
+  );
+  const marked = SCRIPTS.map(
+    (text) =>
+      `<pre data-gcode-playground data-caption="${quoted(text)}" data-onload="${quoted(text)}" data-onclick="${quoted(text)}" data-srcdoc="${quoted(text)}">${quoted(text)}</pre>`,
+  );
   for (let at = 0; at < elements.length; at += 17) {
     await openHtml(page, manual([...elements.slice(at, at + 17), ...(at === 0 ? marked : [])].join('\n')));
     await page.waitForTimeout(1500);
-    for (const element of await page.locator('gcode-playground').all()) await element.evaluate((element) => element.dispatchEvent(new MouseEvent('click', { bubbles: true })));
+    for (const element of await page.locator('gcode-playground').all())
+      await element.evaluate((element) => element.dispatchEvent(new MouseEvent('click', { bubbles: true })));
     expect(await page.evaluate(() => Reflect.get(window, 'ran') as unknown)).toBe(undefined);
   }
-  await openHtml(page, manual(`<gcode-playground><script type="application/json">{"dialect": {"control": "<img src=x onerror='window.ran = 6'>"}}</script><pre>G00 X1</pre></gcode-playground>`));
+  await openHtml(
+    page,
+    manual(
+      `<gcode-playground><script type="application/json">{"dialect": {"control": "<img src=x onerror='window.ran = 6'>"}}</script><pre>G00 X1</pre></gcode-playground>`,
+    ),
+  );
   await settled(page);
   await expect(page.getByRole('alert')).toContainText('onerror');
   await page.evaluate(async () => {
     const element = document.querySelector('gcode-playground') as Playground & { openFile(file: File): Promise<void> };
-    await element.openFile(new File(['G00 X1 (<img src=x onerror="window.ran = 7">)'], '<img src=x onerror="window.ran = 8">.nc'));
+    await element.openFile(
+      new File(['G00 X1 (<img src=x onerror="window.ran = 7">)'], '<img src=x onerror="window.ran = 8">.nc'),
+    );
   });
   expect(await programOf(page)).toContain('window.ran = 7');
   await page.waitForTimeout(500);
@@ -181,7 +269,15 @@ test('what is stored, and what stands in an address, runs nothing either', { tag
   for (const script of SCRIPTS) {
     await page.goto(FOREIGN);
     await page.evaluate((script) => {
-      const program = { text: `G00 X1 (${script})\n${script}`, example: script, control: script, file: { name: script, encoding: script }, setup: script, blockSkip: script, program: script };
+      const program = {
+        text: `G00 X1 (${script})\n${script}`,
+        example: script,
+        control: script,
+        file: { name: script, encoding: script },
+        setup: script,
+        blockSkip: script,
+        program: script,
+      };
       const kept = {
         [`gcode-playground:program:${location.pathname.replace(/foreign\/.*/, '')}`]: program,
         'gcode-playground:choices': { language: script, theme: script, hints: script, split: script, textSize: script },
@@ -200,8 +296,26 @@ test('what is stored, and what stands in an address, runs nothing either', { tag
     await page.goto(`./#program=${encoded}&setup=${encoded}&language=${encoded}`);
     await settled(page);
     expect(await ran(page)).toBe(undefined);
-    const attributes = ['src', 'control', 'setup', 'view', 'language', 'theme', 'controls', 'step', 'highlight', 'lines', 'caption', 'onload', 'onclick', 'style', 'split'];
-    await page.goto(`./embed/index.html#${attributes.map((name) => `${name}=${encoded}`).join('&')}&program=G00%20X1%20(${encoded})`);
+    const attributes = [
+      'src',
+      'control',
+      'setup',
+      'view',
+      'language',
+      'theme',
+      'controls',
+      'step',
+      'highlight',
+      'lines',
+      'caption',
+      'onload',
+      'onclick',
+      'style',
+      'split',
+    ];
+    await page.goto(
+      `./embed/index.html#${attributes.map((name) => `${name}=${encoded}`).join('&')}&program=G00%20X1%20(${encoded})`,
+    );
     await settled(page);
     expect(await programOf(page)).toContain(script);
     expect(await ran(page)).toBe(undefined);

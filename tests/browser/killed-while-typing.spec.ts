@@ -32,21 +32,42 @@ interface Running {
 }
 
 /** A browser of its own, with a profile that outlives it. */
-async function start(profile: string, { executablePath, args }: { readonly executablePath?: string; readonly args?: readonly string[] }): Promise<Running> {
+async function start(
+  profile: string,
+  { executablePath, args }: { readonly executablePath?: string; readonly args?: readonly string[] },
+): Promise<Running> {
   const port = join(profile, 'DevToolsActivePort');
   await rm(port, { force: true });
-  const options = ['--headless=new', '--remote-debugging-port=0', `--user-data-dir=${profile}`, '--lang=en-US', '--window-size=1280,800', ...(args ?? []), 'about:blank'];
-  const child = spawn(executablePath ?? chromium.executablePath(), options, { detached: true, stdio: 'ignore', env: { ...process.env, LANGUAGE: 'en_US', LANG: 'en_US.UTF-8' } });
+  const options = [
+    '--headless=new',
+    '--remote-debugging-port=0',
+    `--user-data-dir=${profile}`,
+    '--lang=en-US',
+    '--window-size=1280,800',
+    ...(args ?? []),
+    'about:blank',
+  ];
+  const child = spawn(executablePath ?? chromium.executablePath(), options, {
+    detached: true,
+    stdio: 'ignore',
+    env: { ...process.env, LANGUAGE: 'en_US', LANG: 'en_US.UTF-8' },
+  });
   const ended = new Promise<void>((done) => child.once('exit', () => done()));
   let listening = '';
-  await expect.poll(async () => (listening = (await readFile(port, 'utf8').catch(() => '')).split('\n')[0] ?? ''), { timeout: 20_000 }).not.toBe('');
+  await expect
+    .poll(async () => (listening = (await readFile(port, 'utf8').catch(() => '')).split('\n')[0] ?? ''), {
+      timeout: 20_000,
+    })
+    .not.toBe('');
   const browser = await chromium.connectOverCDP(`http://127.0.0.1:${listening}`);
   const [context] = browser.contexts();
   const page = (await context?.newPage()) as ChromiumPage;
   return {
-    browser, page,
+    browser,
+    page,
     kill: async () => {
-      if (child.pid !== undefined && child.exitCode === null && child.signalCode === null) process.kill(-child.pid, 'SIGKILL');
+      if (child.pid !== undefined && child.exitCode === null && child.signalCode === null)
+        process.kill(-child.pid, 'SIGKILL');
       await ended;
       await browser.close().catch(() => undefined);
     },
@@ -71,16 +92,23 @@ async function listCompared(page: ChromiumPage): Promise<void> {
   const dialog = page.getByRole('dialog', { name: 'My programs' });
   await expect(dialog.getByRole('status')).not.toHaveText('');
   await dialog.getByRole('button', { name: 'Close' }).click();
-  await page.locator('gcode-playground').evaluate((element) => (element as unknown as { settled: Promise<number> }).settled);
+  await page
+    .locator('gcode-playground')
+    .evaluate((element) => (element as unknown as { settled: Promise<number> }).settled);
 }
 
 async function openAt(page: ChromiumPage, address: string): Promise<void> {
   await page.goto(address);
   await expect(status(page).filter({ hasText: /\d motions/ })).not.toContainText('…');
-  await page.locator('gcode-playground').evaluate((element) => (element as unknown as { settled: Promise<number> }).settled);
+  await page
+    .locator('gcode-playground')
+    .evaluate((element) => (element as unknown as { settled: Promise<number> }).settled);
 }
 
-test('a tab or a browser that is killed while somebody types loses at most the last second', { tag: '@night' }, async ({ baseURL, launchOptions }) => {
+test('a tab or a browser that is killed while somebody types loses at most the last second', { tag: '@night' }, async ({
+  baseURL,
+  launchOptions,
+}) => {
   test.setTimeout(60_000 + KILLS * 25_000);
   const next = random(20261125);
   const lost: number[] = [];
@@ -118,7 +146,9 @@ test('a tab or a browser that is killed while somebody types loses at most the l
       // Nobody else is there: nothing is a conflict.
       await expect(running.page.locator('#own-news')).toBeEmpty();
       const missing = typed.findIndex(({ text }) => text === there);
-      expect(missing, `after kill ${kill}: what is there was typed once:\n${there.slice(-80)}`).toBeGreaterThanOrEqual(0);
+      expect(missing, `after kill ${kill}: what is there was typed once:\n${there.slice(-80)}`).toBeGreaterThanOrEqual(
+        0,
+      );
       const firstLost = typed[missing + 1];
       lost.push(firstLost === undefined ? 0 : killed - firstLost.at);
       before = there;
@@ -127,6 +157,8 @@ test('a tab or a browser that is killed while somebody types loses at most the l
     await running.kill();
     await rm(profile, { recursive: true, force: true, maxRetries: 5 });
   }
-  console.log(`killed ${KILLS} times: at most ${Math.max(...lost)} ms of typing missing, ${lost.filter((ms) => ms === 0).length} times nothing`);
+  console.log(
+    `killed ${KILLS} times: at most ${Math.max(...lost)} ms of typing missing, ${lost.filter((ms) => ms === 0).length} times nothing`,
+  );
   expect(Math.max(...lost)).toBeLessThanOrEqual(MOST_MISSING);
 });

@@ -49,15 +49,25 @@ test('the controls of the playback bar do not overlap', async ({ page }) => {
   await open(page);
   await page.getByRole('button', { name: 'Next motion' }).click();
   for (const language of ['en', 'zh', 'ru']) {
-    await page.locator('gcode-playground').evaluate((element, language) => element.setAttribute('language', language), language);
+    await page
+      .locator('gcode-playground')
+      .evaluate((element, language) => element.setAttribute('language', language), language);
     for (let width = 740; width <= 1400; width += 60) {
       await page.setViewportSize({ width, height: 800 });
       const overlaps = await page.locator('gcode-playground').evaluate((element) => {
         const bar = element.shadowRoot!.querySelector('.playback')!;
-        const controls = [...bar.querySelectorAll('.buttons > *, .unit, .scrub, .place > *, .view-buttons, .doing, .legend')].filter((control) => control.getClientRects().length > 0);
+        const controls = [
+          ...bar.querySelectorAll('.buttons > *, .unit, .scrub, .place > *, .view-buttons, .doing, .legend'),
+        ].filter((control) => control.getClientRects().length > 0);
         const boxes = controls.map((control) => control.getBoundingClientRect());
-        const share = (a: DOMRect, b: DOMRect): boolean => Math.min(a.right, b.right) - Math.max(a.left, b.left) > 0.5 && Math.min(a.bottom, b.bottom) - Math.max(a.top, b.top) > 0.5;
-        return boxes.flatMap((a, i) => boxes.slice(i + 1).flatMap((b, j) => (share(a, b) ? [`${controls[i]?.className} ${controls[i + 1 + j]?.className}`] : [])));
+        const share = (a: DOMRect, b: DOMRect): boolean =>
+          Math.min(a.right, b.right) - Math.max(a.left, b.left) > 0.5 &&
+          Math.min(a.bottom, b.bottom) - Math.max(a.top, b.top) > 0.5;
+        return boxes.flatMap((a, i) =>
+          boxes
+            .slice(i + 1)
+            .flatMap((b, j) => (share(a, b) ? [`${controls[i]?.className} ${controls[i + 1 + j]?.className}`] : [])),
+        );
       });
       expect(overlaps, `${language}, ${width}`).toEqual([]);
     }
@@ -113,7 +123,9 @@ test('the text of all of the page can be larger, that of the drawing too', async
   await expect.poll(height).toBeLessThan(before * 1.1);
 });
 
-test('a presentation shows program and drawing in large type, and goes on by the keys of a remote control', async ({ page }) => {
+test('a presentation shows program and drawing in large type, and goes on by the keys of a remote control', async ({
+  page,
+}) => {
   await open(page);
   const present = page.getByRole('button', { name: 'Present', exact: true });
   await present.click();

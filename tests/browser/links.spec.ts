@@ -55,7 +55,8 @@ function forged(body: string): string {
   return `#share=1.${body.length + 8}.${body}${(~crc >>> 0).toString(16).padStart(8, '0')}`;
 }
 
-const packedJson = (value: unknown): string => forged(`z${deflateRawSync(JSON.stringify(value)).toString('base64url')}`);
+const packedJson = (value: unknown): string =>
+  forged(`z${deflateRawSync(JSON.stringify(value)).toString('base64url')}`);
 
 test('every stored link opens what it opened when it was stored', async () => {
   const stored = storedLinks();
@@ -69,7 +70,15 @@ test('a link of each program of the tests is at most 300 characters longer than 
     const text = read(join(id, 'program.nc'));
     if (text === null) continue;
     count++;
-    const shared: Shared = { ...NOTHING_SAID, text, setup: read(join(id, 'setup.json')), control: 'fanuc', language: 'ru', step: '12', view: 'playback' };
+    const shared: Shared = {
+      ...NOTHING_SAID,
+      text,
+      setup: read(join(id, 'setup.json')),
+      control: 'fanuc',
+      language: 'ru',
+      step: '12',
+      view: 'playback',
+    };
     const link = await linkOf(shared);
     expect(link.length, id).toBeLessThanOrEqual(300 + text.length);
     expect(await opened(link), id).toEqual(shared);
@@ -83,7 +92,14 @@ test('a link is at most 300 characters longer than any text of the letters of pr
     const length = Math.floor(next() ** 3 * 30_000);
     const letters = '0123456789.-+ABCDFGHIJKLMNOPQRSTUVWXYZ #[]()/=*;%\n';
     const text = Array.from({ length }, () => letters[Math.floor(next() * letters.length)]).join('');
-    const shared = { ...NOTHING_SAID, text, control: 'gsk', language: 'zh', step: 'line 99', setup: round % 2 === 0 ? null : '{"stock":{"diameter":60,"length":80}}' };
+    const shared = {
+      ...NOTHING_SAID,
+      text,
+      control: 'gsk',
+      language: 'zh',
+      step: 'line 99',
+      setup: round % 2 === 0 ? null : '{"stock":{"diameter":60,"length":80}}',
+    };
     const link = await linkOf(shared);
     expect(link.length).toBeLessThanOrEqual(300 + text.length);
     expect((await opened(link)).text).toBe(text);
@@ -104,7 +120,9 @@ test('noise of all of Unicode comes back as it was, and never takes more than fo
 test('an address in plain text comes back as it was', async () => {
   const next = random(13);
   for (let round = 0; round < 200; round++) {
-    const shared = JSON.parse(wellFormed(JSON.stringify(randomShared(next))).replace(/\\ud[89a-f]../g, '\ufffd')) as Shared;
+    const shared = JSON.parse(
+      wellFormed(JSON.stringify(randomShared(next))).replace(/\\ud[89a-f]../g, '\ufffd'),
+    ) as Shared;
     const { text, setup, control, blockSkip, language, view, step, readonly } = shared;
     const said = { text, setup, control, blockSkip, program: null, language, view, step, readonly };
     expect(await opened(`#${writtenLink(said)}`)).toEqual({ ...NOTHING_SAID, ...said });
@@ -114,7 +132,13 @@ test('an address in plain text comes back as it was', async () => {
 test('what mail programs do to a link is no harm: broken lines, a full stop after it', async () => {
   const shared = { ...NOTHING_SAID, text: randomText(random(3), 400) };
   const link = await linkOf(shared);
-  for (const changed of [`${link}.`, `${link}).`, `${link}&utm_source=mail`, link.replace(/(.{70})/g, '$1%0A'), link.replace(/(.{70})/g, '$1 ')]) {
+  for (const changed of [
+    `${link}.`,
+    `${link}).`,
+    `${link}&utm_source=mail`,
+    link.replace(/(.{70})/g, '$1%0A'),
+    link.replace(/(.{70})/g, '$1 '),
+  ]) {
     expect((await opened(changed)).text, changed.slice(-20)).toBe(shared.text);
   }
 });
@@ -129,7 +153,8 @@ test('a link that is cut anywhere says so, and how much is missing', async () =>
       if (missing !== undefined) expect(missing).toBe(link.length - length);
     }
     // Without its mark it is the address of nothing we know.
-    for (let length = 2; length < '#share='.length; length++) expect(await faultOf(link.slice(0, length))).toBe('unknown');
+    for (let length = 2; length < '#share='.length; length++)
+      expect(await faultOf(link.slice(0, length))).toBe('unknown');
   }
 });
 
@@ -148,26 +173,75 @@ test('a link with any one character changed never opens another program', async 
 });
 
 test('a link of a newer version says so, also where this one would not understand it', async () => {
-  for (const hash of ['#share=2.17.anything', '#share=2', '#share=17.%7B%7D', '#share=999999.']) expect(await faultOf(hash), hash).toBe('newer');
+  for (const hash of ['#share=2.17.anything', '#share=2', '#share=17.%7B%7D', '#share=999999.'])
+    expect(await faultOf(hash), hash).toBe('newer');
   // A key that this version does not know is no reason to open half of a link.
   expect(await faultOf(packedJson({ p: 'G0 X1', z: 'new' }))).toBe('damaged');
 });
 
 test('hostile links are refused: wrong types, missing fields, no JSON, no stream, no base64', async () => {
   const bodies: unknown[] = [
-    null, 1, 'G0', [], {}, { p: 1 }, { p: null }, { p: ['G0'] }, { p: 'G0', s: {} }, { p: 'G0', r: true }, { p: 'G0', r: 'x' }, { p: 'G0', c: 'x'.repeat(201) }, { p: 'G0', f: 'name' }, { p: 'G0', e: 'utf-8' },
-    { p: 'G0', q: 'a task without a solution' }, { p: 'G0', a: 7 }, { p: 'G0', n: 7 }, { p: 'G0', n: null }, { p: 'G0', n: ['Anna'] }, { p: 'G0', n: 'x'.repeat(81) }, { p: 'G0', __proto__x: '' }, { p: 'G0', constructor: 'x' }, { s: '{}' },
+    null,
+    1,
+    'G0',
+    [],
+    {},
+    { p: 1 },
+    { p: null },
+    { p: ['G0'] },
+    { p: 'G0', s: {} },
+    { p: 'G0', r: true },
+    { p: 'G0', r: 'x' },
+    { p: 'G0', c: 'x'.repeat(201) },
+    { p: 'G0', f: 'name' },
+    { p: 'G0', e: 'utf-8' },
+    { p: 'G0', q: 'a task without a solution' },
+    { p: 'G0', a: 7 },
+    { p: 'G0', n: 7 },
+    { p: 'G0', n: null },
+    { p: 'G0', n: ['Anna'] },
+    { p: 'G0', n: 'x'.repeat(81) },
+    { p: 'G0', __proto__x: '' },
+    { p: 'G0', constructor: 'x' },
+    { s: '{}' },
   ];
   for (const body of bodies) expect(await faultOf(packedJson(body)), JSON.stringify(body)).toBe('damaged');
-  expect(await faultOf(forged(`z${deflateRawSync('{"p":"G0","__proto__":{"p":"G1"}}').toString('base64url')}`))).toBe('damaged');
-  for (const body of ['z', 'b', 'x', 'q123', 'z!!!!', 'b%%%', `z${Buffer.from('no stream').toString('base64url')}`, `b${Buffer.from('{"p":').toString('base64url')}`, `b${Buffer.from([0xff, 0xfe]).toString('base64url')}`]) {
+  expect(await faultOf(forged(`z${deflateRawSync('{"p":"G0","__proto__":{"p":"G1"}}').toString('base64url')}`))).toBe(
+    'damaged',
+  );
+  for (const body of [
+    'z',
+    'b',
+    'x',
+    'q123',
+    'z!!!!',
+    'b%%%',
+    `z${Buffer.from('no stream').toString('base64url')}`,
+    `b${Buffer.from('{"p":').toString('base64url')}`,
+    `b${Buffer.from([0xff, 0xfe]).toString('base64url')}`,
+  ]) {
     expect(await faultOf(forged(body)), body).toBe('damaged');
   }
-  for (const hash of ['#share=', '#share=x', '#share=-1.', '#share=0.12.b', '#share=1.-5.b', '#share=1.5.bAAAA', '#share=1.999999999999.b', '#share=1.8.b0000000']) expect(await faultOf(hash), hash).not.toBe('none');
+  for (const hash of [
+    '#share=',
+    '#share=x',
+    '#share=-1.',
+    '#share=0.12.b',
+    '#share=1.-5.b',
+    '#share=1.5.bAAAA',
+    '#share=1.999999999999.b',
+    '#share=1.8.b0000000',
+  ])
+    expect(await faultOf(hash), hash).not.toBe('none');
 });
 
 test('a name of 80 characters is read, and comes back as it was', async () => {
-  for (const name of ['Anna', '李'.repeat(80), '<img src=x onerror=alert(1)>', '\u202e\n']) expect(await opened(await linkOf({ ...NOTHING_SAID, text: 'G0 X1', name }))).toEqual({ ...NOTHING_SAID, text: 'G0 X1', name });
+  for (const name of ['Anna', '李'.repeat(80), '<img src=x onerror=alert(1)>', '\u202e\n'])
+    expect(await opened(await linkOf({ ...NOTHING_SAID, text: 'G0 X1', name }))).toEqual({
+      ...NOTHING_SAID,
+      text: 'G0 X1',
+      name,
+    });
   expect((await opened(packedJson({ p: 'G0', n: 'x'.repeat(80) }))).name).toHaveLength(80);
 });
 
@@ -183,13 +257,21 @@ test('no link is made that could not be opened', async () => {
   const next = random(17);
   const noise = Array.from({ length: 1_200_000 }, () => String.fromCharCode(33 + Math.floor(next() * 90))).join('');
   expect(await made({ ...NOTHING_SAID, text: noise })).toMatchObject({ kind: 'too-long', limit: LINK_LIMIT });
-  expect(await made({ ...NOTHING_SAID, text: 'G1 X1\n'.repeat(600_000) })).toMatchObject({ kind: 'too-long', limit: UNPACKED_LIMIT });
+  expect(await made({ ...NOTHING_SAID, text: 'G1 X1\n'.repeat(600_000) })).toMatchObject({
+    kind: 'too-long',
+    limit: UNPACKED_LIMIT,
+  });
   const long = 'G1 X1\n'.repeat(500_000);
   expect((await opened(await linkOf({ ...NOTHING_SAID, text: long }))).text).toBe(long);
 });
 
 test('an address of two million characters is refused without a look at it', async () => {
-  for (const hash of [`#share=1.${'A'.repeat(2_000_000)}`, `#share=1.1999999.z${'A'.repeat(2_000_000)}`, `#program=${'A'.repeat(2_000_000)}`, `#${'%20'.repeat(700_000)}`]) {
+  for (const hash of [
+    `#share=1.${'A'.repeat(2_000_000)}`,
+    `#share=1.1999999.z${'A'.repeat(2_000_000)}`,
+    `#program=${'A'.repeat(2_000_000)}`,
+    `#${'%20'.repeat(700_000)}`,
+  ]) {
     expect(await faultOf(hash)).toBe('too-long');
   }
   const opened = await openedLink(`#share=1.${'A'.repeat(2_000_000)}`);

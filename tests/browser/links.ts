@@ -34,14 +34,27 @@ export function pick<T>(next: Random, from: readonly T[]): T {
   return from[Math.floor(next() * from.length)] as T;
 }
 
-const RANGES = [[32, 126], [32, 126], [32, 126], [1, 31], [0x410, 0x44f], [0x4e00, 0x9fff], [0x1f300, 0x1faff], [0xd800, 0xdfff], [0xa0, 0x2fff]] as const;
+const RANGES = [
+  [32, 126],
+  [32, 126],
+  [32, 126],
+  [1, 31],
+  [0x410, 0x44f],
+  [0x4e00, 0x9fff],
+  [0x1f300, 0x1faff],
+  [0xd800, 0xdfff],
+  [0xa0, 0x2fff],
+] as const;
 
 /** Any Unicode text, halves of pairs and all line ends included. */
 export function randomText(next: Random, length: number): string {
   let text = '';
   while (text.length < length) {
     const [first, last] = pick(next, RANGES);
-    text += next() < 0.1 ? pick(next, ['\n', '\r\n', '\r', '\n\n', '\t', '\0', '\u2028']) : String.fromCodePoint(first + Math.floor(next() * (last - first + 1)));
+    text +=
+      next() < 0.1
+        ? pick(next, ['\n', '\r\n', '\r', '\n\n', '\t', '\0', '\u2028'])
+        : String.fromCodePoint(first + Math.floor(next() * (last - first + 1)));
   }
   return text;
 }
@@ -56,28 +69,68 @@ export function randomShared(next: Random): Shared {
   const maybe = <T>(make: () => T): T | null => (next() < 0.5 ? null : make());
   const any = (most: number): string => randomText(next, Math.floor(next() ** 2 * most));
   return {
-    text: any(2000), setup: maybe(() => any(300)), control: maybe(() => any(20)), blockSkip: maybe(() => any(10)), program: maybe(() => any(10)),
-    language: maybe(() => any(5)), view: maybe(() => any(10)), step: maybe(() => any(10)), readonly: next() < 0.5,
-    file: maybe(() => ({ name: any(40), encoding: any(12) })), task: maybe(() => ({ sentence: any(100), solution: any(2000) })), name: maybe(() => any(80)),
+    text: any(2000),
+    setup: maybe(() => any(300)),
+    control: maybe(() => any(20)),
+    blockSkip: maybe(() => any(10)),
+    program: maybe(() => any(10)),
+    language: maybe(() => any(5)),
+    view: maybe(() => any(10)),
+    step: maybe(() => any(10)),
+    readonly: next() < 0.5,
+    file: maybe(() => ({ name: any(40), encoding: any(12) })),
+    task: maybe(() => ({ sentence: any(100), solution: any(2000) })),
+    name: maybe(() => any(80)),
   };
 }
 
 /** A program that is run and drawn, under a setup of its own. */
 export function randomState(next: Random): Shared {
   const number = (low: number, high: number): string => String(Math.round((low + next() * (high - low)) * 10) / 10);
-  const blocks = Array.from({ length: Math.floor(next() * 12) }, () => pick(next, [
-    () => `G01 X${number(10, 60)} Z-${number(0, 40)} F0.2`, () => `G00 X${number(60, 90)} Z${number(1, 20)}`, () => `G90 X${number(20, 50)} Z-${number(5, 30)} F0.2`,
-    () => `/G01 Z-${number(1, 30)}`, () => `/2 G00 X${number(60, 80)}`, () => `(${wellFormed(randomText(next, 12)).replace(/[()\r\n]/g, '')})`, () => '', () => `G04 X${number(0, 2)}`, () => `#1=${number(1, 9)}`,
-    () => `N${Math.floor(next() * 900)} X${number(20, 60)}`,
-  ])());
-  const text = ['O0001', 'T0101', 'G97 S800 M03', `G00 X${number(60, 70)} Z2`, ...blocks, 'M30', 'O0002', `G00 X${number(40, 50)} Z3`, `G01 Z-${number(2, 9)} F0.1`, 'M30', ''].join(pick(next, ['\n', '\n', '\r\n', '\r']));
+  const blocks = Array.from({ length: Math.floor(next() * 12) }, () =>
+    pick(next, [
+      () => `G01 X${number(10, 60)} Z-${number(0, 40)} F0.2`,
+      () => `G00 X${number(60, 90)} Z${number(1, 20)}`,
+      () => `G90 X${number(20, 50)} Z-${number(5, 30)} F0.2`,
+      () => `/G01 Z-${number(1, 30)}`,
+      () => `/2 G00 X${number(60, 80)}`,
+      () => `(${wellFormed(randomText(next, 12)).replace(/[()\r\n]/g, '')})`,
+      () => '',
+      () => `G04 X${number(0, 2)}`,
+      () => `#1=${number(1, 9)}`,
+      () => `N${Math.floor(next() * 900)} X${number(20, 60)}`,
+    ])(),
+  );
+  const text = [
+    'O0001',
+    'T0101',
+    'G97 S800 M03',
+    `G00 X${number(60, 70)} Z2`,
+    ...blocks,
+    'M30',
+    'O0002',
+    `G00 X${number(40, 50)} Z3`,
+    `G01 Z-${number(2, 9)} F0.1`,
+    'M30',
+    '',
+  ].join(pick(next, ['\n', '\n', '\r\n', '\r']));
   const maybe = <T>(make: () => T): T | null => (next() < 0.5 ? null : make());
   const diameter = number(50, 70);
   return {
     text: next() < 0.03 ? '' : text,
-    setup: maybe(() => `{"stock": {"diameter": ${diameter}, "length": ${number(40, 90)}}${next() < 0.3 ? ', "initial": {"x": 200, "z": 100}' : ''}}`),
-    control: pick(next, ['fanuc', 'gsk', 'forum', null]), blockSkip: maybe(() => pick(next, ['1', '2', '1,2', ''])), program: maybe(() => pick(next, ['1', '2'])),
-    language: pick(next, ['en', 'zh', 'ru']), view: pick(next, [null, null, 'picture', 'playback', 'code']), step: maybe(() => pick(next, ['1', '3', 'line 5'])), readonly: next() < 0.3,
-    file: next() < 0.2 ? { name: `${wellFormed(randomText(next, 8))}.nc`, encoding: 'utf-8' } : null, task: null, name: null,
+    setup: maybe(
+      () =>
+        `{"stock": {"diameter": ${diameter}, "length": ${number(40, 90)}}${next() < 0.3 ? ', "initial": {"x": 200, "z": 100}' : ''}}`,
+    ),
+    control: pick(next, ['fanuc', 'gsk', 'forum', null]),
+    blockSkip: maybe(() => pick(next, ['1', '2', '1,2', ''])),
+    program: maybe(() => pick(next, ['1', '2'])),
+    language: pick(next, ['en', 'zh', 'ru']),
+    view: pick(next, [null, null, 'picture', 'playback', 'code']),
+    step: maybe(() => pick(next, ['1', '3', 'line 5'])),
+    readonly: next() < 0.3,
+    file: next() < 0.2 ? { name: `${wellFormed(randomText(next, 8))}.nc`, encoding: 'utf-8' } : null,
+    task: null,
+    name: null,
   };
 }

@@ -18,7 +18,7 @@ function longProgram(lines: number): string {
   let [x, z, seed] = [100_000, -100_000, 1];
   const step = (): number => {
     seed = (Math.imul(seed, 1_664_525) + 1_013_904_223) >>> 0;
-    return (seed >>> 8) % 1001 - 500;
+    return ((seed >>> 8) % 1001) - 500;
   };
   const held = (value: number, least: number, most: number): number => Math.min(Math.max(value, least), most);
   const list = ['G0 X100. Z-99.', 'G1 X100. Z-100. F200'];
@@ -41,7 +41,8 @@ async function watch(page: ChromiumPage): Promise<void> {
     Reflect.set(window, 'answers', answers);
     const post = Worker.prototype.postMessage;
     Worker.prototype.postMessage = function (this: Worker, message: unknown, ...rest: unknown[]) {
-      const { kind, run, text } = (message as { what?: { kind?: string; run?: number; text?: { kind: string } } }).what ?? {};
+      const { kind, run, text } =
+        (message as { what?: { kind?: string; run?: number; text?: { kind: string } } }).what ?? {};
       const sent = performance.now();
       if (kind === 'run' && text?.kind === 'edit') {
         const heard = ({ data: { event } }: MessageEvent<{ event?: { kind: string; run: number } }>): void => {
@@ -72,76 +73,80 @@ async function longest(page: ChromiumPage): Promise<number> {
   });
 }
 
-test('a million lines are opened, edited, scrolled and looked at without a halt', { tag: '@night' }, async ({ page }, info) => {
-  test.setTimeout(180_000);
-  const path = info.outputPath('long.nc');
-  writeFileSync(path, longProgram(LINES));
-  await watch(page);
-  await open(page);
-  const figures: Record<string, number> = {};
-  const phase = async (name: string, most: number, act: () => Promise<void>): Promise<void> => {
-    await longest(page);
-    const begun = Date.now();
-    await act();
-    const took = Date.now() - begun;
-    figures[name] = await longest(page);
-    console.log(`${name}: longest task ${figures[name] || 'below 50'} ms (took ${took} ms)`);
-    expect.soft(figures[name], name).toBeLessThan(most);
-  };
-  /** Until a text of so many lines has run; after the last line end there is one more. */
-  const ran = async (lines: number): Promise<void> => {
-    await expect(status(page)).toContainText(`${(lines + 1).toLocaleString('en')} lines`, { timeout: 60_000 });
-  };
+test(
+  'a million lines are opened, edited, scrolled and looked at without a halt',
+  { tag: '@night' },
+  async ({ page }, info) => {
+    test.setTimeout(180_000);
+    const path = info.outputPath('long.nc');
+    writeFileSync(path, longProgram(LINES));
+    await watch(page);
+    await open(page);
+    const figures: Record<string, number> = {};
+    const phase = async (name: string, most: number, act: () => Promise<void>): Promise<void> => {
+      await longest(page);
+      const begun = Date.now();
+      await act();
+      const took = Date.now() - begun;
+      figures[name] = await longest(page);
+      console.log(`${name}: longest task ${figures[name] || 'below 50'} ms (took ${took} ms)`);
+      expect.soft(figures[name], name).toBeLessThan(most);
+    };
+    /** Until a text of so many lines has run; after the last line end there is one more. */
+    const ran = async (lines: number): Promise<void> => {
+      await expect(status(page)).toContainText(`${(lines + 1).toLocaleString('en')} lines`, { timeout: 60_000 });
+    };
 
-  await phase('opening', MOST_OPENING, async () => {
-    await page.locator('input[type=file]').setInputFiles(path);
-    await ran(LINES);
-  });
-  await page.waitForTimeout(2000);
+    await phase('opening', MOST_OPENING, async () => {
+      await page.locator('input[type=file]').setInputFiles(path);
+      await ran(LINES);
+    });
+    await page.waitForTimeout(2000);
 
-  for (const [i, [place, key]] of [['start', 'Control+Home'] as const, ['end', 'Control+End'] as const].entries()) {
-    await phase(`going to the ${place}`, MOST, async () => {
-      await editor(page).focus();
-      await page.keyboard.press(key);
-    });
-    await phase(`typing at the ${place}`, MOST, async () => {
-      await page.keyboard.type('G4 P100', { delay: 40 });
-      await page.keyboard.press('Enter');
-      await ran(LINES + i + 1);
-    });
-  }
-  await phase('scrolling', MOST, async () => {
-    await page.locator('.cm-scroller').first().hover();
-    for (let i = 0; i < 20; i++) {
-      await page.mouse.wheel(0, i % 4 === 3 ? -200_000 : 90_000);
-      await page.waitForTimeout(30);
+    for (const [i, [place, key]] of [['start', 'Control+Home'] as const, ['end', 'Control+End'] as const].entries()) {
+      await phase(`going to the ${place}`, MOST, async () => {
+        await editor(page).focus();
+        await page.keyboard.press(key);
+      });
+      await phase(`typing at the ${place}`, MOST, async () => {
+        await page.keyboard.type('G4 P100', { delay: 40 });
+        await page.keyboard.press('Enter');
+        await ran(LINES + i + 1);
+      });
     }
-  });
-  await phase('typing in the middle', MOST, async () => {
-    await page.locator('.cm-content .cm-line').nth(10).click();
-    await page.keyboard.press('End');
-    await page.keyboard.type(' (edited)', { delay: 40 });
-    await page.waitForTimeout(1500);
-  });
-  const answers = await page.evaluate(() => Reflect.get(window, 'answers') as number[]);
-  const median = [...answers].sort((a, b) => a - b)[answers.length >> 1] ?? Infinity;
-  console.log(`from an edit to its report: ${Math.round(median)} ms, the median of ${answers.length}`);
-  expect.soft(median, 'from an edit to its report').toBeLessThan(MOST);
-  await phase('panning', MOST, async () => {
-    const before = await locate(page, 100, -100);
-    await page.mouse.move(before.x, before.y);
-    await page.mouse.down();
-    for (let i = 1; i <= 40; i++) await page.mouse.move(before.x + 3 * i, before.y + i);
-    await page.mouse.up();
-    await expect.poll(async () => (await locate(page, 100, -100)).x).toBeGreaterThan(before.x + 100);
-  });
-  await phase('zooming', MOST, async () => {
-    for (let i = 0; i < 20; i++) await page.mouse.wheel(0, -60);
-    for (let i = 0; i < 20; i++) await page.mouse.wheel(0, 60);
-  });
-  await page.screenshot({ path: info.outputPath('long-program.png') });
-  info.annotations.push({ type: 'longest main-thread tasks, ms', description: JSON.stringify(figures) });
-});
+    await phase('scrolling', MOST, async () => {
+      await page.locator('.cm-scroller').first().hover();
+      for (let i = 0; i < 20; i++) {
+        await page.mouse.wheel(0, i % 4 === 3 ? -200_000 : 90_000);
+        await page.waitForTimeout(30);
+      }
+    });
+    await phase('typing in the middle', MOST, async () => {
+      await page.locator('.cm-content .cm-line').nth(10).click();
+      await page.keyboard.press('End');
+      await page.keyboard.type(' (edited)', { delay: 40 });
+      await page.waitForTimeout(1500);
+    });
+    const answers = await page.evaluate(() => Reflect.get(window, 'answers') as number[]);
+    const median = [...answers].sort((a, b) => a - b)[answers.length >> 1] ?? Infinity;
+    console.log(`from an edit to its report: ${Math.round(median)} ms, the median of ${answers.length}`);
+    expect.soft(median, 'from an edit to its report').toBeLessThan(MOST);
+    await phase('panning', MOST, async () => {
+      const before = await locate(page, 100, -100);
+      await page.mouse.move(before.x, before.y);
+      await page.mouse.down();
+      for (let i = 1; i <= 40; i++) await page.mouse.move(before.x + 3 * i, before.y + i);
+      await page.mouse.up();
+      await expect.poll(async () => (await locate(page, 100, -100)).x).toBeGreaterThan(before.x + 100);
+    });
+    await phase('zooming', MOST, async () => {
+      for (let i = 0; i < 20; i++) await page.mouse.wheel(0, -60);
+      for (let i = 0; i < 20; i++) await page.mouse.wheel(0, 60);
+    });
+    await page.screenshot({ path: info.outputPath('long-program.png') });
+    info.annotations.push({ type: 'longest main-thread tasks, ms', description: JSON.stringify(figures) });
+  },
+);
 
 test('a long run can be stopped, and the next change runs', async ({ page }, info) => {
   await open(page);
@@ -198,7 +203,9 @@ test('a change in every line of a long program is reported on soon', { tag: '@ni
       element.addEventListener('gcode-report', () => Reflect.set(window, 'reported', true), { once: true });
     });
     await act();
-    await expect.poll(() => page.evaluate(() => Reflect.get(window, 'reported') as boolean), { timeout: 30_000 }).toBe(true);
+    await expect
+      .poll(() => page.evaluate(() => Reflect.get(window, 'reported') as boolean), { timeout: 30_000 })
+      .toBe(true);
     await expect(status(page)).toContainText('200,001 lines');
   };
   const last = async (): Promise<string> => (await value(page)).trimEnd().split('\n').at(-1) ?? '';

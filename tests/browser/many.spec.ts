@@ -23,22 +23,25 @@ interface Picture extends HTMLElement {
 /** A page with so many elements, all with the same program. */
 async function openMany(page: ChromiumPage, count: number): Promise<void> {
   await page.goto(FOREIGN);
-  await page.evaluate(async ({ count, text }) => {
-    const elements = Array.from({ length: count }, () => {
-      const element = document.createElement('gcode-playground') as Picture;
-      element.setAttribute('view', 'picture');
-      element.style.height = '300px';
-      element.textContent = text;
-      return element;
-    });
-    document.body.replaceChildren(...elements);
-    const script = document.createElement('script');
-    script.type = 'module';
-    script.src = new URL('../../element.js', location.href).href;
-    document.head.append(script);
-    await customElements.whenDefined('gcode-playground');
-    await Promise.all(elements.map((element) => element.settled));
-  }, { count, text: PROGRAM });
+  await page.evaluate(
+    async ({ count, text }) => {
+      const elements = Array.from({ length: count }, () => {
+        const element = document.createElement('gcode-playground') as Picture;
+        element.setAttribute('view', 'picture');
+        element.style.height = '300px';
+        element.textContent = text;
+        return element;
+      });
+      document.body.replaceChildren(...elements);
+      const script = document.createElement('script');
+      script.type = 'module';
+      script.src = new URL('../../element.js', location.href).href;
+      document.head.append(script);
+      await customElements.whenDefined('gcode-playground');
+      await Promise.all(elements.map((element) => element.settled));
+    },
+    { count, text: PROGRAM },
+  );
 }
 
 /** The width of the canvas of an element, and a number for what it shows: "640: 77". */
@@ -50,29 +53,39 @@ function shown(page: ChromiumPage, which: number): Promise<string> {
     context.drawImage(canvas, 0, 0);
     const { data } = context.getImageData(0, 0, canvas.width, canvas.height);
     let sum = 0;
-    for (let at = 0; at < data.length; at += 4) sum = (sum * 31 + data[at]! * 7 + data[at + 1]! * 3 + data[at + 2]!) % 1_000_003;
+    for (let at = 0; at < data.length; at += 4)
+      sum = (sum * 31 + data[at]! * 7 + data[at + 1]! * 3 + data[at + 2]!) % 1_000_003;
     return `${canvas.width}: ${sum}`;
   }, which);
 }
 
 function put(page: ChromiumPage, which: number, text: string): Promise<void> {
-  return page.evaluate(({ which, text }) => {
-    (document.querySelectorAll('gcode-playground')[which] as Picture).value = text;
-  }, { which, text });
+  return page.evaluate(
+    ({ which, text }) => {
+      (document.querySelectorAll('gcode-playground')[which] as Picture).value = text;
+    },
+    { which, text },
+  );
 }
 
 async function settled(page: ChromiumPage, which: number): Promise<void> {
-  await page.evaluate(async (which) => (document.querySelectorAll('gcode-playground')[which] as Picture).settled, which);
+  await page.evaluate(
+    async (which) => (document.querySelectorAll('gcode-playground')[which] as Picture).settled,
+    which,
+  );
 }
 
 /** The worker does this in the midst of the run of any text that contains `(FAULT)`. */
 async function injectFault(page: ChromiumPage, fault: string): Promise<void> {
-  await runBeforeWorker(page, `
+  await runBeforeWorker(
+    page,
+    `
     let isHit = false;
     self.addEventListener('message', ({ data }) => { if (JSON.stringify(data?.what ?? '').includes('(FAULT)')) isHit = true; });
     const now = performance.now.bind(performance);
     performance.now = () => { if (isHit) { isHit = false; ${fault} } return now(); };
-  `);
+  `,
+  );
 }
 
 test('thirty elements have one worker, and ask for each file once', async ({ page }) => {
@@ -91,7 +104,11 @@ test('thirty elements have one worker, and ask for each file once', async ({ pag
 
 test('pictures far from the view are kept small, and are whole again when the reader comes', async ({ page }) => {
   await openMany(page, 12);
-  const width = (which: number): Promise<number> => page.evaluate((which) => document.querySelectorAll('gcode-playground')[which]!.shadowRoot!.querySelector('canvas')!.width, which);
+  const width = (which: number): Promise<number> =>
+    page.evaluate(
+      (which) => document.querySelectorAll('gcode-playground')[which]!.shadowRoot!.querySelector('canvas')!.width,
+      which,
+    );
   const whole = await width(0);
   const picture = await shown(page, 0);
   await expect.poll(() => width(11)).toBe(Math.ceil(whole / 2));
@@ -116,7 +133,9 @@ for (const { fault, does, says } of [
   { fault: 'hangs', does: 'for (;;);', says: 'The run took too long' },
   { fault: 'fails', does: "throw new Error('a fault');", says: 'The interpreter failed' },
 ]) {
-  test(`a program that ${fault} leaves its neighbours their pictures`, { tag: fault === 'hangs' ? '@night' : [] }, async ({ page }) => {
+  test(`a program that ${fault} leaves its neighbours their pictures`, {
+    tag: fault === 'hangs' ? '@night' : [],
+  }, async ({ page }) => {
     await injectFault(page, does);
     await openMany(page, 3);
     const before = await shown(page, 0);
@@ -142,7 +161,8 @@ for (const { fault, does, says } of [
 }
 
 /** As the reference has it. */
-const KEEPS_THE_PLACE = '<style>@media (scripting: enabled) { gcode-playground { display: block; height: 24rem; overflow: auto; } }</style>';
+const KEEPS_THE_PLACE =
+  '<style>@media (scripting: enabled) { gcode-playground { display: block; height: 24rem; overflow: auto; } }</style>';
 
 const ASKS_EARLY = '<link rel="preload" as="fetch" type="application/wasm" crossorigin href="embed/core.wasm">';
 
@@ -151,18 +171,26 @@ async function manual(page: ChromiumPage, count: number, attributes: string, act
   const element = `<p>${'Words. '.repeat(60)}</p>\n<gcode-playground view="picture" ${attributes}>\n${PROGRAM}\n</gcode-playground>\n`;
   const html = `<!DOCTYPE html><html lang="en"><head><title>A manual</title>${KEEPS_THE_PLACE}${ASKS_EARLY}
     <script type="module" src="/embed/element.js"></script></head><body>${element.repeat(count)}</body></html>`;
-  const site = await serve(FILES, () => ({ filesAt: '/embed/', fileHeaders: { 'cache-control': 'no-cache' }, pages: { '/index.html': html } }));
+  const site = await serve(FILES, () => ({
+    filesAt: '/embed/',
+    fileHeaders: { 'cache-control': 'no-cache' },
+    pages: { '/index.html': html },
+  }));
   await page.addInitScript(() => {
     Object.assign(window, { shift: 0 });
     new PerformanceObserver((list) => {
-      for (const entry of list.getEntries()) (window as unknown as { shift: number }).shift += (entry as unknown as { value: number }).value;
+      for (const entry of list.getEntries())
+        (window as unknown as { shift: number }).shift += (entry as unknown as { value: number }).value;
     }).observe({ type: 'layout-shift', buffered: true });
   });
   try {
     await page.goto(`${site.origin}/index.html`);
     await act();
     const asked = site.asked.filter((path) => path.startsWith('/embed/'));
-    expect(asked.filter((path, at) => asked.indexOf(path) !== at), 'asked for twice').toEqual([]);
+    expect(
+      asked.filter((path, at) => asked.indexOf(path) !== at),
+      'asked for twice',
+    ).toEqual([]);
   } finally {
     await site.close();
   }
@@ -170,7 +198,12 @@ async function manual(page: ChromiumPage, count: number, attributes: string, act
 
 /** How many elements have a picture. */
 function drawn(page: ChromiumPage): Promise<number> {
-  return page.evaluate(() => [...document.querySelectorAll('gcode-playground')].filter((element) => element.shadowRoot?.querySelector('[part=fallback][hidden]')).length);
+  return page.evaluate(
+    () =>
+      [...document.querySelectorAll('gcode-playground')].filter((element) =>
+        element.shadowRoot?.querySelector('[part=fallback][hidden]'),
+      ).length,
+  );
 }
 
 test('the reference says how a page keeps the place of an element, and asks early for what the picture needs', () => {
@@ -184,9 +217,24 @@ test('elements start as they come near the view, and nothing on the page moves',
     await page.waitForTimeout(500);
     const first = await drawn(page);
     expect(first).toBeLessThan(10);
-    expect(await page.evaluate(() => customElements.whenDefined('gcode-playground').then(() => (document.querySelector('gcode-playground:last-of-type') as Picture).value))).toBe(PROGRAM.trim());
+    expect(
+      await page.evaluate(() =>
+        customElements
+          .whenDefined('gcode-playground')
+          .then(() => (document.querySelector('gcode-playground:last-of-type') as Picture).value),
+      ),
+    ).toBe(PROGRAM.trim());
     await page.evaluate(() => document.querySelector('gcode-playground:last-of-type')!.scrollIntoView());
-    await expect.poll(() => page.evaluate(() => document.querySelector('gcode-playground:last-of-type')!.shadowRoot!.querySelector('[part=fallback][hidden]') !== null)).toBe(true);
+    await expect
+      .poll(() =>
+        page.evaluate(
+          () =>
+            document
+              .querySelector('gcode-playground:last-of-type')!
+              .shadowRoot!.querySelector('[part=fallback][hidden]') !== null,
+        ),
+      )
+      .toBe(true);
     expect(await drawn(page)).toBeLessThan(20);
     expect(page.workers().length).toBe(1);
     expect(await page.evaluate(() => (window as unknown as { shift: number }).shift)).toBe(0);

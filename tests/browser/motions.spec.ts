@@ -63,7 +63,10 @@ test('the row follows the tool, and a row that is clicked puts the tool there', 
 
 test('of a long program only the rows around the tool are on the page', async ({ page }) => {
   await open(page);
-  const lines = Array.from({ length: 5000 }, (_, at) => `G1 X${(20 + (at % 50) / 10).toFixed(1)} Z${(-at / 100).toFixed(2)}`);
+  const lines = Array.from(
+    { length: 5000 },
+    (_, at) => `G1 X${(20 + (at % 50) / 10).toFixed(1)} Z${(-at / 100).toFixed(2)}`,
+  );
   await load(page, `G99 M3 S800 T0101\nG0 X30 Z2\nG1 F0.2\n${lines.join('\n')}\nM30\n`, '5,001');
   await button(page).click();
   await expect(table(page).getByRole('row').nth(1)).toBeFocused();

@@ -3,8 +3,22 @@ import { expect, test, type BasicPage, type Locator } from './engines';
 import { atCursor, editor, goTo, open, runAgain, selected, type } from './page';
 
 const CONTOUR = [
-  'O1000 (SHAFT)', '(ROUGHING)', 'N1 T0101', 'G96 S180 M03', 'G00 X62 Z2', 'G71 U2 R1', 'G71 P10 Q20 U0.4 W0.1 F0.25', 'N10 G00 X30', 'G01 Z-20', 'N20 X62',
-  '(FINISHING)', 'T0303', 'G70 P10 Q20 F0.1', '#101=5', 'G00 X[#101+95] Z100', 'M30',
+  'O1000 (SHAFT)',
+  '(ROUGHING)',
+  'N1 T0101',
+  'G96 S180 M03',
+  'G00 X62 Z2',
+  'G71 U2 R1',
+  'G71 P10 Q20 U0.4 W0.1 F0.25',
+  'N10 G00 X30',
+  'G01 Z-20',
+  'N20 X62',
+  '(FINISHING)',
+  'T0303',
+  'G70 P10 Q20 F0.1',
+  '#101=5',
+  'G00 X[#101+95] Z100',
+  'M30',
 ].join('\n');
 
 const used = (page: BasicPage): Locator => page.locator('.cm-used-number');
@@ -55,8 +69,14 @@ test('a button that is pressed while the program runs once more does what it say
   await type(page, CONTOUR);
   await goTo(page, 8, 2);
   await page.keyboard.press('F1');
-  const [place, since] = [atCursor(page).locator('.uses').getByRole('button', { name: /13/ }), atCursor(page).getByRole('button', { name: 'To line 4', exact: true }).first()];
-  for (const [line, button, block] of [[8, place, 'G70 P10 Q20'], [13, since, 'G96 S180 M03']] as const) {
+  const [place, since] = [
+    atCursor(page).locator('.uses').getByRole('button', { name: /13/ }),
+    atCursor(page).getByRole('button', { name: 'To line 4', exact: true }).first(),
+  ];
+  for (const [line, button, block] of [
+    [8, place, 'G70 P10 Q20'],
+    [13, since, 'G96 S180 M03'],
+  ] as const) {
     await expect(atCursor(page)).toContainText(`The control before and after line ${line}`);
     await button.scrollIntoViewIfNeeded();
     const box = (await button.boundingBox())!;
@@ -103,14 +123,18 @@ for (const locale of ['en', 'zh', 'ru'] as const) {
 test('the outline is a button, too, and says when nothing is found', async ({ page }) => {
   await open(page);
   await type(page, CONTOUR);
-  await atCursor(page).getByRole('button', { name: /^Outline/ }).click();
+  await atCursor(page)
+    .getByRole('button', { name: /^Outline/ })
+    .click();
   const dialog = page.getByRole('dialog', { name: OUTLINE.en });
   await expect(dialog).toBeVisible();
   await page.keyboard.insertText('nowhere');
   await expect(dialog).toContainText('No entry holds these words.');
   await page.keyboard.press('Escape');
   await type(page, 'G00 X20 Z5');
-  await atCursor(page).getByRole('button', { name: /^Outline/ }).click();
+  await atCursor(page)
+    .getByRole('button', { name: /^Outline/ })
+    .click();
   await expect(dialog).toContainText('There is nothing to list');
 });
 

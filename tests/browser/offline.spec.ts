@@ -88,7 +88,15 @@ test('after the first visit everything works without a network', async ({ page }
   await test.step('pages of rules, with their pictures', async () => {
     await page.goto(`${site.address}rules/ru/absolute-and-incremental.html`);
     await expect(page.getByRole('heading', { level: 1 })).toBeVisible();
-    await expect.poll(() => page.evaluate(() => [...document.images].every(({ complete, naturalWidth }) => complete && naturalWidth > 0) && document.images.length)).toBeGreaterThan(0);
+    await expect
+      .poll(() =>
+        page.evaluate(
+          () =>
+            [...document.images].every(({ complete, naturalWidth }) => complete && naturalWidth > 0) &&
+            document.images.length,
+        ),
+      )
+      .toBeGreaterThan(0);
     await page.goto(`${site.address}rules/zh/`);
     await expect(page.getByRole('heading', { level: 1 })).toBeVisible();
   });
@@ -114,7 +122,13 @@ test('a newer version is announced, and comes when the reader wants it', async (
   await type(page, 'G00 X50 Z2\nG01 X40 Z-30 F0.2\nM30\n');
 
   await page.getByRole('button', { name: 'Reload', exact: true }).click();
-  await expect.poll(() => page.evaluate(() => document.querySelector('meta[name=build]')?.getAttribute('content') ?? '').catch(() => ''), { timeout: 30_000 }).toBe('next');
+  await expect
+    .poll(
+      () =>
+        page.evaluate(() => document.querySelector('meta[name=build]')?.getAttribute('content') ?? '').catch(() => ''),
+      { timeout: 30_000 },
+    )
+    .toBe('next');
   await expect(status(page)).toContainText('2 motions');
   expect(await value(page)).toContain('X40 Z-30');
   await expect(news(page)).toHaveCount(0);
@@ -152,7 +166,12 @@ test('a page that is not stored says what is missing, and tries again', async ({
 
 test('opened from a disk the page says what to do instead', async ({ page }) => {
   await page.goto(`file://${join(DIST, 'index.html')}`);
-  for (const text of ['From a disk a browser loads no part of this page.', '直接从磁盘打开时', 'С диска браузер эту страницу не загружает.']) await expect(page.getByText(text)).toBeVisible();
+  for (const text of [
+    'From a disk a browser loads no part of this page.',
+    '直接从磁盘打开时',
+    'С диска браузер эту страницу не загружает.',
+  ])
+    await expect(page.getByText(text)).toBeVisible();
   await expect(page.getByText('python3 -m http.server 8000 --bind 127.0.0.1').first()).toContainText(`cd "${DIST}/"`);
   await expect(page.getByRole('combobox')).toHaveCount(0);
 });

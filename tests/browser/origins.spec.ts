@@ -17,12 +17,16 @@ function snippet(document: string, begin: string, end: string): string {
   const lines = readFileSync(join(__dirname, '..', '..', document), 'utf8').split('\n');
   const first = lines.findIndex((line) => line.trim().startsWith(begin));
   const last = lines.findIndex((line, at) => at >= first && line.trim() === end);
-  return lines.slice(first, last + 1).map((line) => line.slice(4)).join('\n');
+  return lines
+    .slice(first, last + 1)
+    .map((line) => line.slice(4))
+    .join('\n');
 }
 
 /** A host of the element's files. */
 async function host(page: ChromiumPage, origin: string): Promise<void> {
-  const version = /version = "([^"]+)"/.exec(readFileSync(join(__dirname, '..', '..', 'Cargo.toml'), 'utf8'))?.[1] ?? '';
+  const version =
+    /version = "([^"]+)"/.exec(readFileSync(join(__dirname, '..', '..', 'Cargo.toml'), 'utf8'))?.[1] ?? '';
   await page.route(`${origin}/**`, async (route) => {
     const path = new URL(route.request().url()).pathname.replace(`/embed/${version}/`, '');
     await route.fulfill({ path: join(FILES, version, path), headers: CORS });
@@ -31,12 +35,20 @@ async function host(page: ChromiumPage, origin: string): Promise<void> {
 
 test("README's snippet, unchanged, in a page of another origin", async ({ page }) => {
   await host(page, 'https://playground.example');
-  const site = await serve(FILES, () => ({ pages: { '/index.html': `<!DOCTYPE html><html lang="en"><head><title>A manual</title></head><body>\n${snippet('README.md', '<script type="module"', '</gcode-playground>')}\n</body></html>` } }));
+  const site = await serve(FILES, () => ({
+    pages: {
+      '/index.html': `<!DOCTYPE html><html lang="en"><head><title>A manual</title></head><body>\n${snippet('README.md', '<script type="module"', '</gcode-playground>')}\n</body></html>`,
+    },
+  }));
   try {
     await page.goto(`${site.origin}/index.html`);
     const motions = await page.evaluate(async () => {
       const element = document.querySelector('gcode-playground')!;
-      return new Promise<number>((resolve) => element.addEventListener('gcode-report', (event) => resolve((event as CustomEvent<{ summary: { motions: number } }>).detail.summary.motions)));
+      return new Promise<number>((resolve) =>
+        element.addEventListener('gcode-report', (event) =>
+          resolve((event as CustomEvent<{ summary: { motions: number } }>).detail.summary.motions),
+        ),
+      );
     });
     expect(motions).toBe(10);
   } finally {
@@ -46,14 +58,20 @@ test("README's snippet, unchanged, in a page of another origin", async ({ page }
 
 test('the frame of the recipe, unchanged, shows its program', async ({ page }) => {
   await host(page, 'https://example.org');
-  const site = await serve(FILES, () => ({ pages: { '/index.html': `<!DOCTYPE html><html lang="en"><head><title>A lesson</title></head><body>\n${snippet('www/docs/manuals.md', '<iframe', '</iframe>')}\n</body></html>` } }));
+  const site = await serve(FILES, () => ({
+    pages: {
+      '/index.html': `<!DOCTYPE html><html lang="en"><head><title>A lesson</title></head><body>\n${snippet('www/docs/manuals.md', '<iframe', '</iframe>')}\n</body></html>`,
+    },
+  }));
   try {
     await page.goto(`${site.origin}/index.html`);
     const element = page.frameLocator('iframe').locator('gcode-playground');
-    const [height, value, view] = await element.evaluate(async (element: HTMLElement & { value: string; settled: Promise<number> }) => {
-      await element.settled;
-      return [element.getBoundingClientRect().height, element.value, element.getAttribute('view')];
-    });
+    const [height, value, view] = await element.evaluate(
+      async (element: HTMLElement & { value: string; settled: Promise<number> }) => {
+        await element.settled;
+        return [element.getBoundingClientRect().height, element.value, element.getAttribute('view')];
+      },
+    );
     expect([height, view]).toEqual([400, 'playback']);
     expect(value).toBe('O0001\nT0101\nG97 S800 M03\nG00 X42 Z2\nG90 X36 Z-20 F0.2\nM30');
     await expect(page.frameLocator('iframe').getByRole('img', { name: /[1-9]\d* motions/ })).toBeVisible();
@@ -61,16 +79,24 @@ test('the frame of the recipe, unchanged, shows its program', async ({ page }) =
       const frame = document.querySelector('iframe')!;
       frame.src = frame.src.replace('X36', 'X38').replace('view=playback', 'view=picture&readonly');
     });
-    await expect.poll(() => element.evaluate((element: HTMLElement & { value: string }) => element.value)).toContain('X38');
+    await expect
+      .poll(() => element.evaluate((element: HTMLElement & { value: string }) => element.value))
+      .toContain('X38');
     await expect(element).toHaveAttribute('view', 'picture');
   } finally {
     await site.close();
   }
 });
 
-test('whatever a reader does, nothing is asked of any host but those of the page and of the element', { tag: '@night' }, async ({ page, context }) => {
+test('whatever a reader does, nothing is asked of any host but those of the page and of the element', {
+  tag: '@night',
+}, async ({ page, context }) => {
   const other = await serve(FILES, () => ({ filesAt: '/embed/', fileHeaders: CORS }));
-  const own = await serve(FILES, () => ({ pages: { '/index.html': `<!DOCTYPE html><html lang="en"><head><title>A manual</title><script type="module" src="${other.origin}/embed/element.js"></script></head><body><gcode-playground>${program(ID)}</gcode-playground></body></html>` } }));
+  const own = await serve(FILES, () => ({
+    pages: {
+      '/index.html': `<!DOCTYPE html><html lang="en"><head><title>A manual</title><script type="module" src="${other.origin}/embed/element.js"></script></head><body><gcode-playground>${program(ID)}</gcode-playground></body></html>`,
+    },
+  }));
   const asked = new Set<string>();
   context.on('request', (request) => asked.add(new URL(request.url()).origin));
   try {
@@ -86,7 +112,9 @@ test('whatever a reader does, nothing is asked of any host but those of the page
       });
     }
     await page.waitForTimeout(500);
-    expect([...asked].filter((origin) => origin !== own.origin && origin !== other.origin && origin !== 'null')).toEqual([]);
+    expect(
+      [...asked].filter((origin) => origin !== own.origin && origin !== other.origin && origin !== 'null'),
+    ).toEqual([]);
     expect([...asked]).toContain(other.origin);
   } finally {
     await own.close();
@@ -95,13 +123,20 @@ test('whatever a reader does, nothing is asked of any host but those of the page
 });
 
 test('a host of the recipe gives its leave to all; where a host does not, the frame says so', async ({ page }) => {
-  const server = snippet('www/docs/manuals.md', 'from http.server', 'test(Handler, port=8000)').replace('port=8000', 'port=0, bind="127.0.0.1"');
+  const server = snippet('www/docs/manuals.md', 'from http.server', 'test(Handler, port=8000)').replace(
+    'port=8000',
+    'port=0, bind="127.0.0.1"',
+  );
   const python = spawn('python3', ['-u', '-c', server], { cwd: FILES, stdio: ['ignore', 'pipe', 'ignore'] });
   try {
     const said = await new Promise<string>((done) => python.stdout.on('data', (data: Buffer) => done(String(data))));
     const port = /port (\d+)/.exec(said)?.[1] ?? '';
-    const frame = (origin: string): string => `<!DOCTYPE html><iframe sandbox="allow-scripts" width="600" height="400" src="${origin}/index.html#view=picture&amp;program=G00%20X50%20Z2"></iframe>`;
-    const own = await serve(FILES, (origin) => ({ pages: { '/with.html': frame(`http://127.0.0.1:${port}`), '/without.html': frame(`${origin}/embed`) }, filesAt: '/embed/' }));
+    const frame = (origin: string): string =>
+      `<!DOCTYPE html><iframe sandbox="allow-scripts" width="600" height="400" src="${origin}/index.html#view=picture&amp;program=G00%20X50%20Z2"></iframe>`;
+    const own = await serve(FILES, (origin) => ({
+      pages: { '/with.html': frame(`http://127.0.0.1:${port}`), '/without.html': frame(`${origin}/embed`) },
+      filesAt: '/embed/',
+    }));
     try {
       await page.goto(`${own.origin}/with.html`);
       await expect(page.frameLocator('iframe').getByRole('img', { name: /motions/ })).toBeVisible();

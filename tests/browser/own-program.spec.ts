@@ -10,7 +10,10 @@ const EXAMPLE = 's000-o0002';
 /** How the program is run, as the element has it. */
 const context = (page: Page): Promise<Record<string, string | null>> =>
   page.locator('gcode-playground').evaluate((element) => {
-    const { control, setup, blockSkip, program, origin } = element as unknown as Record<'control' | 'setup' | 'blockSkip' | 'program' | 'origin', string | null>;
+    const { control, setup, blockSkip, program, origin } = element as unknown as Record<
+      'control' | 'setup' | 'blockSkip' | 'program' | 'origin',
+      string | null
+    >;
     return { control, setup, blockSkip, program, origin };
   });
 
@@ -52,11 +55,14 @@ test('a text over everything is a program of its own, and one undo brings back t
 
   const ways: readonly (readonly [string, () => Promise<unknown>])[] = [
     ['pasted', () => pasteOver(page, OWN)],
-    ['typed', async () => {
-      await editor(page).focus();
-      await page.keyboard.press('Control+A');
-      await page.keyboard.insertText(OWN);
-    }],
+    [
+      'typed',
+      async () => {
+        await editor(page).focus();
+        await page.keyboard.press('Control+A');
+        await page.keyboard.insertText(OWN);
+      },
+    ],
     ['opened', () => openFile(page, 'own.nc', Buffer.from(OWN))],
   ];
   for (const [how, act] of ways) {
@@ -120,16 +126,20 @@ test('an edit, and a text that keeps most of the program, leave its context', as
 test('a text that the page sets leaves what the page says of it', async ({ page }) => {
   await open(page, `#${EXAMPLE}`);
   const before = await context(page);
-  await page.locator('gcode-playground').evaluate((element, text) => void ((element as unknown as { value: string }).value = text), OWN);
+  await page
+    .locator('gcode-playground')
+    .evaluate((element, text) => void ((element as unknown as { value: string }).value = text), OWN);
   await expect.poll(() => value(page)).toBe(OWN);
   expect(await context(page)).toEqual(before);
 });
 
 test('the text it has already, set again after each key, leaves cursor and history', async ({ page }) => {
   await open(page, `#${EXAMPLE}`);
-  await page.locator('gcode-playground').evaluate((element) => element.addEventListener('gcode-change', (event) => {
-    (element as unknown as { value: string }).value = (event as CustomEvent<{ value: string }>).detail.value;
-  }));
+  await page.locator('gcode-playground').evaluate((element) =>
+    element.addEventListener('gcode-change', (event) => {
+      (element as unknown as { value: string }).value = (event as CustomEvent<{ value: string }>).detail.value;
+    }),
+  );
   await editor(page).focus();
   await page.keyboard.press('Control+End');
   await page.keyboard.type('(HELLO)');

@@ -13,11 +13,14 @@ let storage: typeof Storage;
 
 test.beforeAll(async () => {
   const items = new Map<string, string>();
-  const localStorage = new Proxy({
-    getItem: (key: string) => items.get(key) ?? null,
-    setItem: (key: string, value: string) => void items.set(key, value),
-    removeItem: (key: string) => void items.delete(key),
-  }, { ownKeys: () => [...items.keys()], getOwnPropertyDescriptor: () => ({ enumerable: true, configurable: true }) });
+  const localStorage = new Proxy(
+    {
+      getItem: (key: string) => items.get(key) ?? null,
+      setItem: (key: string, value: string) => void items.set(key, value),
+      removeItem: (key: string) => void items.delete(key),
+    },
+    { ownKeys: () => [...items.keys()], getOwnPropertyDescriptor: () => ({ enumerable: true, configurable: true }) },
+  );
   Object.assign(globalThis, { location: { pathname: '/' }, localStorage });
   storage = await import('../../www/src/page/storage');
   rules = await import('../../www/src/page/own-programs');
@@ -53,12 +56,23 @@ test('there are never more than a hundred, nor more than so many characters, and
 test('a text becomes a state when the last one is a quarter of a minute old', () => {
   expect(rules.isWorthAState([], NOW)).toBe(true);
   expect(rules.isWorthAState([{ time: NOW - 14 * SECOND, length: 1 }], NOW)).toBe(false);
-  expect(rules.isWorthAState([{ time: NOW - 15 * SECOND, length: 1 }, { time: NOW - DAY, length: 1 }], NOW)).toBe(true);
+  expect(
+    rules.isWorthAState(
+      [
+        { time: NOW - 15 * SECOND, length: 1 },
+        { time: NOW - DAY, length: 1 },
+      ],
+      NOW,
+    ),
+  ).toBe(true);
 });
 
 test('a program is called after its file, its example, its number and comment, or its first line', () => {
   const name = (text: string, file?: string, title?: string) =>
-    rules.nameOf({ ...PROGRAM, text, ...(file === undefined ? {} : { file: { name: file, encoding: 'utf-8' } }) }, title);
+    rules.nameOf(
+      { ...PROGRAM, text, ...(file === undefined ? {} : { file: { name: file, encoding: 'utf-8' } }) },
+      title,
+    );
   expect(name('O0011 (SHAFT)\nG0', 'part.nc', 'Example')).toBe('part.nc');
   expect(name('O0011 (SHAFT)\nG0', undefined, 'Turning')).toBe('Turning');
   expect(name('%\nO0011 (SHAFT)\nG0')).toBe('O0011 SHAFT');
@@ -74,9 +88,17 @@ const ANY: readonly unknown[] = [undefined, null, true, 0, -1, 1e300, NaN, '', '
 
 test('each stored value of each type is read without a fault, and nothing of a wrong type comes out', () => {
   for (const of of ANY) {
-    for (const key of ['gcode-playground:choices', 'gcode-playground:last:/', 'gcode-playground:program:/', 'gcode-playground:journal:/:0123456789abcdef:0123456789abcdef']) {
+    for (const key of [
+      'gcode-playground:choices',
+      'gcode-playground:last:/',
+      'gcode-playground:program:/',
+      'gcode-playground:journal:/:0123456789abcdef:0123456789abcdef',
+    ]) {
       localStorage.setItem(key, JSON.stringify(of) ?? 'undefined');
-      expect(() => [storage.choices(), storage.lastEntry(), storage.journal()], `${key} ${JSON.stringify(of)}`).not.toThrow();
+      expect(
+        () => [storage.choices(), storage.lastEntry(), storage.journal()],
+        `${key} ${JSON.stringify(of)}`,
+      ).not.toThrow();
     }
     for (const field of ['language', 'theme', 'hints', 'split', 'textSize']) {
       localStorage.setItem('gcode-playground:choices', JSON.stringify({ [field]: of }));
@@ -84,15 +106,46 @@ test('each stored value of each type is read without a fault, and nothing of a w
     }
     for (const field of ['text', 'example', 'control', 'file', 'setup', 'blockSkip', 'program']) {
       const read = storage.programIn({ ...PROGRAM, [field]: of });
-      for (const [name, value] of Object.entries(read ?? {})) expect(typeof value, `${name} of ${JSON.stringify(of)}`).toBe(name === 'file' ? 'object' : 'string');
+      for (const [name, value] of Object.entries(read ?? {}))
+        expect(typeof value, `${name} of ${JSON.stringify(of)}`).toBe(name === 'file' ? 'object' : 'string');
     }
-    for (const field of ['id', 'name', 'namedBy', 'created', 'changed', 'revision', 'tab', 'seen', 'length', 'words', 'picture']) {
+    for (const field of [
+      'id',
+      'name',
+      'namedBy',
+      'created',
+      'changed',
+      'revision',
+      'tab',
+      'seen',
+      'length',
+      'words',
+      'picture',
+    ]) {
       const read = rules.listedIn({ id: '0123456789abcdef', [field]: of });
-      for (const [name, value] of Object.entries(read ?? {})) expect(typeof value).toBe(['id', 'name', 'namedBy', 'tab', 'words'].includes(name) ? 'string' : name === 'picture' || name === 'seen' ? 'object' : 'number');
+      for (const [name, value] of Object.entries(read ?? {}))
+        expect(typeof value).toBe(
+          ['id', 'name', 'namedBy', 'tab', 'words'].includes(name)
+            ? 'string'
+            : name === 'picture' || name === 'seen'
+              ? 'object'
+              : 'number',
+        );
     }
     for (const field of ['id', 'name', 'namedBy', 'created', 'changed', 'program', 'states']) {
-      const filed = { id: '0123456789abcdef', name: 'a', namedBy: 'program', created: 1, changed: 1, program: PROGRAM, states: [{ time: 1, program: PROGRAM }], [field]: of };
-      const read = rules.readFile(JSON.stringify({ format: 'gcode-playground programs', version: 1, programs: [filed] }));
+      const filed = {
+        id: '0123456789abcdef',
+        name: 'a',
+        namedBy: 'program',
+        created: 1,
+        changed: 1,
+        program: PROGRAM,
+        states: [{ time: 1, program: PROGRAM }],
+        [field]: of,
+      };
+      const read = rules.readFile(
+        JSON.stringify({ format: 'gcode-playground programs', version: 1, programs: [filed] }),
+      );
       expect(read.kind).toBe('programs');
     }
     expect(rules.readFile(JSON.stringify(of) ?? '').kind).toBe('another-format');
@@ -100,7 +153,15 @@ test('each stored value of each type is read without a fault, and nothing of a w
 });
 
 test('a program of a file goes beside one of the same id with another text', () => {
-  const filed = { id: '0123456789abcdef', name: 'a', namedBy: 'program', created: 1, changed: 1, program: PROGRAM, states: [] } as const;
+  const filed = {
+    id: '0123456789abcdef',
+    name: 'a',
+    namedBy: 'program',
+    created: 1,
+    changed: 1,
+    program: PROGRAM,
+    states: [],
+  } as const;
   expect(rules.importAs(filed, undefined)).toBe('new');
   expect(rules.importAs(filed, { ...PROGRAM })).toBe('there-already');
   expect(rules.importAs(filed, { ...PROGRAM, control: 'gsk' })).toBe('beside');

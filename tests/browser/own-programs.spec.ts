@@ -22,16 +22,21 @@ async function close(page: BasicPage): Promise<void> {
 }
 
 async function act(page: BasicPage, name: string, what: string): Promise<void> {
-  await list(page).getByRole('button', { name: `What can be done with ${name}`, exact: true }).click();
+  await list(page)
+    .getByRole('button', { name: `What can be done with ${name}`, exact: true })
+    .click();
   await list(page).getByRole('button', { name: what, exact: true }).click();
 }
 
 /** The texts of all programs that the database has, in order of the alphabet. */
 async function textsInList(page: BasicPage): Promise<readonly string[]> {
   const texts = await page.evaluate(async () => {
-    const answer = <T>(request: IDBRequest<T>): Promise<T> => new Promise((done) => (request.onsuccess = () => done(request.result)));
+    const answer = <T>(request: IDBRequest<T>): Promise<T> =>
+      new Promise((done) => (request.onsuccess = () => done(request.result)));
     const database = await answer(indexedDB.open(`gcode-playground:programs:${location.pathname}`));
-    const all = await answer(database.transaction('texts').objectStore('texts').getAll() as IDBRequest<{ text: string }[]>);
+    const all = await answer(
+      database.transaction('texts').objectStore('texts').getAll() as IDBRequest<{ text: string }[]>,
+    );
     database.close();
     return all.map(({ text }) => text);
   });
@@ -44,7 +49,9 @@ async function typeAtEnd(page: BasicPage, text: string): Promise<void> {
   await page.keyboard.type(text);
 }
 
-test('an example that was changed, a file and a pasted text are in the list, and an example alone is not', async ({ page }) => {
+test('an example that was changed, a file and a pasted text are in the list, and an example alone is not', async ({
+  page,
+}) => {
   await open(page);
   await openList(page);
   await expect(list(page).getByRole('status')).toContainText('Nothing is kept yet');
@@ -140,13 +147,19 @@ test('an earlier state comes back, and what was there is kept as one', async ({ 
   await act(page, 'O0011 SHAFT', 'Earlier states');
   const states = page.getByRole('dialog', { name: 'Earlier states of O0011 SHAFT' });
   await expect(states.getByRole('listitem')).toHaveCount(1);
-  await states.getByRole('button', { name: /^Restore/ }).first().click();
+  await states
+    .getByRole('button', { name: /^Restore/ })
+    .first()
+    .click();
   await expect.poll(() => value(page)).toBe(SHAFT);
   await openList(page);
   await expect(items(page)).toHaveCount(1);
   await act(page, 'O0011 SHAFT', 'Earlier states');
   await expect(states.getByRole('listitem')).toHaveCount(2);
-  await states.getByRole('button', { name: /^Restore/ }).first().click();
+  await states
+    .getByRole('button', { name: /^Restore/ })
+    .first()
+    .click();
   await expect.poll(() => value(page)).toBe(`${SHAFT}(second)`);
 });
 
@@ -163,11 +176,18 @@ test('all programs go into one file, and come back without overwriting any', asy
   const saved = await saving;
   expect(saved.suggestedFilename()).toMatch(/^gcode-programs-\d{4}-\d\d-\d\d\.json$/);
   const file = readFileSync(await saved.path());
-  const said = JSON.parse(file.toString()) as { format: string; version: number; programs: { name: string; program: { text: string } }[] };
+  const said = JSON.parse(file.toString()) as {
+    format: string;
+    version: number;
+    programs: { name: string; program: { text: string } }[];
+  };
   expect([said.format, said.version]).toEqual(['gcode-playground programs', 1]);
   expect(said.programs.map((each) => each.program.text).sort()).toEqual([SHAFT, BUSH].sort());
 
-  const take = (text: string | Buffer) => list(page).locator('input[type=file]').setInputFiles({ name: 'programs.json', mimeType: 'application/json', buffer: Buffer.from(text) });
+  const take = (text: string | Buffer) =>
+    list(page)
+      .locator('input[type=file]')
+      .setInputFiles({ name: 'programs.json', mimeType: 'application/json', buffer: Buffer.from(text) });
   const status = list(page).getByRole('status');
   await test.step('what is there is there already', async () => {
     await take(file);
@@ -185,16 +205,33 @@ test('all programs go into one file, and come back without overwriting any', asy
     await expect(status).toHaveText('Added: 1 program. Already in the list: 1.');
   });
   await test.step('another file is refused, with the reason', async () => {
-    for (const [text, reason] of [['G00 X1\n', 'no file of programs'], ['[]', 'no file of programs'], [file.toString().replace('"version": 1', '"version": 2'), 'newer version']] as const) {
+    for (const [text, reason] of [
+      ['G00 X1\n', 'no file of programs'],
+      ['[]', 'no file of programs'],
+      [file.toString().replace('"version": 1', '"version": 2'), 'newer version'],
+    ] as const) {
       await take(text);
       await expect(status).toContainText(reason);
     }
-    await take(JSON.stringify({ format: 'gcode-playground programs', version: 1, programs: [1, null, { program: { text: 5 } }, { program: { text: 'G4', example: '', control: '' }, states: 7, created: 'x', name: [] }] }));
+    await take(
+      JSON.stringify({
+        format: 'gcode-playground programs',
+        version: 1,
+        programs: [
+          1,
+          null,
+          { program: { text: 5 } },
+          { program: { text: 'G4', example: '', control: '' }, states: 7, created: 'x', name: [] },
+        ],
+      }),
+    );
     await expect(status).toHaveText('Added: 1 program. Not readable: 3.');
   });
 });
 
-test('what is asked for at once is done in turn: a file of programs taken while one is being deleted', async ({ page }) => {
+test('what is asked for at once is done in turn: a file of programs taken while one is being deleted', async ({
+  page,
+}) => {
   await open(page);
   await type(page, SHAFT);
   await kept(page);
@@ -229,7 +266,9 @@ test('a program that gave way to another one is kept with its last key', async (
 });
 
 // A browser can put a page aside as it is, with what it was about to write, and show it again when the reader goes back.
-test('a page that is left while the list is written keeps no other waiting, and goes on when it is shown again', async ({ page }) => {
+test('a page that is left while the list is written keeps no other waiting, and goes on when it is shown again', async ({
+  page,
+}) => {
   await open(page, '#program=O1%0AG00%20X1');
   for (let round = 1; round <= 4; round++) {
     await typeAtEnd(page, `(${round})`);
@@ -251,7 +290,9 @@ test('a page that is left while the list is written keeps no other waiting, and 
 
 test('a page that is left before its list is open goes on when it is shown again', async ({ page, engine }) => {
   await open(page, '#program=O1%0AG00%20X1');
-  await page.evaluate(() => addEventListener('pageshow', ({ persisted }) => void (document.title = `shown again: ${persisted}`)));
+  await page.evaluate(() =>
+    addEventListener('pageshow', ({ persisted }) => void (document.title = `shown again: ${persisted}`)),
+  );
   await typeAtEnd(page, '(A)');
   await page.goto('about:blank');
   await page.goBack();
@@ -262,7 +303,10 @@ test('a page that is left before its list is open goes on when it is shown again
   await expect(items(page)).toHaveCount(1);
 });
 
-test('what another tab makes of a program, while the page that it was typed in is put aside, is not overwritten', async ({ page, engine }) => {
+test('what another tab makes of a program, while the page that it was typed in is put aside, is not overwritten', async ({
+  page,
+  engine,
+}) => {
   await open(page, '#program=O1%0AG00%20X1');
   await page.evaluate(() => void (document.documentElement.dataset['before'] = 'yes'));
   await typeAtEnd(page, '(A)');
@@ -285,14 +329,25 @@ test('what another tab makes of a program, while the page that it was typed in i
   await typeAtEnd(page, '(C)');
   await kept(page);
   await openList(page);
-  await expect.poll(async () => (await textsInList(page)).filter((text) => text.startsWith('O1\nG00 X1(A)(B)'))).toHaveLength(1);
+  await expect
+    .poll(async () => (await textsInList(page)).filter((text) => text.startsWith('O1\nG00 X1(A)(B)')))
+    .toHaveLength(1);
   if (isShownAgain) expect(await textsInList(page)).toContain('O1\nG00 X1(A)(C)');
 });
 
-test('a program that is too long for the journal is not left without a question until the list has it', async ({ page }) => {
-  const asks = (): Promise<boolean> => page.evaluate(() => !dispatchEvent(new Event('beforeunload', { cancelable: true })));
+test('a program that is too long for the journal is not left without a question until the list has it', async ({
+  page,
+}) => {
+  const asks = (): Promise<boolean> =>
+    page.evaluate(() => !dispatchEvent(new Event('beforeunload', { cancelable: true })));
   await open(page);
-  await page.locator('gcode-playground').evaluate((element) => void ((element as unknown as { value: string }).value = `O1\n${`(${'LONG '.repeat(20)})\n`.repeat(21_000)}M30\n`));
+  await page
+    .locator('gcode-playground')
+    .evaluate(
+      (element) =>
+        void ((element as unknown as { value: string }).value =
+          `O1\n${`(${'LONG '.repeat(20)})\n`.repeat(21_000)}M30\n`),
+    );
   await expect.poll(() => value(page)).toContain('M30');
   await editor(page).focus();
   await page.keyboard.press('Control+Home');
@@ -316,10 +371,13 @@ test('a link takes the place of the program, which stays in the list', async ({ 
 
 test('the program that was kept before there was a list is taken into it once', async ({ page }) => {
   await page.goto('./docs/index.html');
-  await page.evaluate(({ text }) => {
-    const path = location.pathname.replace(/docs\/.*/, '');
-    localStorage.setItem(`gcode-playground:program:${path}`, JSON.stringify({ text, example: '', control: 'gsk' }));
-  }, { text: SHAFT });
+  await page.evaluate(
+    ({ text }) => {
+      const path = location.pathname.replace(/docs\/.*/, '');
+      localStorage.setItem(`gcode-playground:program:${path}`, JSON.stringify({ text, example: '', control: 'gsk' }));
+    },
+    { text: SHAFT },
+  );
   for (let visit = 0; visit < 2; visit++) {
     await open(page);
     expect(await value(page)).toBe(SHAFT);
@@ -329,13 +387,21 @@ test('the program that was kept before there was a list is taken into it once', 
   }
 });
 
-
 test('a list that is full takes no more, and says so; what is in the editor stays', async ({ page }) => {
   await open(page);
   await openList(page);
-  const programs = Array.from({ length: 1001 }, (_, i) => ({ name: `Part ${i}`, namedBy: 'reader', created: i, changed: i, program: { text: `G0 X${i}`, example: '', control: '' }, states: [] }));
+  const programs = Array.from({ length: 1001 }, (_, i) => ({
+    name: `Part ${i}`,
+    namedBy: 'reader',
+    created: i,
+    changed: i,
+    program: { text: `G0 X${i}`, example: '', control: '' },
+    states: [],
+  }));
   const buffer = Buffer.from(JSON.stringify({ format: 'gcode-playground programs', version: 1, programs }));
-  await list(page).locator('input[type=file]').setInputFiles({ name: 'many.json', mimeType: 'application/json', buffer });
+  await list(page)
+    .locator('input[type=file]')
+    .setInputFiles({ name: 'many.json', mimeType: 'application/json', buffer });
   await expect(list(page).getByRole('status')).toHaveText('Added: 1,000 programs. No room for 1: the list is full.');
   await list(page).getByRole('searchbox').fill('Part 555');
   await act(page, 'Part 555', 'Duplicate');
@@ -443,9 +509,10 @@ const refusing = (): void => {
   };
 };
 
-const setRefusal = (page: Page, why: string): Promise<void> => page.evaluate((why) => {
-  Reflect.set(window, 'refuses', why);
-}, why);
+const setRefusal = (page: Page, why: string): Promise<void> =>
+  page.evaluate((why) => {
+    Reflect.set(window, 'refuses', why);
+  }, why);
 
 test('a full store is said, the text stays, and is kept when there is room', async ({ page }) => {
   await page.addInitScript(refusing);
@@ -503,26 +570,60 @@ test('what is deleted while the page is open is said, and the text is kept again
 
 test('stored values of any type are read as what anybody can have written', { tag: '@night' }, async ({ page }) => {
   await page.goto('./docs/index.html');
-  const values: readonly unknown[] = [null, true, 0, -1, 1e300, '', 'x', '<img src=x onerror=alert(1)>', [], [[]], {}, { id: {}, text: [] }];
-  const fields = ['language', 'theme', 'hints', 'split', 'textSize', 'text', 'example', 'control', 'file', 'setup', 'blockSkip', 'program', 'time', 'base'];
+  const values: readonly unknown[] = [
+    null,
+    true,
+    0,
+    -1,
+    1e300,
+    '',
+    'x',
+    '<img src=x onerror=alert(1)>',
+    [],
+    [[]],
+    {},
+    { id: {}, text: [] },
+  ];
+  const fields = [
+    'language',
+    'theme',
+    'hints',
+    'split',
+    'textSize',
+    'text',
+    'example',
+    'control',
+    'file',
+    'setup',
+    'blockSkip',
+    'program',
+    'time',
+    'base',
+  ];
   const id = '0123456789abcdef0123';
   for (const of of values) {
-    await page.evaluate(({ of, fields, id }) => {
-      const path = location.pathname.replace(/(docs\/.*|index\.html)$/, '');
-      const program = { text: 'G0 X1', example: '', control: '', time: 1, base: 0 };
-      localStorage.clear();
-      const all = Object.fromEntries(fields.map((field) => [field, of]));
-      const key = `gcode-playground:journal:${path}:${id}:${id}`;
-      const stored: Record<string, unknown> = {
-        'gcode-playground:choices': all, 'gcode-playground:profiles': of, 'gcode-playground:completes': of,
-        [`gcode-playground:program:${path}`]: { ...program, file: of, setup: of, blockSkip: of, program: of },
-        [`gcode-playground:last:${path}`]: of,
-        [key]: { ...program, ...all, text: 'G0 X1', example: '', control: '' },
-        [`gcode-playground:journal:${path}:${id}`]: of, [`gcode-playground:journal:${path}::`]: of,
-        [`gcode-playground:journal:${path}:a${id.slice(1)}:${id}`]: of,
-      };
-      for (const [name, value] of Object.entries(stored)) localStorage.setItem(name, JSON.stringify(value));
-    }, { of, fields, id });
+    await page.evaluate(
+      ({ of, fields, id }) => {
+        const path = location.pathname.replace(/(docs\/.*|index\.html)$/, '');
+        const program = { text: 'G0 X1', example: '', control: '', time: 1, base: 0 };
+        localStorage.clear();
+        const all = Object.fromEntries(fields.map((field) => [field, of]));
+        const key = `gcode-playground:journal:${path}:${id}:${id}`;
+        const stored: Record<string, unknown> = {
+          'gcode-playground:choices': all,
+          'gcode-playground:profiles': of,
+          'gcode-playground:completes': of,
+          [`gcode-playground:program:${path}`]: { ...program, file: of, setup: of, blockSkip: of, program: of },
+          [`gcode-playground:last:${path}`]: of,
+          [key]: { ...program, ...all, text: 'G0 X1', example: '', control: '' },
+          [`gcode-playground:journal:${path}:${id}`]: of,
+          [`gcode-playground:journal:${path}::`]: of,
+          [`gcode-playground:journal:${path}:a${id.slice(1)}:${id}`]: of,
+        };
+        for (const [name, value] of Object.entries(stored)) localStorage.setItem(name, JSON.stringify(value));
+      },
+      { of, fields, id },
+    );
     await open(page);
     expect(await value(page), JSON.stringify(of)).toBe('G0 X1');
     await openList(page);
@@ -543,7 +644,18 @@ test('a list whose rows are of any type is shown all the same', async ({ page })
     const transaction = db.transaction(['programs', 'texts', 'states'], 'readwrite');
     for (const [i, of] of [null, 5, 'x', [], {}, -1e300].entries()) {
       const id = `${i}123456789abcdef0123`;
-      transaction.objectStore('programs').put({ id, name: of, namedBy: of, created: of, changed: of, revision: of, tab: of, length: of, words: of, picture: of });
+      transaction.objectStore('programs').put({
+        id,
+        name: of,
+        namedBy: of,
+        created: of,
+        changed: of,
+        revision: of,
+        tab: of,
+        length: of,
+        words: of,
+        picture: of,
+      });
       transaction.objectStore('texts').put(of, id);
       transaction.objectStore('states').put(of, [id, 5, 5]);
     }

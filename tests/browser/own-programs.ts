@@ -10,7 +10,11 @@ export const kept = (page: BasicPage): Promise<void> => page.waitForTimeout(900)
 /** The page in a second tab, with what the address says after its `#`. */
 export async function secondTab(page: Page, hash = ''): Promise<Page> {
   await page.evaluate((hash) => {
-    const link = Object.assign(document.createElement('a'), { href: `${location.pathname}${hash}`, target: '_blank', textContent: 'second tab' });
+    const link = Object.assign(document.createElement('a'), {
+      href: `${location.pathname}${hash}`,
+      target: '_blank',
+      textContent: 'second tab',
+    });
     link.style.cssText = 'position: fixed; inset: 0 auto auto 0; z-index: 99';
     document.body.append(link);
   }, hash);
@@ -19,7 +23,9 @@ export async function secondTab(page: Page, hash = ''): Promise<Page> {
   const second = await coming;
   await page.evaluate(() => document.querySelector('body > a')?.remove());
   await expect(second.getByRole('status').first()).toContainText(/\d/);
-  await second.locator('gcode-playground').evaluate((element) => (element as unknown as { settled: Promise<number> }).settled);
+  await second
+    .locator('gcode-playground')
+    .evaluate((element) => (element as unknown as { settled: Promise<number> }).settled);
   // The list comes after the first picture.
   await second.waitForTimeout(500);
   return second;

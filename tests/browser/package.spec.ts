@@ -9,7 +9,11 @@ import { chromiumTest as test, type ChromiumPage } from './engines';
 import { serve } from './sites';
 
 const execute = promisify(execFile);
-const run = (program: string, words: readonly string[], options: { readonly cwd: string }): Promise<{ readonly stdout: string }> =>
+const run = (
+  program: string,
+  words: readonly string[],
+  options: { readonly cwd: string },
+): Promise<{ readonly stdout: string }> =>
   execute(program, words, { ...options, env: { ...process.env, NO_COLOR: '1', FORCE_COLOR: '0' } });
 const WWW = join(__dirname, '..', '..', 'www');
 const PACKAGE = join(WWW, 'dist', 'embed');
@@ -29,11 +33,14 @@ test.afterAll(() => rm(project, { recursive: true, force: true }));
 /** The indented block of a document that begins so. */
 async function block(document: string, start: string): Promise<string> {
   const text = await readFile(document, 'utf8');
-  const blocks = text.split('\n').reduce<string[]>((all, line) => {
-    if (line.startsWith('    ')) all[all.length - 1] += `${line.slice(4)}\n`;
-    else all.push('');
-    return all;
-  }, ['']);
+  const blocks = text.split('\n').reduce<string[]>(
+    (all, line) => {
+      if (line.startsWith('    ')) all[all.length - 1] += `${line.slice(4)}\n`;
+      else all.push('');
+      return all;
+    },
+    [''],
+  );
   const found = blocks.find((one) => one.startsWith(start));
   if (found === undefined) throw new Error(`${document} has no block that begins with ${start}`);
   return found;
@@ -41,30 +48,66 @@ async function block(document: string, start: string): Promise<string> {
 
 test('it has what it says, no install scripts and no dependencies, and what TypeScript and editors ask for', async () => {
   const folder = join(project, 'node_modules', 'gcode-playground');
-  const { version, scripts, dependencies, customElements } = JSON.parse(await readFile(join(folder, 'package.json'), 'utf8')) as Record<string, unknown>;
+  const { version, scripts, dependencies, customElements } = JSON.parse(
+    await readFile(join(folder, 'package.json'), 'utf8'),
+  ) as Record<string, unknown>;
   expect(version).toBe(/version = "([^"]+)"/.exec(await readFile(join(WWW, '..', 'Cargo.toml'), 'utf8'))?.[1]);
   expect([scripts, dependencies]).toEqual([undefined, undefined]);
   const files = await readdir(folder);
-  for (const file of ['element.js', 'element.d.ts', 'worker.js', 'core.wasm', 'late.wasm', 'en.txt', 'index.html', 'frame.js', 'rules', 'docs', 'node', 'sphinx', 'LICENSE-MIT', 'LICENSE-APACHE', 'THIRD-PARTY-LICENSES.txt', 'README.md', customElements]) expect(files).toContain(file);
+  for (const file of [
+    'element.js',
+    'element.d.ts',
+    'worker.js',
+    'core.wasm',
+    'late.wasm',
+    'en.txt',
+    'index.html',
+    'frame.js',
+    'rules',
+    'docs',
+    'node',
+    'sphinx',
+    'LICENSE-MIT',
+    'LICENSE-APACHE',
+    'THIRD-PARTY-LICENSES.txt',
+    'README.md',
+    customElements,
+  ])
+    expect(files).toContain(file);
   expect(files).not.toContain(version);
   const licences = await readFile(join(folder, 'THIRD-PARTY-LICENSES.txt'), 'utf8');
-  for (const inside of ['@codemirror/view', 'three', 'i_overlay', 'wasm-bindgen']) expect(licences).toMatch(new RegExp(`^${inside} `, 'm'));
+  for (const inside of ['@codemirror/view', 'three', 'i_overlay', 'wasm-bindgen'])
+    expect(licences).toMatch(new RegExp(`^${inside} `, 'm'));
 });
 
 test('the list of attributes is that of the element', async ({ page }) => {
-  const manifest = JSON.parse(await readFile(join(PACKAGE, 'custom-elements.json'), 'utf8')) as { modules: { declarations: { attributes: { name: string }[]; events: { name: string }[]; members: { name: string }[] }[] }[] };
+  const manifest = JSON.parse(await readFile(join(PACKAGE, 'custom-elements.json'), 'utf8')) as {
+    modules: {
+      declarations: { attributes: { name: string }[]; events: { name: string }[]; members: { name: string }[] }[];
+    }[];
+  };
   const declared = manifest.modules[0]?.declarations[0];
   const types = await readFile(join(PACKAGE, 'element.d.ts'), 'utf8');
   for (const { name } of declared?.events ?? []) expect(types).toContain(`'${name}'`);
   await inPage(page, '<gcode-playground loading="click"></gcode-playground>', async () => {
     const { observed, properties } = await page.evaluate(() => {
-      const element = customElements.get('gcode-playground') as unknown as { readonly observedAttributes: readonly string[]; readonly prototype: object };
+      const element = customElements.get('gcode-playground') as unknown as {
+        readonly observedAttributes: readonly string[];
+        readonly prototype: object;
+      };
       return { observed: element.observedAttributes, properties: Object.getOwnPropertyNames(element.prototype) };
     });
     expect(declared?.attributes.map(({ name }) => name).sort()).toEqual([...observed].sort());
     for (const { name } of declared?.members ?? []) expect(properties).toContain(name);
     // What TypeScript knows of the element is there.
-    const typed = [...types.split('export class')[1]?.split('\n}')[0]?.matchAll(/^ {2}(?:readonly |get )?(\w+)[(:]/gm) ?? []].map(([, name]) => name).filter((name) => name !== 'set');
+    const typed = [
+      ...(types
+        .split('export class')[1]
+        ?.split('\n}')[0]
+        ?.matchAll(/^ {2}(?:readonly |get )?(\w+)[(:]/gm) ?? []),
+    ]
+      .map(([, name]) => name)
+      .filter((name) => name !== 'set');
     expect(typed.length).toBeGreaterThan(15);
     for (const name of typed) expect(properties).toContain(name);
   });
@@ -79,7 +122,9 @@ test('from Node', async () => {
     expect(lines.at(-1)).toMatch(/^5 \d{4,}$/);
   }
 
-  await writeFile(join(project, 'more.mjs'), `
+  await writeFile(
+    join(project, 'more.mjs'),
+    `
     import assert from 'node:assert/strict';
     import { check, motions, svg } from 'gcode-playground';
     import 'gcode-playground/element.js';
@@ -98,13 +143,16 @@ test('from Node', async () => {
       assert.throws(bad, (error) => error instanceof Error && error.message.includes(named));
     }
     assert.equal(check('').length, 1, 'and it goes on after an error');
-  `);
+  `,
+  );
   await run(process.execPath, ['more.mjs'], { cwd: project });
 });
 
 test('in Node, every program of the tests says what it says on the command line', async () => {
   // As xtask/src/native.rs builds it: then nothing is compiled anew after the tests.
-  await run('cargo', ['build', '--quiet', '--workspace', '--bin', 'gcode-playground', '--example', 'npx'], { cwd: join(WWW, '..') });
+  await run('cargo', ['build', '--quiet', '--workspace', '--bin', 'gcode-playground', '--example', 'npx'], {
+    cwd: join(WWW, '..'),
+  });
   const script = join(project, 'node.mjs');
   await copyFile(join(WWW, '..', 'tests', 'package', 'node.mjs'), script);
   const { stdout } = await run(process.execPath, [script, join(WWW, '..')], { cwd: project });
@@ -112,7 +160,9 @@ test('in Node, every program of the tests says what it says on the command line'
 });
 
 test('from TypeScript, strictly', async () => {
-  await writeFile(join(project, 'program.ts'), `
+  await writeFile(
+    join(project, 'program.ts'),
+    `
     import { check, motions, svg, type Diagnostic, type Setup } from 'gcode-playground';
     import type { GcodePlayground } from 'gcode-playground/element.js';
     import type {} from 'gcode-playground/react';
@@ -135,22 +185,45 @@ test('from TypeScript, strictly', async () => {
       element.addEventListener('gcode-report', ({ detail }) => console.log(detail.summary.motions, detail.diagnostics[0]?.message));
       document.querySelector('gcode-playground')?.play();
     }
-  `);
+  `,
+  );
   // What the types need of React's.
   const react = join(project, 'node_modules', 'react');
   await mkdir(react, { recursive: true });
   await writeFile(join(react, 'package.json'), JSON.stringify({ name: 'react', types: 'index.d.ts' }));
-  await writeFile(join(react, 'index.d.ts'), 'export interface HTMLAttributes<T> { className?: string }\nexport type DetailedHTMLProps<E, T> = E;\nexport namespace JSX { interface IntrinsicElements {} }\n');
-  const config = { compilerOptions: { target: 'ES2022', module: 'NodeNext', moduleResolution: 'NodeNext', lib: ['ES2023', 'DOM'], strict: true, exactOptionalPropertyTypes: true, noEmit: true, types: [] }, files: ['program.ts'] };
+  await writeFile(
+    join(react, 'index.d.ts'),
+    'export interface HTMLAttributes<T> { className?: string }\nexport type DetailedHTMLProps<E, T> = E;\nexport namespace JSX { interface IntrinsicElements {} }\n',
+  );
+  const config = {
+    compilerOptions: {
+      target: 'ES2022',
+      module: 'NodeNext',
+      moduleResolution: 'NodeNext',
+      lib: ['ES2023', 'DOM'],
+      strict: true,
+      exactOptionalPropertyTypes: true,
+      noEmit: true,
+      types: [],
+    },
+    files: ['program.ts'],
+  };
   await writeFile(join(project, 'tsconfig.json'), JSON.stringify(config));
-  const { stdout } = await run(process.execPath, [join(WWW, 'node_modules', 'typescript', 'bin', 'tsc'), '--project', project], { cwd: project }).catch((error: { stdout: string }) => error);
+  const { stdout } = await run(
+    process.execPath,
+    [join(WWW, 'node_modules', 'typescript', 'bin', 'tsc'), '--project', project],
+    { cwd: project },
+  ).catch((error: { stdout: string }) => error);
   expect(stdout).toBe('');
 });
 
 /** Opens a page with this body, with the files of the package beside it. */
 async function inPage(page: ChromiumPage, body: string, act: () => Promise<void>): Promise<void> {
   const html = `<!DOCTYPE html><html lang="en"><head><title>A manual</title></head><body>${body}<script type="module" src="/gcode-playground/element.js"></script></body></html>`;
-  const site = await serve(join(project, 'node_modules', 'gcode-playground'), () => ({ filesAt: '/gcode-playground/', pages: { '/index.html': html } }));
+  const site = await serve(join(project, 'node_modules', 'gcode-playground'), () => ({
+    filesAt: '/gcode-playground/',
+    pages: { '/index.html': html },
+  }));
   try {
     await page.goto(`${site.origin}/index.html`);
     await page.evaluate(() => customElements.whenDefined('gcode-playground'));
@@ -164,8 +237,16 @@ async function inPage(page: ChromiumPage, body: string, act: () => Promise<void>
 function motionsShown(page: ChromiumPage): Promise<number> {
   return page.evaluate(async () => {
     await customElements.whenDefined('gcode-playground');
-    const element = document.querySelector('gcode-playground') as HTMLElement & { view: string; value: string; readonly settled: Promise<number> };
-    const reported = new Promise<number>((resolve) => element.addEventListener('gcode-report', (event) => resolve((event as CustomEvent<{ summary: { motions: number } }>).detail.summary.motions)));
+    const element = document.querySelector('gcode-playground') as HTMLElement & {
+      view: string;
+      value: string;
+      readonly settled: Promise<number>;
+    };
+    const reported = new Promise<number>((resolve) =>
+      element.addEventListener('gcode-report', (event) =>
+        resolve((event as CustomEvent<{ summary: { motions: number } }>).detail.summary.motions),
+      ),
+    );
     element.value = `${element.value}\n`;
     await element.settled;
     return reported;
@@ -174,7 +255,10 @@ function motionsShown(page: ChromiumPage): Promise<number> {
 
 test('in a plain page, as its README has it', async ({ page }) => {
   const readme = await block(join(PACKAGE, 'README.md'), '<script type="module"');
-  const site = await serve(join(project, 'node_modules', 'gcode-playground'), () => ({ filesAt: '/gcode-playground/', pages: { '/index.html': `<!DOCTYPE html><title>A manual</title>${readme}` } }));
+  const site = await serve(join(project, 'node_modules', 'gcode-playground'), () => ({
+    filesAt: '/gcode-playground/',
+    pages: { '/index.html': `<!DOCTYPE html><title>A manual</title>${readme}` },
+  }));
   try {
     await page.goto(`${site.origin}/index.html`);
     expect(await motionsShown(page)).toBe(10);
@@ -186,10 +270,23 @@ test('in a plain page, as its README has it', async ({ page }) => {
 test('bundled by Vite, with `base: "./"`', async ({ page }) => {
   test.setTimeout(120_000);
   await mkdir(join(project, 'site'), { recursive: true });
-  await writeFile(join(project, 'site', 'index.html'), `<!DOCTYPE html><html lang="en"><head><title>A manual</title></head><body>
-    <gcode-playground>G00 X62 Z2 M03 S800\nG90 X50 Z-30 F0.2\nX45\nG00 X100 Z100\nM30</gcode-playground><script type="module" src="./main.js"></script></body></html>`);
+  await writeFile(
+    join(project, 'site', 'index.html'),
+    `<!DOCTYPE html><html lang="en"><head><title>A manual</title></head><body>
+    <gcode-playground>G00 X62 Z2 M03 S800\nG90 X50 Z-30 F0.2\nX45\nG00 X100 Z100\nM30</gcode-playground><script type="module" src="./main.js"></script></body></html>`,
+  );
   await writeFile(join(project, 'site', 'main.js'), "import 'gcode-playground';\n");
-  await run(process.execPath, [join(WWW, 'node_modules', 'vite', 'bin', 'vite.js'), 'build', join(project, 'site'), '--base=./', '--logLevel=warn'], { cwd: project });
+  await run(
+    process.execPath,
+    [
+      join(WWW, 'node_modules', 'vite', 'bin', 'vite.js'),
+      'build',
+      join(project, 'site'),
+      '--base=./',
+      '--logLevel=warn',
+    ],
+    { cwd: project },
+  );
   const site = await serve(join(project, 'site', 'dist'), () => ({ filesAt: '/deep/down/' }));
   try {
     await page.goto(`${site.origin}/deep/down/index.html`);
@@ -206,10 +303,17 @@ test("with Vite's development server, as its README has it", async ({ page }) =>
   const setting = /`(optimizeDeps: [^`]+)`/.exec(readme)?.[1] ?? '';
   const folder = join(project, 'developed');
   await mkdir(folder, { recursive: true });
-  await writeFile(join(folder, 'index.html'), '<!DOCTYPE html><title>A manual</title><gcode-playground>G00 X62 Z2\nG90 X50 Z-30 F0.2</gcode-playground><script type="module" src="./main.js"></script>');
+  await writeFile(
+    join(folder, 'index.html'),
+    '<!DOCTYPE html><title>A manual</title><gcode-playground>G00 X62 Z2\nG90 X50 Z-30 F0.2</gcode-playground><script type="module" src="./main.js"></script>',
+  );
   await writeFile(join(folder, 'main.js'), "import 'gcode-playground';\n");
   await writeFile(join(folder, 'vite.config.js'), `export default { ${setting} };\n`);
-  const server = spawn(process.execPath, [join(WWW, 'node_modules', 'vite', 'bin', 'vite.js'), folder, '--port', '0', '--host', '127.0.0.1'], { cwd: project, env: { ...process.env, NO_COLOR: '1', FORCE_COLOR: '0' } });
+  const server = spawn(
+    process.execPath,
+    [join(WWW, 'node_modules', 'vite', 'bin', 'vite.js'), folder, '--port', '0', '--host', '127.0.0.1'],
+    { cwd: project, env: { ...process.env, NO_COLOR: '1', FORCE_COLOR: '0' } },
+  );
   try {
     const address = await new Promise<string>((resolve) => {
       let said = '';

@@ -16,7 +16,9 @@ export function program(id: string): string {
 
 /** How many motions are expected of a program in tests/programs. */
 export function motionCount(id: string): number {
-  return read(id, 'motions.jsonl').split('\n').filter((line) => line.trim() !== '').length;
+  return read(id, 'motions.jsonl')
+    .split('\n')
+    .filter((line) => line.trim() !== '').length;
 }
 
 /** The programs of the gallery, in its order. */
@@ -48,9 +50,13 @@ export async function open(page: BasicPage, hash = ''): Promise<void> {
   await page.addInitScript(() => {
     if (Reflect.has(globalThis, 'policyIsWatched')) return;
     Reflect.set(globalThis, 'policyIsWatched', true);
-    addEventListener('securitypolicyviolation', ({ effectiveDirective, blockedURI }) => void setTimeout(() => {
-      throw new Error(`the policy of the page blocks ${effectiveDirective}: ${blockedURI}`);
-    }));
+    addEventListener(
+      'securitypolicyviolation',
+      ({ effectiveDirective, blockedURI }) =>
+        void setTimeout(() => {
+          throw new Error(`the policy of the page blocks ${effectiveDirective}: ${blockedURI}`);
+        }),
+    );
   });
   await page.goto(`./${hash}`);
   await expect(status(page)).toContainText(/\d/);
@@ -65,7 +71,8 @@ async function atRest(element: Element): Promise<void> {
   const examples = document.querySelector<HTMLSelectElement>('#example');
   // The list of examples may be kept from coming.
   const end = performance.now() + 3000;
-  while (examples !== null && examples.options.length < 2 && performance.now() < end) await new Promise((done) => setTimeout(done, 10));
+  while (examples !== null && examples.options.length < 2 && performance.now() < end)
+    await new Promise((done) => setTimeout(done, 10));
 }
 
 /** Types the text in place of what is there, as a reader would: select all, then the keys. */
@@ -77,7 +84,8 @@ export async function type(page: BasicPage, text: string): Promise<void> {
 }
 
 /** What stands under the editor about the word and the block at the cursor. */
-export const atCursor = (page: BasicPage): Locator => page.getByRole('region', { name: /^(At the cursor|光标处|У курсора)/ });
+export const atCursor = (page: BasicPage): Locator =>
+  page.getByRole('region', { name: /^(At the cursor|光标处|У курсора)/ });
 
 /** Puts the cursor into a line (from 1), after so many letters, with keys. */
 export async function goTo(page: BasicPage, line: number, letter = 0): Promise<void> {
@@ -90,7 +98,9 @@ export async function goTo(page: BasicPage, line: number, letter = 0): Promise<v
 
 /** Puts a text in at once, as opening a file does; for texts too long to be typed. */
 export async function openFile(page: BasicPage, name: string, bytes: Uint8Array): Promise<void> {
-  await page.locator('header input[type=file]').setInputFiles({ name, mimeType: 'text/plain', buffer: Buffer.from(bytes) });
+  await page
+    .locator('header input[type=file]')
+    .setInputFiles({ name, mimeType: 'text/plain', buffer: Buffer.from(bytes) });
 }
 
 /** The text in the editor, all of it. */
@@ -103,10 +113,13 @@ export async function value(page: BasicPage): Promise<string> {
  * what a run shows can move it.
  */
 export async function locate(page: BasicPage, x: number, z: number): Promise<{ x: number; y: number }> {
-  const place = await page.locator('gcode-playground').evaluate(async (element, at) => {
-    await (element as Playground).settled;
-    return (element as Playground).locate(at.x, at.z);
-  }, { x, z });
+  const place = await page.locator('gcode-playground').evaluate(
+    async (element, at) => {
+      await (element as Playground).settled;
+      return (element as Playground).locate(at.x, at.z);
+    },
+    { x, z },
+  );
   return { x: place.clientX, y: place.clientY };
 }
 
@@ -167,7 +180,8 @@ export async function runAgain(page: BasicPage): Promise<void> {
 export async function selected(page: BasicPage): Promise<string> {
   return page.evaluate(() => {
     const root = document.querySelector('gcode-playground')?.shadowRoot;
-    const selection = (root as unknown as { getSelection?: () => Selection | null })?.getSelection?.() ?? getSelection();
+    const selection =
+      (root as unknown as { getSelection?: () => Selection | null })?.getSelection?.() ?? getSelection();
     return selection?.toString() ?? '';
   });
 }

@@ -50,7 +50,8 @@ async function watched(page: ChromiumPage): Promise<Watched> {
           context.drawImage(canvas, 0, 0);
           const { data } = context.getImageData(0, 0, canvas.width, canvas.height);
           let sum = 0;
-          for (let at = 0; at < data.length; at += 4) sum = (sum * 31 + data[at]! * 7 + data[at + 1]! * 3 + data[at + 2]!) % 1_000_003;
+          for (let at = 0; at < data.length; at += 4)
+            sum = (sum * 31 + data[at]! * 7 + data[at + 1]! * 3 + data[at + 2]!) % 1_000_003;
           add(seen.pictures, `${canvas.width}x${canvas.height} ${sum}`);
         }
       }
@@ -65,7 +66,9 @@ async function watched(page: ChromiumPage): Promise<Watched> {
 
 /** There is nothing more to come. */
 async function settled(page: ChromiumPage): Promise<void> {
-  await page.locator('gcode-playground').evaluate((element) => (element as HTMLElement & { settled: Promise<number> }).settled);
+  await page
+    .locator('gcode-playground')
+    .evaluate((element) => (element as HTMLElement & { settled: Promise<number> }).settled);
 }
 
 test('without delays the page ends at the same', async ({ page }) => {
@@ -79,7 +82,11 @@ for (const part of ['late', 'en']) {
     await route(page, part, late);
     const { said, listed, pictures } = await watched(page);
     // Loading, the path, then all of it; the sizes of the page may settle between.
-    expect(said.filter((line) => !line.startsWith('Part …'))).toEqual(['Loading …', expect.stringMatching(COMING), atOnce.said.at(-1)]);
+    expect(said.filter((line) => !line.startsWith('Part …'))).toEqual([
+      'Loading …',
+      expect.stringMatching(COMING),
+      atOnce.said.at(-1),
+    ]);
     expect(listed).toEqual(atOnce.listed.at(-1) === 0 ? [0] : [0, atOnce.listed.at(-1)]);
     expect(pictures.at(-1)).toBeDefined();
     expect(pictures.at(-1)).toBe(atOnce.pictures.at(-1));
@@ -94,7 +101,10 @@ for (const part of ['early', 'early-late']) {
     const atOnce = await watched(page);
     await route(page, part, late);
     const { said, listed, pictures } = await watched(page);
-    expect(said.filter((line) => !line.startsWith('Part …') && !COMING.test(line))).toEqual(['Loading …', atOnce.said.at(-1)]);
+    expect(said.filter((line) => !line.startsWith('Part …') && !COMING.test(line))).toEqual([
+      'Loading …',
+      atOnce.said.at(-1),
+    ]);
     expect(listed).toEqual(atOnce.listed.at(-1) === 0 ? [0] : [0, atOnce.listed.at(-1)]);
     expect(pictures.at(-1)).toBe(atOnce.pictures.at(-1));
     // Nothing, the path, the path with its part.
@@ -109,7 +119,8 @@ test('the editor has the line after the first picture', async ({ page }) => {
       constructor(...given: ConstructorParameters<typeof Worker>) {
         super(...given);
         this.addEventListener('message', ({ data }: MessageEvent<{ readonly event?: { readonly kind: string } }>) => {
-          if (data.event?.kind === 'pictures' && Reflect.get(window, 'picture') === undefined) Reflect.set(window, 'picture', performance.now());
+          if (data.event?.kind === 'pictures' && Reflect.get(window, 'picture') === undefined)
+            Reflect.set(window, 'picture', performance.now());
         });
       }
     };
@@ -119,7 +130,9 @@ test('the editor has the line after the first picture', async ({ page }) => {
   await route(page, 'early', late);
   await open(page);
   const [picture, editor] = await page.evaluate(() => {
-    const files = performance.getEntriesByType('resource').filter(({ name }) => /\/assets\/index-[\w-]{8}\.js$/.test(name));
+    const files = performance
+      .getEntriesByType('resource')
+      .filter(({ name }) => /\/assets\/index-[\w-]{8}\.js$/.test(name));
     // The later one; the other is the page's own.
     return [Reflect.get(window, 'picture') as number, Math.max(...files.map(({ startTime }) => startTime))] as const;
   });
@@ -145,7 +158,9 @@ test('without a setup nothing of it is waited for before the first picture', asy
   await expect(page.getByRole('status')).toHaveText(/^2 motions · 4 lines · 1 problem$/);
 });
 
-test('a setup that cannot be loaded is reported; nothing is drawn without it, and it can be tried again', async ({ page }) => {
+test('a setup that cannot be loaded is reported; nothing is drawn without it, and it can be tried again', async ({
+  page,
+}) => {
   let broken = true;
   await route(page, 'early', (route) => (broken ? route.abort() : route.continue()));
   await page.goto('./');
@@ -245,7 +260,9 @@ test('panels and the editor that could not be loaded come when they are tried ag
   await page.route(/\/assets\/(further|editor)-[\w-]+\.js/, (route) => (broken ? route.abort() : route.continue()));
   await page.goto('./');
   const notice = page.getByRole('alert');
-  await expect(notice).toContainText(/What stands around the picture could not be loaded|The editor could not be loaded/);
+  await expect(notice).toContainText(
+    /What stands around the picture could not be loaded|The editor could not be loaded/,
+  );
   broken = false;
   await page.context().setOffline(true);
   await page.context().setOffline(false);
@@ -259,14 +276,24 @@ test('another language while the part is being cut: its sentences are waited for
   await route(page, 'ru', late);
   await open(page);
   // Thousands of small corners: the part takes a while.
-  const waves = Array.from({ length: 6_000 }, (_, at) => `X${(30 + (at % 2) * 4 + (at % 7) / 10).toFixed(1)} Z${(-at / 100).toFixed(2)}`);
+  const waves = Array.from(
+    { length: 6_000 },
+    (_, at) => `X${(30 + (at % 2) * 4 + (at % 7) / 10).toFixed(1)} Z${(-at / 100).toFixed(2)}`,
+  );
   // It may be over sooner than an assertion looks again.
-  const begun = page.locator('gcode-playground').evaluate((element) => new Promise<void>((resolve) => {
-    const status = element.shadowRoot!.querySelector('[role="status"]')!;
-    const watch = new MutationObserver(() => status.textContent.startsWith('Part …') && resolve());
-    watch.observe(status, { childList: true, characterData: true, subtree: true });
-  }));
-  await openFile(page, 'waves.nc', Buffer.from(`(STOCK D=60 LENGTH=80)\nG99 T0101\nG0 X62 Z2\nG1 F0.2\n${waves.join('\n')}\nM30\n`));
+  const begun = page.locator('gcode-playground').evaluate(
+    (element) =>
+      new Promise<void>((resolve) => {
+        const status = element.shadowRoot!.querySelector('[role="status"]')!;
+        const watch = new MutationObserver(() => status.textContent.startsWith('Part …') && resolve());
+        watch.observe(status, { childList: true, characterData: true, subtree: true });
+      }),
+  );
+  await openFile(
+    page,
+    'waves.nc',
+    Buffer.from(`(STOCK D=60 LENGTH=80)\nG99 T0101\nG0 X62 Z2\nG1 F0.2\n${waves.join('\n')}\nM30\n`),
+  );
   await begun;
   await page.getByLabel('Language').selectOption('ru');
   await expect(page.getByRole('status')).toHaveText(/^6.001 перемещение.* замечани[ея]$/, { timeout: 30_000 });

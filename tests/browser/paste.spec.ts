@@ -70,7 +70,9 @@ test('only what was pasted is replaced', async ({ page }) => {
   await editor(page).focus();
   await page.keyboard.press('Control+V');
   await dialog(page).getByRole('button', { name: 'Take this program' }).click();
-  expect(await value(page)).toBe('O9\nM30\nO8234\nN10 G50 X100.0 Z100.0;\nN30 G00 X85.0 Z5.0;\nN40 G94 X20.0 Z-3 F200;\nN90 M30;\n');
+  expect(await value(page)).toBe(
+    'O9\nM30\nO8234\nN10 G50 X100.0 Z100.0;\nN30 G00 X85.0 Z5.0;\nN40 G94 X20.0 Z-3 F200;\nN90 M30;\n',
+  );
 });
 
 test('a plain program is pasted without a word, and a text without programs is said to have none', async ({ page }) => {
@@ -95,5 +97,7 @@ test('all signs that were lost are answered at once, in a file that is opened', 
   await expect(dialog(page)).toBeVisible();
   await dialog(page).getByRole('button', { name: 'All of these negative' }).click();
   await dialog(page).getByRole('button', { name: 'Take this program' }).click();
-  expect(await value(page)).toBe('O6003\nG00 X70 Z3 (to the start)\nG90 X62 Z-43 F0.3\nX60.4\nG90 X58.4 Z-20 R-2.3\nM30\n');
+  expect(await value(page)).toBe(
+    'O6003\nG00 X70 Z3 (to the start)\nG90 X62 Z-43 F0.3\nX60.4\nG90 X58.4 Z-20 R-2.3\nM30\n',
+  );
 });

@@ -3,10 +3,17 @@
 import { chromiumTest as test, type ChromiumPage, expect } from './engines';
 import { drawing, editor, open, play, status, tab } from './page';
 
-test('a phone shows drawing, playback, program and status at once, with nothing beyond the edge', async ({ browser, baseURL }, info) => {
+test('a phone shows drawing, playback, program and status at once, with nothing beyond the edge', async ({
+  browser,
+  baseURL,
+}, info) => {
   const context = await browser.newContext({
     ...(baseURL === undefined ? {} : { baseURL }),
-    viewport: { width: 390, height: 844 }, deviceScaleFactor: 2, isMobile: true, hasTouch: true, locale: 'en-US',
+    viewport: { width: 390, height: 844 },
+    deviceScaleFactor: 2,
+    isMobile: true,
+    hasTouch: true,
+    locale: 'en-US',
   });
   const page = (await context.newPage()) as ChromiumPage;
   await open(page);
@@ -39,7 +46,11 @@ test('light, and dark by the system or by choice', async ({ page }, info) => {
   expect(await ground()).toBe(dark);
 });
 
-test('the table of codes in Chinese and Russian, in the dark and on a phone', async ({ page, browser, baseURL }, info) => {
+test('the table of codes in Chinese and Russian, in the dark and on a phone', async ({
+  page,
+  browser,
+  baseURL,
+}, info) => {
   await open(page);
   await page.emulateMedia({ colorScheme: 'dark' });
   await page.getByLabel('Language').selectOption('zh');
@@ -50,7 +61,11 @@ test('the table of codes in Chinese and Russian, in the dark and on a phone', as
 
   const context = await browser.newContext({
     ...(baseURL === undefined ? {} : { baseURL }),
-    viewport: { width: 390, height: 844 }, deviceScaleFactor: 2, isMobile: true, hasTouch: true, locale: 'ru-RU',
+    viewport: { width: 390, height: 844 },
+    deviceScaleFactor: 2,
+    isMobile: true,
+    hasTouch: true,
+    locale: 'ru-RU',
   });
   const phone = (await context.newPage()) as ChromiumPage;
   await open(phone);

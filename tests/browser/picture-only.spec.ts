@@ -14,23 +14,26 @@ interface Picture extends HTMLElement {
 /** A page with one element, beside the modules of the built page. */
 async function openPicture(page: BasicPage, view: string): Promise<void> {
   await page.goto(FOREIGN);
-  await page.evaluate(async ({ view, text }) => {
-    const element = document.createElement('gcode-playground');
-    element.setAttribute('view', view);
-    element.textContent = text;
-    document.body.replaceChildren(element);
-    const told: number[] = [];
-    Object.assign(window, { told });
-    element.addEventListener('gcode-report', (event) => {
-      told.push((event as CustomEvent<{ summary: { motions: number } }>).detail.summary.motions);
-    });
-    const script = document.createElement('script');
-    script.type = 'module';
-    script.src = new URL('../../element.js', location.href).href;
-    document.head.append(script);
-    await customElements.whenDefined('gcode-playground');
-    await (element as Picture).settled;
-  }, { view, text: program(ID) });
+  await page.evaluate(
+    async ({ view, text }) => {
+      const element = document.createElement('gcode-playground');
+      element.setAttribute('view', view);
+      element.textContent = text;
+      document.body.replaceChildren(element);
+      const told: number[] = [];
+      Object.assign(window, { told });
+      element.addEventListener('gcode-report', (event) => {
+        told.push((event as CustomEvent<{ summary: { motions: number } }>).detail.summary.motions);
+      });
+      const script = document.createElement('script');
+      script.type = 'module';
+      script.src = new URL('../../element.js', location.href).href;
+      document.head.append(script);
+      await customElements.whenDefined('gcode-playground');
+      await (element as Picture).settled;
+    },
+    { view, text: program(ID) },
+  );
 }
 
 /** How many pixels of the picture have the colour of a cut. */
@@ -59,7 +62,12 @@ function cuts(page: BasicPage): Promise<number> {
 
 /** The scripts that were loaded, without their hashes. */
 function scripts(page: BasicPage): Promise<string[]> {
-  return page.evaluate(() => performance.getEntriesByType('resource').map(({ name }) => /([\w-]+?)(-[\w-]{8})?\.js$/.exec(name)?.[1]).filter((name) => name !== undefined));
+  return page.evaluate(() =>
+    performance
+      .getEntriesByType('resource')
+      .map(({ name }) => /([\w-]+?)(-[\w-]{8})?\.js$/.exec(name)?.[1])
+      .filter((name) => name !== undefined),
+  );
 }
 
 test('view="picture" draws the program and loads neither the editor nor the panels', async ({ page }) => {
@@ -68,14 +76,17 @@ test('view="picture" draws the program and loads neither the editor nor the pane
   expect(await page.evaluate(() => (window as unknown as { told: number[] }).told)).toContain(motionCount(ID));
   // Two pictures, of which one is hidden; no editor, no buttons, no line at the foot.
   await expect(page.getByRole('img')).toHaveCount(1);
-  for (const role of ['textbox', 'button', 'slider', 'status', 'combobox'] as const) await expect(page.getByRole(role)).toHaveCount(0);
+  for (const role of ['textbox', 'button', 'slider', 'status', 'combobox'] as const)
+    await expect(page.getByRole(role)).toHaveCount(0);
   const loaded = await scripts(page);
   expect(loaded).toContain('element');
   // The link to the playground comes after the picture, and is as small as it sounds.
   expect(loaded.filter((name) => !['element', 'worker', 'open-link', 'written-link'].includes(name))).toEqual([]);
 });
 
-test('the picture is a property of the element, too: the rest comes and goes around the same program', async ({ page }) => {
+test('the picture is a property of the element, too: the rest comes and goes around the same program', async ({
+  page,
+}) => {
   await openPicture(page, 'picture');
   const text = await page.evaluate(() => (document.querySelector('gcode-playground') as Picture).value);
   await page.evaluate(() => {

@@ -115,10 +115,12 @@ test('the running block comes into sight, but not under the hands of a reader wh
   await expect(running(page)).toBeInViewport();
   await scroller.hover();
   // A turn of the wheel that meets the last step of the block is undone by it: the reader turns again.
-  await expect.poll(async () => {
-    await page.mouse.wheel(0, -100_000);
-    return top();
-  }).toBeLessThan(100);
+  await expect
+    .poll(async () => {
+      await page.mouse.wheel(0, -100_000);
+      return top();
+    })
+    .toBeLessThan(100);
   await expect(running(page)).not.toBeInViewport();
   await page.waitForTimeout(500);
   expect(await top()).toBeLessThan(100);
@@ -143,8 +145,11 @@ test('it plays from the block at the cursor', async ({ page }) => {
 });
 
 for (const [key, line, atX] of [
-  ['Control+Enter', 'G01 X40 F20', '40.000'], ['F9', 'G98 G00 X50 Z2', '50.000'], ['F10', 'G01 X40 F20', '40.000'],
-  ['Control+Shift+Enter', 'G01 X40 F20', '40.000'], ['Control+F10', 'G01 X40 F20', '50.000'],
+  ['Control+Enter', 'G01 X40 F20', '40.000'],
+  ['F9', 'G98 G00 X50 Z2', '50.000'],
+  ['F10', 'G01 X40 F20', '40.000'],
+  ['Control+Shift+Enter', 'G01 X40 F20', '40.000'],
+  ['Control+F10', 'G01 X40 F20', '50.000'],
 ] as const) {
   test(`${key} right after typing waits for the path of what was typed`, async ({ page }) => {
     await open(page);
@@ -179,7 +184,11 @@ test('an edit keeps the tool at its block', async ({ page }) => {
 
 test('the legend names what is in the picture, and no button lies over it', async ({ page }) => {
   await open(page);
-  await load(page, '(STOCK D=60 LENGTH=90)\nT0101\nM03 S500\nG00 X62 Z2\nG90 X56 Z-40 F0.2\nG00 X50 Z-10\nG00 X100\nM30\n', 7);
+  await load(
+    page,
+    '(STOCK D=60 LENGTH=90)\nT0101\nM03 S500\nG00 X62 Z2\nG90 X56 Z-40 F0.2\nG00 X50 Z-10\nG00 X100\nM30\n',
+    7,
+  );
   const legend = page.locator('.legend');
   for (const what of ['rapid', 'cutting', 'cut off the blank', 'collision']) await expect(legend).toContainText(what);
   const picture = await page.locator('[part~=drawing]').first().boundingBox();

@@ -7,12 +7,28 @@ const share = async (page: ChromiumPage): Promise<number> => Number(await slider
 
 /** Rough turning in some 2,000 motions, by cycles. */
 function longProgram(): string {
-  const passes = Array.from({ length: 498 }, (_, i) => `X${(99.9 - 0.1 * i).toFixed(1)} Z-${(80 - (i % 40)).toFixed(1)}`);
-  return ['(STOCK D100 L120)', 'T0101', 'G99 M03 S900', 'G00 X102 Z2', `G90 ${passes[0]} F0.25`, ...passes.slice(1), 'G00 X150 Z50', 'M30', ''].join('\n');
+  const passes = Array.from(
+    { length: 498 },
+    (_, i) => `X${(99.9 - 0.1 * i).toFixed(1)} Z-${(80 - (i % 40)).toFixed(1)}`,
+  );
+  return [
+    '(STOCK D100 L120)',
+    'T0101',
+    'G99 M03 S900',
+    'G00 X102 Z2',
+    `G90 ${passes[0]} F0.25`,
+    ...passes.slice(1),
+    'G00 X150 Z50',
+    'M30',
+    '',
+  ].join('\n');
 }
 
 /** Frames of the page and of the worker's canvas, and the longest tasks, ms, in some seconds. */
-async function count(page: ChromiumPage, ms: number): Promise<{ frames: number; shown: number; longest: number; asked: number }> {
+async function count(
+  page: ChromiumPage,
+  ms: number,
+): Promise<{ frames: number; shown: number; longest: number; asked: number }> {
   return page.evaluate(async (ms) => {
     let [frames, longest] = [0, 0];
     const places = new Set<string>();
@@ -39,50 +55,58 @@ async function count(page: ChromiumPage, ms: number): Promise<{ frames: number; 
   }, ms);
 }
 
-test('2,000 motions with their part play smoothly, and nothing runs while paused', { tag: '@night' }, async ({ page }, info) => {
-  await page.addInitScript(() => {
-    const seen = { count: 0 };
-    Reflect.set(window, 'asked', seen);
-    const post = Worker.prototype.postMessage;
-    Worker.prototype.postMessage = function (this: Worker, ...all: unknown[]) {
-      seen.count++;
-      Reflect.apply(post, this, all);
-    };
-  });
-  await open(page);
-  await openFile(page, 'part.nc', Buffer.from(longProgram()));
-  await expect(status(page)).toContainText(/^1,994 motions/);
-  await page.getByRole('button', { name: 'Play', exact: true }).click();
-  await expect.poll(() => share(page)).toBeGreaterThan(0.05);
-  // What the worker does in its frames: it draws.
-  await page.workers()[0]?.evaluate(() => {
-    const drawn: number[] = [];
-    Reflect.set(self, 'drawn', drawn);
-    const next = self.requestAnimationFrame.bind(self);
-    self.requestAnimationFrame = (work) =>
-      next((now) => {
-        const begun = performance.now();
-        work(now);
-        drawn.push(performance.now() - begun);
-      });
-  });
-  const drawn = async (): Promise<number[]> =>
-    (await page.workers()[0]?.evaluate(() => (Reflect.get(self, 'drawn') as number[]).splice(0))) ?? [];
-  const seconds = 5;
-  await drawn();
-  const playing = await count(page, 1000 * seconds);
-  const draws = (await drawn()).sort((a, b) => a - b);
-  const median = draws[draws.length >> 1] ?? 0;
-  const text = `${draws.length / seconds} drawings/s of ${median.toFixed(1)} ms (the longest ${draws.at(-1)?.toFixed(1)} ms), ${playing.frames / seconds} frames/s, ${playing.shown / seconds} places of the tool/s, longest task ${Math.round(playing.longest)} ms`;
-  console.log(`playing 2,000 motions: ${text}`);
-  info.annotations.push({ type: 'playing', description: text });
-  await page.getByRole('button', { name: 'Pause' }).click();
-  await page.waitForTimeout(500);
-  const paused = await count(page, 1000);
-  expect(await drawn().then(() => page.waitForTimeout(500)).then(drawn)).toEqual([]);
-  expect(paused.asked).toBe(0);
-  expect(paused.shown).toBe(1);
-  await page.screenshot({ path: info.outputPath('playing.png') });
-  // Far below what is aimed at, for machines that do much else.
-  expect(playing.shown / seconds).toBeGreaterThan(10);
-});
+test(
+  '2,000 motions with their part play smoothly, and nothing runs while paused',
+  { tag: '@night' },
+  async ({ page }, info) => {
+    await page.addInitScript(() => {
+      const seen = { count: 0 };
+      Reflect.set(window, 'asked', seen);
+      const post = Worker.prototype.postMessage;
+      Worker.prototype.postMessage = function (this: Worker, ...all: unknown[]) {
+        seen.count++;
+        Reflect.apply(post, this, all);
+      };
+    });
+    await open(page);
+    await openFile(page, 'part.nc', Buffer.from(longProgram()));
+    await expect(status(page)).toContainText(/^1,994 motions/);
+    await page.getByRole('button', { name: 'Play', exact: true }).click();
+    await expect.poll(() => share(page)).toBeGreaterThan(0.05);
+    // What the worker does in its frames: it draws.
+    await page.workers()[0]?.evaluate(() => {
+      const drawn: number[] = [];
+      Reflect.set(self, 'drawn', drawn);
+      const next = self.requestAnimationFrame.bind(self);
+      self.requestAnimationFrame = (work) =>
+        next((now) => {
+          const begun = performance.now();
+          work(now);
+          drawn.push(performance.now() - begun);
+        });
+    });
+    const drawn = async (): Promise<number[]> =>
+      (await page.workers()[0]?.evaluate(() => (Reflect.get(self, 'drawn') as number[]).splice(0))) ?? [];
+    const seconds = 5;
+    await drawn();
+    const playing = await count(page, 1000 * seconds);
+    const draws = (await drawn()).sort((a, b) => a - b);
+    const median = draws[draws.length >> 1] ?? 0;
+    const text = `${draws.length / seconds} drawings/s of ${median.toFixed(1)} ms (the longest ${draws.at(-1)?.toFixed(1)} ms), ${playing.frames / seconds} frames/s, ${playing.shown / seconds} places of the tool/s, longest task ${Math.round(playing.longest)} ms`;
+    console.log(`playing 2,000 motions: ${text}`);
+    info.annotations.push({ type: 'playing', description: text });
+    await page.getByRole('button', { name: 'Pause' }).click();
+    await page.waitForTimeout(500);
+    const paused = await count(page, 1000);
+    expect(
+      await drawn()
+        .then(() => page.waitForTimeout(500))
+        .then(drawn),
+    ).toEqual([]);
+    expect(paused.asked).toBe(0);
+    expect(paused.shown).toBe(1);
+    await page.screenshot({ path: info.outputPath('playing.png') });
+    // Far below what is aimed at, for machines that do much else.
+    expect(playing.shown / seconds).toBeGreaterThan(10);
+  },
+);

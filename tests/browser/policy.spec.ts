@@ -11,7 +11,8 @@ const DIST = join(__dirname, '..', '..', 'www', 'dist');
 const EMBED = join(DIST, 'embed');
 const CORS = { 'access-control-allow-origin': '*' };
 /** One block has the letter O in the place of a zero. */
-const TEXT = 'O0001 (STOCK D=50 LENGTH=80)\nT0101\nG97 S800 M03\nG00 X52 Z2 M08\nGO1 X40 Z-20 F0.2\nG00 X200 Z200 M09\nM30';
+const TEXT =
+  'O0001 (STOCK D=50 LENGTH=80)\nT0101\nG97 S800 M03\nG00 X52 Z2 M08\nGO1 X40 Z-20 F0.2\nG00 X200 Z200 M09\nM30';
 
 /** Collects what the policy of the page blocks. */
 const collect = (): void => {
@@ -19,17 +20,25 @@ const collect = (): void => {
   Object.assign(globalThis, { blocked });
   addEventListener('securitypolicyviolation', ({ effectiveDirective, blockedURI, sourceFile, lineNumber }) => {
     // Some engines ask for the icon of a page that names none.
-    if (!blockedURI.endsWith('/favicon.ico')) blocked.push(`${effectiveDirective}: ${blockedURI} (${sourceFile}:${lineNumber})`);
+    if (!blockedURI.endsWith('/favicon.ico'))
+      blocked.push(`${effectiveDirective}: ${blockedURI} (${sourceFile}:${lineNumber})`);
   });
 };
-const blocked = (page: BasicPage): Promise<readonly string[]> => page.evaluate(() => Reflect.get(globalThis, 'blocked') as string[]);
+const blocked = (page: BasicPage): Promise<readonly string[]> =>
+  page.evaluate(() => Reflect.get(globalThis, 'blocked') as string[]);
 
 /** The sources by directive. */
 function directives(policy: string): ReadonlyMap<string, readonly string[]> {
-  return new Map(policy.split(';').map((part) => part.trim().split(/\s+/)).map(([name = '', ...sources]) => [name, sources]));
+  return new Map(
+    policy
+      .split(';')
+      .map((part) => part.trim().split(/\s+/))
+      .map(([name = '', ...sources]) => [name, sources]),
+  );
 }
 
-const hashOf = (text: string): string => `'sha256-${createHash('sha256').update(text.replaceAll('\r\n', '\n')).digest('base64')}'`;
+const hashOf = (text: string): string =>
+  `'sha256-${createHash('sha256').update(text.replaceAll('\r\n', '\n')).digest('base64')}'`;
 
 /** What is wrong with the policy of a page. */
 function faultsOf(path: string): readonly string[] {
@@ -40,25 +49,52 @@ function faultsOf(path: string): readonly string[] {
   const styles = policy.get('style-src') ?? [];
   // The frame narrows its policy to its own host with its inline script; a test below shows that.
   const isFrame = /embed[/\\](\d[^/\\]*[/\\])?index\.html$/.test(path);
-  const isAllowed = isFrame ? /^('self'|'wasm-unsafe-eval'|'sha256-.{44}'|https?:)$/ : /^('self'|'wasm-unsafe-eval'|'sha256-.{44}')$/;
+  const isAllowed = isFrame
+    ? /^('self'|'wasm-unsafe-eval'|'sha256-.{44}'|https?:)$/
+    : /^('self'|'wasm-unsafe-eval'|'sha256-.{44}')$/;
   const faults: readonly (readonly [isFault: boolean, what: string])[] = [
     [metas.length !== 1, 'it has no policy, or several'],
     [/<(script|style|link|img|base)\b/i.test(html.slice(0, metas[0]?.index)), 'something comes before the policy'],
-    ...['default-src', 'base-uri', 'form-action'].map((name) => [policy.get(name)?.join(' ') !== "'none'", `${name} is not 'none'`] as const),
-    ...[...policy].map(([name, sources]) => [sources.some((source) => /^('unsafe-(inline|eval|hashes)'|'strict-dynamic'|\*)$/.test(source)), `${name} is wide`] as const),
+    ...['default-src', 'base-uri', 'form-action'].map(
+      (name) => [policy.get(name)?.join(' ') !== "'none'", `${name} is not 'none'`] as const,
+    ),
+    ...[...policy].map(
+      ([name, sources]) =>
+        [
+          sources.some((source) => /^('unsafe-(inline|eval|hashes)'|'strict-dynamic'|\*)$/.test(source)),
+          `${name} is wide`,
+        ] as const,
+    ),
     ...scripts.map((source) => [!isAllowed.test(source), `script-src has ${source}`] as const),
-    ...['object-src', 'frame-src', 'child-src', 'script-src-elem', 'script-src-attr'].map((name) => [policy.has(name), `${name} overrides default-src`] as const),
-    ...[...html.matchAll(/<script\b([^>]*)>(.*?)<\/script>/gs)].map(([, attributes = '', text = '']) => [!/\bsrc=/.test(attributes) && !scripts.includes(hashOf(text)), 'an inline script is blocked'] as const),
-    ...[...html.matchAll(/<style\b[^>]*>(.*?)<\/style>/gs)].map(([, text = '']) => [!styles.includes(hashOf(text)), 'an inline style sheet is blocked'] as const),
+    ...['object-src', 'frame-src', 'child-src', 'script-src-elem', 'script-src-attr'].map(
+      (name) => [policy.has(name), `${name} overrides default-src`] as const,
+    ),
+    ...[...html.matchAll(/<script\b([^>]*)>(.*?)<\/script>/gs)].map(
+      ([, attributes = '', text = '']) =>
+        [!/\bsrc=/.test(attributes) && !scripts.includes(hashOf(text)), 'an inline script is blocked'] as const,
+    ),
+    ...[...html.matchAll(/<style\b[^>]*>(.*?)<\/style>/gs)].map(
+      ([, text = '']) => [!styles.includes(hashOf(text)), 'an inline style sheet is blocked'] as const,
+    ),
     // In the tags, which are what is left without scripts and styles.
-    [/<[a-z][^>]*\s(on[a-z]+|style)\s*=[^>]*>/i.test(html.replace(/<(script|style)\b.*?<\/\1>/gs, '')), 'an inline handler or style is blocked'],
+    [
+      /<[a-z][^>]*\s(on[a-z]+|style)\s*=[^>]*>/i.test(html.replace(/<(script|style)\b.*?<\/\1>/gs, '')),
+      'an inline handler or style is blocked',
+    ],
   ];
   return faults.filter(([isFault]) => isFault).map(([, what]) => `${path}: ${what}`);
 }
 
 test('every built page has a policy before its content, and the policy allows no other inline script than its own', () => {
-  const pages = readdirSync(DIST, { recursive: true, withFileTypes: true }).filter((file) => file.isFile() && file.name.endsWith('.html')).map(({ parentPath, name }) => join(parentPath, name));
-  expect([...new Set(pages.map((path) => path.slice(DIST.length + 1).split(/[/\\]/)[0]))].sort()).toEqual(['docs', 'embed', 'index.html', 'rules']);
+  const pages = readdirSync(DIST, { recursive: true, withFileTypes: true })
+    .filter((file) => file.isFile() && file.name.endsWith('.html'))
+    .map(({ parentPath, name }) => join(parentPath, name));
+  expect([...new Set(pages.map((path) => path.slice(DIST.length + 1).split(/[/\\]/)[0]))].sort()).toEqual([
+    'docs',
+    'embed',
+    'index.html',
+    'rules',
+  ]);
   expect(pages.flatMap(faultsOf)).toEqual([]);
 });
 
@@ -77,20 +113,35 @@ for (const [name, address] of Object.entries(PAGES)) {
     await page.goto(address);
     if (name === 'the page' || name === 'the frame') await settled(page);
     await page.waitForTimeout(300);
-    expect(await page.evaluate(() => [...document.images].every(({ naturalWidth }) => naturalWidth > 0) && getComputedStyle(document.body).fontFamily !== '')).toBe(true);
+    expect(
+      await page.evaluate(
+        () =>
+          [...document.images].every(({ naturalWidth }) => naturalWidth > 0) &&
+          getComputedStyle(document.body).fontFamily !== '',
+      ),
+    ).toBe(true);
     expect(await blocked(page)).toEqual([]);
     const ran = await page.evaluate(async () => {
-      document.body.insertAdjacentHTML('beforeend', '<img src="no/such.png" onerror="window.ran = 1"><a href="javascript:void (window.ran = 2)">a</a><iframe srcdoc="<script>parent.ran = 3</script>"></iframe>');
+      document.body.insertAdjacentHTML(
+        'beforeend',
+        '<img src="no/such.png" onerror="window.ran = 1"><a href="javascript:void (window.ran = 2)">a</a><iframe srcdoc="<script>parent.ran = 3</script>"></iframe>',
+      );
       document.querySelector<HTMLElement>('a[href^=javascript]')!.click();
       document.body.append(Object.assign(document.createElement('script'), { textContent: 'window.ran = 4' }));
-      document.body.append(Object.assign(document.createElement('script'), { src: 'data:text/javascript,window.ran = 5' }));
+      document.body.append(
+        Object.assign(document.createElement('script'), { src: 'data:text/javascript,window.ran = 5' }),
+      );
       document.body.append(Object.assign(document.createElement('script'), { src: 'https://evil.example/script.js' }));
       await new Promise((done) => setTimeout(done, 500));
       return Reflect.get(window, 'ran') as unknown;
     });
     expect(ran).toBe(undefined);
     const scripts = (await blocked(page)).filter((one) => /^(script|default)-src/.test(one));
-    for (const source of [/: inline/, /: data/, /: https:\/\/evil\.example/]) expect(scripts.some((one) => source.test(one)), `${source}: ${scripts.join('\n')}`).toBe(true);
+    for (const source of [/: inline/, /: data/, /: https:\/\/evil\.example/])
+      expect(
+        scripts.some((one) => source.test(one)),
+        `${source}: ${scripts.join('\n')}`,
+      ).toBe(true);
   });
 }
 
@@ -106,7 +157,11 @@ test('the page does all it can under its policy', async ({ page }) => {
   await expect.poll(() => value(page)).toContain('G71');
   await settled(page);
   await test.step('saved and exported', async () => {
-    for (const [button, item] of [['Save file', undefined], ['Export', /PNG/], ['Export', /SVG/]] as const) {
+    for (const [button, item] of [
+      ['Save file', undefined],
+      ['Export', /PNG/],
+      ['Export', /SVG/],
+    ] as const) {
       const saved = page.waitForEvent('download');
       await page.getByRole('button', { name: button, exact: true }).click();
       if (item !== undefined) await page.getByRole('menuitem', { name: item }).click();
@@ -121,7 +176,10 @@ test('the page does all it can under its policy', async ({ page }) => {
   });
   await test.step('shared', async () => {
     await page.getByRole('button', { name: /^Share/ }).click();
-    for (const [form, image] of [['qr', 'QR code of the link'], ['picture', 'Picture']] as const) {
+    for (const [form, image] of [
+      ['qr', 'QR code of the link'],
+      ['picture', 'Picture'],
+    ] as const) {
       await page.getByRole('dialog', { name: /Share/ }).getByRole('combobox').first().selectOption(form);
       await expect(page.getByRole('img', { name: image, exact: true })).toBeVisible();
     }
@@ -164,8 +222,12 @@ for (const [at, name] of ['the same origin', 'another origin'].entries()) {
         '/index.html': `<!DOCTYPE html><html lang="en"><head><title>A manual</title><script src="${host}/collect.js"></script><script type="module" src="${host}/embed/element.js"></script></head><body><gcode-playground><pre>\n${TEXT}\n</pre></gcode-playground></body></html>`,
         '/collect.js': `(${collect.toString()})()`,
       },
-      pageHeaders: host === '' ? { 'content-security-policy': stated()[at] ?? '' } : { 'content-security-policy': (stated()[at] ?? '').replaceAll('https://host.example', host) },
-      filesAt: '/embed/', fileHeaders: CORS,
+      pageHeaders:
+        host === ''
+          ? { 'content-security-policy': stated()[at] ?? '' }
+          : { 'content-security-policy': (stated()[at] ?? '').replaceAll('https://host.example', host) },
+      filesAt: '/embed/',
+      fileHeaders: CORS,
     });
     expect(stated().length).toBe(2);
     const host = at === 0 ? undefined : await serve(EMBED, () => site(''));
@@ -173,7 +235,13 @@ for (const [at, name] of ['the same origin', 'another origin'].entries()) {
     try {
       await page.goto(`${own.origin}/index.html`);
       await settled(page);
-      expect((await page.locator('gcode-playground').evaluate((element) => (element as HTMLElement & { readonly wholeSetup: string }).wholeSetup)).length).toBeGreaterThan(0);
+      expect(
+        (
+          await page
+            .locator('gcode-playground')
+            .evaluate((element) => (element as HTMLElement & { readonly wholeSetup: string }).wholeSetup)
+        ).length,
+      ).toBeGreaterThan(0);
       await type(page, TEXT.replace('GO1', 'G01'));
       await settled(page);
       await page.evaluate(() => {
@@ -183,7 +251,11 @@ for (const [at, name] of ['the same origin', 'another origin'].entries()) {
       await page.keyboard.press('Control+P');
       await expect.poll(() => page.evaluate(() => Reflect.get(window, 'printed') as unknown)).toBe(true);
       expect(await pictureOnPaper(page)).toBeGreaterThan(100);
-      await page.locator('gcode-playground').evaluate((element) => (element as HTMLElement & { openFile(file: File): Promise<void> }).openFile(new File(['G00 X1\n'], 'a.nc')));
+      await page
+        .locator('gcode-playground')
+        .evaluate((element) =>
+          (element as HTMLElement & { openFile(file: File): Promise<void> }).openFile(new File(['G00 X1\n'], 'a.nc')),
+        );
       await expect.poll(() => value(page)).toBe('G00 X1\n');
       expect(await pressEveryButton(page)).toBeGreaterThan(10);
       expect(await blocked(page)).toEqual([]);

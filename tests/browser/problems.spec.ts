@@ -6,24 +6,33 @@ import { runBeforeWorker } from './worker-script';
 
 /** Sixty-six M codes nobody knows, one dear mistake among them, and a warning. */
 const MANY = [
-  'G99 T0101', 'M3 S800', 'G00 X50 Z2',
+  'G99 T0101',
+  'M3 S800',
+  'G00 X50 Z2',
   ...Array.from({ length: 33 }, (_, i) => `M${300 + i}`),
   'G01 X40 Z- F0.2',
   ...Array.from({ length: 33 }, (_, i) => `M${400 + i}`),
-  'G00 X60', 'M30',
+  'G00 X60',
+  'M30',
 ].join('\n');
 
 const rows = (page: Page) => problems(page).getByRole('listitem');
 
 async function settled(page: Page): Promise<void> {
-  await page.locator('gcode-playground').evaluate((element) => (element as HTMLElement & { settled: Promise<number> }).settled);
+  await page
+    .locator('gcode-playground')
+    .evaluate((element) => (element as HTMLElement & { settled: Promise<number> }).settled);
 }
 
 test('the list and the line at the foot count the same: collisions, too', async ({ page }) => {
   await open(page);
   await type(page, '(STOCK D=50 LENGTH=80)\nG99 T0101\nM3 S800\nG00 X60 Z2\nG00 X40 Z-20\nG00 X60\nG00 X100 Z100\nM30');
   await settled(page);
-  await expect(problems(page).getByText(/runs into the work/).first()).toBeVisible();
+  await expect(
+    problems(page)
+      .getByText(/runs into the work/)
+      .first(),
+  ).toBeVisible();
   const count = Number(await problems(page).locator('.problems-toggle .count').textContent());
   expect(count).toBeGreaterThan(0);
   await expect(status(page)).toContainText(count === 1 ? '1 problem' : `${count} problems`);
@@ -38,11 +47,19 @@ test('problems of one rule with one code are one line with its places', async ({
   expect(await rows(page).count()).toBeLessThan(5);
 
   await test.step('errors stand first, or the first place', async () => {
-    await expect(rows(page).first().getByRole('button', { name: /^Error: / })).toBeVisible();
+    await expect(
+      rows(page)
+        .first()
+        .getByRole('button', { name: /^Error: / }),
+    ).toBeVisible();
     await problems(page).getByLabel('Order of the problems').selectOption('place');
     await expect(rows(page).first()).toContainText('M300');
     await problems(page).getByLabel('Order of the problems').selectOption('severity');
-    await expect(rows(page).first().getByRole('button', { name: /^Error: / })).toBeVisible();
+    await expect(
+      rows(page)
+        .first()
+        .getByRole('button', { name: /^Error: / }),
+    ).toBeVisible();
   });
 
   await test.step('a place leads to its block', async () => {
@@ -74,7 +91,11 @@ test('problems are filtered by severity and rule; the count stays', async ({ pag
   await problems(page).getByLabel('Rule', { exact: true }).selectOption('unknown-m-code');
   await expect(rows(page)).toHaveCount(1);
   await problems(page).getByLabel('Rule', { exact: true }).selectOption('');
-  await expect(rows(page).first().getByRole('button', { name: /^Error: / })).toBeVisible();
+  await expect(
+    rows(page)
+      .first()
+      .getByRole('button', { name: /^Error: / }),
+  ).toBeVisible();
 });
 
 test('a rule is hidden here, everywhere at once, and shown again', async ({ page }) => {
@@ -169,8 +190,19 @@ test('the problem that F8 goes to is announced', async ({ page }) => {
 });
 
 const CONTOUR = [
-  'G99 T0101', 'M3 S800', 'G00 X52 Z2', 'G71 U2 R0.5', 'G71 P10 Q20 U0.4 W0.1 F0.25', 'N10 G00 X20', 'G01 Z-15', 'X30 Z-25', 'X40', 'N20 G01 X50 Z-40',
-  'G70 P10 Q20 F0.1', 'G00 X100 Z100', 'M30',
+  'G99 T0101',
+  'M3 S800',
+  'G00 X52 Z2',
+  'G71 U2 R0.5',
+  'G71 P10 Q20 U0.4 W0.1 F0.25',
+  'N10 G00 X20',
+  'G01 Z-15',
+  'X30 Z-25',
+  'X40',
+  'N20 G01 X50 Z-40',
+  'G70 P10 Q20 F0.1',
+  'G00 X100 Z100',
+  'M30',
 ].join('\n');
 
 /** Puts the cursor after `X30 Z-25` of the contour. */
@@ -196,7 +228,11 @@ test('while a word is typed in a contour the picture of before stays, labelled w
   await settled(page);
   await expect(old).toBeVisible();
   await expect(status(page)).not.toContainText(`${motions} motions`);
-  await expect(rows(page).first().getByRole('button', { name: /^Error: / })).toBeVisible();
+  await expect(
+    rows(page)
+      .first()
+      .getByRole('button', { name: /^Error: / }),
+  ).toBeVisible();
   expect(await drawing(page).getAttribute('aria-label')).toContain(`${motions} motions`);
 
   await test.step('nothing of the new run lies under the pointer there', async () => {
@@ -223,7 +259,9 @@ test('while a word is typed in a contour the picture of before stays, labelled w
 
 chromiumTest('who leaves the block while its run is under way sees what the program does now', async ({ page }) => {
   // The worker gets the move of the cursor after the first slice of the run.
-  await runBeforeWorker(page, `
+  await runBeforeWorker(
+    page,
+    `
     let held;
     self.addEventListener('message', (event) => {
       const what = event.data?.what;
@@ -242,7 +280,8 @@ chromiumTest('who leaves the block while its run is under way sees what the prog
         performance.now = now;
       }
     });
-  `);
+  `,
+  );
   await open(page);
   const further = Array.from({ length: 2_000 }, (_, at) => `G01 X${60 + (at % 40)} Z${5 + (at % 7)} F0.2`).join('\n');
   await openFile(page, 'contour.nc', Buffer.from(`${CONTOUR.replace('M30', further)}\nM30`));
@@ -252,11 +291,17 @@ chromiumTest('who leaves the block while its run is under way sees what the prog
   await settled(page);
   await page.workers()[0]!.evaluate(() => Object.assign(self, { holdsRuns: true }));
   await page.keyboard.press('Backspace');
-  await expect.poll(() => page.workers()[0]!.evaluate(() => (self as unknown as { holdsRuns: boolean }).holdsRuns)).toBe(false);
+  await expect
+    .poll(() => page.workers()[0]!.evaluate(() => (self as unknown as { holdsRuns: boolean }).holdsRuns))
+    .toBe(false);
   await page.keyboard.press('ArrowDown');
   await settled(page);
   await expect(page.getByText(/^Old picture \(run \d+\)/)).toBeHidden();
-  await expect(rows(page).first().getByRole('button', { name: /^Error: / })).toBeVisible();
+  await expect(
+    rows(page)
+      .first()
+      .getByRole('button', { name: /^Error: / }),
+  ).toBeVisible();
 });
 
 /** What a few pixels of the drawing around a place look like. */

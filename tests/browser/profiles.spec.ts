@@ -5,7 +5,11 @@ import { expect, test, type Locator, type Page } from './engines';
 import { copy, editor, open, openFile, status, value } from './page';
 
 const PROGRAM = 'O0001\nT0101\nG97 S800 M3\nG0 X40 Z2\nG1 Z-20 F0.2\nX44\nG0 X100 Z100\nM30\n';
-const SHOP = { dialect: { control: 'gsk', refPoint: { x: 250, z: 300 } }, machine: { rapidX: 8000, turret: 'front' }, tailstock: { z: 2, diameter: 20 } };
+const SHOP = {
+  dialect: { control: 'gsk', refPoint: { x: 250, z: 300 } },
+  machine: { rapidX: 8000, turret: 'front' },
+  tailstock: { z: 2, diameter: 20 },
+};
 
 const dialog = (page: Page): Locator => page.getByRole('dialog', { name: 'Machines and tool tables' });
 const machine = (page: Page): Locator => page.getByRole('button', { name: /^(Choose machine|Machine: )/ });
@@ -14,13 +18,17 @@ const setup = async (page: Page): Promise<unknown> =>
 
 /** The run is over: the line with the button stays where it is. */
 const settled = async (page: Page): Promise<unknown> =>
-  page.locator('gcode-playground').evaluate((element) => (element as HTMLElement & { settled: Promise<number> }).settled);
+  page
+    .locator('gcode-playground')
+    .evaluate((element) => (element as HTMLElement & { settled: Promise<number> }).settled);
 
 async function importProfile(page: Page, name: string, json: unknown): Promise<void> {
   await settled(page);
   await machine(page).click();
   await expect(dialog(page)).toBeVisible();
-  await dialog(page).locator('input[type=file]').setInputFiles({ name, mimeType: 'application/json', buffer: Buffer.from(JSON.stringify(json)) });
+  await dialog(page)
+    .locator('input[type=file]')
+    .setInputFiles({ name, mimeType: 'application/json', buffer: Buffer.from(JSON.stringify(json)) });
 }
 
 test('a machine is imported, used for programs of one’s own, and exported as it came', async ({ page }) => {

@@ -48,7 +48,10 @@ test('Chinese and Russian: the page and the messages change, the program stays',
   await open(page);
   await type(page, 'G0 X50 Z2\nX\nM30');
   await expect(status(page)).toHaveText(/1 motion · \d lines · 1 problem/);
-  const message = page.getByRole('region', { name: /^(Problems|问题|Замечания)$/ }).getByRole('listitem').first();
+  const message = page
+    .getByRole('region', { name: /^(Problems|问题|Замечания)$/ })
+    .getByRole('listitem')
+    .first();
   const english = await message.textContent();
 
   await page.getByLabel('Language').selectOption('zh');

@@ -10,14 +10,21 @@ const setup = async (page: Page): Promise<unknown> =>
 
 const own = (page: Page, text: string): Promise<void> => openFile(page, 'own.nc', Buffer.from(text));
 
-test('control, system, unit, point, feed, block skip and program are said, and what was recognised or set', async ({ page }) => {
+test('control, system, unit, point, feed, block skip and program are said, and what was recognised or set', async ({
+  page,
+}) => {
   await open(page);
-  await expect(line(page)).toContainText('Read as GSK 980TD (set), mm, no point = mm, mm/min (set), block skip off, O0002');
+  await expect(line(page)).toContainText(
+    'Read as GSK 980TD (set), mm, no point = mm, mm/min (set), block skip off, O0002',
+  );
   await own(page, 'O0007\nT0101\nG97 S800 M3\nG0 X40 Z2\nG1 Z-20 F0.2\nM30\n');
   await expect(line(page)).toContainText('Read as FANUC, system A, mm, no point = mm, mm/rev, block skip off, O0007');
   await own(page, 'O0001\nG20 G99 T0101\nG97 S800 M3\nG0 X2. Z.1\nG1 X1. F.016\nZ-1.\nX2.\nG0 W2000\nM30\n');
   await expect(line(page)).toContainText('inch, no point = 0.0001 in (recognised), in/rev');
-  await own(page, 'O0001\nG21 G95 G90\nG92 S2000\nT0101\nG96 S120 M3\nG0 X50 Z2\nG77 X40 Z-20 F0.2\nG0 X100 Z100\nM30\n');
+  await own(
+    page,
+    'O0001\nG21 G95 G90\nG92 S2000\nT0101\nG96 S120 M3\nG0 X50 Z2\nG77 X40 Z-20 F0.2\nG0 X100 Z100\nM30\n',
+  );
   await expect(line(page)).toContainText('FANUC, system B (recognised)');
 
   await test.step('in Chinese and Russian', async () => {
@@ -48,7 +55,8 @@ test('each thing that a setting decides leads to its field', async ({ page }) =>
 
 test('a message that points to a setting has a button that sets it', async ({ page }) => {
   await open(page);
-  const milling = 'O0001\nG90 G54 G17\nT1 M6\nG43 H1 Z50.\nS1200 M3\nG0 X10. Y20.\nG1 Z-2. F200\nX40. Y35.\nG0 Z50.\nM30\n';
+  const milling =
+    'O0001\nG90 G54 G17\nT1 M6\nG43 H1 Z50.\nS1200 M3\nG0 X10. Y20.\nG1 Z-2. F200\nX40. Y35.\nG0 Z50.\nM30\n';
   await own(page, milling);
   await expect(line(page)).toContainText('not run');
   await problems(page).getByRole('button', { name: 'Recognise programs for other controls' }).click();
@@ -65,9 +73,13 @@ test('a message that points to a setting has a button that sets it', async ({ pa
     await expect(problems(page).getByRole('button', { name: 'enter Reference point X' })).toHaveCount(0);
   });
   await test.step('in the program, where the setup stands there; undo takes it out', async () => {
-    const text = '(STOCK D=50 LENGTH=60)\nO0001\nT0101\nG97 S300 M3\nG0 X52 Z-10\nG75 R1\nG75 X40 Z-20 P3 Q3 F0.1\nG0 X100 Z100\nM30\n';
+    const text =
+      '(STOCK D=50 LENGTH=60)\nO0001\nT0101\nG97 S300 M3\nG0 X52 Z-10\nG75 R1\nG75 X40 Z-20 P3 Q3 F0.1\nG0 X100 Z100\nM30\n';
     await own(page, text);
-    await problems(page).getByRole('button', { name: /set P and Q of G74 to G76 to in mm/ }).first().click();
+    await problems(page)
+      .getByRole('button', { name: /set P and Q of G74 to G76 to in mm/ })
+      .first()
+      .click();
     await expect.poll(() => value(page)).toContain('(DIALECT PQUNIT=MM)');
     await expect(problems(page).getByRole('button', { name: /set P and Q/ })).toHaveCount(0);
     await editor(page).focus();

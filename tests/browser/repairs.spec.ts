@@ -20,7 +20,9 @@ test('all safe repairs are one click and one undo', async ({ page }) => {
   await test.step('a button that has the focus gives it to the program when a run takes it away', async () => {
     await type(page, before);
     await all(page).focus();
-    await page.evaluate((text) => { document.querySelector<HTMLElement & { value: string }>('gcode-playground')!.value = text; }, after);
+    await page.evaluate((text) => {
+      document.querySelector<HTMLElement & { value: string }>('gcode-playground')!.value = text;
+    }, after);
     await expect(all(page)).toBeHidden();
     await expect(editor(page)).toBeFocused();
   });
@@ -46,7 +48,9 @@ test('one undo takes all repairs back', async ({ page }) => {
   await expect(all(page)).toHaveText('Apply 2 safe fixes');
 });
 
-test('an edit elsewhere leaves the row of a problem as it is, and its repair is made where it stands now', async ({ page }) => {
+test('an edit elsewhere leaves the row of a problem as it is, and its repair is made where it stands now', async ({
+  page,
+}) => {
   const before = 'G00 X50 Z1\nG00 X60 Z–2\nM30';
   await open(page);
   for (const where of ['list', 'tooltip'] as const) {
@@ -57,8 +61,12 @@ test('an edit elsewhere leaves the row of a problem as it is, and its repair is 
     await page.keyboard.press('Control+Home');
     await page.keyboard.type('N10 ');
     await expect.poll(() => value(page)).toBe(`N10 ${before}`);
-    await page.locator('gcode-playground').evaluate((element) => (element as HTMLElement & { settled: Promise<number> }).settled);
-    expect(await repair.evaluate((button) => (button as HTMLElement & { isTheSame?: boolean }).isTheSame === true)).toBe(true);
+    await page
+      .locator('gcode-playground')
+      .evaluate((element) => (element as HTMLElement & { settled: Promise<number> }).settled);
+    expect(
+      await repair.evaluate((button) => (button as HTMLElement & { isTheSame?: boolean }).isTheSame === true),
+    ).toBe(true);
     if (where === 'list') await repair.click();
     else {
       await page.locator('.cm-lintRange').first().hover();
@@ -89,8 +97,14 @@ test('the tooltip of a problem stays where it first stands, and nothing of it is
     expect(places).toHaveLength(1);
     const covered = await tooltip.evaluate((element) => {
       const { left, top, right, bottom } = element.getBoundingClientRect();
-      const corners = [[left + 12, top + 12], [right - 12, top + 12], [left + 12, bottom - 12], [right - 12, bottom - 12]] as const;
-      return corners.filter(([x, y]) => !element.contains((element.getRootNode() as ShadowRoot).elementFromPoint(x, y))).length;
+      const corners = [
+        [left + 12, top + 12],
+        [right - 12, top + 12],
+        [left + 12, bottom - 12],
+        [right - 12, bottom - 12],
+      ] as const;
+      return corners.filter(([x, y]) => !element.contains((element.getRootNode() as ShadowRoot).elementFromPoint(x, y)))
+        .length;
     });
     expect(covered).toBe(0);
     await page.mouse.move(width / 2, 890);

@@ -4,14 +4,44 @@ import { unzipSync, strFromU8 } from 'fflate';
 import { chromiumTest as test, type ChromiumPage, expect } from './engines';
 import { open, type } from './page';
 
-const PROGRAM = 'O0042\n(STOCK D=60 LENGTH=80)\nT0101\nG97 S800 M03\nG00 X62 Z2\nG90 X50 Z-20 F0.2\nX40\nG00 X100 Z100\nM30\n';
+const PROGRAM =
+  'O0042\n(STOCK D=60 LENGTH=80)\nT0101\nG97 S800 M03\nG00 X62 Z2\nG90 X50 Z-20 F0.2\nX40\nG00 X100 Z100\nM30\n';
 /** By the rules of G90: in, along, out, back. */
-const DRAWN = [['rapid', 40, 2], ['feed', 40, -20], ['feed', 62, -20], ['rapid', 62, 2]] as const;
+const DRAWN = [
+  ['rapid', 40, 2],
+  ['feed', 40, -20],
+  ['feed', 62, -20],
+  ['rapid', 62, 2],
+] as const;
 
 const WORDS = {
-  en: { more: 'More', open: 'My machine does otherwise…', machine: 'Machine and control', did: 'What the machine did', line: 'Line of the block', copy: 'Copy', save: 'Save as a folder for tests' },
-  zh: { more: '更多', open: '我的机床动作不同…', machine: '机床与数控系统', did: '机床的实际动作', line: '程序段所在行', copy: '复制', save: '保存为测试文件夹' },
-  ru: { more: 'Ещё', open: 'Мой станок делает иначе…', machine: 'Станок и система ЧПУ', did: 'Что сделал станок', line: 'Строка кадра', copy: 'Копировать', save: 'Сохранить папку для тестов' },
+  en: {
+    more: 'More',
+    open: 'My machine does otherwise…',
+    machine: 'Machine and control',
+    did: 'What the machine did',
+    line: 'Line of the block',
+    copy: 'Copy',
+    save: 'Save as a folder for tests',
+  },
+  zh: {
+    more: '更多',
+    open: '我的机床动作不同…',
+    machine: '机床与数控系统',
+    did: '机床的实际动作',
+    line: '程序段所在行',
+    copy: '复制',
+    save: '保存为测试文件夹',
+  },
+  ru: {
+    more: 'Ещё',
+    open: 'Мой станок делает иначе…',
+    machine: 'Станок и система ЧПУ',
+    did: 'Что сделал станок',
+    line: 'Строка кадра',
+    copy: 'Копировать',
+    save: 'Сохранить папку для тестов',
+  },
 } as const;
 
 async function openReport(page: ChromiumPage, language: keyof typeof WORDS): Promise<void> {
@@ -20,7 +50,10 @@ async function openReport(page: ChromiumPage, language: keyof typeof WORDS): Pro
 }
 
 for (const language of ['en', 'zh', 'ru'] as const) {
-  test(`a report has program, setup, block, what is drawn and what the machine did: ${language}`, async ({ page, context }) => {
+  test(`a report has program, setup, block, what is drawn and what the machine did: ${language}`, async ({
+    page,
+    context,
+  }) => {
     await context.grantPermissions(['clipboard-read', 'clipboard-write']);
     const words = WORDS[language];
     await open(page);
@@ -38,7 +71,8 @@ for (const language of ['en', 'zh', 'ru'] as const) {
     await dialog.getByRole('button', { name: words.copy, exact: true }).click();
     const text = await page.evaluate(() => navigator.clipboard.readText());
     expect(text).toBe(await output.inputValue());
-    for (const part of ['GSK 980TDb', '`X40`', 'It stood at X60 Z2.', PROGRAM.trim(), 'G-code playground 0.']) expect(text).toContain(part);
+    for (const part of ['GSK 980TDb', '`X40`', 'It stood at X60 Z2.', PROGRAM.trim(), 'G-code playground 0.'])
+      expect(text).toContain(part);
 
     const saved = page.waitForEvent('download');
     await dialog.getByRole('button', { name: words.save }).click();
@@ -46,13 +80,22 @@ for (const language of ['en', 'zh', 'ru'] as const) {
     expect(download.suggestedFilename()).toBe('machine-o0042.zip');
     const files = unzipSync(readFileSync(await download.path()));
     const file = (name: string): string => strFromU8(files[`machine-o0042/${name}`] ?? new Uint8Array());
-    expect(Object.keys(files).filter((name) => !name.endsWith('/')).sort()).toEqual(['about.json', 'expect.json', 'motions.jsonl', 'program.nc', 'setup.json'].map((name) => `machine-o0042/${name}`));
+    expect(
+      Object.keys(files)
+        .filter((name) => !name.endsWith('/'))
+        .sort(),
+    ).toEqual(
+      ['about.json', 'expect.json', 'motions.jsonl', 'program.nc', 'setup.json'].map((name) => `machine-o0042/${name}`),
+    );
     expect(file('program.nc')).toBe(PROGRAM);
     const about = JSON.parse(file('about.json')) as { readonly seed: string; readonly source: string };
     expect(about.seed).toBe('machine');
     expect(about.source).toContain('GSK 980TDb, block 7: It stood at X60 Z2.');
     expect(typeof JSON.parse(file('setup.json'))).toBe('object');
-    const motions = file('motions.jsonl').trim().split('\n').map((row) => JSON.parse(row) as { kind: string; line: number; to: { x: number; z: number } });
+    const motions = file('motions.jsonl')
+      .trim()
+      .split('\n')
+      .map((row) => JSON.parse(row) as { kind: string; line: number; to: { x: number; z: number } });
     expect(motions.filter(({ line }) => line === 7).map(({ kind, to }) => [kind, to.x, to.z])).toEqual(DRAWN);
   });
 }
@@ -61,13 +104,15 @@ test('until what is drawn is there the report waits, and is not copied', async (
   await open(page);
   await type(page, PROGRAM);
   // The table of motions is kept back for a while.
-  await page.locator('gcode-playground').evaluate((element: HTMLElement & { exported(format: string): Promise<unknown> }) => {
-    const own = element.exported.bind(element);
-    element.exported = async (format) => {
-      await new Promise((done) => setTimeout(done, 1500));
-      return own(format);
-    };
-  });
+  await page
+    .locator('gcode-playground')
+    .evaluate((element: HTMLElement & { exported(format: string): Promise<unknown> }) => {
+      const own = element.exported.bind(element);
+      element.exported = async (format) => {
+        await new Promise((done) => setTimeout(done, 1500));
+        return own(format);
+      };
+    });
   await openReport(page, 'en');
   const dialog = page.getByRole('dialog');
   await expect(dialog.getByText('The report is being put together…')).toBeVisible();

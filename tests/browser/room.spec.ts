@@ -27,56 +27,70 @@ const WINDOWS: readonly Window[] = [
 
 for (const { name, width, height, by, ratio } of WINDOWS) {
   for (const locale of ['en', 'zh', 'ru'] as const) {
-    test(`the drawing keeps 240 pixels or half of the window: ${name}, ${locale}`, { tag: locale === 'en' ? [] : '@night' }, async ({ browser, baseURL }, info) => {
-      const finger = by === 'finger';
-      const context = await browser.newContext({
-        ...(baseURL === undefined ? {} : { baseURL }),
-        viewport: { width, height }, deviceScaleFactor: ratio, isMobile: finger, hasTouch: finger, locale,
-      });
-      const page = (await context.newPage()) as ChromiumPage;
-      await open(page);
-      const least = Math.min(240, height / 2);
-      const measured: string[] = [];
-      const measure = async (when: string): Promise<void> => {
-        // While it plays nothing settles.
-        if (when !== 'playing') await page.locator('gcode-playground').evaluate(async (element) => (element as unknown as { settled: Promise<number> }).settled);
-        const box = await drawing(page).boundingBox();
-        measured.push(`${when}: ${Math.round(box?.width ?? 0)} × ${Math.round(box?.height ?? 0)}`);
-        expect(box?.height, when).toBeGreaterThanOrEqual(least);
-        expect(box?.y, when).toBeGreaterThanOrEqual(0);
-        expect((box?.y ?? 0) + (box?.height ?? 0), when).toBeLessThanOrEqual(height);
-        expect(await page.evaluate(() => document.documentElement.scrollWidth), when).toBeLessThanOrEqual(width);
-        await page.screenshot({ path: info.outputPath(`${when}.png`) });
-      };
-      await measure('first');
-      // The menu of examples can be read.
-      expect((await page.locator('#example').boundingBox())?.width).toBeGreaterThanOrEqual(120);
+    test(
+      `the drawing keeps 240 pixels or half of the window: ${name}, ${locale}`,
+      { tag: locale === 'en' ? [] : '@night' },
+      async ({ browser, baseURL }, info) => {
+        const finger = by === 'finger';
+        const context = await browser.newContext({
+          ...(baseURL === undefined ? {} : { baseURL }),
+          viewport: { width, height },
+          deviceScaleFactor: ratio,
+          isMobile: finger,
+          hasTouch: finger,
+          locale,
+        });
+        const page = (await context.newPage()) as ChromiumPage;
+        await open(page);
+        const least = Math.min(240, height / 2);
+        const measured: string[] = [];
+        const measure = async (when: string): Promise<void> => {
+          // While it plays nothing settles.
+          if (when !== 'playing')
+            await page
+              .locator('gcode-playground')
+              .evaluate(async (element) => (element as unknown as { settled: Promise<number> }).settled);
+          const box = await drawing(page).boundingBox();
+          measured.push(`${when}: ${Math.round(box?.width ?? 0)} × ${Math.round(box?.height ?? 0)}`);
+          expect(box?.height, when).toBeGreaterThanOrEqual(least);
+          expect(box?.y, when).toBeGreaterThanOrEqual(0);
+          expect((box?.y ?? 0) + (box?.height ?? 0), when).toBeLessThanOrEqual(height);
+          expect(await page.evaluate(() => document.documentElement.scrollWidth), when).toBeLessThanOrEqual(width);
+          await page.screenshot({ path: info.outputPath(`${when}.png`) });
+        };
+        await measure('first');
+        // The menu of examples can be read.
+        expect((await page.locator('#example').boundingBox())?.width).toBeGreaterThanOrEqual(120);
 
-      await type(page, 'O1\nG50 S2000\nT0101\nG96 S150 M3\nG0 X52 Z2\nG90 X48 Z-30 F0.2\nX44\nX\nG0 X200 Z200\nM30');
-      await expect(problems(page).or(tab(page, 'problems')).first()).toBeVisible();
-      await measure('writing');
-      const box = await editor(page).boundingBox();
-      expect(Math.min(height, (box?.y ?? 0) + (box?.height ?? 0)) - (box?.y ?? 0), 'lines to write in').toBeGreaterThanOrEqual(100);
+        await type(page, 'O1\nG50 S2000\nT0101\nG96 S150 M3\nG0 X52 Z2\nG90 X48 Z-30 F0.2\nX44\nX\nG0 X200 Z200\nM30');
+        await expect(problems(page).or(tab(page, 'problems')).first()).toBeVisible();
+        await measure('writing');
+        const box = await editor(page).boundingBox();
+        expect(
+          Math.min(height, (box?.y ?? 0) + (box?.height ?? 0)) - (box?.y ?? 0),
+          'lines to write in',
+        ).toBeGreaterThanOrEqual(100);
 
-      if ((await page.getByRole('tabpanel').count()) > 0) {
-        for (const which of ['drawing', 'problems', 'state', 'program'] as const) {
-          await tab(page, which).click();
-          await expect(tab(page, which)).toHaveAttribute('aria-selected', 'true');
-          await measure(which);
+        if ((await page.getByRole('tabpanel').count()) > 0) {
+          for (const which of ['drawing', 'problems', 'state', 'program'] as const) {
+            await tab(page, which).click();
+            await expect(tab(page, which)).toHaveAttribute('aria-selected', 'true');
+            await measure(which);
+          }
+          await tab(page, 'state').click();
+          await expect(status(page)).toBeVisible();
+          await tab(page, 'drawing').click();
+        } else {
+          for (const part of [editor(page), problems(page), status(page)]) await expect(part).toBeInViewport();
         }
-        await tab(page, 'state').click();
-        await expect(status(page)).toBeVisible();
-        await tab(page, 'drawing').click();
-      } else {
-        for (const part of [editor(page), problems(page), status(page)]) await expect(part).toBeInViewport();
-      }
-      await page.getByRole('button', { name: /^(Play|播放|Пуск)$/ }).click();
-      // What is read off while it plays takes room, too.
-      await expect(page.locator('.readout')).not.toHaveClass(/idle/);
-      await measure('playing');
-      info.annotations.push({ type: 'canvas', description: measured.join(', ') });
-      await context.close();
-    });
+        await page.getByRole('button', { name: /^(Play|播放|Пуск)$/ }).click();
+        // What is read off while it plays takes room, too.
+        await expect(page.locator('.readout')).not.toHaveClass(/idle/);
+        await measure('playing');
+        info.annotations.push({ type: 'canvas', description: measured.join(', ') });
+        await context.close();
+      },
+    );
   }
 }
 
@@ -95,8 +109,15 @@ function colours(page: ChromiumPage): Promise<number> {
 }
 
 for (const colorScheme of ['light', 'dark'] as const) {
-  test(`where the system asks for its own colours the picture has them: ${colorScheme}`, async ({ browser, baseURL }, info) => {
-    const context = await browser.newContext({ ...(baseURL === undefined ? {} : { baseURL }), forcedColors: 'active', colorScheme });
+  test(`where the system asks for its own colours the picture has them: ${colorScheme}`, async ({
+    browser,
+    baseURL,
+  }, info) => {
+    const context = await browser.newContext({
+      ...(baseURL === undefined ? {} : { baseURL }),
+      forcedColors: 'active',
+      colorScheme,
+    });
     const page = (await context.newPage()) as ChromiumPage;
     await open(page);
     expect(await colours(page)).toBeGreaterThan(20);
@@ -105,7 +126,10 @@ for (const colorScheme of ['light', 'dark'] as const) {
   });
 }
 
-test('on paper there are drawing, problems, setup and all of the program, in light colours', async ({ browser, baseURL }, info) => {
+test('on paper there are drawing, problems, setup and all of the program, in light colours', async ({
+  browser,
+  baseURL,
+}, info) => {
   const context = await browser.newContext({ ...(baseURL === undefined ? {} : { baseURL }), colorScheme: 'dark' });
   const page = (await context.newPage()) as ChromiumPage;
   await open(page);

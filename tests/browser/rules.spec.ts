@@ -66,7 +66,10 @@ test('both programs open in the playground, in the language of the page', async 
 });
 
 test('what is changed in a program of an address is kept, and found again', async ({ page }) => {
-  await open(page, `#program=${encodeURIComponent('O0001\nG00 X20 Z2\nM30')}&setup=${encodeURIComponent('{"dialect": {"control": "gsk"}}')}`);
+  await open(
+    page,
+    `#program=${encodeURIComponent('O0001\nG00 X20 Z2\nM30')}&setup=${encodeURIComponent('{"dialect": {"control": "gsk"}}')}`,
+  );
   await expect(page.getByLabel('Control')).toHaveValue('gsk');
   expect(await value(page)).toBe('O0001\nG00 X20 Z2\nM30');
   await editor(page).focus();
@@ -81,7 +84,13 @@ test('what is changed in a program of an address is kept, and found again', asyn
 test('an address with a setup that is none is told, not fatal', async ({ page }) => {
   await open(page, '#program=M30&setup=nonsense');
   expect(await value(page)).toBe('M30');
-  await expect(page.locator('gcode-playground').getByRole('alert').or(page.getByText(/setup was not accepted/)).first()).toBeVisible();
+  await expect(
+    page
+      .locator('gcode-playground')
+      .getByRole('alert')
+      .or(page.getByText(/setup was not accepted/))
+      .first(),
+  ).toBeVisible();
 });
 
 test('the list of all rules leads to each of them', async ({ page }) => {

@@ -82,7 +82,9 @@ test('an assumed stock can be taken over, and collisions are looked for', async 
   });
 });
 
-test('what was filled in and not applied is still there when the form is opened again, until another program is', async ({ page }) => {
+test('what was filled in and not applied is still there when the form is opened again, until another program is', async ({
+  page,
+}) => {
   await begin(page);
   const left = form(page).getByText('not applied yet');
   await openForm(page);
@@ -148,7 +150,9 @@ test('kept in the program it stands in comments, which one undo takes out', asyn
   await expect(page.getByText('The setup stands in the program now')).toBeVisible();
   const lines = (await value(page)).split('\n');
   expect(lines.slice(0, 3)).toEqual([
-    'O0001', '(STOCK D=50 LENGTH=25)', '(TOOL T0101 TYPE=TURNING INSERT=C R=0.8 KR=95)',
+    'O0001',
+    '(STOCK D=50 LENGTH=25)',
+    '(TOOL T0101 TYPE=TURNING INSERT=C R=0.8 KR=95)',
   ]);
   await expect(page.getByText('Tools assumed')).toBeHidden();
   await expect(page.getByText('Stock assumed: collisions not checked')).toBeHidden();
@@ -265,23 +269,31 @@ test('a file of one’s own, and an emptied editor, begin without the setup of t
 test('taking off the material of a long program shows how far it is, and can be stopped', async ({ page }) => {
   await open(page);
   // Each pass leaves a wave, so that the part has many corners.
-  const passes = Array.from({ length: 15_000 }, (_, i) => `G1 X${(60 - i / 1000 - (i % 2) * 0.1).toFixed(3)} Z${(-(i % 300) / 3).toFixed(3)} F0.2`);
+  const passes = Array.from(
+    { length: 15_000 },
+    (_, i) => `G1 X${(60 - i / 1000 - (i % 2) * 0.1).toFixed(3)} Z${(-(i % 300) / 3).toFixed(3)} F0.2`,
+  );
   // A fast machine may be done before a test that looks now and then presses the button:
   // it is pressed in the page.
-  const told = page.locator('gcode-playground').evaluate((element) => new Promise<string>((done) => {
-    const look = (): void => {
-      const root = element.shadowRoot!;
-      const status = root.querySelector('[part~="status"]')?.textContent ?? '';
-      const stop = [...root.querySelectorAll('button')].find((button) => button.textContent === 'Stop' && button.checkVisibility());
-      if (stop === undefined || !/Part … \d+ %/.test(status)) {
-        requestAnimationFrame(look);
-        return;
-      }
-      stop.click();
-      done(status);
-    };
-    look();
-  }));
+  const told = page.locator('gcode-playground').evaluate(
+    (element) =>
+      new Promise<string>((done) => {
+        const look = (): void => {
+          const root = element.shadowRoot!;
+          const status = root.querySelector('[part~="status"]')?.textContent ?? '';
+          const stop = [...root.querySelectorAll('button')].find(
+            (button) => button.textContent === 'Stop' && button.checkVisibility(),
+          );
+          if (stop === undefined || !/Part … \d+ %/.test(status)) {
+            requestAnimationFrame(look);
+            return;
+          }
+          stop.click();
+          done(status);
+        };
+        look();
+      }),
+  );
   await openFile(page, 'long.nc', Buffer.from(`T0101 S800 M3\nG0 X62 Z2\n${passes.join('\n')}\nM30\n`));
   expect(await told).toContain('Part');
   await expect(problems(page).getByText(/The material removal was stopped after \d+ of 15001 motions/)).toBeVisible();

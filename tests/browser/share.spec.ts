@@ -43,8 +43,20 @@ interface Playground extends HTMLElement {
 
 const state = (page: Page): Promise<State> =>
   page.locator('gcode-playground').evaluate((element) => {
-    const { opened, setup, control, blockSkip, program, language, view, step, readonly } = element as unknown as Playground;
-    return { text: opened.text, file: opened.file ?? null, setup, control, blockSkip, program, language, view, step, readonly };
+    const { opened, setup, control, blockSkip, program, language, view, step, readonly } =
+      element as unknown as Playground;
+    return {
+      text: opened.text,
+      file: opened.file ?? null,
+      setup,
+      control,
+      blockSkip,
+      program,
+      language,
+      view,
+      step,
+      readonly,
+    };
   });
 
 const shareButton = (page: Page) => page.getByRole('button', { name: /^(Share…|分享…|Поделиться…)$/ });
@@ -140,7 +152,9 @@ test('before a dwell that is the last motion the tool stands at the end of the m
   expect(step).toBe('2');
 });
 
-test('before the last motion the tool stands at the end of the one before it, also when that is shared', async ({ page }) => {
+test('before the last motion the tool stands at the end of the one before it, also when that is shared', async ({
+  page,
+}) => {
   await open(page);
   const steps = await page.locator('gcode-playground').evaluate(async (element) => {
     const playground = element as unknown as Playground;
@@ -158,7 +172,9 @@ test('before the last motion the tool stands at the end of the one before it, al
   expect(steps).toEqual(['2', '2', null]);
 });
 
-test('a place of the tool that is taken back before it was taken does not keep the element waiting', async ({ page }) => {
+test('a place of the tool that is taken back before it was taken does not keep the element waiting', async ({
+  page,
+}) => {
   await open(page);
   const settled = page.locator('gcode-playground').evaluate(async (element) => {
     const playground = element as unknown as Playground;
@@ -189,8 +205,11 @@ test('every stored link opens in the page', async ({ page }) => {
   for (const { what, link, opens } of storedLinks()) {
     await go(page, link);
     const { task: _, name, ...said } = opens;
-    await expect.poll(() => state(page), what).toMatchObject({ setup: null, view: 'all', step: null, readonly: false, ...said });
-    if (typeof name === 'string') await expect.poll(() => page.locator('#link-bar').textContent(), what).toContain(name);
+    await expect
+      .poll(() => state(page), what)
+      .toMatchObject({ setup: null, view: 'all', step: null, readonly: false, ...said });
+    if (typeof name === 'string')
+      await expect.poll(() => page.locator('#link-bar').textContent(), what).toContain(name);
   }
 });
 
@@ -201,8 +220,20 @@ test('broken, cut, newer and hostile links give a message and take nothing away'
   const before = await state(page);
   const good = storedLinks().find(({ what }) => what === 'all that a link can say')?.link ?? '';
   const broken = [
-    good.slice(0, -1), good.slice(0, 40), good.slice(0, 12), '#share=', good.replace('#share=1', '#share=2'), good.replace('z', 'b'), `${good.slice(0, 60)}A${good.slice(61)}`,
-    '#zz-nonexistent', '#share=1.9.zAAAA', '#share=1.12.z00000000000', '#shared=1', '#prog=G00', '#%00%ff', '#share=1.20.zS0wcBYNg00000000000',
+    good.slice(0, -1),
+    good.slice(0, 40),
+    good.slice(0, 12),
+    '#share=',
+    good.replace('#share=1', '#share=2'),
+    good.replace('z', 'b'),
+    `${good.slice(0, 60)}A${good.slice(61)}`,
+    '#zz-nonexistent',
+    '#share=1.9.zAAAA',
+    '#share=1.12.z00000000000',
+    '#shared=1',
+    '#prog=G00',
+    '#%00%ff',
+    '#share=1.20.zS0wcBYNg00000000000',
   ];
   for (const hash of broken) {
     await go(page, hash);
@@ -223,7 +254,11 @@ test('broken, cut, newer and hostile links give a message and take nothing away'
   expect(await state(page)).toEqual(before);
   // What unpacks to hundreds of millions is stopped.
   await page.evaluate(async () => {
-    const bytes = new Uint8Array(await new Response(new Blob([new Uint8Array(100_000_000)]).stream().pipeThrough(new CompressionStream('deflate-raw'))).arrayBuffer());
+    const bytes = new Uint8Array(
+      await new Response(
+        new Blob([new Uint8Array(100_000_000)]).stream().pipeThrough(new CompressionStream('deflate-raw')),
+      ).arrayBuffer(),
+    );
     let binary = '';
     for (const byte of bytes) binary += String.fromCharCode(byte);
     const body = `z${btoa(binary).replaceAll('+', '-').replaceAll('/', '_').replaceAll('=', '')}`;
@@ -269,22 +304,39 @@ test('the element, the frame and the Markdown that are copied show the program',
   await form.selectOption('picture');
   await expect(page.getByRole('img', { name: 'Picture' })).toBeVisible();
 
-  await openHtml(page, `<!doctype html><html lang="en"><title>A manual</title><body><p>before</p>${element}</body></html>`);
+  await openHtml(
+    page,
+    `<!doctype html><html lang="en"><title>A manual</title><body><p>before</p>${element}</body></html>`,
+  );
   await settled(page);
   expect(await programOf(page)).toBe(own);
-  expect(await state(page)).toMatchObject({ view: 'playback', setup: '{"stock": {"diameter": 40, "length": 60}}', program: '1', language: 'en' });
+  expect(await state(page)).toMatchObject({
+    view: 'playback',
+    setup: '{"stock": {"diameter": 40, "length": 60}}',
+    program: '1',
+    language: 'en',
+  });
 
-  const source = await page.evaluate((html) => new DOMParser().parseFromString(html, 'text/html').querySelector('iframe')?.getAttribute('src') ?? '', frame);
+  const source = await page.evaluate(
+    (html) => new DOMParser().parseFromString(html, 'text/html').querySelector('iframe')?.getAttribute('src') ?? '',
+    frame,
+  );
   await page.goto(`./${source.slice(home.length)}`);
   await settled(page);
   expect(await programOf(page)).toBe(own);
-  expect(await state(page)).toMatchObject({ view: 'playback', setup: '{"stock":{"diameter":40,"length":60},"program":1}' });
+  expect(await state(page)).toMatchObject({
+    view: 'playback',
+    setup: '{"stock":{"diameter":40,"length":60},"program":1}',
+  });
 });
 
 test('what does not fit is said: a QR code, and a link', async ({ page }) => {
   await open(page);
   const next = random(2);
-  const noise = (length: number): string => Array.from({ length }, () => String.fromCharCode(65 + Math.floor(next() * 26))).join('').replace(/(.{60})/g, '($1)\n');
+  const noise = (length: number): string =>
+    Array.from({ length }, () => String.fromCharCode(65 + Math.floor(next() * 26)))
+      .join('')
+      .replace(/(.{60})/g, '($1)\n');
   const long = noise(4000);
   await openFile(page, 'long.nc', Buffer.from(long));
   await expect.poll(() => value(page)).toBe(long);
@@ -295,7 +347,11 @@ test('what does not fit is said: a QR code, and a link', async ({ page }) => {
   await page.keyboard.press('Escape');
   const longer = noise(1_500_000);
   await openFile(page, 'longer.nc', Buffer.from(longer));
-  await expect.poll(() => page.locator('gcode-playground').evaluate((element) => (element as unknown as { length: number }).length)).toBe(longer.length);
+  await expect
+    .poll(() =>
+      page.locator('gcode-playground').evaluate((element) => (element as unknown as { length: number }).length),
+    )
+    .toBe(longer.length);
   await shareButton(page).click();
   await expect(page.getByText(/too long for a link/)).toBeVisible();
   await expect(page.getByRole('button', { name: 'Copy', exact: true })).toBeDisabled();
@@ -306,7 +362,9 @@ test('a teacher gives a class a task by a link, and gets links back', { tag: '@n
   await open(page);
   await type(page, OWN);
   await expect.poll(() => value(page)).toBe(OWN);
-  await page.locator('gcode-playground').evaluate((element) => element.setAttribute('setup', '{"stock":{"diameter":42,"length":60}}'));
+  await page
+    .locator('gcode-playground')
+    .evaluate((element) => element.setAttribute('setup', '{"stock":{"diameter":42,"length":60}}'));
   await shareButton(page).click();
   // A class reads it in the languages it has chosen, and so do those who read the answers.
   await expect(page.getByLabel('Opens in English')).toBeChecked();
@@ -320,7 +378,11 @@ test('a teacher gives a class a task by a link, and gets links back', { tag: '@n
   await expect.poll(() => output(page).inputValue()).toContain('#share=1.');
   const task = await output(page).inputValue();
   const made = await openedLink(task.slice(task.indexOf('#')));
-  expect(made.kind === 'shared' && made.shared).toMatchObject({ language: null, name: null, task: { sentence: 'Turn the shoulder to X32 with G90.\nAt most 2 mm per pass.', solution: OWN } });
+  expect(made.kind === 'shared' && made.shared).toMatchObject({
+    language: null,
+    name: null,
+    task: { sentence: 'Turn the shoulder to X32 with G90.\nAt most 2 mm per pass.', solution: OWN },
+  });
 
   const returned: string[] = [];
   for (const answer of ANSWERS) {
@@ -380,7 +442,9 @@ test('a teacher gives a class a task by a link, and gets links back', { tag: '@n
   for (const [at, same] of [1, 0, 0].entries()) {
     await go(page, (returned[at] ?? '').replace(/^.*?#/, '#'));
     await expect(page.getByText(`From: Anna ${at + 1}`)).toBeVisible();
-    await page.locator('gcode-playground').evaluate(async (element) => void (await (element as unknown as Playground).settled));
+    await page
+      .locator('gcode-playground')
+      .evaluate(async (element) => void (await (element as unknown as Playground).settled));
     await expect(page.getByText('Same as the kept part')).toHaveCount(same);
   }
   // A teacher who reads another language keeps it.
@@ -399,7 +463,9 @@ test('a teacher gives a class a task by a link, and gets links back', { tag: '@n
   expect(await titleOf(page)).not.toContain('Anna');
 });
 
-test('what was written for a task is kept when the dialog is closed, until the program is another one', async ({ page }) => {
+test('what was written for a task is kept when the dialog is closed, until the program is another one', async ({
+  page,
+}) => {
   await open(page);
   await type(page, OWN);
   await expect.poll(() => value(page)).toBe(OWN);
@@ -426,13 +492,22 @@ test('what was written for a task is kept when the dialog is closed, until the p
 });
 
 // WebKit's window has at least 447 px.
-for (const [width, height] of [[1280, 800], [1280, 600], [480, 844]] as const) {
-  test(`the QR code of a task is seen whole, with its length and "Close": ${width} × ${height}`, async ({ page }, info) => {
+for (const [width, height] of [
+  [1280, 800],
+  [1280, 600],
+  [480, 844],
+] as const) {
+  test(`the QR code of a task is seen whole, with its length and "Close": ${width} × ${height}`, async ({
+    page,
+  }, info) => {
     await page.setViewportSize({ width, height });
-    const whole = (part: Locator): Promise<void> => expect.poll(async () => {
-      const box = await part.boundingBox();
-      return box !== null && box.x >= 0 && box.y >= 0 && box.x + box.width <= width && box.y + box.height <= height;
-    }).toBe(true);
+    const whole = (part: Locator): Promise<void> =>
+      expect
+        .poll(async () => {
+          const box = await part.boundingBox();
+          return box !== null && box.x >= 0 && box.y >= 0 && box.x + box.width <= width && box.y + box.height <= height;
+        })
+        .toBe(true);
     await open(page);
     await shareButton(page).click();
     await page.getByLabel('As a task').check();
@@ -484,7 +559,11 @@ test('where the browser refuses to copy, the link to hand in is shown and select
   await expect(shown).toBeFocused();
   await expect(page.getByText('скопируйте её вручную')).toBeVisible();
   const address = await shown.inputValue();
-  expect(await shown.evaluate((field) => ((field) => field.value.slice(field.selectionStart, field.selectionEnd))(field as HTMLTextAreaElement))).toBe(address);
+  expect(
+    await shown.evaluate((field) =>
+      ((field) => field.value.slice(field.selectionStart, field.selectionEnd))(field as HTMLTextAreaElement),
+    ),
+  ).toBe(address);
   expect(await page.evaluate(() => document.documentElement.scrollWidth)).toBeLessThanOrEqual(480);
   await openElsewhere(page, address);
   await expect(page.getByText('From: Аня')).toBeVisible();
@@ -509,7 +588,9 @@ test('a link to hand in that takes long to make is copied all the same', async (
   await expect(page.getByText('From: Аня')).toBeVisible();
 });
 
-test('a page that begins with an address of no example says so, and shows the program of before or the first example', async ({ page }) => {
+test('a page that begins with an address of no example says so, and shows the program of before or the first example', async ({
+  page,
+}) => {
   await open(page, '#zz-nonexistent');
   await expect.poll(() => page.locator('#link-bar p').textContent()).toMatch(/^This address names no example/);
   expect(await value(page)).toContain('O0002');
@@ -535,12 +616,15 @@ test('the solution of a task opens beside it', async ({ page }) => {
 });
 
 test('an element in a page opens in the playground with all it is run with', async ({ page }) => {
-  await openHtml(page, `<!doctype html><html lang="ru"><script type="module" src="../../element.js"></script><body>
+  await openHtml(
+    page,
+    `<!doctype html><html lang="ru"><script type="module" src="../../element.js"></script><body>
     <gcode-playground view="picture" control="gsk" block-skip="1" program="2" step="2" setup='{"stock": {"diameter": 60, "length": 80}}'><pre>${OWN}</pre></gcode-playground>
     <gcode-playground view="picture" playground="">G00 X1</gcode-playground>
     <gcode-playground view="picture" playground="https://lathe.example/play/">G00 X1</gcode-playground>
     <gcode-playground view="picture" playground="javascript:alert(1)">G00 X1</gcode-playground>
-    <gcode-playground view="picture" controls="none">G00 X1</gcode-playground></body></html>`);
+    <gcode-playground view="picture" controls="none">G00 X1</gcode-playground></body></html>`,
+  );
   for (let which = 0; which < 5; which++) await settled(page, which);
   const links = page.getByRole('link', { name: 'Открыть в песочнице' });
   await expect(links).toHaveCount(2);
@@ -552,28 +636,38 @@ test('an element in a page opens in the playground with all it is run with', asy
   await page.goto('about:blank');
   await open(page, address.slice(address.indexOf('#')));
   expect(await state(page)).toMatchObject({
-    text: OWN.slice(0, -1), control: 'gsk', blockSkip: '1', step: '2', language: 'ru', view: 'all', setup: '{"stock":{"diameter":60,"length":80},"program":2}',
+    text: OWN.slice(0, -1),
+    control: 'gsk',
+    blockSkip: '1',
+    step: '2',
+    language: 'ru',
+    view: 'all',
+    setup: '{"stock":{"diameter":60,"length":80},"program":2}',
   });
   // The page is the playground.
   await expect(page.getByRole('link', { name: 'Открыть в песочнице' })).toHaveCount(0);
 });
 
-test('random states are shared and opened: the same text, setup and picture', { tag: '@night' }, async ({ page }, { project }) => {
-  test.setTimeout(1_200_000);
-  // PLAYGROUND_STATES says how many.
-  const count = Number(process.env['PLAYGROUND_STATES'] ?? (project.name === 'chromium' ? 120 : 30));
-  const next = random(22);
-  const states = Array.from({ length: count }, () => randomState(next));
-  await open(page);
-  const shared: { readonly address: string; readonly state: State; readonly picture: string }[] = [];
-  for (const one of states) shared.push(await page.evaluate(shareOne, one as never));
-  // Backwards, so that each takes the place of another than the one it was made beside.
-  for (const [at, { address, state, picture }] of [...shared.entries()].reverse()) {
-    const opened = await page.evaluate(openOne, address);
-    expect(opened.state, `${at}: ${address}`).toEqual({ ...state, text: state.text });
-    expect(opened.picture, `${at}: ${address}`).toBe(picture);
-  }
-});
+test(
+  'random states are shared and opened: the same text, setup and picture',
+  { tag: '@night' },
+  async ({ page }, { project }) => {
+    test.setTimeout(1_200_000);
+    // PLAYGROUND_STATES says how many.
+    const count = Number(process.env['PLAYGROUND_STATES'] ?? (project.name === 'chromium' ? 120 : 30));
+    const next = random(22);
+    const states = Array.from({ length: count }, () => randomState(next));
+    await open(page);
+    const shared: { readonly address: string; readonly state: State; readonly picture: string }[] = [];
+    for (const one of states) shared.push(await page.evaluate(shareOne, one as never));
+    // Backwards, so that each takes the place of another than the one it was made beside.
+    for (const [at, { address, state, picture }] of [...shared.entries()].reverse()) {
+      const opened = await page.evaluate(openOne, address);
+      expect(opened.state, `${at}: ${address}`).toEqual({ ...state, text: state.text });
+      expect(opened.picture, `${at}: ${address}`).toBe(picture);
+    }
+  },
+);
 
 /** In the page: makes a state, and shares it by the dialog. */
 async function shareOne(one: Shared): Promise<{ address: string; state: State; picture: string }> {
@@ -583,7 +677,12 @@ async function shareOne(one: Shared): Promise<{ address: string; state: State; p
   const languages = find<HTMLSelectElement>('language');
   languages.value = language ?? 'en';
   languages.dispatchEvent(new Event('change'));
-  Object.assign(playground, { setup: context.setup, control: context.control, blockSkip: context.blockSkip, program: context.program });
+  Object.assign(playground, {
+    setup: context.setup,
+    control: context.control,
+    blockSkip: context.blockSkip,
+    program: context.program,
+  });
   playground.opened = { text, file: file ?? undefined };
   playground.step = null;
   await playground.settled;
@@ -591,13 +690,15 @@ async function shareOne(one: Shared): Promise<{ address: string; state: State; p
   await playground.settled;
   const toolAt = await playground.currentStep();
   find('action-share').click();
-  while (!(find<HTMLDialogElement>('share-title')?.closest('dialog')?.open ?? false)) await new Promise((done) => setTimeout(done, 1));
+  while (!(find<HTMLDialogElement>('share-title')?.closest('dialog')?.open ?? false))
+    await new Promise((done) => setTimeout(done, 1));
   const output = find<HTMLTextAreaElement>('share-output');
   const change = (id: string, set: (input: HTMLInputElement) => void): void => {
     set(find<HTMLInputElement>(id));
     find(id).dispatchEvent(new Event('input', { bubbles: true }));
   };
-  while (toolAt !== null && find('share-step').closest('label')?.hidden !== false) await new Promise((done) => setTimeout(done, 1));
+  while (toolAt !== null && find('share-step').closest('label')?.hidden !== false)
+    await new Promise((done) => setTimeout(done, 1));
   output.value = '';
   change('share-view', (input) => (input.value = view ?? 'all'));
   change('share-readonly', (input) => (input.checked = readonly));
@@ -613,8 +714,20 @@ async function shareOne(one: Shared): Promise<{ address: string; state: State; p
   const picture = (await (await playground.pictureFile('svg'))?.text()) ?? '';
   const { opened, setup, control, blockSkip, program } = playground;
   return {
-    address, picture,
-    state: { text: opened.text, file: opened.file ?? null, setup, control, blockSkip, program, language: playground.language, view: view ?? 'all', step: toolAt, readonly },
+    address,
+    picture,
+    state: {
+      text: opened.text,
+      file: opened.file ?? null,
+      setup,
+      control,
+      blockSkip,
+      program,
+      language: playground.language,
+      view: view ?? 'all',
+      step: toolAt,
+      readonly,
+    },
   };
 }
 
@@ -635,5 +748,19 @@ async function openOne(address: string): Promise<{ state: State; picture: string
   const { opened, setup, control, blockSkip, program, language, view, readonly } = playground;
   const step = await playground.currentStep();
   const picture = (await (await playground.pictureFile('svg'))?.text()) ?? '';
-  return { state: { text: opened.text, file: opened.file ?? null, setup, control, blockSkip, program, language, view, step, readonly }, picture };
+  return {
+    state: {
+      text: opened.text,
+      file: opened.file ?? null,
+      setup,
+      control,
+      blockSkip,
+      program,
+      language,
+      view,
+      step,
+      readonly,
+    },
+    picture,
+  };
 }

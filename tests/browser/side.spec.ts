@@ -42,29 +42,36 @@ const side = (page: Page) => page.getByRole('img', { name: /the side|圆柱面�
 const section = (page: Page) => page.getByRole('img', { name: /tool path|轨迹|траектории/ });
 
 async function place(page: Page, z: number, c: number): Promise<{ clientX: number; clientY: number }> {
-  return page.locator('gcode-playground').evaluate(async (element, at) => {
-    await (element as Playground).settled;
-    return (element as Playground).locateOnSide(at.z, at.c);
-  }, { z, c });
+  return page.locator('gcode-playground').evaluate(
+    async (element, at) => {
+      await (element as Playground).settled;
+      return (element as Playground).locateOnSide(at.z, at.c);
+    },
+    { z, c },
+  );
 }
 
 /** The colour at a place of the picture. */
 async function colour(page: Page, z: number, c: number): Promise<string> {
-  return page.locator('gcode-playground').evaluate(async (element, at) => {
-    await (element as Playground).settled;
-    const { clientX, clientY } = await (element as Playground).locateOnSide(at.z, at.c);
-    const canvases = [...element.shadowRoot!.querySelectorAll<HTMLCanvasElement>('.pictures canvas')];
-    const isThere = ({ left, right, top, bottom }: DOMRect): boolean => left <= clientX && clientX <= right && top <= clientY && clientY <= bottom;
-    const canvas = canvases.find((canvas) => isThere(canvas.getBoundingClientRect()));
-    if (canvas === undefined) return 'outside of all pictures';
-    const { left, top, width, height } = canvas.getBoundingClientRect();
-    const copy = document.createElement('canvas');
-    [copy.width, copy.height] = [canvas.width, canvas.height];
-    const context = copy.getContext('2d')!;
-    context.drawImage(canvas, 0, 0);
-    const [x, y] = [((clientX - left) / width) * canvas.width, ((clientY - top) / height) * canvas.height];
-    return [...context.getImageData(Math.round(x), Math.round(y), 1, 1).data].join();
-  }, { z, c });
+  return page.locator('gcode-playground').evaluate(
+    async (element, at) => {
+      await (element as Playground).settled;
+      const { clientX, clientY } = await (element as Playground).locateOnSide(at.z, at.c);
+      const canvases = [...element.shadowRoot!.querySelectorAll<HTMLCanvasElement>('.pictures canvas')];
+      const isThere = ({ left, right, top, bottom }: DOMRect): boolean =>
+        left <= clientX && clientX <= right && top <= clientY && clientY <= bottom;
+      const canvas = canvases.find((canvas) => isThere(canvas.getBoundingClientRect()));
+      if (canvas === undefined) return 'outside of all pictures';
+      const { left, top, width, height } = canvas.getBoundingClientRect();
+      const copy = document.createElement('canvas');
+      [copy.width, copy.height] = [canvas.width, canvas.height];
+      const context = copy.getContext('2d')!;
+      context.drawImage(canvas, 0, 0);
+      const [x, y] = [((clientX - left) / width) * canvas.width, ((clientY - top) / height) * canvas.height];
+      return [...context.getImageData(Math.round(x), Math.round(y), 1, 1).data].join();
+    },
+    { z, c },
+  );
 }
 
 test('a groove around the work is shown unrolled, and picked there', async ({ page }) => {
@@ -130,7 +137,12 @@ for (const locale of ['en', 'zh', 'ru'] as const) {
     const degrees = (mm: number): number => (mm / 30) * (180 / Math.PI);
     for (const c of [0, 90, 180, 270]) {
       // 3 mm from the middle in each direction it is a hole, 5 mm from it there is work.
-      for (const [right, down] of [[1, 1], [1, -1], [-1, 1], [-1, -1]] as const) {
+      for (const [right, down] of [
+        [1, 1],
+        [1, -1],
+        [-1, 1],
+        [-1, -1],
+      ] as const) {
         expect(await colour(page, -30 + right * 2.1, c + degrees(down * 2.1))).not.toBe(work);
         expect(await colour(page, -30 + right * 3.6, c + degrees(down * 3.6))).toBe(work);
       }

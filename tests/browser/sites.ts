@@ -36,8 +36,13 @@ export interface ServedSite {
 }
 
 const TYPES: Headers = {
-  '.html': 'text/html; charset=utf-8', '.js': 'text/javascript; charset=utf-8', '.wasm': 'application/wasm', '.json': 'application/json', '.css': 'text/css; charset=utf-8',
-  '.svg': 'image/svg+xml', '.txt': 'text/plain; charset=utf-8',
+  '.html': 'text/html; charset=utf-8',
+  '.js': 'text/javascript; charset=utf-8',
+  '.wasm': 'application/wasm',
+  '.json': 'application/json',
+  '.css': 'text/css; charset=utf-8',
+  '.svg': 'image/svg+xml',
+  '.txt': 'text/plain; charset=utf-8',
 };
 
 /** Serves a site on a port of its own, which makes it an origin of its own. `at` may be called before the port is known. */
@@ -62,10 +67,11 @@ export async function serve(files: string, site: (origin: string) => Site): Prom
     origin: originOf(server),
     asked,
     reported,
-    close: () => new Promise((resolve) => {
-      server.close(() => resolve());
-      server.closeAllConnections();
-    }),
+    close: () =>
+      new Promise((resolve) => {
+        server.close(() => resolve());
+        server.closeAllConnections();
+      }),
   };
 }
 
@@ -76,7 +82,9 @@ function originOf(server: Server): string {
 async function answer(path: string, site: Site, files: string, response: ServerResponse): Promise<void> {
   const page = site.pages?.[path];
   if (page !== undefined) {
-    response.writeHead(200, { 'content-type': path.endsWith('.js') ? TYPES['.js'] : TYPES['.html'], ...site.pageHeaders }).end(page);
+    response
+      .writeHead(200, { 'content-type': path.endsWith('.js') ? TYPES['.js'] : TYPES['.html'], ...site.pageHeaders })
+      .end(page);
     return;
   }
   const at = site.filesAt;
@@ -84,7 +92,10 @@ async function answer(path: string, site: Site, files: string, response: ServerR
   const isThere = inside !== undefined && !inside.startsWith('..') && site.missing?.test(inside) !== true;
   const bytes = isThere ? await readFile(join(files, inside)).catch(() => undefined) : undefined;
   if (bytes === undefined) response.writeHead(404, site.fileHeaders).end();
-  else response.writeHead(200, { 'content-type': TYPES[extname(path)] ?? 'application/octet-stream', ...site.fileHeaders }).end(bytes);
+  else
+    response
+      .writeHead(200, { 'content-type': TYPES[extname(path)] ?? 'application/octet-stream', ...site.fileHeaders })
+      .end(bytes);
 }
 
 async function bodyOf(request: IncomingMessage): Promise<string> {

@@ -9,7 +9,14 @@ test.use({
   viewport: { width: 800, height: 560 },
   launchOptions: {
     ...(process.env['PLAYGROUND_CHROMIUM'] ? { executablePath: process.env['PLAYGROUND_CHROMIUM'] } : {}),
-    args: ['--no-sandbox', '--use-angle=swiftshader', '--enable-unsafe-swiftshader', '--ignore-gpu-blocklist', '--disable-quic', '--no-first-run'],
+    args: [
+      '--no-sandbox',
+      '--use-angle=swiftshader',
+      '--enable-unsafe-swiftshader',
+      '--ignore-gpu-blocklist',
+      '--disable-quic',
+      '--no-first-run',
+    ],
   },
 });
 
@@ -114,7 +121,7 @@ M30`;
     await page.keyboard.press('Escape');
     await expect(dialog(page)).toBeHidden();
   }
-  const [plain, drilled] = pictures as [typeof pictures[0], typeof pictures[0]];
+  const [plain, drilled] = pictures as [(typeof pictures)[0], (typeof pictures)[0]];
   expect(drilled.sum).not.toBe(plain.sum);
   // The body is where it was.
   expect(Math.abs(drilled.share - plain.share)).toBeLessThan(0.02);

@@ -21,7 +21,13 @@ for (const form of FORMS) {
     const html = embed(form, PROGRAM);
     const at = html.indexOf('SMALL');
     // The class is there before the element, whose text comes in three pieces.
-    await openInPieces(page, manual('<p>before</p>').replace('</body></html>', ''), html.slice(0, at), html.slice(at, at + 9), `${html.slice(at + 9)}<p>after</p>`);
+    await openInPieces(
+      page,
+      manual('<p>before</p>').replace('</body></html>', ''),
+      html.slice(0, at),
+      html.slice(at, at + 9),
+      `${html.slice(at + 9)}<p>after</p>`,
+    );
     await settled(page);
     await expect.poll(() => programOf(page)).toBe(PROGRAM);
   });
@@ -50,51 +56,72 @@ test('every snippet of the reference draws what its program says', async ({ page
 });
 
 test('what stands in a slot is never read as the program', async ({ page }) => {
-  await openHtml(page, manual(`
+  await openHtml(
+    page,
+    manual(`
     <gcode-playground view="picture">
       <pre slot="fallback">G00 X1</pre><svg slot="fallback"><text>G00 X2</text></svg><script slot="fallback" type="text/x-gcode">G00 X3</script>
       <style>p { color: red }</style><!-- G00 X4 -->
       G00 X5
-    </gcode-playground>`));
+    </gcode-playground>`),
+  );
   await settled(page);
   expect(await programOf(page)).toBe('G00 X5');
 });
 
 test('a picture in a marked program is one for readers without scripts', async ({ page }) => {
-  await openHtml(page, manual('<pre data-gcode-playground data-view="picture"><svg slot="fallback" xmlns="http://www.w3.org/2000/svg"><title>G00 X2</title></svg>\nG00 X5\n</pre>'));
+  await openHtml(
+    page,
+    manual(
+      '<pre data-gcode-playground data-view="picture"><svg slot="fallback" xmlns="http://www.w3.org/2000/svg"><title>G00 X2</title></svg>\nG00 X5\n</pre>',
+    ),
+  );
   await settled(page);
   expect(await programOf(page)).toBe('G00 X5');
-  expect(await page.evaluate(() => document.querySelector('gcode-playground > svg')?.getAttribute('slot'))).toBe('fallback');
+  expect(await page.evaluate(() => document.querySelector('gcode-playground > svg')?.getAttribute('slot'))).toBe(
+    'fallback',
+  );
 });
 
 test('a setup stands in a script beside the program', async ({ page }) => {
-  await openHtml(page, manual(`
+  await openHtml(
+    page,
+    manual(`
     <gcode-playground>
       <script type="application/json">{"blockSkip": [1]}</script>
       <script type="text/x-gcode">
         G00 X50
         /G00 X60
         </script>
-    </gcode-playground>`));
+    </gcode-playground>`),
+  );
   await settled(page);
   await expect(page.getByRole('status')).toContainText('1 motion');
   expect(await page.locator('gcode-playground').getAttribute('setup')).toBe('{"blockSkip": [1]}');
 });
 
 test('a marked program brings the attributes of the element, and nothing else', async ({ page }) => {
-  await openHtml(page, manual(`
-    <pre data-gcode-playground data-view="picture" data-control="gsk" data-onclick="window.ran = true" data-style="color: red">G00 X50</pre>`));
+  await openHtml(
+    page,
+    manual(`
+    <pre data-gcode-playground data-view="picture" data-control="gsk" data-onclick="window.ran = true" data-style="color: red">G00 X50</pre>`),
+  );
   await settled(page);
   const element = page.locator('gcode-playground');
-  expect(await element.evaluate((element) => [...element.attributes].map(({ name, value }) => `${name}=${value}`).sort())).toEqual(['control=gsk', 'view=picture']);
+  expect(
+    await element.evaluate((element) => [...element.attributes].map(({ name, value }) => `${name}=${value}`).sort()),
+  ).toEqual(['control=gsk', 'view=picture']);
   await expect(page.getByRole('img')).toHaveCount(1);
 });
 
 test('marked programs that come later are upgraded when the page says so', async ({ page }) => {
   await openHtml(page, manual('<main></main>'));
   await page.evaluate(async () => {
-    document.querySelector('main')!.innerHTML = '<script type="text/x-gcode" data-gcode-playground data-view="picture">G00 X1</' + 'script>';
-    const { upgrade } = (await import(new URL('../../element.js', location.href).href)) as { upgrade(root?: ParentNode): void };
+    document.querySelector('main')!.innerHTML =
+      '<script type="text/x-gcode" data-gcode-playground data-view="picture">G00 X1</' + 'script>';
+    const { upgrade } = (await import(new URL('../../element.js', location.href).href)) as {
+      upgrade(root?: ParentNode): void;
+    };
     upgrade(document.querySelector('main')!);
     upgrade();
   });
@@ -104,10 +131,15 @@ test('marked programs that come later are upgraded when the page says so', async
 });
 
 test('properties set before the class is there count', async ({ page }) => {
-  await openHtml(page, manual('<gcode-playground view="picture">G00 X1</gcode-playground>').replace(SCRIPT, '').concat(`<script>
+  await openHtml(
+    page,
+    manual('<gcode-playground view="picture">G00 X1</gcode-playground>')
+      .replace(SCRIPT, '')
+      .concat(`<script>
     Object.assign(document.querySelector('gcode-playground'), { value: 'G00 X9', setup: { stock: { diameter: 60, length: 80 } }, control: 'gsk' });
     document.head.insertAdjacentElement('beforeend', Object.assign(document.createElement('script'), { type: 'module', src: '../../element.js' }));
-  </script>`));
+  </script>`),
+  );
   await settled(page);
   expect(await programOf(page)).toBe('G00 X9');
   const element = page.locator('gcode-playground');
@@ -119,7 +151,9 @@ test('text put in after the element, and changed later, is followed until the re
   await openHtml(page, manual('<main></main>'));
   const change = (text: string): Promise<void> =>
     page.evaluate(async (text) => {
-      const element = document.querySelector('gcode-playground') ?? document.querySelector('main')!.appendChild(document.createElement('gcode-playground'));
+      const element =
+        document.querySelector('gcode-playground') ??
+        document.querySelector('main')!.appendChild(document.createElement('gcode-playground'));
       element.setAttribute('control', 'gsk');
       element.textContent = text;
       await new Promise((done) => setTimeout(done));
@@ -139,7 +173,10 @@ test('text put in after the element, and changed later, is followed until the re
 });
 
 test('an element that is moved, taken out and put back keeps its program', async ({ page }) => {
-  await openHtml(page, manual('<main><gcode-playground view="picture">G00 X1\nG01 Z-5 F0.2</gcode-playground></main><aside></aside>'));
+  await openHtml(
+    page,
+    manual('<main><gcode-playground view="picture">G00 X1\nG01 Z-5 F0.2</gcode-playground></main><aside></aside>'),
+  );
   await settled(page);
   await page.evaluate(() => document.querySelector('aside')!.append(document.querySelector('gcode-playground')!));
   await settled(page);
@@ -157,7 +194,9 @@ test('an element that is moved, taken out and put back keeps its program', async
 test('a program that cannot be had is a message within a second', async ({ page }) => {
   await openHtml(page, manual('<gcode-playground view="picture" src="nowhere/at-all.nc"></gcode-playground>'));
   // The server answers with a page where it has no file: an address that nobody serves is not to be had.
-  await page.locator('gcode-playground').evaluate((element) => element.setAttribute('src', 'http://127.0.0.1:9/part.nc'));
+  await page
+    .locator('gcode-playground')
+    .evaluate((element) => element.setAttribute('src', 'http://127.0.0.1:9/part.nc'));
   const begun = Date.now();
   await expect(page.getByRole('alert')).toContainText('http://127.0.0.1:9/part.nc');
   expect(Date.now() - begun).toBeLessThan(1_500);

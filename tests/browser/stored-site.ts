@@ -32,7 +32,15 @@ export interface StoredSite {
 }
 
 /** What servers without any settings say of files. */
-const TYPES: Readonly<Record<string, string>> = { '.html': 'text/html', '.js': 'text/javascript', '.wasm': 'application/wasm', '.txt': 'text/plain; charset=utf-8', '.json': 'application/json', '.css': 'text/css', '.svg': 'image/svg+xml' };
+const TYPES: Readonly<Record<string, string>> = {
+  '.html': 'text/html',
+  '.js': 'text/javascript',
+  '.wasm': 'application/wasm',
+  '.txt': 'text/plain; charset=utf-8',
+  '.json': 'application/json',
+  '.css': 'text/css',
+  '.svg': 'image/svg+xml',
+};
 
 /** Serves the page from a folder of its site: `/` or `/some/where/`. */
 export async function storedSite(at = '/', folder = DIST): Promise<StoredSite> {
@@ -46,8 +54,16 @@ export async function storedSite(at = '/', folder = DIST): Promise<StoredSite> {
     const refusal = refused?.pattern.test(path) === true ? refused.how : undefined;
     if (refusal !== undefined && refused?.last?.test(request.url ?? '') === true) refused = undefined;
     if (refusal === 'closed') return void request.socket.destroy();
-    if (refusal === 'corrupted') return void response.writeHead(200, { 'content-type': TYPES[extname(path)], 'cache-control': 'max-age=600' }).end('<h1>200</h1>');
-    const bytes = !pathname.startsWith(at) || path.startsWith('..') || refusal === 'missing' ? undefined : changes.has(path) ? changes.get(path) : await readFile(join(folder, path)).catch(() => undefined);
+    if (refusal === 'corrupted')
+      return void response
+        .writeHead(200, { 'content-type': TYPES[extname(path)], 'cache-control': 'max-age=600' })
+        .end('<h1>200</h1>');
+    const bytes =
+      !pathname.startsWith(at) || path.startsWith('..') || refusal === 'missing'
+        ? undefined
+        : changes.has(path)
+          ? changes.get(path)
+          : await readFile(join(folder, path)).catch(() => undefined);
     if (bytes === undefined) response.writeHead(404, { 'content-type': 'text/html' }).end('<h1>404</h1>');
     else response.writeHead(200, { 'content-type': TYPES[extname(path)] ?? 'application/octet-stream' }).end(bytes);
   };
@@ -56,14 +72,16 @@ export async function storedSite(at = '/', folder = DIST): Promise<StoredSite> {
   return {
     address: `http://127.0.0.1:${port}${at}`,
     asked,
-    stop: () => new Promise((resolve) => {
-      server.close(() => resolve());
-      server.closeAllConnections();
-    }),
-    start: () => new Promise((resolve, reject) => {
-      server.once('error', reject);
-      server.listen(port, '127.0.0.1', resolve);
-    }),
+    stop: () =>
+      new Promise((resolve) => {
+        server.close(() => resolve());
+        server.closeAllConnections();
+      }),
+    start: () =>
+      new Promise((resolve, reject) => {
+        server.once('error', reject);
+        server.listen(port, '127.0.0.1', resolve);
+      }),
     refuse(pattern, how = 'missing', last = undefined) {
       refused = pattern && { pattern, how, last };
     },
@@ -81,11 +99,17 @@ export function nextBuild(): Changes {
   const next = 'assets/index-nextnext.js';
   const examples = read('offline/examples.json').replaceAll('G71', 'G71 (NEXT)');
   const files: readonly (readonly [string, string, string])[] = [
-    ['index.html', 'index.html', read('index.html').replaceAll(entry, next).replace('<head>', '<head><meta name="build" content="next">')],
+    [
+      'index.html',
+      'index.html',
+      read('index.html').replaceAll(entry, next).replace('<head>', '<head><meta name="build" content="next">'),
+    ],
     [entry, next, read(entry)],
     ['offline/examples.json', 'offline/examples.json', examples],
     // Scripts that are loaded later import it by its name.
-    ...readdirSync(join(DIST, 'assets')).map((file) => `assets/${file}`).filter((file) => file !== entry && file.endsWith('.js') && read(file).includes(basename(entry)))
+    ...readdirSync(join(DIST, 'assets'))
+      .map((file) => `assets/${file}`)
+      .filter((file) => file !== entry && file.endsWith('.js') && read(file).includes(basename(entry)))
       .map((file) => [file, file, read(file).replaceAll(basename(entry), basename(next))] as const),
   ];
   let worker = read('service-worker.js');
@@ -98,5 +122,10 @@ export function nextBuild(): Changes {
   const version = /version:\s*"([0-9a-f]{32})"/.exec(worker)?.[1] ?? '';
   put(version, hash(worker));
   const loaded = JSON.parse(examples) as Record<string, string>;
-  return new Map<string, string | undefined>([...files.map(([, path, text]) => [path, text] as const), ...Object.entries(loaded), [entry, undefined], ['service-worker.js', worker]]);
+  return new Map<string, string | undefined>([
+    ...files.map(([, path, text]) => [path, text] as const),
+    ...Object.entries(loaded),
+    [entry, undefined],
+    ['service-worker.js', worker],
+  ]);
 }

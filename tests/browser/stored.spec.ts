@@ -16,14 +16,22 @@ test.use({
   // With WebGL, drawn by the processor.
   launchOptions: {
     ...(process.env['PLAYGROUND_CHROMIUM'] ? { executablePath: process.env['PLAYGROUND_CHROMIUM'] } : {}),
-    args: ['--no-sandbox', '--use-angle=swiftshader', '--enable-unsafe-swiftshader', '--ignore-gpu-blocklist', '--disable-quic', '--no-first-run'],
+    args: [
+      '--no-sandbox',
+      '--use-angle=swiftshader',
+      '--enable-unsafe-swiftshader',
+      '--ignore-gpu-blocklist',
+      '--disable-quic',
+      '--no-first-run',
+    ],
   },
 });
 test.setTimeout(120_000);
 
 const status = (page: ChromiumPage) => page.locator('gcode-playground').getByRole('status');
 const news = (page: ChromiumPage) => page.getByText('There is a newer version of this page.');
-const build = (page: ChromiumPage) => page.evaluate(() => document.querySelector('meta[name=build]')?.getAttribute('content') ?? 'first');
+const build = (page: ChromiumPage) =>
+  page.evaluate(() => document.querySelector('meta[name=build]')?.getAttribute('content') ?? 'first');
 
 async function visit(page: ChromiumPage, address: string): Promise<void> {
   await page.goto(address);
@@ -61,7 +69,10 @@ test('two tabs never mix files of two versions', { tag: '@night' }, async ({ pag
   await expect.poll(() => value(other)).toContain('NEXT');
 
   // Both versions are kept as long as a tab has begun with them.
-  const versions = () => other.evaluate(async () => (await caches.keys()).filter((name) => /^gcode-playground .* [0-9a-f]{32}$/.test(name)).length);
+  const versions = () =>
+    other.evaluate(
+      async () => (await caches.keys()).filter((name) => /^gcode-playground .* [0-9a-f]{32}$/.test(name)).length,
+    );
   expect(await versions()).toBe(2);
   await page.getByRole('button', { name: 'Later' }).click();
   await expect(news(page)).toBeHidden();
@@ -102,7 +113,9 @@ test('a program that the browser cannot keep is not lost by a reload', async ({ 
   await page.reload();
   await expect(news(page)).toBeVisible({ timeout: 60_000 });
   const long = `${'G01 X40 Z-20 F0.2\n'.repeat(120_000)}M30\n`;
-  await page.locator('gcode-playground').evaluate((element, text) => void Object.assign(element, { value: text }), long);
+  await page
+    .locator('gcode-playground')
+    .evaluate((element, text) => void Object.assign(element, { value: text }), long);
   await page.getByRole('button', { name: 'Reload', exact: true }).click();
   await expect(page.getByText('The browser cannot keep this program')).toBeVisible();
   expect((await value(page)).length).toBe(long.length);
@@ -129,7 +142,9 @@ test('the view in 3D says that the network is missing, and comes with it', async
   await site.stop();
 });
 
-test('a zip of the page runs in a sub-folder of a server that knows nothing of it', { tag: '@night' }, async ({ page }) => {
+test('a zip of the page runs in a sub-folder of a server that knows nothing of it', { tag: '@night' }, async ({
+  page,
+}) => {
   const folder = mkdtempSync(join(tmpdir(), 'playground-zip-'));
   let server: ChildProcess | undefined;
   try {
@@ -137,11 +152,20 @@ test('a zip of the page runs in a sub-folder of a server that knows nothing of i
     // As README says, but for the place of the zip.
     execFileSync('python3', ['-m', 'zipfile', '-c', zip, 'www/dist'], { cwd: join(DIST, '..', '..') });
     execFileSync('python3', ['-m', 'zipfile', '-e', zip, join(folder, 'some', 'where')]);
-    server = spawn('python3', ['-u', '-m', 'http.server', '0', '--bind', '127.0.0.1'], { cwd: folder, stdio: ['ignore', 'pipe', 'ignore'] });
-    const port = await new Promise<string>((resolve) => server!.stdout!.on('data', (data: Buffer) => resolve(/port (\d+)/.exec(String(data))?.[1] ?? '')));
+    server = spawn('python3', ['-u', '-m', 'http.server', '0', '--bind', '127.0.0.1'], {
+      cwd: folder,
+      stdio: ['ignore', 'pipe', 'ignore'],
+    });
+    const port = await new Promise<string>((resolve) =>
+      server!.stdout!.on('data', (data: Buffer) => resolve(/port (\d+)/.exec(String(data))?.[1] ?? '')),
+    );
     const address = `http://127.0.0.1:${port}/some/where/dist/`;
     const outside: string[] = [];
-    page.on('request', (request) => request.url().startsWith('http') && !request.url().startsWith(address) && outside.push(request.url()));
+    page.on(
+      'request',
+      (request) =>
+        request.url().startsWith('http') && !request.url().startsWith(address) && outside.push(request.url()),
+    );
     await visit(page, address);
     await expect(page.getByText('Works offline')).toHaveCount(1, { timeout: 60_000 });
     await page.goto(`${address}rules/en/absolute-and-incremental.html`);
@@ -156,13 +180,25 @@ test('a zip of the page runs in a sub-folder of a server that knows nothing of i
 
 test('it can be installed: the manifest is in the language of the page, and files are opened', async ({ page }) => {
   await page.addInitScript(() => {
-    Object.defineProperty(window, 'launchQueue', { value: { setConsumer: (consumer: unknown) => Reflect.set(window, 'launch', consumer) } });
+    Object.defineProperty(window, 'launchQueue', {
+      value: { setConsumer: (consumer: unknown) => Reflect.set(window, 'launch', consumer) },
+    });
   });
   const site = await storedSite();
   await visitAndStore(page, site);
-  for (const [language, name] of [['en', 'G-code playground'], ['zh', 'G 代码演练场'], ['ru', 'Песочница G-кода']] as const) {
+  for (const [language, name] of [
+    ['en', 'G-code playground'],
+    ['zh', 'G 代码演练场'],
+    ['ru', 'Песочница G-кода'],
+  ] as const) {
     await page.locator('#language').selectOption(language);
-    const manifest = await page.evaluate(async () => (await fetch(document.querySelector<HTMLLinkElement>('link[rel=manifest]')!.href)).json() as Promise<{ name: string; icons: { src: string }[] }>);
+    const manifest = await page.evaluate(
+      async () =>
+        (await fetch(document.querySelector<HTMLLinkElement>('link[rel=manifest]')!.href)).json() as Promise<{
+          name: string;
+          icons: { src: string }[];
+        }>,
+    );
     expect(manifest.name).toBe(name);
     for (const { src } of manifest.icons) expect(readFileSync(join(DIST, src)).length).toBeGreaterThan(100);
   }
@@ -180,17 +216,37 @@ test('it can be installed: the manifest is in the language of the page, and file
 
 test('the element in another page stores nothing', async ({ page }) => {
   const site = await storedSite();
-  site.publish(new Map([['manual.html', `<!doctype html><title>Manual</title><script type="module" src="embed/element.js"></script><gcode-playground>G00 X50 Z2\nG01 Z-9 F0.2\nM30</gcode-playground>`]]));
+  site.publish(
+    new Map([
+      [
+        'manual.html',
+        `<!doctype html><title>Manual</title><script type="module" src="embed/element.js"></script><gcode-playground>G00 X50 Z2\nG01 Z-9 F0.2\nM30</gcode-playground>`,
+      ],
+    ]),
+  );
   await visit(page, `${site.address}manual.html`);
-  await page.locator('gcode-playground').evaluate((element) => (element as HTMLElement & { settled: Promise<number> }).settled);
+  await page
+    .locator('gcode-playground')
+    .evaluate((element) => (element as HTMLElement & { settled: Promise<number> }).settled);
   await page.waitForTimeout(2500);
-  expect(await page.evaluate(async () => [(await navigator.serviceWorker.getRegistrations()).length, (await caches.keys()).length])).toEqual([0, 0]);
+  expect(
+    await page.evaluate(async () => [
+      (await navigator.serviceWorker.getRegistrations()).length,
+      (await caches.keys()).length,
+    ]),
+  ).toEqual([0, 0]);
   expect(site.asked.filter((path) => /service-worker|offline\//.test(path))).toEqual([]);
   await site.stop();
 });
 
-for (const [locale, colorScheme, said, wanted] of [['en', 'light', 'Works offline', 'Reload'], ['zh', 'dark', '可离线使用', '重新加载'], ['ru', 'light', 'Работает без сети', 'Обновить']] as const) {
-  test(`axe finds nothing in what is said of versions and storing, on a phone and on a desk: ${locale}`, { tag: locale === 'en' ? [] : '@night' }, async ({ browser }) => {
+for (const [locale, colorScheme, said, wanted] of [
+  ['en', 'light', 'Works offline', 'Reload'],
+  ['zh', 'dark', '可离线使用', '重新加载'],
+  ['ru', 'light', 'Работает без сети', 'Обновить'],
+] as const) {
+  test(`axe finds nothing in what is said of versions and storing, on a phone and on a desk: ${locale}`, {
+    tag: locale === 'en' ? [] : '@night',
+  }, async ({ browser }) => {
     const context = await browser.newContext({ locale, colorScheme, viewport: { width: 390, height: 844 } });
     const page = (await context.newPage()) as ChromiumPage;
     const site = await storedSite();
@@ -206,13 +262,14 @@ for (const [locale, colorScheme, said, wanted] of [['en', 'light', 'Works offlin
     expect(box.x + box.width).toBeLessThanOrEqual(390);
     await settings.click();
     await page.evaluate(AXE);
-    const wrong = async (): Promise<string[]> => page.evaluate(async () => {
-      interface Axe {
-        run(context: Document): Promise<{ violations: { id: string; nodes: { target: unknown }[] }[] }>;
-      }
-      const { violations } = await (Reflect.get(window, 'axe') as Axe).run(document);
-      return violations.flatMap(({ id, nodes }) => nodes.map(({ target }) => `${id} ${JSON.stringify(target)}`));
-    });
+    const wrong = async (): Promise<string[]> =>
+      page.evaluate(async () => {
+        interface Axe {
+          run(context: Document): Promise<{ violations: { id: string; nodes: { target: unknown }[] }[] }>;
+        }
+        const { violations } = await (Reflect.get(window, 'axe') as Axe).run(document);
+        return violations.flatMap(({ id, nodes }) => nodes.map(({ target }) => `${id} ${JSON.stringify(target)}`));
+      });
     expect(await wrong()).toEqual([]);
     await page.setViewportSize({ width: 1280, height: 800 });
     expect(await wrong()).toEqual([]);

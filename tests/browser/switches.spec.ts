@@ -3,7 +3,8 @@
 import { expect, test, type Page } from './engines';
 import { open, openFile, status, type } from './page';
 
-const PROGRAMS = 'O0001\n/G0 X50 Z2\nN20 /3 G0 X40\n(a/2 b)\nG0 X30 /M8\n#1=#2/4\nM30\nO0007 (second)\n/2 G0 X10\nM30\n';
+const PROGRAMS =
+  'O0001\n/G0 X50 Z2\nN20 /3 G0 X40\n(a/2 b)\nG0 X30 /M8\n#1=#2/4\nM30\nO0007 (second)\n/2 G0 X10\nM30\n';
 
 const skip = (page: Page, mark: string) => page.getByRole('switch', { name: `Block skip ${mark}`, exact: true });
 const chosen = (page: Page) => page.getByRole('combobox', { name: 'Program to run' });
@@ -123,18 +124,28 @@ test('lines taken out while a long text is still looked through hide no switch',
     const post = Worker.prototype.postMessage;
     Worker.prototype.postMessage = function (this: Worker, message: unknown, ...rest: unknown[]) {
       Reflect.apply(post, this, [message, ...rest]);
-      const { session, what } = message as { session?: number; what?: { run?: number; text?: { kind: string; pieces?: string[] } } };
+      const { session, what } = message as {
+        session?: number;
+        what?: { run?: number; text?: { kind: string; pieces?: string[] } };
+      };
       const { run, text } = what ?? {};
       if (text?.kind !== 'text' || (text.pieces?.join('').length ?? 0) < 200_000) return;
-      this.addEventListener('message', ({ data: { event } }: MessageEvent<{ event?: { kind: string; inText?: unknown } }>) => {
-        if (event?.kind === 'switches') Reflect.set(window, 'switchesTold', event.inText);
-      });
+      this.addEventListener(
+        'message',
+        ({ data: { event } }: MessageEvent<{ event?: { kind: string; inText?: unknown } }>) => {
+          if (event?.kind === 'switches') Reflect.set(window, 'switchesTold', event.inText);
+        },
+      );
       Reflect.apply(post, this, [{ kind: 'say', session, what: { kind: 'stop' } }]);
       const edit = { kind: 'edit', changes: [{ from: 0, to: 99_000, insert: '' }] };
-      Reflect.apply(post, this, [{ kind: 'say', session, what: { kind: 'run', run, text: edit, tried: [], framing: 'keep' } }]);
+      Reflect.apply(post, this, [
+        { kind: 'say', session, what: { kind: 'run', run, text: edit, tried: [], framing: 'keep' } },
+      ]);
     };
   });
   await open(page);
   await openFile(page, 'long.nc', Buffer.from(`${'\n'.repeat(100_000)}/3 X2\n${'\n'.repeat(100_000)}/5 X2\n`));
-  await expect.poll(() => page.evaluate(() => Reflect.get(window, 'switchesTold') as unknown)).toMatchObject({ blockSkip: [3, 5] });
+  await expect
+    .poll(() => page.evaluate(() => Reflect.get(window, 'switchesTold') as unknown))
+    .toMatchObject({ blockSkip: [3, 5] });
 });

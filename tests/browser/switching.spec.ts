@@ -44,15 +44,22 @@ test('a picture that comes too late for its run is painted again', async ({ page
   });
   await open(page);
   const replace = (text: string, setup: string | undefined): Promise<void> =>
-    page.evaluate(async ({ text, setup }) => {
-      const element = document.querySelector('gcode-playground') as HTMLElement & { value: string; setup: string | null; readonly settled: Promise<number> };
-      element.value = text;
-      if (setup !== undefined) {
-        await new Promise((resolve) => setTimeout(resolve, 60));
-        element.setup = setup;
-      }
-      await element.settled;
-    }, { text, setup });
+    page.evaluate(
+      async ({ text, setup }) => {
+        const element = document.querySelector('gcode-playground') as HTMLElement & {
+          value: string;
+          setup: string | null;
+          readonly settled: Promise<number>;
+        };
+        element.value = text;
+        if (setup !== undefined) {
+          await new Promise((resolve) => setTimeout(resolve, 60));
+          element.setup = setup;
+        }
+        await element.settled;
+      },
+      { text, setup },
+    );
   const pixels = (): Promise<number> =>
     page.evaluate(() => {
       const canvas = document.querySelector('gcode-playground')!.shadowRoot!.querySelector('canvas')!;
@@ -60,7 +67,9 @@ test('a picture that comes too late for its run is painted again', async ({ page
       [copy.width, copy.height] = [canvas.width, canvas.height];
       const context = copy.getContext('2d')!;
       context.drawImage(canvas, 0, 0);
-      return context.getImageData(0, 0, copy.width, copy.height).data.reduce((sum, value, at) => (sum * 31 + value * (at % 7)) % 1_000_003, 0);
+      return context
+        .getImageData(0, 0, copy.width, copy.height)
+        .data.reduce((sum, value, at) => (sum * 31 + value * (at % 7)) % 1_000_003, 0);
     });
   const text = 'M03 S500\nG00 X62 Z2\nG90 X50 Z-30 F0.2\nX45\nG00 X100\nM30\n';
   // The setup of the example stays with the next text; the one below is without any.

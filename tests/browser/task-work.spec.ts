@@ -10,8 +10,14 @@ interface Task {
   readonly link: string;
 }
 
-const FIRST: Omit<Task, 'link'> = { sentence: 'Turn the shoulder', begin: 'O0001\nT0101\nG97 S800 M03\nG00 X42 Z2\n\nM30\n' };
-const SECOND: Omit<Task, 'link'> = { sentence: 'Face the blank', begin: 'O0002\nT0202\nG97 S600 M03\nG00 X44 Z0\n\nM30\n' };
+const FIRST: Omit<Task, 'link'> = {
+  sentence: 'Turn the shoulder',
+  begin: 'O0001\nT0101\nG97 S800 M03\nG00 X42 Z2\n\nM30\n',
+};
+const SECOND: Omit<Task, 'link'> = {
+  sentence: 'Face the blank',
+  begin: 'O0002\nT0202\nG97 S600 M03\nG00 X44 Z0\n\nM30\n',
+};
 
 /** The link of a task, made as the page packs links, but not compressed. */
 function linkTo({ sentence, begin }: Omit<Task, 'link'>): string {
@@ -190,7 +196,9 @@ test('work that the reader has deleted does not come back, unless by undo', asyn
   await expect(page.getByText('Bring it back')).toHaveCount(0);
 });
 
-test('what another tab has made of the task meanwhile is what the link finds, and it goes on as one program', async ({ page }) => {
+test('what another tab has made of the task meanwhile is what the link finds, and it goes on as one program', async ({
+  page,
+}) => {
   await open(page, first.link);
   const done = await work(page, first, 'G90 X32 Z-20 F0.2');
   await kept(page);
@@ -205,7 +213,10 @@ test('what another tab has made of the task meanwhile is what the link finds, an
   await isShown(page, first, `${done}(OF THE OTHER)`);
   await addUnseen(page, '(OF THIS)');
   await kept(page);
-  await page.getByRole('button', { name: 'My programs…' }).first().evaluate((element) => element.click());
+  await page
+    .getByRole('button', { name: 'My programs…' })
+    .first()
+    .evaluate((element) => element.click());
   await expect(items(page)).toHaveCount(1);
   expect(await value(page)).toBe(`${done}(OF THE OTHER)(OF THIS)`);
 });
@@ -215,19 +226,38 @@ test('whatever stands where the work is noted, the task opens', { tag: '@night' 
   const done = await work(page, first, 'G90 X32 Z-20 F0.2');
   await kept(page);
   await openAfresh(page, second.link);
-  const key = await page.evaluate(() => Object.keys(localStorage).find((key) => key.startsWith('gcode-playground:task:')) ?? '');
+  const key = await page.evaluate(
+    () => Object.keys(localStorage).find((key) => key.startsWith('gcode-playground:task:')) ?? '',
+  );
   const noted = await page.evaluate((key) => localStorage.getItem(key), key);
   const check = first.link.slice(-40);
   const hostile = [
-    'null', '1', '"text"', '[]', '{', '', check, '[["__proto__", 1]]', '{"__proto__": {"a": 1}}', JSON.stringify({ [check]: 7 }), JSON.stringify({ [check]: { id: 'a' } }),
-    JSON.stringify({ [check]: '../x' }), JSON.stringify({ [check]: '0123456789abcdef0123' }), JSON.stringify(Object.fromEntries(Array.from({ length: 5000 }, (_, i) => [`n${i}`, i]))),
+    'null',
+    '1',
+    '"text"',
+    '[]',
+    '{',
+    '',
+    check,
+    '[["__proto__", 1]]',
+    '{"__proto__": {"a": 1}}',
+    JSON.stringify({ [check]: 7 }),
+    JSON.stringify({ [check]: { id: 'a' } }),
+    JSON.stringify({ [check]: '../x' }),
+    JSON.stringify({ [check]: '0123456789abcdef0123' }),
+    JSON.stringify(Object.fromEntries(Array.from({ length: 5000 }, (_, i) => [`n${i}`, i]))),
   ];
-  for (const value of hostile) await test.step(value.slice(0, 60), async () => {
-    await page.evaluate(({ key, value }) => localStorage.setItem(key, value), { key, value });
-    await openAfresh(page, first.link);
-    await expect(page.getByText(`Task: ${first.sentence}`)).toBeVisible();
-    expect(await page.locator('gcode-playground').evaluate((element) => (element as HTMLElement & { value: string }).value)).toMatch(/^O0001/);
-  });
+  for (const value of hostile)
+    await test.step(value.slice(0, 60), async () => {
+      await page.evaluate(({ key, value }) => localStorage.setItem(key, value), { key, value });
+      await openAfresh(page, first.link);
+      await expect(page.getByText(`Task: ${first.sentence}`)).toBeVisible();
+      expect(
+        await page
+          .locator('gcode-playground')
+          .evaluate((element) => (element as HTMLElement & { value: string }).value),
+      ).toMatch(/^O0001/);
+    });
   await page.evaluate(({ key, noted }) => localStorage.setItem(key, noted ?? ''), { key, noted });
   await openAfresh(page, first.link);
   await isShown(page, first, done);
@@ -236,7 +266,16 @@ test('whatever stands where the work is noted, the task opens', { tag: '@night' 
 test('of a hundred tasks the newest are remembered', async ({ page }) => {
   await open(page, first.link);
   const key = await page.evaluate(() => `gcode-playground:task:${location.pathname}`);
-  await page.evaluate((key) => localStorage.setItem(key, JSON.stringify(Object.fromEntries(Array.from({ length: 100 }, (_, i) => [`task-${i}`, '0123456789abcdef0123'])))), key);
+  await page.evaluate(
+    (key) =>
+      localStorage.setItem(
+        key,
+        JSON.stringify(
+          Object.fromEntries(Array.from({ length: 100 }, (_, i) => [`task-${i}`, '0123456789abcdef0123'])),
+        ),
+      ),
+    key,
+  );
   await work(page, first, 'G90 X32 Z-20 F0.2');
   await kept(page);
   const all = await page.evaluate((key) => Object.keys(JSON.parse(localStorage.getItem(key) ?? '{}') as object), key);
@@ -257,8 +296,12 @@ test('a database that gives no answer keeps the picture waiting no longer than a
     const waits = new Promise<void>((done) => Object.assign(window, { answer: done }));
     IDBFactory.prototype.open = function (this: IDBFactory, ...args: [string, number?]): IDBOpenDBRequest {
       const request = opens.apply(this, args);
-      const listens = request.addEventListener.bind(request) as (type: string, listener: (event: Event) => void) => void;
-      request.addEventListener = (type: string, listener: (event: Event) => void) => listens(type, (event) => void waits.then(() => listener(event)));
+      const listens = request.addEventListener.bind(request) as (
+        type: string,
+        listener: (event: Event) => void,
+      ) => void;
+      request.addEventListener = (type: string, listener: (event: Event) => void) =>
+        listens(type, (event) => void waits.then(() => listener(event)));
       return request;
     };
   });

@@ -2,7 +2,8 @@
 import { expect, test, type Page } from './engines';
 import { editor, locate, open, openFile, problems, status, tooltip } from './page';
 
-const TURNED = 'O0001\n(STOCK D=50.8 LENGTH=101.6 FACE=0)\n(TOOL T0101 TYPE=TURNING INSERT=CNMG120408)\nG20 G99\nT0101\nG97 S800 M3\nG0 X2.1 Z.1\nG1 X1.5 F.01\nZ-1.\nX2.1\nG0 X4. Z4.\nM30\n';
+const TURNED =
+  'O0001\n(STOCK D=50.8 LENGTH=101.6 FACE=0)\n(TOOL T0101 TYPE=TURNING INSERT=CNMG120408)\nG20 G99\nT0101\nG97 S800 M3\nG0 X2.1 Z.1\nG1 X1.5 F.01\nZ-1.\nX2.1\nG0 X4. Z4.\nM30\n';
 const cell = (page: Page, name: string) =>
   page.locator('.cell', { has: page.locator('dt', { hasText: new RegExp(`^${name}$`) }) }).locator('dd');
 const button = (page: Page) => page.getByRole('button', { name: /^Lengths in / });

@@ -2,24 +2,61 @@
 import { expect, test, type BasicPage, type Locator } from './engines';
 import { atCursor, editor, goTo, open, runAgain, type, value } from './page';
 
-const CALLS = ['O1', 'T0101 M3 S500', '#1=40', 'WHILE [#1 GT 30] DO1', 'G65 P9 X#1', '#1=#1-5', 'END1', 'M30', 'O9', 'G00 X#24 Z2', 'G01 Z-#24 F0.2', 'M99'].join('\n');
+const CALLS = [
+  'O1',
+  'T0101 M3 S500',
+  '#1=40',
+  'WHILE [#1 GT 30] DO1',
+  'G65 P9 X#1',
+  '#1=#1-5',
+  'END1',
+  'M30',
+  'O9',
+  'G00 X#24 Z2',
+  'G01 Z-#24 F0.2',
+  'M99',
+].join('\n');
 
 const IN_WORDS = {
-  en: { held: 'Held before line 11', caller: 'called from line 5', next: 'The next time', tryIt: 'Try another value for #24 from here on', back: 'As written' },
-  zh: { held: '停在第 11 行之前', caller: '由第 5 行调用', next: '下一次', tryIt: '从此处起为 #24 试用另一个值', back: '恢复原文' },
-  ru: { held: 'Пауза перед строкой 11', caller: 'вызвана из строки 5', next: 'Следующий раз', tryIt: 'Попробовать другое значение #24 с этого места', back: 'Как написано' },
+  en: {
+    held: 'Held before line 11',
+    caller: 'called from line 5',
+    next: 'The next time',
+    tryIt: 'Try another value for #24 from here on',
+    back: 'As written',
+  },
+  zh: {
+    held: '停在第 11 行之前',
+    caller: '由第 5 行调用',
+    next: '下一次',
+    tryIt: '从此处起为 #24 试用另一个值',
+    back: '恢复原文',
+  },
+  ru: {
+    held: 'Пауза перед строкой 11',
+    caller: 'вызвана из строки 5',
+    next: 'Следующий раз',
+    tryIt: 'Попробовать другое значение #24 с этого места',
+    back: 'Как написано',
+  },
 } as const;
 
-const cells = (page: BasicPage, name: string): Locator => atCursor(page).locator('.state-table tr').filter({ hasText: name });
+const cells = (page: BasicPage, name: string): Locator =>
+  atCursor(page).locator('.state-table tr').filter({ hasText: name });
 
 /** A number that is another one where any pixel of the section is, once all of it is drawn. */
 async function picture(page: BasicPage): Promise<number> {
   return page.locator('gcode-playground').evaluate(async (element) => {
     await (element as unknown as { settled: Promise<unknown> }).settled;
     const canvas = element.shadowRoot!.querySelector('canvas')!;
-    const context = Object.assign(document.createElement('canvas'), { width: canvas.width, height: canvas.height }).getContext('2d')!;
+    const context = Object.assign(document.createElement('canvas'), {
+      width: canvas.width,
+      height: canvas.height,
+    }).getContext('2d')!;
     context.drawImage(canvas, 0, 0);
-    return context.getImageData(0, 0, canvas.width, canvas.height).data.reduce((sum, byte) => (31 * sum + byte) % 1_000_000_007, 0);
+    return context
+      .getImageData(0, 0, canvas.width, canvas.height)
+      .data.reduce((sum, byte) => (31 * sum + byte) % 1_000_000_007, 0);
   });
 }
 

@@ -65,23 +65,46 @@ function turned(next: Random): string {
 
 /** Holes and a milled polygon in the end face. */
 function onFace(next: Random): string {
-  const lines = ['(STOCK D=60 LENGTH=40)', '(TOOL T0303 TYPE=DRILL D=8)', '(TOOL T0101 TYPE=ENDMILL CUTTER=6)', 'M45', 'T0303', 'G98 G97 S1000 M13'];
+  const lines = [
+    '(STOCK D=60 LENGTH=40)',
+    '(TOOL T0303 TYPE=DRILL D=8)',
+    '(TOOL T0101 TYPE=ENDMILL CUTTER=6)',
+    'M45',
+    'T0303',
+    'G98 G97 S1000 M13',
+  ];
   for (let hole = 0; hole < 6; hole++) {
     lines.push(`G00 X${(10 + 45 * next()).toFixed(1)} Z2 C${(360 * next()).toFixed(1)}`, 'G01 Z-5 F80', 'G00 Z2');
   }
   lines.push('G00 Z20', 'T0101', 'G00 X80 Z-4 C0', 'G12.1', `G42 G01 X${(30 + 20 * next()).toFixed(1)} F100`);
-  lines.push(`C${(5 + 15 * next()).toFixed(1)}`, `X-${(20 + 20 * next()).toFixed(1)}`, `C-${(5 + 15 * next()).toFixed(1)}`, 'X40', 'C0', 'G40 X80', 'G13.1');
+  lines.push(
+    `C${(5 + 15 * next()).toFixed(1)}`,
+    `X-${(20 + 20 * next()).toFixed(1)}`,
+    `C-${(5 + 15 * next()).toFixed(1)}`,
+    'X40',
+    'C0',
+    'G40 X80',
+    'G13.1',
+  );
   return [...lines, 'G00 X90 Z50', 'M30', ''].join('\n');
 }
 
 /** Holes and a slot around the work. */
 function onSide(next: Random): string {
-  const lines = ['(STOCK D=60 LENGTH=80)', '(TOOL T0303 TYPE=DRILL D=8)', '(TOOL T0101 TYPE=ENDMILL CUTTER=5)', 'M45', 'T0303', 'G97 S1000 M13'];
+  const lines = [
+    '(STOCK D=60 LENGTH=80)',
+    '(TOOL T0303 TYPE=DRILL D=8)',
+    '(TOOL T0101 TYPE=ENDMILL CUTTER=5)',
+    'M45',
+    'T0303',
+    'G97 S1000 M13',
+  ];
   for (let hole = 0; hole < 6; hole++) {
     lines.push(`G00 X66 Z-${(5 + 60 * next()).toFixed(1)} C${(360 * next()).toFixed(1)}`, 'G98 G01 X40 F80', 'G00 X66');
   }
   lines.push('G00 X90 Z20', 'T0101', 'G00 X70 Z-20 C0', 'G98 G01 X50 F100', 'G07.1 C30');
-  for (let move = 0; move < 6; move++) lines.push(`G01 Z-${(5 + 60 * next()).toFixed(1)} C${(360 * next()).toFixed(1)}`);
+  for (let move = 0; move < 6; move++)
+    lines.push(`G01 Z-${(5 + 60 * next()).toFixed(1)} C${(360 * next()).toFixed(1)}`);
   return [...lines, 'G07.1 C0', 'G00 X100 Z50', 'M30', ''].join('\n');
 }
 
@@ -89,7 +112,10 @@ function onSide(next: Random): string {
 function parts(seed: number, count: number): readonly Part[] {
   const next = random(seed);
   const views = (picture: View['picture']): View[] =>
-    Array.from({ length: 5 }, () => ({ picture, factor: 1.3 + 4 * next(), at: [next(), next()], ratio: next() < 0.7 ? 1 : 2 }) as const);
+    Array.from(
+      { length: 5 },
+      () => ({ picture, factor: 1.3 + 4 * next(), at: [next(), next()], ratio: next() < 0.7 ? 1 : 2 }) as const,
+    );
   return Array.from({ length: count }, (_, index): Part => {
     if (index % 8 === 5) return { text: onFace(next), views: views('face') };
     if (index % 8 === 6) return { text: onSide(next), views: views('side') };
@@ -114,7 +140,9 @@ function keepWorker(): void {
       super(...parameters);
       Object.assign(window, { spokenTo: this });
       // Before the listener of the page, which closes images of sessions that it does not know.
-      this.addEventListener('message', ({ data }) => heard.forEach((listener) => listener(data)));
+      this.addEventListener('message', ({ data }) => {
+        for (const listener of heard) listener(data);
+      });
     }
   };
 }
@@ -127,7 +155,15 @@ function openSession(): void {
   let [said, settled] = [0, (): void => undefined];
   const post = (what: object): void => spokenTo.postMessage({ kind: 'say', session, what });
   heard.add((message) => {
-    const { kind, session: of, event } = message as { kind: string; session: number; event: { kind: string; heard: number; pictures: Record<string, ImageBitmap> } };
+    const {
+      kind,
+      session: of,
+      event,
+    } = message as {
+      kind: string;
+      session: number;
+      event: { kind: string; heard: number; pictures: Record<string, ImageBitmap> };
+    };
     if (kind === 'crashed') throw new Error(JSON.stringify(message));
     if (kind !== 'event' || of !== session) return;
     if (event.kind === 'settled' && event.heard === said) settled();
@@ -142,49 +178,104 @@ function openSession(): void {
   });
   const talk: Talk = {
     images,
-    say: (...what) => new Promise((done) => {
-      said += what.length;
-      settled = done;
-      what.forEach(post);
-    }),
+    say: (...what) =>
+      new Promise((done) => {
+        said += what.length;
+        settled = done;
+        what.forEach(post);
+      }),
   };
   Object.assign(window, { talk });
 }
 
 /** Opaque colours for the work and the path, none for rulers, their names and the centre line, which belong to the picture. */
 const PALETTE = {
-  background: '#ffffff', grid: '#ebedeb', axis: '#00000000', text: '#00000000', stock: '#f5f3ec', stockEdge: '#b9b09a', part: '#e4ddc9', partEdge: '#857a5e', danger: '#c02b2b',
-  onlyFirst: '#9c36b5', onlySecond: '#0b7285', rapid: '#b85c1e', feed: '#1565a8', thread: '#7a3fae', highlight: '#cf1f6b', hover: '#b07800', tool: '#26323c', uncertain: '#8a7a2b',
+  background: '#ffffff',
+  grid: '#ebedeb',
+  axis: '#00000000',
+  text: '#00000000',
+  stock: '#f5f3ec',
+  stockEdge: '#b9b09a',
+  part: '#e4ddc9',
+  partEdge: '#857a5e',
+  danger: '#c02b2b',
+  onlyFirst: '#9c36b5',
+  onlySecond: '#0b7285',
+  rapid: '#b85c1e',
+  feed: '#1565a8',
+  thread: '#7a3fae',
+  highlight: '#cf1f6b',
+  hover: '#b07800',
+  tool: '#26323c',
+  uncertain: '#8a7a2b',
 };
 
 /** How the views of a part differ from the cut-outs. */
-async function look({ part, run, palette }: { part: Part; run: number; palette: typeof PALETTE }): Promise<readonly Seen[]> {
+async function look({
+  part,
+  run,
+  palette,
+}: {
+  part: Part;
+  run: number;
+  palette: typeof PALETTE;
+}): Promise<readonly Seen[]> {
   const { talk } = window as unknown as { talk: Talk };
   const [width, height, rulers] = [280, 220, { left: 46, bottom: 26 }];
-  const begin = (number: number, text: string): object => ({ kind: 'run', run: number, setup: undefined, text: { kind: 'text', pieces: [text] }, tried: [], came: 'at-once', cursor: undefined, framing: 'fit' });
+  const begin = (number: number, text: string): object => ({
+    kind: 'run',
+    run: number,
+    setup: undefined,
+    text: { kind: 'text', pieces: [text] },
+    tried: [],
+    came: 'at-once',
+    cursor: undefined,
+    framing: 'fit',
+  });
   const pictures = [...new Set(part.views.map(({ picture }) => picture))];
   const small = { width, height, pixelRatio: 1 };
   const pixels = (picture: string, from: number, ratio: number): Uint8ClampedArray =>
-    talk.images.get(picture)!.getContext('2d')!.getImageData(ratio * (from + rulers.left), ratio * from, ratio * (width - rulers.left), ratio * (height - rulers.bottom)).data;
+    talk.images
+      .get(picture)!
+      .getContext('2d')!
+      .getImageData(
+        ratio * (from + rulers.left),
+        ratio * from,
+        ratio * (width - rulers.left),
+        ratio * (height - rulers.bottom),
+      ).data;
 
   for (const picture of pictures) await talk.say({ kind: 'picture', picture, what: { kind: 'canvas', size: small } });
   await talk.say({ kind: 'palette', palette });
   if (part.kept !== undefined) await talk.say(begin(2 * run, part.kept), { kind: 'keep' });
   await talk.say(begin(2 * run + 1, part.text));
   const seen: Seen[] = [];
-  for (const { picture, factor, at: [x, y], ratio } of part.views) {
+  for (const {
+    picture,
+    factor,
+    at: [x, y],
+    ratio,
+  } of part.views) {
     const change = (what: object): object => ({ kind: 'picture', picture, what });
-    await talk.say(change({ kind: 'resize', size: { ...small, pixelRatio: ratio } }), change({ kind: 'fit' }), change({ kind: 'zoom', factor, x: x * width, y: y * height }));
+    await talk.say(
+      change({ kind: 'resize', size: { ...small, pixelRatio: ratio } }),
+      change({ kind: 'fit' }),
+      change({ kind: 'zoom', factor, x: x * width, y: y * height }),
+    );
     const cut = pixels(picture, 0, ratio);
     // The middle stays where it is: the picture grows by the margin on each side, beyond all of the part.
     const margin = Math.ceil(factor * width);
-    await talk.say(change({ kind: 'resize', size: { width: width + 2 * margin, height: height + 2 * margin, pixelRatio: ratio } }));
+    await talk.say(
+      change({ kind: 'resize', size: { width: width + 2 * margin, height: height + 2 * margin, pixelRatio: ratio } }),
+    );
     const whole = pixels(picture, margin, ratio);
     const colours = new Set<number>();
     let different = 0;
     for (let pixel = 0; pixel < cut.length; pixel += 4) {
       colours.add((cut[pixel]! << 16) | (cut[pixel + 1]! << 8) | cut[pixel + 2]!);
-      const distance = Math.max(...[0, 1, 2].map((channel) => Math.abs(cut[pixel + channel]! - whole[pixel + channel]!)));
+      const distance = Math.max(
+        ...[0, 1, 2].map((channel) => Math.abs(cut[pixel + channel]! - whole[pixel + channel]!)),
+      );
       if (distance > 32) different++;
     }
     seen.push({ different, colours: colours.size });

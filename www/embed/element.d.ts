@@ -2,7 +2,17 @@ import type { Diagnostic, FileFormat, ProgramDifference, Stroke, Summary } from 
 import type { Setup } from './node/setup.js';
 
 export type { Diagnostic, FileFormat, ProgramDifference, Stroke, Summary };
-export type { Setup, SetupDialect, SetupLimits, SetupMachine, SetupPosition, SetupStock, SetupTailstock, SetupTool, SetupTravel } from './node/setup.js';
+export type {
+  Setup,
+  SetupDialect,
+  SetupLimits,
+  SetupMachine,
+  SetupPosition,
+  SetupStock,
+  SetupTailstock,
+  SetupTool,
+  SetupTravel,
+} from './node/setup.js';
 
 /** The file a program came from. */
 export interface ProgramFile {
@@ -82,7 +92,10 @@ export class GcodePlayground extends HTMLElement {
   /** A file of the menu "Export"; nothing where there is none, such as the profile of a program without a part. */
   exported(format: FileFormat | 'png'): Promise<Uint8Array | undefined>;
   /** What differs between another version, the first, and the program, and the tool paths of both as SVG. */
-  differenceFrom(other: { readonly text: string; readonly names: readonly [string, string] }): Promise<{ readonly rows: ProgramDifference; readonly drawing: string } | undefined>;
+  differenceFrom(other: {
+    readonly text: string;
+    readonly names: readonly [string, string];
+  }): Promise<{ readonly rows: ProgramDifference; readonly drawing: string } | undefined>;
   /** All of the setup the program is run with, as JSON; nothing where it cannot be read. */
   readonly wholeSetup: string | undefined;
   /** The drawing, or the picture as it is shown. */
@@ -107,12 +120,42 @@ export interface GcodePlaygroundEvents {
   'gcode-setup': CustomEvent<{ readonly setup: string | null }>;
   'gcode-hint': CustomEvent<{ readonly left: string }>;
   'gcode-split': CustomEvent<{ readonly split: string }>;
-  'gcode-context': CustomEvent<{ readonly control: string | null; readonly setup: string | null; readonly blockSkip: string | null; readonly program: string | null; readonly origin: string | null }>;
+  'gcode-context': CustomEvent<{
+    readonly control: string | null;
+    readonly setup: string | null;
+    readonly blockSkip: string | null;
+    readonly program: string | null;
+    readonly origin: string | null;
+  }>;
 }
 
 /** What JSX can give the element: its properties, and handlers of its events. React knows them with `import type {} from 'gcode-playground/react'`. */
-export type GcodePlaygroundProps = Partial<Pick<GcodePlayground, 'value' | 'src' | 'control' | 'blockSkip' | 'program' | 'loading' | 'language' | 'theme' | 'view' | 'controls'
-  | 'readonly' | 'step' | 'highlight' | 'lines' | 'fit' | 'turret' | 'caption' | 'playground' | 'rules' | 'docs' | 'origin'>> & {
+export type GcodePlaygroundProps = Partial<
+  Pick<
+    GcodePlayground,
+    | 'value'
+    | 'src'
+    | 'control'
+    | 'blockSkip'
+    | 'program'
+    | 'loading'
+    | 'language'
+    | 'theme'
+    | 'view'
+    | 'controls'
+    | 'readonly'
+    | 'step'
+    | 'highlight'
+    | 'lines'
+    | 'fit'
+    | 'turret'
+    | 'caption'
+    | 'playground'
+    | 'rules'
+    | 'docs'
+    | 'origin'
+  >
+> & {
   readonly setup?: Setup | string | null;
 } & { readonly [Event in keyof GcodePlaygroundEvents as `on${Event}`]?: (event: GcodePlaygroundEvents[Event]) => void };
 

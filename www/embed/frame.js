@@ -16,7 +16,14 @@ element.style.setProperty('--playground-height', '100vh');
 function show() {
   const said = new URLSearchParams(location.hash.slice(1));
   for (const name of GcodePlayground.observedAttributes) {
-    const value = name === 'program' ? null : name === 'playground' ? playground(said.get(name)) : PAGES.includes(name) ? pages(name, said.get(name)) : said.get(name);
+    const value =
+      name === 'program'
+        ? null
+        : name === 'playground'
+          ? playground(said.get(name))
+          : PAGES.includes(name)
+            ? pages(name, said.get(name))
+            : said.get(name);
     if (value === null) element.removeAttribute(name);
     else element.setAttribute(name, value);
   }
@@ -29,7 +36,10 @@ function show() {
 /** Where "Open in the playground" leads. Anyone can write an address, so it names a page of this host or of the named one, or none. */
 function playground(said) {
   if (said === '' || (said !== null && isTrusted(said))) return said;
-  if (said !== null) console.warn(`playground=${said} is ignored: it is not on ${location.origin}, and <meta name="playground"> does not name its host.`);
+  if (said !== null)
+    console.warn(
+      `playground=${said} is ignored: it is not on ${location.origin}, and <meta name="playground"> does not name its host.`,
+    );
   // Outside a frame this page is the playground.
   return isFramed ? named || null : '';
 }
@@ -37,7 +47,9 @@ function playground(said) {
 /** Where links to rule pages and documents lead: to this host or the named one, as `playground`. */
 function pages(name, said) {
   if (said === null || said === '' || isTrusted(said)) return said;
-  console.warn(`${name}=${said} is ignored: it is not on ${location.origin}, and <meta name="playground"> does not name its host.`);
+  console.warn(
+    `${name}=${said} is ignored: it is not on ${location.origin}, and <meta name="playground"> does not name its host.`,
+  );
   return null;
 }
 

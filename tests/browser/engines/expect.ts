@@ -54,7 +54,11 @@ export const expect: Expect = Object.assign(
   { soft: playwrights.soft, poll: playwrights.poll },
 );
 
-const folded = (text: string): string => text.replace(/\u200b/g, '').replace(/\s+/g, ' ').trim();
+const folded = (text: string): string =>
+  text
+    .replace(/\u200b/g, '')
+    .replace(/\s+/g, ' ')
+    .trim();
 
 function is(actual: unknown, wanted: Text): boolean {
   if (typeof actual !== 'string') return false;
@@ -62,7 +66,13 @@ function is(actual: unknown, wanted: Text): boolean {
 }
 
 /** Asks until the answers are as wanted. */
-async function until<T>(page: ForeignPage, what: string, patience: Patience, look: () => Promise<T>, good: (seen: T) => boolean): Promise<void> {
+async function until<T>(
+  page: ForeignPage,
+  what: string,
+  patience: Patience,
+  look: () => Promise<T>,
+  good: (seen: T) => boolean,
+): Promise<void> {
   const end = Date.now() + (patience.timeout ?? PATIENCE);
   for (;;) {
     const seen = await look();
@@ -77,9 +87,19 @@ function matchers(of: ForeignLocator, wantsIt: boolean): Matchers {
    * Of one element. `none` is what holds where there is no element; without it, neither the
    * matcher nor its opposite does.
    */
-  const one = (name: string, question: Question, good: (answer: unknown) => boolean, patience: Patience = {}, none?: boolean): Promise<void> =>
-    until(of.owner, `${of}: ${wantsIt ? '' : 'not '}${name}`, patience, () => of.ask(question), (seen) =>
-      seen.length === 1 ? good(seen[0]) === wantsIt : seen.length === 0 && none === wantsIt,
+  const one = (
+    name: string,
+    question: Question,
+    good: (answer: unknown) => boolean,
+    patience: Patience = {},
+    none?: boolean,
+  ): Promise<void> =>
+    until(
+      of.owner,
+      `${of}: ${wantsIt ? '' : 'not '}${name}`,
+      patience,
+      () => of.ask(question),
+      (seen) => (seen.length === 1 ? good(seen[0]) === wantsIt : seen.length === 0 && none === wantsIt),
     );
   return {
     get not() {
@@ -87,18 +107,47 @@ function matchers(of: ForeignLocator, wantsIt: boolean): Matchers {
     },
     toHaveText: (text, patience) =>
       Array.isArray(text)
-        ? until(of.owner, `${of}: toHaveText ${JSON.stringify(text)}`, patience ?? {}, () => of.ask('text'), (seen) =>
-            (seen.length === text.length && seen.every((each, i) => is(each, (text as Text[])[i]!))) === wantsIt)
+        ? until(
+            of.owner,
+            `${of}: toHaveText ${JSON.stringify(text)}`,
+            patience ?? {},
+            () => of.ask('text'),
+            (seen) =>
+              (seen.length === text.length && seen.every((each, i) => is(each, (text as Text[])[i]!))) === wantsIt,
+          )
         : one(`toHaveText ${String(text)}`, 'text', (seen) => is(seen, text as Text), patience),
     toContainText: (text, patience) =>
-      one(`toContainText ${String(text)}`, 'text', (seen) => (text instanceof RegExp ? is(seen, text) : folded(seen as string).includes(folded(text))), patience),
-    toHaveValue: (value, patience) => one(`toHaveValue ${String(value)}`, 'value', (seen) => (value instanceof RegExp ? is(seen, value) : seen === value), patience),
+      one(
+        `toContainText ${String(text)}`,
+        'text',
+        (seen) => (text instanceof RegExp ? is(seen, text) : folded(seen as string).includes(folded(text))),
+        patience,
+      ),
+    toHaveValue: (value, patience) =>
+      one(
+        `toHaveValue ${String(value)}`,
+        'value',
+        (seen) => (value instanceof RegExp ? is(seen, value) : seen === value),
+        patience,
+      ),
     toHaveAttribute: (name, value, patience) =>
-      one(`toHaveAttribute ${name} ${String(value)}`, { attribute: name }, (seen) => (value instanceof RegExp ? is(seen, value) : seen === value), patience),
-    toHaveJSProperty: (name, value, patience) => one(`toHaveJSProperty ${name} ${String(value)}`, { property: name }, (seen) => seen === value, patience),
+      one(
+        `toHaveAttribute ${name} ${String(value)}`,
+        { attribute: name },
+        (seen) => (value instanceof RegExp ? is(seen, value) : seen === value),
+        patience,
+      ),
+    toHaveJSProperty: (name, value, patience) =>
+      one(`toHaveJSProperty ${name} ${String(value)}`, { property: name }, (seen) => seen === value, patience),
     toHaveCount: (count, patience) =>
       // Their texts, for the error.
-      until(of.owner, `${of}: toHaveCount ${count}`, patience ?? {}, () => of.ask('text'), (seen) => (seen.length === count) === wantsIt),
+      until(
+        of.owner,
+        `${of}: toHaveCount ${count}`,
+        patience ?? {},
+        () => of.ask('text'),
+        (seen) => (seen.length === count) === wantsIt,
+      ),
     toBeVisible: (patience) => one('toBeVisible', 'visible', (seen) => seen === true, patience, false),
     toBeHidden: (patience) => one('toBeHidden', 'visible', (seen) => seen === false, patience, true),
     toBeFocused: (patience) => one('toBeFocused', 'focused', (seen) => seen === true, patience),
@@ -110,5 +159,14 @@ function matchers(of: ForeignLocator, wantsIt: boolean): Matchers {
 }
 
 function pageMatchers(of: ForeignPage): PageMatchers {
-  return { toHaveURL: (url, patience) => until(of, `the address: toHaveURL ${url}`, patience ?? {}, () => of.look(), (seen) => url.test(seen)) };
+  return {
+    toHaveURL: (url, patience) =>
+      until(
+        of,
+        `the address: toHaveURL ${url}`,
+        patience ?? {},
+        () => of.look(),
+        (seen) => url.test(seen),
+      ),
+  };
 }

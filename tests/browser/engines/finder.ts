@@ -3,12 +3,20 @@
 // of dom-accessibility-api.
 import { computeAccessibleName, getRole } from 'dom-accessibility-api';
 
-export type Wanted = { readonly text: string; readonly exact: boolean } | { readonly source: string; readonly flags: string };
+export type Wanted =
+  | { readonly text: string; readonly exact: boolean }
+  | { readonly source: string; readonly flags: string };
 
 /** One step on the way to elements; what it begins with is what the step before has found. */
 export type Step =
   | { readonly by: 'css'; readonly css: string }
-  | { readonly by: 'role'; readonly role: string; readonly name?: Wanted; readonly level?: number; readonly hidden: boolean }
+  | {
+      readonly by: 'role';
+      readonly role: string;
+      readonly name?: Wanted;
+      readonly level?: number;
+      readonly hidden: boolean;
+    }
   | { readonly by: 'text' | 'label' | 'placeholder'; readonly text: Wanted }
   | { readonly by: 'visible' }
   | { readonly by: 'has'; readonly steps: readonly Step[] }
@@ -18,9 +26,22 @@ export type Step =
 
 /** What can be asked of elements. */
 export type Question =
-  | 'text' | 'value' | 'visible' | 'enabled' | 'checked' | 'focused' | 'inViewport' | 'box' | { readonly attribute: string } | { readonly property: string };
+  | 'text'
+  | 'value'
+  | 'visible'
+  | 'enabled'
+  | 'checked'
+  | 'focused'
+  | 'inViewport'
+  | 'box'
+  | { readonly attribute: string }
+  | { readonly property: string };
 
-const folded = (text: string): string => text.replace(/[\u200b\u00ad]/g, '').replace(/\s+/g, ' ').trim();
+const folded = (text: string): string =>
+  text
+    .replace(/[\u200b\u00ad]/g, '')
+    .replace(/\s+/g, ' ')
+    .trim();
 
 function fits(wanted: Wanted, text: string): boolean {
   if ('source' in wanted) return new RegExp(wanted.source, wanted.flags).test(folded(text));
@@ -69,14 +90,19 @@ function roleOf(element: Element): string | null {
 /** Whether assistive technology hears of an element. */
 function accessible(element: Element): boolean {
   // Options are drawn by the system, and announced with their list.
-  if (element instanceof HTMLOptionElement && element.parentElement instanceof HTMLSelectElement) return accessible(element.parentElement);
-  for (let at: Element | null = element; at !== null; at = parentOf(at)) if (at.getAttribute('aria-hidden') === 'true') return false;
+  if (element instanceof HTMLOptionElement && element.parentElement instanceof HTMLSelectElement)
+    return accessible(element.parentElement);
+  for (let at: Element | null = element; at !== null; at = parentOf(at))
+    if (at.getAttribute('aria-hidden') === 'true') return false;
   return element.checkVisibility({ visibilityProperty: true });
 }
 
 function labels(element: Element): string[] {
   const root = element.getRootNode() as Document | ShadowRoot;
-  const by = (element.getAttribute('aria-labelledby') ?? '').split(/\s+/).filter((id) => id !== '').map((id) => root.getElementById(id));
+  const by = (element.getAttribute('aria-labelledby') ?? '')
+    .split(/\s+/)
+    .filter((id) => id !== '')
+    .map((id) => root.getElementById(id));
   if (by.length > 0) return by.map((label) => (label === null ? '' : textOf(label)));
   const own = element.getAttribute('aria-label');
   const labelled = Array.from((element as HTMLInputElement).labels ?? [], textOf);
@@ -189,7 +215,9 @@ export async function ask(steps: readonly Step[], question: Question): Promise<u
         return visible(element) ? { x, y, width, height } : null;
       }
       default:
-        return 'attribute' in question ? element.getAttribute(question.attribute) : Reflect.get(element, question.property);
+        return 'attribute' in question
+          ? element.getAttribute(question.attribute)
+          : Reflect.get(element, question.property);
     }
   };
   return Promise.all(find(steps).map(answer));
@@ -199,7 +227,9 @@ export async function ask(steps: readonly Step[], question: Question): Promise<u
 function one(steps: readonly Step[]): Element | string {
   const found = find(steps);
   if (found.length === 1) return found[0]!;
-  return found.length === 0 ? 'there is none' : `there are ${found.length}: ${found.map((each) => each.outerHTML.slice(0, 80)).join(' | ')}`;
+  return found.length === 0
+    ? 'there is none'
+    : `there are ${found.length}: ${found.map((each) => each.outerHTML.slice(0, 80)).join(' | ')}`;
 }
 
 export type Ready = { readonly x: number; readonly y: number } | { readonly why: string };

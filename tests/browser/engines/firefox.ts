@@ -3,7 +3,14 @@ import { mkdtemp, rm } from 'node:fs/promises';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { setTimeout as pause } from 'node:timers/promises';
-import { launch, type Browser, type BrowserContext, type ElementHandle, type KeyInput, type Page } from 'puppeteer-core';
+import {
+  launch,
+  type Browser,
+  type BrowserContext,
+  type ElementHandle,
+  type KeyInput,
+  type Page,
+} from 'puppeteer-core';
 import { DocumentLeft, type Driver, type Tab, within } from './driver';
 import { program } from './programs';
 
@@ -18,12 +25,18 @@ export async function firefox(viewport: { width: number; height: number }): Prom
     protocolTimeout: HANGS,
     timeout: 60_000,
     defaultViewport: viewport,
-    extraPrefsFirefox: { 'intl.accept_languages': 'en-US', 'intl.locale.requested': 'en-US', 'browser.download.alwaysOpenPanel': false },
+    extraPrefsFirefox: {
+      'intl.accept_languages': 'en-US',
+      'intl.locale.requested': 'en-US',
+      'browser.download.alwaysOpenPanel': false,
+    },
   });
   return {
     open: async () => {
       const downloads = await mkdtemp(join(tmpdir(), 'playground-firefox-'));
-      const context = await browser.createBrowserContext({ downloadBehavior: { policy: 'allow', downloadPath: downloads } });
+      const context = await browser.createBrowserContext({
+        downloadBehavior: { policy: 'allow', downloadPath: downloads },
+      });
       return new FirefoxTab(await context.newPage(), context, downloads);
     },
     close: () => within(20_000, 'closing Firefox', browser.close(), () => end(browser)),
@@ -48,7 +61,9 @@ class FirefoxTab implements Tab {
     private readonly context: BrowserContext,
     readonly downloads: string,
   ) {
-    page.on('pageerror', (error) => this.told.push(error instanceof Error ? (error.stack ?? error.message) : String(error)));
+    page.on('pageerror', (error) =>
+      this.told.push(error instanceof Error ? (error.stack ?? error.message) : String(error)),
+    );
     page.on('popup', (popup) => popup !== null && this.beside.push(popup));
   }
 
@@ -72,7 +87,9 @@ class FirefoxTab implements Tab {
   }
   async evaluate(expression: string): Promise<unknown> {
     return this.page.evaluate(expression).catch((error: unknown) => {
-      throw /context was destroyed|frame got detached/i.test(String(error)) ? new DocumentLeft(String(error), { cause: error }) : error;
+      throw /context was destroyed|frame got detached/i.test(String(error))
+        ? new DocumentLeft(String(error), { cause: error })
+        : error;
     });
   }
   keyDown(key: string): Promise<void> {

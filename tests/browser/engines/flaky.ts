@@ -11,11 +11,19 @@ export default class Flaky implements Reporter {
 
   onTestEnd(test: TestCase, result: TestResult): void {
     if (result.status !== 'passed') this.#failed.set(test, result.error?.message ?? result.status);
-    else if (this.#failed.has(test)) this.#flaky.set(test.titlePath().filter((part) => part !== '').join(' › '), this.#failed.get(test) ?? '');
+    else if (this.#failed.has(test))
+      this.#flaky.set(
+        test
+          .titlePath()
+          .filter((part) => part !== '')
+          .join(' › '),
+        this.#failed.get(test) ?? '',
+      );
   }
 
   async onEnd(): Promise<{ status: 'failed' } | undefined> {
-    for (const [title, message] of this.#flaky) console.log(`\npassed only when tried again, look at it: ${title}\n  ${message}`);
+    for (const [title, message] of this.#flaky)
+      console.log(`\npassed only when tried again, look at it: ${title}\n  ${message}`);
     if (this.#flaky.size <= MOST) return undefined;
     console.log(`\n${this.#flaky.size} tests passed only when tried again; ${MOST} may.`);
     return { status: 'failed' };

@@ -28,10 +28,21 @@ const call = (act: string, args: readonly unknown[]): string =>
 abstract class Finder implements Finds {
   protected abstract step(...steps: Step[]): Locator;
 
-  getByRole(role: Role, { name, exact, includeHidden, level }: { name?: Text; exact?: boolean; includeHidden?: boolean; level?: number } = {}): Locator {
+  getByRole(
+    role: Role,
+    {
+      name,
+      exact,
+      includeHidden,
+      level,
+    }: { name?: Text; exact?: boolean; includeHidden?: boolean; level?: number } = {},
+  ): Locator {
     return this.step({
-      by: 'role', role, hidden: includeHidden ?? false,
-      ...(name === undefined ? {} : { name: wanted(name, exact) }), ...(level === undefined ? {} : { level }),
+      by: 'role',
+      role,
+      hidden: includeHidden ?? false,
+      ...(name === undefined ? {} : { name: wanted(name, exact) }),
+      ...(level === undefined ? {} : { level }),
     });
   }
   getByLabel(text: Text, options: { exact?: boolean } = {}): Locator {
@@ -44,7 +55,10 @@ abstract class Finder implements Finds {
     return this.step({ by: 'placeholder', text: wanted(text, options.exact) });
   }
   locator(selector: string, options: { has?: Locator; hasText?: Text } = {}): Locator {
-    return this.step(selector === 'visible=true' ? { by: 'visible' } : { by: 'css', css: selector }, ...filters(options));
+    return this.step(
+      selector === 'visible=true' ? { by: 'visible' } : { by: 'css', css: selector },
+      ...filters(options),
+    );
   }
 }
 
@@ -68,7 +82,14 @@ export class ForeignLocator extends Finder implements Locator {
   }
 
   override toString(): string {
-    return this.steps.map(({ by, ...rest }) => `${by} ${Object.values(rest).map((each) => JSON.stringify(each)).join(' ')}`).join(' > ');
+    return this.steps
+      .map(
+        ({ by, ...rest }) =>
+          `${by} ${Object.values(rest)
+            .map((each) => JSON.stringify(each))
+            .join(' ')}`,
+      )
+      .join(' > ');
   }
 
   filter(options: { has?: Locator; hasText?: Text }): Locator {
@@ -162,7 +183,9 @@ export class ForeignLocator extends Finder implements Locator {
     )) as never;
   }
   async evaluateAll(act: (elements: never) => unknown): Promise<never> {
-    return (await this.owner.installedAnd(call(`(steps) => (${act})(globalThis.finder.find(steps))`, [this.steps]))) as never;
+    return (await this.owner.installedAnd(
+      call(`(steps) => (${act})(globalThis.finder.find(steps))`, [this.steps]),
+    )) as never;
   }
 
   private ready(to: 'click' | 'hover'): Promise<{ x: number; y: number }> {
@@ -239,7 +262,12 @@ export class ForeignPage extends Finder implements Page {
     return this.address;
   }
   async waitForLoadState(): Promise<void> {
-    await this.tab.evaluate(call(`() => document.readyState === 'complete' || new Promise((done) => addEventListener('load', () => done(true)))`, []));
+    await this.tab.evaluate(
+      call(
+        `() => document.readyState === 'complete' || new Promise((done) => addEventListener('load', () => done(true)))`,
+        [],
+      ),
+    );
     await this.look();
   }
 
@@ -262,13 +290,17 @@ export class ForeignPage extends Finder implements Page {
   }
   /** Evaluates what needs `finder`, which is put in where a document does not have it yet. */
   async installedAnd(expression: string): Promise<unknown> {
-    const answer = (await this.tab.evaluate(`globalThis.finder ? (async () => [await ${expression}])() : null`)) as [unknown] | null;
+    const answer = (await this.tab.evaluate(`globalThis.finder ? (async () => [await ${expression}])() : null`)) as
+      | [unknown]
+      | null;
     if (answer !== null) return answer[0];
     await this.installed();
     return this.installedAnd(expression);
   }
   async installed(): Promise<void> {
-    await this.tab.evaluate(`(() => { if (!globalThis.finder) { ${this.finder}\nglobalThis.finder = finder; } return true; })()`);
+    await this.tab.evaluate(
+      `(() => { if (!globalThis.finder) { ${this.finder}\nglobalThis.finder = finder; } return true; })()`,
+    );
   }
 
   setViewportSize({ width, height }: { width: number; height: number }): Promise<void> {
@@ -332,7 +364,9 @@ export class ForeignPage extends Finder implements Page {
   /** For the message of a failure: where the page is, how far it has come, and its errors. */
   async condition(): Promise<string> {
     const told = async (): Promise<string> => {
-      const state = await this.tab.evaluate(call('() => `${location.href} is ${document.readyState}, ${document.visibilityState}`', []));
+      const state = await this.tab.evaluate(
+        call('() => `${location.href} is ${document.readyState}, ${document.visibilityState}`', []),
+      );
       return [state, ...(await this.errors())].join('; ');
     };
     return Promise.race([told(), pause(3000, 'the page gives no answer')]).catch((error: unknown) => String(error));

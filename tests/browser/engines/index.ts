@@ -2,8 +2,13 @@
 // own in Chromium, and a `ForeignPage` in Firefox and WebKit. Which engine it is stands in the
 // project of playwright.config.ts.
 import {
-  test as base, type Page as PlaywrightPage, type PlaywrightTestArgs, type PlaywrightTestOptions, type PlaywrightWorkerArgs,
-  type PlaywrightWorkerOptions, type TestType,
+  test as base,
+  type Page as PlaywrightPage,
+  type PlaywrightTestArgs,
+  type PlaywrightTestOptions,
+  type PlaywrightWorkerArgs,
+  type PlaywrightWorkerOptions,
+  type TestType,
 } from '@playwright/test';
 import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
@@ -32,7 +37,12 @@ const extended = base.extend<TestOptions, WorkerFixtures>({
   server: ['', { option: true, scope: 'worker' }],
   driver: [
     async ({ engine, server }, use) => {
-      const driver = engine === 'firefox' ? await firefox(VIEWPORT) : engine === 'webkit' ? await webkit(VIEWPORT, server) : undefined;
+      const driver =
+        engine === 'firefox'
+          ? await firefox(VIEWPORT)
+          : engine === 'webkit'
+            ? await webkit(VIEWPORT, server)
+            : undefined;
       await use(driver);
       await driver?.close();
     },

@@ -10,9 +10,39 @@ export type Text = string | RegExp;
 
 /** The roles the page has and the tests ask for. */
 export type Role =
-  | 'alert' | 'button' | 'columnheader' | 'combobox' | 'dialog' | 'grid' | 'group' | 'heading' | 'img' | 'link' | 'list' | 'listbox' | 'listitem' | 'log' | 'menu'
-  | 'menuitem' | 'note' | 'option' | 'radio' | 'radiogroup' | 'region' | 'row' | 'rowheader' | 'searchbox' | 'separator' | 'slider' | 'status' | 'switch'
-  | 'tab' | 'table' | 'tabpanel' | 'textbox' | 'tooltip';
+  | 'alert'
+  | 'button'
+  | 'columnheader'
+  | 'combobox'
+  | 'dialog'
+  | 'grid'
+  | 'group'
+  | 'heading'
+  | 'img'
+  | 'link'
+  | 'list'
+  | 'listbox'
+  | 'listitem'
+  | 'log'
+  | 'menu'
+  | 'menuitem'
+  | 'note'
+  | 'option'
+  | 'radio'
+  | 'radiogroup'
+  | 'region'
+  | 'row'
+  | 'rowheader'
+  | 'searchbox'
+  | 'separator'
+  | 'slider'
+  | 'status'
+  | 'switch'
+  | 'tab'
+  | 'table'
+  | 'tabpanel'
+  | 'textbox'
+  | 'tooltip';
 
 export interface Box {
   readonly x: number;

@@ -1,9 +1,23 @@
 // Keys by the code points that WebDriver gives those without a character of their own:
 // w3.org/TR/webdriver2, 17.4.2.
 const KEYS: Readonly<Record<string, string>> = {
-  Alt: '\ue00a', ArrowDown: '\ue015', ArrowLeft: '\ue012', ArrowRight: '\ue014', ArrowUp: '\ue013', Backspace: '\ue003',
-  Control: '\ue009', Delete: '\ue017', End: '\ue010', Enter: '\ue007', Escape: '\ue00c', Home: '\ue011', PageDown: '\ue00f',
-  PageUp: '\ue00e', Shift: '\ue008', Space: ' ', Tab: '\ue004',
+  Alt: '\ue00a',
+  ArrowDown: '\ue015',
+  ArrowLeft: '\ue012',
+  ArrowRight: '\ue014',
+  ArrowUp: '\ue013',
+  Backspace: '\ue003',
+  Control: '\ue009',
+  Delete: '\ue017',
+  End: '\ue010',
+  Enter: '\ue007',
+  Escape: '\ue00c',
+  Home: '\ue011',
+  PageDown: '\ue00f',
+  PageUp: '\ue00e',
+  Shift: '\ue008',
+  Space: ' ',
+  Tab: '\ue004',
 };
 
 /** What WebDriver calls a key. */

@@ -7,7 +7,10 @@ export function png(dump: Buffer, area: { top: number; width: number; height: nu
   // Of X11/XWDFile.h: `header_size`, `pixmap_width`, `byte_order`, `bytes_per_line`, `ncolors`. What
   // `bits_per_pixel` says differs by the visual.
   const [header, wide, order, stride, colours] = [field(0), field(4), field(7), field(12), field(19)];
-  if (stride !== 4 * wide || order !== 0) throw new Error(`xwd wrote rows of ${stride} bytes for ${wide} pixels in byte order ${order}: only four a pixel, lowest first, are read`);
+  if (stride !== 4 * wide || order !== 0)
+    throw new Error(
+      `xwd wrote rows of ${stride} bytes for ${wide} pixels in byte order ${order}: only four a pixel, lowest first, are read`,
+    );
   const start = header + 12 * colours;
   const rows = Buffer.alloc(area.height * (1 + 3 * area.width));
   for (let y = 0, to = 0; y < area.height; y++) {
@@ -25,7 +28,9 @@ export function png(dump: Buffer, area: { top: number; width: number; height: nu
   head.set([8, 2, 0, 0, 0], 8);
   return Buffer.concat([
     Buffer.from([0x89, 0x50, 0x4e, 0x47, 0x0d, 0x0a, 0x1a, 0x0a]),
-    chunk('IHDR', head), chunk('IDAT', deflateSync(rows, { level: 1 })), chunk('IEND', Buffer.alloc(0)),
+    chunk('IHDR', head),
+    chunk('IDAT', deflateSync(rows, { level: 1 })),
+    chunk('IEND', Buffer.alloc(0)),
   ]);
 }
 

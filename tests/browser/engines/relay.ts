@@ -22,19 +22,30 @@ export async function relay(server: string): Promise<Relay> {
   const scripts: string[] = [];
   const http = createServer((request, response) => {
     void (async () => {
-      const answer = await fetch(origin + (request.url ?? '/'), { headers: { accept: request.headers.accept ?? '*/*' } });
+      const answer = await fetch(origin + (request.url ?? '/'), {
+        headers: { accept: request.headers.accept ?? '*/*' },
+      });
       const type = answer.headers.get('content-type') ?? 'application/octet-stream';
       let body = Buffer.from(await answer.arrayBuffer());
       if (type.startsWith('text/html')) {
         const put = `<script>${[ERRORS, ...scripts].join(';\n').replaceAll('</', '<\\/')}</script>`;
-        body = Buffer.from(body.toString('utf8').replace(/<head>|<meta charset/i, (found) => (found === '<head>' ? found + put : put + found)));
+        body = Buffer.from(
+          body
+            .toString('utf8')
+            .replace(/<head>|<meta charset/i, (found) => (found === '<head>' ? found + put : put + found)),
+        );
       }
-      response.writeHead(answer.status, { 'content-type': type, 'content-length': body.length, 'cache-control': 'no-store' });
+      response.writeHead(answer.status, {
+        'content-type': type,
+        'content-length': body.length,
+        'cache-control': 'no-store',
+      });
       response.end(body);
     })().catch((error: unknown) => response.writeHead(502).end(String(error)));
   });
   const own = `http://127.0.0.1:${await listenOnNewPort(http)}`;
-  const swapped = (address: string, from: string, to: string): string => (address.startsWith(from) ? to + address.slice(from.length) : address);
+  const swapped = (address: string, from: string, to: string): string =>
+    address.startsWith(from) ? to + address.slice(from.length) : address;
   return {
     scripts,
     inFront: (address) => swapped(address, origin, own),

@@ -39,13 +39,25 @@ export async function webkit(viewport: { width: number; height: number }, server
   const kill = (): void => started.forEach(end);
   process.once('exit', kill);
   try {
-    const xvfb = start(program('PLAYGROUND_XVFB'), ['-displayfd', '3', '-screen', '0', SCREEN, '-nolisten', 'tcp', '-noreset'], {});
+    const xvfb = start(
+      program('PLAYGROUND_XVFB'),
+      ['-displayfd', '3', '-screen', '0', SCREEN, '-nolisten', 'tcp', '-noreset'],
+      {},
+    );
     started.push(xvfb);
     const display = `:${await displayOf(xvfb)}`;
     const port = await freePort();
     const driver = start(program('PLAYGROUND_WEBKIT_DRIVER'), [`--port=${port}`], {
-      DISPLAY: display, HOME: folder, XDG_CONFIG_HOME: join(folder, 'config'), XDG_CACHE_HOME: join(folder, 'cache'),
-      XDG_DATA_HOME: join(folder, 'data'), LANG: 'en_US.UTF-8', LANGUAGE: 'en_US', GDK_BACKEND: 'x11', GTK_A11Y: 'none', NO_AT_BRIDGE: '1',
+      DISPLAY: display,
+      HOME: folder,
+      XDG_CONFIG_HOME: join(folder, 'config'),
+      XDG_CACHE_HOME: join(folder, 'cache'),
+      XDG_DATA_HOME: join(folder, 'data'),
+      LANG: 'en_US.UTF-8',
+      LANGUAGE: 'en_US',
+      GDK_BACKEND: 'x11',
+      GTK_A11Y: 'none',
+      NO_AT_BRIDGE: '1',
       // Without a graphics card the other way to the screen makes ten frames a second instead of sixty.
       WEBKIT_DISABLE_DMABUF_RENDERER: process.env['WEBKIT_DISABLE_DMABUF_RENDERER'] ?? '1',
     });
@@ -148,7 +160,8 @@ async function listening({ call }: Machine, driver: ChildProcess): Promise<void>
     try {
       return void (await call('GET', '/status'));
     } catch (error) {
-      if (driver.exitCode !== null || Date.now() > last) throw new Error('WebKitWebDriver does not start', { cause: error });
+      if (driver.exitCode !== null || Date.now() > last)
+        throw new Error('WebKitWebDriver does not start', { cause: error });
     }
   }
 }
@@ -218,7 +231,10 @@ class WebKitTab implements Tab {
   async evaluate(expression: string): Promise<unknown> {
     const script = `const told = arguments[arguments.length - 1];
       (async () => ({ value: await (${expression}) }))().then((all) => told(JSON.stringify(all)), (error) => told(JSON.stringify({ error: error + '\\n' + error?.stack })));`;
-    const answer = JSON.parse((await this.call('POST', '/execute/async', { script, args: [] })) as string) as { value?: unknown; error?: string };
+    const answer = JSON.parse((await this.call('POST', '/execute/async', { script, args: [] })) as string) as {
+      value?: unknown;
+      error?: string;
+    };
     if (answer.error !== undefined) throw new Error(answer.error);
     return answer.value;
   }
@@ -234,10 +250,17 @@ class WebKitTab implements Tab {
   }
   typeKeys(text: string): Promise<void> {
     const values = Array.from(text, (each) => (each === '\n' ? keyCode('Enter') : each));
-    return this.keys(...values.flatMap((value) => [{ type: 'keyDown', value }, { type: 'keyUp', value }]));
+    return this.keys(
+      ...values.flatMap((value) => [
+        { type: 'keyDown', value },
+        { type: 'keyUp', value },
+      ]),
+    );
   }
   private async pointer(...actions: Json[]): Promise<void> {
-    await this.call('POST', '/actions', { actions: [{ type: 'pointer', id: 'mouse', parameters: { pointerType: 'mouse' }, actions }] });
+    await this.call('POST', '/actions', {
+      actions: [{ type: 'pointer', id: 'mouse', parameters: { pointerType: 'mouse' }, actions }],
+    });
   }
   mouseMove(x: number, y: number): Promise<void> {
     return this.pointer({ type: 'pointerMove', duration: 0, x, y });
@@ -249,14 +272,25 @@ class WebKitTab implements Tab {
     return this.pointer({ type: 'pointerUp', button: 0 });
   }
   click(x: number, y: number, times: number): Promise<void> {
-    const once = [{ type: 'pointerDown', button: 0 }, { type: 'pointerUp', button: 0 }];
-    return this.pointer({ type: 'pointerMove', duration: 0, x, y }, ...Array.from({ length: times }, () => once).flat());
+    const once = [
+      { type: 'pointerDown', button: 0 },
+      { type: 'pointerUp', button: 0 },
+    ];
+    return this.pointer(
+      { type: 'pointerMove', duration: 0, x, y },
+      ...Array.from({ length: times }, () => once).flat(),
+    );
   }
   async wheel(x: number, y: number, deltaX: number, deltaY: number): Promise<void> {
-    await this.call('POST', '/actions', { actions: [{ type: 'wheel', id: 'wheel', actions: [{ type: 'scroll', x, y, deltaX, deltaY, duration: 0 }] }] });
+    await this.call('POST', '/actions', {
+      actions: [{ type: 'wheel', id: 'wheel', actions: [{ type: 'scroll', x, y, deltaX, deltaY, duration: 0 }] }],
+    });
   }
   async chooseFile(expression: string, path: string): Promise<void> {
-    const input = (await this.call('POST', '/execute/sync', { script: `return ${expression}`, args: [] })) as Record<string, string>;
+    const input = (await this.call('POST', '/execute/sync', { script: `return ${expression}`, args: [] })) as Record<
+      string,
+      string
+    >;
     await this.call('POST', `/element/${input[ELEMENT]}/value`, { text: path });
   }
 
@@ -277,9 +311,15 @@ class WebKitTab implements Tab {
     const { height: outer } = (await this.call('GET', '/window/rect')) as { height: number };
     const [width, height] = (await this.evaluate('[innerWidth, innerHeight]')) as [number, number];
     // WebDriver's own screenshot hangs.
-    const { stdout } = await promisify(execFile)(program('PLAYGROUND_XWD'), ['-root', '-silent', '-display', this.machine.display], {
-      encoding: 'buffer', maxBuffer: 64 * 1024 * 1024, timeout: 20_000,
-    });
+    const { stdout } = await promisify(execFile)(
+      program('PLAYGROUND_XWD'),
+      ['-root', '-silent', '-display', this.machine.display],
+      {
+        encoding: 'buffer',
+        maxBuffer: 64 * 1024 * 1024,
+        timeout: 20_000,
+      },
+    );
     return png(stdout, { top: outer - height, width, height });
   }
   async opened(): Promise<Tab | undefined> {

@@ -29,7 +29,8 @@ export function prepare(): void {
 /** Waits until the page has started; drivers differ in what they call loaded. */
 export async function ready(): Promise<void> {
   await customElements.whenDefined('gcode-playground');
-  if (document.readyState !== 'complete') await new Promise((done) => window.addEventListener('load', done, { once: true }));
+  if (document.readyState !== 'complete')
+    await new Promise((done) => window.addEventListener('load', done, { once: true }));
   // The element comes into the page with its first program, the list of examples after the first picture.
   const soon = (): Promise<void> => new Promise((done) => setTimeout(done, 5));
   while (document.querySelector('gcode-playground') === null) await soon();
@@ -38,13 +39,21 @@ export async function ready(): Promise<void> {
 }
 
 /** Brings the page on; the last thing it does is what a reader or an author does last. */
-export async function go({ steps, from }: { steps: readonly (Step & { delay: number })[]; from: State | undefined }): Promise<void> {
+export async function go({
+  steps,
+  from,
+}: {
+  steps: readonly (Step & { delay: number })[];
+  from: State | undefined;
+}): Promise<void> {
   const playground = document.querySelector('gcode-playground') as Playground;
   const root = playground.shadowRoot as ShadowRoot;
   const found = <E extends HTMLElement>(selector: string): E => root.querySelector(selector) as E;
   const sleep = (ms: number): Promise<void> => new Promise((done) => setTimeout(done, ms));
   const key = (on: HTMLElement, name: string, held: KeyboardEventInit = {}): void => {
-    on.dispatchEvent(new KeyboardEvent('keydown', { key: name, code: name, bubbles: true, composed: true, cancelable: true, ...held }));
+    on.dispatchEvent(
+      new KeyboardEvent('keydown', { key: name, code: name, bubbles: true, composed: true, cancelable: true, ...held }),
+    );
   };
   const choose = (id: string, value: string): void => {
     const select = document.getElementById(id) as HTMLSelectElement;
@@ -60,7 +69,10 @@ export async function go({ steps, from }: { steps: readonly (Step & { delay: num
     const [program, setup] = [playground.value, playground.setup];
     const lines = program.split('\n');
     if (state.setup === 'thick blank') {
-      playground.setup = JSON.stringify({ ...JSON.parse(setup ?? '{}'), stock: { diameter: 180, length: 220, face: 1 } });
+      playground.setup = JSON.stringify({
+        ...JSON.parse(setup ?? '{}'),
+        stock: { diameter: 180, length: 220, face: 1 },
+      });
     } else if (state.setup === 'empty') playground.setup = '{}';
     const content = found<HTMLElement>('.written .cm-content');
     switch (state.text) {
@@ -123,9 +135,15 @@ export async function go({ steps, from }: { steps: readonly (Step & { delay: num
         case 'pointed': {
           const { left, top, width, height } = canvas.getBoundingClientRect();
           for (const share of [0.3, 0.5, 0.6]) {
-            canvas.dispatchEvent(new PointerEvent('pointermove', {
-              pointerType: 'mouse', clientX: left + share * width, clientY: top + share * height, bubbles: true, composed: true,
-            }));
+            canvas.dispatchEvent(
+              new PointerEvent('pointermove', {
+                pointerType: 'mouse',
+                clientX: left + share * width,
+                clientY: top + share * height,
+                bubbles: true,
+                composed: true,
+              }),
+            );
             await sleep(step.delay / 3);
           }
           canvas.dispatchEvent(new PointerEvent('pointerleave', { pointerType: 'mouse' }));
@@ -158,7 +176,8 @@ export async function look(): Promise<Look> {
   });
   await Promise.race([playground.settled, late]);
   const seen: Record<string, string> = {};
-  const words = (selector: string): string => [...root.querySelectorAll<HTMLElement>(selector)].map((part) => (part.hidden ? '' : part.innerText)).join('\n');
+  const words = (selector: string): string =>
+    [...root.querySelectorAll<HTMLElement>(selector)].map((part) => (part.hidden ? '' : part.innerText)).join('\n');
   for (const [index, canvas] of [...root.querySelectorAll<HTMLCanvasElement>('.pictures canvas')].entries()) {
     const { width, height } = canvas;
     const shown = canvas.getBoundingClientRect();
@@ -185,7 +204,8 @@ export async function look(): Promise<Look> {
   seen['problems'] = words('[part=problems]');
   seen['status'] = words('[part=status]');
   seen['read-out'] = words('[part=readout]');
-  seen['views'] = words('.views > button.level') + String(root.querySelector('.views > button.level')?.getAttribute('aria-pressed'));
+  seen['views'] =
+    words('.views > button.level') + String(root.querySelector('.views > button.level')?.getAttribute('aria-pressed'));
   seen['legend'] = words('[part=legend]');
   seen['setup'] = words('[part=setup]');
   // The motions as the page itself saves them.

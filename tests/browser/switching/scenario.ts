@@ -34,8 +34,13 @@ const MOST_AT_ONCE = 5;
 const LONGEST_DELAY = 160;
 
 /** `PLAYGROUND_SWITCHING_STEPS`, `…_SEED` and `…_STATES`, or what the test takes without them. */
-export function fromEnvironment(usual: { readonly seed: number; readonly steps: number; readonly states: number }): typeof usual {
-  const number = (name: keyof typeof usual): number => Number(process.env[`PLAYGROUND_SWITCHING_${name.toUpperCase()}`] ?? usual[name]);
+export function fromEnvironment(usual: {
+  readonly seed: number;
+  readonly steps: number;
+  readonly states: number;
+}): typeof usual {
+  const number = (name: keyof typeof usual): number =>
+    Number(process.env[`PLAYGROUND_SWITCHING_${name.toUpperCase()}`] ?? usual[name]);
   return { seed: number('seed'), steps: number('steps'), states: number('states') };
 }
 
@@ -83,8 +88,12 @@ export async function switching(page: Page, { seed, steps, states, programs, kee
     if (wrong === undefined) continue;
     keep('switched', fromUrl(await page.evaluate(picture)));
     if (wanted !== undefined) keep('fresh', fromUrl(wanted.png));
-    const way = some.map((one) => `  after ${one.delay} ms more: ${JSON.stringify('to' in one ? one.to : one.detour)}`).join('\n');
-    throw new Error(`seed ${seed}, after ${done} steps: ${wrong}\nThe last steps, from ${JSON.stringify(from)}:\n${way}`);
+    const way = some
+      .map((one) => `  after ${one.delay} ms more: ${JSON.stringify('to' in one ? one.to : one.detour)}`)
+      .join('\n');
+    throw new Error(
+      `seed ${seed}, after ${done} steps: ${wrong}\nThe last steps, from ${JSON.stringify(from)}:\n${way}`,
+    );
   }
 }
 
@@ -119,7 +128,12 @@ function difference(shown: Look, wanted: Look): string | undefined {
   const keys = new Set([...Object.keys(shown), ...Object.keys(wanted)]);
   const wrong = [...keys].filter((key) => shown[key] !== wanted[key]);
   if (wrong.length === 0) return undefined;
-  return wrong.map((key) => `${key} is\n    ${excerpt(shown[key], wanted[key])}\n  but fresh\n    ${excerpt(wanted[key], shown[key])}`).join('\n  ');
+  return wrong
+    .map(
+      (key) =>
+        `${key} is\n    ${excerpt(shown[key], wanted[key])}\n  but fresh\n    ${excerpt(wanted[key], shown[key])}`,
+    )
+    .join('\n  ');
 }
 
 /** The text from shortly before the first place where it is another. */

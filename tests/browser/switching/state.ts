@@ -46,7 +46,12 @@ export function pool(programs: readonly string[], size: number, next: () => numb
   const states: State[] = ['s003-g71', 's003-g73'].map((program) => ({ program, ...plain }));
   while (states.length < size) {
     const state: State = {
-      program: one(programs), text: one(TEXTS), setup: one(SETUPS), language: one(LANGUAGES), theme: one(THEMES), turret: one(TURRETS),
+      program: one(programs),
+      text: one(TEXTS),
+      setup: one(SETUPS),
+      language: one(LANGUAGES),
+      theme: one(THEMES),
+      turret: one(TURRETS),
     };
     if (!states.some((known) => JSON.stringify(known) === JSON.stringify(state))) states.push(state);
   }

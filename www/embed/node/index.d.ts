@@ -2,7 +2,17 @@ import type { Diagnostic, Motion } from './gcode_playground.js';
 import type { Setup } from './setup.js';
 
 export type { Diagnostic, Motion };
-export type { Setup, SetupDialect, SetupLimits, SetupMachine, SetupPosition, SetupStock, SetupTailstock, SetupTool, SetupTravel } from './setup.js';
+export type {
+  Setup,
+  SetupDialect,
+  SetupLimits,
+  SetupMachine,
+  SetupPosition,
+  SetupStock,
+  SetupTailstock,
+  SetupTool,
+  SetupTravel,
+} from './setup.js';
 
 export interface Options {
   /** The language of messages and drawings; English if nothing is said. */

@@ -16,7 +16,8 @@ let isLoaded = false;
 /** Reads the module with all its parts; once. */
 function load() {
   if (isLoaded) return;
-  const read = (address) => (isText(address) ? readFileSync(new URL(address), 'utf8') : new WebAssembly.Module(readFileSync(new URL(address))));
+  const read = (address) =>
+    isText(address) ? readFileSync(new URL(address), 'utf8') : new WebAssembly.Module(readFileSync(new URL(address)));
   const wasm = initSync({ module: read(new URL('../core.wasm', import.meta.url)) });
   for (const [part, files] of Object.entries(PART_FILES)) addPart(part, wasm, files, files.map(read));
   isLoaded = true;
@@ -30,13 +31,15 @@ function checked(options = {}) {
   const { language = 'en', ...others } = options;
   const [other] = Object.keys(others);
   if (other !== undefined) throw new TypeError(`there is no option \`${other}\`; there is \`language\``);
-  if (!LANGUAGES.includes(language)) throw new RangeError(`there is no language \`${language}\`; there are ${LANGUAGES.join(', ')}`);
+  if (!LANGUAGES.includes(language))
+    throw new RangeError(`there is no language \`${language}\`; there are ${LANGUAGES.join(', ')}`);
   return { language };
 }
 
 /** Runs a program and hands it over; nothing of it stays. */
 function withRun(text, setup, options, use) {
-  if (typeof text !== 'string' && !(text instanceof Uint8Array)) throw new TypeError('the program is a string or a Uint8Array');
+  if (typeof text !== 'string' && !(text instanceof Uint8Array))
+    throw new TypeError('the program is a string or a Uint8Array');
   const { language } = checked(options);
   load();
   const playground = new Playground();

@@ -15,8 +15,12 @@ export class Dialog {
   constructor(name: string, body: readonly Node[], actions: readonly Node[] = []) {
     this.#title = make('h2', { id: `${name}-title` });
     this.element = make(
-      'dialog', { className: `dialog ${name}`, part: name, 'aria-labelledby': this.#title.id },
-      this.#title, this.#about, ...body, make('div', { className: 'actions' }, ...actions, this.#close),
+      'dialog',
+      { className: `dialog ${name}`, part: name, 'aria-labelledby': this.#title.id },
+      this.#title,
+      this.#about,
+      ...body,
+      make('div', { className: 'actions' }, ...actions, this.#close),
     );
     this.#close.addEventListener('click', () => this.close());
     // A click beside the dialog is a click on the dialog itself, outside its box.

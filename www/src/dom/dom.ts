@@ -62,9 +62,18 @@ const ICONS = {
   share: [{ d: 'M10 12.5V3.2M6.4 6.6L10 3l3.6 3.6M6 9.5H4.5v7h11v-7H14', width: 1.6 }],
   outline: [{ d: 'M3.5 4.5h9M6.5 10h10M6.5 15.5h7', width: 1.7 }],
   chevron: [{ d: 'M5 7.5l5 5 5-5', width: 1.8 }],
-  error: [{ d: 'M2.8 10a7.2 7.2 0 1 0 14.4 0 7.2 7.2 0 1 0-14.4 0' }, { d: 'M10 6v5M10 13.6v.4', width: 1.9, over: true }],
-  warning: [{ d: 'M10 2.8l7.6 13.6H2.4z', width: 1.2, filled: true }, { d: 'M10 8v3.6M10 14v.3', width: 1.8, over: true }],
-  info: [{ d: 'M2.8 10a7.2 7.2 0 1 0 14.4 0 7.2 7.2 0 1 0-14.4 0' }, { d: 'M10 9.4V14M10 6v.3', width: 1.9, over: true }],
+  error: [
+    { d: 'M2.8 10a7.2 7.2 0 1 0 14.4 0 7.2 7.2 0 1 0-14.4 0' },
+    { d: 'M10 6v5M10 13.6v.4', width: 1.9, over: true },
+  ],
+  warning: [
+    { d: 'M10 2.8l7.6 13.6H2.4z', width: 1.2, filled: true },
+    { d: 'M10 8v3.6M10 14v.3', width: 1.8, over: true },
+  ],
+  info: [
+    { d: 'M2.8 10a7.2 7.2 0 1 0 14.4 0 7.2 7.2 0 1 0-14.4 0' },
+    { d: 'M10 9.4V14M10 6v.3', width: 1.9, over: true },
+  ],
 } satisfies Readonly<Record<string, readonly IconPiece[]>>;
 
 export type IconName = keyof typeof ICONS;
@@ -73,7 +82,10 @@ export function icon(name: IconName): HTMLElement {
   const svg = drawn('svg', { viewBox: '0 0 20 20', width: 20, height: 20 });
   for (const { d, width, filled, over } of ICONS[name] as readonly IconPiece[]) {
     const colour = over === true ? 'var(--playground-surface)' : 'currentColor';
-    const line = width === undefined ? {} : { stroke: colour, 'stroke-width': width, 'stroke-linecap': 'round', 'stroke-linejoin': 'round' };
+    const line =
+      width === undefined
+        ? {}
+        : { stroke: colour, 'stroke-width': width, 'stroke-linecap': 'round', 'stroke-linejoin': 'round' };
     svg.append(drawn('path', { d, fill: width === undefined || filled === true ? colour : 'none', ...line }));
   }
   return make('span', { className: `icon icon-${name}`, 'aria-hidden': 'true' }, svg);
@@ -93,7 +105,9 @@ export function prose(text: string): (Node | string)[] {
 
 /** A sentence in which `Z-30` is never broken after its minus. */
 export function unbroken(text: string): (Node | string)[] {
-  return text.split(/([!-~]*-\d[!-~]*)/).map((part, i) => (i % 2 === 1 ? make('span', { className: 'unbroken' }, part) : part));
+  return text
+    .split(/([!-~]*-\d[!-~]*)/)
+    .map((part, i) => (i % 2 === 1 ? make('span', { className: 'unbroken' }, part) : part));
 }
 
 /** Gives a button its name for screen readers and its tooltip. */

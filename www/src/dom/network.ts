@@ -39,7 +39,9 @@ export async function loaded<Part>(load: () => Promise<Part>): Promise<Part> {
     const address = imported && addressOf(imported.file, failed);
     if (address === undefined) throw error;
     const again = async (): Promise<Part> => {
-      const chunk = (await import(/* @vite-ignore */ `${address}?again=${++tries}`)) as Readonly<Record<string, unknown>>;
+      const chunk = (await import(/* @vite-ignore */ `${address}?again=${++tries}`)) as Readonly<
+        Record<string, unknown>
+      >;
       return (imported?.member === undefined ? chunk : chunk[imported.member]) as Part;
     };
     try {
@@ -61,7 +63,10 @@ function addressIn(error: unknown): string | undefined {
 
 /** What a function imports, as the build writes it: `import("./a.js")`, or `import("./a.js").then(n=>n.b)` where several parts share a file. */
 function importIn(load: () => unknown): { readonly file: string; readonly member: string | undefined } | undefined {
-  const found = /import\(\s*["'`](?:[^"'`]*\/)?([^"'`/]+\.js)["'`]\s*\)(?:\.then\(\s*\(?([\w$]+)\)?\s*=>\s*\2\.([\w$]+))?/.exec(String(load));
+  const found =
+    /import\(\s*["'`](?:[^"'`]*\/)?([^"'`/]+\.js)["'`]\s*\)(?:\.then\(\s*\(?([\w$]+)\)?\s*=>\s*\2\.([\w$]+))?/.exec(
+      String(load),
+    );
   return found?.[1] === undefined ? undefined : { file: found[1], member: found[3] };
 }
 
@@ -75,11 +80,16 @@ function addressOf(file: string, failed: string | undefined): string | undefined
 
 /** Whether a script can be had with all of its bytes, and the scripts it imports too. What the browser's cache has of them is replaced. */
 async function isWhole(address: string, which: 'with-imports' | 'alone'): Promise<boolean> {
-  const text = await fetch(address, { cache: 'reload' }).then((response) => (response.ok ? response.text() : ''), () => '');
+  const text = await fetch(address, { cache: 'reload' }).then(
+    (response) => (response.ok ? response.text() : ''),
+    () => '',
+  );
   // So ends each script of the build.
   if (!/\bexport\s*\{[^{}]*\};?\s*$/.test(text)) return false;
   if (which === 'alone') return true;
-  const imports = [...text.matchAll(/\b(?:from|import)\s*["'](\.[^"']+\.js)["']/g)].map(([, file = '']) => new URL(file, address).href);
+  const imports = [...text.matchAll(/\b(?:from|import)\s*["'](\.[^"']+\.js)["']/g)].map(
+    ([, file = '']) => new URL(file, address).href,
+  );
   return (await Promise.all(imports.map((file) => isWhole(file, 'alone')))).every(Boolean);
 }
 

@@ -9,20 +9,28 @@ import type { Language } from './language';
 export type Words<W> = Readonly<Record<Language, W>>;
 
 /** Words of which some may be missing. */
-type Partly<W> = W extends readonly unknown[] | ((...given: never[]) => unknown) ? W : W extends object ? { readonly [K in keyof W]?: Partly<W[K]> } : W;
+type Partly<W> = W extends readonly unknown[] | ((...given: never[]) => unknown)
+  ? W
+  : W extends object
+    ? { readonly [K in keyof W]?: Partly<W[K]> }
+    : W;
 
 /**
  * A table of words, in the same form in each language. What another language lacks is shown in English, and `cargo xtask
  * translations` lists it.
  */
-export function words<W>(all: { readonly en: W } & Readonly<Partial<Record<Exclude<Language, 'en'>, Partly<NoInfer<W>>>>>): Words<W> {
+export function words<W>(
+  all: { readonly en: W } & Readonly<Partial<Record<Exclude<Language, 'en'>, Partly<NoInfer<W>>>>>,
+): Words<W> {
   return { en: all.en, zh: filled(all.en, all.zh), ru: filled(all.en, all.ru) };
 }
 
 function filled<W>(english: W, own: Partly<NoInfer<W>> | undefined): W {
   if (own === undefined) return english;
   if (typeof english !== 'object' || english === null || Array.isArray(english)) return own as W;
-  const whole = Object.entries(english).map(([name, text]) => [name, filled<unknown>(text, (own as Readonly<Record<string, unknown>>)[name])] as const);
+  const whole = Object.entries(english).map(
+    ([name, text]) => [name, filled<unknown>(text, (own as Readonly<Record<string, unknown>>)[name])] as const,
+  );
   return Object.fromEntries(whole) as W;
 }
 

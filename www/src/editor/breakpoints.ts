@@ -3,7 +3,16 @@
 // In: clicks on the line numbers; a line to mark. Out: the lines, which move with every change of the text and go with their
 // line; a mark on their numbers. Must not know: what is played.
 
-import { MapMode, RangeSet, StateEffect, StateField, type ChangeDesc, type EditorState, type Extension, type Text } from '@codemirror/state';
+import {
+  MapMode,
+  RangeSet,
+  StateEffect,
+  StateField,
+  type ChangeDesc,
+  type EditorState,
+  type Extension,
+  type Text,
+} from '@codemirror/state';
 import { gutterLineClass, GutterMarker, lineNumbers, type EditorView } from '@codemirror/view';
 
 /** Most of them: each is looked for with every frame. */

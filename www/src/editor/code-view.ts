@@ -19,7 +19,12 @@ export class CodeView {
       state: EditorState.create({
         doc: text,
         extensions: [
-          EditorState.readOnly.of(true), EditorView.editable.of(false), lineNumbers(), drawSelection(), marks, editorTheme,
+          EditorState.readOnly.of(true),
+          EditorView.editable.of(false),
+          lineNumbers(),
+          drawSelection(),
+          marks,
+          editorTheme,
           keymap.of(defaultKeymap),
           EditorView.contentAttributes.of({ tabindex: '0', lang: 'en', 'aria-label': name, 'aria-readonly': 'true' }),
         ],

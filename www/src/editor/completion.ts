@@ -3,11 +3,27 @@
 // In: proposals of the interpreter, in their order. Out: what the reader takes of them. Must not know: what is proposed.
 
 import {
-  acceptCompletion, autocompletion, closeCompletion, completionStatus, currentCompletions, hasNextSnippetField, moveCompletionSelection, nextSnippetField,
-  selectedCompletionIndex, setSelectedCompletion, snippet, startCompletion,
+  acceptCompletion,
+  autocompletion,
+  closeCompletion,
+  completionStatus,
+  currentCompletions,
+  hasNextSnippetField,
+  moveCompletionSelection,
+  nextSnippetField,
+  selectedCompletionIndex,
+  setSelectedCompletion,
+  snippet,
+  startCompletion,
 } from '@codemirror/autocomplete';
 import type { Completion, CompletionContext, CompletionResult } from '@codemirror/autocomplete';
-import { cursorLineDown, cursorLineUp, cursorPageDown, cursorPageUp, insertNewlineAndIndent } from '@codemirror/commands';
+import {
+  cursorLineDown,
+  cursorLineUp,
+  cursorPageDown,
+  cursorPageUp,
+  insertNewlineAndIndent,
+} from '@codemirror/commands';
 import { Prec, type Extension } from '@codemirror/state';
 import { EditorView, keymap, ViewPlugin, type Command, type KeyBinding, type ViewUpdate } from '@codemirror/view';
 import type { CompletionItem } from '../protocol/protocol';
@@ -30,7 +46,11 @@ export function completion(events: EditorEvents): Extension {
     wishes,
     Prec.highest(keymap.of(LIST_KEYS)),
     autocompletion({
-      override: [source], icons: false, maxRenderedOptions: 60, selectOnOpen: false, interactionDelay: 0,
+      override: [source],
+      icons: false,
+      maxRenderedOptions: 60,
+      selectOnOpen: false,
+      interactionDelay: 0,
       addToOptions: [{ render: pressed, position: 100 }],
     }),
     look,
@@ -38,16 +58,44 @@ export function completion(events: EditorEvents): Extension {
 }
 
 const look = EditorView.theme({
-  '.cm-tooltip.cm-tooltip-autocomplete > [role=listbox]': { maxHeight: rem(16), minWidth: rem(14), maxWidth: `min(${rem(36)}, 95vw)`, fontFamily: 'var(--playground-font)' },
-  '.cm-tooltip.cm-tooltip-autocomplete [role=listbox] > [role=option]': { display: 'flex', gap: rem(0.75), alignItems: 'baseline', padding: `${rem(0.2)} ${rem(0.6)}`, lineHeight: '1.4', position: 'relative' },
+  '.cm-tooltip.cm-tooltip-autocomplete > [role=listbox]': {
+    maxHeight: rem(16),
+    minWidth: rem(14),
+    maxWidth: `min(${rem(36)}, 95vw)`,
+    fontFamily: 'var(--playground-font)',
+  },
+  '.cm-tooltip.cm-tooltip-autocomplete [role=listbox] > [role=option]': {
+    display: 'flex',
+    gap: rem(0.75),
+    alignItems: 'baseline',
+    padding: `${rem(0.2)} ${rem(0.6)}`,
+    lineHeight: '1.4',
+    position: 'relative',
+  },
   '.cm-pressed-proposal': { position: 'absolute', inset: '0' },
-  '.cm-tooltip.cm-tooltip-autocomplete [role=option][aria-selected]': { backgroundColor: 'var(--playground-accent)', color: 'var(--playground-on-accent)' },
+  '.cm-tooltip.cm-tooltip-autocomplete [role=option][aria-selected]': {
+    backgroundColor: 'var(--playground-accent)',
+    color: 'var(--playground-on-accent)',
+  },
   '.cm-completionLabel': { fontFamily: 'var(--playground-code-font)', flex: 'none' },
-  '.cm-completionDetail': { flex: '1 1 auto', marginLeft: '0', fontStyle: 'normal', color: 'var(--playground-muted)', overflow: 'hidden', textOverflow: 'ellipsis' },
+  '.cm-completionDetail': {
+    flex: '1 1 auto',
+    marginLeft: '0',
+    fontStyle: 'normal',
+    color: 'var(--playground-muted)',
+    overflow: 'hidden',
+    textOverflow: 'ellipsis',
+  },
   '[aria-selected] .cm-completionDetail': { color: 'inherit' },
   '.cm-snippetField': { backgroundColor: 'var(--playground-accent-soft)' },
   // A finger is wider than a pointer.
-  '@media (pointer: coarse)': { '.cm-tooltip.cm-tooltip-autocomplete > [role=listbox]': { maxHeight: rem(11.5) }, '.cm-tooltip.cm-tooltip-autocomplete [role=listbox] > [role=option]': { minHeight: rem(2.75), alignItems: 'center' } },
+  '@media (pointer: coarse)': {
+    '.cm-tooltip.cm-tooltip-autocomplete > [role=listbox]': { maxHeight: rem(11.5) },
+    '.cm-tooltip.cm-tooltip-autocomplete [role=listbox] > [role=option]': {
+      minHeight: rem(2.75),
+      alignItems: 'center',
+    },
+  },
 });
 
 /** The list, as it would be open had it been there when the last word was typed; none where no word stands. */
@@ -145,14 +193,20 @@ const LIST_KEYS: readonly KeyBinding[] = [
   {
     key: 'Tab',
     // To the next place to fill there is no need to wait: nothing is chosen in a list that catches up.
-    run: (view) => take(view) || ((isWaiting(view) || !hasNextSnippetField(view.state)) && later(view, { run: take, otherwise: nextSnippetField })),
+    run: (view) =>
+      take(view) ||
+      ((isWaiting(view) || !hasNextSnippetField(view.state)) &&
+        later(view, { run: take, otherwise: nextSnippetField })),
   },
   listKey('ArrowDown', moveCompletionSelection(true), cursorLineDown),
   listKey('ArrowUp', moveCompletionSelection(false), cursorLineUp),
   listKey('PageDown', moveCompletionSelection(true, 'page'), cursorPageDown),
   listKey('PageUp', moveCompletionSelection(false, 'page'), cursorPageUp),
   // Alone it ends the block.
-  { key: 'Enter', run: (view) => isWaiting(view) && later(view, { run: acceptCompletion, otherwise: insertNewlineAndIndent }) },
+  {
+    key: 'Enter',
+    run: (view) => isWaiting(view) && later(view, { run: acceptCompletion, otherwise: insertNewlineAndIndent }),
+  },
   {
     key: 'Escape',
     run: (view) => {
@@ -185,7 +239,12 @@ function pressed({ label }: Completion, _state: unknown, view: EditorView): Node
 }
 
 function option({ label, text, fills, detail, kind }: CompletionItem): Completion {
-  return { label, detail, type: kind, apply: fills.some(([from, to]) => from < to || to < text.length) ? snippet(template(text, fills)) : text };
+  return {
+    label,
+    detail,
+    type: kind,
+    apply: fills.some(([from, to]) => from < to || to < text.length) ? snippet(template(text, fills)) : text,
+  };
 }
 
 /** The text as a snippet of the editor: each place to fill a field of its own. */

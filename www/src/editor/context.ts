@@ -24,7 +24,9 @@ export function programContext(events: ContextEvents): Extension {
     if (doc.length === 0) {
       const before = emptied;
       emptied = undefined;
-      const isBack = before !== undefined && !isAnotherProgram(before.text, transaction.newDoc.toString(), [{ from: 0, to: before.text.length }]);
+      const isBack =
+        before !== undefined &&
+        !isAnotherProgram(before.text, transaction.newDoc.toString(), [{ from: 0, to: before.text.length }]);
       return isBack ? { effects: setContext.of(before.context) } : null;
     }
     if (!isReplacement(transaction)) return null;
@@ -34,7 +36,9 @@ export function programContext(events: ContextEvents): Extension {
   return [
     EditorState.transactionExtender.of(withContext),
     // What is in force while a change is made is what its undo brings back.
-    invertedEffects.of(({ effects }) => (effects.some((effect) => effect.is(setContext)) ? [setContext.of(events.context())] : [])),
+    invertedEffects.of(({ effects }) =>
+      effects.some((effect) => effect.is(setContext)) ? [setContext.of(events.context())] : [],
+    ),
   ];
 }
 
@@ -45,7 +49,10 @@ export function contextEffect(context: ProgramContext): StateEffect<unknown> {
 
 /** The context that changes have brought; nothing where it stays as it is. */
 export function contextOf(transactions: readonly Transaction[]): ProgramContext | undefined {
-  return lastOf(transactions.flatMap(({ effects }) => effects), setContext);
+  return lastOf(
+    transactions.flatMap(({ effects }) => effects),
+    setContext,
+  );
 }
 
 function isByReader(transaction: Transaction): boolean {

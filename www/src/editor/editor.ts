@@ -9,10 +9,25 @@ import { defaultKeymap, history, historyKeymap, isolateHistory } from '@codemirr
 import { bracketMatching } from '@codemirror/language';
 import { linter, nextDiagnostic, previousDiagnostic, setDiagnostics } from '@codemirror/lint';
 import { highlightSelectionMatches, search, searchKeymap } from '@codemirror/search';
-import { Annotation, Compartment, EditorState, Transaction, type Extension, type StateEffect, type TransactionSpec } from '@codemirror/state';
 import {
-  drawSelection, dropCursor, EditorView, highlightActiveLine, highlightActiveLineGutter, highlightSpecialChars, keymap,
-  tooltips, type ViewUpdate,
+  Annotation,
+  Compartment,
+  EditorState,
+  Transaction,
+  type Extension,
+  type StateEffect,
+  type TransactionSpec,
+} from '@codemirror/state';
+import {
+  drawSelection,
+  dropCursor,
+  EditorView,
+  highlightActiveLine,
+  highlightActiveLineGutter,
+  highlightSpecialChars,
+  keymap,
+  tooltips,
+  type ViewUpdate,
 } from '@codemirror/view';
 import { breakpoints, breakpointsOf, toggleBreakpoint } from './breakpoints';
 import { applyFix, areShown, lintDiagnostics } from './lint';
@@ -71,7 +86,14 @@ export class Editor implements TextHolder {
   #revision = 0;
   readonly #unsent: Unsent;
 
-  constructor(root: ShadowRoot, parent: HTMLElement, language: Language, access: Access, start: Start, events: EditorEvents) {
+  constructor(
+    root: ShadowRoot,
+    parent: HTMLElement,
+    language: Language,
+    access: Access,
+    start: Start,
+    events: EditorEvents,
+  ) {
     const { program, file, unsent } = start;
     this.#events = events;
     this.#shownLanguage = language;
@@ -86,15 +108,36 @@ export class Editor implements TextHolder {
       state: EditorState.create({
         doc: docOf(program),
         extensions: [
-          breakpoints, problemGutter(), highlightActiveLine(), highlightActiveLineGutter(), highlightSpecialChars(),
-          history(), fileOfText(program.ends, file), programContext(events), drawSelection(), dropCursor(), bracketMatching(), highlightSelectionMatches(),
-          search({ top: false }), linter(null), tooltips({ position: 'absolute', parent: aboveTheFrame }), marks, editorTheme,
-          folds(() => this.#shownLanguage), folding(() => this.#shownLanguage), triedValues(() => this.#shownLanguage), wordHover(events), this.#completion.of([]),
-          EditorState.readOnly.of(access === 'readonly'), EditorView.editable.of(access === 'editable'),
+          breakpoints,
+          problemGutter(),
+          highlightActiveLine(),
+          highlightActiveLineGutter(),
+          highlightSpecialChars(),
+          history(),
+          fileOfText(program.ends, file),
+          programContext(events),
+          drawSelection(),
+          dropCursor(),
+          bracketMatching(),
+          highlightSelectionMatches(),
+          search({ top: false }),
+          linter(null),
+          tooltips({ position: 'absolute', parent: aboveTheFrame }),
+          marks,
+          editorTheme,
+          folds(() => this.#shownLanguage),
+          folding(() => this.#shownLanguage),
+          triedValues(() => this.#shownLanguage),
+          wordHover(events),
+          this.#completion.of([]),
+          EditorState.readOnly.of(access === 'readonly'),
+          EditorView.editable.of(access === 'editable'),
           // Tab is not bound: it leaves the editor.
           keymap.of([
             { key: 'F8', run: () => this.nextProblem('next'), shift: () => this.nextProblem('previous') },
-            ...searchKeymap, ...historyKeymap, ...defaultKeymap,
+            ...searchKeymap,
+            ...historyKeymap,
+            ...defaultKeymap,
           ]),
           this.#language.of(this.#languageExtension(language)),
           EditorView.updateListener.of((update) => this.#updated(update)),
@@ -125,7 +168,10 @@ export class Editor implements TextHolder {
   }
 
   set file(file: ProgramFile) {
-    this.#view.dispatch({ effects: renamed(file), annotations: [byProgram.of(true), Transaction.addToHistory.of(false)] });
+    this.#view.dispatch({
+      effects: renamed(file),
+      annotations: [byProgram.of(true), Transaction.addToHistory.of(false)],
+    });
   }
 
   get length(): number {
@@ -159,7 +205,12 @@ export class Editor implements TextHolder {
     this.diagnostics = this.#diagnostics;
   }
 
-  setText(program: ProgramText, file: ProgramFile | undefined, undoable: 'undoable' | 'final', context?: ProgramContext): void {
+  setText(
+    program: ProgramText,
+    file: ProgramFile | undefined,
+    undoable: 'undoable' | 'final',
+    context?: ProgramContext,
+  ): void {
     const effects = [origin(program.ends, file), ...(context === undefined ? [] : [contextEffect(context)])];
     this.#replace(program, effects, undoable);
   }
@@ -173,7 +224,11 @@ export class Editor implements TextHolder {
       effects: [...effects, showRunning.of(undefined)],
       changes: { from: 0, to: this.length, insert: docOf(program) },
       selection: { anchor: 0 },
-      annotations: [byProgram.of(true), Transaction.addToHistory.of(undoable === 'undoable'), isolateHistory.of('full')],
+      annotations: [
+        byProgram.of(true),
+        Transaction.addToHistory.of(undoable === 'undoable'),
+        isolateHistory.of('full'),
+      ],
       scrollIntoView: true,
     });
     this.#unsent.replaced(program.pieces);
@@ -216,7 +271,13 @@ export class Editor implements TextHolder {
     const updates: TransactionSpec[] = [];
     if (tokens !== undefined) updates.push({ effects: showTokens.of(tokens) });
     if (diagnostics !== undefined) {
-      const shown = lintDiagnostics(diagnostics, this.#shownLanguage, this.length, () => this.#diagnostics, (setting) => this.#events.settingChosen(setting));
+      const shown = lintDiagnostics(
+        diagnostics,
+        this.#shownLanguage,
+        this.length,
+        () => this.#diagnostics,
+        (setting) => this.#events.settingChosen(setting),
+      );
       // What stands there already costs a key nothing.
       if (!areShown(state, shown)) updates.push(setDiagnostics(state, shown));
     }
@@ -332,7 +393,11 @@ export class Editor implements TextHolder {
 
   /** Scrolls to the cursor, once what stands around the text has the room it takes. */
   keepCursorInSight(): void {
-    requestAnimationFrame(() => this.#view.dispatch({ effects: EditorView.scrollIntoView(this.#view.state.selection.main.head, { y: 'nearest', yMargin: 12 }) }));
+    requestAnimationFrame(() =>
+      this.#view.dispatch({
+        effects: EditorView.scrollIntoView(this.#view.state.selection.main.head, { y: 'nearest', yMargin: 12 }),
+      }),
+    );
   }
 
   announce(text: string): void {
@@ -345,7 +410,13 @@ export class Editor implements TextHolder {
 
   #languageExtension(language: Language): Extension {
     const reading = this.#access === 'readonly' ? { 'aria-readonly': 'true' } : {};
-    const attributes = { 'aria-label': COMMON[language].program, lang: 'en', autocapitalize: 'characters', tabindex: '0', ...reading };
+    const attributes = {
+      'aria-label': COMMON[language].program,
+      lang: 'en',
+      autocapitalize: 'characters',
+      tabindex: '0',
+      ...reading,
+    };
     return [EditorView.contentAttributes.of(attributes), editorPhrases(language)];
   }
 

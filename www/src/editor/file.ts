@@ -6,7 +6,16 @@
 
 import { invertedEffects } from '@codemirror/commands';
 import {
-  MapMode, RangeSet, RangeSetBuilder, RangeValue, StateEffect, StateField, Text, type ChangeDesc, type EditorState, type Extension,
+  MapMode,
+  RangeSet,
+  RangeSetBuilder,
+  RangeValue,
+  StateEffect,
+  StateField,
+  Text,
+  type ChangeDesc,
+  type EditorState,
+  type Extension,
 } from '@codemirror/state';
 import type { LineEnds, LineEndText } from '../files/line-ends';
 import type { ProgramFile, ProgramText } from './program-text';

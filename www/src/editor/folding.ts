@@ -26,7 +26,9 @@ const foldable = StateField.define<readonly Span[]>({
 });
 
 function moved(spans: readonly Span[], changes: ChangeDesc): readonly Span[] {
-  return spans.map(({ from, to }) => ({ from: changes.mapPos(from), to: changes.mapPos(to) })).filter(({ from, to }) => from < to);
+  return spans
+    .map(({ from, to }) => ({ from: changes.mapPos(from), to: changes.mapPos(to) }))
+    .filter(({ from, to }) => from < to);
 }
 
 /** `language` is asked each time a sign is made. */

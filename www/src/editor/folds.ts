@@ -55,7 +55,11 @@ function others(doc: Text, shown: readonly LineRange[]): { readonly from: number
 /** What is unfolded when a place is to be seen. */
 export function unfoldAt(view: EditorView, from: number, to: number): StateEffect<unknown>[] {
   const effects: StateEffect<unknown>[] = [];
-  foldedRanges(view.state).between(from, to, (start, end) => void effects.push(unfoldEffect.of({ from: start, to: end })));
+  foldedRanges(view.state).between(
+    from,
+    to,
+    (start, end) => void effects.push(unfoldEffect.of({ from: start, to: end })),
+  );
   return effects;
 }
 

@@ -3,7 +3,7 @@
 // In: the editor's view, a place in its text. Out: the editor scrolled, and nothing around it.
 // Must not know: what runs.
 
-import { EditorView } from '@codemirror/view';
+import type { EditorView } from '@codemirror/view';
 
 /** A reader who has scrolled or typed is left alone for so long, ms. */
 const LEFT_ALONE = 4000;
@@ -19,7 +19,8 @@ export class Follower {
     const leaveAlone = (): void => {
       this.#leftAloneUntil = performance.now() + LEFT_ALONE;
     };
-    for (const type of ['wheel', 'touchmove', 'keydown'] as const) view.dom.addEventListener(type, leaveAlone, { passive: true });
+    for (const type of ['wheel', 'touchmove', 'keydown'] as const)
+      view.dom.addEventListener(type, leaveAlone, { passive: true });
     view.dom.addEventListener('pointerdown', () => {
       // The scroll bar may be held for long.
       this.#leftAloneUntil = Infinity;
@@ -41,6 +42,7 @@ export class Follower {
     const [top, bottom] = [block.top + documentPadding.top - margin, block.bottom + documentPadding.top + margin];
     // Not by an effect of the view: that would scroll the page around the editor too.
     if (top < scrollDOM.scrollTop) scrollDOM.scrollTop = Math.max(top, 0);
-    else if (bottom > scrollDOM.scrollTop + scrollDOM.clientHeight) scrollDOM.scrollTop = bottom - scrollDOM.clientHeight;
+    else if (bottom > scrollDOM.scrollTop + scrollDOM.clientHeight)
+      scrollDOM.scrollTop = bottom - scrollDOM.clientHeight;
   }
 }

@@ -94,7 +94,12 @@ export interface TextHolder {
    * Another text from outside; `undoable` when it takes the place of something the reader may want back, with
    * the context as it is until now where it is given another one.
    */
-  setText(program: ProgramText, file: ProgramFile | undefined, undoable: 'undoable' | 'final', context?: ProgramContext): void;
+  setText(
+    program: ProgramText,
+    file: ProgramFile | undefined,
+    undoable: 'undoable' | 'final',
+    context?: ProgramContext,
+  ): void;
   /** The same program written differently. */
   rewrite(text: string): void;
   /** Changes of the reader's that undo takes back in one. */

@@ -53,7 +53,17 @@ export function lintDiagnostics(
 }
 
 function shows({ severity, kind, code, slug, alarm, message, help, fixes }: Diagnostic, language: Language): string {
-  return JSON.stringify([language, severity, kind, code, slug, alarm, message, help, ...fixes.map(({ title }) => title)]);
+  return JSON.stringify([
+    language,
+    severity,
+    kind,
+    code,
+    slug,
+    alarm,
+    message,
+    help,
+    ...fixes.map(({ title }) => title),
+  ]);
 }
 
 /** Whether the editor shows just these, each where it is to be: an edit has moved them along. */
@@ -82,10 +92,19 @@ export function applyFix(view: EditorView, edits: Fix['edits']): void {
 
 function explain(diagnostic: Diagnostic, language: Language): HTMLElement {
   const words = PROBLEM_WORDS[language];
-  const facts = [words.severity[diagnostic.severity], words.kind[diagnostic.kind], diagnostic.alarm === diagnostic.code ? '' : diagnostic.code];
+  const facts = [
+    words.severity[diagnostic.severity],
+    words.kind[diagnostic.kind],
+    diagnostic.alarm === diagnostic.code ? '' : diagnostic.code,
+  ];
   if (diagnostic.alarm !== undefined) facts.push(words.alarm(diagnostic.alarm));
-  const explanation = make('div', { className: 'explanation' }, make('p', { className: 'message' }, ...prose(diagnostic.message)));
-  if (diagnostic.help !== undefined) explanation.append(make('p', { className: 'help-text' }, ...prose(diagnostic.help)));
+  const explanation = make(
+    'div',
+    { className: 'explanation' },
+    make('p', { className: 'message' }, ...prose(diagnostic.message)),
+  );
+  if (diagnostic.help !== undefined)
+    explanation.append(make('p', { className: 'help-text' }, ...prose(diagnostic.help)));
   const known = facts.filter((fact) => fact !== '').join(' · ');
   explanation.append(make('p', { className: 'facts' }, `${known} · `, ruleLink(diagnostic, language)));
   return explanation;

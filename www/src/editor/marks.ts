@@ -11,7 +11,16 @@ import type { LineRange, Span } from './holder';
 
 /** The names the style sheet gives to the token classes 0, 1, 2 … */
 const TOKEN_STYLES = [
-  'comment', 'g-word', 'm-word', 'axis', 'data', 'number-word', 'rate', 'macro', 'unknown', 'punctuation',
+  'comment',
+  'g-word',
+  'm-word',
+  'axis',
+  'data',
+  'number-word',
+  'rate',
+  'macro',
+  'unknown',
+  'punctuation',
 ].map((style) => Decoration.mark({ class: `tok-${style}` }));
 
 const HOVERED = Decoration.mark({ class: 'cm-hovered-block' });
@@ -52,7 +61,9 @@ function tokenMarks(triples: Uint32Array, length: number): DecorationSet {
 
 /** `after` a change of the text: the mark goes, or moves along with its block. */
 function blockField(
-  effectType: typeof showHovered, mark: (span: Span, doc: Text) => Range<Decoration>, after: 'goes' | 'moves',
+  effectType: typeof showHovered,
+  mark: (span: Span, doc: Text) => Range<Decoration>,
+  after: 'goes' | 'moves',
 ): StateField<DecorationSet> {
   return StateField.define<DecorationSet>({
     create: () => Decoration.none,
@@ -76,7 +87,10 @@ const uses = StateField.define<DecorationSet>({
     const said = lastOf(transaction.effects, showUses);
     if (said === undefined) return transaction.docChanged ? Decoration.none : shown;
     const { length } = transaction.newDoc;
-    return Decoration.set(said.filter(({ from, to }) => from < to && to <= length).map(({ from, to }) => USED.range(from, to)), true);
+    return Decoration.set(
+      said.filter(({ from, to }) => from < to && to <= length).map(({ from, to }) => USED.range(from, to)),
+      true,
+    );
   },
   provide: (field) => EditorView.decorations.from(field),
 });
@@ -103,7 +117,13 @@ function lineMarks(lines: readonly LineRange[], doc: Text): DecorationSet {
   return Decoration.set(marks, true);
 }
 
-export const marks: Extension = [markedLines, tokens, blockField(showHovered, (span) => HOVERED.range(span.from, span.to), 'goes'), uses, running];
+export const marks: Extension = [
+  markedLines,
+  tokens,
+  blockField(showHovered, (span) => HOVERED.range(span.from, span.to), 'goes'),
+  uses,
+  running,
+];
 
 /** Where the line of the block that runs begins now, if it is marked. */
 export function runningLine(state: EditorState): number | undefined {

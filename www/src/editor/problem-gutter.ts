@@ -6,7 +6,7 @@
 
 import { forEachDiagnostic, setDiagnosticsEffect } from '@codemirror/lint';
 import { RangeSet, StateEffect, StateField, type EditorState, type Extension, type Range } from '@codemirror/state';
-import { EditorView, gutter, GutterMarker, showTooltip, type Tooltip } from '@codemirror/view';
+import { type EditorView, gutter, GutterMarker, showTooltip, type Tooltip } from '@codemirror/view';
 import { make } from '../dom/dom';
 import type { Shown } from './lint';
 
@@ -34,7 +34,8 @@ class Dot extends GutterMarker {
 /** Another number whenever the dots may stand elsewhere. */
 const version = StateField.define<number>({
   create: () => 0,
-  update: (value, { docChanged, effects }) => value + Number(docChanged || effects.some((effect) => effect.is(setDiagnosticsEffect))),
+  update: (value, { docChanged, effects }) =>
+    value + Number(docChanged || effects.some((effect) => effect.is(setDiagnosticsEffect))),
 });
 
 function dotsOf(state: EditorState): RangeSet<GutterMarker> {
@@ -44,7 +45,10 @@ function dotsOf(state: EditorState): RangeSet<GutterMarker> {
     const before = worst.get(line);
     if (before === undefined || RANK[severity] > RANK[before]) worst.set(line, severity);
   });
-  return RangeSet.of([...worst].map(([line, severity]): Range<GutterMarker> => new Dot(severity).range(line)), true);
+  return RangeSet.of(
+    [...worst].map(([line, severity]): Range<GutterMarker> => new Dot(severity).range(line)),
+    true,
+  );
 }
 
 const showPopUp = StateEffect.define<Tooltip | null>();
@@ -63,7 +67,10 @@ const popUp = StateField.define<Tooltip | null>({
 });
 
 /** All problems of a line, each with its repairs. */
-function explained(view: EditorView, problems: readonly { readonly problem: Shown; readonly from: number; readonly to: number }[]): HTMLElement {
+function explained(
+  view: EditorView,
+  problems: readonly { readonly problem: Shown; readonly from: number; readonly to: number }[],
+): HTMLElement {
   const rows = problems.map(({ problem, from, to }) => {
     const repairs = (problem.actions ?? []).map(({ name, apply }) => {
       const button = make('button', { type: 'button', className: 'cm-diagnosticAction' }, name);
@@ -112,7 +119,8 @@ export function problemGutter(): Extension {
       },
       domEventHandlers: {
         mouseover(view, line, event) {
-          if ((event.target as Element).classList.contains('cm-lint-marker')) later(() => show(view, line.from, line.to));
+          if ((event.target as Element).classList.contains('cm-lint-marker'))
+            later(() => show(view, line.from, line.to));
           return false;
         },
         mouseout(view) {

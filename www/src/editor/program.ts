@@ -125,7 +125,12 @@ export class Program implements TextHolder {
     this.#holder.unsend();
   }
 
-  setText(program: ProgramText, file: ProgramFile | undefined, undoable: 'undoable' | 'final', context?: ProgramContext): void {
+  setText(
+    program: ProgramText,
+    file: ProgramFile | undefined,
+    undoable: 'undoable' | 'final',
+    context?: ProgramContext,
+  ): void {
     this.#diagnostics = [];
     this.#holder.setText(program, file, undoable, context);
     this.#showWaiting();

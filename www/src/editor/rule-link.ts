@@ -13,9 +13,19 @@ import type { Diagnostic } from '../protocol/protocol';
 const HOME = import.meta.url.replace(/((assets|src(\/[^/]+)?)\/)?[^/]*$/, '');
 
 const WORDS = words({
-  en: { more: 'More', moreAbout: (message: string) => `More: ${message}`, all: 'All rules', reference: 'Documentation' },
+  en: {
+    more: 'More',
+    moreAbout: (message: string) => `More: ${message}`,
+    all: 'All rules',
+    reference: 'Documentation',
+  },
   zh: { more: '详情', moreAbout: (message) => `详情：${message}`, all: '全部规则', reference: '文档（英文）' },
-  ru: { more: 'Подробнее', moreAbout: (message) => `Подробнее: ${message}`, all: 'Все правила', reference: 'Документация (на английском)' },
+  ru: {
+    more: 'Подробнее',
+    moreAbout: (message) => `Подробнее: ${message}`,
+    all: 'Все правила',
+    reference: 'Документация (на английском)',
+  },
 });
 
 export function ruleLink(diagnostic: Diagnostic, language: Language): HTMLAnchorElement {

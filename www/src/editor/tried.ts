@@ -51,7 +51,12 @@ class Note extends WidgetType {
   override toDOM(view: EditorView): HTMLElement {
     const texts = WORDS[this.#language];
     const { variable, value, time } = this.#value;
-    const button = make('button', { type: 'button', className: 'tried-value', title: texts.end }, texts.tried(variable, value, time), make('span', { 'aria-hidden': 'true' }, ' ×'));
+    const button = make(
+      'button',
+      { type: 'button', className: 'tried-value', title: texts.end },
+      texts.tried(variable, value, time),
+      make('span', { 'aria-hidden': 'true' }, ' ×'),
+    );
     button.addEventListener('click', () => endTrial(view, this.#value));
     return button;
   }
@@ -64,7 +69,11 @@ class Note extends WidgetType {
 /** `language` is asked each time a note is made. */
 export function triedValues(language: () => Language): Extension {
   const notes = (state: EditorState): DecorationSet => {
-    const shown = state.field(tried).map((value) => Decoration.widget({ widget: new Note(value, language()), side: 1 }).range(state.doc.lineAt(value.at).to));
+    const shown = state
+      .field(tried)
+      .map((value) =>
+        Decoration.widget({ widget: new Note(value, language()), side: 1 }).range(state.doc.lineAt(value.at).to),
+      );
     return Decoration.set(shown, true);
   };
   return [tried, EditorView.decorations.compute([tried, 'doc'], notes)];
@@ -94,7 +103,8 @@ function isSame(one: TriedValue, other: TriedValue): boolean {
 
 const WORDS = words({
   en: {
-    tried: (variable: number, value: number, time: number) => `what if #${variable} = ${value}${time > 1 ? ` (time ${time})` : ''}`,
+    tried: (variable: number, value: number, time: number) =>
+      `what if #${variable} = ${value}${time > 1 ? ` (time ${time})` : ''}`,
     end: 'Try this value no longer',
   },
   zh: {

@@ -19,7 +19,12 @@ export function wordHover(events: EditorEvents): Extension {
     const help = await events.wordAt(at);
     if (help === undefined || view.state.doc !== doc || help.to > doc.length || hasProblem(view.state, at)) return null;
     // Above, as the problems: the lines that follow stay in sight.
-    return { pos: help.from, end: help.to, above: true, create: () => ({ dom: wordCard(help, (offset) => go(view, offset)) }) };
+    return {
+      pos: help.from,
+      end: help.to,
+      above: true,
+      create: () => ({ dom: wordCard(help, (offset) => go(view, offset)) }),
+    };
   };
   return hoverTooltip(source, { hoverTime: REST_MS, hideOnChange: true });
 }
@@ -35,6 +40,10 @@ function hasProblem(state: EditorState, at: number): boolean {
 /** The cursor goes to a block, as if the reader had put it there. */
 function go(view: EditorView, offset: number): void {
   if (offset > view.state.doc.length) return;
-  view.dispatch({ selection: { anchor: offset }, effects: EditorView.scrollIntoView(offset, { y: 'center' }), userEvent: 'select' });
+  view.dispatch({
+    selection: { anchor: offset },
+    effects: EditorView.scrollIntoView(offset, { y: 'center' }),
+    userEvent: 'select',
+  });
   view.focus();
 }

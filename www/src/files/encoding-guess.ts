@@ -52,7 +52,8 @@ function unmarkedUtf16(bytes: Uint8Array): Encoding[] {
 function isBinary(bytes: Uint8Array): boolean {
   let strange = 0;
   for (const byte of bytes) {
-    if (byte < 0x20 && byte !== 0 && byte !== 0x1a && (byte < 0x09 || byte > 0x0d) && (byte < 0x11 || byte > 0x14)) strange++;
+    if (byte < 0x20 && byte !== 0 && byte !== 0x1a && (byte < 0x09 || byte > 0x0d) && (byte < 0x11 || byte > 0x14))
+      strange++;
   }
   return 100 * strange > bytes.length;
 }

@@ -6,7 +6,17 @@
 // encoding is the likely one.
 
 /** The names say whether there is a byte order mark, so that it is written again: UTF-16 has one unless it says `no-bom`. */
-export const ENCODINGS = ['utf-8', 'utf-8-bom', 'utf-16le', 'utf-16be', 'utf-16le-no-bom', 'utf-16be-no-bom', 'gb18030', 'windows-1251', 'windows-1252'] as const;
+export const ENCODINGS = [
+  'utf-8',
+  'utf-8-bom',
+  'utf-16le',
+  'utf-16be',
+  'utf-16le-no-bom',
+  'utf-16be-no-bom',
+  'gb18030',
+  'windows-1251',
+  'windows-1252',
+] as const;
 export type Encoding = (typeof ENCODINGS)[number];
 
 /** Their names, the same in every language. */
@@ -90,7 +100,8 @@ const tables = new Map<Legacy, Uint32Array>();
 
 function byTable(text: string, encoding: Legacy): Encoded {
   let table = tables.get(encoding);
-  if (table === undefined) tables.set(encoding, (table = encoding === 'gb18030' ? gb18030Table() : byteTable(encoding)));
+  if (table === undefined)
+    tables.set(encoding, (table = encoding === 'gb18030' ? gb18030Table() : byteTable(encoding)));
   let bytes = new Uint8Array(text.length + (text.length >> 1) + 16);
   let length = 0;
   for (let i = 0; i < text.length; i++) {
@@ -107,7 +118,8 @@ function byTable(text: string, encoding: Legacy): Encoded {
     let code = table[unit] ?? 0;
     if (code === 0) {
       const point = text.codePointAt(i) ?? 0;
-      if (encoding !== 'gb18030' || point < 0x10000) return { kind: 'no-place', character: String.fromCodePoint(point) };
+      if (encoding !== 'gb18030' || point < 0x10000)
+        return { kind: 'no-place', character: String.fromCodePoint(point) };
       code = fourBytes(FIRST_ABOVE_FFFF + point - 0x10000);
       i++;
     }

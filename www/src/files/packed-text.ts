@@ -28,7 +28,10 @@ export async function packed(text: string): Promise<string | undefined> {
   const bytes = new TextEncoder().encode(text);
   if (bytes.length > UNPACKED_LIMIT) return undefined;
   const plain = `b${base64url(bytes)}`;
-  const smaller = typeof CompressionStream === 'undefined' ? undefined : `z${base64url(await through(bytes, new CompressionStream('deflate-raw'), Infinity))}`;
+  const smaller =
+    typeof CompressionStream === 'undefined'
+      ? undefined
+      : `z${base64url(await through(bytes, new CompressionStream('deflate-raw'), Infinity))}`;
   const body = smaller !== undefined && smaller.length < plain.length ? smaller : plain;
   return `${body.length + CHECK_LENGTH}.${body}${checkOf(body)}`;
 }
@@ -45,7 +48,8 @@ export async function unpacked(characters: string): Promise<Unpacked> {
   if (rest.slice(body.length, count) !== checkOf(body)) return { kind: 'damaged' };
   const bytes = bytesOf(body.slice(1));
   if (bytes === undefined) return { kind: 'damaged' };
-  if (body.startsWith('b')) return bytes.length > UNPACKED_LIMIT ? { kind: 'too-long', limit: UNPACKED_LIMIT } : decoded(bytes);
+  if (body.startsWith('b'))
+    return bytes.length > UNPACKED_LIMIT ? { kind: 'too-long', limit: UNPACKED_LIMIT } : decoded(bytes);
   if (!body.startsWith('z')) return { kind: 'damaged' };
   if (typeof DecompressionStream === 'undefined') return { kind: 'not-here' };
   try {
@@ -64,7 +68,11 @@ function decoded(bytes: Uint8Array): Unpacked {
 }
 
 /** What a stream makes of bytes; a `RangeError` where it is more than the limit. */
-async function through(bytes: Uint8Array<ArrayBuffer>, stream: CompressionStream | DecompressionStream, limit: number): Promise<Uint8Array<ArrayBuffer>> {
+async function through(
+  bytes: Uint8Array<ArrayBuffer>,
+  stream: CompressionStream | DecompressionStream,
+  limit: number,
+): Promise<Uint8Array<ArrayBuffer>> {
   const reader = new Blob([bytes]).stream().pipeThrough(stream).getReader() as ReadableStreamDefaultReader<Uint8Array>;
   const pieces: Uint8Array[] = [];
   let length = 0;
@@ -94,7 +102,9 @@ function base64url(bytes: Uint8Array): string {
 function bytesOf(characters: string): Uint8Array<ArrayBuffer> | undefined {
   if (/[^\w-]/.test(characters)) return undefined;
   try {
-    return Uint8Array.from(atob(characters.replaceAll('-', '+').replaceAll('_', '/')), (letter) => letter.charCodeAt(0));
+    return Uint8Array.from(atob(characters.replaceAll('-', '+').replaceAll('_', '/')), (letter) =>
+      letter.charCodeAt(0),
+    );
   } catch {
     return undefined;
   }

@@ -35,7 +35,18 @@ export interface Shared {
 }
 
 export const NOTHING_SAID: Shared = {
-  text: '', setup: null, control: null, blockSkip: null, program: null, language: null, view: null, step: null, readonly: false, file: null, task: null, name: null,
+  text: '',
+  setup: null,
+  control: null,
+  blockSkip: null,
+  program: null,
+  language: null,
+  view: null,
+  step: null,
+  readonly: false,
+  file: null,
+  task: null,
+  name: null,
 };
 
 export type LinkFault =
@@ -48,11 +59,26 @@ export type LinkFault =
   /** It names nothing that a link of ours names. */
   | { readonly kind: 'unknown' };
 
-export type Opened = { readonly kind: 'shared'; readonly shared: Shared } | { readonly kind: 'fault'; readonly fault: LinkFault };
+export type Opened =
+  | { readonly kind: 'shared'; readonly shared: Shared }
+  | { readonly kind: 'fault'; readonly fault: LinkFault };
 
 /** The keys of version 1. */
 const KEYS = {
-  text: 'p', setup: 's', control: 'c', blockSkip: 'k', program: 'o', language: 'l', view: 'v', step: 't', readonly: 'r', fileName: 'f', encoding: 'e', sentence: 'q', solution: 'a', name: 'n',
+  text: 'p',
+  setup: 's',
+  control: 'c',
+  blockSkip: 'k',
+  program: 'o',
+  language: 'l',
+  view: 'v',
+  step: 't',
+  readonly: 'r',
+  fileName: 'f',
+  encoding: 'e',
+  sentence: 'q',
+  solution: 'a',
+  name: 'n',
 } as const;
 const KNOWN: ReadonlySet<string> = new Set(Object.values(KEYS));
 /** Texts that are no program, setup or sentence. */
@@ -69,15 +95,28 @@ export type MadeLink =
 export async function linkOf(shared: Shared): Promise<MadeLink> {
   const { text, setup, control, blockSkip, program, language, view, step, file, task, name } = shared;
   const said = [
-    [KEYS.text, text], [KEYS.setup, setup], [KEYS.control, control], [KEYS.blockSkip, blockSkip], [KEYS.program, program], [KEYS.language, language], [KEYS.view, view],
-    [KEYS.step, step], [KEYS.readonly, shared.readonly ? 1 : null], [KEYS.fileName, file?.name ?? null], [KEYS.encoding, file?.encoding ?? null],
-    [KEYS.sentence, task?.sentence ?? null], [KEYS.solution, task?.solution ?? null], [KEYS.name, name],
+    [KEYS.text, text],
+    [KEYS.setup, setup],
+    [KEYS.control, control],
+    [KEYS.blockSkip, blockSkip],
+    [KEYS.program, program],
+    [KEYS.language, language],
+    [KEYS.view, view],
+    [KEYS.step, step],
+    [KEYS.readonly, shared.readonly ? 1 : null],
+    [KEYS.fileName, file?.name ?? null],
+    [KEYS.encoding, file?.encoding ?? null],
+    [KEYS.sentence, task?.sentence ?? null],
+    [KEYS.solution, task?.solution ?? null],
+    [KEYS.name, name],
   ] as const;
   const json = JSON.stringify(Object.fromEntries(said.filter(([, value]) => value !== null)));
   const characters = await packed(json);
   if (characters === undefined) return { kind: 'too-long', length: json.length, limit: UNPACKED_LIMIT };
   const link = `#share=${VERSION}.${characters}`;
-  return link.length > LINK_LIMIT ? { kind: 'too-long', length: link.length, limit: LINK_LIMIT } : { kind: 'link', link };
+  return link.length > LINK_LIMIT
+    ? { kind: 'too-long', length: link.length, limit: LINK_LIMIT }
+    : { kind: 'link', link };
 }
 
 /** `hash` begins with `#share=`. */
@@ -95,10 +134,14 @@ export async function openedLink(hash: string): Promise<Opened> {
       const shared = sharedOf(found.text);
       return shared === undefined ? fault({ kind: 'damaged' }) : { kind: 'shared', shared };
     }
-    case 'cut': return fault(found);
-    case 'damaged': return fault(found);
-    case 'too-long': return fault({ kind: 'unpacked-too-long', limit: found.limit });
-    case 'not-here': return fault({ kind: 'browser-too-old' });
+    case 'cut':
+      return fault(found);
+    case 'damaged':
+      return fault(found);
+    case 'too-long':
+      return fault({ kind: 'unpacked-too-long', limit: found.limit });
+    case 'not-here':
+      return fault({ kind: 'browser-too-old' });
   }
 }
 
@@ -121,14 +164,36 @@ function sharedOf(json: string): Shared | undefined {
   if (flag !== undefined && flag !== 1) return undefined;
   for (const [key, value] of said) if (!KNOWN.has(key) || typeof value !== 'string') return undefined;
   const field = (key: keyof typeof KEYS): string | null => (said.get(KEYS[key]) as string | undefined) ?? null;
-  const short = [field('control'), field('blockSkip'), field('program'), field('language'), field('view'), field('step'), field('encoding')];
-  const [text, solution, fileName, encoding, name] = [field('text'), field('solution'), field('fileName'), field('encoding'), field('name')];
-  if (text === null || short.some((text) => (text?.length ?? 0) > SHORT) || (fileName === null) !== (encoding === null)) return undefined;
+  const short = [
+    field('control'),
+    field('blockSkip'),
+    field('program'),
+    field('language'),
+    field('view'),
+    field('step'),
+    field('encoding'),
+  ];
+  const [text, solution, fileName, encoding, name] = [
+    field('text'),
+    field('solution'),
+    field('fileName'),
+    field('encoding'),
+    field('name'),
+  ];
+  if (text === null || short.some((text) => (text?.length ?? 0) > SHORT) || (fileName === null) !== (encoding === null))
+    return undefined;
   if ((name?.length ?? 0) > NAME_LIMIT) return undefined;
   if (field('sentence') !== null && solution === null) return undefined;
   return {
-    text, setup: field('setup'), control: field('control'), blockSkip: field('blockSkip'), program: field('program'), language: field('language'),
-    view: field('view'), step: field('step'), readonly: flag === 1,
+    text,
+    setup: field('setup'),
+    control: field('control'),
+    blockSkip: field('blockSkip'),
+    program: field('program'),
+    language: field('language'),
+    view: field('view'),
+    step: field('step'),
+    readonly: flag === 1,
     file: fileName === null || encoding === null ? null : { name: fileName, encoding },
     task: solution === null ? null : { sentence: field('sentence') ?? '', solution },
     name,

@@ -34,8 +34,14 @@ export function pathOf(address: string, scope: string, files: Listed['files']): 
 }
 
 const TYPES: Readonly<Record<string, string>> = {
-  css: 'text/css; charset=utf-8', html: 'text/html; charset=utf-8', js: 'text/javascript; charset=utf-8', json: 'application/json', png: 'image/png',
-  svg: 'image/svg+xml', wasm: 'application/wasm', webmanifest: 'application/manifest+json',
+  css: 'text/css; charset=utf-8',
+  html: 'text/html; charset=utf-8',
+  js: 'text/javascript; charset=utf-8',
+  json: 'application/json',
+  png: 'image/png',
+  svg: 'image/svg+xml',
+  wasm: 'application/wasm',
+  webmanifest: 'application/manifest+json',
 };
 
 /** What a file is; servers that know less are not relied on. */

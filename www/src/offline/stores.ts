@@ -31,14 +31,20 @@ const store = (version: string): Promise<Cache> => caches.open(OWN + version);
 
 /** The versions that are stored, the newest last. */
 async function versions(): Promise<string[]> {
-  return (await caches.keys()).filter((name) => name.startsWith(OWN) && name !== TABS).map((name) => name.slice(OWN.length));
+  return (await caches.keys())
+    .filter((name) => name.startsWith(OWN) && name !== TABS)
+    .map((name) => name.slice(OWN.length));
 }
 
 /** Stores a build; what an earlier one has in common with it is not fetched again. */
 export async function fill({ version, files, entry }: Listed): Promise<void> {
   const own = await store(version);
   const there = new Set((await own.keys()).map(({ url }) => url));
-  const before = await Promise.all((await versions()).filter((other) => other !== version).map(async (other) => ({ store: await store(other), files: await filesOf(other) })));
+  const before = await Promise.all(
+    (await versions())
+      .filter((other) => other !== version)
+      .map(async (other) => ({ store: await store(other), files: await filesOf(other) })),
+  );
   const missing = Object.entries(files).filter(([path]) => !there.has(address(path)));
   const copy = async (path: string, hash: string): Promise<Response | undefined> => {
     const other = before.find(({ files }) => files[path] === hash);
@@ -64,7 +70,10 @@ async function fetched(path: string, hash: string, entry: string): Promise<Respo
   const response = await fetch(address(path), { cache: 'no-cache', credentials: 'same-origin' });
   const bytes = await response.arrayBuffer();
   // Some servers put a line of their own into a page: it is the right one if it names the right script.
-  const isListed = response.ok && ((await hashOf(bytes)).startsWith(hash) || (path === 'index.html' && new TextDecoder().decode(bytes).includes(entry)));
+  const isListed =
+    response.ok &&
+    ((await hashOf(bytes)).startsWith(hash) ||
+      (path === 'index.html' && new TextDecoder().decode(bytes).includes(entry)));
   if (!isListed) throw new Error(`${path} is not what was listed (${response.status})`);
   // Made anew, since one that was redirected is none for a page.
   return new Response(bytes, { headers: headers(response, path) });
@@ -79,7 +88,9 @@ function headers(response: Response, path: string): Headers {
 }
 
 async function hashOf(bytes: ArrayBuffer): Promise<string> {
-  return Array.from(new Uint8Array(await crypto.subtle.digest('SHA-256', bytes)), (byte) => byte.toString(16).padStart(2, '0')).join('');
+  return Array.from(new Uint8Array(await crypto.subtle.digest('SHA-256', bytes)), (byte) =>
+    byte.toString(16).padStart(2, '0'),
+  ).join('');
 }
 
 // ---- finding --------------------------------------------------------------------------------------
@@ -103,10 +114,15 @@ async function findIn(path: string, version: string): Promise<Response | undefin
   if (name === undefined) return (await store(version)).match(address(path));
   const found = await readPack(name, version);
   const text = found?.pack[path];
-  return found === undefined || text === undefined ? undefined : new Response(text, { headers: headers(found.response, path) });
+  return found === undefined || text === undefined
+    ? undefined
+    : new Response(text, { headers: headers(found.response, path) });
 }
 
-function readPack(name: string, version: string): Promise<{ readonly pack: Pack; readonly response: Response } | undefined> {
+function readPack(
+  name: string,
+  version: string,
+): Promise<{ readonly pack: Pack; readonly response: Response } | undefined> {
   const key = `${version} ${name}`;
   const known = packs.get(key);
   if (known !== undefined) return known;
@@ -134,13 +150,16 @@ export async function begunWith(tab: string): Promise<string | undefined> {
 
 /** Tabs that came from the network have what is the newest now. */
 export async function adopt(version: string): Promise<void> {
-  for (const { id } of await self.clients.matchAll({ type: 'window' })) if ((await begunWith(id)) === undefined) await begin(id, version);
+  for (const { id } of await self.clients.matchAll({ type: 'window' }))
+    if ((await begunWith(id)) === undefined) await begin(id, version);
 }
 
 /** Removes the stores that no tab needs; `current` stays, and all while another version is on its way. */
 export async function tidy(current: string): Promise<void> {
   if (self.registration.installing !== null || self.registration.waiting !== null) return;
-  const open = new Set((await self.clients.matchAll({ type: 'all', includeUncontrolled: true })).map(({ id }) => address(`tabs/${id}`)));
+  const open = new Set(
+    (await self.clients.matchAll({ type: 'all', includeUncontrolled: true })).map(({ id }) => address(`tabs/${id}`)),
+  );
   const tabs = await caches.open(TABS);
   const used = new Set([current]);
   for (const request of await tabs.keys()) {

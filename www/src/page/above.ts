@@ -100,12 +100,17 @@ export class AboveProgram {
   #offers(what: Above): HTMLElement[] {
     const host = this.#host;
     const texts = PAGE_WORDS[host.language];
-    const bringBack = (program: OwnProgram): HTMLElement => offer(texts.kept, texts.bringBack, () => host.bringBack(program));
+    const bringBack = (program: OwnProgram): HTMLElement =>
+      offer(texts.kept, texts.bringBack, () => host.bringBack(program));
     switch (what.kind) {
       case 'example':
         return [];
       case 'restored':
-        return [offer(texts.restored, host.example === undefined ? texts.firstExample : texts.startAfresh, () => host.startAfresh())];
+        return [
+          offer(texts.restored, host.example === undefined ? texts.firstExample : texts.startAfresh, () =>
+            host.startAfresh(),
+          ),
+        ];
       case 'linked': {
         const asItCame = offer(texts.linked, texts.asLinked, () => host.openAgain(what.address, what.linked));
         return what.kept === undefined ? [asItCame] : [asItCame, bringBack(what.kept)];

@@ -21,20 +21,28 @@ export interface Action {
 /** In the order in which they stand. */
 const ACTIONS: readonly Action[] = [
   {
-    id: 'own-programs', place: 'header', icon: 'folder', label: { en: 'My programs', zh: '我的程序', ru: 'Мои программы' },
+    id: 'own-programs',
+    place: 'header',
+    icon: 'folder',
+    label: { en: 'My programs', zh: '我的程序', ru: 'Мои программы' },
     load: async () => (await loaded(() => import('./own-programs-dialog'))).openOwnPrograms,
   },
   {
-    id: 'share', place: 'header', icon: 'share', label: words({ en: 'Share', zh: '分享', ru: 'Поделиться' }),
+    id: 'share',
+    place: 'header',
+    icon: 'share',
+    label: words({ en: 'Share', zh: '分享', ru: 'Поделиться' }),
     load: async () => (await loaded(() => import('./share-dialog'))).share,
   },
   {
-    id: 'compare', place: 'more',
+    id: 'compare',
+    place: 'more',
     label: words({ en: 'Compare with another version', zh: '与其他版本比较', ru: 'Сравнить с другой версией' }),
     load: async () => (await loaded(() => import('./compare-dialog'))).compare,
   },
   {
-    id: 'report', place: 'more',
+    id: 'report',
+    place: 'more',
     label: words({ en: 'My machine does otherwise', zh: '我的机床动作不同', ru: 'Мой станок делает иначе' }),
     load: async () => (await loaded(() => import('./report-dialog'))).report,
   },
@@ -43,7 +51,11 @@ const ACTIONS: readonly Action[] = [
 export class Actions {
   readonly #host: PageHost;
   readonly #buttons = new Map<Action, HTMLButtonElement>();
-  readonly #more = make('button', { type: 'button', id: 'more', 'aria-expanded': 'false', 'aria-controls': 'more-actions' }, icon('more'));
+  readonly #more = make(
+    'button',
+    { type: 'button', id: 'more', 'aria-expanded': 'false', 'aria-controls': 'more-actions' },
+    icon('more'),
+  );
   readonly #menu = make('div', { id: 'more-actions', hidden: true });
   readonly #failed = make('p', { id: 'action-failed', role: 'status' });
 
@@ -51,7 +63,8 @@ export class Actions {
   constructor(into: HTMLElement, host: PageHost) {
     this.#host = host;
     for (const action of ACTIONS) this.#buttons.set(action, this.#button(action));
-    const placed = (place: Action['place']): HTMLButtonElement[] => ACTIONS.flatMap((action) => (action.place === place ? (this.#buttons.get(action) ?? []) : []));
+    const placed = (place: Action['place']): HTMLButtonElement[] =>
+      ACTIONS.flatMap((action) => (action.place === place ? (this.#buttons.get(action) ?? []) : []));
     into.append(...placed('header'));
     const seldom = placed('more');
     if (seldom.length > 0) {
@@ -66,7 +79,8 @@ export class Actions {
       this.#more.focus();
     });
     document.addEventListener('pointerdown', (event) => {
-      if (!event.composedPath().includes(this.#menu) && !event.composedPath().includes(this.#more)) this.#open('closed');
+      if (!event.composedPath().includes(this.#menu) && !event.composedPath().includes(this.#more))
+        this.#open('closed');
     });
     this.showLanguage();
   }

@@ -37,7 +37,8 @@ export class Appearance {
     const texts = PAGE_WORDS[language];
     label(this.#theme, texts.theme);
     label(this.#textSize, texts.textSize);
-    for (const option of this.#theme.options) option.textContent = texts.themes[option.value as (typeof THEMES)[number]];
+    for (const option of this.#theme.options)
+      option.textContent = texts.themes[option.value as (typeof THEMES)[number]];
   }
 
   #showTheme(theme: string): void {

@@ -40,9 +40,12 @@ class CompareDialog {
   readonly #status = make('p', { role: 'status', className: 'compared' });
   readonly #result = make('div', { className: 'result', tabIndex: 0, role: 'region' });
   readonly #body = make(
-    'div', { className: 'body' },
-    make('label', { className: 'other' }, this.#caption, this.#text), make('p', { className: 'choose' }, this.#compare, this.#open, this.#own, this.#file),
-    this.#status, this.#result,
+    'div',
+    { className: 'body' },
+    make('label', { className: 'other' }, this.#caption, this.#text),
+    make('p', { className: 'choose' }, this.#compare, this.#open, this.#own, this.#file),
+    this.#status,
+    this.#result,
   );
   readonly #dialog = new Dialog('compare', [this.#body]);
   #host: PageHost | undefined;
@@ -57,7 +60,10 @@ class CompareDialog {
       this.#file.value = '';
       if (file !== undefined) void this.#read(file);
     });
-    acceptFiles(this.#dialog.element, { hint: () => COMMON[this.#language].dropHere, dropped: (file) => void this.#read(file) });
+    acceptFiles(this.#dialog.element, {
+      hint: () => COMMON[this.#language].dropHere,
+      dropped: (file) => void this.#read(file),
+    });
     this.#compare.addEventListener('click', () => void this.#typed().then((other) => this.show(other)));
     this.#dialog.element.addEventListener('close', () => this.#asked++);
   }
@@ -94,7 +100,10 @@ class CompareDialog {
     }
     const own = ++this.#asked;
     this.#say(texts.comparing, undefined);
-    const names = [other.name, host.program.file?.name ?? host.example?.title[host.language] ?? texts.thisProgram] as const;
+    const names = [
+      other.name,
+      host.program.file?.name ?? host.example?.title[host.language] ?? texts.thisProgram,
+    ] as const;
     const found = await host.playground.differenceFrom({ text: other.text, names }).catch(() => undefined);
     if (own !== this.#asked) return;
     if (found === undefined) {
@@ -103,7 +112,10 @@ class CompareDialog {
     }
     const { sameText, sameMotions, hunks } = found.rows;
     const differ = sameMotions ? texts.textAlone : texts.differ(hunks.length);
-    this.#say(sameText && sameMotions ? texts.same : differ, result(found, { names, language: host.language, goTo: (line) => this.#goTo(line) }));
+    this.#say(
+      sameText && sameMotions ? texts.same : differ,
+      result(found, { names, language: host.language, goTo: (line) => this.#goTo(line) }),
+    );
   }
 
   /** What stands in the field: a program, or a link that holds one. */

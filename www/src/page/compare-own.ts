@@ -25,30 +25,59 @@ interface Choice {
 }
 
 /** What can be chosen: earlier states of the program, then other programs. */
-async function choices({ keeping: { id } }: PageHost, language: Language): Promise<readonly [states: readonly Choice[], programs: readonly Choice[]]> {
+async function choices(
+  { keeping: { id } }: PageHost,
+  language: Language,
+): Promise<readonly [states: readonly Choice[], programs: readonly Choice[]]> {
   const texts = COMPARE_WORDS[language];
   const date = new Intl.DateTimeFormat(language, { dateStyle: 'medium', timeStyle: 'short' });
   const [states, programs] = await Promise.all([id === undefined ? [] : statesOf(id), listPrograms()]);
   return [
-    states.slice(0, MOST_LISTED).map((state) => ({ name: date.format(state.time), load: () => programOfState(id ?? '', state) })),
-    programs.filter((own) => own.id !== id).slice(0, MOST_LISTED)
-      .map((own) => ({ name: `${own.name === '' ? texts.unnamed : own.name} · ${date.format(own.changed)}`, load: () => programOf(own.id) })),
+    states
+      .slice(0, MOST_LISTED)
+      .map((state) => ({ name: date.format(state.time), load: () => programOfState(id ?? '', state) })),
+    programs
+      .filter((own) => own.id !== id)
+      .slice(0, MOST_LISTED)
+      .map((own) => ({
+        name: `${own.name === '' ? texts.unnamed : own.name} · ${date.format(own.changed)}`,
+        load: () => programOf(own.id),
+      })),
   ];
 }
 
 /** Fills `select`, which stays hidden where there is nothing to choose; then calls `chosen` for each choice. */
-export async function offerOwn(select: HTMLSelectElement, host: PageHost, language: Language, chosen: (other: OtherProgram) => void): Promise<void> {
+export async function offerOwn(
+  select: HTMLSelectElement,
+  host: PageHost,
+  language: Language,
+  chosen: (other: OtherProgram) => void,
+): Promise<void> {
   const texts = COMPARE_WORDS[language];
   const [states, programs] = await choices(host, language).catch(() => [[], []] as const);
   const all = [...states, ...programs];
-  const group = (label: string, own: readonly Choice[]): HTMLElement[] => (own.length === 0
-    ? []
-    : [make('optgroup', { label }, ...own.map((choice) => make('option', { value: String(all.indexOf(choice)) }, choice.name)))]);
-  select.replaceChildren(make('option', { value: '' }, texts.own), ...group(texts.states, states), ...group(texts.programs, programs));
+  const group = (label: string, own: readonly Choice[]): HTMLElement[] =>
+    own.length === 0
+      ? []
+      : [
+          make(
+            'optgroup',
+            { label },
+            ...own.map((choice) => make('option', { value: String(all.indexOf(choice)) }, choice.name)),
+          ),
+        ];
+  select.replaceChildren(
+    make('option', { value: '' }, texts.own),
+    ...group(texts.states, states),
+    ...group(texts.programs, programs),
+  );
   select.hidden = all.length === 0;
   select.onchange = () => {
     const choice = all[Number(select.value)];
     if (select.value === '' || choice === undefined) return;
-    void choice.load().catch(() => undefined).then((program) => chosen({ name: choice.name, text: program?.text ?? '' }));
+    void choice
+      .load()
+      .catch(() => undefined)
+      .then((program) => chosen({ name: choice.name, text: program?.text ?? '' }));
   };
 }

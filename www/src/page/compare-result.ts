@@ -34,17 +34,24 @@ export function result({ rows, drawing }: Differed, shownWith: Shown): HTMLEleme
   for (const hunk of rows.hunks.slice(0, MOST_HUNKS)) shown.append(hunkShown(hunk, shownWith));
   const blocks = rows.hunks.slice(MOST_HUNKS).reduce((sum, hunk) => sum + hunk.rows.length, rows.moreBlocks);
   if (blocks > 0) shown.append(make('p', {}, texts.more(blocks)));
-  if (rows.unexplained.blocks > 0) shown.append(later(rows.unexplained, texts.unexplained(rows.unexplained.blocks), shownWith));
+  if (rows.unexplained.blocks > 0)
+    shown.append(later(rows.unexplained, texts.unexplained(rows.unexplained.blocks), shownWith));
   if (rows.sameText && rows.sameMotions) return shown;
   shown.append(make('h3', {}, texts.totals), totals(rows.totals, names, texts.what));
   shown.append(make('h3', {}, texts.part), part(rows, names, language));
-  for (const [heading, found, which] of [[texts.gone, rows.gone, 'first'], [texts.new, rows.new, 'second']] as const) {
+  for (const [heading, found, which] of [
+    [texts.gone, rows.gone, 'first'],
+    [texts.new, rows.new, 'second'],
+  ] as const) {
     if (found.length === 0) continue;
-    const items = found.map(({ line, code, message }) => make('li', {}, lineShown(which, line, texts.line(line), shownWith), `: ${code} `, ...prose(message)));
+    const items = found.map(({ line, code, message }) =>
+      make('li', {}, lineShown(which, line, texts.line(line), shownWith), `: ${code} `, ...prose(message)),
+    );
     shown.append(make('h3', {}, heading), make('ul', {}, ...items));
   }
   const picture = drawn(drawing, `${texts.drawing}: ${names.join(', ')}`);
-  if (picture !== undefined) shown.append(make('h3', {}, texts.drawing), make('div', { className: 'paths' }, picture), legend(names, language));
+  if (picture !== undefined)
+    shown.append(make('h3', {}, texts.drawing), make('div', { className: 'paths' }, picture), legend(names, language));
   return shown;
 }
 
@@ -53,7 +60,14 @@ function hunkShown(hunk: Hunk, shownWith: Shown): HTMLElement {
   const texts = COMPARE_WORDS[language];
   const section = make('section', {});
   for (const row of hunk.rows) {
-    section.append(make('div', { className: 'pair' }, block('first', row.first, names[0], shownWith), block('second', row.second, names[1], shownWith)));
+    section.append(
+      make(
+        'div',
+        { className: 'pair' },
+        block('first', row.first, names[0], shownWith),
+        block('second', row.second, names[1], shownWith),
+      ),
+    );
     if (row.changes.length > 0) section.append(changes(row.changes));
   }
   const still = hunk.later.blocks === 0 && hunk.rows.every((row) => row.changes.length === 0);
@@ -65,8 +79,13 @@ function hunkShown(hunk: Hunk, shownWith: Shown): HTMLElement {
 function block(which: 'first' | 'second', own: Block | undefined, name: string, shownWith: Shown): HTMLElement {
   const texts = COMPARE_WORDS[shownWith.language];
   const tag = which === 'first' ? 'del' : 'ins';
-  if (own === undefined) return make('div', { className: `block ${tag} none` }, make('span', { className: 'line' }, texts.noBlock));
-  const line = make('span', { className: 'line' }, lineShown(which, own.line, `${name}, ${texts.line(own.line)}`, shownWith));
+  if (own === undefined)
+    return make('div', { className: `block ${tag} none` }, make('span', { className: 'line' }, texts.noBlock));
+  const line = make(
+    'span',
+    { className: 'line' },
+    lineShown(which, own.line, `${name}, ${texts.line(own.line)}`, shownWith),
+  );
   return make('div', { className: `block ${tag}` }, line, make(tag, {}, make('code', { lang: 'en' }, own.text)));
 }
 
@@ -91,7 +110,12 @@ function later(all: Later, heading: string, shownWith: Shown): HTMLElement {
   const items = all.rows.map((row) => {
     const own = row.second ?? row.first;
     const code = make('code', { lang: 'en' }, own?.text ?? '');
-    const line = lineShown(row.second === undefined ? 'first' : 'second', own?.line ?? 0, texts.line(own?.line ?? 0), shownWith);
+    const line = lineShown(
+      row.second === undefined ? 'first' : 'second',
+      own?.line ?? 0,
+      texts.line(own?.line ?? 0),
+      shownWith,
+    );
     return make('li', {}, line, ': ', code, ` · ${row.changes.map(told).join('; ')}`);
   });
   return make('div', { className: 'later' }, make('p', {}, heading), make('ul', {}, ...items));
@@ -100,7 +124,14 @@ function later(all: Later, heading: string, shownWith: Shown): HTMLElement {
 function totals(rows: readonly Change[], names: Names, what: string): HTMLElement {
   const head = make('tr', {}, ...[what, ...names].map((text) => make('th', { scope: 'col' }, text)));
   const lines = rows.map(({ name, first, second }) =>
-    make('tr', { className: first === second ? '' : 'differs' }, make('th', { scope: 'row' }, name), make('td', {}, first), make('td', {}, second)));
+    make(
+      'tr',
+      { className: first === second ? '' : 'differs' },
+      make('th', { scope: 'row' }, name),
+      make('td', {}, first),
+      make('td', {}, second),
+    ),
+  );
   return make('table', {}, make('thead', {}, head), make('tbody', {}, ...lines));
 }
 
@@ -111,7 +142,11 @@ function part({ part: found }: ProgramDifference, names: Names, language: Langua
   const places = found.differences.map(({ only, radial, z }) => {
     const [from, to] = [radial.from.x, radial.to.x].map(shortened);
     const [back, front] = z.map(shortened);
-    return make('li', {}, `${texts.onlyIn(only === 'first' ? names[0] : names[1])}: X${from} … X${to}, Z${back} … Z${front}`);
+    return make(
+      'li',
+      {},
+      `${texts.onlyIn(only === 'first' ? names[0] : names[1])}: X${from} … X${to}, Z${back} … Z${front}`,
+    );
   });
   return make('ul', {}, ...places);
 }
@@ -123,8 +158,16 @@ function shortened(mm: number): string {
 /** What the strokes are, in the size of the page's words: the drawing may be small. */
 function legend(names: Names, language: Language): HTMLElement {
   const texts = COMPARE_WORDS[language];
-  const entries = [['first', texts.onlyIn(names[0])], ['second', texts.onlyIn(names[1])], ['both', texts.inBoth]] as const;
-  return make('ul', { className: 'strokes' }, ...entries.map(([owner, text]) => make('li', { className: owner }, text)));
+  const entries = [
+    ['first', texts.onlyIn(names[0])],
+    ['second', texts.onlyIn(names[1])],
+    ['both', texts.inBoth],
+  ] as const;
+  return make(
+    'ul',
+    { className: 'strokes' },
+    ...entries.map(([owner, text]) => make('li', { className: owner }, text)),
+  );
 }
 
 /** The drawing with the colours of the page in place of its own, and without its legend. */

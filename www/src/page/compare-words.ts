@@ -11,7 +11,8 @@ const EN_PLACES = counter('en', { one: 'place', other: 'places' });
 export const COMPARE_WORDS = words({
   en: {
     title: 'Compare with another version',
-    about: 'N numbers, blanks and zeros such as G1 and G01 make no difference. The other version runs under the same setup.',
+    about:
+      'N numbers, blanks and zeros such as G1 and G01 make no difference. The other version runs under the same setup.',
     other: 'The other version: its program, or a link that holds it',
     hint: 'Paste here, or drop a file',
     compare: 'Compare',
@@ -28,7 +29,8 @@ export const COMPARE_WORDS = words({
     unreadable: (name: string) => `${name} cannot be read.`,
     same: 'No difference.',
     textAlone: 'Only the text differs: the motions are the same.',
-    differ: (count: number) => (count === 0 ? 'The same text moves otherwise.' : `Text and motion differ; the text in ${EN_PLACES(count)}.`),
+    differ: (count: number) =>
+      count === 0 ? 'The same text moves otherwise.' : `Text and motion differ; the text in ${EN_PLACES(count)}.`,
     thisProgram: 'this program',
     otherVersion: 'other version',
     line: (line: number) => `line ${line}`,
@@ -89,7 +91,8 @@ export const COMPARE_WORDS = words({
   },
   ru: {
     title: 'Сравнение с другой версией',
-    about: 'Номера кадров, пробелы и нули (G1 и G01) различием не считаются. Другая версия выполняется с той же наладкой.',
+    about:
+      'Номера кадров, пробелы и нули (G1 и G01) различием не считаются. Другая версия выполняется с той же наладкой.',
     other: 'Другая версия: программа или ссылка на неё',
     hint: 'Вставьте сюда или перетащите файл',
     compare: 'Сравнить',
@@ -106,7 +109,10 @@ export const COMPARE_WORDS = words({
     unreadable: (name) => `Файл ${name} не читается.`,
     same: 'Различий нет.',
     textAlone: 'Отличается только текст: перемещения одинаковы.',
-    differ: (count) => (count === 0 ? 'Текст одинаков, перемещения отличаются.' : `Отличаются текст и перемещения; текст: ${RU_PLACES(count)}.`),
+    differ: (count) =>
+      count === 0
+        ? 'Текст одинаков, перемещения отличаются.'
+        : `Отличаются текст и перемещения; текст: ${RU_PLACES(count)}.`,
     thisProgram: 'эта программа',
     otherVersion: 'другая версия',
     line: (line) => `строка ${line}`,

@@ -9,7 +9,15 @@ import { writtenLink } from '../files/written-link';
 /** The element with its program in a `pre`: readable without JavaScript. */
 export function elementText(shared: Shared, script: string): string {
   const { text, control, setup, blockSkip, program, language, view, step, readonly } = shared;
-  const said = [['view', view], ['control', control], ['block-skip', blockSkip], ['program', program], ['language', language], ['step', step], ['setup', setup]] as const;
+  const said = [
+    ['view', view],
+    ['control', control],
+    ['block-skip', blockSkip],
+    ['program', program],
+    ['language', language],
+    ['step', step],
+    ['setup', setup],
+  ] as const;
   const attributes = said.flatMap(([name, value]) => (value === null ? [] : [` ${name}="${escaped(value)}"`])).join('');
   // A line end after the tag is none of the text.
   return `<script type="module" src="${escaped(script)}"></script>\n<gcode-playground${attributes}${readonly ? ' readonly' : ''}><pre>\n${escaped(text)}\n</pre></gcode-playground>\n`;

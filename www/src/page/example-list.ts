@@ -35,7 +35,11 @@ export class ExampleList {
     this.#button.append(icon('gallery'));
     this.#button.addEventListener('click', () => void this.#openGallery());
     this.#select.addEventListener('change', () => host.choose(this.#select.value));
-    for (const [target, event] of [[host.playground, 'gcode-settled'], [this.#select, 'pointerdown'], [this.#select, 'focus']] as const) {
+    for (const [target, event] of [
+      [host.playground, 'gcode-settled'],
+      [this.#select, 'pointerdown'],
+      [this.#select, 'focus'],
+    ] as const) {
       target.addEventListener(event, () => void this.#load(), { once: true });
     }
   }
@@ -57,9 +61,10 @@ export class ExampleList {
       return group;
     });
     const listed = this.#subjects.some(({ examples }) => examples.some(({ id }) => id === example?.id));
-    const alone = example === undefined
-      ? make('option', { value: '', hidden: true }, PAGE_WORDS[language].ownProgram)
-      : make('option', { value: example.id, hidden: this.#subjects.length > 0 }, example.title[language]);
+    const alone =
+      example === undefined
+        ? make('option', { value: '', hidden: true }, PAGE_WORDS[language].ownProgram)
+        : make('option', { value: example.id, hidden: this.#subjects.length > 0 }, example.title[language]);
     this.#select.replaceChildren(...(listed ? [] : [alone]), ...options);
     this.#select.value = example?.id ?? '';
   }
@@ -81,7 +86,10 @@ export class ExampleList {
 
   async #openGallery(): Promise<void> {
     const host = this.#host;
-    const [list, part] = await Promise.all([this.#load(), loaded(() => import('./gallery-dialog')).catch(() => undefined)]);
+    const [list, part] = await Promise.all([
+      this.#load(),
+      loaded(() => import('./gallery-dialog')).catch(() => undefined),
+    ]);
     if (list.length === 0 || part === undefined) return host.missing(() => void this.#openGallery());
     host.missing(undefined);
     if (this.#dialog === undefined) {

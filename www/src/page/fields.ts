@@ -22,7 +22,10 @@ export function check(input: HTMLInputElement): Field {
 }
 
 /** Selects all of a text, and copies it; `show` is called where the text has to be seen, to be copied by hand. */
-export async function copied(output: HTMLTextAreaElement, show = (): void => undefined): Promise<'copied' | 'not-copied'> {
+export async function copied(
+  output: HTMLTextAreaElement,
+  show = (): void => undefined,
+): Promise<'copied' | 'not-copied'> {
   output.select();
   try {
     await navigator.clipboard.writeText(output.value);

@@ -17,7 +17,11 @@ export class GalleryDialog {
   readonly #caption = make('span');
   readonly #found = make('p', { className: 'found', role: 'status' });
   readonly #list = make('div', { className: 'subjects' });
-  readonly #dialog = new Dialog('gallery', [make('label', { className: 'search' }, this.#caption, this.#search), this.#found, this.#list]);
+  readonly #dialog = new Dialog('gallery', [
+    make('label', { className: 'search' }, this.#caption, this.#search),
+    this.#found,
+    this.#list,
+  ]);
   readonly #chosen: (id: string) => void;
   #subjects: readonly Subject[] = [];
   #language: Language = 'en';
@@ -49,7 +53,10 @@ export class GalleryDialog {
   }
 
   #show(): void {
-    const terms = this.#search.value.toLowerCase().split(/\s+/).filter((term) => term !== '');
+    const terms = this.#search.value
+      .toLowerCase()
+      .split(/\s+/)
+      .filter((term) => term !== '');
     const matches = ({ subject, of }: { subject: string; of: Listed }): boolean => {
       const text = [subject, of.title, of.shows, of.codes, of.id].join(' ').toLowerCase();
       return terms.every((term) => text.includes(term));
@@ -58,7 +65,16 @@ export class GalleryDialog {
     const sections = this.#subjects.flatMap(({ subject, examples }) => {
       const found = examples.filter((of) => matches({ subject, of }));
       count += found.length;
-      return found.length === 0 ? [] : [make('section', {}, make('h3', {}, subject), make('ul', {}, ...found.map((of) => make('li', {}, this.#card(of)))))];
+      return found.length === 0
+        ? []
+        : [
+            make(
+              'section',
+              {},
+              make('h3', {}, subject),
+              make('ul', {}, ...found.map((of) => make('li', {}, this.#card(of)))),
+            ),
+          ];
     });
     const texts = WORDS[this.#language];
     this.#found.textContent = count === 0 ? texts.none : texts.count(count);
@@ -67,7 +83,11 @@ export class GalleryDialog {
 
   #card({ id, title, shows, picture }: Listed): HTMLElement {
     const card = make('button', { type: 'button', className: 'card' });
-    card.append(smallDrawing(picture), make('span', { className: 'title' }, title), make('span', { className: 'shows' }, shows));
+    card.append(
+      smallDrawing(picture),
+      make('span', { className: 'title' }, title),
+      make('span', { className: 'shows' }, shows),
+    );
     if (id === this.#current) card.setAttribute('aria-current', 'true');
     card.addEventListener('click', () => {
       this.#dialog.close();
@@ -94,7 +114,8 @@ const WORDS = words({
   },
   ru: {
     title: 'Примеры',
-    about: 'Программы, которые можно читать, запускать и менять. Карточка открывает программу с её заготовкой и инструментами.',
+    about:
+      'Программы, которые можно читать, запускать и менять. Карточка открывает программу с её заготовкой и инструментами.',
     search: 'Поиск',
     count: counter('ru', { one: 'пример', few: 'примера', many: 'примеров', other: 'примера' }),
     none: 'Подходящих примеров нет.',

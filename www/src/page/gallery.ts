@@ -53,7 +53,9 @@ export type NoExample = 'unknown' | 'not-loaded';
 export async function loadExample(id: string): Promise<Example | NoExample> {
   // Any text can stand in an address.
   if (!/^[a-z]\w*-[\w-]+$/.test(id)) return 'unknown';
-  return kept(examples, id, async () => ({ ...(await file<Omit<Example, 'id'>>(id)), id })).catch((error: unknown) => (error instanceof Missing ? 'unknown' : 'not-loaded'));
+  return kept(examples, id, async () => ({ ...(await file<Omit<Example, 'id'>>(id)), id })).catch((error: unknown) =>
+    error instanceof Missing ? 'unknown' : 'not-loaded',
+  );
 }
 
 /** All examples in their order; rejected where they could not be loaded. */
@@ -65,7 +67,8 @@ async function file<Content>(name: string): Promise<Content> {
   const response = await fetch(new URL(`examples/${name}.json`, document.baseURI));
   const { ok, status, headers } = response;
   // Some hosts answer with a page instead of 404.
-  if ((status >= 400 && status < 500) || (ok && (headers.get('content-type') ?? '').startsWith('text/html'))) throw new Missing(name);
+  if ((status >= 400 && status < 500) || (ok && (headers.get('content-type') ?? '').startsWith('text/html')))
+    throw new Missing(name);
   if (!ok) throw new Error(`examples/${name}.json: ${status}`);
   return (await response.json()) as Content;
 }

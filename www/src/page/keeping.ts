@@ -58,14 +58,23 @@ export class Keeping implements ProgramOfTab {
   keep(program: KeptProgram): void {
     const id = (this.#id ??= newId());
     this.#lastTime = Math.max(Date.now(), this.#lastTime + 1);
-    const entry: Entry = { id, tab: TAB, time: this.#lastTime, base: this.known.get(id) ?? this.#baseAtStart(id), program };
+    const entry: Entry = {
+      id,
+      tab: TAB,
+      time: this.#lastTime,
+      base: this.known.get(id) ?? this.#baseAtStart(id),
+      program,
+    };
     this.remember(id, program.text);
     const isTooLong = program.text.length > LONGEST_IN_JOURNAL;
     if (isTooLong) this.#onlyHere.set(id, entry.time);
     else this.#onlyHere.delete(id);
     this.#askOrNot();
     const journal = isTooLong ? 'refused' : keepInJournal(entry, this.began);
-    void this.session().then((session) => session.keep(entry, journal), () => undefined);
+    void this.session().then(
+      (session) => session.keep(entry, journal),
+      () => undefined,
+    );
   }
 
   /** A program that is too long for the journal waits to be kept, or no longer. */
@@ -94,7 +103,9 @@ export class Keeping implements ProgramOfTab {
 
   /** The list, once the first picture is there, or does not come; what could not be loaded is asked for again the next time. */
   session(): Promise<Session> {
-    this.#session ??= this.#firstPicture().then(() => loaded(() => import('./own-programs-session'))).then(({ Session }) => new Session(this));
+    this.#session ??= this.#firstPicture()
+      .then(() => loaded(() => import('./own-programs-session')))
+      .then(({ Session }) => new Session(this));
     this.#session.catch(() => {
       this.#session = undefined;
     });
@@ -102,7 +113,10 @@ export class Keeping implements ProgramOfTab {
   }
 
   showLanguage(): void {
-    void this.#session?.then((session) => session.showLanguage(), () => undefined);
+    void this.#session?.then(
+      (session) => session.showLanguage(),
+      () => undefined,
+    );
   }
 
   async #firstPicture(): Promise<void> {

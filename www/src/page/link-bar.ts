@@ -40,9 +40,30 @@ export class LinkBar {
   readonly #nameCaption = make('span');
   readonly #copy = make('button', { type: 'button', id: 'hand-in' });
   readonly #news = make('span', { className: 'hand-in-news', role: 'status' });
-  readonly #link = make('textarea', { id: 'hand-in-link', readOnly: true, rows: 2, spellcheck: false, dir: 'ltr', hidden: true });
-  readonly #handIn = make('div', { className: 'hand-in', hidden: true }, make('label', { htmlFor: this.#name.id }, this.#nameCaption, this.#name), this.#copy, this.#news, this.#link);
-  readonly #element = make('section', { id: 'link-bar', hidden: true }, this.#said, this.#handIn, this.#buttons, this.#solution);
+  readonly #link = make('textarea', {
+    id: 'hand-in-link',
+    readOnly: true,
+    rows: 2,
+    spellcheck: false,
+    dir: 'ltr',
+    hidden: true,
+  });
+  readonly #handIn = make(
+    'div',
+    { className: 'hand-in', hidden: true },
+    make('label', { htmlFor: this.#name.id }, this.#nameCaption, this.#name),
+    this.#copy,
+    this.#news,
+    this.#link,
+  );
+  readonly #element = make(
+    'section',
+    { id: 'link-bar', hidden: true },
+    this.#said,
+    this.#handIn,
+    this.#buttons,
+    this.#solution,
+  );
   readonly #host: BarHost;
   #shown: InBar | undefined;
   #language: Language = 'en';
@@ -53,7 +74,8 @@ export class LinkBar {
     this.#host = host;
     place.before(this.#element);
     // So that the link most often is made at the press.
-    for (const near of ['pointerenter', 'pointerdown', 'focus']) this.#copy.addEventListener(near, () => void this.#linkToHandIn());
+    for (const near of ['pointerenter', 'pointerdown', 'focus'])
+      this.#copy.addEventListener(near, () => void this.#linkToHandIn());
     this.#copy.addEventListener('click', () => void this.#copied());
     this.#name.addEventListener('input', () => this.programChanged());
   }
@@ -91,10 +113,17 @@ export class LinkBar {
         return this.#say(`${FAULTS[language](shown.fault)} ${texts.nothingLost}`, hide());
       case 'task': {
         const { linked } = shown;
-        return this.#say(`${texts.task} ${linked.task?.sentence ?? ''}`.trim(), this.#solutionButton(linked, language), hide());
+        return this.#say(
+          `${texts.task} ${linked.task?.sentence ?? ''}`.trim(),
+          this.#solutionButton(linked, language),
+          hide(),
+        );
       }
       case 'only-shown':
-        this.#say(texts.onlyShown, this.#button(texts.everything, () => this.#host.everything()));
+        this.#say(
+          texts.onlyShown,
+          this.#button(texts.everything, () => this.#host.everything()),
+        );
         if (shown.from !== undefined) this.#said.prepend(...this.#from(shown.from), '\n');
         return;
       case 'from':
@@ -132,7 +161,10 @@ export class LinkBar {
       if (!shows || this.#solution.childElementCount > 0) return;
       const text = linked.task?.solution ?? '';
       const beside = make('a', { target: '_blank', rel: 'noopener' }, texts.openSolution);
-      this.#solution.append(make('pre', { tabIndex: 0, role: 'region', 'aria-label': texts.solution, dir: 'ltr' }, text), beside);
+      this.#solution.append(
+        make('pre', { tabIndex: 0, role: 'region', 'aria-label': texts.solution, dir: 'ltr' }, text),
+        beside,
+      );
       void linkOf({ ...linked, text, task: null, name: null }).then((made) => {
         if (made.kind === 'link') beside.href = made.link;
       });
@@ -149,7 +181,14 @@ export class LinkBar {
     if (this.#shown?.kind !== 'task') return undefined;
     const { setup, control, blockSkip, program } = this.#shown.linked;
     const name = this.#name.value.trim();
-    return { ...sharedProgram(this.#host.program()), setup, control, blockSkip, program, name: name === '' ? null : name };
+    return {
+      ...sharedProgram(this.#host.program()),
+      setup,
+      control,
+      blockSkip,
+      program,
+      name: name === '' ? null : name,
+    };
   }
 
   async #linkToHandIn(): Promise<MadeLink | undefined> {
@@ -164,7 +203,9 @@ export class LinkBar {
     const [texts, share] = [LINK_WORDS[this.#language], SHARE_WORDS[this.#language]];
     this.#endNews();
     const making = this.#linkToHandIn();
-    const isCopiedAlready = copiedOnceMade(making.then((made) => (made?.kind === 'link' ? addressOf(made) : undefined)));
+    const isCopiedAlready = copiedOnceMade(
+      making.then((made) => (made?.kind === 'link' ? addressOf(made) : undefined)),
+    );
     const made = await making;
     if (made?.kind !== 'link') {
       this.#made = undefined;
@@ -172,10 +213,12 @@ export class LinkBar {
       return;
     }
     this.#link.value = addressOf(made);
-    const isCopied = (await isCopiedAlready) || (await copied(this.#link, () => {
-      this.#link.hidden = false;
-      this.#link.focus();
-    })) === 'copied';
+    const isCopied =
+      (await isCopiedAlready) ||
+      (await copied(this.#link, () => {
+        this.#link.hidden = false;
+        this.#link.focus();
+      })) === 'copied';
     if (!isCopied) {
       this.#news.textContent = texts.copyByHand;
       return;

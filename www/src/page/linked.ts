@@ -29,14 +29,24 @@ export function linkedProgram(hash: string): LinkedProgram | undefined {
   const text = said.get('program');
   if (text === null) return undefined;
   return {
-    text, setup: said.get('setup'), control: said.get('control'), blockSkip: said.get('block-skip'), program: null, language: said.get('language'),
-    view: said.get('view'), step: said.get('step'), readonly: said.has('readonly'), file: null, task: null, name: null,
+    text,
+    setup: said.get('setup'),
+    control: said.get('control'),
+    blockSkip: said.get('block-skip'),
+    program: null,
+    language: said.get('language'),
+    view: said.get('view'),
+    step: said.get('step'),
+    readonly: said.has('readonly'),
+    file: null,
+    task: null,
+    name: null,
   };
 }
 
 export async function inAddress(hash: string): Promise<InAddress> {
   if (hash.startsWith('#share=')) {
-    let openedLink;
+    let openedLink: typeof import('../files/shared-link')['openedLink'];
     try {
       ({ openedLink } = await loaded(() => import('../files/shared-link')));
     } catch {
@@ -45,8 +55,11 @@ export async function inAddress(hash: string): Promise<InAddress> {
     const opened = await openedLink(hash);
     return opened.kind === 'shared' ? { kind: 'linked', linked: opened.shared } : opened;
   }
-  if (hash.length > LINK_LIMIT) return { kind: 'fault', fault: { kind: 'too-long', length: hash.length, limit: LINK_LIMIT } };
+  if (hash.length > LINK_LIMIT)
+    return { kind: 'fault', fault: { kind: 'too-long', length: hash.length, limit: LINK_LIMIT } };
   const linked = linkedProgram(hash);
   if (linked !== undefined) return { kind: 'linked', linked };
-  return hash === '' || hash === '#' || EXAMPLE.test(hash) ? { kind: 'other' } : { kind: 'fault', fault: { kind: 'unknown' } };
+  return hash === '' || hash === '#' || EXAMPLE.test(hash)
+    ? { kind: 'other' }
+    : { kind: 'fault', fault: { kind: 'unknown' } };
 }

@@ -12,8 +12,10 @@ export type MotionRow = Readonly<Record<string, string>>;
 export function motionRows(table: Uint8Array): readonly MotionRow[] {
   const [head = '', ...lines] = new TextDecoder().decode(table).split('\r\n');
   const columns = head.split(',');
-  return lines.filter((line) => line !== '').map((line) => {
-    const cells = line.split(',');
-    return Object.fromEntries(columns.map((column, at) => [column, cells[at] ?? '']));
-  });
+  return lines
+    .filter((line) => line !== '')
+    .map((line) => {
+      const cells = line.split(',');
+      return Object.fromEntries(columns.map((column, at) => [column, cells[at] ?? '']));
+    });
 }

@@ -84,7 +84,9 @@ export class Offline {
       if (had !== null && !this.#wanted) this.#say('newer');
     });
     try {
-      this.#registration = await container.register(new URL('service-worker.js', document.baseURI), { updateViaCache: 'none' });
+      this.#registration = await container.register(new URL('service-worker.js', document.baseURI), {
+        updateViaCache: 'none',
+      });
     } catch {
       this.#show('not-stored');
       this.#tryWithNetwork(container);

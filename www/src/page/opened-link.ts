@@ -102,15 +102,24 @@ export class OpenedLink {
     this.#showTitle();
     if (this.#bar !== undefined) return this.#bar.show(what, this.#host.language);
     if (what === undefined) return;
-    void loaded(() => import('./link-bar')).then(({ LinkBar }) => {
-      this.#bar ??= new LinkBar(find('main'), { everything: () => this.#everything(), program: () => this.#host.program });
-      this.#bar.show(this.#inBar, this.#host.language);
-    }, () => undefined);
+    void loaded(() => import('./link-bar')).then(
+      ({ LinkBar }) => {
+        this.#bar ??= new LinkBar(find('main'), {
+          everything: () => this.#everything(),
+          program: () => this.#host.program,
+        });
+        this.#bar.show(this.#inBar, this.#host.language);
+      },
+      () => undefined,
+    );
   }
 }
 
 /** One line, without signs that turn the text beside it around; nothing where no letter is left. */
 function shownName(name: string | null): string | undefined {
-  const line = (name ?? '').replace(/[\u061c\u200e\u200f\u202a-\u202e\u2066-\u2069]/g, '').replace(/[\s\p{Cc}]+/gu, ' ').trim();
+  const line = (name ?? '')
+    .replace(/[\u061c\u200e\u200f\u202a-\u202e\u2066-\u2069]/g, '')
+    .replace(/[\s\p{Cc}]+/gu, ' ')
+    .trim();
   return line === '' ? undefined : line;
 }

@@ -11,7 +11,17 @@ import { COMMON } from '../dom/words';
 import { download } from '../editor/program-files';
 import type { KeptList, PageHost } from './page-host';
 import { askToPersist } from './own-programs-persist';
-import { cut, fileOf, LIMITS, matches, nameOf, readFile, type FiledProgram, type Listed, type State } from './own-programs';
+import {
+  cut,
+  fileOf,
+  LIMITS,
+  matches,
+  nameOf,
+  readFile,
+  type FiledProgram,
+  type Listed,
+  type State,
+} from './own-programs';
 import * as store from './own-programs-store';
 import { LIST_WORDS } from './own-programs-words';
 import { smallDrawing } from './small-drawing';
@@ -39,7 +49,11 @@ class OwnProgramsDialog {
   readonly #export = make('button', { type: 'button' });
   readonly #import = make('button', { type: 'button' });
   readonly #file = make('input', { type: 'file', hidden: true, accept: '.json,application/json' });
-  readonly #dialog = new Dialog('own-programs', [this.#field, this.#found, this.#shelf, this.#file], [this.#back, this.#import, this.#export]);
+  readonly #dialog = new Dialog(
+    'own-programs',
+    [this.#field, this.#found, this.#shelf, this.#file],
+    [this.#back, this.#import, this.#export],
+  );
   #session: KeptList | undefined;
   #rows: readonly Listed[] = [];
   #dates: { readonly language: string; readonly format: Intl.DateTimeFormat } | undefined;
@@ -99,7 +113,10 @@ class OwnProgramsDialog {
   #frame(): void {
     const texts = this.#texts;
     const of = this.#statesOf;
-    this.#dialog.name(of === undefined ? texts.title : texts.statesOf(this.#nameOf(of)), COMMON[this.#host.language].close);
+    this.#dialog.name(
+      of === undefined ? texts.title : texts.statesOf(this.#nameOf(of)),
+      COMMON[this.#host.language].close,
+    );
     this.#dialog.about = of === undefined ? texts.about : texts.statesAbout;
     this.#field.hidden = this.#import.hidden = this.#export.hidden = of !== undefined;
     this.#back.hidden = of === undefined;
@@ -171,10 +188,18 @@ class OwnProgramsDialog {
     const isHere = row.id === this.#host.keeping.id;
     const when = `${this.#date(row.changed)}${isHere ? ` · ${this.#texts.here}` : ''}`;
     const card = make('button', { type: 'button', className: 'card', 'data-focus': `open:${row.id}` });
-    card.append(smallDrawing(row.picture), make('span', { className: 'title' }, name), make('span', { className: 'when' }, when));
+    card.append(
+      smallDrawing(row.picture),
+      make('span', { className: 'title' }, name),
+      make('span', { className: 'when' }, when),
+    );
     card.addEventListener('click', () => this.#inTurn(() => this.#open(row.id)));
     const isActing = this.#acting?.id === row.id;
-    const more = make('button', { type: 'button', className: 'more-of', 'aria-expanded': String(isActing), 'data-focus': `more:${row.id}` }, icon('more'));
+    const more = make(
+      'button',
+      { type: 'button', className: 'more-of', 'aria-expanded': String(isActing), 'data-focus': `more:${row.id}` },
+      icon('more'),
+    );
     nameButton(more, this.#texts.more(name));
     more.addEventListener('click', () => {
       this.#acting = isActing ? undefined : { id: row.id, renaming: false };
@@ -196,7 +221,8 @@ class OwnProgramsDialog {
     };
     if (this.#acting?.renaming === true) return make('div', { className: 'acts' }, this.#renaming(row));
     return make(
-      'div', { className: 'acts' },
+      'div',
+      { className: 'acts' },
       button(acts.rename, () => {
         this.#acting = { id: row.id, renaming: true };
         this.#showList();
@@ -210,8 +236,19 @@ class OwnProgramsDialog {
 
   #renaming(row: Listed): HTMLElement {
     const texts = this.#texts;
-    const input = make('input', { type: 'text', value: row.name, maxLength: LIMITS.name, autocomplete: 'off', spellcheck: false });
-    const form = make('form', {}, make('label', { className: 'search' }, texts.newName, input), make('button', { type: 'submit' }, texts.take));
+    const input = make('input', {
+      type: 'text',
+      value: row.name,
+      maxLength: LIMITS.name,
+      autocomplete: 'off',
+      spellcheck: false,
+    });
+    const form = make(
+      'form',
+      {},
+      make('label', { className: 'search' }, texts.newName, input),
+      make('button', { type: 'submit' }, texts.take),
+    );
     const leave = async (): Promise<void> => {
       this.#acting = { id: row.id, renaming: false };
       await this.#load();
@@ -227,7 +264,9 @@ class OwnProgramsDialog {
     form.addEventListener('submit', (event) => {
       event.preventDefault();
       this.#inTurn(async () => {
-        await store.rename(row.id, cut(input.value), (program) => nameOf(program, this.#host.keeping.host.titleOf(program.example)));
+        await store.rename(row.id, cut(input.value), (program) =>
+          nameOf(program, this.#host.keeping.host.titleOf(program.example)),
+        );
         await leave();
         this.#session?.changed({ kind: 'list' });
       });
@@ -288,9 +327,18 @@ class OwnProgramsDialog {
 
   #state(row: Listed, state: State): HTMLElement {
     const when = this.#date(state.time);
-    const restore = make('button', { type: 'button', 'aria-label': `${this.#texts.restore}: ${when}` }, this.#texts.restore);
+    const restore = make(
+      'button',
+      { type: 'button', 'aria-label': `${this.#texts.restore}: ${when}` },
+      this.#texts.restore,
+    );
     restore.addEventListener('click', () => this.#inTurn(() => this.#restore(row, state)));
-    return make('li', { className: 'state' }, make('span', {}, when, make('span', { className: 'when' }, this.#texts.length(state.length))), restore);
+    return make(
+      'li',
+      { className: 'state' },
+      make('span', {}, when, make('span', { className: 'when' }, this.#texts.length(state.length))),
+      restore,
+    );
   }
 
   /** What is there now becomes an earlier state itself. */
@@ -329,7 +377,10 @@ class OwnProgramsDialog {
     if (read.kind !== 'programs') return this.#say(texts.wrongFile[read.kind]);
     const { added, alreadyThere, noRoom } = await store.addPrograms(read.programs);
     await this.#load();
-    const more = [noRoom === 0 ? '' : texts.noRoom(noRoom), read.unreadable === 0 ? '' : texts.unreadable(read.unreadable)];
+    const more = [
+      noRoom === 0 ? '' : texts.noRoom(noRoom),
+      read.unreadable === 0 ? '' : texts.unreadable(read.unreadable),
+    ];
     this.#say(`${texts.imported(texts.count(added), alreadyThere)}${more.join('')}`);
     this.#session?.changed({ kind: 'list' });
   }
@@ -339,7 +390,11 @@ class OwnProgramsDialog {
   #date(time: number): string {
     const { language } = this.#host;
     // A browser takes some milliseconds to make one.
-    if (this.#dates?.language !== language) this.#dates = { language, format: new Intl.DateTimeFormat(language, { dateStyle: 'medium', timeStyle: 'medium' }) };
+    if (this.#dates?.language !== language)
+      this.#dates = {
+        language,
+        format: new Intl.DateTimeFormat(language, { dateStyle: 'medium', timeStyle: 'medium' }),
+      };
     return this.#dates.format.format(time);
   }
 

@@ -234,7 +234,12 @@ export class Session implements KeptList {
   async #compareWithList(): Promise<void> {
     const { began, host } = this.#keeping;
     if (began === undefined) {
-      const isFresh = knowsNoLast() && location.hash === '' && this.#keeping.id === undefined && host.program.example !== '' && this.#waiting.size === 0;
+      const isFresh =
+        knowsNoLast() &&
+        location.hash === '' &&
+        this.#keeping.id === undefined &&
+        host.program.example !== '' &&
+        this.#waiting.size === 0;
       const [newest] = isFresh ? await store.listPrograms() : [];
       if (newest !== undefined) await this.#show(newest.id);
       return;
@@ -242,7 +247,8 @@ export class Session implements KeptList {
     const [row, program] = await Promise.all([store.listed(began.id), store.programOf(began.id)]);
     if (row === undefined || program === undefined) return;
     if (isSame(program, began.program)) this.knows(row);
-    else if (row.changed > began.time && this.#keeping.id === began.id && isSame(host.program, began.program)) await this.#show(began.id);
+    else if (row.changed > began.time && this.#keeping.id === began.id && isSame(host.program, began.program))
+      await this.#show(began.id);
   }
 
   async #show(id: string): Promise<void> {
@@ -261,7 +267,8 @@ export class Session implements KeptList {
       if (isHere) this.#say({ kind: 'deleted-elsewhere' });
     } else if (isHere && news.revision > (this.#keeping.known.get(news.id) ?? 0)) {
       const row = await store.listed(news.id).catch(() => undefined);
-      if (row !== undefined && row.tab !== TAB && news.id === this.#keeping.id) this.#say({ kind: 'changed-elsewhere' });
+      if (row !== undefined && row.tab !== TAB && news.id === this.#keeping.id)
+        this.#say({ kind: 'changed-elsewhere' });
     }
   }
 
@@ -310,7 +317,8 @@ export class Session implements KeptList {
         this.#say(undefined);
         return this.#show(id);
       case 'keep-both': {
-        if (id !== undefined) await this.#goOnBeside({ id, tab: TAB, time: Date.now(), base: 0, program: host.program });
+        if (id !== undefined)
+          await this.#goOnBeside({ id, tab: TAB, time: Date.now(), base: 0, program: host.program });
       }
     }
   }
@@ -330,7 +338,8 @@ export class Session implements KeptList {
   async #draw(): Promise<void> {
     const { id, known, host } = this.#keeping;
     const revision = id === undefined ? undefined : known.get(id);
-    if (id === undefined || revision === undefined || this.#waiting.size > 0 || this.#pictured.get(id) === revision) return;
+    if (id === undefined || revision === undefined || this.#waiting.size > 0 || this.#pictured.get(id) === revision)
+      return;
     this.#pictured.set(id, revision);
     const picture = await pictureOf(host.playground);
     if (this.#keeping.id !== id) return;

@@ -7,7 +7,20 @@
 // Must not know: the page, or what a program says.
 
 import { openDB, type DBSchema, type IDBPDatabase, type IDBPTransaction } from 'idb';
-import { importAs, isSame, isWorthAState, LIMITS, listedIn, nameBeside, superfluous, withSeen, wordsOf, type FiledProgram, type Listed, type State } from './own-programs';
+import {
+  importAs,
+  isSame,
+  isWorthAState,
+  LIMITS,
+  listedIn,
+  nameBeside,
+  superfluous,
+  withSeen,
+  wordsOf,
+  type FiledProgram,
+  type Listed,
+  type State,
+} from './own-programs';
 import { newId, programIn, TAB, type Entry, type KeptProgram } from './storage';
 import type { SmallPicture } from '../../small-picture';
 
@@ -80,11 +93,20 @@ let away: Promise<void> | undefined;
 
 addEventListener('pagehide', ({ persisted }) => {
   if (!persisted) return;
-  away ??= new Promise((back) => addEventListener('pageshow', () => {
-    away = undefined;
-    back();
-  }, { once: true }));
-  void opened?.then((open) => open.close(), () => undefined);
+  away ??= new Promise((back) =>
+    addEventListener(
+      'pageshow',
+      () => {
+        away = undefined;
+        back();
+      },
+      { once: true },
+    ),
+  );
+  void opened?.then(
+    (open) => open.close(),
+    () => undefined,
+  );
   opened = undefined;
   if (upgrading !== undefined) abort(upgrading);
   for (const attempt of running) attempt.abort();
@@ -114,7 +136,11 @@ async function inTransaction<As extends Mode, Outcome>(mode: As, act: Act<As, Ou
   }
 }
 
-async function transact<As extends Mode, Outcome>(mode: As, act: Act<As, Outcome>, signal: AbortSignal): Promise<{ readonly outcome: Outcome }> {
+async function transact<As extends Mode, Outcome>(
+  mode: As,
+  act: Act<As, Outcome>,
+  signal: AbortSignal,
+): Promise<{ readonly outcome: Outcome }> {
   const open = await database();
   signal.throwIfAborted();
   const transaction = open.transaction(STORES, mode, { durability: 'relaxed' });
@@ -128,7 +154,10 @@ async function transact<As extends Mode, Outcome>(mode: As, act: Act<As, Outcome
   } catch (error) {
     abort(transaction);
     // Both are about the same; only one of them may say that there is no room.
-    const why: unknown = await transaction.done.then(() => undefined, (reason: unknown) => reason);
+    const why: unknown = await transaction.done.then(
+      () => undefined,
+      (reason: unknown) => reason,
+    );
     throw isFull(why) ? why : error;
   }
 }
@@ -184,7 +213,10 @@ export function filed(id: string): Promise<FiledProgram | undefined> {
     const row = listedIn(await transaction.objectStore('programs').get(id));
     const program = programIn(await transaction.objectStore('texts').get(id));
     if (row === undefined || program === undefined) return undefined;
-    const [keys, texts] = await Promise.all([transaction.objectStore('states').getAllKeys(allOf(id)), transaction.objectStore('states').getAll(allOf(id))]);
+    const [keys, texts] = await Promise.all([
+      transaction.objectStore('states').getAllKeys(allOf(id)),
+      transaction.objectStore('states').getAll(allOf(id)),
+    ]);
     const states = keys.flatMap(([, time], i) => {
       const then = programIn(texts[i]);
       return then === undefined ? [] : [{ time, program: then }];
@@ -220,12 +252,24 @@ async function write(transaction: Writing, { id, tab, time, base, program, name,
   const before = programIn(await texts.get(id));
   if (row === undefined || before === undefined) {
     if ((await programs.count()) >= LIMITS.programs) return { kind: 'too-many' };
-    const created: Listed = { id, name, namedBy: 'program', created: time, changed: time, revision: base + 1, tab, seen: { [tab]: time }, length: program.text.length, words: wordsOf(program.text) };
+    const created: Listed = {
+      id,
+      name,
+      namedBy: 'program',
+      created: time,
+      changed: time,
+      revision: base + 1,
+      tab,
+      seen: { [tab]: time },
+      length: program.text.length,
+      words: wordsOf(program.text),
+    };
     await Promise.all([programs.put(created), texts.put(program, id)]);
     return { kind: 'written', row: created, was: 'new' };
   }
   // An entry of the journal that the list has had.
-  if ((row.seen[tab] ?? 0) >= time) return { kind: 'written', row, was: row.tab === tab || isSame(before, program) ? 'same' : 'overtaken' };
+  if ((row.seen[tab] ?? 0) >= time)
+    return { kind: 'written', row, was: row.tab === tab || isSame(before, program) ? 'same' : 'overtaken' };
   const seen = withSeen(row, tab, time);
   if (isSame(before, program)) {
     await programs.put({ ...row, seen });
@@ -236,8 +280,14 @@ async function write(transaction: Writing, { id, tab, time, base, program, name,
   await keepState(transaction, row, before, time, row.tab === tab ? state : 'now');
   // The picture stays until there is a new one.
   const changed: Listed = {
-    ...row, name: row.namedBy === 'reader' ? row.name : name, changed: time, revision: row.revision + 1, tab, seen,
-    length: program.text.length, words: wordsOf(program.text),
+    ...row,
+    name: row.namedBy === 'reader' ? row.name : name,
+    changed: time,
+    revision: row.revision + 1,
+    tab,
+    seen,
+    length: program.text.length,
+    words: wordsOf(program.text),
   };
   await Promise.all([programs.put(changed), texts.put(program, id)]);
   return { kind: 'written', row: changed, was: 'there' };
@@ -254,8 +304,19 @@ export function writeBeside({ id, tab, time, program }: Entry): Promise<Listed |
     if (all.length >= LIMITS.programs) return 'too-many';
     const there = all.find((row) => row.id === id);
     const beside: Listed = {
-      id: idBeside, name: nameBeside(there?.name ?? '', all.map(({ name }) => name)), namedBy: 'reader', created: time, changed: time, revision: 1, tab,
-      seen: {}, length: program.text.length, words: wordsOf(program.text),
+      id: idBeside,
+      name: nameBeside(
+        there?.name ?? '',
+        all.map(({ name }) => name),
+      ),
+      namedBy: 'reader',
+      created: time,
+      changed: time,
+      revision: 1,
+      tab,
+      seen: {},
+      length: program.text.length,
+      words: wordsOf(program.text),
     };
     await Promise.all([programs.put(beside), transaction.objectStore('texts').put(program, beside.id)]);
     if (there !== undefined) await programs.put({ ...there, seen: withSeen(there, tab, time) });
@@ -263,7 +324,13 @@ export function writeBeside({ id, tab, time, program }: Entry): Promise<Listed |
   });
 }
 
-async function keepState(transaction: Writing, { id, changed }: Listed, before: KeptProgram, now: number, when: Wanted['state']): Promise<void> {
+async function keepState(
+  transaction: Writing,
+  { id, changed }: Listed,
+  before: KeptProgram,
+  now: number,
+  when: Wanted['state'],
+): Promise<void> {
   const states = transaction.objectStore('states');
   const there = (await states.getAllKeys(allOf(id))).map(([, time, length]) => ({ time, length }));
   if (when === 'in-time' && !isWorthAState(there, now)) return;
@@ -276,10 +343,21 @@ async function keepState(transaction: Writing, { id, changed }: Listed, before: 
 /** An earlier state becomes the program; what it was until now is an earlier state from then on. */
 export async function restoreState(id: string, state: State): Promise<KeptProgram | undefined> {
   return change(async (transaction) => {
-    const [row, then] = await Promise.all([transaction.objectStore('programs').get(id), transaction.objectStore('states').get(keyOf(id, state))]);
+    const [row, then] = await Promise.all([
+      transaction.objectStore('programs').get(id),
+      transaction.objectStore('states').get(keyOf(id, state)),
+    ]);
     const [now, program] = [listedIn(row), programIn(then)];
     if (now === undefined || program === undefined) return undefined;
-    await write(transaction, { id, tab: TAB, time: Math.max(Date.now(), now.changed + 1), base: now.revision, program, name: now.name, state: 'now' });
+    await write(transaction, {
+      id,
+      tab: TAB,
+      time: Math.max(Date.now(), now.changed + 1),
+      base: now.revision,
+      program,
+      name: now.name,
+      state: 'now',
+    });
     return program;
   });
 }
@@ -291,7 +369,9 @@ export async function rename(id: string, name: string, byItself: (program: KeptP
     const row = listedIn(await programs.get(id));
     const program = programIn(await transaction.objectStore('texts').get(id));
     if (row === undefined || program === undefined) return;
-    await programs.put(name === '' ? { ...row, name: byItself(program), namedBy: 'program' } : { ...row, name, namedBy: 'reader' });
+    await programs.put(
+      name === '' ? { ...row, name: byItself(program), namedBy: 'program' } : { ...row, name, namedBy: 'reader' },
+    );
   });
 }
 
@@ -319,7 +399,20 @@ export async function duplicate(id: string): Promise<Listed | 'too-many' | undef
     if (row === undefined || program === undefined) return undefined;
     if (all.length >= LIMITS.programs) return 'too-many';
     const now = Date.now();
-    const copy: Listed = { ...row, id: idOfCopy, name: nameBeside(row.name, all.map(({ name }) => name)), namedBy: 'reader', created: now, changed: now, revision: 1, tab: TAB, seen: {} };
+    const copy: Listed = {
+      ...row,
+      id: idOfCopy,
+      name: nameBeside(
+        row.name,
+        all.map(({ name }) => name),
+      ),
+      namedBy: 'reader',
+      created: now,
+      changed: now,
+      revision: 1,
+      tab: TAB,
+      seen: {},
+    };
     await Promise.all([programs.put(copy), transaction.objectStore('texts').put(program, copy.id)]);
     return copy;
   });
@@ -330,7 +423,9 @@ export async function deleteProgram(id: string): Promise<FiledProgram | undefine
   const whole = await filed(id);
   await change(async (transaction) => {
     await Promise.all([
-      transaction.objectStore('programs').delete(id), transaction.objectStore('texts').delete(id), transaction.objectStore('states').delete(allOf(id)),
+      transaction.objectStore('programs').delete(id),
+      transaction.objectStore('texts').delete(id),
+      transaction.objectStore('states').delete(allOf(id)),
     ]);
   });
   return whole;
@@ -349,7 +444,8 @@ export async function addPrograms(programs: readonly FiledProgram[]): Promise<Im
     let [added, alreadyThere, noRoom] = [0, 0, 0];
     for (const { one, idBeside } of given) {
       const as = importAs(one, programIn(await transaction.objectStore('texts').get(one.id)));
-      if (as === 'there-already' || (await transaction.objectStore('programs').getKey(idBeside)) !== undefined) alreadyThere++;
+      if (as === 'there-already' || (await transaction.objectStore('programs').getKey(idBeside)) !== undefined)
+        alreadyThere++;
       else if ((await transaction.objectStore('programs').count()) >= LIMITS.programs) noRoom++;
       else {
         await add(transaction, as === 'new' ? one : { ...one, id: idBeside });
@@ -360,12 +456,27 @@ export async function addPrograms(programs: readonly FiledProgram[]): Promise<Im
   });
 }
 
-async function add(transaction: Writing, { id, name, namedBy, created, changed, program, states }: FiledProgram): Promise<void> {
-  const row: Listed = { id, name, namedBy, created, changed, revision: 1, tab: TAB, seen: {}, length: program.text.length, words: wordsOf(program.text) };
+async function add(
+  transaction: Writing,
+  { id, name, namedBy, created, changed, program, states }: FiledProgram,
+): Promise<void> {
+  const row: Listed = {
+    id,
+    name,
+    namedBy,
+    created,
+    changed,
+    revision: 1,
+    tab: TAB,
+    seen: {},
+    length: program.text.length,
+    words: wordsOf(program.text),
+  };
   await Promise.all([transaction.objectStore('programs').put(row), transaction.objectStore('texts').put(program, id)]);
   const earlier = states.map((state) => ({ ...state, length: state.program.text.length }));
   const gone = new Set(superfluous(earlier, Date.now()));
-  for (const state of earlier) if (!gone.has(state)) await transaction.objectStore('states').put(state.program, keyOf(id, state));
+  for (const state of earlier)
+    if (!gone.has(state)) await transaction.objectStore('states').put(state.program, keyOf(id, state));
 }
 
 function keyOf(id: string, { time, length }: State): StateKey {

@@ -7,15 +7,23 @@ export const NEWS_WORDS = words({
   en: {
     said: {
       'changed-elsewhere': 'This program was changed in another tab.',
-      'both-kept': (name: string) => `This program was changed in another tab, too. Both are kept: this one is now “${name}”.`,
-      'deleted-elsewhere': 'This program was deleted in another tab. The text stays here; with the next change it is in the list again.',
+      'both-kept': (name: string) =>
+        `This program was changed in another tab, too. Both are kept: this one is now “${name}”.`,
+      'deleted-elsewhere':
+        'This program was deleted in another tab. The text stays here; with the next change it is in the list again.',
       full: 'The browser has no room left: the last changes are not kept. Save the program as a file, or delete programs that you no longer need.',
       refused: 'The browser does not keep programs for this page: save the program as a file.',
       'last-only': 'The browser keeps no list of programs for this page: only the last program will be here next time.',
       cleared: 'What the browser had kept for this page was deleted. This program is still here and is kept again.',
-      'too-many': 'The list of your programs is full: this program is not in it. Save it as a file, or delete programs that you no longer need.',
+      'too-many':
+        'The list of your programs is full: this program is not in it. Save it as a file, or delete programs that you no longer need.',
     },
-    acts: { show: 'Show the other text', 'keep-both': 'Keep both', 'save-file': 'Save file', 'open-list': 'My programs…' },
+    acts: {
+      show: 'Show the other text',
+      'keep-both': 'Keep both',
+      'save-file': 'Save file',
+      'open-list': 'My programs…',
+    },
   },
   zh: {
     said: {
@@ -33,22 +41,32 @@ export const NEWS_WORDS = words({
   ru: {
     said: {
       'changed-elsewhere': 'Эта программа изменена в другой вкладке.',
-      'both-kept': (name) => `Эта программа изменена и в другой вкладке. Сохранены обе: эта теперь называется «${name}».`,
-      'deleted-elsewhere': 'Эта программа удалена в другой вкладке. Текст остаётся здесь; после следующей правки он снова появится в списке.',
+      'both-kept': (name) =>
+        `Эта программа изменена и в другой вкладке. Сохранены обе: эта теперь называется «${name}».`,
+      'deleted-elsewhere':
+        'Эта программа удалена в другой вкладке. Текст остаётся здесь; после следующей правки он снова появится в списке.',
       full: 'В хранилище браузера нет места: последние правки не сохранены. Сохраните программу в файл или удалите ненужные программы.',
       refused: 'Браузер не хранит программы этой страницы: сохраните программу в файл.',
-      'last-only': 'Браузер не хранит список программ этой страницы: в следующий раз здесь будет только последняя программа.',
+      'last-only':
+        'Браузер не хранит список программ этой страницы: в следующий раз здесь будет только последняя программа.',
       cleared: 'То, что браузер хранил для этой страницы, удалено. Программа остаётся здесь и снова сохранена.',
-      'too-many': 'Список ваших программ заполнен: этой программы в нём нет. Сохраните её в файл или удалите ненужные программы.',
+      'too-many':
+        'Список ваших программ заполнен: этой программы в нём нет. Сохраните её в файл или удалите ненужные программы.',
     },
-    acts: { show: 'Показать другой текст', 'keep-both': 'Оставить обе', 'save-file': 'Сохранить в файл', 'open-list': 'Мои программы…' },
+    acts: {
+      show: 'Показать другой текст',
+      'keep-both': 'Оставить обе',
+      'save-file': 'Сохранить в файл',
+      'open-list': 'Мои программы…',
+    },
   },
 });
 
 export const LIST_WORDS = words({
   en: {
     title: 'My programs',
-    about: 'Each program that you change, open or paste is kept in this browser, on this computer alone. Export them from time to time: browsers delete what they keep.',
+    about:
+      'Each program that you change, open or paste is kept in this browser, on this computer alone. Export them from time to time: browsers delete what they keep.',
     search: 'Search',
     count: counter('en', { one: 'program', other: 'programs' }),
     none: 'Nothing is kept yet: change an example, open a file or paste a program.',
@@ -66,12 +84,18 @@ export const LIST_WORDS = words({
     tooMany: 'The list is full: delete programs that you no longer need.',
     exportAll: 'Export all',
     importAll: 'Import…',
-    imported: (added: string, there: number) => `Added: ${added}.${there === 0 ? '' : ` Already in the list: ${there}.`}`,
+    imported: (added: string, there: number) =>
+      `Added: ${added}.${there === 0 ? '' : ` Already in the list: ${there}.`}`,
     noRoom: (n: number) => ` No room for ${n}: the list is full.`,
     unreadable: (n: number) => ` Not readable: ${n}.`,
-    wrongFile: { 'another-format': 'This is no file of programs from “Export all”. A single program is opened with “Open file”.', 'newer-version': 'This file was made by a newer version of this page.', 'too-large': 'This file is larger than 100 MB.' },
+    wrongFile: {
+      'another-format': 'This is no file of programs from “Export all”. A single program is opened with “Open file”.',
+      'newer-version': 'This file was made by a newer version of this page.',
+      'too-large': 'This file is larger than 100 MB.',
+    },
     statesOf: (name: string) => `Earlier states of ${name}`,
-    statesAbout: 'All of the last ten minutes stay, a quarter of a minute apart; then one for each ten minutes of a day, and one for each day before it: at most 100, and 20 million characters.',
+    statesAbout:
+      'All of the last ten minutes stay, a quarter of a minute apart; then one for each ten minutes of a day, and one for each day before it: at most 100, and 20 million characters.',
     noStates: 'There is no earlier state yet.',
     restore: 'Restore',
     length: counter('en', { one: 'character', other: 'characters' }),
@@ -101,9 +125,14 @@ export const LIST_WORDS = words({
     imported: (added, there) => `已添加：${added}。${there === 0 ? '' : `已在列表中：${there}。`}`,
     noRoom: (n) => `列表已满，未添加：${n}。`,
     unreadable: (n) => `无法读取：${n}。`,
-    wrongFile: { 'another-format': '这不是用“全部导出”生成的程序文件。单个程序请用“打开文件”打开。', 'newer-version': '此文件由本页面的更新版本生成。', 'too-large': '文件超过 100 MB。' },
+    wrongFile: {
+      'another-format': '这不是用“全部导出”生成的程序文件。单个程序请用“打开文件”打开。',
+      'newer-version': '此文件由本页面的更新版本生成。',
+      'too-large': '文件超过 100 MB。',
+    },
     statesOf: (name) => `“${name}”的历史版本`,
-    statesAbout: '最近十分钟内每隔 15 秒保留一个版本；一天之内每十分钟保留一个，更早的每天保留一个：最多 100 个、2000 万个字符。',
+    statesAbout:
+      '最近十分钟内每隔 15 秒保留一个版本；一天之内每十分钟保留一个，更早的每天保留一个：最多 100 个、2000 万个字符。',
     noStates: '还没有历史版本。',
     restore: '恢复',
     length: counter('zh', { other: '个字符' }),
@@ -112,7 +141,8 @@ export const LIST_WORDS = words({
   },
   ru: {
     title: 'Мои программы',
-    about: 'Каждая программа, которую вы изменили, открыли или вставили, хранится в этом браузере, только на этом компьютере. Время от времени экспортируйте их: браузер может удалить то, что хранит.',
+    about:
+      'Каждая программа, которую вы изменили, открыли или вставили, хранится в этом браузере, только на этом компьютере. Время от времени экспортируйте их: браузер может удалить то, что хранит.',
     search: 'Поиск',
     count: counter('ru', { one: 'программа', few: 'программы', many: 'программ', other: 'программы' }),
     none: 'Пока ничего нет: измените пример, откройте файл или вставьте программу.',
@@ -133,9 +163,15 @@ export const LIST_WORDS = words({
     imported: (added, there) => `Добавлено: ${added}.${there === 0 ? '' : ` Уже в списке: ${there}.`}`,
     noRoom: (n) => ` Список заполнен, не добавлено: ${n}.`,
     unreadable: (n) => ` Не прочитано: ${n}.`,
-    wrongFile: { 'another-format': 'Это не файл программ из «Экспортировать все». Отдельную программу откройте кнопкой «Открыть файл».', 'newer-version': 'Этот файл создан более новой версией страницы.', 'too-large': 'Файл больше 100 МБ.' },
+    wrongFile: {
+      'another-format':
+        'Это не файл программ из «Экспортировать все». Отдельную программу откройте кнопкой «Открыть файл».',
+      'newer-version': 'Этот файл создан более новой версией страницы.',
+      'too-large': 'Файл больше 100 МБ.',
+    },
     statesOf: (name) => `Прежние версии программы «${name}»`,
-    statesAbout: 'Хранятся версии последних десяти минут с шагом в четверть минуты, затем по одной на каждые десять минут за сутки и по одной на каждый день раньше: не более 100 версий и 20 миллионов знаков.',
+    statesAbout:
+      'Хранятся версии последних десяти минут с шагом в четверть минуты, затем по одной на каждые десять минут за сутки и по одной на каждый день раньше: не более 100 версий и 20 миллионов знаков.',
     noStates: 'Прежних версий пока нет.',
     restore: 'Восстановить',
     length: counter('ru', { one: 'знак', few: 'знака', many: 'знаков', other: 'знака' }),

@@ -98,7 +98,12 @@ export function nameOf({ text, file }: KeptProgram, exampleTitle: string | undef
   const numbered = /^[\s%]*[O:](\d{1,8})[^\S\n]*(?:\(([^)\n]*)\))?/.exec(text.slice(0, 1000));
   const [, number, comment = ''] = numbered ?? [];
   const byNumber = number === undefined ? '' : `O${number} ${comment.trim()}`.trim();
-  const firstLine = text.slice(0, 1000).split(/[\r\n]/).map((line) => line.trim()).find((line) => line !== '' && line !== '%') ?? '';
+  const firstLine =
+    text
+      .slice(0, 1000)
+      .split(/[\r\n]/)
+      .map((line) => line.trim())
+      .find((line) => line !== '' && line !== '%') ?? '';
   return cut(file?.name || exampleTitle || byNumber || firstLine);
 }
 
@@ -119,13 +124,21 @@ export function nameBeside(name: string, names: readonly string[]): string {
 
 /** The G, M and T words of a program, each once: it is found by them. */
 export function wordsOf(text: string): string {
-  const written = text.slice(0, 50_000).replace(/\([^)\n]*\)/g, '').toUpperCase().match(/[GMTO]\d+(?:\.\d+)?/g) ?? [];
+  const written =
+    text
+      .slice(0, 50_000)
+      .replace(/\([^)\n]*\)/g, '')
+      .toUpperCase()
+      .match(/[GMTO]\d+(?:\.\d+)?/g) ?? [];
   return [...new Set(written)].slice(0, 60).join(' ');
 }
 
 export function matches(of: Pick<Listed, 'name' | 'words'>, search: string): boolean {
   const text = `${of.name} ${of.words}`.toLowerCase();
-  return search.toLowerCase().split(/\s+/).every((term) => text.includes(term));
+  return search
+    .toLowerCase()
+    .split(/\s+/)
+    .every((term) => text.includes(term));
 }
 
 /** The same text under the same conditions. */
@@ -139,7 +152,9 @@ function contextOf({ example, control, file, setup, blockSkip, program }: KeptPr
 
 /** A row of the list, of whatever was stored. */
 export function listedIn(value: unknown): Listed | undefined {
-  const { id, name, namedBy, created, changed, revision, tab, seen, length, words, picture } = Object(value) as Partial<Record<keyof Listed, unknown>>;
+  const { id, name, namedBy, created, changed, revision, tab, seen, length, words, picture } = Object(value) as Partial<
+    Record<keyof Listed, unknown>
+  >;
   if (!isId(id)) return undefined;
   const drawn = pictureIn(picture);
   return {
@@ -159,12 +174,16 @@ export function listedIn(value: unknown): Listed | undefined {
 
 function seenIn(value: unknown): Listed['seen'] {
   const entries = Object.entries(Object(value) as Record<string, unknown>);
-  return Object.fromEntries(entries.filter((entry): entry is [string, number] => isId(entry[0]) && isCount(entry[1])).slice(-LIMITS.tabs));
+  return Object.fromEntries(
+    entries.filter((entry): entry is [string, number] => isId(entry[0]) && isCount(entry[1])).slice(-LIMITS.tabs),
+  );
 }
 
 /** With what the list has now of a tab, which is the newest of all. */
 export function withSeen({ seen }: Pick<Listed, 'seen'>, tab: string, time: number): Listed['seen'] {
-  const others = Object.entries(seen).filter(([other]) => other !== tab).sort(([, a], [, b]) => a - b);
+  const others = Object.entries(seen)
+    .filter(([other]) => other !== tab)
+    .sort(([, a], [, b]) => a - b);
   return Object.fromEntries([...others.slice(1 - LIMITS.tabs), [tab, Math.max(time, seen[tab] ?? 0)]]);
 }
 
@@ -207,7 +226,15 @@ export function readFile(text: string): ReadFile {
 }
 
 function filedIn(value: unknown): FiledProgram | undefined {
-  const { id, name, namedBy, created, changed, program: kept, states } = Object(value) as Partial<Record<keyof FiledProgram, unknown>>;
+  const {
+    id,
+    name,
+    namedBy,
+    created,
+    changed,
+    program: kept,
+    states,
+  } = Object(value) as Partial<Record<keyof FiledProgram, unknown>>;
   const program = programIn(kept);
   if (program === undefined || program.text.length > LIMITS.length) return undefined;
   const earlier = (Array.isArray(states) ? states.slice(0, LIMITS.states) : []).flatMap((state: unknown) => {

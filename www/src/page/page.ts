@@ -28,7 +28,17 @@ import { COMMON } from '../dom/words';
 import { PAGE_WORDS } from './words';
 import { isWorkOn, keepWorkOn, lastWorkOn, workOn, type FoundWork, type Work } from './task-work';
 import { Keeping } from './keeping';
-import { choices, forgetLast, keepChoices, lastEntry, LONGEST_IN_JOURNAL, LONGEST_KEPT, type Entry, type KeptProgram, type OwnProgram } from './storage';
+import {
+  choices,
+  forgetLast,
+  keepChoices,
+  lastEntry,
+  LONGEST_IN_JOURNAL,
+  LONGEST_KEPT,
+  type Entry,
+  type KeptProgram,
+  type OwnProgram,
+} from './storage';
 
 const CONTROLS = [
   ['fanuc', 'FANUC'],
@@ -80,11 +90,21 @@ let offline: Offline | undefined;
 /** What the page lends to its parts. */
 const host = {
   playground,
-  get language() { return language; },
-  get example() { return example; },
-  get program() { return programNow(); },
-  get asked() { return asked; },
-  get keeping() { return ownPrograms; },
+  get language() {
+    return language;
+  },
+  get example() {
+    return example;
+  },
+  get program() {
+    return programNow();
+  },
+  get asked() {
+    return asked;
+  },
+  get keeping() {
+    return ownPrograms;
+  },
   keepNow,
   async show(program: OwnProgram): Promise<void> {
     await bringBack(program);
@@ -121,7 +141,8 @@ start();
 
 function start(): void {
   for (const [value, text] of CONTROLS) controlSelect.append(make('option', { value }, text));
-  for (const tag of LANGUAGES) languageSelect.append(make('option', { value: tag, lang: tag }, PAGE_WORDS[tag].languageName));
+  for (const tag of LANGUAGES)
+    languageSelect.append(make('option', { value: tag, lang: tag }, PAGE_WORDS[tag].languageName));
   playground.id = 'playground';
   playground.setAttribute('hints', choices().hints ?? HINTS);
   const { split } = choices();
@@ -143,7 +164,8 @@ async function begin(): Promise<void> {
     const { linked } = found;
     if (work.kind === 'work') return showWork(work.work, linked);
     // The program of the link, perhaps under another setup.
-    if (kept !== undefined && entry !== undefined && kept.example === '' && folded(kept.text) === folded(linked.text)) return showWork({ program: kept, entry }, linked);
+    if (kept !== undefined && entry !== undefined && kept.example === '' && folded(kept.text) === folded(linked.text))
+      return showWork({ program: kept, entry }, linked);
     loadLinked(linked);
     if (kept !== undefined && kept.text !== linked.text) above.show({ kind: 'kept', program: kept });
     offerLater(work);
@@ -156,7 +178,9 @@ async function begin(): Promise<void> {
 }
 
 /** What the address holds, and what the reader has made of its task; the address can become another one meanwhile. */
-async function lookUp(last: 'last-at-once' | 'as-listed'): Promise<{ readonly found: InAddress; readonly work: FoundWork }> {
+async function lookUp(
+  last: 'last-at-once' | 'as-listed',
+): Promise<{ readonly found: InAddress; readonly work: FoundWork }> {
   for (;;) {
     const { hash } = location;
     const found = await inAddress(hash);
@@ -170,7 +194,11 @@ async function lookUp(last: 'last-at-once' | 'as-listed'): Promise<{ readonly fo
 }
 
 /** The kept program, the example of the address, or the first one; why the example of the address is not shown. */
-async function beginWithoutLink(id: string, entry: Entry | undefined, kept: OwnProgram | undefined): Promise<NoExample | undefined> {
+async function beginWithoutLink(
+  id: string,
+  entry: Entry | undefined,
+  kept: OwnProgram | undefined,
+): Promise<NoExample | undefined> {
   const loaded = await loadExample(id);
   const named = typeof loaded === 'string' ? undefined : loaded;
   if (kept !== undefined && (named === undefined || named.id === kept.example)) {
@@ -231,7 +259,10 @@ function loadLinked(linked: LinkedProgram): void {
   asked++;
   load(undefined);
   const { text, control, setup, blockSkip, program, file } = linked;
-  put({ control, setup, blockSkip, program, origin: OF_A_LINK }, { text, file: (file ?? undefined) as ProgramFile | undefined });
+  put(
+    { control, setup, blockSkip, program, origin: OF_A_LINK },
+    { text, file: (file ?? undefined) as ProgramFile | undefined },
+  );
   showAsLinked(linked);
   examples.show();
   above.show({ kind: 'example' });
@@ -254,7 +285,8 @@ async function bringBack(program: OwnProgram): Promise<void> {
   keepNow();
   const open = link.inAddress;
   const { id } = program;
-  if (id !== undefined && open !== undefined && open.linked.task !== null && isWorkOn(open.address, id)) showWork({ program: { ...program, id } }, open.linked);
+  if (id !== undefined && open !== undefined && open.linked.task !== null && isWorkOn(open.address, id))
+    showWork({ program: { ...program, id } }, open.linked);
   else restore(program, began);
 }
 
@@ -283,7 +315,13 @@ function showFault(fault: Fault): void {
 
 /** A program with its context; the switches are as the setup has them. */
 function put(
-  { control, setup, origin, blockSkip = null, program = null }: Partial<ProgramContext> & Pick<ProgramContext, 'control' | 'setup' | 'origin'>,
+  {
+    control,
+    setup,
+    origin,
+    blockSkip = null,
+    program = null,
+  }: Partial<ProgramContext> & Pick<ProgramContext, 'control' | 'setup' | 'origin'>,
   opened: OpenedProgram,
 ): void {
   playground.origin = origin;
@@ -376,11 +414,16 @@ function restore(kept: OwnProgram, began: Example | undefined, origin: string | 
   const { text, file, setup, blockSkip = null, program = null } = kept;
   // A file that was kept before setups were is no example.
   const unsaid = file === undefined ? (example?.setup ?? null) : null;
-  put({
-    control: kept.control === '' ? null : kept.control,
-    setup: setup === undefined ? unsaid : setup === '' ? null : setup,
-    origin, blockSkip, program,
-  }, { text, file: file as ProgramFile | undefined });
+  put(
+    {
+      control: kept.control === '' ? null : kept.control,
+      setup: setup === undefined ? unsaid : setup === '' ? null : setup,
+      origin,
+      blockSkip,
+      program,
+    },
+    { text, file: file as ProgramFile | undefined },
+  );
   examples.show();
   above.show({ kind: 'restored' });
 }
@@ -396,12 +439,18 @@ function listen(): void {
     keepChoices({ language });
     showLanguage();
   });
-  playground.addEventListener('gcode-split', (event) => keepChoices({ split: (event as CustomEvent<{ readonly split: string }>).detail.split }));
+  playground.addEventListener('gcode-split', (event) =>
+    keepChoices({ split: (event as CustomEvent<{ readonly split: string }>).detail.split }),
+  );
   // The element takes what is dropped on it; beside it the browser would leave the page.
-  acceptFiles(document.documentElement, {
-    hint: () => COMMON[language].dropHere,
-    dropped: (file) => void playground.openFile(file),
-  }, 'left-over');
+  acceptFiles(
+    document.documentElement,
+    {
+      hint: () => COMMON[language].dropHere,
+      dropped: (file) => void playground.openFile(file),
+    },
+    'left-over',
+  );
   openButton.addEventListener('click', () => fileInput.click());
   saveButton.addEventListener('click', () => playground.saveFile());
   fileInput.addEventListener('change', () => {
@@ -442,16 +491,22 @@ function listen(): void {
 }
 
 async function storePage(): Promise<void> {
-  await new Promise((idle) => ('requestIdleCallback' in window ? requestIdleCallback(idle) : setTimeout(idle, IDLE_AFTER_MS)));
+  await new Promise((idle) =>
+    'requestIdleCallback' in window ? requestIdleCallback(idle) : setTimeout(idle, IDLE_AFTER_MS),
+  );
   const part = await import('./offline').catch(() => undefined);
-  offline = part && new part.Offline({
-    playground,
-    get language() { return language; },
-    keep() {
-      keepNow();
-      return isKept() ? 'kept' : 'not-kept';
-    },
-  });
+  offline =
+    part &&
+    new part.Offline({
+      playground,
+      get language() {
+        return language;
+      },
+      keep() {
+        keepNow();
+        return isKept() ? 'kept' : 'not-kept';
+      },
+    });
 }
 
 // ---- keeping --------------------------------------------------------------------------------------
@@ -502,7 +557,10 @@ function isKept(): boolean {
 function programNow(): KeptProgram {
   const { file, setup, blockSkip, program } = playground;
   return {
-    text: playground.opened.text, example: example?.id ?? '', control: playground.control ?? '', setup: setup ?? '',
+    text: playground.opened.text,
+    example: example?.id ?? '',
+    control: playground.control ?? '',
+    setup: setup ?? '',
     ...(file === undefined ? {} : { file }),
     ...(blockSkip === null ? {} : { blockSkip }),
     ...(program === null ? {} : { program }),
@@ -523,7 +581,8 @@ function leaveLink(text: string): void {
   // Who comes back finds the task, and the work on it.
   if (!isOfLink || open.linked.task === null) history.replaceState(null, '', location.pathname + location.search);
   const { now } = above;
-  if (isOfLink && now.kind !== 'linked') above.show({ kind: 'linked', ...open, ...(now.kind === 'kept' ? { kept: now.program } : {}) });
+  if (isOfLink && now.kind !== 'linked')
+    above.show({ kind: 'linked', ...open, ...(now.kind === 'kept' ? { kept: now.program } : {}) });
 }
 
 /** The link of a task finds the program that began as it. */

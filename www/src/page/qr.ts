@@ -17,7 +17,8 @@ export function qrCode(address: string): SVGSVGElement | undefined {
   const code = generate(address, { minCorrectionLevel: correction.M });
   const size = code.size + 2 * MARGIN;
   let path = '';
-  for (let y = 0; y < code.size; y++) for (let x = 0; x < code.size; x++) if (code.get(x, y)) path += `M${x + MARGIN} ${y + MARGIN}h1v1h-1z`;
+  for (let y = 0; y < code.size; y++)
+    for (let x = 0; x < code.size; x++) if (code.get(x, y)) path += `M${x + MARGIN} ${y + MARGIN}h1v1h-1z`;
   const svg = document.createElementNS(SVG, 'svg');
   svg.setAttribute('viewBox', `0 0 ${size} ${size}`);
   const add = (tag: string, attributes: Readonly<Record<string, string>>): void => {

@@ -43,11 +43,28 @@ class ReportDialog {
   readonly #said = make('p', { className: 'said', role: 'status' });
   readonly #copy = make('button', { type: 'button', className: 'framed' });
   readonly #save = make('button', { type: 'button', className: 'framed' });
-  readonly #fields = { machine: field(this.#machine), line: field(this.#line), did: field(this.#did), output: field(this.#output) };
-  readonly #dialog = new Dialog('report', [
-    make('div', { id: 'report-fields' }, this.#fields.machine.label, this.#fields.line.label, this.#block, this.#fields.did.label),
-    this.#fields.output.label, this.#said,
-  ], [this.#copy, this.#save]);
+  readonly #fields = {
+    machine: field(this.#machine),
+    line: field(this.#line),
+    did: field(this.#did),
+    output: field(this.#output),
+  };
+  readonly #dialog = new Dialog(
+    'report',
+    [
+      make(
+        'div',
+        { id: 'report-fields' },
+        this.#fields.machine.label,
+        this.#fields.line.label,
+        this.#block,
+        this.#fields.did.label,
+      ),
+      this.#fields.output.label,
+      this.#said,
+    ],
+    [this.#copy, this.#save],
+  );
   #host: PageHost | undefined;
   #motions: readonly MotionRow[] | undefined;
   #link: string | undefined;
@@ -76,7 +93,13 @@ class ReportDialog {
     this.#dialog.name(texts.title, COMMON[host.language].close);
     this.#dialog.about = texts.about;
     const { machine, line, did, output } = this.#fields;
-    for (const [{ caption }, text] of [[machine, texts.machine], [line, texts.lineLabel], [did, texts.did], [output, texts.output]] as const) caption.textContent = text;
+    for (const [{ caption }, text] of [
+      [machine, texts.machine],
+      [line, texts.lineLabel],
+      [did, texts.did],
+      [output, texts.output],
+    ] as const)
+      caption.textContent = text;
     this.#machine.placeholder = texts.machineHint;
     this.#did.placeholder = texts.didHint;
     this.#copy.textContent = texts.copy;
@@ -97,7 +120,12 @@ class ReportDialog {
   async #ask(host: PageHost): Promise<void> {
     const { playground } = host;
     const [table, made] = await Promise.all([
-      playground.length > LONGEST_FOR_TABLE ? undefined : inTime(playground.exported('csv').catch(() => undefined), LATEST_MS),
+      playground.length > LONGEST_FOR_TABLE
+        ? undefined
+        : inTime(
+            playground.exported('csv').catch(() => undefined),
+            LATEST_MS,
+          ),
       linkOf(sharedProgram(host.program)).catch(() => undefined),
     ]);
     this.#motions = table === 'late' ? undefined : table && motionRows(table);
@@ -106,8 +134,14 @@ class ReportDialog {
 
   #reported(host: PageHost, setup: string): Reported {
     return {
-      text: host.program.text, setup, line: Number(this.#line.value), motions: this.#motions,
-      machine: this.#machine.value, did: this.#did.value, versions: `G-code playground ${PLAYGROUND_VERSION}, ${navigator.userAgent}`, link: this.#link,
+      text: host.program.text,
+      setup,
+      line: Number(this.#line.value),
+      motions: this.#motions,
+      machine: this.#machine.value,
+      did: this.#did.value,
+      versions: `G-code playground ${PLAYGROUND_VERSION}, ${navigator.userAgent}`,
+      link: this.#link,
     };
   }
 

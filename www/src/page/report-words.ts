@@ -41,7 +41,8 @@ export interface ReportWords {
 export const REPORT_WORDS = words<ReportWords>({
   en: {
     title: 'My machine does otherwise',
-    about: 'A report with the program, its setup and what is drawn. Nothing is sent: copy it, and add it to an issue of the project.',
+    about:
+      'A report with the program, its setup and what is drawn. Nothing is sent: copy it, and add it to an issue of the project.',
     machine: 'Machine and control',
     machineHint: 'For example: GSK 980TDb, 2019',
     lineLabel: 'Line of the block',
@@ -97,7 +98,8 @@ export const REPORT_WORDS = words<ReportWords>({
   },
   ru: {
     title: 'Мой станок делает иначе',
-    about: 'Отчёт с программой, наладкой и тем, что нарисовано. Ничего не отправляется: скопируйте его и добавьте в обращение к проекту.',
+    about:
+      'Отчёт с программой, наладкой и тем, что нарисовано. Ничего не отправляется: скопируйте его и добавьте в обращение к проекту.',
     machine: 'Станок и система ЧПУ',
     machineHint: 'Например: GSK 980TDb, 2019',
     lineLabel: 'Строка кадра',

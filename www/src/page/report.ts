@@ -56,7 +56,10 @@ export function reportText(reported: Reported, words: ReportWords): string {
 }
 
 /** The name of the folder, and its files. */
-export function fixture(reported: Reported): { readonly name: string; readonly files: Readonly<Record<string, string>> } {
+export function fixture(reported: Reported): {
+  readonly name: string;
+  readonly files: Readonly<Record<string, string>>;
+} {
   const { text, setup, line, motions = [], machine, did, versions } = reported;
   const number = /^\s*[O:](\d{1,8})/im.exec(text)?.[1];
   const source = `${machine.trim()}, block ${line}: ${did.trim()} (${versions})`;
@@ -76,13 +79,21 @@ export function fixture(reported: Reported): { readonly name: string; readonly f
 
 /** A motion as `tests/programs` has it. */
 function expected(row: MotionRow): object {
-  const number = (name: string): number | undefined => (row[name] === undefined || row[name] === '' ? undefined : Number(row[name]));
+  const number = (name: string): number | undefined =>
+    row[name] === undefined || row[name] === '' ? undefined : Number(row[name]);
   const place = (before: string): object | undefined =>
-    number(`${before}x`) === undefined ? undefined : { x: number(`${before}x`), z: number(`${before}z`), c: number(`${before}c`) };
+    number(`${before}x`) === undefined
+      ? undefined
+      : { x: number(`${before}x`), z: number(`${before}z`), c: number(`${before}c`) };
   // JSON leaves out what is undefined.
   return {
-    kind: row['kind'], to: place(''), line: Number(row['line']), center: place('center_'), r: number('r'),
-    dir: row['dir'] === '' ? undefined : row['dir'], lead: number('lead'),
+    kind: row['kind'],
+    to: place(''),
+    line: Number(row['line']),
+    center: place('center_'),
+    r: number('r'),
+    dir: row['dir'] === '' ? undefined : row['dir'],
+    lead: number('lead'),
   };
 }
 
@@ -90,7 +101,11 @@ function table(rows: readonly MotionRow[], words: ReportWords): string {
   const shown = rows.slice(0, MOST_SHOWN);
   const used = SHOWN.filter((name) => shown.some((row) => (row[name] ?? '') !== ''));
   const line = (cells: readonly string[]): string => `| ${cells.join(' | ')} |`;
-  const lines = [line(used), line(used.map(() => '---')), ...shown.map((row) => line(used.map((name) => row[name] ?? '')))];
+  const lines = [
+    line(used),
+    line(used.map(() => '---')),
+    ...shown.map((row) => line(used.map((name) => row[name] ?? ''))),
+  ];
   return `${lines.join('\n')}${rows.length > MOST_SHOWN ? `\n\n${words.more(rows.length - MOST_SHOWN)}` : ''}`;
 }
 

@@ -46,7 +46,13 @@ class ShareDialog {
   readonly #readonly = make('input', { type: 'checkbox', id: 'share-readonly' });
   readonly #task = make('input', { type: 'checkbox', id: 'share-task', 'aria-controls': 'share-task-fields' });
   readonly #sentence = make('textarea', { id: 'share-sentence', autocomplete: 'off', rows: 2, maxLength: 1000 });
-  readonly #start = make('textarea', { id: 'share-start', rows: 6, spellcheck: false, dir: 'ltr', 'aria-describedby': 'share-start-news' });
+  readonly #start = make('textarea', {
+    id: 'share-start',
+    rows: 6,
+    spellcheck: false,
+    dir: 'ltr',
+    'aria-describedby': 'share-start-news',
+  });
   readonly #startNews = make('p', { id: 'share-start-news', className: 'start-news', role: 'status' });
   readonly #taskAbout = make('p', { className: 'about' });
   readonly #output = make('textarea', { id: 'share-output', readOnly: true, rows: 5, spellcheck: false, dir: 'ltr' });
@@ -58,15 +64,44 @@ class ShareDialog {
   readonly #saveSvg = make('button', { type: 'button', className: 'framed' });
   readonly #savePng = make('button', { type: 'button', className: 'framed' });
   readonly #fields = {
-    form: field(this.#form), view: field(this.#view), language: check(this.#language), step: check(this.#step), readonly: check(this.#readonly), task: check(this.#task),
-    sentence: field(this.#sentence), start: field(this.#start), output: field(this.#output),
+    form: field(this.#form),
+    view: field(this.#view),
+    language: check(this.#language),
+    step: check(this.#step),
+    readonly: check(this.#readonly),
+    task: check(this.#task),
+    sentence: field(this.#sentence),
+    start: field(this.#start),
+    output: field(this.#output),
   };
-  readonly #taskFields = make('div', { id: 'share-task-fields' }, this.#taskAbout, this.#fields.sentence.label, this.#fields.start.label, this.#startNews);
-  readonly #dialog = new Dialog('share', [
-    make('div', { className: 'choices' },
-      this.#fields.form.label, this.#fields.view.label, this.#fields.language.label, this.#fields.step.label, this.#fields.readonly.label, this.#fields.task.label, this.#taskFields),
-    this.#fields.output.label, this.#drawn, this.#length,
-  ], [this.#said, this.#copy, this.#send, this.#saveSvg, this.#savePng]);
+  readonly #taskFields = make(
+    'div',
+    { id: 'share-task-fields' },
+    this.#taskAbout,
+    this.#fields.sentence.label,
+    this.#fields.start.label,
+    this.#startNews,
+  );
+  readonly #dialog = new Dialog(
+    'share',
+    [
+      make(
+        'div',
+        { className: 'choices' },
+        this.#fields.form.label,
+        this.#fields.view.label,
+        this.#fields.language.label,
+        this.#fields.step.label,
+        this.#fields.readonly.label,
+        this.#fields.task.label,
+        this.#taskFields,
+      ),
+      this.#fields.output.label,
+      this.#drawn,
+      this.#length,
+    ],
+    [this.#said, this.#copy, this.#send, this.#saveSvg, this.#savePng],
+  );
   #host: PageHost | undefined;
   #toolAt: string | null = null;
   /** The solution that the task was written for. */
@@ -85,7 +120,10 @@ class ShareDialog {
       });
     });
     this.#copy.addEventListener('click', () => void this.#copied());
-    this.#send.addEventListener('click', () => void navigator.share({ url: this.#output.value }).catch(() => undefined));
+    this.#send.addEventListener(
+      'click',
+      () => void navigator.share({ url: this.#output.value }).catch(() => undefined),
+    );
     this.#saveSvg.addEventListener('click', () => void this.#save('svg'));
     this.#savePng.addEventListener('click', () => void this.#save('png'));
   }
@@ -103,10 +141,24 @@ class ShareDialog {
     for (const option of this.#view.options) option.textContent = texts.views[option.value as SharedView];
     const { form, view, language, readonly, task, sentence, start, output } = this.#fields;
     for (const [field, text] of [
-      [form, texts.as], [view, texts.view], [language, texts.language], [readonly, texts.readonly], [task, texts.task], [sentence, texts.sentence], [start, texts.start], [output, texts.output],
-    ] as const) field.caption.textContent = text;
+      [form, texts.as],
+      [view, texts.view],
+      [language, texts.language],
+      [readonly, texts.readonly],
+      [task, texts.task],
+      [sentence, texts.sentence],
+      [start, texts.start],
+      [output, texts.output],
+    ] as const)
+      field.caption.textContent = text;
     this.#taskAbout.textContent = texts.taskAbout;
-    for (const [button, text] of [[this.#copy, texts.copy], [this.#send, texts.send], [this.#saveSvg, texts.saveSvg], [this.#savePng, texts.savePng]] as const) button.textContent = text;
+    for (const [button, text] of [
+      [this.#copy, texts.copy],
+      [this.#send, texts.send],
+      [this.#saveSvg, texts.saveSvg],
+      [this.#savePng, texts.savePng],
+    ] as const)
+      button.textContent = text;
     this.#form.value = 'link';
     this.#view.value = 'all';
     this.#step.checked = this.#readonly.checked = false;
@@ -125,12 +177,15 @@ class ShareDialog {
     void this.#show();
     this.#dialog.show();
     this.#form.focus();
-    void host.playground.currentStep().then((step) => {
-      if (step === null) return;
-      this.#toolAt = step;
-      this.#fields.step.caption.textContent = texts.step(step);
-      this.#fields.step.label.hidden = false;
-    }, () => undefined);
+    void host.playground.currentStep().then(
+      (step) => {
+        if (step === null) return;
+        this.#toolAt = step;
+        this.#fields.step.caption.textContent = texts.step(step);
+        this.#fields.step.label.hidden = false;
+      },
+      () => undefined,
+    );
   }
 
   get #isTask(): boolean {
@@ -158,7 +213,9 @@ class ShareDialog {
     return {
       ...program,
       text: isTask ? this.#start.value : program.text,
-      language: this.#language.checked ? host.language : null, view, step: this.#step.checked ? this.#toolAt : null,
+      language: this.#language.checked ? host.language : null,
+      view,
+      step: this.#step.checked ? this.#toolAt : null,
       readonly: this.#readonly.checked && !isTask,
       task: isTask ? { sentence: this.#sentence.value.trim(), solution: program.text } : null,
     };
@@ -188,7 +245,9 @@ class ShareDialog {
     // What is copied is never that of the choices before.
     this.#output.value = '';
     this.#copy.disabled = this.#send.disabled = true;
-    const made: Made = isPicture ? { text: '', length: '', drawn: await this.#picture(host) } : await this.#made(form, this.#shared(host), host, texts).catch(() => ({ text: '', length: texts.notMade }));
+    const made: Made = isPicture
+      ? { text: '', length: '', drawn: await this.#picture(host) }
+      : await this.#made(form, this.#shared(host), host, texts).catch(() => ({ text: '', length: texts.notMade }));
     if (own !== this.#asked) return;
     this.#output.value = made.text;
     this.#copy.disabled = this.#send.disabled = made.text === '';
@@ -202,7 +261,10 @@ class ShareDialog {
     // Files of a folder with the version in its name never change.
     const embedded = (file: string): string => new URL(`embed/${PLAYGROUND_VERSION}/${file}`, page).href;
     if (form === 'element' || form === 'frame') {
-      const text = form === 'element' ? elementText(shared, embedded('element.js')) : frameText(shared, embedded('index.html'), title);
+      const text =
+        form === 'element'
+          ? elementText(shared, embedded('element.js'))
+          : frameText(shared, embedded('index.html'), title);
       return { text, length: texts.length(text.length) };
     }
     const made = await linkOf(shared);
@@ -235,7 +297,11 @@ class ShareDialog {
     const file = await host?.playground.pictureFile(format).catch(() => undefined);
     if (host === undefined) return;
     if (file === undefined) this.#said.textContent = SHARE_WORDS[host.language].noPicture;
-    else download(`${(host.program.file?.name ?? '').replace(/\.[^.]*$/, '') || 'program'}.${format}`, new Uint8Array(await file.arrayBuffer()));
+    else
+      download(
+        `${(host.program.file?.name ?? '').replace(/\.[^.]*$/, '') || 'program'}.${format}`,
+        new Uint8Array(await file.arrayBuffer()),
+      );
   }
 
   async #copied(): Promise<void> {

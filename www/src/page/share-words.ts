@@ -29,38 +29,62 @@ function number(language: string, n: number): string {
 export const FAULTS: Words<(fault: Fault) => string> = {
   en: (fault) => {
     switch (fault.kind) {
-      case 'too-long': return `This link is ${CHARACTERS.en(fault.length)} long; at most ${number('en', fault.limit)} are read. Ask for the program as a file.`;
-      case 'unpacked-too-long': return `The program of this link is longer than ${number('en', fault.limit)} bytes, and was not opened. Ask for it as a file.`;
-      case 'newer': return `This link was made by a newer version of the playground (format ${fault.version}). Reload the page, or open the link where it was made.`;
-      case 'cut': return `This link is not complete: ${fault.missing === undefined ? 'its end is missing' : `${CHARACTERS.en(fault.missing)} missing at its end`}. Copy all of it, or ask for it again.`;
-      case 'damaged': return 'This link is damaged: some of its characters have changed on the way. Ask for it again.';
-      case 'browser-too-old': return 'This browser cannot unpack links. Open the link in a newer browser.';
-      case 'unknown': return 'This address names no example, and holds no program.';
-      case 'not-loaded': return 'What reads links could not be loaded. Reload the page when the network is there.';
+      case 'too-long':
+        return `This link is ${CHARACTERS.en(fault.length)} long; at most ${number('en', fault.limit)} are read. Ask for the program as a file.`;
+      case 'unpacked-too-long':
+        return `The program of this link is longer than ${number('en', fault.limit)} bytes, and was not opened. Ask for it as a file.`;
+      case 'newer':
+        return `This link was made by a newer version of the playground (format ${fault.version}). Reload the page, or open the link where it was made.`;
+      case 'cut':
+        return `This link is not complete: ${fault.missing === undefined ? 'its end is missing' : `${CHARACTERS.en(fault.missing)} missing at its end`}. Copy all of it, or ask for it again.`;
+      case 'damaged':
+        return 'This link is damaged: some of its characters have changed on the way. Ask for it again.';
+      case 'browser-too-old':
+        return 'This browser cannot unpack links. Open the link in a newer browser.';
+      case 'unknown':
+        return 'This address names no example, and holds no program.';
+      case 'not-loaded':
+        return 'What reads links could not be loaded. Reload the page when the network is there.';
     }
   },
   zh: (fault) => {
     switch (fault.kind) {
-      case 'too-long': return `此链接长 ${CHARACTERS.zh(fault.length)}，最多只读取 ${number('zh', fault.limit)} 个。请让对方以文件形式发送程序。`;
-      case 'unpacked-too-long': return `此链接中的程序超过 ${number('zh', fault.limit)} 字节，未打开。请让对方以文件形式发送。`;
-      case 'newer': return `此链接由更新版本的演练场生成（格式 ${fault.version}）。请刷新页面，或在生成链接的网站上打开。`;
-      case 'cut': return `此链接不完整：${fault.missing === undefined ? '末尾缺失' : `末尾缺少 ${CHARACTERS.zh(fault.missing)}`}。请完整复制，或请对方重新发送。`;
-      case 'damaged': return '此链接已损坏：部分字符在传送中被改动。请对方重新发送。';
-      case 'browser-too-old': return '此浏览器无法解压链接。请用较新的浏览器打开。';
-      case 'unknown': return '此地址不对应任何示例，也不含程序。';
-      case 'not-loaded': return '读取链接的组件加载失败。请在网络恢复后刷新页面。';
+      case 'too-long':
+        return `此链接长 ${CHARACTERS.zh(fault.length)}，最多只读取 ${number('zh', fault.limit)} 个。请让对方以文件形式发送程序。`;
+      case 'unpacked-too-long':
+        return `此链接中的程序超过 ${number('zh', fault.limit)} 字节，未打开。请让对方以文件形式发送。`;
+      case 'newer':
+        return `此链接由更新版本的演练场生成（格式 ${fault.version}）。请刷新页面，或在生成链接的网站上打开。`;
+      case 'cut':
+        return `此链接不完整：${fault.missing === undefined ? '末尾缺失' : `末尾缺少 ${CHARACTERS.zh(fault.missing)}`}。请完整复制，或请对方重新发送。`;
+      case 'damaged':
+        return '此链接已损坏：部分字符在传送中被改动。请对方重新发送。';
+      case 'browser-too-old':
+        return '此浏览器无法解压链接。请用较新的浏览器打开。';
+      case 'unknown':
+        return '此地址不对应任何示例，也不含程序。';
+      case 'not-loaded':
+        return '读取链接的组件加载失败。请在网络恢复后刷新页面。';
     }
   },
   ru: (fault) => {
     switch (fault.kind) {
-      case 'too-long': return `Длина этой ссылки — ${CHARACTERS.ru(fault.length)}, а читается не более ${OF_CHARACTERS(fault.limit)}. Попросите прислать программу файлом.`;
-      case 'unpacked-too-long': return `Программа в этой ссылке длиннее ${OF_BYTES(fault.limit)}, она не открыта. Попросите прислать её файлом.`;
-      case 'newer': return `Эта ссылка создана более новой версией песочницы (формат ${fault.version}). Обновите страницу или откройте ссылку там, где она создана.`;
-      case 'cut': return `Ссылка неполная: ${fault.missing === undefined ? 'нет её конца' : `в конце не хватает ${OF_CHARACTERS(fault.missing)}`}. Скопируйте её целиком или попросите прислать ещё раз.`;
-      case 'damaged': return 'Ссылка повреждена: часть знаков изменилась при пересылке. Попросите прислать её ещё раз.';
-      case 'browser-too-old': return 'Этот браузер не умеет распаковывать ссылки. Откройте ссылку в более новом.';
-      case 'unknown': return 'По этому адресу нет ни примера, ни программы.';
-      case 'not-loaded': return 'Не удалось загрузить то, что читает ссылки. Обновите страницу, когда появится сеть.';
+      case 'too-long':
+        return `Длина этой ссылки — ${CHARACTERS.ru(fault.length)}, а читается не более ${OF_CHARACTERS(fault.limit)}. Попросите прислать программу файлом.`;
+      case 'unpacked-too-long':
+        return `Программа в этой ссылке длиннее ${OF_BYTES(fault.limit)}, она не открыта. Попросите прислать её файлом.`;
+      case 'newer':
+        return `Эта ссылка создана более новой версией песочницы (формат ${fault.version}). Обновите страницу или откройте ссылку там, где она создана.`;
+      case 'cut':
+        return `Ссылка неполная: ${fault.missing === undefined ? 'нет её конца' : `в конце не хватает ${OF_CHARACTERS(fault.missing)}`}. Скопируйте её целиком или попросите прислать ещё раз.`;
+      case 'damaged':
+        return 'Ссылка повреждена: часть знаков изменилась при пересылке. Попросите прислать её ещё раз.';
+      case 'browser-too-old':
+        return 'Этот браузер не умеет распаковывать ссылки. Откройте ссылку в более новом.';
+      case 'unknown':
+        return 'По этому адресу нет ни примера, ни программы.';
+      case 'not-loaded':
+        return 'Не удалось загрузить то, что читает ссылки. Обновите страницу, когда появится сеть.';
     }
   },
 };
@@ -126,29 +150,45 @@ export const LINK_WORDS = words({
 export const SHARE_WORDS = words({
   en: {
     title: 'Share',
-    about: 'All of it is in the link: the program, its setup, the control and the switches. Nothing is sent to a server.',
+    about:
+      'All of it is in the link: the program, its setup, the control and the switches. Nothing is sent to a server.',
     as: 'As',
-    forms: { link: 'Link', markdown: 'Link in Markdown', element: 'Live example for a page (HTML)', frame: 'Frame for a page (iframe)', qr: 'QR code', picture: 'Picture' } satisfies Record<Form, string>,
+    forms: {
+      link: 'Link',
+      markdown: 'Link in Markdown',
+      element: 'Live example for a page (HTML)',
+      frame: 'Frame for a page (iframe)',
+      qr: 'QR code',
+      picture: 'Picture',
+    } satisfies Record<Form, string>,
     view: 'Shown',
-    views: { all: 'Everything', picture: 'The drawing', playback: 'The drawing, to be played', code: 'The program' } satisfies Record<SharedView, string>,
+    views: {
+      all: 'Everything',
+      picture: 'The drawing',
+      playback: 'The drawing, to be played',
+      code: 'The program',
+    } satisfies Record<SharedView, string>,
     language: 'Opens in English',
     step: (motion: string) => `The tool where it stands now (motion ${motion})`,
     readonly: 'Cannot be changed',
     task: 'As a task',
-    taskAbout: 'The program that is on the page now becomes the solution. It is in the link, and a button shows it; it is out of sight, not secret.',
+    taskAbout:
+      'The program that is on the page now becomes the solution. It is in the link, and a button shows it; it is out of sight, not secret.',
     sentence: 'What is to be done',
     start: 'What the pupil begins with',
     startIsSolution: 'The pupil begins with the solution: take out what is to be found.',
     output: 'To copy',
     length: (n: number) => `${CHARACTERS.en(n)}`,
     longer: 'Some mail and chat programs cut off links of more than 2,000 characters.',
-    tooLong: (n: number, limit: number) => `This is too long for a link: ${CHARACTERS.en(n)}, where ${number('en', limit)} can be read. Save the program as a file instead.`,
+    tooLong: (n: number, limit: number) =>
+      `This is too long for a link: ${CHARACTERS.en(n)}, where ${number('en', limit)} can be read. Save the program as a file instead.`,
     copy: 'Copy',
     copied: 'Copied',
     notCopied: 'The browser does not allow copying: the text is selected, press Ctrl C.',
     send: 'Send…',
     qrName: 'QR code of the link',
-    qrTooLong: (n: number, limit: number) => `This link is too long for a QR code: ${CHARACTERS.en(n)}, and it holds ${number('en', limit)}.`,
+    qrTooLong: (n: number, limit: number) =>
+      `This link is too long for a QR code: ${CHARACTERS.en(n)}, and it holds ${number('en', limit)}.`,
     saveSvg: 'Save as SVG',
     savePng: 'Save as PNG',
     noPicture: 'There is no picture to save: the program has not run.',
@@ -158,7 +198,14 @@ export const SHARE_WORDS = words({
     title: '分享',
     about: '程序、毛坯与刀具设置、数控系统和开关全部包含在链接中，不会发送到任何服务器。',
     as: '形式',
-    forms: { link: '链接', markdown: 'Markdown 链接', element: '网页中的可操作示例 (HTML)', frame: '网页框架 (iframe)', qr: '二维码', picture: '图片' },
+    forms: {
+      link: '链接',
+      markdown: 'Markdown 链接',
+      element: '网页中的可操作示例 (HTML)',
+      frame: '网页框架 (iframe)',
+      qr: '二维码',
+      picture: '图片',
+    },
     view: '显示',
     views: { all: '全部', picture: '图形', playback: '图形和播放', code: '程序' },
     language: '以中文打开',
@@ -172,7 +219,8 @@ export const SHARE_WORDS = words({
     output: '复制内容',
     length: (n) => `${CHARACTERS.zh(n)}`,
     longer: '有些邮件和聊天软件会截断超过 2000 个字符的链接。',
-    tooLong: (n, limit) => `内容太长，无法做成链接：${CHARACTERS.zh(n)}，最多可读取 ${number('zh', limit)} 个。请改为保存文件。`,
+    tooLong: (n, limit) =>
+      `内容太长，无法做成链接：${CHARACTERS.zh(n)}，最多可读取 ${number('zh', limit)} 个。请改为保存文件。`,
     copy: '复制',
     copied: '已复制',
     notCopied: '浏览器不允许复制：文本已选中，请按 Ctrl C。',
@@ -186,29 +234,40 @@ export const SHARE_WORDS = words({
   },
   ru: {
     title: 'Поделиться',
-    about: 'Всё находится в самой ссылке: программа, наладка, система ЧПУ и переключатели. На сервер ничего не отправляется.',
+    about:
+      'Всё находится в самой ссылке: программа, наладка, система ЧПУ и переключатели. На сервер ничего не отправляется.',
     as: 'Вид',
-    forms: { link: 'Ссылка', markdown: 'Ссылка в Markdown', element: 'Живой пример для страницы (HTML)', frame: 'Фрейм для страницы (iframe)', qr: 'QR-код', picture: 'Рисунок' },
+    forms: {
+      link: 'Ссылка',
+      markdown: 'Ссылка в Markdown',
+      element: 'Живой пример для страницы (HTML)',
+      frame: 'Фрейм для страницы (iframe)',
+      qr: 'QR-код',
+      picture: 'Рисунок',
+    },
     view: 'Показать',
     views: { all: 'Всё', picture: 'Чертёж', playback: 'Чертёж с воспроизведением', code: 'Программу' },
     language: 'Открывать на русском',
     step: (motion) => `Инструмент там, где он сейчас (перемещение ${motion})`,
     readonly: 'Только для чтения',
     task: 'Как задание',
-    taskAbout: 'Программа, которая сейчас на странице, станет решением. Оно лежит в ссылке и открывается кнопкой: скрыто от глаз, но не секретно.',
+    taskAbout:
+      'Программа, которая сейчас на странице, станет решением. Оно лежит в ссылке и открывается кнопкой: скрыто от глаз, но не секретно.',
     sentence: 'Что нужно сделать',
     start: 'С чего начинает ученик',
     startIsSolution: 'Ученик начинает с готового решения: уберите то, что нужно найти.',
     output: 'Для копирования',
     length: (n) => `${CHARACTERS.ru(n)}`,
     longer: 'Некоторые почтовые программы и чаты обрезают ссылки длиннее 2000 знаков.',
-    tooLong: (n, limit) => `Для ссылки это слишком длинно: ${CHARACTERS.ru(n)}, а читается не более ${OF_CHARACTERS(limit)}. Сохраните программу в файл.`,
+    tooLong: (n, limit) =>
+      `Для ссылки это слишком длинно: ${CHARACTERS.ru(n)}, а читается не более ${OF_CHARACTERS(limit)}. Сохраните программу в файл.`,
     copy: 'Копировать',
     copied: 'Скопировано',
     notCopied: 'Браузер не разрешает копирование: текст выделен, нажмите Ctrl C.',
     send: 'Отправить…',
     qrName: 'QR-код ссылки',
-    qrTooLong: (n, limit) => `Ссылка слишком длинна для QR-кода: ${CHARACTERS.ru(n)}, а вмещается ${number('ru', limit)}.`,
+    qrTooLong: (n, limit) =>
+      `Ссылка слишком длинна для QR-кода: ${CHARACTERS.ru(n)}, а вмещается ${number('ru', limit)}.`,
     saveSvg: 'Сохранить как SVG',
     savePng: 'Сохранить как PNG',
     noPicture: 'Сохранять нечего: программа не выполнена.',

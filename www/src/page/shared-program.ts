@@ -9,7 +9,12 @@ import type { KeptProgram } from './storage';
 export function sharedProgram({ text, setup, control, blockSkip, program, file }: KeptProgram): Shared {
   return {
     ...NOTHING_SAID,
-    text, setup: said(setup), control: said(control), blockSkip: blockSkip ?? null, program: program ?? null, file: file ?? null,
+    text,
+    setup: said(setup),
+    control: said(control),
+    blockSkip: blockSkip ?? null,
+    program: program ?? null,
+    file: file ?? null,
   };
 }
 

@@ -85,7 +85,9 @@ export function lastEntry(): Entry | undefined {
 /** All that waits in the journal, of this tab and of others, which may be gone. */
 export function journal(): readonly Entry[] {
   try {
-    return Object.keys(localStorage).filter((key) => key.startsWith(JOURNAL)).flatMap((key) => entry(key) ?? []);
+    return Object.keys(localStorage)
+      .filter((key) => key.startsWith(JOURNAL))
+      .flatMap((key) => entry(key) ?? []);
   } catch {
     return [];
   }
@@ -154,11 +156,15 @@ export function keepChoices(change: Choices): void {
 
 /** A program of whatever was stored, or stood in a file; nothing where it is none. */
 export function programIn(value: unknown): KeptProgram | undefined {
-  const { text, example, control, file, setup, blockSkip, program } = Object(value) as Partial<Record<keyof KeptProgram, unknown>>;
+  const { text, example, control, file, setup, blockSkip, program } = Object(value) as Partial<
+    Record<keyof KeptProgram, unknown>
+  >;
   if (typeof text !== 'string' || typeof example !== 'string' || typeof control !== 'string') return undefined;
   const { name, encoding } = Object(file) as Partial<Record<'name' | 'encoding', unknown>>;
   return {
-    text, example, control,
+    text,
+    example,
+    control,
     ...(typeof name === 'string' && typeof encoding === 'string' ? { file: { name, encoding } } : {}),
     ...(typeof setup === 'string' ? { setup } : {}),
     ...(typeof blockSkip === 'string' ? { blockSkip } : {}),
@@ -169,7 +175,8 @@ export function programIn(value: unknown): KeptProgram | undefined {
 /** The program that was kept before there was a list becomes an entry, once. */
 function takeOver(): void {
   const program = programIn(read(OF_BEFORE));
-  if (program !== undefined && keepInJournal({ id: newId(), time: Date.now(), base: 0, program }) === 'kept') remove(OF_BEFORE);
+  if (program !== undefined && keepInJournal({ id: newId(), time: Date.now(), base: 0, program }) === 'kept')
+    remove(OF_BEFORE);
 }
 
 function keyOf({ id, tab }: Pick<Entry, 'id' | 'tab'>): string {

@@ -43,7 +43,9 @@ export function lastWorkOn(address: string): Work | undefined {
 export async function workOn(address: string): Promise<FoundWork> {
   const id = workOf(nameOf(address));
   if (id === undefined) return { kind: 'none' };
-  const [newest] = journal().filter((entry) => entry.id === id).sort((a, b) => b.time - a.time);
+  const [newest] = journal()
+    .filter((entry) => entry.id === id)
+    .sort((a, b) => b.time - a.time);
   const coming = inList(id, newest).catch(() => newest && workIn(newest));
   const found = await inTime(coming, LATEST_MS);
   if (found !== 'late') return found === undefined ? { kind: 'none' } : { kind: 'work', work: found };

@@ -8,7 +8,8 @@ export const PAGE_WORDS = words({
     title: 'G-code playground',
     example: 'Example',
     gallery: 'Gallery…',
-    exampleNotLoaded: 'The examples could not be loaded: the network is missing. It is tried again when the network is back.',
+    exampleNotLoaded:
+      'The examples could not be loaded: the network is missing. It is tried again when the network is back.',
     tryAgain: 'Try again',
     added: (words: string) => `Added to the printed program: ${words}`,
     ownProgram: 'My own program',

@@ -23,7 +23,12 @@ class AtCursor implements Panel {
   readonly #question: NewestQuestion<'help'>;
   readonly #title = make('span', { id: 'at-cursor-name' });
   readonly #line = make('span', { className: 'at-cursor-line' });
-  readonly #toggle = make('button', { type: 'button', className: 'at-cursor-toggle', 'aria-expanded': 'false', 'aria-controls': 'at-cursor-body' });
+  readonly #toggle = make('button', {
+    type: 'button',
+    className: 'at-cursor-toggle',
+    'aria-expanded': 'false',
+    'aria-controls': 'at-cursor-body',
+  });
   readonly #header = make('div', { className: 'at-cursor-header' }, this.#toggle);
   readonly #facts = make('div', { className: 'at-cursor-facts' });
   readonly #form = make('div', { className: 'at-cursor-form' });
@@ -39,8 +44,22 @@ class AtCursor implements Panel {
   readonly #toCursor = make('button', { type: 'button', className: 'framed' });
   readonly #breakpoint = make('button', { type: 'button', className: 'framed' });
   readonly #acts = make('div', { className: 'at-cursor-acts' }, this.#playBlock, this.#toCursor, this.#breakpoint);
-  readonly #body = make('div', { className: 'at-cursor-body', id: 'at-cursor-body', hidden: true }, this.#acts, this.#facts, this.#form, this.#times, this.#state, this.#switch);
-  readonly #element = make('section', { className: 'at-cursor', part: 'at-cursor', 'aria-labelledby': 'at-cursor-name caption' }, this.#header, this.#body);
+  readonly #body = make(
+    'div',
+    { className: 'at-cursor-body', id: 'at-cursor-body', hidden: true },
+    this.#acts,
+    this.#facts,
+    this.#form,
+    this.#times,
+    this.#state,
+    this.#switch,
+  );
+  readonly #element = make(
+    'section',
+    { className: 'at-cursor', part: 'at-cursor', 'aria-labelledby': 'at-cursor-name caption' },
+    this.#header,
+    this.#body,
+  );
   /** The reader has been in the text: until then nothing is asked, and nothing is loaded for it. */
   #wanted = false;
   /** The next answer is read out. */
@@ -82,7 +101,11 @@ class AtCursor implements Panel {
     name(this.#previous, texts.previousTime);
     name(this.#next, texts.nextTime);
     this.#toggle.title = texts.hint;
-    for (const [button, text, key] of [[this.#playBlock, texts.playBlock, 'F10'], [this.#toCursor, texts.toCursor, 'Ctrl F10'], [this.#breakpoint, texts.breakpoint, 'Ctrl F8']] as const) {
+    for (const [button, text, key] of [
+      [this.#playBlock, texts.playBlock, 'F10'],
+      [this.#toCursor, texts.toCursor, 'Ctrl F10'],
+      [this.#breakpoint, texts.breakpoint, 'Ctrl F8'],
+    ] as const) {
       showText(button, text);
       button.title = `${text} (${key})`;
     }
@@ -137,7 +160,8 @@ class AtCursor implements Panel {
 
   pressed(key: Key): 'own' | 'not-own' {
     const { event } = key;
-    if (event.key !== 'F1' || event.ctrlKey || event.altKey || event.metaKey || !isInProgram(key, this.#shell)) return 'not-own';
+    if (event.key !== 'F1' || event.ctrlKey || event.altKey || event.metaKey || !isInProgram(key, this.#shell))
+      return 'not-own';
     this.#wanted = true;
     this.#speaks = true;
     this.#setOpen(true);
@@ -155,7 +179,9 @@ class AtCursor implements Panel {
     if (!this.#wanted) return;
     const [offset, time] = [this.#place, this.#chosen];
     if (!this.#isIdle) this.#waiting ??= setTimeout(() => this.#showThatItComes(), SOON_MS);
-    this.#question.ask(this.#body.hidden ? { by: 'cursor', about: 'word', offset } : { by: 'cursor', about: 'block', offset, time });
+    this.#question.ask(
+      this.#body.hidden ? { by: 'cursor', about: 'word', offset } : { by: 'cursor', about: 'block', offset, time },
+    );
   }
 
   /** Where the cursor is, or what is selected begins. */
@@ -200,7 +226,8 @@ class AtCursor implements Panel {
       return as !== before;
     };
     if (isOther(this.#line, word)) this.#line.replaceChildren(word === undefined ? texts.nothing : wordLine(word));
-    if (isOther(this.#facts, word)) this.#facts.replaceChildren(...(word === undefined ? [] : [factList(word.facts, (offset) => this.#go(offset))]));
+    if (isOther(this.#facts, word))
+      this.#facts.replaceChildren(...(word === undefined ? [] : [factList(word.facts, (offset) => this.#go(offset))]));
     if (isOther(this.#form, form)) this.#form.replaceChildren(...(form === undefined ? [] : this.#forms(form)));
     if (state !== undefined && isOther(this.#state, state)) this.#showState(state);
     this.#mark(word?.marks[0]);
@@ -211,7 +238,10 @@ class AtCursor implements Panel {
     // An answer to an earlier question is shown, but not read out.
     if (!this.#speaks || help.asked.about === 'motion' || help.asked.offset !== this.#place) return;
     this.#speaks = false;
-    const said = word === undefined ? [texts.nothing] : [`${[word.word, word.title, word.value ?? ''].join(' ').trim()}.`, ...word.facts.map(({ text }) => text)];
+    const said =
+      word === undefined
+        ? [texts.nothing]
+        : [`${[word.word, word.title, word.value ?? ''].join(' ').trim()}.`, ...word.facts.map(({ text }) => text)];
     this.#shell.editor.announce([...said, state?.explanation ?? ''].join(' ').trim());
   }
 
@@ -228,11 +258,24 @@ class AtCursor implements Panel {
   /** The form of the block: its words in a row, and under it what is missing or left out. */
   #forms(form: FormHelp): HTMLElement[] {
     const texts = WORDS[this.#shell.language];
-    const rows = form.lines.map((line) => make('p', { className: line.own ? 'form-line own' : 'form-line', lang: 'en' }, ...this.#formWords(line)));
+    const rows = form.lines.map((line) =>
+      make('p', { className: line.own ? 'form-line own' : 'form-line', lang: 'en' }, ...this.#formWords(line)),
+    );
     const own = form.lines.filter((line) => line.own).flatMap(({ words }) => words);
     const open = own.filter((word) => word.state !== 'there').sort((a, b) => Number(a.optional) - Number(b.optional));
-    const items = open.map((word) => make('li', { className: word.state }, make('code', { lang: 'en' }, word.letters), ` ${texts.open(word.title, word.otherwise)}`));
-    return [make('h3', { className: 'at-cursor-heading' }, texts.form), ...rows, ...(items.length === 0 ? [] : [make('ul', { className: 'word-facts' }, ...items)])];
+    const items = open.map((word) =>
+      make(
+        'li',
+        { className: word.state },
+        make('code', { lang: 'en' }, word.letters),
+        ` ${texts.open(word.title, word.otherwise)}`,
+      ),
+    );
+    return [
+      make('h3', { className: 'at-cursor-heading' }, texts.form),
+      ...rows,
+      ...(items.length === 0 ? [] : [make('ul', { className: 'word-facts' }, ...items)]),
+    ];
   }
 
   #formWords({ code, words }: FormLine): (HTMLElement | string)[] {
@@ -258,11 +301,15 @@ class AtCursor implements Panel {
       return;
     }
     const parts = [
-      ...[state.purpose, state.explanation].filter((text): text is string => text !== undefined && text !== '').map((text) => make('p', {}, text)),
+      ...[state.purpose, state.explanation]
+        .filter((text): text is string => text !== undefined && text !== '')
+        .map((text) => make('p', {}, text)),
       this.#table(texts.state(state.line), [...state.axes, ...state.rows], state.speeds),
       ...(state.variables.length === 0 ? [] : [this.#table(texts.variables, state.variables)]),
       ...(state.hidden === 0 ? [] : [make('p', {}, texts.hidden(state.hidden))]),
-      ...(state.frames.length === 0 ? [] : [make('p', { className: 'at-cursor-heading' }, texts.frames), this.#frames(state.frames)]),
+      ...(state.frames.length === 0
+        ? []
+        : [make('p', { className: 'at-cursor-heading' }, texts.frames), this.#frames(state.frames)]),
     ];
     arrange(this.#state, parts);
   }
@@ -272,8 +319,17 @@ class AtCursor implements Panel {
     const heading = (text: string): HTMLElement => make('th', { scope: 'col' }, text);
     const head = make('tr', {}, heading(''), heading(texts.before), heading(texts.after), heading(texts.since));
     const lines = rows.map((row) => this.#row(row));
-    if (speeds !== undefined) lines.push(make('tr', {}, make('th', { scope: 'row' }, texts.speeds), make('td', { colSpan: 2 }, speeds), make('td')));
-    return make('table', { className: 'state-table' }, make('caption', {}, caption), make('thead', {}, head), make('tbody', {}, ...lines));
+    if (speeds !== undefined)
+      lines.push(
+        make('tr', {}, make('th', { scope: 'row' }, texts.speeds), make('td', { colSpan: 2 }, speeds), make('td')),
+      );
+    return make(
+      'table',
+      { className: 'state-table' },
+      make('caption', {}, caption),
+      make('thead', {}, head),
+      make('tbody', {}, ...lines),
+    );
   }
 
   #row({ name, before, after, changed, line, at, variable }: StateRow): HTMLTableRowElement {
@@ -290,17 +346,29 @@ class AtCursor implements Panel {
       : [make('td', { colSpan: 2 }, after)];
     // What a cycle only reads is not carried out: nothing can be set before it.
     const state = this.#shown?.state;
-    if (variable !== undefined && state !== undefined && state.execution > 0) cells.at(-1)?.append(' ', this.#tryButton(name, variable, state));
+    if (variable !== undefined && state !== undefined && state.execution > 0)
+      cells.at(-1)?.append(' ', this.#tryButton(name, variable, state));
     return make('tr', { className: changed ? 'changed' : '' }, make('th', { scope: 'row' }, name), ...cells, where);
   }
 
   /** The way to another value of a variable: a field takes the place of the button. */
   #tryButton(name: string, variable: number, { block, execution }: StateHelp): HTMLElement {
     const texts = WORDS[this.#shell.language];
-    const button = make('button', { type: 'button', className: 'try-value', title: texts.tryHint(name) }, texts.tryValue);
+    const button = make(
+      'button',
+      { type: 'button', className: 'try-value', title: texts.tryHint(name) },
+      texts.tryValue,
+    );
     button.setAttribute('aria-label', `${texts.tryValue} ${texts.tryHint(name)}`);
     button.addEventListener('click', () => {
-      const field = make('input', { type: 'text', inputMode: 'decimal', className: 'tried-field', size: 8, autocomplete: 'off', 'aria-label': texts.tryHint(name) });
+      const field = make('input', {
+        type: 'text',
+        inputMode: 'decimal',
+        className: 'tried-field',
+        size: 8,
+        autocomplete: 'off',
+        'aria-label': texts.tryHint(name),
+      });
       const end = (): void => {
         if (!field.isConnected) return;
         field.replaceWith(button);

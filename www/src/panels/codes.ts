@@ -27,8 +27,15 @@ class CodesPanel implements Panel {
   readonly #filter = make('input', { type: 'search', autocomplete: 'off', spellcheck: false });
   readonly #found = make('span', { className: 'found', role: 'log' });
   readonly #table = make('table', { 'aria-labelledby': 'codes-title' });
-  readonly #text = make('div', { className: 'text', tabIndex: 0, role: 'region', 'aria-labelledby': 'codes-title' }, this.#table);
-  readonly #dialog = new Dialog('codes', [make('label', { className: 'find' }, this.#caption, this.#filter, this.#found), this.#text]);
+  readonly #text = make(
+    'div',
+    { className: 'text', tabIndex: 0, role: 'region', 'aria-labelledby': 'codes-title' },
+    this.#table,
+  );
+  readonly #dialog = new Dialog('codes', [
+    make('label', { className: 'find' }, this.#caption, this.#filter, this.#found),
+    this.#text,
+  ]);
   #rows: readonly Shown[] = [];
   readonly places = { dialogs: [this.#dialog.element] };
   readonly services: Partial<Services> = { openCodes: () => void this.#open() };
@@ -61,8 +68,12 @@ class CodesPanel implements Panel {
     this.#dialog.about = WORDS[this.#shell.language].codesAbout(first.name);
     const heading = (text: string, className = ''): HTMLElement => make('th', { scope: 'col', className }, text);
     const head = make(
-      'tr', {}, heading(first.name), heading(WORDS[this.#shell.language].codesWhat),
-      ...others.map(({ name }) => heading(name, 'other')), heading(WORDS[this.#shell.language].codesGroup, 'group'),
+      'tr',
+      {},
+      heading(first.name),
+      heading(WORDS[this.#shell.language].codesWhat),
+      ...others.map(({ name }) => heading(name, 'other')),
+      heading(WORDS[this.#shell.language].codesGroup, 'group'),
     );
     const bodies = new Map<string, HTMLElement>();
     this.#rows = rows.map((row) => {
@@ -78,17 +89,25 @@ class CodesPanel implements Panel {
       const differing = others.filter(({ key }) => row[key] !== '' && row[key] !== own);
       const what = make('td', {}, ...prose(row.does));
       if (row.note !== '') what.append(make('span', { className: 'note' }, row.note));
-      for (const { key, name } of differing) what.append(make('span', { className: 'elsewhere' }, `${name}: `, ...written(row[key])));
+      for (const { key, name } of differing)
+        what.append(make('span', { className: 'elsewhere' }, `${name}: `, ...written(row[key])));
       const element = make(
-        'tr', { className: own === '' ? 'absent' : row.effect },
-        make('th', { scope: 'row' }, ...written(own)), what,
-        ...others.map(({ key }) => make('td', { className: row[key] === own ? 'other same' : 'other' }, ...written(row[key]))),
+        'tr',
+        { className: own === '' ? 'absent' : row.effect },
+        make('th', { scope: 'row' }, ...written(own)),
+        what,
+        ...others.map(({ key }) =>
+          make('td', { className: row[key] === own ? 'other same' : 'other' }, ...written(row[key])),
+        ),
         make('td', { className: 'group' }, groupOf(row)),
       );
       body.append(element);
       return {
-        element, body,
-        codes: columns.flatMap(({ key }) => row[key].toLowerCase().match(/\S+/g) ?? []).flatMap((code) => [code, short(code)]),
+        element,
+        body,
+        codes: columns
+          .flatMap(({ key }) => row[key].toLowerCase().match(/\S+/g) ?? [])
+          .flatMap((code) => [code, short(code)]),
         words: `${row.section} ${row.does} ${row.note}`.toLowerCase(),
       };
     });
@@ -133,7 +152,8 @@ function groupOf({ group }: CodeRow): string {
 const WORDS = words({
   en: {
     codes: 'Supported codes',
-    codesAbout: (control: string) => `As ${control} writes them, then the other controls. – : this control has no such code.`,
+    codesAbout: (control: string) =>
+      `As ${control} writes them, then the other controls. – : this control has no such code.`,
     codesFilter: 'Filter',
     codesFilterHint: 'G92, thread …',
     codesFound: counter('en', { one: 'row', other: 'rows' }),

@@ -33,10 +33,12 @@ const WORDS = words({
   en: {
     cylinder: (diameter: string, length: string) => `⌀${diameter}, length ${length}`,
     faceEdge: (z: string, from: string, to: string) => `Face at Z${z}, ⌀${from} to ⌀${to}`,
-    taper: (from: string, to: string, length: string, angle: string) => `Taper ⌀${from} to ⌀${to}, length ${length}, ${angle}° to the axis`,
+    taper: (from: string, to: string, length: string, angle: string) =>
+      `Taper ⌀${from} to ⌀${to}, length ${length}, ${angle}° to the axis`,
     ratio: (n: string) => `, 1:${n}`,
     arc: (radius: string) => `Radius ${radius}`,
-    threadEdge: (lead: string, major: string, minor: string) => `Thread, lead ${lead}, ⌀${major} outside, ⌀${minor} inside`,
+    threadEdge: (lead: string, major: string, minor: string) =>
+      `Thread, lead ${lead}, ⌀${major} outside, ⌀${minor} inside`,
   },
   zh: {
     cylinder: (diameter, length) => `⌀${diameter}，长 ${length}`,

@@ -20,8 +20,13 @@ class Divider implements Panel {
   readonly #host: Element;
   readonly #frame: HTMLElement;
   readonly #element = make('div', {
-    className: 'divider', role: 'separator', tabIndex: 0,
-    'aria-orientation': 'vertical', 'aria-valuemin': SHARE.least, 'aria-valuemax': SHARE.most, 'aria-controls': 'written',
+    className: 'divider',
+    role: 'separator',
+    tabIndex: 0,
+    'aria-orientation': 'vertical',
+    'aria-valuemin': SHARE.least,
+    'aria-valuemax': SHARE.most,
+    'aria-controls': 'written',
   });
   readonly places = { divider: [this.#element] };
 
@@ -72,7 +77,13 @@ class Divider implements Panel {
   }
 
   #key(event: KeyboardEvent): void {
-    const to = { ArrowLeft: this.#share - STEP, ArrowRight: this.#share + STEP, Home: SHARE.least, End: SHARE.most, Enter: SHARE.unsaid }[event.key];
+    const to = {
+      ArrowLeft: this.#share - STEP,
+      ArrowRight: this.#share + STEP,
+      Home: SHARE.least,
+      End: SHARE.most,
+      Enter: SHARE.unsaid,
+    }[event.key];
     if (to === undefined || event.ctrlKey || event.metaKey || event.altKey) return;
     this.#set(to);
     event.preventDefault();
@@ -80,7 +91,13 @@ class Divider implements Panel {
 }
 
 const WORDS = words({
-  en: { divider: 'Width of the program', hint: 'Drag: program and drawing share the width otherwise. Double click: as it was' },
+  en: {
+    divider: 'Width of the program',
+    hint: 'Drag: program and drawing share the width otherwise. Double click: as it was',
+  },
   zh: { divider: '程序区宽度', hint: '拖动以调整程序区与图形区的宽度；双击恢复' },
-  ru: { divider: 'Ширина программы', hint: 'Потяните, чтобы изменить ширину программы и чертежа. Двойной щелчок: как было' },
+  ru: {
+    divider: 'Ширина программы',
+    hint: 'Потяните, чтобы изменить ширину программы и чертежа. Двойной щелчок: как было',
+  },
 });

@@ -35,7 +35,24 @@ export interface DrawingEvents {
 }
 
 const PALETTE: readonly (keyof Palette)[] = [
-  'background', 'grid', 'axis', 'text', 'stock', 'stockEdge', 'part', 'partEdge', 'danger', 'onlyFirst', 'onlySecond', 'rapid', 'feed', 'thread', 'highlight', 'hover', 'tool', 'uncertain',
+  'background',
+  'grid',
+  'axis',
+  'text',
+  'stock',
+  'stockEdge',
+  'part',
+  'partEdge',
+  'danger',
+  'onlyFirst',
+  'onlySecond',
+  'rapid',
+  'feed',
+  'thread',
+  'highlight',
+  'hover',
+  'tool',
+  'uncertain',
 ];
 
 export class Drawing {
@@ -60,7 +77,7 @@ export class Drawing {
   readonly #sizes = new ResizeObserver(() => {
     const { width, height } = this.#holder.getBoundingClientRect();
     // A page that is being laid out may have no width for a moment; one that is hidden has neither.
-    if ((width > 0) === (height > 0)) this.#events.resized(this.size);
+    if (width > 0 === height > 0) this.#events.resized(this.size);
   });
   /** Says whether the page around scrolls. */
   readonly #page = new ResizeObserver(() => this.#canvas.classList.toggle('of-a-page', pageScrolls()));
@@ -137,8 +154,13 @@ export class Drawing {
 
   get size(): Size {
     const { width, height } = this.#holder.getBoundingClientRect();
-    const scale = (this.#scale = Math.max(Number.parseFloat(getComputedStyle(this.#type).width) / TYPE_AS_USUAL, 1) || 1);
-    return { width: Math.max(width / scale, 1), height: Math.max(height / scale, 1), pixelRatio: (window.devicePixelRatio || 1) * scale };
+    const scale = (this.#scale =
+      Math.max(Number.parseFloat(getComputedStyle(this.#type).width) / TYPE_AS_USUAL, 1) || 1);
+    return {
+      width: Math.max(width / scale, 1),
+      height: Math.max(height / scale, 1),
+      pixelRatio: (window.devicePixelRatio || 1) * scale,
+    };
   }
 
   /** CSS pixels for one of the picture's: its words and strokes grow with the reader's type. */
@@ -197,13 +219,18 @@ export class Drawing {
     const [stroke, edge] = [this.#stroke, this.#edge];
     this.#tip.hidden = stroke === undefined && edge === undefined;
     if (this.#tip.hidden) return;
-    const ofStroke = stroke === undefined ? [] : [make(
-      'div',
-      { className: 'stroke' },
-      make('span', { className: `swatch ${swatch(stroke.kind)}` }),
-      make('span', { className: 'what' }, ...unbroken(stroke.text)),
-      make('span', { className: 'facts' }, COMMON[this.#language].line(stroke.line)),
-    )];
+    const ofStroke =
+      stroke === undefined
+        ? []
+        : [
+            make(
+              'div',
+              { className: 'stroke' },
+              make('span', { className: `swatch ${swatch(stroke.kind)}` }),
+              make('span', { className: 'what' }, ...unbroken(stroke.text)),
+              make('span', { className: 'facts' }, COMMON[this.#language].line(stroke.line)),
+            ),
+          ];
     const does = stroke !== undefined && this.#explained?.motion === stroke.motion ? this.#explained.text : '';
     const ofBlock = does === '' ? [] : [make('div', { className: 'does' }, ...unbroken(does))];
     const ofEdge = edge === undefined ? [] : [make('div', { className: 'edge' }, edge)];
@@ -283,7 +310,8 @@ export class Drawing {
     const others = [...this.#pointers].filter(([id]) => id !== event.pointerId).map(([, place]) => place);
     const other = others[0];
     if (other !== undefined) {
-      const apart = Math.hypot(now.x - other.x, now.y - other.y) / Math.max(Math.hypot(before.x - other.x, before.y - other.y), 1);
+      const apart =
+        Math.hypot(now.x - other.x, now.y - other.y) / Math.max(Math.hypot(before.x - other.x, before.y - other.y), 1);
       this.#events.zoom(apart, (now.x + other.x) / 2, (now.y + other.y) / 2);
     }
     // With two fingers the middle between them moves by half of what one of them does.
@@ -343,14 +371,35 @@ export class Drawing {
   #key(event: KeyboardEvent): void {
     if (event.ctrlKey || event.metaKey || event.altKey) return;
     switch (event.key) {
-      case 'ArrowLeft': this.#events.pan(KEY_PAN, 0); break;
-      case 'ArrowRight': this.#events.pan(-KEY_PAN, 0); break;
-      case 'ArrowUp': this.#events.pan(0, KEY_PAN); break;
-      case 'ArrowDown': this.#events.pan(0, -KEY_PAN); break;
-      case '+': case '=': this.#zoomMiddle(KEY_ZOOM); break;
-      case '-': case '−': this.#zoomMiddle(1 / KEY_ZOOM); break;
-      case 'f': case 'F': case 'а': case 'А': case 'Home': this.#events.fit(); break;
-      default: return;
+      case 'ArrowLeft':
+        this.#events.pan(KEY_PAN, 0);
+        break;
+      case 'ArrowRight':
+        this.#events.pan(-KEY_PAN, 0);
+        break;
+      case 'ArrowUp':
+        this.#events.pan(0, KEY_PAN);
+        break;
+      case 'ArrowDown':
+        this.#events.pan(0, -KEY_PAN);
+        break;
+      case '+':
+      case '=':
+        this.#zoomMiddle(KEY_ZOOM);
+        break;
+      case '-':
+      case '−':
+        this.#zoomMiddle(1 / KEY_ZOOM);
+        break;
+      case 'f':
+      case 'F':
+      case 'а':
+      case 'А':
+      case 'Home':
+        this.#events.fit();
+        break;
+      default:
+        return;
     }
     event.preventDefault();
   }

@@ -17,7 +17,10 @@ export const exports: PanelKind = { control: 'file', styles: exportsStyles, make
 class Exports implements Panel {
   readonly #shell: Shell;
   readonly #button = make('button', {
-    type: 'button', className: 'export-button quiet outlined', 'aria-haspopup': 'menu', 'aria-expanded': 'false',
+    type: 'button',
+    className: 'export-button quiet outlined',
+    'aria-haspopup': 'menu',
+    'aria-expanded': 'false',
   });
   readonly #element = make('div', { className: 'menu', part: 'export-menu', role: 'menu', popover: 'auto' });
   readonly #items: readonly { readonly format: ExportFormat; readonly button: HTMLButtonElement }[];
@@ -110,7 +113,9 @@ class Exports implements Panel {
     } else if (event.key.length === 1 && event.key !== ' ' && !event.ctrlKey && !event.metaKey && !event.altKey) {
       const letter = event.key.toLocaleLowerCase();
       const round = [...this.#items.keys()].map((step) => (at + 1 + step) % this.#items.length);
-      const found = round.find((index) => this.#items[index]?.button.textContent?.toLocaleLowerCase().startsWith(letter));
+      const found = round.find((index) =>
+        this.#items[index]?.button.textContent?.toLocaleLowerCase().startsWith(letter),
+      );
       if (found !== undefined) this.#focus(found);
     } else return;
     event.preventDefault();
@@ -134,24 +139,39 @@ const WORDS = words({
   en: {
     exports: 'Export',
     exportOf: {
-      card: 'Setup sheet to print (HTML)', svg: 'Drawing (SVG)', png: 'Picture as shown (PNG)', csv: 'Motions as a table (CSV)',
-      dxf: 'Profile of the part (DXF)', stl: 'Part as a solid (STL)', program: 'Expanded program (NC)',
+      card: 'Setup sheet to print (HTML)',
+      svg: 'Drawing (SVG)',
+      png: 'Picture as shown (PNG)',
+      csv: 'Motions as a table (CSV)',
+      dxf: 'Profile of the part (DXF)',
+      stl: 'Part as a solid (STL)',
+      program: 'Expanded program (NC)',
     } satisfies Record<ExportFormat, string>,
     noPartToExport: 'There is no part to export: nothing is left of the blank, or it is not known.',
   },
   zh: {
     exports: '导出',
     exportOf: {
-      card: '可打印的数控加工程序单 (HTML)', svg: '图形 (SVG)', png: '当前画面 (PNG)', csv: '运动列表 (CSV)',
-      dxf: '零件轮廓 (DXF)', stl: '零件实体 (STL)', program: '展开后的程序 (NC)',
+      card: '可打印的数控加工程序单 (HTML)',
+      svg: '图形 (SVG)',
+      png: '当前画面 (PNG)',
+      csv: '运动列表 (CSV)',
+      dxf: '零件轮廓 (DXF)',
+      stl: '零件实体 (STL)',
+      program: '展开后的程序 (NC)',
     },
     noPartToExport: '没有可导出的零件：毛坯已无剩余，或毛坯未知。',
   },
   ru: {
     exports: 'Экспорт',
     exportOf: {
-      card: 'Карта наладки для печати (HTML)', svg: 'Чертёж (SVG)', png: 'Рисунок, как на экране (PNG)', csv: 'Таблица перемещений (CSV)',
-      dxf: 'Контур детали (DXF)', stl: 'Деталь как тело (STL)', program: 'Развёрнутая программа (NC)',
+      card: 'Карта наладки для печати (HTML)',
+      svg: 'Чертёж (SVG)',
+      png: 'Рисунок, как на экране (PNG)',
+      csv: 'Таблица перемещений (CSV)',
+      dxf: 'Контур детали (DXF)',
+      stl: 'Деталь как тело (STL)',
+      program: 'Развёрнутая программа (NC)',
     },
     noPartToExport: 'Нечего экспортировать: от заготовки ничего не осталось, или она неизвестна.',
   },

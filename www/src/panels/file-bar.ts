@@ -30,7 +30,8 @@ class FileBar implements Panel {
 
   constructor(shell: Shell) {
     this.#shell = shell;
-    for (const encoding of ENCODINGS) this.#encoding.append(make('option', { value: encoding }, ENCODING_NAMES[encoding]));
+    for (const encoding of ENCODINGS)
+      this.#encoding.append(make('option', { value: encoding }, ENCODING_NAMES[encoding]));
     this.#encoding.disabled = shell.readonly;
     this.#encoding.addEventListener('change', () => {
       const chosen = this.#encoding.value as Encoding;
@@ -40,7 +41,10 @@ class FileBar implements Panel {
     });
     this.#element.append(this.#name, this.#encoding);
     // Over the drawing, too, where the browser would leave the page for the file.
-    acceptFiles(shell.root.host as HTMLElement, { hint: () => COMMON[shell.language].dropHere, dropped: (file) => void (shell.readonly ? undefined : this.#open(file)) });
+    acceptFiles(shell.root.host as HTMLElement, {
+      hint: () => COMMON[shell.language].dropHere,
+      dropped: (file) => void (shell.readonly ? undefined : this.#open(file)),
+    });
   }
 
   set language(language: Language) {
@@ -89,7 +93,11 @@ class FileBar implements Panel {
 
   /** What it takes to read one is loaded first; nothing where that is missing, which is said. */
   async #read(file: File): Promise<Opened | undefined> {
-    const part = await late(this.#shell, () => import('../editor/read-program'), () => void this.#open(file));
+    const part = await late(
+      this.#shell,
+      () => import('../editor/read-program'),
+      () => void this.#open(file),
+    );
     return part?.readProgram(file).catch(() => ({ kind: 'unreadable', name: file.name }) as const);
   }
 
@@ -135,17 +143,22 @@ class FileBar implements Panel {
 const WORDS = words({
   en: {
     opened: (name: string) => `Opened ${name}`,
-    openedAs: (name: string, encoding: string) => `Opened ${name} as ${encoding}. If it reads wrong, choose another encoding beside its name.`,
-    openedBinary: (name: string) => `Opened ${name}. It does not look like a text; saved unchanged, its bytes stay the same.`,
+    openedAs: (name: string, encoding: string) =>
+      `Opened ${name} as ${encoding}. If it reads wrong, choose another encoding beside its name.`,
+    openedBinary: (name: string) =>
+      `Opened ${name}. It does not look like a text; saved unchanged, its bytes stay the same.`,
     fileTooLarge: (name: string) => `${name} is larger than 64 MB and was not opened.`,
     fileUnreadable: (name: string) => `${name} could not be read.`,
     encoding: 'Encoding',
     encodingHint: 'The encoding the file is read in and saved in',
     rereadAs: (encoding: string) => `Read again as ${encoding}.`,
     savedFromNowAs: (encoding: string) => `The text stays as it is and will be saved as ${encoding}.`,
-    notThisEncoding: (name: string, chosen: string, present: string) => `${name} is no ${chosen} text; it stays ${present}.`,
-    noPlace: (character: string, chosen: string, present: string) => `${chosen} has no place for “${character}”; the file stays ${present}.`,
-    savedAsUtf8: (name: string, encoding: string, character: string) => `${encoding} has no place for “${character}”: ${name} was saved as UTF-8.`,
+    notThisEncoding: (name: string, chosen: string, present: string) =>
+      `${name} is no ${chosen} text; it stays ${present}.`,
+    noPlace: (character: string, chosen: string, present: string) =>
+      `${chosen} has no place for “${character}”; the file stays ${present}.`,
+    savedAsUtf8: (name: string, encoding: string, character: string) =>
+      `${encoding} has no place for “${character}”: ${name} was saved as UTF-8.`,
   },
   zh: {
     opened: (name) => `已打开 ${name}`,
@@ -163,7 +176,8 @@ const WORDS = words({
   },
   ru: {
     opened: (name) => `Открыт файл ${name}`,
-    openedAs: (name, encoding) => `Файл ${name} открыт в кодировке ${encoding}. Если текст нечитаем, выберите другую рядом с именем.`,
+    openedAs: (name, encoding) =>
+      `Файл ${name} открыт в кодировке ${encoding}. Если текст нечитаем, выберите другую рядом с именем.`,
     openedBinary: (name) => `Открыт файл ${name}. Он не похож на текст; без правок его байты сохранятся без изменений.`,
     fileTooLarge: (name) => `Файл ${name} больше 64 МБ и не открыт.`,
     fileUnreadable: (name) => `Файл ${name} не читается.`,
@@ -173,6 +187,7 @@ const WORDS = words({
     savedFromNowAs: (encoding) => `Текст остаётся как есть и будет сохранён в кодировке ${encoding}.`,
     notThisEncoding: (name, chosen, present) => `Файл ${name} — не текст в кодировке ${chosen}; остаётся ${present}.`,
     noPlace: (character, chosen, present) => `В кодировке ${chosen} нет знака «${character}»; остаётся ${present}.`,
-    savedAsUtf8: (name, encoding, character) => `В кодировке ${encoding} нет знака «${character}»: файл ${name} сохранён в UTF-8.`,
+    savedAsUtf8: (name, encoding, character) =>
+      `В кодировке ${encoding} нет знака «${character}»: файл ${name} сохранён в UTF-8.`,
   },
 });

@@ -32,8 +32,33 @@ import { writtenOut } from './written-out';
 import editorStyles from '../editor/editor.css?inline';
 
 export const FURTHER: readonly PanelKind[] = [
-  tabs, divider, hints, fileBar, profiles, readAs, switches, problems, atCursor, navigation, whatIf, setup, views, playback, statusLine, totals, units, motions, paste, solid, exports, rewrite, writtenOut, help,
-  codes, presentation, print,
+  tabs,
+  divider,
+  hints,
+  fileBar,
+  profiles,
+  readAs,
+  switches,
+  problems,
+  atCursor,
+  navigation,
+  whatIf,
+  setup,
+  views,
+  playback,
+  statusLine,
+  totals,
+  units,
+  motions,
+  paste,
+  solid,
+  exports,
+  rewrite,
+  writtenOut,
+  help,
+  codes,
+  presentation,
+  print,
 ];
 
 /** Of what stands beside them. */

@@ -43,7 +43,12 @@ class Help implements Panel {
       this.#button.focus();
       this.#shell.service('openCodes')();
     });
-    this.#element.replaceChildren(make('h2', {}, strings.helpTitle), close, make('div', { className: 'further' }, codes, allRulesLink(language), referenceLink(language)), keys);
+    this.#element.replaceChildren(
+      make('h2', {}, strings.helpTitle),
+      close,
+      make('div', { className: 'further' }, codes, allRulesLink(language), referenceLink(language)),
+      keys,
+    );
   }
 
   pressed({ event, inside }: Key): 'own' | 'not-own' {

@@ -19,8 +19,12 @@ export class InferredStock {
   readonly #text = make('span', { className: 'said' });
   readonly #use = make('button', { type: 'button', className: 'quiet' });
   readonly element = make(
-    'div', { className: 'inferred-stock', hidden: true },
-    make('span', { className: 'swatch', 'aria-hidden': 'true' }), this.#text, make('span', { 'aria-hidden': 'true' }, '·'), this.#use,
+    'div',
+    { className: 'inferred-stock', hidden: true },
+    make('span', { className: 'swatch', 'aria-hidden': 'true' }),
+    this.#text,
+    make('span', { 'aria-hidden': 'true' }, '·'),
+    this.#use,
   );
   readonly #events: InferredStockEvents;
 
@@ -48,7 +52,9 @@ export class InferredStock {
     const asItIs = await this.#events.read({ keys, texts, keep: form.place });
     if (asItIs === undefined) return;
     const assumed = new Map(asItIs.fields.map((state) => [state.key, state.assumed]));
-    const filled = fields.map(({ group, key, value }) => (group === 'stock' && value === '' ? (assumed.get(key) ?? '') : value));
+    const filled = fields.map(({ group, key, value }) =>
+      group === 'stock' && value === '' ? (assumed.get(key) ?? '') : value,
+    );
     const answer = await this.#events.read({ keys, texts: filled, keep: form.place });
     if (answer !== undefined) this.#events.taken(answer, form.place);
   }

@@ -11,7 +11,11 @@ import type { Shell } from './panel';
 let stopWaiting: (() => void) | undefined;
 
 /** The part, or nothing where it could not be had; `again`: what the reader wanted to do. */
-export async function late<Part>(shell: Shell, load: () => Promise<Part>, again: () => void): Promise<Part | undefined> {
+export async function late<Part>(
+  shell: Shell,
+  load: () => Promise<Part>,
+  again: () => void,
+): Promise<Part | undefined> {
   try {
     const part = await loaded(load);
     shell.service('hideNotice')('late');

@@ -22,7 +22,12 @@ class MotionsPanel implements Panel {
   readonly #shell: Shell;
   readonly #question: NewestQuestion<'strokes'>;
   readonly #explanation: NewestQuestion<'help'>;
-  readonly #button = make('button', { type: 'button', className: 'motions-button quiet outlined', 'aria-haspopup': 'dialog', 'aria-expanded': 'false' });
+  readonly #button = make('button', {
+    type: 'button',
+    className: 'motions-button quiet outlined',
+    'aria-haspopup': 'dialog',
+    'aria-expanded': 'false',
+  });
   readonly #title = make('h2');
   readonly #close = make('button', { type: 'button', className: 'quiet close' }, '×');
   readonly #keys = make('p', { className: 'keys', id: 'motions-keys' });
@@ -30,11 +35,24 @@ class MotionsPanel implements Panel {
   readonly #does = make('p', { className: 'does', 'aria-live': 'polite' });
   readonly #head = make('tr', { role: 'row' });
   readonly #body = make('tbody', { role: 'rowgroup' });
-  readonly #table = make('table', { role: 'grid', 'aria-describedby': 'motions-keys' }, make('thead', { role: 'rowgroup' }, this.#head), this.#body);
+  readonly #table = make(
+    'table',
+    { role: 'grid', 'aria-describedby': 'motions-keys' },
+    make('thead', { role: 'rowgroup' }, this.#head),
+    this.#body,
+  );
   readonly #earlier = make('button', { type: 'button', className: 'quiet' });
   readonly #later = make('button', { type: 'button', className: 'quiet' });
   readonly #scroller = make('div', { className: 'scroller' }, this.#earlier, this.#table, this.#later);
-  readonly #element = make('div', { className: 'motions', part: 'motions', role: 'dialog', popover: 'manual' }, this.#title, this.#close, this.#keys, this.#scroller, this.#does);
+  readonly #element = make(
+    'div',
+    { className: 'motions', part: 'motions', role: 'dialog', popover: 'manual' },
+    this.#title,
+    this.#close,
+    this.#keys,
+    this.#scroller,
+    this.#does,
+  );
   /** Motions of the newest run. */
   #count = 0;
   /** The first motion on the page, and those that follow. */
@@ -73,14 +91,19 @@ class MotionsPanel implements Panel {
     this.#button.textContent = texts.motions;
     this.#button.title = texts.about;
     this.#about.textContent = texts.described;
-    for (const drawing of this.#shell.region('pictures').querySelectorAll('[role=img]')) drawing.setAttribute('aria-describedby', this.#about.id);
+    for (const drawing of this.#shell.region('pictures').querySelectorAll('[role=img]'))
+      drawing.setAttribute('aria-describedby', this.#about.id);
     this.#title.textContent = texts.title;
     this.#keys.textContent = texts.keys;
     for (const element of [this.#element, this.#table]) element.setAttribute('aria-label', texts.title);
     name(this.#close, COMMON[language].close);
     this.#earlier.textContent = texts.earlier;
     this.#later.textContent = texts.later;
-    this.#head.replaceChildren(...[texts.number, texts.line, texts.motion].map((text) => make('th', { scope: 'col', role: 'columnheader' }, text)));
+    this.#head.replaceChildren(
+      ...[texts.number, texts.line, texts.motion].map((text) =>
+        make('th', { scope: 'col', role: 'columnheader' }, text),
+      ),
+    );
   }
 
   set available(available: boolean) {
@@ -130,10 +153,18 @@ class MotionsPanel implements Panel {
 
   #key(event: KeyboardEvent): void {
     if (event.key === 'Escape') this.#shut();
-    else if ((event.target as Element).getAttribute('role') !== 'row' || event.ctrlKey || event.altKey || event.metaKey) return;
+    else if ((event.target as Element).getAttribute('role') !== 'row' || event.ctrlKey || event.altKey || event.metaKey)
+      return;
     else if (event.key === 'Enter' || event.key === ' ') this.#go(this.#active);
     else {
-      const steps: Readonly<Record<string, number>> = { ArrowDown: 1, ArrowUp: -1, PageDown: PAGE, PageUp: -PAGE, Home: -this.#count, End: this.#count };
+      const steps: Readonly<Record<string, number>> = {
+        ArrowDown: 1,
+        ArrowUp: -1,
+        PageDown: PAGE,
+        PageUp: -PAGE,
+        Home: -this.#count,
+        End: this.#count,
+      };
       const step = steps[event.key];
       if (step === undefined) return;
       this.#wantKeys();
@@ -190,7 +221,10 @@ class MotionsPanel implements Panel {
 
   #row({ motion, line, text, kind }: Stroke): HTMLElement {
     const cells = [String(motion + 1), String(line)].map((text) => make('td', { role: 'gridcell' }, text));
-    const swatch = make('span', { className: `swatch ${kind === 'arc' || kind === 'dwell' ? 'feed' : kind}`, 'aria-hidden': 'true' });
+    const swatch = make('span', {
+      className: `swatch ${kind === 'arc' || kind === 'dwell' ? 'feed' : kind}`,
+      'aria-hidden': 'true',
+    });
     const what = make('td', { role: 'gridcell' }, swatch, make('span', {}, ...unbroken(text)));
     return make('tr', { role: 'row', 'aria-rowindex': motion + 2, tabIndex: -1 }, ...cells, what);
   }
@@ -214,7 +248,8 @@ class MotionsPanel implements Panel {
 
   /** Changed only where it says something else: it is read out then. */
   #explain(help: Help | undefined): void {
-    if (help?.asked.about === 'motion' && help.asked.motion === this.#active) showText(this.#does, help.explanation ?? '');
+    if (help?.asked.about === 'motion' && help.asked.motion === this.#active)
+      showText(this.#does, help.explanation ?? '');
   }
 }
 

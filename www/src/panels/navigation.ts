@@ -10,10 +10,22 @@ import type { UsesHelp } from '../protocol/protocol';
 import type { Heard } from '../worker/core-client';
 import { late } from './late';
 import type { OutlineDialog } from './outline-dialog';
-import { isInProgram, type Key, type NewestQuestion, type Panel, type PanelKind, type Services, type Shell } from './panel';
+import {
+  isInProgram,
+  type Key,
+  type NewestQuestion,
+  type Panel,
+  type PanelKind,
+  type Services,
+  type Shell,
+} from './panel';
 import navigationStyles from './navigation.css?inline';
 
-export const navigation: PanelKind = { control: 'help', styles: navigationStyles, make: (shell) => new Navigation(shell) };
+export const navigation: PanelKind = {
+  control: 'help',
+  styles: navigationStyles,
+  make: (shell) => new Navigation(shell),
+};
 
 /** Most places that are listed; those beside the cursor are among them. */
 const LISTED = 12;
@@ -22,7 +34,11 @@ const PAUSE_MS = 400;
 
 class Navigation implements Panel {
   readonly #shell: Shell;
-  readonly #button = make('button', { type: 'button', className: 'outline-button', 'aria-haspopup': 'dialog' }, icon('outline'));
+  readonly #button = make(
+    'button',
+    { type: 'button', className: 'outline-button', 'aria-haspopup': 'dialog' },
+    icon('outline'),
+  );
   readonly #section = make('div', { className: 'uses', hidden: true });
   readonly #question: NewestQuestion<'uses'>;
   readonly #folds: NewestQuestion<'outline'>;
@@ -153,8 +169,10 @@ class Navigation implements Panel {
     const rest = places.length - shown.length;
     const links = shown.map((place, at) => {
       const button = make(
-        'button', { type: 'button', className: 'use', 'aria-current': first + at === own ? 'location' : 'false' },
-        make('span', { className: 'use-line' }, String(place.line)), make(place.defines ? 'b' : 'span', { className: 'use-text', lang: 'en' }, place.text),
+        'button',
+        { type: 'button', className: 'use', 'aria-current': first + at === own ? 'location' : 'false' },
+        make('span', { className: 'use-line' }, String(place.line)),
+        make(place.defines ? 'b' : 'span', { className: 'use-text', lang: 'en' }, place.text),
       );
       button.addEventListener('click', () => this.#go(here, place));
       return make('li', {}, button);
@@ -181,9 +199,15 @@ class Navigation implements Panel {
 
   async #load(): Promise<OutlineDialog | undefined> {
     const shell = this.#shell;
-    const part = await late(shell, () => import('./outline-dialog'), () => void this.#open());
+    const part = await late(
+      shell,
+      () => import('./outline-dialog'),
+      () => void this.#open(),
+    );
     if (this.#dialog === undefined && part !== undefined) {
-      this.#dialog = new part.OutlineDialog(shell.language, (offset) => this.#go(shell.editor.selection.from, { from: offset, to: shell.editor.endOfLine(offset) }));
+      this.#dialog = new part.OutlineDialog(shell.language, (offset) =>
+        this.#go(shell.editor.selection.from, { from: offset, to: shell.editor.endOfLine(offset) }),
+      );
       shell.region('dialogs').append(this.#dialog.element);
     }
     return this.#dialog;
@@ -200,7 +224,8 @@ const WORDS = words({
     usesOf: (number: string) => `Places of ${number}`,
     more: (count: number) => `and ${count} more`,
     moreThan: (count: number) => `and more than ${count} more`,
-    noNumber: 'F12 goes from a sequence number, a program number or a variable to its other places. None stands at the cursor.',
+    noNumber:
+      'F12 goes from a sequence number, a program number or a variable to its other places. None stands at the cursor.',
     onlyHere: (number: string) => `${number} stands only here.`,
     noWayBack: 'This is where the first F12 was pressed.',
   },

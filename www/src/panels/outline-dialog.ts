@@ -20,12 +20,23 @@ interface Listed {
 export class OutlineDialog {
   readonly #chosen: (offset: number) => void;
   readonly #field = make('input', {
-    type: 'search', autocomplete: 'off', spellcheck: false, role: 'combobox', 'aria-expanded': 'true', 'aria-autocomplete': 'list', 'aria-controls': 'outline-list',
+    type: 'search',
+    autocomplete: 'off',
+    spellcheck: false,
+    role: 'combobox',
+    'aria-expanded': 'true',
+    'aria-autocomplete': 'list',
+    'aria-controls': 'outline-list',
   });
   readonly #found = make('span', { className: 'found', role: 'log' });
   readonly #caption = make('span');
   readonly #empty = make('div', { className: 'outline-empty' });
-  readonly #list = make('div', { className: 'outline-list', id: 'outline-list', role: 'listbox', 'aria-labelledby': 'outline-title' });
+  readonly #list = make('div', {
+    className: 'outline-list',
+    id: 'outline-list',
+    role: 'listbox',
+    'aria-labelledby': 'outline-title',
+  });
   readonly #dialog: Dialog;
   #language: Language;
   #entries: readonly Listed[] = [];
@@ -34,10 +45,16 @@ export class OutlineDialog {
 
   constructor(language: Language, chosen: (offset: number) => void) {
     this.#chosen = chosen;
-    this.#dialog = new Dialog('outline', [make('label', { className: 'find' }, this.#caption, this.#field, this.#found), this.#list, this.#empty]);
+    this.#dialog = new Dialog('outline', [
+      make('label', { className: 'find' }, this.#caption, this.#field, this.#found),
+      this.#list,
+      this.#empty,
+    ]);
     this.#field.addEventListener('input', () => this.#find());
     this.#field.addEventListener('keydown', (event) => this.#pressed(event));
-    this.#list.addEventListener('click', ({ target }) => this.#choose(this.#entries.find(({ element }) => target instanceof Node && element.contains(target))));
+    this.#list.addEventListener('click', ({ target }) =>
+      this.#choose(this.#entries.find(({ element }) => target instanceof Node && element.contains(target))),
+    );
     this.element.addEventListener('close', () => {
       this.#entries = [];
       this.#active = undefined;
@@ -78,7 +95,8 @@ export class OutlineDialog {
     this.#cut = cut;
     this.#list.replaceChildren(...this.#entries.map(({ element }) => element));
     this.#find();
-    if (this.#field.value === '') this.#setActive(this.#entries.filter(({ from }) => from <= cursor).at(-1) ?? this.#entries[0], 'center');
+    if (this.#field.value === '')
+      this.#setActive(this.#entries.filter(({ from }) => from <= cursor).at(-1) ?? this.#entries[0], 'center');
   }
 
   close(): void {
@@ -88,8 +106,11 @@ export class OutlineDialog {
   #listed({ kind, depth, from, line, name, detail }: OutlineEntry, at: number): Listed {
     const place = make('span', { className: 'outline-line' }, String(line));
     const element = make(
-      'div', { className: `outline-entry ${kind}`, role: 'option', id: `outline-${at}`, 'aria-selected': 'false' },
-      make('span', { className: 'outline-name' }, name), make('span', { className: 'outline-detail' }, detail), place,
+      'div',
+      { className: `outline-entry ${kind}`, role: 'option', id: `outline-${at}`, 'aria-selected': 'false' },
+      make('span', { className: 'outline-name' }, name),
+      make('span', { className: 'outline-detail' }, detail),
+      place,
     );
     element.style.setProperty('--depth', String(depth));
     return { element, from, words: `${name} ${detail}`.toLowerCase() };

@@ -10,13 +10,41 @@ import type { Language } from '../dom/language';
 import type { Span } from '../editor/holder';
 import type { Program } from '../editor/program';
 import type { ProgramFile, ProgramText } from '../editor/program-text';
-import type { Answer, Command, Diagnostic, Exported, ExportFormat, PictureName, Pictures, QuestionKind, Questions, Readout, Setting, SetupGroup, StepDirection, StepUnit, Stroke } from '../protocol/protocol';
+import type {
+  Answer,
+  Command,
+  Diagnostic,
+  Exported,
+  ExportFormat,
+  PictureName,
+  Pictures,
+  QuestionKind,
+  Questions,
+  Readout,
+  Setting,
+  SetupGroup,
+  StepDirection,
+  StepUnit,
+  Stroke,
+} from '../protocol/protocol';
 import type { Heard } from '../worker/core-client';
 
 /**
  * Where panels stand, in the order of the list: the tabs of an element with little room; over, beside and under the editor, between it and the pictures, around these, in the line at the foot.
  */
-export const REGIONS = ['tabs', 'notices', 'bar', 'problems', 'divider', 'views', 'assumptions', 'pictures', 'playback', 'foot', 'dialogs'] as const;
+export const REGIONS = [
+  'tabs',
+  'notices',
+  'bar',
+  'problems',
+  'divider',
+  'views',
+  'assumptions',
+  'pictures',
+  'playback',
+  'foot',
+  'dialogs',
+] as const;
 export type Region = (typeof REGIONS)[number];
 
 /** What of the panels the page around can leave out. */

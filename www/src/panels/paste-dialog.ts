@@ -98,8 +98,9 @@ export class PasteDialog {
     this.#allMinus.hidden = this.#minusAnswers().length < 2;
     const reasons = new Map<string, number>();
     for (const { reason } of pieces) if (reason !== '') reasons.set(reason, (reasons.get(reason) ?? 0) + 1);
-    this.#what.replaceChildren(...[...reasons].map(([reason, count]) =>
-      make('li', {}, count > 1 ? `${reason} (${count})` : reason)));
+    this.#what.replaceChildren(
+      ...[...reasons].map(([reason, count]) => make('li', {}, count > 1 ? `${reason} (${count})` : reason)),
+    );
     this.#details.hidden = reasons.size === 0;
   }
 
@@ -129,7 +130,13 @@ export class PasteDialog {
       program.questions > 0 ? texts.questions(program.questions) : '',
       program.changes + program.questions === 0 ? texts.unchanged : '',
     ].filter((fact) => fact !== '');
-    return make('label', {}, input, make('span', { className: 'name' }, program.name === '' ? lines : program.name), make('span', { className: 'facts' }, facts.join(' · ')));
+    return make(
+      'label',
+      {},
+      input,
+      make('span', { className: 'name' }, program.name === '' ? lines : program.name),
+      make('span', { className: 'facts' }, facts.join(' · ')),
+    );
   }
 
   #piece({ was, now, reason, choices }: FoundPiece, at: number): (Node | string)[] {
@@ -145,7 +152,12 @@ export class PasteDialog {
 
   #question(choices: readonly string[], reason: string, at: number): HTMLElement {
     const rows = choices.map((choice, number) => {
-      const input = make('input', { type: 'radio', name: `question-${at}`, value: String(number), checked: number === 0 });
+      const input = make('input', {
+        type: 'radio',
+        name: `question-${at}`,
+        value: String(number),
+        checked: number === 0,
+      });
       input.addEventListener('change', () => this.#answers.set(at, number));
       return make('label', {}, input, number === 0 ? WORDS[this.#language].asPrinted(choice) : choice);
     });
@@ -194,7 +206,8 @@ const numbers = {
 const WORDS = words({
   en: {
     title: 'Programs in this text',
-    about: (n: number) => `${numbers.en.programs(n)} found. The text is in the editor as it was; undo brings it back after a program is taken.`,
+    about: (n: number) =>
+      `${numbers.en.programs(n)} found. The text is in the editor as it was; undo brings it back after a program is taken.`,
     more: (n: number) => `${numbers.en.programs(n)} more not listed: paste a shorter text.`,
     list: 'Programs found',
     lines: (first: number, last: number) => (first === last ? `line ${first}` : `lines ${first}–${last}`),
@@ -226,7 +239,8 @@ const WORDS = words({
   },
   ru: {
     title: 'Программы в этом тексте',
-    about: (n) => `Найдено: ${numbers.ru.programs(n)}. Текст вставлен в редактор без изменений; когда программа вставлена, отмена вернёт его.`,
+    about: (n) =>
+      `Найдено: ${numbers.ru.programs(n)}. Текст вставлен в редактор без изменений; когда программа вставлена, отмена вернёт его.`,
     more: (n) => `Не показано ещё: ${numbers.ru.programs(n)}. Вставьте текст короче.`,
     list: 'Найденные программы',
     lines: (first, last) => (first === last ? `строка ${first}` : `строки ${first}–${last}`),

@@ -21,11 +21,20 @@ const SEARCHED = 1_000_000;
 /** A shorter text is a word or two. */
 const WORTH_SEARCHING = 12;
 
-export const paste: PanelKind = { control: 'file', edits: true, styles: pasteStyles, make: (shell) => new Paste(shell) };
+export const paste: PanelKind = {
+  control: 'file',
+  edits: true,
+  styles: pasteStyles,
+  make: (shell) => new Paste(shell),
+};
 
 class Paste implements Panel {
   readonly #shell: Shell;
-  readonly #button = make('button', { type: 'button', className: 'paste-button quiet outlined', 'aria-haspopup': 'dialog' });
+  readonly #button = make('button', {
+    type: 'button',
+    className: 'paste-button quiet outlined',
+    'aria-haspopup': 'dialog',
+  });
   /** Loaded when a text with programs is first found. */
   #dialog: PasteDialog | undefined;
   /** Where the text stands that is looked at. */
@@ -69,7 +78,11 @@ class Paste implements Panel {
       return this.#shell.service('notice')(texts.fewCharacters, 'program', remedy);
     }
     if (found.programs.length === 0) return this.#say(found.tooLong ? texts.tooLong : texts.none);
-    const part = await late(this.#shell, () => import('./paste-dialog'), () => void this.#search(0, editor.length, 'asked'));
+    const part = await late(
+      this.#shell,
+      () => import('./paste-dialog'),
+      () => void this.#search(0, editor.length, 'asked'),
+    );
     // The text has been changed, or searched once more, while the dialog was loaded.
     if (part === undefined || editor.revision !== revision || this.takesKeys) return;
     this.#range = { from, to };

@@ -54,7 +54,8 @@ export class PictureCanvas {
 
   #restSoon(): void {
     clearTimeout(this.#rest);
-    if (this.#isFar && !this.#isCopy && this.#shown > 0) this.#rest = setTimeout(() => void this.#keepCopy(), REST_AFTER_MS);
+    if (this.#isFar && !this.#isCopy && this.#shown > 0)
+      this.#rest = setTimeout(() => void this.#keepCopy(), REST_AFTER_MS);
   }
 
   async #keepCopy(): Promise<void> {
@@ -63,7 +64,9 @@ export class PictureCanvas {
     const before = this.#shown;
     // Where an engine cannot make a copy, the picture stays as it is.
     const copy = await createImageBitmap(canvas, {
-      resizeWidth: size(canvas.width), resizeHeight: size(canvas.height), resizeQuality: 'medium',
+      resizeWidth: size(canvas.width),
+      resizeHeight: size(canvas.height),
+      resizeQuality: 'medium',
     }).catch(() => undefined);
     if (copy === undefined) return;
     if (!this.#isFar || this.#isCopy || this.#shown !== before) return copy.close();

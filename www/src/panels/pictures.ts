@@ -7,7 +7,17 @@
 import { make } from '../dom/dom';
 import type { Language } from '../dom/language';
 import { words } from '../dom/words';
-import { PICTURES, type CanvasCommand, type Command, type Help, type LengthUnit, type PictureName, type Pictures as Images, type Stroke, type Summary } from '../protocol/protocol';
+import {
+  PICTURES,
+  type CanvasCommand,
+  type Command,
+  type Help,
+  type LengthUnit,
+  type PictureName,
+  type Pictures as Images,
+  type Stroke,
+  type Summary,
+} from '../protocol/protocol';
 import type { Heard } from '../worker/core-client';
 import { dimensionText } from './dimension';
 import { Drawing, type DrawingEvents } from './drawing';
@@ -51,7 +61,8 @@ class Pictures implements Panel {
     this.#shell = shell;
     this.#explanation = shell.newest('help', (help) => this.#explained(help));
     const edge = shell.newest('dimension', (edge) =>
-      section.showEdge(edge === undefined ? undefined : dimensionText(shell.language, edge, this.#unit)));
+      section.showEdge(edge === undefined ? undefined : dimensionText(shell.language, edge, this.#unit)),
+    );
     const onSection = this.#events('section');
     const section = new Drawing(shell.language, {
       ...onSection,
@@ -74,7 +85,10 @@ class Pictures implements Panel {
     face.element.hidden = side.element.hidden = true;
     for (const picture of PICTURES) this.#drawings[picture].element.style.setProperty('--picture', picture);
     section.element.append(this.#old);
-    this.places = { pictures: [section.element, face.element, side.element], playback: [section.legend, section.viewButtons] };
+    this.places = {
+      pictures: [section.element, face.element, side.element],
+      playback: [section.legend, section.viewButtons],
+    };
   }
 
   set language(language: Language) {
@@ -89,7 +103,8 @@ class Pictures implements Panel {
     if (this.#oldRun !== undefined && event.kind === 'report') this.#coming = event.report.summary;
     if (this.#oldRun !== undefined) return;
     if (event.kind === 'path') this.#drawings.section.summary = event.summary;
-    if (event.kind === 'report' && event.report.views !== undefined) this.#drawings.section.work = event.report.views.work;
+    if (event.kind === 'report' && event.report.views !== undefined)
+      this.#drawings.section.work = event.report.views.work;
     if (event.kind !== 'report') return;
     this.#drawings.section.summary = event.report.summary;
     this.#unit = event.report.units.shown;
@@ -198,7 +213,11 @@ class Pictures implements Panel {
     this.#shell.send({ kind: 'hover', motion: stroke?.motion });
     this.#shell.editor.hovered = stroke;
     clearTimeout(this.#resting);
-    if (stroke !== undefined) this.#resting = setTimeout(() => this.#explanation.ask({ by: 'drawing', about: 'motion', motion: stroke.motion }), REST);
+    if (stroke !== undefined)
+      this.#resting = setTimeout(
+        () => this.#explanation.ask({ by: 'drawing', about: 'motion', motion: stroke.motion }),
+        REST,
+      );
   }
 
   #explained(help: Help | undefined): void {
@@ -221,8 +240,10 @@ const WORDS = words({
       `Drawing of the tool path, ${n} motions. Arrow keys move it, plus and minus zoom, F shows all of it.`,
     old: (run: number) => `Old picture (run ${run}), from before the block that is being typed`,
     notRun: 'Old picture: the current program could not be run',
-    face: () => 'Drawing of the end face, seen from the tailstock: X to the right, C or Y up. Arrow keys move it, plus and minus zoom, F shows all of it.',
-    side: () => 'Drawing of the side, seen from outside, unrolled where C turns: Z to the right, C or Y down. Arrow keys move it, plus and minus zoom, F shows all of it.',
+    face: () =>
+      'Drawing of the end face, seen from the tailstock: X to the right, C or Y up. Arrow keys move it, plus and minus zoom, F shows all of it.',
+    side: () =>
+      'Drawing of the side, seen from outside, unrolled where C turns: Z to the right, C or Y down. Arrow keys move it, plus and minus zoom, F shows all of it.',
   },
   zh: {
     section: (n) => `刀具轨迹图，共 ${n} 段运动。方向键移动，加号和减号缩放，F 键显示全图。`,
@@ -236,7 +257,9 @@ const WORDS = words({
       `Чертёж траектории, перемещений: ${n}. Стрелки сдвигают его, плюс и минус меняют масштаб, F показывает всё.`,
     old: (run) => `Прежний чертёж (прогон ${run}): до кадра, который сейчас набирается`,
     notRun: 'Прежний чертёж: текущую программу выполнить не удалось',
-    face: () => 'Чертёж торца, вид со стороны задней бабки: X вправо, C или Y вверх. Стрелки двигают его, плюс и минус меняют масштаб, F показывает всё.',
-    side: () => 'Чертёж боковой поверхности, вид снаружи, с поворотами C — развёртка: Z вправо, C или Y вниз. Стрелки двигают его, плюс и минус меняют масштаб, F показывает всё.',
+    face: () =>
+      'Чертёж торца, вид со стороны задней бабки: X вправо, C или Y вверх. Стрелки двигают его, плюс и минус меняют масштаб, F показывает всё.',
+    side: () =>
+      'Чертёж боковой поверхности, вид снаружи, с поворотами C — развёртка: Z вправо, C или Y вниз. Стрелки двигают его, плюс и минус меняют масштаб, F показывает всё.',
   },
 });

@@ -7,7 +7,17 @@
 import { icon, make, name, unbroken } from '../dom/dom';
 import type { Language } from '../dom/language';
 import { COMMON, words } from '../dom/words';
-import type { HeldBy, Holds, LengthUnit, Pace, Played, Readout, StepDirection, StepUnit, StopSwitch } from '../protocol/protocol';
+import type {
+  HeldBy,
+  Holds,
+  LengthUnit,
+  Pace,
+  Played,
+  Readout,
+  StepDirection,
+  StepUnit,
+  StopSwitch,
+} from '../protocol/protocol';
 import type { Heard } from '../worker/core-client';
 import type { Key, NewestQuestion, Panel, PanelKind, Services, Shell } from './panel';
 import { place as shownPlace } from './lengths';
@@ -35,7 +45,11 @@ interface Wish {
   readonly plays: boolean;
 }
 
-export const playback: PanelKind = { control: 'playback', styles: playbackStyles, make: (shell) => new Playback(shell) };
+export const playback: PanelKind = {
+  control: 'playback',
+  styles: playbackStyles,
+  make: (shell) => new Playback(shell),
+};
 
 class Playback implements Panel {
   readonly #shell: Shell;
@@ -51,7 +65,11 @@ class Playback implements Panel {
   readonly #whole = make('button', { type: 'button', className: 'quiet' }, icon('whole'));
   readonly #slider = make('input', { type: 'range', min: '0', max: '1', step: 'any', value: '0', className: 'scrub' });
   readonly #speed = make('select', { className: 'speed' });
-  readonly #optional = make('button', { type: 'button', className: 'level optional', 'aria-pressed': 'true', hidden: true }, 'M01');
+  readonly #optional = make(
+    'button',
+    { type: 'button', className: 'level optional', 'aria-pressed': 'true', hidden: true },
+    'M01',
+  );
   readonly #single = make('button', { type: 'button', className: 'level single', 'aria-pressed': 'false' });
   readonly #doing = make('p', { className: 'doing', part: 'doing', 'aria-live': 'polite' });
   readonly #board: ReadoutBoard;
@@ -95,7 +113,10 @@ class Playback implements Panel {
     this.#seek = shell.newest('seek', (place) => this.#showTool(place));
     this.#board = new ReadoutBoard(shell.language);
     this.#play.append(this.#playIcon, this.#playText);
-    this.#speed.append(...this.#wholeOptions, ...SPEEDS.map((speed) => make('option', { value: `times ${speed}` }, `${speed}×`)));
+    this.#speed.append(
+      ...this.#wholeOptions,
+      ...SPEEDS.map((speed) => make('option', { value: `times ${speed}` }, `${speed}×`)),
+    );
     this.#unit.append(...UNITS.map((unit) => make('option', { value: unit })));
     this.places = {
       playback: [
@@ -167,7 +188,8 @@ class Playback implements Panel {
     else if (event.key === 'F10') this.#playFromHere({ block: true });
     else if (event.key === 'F8' && control) this.#toggleBreakpoint();
     else if (event.key === 'Enter' && control) this.#toggle();
-    else if (event.key === 'F9') this.#step(control ? 'block' : event.altKey ? 'pass' : 'motion', event.shiftKey ? 'previous' : 'next');
+    else if (event.key === 'F9')
+      this.#step(control ? 'block' : event.altKey ? 'pass' : 'motion', event.shiftKey ? 'previous' : 'next');
     else return 'not-own';
     return 'own';
   }
@@ -194,7 +216,8 @@ class Playback implements Panel {
   /** Another path has been drawn, of so many motions, with so many optional stops. */
   #program(motions: number, optionalStops: number): void {
     this.#halt();
-    for (const control of [this.#play, this.#back, this.#forward, this.#here, this.#slider, this.#single]) control.disabled = motions <= 0;
+    for (const control of [this.#play, this.#back, this.#forward, this.#here, this.#slider, this.#single])
+      control.disabled = motions <= 0;
     this.#optional.hidden = optionalStops <= 0;
   }
 
@@ -236,7 +259,9 @@ class Playback implements Panel {
     if (this.#playing) return;
     const stroke = place?.stroke;
     const spoken =
-      stroke === undefined ? '–' : this.#words.positionText(shownPlace(stroke.atX, this.#lengths), shownPlace(stroke.atZ, this.#lengths));
+      stroke === undefined
+        ? '–'
+        : this.#words.positionText(shownPlace(stroke.atX, this.#lengths), shownPlace(stroke.atZ, this.#lengths));
     this.#slider.setAttribute('aria-valuetext', spoken);
   }
 

@@ -12,14 +12,22 @@ import presentationStyles from './presentation.css?inline';
 /** How much larger everything is that is measured by the type of the page. */
 const LARGER = '150%';
 
-export const presentation: PanelKind = { control: 'tools', styles: presentationStyles, make: (shell) => new Presentation(shell) };
+export const presentation: PanelKind = {
+  control: 'tools',
+  styles: presentationStyles,
+  make: (shell) => new Presentation(shell),
+};
 
 class Presentation implements Panel {
   readonly #shell: Shell;
   readonly #host: HTMLElement;
   readonly #shown: HTMLElement;
   readonly #whole = make('button', { type: 'button', className: 'level whole-screen' }, icon('screen'));
-  readonly #present = make('button', { type: 'button', className: 'quiet outlined present-button', 'aria-pressed': 'false' });
+  readonly #present = make('button', {
+    type: 'button',
+    className: 'quiet outlined present-button',
+    'aria-pressed': 'false',
+  });
   /** The size of the page's type as it was, while the presentation lasts. */
   #typeBefore: string | undefined;
   readonly places = { views: [this.#whole], foot: [this.#present] };
@@ -113,7 +121,8 @@ class Presentation implements Panel {
 const WORDS = words({
   en: {
     present: 'Present',
-    presentHint: 'Large type; Page Down and Page Up go block by block, arrows motion by motion, Space plays, Escape ends',
+    presentHint:
+      'Large type; Page Down and Page Up go block by block, arrows motion by motion, Space plays, Escape ends',
     end: 'End presentation',
     whole: 'Drawing on the whole screen',
     window: 'Back to the window',
@@ -127,7 +136,8 @@ const WORDS = words({
   },
   ru: {
     present: 'Показ',
-    presentHint: 'Крупный шрифт; Page Down и Page Up — по кадрам, стрелки — по перемещениям, пробел — пуск, Escape — конец',
+    presentHint:
+      'Крупный шрифт; Page Down и Page Up — по кадрам, стрелки — по перемещениям, пробел — пуск, Escape — конец',
     end: 'Закончить показ',
     whole: 'Чертёж на весь экран',
     window: 'Вернуться в окно',

@@ -47,7 +47,8 @@ class Print implements Panel {
   }
 
   pressed({ event }: Key): 'own' | 'not-own' {
-    if (event.key.toLowerCase() !== 'p' || !(event.ctrlKey || event.metaKey) || event.shiftKey || event.altKey) return 'not-own';
+    if (event.key.toLowerCase() !== 'p' || !(event.ctrlKey || event.metaKey) || event.shiftKey || event.altKey)
+      return 'not-own';
     void this.#print();
     return 'own';
   }
@@ -79,7 +80,11 @@ class Print implements Panel {
     const marked = new Map<number, Diagnostic['severity']>();
     for (const { line, severity } of this.#diagnostics) if (marked.get(line) !== 'error') marked.set(line, severity);
     const program = make('ol', { className: 'sheet-program' });
-    program.append(...lines.slice(0, MOST_LINES).map((text, at) => make('li', { className: marked.get(at + 1) ?? '' }, make('code', {}, text))));
+    program.append(
+      ...lines
+        .slice(0, MOST_LINES)
+        .map((text, at) => make('li', { className: marked.get(at + 1) ?? '' }, make('code', {}, text))),
+    );
     const more = lines.length - MOST_LINES;
     this.#sheet.replaceChildren(
       ...(editor.file === undefined ? [] : [make('h1', {}, editor.file.name)]),
@@ -105,18 +110,44 @@ class Print implements Panel {
     if (this.#diagnostics.length === 0) return [];
     const { language } = this.#shell;
     const list = make('ul', { className: 'sheet-problems' });
-    list.append(...this.#diagnostics.slice(0, MOST_PROBLEMS).map(({ line, code, message, help }) =>
-      make('li', {}, make('strong', {}, `${COMMON[language].line(line)} · ${code}: `), ...prose(message), ...(help === undefined ? [] : [' ', ...prose(help)]))));
+    list.append(
+      ...this.#diagnostics
+        .slice(0, MOST_PROBLEMS)
+        .map(({ line, code, message, help }) =>
+          make(
+            'li',
+            {},
+            make('strong', {}, `${COMMON[language].line(line)} · ${code}: `),
+            ...prose(message),
+            ...(help === undefined ? [] : [' ', ...prose(help)]),
+          ),
+        ),
+    );
     const more = this.#diagnostics.length - MOST_PROBLEMS;
     return [make('h2', {}, texts.problems), list, ...(more > 0 ? [make('p', {}, texts.more(more))] : [])];
   }
 
   /** What is given; what is not, the sheet does not say. */
   #setup(texts: (typeof WORDS)['en']): readonly HTMLElement[] {
-    const groups = (this.#prepared?.setup?.groups ?? []).map(({ title, fields }) => ({ title, given: fields.filter(({ value }) => value !== '') }));
-    const rows = groups.filter(({ given }) => given.length > 0).map(({ title, given }) =>
-      make('li', {}, make('strong', {}, `${title}: `), given.map(({ label, value, unit, choices }) =>
-        `${label} ${choices.find((choice) => choice.value === value)?.text ?? value}${unit === '' ? '' : ` ${unit}`}`).join(', ')));
+    const groups = (this.#prepared?.setup?.groups ?? []).map(({ title, fields }) => ({
+      title,
+      given: fields.filter(({ value }) => value !== ''),
+    }));
+    const rows = groups
+      .filter(({ given }) => given.length > 0)
+      .map(({ title, given }) =>
+        make(
+          'li',
+          {},
+          make('strong', {}, `${title}: `),
+          given
+            .map(
+              ({ label, value, unit, choices }) =>
+                `${label} ${choices.find((choice) => choice.value === value)?.text ?? value}${unit === '' ? '' : ` ${unit}`}`,
+            )
+            .join(', '),
+        ),
+      );
     return rows.length === 0 ? [] : [make('h2', {}, texts.setup), make('ul', { className: 'sheet-setup' }, ...rows)];
   }
 }

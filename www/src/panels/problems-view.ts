@@ -27,7 +27,12 @@ export class ProblemsView {
   constructor(changed: () => void) {
     const toggle = (severity: Severity): Toggle => {
       const count = make('span');
-      const button = make('button', { type: 'button', className: `problem-severity ${severity}`, 'aria-pressed': 'true' }, icon(severity), count);
+      const button = make(
+        'button',
+        { type: 'button', className: `problem-severity ${severity}`, 'aria-pressed': 'true' },
+        icon(severity),
+        count,
+      );
       button.addEventListener('click', () => {
         if (!this.#without.delete(severity)) this.#without.add(severity);
         button.setAttribute('aria-pressed', String(!this.#without.has(severity)));
@@ -44,7 +49,11 @@ export class ProblemsView {
   }
 
   get wanted(): Wanted {
-    return { order: this.#order.value === 'place' ? 'place' : 'severity', without: this.#without, rule: this.#chosenRule };
+    return {
+      order: this.#order.value === 'place' ? 'place' : 'severity',
+      without: this.#without,
+      rule: this.#chosenRule,
+    };
   }
 
   render(language: Language, diagnostics: readonly Diagnostic[]): void {
@@ -57,8 +66,14 @@ export class ProblemsView {
     for (const severity of SEVERITIES) this.#show(severity, counts.get(severity) ?? 0, texts.count[severity]);
     // One that is switched off stays, to be switched on again.
     const present = SEVERITIES.filter((severity) => counts.has(severity));
-    const offered = present.length > 1 || this.#without.size > 0 ? SEVERITIES.filter((severity) => counts.has(severity) || this.#without.has(severity)) : [];
-    arrange(this.#severities, offered.map((severity) => this.#toggles[severity].button));
+    const offered =
+      present.length > 1 || this.#without.size > 0
+        ? SEVERITIES.filter((severity) => counts.has(severity) || this.#without.has(severity))
+        : [];
+    arrange(
+      this.#severities,
+      offered.map((severity) => this.#toggles[severity].button),
+    );
     const rules = countByRule(diagnostics);
     if (this.#chosenRule !== undefined && !rules.has(this.#chosenRule)) this.#chosenRule = undefined;
     this.#order.hidden = rules.size < 2;
@@ -83,7 +98,10 @@ export class ProblemsView {
       this.#order.replaceChildren(...orders.map((order) => make('option', { value: order }, texts.orders[order])));
       this.#order.value = wanted.order;
       const all = make('option', { value: '' }, texts.allRules);
-      this.#rule.replaceChildren(all, ...[...rules].map(([slug, count]) => make('option', { value: slug }, `${slug} (${count})`)));
+      this.#rule.replaceChildren(
+        all,
+        ...[...rules].map(([slug, count]) => make('option', { value: slug }, `${slug} (${count})`)),
+      );
     }
     this.#rule.value = this.#chosenRule ?? '';
   }

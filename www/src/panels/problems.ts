@@ -22,7 +22,11 @@ const SHOWN = 200;
 /** Places of a group that are shown; the others when the reader asks for them. */
 const PLACES = 10;
 
-export const problems: PanelKind = { control: 'problems', styles: problemsStyles, make: (shell) => new Problems(shell) };
+export const problems: PanelKind = {
+  control: 'problems',
+  styles: problemsStyles,
+  make: (shell) => new Problems(shell),
+};
 
 /** A row of the list; an edit elsewhere moves its problems, and the row stays. */
 interface Row {
@@ -48,7 +52,10 @@ class Problems implements Panel {
   readonly #body = make('div', { className: 'problems-body' }, this.#view.element, this.#list);
   readonly #element = make(
     // With the caption it differs from that of another element.
-    'section', { className: 'problems', part: 'problems', 'aria-labelledby': 'problems-name caption' }, make('div', { className: 'problems-head' }, this.#toggle, this.#fixSafe), this.#body,
+    'section',
+    { className: 'problems', part: 'problems', 'aria-labelledby': 'problems-name caption' },
+    make('div', { className: 'problems-head' }, this.#toggle, this.#fixSafe),
+    this.#body,
   );
   #diagnostics: readonly Diagnostic[] = [];
   #rulesOff: readonly string[] = [];
@@ -63,7 +70,8 @@ class Problems implements Panel {
     this.#fixSafe.addEventListener('click', () => this.#fix(safeEdits(this.#diagnostics)));
     this.#element.addEventListener('mousedown', (event) => {
       // The second press of a double click would give the focus to a button that goes with the first.
-      if (event.detail > 1 && event.target instanceof Element && event.target.closest('button') !== null) event.preventDefault();
+      if (event.detail > 1 && event.target instanceof Element && event.target.closest('button') !== null)
+        event.preventDefault();
     });
   }
 
@@ -167,9 +175,26 @@ class Problems implements Panel {
   #shows(group: Group): string {
     const [{ severity, kind, code, slug, alarm, message, line, column, fixes }] = group;
     const whole = this.#whole.has(keyOf(group));
-    const others = group.length === 1 ? [] : group.slice(1, whole ? SHOWN : PLACES).map((other) => [other.line, other.column, other.message]);
+    const others =
+      group.length === 1
+        ? []
+        : group.slice(1, whole ? SHOWN : PLACES).map((other) => [other.line, other.column, other.message]);
     const titles = fixes.map(({ title }) => title);
-    return JSON.stringify([this.#shell.language, severity, kind, code, slug, alarm, message, line, column, titles, group.length, whole, others]);
+    return JSON.stringify([
+      this.#shell.language,
+      severity,
+      kind,
+      code,
+      slug,
+      alarm,
+      message,
+      line,
+      column,
+      titles,
+      group.length,
+      whole,
+      others,
+    ]);
   }
 
   /** The row that shows this already, or another one. */
@@ -203,7 +228,11 @@ class Problems implements Panel {
     const [strings, said] = [WORDS[language], PROBLEM_WORDS[language]];
     const [diagnostic] = row.group;
     const count = row.group.length;
-    const facts = [strings.place(diagnostic.line, diagnostic.column), said.kind[diagnostic.kind], diagnostic.alarm === diagnostic.code ? '' : diagnostic.code];
+    const facts = [
+      strings.place(diagnostic.line, diagnostic.column),
+      said.kind[diagnostic.kind],
+      diagnostic.alarm === diagnostic.code ? '' : diagnostic.code,
+    ];
     if (diagnostic.alarm !== undefined) facts.push(said.alarm(diagnostic.alarm));
     const button = make(
       'button',
@@ -238,7 +267,11 @@ class Problems implements Panel {
     const key = keyOf(group);
     const end = this.#whole.has(key) ? SHOWN : PLACES;
     const places = group.slice(1, end).map((problem, at) => {
-      const place = make('button', { type: 'button', className: 'place', title: problem.message.replaceAll('`', '') }, COMMON[language].line(problem.line));
+      const place = make(
+        'button',
+        { type: 'button', className: 'place', title: problem.message.replaceAll('`', '') },
+        COMMON[language].line(problem.line),
+      );
       place.addEventListener('click', () => {
         const chosen = row.group[at + 1];
         if (chosen !== undefined) this.#shell.chooseProblem(chosen);

@@ -39,7 +39,11 @@ export class ProfilesDialog {
   constructor(language: Language, events: ProfilesEvents) {
     this.#language = language;
     this.#events = events;
-    this.#dialog = new Dialog('profiles', [make('div', { className: 'text' }, this.#lists), this.#file], [this.#news, this.#import]);
+    this.#dialog = new Dialog(
+      'profiles',
+      [make('div', { className: 'text' }, this.#lists), this.#file],
+      [this.#news, this.#import],
+    );
     this.#import.addEventListener('click', () => this.#file.click());
     this.#file.addEventListener('change', () => {
       const file = this.#file.files?.[0];
@@ -84,7 +88,8 @@ export class ProfilesDialog {
     const title = texts.titles[kind];
     const rows = profileNames(kind).map((name) => this.#row(kind, name));
     const none = kind === 'machine' && chosenMachine() !== undefined ? [this.#none()] : [];
-    const list = rows.length === 0 ? make('p', { className: 'about' }, texts.nothing[kind]) : make('ul', {}, ...none, ...rows);
+    const list =
+      rows.length === 0 ? make('p', { className: 'about' }, texts.nothing[kind]) : make('ul', {}, ...none, ...rows);
     return make('section', { 'aria-label': title }, make('h3', {}, title), list, this.#keeper(kind));
   }
 
@@ -98,7 +103,9 @@ export class ProfilesDialog {
     const isTaken = kind === 'machine' && name === this.#machine;
     const label = make('span', { className: 'profile-name' }, isTaken ? texts.inUse(name) : name);
     return make(
-      'li', {}, label,
+      'li',
+      {},
+      label,
       button(texts.use, () => {
         this.#dialog.close();
         this.#events.taken(kind, name);
@@ -127,9 +134,19 @@ export class ProfilesDialog {
     const texts = WORDS[this.#language];
     const json = this.#own[kind];
     if (json === undefined) return make('p', { className: 'about' }, texts.nothingSaid[kind]);
-    const input = make('input', { type: 'text', id: `keep-${kind}`, required: true, maxLength: 60, autocomplete: 'off' });
+    const input = make('input', {
+      type: 'text',
+      id: `keep-${kind}`,
+      required: true,
+      maxLength: 60,
+      autocomplete: 'off',
+    });
     const form = make(
-      'form', {}, make('label', { htmlFor: input.id }, texts.keepAs[kind]), input, make('button', { type: 'submit', className: 'framed', 'aria-label': texts.keepAs[kind] }, texts.keep),
+      'form',
+      {},
+      make('label', { htmlFor: input.id }, texts.keepAs[kind]),
+      input,
+      make('button', { type: 'submit', className: 'framed', 'aria-label': texts.keepAs[kind] }, texts.keep),
     );
     form.addEventListener('submit', (event) => {
       event.preventDefault();
@@ -167,10 +184,14 @@ export class ProfilesDialog {
 const WORDS = words({
   en: {
     title: 'Machines and tool tables',
-    about: 'Kept in this browser. A file holds a setup, which the command line reads with --setup. Your own programs begin with the machine you use.',
+    about:
+      'Kept in this browser. A file holds a setup, which the command line reads with --setup. Your own programs begin with the machine you use.',
     titles: { machine: 'Machines', tools: 'Tool tables' },
     nothing: { machine: 'No machine is kept yet.', tools: 'No tool table is kept yet.' },
-    nothingSaid: { machine: 'The setup says nothing of the machine. Enter it in the setup form, then keep it here.', tools: 'The setup has no tools. Enter them in the setup form, then keep them here.' },
+    nothingSaid: {
+      machine: 'The setup says nothing of the machine. Enter it in the setup form, then keep it here.',
+      tools: 'The setup has no tools. Enter them in the setup form, then keep them here.',
+    },
     keepAs: { machine: 'Keep the machine of this program as', tools: 'Keep the tools of this program as' },
     keep: 'Keep',
     kept: (name: string) => `${name} is kept.`,
@@ -189,7 +210,10 @@ const WORDS = words({
     about: '保存在此浏览器中。文件内容为设置，命令行用 --setup 读取。您自己的程序从所用机床开始。',
     titles: { machine: '机床', tools: '刀具表' },
     nothing: { machine: '尚未保存机床。', tools: '尚未保存刀具表。' },
-    nothingSaid: { machine: '设置中没有机床。请先在设置表中填写，再保存到这里。', tools: '设置中没有刀具。请先在设置表中填写，再保存到这里。' },
+    nothingSaid: {
+      machine: '设置中没有机床。请先在设置表中填写，再保存到这里。',
+      tools: '设置中没有刀具。请先在设置表中填写，再保存到这里。',
+    },
     keepAs: { machine: '将此程序的机床保存为', tools: '将此程序的刀具保存为' },
     keep: '保存',
     kept: (name) => `已保存 ${name}。`,
@@ -205,10 +229,14 @@ const WORDS = words({
   },
   ru: {
     title: 'Станки и таблицы инструментов',
-    about: 'Хранятся в этом браузере. В файле наладка, которую командная строка читает с --setup. Ваши программы начинаются с выбранного станка.',
+    about:
+      'Хранятся в этом браузере. В файле наладка, которую командная строка читает с --setup. Ваши программы начинаются с выбранного станка.',
     titles: { machine: 'Станки', tools: 'Таблицы инструментов' },
     nothing: { machine: 'Станков пока нет.', tools: 'Таблиц инструментов пока нет.' },
-    nothingSaid: { machine: 'О станке в наладке ничего нет. Укажите его в форме наладки и сохраните здесь.', tools: 'В наладке нет инструментов. Укажите их в форме наладки и сохраните здесь.' },
+    nothingSaid: {
+      machine: 'О станке в наладке ничего нет. Укажите его в форме наладки и сохраните здесь.',
+      tools: 'В наладке нет инструментов. Укажите их в форме наладки и сохраните здесь.',
+    },
     keepAs: { machine: 'Сохранить станок этой программы как', tools: 'Сохранить инструменты этой программы как' },
     keep: 'Сохранить',
     kept: (name) => `Сохранено: ${name}.`,

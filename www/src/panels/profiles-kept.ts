@@ -30,7 +30,11 @@ export function keepProfile(kind: ProfileKind, name: string, json: string): void
 export function forgetProfile(kind: ProfileKind, name: string): void {
   const { chosen, ...all } = kept();
   const others = Object.fromEntries(Object.entries(all[kind]).filter(([own]) => own !== name));
-  keep({ ...all, [kind]: others, ...(chosen === undefined || (kind === 'machine' && chosen === name) ? {} : { chosen }) });
+  keep({
+    ...all,
+    [kind]: others,
+    ...(chosen === undefined || (kind === 'machine' && chosen === name) ? {} : { chosen }),
+  });
 }
 
 /** The machine that programs of the reader's own begin with. */

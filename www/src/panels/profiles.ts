@@ -14,7 +14,12 @@ import type { ProfilesDialog } from './profiles-dialog';
 import { chooseMachine, chosenMachine, profile } from './profiles-kept';
 import profilesStyles from './profiles.css?inline';
 
-export const profiles: PanelKind = { control: 'setup', edits: true, styles: profilesStyles, make: (shell) => new Profiles(shell) };
+export const profiles: PanelKind = {
+  control: 'setup',
+  edits: true,
+  styles: profilesStyles,
+  make: (shell) => new Profiles(shell),
+};
 
 class Profiles implements Panel {
   readonly #shell: Shell;
@@ -50,7 +55,8 @@ class Profiles implements Panel {
   /** Whether the program runs on the chosen machine: an example has one of its own, and a comment may name another. */
   async #compare(): Promise<void> {
     const chosen = chosenMachine();
-    const own = chosen === undefined ? undefined : await this.#shell.ask('profiles-of-run', { json: this.#shell.setup ?? '{}' });
+    const own =
+      chosen === undefined ? undefined : await this.#shell.ask('profiles-of-run', { json: this.#shell.setup ?? '{}' });
     const given = chosen === undefined ? undefined : await this.#shell.ask('profiles-in', { json: chosen.json });
     const same = given?.kind === 'profiles' && own !== undefined && own.machine === given.profiles.machine;
     const machine = same ? chosen?.name : undefined;
@@ -67,7 +73,11 @@ class Profiles implements Panel {
   async #open(): Promise<void> {
     const [own, part] = await Promise.all([
       this.#shell.ask('profiles-of-run', { json: this.#shell.setup ?? '{}' }),
-      late(this.#shell, () => import('./profiles-dialog'), () => void this.#open()),
+      late(
+        this.#shell,
+        () => import('./profiles-dialog'),
+        () => void this.#open(),
+      ),
     ]);
     if (part === undefined) return;
     if (this.#dialog === undefined) {
@@ -98,7 +108,10 @@ const WORDS = words({
   en: {
     choose: 'Choose machine',
     machine: (name: string) => `Machine: ${name}`,
-    taken: (name: string | undefined) => (name === undefined ? 'No machine is chosen now.' : `${name} is in the setup of this page now. Comments of the program override it.`),
+    taken: (name: string | undefined) =>
+      name === undefined
+        ? 'No machine is chosen now.'
+        : `${name} is in the setup of this page now. Comments of the program override it.`,
   },
   zh: {
     choose: '选择机床',
@@ -108,6 +121,7 @@ const WORDS = words({
   ru: {
     choose: 'Выбрать станок',
     machine: (name) => `Станок: ${name}`,
-    taken: (name) => (name === undefined ? 'Станок не выбран.' : `${name}: наладка этой страницы. Комментарии программы важнее.`),
+    taken: (name) =>
+      name === undefined ? 'Станок не выбран.' : `${name}: наладка этой страницы. Комментарии программы важнее.`,
   },
 });

@@ -54,7 +54,17 @@ export class ReadoutBoard {
 
   constructor(language: Language) {
     this.#language = language;
-    const cells = [this.#x, this.#y, this.#z, this.#c, this.#spindle, this.#surface, this.#feed, this.#time, this.#tool];
+    const cells = [
+      this.#x,
+      this.#y,
+      this.#z,
+      this.#c,
+      this.#spindle,
+      this.#surface,
+      this.#feed,
+      this.#time,
+      this.#tool,
+    ];
     this.element.append(...cells.map((cell) => cell.element));
     this.language = language;
   }
@@ -96,7 +106,10 @@ export class ReadoutBoard {
     this.#spindle.value = this.#with(readout?.rpm, 0, WORDS[this.#language].turns);
     this.#surface.value = this.#surfaceText(readout?.surfaceSpeed);
     this.#time.value = this.#timeText(readout);
-    this.#time.hint = WORDS[this.#language].unknownTime(readout?.total.unknownRapids ?? 0, readout?.total.unknownCuts ?? 0);
+    this.#time.hint = WORDS[this.#language].unknownTime(
+      readout?.total.unknownRapids ?? 0,
+      readout?.total.unknownCuts ?? 0,
+    );
     this.#tool.value = this.#toolText(readout);
   }
 
@@ -107,7 +120,9 @@ export class ReadoutBoard {
   /** Metres a minute, or feet as an inch program counts. */
   #surfaceText(metres: number | undefined): string {
     const { metres: metric, feet } = WORDS[this.#language];
-    return this.#unit === 'mm' ? this.#with(metres, 0, metric) : this.#with(metres === undefined ? undefined : metres / METRES_A_FOOT, 0, feet);
+    return this.#unit === 'mm'
+      ? this.#with(metres, 0, metric)
+      : this.#with(metres === undefined ? undefined : metres / METRES_A_FOOT, 0, feet);
   }
 
   /** As it is programmed, then what comes of it. */
@@ -120,7 +135,9 @@ export class ReadoutBoard {
     const unit = symbol(this.#unit, this.#language);
     const parts = [
       turn === undefined ? '' : `${trimmed(turn, metric ? 4 : 5)} ${texts.perTurn(unit)}`,
-      minute === undefined ? '' : `${minute < 10 ? trimmed(minute, 2) : minute.toFixed(metric || minute >= 100 ? 0 : 1)} ${texts.perMinute(unit)}`,
+      minute === undefined
+        ? ''
+        : `${minute < 10 ? trimmed(minute, 2) : minute.toFixed(metric || minute >= 100 ? 0 : 1)} ${texts.perMinute(unit)}`,
     ].filter((text) => text !== '');
     if (readout?.locked === true) parts.push(texts.override);
     return parts.join(' · ') || NOTHING;
@@ -145,7 +162,10 @@ export class ReadoutBoard {
 }
 
 function trimmed(value: number, digits: number): string {
-  return value.toFixed(digits).replace(/(\.\d*?)0+$/, '$1').replace(/\.$/, '');
+  return value
+    .toFixed(digits)
+    .replace(/(\.\d*?)0+$/, '$1')
+    .replace(/\.$/, '');
 }
 
 const WORDS = words({
@@ -159,7 +179,8 @@ const WORDS = words({
     perMinute: (unit: string) => `${unit}/min`,
     perTurn: (unit: string) => `${unit}/rev`,
     override: 'override 100 %',
-    locked: 'While a thread is cut, the feed and spindle override count as 100 %, and feed hold waits until the tool is out of the thread.',
+    locked:
+      'While a thread is cut, the feed and spindle override count as 100 %, and feed hold waits until the tool is out of the thread.',
     turns: 'rpm',
     metres: 'm/min',
     feet: 'ft/min',
@@ -168,7 +189,9 @@ const WORDS = words({
       [
         rapids > 0 ? 'How long rapids take is not known: the setup gives no rapid traverse rate.' : '',
         cuts > 0 ? 'How long some cuts take is not known: they have no feed rate, or the spindle is stopped.' : '',
-      ].join(' ').trim(),
+      ]
+        .join(' ')
+        .trim(),
     assumed: (tool: string) => `${tool}, assumed`,
   },
   zh: {
@@ -203,7 +226,8 @@ const WORDS = words({
     perMinute: (unit) => `${unit}/мин`,
     perTurn: (unit) => `${unit}/об`,
     override: 'коррекция 100 %',
-    locked: 'Пока нарезается резьба, ручная коррекция подачи и шпинделя равна 100 %, а останов подачи ждёт, пока инструмент не выйдет из резьбы.',
+    locked:
+      'Пока нарезается резьба, ручная коррекция подачи и шпинделя равна 100 %, а останов подачи ждёт, пока инструмент не выйдет из резьбы.',
     turns: 'об/мин',
     metres: 'м/мин',
     feet: 'фут/мин',
@@ -212,7 +236,9 @@ const WORDS = words({
       [
         rapids > 0 ? 'Время ускоренных ходов неизвестно: в наладке нет скорости ускоренного хода.' : '',
         cuts > 0 ? 'Время некоторых рабочих ходов неизвестно: нет подачи или шпиндель не вращается.' : '',
-      ].join(' ').trim(),
+      ]
+        .join(' ')
+        .trim(),
     assumed: (tool) => `${tool}, предположительно`,
   },
 });

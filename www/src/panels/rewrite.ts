@@ -12,11 +12,20 @@ import type { Rewriting } from '../protocol/protocol';
 import type { Key, Panel, PanelKind, Shell } from './panel';
 import rewriteStyles from './rewrite.css?inline';
 
-export const rewrite: PanelKind = { control: 'tools', edits: true, styles: rewriteStyles, make: (shell) => new Rewrite(shell) };
+export const rewrite: PanelKind = {
+  control: 'tools',
+  edits: true,
+  styles: rewriteStyles,
+  make: (shell) => new Rewrite(shell),
+};
 
 class Rewrite implements Panel {
   readonly #shell: Shell;
-  readonly #button = make('button', { type: 'button', className: 'rewrite-button quiet outlined', 'aria-haspopup': 'dialog' });
+  readonly #button = make('button', {
+    type: 'button',
+    className: 'rewrite-button quiet outlined',
+    'aria-haspopup': 'dialog',
+  });
   readonly #list = make('ul', { className: 'rewritings' });
   readonly #dialog = new Dialog('rewrite', [this.#list]);
   readonly places = { foot: [this.#button], dialogs: [this.#dialog.element] };
@@ -84,16 +93,29 @@ class Rewrite implements Panel {
   #item(rewriting: Rewriting): HTMLElement {
     const texts = WORDS[this.#shell.language];
     const lines = texts.lines(rewriting.line, rewriting.endLine);
-    const take = make('button', { type: 'button', className: 'framed', 'aria-label': `${texts.take}: ${lines}` }, texts.take);
+    const take = make(
+      'button',
+      { type: 'button', className: 'framed', 'aria-label': `${texts.take}: ${lines}` },
+      texts.take,
+    );
     take.addEventListener('click', () => {
       this.#dialog.close();
       this.#take(rewriting);
     });
     const code = (text: string): HTMLElement => make('pre', { lang: 'en' }, text);
     return make(
-      'li', { className: rewriting.here ? 'here' : '' },
-      make('h3', {}, rewriting.title), make('span', { className: 'lines' }, lines), take,
-      make('div', { className: 'both' }, code(rewriting.before), make('span', { 'aria-hidden': 'true' }, '→'), code(rewriting.after)),
+      'li',
+      { className: rewriting.here ? 'here' : '' },
+      make('h3', {}, rewriting.title),
+      make('span', { className: 'lines' }, lines),
+      take,
+      make(
+        'div',
+        { className: 'both' },
+        code(rewriting.before),
+        make('span', { 'aria-hidden': 'true' }, '→'),
+        code(rewriting.after),
+      ),
     );
   }
 }
@@ -107,7 +129,8 @@ const WORDS = words({
     none: 'No plain moves of this program form a G90, G92 or G94: rapid in, cut, out, and rapid back to the start point, each in a block of its own with nothing else in it.',
     lines: (first: number, last: number) => `Lines ${first} to ${last}`,
     take: 'Write it so',
-    took: (cycle: string) => `Written as ${cycle}; the motions are the same. Ctrl Z in the editor brings the moves back.`,
+    took: (cycle: string) =>
+      `Written as ${cycle}; the motions are the same. Ctrl Z in the editor brings the moves back.`,
   },
   zh: {
     button: '写成循环…',

@@ -111,14 +111,20 @@ export class SetupDialog {
     this.#shown = form;
     this.#wasIn = place;
     const there = new Set(groups.flatMap(({ fields }) => fields.map(({ key }) => key)));
-    this.#added = this.#added.filter(({ fields }) => fields.some(({ key }) => this.#unapplied.has(key) && !there.has(key)));
+    this.#added = this.#added.filter(({ fields }) =>
+      fields.some(({ key }) => this.#unapplied.has(key) && !there.has(key)),
+    );
     this.#inputs = [];
     this.#first.clear();
     this.#noTool.hidden = true;
     const texts = WORDS[this.#language];
     const another = make(
-      'div', { className: 'another' },
-      make('label', { htmlFor: 'another-tool' }, texts.another), this.#word, this.#add, this.#noTool,
+      'div',
+      { className: 'another' },
+      make('label', { htmlFor: 'another-tool' }, texts.another),
+      this.#word,
+      this.#add,
+      this.#noTool,
     );
     const elements = groups.map((group) => this.#group(group, opened));
     // After the last tool, or the stock.
@@ -174,7 +180,11 @@ export class SetupDialog {
     const inputs = fields.map((field) => new SetupInput(field, this.#language, () => this.#changed()));
     this.#inputs.push(...inputs);
     if (inputs[0] !== undefined) this.#first.set(group, inputs[0]);
-    const clear = make('button', { type: 'button', className: 'quiet clear', 'aria-label': texts.clear(title) }, texts.clearShort);
+    const clear = make(
+      'button',
+      { type: 'button', className: 'quiet clear', 'aria-label': texts.clear(title) },
+      texts.clearShort,
+    );
     clear.addEventListener('click', () => {
       for (const input of inputs) input.text = '';
       inputs[0]?.focus();
@@ -184,9 +194,21 @@ export class SetupDialog {
     const from = make('span', { className: `source ${source}` }, texts.source[source]);
     if (FOLDED.has(group)) {
       const summary = make('summary', {}, make('span', { className: 'group-title' }, title), from);
-      return make('details', { className: 'group', open: source !== 'nobody' || group === opened }, summary, grid, clear);
+      return make(
+        'details',
+        { className: 'group', open: source !== 'nobody' || group === opened },
+        summary,
+        grid,
+        clear,
+      );
     }
-    const legend = make('div', { className: 'group-head' }, make('h3', { className: 'group-title' }, title), from, clear);
+    const legend = make(
+      'div',
+      { className: 'group-head' },
+      make('h3', { className: 'group-title' }, title),
+      from,
+      clear,
+    );
     const section = make('section', { className: 'group', 'aria-label': title }, legend, grid);
     return section;
   }

@@ -25,7 +25,12 @@ export class SetupInput {
     const id = `setup-${key}`;
     if (entry === 'choice') {
       this.#none = make('option', { value: '' }, WORDS[language].nothing);
-      this.#input = make('select', { id }, this.#none, ...choices.map((own) => make('option', { value: own.value }, own.text)));
+      this.#input = make(
+        'select',
+        { id },
+        this.#none,
+        ...choices.map((own) => make('option', { value: own.value }, own.text)),
+      );
     } else {
       const mode = entry === 'number' ? 'decimal' : 'text';
       this.#input = make('input', { id, type: 'text', inputMode: mode, autocomplete: 'off', spellcheck: false });
@@ -37,7 +42,8 @@ export class SetupInput {
     const unitText = make('span', { className: 'unit', id: `${id}-unit` }, unit);
     this.#input.setAttribute('aria-describedby', `${id}-unit ${id}-error`);
     this.element = make(
-      'div', { className: 'setup-field' },
+      'div',
+      { className: 'setup-field' },
       make('label', { htmlFor: id }, label),
       make('div', { className: 'entry' }, this.#input, unitText),
       this.#error,

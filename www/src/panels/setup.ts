@@ -14,7 +14,12 @@ import type { Panel, PanelKind, Services, Shell } from './panel';
 import setupStyles from './setup.css?inline';
 import type { SetupDialog, SetupEntries } from './setup-form';
 
-export const setup: PanelKind = { control: 'setup', edits: true, styles: setupStyles, make: (shell) => new Setup(shell) };
+export const setup: PanelKind = {
+  control: 'setup',
+  edits: true,
+  styles: setupStyles,
+  make: (shell) => new Setup(shell),
+};
 
 class Setup implements Panel {
   readonly #shell: Shell;
@@ -76,7 +81,11 @@ class Setup implements Panel {
   }
 
   async #open(group?: SetupGroup['group'], key?: string): Promise<void> {
-    const load = late(this.#shell, () => import('./setup-form'), () => void this.#open(group, key));
+    const load = late(
+      this.#shell,
+      () => import('./setup-form'),
+      () => void this.#open(group, key),
+    );
     const [form, part] = await Promise.all([this.#ask(), load]);
     if (form === undefined || part === undefined) return;
     if (this.#form === undefined) {
@@ -130,7 +139,10 @@ const WORDS = words({
     /** The line above the drawing where no stock is given, and its button. */
     stockAssumed: 'Stock assumed: collisions not checked',
     useStock: 'use this stock',
-    kept: { program: 'The setup stands in the program now. Ctrl Z takes it out.', page: 'The setup is kept on this page.' },
+    kept: {
+      program: 'The setup stands in the program now. Ctrl Z takes it out.',
+      page: 'The setup is kept on this page.',
+    },
   },
   zh: {
     setup: '毛坯与刀具',

@@ -39,8 +39,13 @@ export function boreOf({ mouth, bottom, diameter }: DrilledHole): Bore {
     if (along <= 0) continue;
     const [low, high, left, right] = intoFace
       ? span(outer * along, halfChord(radius, outer * beside), bottom.z, mouth.z)
-      : [inner, outer, ...(Math.abs(beside) < IN_PLANE ? [mouth.z - radius, mouth.z + radius] as const : [0, 0] as const)];
-    if (high > low && right > left) cuts.push([place(left, low), place(right, low), place(right, high), place(left, high)]);
+      : [
+          inner,
+          outer,
+          ...(Math.abs(beside) < IN_PLANE ? ([mouth.z - radius, mouth.z + radius] as const) : ([0, 0] as const)),
+        ];
+    if (high > low && right > left)
+      cuts.push([place(left, low), place(right, low), place(right, high), place(left, high)]);
   }
   return { mouth: first, bottom: at(bottom.z, inner), radius, cuts };
 }

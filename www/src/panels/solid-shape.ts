@@ -79,7 +79,8 @@ function jointOf(a: Corner, b: Corner, c: Corner): Joint {
   const [first, second] = [length(a, b), length(b, c)];
   const height = (Math.min(first, second) * angle) / 8;
   // An edge on the axis belongs to no surface.
-  if (angle > SMOOTH.angle || height > SMOOTH.height || (onAxis(a) && onAxis(b)) || (onAxis(b) && onAxis(c))) return { kind: 'sharp' };
+  if (angle > SMOOTH.angle || height > SMOOTH.height || (onAxis(a) && onAxis(b)) || (onAxis(b) && onAxis(c)))
+    return { kind: 'sharp' };
   // A long straight edge that an arc runs into is tangent to it.
   if (first > 8 * second) return { kind: 'smooth', normal: before };
   if (second > 8 * first) return { kind: 'smooth', normal: after };
@@ -130,7 +131,12 @@ class Builder {
     for (const { up, near } of this.#around) {
       this.#places.push(from.z, from.r * up, from.r * near, to.z, to.r * up, to.r * near);
       this.#normals.push(
-        normalFrom.z, normalFrom.r * up, normalFrom.r * near, normalTo.z, normalTo.r * up, normalTo.r * near,
+        normalFrom.z,
+        normalFrom.r * up,
+        normalFrom.r * near,
+        normalTo.z,
+        normalTo.r * up,
+        normalTo.r * near,
       );
     }
     for (let flat = 0; flat + 1 < this.#around.length; flat += 1) {

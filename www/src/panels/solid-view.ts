@@ -4,8 +4,27 @@
 // Loaded when it is first wanted, and three.js with it. Must not know: where the section comes from.
 
 import {
-  BufferAttribute, BufferGeometry, Color, CylinderGeometry, DirectionalLight, DoubleSide, Group, HemisphereLight, LineBasicMaterial,
-  LineSegments, Mesh, MeshBasicMaterial, MeshPhongMaterial, PerspectiveCamera, Plane, Scene, ShaderMaterial, ShapeUtils, Spherical, Vector2, Vector3,
+  BufferAttribute,
+  BufferGeometry,
+  Color,
+  CylinderGeometry,
+  DirectionalLight,
+  DoubleSide,
+  Group,
+  HemisphereLight,
+  LineBasicMaterial,
+  LineSegments,
+  Mesh,
+  MeshBasicMaterial,
+  MeshPhongMaterial,
+  PerspectiveCamera,
+  Plane,
+  Scene,
+  ShaderMaterial,
+  ShapeUtils,
+  Spherical,
+  Vector2,
+  Vector3,
   WebGLRenderer,
 } from 'three';
 import { OrbitControls } from 'three/examples/jsm/controls/OrbitControls.js';
@@ -61,9 +80,18 @@ export class SolidView {
   readonly #camera = new PerspectiveCamera(FIELD_OF_VIEW);
   readonly #controls: OrbitControls;
   readonly #body = new Group();
-  readonly #surface = new MeshPhongMaterial({ shininess: 42, polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 1 });
+  readonly #surface = new MeshPhongMaterial({
+    shininess: 42,
+    polygonOffset: true,
+    polygonOffsetFactor: 1,
+    polygonOffsetUnits: 1,
+  });
   readonly #hatch = new ShaderMaterial({
-    ...HATCH, side: DoubleSide, polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 1,
+    ...HATCH,
+    side: DoubleSide,
+    polygonOffset: true,
+    polygonOffsetFactor: 1,
+    polygonOffsetUnits: 1,
     uniforms: { ground: { value: new Color() }, lines: { value: new Color() }, spacing: { value: 1 } },
   });
   readonly #drilled = new Group();
@@ -102,7 +130,8 @@ export class SolidView {
 
   set holes(holes: readonly DrilledHole[]) {
     clear(this.#drilled);
-    for (const bore of holes.map(boreOf)) this.#drilled.add(new Mesh(boreBody(bore), this.#hole), new Mesh(boreCuts(bore), this.#holeInCut));
+    for (const bore of holes.map(boreOf))
+      this.#drilled.add(new Mesh(boreBody(bore), this.#hole), new Mesh(boreCuts(bore), this.#holeInCut));
     this.#want();
   }
 
@@ -146,7 +175,8 @@ export class SolidView {
     this.#controls.dispose();
     clear(this.#body);
     clear(this.#drilled);
-    for (const material of [this.#surface, this.#hatch, this.#hole, this.#holeInCut, this.#edge, this.#axis]) material.dispose();
+    for (const material of [this.#surface, this.#hatch, this.#hole, this.#holeInCut, this.#edge, this.#axis])
+      material.dispose();
     this.#renderer.dispose();
     this.#renderer.forceContextLoss();
     this.canvas.remove();
@@ -209,7 +239,10 @@ export class SolidView {
   #key(event: KeyboardEvent): void {
     if (event.ctrlKey || event.metaKey || event.altKey) return;
     const turn: Readonly<Record<string, readonly [theta: number, phi: number]>> = {
-      ArrowLeft: [-KEY_TURN, 0], ArrowRight: [KEY_TURN, 0], ArrowUp: [0, -KEY_TURN], ArrowDown: [0, KEY_TURN],
+      ArrowLeft: [-KEY_TURN, 0],
+      ArrowRight: [KEY_TURN, 0],
+      ArrowUp: [0, -KEY_TURN],
+      ArrowDown: [0, KEY_TURN],
     };
     const [theta, phi] = turn[event.key] ?? [0, 0];
     if (theta !== 0 || phi !== 0) this.#move(theta, phi, 1);

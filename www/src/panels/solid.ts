@@ -23,7 +23,11 @@ class Solid implements Panel {
   readonly #shell: Shell;
   readonly #pieces: NewestQuestion<'section'>;
   readonly #drilled: NewestQuestion<'holes'>;
-  readonly #button = make('button', { type: 'button', className: 'solid-button quiet outlined', 'aria-haspopup': 'dialog' });
+  readonly #button = make('button', {
+    type: 'button',
+    className: 'solid-button quiet outlined',
+    'aria-haspopup': 'dialog',
+  });
   readonly #holder = make('div', { className: 'text solid-holder' });
   readonly #message = make('p', { className: 'empty', role: 'status' });
   readonly #reset = make('button', { type: 'button', className: 'framed' });
@@ -136,7 +140,12 @@ class Solid implements Panel {
   #tell(missing: Missing | undefined): void {
     this.#missing = missing;
     const { solidLoading, solidNoNetwork, solidNoPart, solidNoWebGl } = WORDS[this.#shell.language];
-    const texts = { loading: solidLoading, 'no-network': solidNoNetwork, 'no-part': solidNoPart, 'no-webgl': solidNoWebGl };
+    const texts = {
+      loading: solidLoading,
+      'no-network': solidNoNetwork,
+      'no-part': solidNoPart,
+      'no-webgl': solidNoWebGl,
+    };
     this.#message.textContent = missing === undefined ? '' : texts[missing];
     this.#again.hidden = missing !== 'no-network';
     this.#reset.disabled = missing !== undefined;
@@ -156,14 +165,16 @@ const WORDS = words({
     solid: '3D',
     solidHint: 'Show the part as a solid, a quarter cut away',
     solidTitle: 'The part, a quarter cut away',
-    solidAbout: 'Drag or arrow keys turn it, wheel or + and − zoom, Home resets the view. Ctrl Enter plays the program, F9 steps.',
+    solidAbout:
+      'Drag or arrow keys turn it, wheel or + and − zoom, Home resets the view. Ctrl Enter plays the program, F9 steps.',
     /** For who does not see it. */
     solidView: 'The turned part in three dimensions. Arrow keys turn it, plus and minus zoom, Home resets the view.',
     solidLoading: 'Loading …',
     solidNoNetwork: 'The view could not be loaded: the network is missing. It is loaded when the network is back.',
     solidAgain: 'Try again',
     solidNoPart: 'There is no part to show: nothing is left of the blank, or it is not known.',
-    solidNoWebGl: 'This browser does not draw in three dimensions (WebGL is missing or switched off). The drawing shows the same part in section.',
+    solidNoWebGl:
+      'This browser does not draw in three dimensions (WebGL is missing or switched off). The drawing shows the same part in section.',
     solidReset: 'Reset view',
   },
   zh: {
@@ -183,13 +194,16 @@ const WORDS = words({
     solid: '3D',
     solidHint: 'Показать деталь как тело с вырезанной четвертью',
     solidTitle: 'Деталь с вырезом четверти',
-    solidAbout: 'Перетаскивание и стрелки поворачивают, колесо или + и − меняют масштаб, Home сбрасывает вид. Ctrl Enter запускает программу, F9 — один шаг.',
-    solidView: 'Точёная деталь в трёх измерениях. Стрелки поворачивают её, плюс и минус меняют масштаб, Home сбрасывает вид.',
+    solidAbout:
+      'Перетаскивание и стрелки поворачивают, колесо или + и − меняют масштаб, Home сбрасывает вид. Ctrl Enter запускает программу, F9 — один шаг.',
+    solidView:
+      'Точёная деталь в трёх измерениях. Стрелки поворачивают её, плюс и минус меняют масштаб, Home сбрасывает вид.',
     solidLoading: 'Загрузка …',
     solidNoNetwork: 'Вид загрузить не удалось: нет сети. Загрузка повторится, когда сеть появится.',
     solidAgain: 'Повторить',
     solidNoPart: 'Нечего показать: от заготовки ничего не осталось, или она неизвестна.',
-    solidNoWebGl: 'Этот браузер не показывает трёхмерную графику (WebGL отсутствует или выключен). На чертеже та же деталь видна в разрезе.',
+    solidNoWebGl:
+      'Этот браузер не показывает трёхмерную графику (WebGL отсутствует или выключен). На чертеже та же деталь видна в разрезе.',
     solidReset: 'Сбросить вид',
   },
 });

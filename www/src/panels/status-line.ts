@@ -12,7 +12,11 @@ import type { Heard } from '../worker/core-client';
 import type { Panel, PanelKind, Shell } from './panel';
 import statusLineStyles from './status-line.css?inline';
 
-export const statusLine: PanelKind = { control: 'status', styles: statusLineStyles, make: (shell) => new StatusLine(shell) };
+export const statusLine: PanelKind = {
+  control: 'status',
+  styles: statusLineStyles,
+  make: (shell) => new StatusLine(shell),
+};
 
 type Shown =
   | { readonly kind: 'loading' }
@@ -49,7 +53,8 @@ class StatusLine implements Panel {
 
   heard(event: Heard): void {
     if (event.kind === 'report' || event.kind === 'path') this.#isOld = false;
-    if (event.kind === 'report') this.#show({ kind: 'summary', summary: event.report.summary, decimal: event.report.decimal });
+    if (event.kind === 'report')
+      this.#show({ kind: 'summary', summary: event.report.summary, decimal: event.report.decimal });
     else if (event.kind === 'path') this.#show({ kind: 'path', summary: event.summary, rest: 'coming' });
     else if (event.kind === 'progress') this.#show({ kind: 'running', work: event.work, done: event.done });
   }
@@ -106,7 +111,11 @@ class StatusLine implements Panel {
         return ['—'];
       case 'path': {
         const { motions, lines } = this.#shown.summary;
-        return [strings.motions(motions), strings.lines(lines), this.#shown.rest === 'coming' ? strings.coming : strings.notComing];
+        return [
+          strings.motions(motions),
+          strings.lines(lines),
+          this.#shown.rest === 'coming' ? strings.coming : strings.notComing,
+        ];
       }
       case 'summary': {
         const { motions, lines, errors, warnings, infos } = this.#shown.summary;

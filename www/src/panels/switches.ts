@@ -48,7 +48,8 @@ class Switches implements Panel {
   }
 
   heard(event: Heard): void {
-    const inText = event.kind === 'switches' ? event.inText : event.kind === 'report' ? event.report.switches : undefined;
+    const inText =
+      event.kind === 'switches' ? event.inText : event.kind === 'report' ? event.report.switches : undefined;
     if (inText === undefined) return;
     this.#inText = inText;
     this.#render();
@@ -100,7 +101,9 @@ class Switches implements Panel {
     const written = options.map(({ name }) => name).join('\n');
     if (written !== this.#options) {
       this.#options = written;
-      this.#program.replaceChildren(...options.map(({ number, name }) => make('option', { value: String(number) }, name)));
+      this.#program.replaceChildren(
+        ...options.map(({ number, name }) => make('option', { value: String(number) }, name)),
+      );
     }
     this.#program.value = String(wanted ?? programs[0]?.number ?? '');
     this.#choice.hidden = options.length < 2;

@@ -21,7 +21,12 @@ class Tabs implements Panel {
   readonly #frame: HTMLElement;
   readonly #panels: Readonly<Record<'written' | 'shown', HTMLElement>>;
   readonly #tabs: Readonly<Record<Tab, HTMLButtonElement>>;
-  readonly #names: Readonly<Record<Tab, HTMLElement>> = { drawing: make('span'), program: make('span'), problems: make('span'), state: make('span') };
+  readonly #names: Readonly<Record<Tab, HTMLElement>> = {
+    drawing: make('span'),
+    program: make('span'),
+    problems: make('span'),
+    state: make('span'),
+  };
   readonly #count = make('span', { className: 'count', hidden: true });
   /** In place of the list of problems. */
   readonly #none = make('p', { className: 'no-problems', hidden: true });
@@ -33,7 +38,12 @@ class Tabs implements Panel {
     this.#panels = { written: this.#find('written'), shown: this.#find('shown') };
     const tab = (which: Tab): HTMLButtonElement => {
       const more = which === 'problems' ? [' ', this.#count] : [];
-      const made = make('button', { type: 'button', className: 'tab', role: 'tab', id: `tab-${which}` }, this.#names[which], ...more);
+      const made = make(
+        'button',
+        { type: 'button', className: 'tab', role: 'tab', id: `tab-${which}` },
+        this.#names[which],
+        ...more,
+      );
       made.setAttribute('aria-controls', which === 'drawing' ? 'shown' : 'written');
       made.addEventListener('click', () => this.#choose(which));
       made.addEventListener('keydown', (event) => this.#key(event));
@@ -49,7 +59,8 @@ class Tabs implements Panel {
   set language(language: Language) {
     const { shown, tabs, noProblems } = WORDS[language];
     this.#row.setAttribute('aria-label', shown);
-    for (const which of TABS) showText(this.#names[which], which === 'program' ? COMMON[language].program : tabs[which]);
+    for (const which of TABS)
+      showText(this.#names[which], which === 'program' ? COMMON[language].program : tabs[which]);
     showText(this.#none, noProblems);
   }
 
@@ -87,7 +98,10 @@ class Tabs implements Panel {
     for (const [id, panel] of Object.entries(this.#panels)) {
       if (areTabs) {
         panel.setAttribute('role', 'tabpanel');
-        panel.setAttribute('aria-labelledby', `tab-${id === 'shown' || this.#tab === 'drawing' ? 'drawing' : this.#tab}`);
+        panel.setAttribute(
+          'aria-labelledby',
+          `tab-${id === 'shown' || this.#tab === 'drawing' ? 'drawing' : this.#tab}`,
+        );
       } else {
         panel.removeAttribute('role');
         panel.removeAttribute('aria-labelledby');

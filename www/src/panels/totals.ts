@@ -19,12 +19,24 @@ export const totals: PanelKind = { control: 'tools', styles: totalsStyles, make:
 
 class TotalsPanel implements Panel {
   readonly #shell: Shell;
-  readonly #button = make('button', { type: 'button', className: 'totals-button quiet', 'aria-haspopup': 'dialog', hidden: true });
+  readonly #button = make('button', {
+    type: 'button',
+    className: 'totals-button quiet',
+    'aria-haspopup': 'dialog',
+    hidden: true,
+  });
   readonly #title = make('h2');
   readonly #close = make('button', { type: 'button', className: 'quiet close' }, '×');
   readonly #body = make('div', { className: 'scroller', tabIndex: 0, role: 'region' });
   readonly #notes = make('p', { hidden: true });
-  readonly #element = make('div', { className: 'totals', part: 'totals', role: 'dialog', popover: 'auto' }, this.#title, this.#close, this.#body, this.#notes);
+  readonly #element = make(
+    'div',
+    { className: 'totals', part: 'totals', role: 'dialog', popover: 'auto' },
+    this.#title,
+    this.#close,
+    this.#body,
+    this.#notes,
+  );
   /** One row for each tool, and the last for the whole program. */
   #rows: readonly Totals[] = [];
   #unit: LengthUnit = 'mm';
@@ -53,7 +65,8 @@ class TotalsPanel implements Panel {
     if (stage === 'again') this.#show();
     if (stage !== 'whole' && stage !== 'path') return;
     this.#button.hidden = summary.motions === 0;
-    if (summary.motions > 0 && (summary.motions <= ADDED_UP_AT_ONCE || this.#element.matches(':popover-open'))) void this.#ask();
+    if (summary.motions > 0 && (summary.motions <= ADDED_UP_AT_ONCE || this.#element.matches(':popover-open')))
+      void this.#ask();
     else this.#set([]);
   }
 
@@ -86,17 +99,29 @@ class TotalsPanel implements Panel {
     }
     const head = texts.columns(symbol(this.#unit, language)).map((text) => make('th', { scope: 'col' }, text));
     const rows = this.#rows.map((row) => this.#row(row, row === all ? texts.whole : (row.tool ?? texts.noTool)));
-    this.#body.replaceChildren(make('table', {}, make('thead', {}, make('tr', {}, ...head)), make('tbody', {}, ...rows)));
-    const notes = [all.unknownRapids > 0 ? texts.rapidsUnknown : '', all.unknownCuts > 0 ? texts.cutsUnknown : ''].filter((note) => note !== '');
+    this.#body.replaceChildren(
+      make('table', {}, make('thead', {}, make('tr', {}, ...head)), make('tbody', {}, ...rows)),
+    );
+    const notes = [
+      all.unknownRapids > 0 ? texts.rapidsUnknown : '',
+      all.unknownCuts > 0 ? texts.cutsUnknown : '',
+    ].filter((note) => note !== '');
     this.#notes.hidden = notes.length === 0;
     this.#notes.textContent = notes.join(' ');
   }
 
   #row(row: Totals, first: string): HTMLElement {
     const { low, high, cut, rapid } = row;
-    const range = (from: number | undefined, to: number | undefined): string => (from === undefined || to === undefined ? '–' : `${length(from, this.#unit)} … ${length(to, this.#unit)}`);
+    const range = (from: number | undefined, to: number | undefined): string =>
+      from === undefined || to === undefined ? '–' : `${length(from, this.#unit)} … ${length(to, this.#unit)}`;
     const path = (mm: number): string => inUnit(mm, this.#unit).toFixed(this.#unit === 'mm' ? 1 : 2);
-    const cells = [time(row, this.#shell.language), path(cut), path(rapid), range(low?.x, high?.x), range(low?.z, high?.z)];
+    const cells = [
+      time(row, this.#shell.language),
+      path(cut),
+      path(rapid),
+      range(low?.x, high?.x),
+      range(low?.z, high?.z),
+    ];
     return make('tr', {}, make('th', { scope: 'row' }, first), ...cells.map((cell) => make('td', {}, cell)));
   }
 }

@@ -57,7 +57,11 @@ class UnitsButton implements Panel {
 }
 
 const WORDS = words({
-  en: { mm: 'mm', inch: 'inch', name: { mm: 'Lengths in mm: show them in inches', inch: 'Lengths in inch: show them in mm' } },
+  en: {
+    mm: 'mm',
+    inch: 'inch',
+    name: { mm: 'Lengths in mm: show them in inches', inch: 'Lengths in inch: show them in mm' },
+  },
   zh: { mm: 'mm', inch: '英寸', name: { mm: '长度单位 mm：改为英寸', inch: '长度单位英寸：改为 mm' } },
   ru: { mm: 'мм', inch: 'дюймы', name: { mm: 'Длины, мм: показать в дюймах', inch: 'Длины, дюймы: показать в мм' } },
 });

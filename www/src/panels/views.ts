@@ -6,7 +6,14 @@
 import { make } from '../dom/dom';
 import type { Language } from '../dom/language';
 import { words } from '../dom/words';
-import { PICTURES, type Comparison, type LengthUnit, type PictureChoice, type PictureName, type ViewsState } from '../protocol/protocol';
+import {
+  PICTURES,
+  type Comparison,
+  type LengthUnit,
+  type PictureChoice,
+  type PictureName,
+  type ViewsState,
+} from '../protocol/protocol';
 import type { Heard } from '../worker/core-client';
 import { length, symbol } from './lengths';
 import type { Panel, PanelKind, Services, Shell } from './panel';
@@ -58,7 +65,8 @@ class Views implements Panel {
     this.#buttons = { section: button('section'), face: button('face'), side: button('side'), all: button('all') };
     this.#choice.append(...CHOICES.map((choice) => this.#buttons[choice]));
     this.#turret.addEventListener('click', () =>
-      shell.send({ kind: 'turret', side: this.#state.turret === 'front' ? 'rear' : 'front' }));
+      shell.send({ kind: 'turret', side: this.#state.turret === 'front' ? 'rear' : 'front' }),
+    );
     this.#keep.addEventListener('click', () => this.#keepPart('reader'));
     this.#end.addEventListener('click', () => {
       this.#keptBy = 'reader';
@@ -145,7 +153,7 @@ class Views implements Panel {
     if (pictures.length < 2) return 'section';
     const wanted = this.#wanted;
     if (wanted === 'all' ? wide : pictures.includes(wanted)) return wanted;
-    return wide ? 'all' : pictures.find((picture) => picture !== 'section') ?? 'section';
+    return wide ? 'all' : (pictures.find((picture) => picture !== 'section') ?? 'section');
   }
 
   #tell({ differences, radial, axial }: Comparison): (Node | string)[] {
@@ -157,7 +165,12 @@ class Views implements Panel {
         : [];
     const shown = (mm: number): string => length(mm, this.#unit);
     const measure = (mm: number): string => `${shown(mm)} ${symbol(this.#unit, this.#shell.language)}`;
-    const largest = texts.largest(measure(radial.length), shown(radial.from.z), measure(axial.length), shown(axial.from.x));
+    const largest = texts.largest(
+      measure(radial.length),
+      shown(radial.from.z),
+      measure(axial.length),
+      shown(axial.from.x),
+    );
     return [...key('first', texts.onlyKept), ...key('second', texts.onlyNow), make('span', {}, largest)];
   }
 }
@@ -180,7 +193,8 @@ const WORDS = words({
     same: 'Same as the kept part',
     onlyKept: 'only in the kept part',
     onlyNow: 'only in this one',
-    largest: (radial: string, z: string, axial: string, x: string) => `Largest: ${radial} in radius at Z${z}; ${axial} along Z at X${x}`,
+    largest: (radial: string, z: string, axial: string, x: string) =>
+      `Largest: ${radial} in radius at Z${z}; ${axial} along Z at X${x}`,
   },
   zh: {
     views: '视图',

@@ -15,7 +15,12 @@ class WhatIf implements Panel {
   readonly #shell: Shell;
   readonly #text = make('span');
   readonly #back = make('button', { type: 'button', className: 'framed' });
-  readonly #element = make('div', { className: 'what-if', part: 'what-if', role: 'alert', hidden: true }, this.#text, this.#back);
+  readonly #element = make(
+    'div',
+    { className: 'what-if', part: 'what-if', role: 'alert', hidden: true },
+    this.#text,
+    this.#back,
+  );
   readonly places = { pictures: [this.#element] };
 
   constructor(shell: Shell) {

@@ -16,11 +16,19 @@ import writtenOutStyles from './written-out.css?inline';
 
 const COPIED_FOR_MS = 2_000;
 
-export const writtenOut: PanelKind = { control: 'tools', styles: writtenOutStyles, make: (shell) => new WrittenOutPanel(shell) };
+export const writtenOut: PanelKind = {
+  control: 'tools',
+  styles: writtenOutStyles,
+  make: (shell) => new WrittenOutPanel(shell),
+};
 
 class WrittenOutPanel implements Panel {
   readonly #shell: Shell;
-  readonly #button = make('button', { type: 'button', className: 'written-out-button quiet outlined', 'aria-haspopup': 'dialog' });
+  readonly #button = make('button', {
+    type: 'button',
+    className: 'written-out-button quiet outlined',
+    'aria-haspopup': 'dialog',
+  });
   readonly #text = make('div', { className: 'text' });
   readonly #copy = make('button', { type: 'button', className: 'framed' });
   readonly #take = make('button', { type: 'button', className: 'framed' });
@@ -67,9 +75,14 @@ class WrittenOutPanel implements Panel {
     const { editor } = this.#shell;
     this.#shell.flush();
     const { revision } = editor;
-    const load = late(this.#shell, () => import('../editor/code-view'), () => void this.#open());
+    const load = late(
+      this.#shell,
+      () => import('../editor/code-view'),
+      () => void this.#open(),
+    );
     const [written, part] = await Promise.all([this.#shell.ask('expand', undefined), load]);
-    if (written !== undefined && part !== undefined && editor.revision === revision) this.#show(written, editor.text, part.CodeView);
+    if (written !== undefined && part !== undefined && editor.revision === revision)
+      this.#show(written, editor.text, part.CodeView);
   }
 
   /** `before` is the program as it stands in the editor. */

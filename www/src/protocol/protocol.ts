@@ -8,17 +8,79 @@
 
 import type { PartName } from '../../pkg/part-files.js';
 import type {
-  Codes, Comparison, Diagnostic, Dimension, DrilledHole, FileFormat, ProfileKind, Profiles, ReadAs, SetupOverview, FoundPiece, FoundPrograms, Palette, PictureName, Readout, Rewriting, SectionPiece, SetupAnswer, SetupForm, SetupGroup, SetupPlace, StepDirection,
-  CompletionHelp, CompletionItem, FormHelp, HeldBy, OutlineHelp, ProgramDifference, StateHelp, StepUnit, StopSwitch, Stroke, Summary, Totals, Units, UsesHelp, WordHelp,
+  Codes,
+  Comparison,
+  Diagnostic,
+  Dimension,
+  DrilledHole,
+  FileFormat,
+  ProfileKind,
+  Profiles,
+  ReadAs,
+  SetupOverview,
+  FoundPiece,
+  FoundPrograms,
+  Palette,
+  PictureName,
+  Readout,
+  Rewriting,
+  SectionPiece,
+  SetupAnswer,
+  SetupForm,
+  SetupGroup,
+  SetupPlace,
+  StepDirection,
+  CompletionHelp,
+  CompletionItem,
+  FormHelp,
+  HeldBy,
+  OutlineHelp,
+  ProgramDifference,
+  StateHelp,
+  StepUnit,
+  StopSwitch,
+  Stroke,
+  Summary,
+  Totals,
+  Units,
+  UsesHelp,
+  WordHelp,
 } from '../../pkg/gcode_playground.js';
 
-export type { Codes, Comparison, Diagnostic, Dimension, DrilledHole, Palette, PictureName, Readout, Rewriting, SectionPiece, StepDirection, StepUnit, StopSwitch, Stroke, Summary, Totals, Units };
+export type {
+  Codes,
+  Comparison,
+  Diagnostic,
+  Dimension,
+  DrilledHole,
+  Palette,
+  PictureName,
+  Readout,
+  Rewriting,
+  SectionPiece,
+  StepDirection,
+  StepUnit,
+  StopSwitch,
+  Stroke,
+  Summary,
+  Totals,
+  Units,
+};
 export type { SetupOverview, FoundPiece, FoundPrograms, SetupAnswer, SetupForm, SetupGroup, SetupPlace };
 export type { ProfileKind, Profiles, ReadAs };
 export type { HeldBy, ProgramDifference };
 export type { CompletionHelp, CompletionItem, FormHelp, OutlineHelp, StateHelp, UsesHelp, WordHelp };
 export type { FormLine, FormWord, HelpLine, OutlineEntry, StateRow, Use } from '../../pkg/gcode_playground.js';
-export type { CodeRow, Edit, Fix, FoundProgram, ReadFact, Setting, SetupField, SetupState } from '../../pkg/gcode_playground.js';
+export type {
+  CodeRow,
+  Edit,
+  Fix,
+  FoundProgram,
+  ReadFact,
+  Setting,
+  SetupField,
+  SetupState,
+} from '../../pkg/gcode_playground.js';
 
 /** A size in CSS pixels and the device pixels each of them has. */
 export interface Size {
@@ -124,7 +186,9 @@ export type TextCommand =
   | { readonly kind: 'edit'; readonly changes: readonly TextChange[] };
 
 /** How fast it plays: so many times as fast as the machine, or the whole program in so many seconds. */
-export type Pace = { readonly kind: 'times'; readonly factor: number } | { readonly kind: 'whole'; readonly seconds: number };
+export type Pace =
+  | { readonly kind: 'times'; readonly factor: number }
+  | { readonly kind: 'whole'; readonly seconds: number };
 
 /** What holds the tool: stops of the program; after each block (`eachBlock`); before the blocks of lines, from 0, in order. */
 export interface Holds {
@@ -216,7 +280,10 @@ export interface Questions {
   /** Machine and tools of a setup, and of the program as it is run. */
   'profiles-in': { ask: { readonly json: string }; answer: ProfilesRead };
   'profiles-of-run': { ask: { readonly json: string }; answer: Profiles };
-  'with-profile': { ask: { readonly json: string; readonly kind: ProfileKind; readonly profile: string }; answer: string };
+  'with-profile': {
+    ask: { readonly json: string; readonly kind: ProfileKind; readonly profile: string };
+    answer: string;
+  };
 }
 
 /** Who asks for help: a newer question takes the place of the one before of the same asker. */
@@ -245,7 +312,9 @@ export interface Help {
 }
 
 /** What of a setup can be kept under a name, or what is wrong with it. */
-export type ProfilesRead = { readonly kind: 'profiles'; readonly profiles: Profiles } | { readonly kind: 'wrong'; readonly reason: string };
+export type ProfilesRead =
+  | { readonly kind: 'profiles'; readonly profiles: Profiles }
+  | { readonly kind: 'wrong'; readonly reason: string };
 
 /** Another version of the program; `names` are that of it and that of the program. */
 export interface OtherVersion {
@@ -274,13 +343,41 @@ export type QuestionKind = keyof Questions;
  * others' hold as they are.
  */
 export const OF_THE_RUN = {
-  tokens: true, pick: true, play: true, seek: true, 'seek-block': true, step: true, 'go-to': true, strokes: true, readout: true, totals: true, expand: true, rewritings: true, section: true, holes: true, help: true, uses: true, outline: true,
-  dimension: true, 'read-setup': true, 'profiles-of-run': true, difference: true,
-  locate: false, codes: false, export: false, 'programs-in': false, 'pieces-of': false,
-  'setup-form': false, 'another-tool': false, 'profiles-in': false, 'with-profile': false,
+  tokens: true,
+  pick: true,
+  play: true,
+  seek: true,
+  'seek-block': true,
+  step: true,
+  'go-to': true,
+  strokes: true,
+  readout: true,
+  totals: true,
+  expand: true,
+  rewritings: true,
+  section: true,
+  holes: true,
+  help: true,
+  uses: true,
+  outline: true,
+  dimension: true,
+  'read-setup': true,
+  'profiles-of-run': true,
+  difference: true,
+  locate: false,
+  codes: false,
+  export: false,
+  'programs-in': false,
+  'pieces-of': false,
+  'setup-form': false,
+  'another-tool': false,
+  'profiles-in': false,
+  'with-profile': false,
 } as const satisfies Readonly<Record<QuestionKind, boolean>>;
 
-export type Answer<K extends QuestionKind> = (typeof OF_THE_RUN)[K] extends true ? Questions[K]['answer'] | undefined : Questions[K]['answer'];
+export type Answer<K extends QuestionKind> = (typeof OF_THE_RUN)[K] extends true
+  ? Questions[K]['answer'] | undefined
+  : Questions[K]['answer'];
 
 export interface Question<K extends QuestionKind = QuestionKind> {
   readonly kind: 'question';

@@ -11,7 +11,10 @@ type Place = { readonly from: number; readonly to: number };
 
 /** A block that was chosen, by its stroke. */
 export function strokeAsGiven(stroke: Stroke, program: Program): Stroke {
-  return placed(offsetsInFile(program.lineEnds, () => program.text), stroke);
+  return placed(
+    offsetsInFile(program.lineEnds, () => program.text),
+    stroke,
+  );
 }
 
 /** The messages of a run, with their fixes. */
@@ -19,12 +22,15 @@ export function diagnosticsAsGiven(diagnostics: readonly Diagnostic[], program: 
   if (diagnostics.length === 0) return diagnostics;
   const offset = offsetsInFile(program.lineEnds, () => program.text);
   const { most } = program.lineEnds;
-  return diagnostics.map((found) => placed(offset, {
-    ...found,
-    fixes: found.fixes.map((fix) => ({
-      ...fix, edits: fix.edits.map((edit) => placed(offset, { ...edit, text: edit.text.replaceAll('\n', most) })),
-    })),
-  }));
+  return diagnostics.map((found) =>
+    placed(offset, {
+      ...found,
+      fixes: found.fixes.map((fix) => ({
+        ...fix,
+        edits: fix.edits.map((edit) => placed(offset, { ...edit, text: edit.text.replaceAll('\n', most) })),
+      })),
+    }),
+  );
 }
 
 function placed<Row extends Place>(offset: (folded: number) => number, row: Row): Row {

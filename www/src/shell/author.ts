@@ -21,7 +21,9 @@ export function linesOf(attribute: string | null): readonly Lines[] {
 }
 
 /** Where the tool stands: after so many motions, or before a line. */
-export type Step = { readonly kind: 'motion'; readonly motion: number } | { readonly kind: 'line'; readonly line: number };
+export type Step =
+  | { readonly kind: 'motion'; readonly motion: number }
+  | { readonly kind: 'line'; readonly line: number };
 
 /** `12`: after the twelfth motion; `line 8`: before what line 8 does. */
 export function stepOf(attribute: string | null): Step | undefined {

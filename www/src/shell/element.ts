@@ -100,7 +100,28 @@ const PAGES: readonly string[] = ['rules', 'docs'];
 const Base = (globalThis as { HTMLElement?: typeof HTMLElement }).HTMLElement ?? (class {} as typeof HTMLElement);
 
 export class GcodePlayground extends Base {
-  static readonly observedAttributes = ['src', 'control', 'setup', 'block-skip', 'program', 'language', 'theme', 'view', 'controls', 'readonly', 'step', 'highlight', 'lines', 'fit', 'turret', 'caption', 'loading', 'playground', 'rules', 'docs'];
+  static readonly observedAttributes = [
+    'src',
+    'control',
+    'setup',
+    'block-skip',
+    'program',
+    'language',
+    'theme',
+    'view',
+    'controls',
+    'readonly',
+    'step',
+    'highlight',
+    'lines',
+    'fit',
+    'turret',
+    'caption',
+    'loading',
+    'playground',
+    'rules',
+    'docs',
+  ];
 
   /** Whose the program is: set by the page, which knows it by this; none after another program has taken its place. */
   #origin: string | null = null;
@@ -120,7 +141,8 @@ export class GcodePlayground extends Base {
     super();
     this.addEventListener('keydown', (event) => this.#made?.pressed(event), { capture: true });
     for (const use of ['focusin', 'pointerdown']) this.addEventListener(use, () => used(this));
-    for (const type of ['keydown', 'keypress', 'keyup'] as const) this.addEventListener(type, (event) => this.#keep(event));
+    for (const type of ['keydown', 'keypress', 'keyup'] as const)
+      this.addEventListener(type, (event) => this.#keep(event));
   }
 
   connectedCallback(): void {
@@ -465,7 +487,15 @@ export class GcodePlayground extends Base {
     root.replaceChildren();
     if (this.loading === 'eager') this.#begin();
     else if (this.loading === 'lazy') this.#stopWaiting = whenNear(this, () => this.#begin());
-    else root.append(make('slot', { name: 'fallback' }), make('div', { className: 'own' }, startButton(this.language, () => this.#begin())));
+    else
+      root.append(
+        make('slot', { name: 'fallback' }),
+        make(
+          'div',
+          { className: 'own' },
+          startButton(this.language, () => this.#begin()),
+        ),
+      );
   }
 
   #begin(): void {
@@ -523,14 +553,22 @@ export class GcodePlayground extends Base {
     const shell = this.#shell;
     shell.flush();
     const made = await shell.ask('export', { format });
-    return made?.kind === 'file' ? new Blob([made.content], { type: format === 'svg' ? 'image/svg+xml' : 'image/png' }) : undefined;
+    return made?.kind === 'file'
+      ? new Blob([made.content], { type: format === 'svg' ? 'image/svg+xml' : 'image/png' })
+      : undefined;
   }
 
   /** At once where the view has what it takes; as soon as that is loaded where it is on its way. */
-  #with<S extends 'play' | 'pause' | 'saveFile' | 'keepPart' | 'endComparison'>(name: S, act: (service: Services[S]) => void): void {
+  #with<S extends 'play' | 'pause' | 'saveFile' | 'keepPart' | 'endComparison'>(
+    name: S,
+    act: (service: Services[S]) => void,
+  ): void {
     const shell = this.#shell;
     if (!shell.offers(name)) throw new Error(`view="${shell.view}" does not offer ${name}`);
-    void shell.complete.then(() => act(shell.service(name)), () => undefined);
+    void shell.complete.then(
+      () => act(shell.service(name)),
+      () => undefined,
+    );
   }
 
   /** What is there at all is another: it is made anew, around the same program. */
@@ -632,7 +670,9 @@ function playKeys(event: KeyboardEvent): void {
   const isOne = event.key === 'F9' || (event.key === 'Enter' && (event.ctrlKey || event.metaKey));
   if (!isOne || event.defaultPrevented) return;
   const path = event.composedPath();
-  const isText = path.some((part) => part instanceof HTMLElement && (part.isContentEditable || part.matches('input, textarea')));
+  const isText = path.some(
+    (part) => part instanceof HTMLElement && (part.isContentEditable || part.matches('input, textarea')),
+  );
   if (isText || path.some((part) => part instanceof GcodePlayground)) return;
   [...inDocument].at(-1)?.pressed(event);
 }

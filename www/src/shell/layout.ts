@@ -15,7 +15,10 @@ export function viewOf(attribute: string | null): View {
 }
 
 /** The methods of the element that not every view offers. */
-export type Offered = Extract<keyof Services, 'play' | 'pause' | 'openFile' | 'saveFile' | 'exported' | 'keepPart' | 'endComparison'>;
+export type Offered = Extract<
+  keyof Services,
+  'play' | 'pause' | 'openFile' | 'saveFile' | 'exported' | 'keepPart' | 'endComparison'
+>;
 
 interface Shown {
   readonly program: boolean;
@@ -25,7 +28,12 @@ interface Shown {
 }
 
 export const SHOWN: Readonly<Record<View, Shown>> = {
-  all: { program: true, picture: true, controls: CONTROLS, offers: ['play', 'pause', 'openFile', 'saveFile', 'exported', 'keepPart', 'endComparison'] },
+  all: {
+    program: true,
+    picture: true,
+    controls: CONTROLS,
+    offers: ['play', 'pause', 'openFile', 'saveFile', 'exported', 'keepPart', 'endComparison'],
+  },
   picture: { program: false, picture: true, controls: [], offers: [] },
   playback: { program: false, picture: true, controls: ['playback'], offers: ['play', 'pause'] },
   code: { program: true, picture: false, controls: ['problems'], offers: [] },
@@ -77,9 +85,24 @@ export function layout(view: View, editor: HTMLElement): Layout {
       frame.dataset['tab'] = 'program';
       frame.append(
         regions.tabs,
-        make('div', { className: 'written', id: 'written' }, make('slot', { name: 'intro' }), regions.notices, regions.bar, editor, regions.problems),
+        make(
+          'div',
+          { className: 'written', id: 'written' },
+          make('slot', { name: 'intro' }),
+          regions.notices,
+          regions.bar,
+          editor,
+          regions.problems,
+        ),
         regions.divider,
-        make('div', { className: 'shown', id: 'shown' }, regions.views, regions.assumptions, regions.pictures, regions.playback),
+        make(
+          'div',
+          { className: 'shown', id: 'shown' },
+          regions.views,
+          regions.assumptions,
+          regions.pictures,
+          regions.playback,
+        ),
         regions.foot,
       );
       break;

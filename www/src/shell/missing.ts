@@ -92,12 +92,15 @@ export class Missing {
   /** The reader has changed the program. */
   changed(): void {
     if (this.#things.size === 0 || this.#isTrying) return;
-    this.#soon ??= setTimeout(() => {
-      this.#soon = undefined;
-      // An attempt may have failed since.
-      if (performance.now() < this.#notBefore) this.changed();
-      else this.tryAgain();
-    }, Math.max(0, this.#notBefore - performance.now()));
+    this.#soon ??= setTimeout(
+      () => {
+        this.#soon = undefined;
+        // An attempt may have failed since.
+        if (performance.now() < this.#notBefore) this.changed();
+        else this.tryAgain();
+      },
+      Math.max(0, this.#notBefore - performance.now()),
+    );
   }
 
   /** Nothing is tried any more. */

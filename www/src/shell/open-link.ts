@@ -18,7 +18,11 @@ export interface Opens {
 }
 
 export class OpenLink {
-  readonly element = make('a', { className: 'open-link', part: 'open-link', target: '_blank', rel: 'noopener', hidden: true }, icon('open'));
+  readonly element = make(
+    'a',
+    { className: 'open-link', part: 'open-link', target: '_blank', rel: 'noopener', hidden: true },
+    icon('open'),
+  );
   readonly #host: Opens;
   readonly #beside: string | undefined;
 
@@ -27,7 +31,8 @@ export class OpenLink {
     this.#host = host;
     this.#beside = beside;
     // Before a click, a middle click or the menu of the right button.
-    for (const near of ['pointerenter', 'pointerdown', 'focus', 'click']) this.element.addEventListener(near, () => this.#address());
+    for (const near of ['pointerenter', 'pointerdown', 'focus', 'click'])
+      this.element.addEventListener(near, () => this.#address());
     this.changed();
   }
 
@@ -59,7 +64,15 @@ export class OpenLink {
     const { value: text, language } = this.#host;
     const said = (name: string): string | null => this.#host.getAttribute(name);
     page.hash = writtenLink({
-      text, language, setup: said('setup'), control: said('control'), blockSkip: said('block-skip'), program: said('program'), view: null, step: said('step'), readonly: false,
+      text,
+      language,
+      setup: said('setup'),
+      control: said('control'),
+      blockSkip: said('block-skip'),
+      program: said('program'),
+      view: null,
+      step: said('step'),
+      readonly: false,
     });
     this.element.href = page.href;
   }

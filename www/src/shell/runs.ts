@@ -222,7 +222,14 @@ export class Runs {
     const text = editor.takeUnsent();
     const came = this.#came;
     this.#came = 'typed';
-    client.begin({ setup, text, tried: editor.tried, came, framing: changes.framing, cursor: this.#cursorKnown ? editor.cursor : undefined });
+    client.begin({
+      setup,
+      text,
+      tried: editor.tried,
+      came,
+      framing: changes.framing,
+      cursor: this.#cursorKnown ? editor.cursor : undefined,
+    });
     this.#events.begun();
     if (text !== undefined) void this.askTokens();
   }

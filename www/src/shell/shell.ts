@@ -12,8 +12,32 @@ import type { ProgramContext, Span } from '../editor/holder';
 import { Program } from '../editor/program';
 import { programText, type ProgramFile, type ProgramText } from '../editor/program-text';
 import { ALWAYS, PICTURES } from '../panels/index';
-import { REGIONS, type Control, type NewestQuestion, type Panel, type PanelKind, type Region, type Services, type Shell, type SwitchesSet } from '../panels/panel';
-import type { Answer, Command, CompletionHelp, Diagnostic, Help, HelpWanted, QuestionKind, Questions, Readout, Report, Stroke, Summary, WordHelp } from '../protocol/protocol';
+import {
+  REGIONS,
+  type Control,
+  type NewestQuestion,
+  type Panel,
+  type PanelKind,
+  type Region,
+  type Services,
+  type Shell,
+  type SwitchesSet,
+} from '../panels/panel';
+import type {
+  Answer,
+  Command,
+  CompletionHelp,
+  Diagnostic,
+  Help,
+  HelpWanted,
+  QuestionKind,
+  Questions,
+  Readout,
+  Report,
+  Stroke,
+  Summary,
+  WordHelp,
+} from '../protocol/protocol';
 import type { Heard } from '../worker/core-client';
 import { linesOf, oneOf, stepOf, FRAMES, SIDES } from './author';
 import { diagnosticsAsGiven, strokeAsGiven } from './as-given';
@@ -66,7 +90,9 @@ interface Missed {
 }
 
 /** Every copy of the element's folder has a page beside it; who bundles the element has another folder, and says where there is one. */
-const BESIDE = import.meta.url.endsWith('/element.js') ? import.meta.url.replace(/element\.js$/, 'index.html') : undefined;
+const BESIDE = import.meta.url.endsWith('/element.js')
+  ? import.meta.url.replace(/element\.js$/, 'index.html')
+  : undefined;
 
 /** How long the editor waits for the first picture of a run that has ended. */
 const EDITOR_AFTER_MS = 500;
@@ -119,13 +145,24 @@ export class PlaygroundShell implements Shell {
       show: (text, remedy) => {
         const { tryAgain, reload } = WORDS[this.#language];
         if (text === undefined) this.service('hideNotice')('missing');
-        else this.service('notice')(text, 'missing', remedy === 'reload' ? { title: reload, act: () => location.reload() } : { title: tryAgain, act: () => this.#missing.tryAgain() });
+        else
+          this.service('notice')(
+            text,
+            'missing',
+            remedy === 'reload'
+              ? { title: reload, act: () => location.reload() }
+              : { title: tryAgain, act: () => this.#missing.tryAgain() },
+          );
       },
     });
     this.view = host.view;
     this.readonly = host.readonly;
     this.#controls = controlsOf(this.view, host.controls);
-    this.#coming = new Set([...(FURTHER[this.view] === undefined ? [] : ['panels'] as const), ...(this.showsProgram ? ['editor'] as const : []), ...(host.playground === '' ? [] : ['link'] as const)]);
+    this.#coming = new Set([
+      ...(FURTHER[this.view] === undefined ? [] : (['panels'] as const)),
+      ...(this.showsProgram ? (['editor'] as const) : []),
+      ...(host.playground === '' ? [] : (['link'] as const)),
+    ]);
     this.editor = new Program(this.#language, host.readonly ? 'readonly' : 'editable', {
       changed: () => {
         this.#coming.delete('step');
@@ -272,7 +309,10 @@ export class PlaygroundShell implements Shell {
 
   #lookAsSaid(send: (command: Command) => void): void {
     const { highlight, fit, turret } = this.#host;
-    send({ kind: 'mark', lines: linesOf(highlight).map(({ first, last }) => ({ firstLine: first - 1, endLine: last })) });
+    send({
+      kind: 'mark',
+      lines: linesOf(highlight).map(({ first, last }) => ({ firstLine: first - 1, endLine: last })),
+    });
     send({ kind: 'frame', frame: oneOf(FRAMES, fit) });
     send({ kind: 'turret', side: oneOf(SIDES, turret) });
   }
@@ -361,7 +401,9 @@ export class PlaygroundShell implements Shell {
   pressed(event: KeyboardEvent): void {
     if (this.#panels.some(({ takesKeys }) => takesKeys === true)) return;
     const target = event.composedPath()[0];
-    const typing = target instanceof HTMLElement && (target.isContentEditable || target.matches('input:not([type=range]), textarea'));
+    const typing =
+      target instanceof HTMLElement &&
+      (target.isContentEditable || target.matches('input:not([type=range]), textarea'));
     const key = { event, inside: typing ? 'text' : 'elsewhere' } as const;
     if (!this.#panels.some((panel) => !this.#unseen.has(panel) && panel.pressed?.(key) === 'own')) return;
     event.preventDefault();
@@ -511,7 +553,10 @@ export class PlaygroundShell implements Shell {
 
   /** Panels stand before those that are there already. */
   #add(kinds: readonly PanelKind[]): readonly Panel[] {
-    adopt(this.root, kinds.map(({ styles }) => styles ?? ''));
+    adopt(
+      this.root,
+      kinds.map(({ styles }) => styles ?? ''),
+    );
     const added = kinds.map(({ make }) => make(this));
     for (const [at, kind] of kinds.entries()) {
       const panel = added[at];
@@ -603,7 +648,10 @@ export class PlaygroundShell implements Shell {
     else this.service('notice')(WORDS[this.#language].setupRejected(rejected), 'setup');
     this.#available(hasMotions(report));
     this.editor.diagnostics = diagnostics;
-    this.#events.fire<{ summary: Summary; diagnostics: readonly Diagnostic[] }>('gcode-report', { summary, diagnostics: diagnosticsAsGiven(diagnostics, this.editor) });
+    this.#events.fire<{ summary: Summary; diagnostics: readonly Diagnostic[] }>('gcode-report', {
+      summary,
+      diagnostics: diagnosticsAsGiven(diagnostics, this.editor),
+    });
   }
 
   /** There, or not to be had. */
@@ -658,8 +706,13 @@ export class PlaygroundShell implements Shell {
   #failed(kind: MissingKind, say: FailureText, error: unknown, again: () => void): void {
     const needsReload = error instanceof NeedsReload;
     const isWithoutNetwork = !needsReload && isOffline();
-    const reason = (texts: (typeof WORDS)['en']): string => (needsReload ? texts.needsReload : isWithoutNetwork ? texts.noNetwork : describe(error));
-    this.#missing.failed(kind, (language) => WORDS[language][say](reason(WORDS[language])), needsReload ? 'reload' : again);
+    const reason = (texts: (typeof WORDS)['en']): string =>
+      needsReload ? texts.needsReload : isWithoutNetwork ? texts.noNetwork : describe(error);
+    this.#missing.failed(
+      kind,
+      (language) => WORDS[language][say](reason(WORDS[language])),
+      needsReload ? 'reload' : again,
+    );
   }
 
   #unreported(): void {
@@ -682,7 +735,12 @@ export class PlaygroundShell implements Shell {
     if (!this.#isReported) this.#unreported();
     const again = (): void => this.#runs.again();
     if (loss.kind === 'load-failed') this.#failed('interpreter', 'loadFailed', loss.reason, again);
-    else this.#missing.failed('interpreter', (language) => (loss.kind === 'silent' ? WORDS[language].stopped : WORDS[language].crashed), again);
+    else
+      this.#missing.failed(
+        'interpreter',
+        (language) => (loss.kind === 'silent' ? WORDS[language].stopped : WORDS[language].crashed),
+        again,
+      );
     this.#editIfShown();
   }
 }
@@ -725,7 +783,8 @@ const WORDS = words({
   en: {
     playground: 'G-code playground',
     loadFailed: (reason: string) => `The interpreter could not be loaded (${reason}).`,
-    partFailed: (reason: string) => `Not all of the playground could be loaded (${reason}). What is drawn is right, and you can go on editing.`,
+    partFailed: (reason: string) =>
+      `Not all of the playground could be loaded (${reason}). What is drawn is right, and you can go on editing.`,
     pageFailed: (reason: string) => `What stands around the picture could not be loaded (${reason}).`,
     programComing: (address: string) => `The program is being loaded: ${address}`,
     programFailed: (address: string, reason: string) => `The program could not be loaded from ${address} (${reason}).`,
@@ -769,8 +828,10 @@ const WORDS = words({
     reload: 'Обновить',
     needsReload: 'нужно обновить страницу',
     noNetwork: 'нет сети; попытка повторится, когда сеть появится',
-    stopped: 'Выполнение длилось слишком долго и было остановлено. Программа сохранена: измените её, чтобы запустить снова.',
-    crashed: 'Произошёл сбой интерпретатора — это наша ошибка. Программа сохранена: измените её, чтобы запустить снова.',
+    stopped:
+      'Выполнение длилось слишком долго и было остановлено. Программа сохранена: измените её, чтобы запустить снова.',
+    crashed:
+      'Произошёл сбой интерпретатора — это наша ошибка. Программа сохранена: измените её, чтобы запустить снова.',
     setupRejected: (reason) => `Наладка отклонена: ${reason}`,
   },
 });

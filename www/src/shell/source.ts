@@ -131,7 +131,12 @@ function child(element: HTMLElement, selector: string): Element | undefined {
  */
 export function textInside(element: HTMLElement): string {
   const holder = child(element, PROGRAM_SCRIPT) ?? child(element, 'pre');
-  const text = holder === undefined ? own(element).map(textOf).join('') : own(holder).map((node) => node.textContent ?? '').join('');
+  const text =
+    holder === undefined
+      ? own(element).map(textOf).join('')
+      : own(holder)
+          .map((node) => node.textContent ?? '')
+          .join('');
   const lines = folded(text).split('\n');
   while (lines.length > 0 && lines[0]?.trim() === '') lines.shift();
   while (lines.length > 0 && lines.at(-1)?.trim() === '') lines.pop();
@@ -163,6 +168,7 @@ function nameOf(address: string): string {
 
 /** Most programs are ASCII without the zeros of UTF-16; what recognises encodings is loaded only for others. */
 async function decoded(bytes: Uint8Array): Promise<{ readonly text: string; readonly encoding: Encoding }> {
-  if (bytes.every((byte) => byte > 0 && byte < 0x80)) return { text: new TextDecoder().decode(bytes), encoding: 'utf-8' };
+  if (bytes.every((byte) => byte > 0 && byte < 0x80))
+    return { text: new TextDecoder().decode(bytes), encoding: 'utf-8' };
   return (await loaded(() => import('../files/encoding-guess'))).guess(bytes);
 }

@@ -36,7 +36,11 @@ export function mergedSetup(json: string | null, { control, blockSkip, program }
   if (control !== null && (dialect !== undefined || control !== CONTROL_IF_UNSAID)) {
     merged['dialect'] = { ...(typeof dialect === 'object' ? dialect : {}), control };
   }
-  if (blockSkip !== null) merged['blockSkip'] = blockSkip.split(/[\s,]+/).filter((part) => part !== '').map(numberOrText);
+  if (blockSkip !== null)
+    merged['blockSkip'] = blockSkip
+      .split(/[\s,]+/)
+      .filter((part) => part !== '')
+      .map(numberOrText);
   if (program !== null) merged['program'] = numberOrText(program);
   return { kind: 'setup', json: JSON.stringify(merged) };
 }

@@ -6,7 +6,9 @@
 const made = new Map<string, CSSStyleSheet>();
 
 export function adopt(root: ShadowRoot, texts: readonly string[]): void {
-  root.adoptedStyleSheets = [...new Set([...root.adoptedStyleSheets, ...texts.filter((text) => text !== '').map(sheet)])];
+  root.adoptedStyleSheets = [
+    ...new Set([...root.adoptedStyleSheets, ...texts.filter((text) => text !== '').map(sheet)]),
+  ];
 }
 
 function sheet(text: string): CSSStyleSheet {

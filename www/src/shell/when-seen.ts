@@ -28,9 +28,12 @@ export function whenNear(element: HTMLElement, start: () => void): () => void {
     return () => undefined;
   }
   if (observer === undefined) {
-    observer = new IntersectionObserver((entries) => {
-      for (const { isIntersecting, target } of entries) if (isIntersecting) startNow(target);
-    }, { rootMargin: `${NEAR * 100}%` });
+    observer = new IntersectionObserver(
+      (entries) => {
+        for (const { isIntersecting, target } of entries) if (isIntersecting) startNow(target);
+      },
+      { rootMargin: `${NEAR * 100}%` },
+    );
     addEventListener('beforeprint', () => {
       for (const target of [...waiting.keys()]) startNow(target);
     });

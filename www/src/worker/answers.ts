@@ -60,7 +60,10 @@ export const ANSWERS: { readonly [K in QuestionKind]: AnswerRow<K> } = {
   difference: { needs: IN_WORDS, waits: 'for-the-part', answer: difference },
   'setup-form': { needs: IN_WORDS, answer: (core) => core.setupForm() },
   'another-tool': { needs: IN_WORDS, answer: (core, { word }) => core.anotherTool(word) },
-  'read-setup': { needs: IN_WORDS, answer: (core, { keys, texts, keep, json }) => core.readSetupForm([...keys], [...texts], keep, json) },
+  'read-setup': {
+    needs: IN_WORDS,
+    answer: (core, { keys, texts, keep, json }) => core.readSetupForm([...keys], [...texts], keep, json),
+  },
   'profiles-in': { needs: IN_WORDS, answer: (core, { json }) => profilesIn(core, json) },
   'profiles-of-run': { needs: IN_WORDS, answer: (core, { json }) => core.profilesOfRun(json) },
   'with-profile': { needs: IN_WORDS, answer: (core, { json, kind, profile }) => core.withProfile(json, kind, profile) },

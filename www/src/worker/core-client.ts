@@ -5,7 +5,19 @@
 // Must not know: what the commands mean, what is on the page, or that others share the worker.
 
 import { CoreThread, type Line, type Loss } from './core-thread';
-import { counts, OF_THE_RUN, type Answer, type Command, type Pictures, type Question, type QuestionKind, type Questions, type RunChange, type RunEvent, type SessionEvent } from '../protocol/protocol';
+import {
+  counts,
+  OF_THE_RUN,
+  type Answer,
+  type Command,
+  type Pictures,
+  type Question,
+  type QuestionKind,
+  type Questions,
+  type RunChange,
+  type RunEvent,
+  type SessionEvent,
+} from '../protocol/protocol';
 
 export type { Loss };
 

@@ -60,7 +60,11 @@ export class CoreThread {
 
   private constructor(where: 'with-others' | 'apart') {
     this.#where = where;
-    this.#worker = startWorker<FromWorker>(script, (event) => this.#receive(event), (reason) => this.#failed(reason));
+    this.#worker = startWorker<FromWorker>(
+      script,
+      (event) => this.#receive(event),
+      (reason) => this.#failed(reason),
+    );
     this.#post({ kind: 'files', files: PART_FILES });
     coreModule().then(
       (module) => {
@@ -98,7 +102,8 @@ export class CoreThread {
       case 'event':
         this.#sessions.get(event.session)?.event(event.event);
         // A picture for nobody.
-        if (!this.#sessions.has(event.session) && event.event.kind === 'pictures') for (const image of Object.values(event.event.pictures)) image.close();
+        if (!this.#sessions.has(event.session) && event.event.kind === 'pictures')
+          for (const image of Object.values(event.event.pictures)) image.close();
         return;
       case 'at-work':
         this.#atWork = event.session;
@@ -147,7 +152,8 @@ export class CoreThread {
   #lose(loss: Loss, blamed: number | undefined): void {
     const guilty = blamed === undefined ? undefined : this.#sessions.get(blamed);
     const listeners = this.#end();
-    for (const listener of listeners) listener.lost(guilty === undefined || listener === guilty ? loss : { kind: 'neighbour' });
+    for (const listener of listeners)
+      listener.lost(guilty === undefined || listener === guilty ? loss : { kind: 'neighbour' });
   }
 
   /** The sessions there were. */

@@ -28,17 +28,24 @@ export function help(core: Playground, ask: HelpWanted): Help | undefined | Prom
 
   function begun(): boolean {
     all.sought = ask;
-    const isThere = ask.about === 'motion' ? core.askMotion(ask.motion) : core.askBlock(ask.offset, ask.about === 'block' ? ask.time : undefined);
+    const isThere =
+      ask.about === 'motion'
+        ? core.askMotion(ask.motion)
+        : core.askBlock(ask.offset, ask.about === 'block' ? ask.time : undefined);
     return isThere || core.lookForAnswer(BLOCKS);
   }
 
   function answer(): Help {
     all.sought = undefined;
     switch (ask.about) {
-      case 'word': return { asked: ask, word: core.wordHelp() };
-      case 'block': return { asked: ask, word: core.wordHelp(), form: core.formHelp(), state: core.stateHelp() };
-      case 'completion': return { asked: ask, completion: core.completionHelp(ask.askedFor) };
-      case 'motion': return { asked: ask, explanation: core.explanation() };
+      case 'word':
+        return { asked: ask, word: core.wordHelp() };
+      case 'block':
+        return { asked: ask, word: core.wordHelp(), form: core.formHelp(), state: core.stateHelp() };
+      case 'completion':
+        return { asked: ask, completion: core.completionHelp(ask.askedFor) };
+      case 'motion':
+        return { asked: ask, explanation: core.explanation() };
     }
   }
 
@@ -47,7 +54,12 @@ export function help(core: Playground, ask: HelpWanted): Help | undefined | Prom
       await new Promise((done) => setTimeout(done));
       if (asked.get(core)?.newest.get(ask.by) !== ask) return undefined;
       const { sought } = all;
-      if (sought === ask ? core.lookForAnswer(BLOCKS) : (sought === undefined || all.newest.get(sought.by) !== sought) && begun()) return answer();
+      if (
+        sought === ask
+          ? core.lookForAnswer(BLOCKS)
+          : (sought === undefined || all.newest.get(sought.by) !== sought) && begun()
+      )
+        return answer();
     }
   }
 }

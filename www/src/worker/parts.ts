@@ -43,7 +43,9 @@ export class LateParts<W extends Waiter> {
 
   /** Parts could not be loaded, and are not being loaded. */
   get failed(): boolean {
-    return [...this.#missing.keys()].some((part) => !this.#loading.has(part) && !(part === 'early' && this.#loading.has('late')));
+    return [...this.#missing.keys()].some(
+      (part) => !this.#loading.has(part) && !(part === 'early' && this.#loading.has('late')),
+    );
   }
 
   /** Loads what is not there yet, one after the other: what is wanted first is there first. Who may want it hears of a failure. */
@@ -107,7 +109,8 @@ export class LateParts<W extends Waiter> {
       hadFailed = this.#missing.delete(loaded) || hadFailed;
     }
     this.#goOn();
-    if (hadFailed && this.#missing.size === 0) for (const waiter of this.#all()) waiter.guarded(() => waiter.partsLoaded());
+    if (hadFailed && this.#missing.size === 0)
+      for (const waiter of this.#all()) waiter.guarded(() => waiter.partsLoaded());
   }
 
   #goOn(): void {

@@ -6,7 +6,11 @@
 import { Drawn, type PictureName, type Playground } from '../../pkg/gcode_playground.js';
 import { PICTURES, type CanvasCommand, type Pictures, type ViewsState } from '../protocol/protocol';
 
-type OnCanvas<K extends CanvasCommand['kind']> = (core: Playground, picture: PictureName, what: Extract<CanvasCommand, { readonly kind: K }>) => void;
+type OnCanvas<K extends CanvasCommand['kind']> = (
+  core: Playground,
+  picture: PictureName,
+  what: Extract<CanvasCommand, { readonly kind: K }>,
+) => void;
 
 const ON_CANVAS: { readonly [K in CanvasCommand['kind']]: OnCanvas<K> } = {
   canvas(core, picture, { size }) {

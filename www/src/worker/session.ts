@@ -11,8 +11,21 @@ import { ANSWERS, type AnswerRow } from './answers';
 import { forget } from './help';
 import { mayTellOfSwitches, SwitchFinder } from './switches-in-text';
 import {
-  counts, type BeginRun, type Came, type Command, type Question, type QuestionKind, type Report, type RunEvent, type SessionEvent, type SwitchesInText, type TextChange, type TextCommand, type TriedValue,
-  type Work } from '../protocol/protocol';
+  counts,
+  type BeginRun,
+  type Came,
+  type Command,
+  type Question,
+  type QuestionKind,
+  type Report,
+  type RunEvent,
+  type SessionEvent,
+  type SwitchesInText,
+  type TextChange,
+  type TextCommand,
+  type TriedValue,
+  type Work,
+} from '../protocol/protocol';
 import type { LateParts, PartName, Waiter } from './parts';
 import { handIn } from './text-in';
 import { changePicture, drawAll, fitAll, takePictures, viewsState } from './pictures';
@@ -156,7 +169,11 @@ export class Session implements Waiter {
 
   partFailed(reason: unknown): void {
     const isNeeded = this.#stage.kind === 'lacking' || this.#stage.kind === 'waiting' || this.#reportsLate;
-    this.#tell({ kind: 'part-failed', reason: describe(reason), neededFor: isNeeded ? 'the-report' : 'something-else' });
+    this.#tell({
+      kind: 'part-failed',
+      reason: describe(reason),
+      neededFor: isNeeded ? 'the-report' : 'something-else',
+    });
   }
 
   partsLoaded(): void {
@@ -197,11 +214,24 @@ export class Session implements Waiter {
   /** Whether an old picture is still the one to show. */
   #oldPictureStays(message: Command, line: number): boolean {
     switch (message.kind) {
-      case 'cursor': case 'picture':
+      case 'cursor':
+      case 'picture':
         return this.#leaves(message, line) ? this.#showCurrent() : true;
-      case 'run': case 'shown': case 'hover': case 'leave-edge': case 'load-parts': case 'stop':
+      case 'run':
+      case 'shown':
+      case 'hover':
+      case 'leave-edge':
+      case 'load-parts':
+      case 'stop':
         return true;
-      case 'palette': case 'language': case 'unit': case 'turret': case 'mark': case 'frame': case 'keep': case 'end-comparison':
+      case 'palette':
+      case 'language':
+      case 'unit':
+      case 'turret':
+      case 'mark':
+      case 'frame':
+      case 'keep':
+      case 'end-comparison':
         return this.#showCurrent();
     }
   }
@@ -262,7 +292,8 @@ export class Session implements Waiter {
     hover: { draws: 'when-whole', act: (session, { motion }) => session.#core.setHover(motion) },
     mark: {
       draws: 'when-whole',
-      act: (session, { lines }) => session.#core.setMarkedLines(Uint32Array.from(lines.flatMap(({ firstLine, endLine }) => [firstLine, endLine]))),
+      act: (session, { lines }) =>
+        session.#core.setMarkedLines(Uint32Array.from(lines.flatMap(({ firstLine, endLine }) => [firstLine, endLine]))),
     },
     frame: { draws: 'when-whole', act: (session, { frame }) => session.#core.setFrame(frame ?? '') },
     turret: {
@@ -306,12 +337,16 @@ export class Session implements Waiter {
       if (row.needs === undefined) return [];
       // What is asked with parts is asked of a program that can run.
       const missing = this.#missingPart();
-      return [...(missing === undefined ? [] : [missing]), ...row.needs.map((part) => (part === 'language' ? this.#language : part))];
+      return [
+        ...(missing === undefined ? [] : [missing]),
+        ...row.needs.map((part) => (part === 'language' ? this.#language : part)),
+      ];
     };
     const now = (): void => {
       if (!this.#isLoaded(needs())) return this.#whenLoaded(needs(), now);
       // Nothing of this run lies under a pointer that is over the picture of an earlier one.
-      if (this.#keepsOld !== undefined && OF_THE_PICTURE.has(question.about)) return void this.#reply(question.id, undefined);
+      if (this.#keepsOld !== undefined && OF_THE_PICTURE.has(question.about))
+        return void this.#reply(question.id, undefined);
       if (this.#keepsOld !== undefined && row.draws !== undefined) this.#showCurrent();
       void this.#reply(question.id, row.answer(this.#core, question.ask));
       if (row.draws !== undefined) this.#wantDraw(row.draws);
@@ -362,7 +397,15 @@ export class Session implements Waiter {
 
   /** The line of the reader's hand: one change of the text, with the cursor in it. */
   #lineTyped({ setup, text, came, framing, cursor }: BeginRun): number | undefined {
-    if (setup !== undefined || text?.kind !== 'edit' || text.changes.length !== 1 || came !== 'typed' || framing === 'fit' || cursor === undefined) return undefined;
+    if (
+      setup !== undefined ||
+      text?.kind !== 'edit' ||
+      text.changes.length !== 1 ||
+      came !== 'typed' ||
+      framing === 'fit' ||
+      cursor === undefined
+    )
+      return undefined;
     const [change] = text.changes;
     const line = this.#core.lineAt(cursor);
     return change !== undefined && this.#core.lineAt(change.from) === line ? line : undefined;
@@ -408,7 +451,12 @@ export class Session implements Waiter {
   /** Where nothing is tried, nor was, the run goes on as it is. */
   #tryValues(tried: readonly TriedValue[]): void {
     const list = (of: (value: TriedValue) => number): Uint32Array => Uint32Array.from(tried, of);
-    this.#core.tryValues(list(({ at }) => at), list(({ time }) => time), list(({ variable }) => variable), Float64Array.from(tried, ({ value }) => value));
+    this.#core.tryValues(
+      list(({ at }) => at),
+      list(({ time }) => time),
+      list(({ variable }) => variable),
+      Float64Array.from(tried, ({ value }) => value),
+    );
   }
 
   #changeText(text: TextCommand, came: Came): void {
@@ -424,7 +472,8 @@ export class Session implements Waiter {
   #edit({ from, to, insert }: TextChange): void {
     // Lines that are still to be looked at may stand elsewhere then.
     const anew = this.#looking !== undefined || to - from > LOOK_LIMIT || insert.length > LOOK_LIMIT;
-    const touched = (end: number): string => this.#core.linesAsWritten(this.#core.lineAt(from), this.#core.lineAt(end) + 1);
+    const touched = (end: number): string =>
+      this.#core.linesAsWritten(this.#core.lineAt(from), this.#core.lineAt(end) + 1);
     const before = anew ? '' : touched(to);
     this.#core.edit(from, to, insert);
     if (anew || mayTellOfSwitches(before) || mayTellOfSwitches(touched(from + insert.length))) this.#lookForSwitches();
@@ -472,7 +521,13 @@ export class Session implements Waiter {
     else if (this.#drawing) this.#draw();
     else if (this.#stage.kind === 'machining') this.#removeMaterial(this.#stage);
     else this.#lookOn();
-    if (this.#stage.kind === 'running' || this.#stage.kind === 'machining' || this.#drawing || this.#looking !== undefined) this.#queueSlice();
+    if (
+      this.#stage.kind === 'running' ||
+      this.#stage.kind === 'machining' ||
+      this.#drawing ||
+      this.#looking !== undefined
+    )
+      this.#queueSlice();
   }
 
   #advance(going: Going): void {
@@ -516,7 +571,13 @@ export class Session implements Waiter {
   #toMachine(): void {
     const now = performance.now();
     this.#mayKeepOldPicture();
-    const machining: Stage & { kind: 'machining' } = { kind: 'machining', pathTold: false, pathShown: false, startedAt: now, lastProgressAt: now };
+    const machining: Stage & { kind: 'machining' } = {
+      kind: 'machining',
+      pathTold: false,
+      pathShown: false,
+      startedAt: now,
+      lastProgressAt: now,
+    };
     this.#stage = machining;
     this.#removeMaterial(machining);
   }
@@ -539,7 +600,12 @@ export class Session implements Waiter {
       machining.pathTold = true;
       this.#report('path');
     }
-    if (this.#keepsOld === undefined && !machining.pathShown && performance.now() - machining.startedAt > SHOW_PATH_AFTER_MS) this.#wantDraw('now');
+    if (
+      this.#keepsOld === undefined &&
+      !machining.pathShown &&
+      performance.now() - machining.startedAt > SHOW_PATH_AFTER_MS
+    )
+      this.#wantDraw('now');
     this.#tellProgress(machining, 'part', () => this.#core.machiningProgress());
     this.#queueSlice();
   }
@@ -590,7 +656,10 @@ export class Session implements Waiter {
       this.#frameAsked = false;
       const wanted = this.#drawWanted;
       this.#drawWanted = 'no';
-      const ready = this.#stage.kind === 'done' || this.#stage.kind === 'waiting' || (this.#stage.kind === 'machining' && this.#stage.pathShown);
+      const ready =
+        this.#stage.kind === 'done' ||
+        this.#stage.kind === 'waiting' ||
+        (this.#stage.kind === 'machining' && this.#stage.pathShown);
       this.guarded(() => {
         if (this.#stage.kind === 'lacking') this.#drawWanted = wanted;
         else if (wanted === 'now' || (wanted === 'when-whole' && ready)) this.#draw();
@@ -630,7 +699,13 @@ export class Session implements Waiter {
   #settle(): void {
     const waits = this.#stage.kind === 'waiting' || this.#stage.kind === 'lacking';
     const atWork = waits ? !this.#parts.failed : this.#stage.kind !== 'done';
-    const busy = atWork || (this.#reportsLate && !this.#parts.failed) || this.#drawing || (this.#drawWanted !== 'no' && this.#stage.kind !== 'lacking') || this.#onTheWay || this.#looking !== undefined;
+    const busy =
+      atWork ||
+      (this.#reportsLate && !this.#parts.failed) ||
+      this.#drawing ||
+      (this.#drawWanted !== 'no' && this.#stage.kind !== 'lacking') ||
+      this.#onTheWay ||
+      this.#looking !== undefined;
     if (busy || this.#settledAt === this.#heard) return;
     this.#settledAt = this.#heard;
     this.#tell({ kind: 'settled', heard: this.#heard });

@@ -25,7 +25,11 @@ const inMemory = new Map<string, Promise<string>>();
 /** Scripts that could not be started: the browser's cache may hold a copy with a fault. */
 const failedBefore = new Set<string>();
 
-export function startWorker<Event>(script: string, heard: (event: Event) => void, failed: (reason: string) => void): StartedWorker {
+export function startWorker<Event>(
+  script: string,
+  heard: (event: Event) => void,
+  failed: (reason: string) => void,
+): StartedWorker {
   let worker: Worker | undefined;
   /** What a worker that is begun again has to hear; nothing once one has answered. */
   let said: unknown[] | undefined = [];
@@ -54,7 +58,10 @@ export function startWorker<Event>(script: string, heard: (event: Event) => void
     failedBefore.add(script);
     fail(reason);
   };
-  const fromMemory = (): void => void fetched(script).then((copy) => started(begin(copy), notStarted)).catch(notStarted);
+  const fromMemory = (): void =>
+    void fetched(script)
+      .then((copy) => started(begin(copy), notStarted))
+      .catch(notStarted);
   const direct = (): void => {
     try {
       // Some browsers say at once that they do not take it, others later.
@@ -103,7 +110,11 @@ function fetched(script: string): Promise<string> {
 }
 
 async function load(script: string): Promise<string> {
-  const response = await fetch(script, { mode: 'cors', credentials: 'same-origin', cache: failedBefore.has(script) ? 'reload' : 'default' });
+  const response = await fetch(script, {
+    mode: 'cors',
+    credentials: 'same-origin',
+    cache: failedBefore.has(script) ? 'reload' : 'default',
+  });
   if (!response.ok) throw new Error(`${script}: ${response.status}`);
   return URL.createObjectURL(new Blob([await response.text()], { type: 'text/javascript' }));
 }

@@ -28,7 +28,8 @@ export function mayTellOfSwitches(lines: string): boolean {
 
 /** The number by which the interpreter knows a name: FNV-1a of its capital letters, beyond all O numbers. */
 function numberOf(name: string): number {
-  const hash = [...name.toUpperCase()].reduce((hash, sign) => Math.imul(hash ^ sign.charCodeAt(0), 0x01000193), 0x811c9dc5) >>> 0;
+  const hash =
+    [...name.toUpperCase()].reduce((hash, sign) => Math.imul(hash ^ sign.charCodeAt(0), 0x01000193), 0x811c9dc5) >>> 0;
   return 2 ** 30 + ((hash ^ (hash >>> 30)) & (2 ** 30 - 1));
 }
 
@@ -66,6 +67,7 @@ export class SwitchFinder {
   }
 
   #add(program: ProgramHead): void {
-    if (this.#programs.size < PROGRAMS_LIMIT && !this.#programs.has(program.number)) this.#programs.set(program.number, program);
+    if (this.#programs.size < PROGRAMS_LIMIT && !this.#programs.has(program.number))
+      this.#programs.set(program.number, program);
   }
 }

@@ -7,7 +7,9 @@ import type { Questions } from '../protocol/protocol';
 
 type About = 'play' | 'seek' | 'seek-block' | 'step' | 'go-to' | 'readout';
 
-export const toolAnswers: { readonly [K in About]: (core: Playground, ask: Questions[K]['ask']) => Questions[K]['answer'] } = {
+export const toolAnswers: {
+  readonly [K in About]: (core: Playground, ask: Questions[K]['ask']) => Questions[K]['answer'];
+} = {
   play(core, { from, seconds, pace, holds }) {
     if (from === 'start') core.seek(0);
     const factor = pace.kind === 'times' ? pace.factor : core.animationSeconds() / pace.seconds;
