@@ -135,6 +135,7 @@ fn page(setup: &Setup, browsers: &[(&'static str, PathBuf)], tier: &Tier, done: 
         run::say(format_args!("warning: {message}"));
     }
     done.add("translations", begun.elapsed());
+    done.add("page lints", step("format and lints of the page", &mut setup.npm(&["run", "lint"]))?);
     done.add("page types", step("checking the page's types", &mut setup.npm(&["run", "typecheck"]))?);
     done.add(
         "workflows",
