@@ -690,3 +690,36 @@ fn a_tool_whose_grooves_go_outwards_bores() {
         );
     }
 }
+
+/// A drill of Ø25 with its edge at X-25 or X25 makes a hole of Ø25 with a flat bottom, and a boring bar goes on in it.
+#[test]
+fn a_drill_is_led_by_its_edge() {
+    let turned = "O1\nG21G99\nT0101(OD TURN)\nG97S1000M3\nG0X56.Z1.\nX50.\nG1Z-30.F0.2\nX56.\nG0X60.Z50.\n";
+    for (comment, x) in [("25 MM INSERT DRILL", "-25."), ("DRILL D25", "25."), ("INSERT DRILL", "-25.")] {
+        let drilled = format!("{turned}T0202({comment})\nG97S1400M3\nG0X{x}Z1.\nG1Z-20.F0.1\nG0Z50.\n");
+        let solid = run(&format!("{drilled}M30\n"));
+        solid.check(&[(-10.0, &[(25.0, 50.0)]), (-19.9, &[(25.0, 50.0)]), (-20.1, &[(0.0, 50.0)])]);
+        assert!(!solid.told.contains(&"tool-unknown"), "{comment}: {:?}", solid.told);
+        let bored =
+            run(&format!("{drilled}T0303(BORING BAR)\nG0X28.Z1.\nG1Z-15.F0.1\nX25.\nG0Z1.\nZ50.\nM30\n"));
+        bored.check(&[(-10.0, &[(28.0, 50.0)]), (-16.0, &[(25.0, 50.0)]), (-20.1, &[(0.0, 50.0)])]);
+    }
+    // Another diameter than that of the drill is not its edge.
+    let wrong = run(&format!("{turned}T0202(DRILL D10)\nG97S1400M3\nG0X40.Z1.\nG1Z-20.F0.1\nG0Z50.\nM30\n"));
+    wrong.check(&[(-10.0, &[(0.0, 40.0)])]);
+}
+
+/// Two drills of unknown diameter before a boring bar that begins at X7.8: neither hole is larger.
+#[test]
+fn no_assumed_drill_is_larger_than_the_bore_after_it() {
+    let ran = run(
+        "O1\nG21G99\nT0101\nG97S800M3\nG0X0.Z3.\nG1Z-15.F0.1\nG0Z30.\nT0303\nG0X0.Z3.\nG1Z-18.F0.1\nG0Z30.\nT0202\n\
+         G0X7.8Z2.\nG1Z-6.7F0.1\nX6.8\nG0Z30.\nT0404\nG0X22.Z1.\nX20.\nG1Z-30.\nX22.\nG0Z30.\nM30\n",
+    );
+    let part = ran.simulation.finished().expect("a part");
+    for z in [-5.0, -10.0] {
+        let material = part.radii(z);
+        assert!(material.len() == 1 && material[0].0 <= 3.91, "{z}: {material:?}");
+        assert!((material[0].1 - 10.0).abs() < 0.02, "{z}: {material:?}");
+    }
+}

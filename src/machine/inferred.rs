@@ -29,6 +29,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use super::blank::{Cuts, clear_of_rapids, first_face, larger_than_first_pass, smaller_than_bored};
 use super::choice;
 use super::evidence::Evidence;
+use super::tool::DRILL;
 use super::tool_use::{Clamping, Purpose, ToolUse};
 use crate::geometry::SAME;
 use crate::limits::INFERRED_FROM;
@@ -131,8 +132,11 @@ fn tools_of(uses: &[ToolUse]) -> Vec<(u16, Purpose, Tool)> {
     let bore = inside.map(|own| own.extents.least()).fold(f64::INFINITY, f64::min);
     let holes = uses.iter().filter(|own| own.purpose == Purpose::Hole);
     let deepest = holes.map(|own| own.deepest).fold(f64::INFINITY, f64::min);
-    // A centre drill comes before the drill that makes the bore.
-    let bore_of = |own: &ToolUse| if own.deepest <= deepest + SAME { bore } else { f64::INFINITY };
+    // A centre drill or a first drill comes before the drill that makes the bore. It is no larger.
+    let bore_of = |own: &ToolUse| match own.deepest <= deepest + SAME || bore < DRILL.radius() {
+        true => bore,
+        false => f64::INFINITY,
+    };
     uses.iter().map(|own| (own.station, own.purpose, own.tool(bore_of(own)))).collect()
 }
 

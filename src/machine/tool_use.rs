@@ -25,6 +25,9 @@ const SHORT: f64 = 2.0;
 /// Material up to this width between two columns of pecks is a ridge; wider material is a land between two grooves, mm.
 const RIDGE: f64 = 1.0;
 
+/// The X at which a drill is led by its edge differs so much from its radius at most, mm.
+const EDGE_OFF: f64 = 0.2;
+
 /// A rapid that moves less across the axis than this share of its way along it does not leave the work.
 const ASIDE: f64 = 0.1;
 
@@ -119,6 +122,8 @@ pub(super) struct ToolUse {
     across: u32,
     /// Cuts with a spindle that turned before and is stopped now, while something may turn the tool.
     stopped: u32,
+    /// X of cuts that go straight along Z into the work, radius, mm, while all cuts do so at one X: the edge of a drill.
+    edge: Option<f64>,
     /// Whether it taps: on the axis, locked to the spindle.
     taps: bool,
     /// Where the last column of pecks is, and how far apart two of one cycle are at most: along Z, or across for
@@ -269,6 +274,7 @@ impl ToolUse {
             like_holes: 0,
             across: 0,
             stopped: 0,
+            edge: None,
             taps: false,
             column: None,
             columns: 0.0,
@@ -299,12 +305,22 @@ impl ToolUse {
             Purpose::Turning if is_drill && self.makes_holes() && (self.is_across() || all_stopped) => {
                 Purpose::Live
             }
+            Purpose::Turning if self.is_led_by_edge(words, moves_with_c) => Purpose::Hole,
             Purpose::Turning if moves_with_c && (self.is_across() || self.makes_holes()) => Purpose::Live,
             Purpose::Grooving if self.face && self.extents.behind() <= OFF_CENTER && !is_insert => {
                 Purpose::Hole
             }
             purpose => purpose,
         }
+    }
+
+    /// Whether a drill that a comment names is led by its edge: all cuts go straight along Z at one X, the diameter of
+    /// the hole, while the work turns.
+    fn is_led_by_edge(&self, words: Option<&Tool>, moves_with_c: bool) -> bool {
+        let Some((words, edge)) = words.zip(self.edge) else { return false };
+        let fits = |diameter: Diameter| (diameter.radius() - edge.abs()).abs() <= EDGE_OFF;
+        let is_drill = words.kind == Some(ToolKind::Drill) && words.diameter.is_none_or(fits);
+        is_drill && self.stopped == 0 && !moves_with_c
     }
 
     /// Whether all cuts go straight across the axis.
@@ -327,6 +343,10 @@ impl ToolUse {
     fn look(&mut self, motion: &Motion, before: Option<&Motion>, next: Option<&Motion>, side: Option<i32>) {
         let way = |motion: &Motion| (motion.to.x - motion.from.x, motion.to.z - motion.from.z);
         let (dx, dz) = way(motion);
+        let at = motion.from.x;
+        let is_led_along = dx.abs() <= SAME && at.abs() > OFF_CENTER;
+        let is_same = self.cuts == 0 || self.edge.is_some_and(|edge| (edge - at).abs() <= SAME);
+        self.edge = (is_led_along && is_same).then_some(at);
         self.cuts += 1;
         self.taps |= motion.kind == MotionKind::Thread;
         self.extents.add(motion);
@@ -467,6 +487,11 @@ impl ToolUse {
             Purpose::Live if self.makes_holes() => Tool { kind: Some(ToolKind::Drill), ..Tool::default() },
             Purpose::Live => Tool { kind: Some(ToolKind::Endmill), ..Tool::default() },
             Purpose::Hole => {
+                if let Some(edge) = self.edge {
+                    let diameter = Some(Diameter::from_radius(edge.abs()));
+                    let tip = Some(if edge > 0.0 { 6 } else { 8 });
+                    return Tool { kind: Some(ToolKind::Drill), diameter, tip, ..Tool::default() };
+                }
                 let kind = if self.taps { ToolKind::Tap } else { ToolKind::Drill };
                 // Off the axis it makes a larger hole.
                 let radius = bore - self.extents.behind();
