@@ -723,3 +723,78 @@ fn no_assumed_drill_is_larger_than_the_bore_after_it() {
         assert!((material[0].1 - 10.0).abs() < 0.02, "{z}: {material:?}");
     }
 }
+
+/// Outside Ø9.65 to Z-13 on a bar of Ø25.1, in it a bore of Ø3.7 to Z-7.7 with an undercut of Ø4.6 to Z-9, made by a tool
+/// that comes back at Ø3.7: outside it would run into the undercut.
+#[test]
+fn a_tool_that_comes_back_within_its_cuts_bores() {
+    let pin = "O1\nG21G40G99\nT0505\nG97S750M3\nG0X25.1Z3.\nX9.65\nG1Z-13.F.1\nX25.1\nG0Z30.\n";
+    let undercut = run(&format!(
+        "{pin}T0707\nG97S300M3\nG0X3.7Z30.\nZ1.\nG1Z-7.7F2.5\nX4.1Z-7.9F.04\nZ-9.\nX4.6\nZ-8.55\nX3.7F.3\nZ1.F3.\nG0Z30.\nM30\n"
+    ));
+    undercut.check(&[(-5.0, &[(3.7, 9.65)]), (-8.8, &[(4.6, 9.65)]), (-12.0, &[(3.7, 9.65)])]);
+    // A drilled bore whose bottom the tool faces to Ø1.8, and through it back at rapid.
+    let bore = run(&format!(
+        "{pin}T0909(2.0 DRILL)\nG97S800M3\nG0X0Z3.\nG1Z-9.5F.1\nG0Z30.\nT0606\nG97S350M3\nG0X4.897Z30.\nZ1.\nG1Z0F.1\n\
+         X4.Z-1.673F.03\nZ-4.8F.1\nX1.8\nG0Z3.\nZ30.\nM30\n"
+    ));
+    bore.check(&[(-3.0, &[(4.0, 9.65)]), (-6.0, &[(2.0, 9.65)]), (-12.0, &[(0.0, 9.65)])]);
+    // The bottom of a raw hole: Ø24.7 to Z-18, and Ø19.9 from Z-21.6 on.
+    let tube = run(
+        "O1\nG21G40G99\nT0202\nG97S900M3\nG0X49.Z2.\nX40.\nG1Z-24.F.1\nX49.\nG0Z2.\nT0404\nG97S1700M3\nG0Z2.\nX20.\n\
+         G1Z-20.5F1.\nX24.7F.1\nZ-18.\nX26.Z-19.4\nZ-21.05\nX19.9Z-21.6\nZ-22.8\nG0Z5.\nM30\n",
+    );
+    tube.check(&[(-10.0, &[(20.0, 40.0)]), (-20.0, &[(26.0, 40.0)]), (-22.5, &[(19.9, 40.0)])]);
+}
+
+/// An outside tool that forgets to leave the work before its rapid remains an outside tool.
+#[test]
+fn a_tool_alone_that_runs_into_its_own_cuts_does_not_bore() {
+    let ran = run("O1\nG21G99\nT0101\nG97S800M3\nG0X52.Z2.\nX40.\nG1Z-20.F0.2\nX30.Z-30.\nG0Z50.\nM30\n");
+    ran.check(&[(-10.0, &[(0.0, 40.0)])]);
+}
+
+/// A boring bar centres the face: from X0.1 Z-1 at 45 degrees out to X5.1 Z1.5. At Z0 the countersink has Ø2.1.
+#[test]
+fn a_cut_from_the_axis_to_the_front_is_a_countersink() {
+    let ran = run(
+        "O1\nG21G40G99\nT0101\nG97S250M3\nG0X0.1Z30.\nZ2.\nG1Z-1.F.06\nX5.1Z1.5\nG0Z30.\nT0505\nG97S750M3\nG0X25.1Z3.\n\
+         X7.93\nG1Z-9.5F.1\nX25.1\nG0Z30.\nM30\n",
+    );
+    ran.check(&[(-5.0, &[(0.0, 7.93)])]);
+    let part = ran.simulation.finished().expect("a part");
+    let material = part.radii(-0.5);
+    assert!(material.len() == 1 && (material[0].0 - 0.55).abs() < 0.1, "{material:?}");
+}
+
+/// A ring groove in the face, inner corner at X40, 3 mm wide and 5 mm deep: a comment names the tool.
+#[test]
+fn a_face_groove_is_one_by_its_comment() {
+    let ran = run(
+        "O1\nG21G99\nT0101\nG97S660M3\nG0X62.Z0.\nG1X-1.F.1\nG0Z10.\nT1010(FACE GROOVE 3MM)\nG97S550M3\nG0X40.Z1.\n\
+         G1Z-5.F.05\nG0Z1.\nZ10.\nM30\n",
+    );
+    ran.check(&[(-2.0, &[(0.0, 40.0), (46.0, 62.0)]), (-6.0, &[(0.0, 62.0)])]);
+}
+
+/// The only tool on the side of -X goes straight in and back, breaking chips: a drill led by its edge.
+#[test]
+fn a_tool_alone_on_the_negative_side_that_only_goes_straight_in_drills() {
+    let ran = run(
+        "O1\nG21G99\nT0101\nG97S800M3\nG0X62.Z0.\nG1X-1.F.1\nG0Z1.\nX60.\nG1Z-50.F.2\nX62.\nG0Z10.\nT0404\nG97S2000M3\n\
+         G0X-20.6\nZ1.\nG1Z-8.F.15\nZ-7.8\nZ-20.\nZ-19.8\nZ-33.\nG0Z50.\nM30\n",
+    );
+    ran.check(&[(-10.0, &[(20.6, 60.0)]), (-32.9, &[(20.6, 60.0)]), (-34.0, &[(0.0, 60.0)])]);
+}
+
+/// A bore of Ø14 to Z-25 in a hole to Z-30: the drill before it was smaller.
+#[test]
+fn an_assumed_drill_leaves_something_for_the_bore() {
+    let ran = run(
+        "O1\nG21G99\nT0606(DRILL)\nG97S900M3\nG0X0Z2.\nG1Z-30.F0.1\nG0Z2.\nT0505\nG0X14.Z2.\nG1Z-25.F0.1\nG0X0\nZ2.\nM30\n",
+    );
+    let part = ran.simulation.finished().expect("a part");
+    let (bore, hole) = (part.radii(-10.0), part.radii(-26.0));
+    assert!((bore[0].0 - 7.0).abs() < 0.01, "{bore:?}");
+    assert!(hole[0].0 > 3.0 && hole[0].0 < 6.9, "{hole:?}");
+}

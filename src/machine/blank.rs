@@ -12,6 +12,9 @@ use crate::motion::{Cycle, Motion, MotionKind, Step};
 use crate::setup::{Side, Stock, Tool, ToolKind};
 use crate::units::Diameter;
 
+/// No bore is narrower, radius, mm.
+pub(super) const ON_AXIS: f64 = 0.5;
+
 /// Wall around a bore whose outside nobody turns: so many times its radius, and at least so many mm.
 const WALL: (f64, f64) = (0.25, 5.0);
 
@@ -348,7 +351,8 @@ impl Cuts {
         let ringed = self.face_grooves.radius + BLADE;
         let radius = if self.face_grooves.is_empty() || radius > ringed { radius } else { ringed + FLANK };
         let diameter = Diameter::from_radius(radius);
-        let is_tube = self.inside.least.is_finite() && self.holes.is_empty();
+        // A tool that begins at the axis makes its hole.
+        let is_tube = (ON_AXIS..f64::INFINITY).contains(&self.inside.least) && self.holes.is_empty();
         let bore = if is_tube { self.inside.least } else { 0.0 };
         let bore = Diameter::from_radius(if bore < radius { bore.max(0.0) } else { 0.0 });
         // A fifth longer than the cuts reach, and no thin slice.

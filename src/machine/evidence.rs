@@ -38,6 +38,12 @@ impl<'a> Evidence<'a> {
         self.is_mirrored
     }
 
+    /// Whether all of a motion is on the side of −X.
+    pub fn is_on_negative_side(&self, index: usize) -> bool {
+        let motion = self.motions.get_on_workpiece(index);
+        motion.from.x.max(motion.to.x) < -SAME
+    }
+
     /// The motions.
     pub fn moves(&self) -> impl Iterator<Item = Motion> + 'a {
         let is_mirrored = self.is_mirrored;

@@ -26,7 +26,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use super::blank::{Cuts, clear_of_rapids, first_face, larger_than_first_pass, smaller_than_bored};
+use super::blank::{Cuts, ON_AXIS, clear_of_rapids, first_face, larger_than_first_pass, smaller_than_bored};
 use super::choice;
 use super::evidence::Evidence;
 use super::tool::DRILL;
@@ -125,11 +125,18 @@ pub fn inferred_setup(motions: &Motions, given: &Setup) -> Setup {
     setup
 }
 
+/// A drill leaves this for boring, radius, mm.
+const ALLOWANCE: f64 = 0.5;
+
 /// A first tool for each use.
 fn tools_of(uses: &[ToolUse]) -> Vec<(u16, Purpose, Tool)> {
     // What a drill leaves is where boring begins.
-    let inside = uses.iter().filter(|own| own.is_inside());
-    let bore = inside.map(|own| own.extents.least()).fold(f64::INFINITY, f64::min);
+    let inside = || uses.iter().filter(|own| own.is_inside());
+    let bores = inside().map(|own| own.extents.least()).filter(|&least| least >= ON_AXIS);
+    let least = bores.fold(f64::INFINITY, f64::min);
+    // A cut along it removes something.
+    let is_cut = inside().any(|own| own.turned <= least + SAME);
+    let bore = if is_cut { least - ALLOWANCE.min(least / 10.0) } else { least };
     let holes = uses.iter().filter(|own| own.purpose == Purpose::Hole);
     let deepest = holes.map(|own| own.deepest).fold(f64::INFINITY, f64::min);
     // A centre drill or a first drill comes before the drill that makes the bore. It is no larger.

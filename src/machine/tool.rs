@@ -251,17 +251,12 @@ fn thread(tool: &Tool) -> (Outline, Option<Outline>) {
     (Outline::around(edge), body)
 }
 
-/// A drill or a tap, and what holds it. The program leads its point, or, with tip direction 6 or 8, the edge of a flat drill.
+/// A drill or a tap, and what holds it. The program leads its point, or, with tip direction 6, the edge of a flat drill.
 fn drill(tool: &Tool, kind: ToolKind) -> (Outline, Option<Outline>) {
     let radius = tool.diameter.unwrap_or(DRILL).radius();
-    let edge = match tool.tip {
-        Some(6) => Some(-radius),
-        Some(8) => Some(radius),
-        _ => None,
-    };
-    if let Some(center) = edge {
+    if tool.tip == Some(6) {
         let length = tool.reach.unwrap_or(LONG);
-        return (Outline::around(rectangle((0.0, length), (center - radius, center + radius))), None);
+        return (Outline::around(rectangle((0.0, length), (-2.0 * radius, 0.0))), None);
     }
     let point = if kind == ToolKind::Tap { 180.0 } else { tool.angle.unwrap_or(DRILL_POINT) };
     let shoulder = radius / (point.to_radians() / 2.0).tan();

@@ -5,13 +5,13 @@
 
 use std::collections::BTreeMap;
 
-use super::blank::Extents;
+use super::blank::{Extents, ON_AXIS};
 use super::evidence::Evidence;
 use super::finishing::Finishings;
 use super::tool::BLADE;
 use crate::cycles::drilling::OFF_CENTER;
 use crate::geometry::SAME;
-use crate::motion::{Cycle, CycleFamily, Motion, MotionKind, SpindleTurn};
+use crate::motion::{Cycle, CycleFamily, Feed, Motion, MotionKind, SpindleTurn};
 use crate::setup::stock::deepest_cut;
 use crate::setup::{Side, Stock, Tool, ToolKind};
 use crate::units::Diameter;
@@ -24,6 +24,15 @@ const SHORT: f64 = 2.0;
 
 /// Material up to this width between two columns of pecks is a ridge; wider material is a land between two grooves, mm.
 const RIDGE: f64 = 1.0;
+
+/// So fast no cut is fed, mm/rev.
+const AS_RAPID: f64 = 1.0;
+
+/// The cuts of a groove in the face lie this near together across at most, chamfers included, radius, mm.
+const NARROW: f64 = 1.0;
+
+/// So much larger the outside is than a bore in it at least, radius, mm.
+const WALL: f64 = 0.5;
 
 /// The X at which a drill is led by its edge differs so much from its radius at most, mm.
 const EDGE_OFF: f64 = 0.2;
@@ -107,7 +116,7 @@ pub(super) struct ToolUse {
     /// Cuts along Z that end at negative Z with a cut straight into the work next.
     approaches: u32,
     /// Least radius of cuts along Z at negative Z, mm; infinite where there are none.
-    turned: f64,
+    pub turned: f64,
     /// Whether the first cut that reaches negative Z falls towards the axis: the chamfer of a bore does.
     narrows: Option<bool>,
     /// Ways into the work along the axis, and back, and how far the deepest goes: Z, mm.
@@ -124,6 +133,14 @@ pub(super) struct ToolUse {
     stopped: u32,
     /// X of cuts that go straight along Z into the work, radius, mm, while all cuts do so at one X: the edge of a drill.
     edge: Option<f64>,
+    /// Whether it leaves the work sideways at negative Z.
+    aside: bool,
+    /// Whether its first cut is on the side of −X.
+    negative: bool,
+    /// Greatest radius at negative Z since it came from in front of it or went at rapid, mm.
+    deep: f64,
+    /// Whether it goes back in front of the face at less than that: an outside tool would run into the work.
+    retreats: bool,
     /// Whether it taps: on the axis, locked to the spindle.
     taps: bool,
     /// Where the last column of pecks is, and how far apart two of one cycle are at most: along Z, or across for
@@ -192,7 +209,8 @@ impl ToolUse {
                 Some(at) => at,
                 None if seen.len() == MOST_USES => continue,
                 None => {
-                    seen.push(ToolUse::new(station, purpose, index));
+                    let negative = evidence.is_on_negative_side(index);
+                    seen.push(ToolUse { negative, ..ToolUse::new(station, purpose, index) });
                     seen.len() - 1
                 }
             };
@@ -206,9 +224,16 @@ impl ToolUse {
         let stations: Vec<u16> =
             seen.iter().filter(|own| own.purpose != Purpose::Hole).map(|own| own.station).collect();
         seen.retain(|own| own.purpose != Purpose::Hole || own.holes > 0 || !stations.contains(&own.station));
+        let has_positive = seen.iter().any(|own| !own.negative);
         for own in &mut seen {
             let turns_of_c = turns_of_c.get(&own.station).copied().unwrap_or_default();
-            own.purpose = own.purpose_by_words(described_tools.get(&own.station), turns_of_c);
+            let words = described_tools.get(&own.station);
+            let is_face =
+                |words: &Tool| words.kind == Some(ToolKind::Grooving) && words.side == Some(Side::Face);
+            own.negative &= has_positive;
+            let is_narrow = own.extents.behind() - own.extents.least() <= NARROW;
+            own.face |= own.purpose == Purpose::Turning && is_narrow && words.is_some_and(is_face);
+            own.purpose = own.purpose_by_words(words, turns_of_c);
         }
         // A live cutter that also moves along X or Z alone bores nothing.
         let live: Vec<u16> =
@@ -275,6 +300,10 @@ impl ToolUse {
             across: 0,
             stopped: 0,
             edge: None,
+            aside: false,
+            negative: false,
+            deep: f64::NEG_INFINITY,
+            retreats: false,
             taps: false,
             column: None,
             columns: 0.0,
@@ -306,6 +335,7 @@ impl ToolUse {
                 Purpose::Live
             }
             Purpose::Turning if self.is_led_by_edge(words, moves_with_c) => Purpose::Hole,
+            Purpose::Turning if self.face => Purpose::Grooving,
             Purpose::Turning if moves_with_c && (self.is_across() || self.makes_holes()) => Purpose::Live,
             Purpose::Grooving if self.face && self.extents.behind() <= OFF_CENTER && !is_insert => {
                 Purpose::Hole
@@ -314,13 +344,19 @@ impl ToolUse {
         }
     }
 
-    /// Whether a drill that a comment names is led by its edge: all cuts go straight along Z at one X, the diameter of
-    /// the hole, while the work turns.
+    /// Whether it is a drill led by its edge: all cuts go straight along Z at one X, the diameter of the hole, while the
+    /// work turns. A comment names the drill, or it alone works on the side of −X.
     fn is_led_by_edge(&self, words: Option<&Tool>, moves_with_c: bool) -> bool {
-        let Some((words, edge)) = words.zip(self.edge) else { return false };
-        let fits = |diameter: Diameter| (diameter.radius() - edge.abs()).abs() <= EDGE_OFF;
-        let is_drill = words.kind == Some(ToolKind::Drill) && words.diameter.is_none_or(fits);
-        is_drill && self.stopped == 0 && !moves_with_c
+        let Some(edge) = self.edge.filter(|_| self.stopped == 0 && !self.aside && !moves_with_c) else {
+            return false;
+        };
+        match words.and_then(|words| words.kind.map(|kind| (kind, words.diameter))) {
+            Some((kind, diameter)) => {
+                let fits = |diameter: Diameter| (diameter.radius() - edge).abs() <= EDGE_OFF;
+                kind == ToolKind::Drill && diameter.is_none_or(fits)
+            }
+            None => self.negative,
+        }
     }
 
     /// Whether all cuts go straight across the axis.
@@ -344,12 +380,13 @@ impl ToolUse {
         let way = |motion: &Motion| (motion.to.x - motion.from.x, motion.to.z - motion.from.z);
         let (dx, dz) = way(motion);
         let at = motion.from.x;
-        let is_led_along = dx.abs() <= SAME && at.abs() > OFF_CENTER;
+        let is_led_along = dx.abs() <= SAME && at > OFF_CENTER;
         let is_same = self.cuts == 0 || self.edge.is_some_and(|edge| (edge - at).abs() <= SAME);
         self.edge = (is_led_along && is_same).then_some(at);
         self.cuts += 1;
         self.taps |= motion.kind == MotionKind::Thread;
         self.extents.add(motion);
+        self.look_for_retreat(motion, before, next);
         let after_x = next.map_or(0.0, |next| way(next).0);
         // Between tools it goes home, though that is not always seen.
         let own_next = next.filter(|next| next.process.tool == motion.process.tool);
@@ -367,6 +404,8 @@ impl ToolUse {
             Some((Cycle::RoughTurning, _)) if infeed < -SAME => 2,
             Some((Cycle::RoughTurning, _)) if infeed > SAME => -2,
             _ if dx > SAME && returns => 1,
+            // From the axis out to the mouth of a bore.
+            _ if dx > SAME && motion.from.x <= ON_AXIS && motion.from.z < -SAME && motion.to.z > SAME => -2,
             _ => side.unwrap_or_else(|| leaves(motion, self.along, own_next)),
         };
         self.along = if motion.to.z < -SAME { dz } else { 0.0 };
@@ -423,6 +462,25 @@ impl ToolUse {
                 }
             }
         }
+    }
+
+    /// Notes how the tool goes back in front of the face: at rapid or as fast, straight along Z.
+    fn look_for_retreat(&mut self, motion: &Motion, before: Option<&Motion>, next: Option<&Motion>) {
+        let is_fast = |motion: &Motion| match motion.process.feed {
+            _ if motion.kind == MotionKind::Rapid => true,
+            Feed::PerTurn(feed) => feed >= AS_RAPID,
+            Feed::PerMinute(_) | Feed::Unset => false,
+        };
+        if before.is_none_or(|before| !before.kind.cuts()) || motion.from.z > -SAME {
+            self.deep = f64::NEG_INFINITY;
+        }
+        if motion.to.z < -SAME && (motion.to.z - motion.from.z).abs() > SAME {
+            self.deep = self.deep.max(motion.from.x).max(motion.to.x);
+        }
+        let Some(next) = next.filter(|next| is_fast(next) && motion.to.z < -SAME) else { return };
+        let is_straight = (next.to.x - next.from.x).abs() <= SAME;
+        self.aside |= !is_straight;
+        self.retreats |= is_straight && next.to.z > -SAME && self.deep > motion.to.x + SAME;
     }
 
     /// Notes how far apart the columns of G74 and G75 are.
@@ -488,9 +546,8 @@ impl ToolUse {
             Purpose::Live => Tool { kind: Some(ToolKind::Endmill), ..Tool::default() },
             Purpose::Hole => {
                 if let Some(edge) = self.edge {
-                    let diameter = Some(Diameter::from_radius(edge.abs()));
-                    let tip = Some(if edge > 0.0 { 6 } else { 8 });
-                    return Tool { kind: Some(ToolKind::Drill), diameter, tip, ..Tool::default() };
+                    let diameter = Some(Diameter::from_radius(edge));
+                    return Tool { kind: Some(ToolKind::Drill), diameter, tip: Some(6), ..Tool::default() };
                 }
                 let kind = if self.taps { ToolKind::Tap } else { ToolKind::Drill };
                 // Off the axis it makes a larger hole.
@@ -574,18 +631,21 @@ fn bores(words: Option<&Tool>) -> bool {
 }
 
 /// Whether a use that leaves the work neither way works in a hole that was drilled before: further within what
-/// other tools turn than an insert cuts in one pass, or, where no other tool turns, from a chamfer inwards.
+/// other tools turn than an insert cuts in one pass, or from a chamfer inwards, or back at less than its bore. Within what
+/// others turn the last needs no hole.
 fn bores_after_drill(own: &ToolUse, all: &[ToolUse]) -> bool {
     let is_drilled = all.iter().any(|hole| {
         hole.purpose == Purpose::Hole && hole.first < own.first && hole.deepest <= own.deepest + SAME
     });
     let turned = all.iter().filter(|other| other.purpose == Purpose::Turning && other.outside > 0);
     let turned = turned.map(|other| other.turned).fold(f64::INFINITY, f64::min);
+    let wall = turned - own.extents.behind();
+    let is_bored = own.narrows == Some(true) || own.retreats;
     let is_within = match turned.is_finite() {
-        true => turned - own.extents.behind() > deepest_cut(turned),
-        false => own.narrows == Some(true),
+        true => wall > deepest_cut(turned) || is_bored && wall > WALL,
+        false => is_bored,
     };
-    is_drilled && is_within
+    is_within && (is_drilled || own.retreats && turned.is_finite())
 }
 
 /// Which way a tool leaves the work after a cut: 1 outwards, −1 inwards, 0 where that is not

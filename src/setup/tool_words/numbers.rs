@@ -103,6 +103,7 @@ pub fn width(text: &str, unit: Unit) -> Option<f64> {
                 .iter()
                 .any(|name| before.starts_with(name))
     });
+    let behind = || measures(text).find(|own| own.behind == "W");
     let with_unit = || measures(text).find(|own| is_unit(own.behind));
     // A number alone, that is no name of the insert, no counter and no other measure.
     let alone = || {
@@ -110,7 +111,10 @@ pub fn width(text: &str, unit: Unit) -> Option<f64> {
             own.behind.is_empty() && own.before.len() > 2 && !own.before.contains('Ø') && !own.glued
         })
     };
-    let own = named.or_else(with_unit).or_else(|| if text.contains("GROOV") { alone() } else { None })?;
+    let own = named
+        .or_else(behind)
+        .or_else(with_unit)
+        .or_else(|| if text.contains("GROOV") { alone() } else { None })?;
     Some(own.in_millimetres(unit)).filter(in_range(WIDTHS))
 }
 
@@ -136,6 +140,7 @@ pub fn diameter(text: &str, unit: Unit) -> Option<f64> {
     let before_drill = || {
         measures(text).find(|own| {
             own.behind.starts_with("DRILL")
+                || own.behind == "DR"
                 || (own.behind.is_empty()
                     && !own.glued
                     && (matches!(own.before, "BROCA" | "DE" | "MECHA" | "PUNTA")

@@ -38,7 +38,7 @@ pub const KINDS: &[(Form, &str, Option<ToolKind>)] = &[
     (Stem, "ROSCA", Some(Threading)), (Stem, "ROSQUEA", Some(Threading)), (Stem, "FILET", Some(Threading)),
     (Stem, "РЕЗЬБ", Some(Threading)), (Part, "螺纹", Some(Threading)), (Part, "螺紋", Some(Threading)), (Part, "牙刀", Some(Threading)),
     // Boring bars, before drills.
-    (Part, "BOHRSTANGE", Some(Boring)), (Part, "AUSDREH", Some(Boring)), (Part, "INNENDREH", Some(Boring)),
+    (Part, "BOHRST", Some(Boring)), (Part, "AUSDREH", Some(Boring)), (Part, "INNENDREH", Some(Boring)),
     (Stem, "BORING", Some(Boring)), (Word, "BORE", Some(Boring)), (Word, "BB", Some(Boring)), (Stem, "MANDRIN", Some(Boring)),
     (Stem, "MANDRIL", Some(Boring)), (Stem, "ALESA", Some(Boring)), (Stem, "ALÉSA", Some(Boring)), (Stem, "BARENO", Some(Boring)),
     (Stem, "РАСТОЧ", Some(Boring)), (Part, "镗", Some(Boring)), (Part, "鏜", Some(Boring)), (Part, "内孔", Some(Boring)), (Part, "內孔", Some(Boring)),
@@ -47,7 +47,7 @@ pub const KINDS: &[(Form, &str, Option<ToolKind>)] = &[
     (Stem, "VRTÁK", Some(Drill)), (Stem, "MATKAP", Some(Drill)), (Stem, "MATA BOR", Some(Drill)), (Part, "ドリル", Some(Drill)), (Word, "SPOT", Some(Drill)), (Stem, "CSINK", Some(Drill)), (Stem, "COUNTERSINK", Some(Drill)),
     (Stem, "REAMER", Some(Drill)), (Part, "BOHRER", Some(Drill)), (Part, "BOHREN", Some(Drill)), (Part, "ZENTRIER", Some(Drill)),
     (Stem, "BROCA", Some(Drill)), (Stem, "FURAC", Some(Drill)), (Stem, "FURAÇ", Some(Drill)), (Stem, "FURAA", Some(Drill)),
-    (Stem, "FURAR", Some(Drill)), (Stem, "TALADR", Some(Drill)), (Stem, "PUNTA", Some(Drill)), (Stem, "FORATURA", Some(Drill)),
+    (Stem, "FURAR", Some(Drill)), (Word, "FURO", Some(Drill)), (Word, "FÚRÓ", Some(Drill)), (Word, "DR", Some(Drill)), (Stem, "TALADR", Some(Drill)), (Stem, "PUNTA", Some(Drill)), (Stem, "FORATURA", Some(Drill)),
     (Stem, "FORET", Some(Drill)), (Stem, "PERÇ", Some(Drill)), (Stem, "PERCAGE", Some(Drill)), (Stem, "СВЕРЛ", Some(Drill)),
     (Stem, "ЦЕНТРОВ", Some(Drill)), (Stem, "РАЗВЕРТ", Some(Drill)), (Part, "钻", Some(Drill)), (Part, "鑽", Some(Drill)), (Part, "钻孔", Some(Drill)),
     // Grooving inserts.
