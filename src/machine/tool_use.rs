@@ -28,9 +28,6 @@ const RIDGE: f64 = 1.0;
 /// So fast no cut is fed, mm/rev.
 const AS_RAPID: f64 = 1.0;
 
-/// The cuts of a groove in the face lie this near together across at most, chamfers included, radius, mm.
-const NARROW: f64 = 1.0;
-
 /// So much larger the outside is than a bore in it at least, radius, mm.
 const WALL: f64 = 0.5;
 
@@ -231,7 +228,7 @@ impl ToolUse {
             let is_face =
                 |words: &Tool| words.kind == Some(ToolKind::Grooving) && words.side == Some(Side::Face);
             own.negative &= has_positive;
-            let is_narrow = own.extents.behind() - own.extents.least() <= NARROW;
+            let is_narrow = own.extents.behind() - own.extents.least() <= BLADE;
             own.face |= own.purpose == Purpose::Turning && is_narrow && words.is_some_and(is_face);
             own.purpose = own.purpose_by_words(words, turns_of_c);
         }

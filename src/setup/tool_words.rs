@@ -107,6 +107,10 @@ pub fn stock(text: &[u8], unit: Unit) -> DescribedStock {
 /// What the words of a comment say of a tool.
 pub fn described(comment: &str, unit: Unit) -> Tool {
     let text = capitals::in_capitals(comment);
+    // `INDICATE ID TURN SIDE` says how the tool is measured.
+    if text.contains("INDICATE") {
+        return Tool::default();
+    }
     let mut tool = terms::insert(&text).unwrap_or_default();
     let kind = terms::kind(&text);
     // `14MM DRILL XCMT`: the word has priority over the insert.

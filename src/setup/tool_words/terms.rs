@@ -149,7 +149,7 @@ pub const SIDES: &[(Form, &str, Side)] = &[
 const BLADES: &[(&str, Side)] = &[
     ("MGMN", Side::Outside), ("MGGN", Side::Outside), ("DGN", Side::Outside), ("GTN", Side::Outside), ("N151", Side::Outside),
     ("N123", Side::Outside), ("TAG", Side::Outside), ("TGFH", Side::Outside), ("GIQR", Side::Inside), ("GIQL", Side::Inside),
-    ("MIFR", Side::Face), ("MIFL", Side::Face),
+    ("MIFR", Side::Face), ("MIFL", Side::Face), ("HFHR", Side::Face), ("HFHL", Side::Face),
 ];
 
 /// The kind of tool that a comment names.

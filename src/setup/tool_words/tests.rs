@@ -105,6 +105,8 @@ fn designations_and_measures() {
         ("MGMN300", "grooving outside w3"),
         ("1\" INSERT DRILL", "drill d25.4"),
         ("FACE GROOVE .118W", "grooving face w3"),
+        ("HFHR-25.4-75-3T25 75-100MM .118W", "grooving face w3"),
+        ("INDICATE ID TURN SIDE - X+ SIDE OF INSERT", "nothing"),
         (".125W PARTING TOOL", "grooving w3.18"),
         (".159\" STUB DRILL", "drill d4.04"),
         ("39/64 HSS DRILL", "drill d15.48"),
