@@ -29,7 +29,7 @@ enum Sign {
     G79,
     /// `G91`: incremental.
     G91,
-    /// `G94 F` without X and Z: feed a minute.
+    /// `G94 F` or `G90 G94` without X and Z: feed a minute.
     G94F,
     /// `G33 Z F`: threading in B and C.
     G33,
@@ -169,7 +169,7 @@ impl Scales {
                 900 if !axes => Sign::AbsoluteAlone,
                 910 => Sign::G91,
                 940 if axes => Sign::G94Cycle,
-                940 if statement.has(b'F') => Sign::G94F,
+                940 if statement.has(b'F') || codes([900, 910]) => Sign::G94F,
                 330 if axes && statement.has(b'F') => Sign::G33,
                 320 if axes && statement.has(b'F') => Sign::G32,
                 240 if cycle => Sign::G24,

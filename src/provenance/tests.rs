@@ -195,7 +195,7 @@ fn lathe_programs_are_at_home() {
 fn systems_b_and_c() {
     check_system("G21 G40 G90 G95\nG92 S2500\nG28 U0\nG71 U2 R1\nG71 P1 Q2 U.5 W.1 F.3\n", GSystem::B, "G95");
     check_system("G0 X30 Z2\nG92 S1500\n", GSystem::B, "G92");
-    check_system("G92 X100 Z50\nG94 G90\nT0101\nG0 X32 Z2\nG1 X28 F100\n", GSystem::B, "G90");
+    check_system("G92 X100 Z50\nG94 G90\nT0101\nG0 X32 Z2\nG1 X28 F100\n", GSystem::B, "G94");
     check_system("G0 X30 Z2\nG77 X28 Z-20 F0.2\nX26\n", GSystem::B, "G77");
     // Increments by G91 show B in spite of the speed limit of A.
     let slip =
@@ -211,6 +211,13 @@ fn systems_b_and_c() {
         "G95",
     );
     check_system("G18 G20\nG94\nG90 G0 X1.2 Z.2\nG1 X1. F4.4\nG90 G94\n", GSystem::B, "G90");
+    // Two cycles of A in one block without a place.
+    for head in ["G21 G90 G94", "G90 G95", "G91 G94", "G95 G91"] {
+        let program =
+            format!("{head}\nG28 U0 W0\nT0101\nM03 S1500\nG00 X44 Z0\nG01 X0 F120\nG00 X44 Z2\nG28 U0 W0\n");
+        let found = found(&program).system.map(|(system, _)| system);
+        assert_eq!(found, Some(GSystem::B), "{head}");
+    }
     check_system("G90 G94 G18\nG90 G95\nG28 U0.\nG0 X50. Z5.\n", GSystem::B, "G95");
     // EMCO with FANUC 0-TC: one number more or less than system A, and G78 is its thread.
     let emco =
@@ -240,6 +247,8 @@ fn doubts_leave_system_a() {
         // The head of a mill and one block of its kind.
         "G90 G0 X50. Z2.\nG1 Z-20. F.2\n",
         "(G95 G92 S100)\nG0 X1\n",
+        "G21 G90 G94\nG50 S2000\nG00 X44 Z0\nG01 X0 F120\n",
+        "G21 G90 G94\nG00 X44 Z2\nG92 X40 Z-20 F1.5\n",
     ] {
         check_at_home(program);
     }
