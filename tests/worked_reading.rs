@@ -458,3 +458,25 @@ fn a_speed_limit_of_system_a_is_one_error_in_system_b() {
     assert_eq!(told, ["g-code-system-concluded? 2", "unknown-g-code 8"]);
     assert_eq!(ends(program, "{}")[1..4], [(55.0, 5.0), (50.0, 5.0), (50.0, -60.0)]);
 }
+
+/// Coordinates with three decimals such as `Z1.000`, with feeds of less than 0.03, are inches. A metric program has the zero before its
+/// points, or feeds of 0.05 and more.
+#[test]
+fn coordinates_written_out_to_thousandths_show_inches() {
+    let inches = |text: &str| told(text, "{}").iter().any(|told| told.starts_with("inches-concluded"));
+    for text in [
+        "G00 Z1.000\nX.0\nZ.050\nG74 R.050\nG74 X.0 Z-.500 P0 Q1000 R0 F.006\nG00 Z.050\n",
+        "G97 S800 M3\nG00 Z.100\nX5.500\nG01 Z-2.300 F.015\nX5.600\n",
+    ] {
+        assert!(inches(text), "{text}");
+        assert!(!inches(&format!("G21\n{text}")), "{text}");
+    }
+    for text in [
+        "G97 S800 M3\nG00 Z0.100\nX5.500\nG01 Z-2.300 F0.015\nX5.600\n",
+        "G97 S800 M3\nG00 Z.100\nX5.500\nG01 Z-2.300 F.1\nX5.600\n",
+        "G97 S800 M3\nG00 Z.100\nX55.500\nG01 Z-2.300 F.015\nX55.600\n",
+        "G97 S800 M3\nG00 Z1.\nX5.5\nG01 Z-2.3 F.015\nX5.600\n",
+    ] {
+        assert!(!inches(text), "{text}");
+    }
+}

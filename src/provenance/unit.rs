@@ -31,6 +31,9 @@ const BEYOND_LIMIT: f64 = 5.0;
 /// A lead finer than this is none in millimetres.
 const FINEST: f64 = 0.2;
 
+/// Least number of coordinates with three decimals, the last of which is 0, that show inches: `Z1.000`.
+const WRITTEN_OUT: u32 = 3;
+
 /// Least weight of the signs.
 const ENOUGH: usize = 3;
 
@@ -106,6 +109,12 @@ pub struct UnitEvidence {
     feet: Option<(f64, Span)>,
     /// The highest speed limit of G50 or G92, rpm.
     limit: f64,
+    /// How many coordinates have a point, and how many of these end in a zero as their third decimal: `Z1.000`, `Z-.050`.
+    pointed: [u32; 2],
+    /// The first of the latter.
+    written_out: Option<Span>,
+    /// A coordinate or feed below 1 has a zero before its point, as numbers in millimetres do.
+    leading_zero: bool,
 }
 
 impl UnitEvidence {
@@ -137,12 +146,18 @@ impl UnitEvidence {
             let (value, written) = (number.value(), word.span.of(text));
             let decimals = written.iter().rev().take_while(|&&byte| byte != b'.').count();
             let is_fine = number.has_point() && decimals >= 4;
+            let is_fraction = number.has_point() && value > 0.0 && value < 1.0;
+            self.leading_zero |= is_fraction && written.windows(2).any(|pair| pair == b"0.");
             match word.letter {
                 b'X' | b'Z' | b'U' | b'W' if number.has_point() => {
                     if word.letter == b'X' {
                         self.largest = self.largest.max(value);
                     }
                     self.fine = self.fine.or(is_fine.then_some(word.span));
+                    let is_out = decimals == 3 && written.ends_with(b"0");
+                    self.written_out = self.written_out.or(is_out.then_some(word.span));
+                    self.pointed[0] += 1;
+                    self.pointed[1] += u32::from(is_out);
                 }
                 b'F' | b'E' if threads => {
                     let is_too_fine = number.has_point() && value > 0.0 && value < FINEST;
@@ -174,12 +189,17 @@ impl UnitEvidence {
             false => usize::from(self.largest < LARGEST_TURNED),
         };
         let feet = self.feet.filter(|&feet| of_feet(feet) > 0);
+        // A CAM system that writes three decimals in millimetres writes the zero before the point as well.
+        let [pointed, out] = self.pointed;
+        let is_written_out = out >= WRITTEN_OUT && 2 * out > pointed && !self.leading_zero;
+        let written_out = self.written_out.filter(|_| is_written_out);
         let weight = 2 * usize::from(self.remark.is_some())
             + 2 * usize::from(self.fine.is_some())
             + 3 * usize::from(self.lead.is_some())
             + feet.map_or(0, of_feet)
+            + 2 * usize::from(is_written_out)
             + usize::from(self.has_feed);
-        let found = self.fine.or(self.lead).or(self.remark).or(feet.map(|feet| feet.1))?;
+        let found = self.fine.or(self.lead).or(self.remark).or(feet.map(|feet| feet.1)).or(written_out)?;
         let cuts = self.has_feed || self.lead.is_some();
         (self.hint.is_open() && cuts && weight >= ENOUGH).then_some(found)
     }
