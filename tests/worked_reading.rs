@@ -480,3 +480,20 @@ fn coordinates_written_out_to_thousandths_show_inches() {
         assert!(!inches(text), "{text}");
     }
 }
+
+/// From a start point at the end of the contour, the sign of W that is right for the contour is no error.
+#[test]
+fn an_allowance_is_held_against_the_way_of_the_contour() {
+    let program = |start: &str| {
+        format!(
+            "O1\nG21 G99 G97 S800 M03\nT0101\nG0 {start}\nG71 U1. R1.\nG71 P10 Q20 U0.4 W0.1 F0.2\nN10 G0 X15. Z0\nG1 Z-15.\n\
+             X22. Z-30.\nN20 X32. Z-40.\nG0 X100. Z100.\nM30\n"
+        )
+    };
+    for start in ["X32. Z-40.", "X32. Z2."] {
+        let told = told(&program(start), "{}");
+        assert!(!told.iter().any(|told| told.starts_with("allowance-into-part")), "{start}: {told:?}");
+    }
+    let wrong = program("X32. Z2.").replace("W0.1", "W-0.1");
+    assert!(told(&wrong, "{}").iter().any(|told| told.starts_with("allowance-into-part")));
+}

@@ -151,13 +151,16 @@ pub fn rough(contour: &Contour, how: &Roughing, most_moves: usize) -> Result<Vec
 pub fn allowance_into_material(contour: &Contour, how: &Roughing) -> Vec<Axis> {
     let Some(frame) = Frame::new(contour, how) else { return Vec::new() };
     let inward = frame.turned(how.allowance);
+    // From a start point at the end of the contour, no direction of cut follows.
+    let (first, last) = (contour.first, contour.last());
+    let runs_back = frame.turned(Point::new(last.x - first.x, last.z - first.z)).z < -SAME;
     let (across, along) = match how.direction {
         Direction::Turning => (Axis::X, Axis::Z),
         Direction::Facing => (Axis::Z, Axis::X),
     };
     [(inward.x, across), (inward.z, along)]
         .into_iter()
-        .filter(|(way, _)| *way > SAME)
+        .filter(|&(way, axis)| way > SAME && !(runs_back && axis == along))
         .map(|(_, axis)| axis)
         .collect()
 }
