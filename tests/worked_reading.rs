@@ -497,3 +497,17 @@ fn an_allowance_is_held_against_the_way_of_the_contour() {
     let wrong = program("X32. Z2.").replace("W0.1", "W-0.1");
     assert!(told(&wrong, "{}").iter().any(|told| told.starts_with("allowance-into-part")));
 }
+
+/// In systems B and C a thread is G33: where G32 is refused, the blocks that follow it are no rapids.
+#[test]
+fn a_thread_of_system_a_is_followed_by_no_rapid() {
+    let text = "O1\nG90 G95 G21\nG92 S500\nT0505\nG97 S500 M3\nG0 X18. Z.2\nX11.6\nG32 Z-16.6 F1.\nX12. Z-16.8\nG0 X18.\nM30\n";
+    assert_eq!(told(text, "{}"), ["g-code-system-concluded? 2", "unknown-g-code 8"]);
+    let analysis = analyze(text.as_bytes(), &Setup::default());
+    let to = analysis.motions.iter().find(|motion| (motion.to.z + 16.8).abs() < 1e-9).expect("the run-out");
+    assert!(to.kind.cuts() && to.process.uncertain);
+    let fix = &analysis.diagnostics[1].fixes[0];
+    let fixed = String::from_utf8(applied(text.as_bytes(), &fix.edits)).expect("UTF-8");
+    assert_eq!(fixed, text.replace("G32", "G33"));
+    assert_eq!(told(&fixed, "{}")[1..], [""; 0]);
+}

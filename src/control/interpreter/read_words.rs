@@ -5,7 +5,7 @@
 use super::Interpreter;
 use super::calls::CallCode;
 use super::request::{Exclusive, OneShot, Request};
-use crate::control::codes::{self, Compensation, G, M, Multiple, Switch};
+use crate::control::codes::{self, Compensation, G, M, MotionMode, Multiple, Switch};
 use crate::control::contour::Purpose;
 use crate::control::doubt::{Doubt, Doubts};
 use crate::control::events::Event;
@@ -179,13 +179,22 @@ impl Interpreter {
             self.lose_program();
             return;
         }
-        // `G50 S` is the speed limit of system A. The others write G92.
         let is_limit = tenths == Some(500);
-        let fix = is_limit.then(|| Fix::write(word.span, "G92".to_owned()));
+        let meant = match tenths {
+            // The speed limit of system A. The others write G92.
+            Some(500) => Some("G92"),
+            // A thread: G32 in system A, G33 in the others.
+            Some(320) => Some("G33"),
+            Some(330) => Some("G32"),
+            _ => None,
+        };
+        let fix = meant.map(|code| Fix::write(word.span, code.to_owned()));
         let unknown = Diagnostic::new(said::UnknownG { word: quoted }, word.span);
         self.report(Diagnostic { fixes: fix.into_iter().collect(), ..unknown });
         if is_limit {
             request.one_shot = Some(OneShot::Setting);
+        } else if meant.is_some() {
+            request.motion = Some(MotionMode::Thread);
         }
         // It may have been one of group 01.
         self.lose(Doubts::of(&[Doubt::Code]));
