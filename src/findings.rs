@@ -43,7 +43,7 @@ pub fn diagnostics(
         Diagnostic::new(message, Span::new(0, 0))
     }));
     told.extend(behind_left_out(simulation, motions));
-    told.extend(without_simulation(simulation.resolved_setup(), motions));
+    told.extend(without_simulation(simulation.resolved_setup(), motions, usize::MAX));
     for finding in simulation.findings() {
         let is_feed = matches!(finding.danger, Danger::FastFeed { .. });
         let motion = if is_feed { feed_begins(motions, finding.motion) } else { finding.motion };
@@ -151,11 +151,13 @@ fn behind_left_out(simulation: &SimulationResult, motions: &Motions) -> Option<D
 
 /// The messages that need no simulation: cuts and tools that are left out of the part, and rapids into turned surfaces
 /// where the blank is inferred.
-pub fn without_simulation(resolved: &ResolvedSetup, motions: &Motions) -> Vec<Diagnostic> {
+pub fn without_simulation(resolved: &ResolvedSetup, motions: &Motions, most: usize) -> Vec<Diagnostic> {
+    let has_too_many = motions.len() > most && resolved.stock().is_some();
+    let too_many = has_too_many.then(|| Diagnostic::new(said::PartTooManyMotions { most }, Span::new(0, 0)));
     let rapids = rapids_into_it(motions, resolved);
     let rapids =
         rapids.iter().map(|finding| Diagnostic::new(message(finding, motions), motions.span(finding.motion)));
-    not_shown(resolved, motions).chain(rapids).collect()
+    too_many.into_iter().chain(not_shown(resolved, motions)).chain(rapids).collect()
 }
 
 /// What the part is not made of: cuts in a work frame whose zero nobody gave, reported at the first; and each

@@ -84,7 +84,8 @@ impl Analysis {
                 findings::diagnostics(&simulation, &self.motions, &self.setup.rules, &self.diagnostics);
             self.diagnostics.extend(found.into_iter().map(|found| found.in_unit(self.unit)));
         } else {
-            let found = findings::without_simulation(self.resolved_setup(), &self.motions);
+            let most = self.setup.limits.part_motions;
+            let found = findings::without_simulation(self.resolved_setup(), &self.motions, most);
             let rules = &self.setup.rules;
             let found = found.into_iter().filter_map(|found| rules.graded(found));
             self.diagnostics.extend(found.map(|found| found.in_unit(self.unit)));

@@ -511,3 +511,17 @@ fn a_thread_of_system_a_is_followed_by_no_rapid() {
     assert_eq!(fixed, text.replace("G32", "G33"));
     assert_eq!(told(&fixed, "{}")[1..], [""; 0]);
 }
+
+/// A program with more motions than the part is calculated from says so in `check`, whether a blank is given or not.
+#[test]
+fn a_part_with_too_many_motions_is_reported_without_a_blank() {
+    let setup = Setup::from_json(r#"{"limits": {"partMotions": 5}}"#).expect("a setup");
+    for (blank, cuts) in [("", 6), ("", 5), ("(STOCK D=60 LENGTH=80)\n", 6)] {
+        let cuts: String = (1..cuts).map(|z| format!("G1 Z-{z}. F0.2\n")).collect();
+        let text = format!("O1\n{blank}G21 G99 G97 S500 M03 T0101\nG00 X50. Z2.\n{cuts}M30\n");
+        let mut analysis = analyze(text.as_bytes(), &setup);
+        analysis.check_at_machine();
+        let told = analysis.diagnostics.iter().filter(|told| told.message.slug() == "part-too-many-motions");
+        assert_eq!(told.count(), usize::from(analysis.motions.len() > 5), "{text}");
+    }
+}
