@@ -525,3 +525,40 @@ fn a_part_with_too_many_motions_is_reported_without_a_blank() {
         assert_eq!(told.count(), usize::from(analysis.motions.len() > 5), "{text}");
     }
 }
+
+fn owned(told: &[&str]) -> Vec<String> {
+    told.iter().map(|told| (*told).to_owned()).collect()
+}
+
+/// Text after an arrow is a remark: one message for all, and a fix that puts each in brackets.
+#[test]
+fn text_behind_an_arrow_is_a_remark() {
+    let program = |[one, two, three, four]: [&str; 4]| {
+        format!(
+            "O1000{one}\nG21 G99 G97 S800 M03\nT0101{two}\nG00 X42. Z2.{three}\nG01 X40. F0.2\nZ-80.{four}\nM30\n"
+        )
+    };
+    let way = [(42.0, 2.0), (40.0, 2.0), (40.0, -80.0)];
+    for arrow in ["<--", "-->", "<-", "->", "=>", "<==", "←", "→"] {
+        let remarks = ["Program name", "Tool for turning", "Rapid", "Длина детали"]
+            .map(|text| format!(" {arrow} {text}"));
+        let text = program(remarks.each_ref().map(String::as_str));
+        assert_eq!(told(&text, "{}"), ["text-after-semicolon! 1"], "{text}");
+        assert_eq!(ends(&text, "{}"), way, "{text}");
+        let right = program([" (Program name)", " (Tool for turning)", " (Rapid)", " (Длина детали)"]);
+        let repaired = repaired(text.as_bytes(), &Setup::default());
+        assert_eq!(String::from_utf8_lossy(&repaired.text), right);
+    }
+    // With numbers in it, only the author knows.
+    let text = program(["", " <-- Tool 1", "", " <-- Length to Z-80 (finished)"]);
+    assert_eq!((told(&text, "{}"), ends(&text, "{}")), (owned(&["text-after-semicolon! 3"]), way.to_vec()));
+    // The end of the program is read in front of the arrow; an arrow in a comment or without text after it is not one.
+    assert_eq!(told("O1\nG0 X50. Z2. (a -> b)\nM30 <-- End\n", "{}"), ["text-after-semicolon! 3"]);
+    for block in ["G0 X50. <-", "G0 X50. -> Z2.", "IF [#1 <- 5] GOTO 10", "#1 => 5 THEN"] {
+        let told = told(&format!("O1\n{block}\nM30\n"), "{}");
+        assert!(
+            told.iter().any(|told| told.ends_with(" 2") && !told.contains(['!', '?'])),
+            "{block}: {told:?}"
+        );
+    }
+}

@@ -179,8 +179,8 @@ impl<'a> Parser<'a> {
         if may_lead && leader(text).is_some_and(|end| block.span.start < end) {
             return keep_as_comment(block, trimmed(text, block.span));
         }
-        if let Some(remark) = slashed_remark(text, block) {
-            return self.take_slashed_remark(block, remark, behind_semicolon);
+        if let Some(remark) = marked_remark(text, block) {
+            return self.take_marked_remark(block, remark, behind_semicolon);
         }
         if long_comment::continues(text, block.span) {
             return keep_as_comment(block, trimmed(text, block.span));
@@ -1024,8 +1024,8 @@ impl<'a> Parser<'a> {
         block.fault(in_brackets(text, told, is_sure));
     }
 
-    /// Reads a block without the remark after its `//`.
-    fn take_slashed_remark(&self, block: &mut Block, remark: Span, behind_semicolon: bool) {
+    /// Reads a block without the remark after its `//` or arrow.
+    fn take_marked_remark(&self, block: &mut Block, remark: Span, behind_semicolon: bool) {
         let text = self.lexer.text();
         let Span { start: byte, .. } = block.span;
         let here = Resume {
@@ -1044,7 +1044,7 @@ impl<'a> Parser<'a> {
         let plain = PlainWords::of(text, remark, &[]);
         let is_sure = !plain.has_value && !plain.is_ambiguous;
         rest.comment(remark);
-        rest.fault(in_brackets_without(&['/', ' ', '\t'], text, told, is_sure));
+        rest.fault(in_brackets_without(&MARKS, text, told, is_sure));
         *block = rest;
     }
 
@@ -1160,16 +1160,29 @@ fn may_be_thousands(address: u8, written: &str) -> bool {
         && !whole.is_empty()
 }
 
-/// From the `//` of a block to its end, where a sentence follows as in programs of C.
-fn slashed_remark(text: &[u8], block: &Block) -> Option<Span> {
+/// Signs of the marks in front of remarks, and blanks.
+const MARKS: [char; 11] = ['/', '<', '>', '=', '-', '←', '→', '⇐', '⇒', ' ', '\t'];
+
+/// From the `//` or the arrow of a block to its end, where text follows: a sentence as in programs of C, or `<-- Rapid`.
+fn marked_remark(text: &[u8], block: &Block) -> Option<Span> {
     let own = block.span.of(text);
-    let at = own.windows(2).position(|pair| pair == b"//")?;
-    let remark = trimmed(text, Span { start: block.span.start + at as u32, ..block.span });
-    let is_inside = |comment: &Span| comment.start <= remark.start && remark.start < comment.end;
-    let slashes = own[at..].iter().take_while(|&&byte| byte == b'/').count();
-    let after = &own[at + slashes..];
-    let is_sentence = begins_as_sentence(after) || begins_in_other_script(after);
-    (is_sentence && !block.comments.iter().any(is_inside)).then_some(remark)
+    let is_inside = |at: u32| block.comments.iter().any(|own| own.start <= at && at < own.end);
+    let begins = |(at, pair): (usize, &[u8])| {
+        // The arrows of Unicode share two bytes.
+        let is_mark = matches!(pair, b"//" | b"<-" | b"->" | b"=>" | b"<=" | b"\xE2\x86" | b"\xE2\x87");
+        (is_mark && !is_inside(block.span.start + at as u32)).then_some((at, pair == b"//"))
+    };
+    let (at, is_slashed) = own.windows(2).enumerate().find_map(begins)?;
+    let shaft = own[..at].iter().rev().take_while(|byte| !is_slashed && b"-=<".contains(byte)).count();
+    let start = block.span.start + (at - shaft) as u32;
+    let remark = trimmed(text, Span { start, ..block.span });
+    let after = String::from_utf8_lossy(remark.of(text));
+    let after = after.trim_start_matches(MARKS).as_bytes();
+    let is_text = match is_slashed {
+        true => begins_as_sentence(after) || begins_in_other_script(after),
+        false => reads_as_prose(after) && !own[..at].iter().any(|byte| b"[#".contains(byte)),
+    };
+    is_text.then_some(remark)
 }
 
 /// The message about a comment over several lines, which end at `ends`. The fix puts each of them in brackets.
