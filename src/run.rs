@@ -33,7 +33,7 @@ use crate::setup::{Lints, Setup, tool_words};
 use crate::source::Span;
 use crate::text::block::{Block, BlockKind};
 use crate::text::lexer::is_between_blocks;
-use crate::text::parser::{Parser, READS_FAULTS, Resume};
+use crate::text::parser::{LEADER, Parser, READS_FAULTS, Resume};
 use crate::units::Unit;
 use edit::{Checkpoint, PreviousRun};
 use repeated::FaultyBlocks;
@@ -666,6 +666,10 @@ impl Run {
 
     /// An O number: the head of the main program, of one that is called, or of one that stands after them.
     fn program(&mut self, text: &[u8], number: u32, span: Span, here: Here) -> Option<Flow> {
+        // What is before the first O number and moves nothing is no program. Edits so near to the head run everything again.
+        let leads = self.programs.is_empty()
+            && (span.start as usize) < LEADER
+            && self.interpreter.kept_motions() == 0;
         if number == 0 {
             self.interpreter.report(Diagnostic::new(said::ProgramNumberZero, span));
         } else if *self.programs.entry(number).or_insert(span.start) != span.start {
@@ -681,7 +685,7 @@ impl Run {
         if self.ended {
             return None;
         }
-        if !self.begun || self.interpreter.is_head(here.at) {
+        if !self.begun || leads || self.interpreter.is_head(here.at) {
             self.interpreter.enter_program(here.at);
             return None;
         }

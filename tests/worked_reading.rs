@@ -459,6 +459,71 @@ fn a_speed_limit_of_system_a_is_one_error_in_system_b() {
     assert_eq!(ends(program, "{}")[1..4], [(55.0, 5.0), (50.0, 5.0), (50.0, -60.0)]);
 }
 
+/// Blocks in front of the O number that move nothing are part of the program: a remark, a title, a code for the unit.
+#[test]
+fn text_in_front_of_the_program_number_is_no_program() {
+    let program = "O0010\nT0101\nG97 G99 S600 M03\nG0 X65. Z3.\nX20.\nG1 Z-15. F0.2\nM30\n";
+    let way = [(65.0, 3.0), (20.0, 3.0), (20.0, -15.0)];
+    for (head, expected) in [
+        ("; G71 Черновой цикл", ["text-after-semicolon! 1"].as_slice()),
+        ("; G71 roughing cycle", &["text-after-semicolon! 1"]),
+        ("; M3 spindle on\n;; T1 roughing", &["text-after-semicolon! 1"]),
+        ("G71 Черновой цикл", &["text-outside-comment! 1"]),
+        ("G71 roughing cycle", &["text-outside-comment 1"]),
+        ("T1 roughing tool\n%", &[]),
+        ("G21", &[]),
+    ] {
+        let text = format!("{head}\n{program}");
+        assert_eq!((told(&text, "{}"), ends(&text, "{}")), (owned(expected), way.to_vec()), "{text}");
+    }
+    // A program without a number, and one after it that nothing calls.
+    let text = format!("G0 X50. Z2.\nM30\n{program}");
+    assert_eq!(told(&text, "{}"), ["program-not-run? 3"]);
+    assert_eq!(ends(&text, "{}"), [(50.0, 2.0)]);
+    let text = format!("G0 X50. Z2.\n{program}");
+    assert_eq!(ends(&text, "{}"), [(50.0, 2.0)]);
+    // Text after `;` with a place in it is a block.
+    let text = format!("{program}; X20. roughing");
+    assert!(!told(&text, "{}").contains(&"text-after-semicolon! 8".to_owned()));
+}
+
+fn owned(told: &[&str]) -> Vec<String> {
+    told.iter().map(|told| (*told).to_owned()).collect()
+}
+
+/// Text after an arrow is a remark: one message for all, and a fix that puts each in brackets.
+#[test]
+fn text_behind_an_arrow_is_a_remark() {
+    let program = |[one, two, three, four]: [&str; 4]| {
+        format!(
+            "O1000{one}\nG21 G99 G97 S800 M03\nT0101{two}\nG00 X42. Z2.{three}\nG01 X40. F0.2\nZ-80.{four}\nM30\n"
+        )
+    };
+    let way = [(42.0, 2.0), (40.0, 2.0), (40.0, -80.0)];
+    for arrow in ["<--", "-->", "<-", "->", "=>", "<==", "←", "→"] {
+        let remarks = ["Program name", "Tool for turning", "Rapid", "Длина детали"]
+            .map(|text| format!(" {arrow} {text}"));
+        let text = program(remarks.each_ref().map(String::as_str));
+        assert_eq!(told(&text, "{}"), ["text-after-semicolon! 1"], "{text}");
+        assert_eq!(ends(&text, "{}"), way, "{text}");
+        let right = program([" (Program name)", " (Tool for turning)", " (Rapid)", " (Длина детали)"]);
+        let repaired = repaired(text.as_bytes(), &Setup::default());
+        assert_eq!(String::from_utf8_lossy(&repaired.text), right);
+    }
+    // With numbers in it, only the author knows.
+    let text = program(["", " <-- Tool 1", "", " <-- Length to Z-80 (finished)"]);
+    assert_eq!((told(&text, "{}"), ends(&text, "{}")), (owned(&["text-after-semicolon! 3"]), way.to_vec()));
+    // The end of the program is read in front of the arrow; an arrow in a comment or without text after it is not one.
+    assert_eq!(told("O1\nG0 X50. Z2. (a -> b)\nM30 <-- End\n", "{}"), ["text-after-semicolon! 3"]);
+    for block in ["G0 X50. <-", "G0 X50. -> Z2.", "IF [#1 <- 5] GOTO 10", "#1 => 5 THEN"] {
+        let told = told(&format!("O1\n{block}\nM30\n"), "{}");
+        assert!(
+            told.iter().any(|told| told.ends_with(" 2") && !told.contains(['!', '?'])),
+            "{block}: {told:?}"
+        );
+    }
+}
+
 /// Coordinates with three decimals such as `Z1.000`, with feeds of less than 0.03, are inches. A metric program has the zero before its
 /// points, or feeds of 0.05 and more.
 #[test]
@@ -523,42 +588,5 @@ fn a_part_with_too_many_motions_is_reported_without_a_blank() {
         analysis.check_at_machine();
         let told = analysis.diagnostics.iter().filter(|told| told.message.slug() == "part-too-many-motions");
         assert_eq!(told.count(), usize::from(analysis.motions.len() > 5), "{text}");
-    }
-}
-
-fn owned(told: &[&str]) -> Vec<String> {
-    told.iter().map(|told| (*told).to_owned()).collect()
-}
-
-/// Text after an arrow is a remark: one message for all, and a fix that puts each in brackets.
-#[test]
-fn text_behind_an_arrow_is_a_remark() {
-    let program = |[one, two, three, four]: [&str; 4]| {
-        format!(
-            "O1000{one}\nG21 G99 G97 S800 M03\nT0101{two}\nG00 X42. Z2.{three}\nG01 X40. F0.2\nZ-80.{four}\nM30\n"
-        )
-    };
-    let way = [(42.0, 2.0), (40.0, 2.0), (40.0, -80.0)];
-    for arrow in ["<--", "-->", "<-", "->", "=>", "<==", "←", "→"] {
-        let remarks = ["Program name", "Tool for turning", "Rapid", "Длина детали"]
-            .map(|text| format!(" {arrow} {text}"));
-        let text = program(remarks.each_ref().map(String::as_str));
-        assert_eq!(told(&text, "{}"), ["text-after-semicolon! 1"], "{text}");
-        assert_eq!(ends(&text, "{}"), way, "{text}");
-        let right = program([" (Program name)", " (Tool for turning)", " (Rapid)", " (Длина детали)"]);
-        let repaired = repaired(text.as_bytes(), &Setup::default());
-        assert_eq!(String::from_utf8_lossy(&repaired.text), right);
-    }
-    // With numbers in it, only the author knows.
-    let text = program(["", " <-- Tool 1", "", " <-- Length to Z-80 (finished)"]);
-    assert_eq!((told(&text, "{}"), ends(&text, "{}")), (owned(&["text-after-semicolon! 3"]), way.to_vec()));
-    // The end of the program is read in front of the arrow; an arrow in a comment or without text after it is not one.
-    assert_eq!(told("O1\nG0 X50. Z2. (a -> b)\nM30 <-- End\n", "{}"), ["text-after-semicolon! 3"]);
-    for block in ["G0 X50. <-", "G0 X50. -> Z2.", "IF [#1 <- 5] GOTO 10", "#1 => 5 THEN"] {
-        let told = told(&format!("O1\n{block}\nM30\n"), "{}");
-        assert!(
-            told.iter().any(|told| told.ends_with(" 2") && !told.contains(['!', '?'])),
-            "{block}: {told:?}"
-        );
     }
 }

@@ -215,6 +215,12 @@ impl<'a> Parser<'a> {
         if behind_semicolon && unclear && !is_comment && is_remark && reads_as_prose(block.span.of(text)) {
             return self.take_as_comment(block, is_text);
         }
+        if self.is_title(block, &plain, behind_semicolon) {
+            return match behind_semicolon {
+                true => self.take_as_comment(block, is_text),
+                false => self.take_as_text(block, &plain),
+            };
+        }
         if block.words.is_empty() && only_marks_outside_brackets(block.span.of(text)) {
             // `(FACE), (F0.3).`: the remarks stand in brackets already; one message
             // reports the marks between them.
@@ -255,6 +261,22 @@ impl<'a> Parser<'a> {
         if !self.is_trial && self.is_worse_when_fixed(block, behind_semicolon) {
             block.faults.iter_mut().flat_map(|fault| &mut fault.fixes).for_each(|fix| fix.safe = false);
         }
+    }
+
+    /// Whether a block with text in it can only be a remark, although a code is in it: `; G71 roughing` at the head of a line, or
+    /// such a line in front of the first program number. A block that names a place is none.
+    fn is_title(&self, block: &Block, plain: &PlainWords, behind_semicolon: bool) -> bool {
+        let text = self.lexer.text();
+        let names_place = block.words.iter().any(|word| b"XZUW".contains(&word.address));
+        let before = &text[..block.span.start as usize];
+        let mut before = before.iter().rev().take_while(|byte| !matches!(byte, b'\n' | b'\r'));
+        let leads = !self.begun && (block.span.start as usize) < LEADER;
+        let is_remark = match behind_semicolon {
+            true => before.all(|&byte| byte == b';' || is_blank(byte)),
+            false => leads && precedes_number_of_program(&text[..text.len().min(LEADER)]),
+        };
+        let is_statement = block.kind != BlockKind::Words || block.program.is_some();
+        is_remark && !plain.groups.is_empty() && !plain.is_ambiguous && !names_place && !is_statement
     }
 
     /// Whether the block has more errors with its safe fixes than without: then they are not safe.
@@ -1124,6 +1146,12 @@ fn leader(text: &[u8]) -> Option<u32> {
         |block: &Block| block.is_broken() && (block.words.is_empty() || reads_as_prose(block.span.of(text)));
     let leads = |block: &Block| block.program.is_none() && (block.is_empty() || is_text(block));
     all_blocks(&text[..sign], leads).then_some(sign as u32)
+}
+
+/// Whether a line begins with a program number.
+fn precedes_number_of_program(head: &[u8]) -> bool {
+    let is_number = |line: &[u8]| matches!(line.trim_ascii_start(), [b'O' | b'o' | b':', b'0'..=b'9', ..]);
+    head.split(|byte| matches!(byte, b'\n' | b'\r')).any(is_number)
 }
 
 /// Whether the first `%` of a text follows a lone program number. A control skips the number and runs the blocks after `%`.
