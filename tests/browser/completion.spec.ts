@@ -1,6 +1,7 @@
 // What can be written at the cursor: by keys alone, in three languages.
-import { expect, test, type BasicPage, type Locator } from './engines';
+import { chromiumTest, expect, test, type BasicPage, type Locator } from './engines';
 import { editor, open, type } from './page';
+import { runBeforeWorker } from './worker-script';
 
 const HEAD = 'O1\nT0101\nG97 S600 M03\nG00 X34 Z4\nG76 P021260 Q100 R0.05\n';
 const list = (page: BasicPage): Locator => page.getByRole('listbox');
@@ -47,6 +48,35 @@ test('a key for the list is not lost while the list catches up with the last let
     await expect.poll(() => text(page), keys.join(' ')).toMatch(SECOND_BLOCK);
     await expect(editor(page)).toBeFocused();
   }
+});
+
+chromiumTest('the list comes though the next letter was typed while the last was looked for', async ({ page }) => {
+  // The answer to the first question arrives after the next letter.
+  await runBeforeWorker(
+    page,
+    `
+    let first;
+    self.addEventListener('message', ({ data }) => {
+      if (data?.what?.kind === 'question' && data.what.ask?.by === 'completion') first ??= data.what.id;
+      self.isAsked = first !== undefined;
+    });
+    const post = self.postMessage.bind(self);
+    self.postMessage = (message, ...rest) => {
+      const isFirst = message?.event?.kind === 'answer' && message.event.id === first;
+      if (isFirst) setTimeout(() => post(message, ...rest), 1500);
+      else post(message, ...rest);
+    };
+  `,
+  );
+  await open(page);
+  await type(page, HEAD);
+  await page.keyboard.press('Control+End');
+  await page.keyboard.type('G');
+  await expect
+    .poll(() => page.workers()[0]!.evaluate(() => (self as unknown as { isAsked?: boolean }).isAsked))
+    .toBe(true);
+  await page.keyboard.type('7');
+  await expect(list(page).getByRole('option').first()).toContainText('G76 X');
 });
 
 test('a key that came for a list that is no longer there does what it does without one', async ({ page }) => {

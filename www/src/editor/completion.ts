@@ -38,6 +38,9 @@ export function completion(events: EditorEvents): Extension {
   const source = async (context: CompletionContext): Promise<CompletionResult | null> => {
     if (!context.explicit && !completes()) return null;
     const found = await events.completionAt(context.pos, context.explicit);
+    // An answer that a newer letter has overtaken is an empty list: the editor then asks again. After `null` it would wait for
+    // the next letter.
+    if (context.view?.state.doc !== context.state.doc) return { from: context.pos, filter: false, options: [] };
     if (found === undefined || context.aborted || found.to !== context.pos) return null;
     return { from: found.from, filter: false, options: found.items.map(option) };
   };
