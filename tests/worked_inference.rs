@@ -798,3 +798,16 @@ fn an_assumed_drill_leaves_something_for_the_bore() {
     assert!((bore[0].0 - 7.0).abs() < 0.01, "{bore:?}");
     assert!(hole[0].0 > 3.0 && hole[0].0 < 6.9, "{hole:?}");
 }
+
+/// A blade of 4 mm whose right corner the program leads: the groove is from Z-15 to Z-11, the piece ends at Z-50.
+#[test]
+fn a_comment_names_the_right_corner_of_a_blade() {
+    let turned =
+        "O1\nG21G99\nT0101\nG97S800M3\nG0X42.Z0.\nG1X-1.F.1\nG0Z2.\nX36.\nG1Z-60.F.2\nX42.\nG0Z20.\n";
+    for (comment, groove) in [("TRONZADO 4MM, PUNTO = ESQUINA DERECHA", -14.9), ("TRONZADO 4MM", -7.1)] {
+        let ran = run(&format!(
+            "{turned}T0909({comment})\nG0X40.Z-11.\nG1X20.F.1\nG0X40.\nZ-50.\nG1X-1.\nG0X60.\nZ20.\nM30\n"
+        ));
+        ran.check(&[(groove, &[(0.0, 20.0)])]);
+    }
+}

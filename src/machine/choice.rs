@@ -125,6 +125,7 @@ fn with_words(purpose: Purpose, inferred: &Tool, words: &Tool) -> Tool {
         Purpose::Hole | Purpose::Live if same => tool.diameter = words.diameter.or(tool.diameter),
         _ if same && inferred.kind == Some(ToolKind::Grooving) => {
             tool.width = words.width.or(tool.width);
+            tool.tip = words.tip.filter(|_| tool.side == Some(Side::Outside)).or(tool.tip);
             // A face is grooved by G74, and the other sides by G75.
             tool.side = words.side.filter(|_| inferred.side != Some(Side::Face)).or(tool.side);
         }
@@ -165,6 +166,7 @@ fn candidates(first: &Tool, own: &ToolUse, words: &Tool) -> Vec<Tool> {
         kind: Some(ToolKind::Grooving),
         side: Some(side),
         width: Some(width),
+        tip: words.tip.filter(|_| side == Side::Outside),
         ..Tool::default()
     };
     match words.width {

@@ -138,6 +138,7 @@ pub fn described(comment: &str, unit: Unit) -> Tool {
         ToolKind::Grooving => {
             tool.width = numbers::width(&text, unit).or(tool.width);
             tool.nose_radius = tool.nose_radius.or(numbers::nose_radius(&text, unit));
+            tool.tip = terms::right_corner(&text).then_some(4);
         }
         ToolKind::Threading => {}
         ToolKind::Drill | ToolKind::Tap | ToolKind::Endmill => {
@@ -174,6 +175,7 @@ fn fill(known: &mut Tool, other: &Tool) {
         known.nose_radius = known.nose_radius.or(other.nose_radius);
         known.width = known.width.or(other.width);
         known.diameter = known.diameter.or(other.diameter);
+        known.tip = known.tip.or(other.tip);
     }
 }
 

@@ -152,6 +152,21 @@ const BLADES: &[(&str, Side)] = &[
     ("MIFR", Side::Face), ("MIFL", Side::Face), ("HFHR", Side::Face), ("HFHL", Side::Face),
 ];
 
+/// Whether a comment says that the program leads the right corner of a grooving insert.
+pub fn right_corner(text: &str) -> bool {
+    const TERMS: [&str; 8] = [
+        "RIGHT CORNER",
+        "RIGHT EDGE",
+        "ESQUINA DERECHA",
+        "FILO DERECHO",
+        "CANTO DIREITO",
+        "RECHTE ECKE",
+        "ПРАВЫЙ УГОЛ",
+        "右刀尖",
+    ];
+    TERMS.iter().any(|term| text.contains(term))
+}
+
 /// The kind of tool that a comment names.
 pub fn kind(text: &str) -> Option<ToolKind> {
     if handles_work(text) {
