@@ -691,7 +691,7 @@ fn a_tool_whose_grooves_go_outwards_bores() {
     }
 }
 
-/// A drill of Ø25 with its edge at X-25 or X25 makes a hole of Ø25 with a flat bottom, and a boring bar goes on in it.
+/// A drill of Ø25 with its edge at X-25 or X25 makes a hole of Ø25 with a flat bottom. A boring bar then widens it.
 #[test]
 fn a_drill_is_led_by_its_edge() {
     let turned = "O1\nG21G99\nT0101(OD TURN)\nG97S1000M3\nG0X56.Z1.\nX50.\nG1Z-30.F0.2\nX56.\nG0X60.Z50.\n";
@@ -799,9 +799,9 @@ fn an_assumed_drill_leaves_something_for_the_bore() {
     assert!(hole[0].0 > 3.0 && hole[0].0 < 6.9, "{hole:?}");
 }
 
-/// A blade of 4 mm whose right corner the program leads: the groove is from Z-15 to Z-11, the piece ends at Z-50.
+/// A grooving insert of 4 mm whose right corner the program leads: the groove is from Z-15 to Z-11, the piece ends at Z-50.
 #[test]
-fn a_comment_names_the_right_corner_of_a_blade() {
+fn a_comment_names_the_right_corner_of_a_grooving_insert() {
     let turned =
         "O1\nG21G99\nT0101\nG97S800M3\nG0X42.Z0.\nG1X-1.F.1\nG0Z2.\nX36.\nG1Z-60.F.2\nX42.\nG0Z20.\n";
     for (comment, groove) in [("TRONZADO 4MM, PUNTO = ESQUINA DERECHA", -14.9), ("TRONZADO 4MM", -7.1)] {

@@ -25,13 +25,13 @@ const SHORT: f64 = 2.0;
 /// Material up to this width between two columns of pecks is a ridge; wider material is a land between two grooves, mm.
 const RIDGE: f64 = 1.0;
 
-/// So fast no cut is fed, mm/rev.
+/// From this feed on a move is as fast as a rapid, mm/rev.
 const AS_RAPID: f64 = 1.0;
 
-/// So much larger the outside is than a bore in it at least, radius, mm.
+/// Least wall between a bore and the turned outside, mm.
 const WALL: f64 = 0.5;
 
-/// The X at which a drill is led by its edge differs so much from its radius at most, mm.
+/// Largest difference between the radius of a drill and the X at which it is led by its edge, mm.
 const EDGE_OFF: f64 = 0.2;
 
 /// A rapid that moves less across the axis than this share of its way along it does not leave the work.
