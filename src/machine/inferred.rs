@@ -134,7 +134,7 @@ fn tools_of(uses: &[ToolUse]) -> Vec<(u16, Purpose, Tool)> {
     let inside = || uses.iter().filter(|own| own.is_inside());
     let bores = inside().map(|own| own.extents.least()).filter(|&least| least >= ON_AXIS);
     let least = bores.fold(f64::INFINITY, f64::min);
-    // A cut along it removes something.
+    // A boring cut at that radius removes material, so the drill was smaller.
     let is_cut = inside().any(|own| own.turned <= least + SAME);
     let bore = if is_cut { least - ALLOWANCE.min(least / 10.0) } else { least };
     let holes = uses.iter().filter(|own| own.purpose == Purpose::Hole);

@@ -16,7 +16,7 @@ pub enum Route {
     Unknown,
 }
 
-/// The state of the tip after the motions so far.
+/// Which coordinates of the tip are unknown.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct TipPlace {
     /// Station of the tool of the last motion.

@@ -134,9 +134,9 @@ pub(super) struct ToolUse {
     aside: bool,
     /// Whether its first cut is on the side of −X.
     negative: bool,
-    /// Greatest radius at negative Z since it came from in front of it or went at rapid, mm.
+    /// Greatest radius at negative Z since the last rapid or the last move from in front of the face, mm.
     deep: f64,
-    /// Whether it goes back in front of the face at less than that: an outside tool would run into the work.
+    /// Whether it leaves along Z at a radius smaller than `deep`: an outside tool would run into the work.
     retreats: bool,
     /// Whether it taps: on the axis, locked to the spindle.
     taps: bool,
@@ -628,8 +628,8 @@ fn bores(words: Option<&Tool>) -> bool {
 }
 
 /// Whether a use that leaves the work neither way works in a hole that was drilled before: further within what
-/// other tools turn than an insert cuts in one pass, or from a chamfer inwards, or back at less than its bore. Within what
-/// others turn the last needs no hole.
+/// other tools turn than an insert cuts in one pass, or from a chamfer inwards, or out at a smaller
+/// radius than its cuts. The last needs no hole where another tool turns the outside.
 fn bores_after_drill(own: &ToolUse, all: &[ToolUse]) -> bool {
     let is_drilled = all.iter().any(|hole| {
         hole.purpose == Purpose::Hole && hole.first < own.first && hole.deepest <= own.deepest + SAME

@@ -62,7 +62,7 @@ pub fn rapids_into_it(motions: &Motions, resolved: &ResolvedSetup) -> Vec<Findin
     found
 }
 
-/// The material below the surfaces that the motions so far have turned.
+/// The remaining material under the turned surfaces.
 #[derive(Clone, Debug)]
 struct TurnedMaterial {
     stock: Stock,

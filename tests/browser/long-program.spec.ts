@@ -92,7 +92,7 @@ test(
       console.log(`${name}: longest task ${figures[name] || 'below 50'} ms (took ${took} ms)`);
       expect.soft(figures[name], name).toBeLessThan(most);
     };
-    /** Until a text of so many lines has run; after the last line end there is one more. */
+    /** Waits until a text with this number of line ends has run. The status counts the empty last line too. */
     const ran = async (lines: number): Promise<void> => {
       await expect(status(page)).toContainText(`${(lines + 1).toLocaleString('en')} lines`, { timeout: 60_000 });
     };

@@ -215,7 +215,7 @@ fn with_line_ends_of(before: &[u8], mut text: Vec<u8>) -> Vec<u8> {
 
 /// Keeps the messages of the program and moves messages of its subprograms to the calls: the dangers at the machine, which
 /// only the joined run finds, and the first block that is not carried out. All other messages of a subprogram appear when its
-/// own file is checked. `of_control` contains the messages of the control, without those of the machine.
+/// own file is checked. `of_control`: the diagnostics before the machine stage.
 fn report_at_calls(diagnostics: &mut Vec<Diagnostic>, joined: &Joined, of_control: &[Diagnostic]) {
     let mut reported = BTreeSet::new();
     diagnostics.retain_mut(|diagnostic| {
