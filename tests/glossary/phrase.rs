@@ -8,22 +8,11 @@ pub enum Language {
     Russian,
 }
 
-impl Language {
-    /// Its tag in the list of what is left.
-    pub fn tag(self) -> &'static str {
-        match self {
-            Self::English => "en",
-            Self::Chinese => "zh",
-            Self::Russian => "ru",
-        }
-    }
-}
-
 /// A word or phrase.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Phrase {
     pub language: Language,
-    /// As the glossary writes it; `*` at the end of a word stands for any ending.
+    /// As the glossary writes it; `*` at the end of a word matches any ending.
     pub words: String,
 }
 
@@ -86,7 +75,7 @@ fn whole_words_and_phrases_are_found_in_any_case() {
 }
 
 #[test]
-fn a_star_stands_for_any_ending() {
+fn a_star_matches_any_ending() {
     let count = |words, text: &str| Phrase::new(Language::Russian, words).find(&text.to_lowercase()).len();
     assert_eq!(count("стойк*", "Стойка прочтёт, на стойках; пристойка"), 2);
     assert_eq!(count("номер* вершин*", "Номера вершин и номер вершины, номер положения вершины"), 2);
