@@ -1,7 +1,7 @@
 //! The centre of a G02 or G03 arc from R or from I and K.
 //!
-//! In: start, end and the words of the block, in mm. Out: the centre, or what is wrong (FANUC 16/18-T
-//! B-62754EN p. 67, GSK980TDb p. 72).
+//! In: start, end and the words of the block, in mm. Out: the centre, or the error (FANUC 16/18-T B-62754EN
+//! p. 67, GSK980TDb p. 72).
 
 use crate::geometry::{Point, SAME, Turn};
 
@@ -22,15 +22,15 @@ pub enum CenterWords {
     },
 }
 
-/// Why there is no such arc.
+/// Why the arc does not exist.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum ArcError {
-    /// R does not reach from start to end, which are so far apart, mm.
+    /// The diameter is smaller than the distance between start and end.
     RadiusTooSmall {
-        /// From start to end.
+        /// From start to end, mm.
         distance: f64,
     },
-    /// Start and end are not equally far from the centre, mm.
+    /// Start and end have different distances from the centre, mm.
     EndOffCircle {
         /// From the centre to the start.
         start_radius: f64,
@@ -39,7 +39,7 @@ pub enum ArcError {
     },
 }
 
-/// The centre of an arc, or `None` when R leads nowhere (start and end are one place).
+/// The centre of an arc. `None` if R defines no arc because start and end are the same point.
 pub fn center(start: Point, end: Point, turn: Turn, words: CenterWords) -> Result<Option<Point>, ArcError> {
     match words {
         CenterWords::Radius(_) if start.is_same(end) => Ok(None),
@@ -55,8 +55,8 @@ pub fn center(start: Point, end: Point, turn: Turn, words: CenterWords) -> Resul
     }
 }
 
-/// The centre lies on the perpendicular through the middle of the chord: for a short arc to the right of the
-/// way with G02, to the left with G03; on the other side when R is negative.
+/// The centre is on the perpendicular through the middle of the chord: for a short arc to the right of the
+/// direction of travel with G02, to the left with G03; on the other side if R is negative.
 fn by_radius(start: Point, end: Point, turn: Turn, radius: f64) -> Result<Point, ArcError> {
     let chord = start.distance(end);
     let half = chord / 2.0;

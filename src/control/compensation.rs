@@ -1,16 +1,16 @@
 //! Tool nose radius compensation: G41, G42, G40.
 //!
-//! In: the programmed moves of one plane, one after the other. Out: the same moves as the tip shows them
-//! while the nose, a circle, rolls along the programmed path (FANUC 16/18-T B-62754EN p. 224). A move is
-//! given out when the next one is known, for its end depends on the corner between them. Works in millimetres
-//! in any plane whose first axis is called `z` (to the right) and whose second is called `x` (upwards): Z and
-//! X radius for turning, the virtual X and C of polar interpolation with tip 0. Knows nothing of words,
-//! blocks and offset tables.
+//! In: the programmed moves of one plane, one after the other. Out: the path of the imaginary tip while the
+//! nose, a circle, rolls along the programmed path (FANUC 16/18-T B-62754EN p. 224). A move is emitted only
+//! when the next one is known, because its end depends on the corner between them. Works in millimetres, in
+//! any plane with a first axis `z` (to the right) and a second axis `x` (upwards): Z and the X radius for
+//! turning, the virtual X and C of polar interpolation with tip 0. Knows nothing of words, blocks and offset
+//! tables.
 //!
-//! Outside compensation the imaginary tip is the programmed point; inside, the *centre* of the nose follows
-//! the path offset by the radius, and the tip is the centre less [`Nose::vector`]. All geometry is done with
-//! the vector from a programmed point to the centre there, as the control does; radius 0 gives the
-//! programmed path back exactly.
+//! Outside compensation the imaginary tip is at the programmed point. Inside, the *centre* of the nose
+//! follows the path offset by the radius, and the tip is the centre minus [`Nose::vector`]. All geometry uses
+//! the vector from a programmed point to the centre, as the control does; radius 0 returns the programmed
+//! path exactly.
 
 mod clearance;
 mod corner;
@@ -24,75 +24,75 @@ use corner::{Corner, corner};
 pub use path::{Element, Nose, Shape, Side, Travel, Vector};
 use path::{Track, ZERO};
 
-/// A move as the tip shows it.
+/// A move of the imaginary tip.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Compensated {
-    /// The element it comes from; for a move around a corner, the one after the corner.
+    /// The source element; for a move around a corner, the element after the corner.
     pub id: u32,
-    /// Rapid or feed, as the element it comes from.
+    /// Rapid or feed, as for the source element.
     pub travel: Travel,
-    /// Where the tip stands before it: where the last move ended.
+    /// Start of the tip: the end of the previous move.
     pub from: Point,
-    /// Where the tip ends.
+    /// End of the tip.
     pub to: Point,
-    /// Straight, or an arc about a centre moved as the tip is.
+    /// A line, or an arc about a centre that is shifted like the tip.
     pub shape: Shape,
-    /// The programmed end point; of a move around a corner, the corner.
+    /// The programmed end point; for a move around a corner, the corner.
     pub programmed: Point,
-    /// Whether the program asks for it.
+    /// Whether the move is programmed or inserted.
     pub made_by: MadeBy,
 }
 
-/// Whether a compensated move stands in the program.
+/// Whether a compensated move is in the program.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum MadeBy {
-    /// It is a programmed element, moved and lengthened or shortened.
+    /// A programmed element, shifted and lengthened or shortened.
     Program,
-    /// The control puts it in, to lead the nose around a corner.
+    /// Inserted by the control to lead the nose around a corner.
     Compensation,
 }
 
-/// Why an element cannot be compensated; it is left out.
+/// Why an element cannot be compensated. The element is left out.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct CompensationError {
     /// The element that is left out.
     pub id: u32,
-    /// What is wrong with it.
+    /// The reason.
     pub reason: Reason,
 }
 
-/// What is wrong with an element.
+/// Why an element cannot be compensated.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Reason {
     /// Compensation starts or ends on an arc: PS0034.
     ArcAtSwitch,
     /// The offset paths of this element and the one before do not meet: PS0033.
     NoIntersection {
-        /// The element before.
+        /// The previous element.
         before: u32,
     },
-    /// The offset element would run against its programmed direction: a groove narrower than the nose, an
-    /// element shorter than what the corners take away. PS0041.
+    /// The offset element would run against its programmed direction: a groove narrower than the nose, or an
+    /// element shorter than the length that its corners remove. PS0041.
     Overcut {
         /// How far it would run backwards, mm.
         backwards: f64,
     },
-    /// The nose would cut into this element or the one or two before it: a valley whose sides touch, a gap
-    /// narrower than the nose. PS0041.
+    /// The nose would cut into this element or into one of the two before it: a valley whose sides touch, or
+    /// a gap narrower than the nose. PS0041.
     CutsIn {
         /// How deep, mm.
         depth: f64,
     },
-    /// The start or the end of the arc is its centre: PS0038.
+    /// The start or end of the arc equals its centre: PS0038.
     ArcCenter,
     /// The nose does not fit inside the arc: PS0041.
     ArcRadius {
-        /// Programmed radius, mm, where it is smaller.
+        /// Programmed radius, mm; smaller than the nose radius.
         radius: f64,
     },
 }
 
-/// What becomes of an element.
+/// The compensated move of an element, or the reason why it is left out.
 pub type Outcome = Result<Compensated, CompensationError>;
 
 /// Compensation in force: from G41 or G42 until G40.
@@ -100,21 +100,21 @@ pub type Outcome = Result<Compensated, CompensationError>;
 pub struct Compensator {
     side: Side,
     nose: Nose,
-    /// Where the tip stands after what was given out.
+    /// Position of the tip after the last emitted move.
     tip: Point,
     stage: Stage,
-    /// The cuts before the element that waits, the latest first, each joined to the next without a gap.
+    /// The cuts before the waiting element, latest first, each connected to the next without a gap.
     behind: [Option<Cut>; 2],
 }
 
-/// A programmed cut with the way that the centre of the nose took along it and around the corner at its end.
+/// A programmed cut, with the path of the nose centre along it and around the corner at its end.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Cut {
     element: Element,
     ways: [Option<Way>; 4],
 }
 
-/// How far compensation has come.
+/// Progress of compensation.
 #[derive(Clone, Debug, PartialEq)]
 enum Stage {
     /// Commanded, no move yet.
@@ -123,7 +123,7 @@ enum Stage {
     StartUp(Element),
     /// An element on the offset path, waiting for the next.
     Waiting(Waiting),
-    /// Every element was given out; the nose stands beside the path.
+    /// Every element is emitted; the nose is beside the path.
     Standing,
 }
 
@@ -135,23 +135,23 @@ struct Waiting {
     begin: Begin,
 }
 
-/// Where the centre stands when an element begins: the vector from its programmed start, mm.
+/// Position of the centre at the start of an element: the vector from its programmed start, mm.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Begin {
     /// On the offset path of the element.
     OnPath(Vector),
-    /// Wherever an earlier element left it, for the control had not seen this one.
+    /// Where the previous element left it, because this one was not known yet (no look-ahead).
     Beside,
 }
 
 impl Compensator {
-    /// Compensation from the next move on, with the tip at `at`, on the programmed point. A negative radius
-    /// is for the caller to turn into the other side.
+    /// Starts compensation with the next move, with the tip on the programmed point `at`. The caller turns a
+    /// negative radius into the other side.
     pub fn start(side: Side, nose: Nose, at: Point) -> Self {
         Self { side, nose, tip: at, stage: Stage::Commanded, behind: [None; 2] }
     }
 
-    /// The same with the numbers of its elements counted from `first`.
+    /// The same compensation, with element numbers counted from `first`.
     pub fn counted_from(mut self, first: u32) -> Self {
         match &mut self.stage {
             Stage::StartUp(element) | Stage::Waiting(Waiting { element, .. }) => {
@@ -165,7 +165,7 @@ impl Compensator {
         self
     }
 
-    /// The side of the elements to come.
+    /// The side of the following elements.
     pub fn side(&self) -> Side {
         self.side
     }
@@ -175,13 +175,13 @@ impl Compensator {
         self.nose
     }
 
-    /// Where the tip stands after the moves given out so far.
+    /// Position of the tip after the moves emitted so far.
     pub fn tip(&self) -> Point {
         self.tip
     }
 
-    /// The next programmed element. Gives out the one before, and the moves around the corner between them. A
-    /// straight element without length is no move and is ignored.
+    /// Takes the next programmed element. Emits the previous one and the moves around the corner between
+    /// them. Ignores a line without length.
     pub fn push(&mut self, element: Element, out: &mut impl FnMut(Outcome)) {
         if element.is_still() {
             return;
@@ -228,8 +228,8 @@ impl Compensator {
         }
     }
 
-    /// No further element is known: end of program, start of a cycle, two blocks without a move. The centre
-    /// goes perpendicular to the end of the last element (§4.3); a later element begins from there.
+    /// No further element is known: end of program, start of a cycle, or two blocks without a move. The
+    /// centre goes perpendicular to the end of the last element (§4.3); a later element begins there.
     pub fn flush(&mut self, out: &mut impl FnMut(Outcome)) {
         match std::mem::replace(&mut self.stage, Stage::Standing) {
             Stage::Commanded => self.stage = Stage::Commanded,
@@ -246,16 +246,17 @@ impl Compensator {
         self.behind = [None; 2];
     }
 
-    /// G41 for G42 or back without a G40: the elements to come have the nose on the other side. The last
-    /// element keeps its own; the nose crosses the path between the two.
+    /// G41 after G42, or the reverse, without a G40: the following elements have the nose on the other side.
+    /// The last element keeps its side, and the nose crosses the path between the two.
     pub fn change_side(&mut self, side: Side) {
         self.side = side;
     }
 
-    /// G40: the last element ends with the centre perpendicular to its end; the move of the G40 block,
-    /// if it has one, ends with the tip on the programmed point. Without one the tip stays beside the
-    /// path until the next move. Where the block names a `wall` by its direction, radius and length in mm, the last element ends
-    /// where its offset path meets that of the wall, which begins at its end (FANUC 16-TC B-61804E 15.3.4).
+    /// G40: the last element ends with the centre perpendicular to its end. The move of the G40 block, if
+    /// any, ends with the tip on the programmed point; without one the tip stays beside the path until the
+    /// next move. If the block gives a `wall` (direction and length in mm, X as a radius), the last element
+    /// ends where its offset path meets the offset path of the wall, which begins at the end of the element
+    /// (FANUC 16-TC B-61804E 15.3.4).
     pub fn cancel(mut self, element: Option<Element>, wall: Option<Point>, out: &mut impl FnMut(Outcome)) {
         if let (Some(wall), Stage::Waiting(waiting)) = (wall, &self.stage) {
             let (waiting, from) = (*waiting, waiting.element.to);
@@ -281,7 +282,7 @@ impl Compensator {
         }
     }
 
-    /// Where the last element ends, if one waits.
+    /// End of the waiting element, if any.
     fn end(&self) -> Option<Point> {
         match &self.stage {
             Stage::StartUp(element) => Some(element.to),
@@ -290,7 +291,7 @@ impl Compensator {
         }
     }
 
-    /// Whether an element can be compensated, whatever its neighbours are.
+    /// Whether an element can be compensated at all, regardless of its neighbours.
     fn acceptable(&self, element: &Element) -> Result<(), Reason> {
         let Shape::Arc { center, .. } = element.shape else { return Ok(()) };
         if self.stage == Stage::Commanded {
@@ -310,10 +311,10 @@ impl Compensator {
         self.stage = Stage::Waiting(Waiting { element, side: self.side, begin });
     }
 
-    /// Whether the nose, on its way along a waiting element and around the corner at its end, keeps clear of
-    /// the next element, and on the way around of those before; whether the cut before keeps clear of the
-    /// next. Rapids cut no contour, and a nose that changes its side crosses the path. The cut that the
-    /// waiting element becomes, if it is one.
+    /// Checks that the nose does not cut in: along a waiting element and around the corner at its end it must
+    /// keep clear of the next element, around the corner also of the elements before, and the previous cut
+    /// must keep clear of the next one. Rapids cut no contour, and a nose that changes sides crosses the
+    /// path; both are not checked. Returns the cut that the waiting element becomes, if it is one.
     fn clear_of(&self, waiting: &Waiting, corner: &Corner, next: &Element) -> Result<Option<Cut>, Reason> {
         let element = waiting.element;
         let cuts = element.travel == Travel::Feed && next.travel == Travel::Feed && waiting.side == self.side;
@@ -338,15 +339,15 @@ impl Compensator {
         }
     }
 
-    /// Whether a contour ends with this element where it began. What leads to it and away from it lies beside
-    /// both of its ends, and is no contour.
+    /// Whether a contour that ends with this element ends where it began. The moves that approach and leave
+    /// it are beside both ends, and belong to no contour.
     fn closes(&self, element: &Element) -> bool {
         let begins = self.behind.iter().flatten().map(|cut| cut.element.from);
         begins.chain([element.from]).any(|begin| begin.is_same(element.to))
     }
 
-    /// The way of the centre along a waiting element that ends at `end` from its programmed end; none for one
-    /// that the control had not seen, or that would run backwards.
+    /// The path of the centre along a waiting element that ends at `end`, relative to its programmed end.
+    /// `None` if the element was not known in advance, or would run backwards.
     fn way_along(&self, waiting: &Waiting, end: Vector) -> Option<Way> {
         let Waiting { element, side, begin: Begin::OnPath(begin) } = *waiting else { return None };
         let length = Track::new(&element, side).length_between(begin, end);
@@ -354,8 +355,8 @@ impl Compensator {
         (length >= -SAME).then(|| Way { from: begin.from(element.from), to: end.from(element.to), shape })
     }
 
-    /// Begins an element the control had not seen when the one before ended: a line goes straight from where
-    /// the nose stands to its own end; to an arc a straight move leads.
+    /// Begins an element that was not known when the previous one ended: a line goes straight from the
+    /// position of the nose to its end; a straight move leads to the start of an arc.
     fn enter(&mut self, element: Element, out: &mut impl FnMut(Outcome)) {
         let stands = Vector::between(element.from, self.tip) + self.nose.offset();
         let begin = Track::new(&element, self.side).start_normal() * self.nose.radius;
@@ -369,8 +370,8 @@ impl Compensator {
         }
     }
 
-    /// Gives out a waiting element whose centre ends at `end` from its programmed end;
-    /// returns whether it could.
+    /// Emits a waiting element whose centre ends at `end`, relative to its programmed end. Returns whether it
+    /// could.
     fn finish(&mut self, waiting: &Waiting, end: Vector, out: &mut impl FnMut(Outcome)) -> bool {
         let element = &waiting.element;
         let begin = match waiting.begin {
@@ -398,14 +399,14 @@ impl Compensator {
             Shape::Arc { center, turn } if length > 2.0 * SAME => {
                 Shape::Arc { center: self.shown(center, ZERO), turn }
             }
-            // An arc the corners take away whole has no length, and must not look like a full circle.
+            // An arc that the corners remove completely has no length, and must not look like a full circle.
             Shape::Arc { .. } | Shape::Line => Shape::Line,
         };
         self.give(element, end, shape, MadeBy::Program, out);
         true
     }
 
-    /// A straight move around the corner before `element`, if the tip does not stand there already.
+    /// Adds a straight move around the corner before `element`, unless the tip is already there.
     fn join(&mut self, element: &Element, joint: Vector, out: &mut impl FnMut(Outcome)) {
         let corner = Element { to: element.from, ..*element };
         if !self.shown(corner.to, joint).is_same(self.tip) {
@@ -413,7 +414,7 @@ impl Compensator {
         }
     }
 
-    /// Gives out a move that ends with the centre at `end` from the programmed end of `element`.
+    /// Emits a move that ends with the centre at `end`, relative to the programmed end of `element`.
     fn give(
         &mut self,
         element: &Element,
@@ -428,14 +429,14 @@ impl Compensator {
         self.tip = to;
     }
 
-    /// The tip when the centre is at `vector` from a programmed point.
+    /// Position of the tip when the centre is at `vector` from a programmed point.
     fn shown(&self, programmed: Point, vector: Vector) -> Point {
         (vector - self.nose.offset()).from(programmed)
     }
 }
 
-/// A whole path at once: compensation starts with its first element, from the tip at `from`, and its last
-/// element ends perpendicular. The first fault ends it.
+/// Compensates a whole path: compensation starts with the first element, from the tip at `from`, and the last
+/// element ends perpendicular. Stops at the first error.
 pub fn compensate_path(
     side: Side,
     nose: Nose,
@@ -458,18 +459,18 @@ pub fn compensate_path(
     fault.map_or(Ok(moves), Err)
 }
 
-/// An axis of a single cycle; compensation moves a cut along one of them.
+/// An axis of a single cycle. Compensation shifts a cut along one of them.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Axis {
-    /// G90: the cut lies deeper or less deep.
+    /// G90: the cut is deeper or shallower.
     X,
-    /// G94: the cut lies further left or right.
+    /// G94: the cut is further left or right.
     Z,
 }
 
-/// How far, mm, the tip path of a G90 or G94 cut from `from` to `to` is moved along an axis so that the nose
-/// touches the programmed line (§4.4); 0 for a cylinder or face cut with the matching tip. `None` when the
-/// line runs along that axis, or has no length.
+/// Shift, mm, of the tip path of a G90 or G94 cut from `from` to `to` along an axis, so that the nose touches
+/// the programmed line (§4.4). 0 for a cylinder or face cut with the matching tip. `None` if the line is
+/// parallel to that axis, or has no length.
 pub fn cycle_shift(side: Side, nose: Nose, from: Point, to: Point, along: Axis) -> Option<f64> {
     if from.is_same(to) {
         return None;

@@ -1,11 +1,11 @@
-//! Contours between blocks ns and nf, as the cycles G70 to G73 name them (GSK980TDb p. 102).
+//! Contours between the blocks ns and nf of the cycles G70 to G73 (GSK980TDb p. 102).
 //!
-//! Plain values. How they are read is in `interpreter/contours`.
+//! Plain values. `interpreter/contours` reads them.
 
 use crate::geometry::Point;
 use crate::source::Span;
 
-/// The places manuals name in a cycle along a contour.
+/// The points that manuals name in a contour cycle.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Landmarks {
     /// The cycle block.
@@ -16,24 +16,24 @@ pub struct Landmarks {
     pub first: Point,
     /// B: where the contour ends.
     pub last: Point,
-    /// What is added to these for a place on the workpiece.
+    /// Offset that makes these points positions on the workpiece.
     pub zero: Point,
     /// P and Q.
     pub named: (u32, u32),
-    /// Whether it was roughed there.
+    /// Whether a roughing cycle has run there.
     pub roughed: bool,
 }
 
-/// What the block ns names.
+/// Contents of the block ns.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct FirstBlock {
     /// X or U.
     pub x: bool,
     /// Z or W.
     pub z: bool,
-    /// `U0`, the idiom that asks for type II of G72.
+    /// `U0`: selects type II for G72.
     pub u_zero: bool,
-    /// `W0`, the same for G71.
+    /// `W0`: selects type II for G71.
     pub w_zero: bool,
     /// The word of X or U.
     pub x_word: Span,
@@ -41,11 +41,11 @@ pub struct FirstBlock {
     pub z_word: Span,
 }
 
-/// What a shape is read for.
+/// Why a contour is read.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Purpose {
     /// G71 to G73: F, S, T and compensation of the blocks are ignored.
     Roughing,
-    /// G70: they are not.
+    /// G70: F, S, T and compensation of the blocks take effect.
     Finishing,
 }

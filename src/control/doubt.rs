@@ -1,41 +1,42 @@
-//! What is not known after something that could not be carried out: a refused block, an unsupported code, a
-//! call of a program that is missing.
+//! What is unknown after something that could not be carried out: a refused block, an unsupported code, a
+//! call of a missing program.
 //!
-//! Only what depends on it is uncertain: each axis until a program names its place again, the kind of a move
-//! until a code of group 01. Plain values, part of [`super::modal::State`].
+//! Only dependent values are uncertain: each axis until the program gives its position again, the kind of
+//! move until a code of group 01. Plain values, part of [`super::modal::State`].
 
-/// One thing that may be other than the state says.
+/// A part of the state that may be wrong.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[repr(u8)]
 pub enum Doubt {
-    /// The place of the tip along X; the next absolute X ends it.
+    /// The X position of the tip, until the next absolute X.
     X,
-    /// The place along Z.
+    /// The Z position.
     Z,
     /// The angle of C.
     C,
-    /// The tip stands beside the plane of X and Z, in which everything is drawn.
+    /// The tip is outside the plane of X and Z, in which everything is drawn.
     Y,
-    /// The way of the next move: it does not begin where it should.
+    /// The path of the next move: it may begin elsewhere.
     Path,
-    /// Group 01; the next code of the group ends it.
+    /// Group 01, until the next code of the group.
     Code,
-    /// What a cycle keeps from its blocks before: the place of G90 to G94, the amounts of G71 to G76.
+    /// Values that a cycle keeps from earlier blocks: the position of G90 to G94, the parameters of G71 to
+    /// G76.
     Cycle,
-    /// The cycle that runs: an error in its blocks or in its contour was reported.
+    /// The running cycle: an error in its blocks or contour was reported.
     Contour,
-    /// What stands in variables; nothing ends it.
+    /// The values of variables. They stay in doubt until the end.
     Values,
-    /// What coordinates mean: a mirror image, or a plane that was not switched on.
+    /// The meaning of coordinates: a mirror image, or a plane that was not switched on.
     Coordinates,
 }
 
-/// Everything that is in doubt.
+/// A set of doubts.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Doubts(u16);
 
 impl Doubts {
-    /// These things.
+    /// The set of these doubts.
     pub const fn of(doubts: &[Doubt]) -> Self {
         let (mut bits, mut at) = (0, 0);
         while at < doubts.len() {
@@ -51,7 +52,7 @@ impl Doubts {
         self.0 == 0
     }
 
-    /// Whether one of these things is in doubt.
+    /// Whether any of these is in doubt.
     pub fn has_any(self, doubts: Self) -> bool {
         self.0 & doubts.0 != 0
     }
@@ -61,17 +62,17 @@ impl Doubts {
         self.has_any(Self::of(&[doubt]))
     }
 
-    /// These are in doubt as well.
+    /// Adds all of these.
     pub fn join(&mut self, doubts: Self) {
         self.0 |= doubts.0;
     }
 
-    /// This is in doubt as well.
+    /// Adds one.
     pub fn add(&mut self, doubt: Doubt) {
         self.join(Self::of(&[doubt]));
     }
 
-    /// This is known again.
+    /// Removes one: its value is known again.
     pub fn remove(&mut self, doubt: Doubt) {
         self.0 &= !Self::of(&[doubt]).0;
     }

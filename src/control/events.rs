@@ -1,8 +1,8 @@
-//! What happens while a program runs, for whoever listens: the lints.
+//! What happens while a program runs, as events for an observer: the lints.
 //!
-//! In: the interpreter says what it does, at the moment it does it. Out: what the listener reports. The
-//! control carries the listener along in its state, so that it is kept, compared and moved with it, and knows
-//! nothing of what it remembers. A run without a listener makes no events.
+//! In: the interpreter announces each action when it performs it. Out: the diagnostics of the observer. The
+//! state of the control contains the observer, so that both are stored, compared and moved together; the
+//! control knows nothing of the observer's own state. A run without an observer makes no events.
 
 use std::any::Any;
 use std::fmt;
@@ -28,9 +28,9 @@ use crate::source::Span;
 use crate::source::shift::Shift;
 use crate::text::block::{Block, Word};
 
-/// What can be seen when something happens.
+/// The context of an event.
 pub struct Moment<'a> {
-    /// The program; empty where the event names no word.
+    /// The program; empty if the event names no word.
     pub text: &'a [u8],
     /// The state of the control.
     pub state: &'a State,
@@ -40,24 +40,25 @@ pub struct Moment<'a> {
     pub dialect: &'a Dialect,
     /// Motions and messages so far.
     pub sink: &'a Sink,
-    /// What for, while a contour is read.
+    /// Why the contour is read, while one is.
     pub contour: Option<Purpose>,
 }
 
 impl Moment<'_> {
-    /// How numbers are read at the moment.
+    /// How numbers are read at present.
     pub fn reading(&self) -> Reading {
         Reading { unit: self.state.unit, decimal: self.dialect.decimal }
     }
 
-    /// The blank in the coordinates in force; `None` where it is not given, or where its place in them is not known.
+    /// The blank in the coordinates in force; `None` if it is not given, or if its position in them is
+    /// unknown.
     pub fn stock(&self) -> Option<Stock> {
         let frames = &self.state.frames;
         let stock = self.setup.stock.filter(|_| !frames.is_elsewhere())?;
         Some(stock.moved(frames.on_workpiece().opposite()))
     }
 
-    /// The motions with a known place on the workpiece, in the coordinates in force.
+    /// The motions with a known position on the workpiece, in the coordinates in force.
     pub fn motions(&self) -> impl Iterator<Item = Motion> + '_ {
         let here = self.state.frames.on_workpiece().opposite();
         let known = self.sink.all_motions().filter(|motion| !motion.process.elsewhere);
@@ -67,13 +68,13 @@ impl Moment<'_> {
         })
     }
 
-    /// Speed of the spindle with the tip at a radius, mm, rpm; no faster than the machine turns. `None` at
-    /// the axis without a limit.
+    /// Spindle speed with the tip at a radius in mm, in rpm, at most the machine's maximum. `None` at the
+    /// axis without a limit.
     pub fn spindle_speed(&self, radius: f64) -> Option<f64> {
         self.state.spindle.speed_within(radius, self.setup.machine.max_speed)
     }
 
-    /// Radius of the tool nose in force, mm; negative where the offset turns the side of compensation round.
+    /// Radius of the tool nose in force, mm; negative if the offset reverses the side of compensation.
     pub fn nose_radius(&self) -> f64 {
         tool_offset::nose_entry(self.state, self.setup).0
     }
@@ -97,9 +98,9 @@ pub struct SinglePass<'a> {
     pub start: Point,
     /// End point of the cut.
     pub end: Point,
-    /// The letter whose word gives the taper in this block, if one does.
+    /// The address of the taper word in this block, if any.
     pub taper_word: Option<u8>,
-    /// Place of that word; of the block where the taper is that of a block before.
+    /// Span of that word; of the block if the taper comes from an earlier block.
     pub taper_span: Span,
     /// Lead of a thread.
     pub lead: Option<f64>,
@@ -108,7 +109,7 @@ pub struct SinglePass<'a> {
 }
 
 impl<'a> SinglePass<'a> {
-    /// The same as a pass of a thread, if it is one.
+    /// The pass as a pass of a thread, if it is one.
     pub fn thread(&self, at: &Moment) -> Option<ThreadPass<'a>> {
         let &Self { block, words, start, end, starts, .. } = self;
         let start = Point::new(end.x + at.state.memory.taper, start.z);
@@ -124,15 +125,15 @@ pub struct ThreadPass<'a> {
     pub block: &'a Block,
     /// Its words.
     pub words: &'a Words<'a>,
-    /// Where the cut begins.
+    /// Start of the cut.
     pub start: Point,
-    /// Where it ends.
+    /// End of the cut.
     pub end: Point,
     /// Lead of the thread.
     pub lead: f64,
     /// Starts of the thread.
     pub starts: u64,
-    /// What cuts it.
+    /// What cuts the thread.
     pub by: ThreadedBy,
 }
 
@@ -141,23 +142,23 @@ pub struct ThreadPass<'a> {
 pub enum ThreadedBy {
     /// A move (G32 to G34).
     Move,
-    /// A pass of G92, which comes from the axis where `outwards`: a bore.
+    /// A pass of G92. It starts from the axis if `outwards`: a bore.
     Pass {
-        /// Deeper is a larger X.
+        /// A larger X is deeper.
         outwards: bool,
     },
     /// All passes of G76.
     Passes,
 }
 
-/// A move that nose radius compensation takes in.
+/// A move with nose radius compensation.
 #[derive(Clone, Copy)]
 pub struct CompensatedMove<'a> {
-    /// The move before it, where compensation goes on.
+    /// The previous move, if compensation was already active.
     pub before: Option<&'a Motion>,
     /// The move as it is programmed.
     pub motion: &'a Motion,
-    /// Compensation begins or ends with it.
+    /// Compensation begins or ends with this move.
     pub begins_or_ends: bool,
     /// The words of its block.
     pub words: Span,
@@ -165,7 +166,7 @@ pub struct CompensatedMove<'a> {
     pub span: Span,
 }
 
-/// A cycle that reads a contour, with the contour it has read.
+/// A cycle that reads a contour, with that contour.
 #[derive(Clone, Copy)]
 pub struct ContourCall<'a, How> {
     /// The cycle block.
@@ -174,17 +175,17 @@ pub struct ContourCall<'a, How> {
     pub words: &'a Words<'a>,
     /// The contour.
     pub contour: &'a Contour,
-    /// What the first block of the contour names.
+    /// Contents of the first block of the contour.
     pub first: FirstBlock,
-    /// Place of the first block of the contour.
+    /// Span of the first block of the contour.
     pub first_span: Span,
-    /// Place of its last block with a move.
+    /// Span of its last block with a move.
     pub last_span: Option<Span>,
-    /// The amounts of the cycle.
+    /// The parameters of the cycle.
     pub how: &'a How,
 }
 
-/// G70, with the contour it follows.
+/// G70, with its contour.
 #[derive(Clone, Copy)]
 pub struct FinishingCall<'a> {
     /// The cycle block.
@@ -212,12 +213,12 @@ pub struct ThreadingCall<'a> {
     pub lead: f64,
     /// Angle of the tool, degrees.
     pub angle: f64,
-    /// It is written in one block.
+    /// It is written as one block.
     pub one_block: bool,
 }
 
-/// Something that happens. Where a code or word changes the state, the event comes before the change,
-/// unless it says otherwise.
+/// Something that happens. Where a code or word changes the state, the event is sent before the change,
+/// unless its comment says otherwise.
 #[derive(Clone, Copy)]
 #[allow(missing_docs, reason = "the fields are named in the line of their event")]
 pub enum Event<'a> {
@@ -225,19 +226,19 @@ pub enum Event<'a> {
     FeedMode(FeedMode),
     /// G40, G41 or G42.
     Compensation,
-    /// Another code of group 01 than before comes into force, one of no cycle.
+    /// A different code of group 01 comes into force, other than a cycle.
     MotionCode { mode: MotionMode },
-    /// The code of a single cycle comes into force, perhaps once more.
+    /// The code of a single cycle comes into force, possibly again.
     CycleCode { cycle: Single, block: &'a Block, words: &'a Words<'a> },
-    /// A one-shot code other than a dwell: single cycles forget what was given.
+    /// A one-shot code other than a dwell: single cycles forget their values.
     OneShot,
-    /// A move to a place of the machine: G27, G28, G30, G53.
+    /// A move to a machine position: G27, G28, G30, G53.
     MachinePlace { block: &'a Block },
     /// G28 or G30 is carried out.
     Home,
-    /// An M code; `known` is what this control makes of it.
+    /// An M code; `known` is its meaning on this control.
     MCode { number: u64, known: Option<M>, word: &'a Word },
-    /// F, in a block that is no macro call.
+    /// F, in a block without a macro call.
     Feed,
     /// S outside of G50.
     SpindleSpeed { value: f64, word: &'a Word },
@@ -245,40 +246,41 @@ pub enum Event<'a> {
     SpeedMode { surface: bool, block: &'a Block, words: &'a Words<'a> },
     /// G50 S.
     HighestSpeed { word: &'a Word },
-    /// T, after it has come into force; `before` was in force, `goes_home`: the block also goes home.
+    /// T, after it came into force; `before` was in force; `goes_home`: the block also goes to the reference
+    /// point.
     Tool { word: &'a Word, before: (u16, u16), goes_home: bool },
     /// M05 takes effect.
     SpindleStops { block: &'a Block, moved: bool },
-    /// A cut at a feed rate greater than zero begins. Not announced where nothing has happened since the cut
-    /// before that matters for it.
+    /// A cut at a feed rate greater than zero begins. Sent only if an event since the previous cut matters
+    /// for cuts ([`Event::matters_for_cuts`]).
     Cut { block: &'a Block, words: &'a Words<'a>, feed: f64 },
     /// A cut begins before any F.
     CutWithoutFeed { block: &'a Block },
     /// A move at rapid.
     Rapid,
-    /// A block has words that the control ignores; `unread` contains their letters. `code`: the code that the
-    /// block carries out, which does not read them; `None` where it has no such code.
+    /// A block has words that the control ignores; `unread` contains their letters. `code`: the code of the
+    /// block, which does not read them; `None` if the block has no such code.
     UnreadWords { block: &'a Block, words: &'a Words<'a>, unread: u32, code: Option<&'static str> },
     /// G04 waits, s.
     Dwell { words: &'a Words<'a>, seconds: f64 },
-    /// A word is left out, since the value of its variable is vacant.
+    /// A word is ignored because its variable is vacant.
     VacantWord { word: &'a Word },
-    /// A loop begins (`enter`), or a WHILE whose condition does not hold is skipped.
+    /// A loop begins (`enter`), or is skipped because the condition of its WHILE is false.
     While { statement: Span, enter: bool },
     /// A move in a straight line at feed while compensation is on, mm.
     CompensatedLine { block: &'a Block, to: Point },
-    /// A move in a straight line, at rapid or feed, from a point on the axis of the spindle, where
-    /// a drill or tap stands. mm.
+    /// A move in a straight line, at rapid or feed, from a point on the spindle axis, where a drill or tap
+    /// is. mm.
     FromAxis { block: &'a Block, to: Point },
-    /// The F in force is taken as the lead of a thread, mm.
+    /// The F in force is used as the lead of a thread, mm.
     LeadOfFeed { block: &'a Block, code: &'static str, feed: f64 },
-    /// A thread begins; `to` is its end for G32 to G34, whose path is known. mm.
+    /// A thread begins; `to` is the end for G32 to G34, whose path is known. mm.
     Thread { block: &'a Block, code: &'static str, to: Option<Point> },
-    /// G32 to G34 cut from where the tip stands.
+    /// G32 to G34 cut from the position of the tip.
     ThreadMove { pass: ThreadPass<'a>, code: &'static str },
     /// A pass of G76.
     ThreadPass(ThreadPass<'a>),
-    /// I in a G92 of a control that writes the taper with R.
+    /// I in a G92 on a control that writes the taper with R.
     OldTaperWord { words: &'a Words<'a> },
     /// A block of a single cycle without an axis makes no motion.
     CycleWithoutAxis { words: &'a Words<'a>, cycle: Single, taper: Option<&'a Word> },
@@ -286,7 +288,7 @@ pub enum Event<'a> {
     SinglePass(SinglePass<'a>),
     /// G70 to G76 is called.
     MultipleCycle { block: &'a Block, cycle: Multiple },
-    /// F, S or T in a contour that is roughed.
+    /// F, S or T in a contour that is read for roughing.
     IgnoredInRoughing { address: u8, words: &'a Words<'a> },
     /// P and Q of a contour cycle name a contour.
     ContourNamed { purpose: Purpose, named: (u32, u32) },
@@ -294,11 +296,11 @@ pub enum Event<'a> {
     Finishing(FinishingCall<'a>),
     /// G71 or G72 has read its contour.
     RoughingCalled(ContourCall<'a, Roughing>),
-    /// G71 or G72 has its passes.
+    /// G71 or G72 has computed its passes.
     Roughing(ContourCall<'a, Roughing>),
     /// G73 has read its contour.
     Pattern(ContourCall<'a, Pattern>),
-    /// G76 has its passes.
+    /// G76 has computed its passes.
     Threading(ThreadingCall<'a>),
     /// A hole or a move in a virtual plane needs a live tool.
     Milling { block: &'a Block },
@@ -308,24 +310,24 @@ pub enum Event<'a> {
     PlaneMove { block: &'a Block, words: &'a Words<'a>, plane: VirtualPlane },
     /// C moves.
     CAxis { span: Span },
-    /// The path passes this near the centre of the face, mm.
+    /// The path passes the centre of the face at this distance, mm.
     NearCenter { distance: f64, words: Span },
     /// A move is compensated.
     Compensated(CompensatedMove<'a>),
-    /// The words of a block are carried out while compensation is on, or ends.
+    /// The words of a block are carried out while compensation is active, or ends.
     CompensatedBlock { block: &'a Block, moved: bool },
     /// A block was not carried out.
     LeftOut,
-    /// What a block or a program sets is not known.
+    /// The settings that a block or program makes are unknown.
     SettingsUnknown,
     /// M02 or M30; `end` is its word.
     ProgramEnds { end: Option<&'a Word> },
-    /// There is nothing more to carry out.
+    /// Nothing is left to carry out.
     RunEnds,
 }
 
 impl Event<'_> {
-    /// Whether the next cut may be another one than the cut before: by its feed, spindle, tool or axes.
+    /// Whether the next cut may differ from the previous one: in feed, spindle, tool or axes.
     #[inline]
     pub fn matters_for_cuts(&self) -> bool {
         !matches!(
@@ -346,27 +348,28 @@ impl Event<'_> {
     }
 }
 
-/// Whoever listens to a run.
+/// Observes a run.
 pub trait Observer: Any {
-    /// Something happens; what is to be reported of it is added to `reports`.
+    /// Handles an event and adds its diagnostics to `reports`.
     fn hear(&mut self, event: &Event<'_>, at: &Moment<'_>, reports: &mut Vec<Diagnostic>);
 
-    /// The same observer once more.
+    /// A copy of this observer.
     fn copy(&self) -> Box<dyn Observer>;
 
-    /// Whether it reports the same from here on as another one of its kind.
+    /// Whether it will report the same as `other`, an observer of the same type, from here on.
     fn goes_on_like(&self, other: &dyn Observer) -> bool;
 
-    /// Moves the places of the text that it holds along, when the text before them has changed.
+    /// Moves the spans it holds after a change of the text before them.
     fn shift(&mut self, shift: &Shift);
 
     /// Whether the message of a block that begins in `changed` depends on later blocks.
     fn waits_for(&self, changed: Range<u32>) -> bool;
 
-    /// A contour is read, whose state is given up after it: whoever is to listen then.
+    /// Called before a contour is read, after which the state is restored: returns the observer for the
+    /// contour.
     fn set_aside(&mut self) -> Box<dyn Observer>;
 
-    /// Listens from here on instead of `before`: what that one has reported counts as reported here, too.
+    /// Replaces `before` from here on; what `before` has reported counts as reported here, too.
     fn listen_after(&mut self, before: &mut dyn Observer);
 }
 

@@ -1,4 +1,4 @@
-//! What the control makes of what was written: the one place for units, diameters, frames and modal state.
+//! Carries out the program: the only place that handles units, diameters, coordinate frames and modal state.
 
 pub mod arcs;
 pub mod codes;

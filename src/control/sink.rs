@@ -1,7 +1,7 @@
-//! What a run gives: motions and messages, each up to its limit.
+//! The results of a run: motions and messages, each up to a limit.
 //!
-//! In: motions in the coordinates of the machine, diagnostics. Out: both in lists, in the order in which they
-//! were made. Knows no block and no state of the control.
+//! In: motions in machine coordinates, diagnostics. Out: a list of each, in the order in which they were
+//! made. Knows no blocks and no state of the control.
 
 use crate::limits::Limits;
 use crate::message::{Diagnostic, Levels, Message};
@@ -9,34 +9,34 @@ use crate::motion::{Chunk, Motion, Motions};
 use crate::order;
 use crate::source::Span;
 
-/// Motions and messages of a run under way.
+/// Motions and messages of a running program.
 pub struct Sink {
     /// Severities that the setup sets.
     levels: Levels,
-    /// Most motions and messages.
+    /// Maximum number of motions and messages.
     limits: Limits,
     /// Finished chunks.
     pub motions: Motions,
-    /// The chunk under way.
+    /// The unfinished chunk.
     pub chunk: Chunk,
     /// A block before the chunk could not be carried out.
     pub incomplete: bool,
     /// In the order in which they were reported.
     pub diagnostics: Vec<Diagnostic>,
-    /// Place and rule of each of them, in order: what runs again is not reported again.
+    /// Span and rule of each diagnostic, sorted: blocks that run again are not reported again.
     reported: Vec<(u32, u16)>,
-    /// Messages that were not kept.
+    /// Number of messages that were not kept.
     pub hidden: usize,
     /// A limit of the run is exceeded: nothing more is carried out.
     is_full: bool,
-    /// The first error in the writing of the block under way.
+    /// The first syntax error in the current block.
     pub fault: Option<Span>,
-    /// Nothing is reported for the block under way any more.
+    /// Nothing more is reported for the current block.
     pub muted: bool,
 }
 
 impl Sink {
-    /// Nothing yet. `chunk`: the first one.
+    /// An empty sink. `chunk`: the first chunk.
     pub fn new(levels: Levels, limits: Limits, chunk: Chunk) -> Self {
         Self {
             levels,
@@ -53,7 +53,7 @@ impl Sink {
         }
     }
 
-    /// Motions kept so far.
+    /// Number of motions kept so far.
     pub fn kept(&self) -> usize {
         self.motions.len() + self.chunk.len()
     }
@@ -82,7 +82,7 @@ impl Sink {
         self.is_full
     }
 
-    /// A limit of the run is exceeded: nothing more is carried out, and `message` says why.
+    /// Ends the run because a limit is exceeded; `message` gives the reason.
     #[cold]
     pub fn end(&mut self, message: Message, span: Span) {
         if !self.is_full {
@@ -91,17 +91,17 @@ impl Sink {
         }
     }
 
-    /// Whether nothing is to be said of the block under way, or this is a consequence of a fault in its
-    /// writing: one fault, one message.
+    /// Whether the current block is muted, or this diagnostic is a consequence of a syntax error in it: one
+    /// error, one message.
     pub fn is_silent_about(&self, diagnostic: &Diagnostic) -> bool {
         let about_all = |fault: Span| diagnostic.span.contains(fault) && diagnostic.span != fault;
         self.muted || self.fault.is_some_and(about_all)
     }
 
-    /// Keeps a message, unless it was reported for the same place before. `repeats`: what is found now may
-    /// have been reported before, so what finds no room is not counted.
+    /// Keeps a message, unless it was reported for the same place before. `repeats`: the message may have
+    /// been reported before, so it is not counted if there is no room for it.
     pub fn report(&mut self, diagnostic: Diagnostic, repeats: bool) {
-        // What is off takes no room from the rest.
+        // A message that is switched off takes no room.
         let Some(diagnostic) = self.levels.graded(diagnostic) else { return };
         if self.diagnostics.len() >= self.limits.messages {
             self.hidden += usize::from(!repeats);
@@ -110,15 +110,15 @@ impl Sink {
         self.keep(diagnostic);
     }
 
-    /// Keeps a message even when no more messages are kept: why the run ends.
+    /// Keeps a message even if the list is full: the reason why the run ends.
     pub fn report_always(&mut self, diagnostic: Diagnostic) {
         if let Some(diagnostic) = self.levels.graded(diagnostic) {
             self.keep(diagnostic);
         }
     }
 
-    /// Keeps what is reported of the setup: many faults of one kind have no other place than
-    /// the beginning of the text.
+    /// Keeps a message about the setup. Several messages of the same rule are allowed, because all of them
+    /// are placed at the beginning of the text.
     pub fn report_of_setup(&mut self, diagnostic: Diagnostic) {
         let graded = self.levels.graded(diagnostic);
         self.diagnostics.extend(graded.filter(|_| self.diagnostics.len() < self.limits.messages));
@@ -138,7 +138,7 @@ impl Sink {
         room && self.reported.binary_search(&key(diagnostic)).is_err()
     }
 
-    /// The sink as it was when it had so many chunks and messages, with a new chunk to follow.
+    /// The sink with only the first `chunks` and `diagnostics`, followed by a new chunk.
     pub fn back_to(
         &mut self,
         chunks: usize,
@@ -158,7 +158,7 @@ impl Sink {
     }
 }
 
-/// What distinguishes a message from others.
+/// Identity of a message.
 fn key(diagnostic: &Diagnostic) -> (u32, u16) {
     (diagnostic.span.start, diagnostic.message.rule_index())
 }

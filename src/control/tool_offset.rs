@@ -1,4 +1,4 @@
-//! The tool offset in force: what the setup and the program say of the tool nose.
+//! The tool offset in force: the tool nose according to setup and program.
 //!
 //! In: state and setup. Out: radius and tip direction.
 
@@ -7,8 +7,8 @@ use super::modal::State;
 use super::offsets::Column;
 use crate::setup::{Setup, Tool};
 
-/// Radius (mm; negative where it turns the side of compensation round) and tip direction of the offset in
-/// force. What the program wrote overrides the setup.
+/// Radius (mm; negative if the offset reverses the side of compensation) and tip direction of the offset in
+/// force. Values written by the program override the setup.
 pub fn nose_entry(state: &State, setup: &Setup) -> (f64, u8) {
     let (station, offset) = state.tool;
     if offset == 0 {
@@ -21,8 +21,7 @@ pub fn nose_entry(state: &State, setup: &Setup) -> (f64, u8) {
     (radius, written(Column::Tip).map_or(tip, |tip| tip as u8))
 }
 
-/// The offset in force where neither the setup nor the program says anything of it:
-/// the machine's own table may.
+/// The offset in force, if neither the setup nor the program defines it: the machine's own table may.
 pub fn unknown(state: &State, setup: &Setup) -> Option<u16> {
     let (station, offset) = state.tool;
     let known = setup.tools.contains_key(&format!("T{station:02}{offset:02}"))
@@ -30,7 +29,7 @@ pub fn unknown(state: &State, setup: &Setup) -> Option<u16> {
     (offset != 0 && !known).then_some(offset)
 }
 
-/// The offset in force where neither the setup nor the program says anything of its nose radius.
+/// The offset in force, if neither the setup nor the program gives its nose radius.
 pub fn unknown_radius(state: &State, setup: &Setup) -> Option<u16> {
     let (station, offset) = state.tool;
     let tool = setup.tools.get(&format!("T{station:02}{offset:02}"));
@@ -43,6 +42,6 @@ pub fn unknown_radius(state: &State, setup: &Setup) -> Option<u16> {
 /// The nose of the tool in force.
 pub fn nose(state: &State, setup: &Setup) -> Nose {
     let (radius, tip) = nose_entry(state, setup);
-    // In a virtual plane it is the cutter's centre that is programmed.
+    // In a virtual plane the cutter's centre is programmed.
     Nose { radius: radius.abs(), tip: if state.virtual_plane.is_some() { 0 } else { tip } }
 }

@@ -1,7 +1,7 @@
 //! Words as the control reads them: numbers become millimetres, times and counts.
 //!
-//! In: a block and the rules for numbers. Out: values by address. The one place that knows the decimal-point
-//! rule, inches, and that X counts diameters.
+//! In: a block and the rules for numbers. Out: values by address. The only place that knows the decimal-point
+//! rule, inches, and that X is a diameter.
 
 use std::cell::Cell;
 
@@ -13,14 +13,14 @@ use crate::text::lexer::Number;
 use crate::text::misread;
 use crate::units::{Diameter, Unit};
 
-/// What stands after the letter of a word as it is written.
+/// The text of a word after its letter.
 pub fn behind_letter(word: &str) -> &str {
     let mut characters = word.chars();
     characters.next();
     characters.as_str()
 }
 
-/// A word with a minus where it had none, and the other way round.
+/// The text of a word with the opposite sign.
 pub fn with_other_sign(word: &str) -> String {
     let number = behind_letter(word);
     let letter = word.strip_suffix(number).unwrap_or_default();
@@ -31,14 +31,14 @@ pub fn with_other_sign(word: &str) -> String {
     }
 }
 
-/// The data words of a block by address; where one appears twice, the later.
+/// The data words of a block by address; if an address appears twice, the later word.
 pub struct Words<'b> {
     block: &'b Block,
-    /// Index of the word of each address, plus one; 0 for none.
+    /// Index of the word of each address, plus one; 0 if there is none.
     index: [u8; 26],
-    /// Bit `n` for each letter `A + n` that is there.
+    /// Bit `n` for each letter `A + n` in the block.
     given: u32,
-    /// The same for each letter that the control has read, by [`Words::get`].
+    /// The same for each letter that the control has read with [`Words::get`].
     read: Cell<u32>,
 }
 
@@ -60,7 +60,7 @@ impl<'b> Words<'b> {
         Self { block, index: [0; 26], given: 0, read: Cell::new(0) }
     }
 
-    /// Takes the word at `index` of the block; returns the one of the same address before it, if any.
+    /// Takes the word at `index` of the block; returns the previous word of the same address, if any.
     #[inline]
     pub fn take(&mut self, index: usize, word: &Word) -> Option<&'b Word> {
         let letter = (word.address - b'A') as usize;
@@ -70,19 +70,19 @@ impl<'b> Words<'b> {
         (before > 0).then(|| &self.block.words[before as usize - 1])
     }
 
-    /// Whether any of these letters is there.
+    /// Whether any of these letters is in the block.
     #[inline]
     pub fn has_any(&self, bits: u32) -> bool {
         self.given & bits != 0
     }
 
-    /// The words that were not read, by [`letters`].
+    /// The words that were not read, as the bits of [`letters`].
     #[inline]
     pub fn unread(&self) -> u32 {
         self.given & !self.read.get()
     }
 
-    /// The word of an address that the control uses, or explains by a message: it counts as read.
+    /// The word of an address that the control uses or reports in a message: it counts as read.
     #[inline]
     pub(super) fn get(&self, address: u8) -> Option<&'b Word> {
         self.read.set(self.read.get() | 1 << (address - b'A'));
@@ -98,23 +98,23 @@ impl<'b> Words<'b> {
         }
     }
 
-    /// Place of a word; of the whole block where the address is not there.
+    /// Span of a word; of the whole block if there is no such word.
     pub fn span(&self, address: u8) -> Span {
         self.peek(address).map_or_else(|| self.block.words_span(), |word| word.span)
     }
 
-    /// The text of a word, blanks left out.
+    /// The text of a word without blanks.
     pub fn quote(&self, text: &[u8], address: u8) -> String {
         self.peek(address).map_or_else(String::new, |word| quote(text, word.span))
     }
 }
 
-/// The intended text of a word: no blanks, digits instead of letters that look alike, a point instead of a comma.
+/// The intended text of a word: no blanks, digits instead of similar letters, a point instead of a comma.
 pub fn as_meant(text: &[u8], span: Span) -> String {
     let written = quote(text, span);
     match misread::read(written.as_bytes(), 0) {
         Some(misread) if misread.len == written.len() => misread.plain,
-        // A comma at the head belongs to a corner word: `,R2`.
+        // A leading comma belongs to a corner word: `,R2`.
         _ => written
             .char_indices()
             .map(|(at, sign)| if at > 0 && matches!(sign, ',' | '，') { '.' } else { sign })
@@ -127,16 +127,16 @@ pub fn quote(text: &[u8], span: Span) -> String {
     span.quote(text).chars().filter(|ch| !ch.is_whitespace()).collect()
 }
 
-/// How numbers are read at the moment.
+/// How numbers are read at present.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Reading {
     /// Unit of length.
     pub unit: Unit,
-    /// What a number without a point counts.
+    /// Unit of a number without a point.
     pub decimal: DecimalRule,
 }
 
-/// What the number of an axis counts.
+/// Meaning of an axis value.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Counts {
     /// A diameter: X and U.
@@ -146,7 +146,7 @@ pub enum Counts {
 }
 
 impl Reading {
-    /// A coordinate or a way along an axis, mm; a radius where a diameter is written.
+    /// A coordinate or distance along an axis, mm; a radius if the program gives a diameter.
     #[inline]
     pub fn coordinate(self, word: &Word, counts: Counts) -> Option<f64> {
         match counts {
@@ -155,15 +155,15 @@ impl Reading {
         }
     }
 
-    /// A length, mm, never a negative zero: digits below the least increment cut off (FANUC B-64114EN §8.3).
-    /// `None` for a macro expression.
+    /// A length, mm, never a negative zero: digits below the least increment are cut off (FANUC B-64114EN
+    /// §8.3). `None` for a macro expression.
     #[inline]
     pub fn length(self, word: &Word) -> Option<f64> {
         let Value::Number { number, negative } = word.value else { return None };
         Some(self.length_of(number, negative))
     }
 
-    /// The length that a number means, mm, as [`Reading::length`].
+    /// The length of a number, mm, as in [`Reading::length`].
     #[inline(never)]
     pub fn length_of(self, number: Number, negative: bool) -> f64 {
         let places = self.unit.decimals();
@@ -184,14 +184,14 @@ impl Reading {
         self.length(word).map(|diameter| Diameter::new(diameter).radius())
     }
 
-    /// An angle, degrees; without a point under the least-increment rule it counts 0.001°.
+    /// An angle, degrees; without a point under the least-increment rule the unit is 0.001°.
     pub fn degrees(self, word: &Word) -> Option<f64> {
         let Value::Number { number, .. } = word.value else { return None };
         let fine = self.decimal == DecimalRule::LeastIncrement && !number.has_point();
         plain(word).map(|value| if fine { value / 1000.0 } else { value })
     }
 
-    /// A feed: mm/min or mm/rev, or a lead in mm; all digits count.
+    /// A feed, mm/min or mm/rev, or a lead, mm; all digits count.
     pub fn feed(self, word: &Word) -> Option<f64> {
         plain(word).map(|value| value * self.unit.millimetres())
     }
@@ -204,14 +204,14 @@ impl Reading {
     }
 }
 
-/// The number as it is written.
+/// The number as written.
 pub fn plain(word: &Word) -> Option<f64> {
     let Value::Number { number, negative } = word.value else { return None };
-    // A bare minus would make a negative zero of `-0`, which shows in what is made of it.
+    // A bare minus would make a negative zero of `-0`, which would be visible in derived values.
     Some(if negative { 0.0 - number.value() } else { number.value() })
 }
 
-/// What an address demands of its number.
+/// Which numbers an address allows.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Form {
     /// Any number.
@@ -222,7 +222,7 @@ enum Form {
     Count,
 }
 
-/// Checks the number of a word against what its address takes (PS0006, PS0007).
+/// Checks whether an address allows the number of its word (PS0006, PS0007).
 #[inline]
 pub fn check(text: &[u8], word: &Word) -> Option<Diagnostic> {
     let Value::Number { number, negative } = word.value else { return None };
@@ -241,7 +241,7 @@ pub fn check(text: &[u8], word: &Word) -> Option<Diagnostic> {
         }
         Form::Count if number.has_point() => {
             let wrong = Diagnostic::new(said::PointNotAllowed { word: quote(text, word.span) }, word.span);
-            // `S3000.`: some controls take the point, and nobody can mistake the number.
+            // `S3000.`: some controls accept the point, and the number is unambiguous.
             let plain = word.address == b'S' && number.decimals == 0;
             Some(if plain { wrong.graded(Severity::Warning) } else { wrong })
         }
