@@ -1,7 +1,7 @@
 //! G and M codes.
 //!
-//! In: the number of a G or M word. Out: what it asks for, and the modal group it belongs to. Which codes
-//! there are, and how each list of G codes writes them, stands in `registry`; here is what they can ask for.
+//! In: the number of a G or M word. Out: the meaning of the code and its modal group. `registry` lists the
+//! codes, and their spelling in each list of G codes; this file has the types of their meanings.
 
 mod registry;
 
@@ -18,31 +18,32 @@ use crate::setup::dialect::{CodeList, FeedMode};
 use crate::text::block::{Block, Word};
 use crate::units::Unit;
 
-/// Whether a code, ten times its number, is of modal group 01 on a control of list A or of GSK: a
-/// block has only one of those.
+/// Whether a code, given as ten times its number, is of modal group 01 on a control with list A or of GSK. A
+/// block has at most one of these.
 pub fn is_of_motion_group(key: u64) -> bool {
     [CodeList::A, CodeList::Gsk].iter().any(|&list| g_code(key, list).is_some_and(|code| code.group == 1))
 }
 
-/// The single and multiple turning cycles as list A has them: `G90`, `G71`.
+/// The single and multiple turning cycles with their names in list A: `G90`, `G71`.
 pub fn turning_cycles() -> impl Iterator<Item = String> {
     let is_cycle =
         |row: &Row| matches!(row.function.section(), Section::SingleCycles | Section::MultipleCycles);
     rows().filter(is_cycle).map(|row| row.codes[CodeList::A as usize].clone())
 }
 
-/// Whether a word leads to another part of the program or back from it: M97, M98, M99.
+/// Whether a word calls another part of the program or returns from it: M97, M98, M99.
 pub fn is_passage(word: &Word) -> bool {
     let code = whole(word).filter(|_| word.address == b'M').and_then(m_code);
     matches!(code, Some(M::Call | M::LocalCall | M::Return))
 }
 
-/// Whether a word calls a macro: G65, G66. What stands after it are arguments.
+/// Whether a word calls a macro: G65, G66. The words after it are arguments.
 pub fn calls_macro(word: &Word) -> bool {
     matches!(whole_g(word), Some(G::MacroCall(_)))
 }
 
-/// The operation of a block of macro A: `G65 H01`, where H follows the code. What calls a program has its P there.
+/// The operation of a block of macro A: `G65 H01`, with H right after the code. (A block that calls a program
+/// has P there.)
 pub fn macro_a(block: &Block) -> Option<u32> {
     let code = |word: &Word| word.address == b'G' && whole(word) == Some(65);
     let after = block.words.iter().position(code)? + 1;
@@ -50,12 +51,12 @@ pub fn macro_a(block: &Block) -> Option<u32> {
     u32::try_from(whole(operation)?).ok()
 }
 
-/// Whether a word only steers the program: those two, and G67.
+/// Whether a word only controls the flow of the program: M97 to M99, G65 to G67.
 pub fn steers(word: &Word) -> bool {
     is_passage(word) || matches!(whole_g(word), Some(G::MacroCall(_) | G::NoModalMacro))
 }
 
-/// The G code of a word without decimals, of those that all lists have.
+/// The G code of a word without decimals, if all lists have it.
 fn whole_g(word: &Word) -> Option<G> {
     let number = whole(word).filter(|_| word.address == b'G')?;
     g_code(10 * number, CodeList::A).map(|found| found.code)
@@ -65,10 +66,10 @@ fn whole(word: &Word) -> Option<u64> {
     plain(word).filter(|number| *number >= 0.0 && number.fract() == 0.0).map(|number| number as u64)
 }
 
-/// What a G code asks for.
+/// Meaning of a G code.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum G {
-    /// G00 to G03, G32 to G34, G90, G92, G94, and the codes of group 01 that are not done yet.
+    /// G00 to G03, G32 to G34, G90, G92, G94, and the unsupported codes of group 01.
     Motion(MotionMode),
     /// G04.
     Dwell,
@@ -127,16 +128,16 @@ pub enum G {
     Feed(FeedMode),
     /// G70 to G76.
     Multiple(Multiple),
-    /// Accepted; nothing in this project depends on it.
+    /// Accepted without effect here.
     Idle,
-    /// Recognised; the block's axis words are not carried out.
+    /// Recognised, but not supported: the axis words of the block are not carried out.
     NotSupported,
 }
 
-/// How often a macro is called.
+/// How a macro is called.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum MacroCall {
-    /// G65: in this block.
+    /// G65: once.
     Once,
     /// G66: after every move.
     Modal,
@@ -188,7 +189,7 @@ impl Hole {
         matches!(self, Self::G81 | Self::G82 | Self::G83 | Self::G87)
     }
 
-    /// Whether Q is the depth of its pecks.
+    /// Whether Q is its peck depth.
     pub fn pecks(self) -> bool {
         matches!(self, Self::G83 | Self::G87)
     }
@@ -198,7 +199,7 @@ impl Hole {
         matches!(self, Self::G84 | Self::G88)
     }
 
-    /// The cycle as motions name it.
+    /// The name of the cycle in motions.
     pub fn cycle(self) -> Cycle {
         match self {
             Self::G81 => Cycle::Drilling,
@@ -214,7 +215,7 @@ impl Hole {
     }
 }
 
-/// Where the tool goes after a hole (G98 and G99 of systems B and C; system A knows only the first).
+/// Where the tool goes after a hole (G98 and G99 of systems B and C; system A has only the first).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum HoleReturn {
     /// To the initial level.
@@ -243,12 +244,12 @@ pub enum Multiple {
 }
 
 impl Multiple {
-    /// It roughs a contour, which P and Q name.
+    /// Whether it roughs a contour, given by P and Q.
     pub fn is_roughing(self) -> bool {
         matches!(self, Self::RoughTurning | Self::RoughFacing | Self::Pattern)
     }
 
-    /// The cycle as motions name it.
+    /// The name of the cycle in motions.
     pub fn cycle(self) -> Cycle {
         match self {
             Self::Finishing => Cycle::Finishing,
@@ -262,7 +263,7 @@ impl Multiple {
     }
 }
 
-/// Group 01: what axis words do.
+/// Group 01: how axis words are carried out.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum MotionMode {
     /// G00.
@@ -325,7 +326,7 @@ pub enum Compensation {
 /// Modal group of a code: two codes of one group cannot be in force together. 0: not modal.
 pub type Group = u8;
 
-/// What an M code asks for.
+/// Meaning of an M code.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum M {
     /// M00, M01: wait for the operator.
@@ -334,7 +335,8 @@ pub enum M {
     End,
     /// M03, M04, M05.
     Spindle(SpindleTurn),
-    /// M19: the spindle stops at an angle and is held there. M20 of seed 002 is something else on many machines.
+    /// M19: the spindle stops at an angle and is held there. M20 of seed 002 means something else on many
+    /// machines.
     Orientation,
     /// M13, M14: a live tool turns.
     LiveTool,
@@ -348,7 +350,7 @@ pub enum M {
     Idle,
     /// M98, and M198 of programs on a card.
     Call,
-    /// M97: a part of the same program, from a sequence number on (Haas).
+    /// M97: calls a part of the same program, from a sequence number (Haas).
     LocalCall,
     /// M99.
     Return,

@@ -1,7 +1,7 @@
 //! The state of the control: everything that outlives a block, as one plain value.
 //!
-//! It can be cloned and compared, so that after an edit a run can go on from a stored state and stop where
-//! the new state meets the old one.
+//! It can be cloned and compared, so that a run after an edit can continue from a stored state, and stop
+//! where the new state equals the old one.
 
 use std::collections::BTreeMap;
 use std::sync::Arc;
@@ -25,10 +25,10 @@ use crate::source::shift::Shift;
 use crate::text::parser::Resume;
 use crate::units::{Diameter, Unit};
 
-/// Where an axis of a cycle ends.
+/// End of a cycle along one axis.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Target {
-    /// The axis was never named: it stays where the cycle starts.
+    /// The axis was not given: it does not move from the start of the cycle.
     Stay,
     /// Absolute, mm (radius for X) in the work frame.
     Absolute(f64),
@@ -37,7 +37,7 @@ pub enum Target {
 }
 
 impl Target {
-    /// The place meant, from a start at `from`.
+    /// The coordinate of the target, for a start at `from`.
     pub fn from(self, from: f64) -> f64 {
         match self {
             Self::Stay => from,
@@ -54,7 +54,7 @@ pub struct CycleMemory {
     pub x: Target,
     /// Z or W.
     pub z: Target,
-    /// R: radius (G90, G92) or length (G94), start of the cut minus its end, mm.
+    /// R: start of the cut minus its end, mm; a radius (G90, G92) or a length (G94).
     pub taper: f64,
     /// Passes run since the cycle came into force.
     pub passes: u32,
@@ -65,8 +65,8 @@ impl CycleMemory {
     pub const EMPTY: Self = Self { x: Target::Stay, z: Target::Stay, taper: 0.0, passes: 0 };
 }
 
-/// What the first blocks of the multiple cycles set, until set again (parameters 5132 to 5143; the values
-/// here before any first block are the defaults).
+/// Values that the first blocks of the multiple cycles set, until they are set again (parameters 5132 to
+/// 5143). The initial values are the defaults.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct CycleParameters {
     /// Depth of a pass of G71 (radius) and G72 (length), mm.
@@ -83,7 +83,7 @@ pub struct CycleParameters {
     pub finishing: u32,
     /// Tool angle of G76, degrees.
     pub angle: f64,
-    /// Q of the first block of G76; its unit is known only with the second.
+    /// Q of the first block of G76; its unit is known only when the second block is read.
     pub least_amount: Option<Amount>,
     /// Finishing allowance of G76, mm.
     pub thread_allowance: f64,
@@ -115,24 +115,24 @@ pub struct PathMove {
     pub words: Span,
     /// Line of its block, from 0.
     pub line: u32,
-    /// In a virtual plane, whose points the motion then has: where it begins and ends
-    /// along the third axis, mm.
+    /// Only in a virtual plane, in which the motion's points then are: start and end along the third axis,
+    /// mm.
     pub third: Option<(f64, f64)>,
-    /// No motion at all: the program stops here (M00, M01).
+    /// A program stop (M00, M01) instead of a motion.
     pub stop: Option<StopKind>,
-    /// Of the move of a G40 block: the direction of the wall that I and K name, radius and length in mm.
+    /// For the move of a G40 block: the direction of the wall given by I and K; radius and length in mm.
     pub wall: Option<Point>,
 }
 
-/// A plane beside that of turning. The position of the state is then a point of it.
+/// A plane other than the turning plane. The position of the state is then a point in this plane.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct VirtualPlane {
     /// The plane.
     pub surface: Surface,
-    /// Along the axis that is not in the plane, mm: where the last move began and ended. Z on the face, X as
-    /// a radius on the cylinder, the axis beside a plane of Y.
+    /// Start and end of the last move along the axis that is not in the plane, mm: Z on the face, X as a
+    /// radius on the cylinder, the perpendicular axis for a Y plane.
     pub third: (f64, f64),
-    /// Angle of C after what was given out, degrees; not brought back to one turn.
+    /// Angle of C after the last emitted move, degrees; not reduced to one turn.
     pub angle: f64,
 }
 
@@ -141,31 +141,31 @@ pub struct VirtualPlane {
 pub struct Angle {
     /// The angle, radians, counter-clockwise from +Z.
     pub radians: f64,
-    /// The word's place.
+    /// The span of the word.
     pub span: Span,
-    /// The word.
+    /// The text of the word.
     pub word: String,
 }
 
 /// A chamfer or rounding word.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Joint {
-    /// What is put in place of the corner.
+    /// Chamfer or rounding that replaces the corner.
     pub corner: Corner,
-    /// The letter of a form without comma, whose sign and axis have a meaning; its value, mm.
+    /// For a form without comma: its letter, whose sign and axis have a meaning, and its value, mm.
     pub signed: Option<(Letter, f64)>,
     /// Which moves may follow.
     pub before: Follower,
-    /// The word's place.
+    /// The span of the word.
     pub span: Span,
-    /// The word.
+    /// The text of the word.
     pub word: String,
 }
 
 /// The moves that may form a corner with the one before (GSK980TDi p. 96, GSK980TDb p. 78).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Follower {
-    /// G01 alone: FANUC.
+    /// Only G01: FANUC.
     Line,
     /// G01, G02, G03: L and D of GSK.
     LineOrArc,
@@ -176,26 +176,26 @@ pub enum Follower {
 pub struct Pending {
     /// The move, up to the virtual corner.
     pub path_move: PathMove,
-    /// What joins it to the next move.
+    /// The chamfer or rounding between it and the next move.
     pub joint: Option<Joint>,
     /// Its angle, while its end point is open.
     pub angle: Option<Angle>,
-    /// The move before, which waits with its corner for the end of this open angle.
+    /// The previous move, whose corner waits for the end of this open angle.
     pub before: Option<Box<Pending>>,
     /// Dwells at its end.
     pub dwells: Vec<PathMove>,
 }
 
-/// Nose radius compensation under way, with the moves it holds back.
+/// Active nose radius compensation, with the moves it holds back.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Compensating {
     /// The geometry.
     pub compensator: Compensator,
-    /// The moves it may still give out, by their number.
+    /// The moves that it may still emit, by number.
     pub waiting: Vec<(u32, PathMove)>,
-    /// Dwells after the move of a number.
+    /// The dwells, each after the move of this number.
     pub dwells: Vec<(u32, PathMove)>,
-    /// No move but the first was taken in so far.
+    /// At most one move was compensated so far.
     pub is_new: bool,
     /// Blocks without a move since the last one.
     pub idle_blocks: u32,
@@ -210,7 +210,7 @@ impl PathMove {
 }
 
 impl Pending {
-    /// The first byte of the blocks it comes from.
+    /// First byte of the blocks it is made of.
     fn first(&self) -> u32 {
         let before = self.before.as_ref().map_or(u32::MAX, |before| before.first());
         before.min(self.path_move.span.start)
@@ -230,7 +230,7 @@ impl Pending {
 }
 
 impl Compensating {
-    /// The first byte of the blocks whose moves it holds back.
+    /// First byte of the blocks whose moves it holds back.
     fn first(&self) -> u32 {
         let held = self.waiting.iter().chain(&self.dwells);
         held.map(|(_, path_move)| path_move.span.start).min().unwrap_or(u32::MAX)
@@ -242,7 +242,7 @@ impl Compensating {
         }
     }
 
-    /// Whether it gives the same from here on: how many moves it has taken in does not count.
+    /// Whether both continue in the same way; the number of moves already taken in does not matter.
     fn goes_on_like(&self, other: &Self) -> bool {
         let counted = |state: &Self| {
             let first = state.waiting.first().map_or(0, |(id, _)| *id);
@@ -260,10 +260,10 @@ impl Compensating {
     }
 }
 
-/// A lead that is not given by F.
+/// A lead that F does not give.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Lead {
-    /// I of G32 and G92 on GSK: threads an inch.
+    /// I of G32 and G92 on GSK: threads per inch.
     ThreadsPerInch(f64),
     /// E: mm.
     ByE(f64),
@@ -282,7 +282,7 @@ impl Lead {
 /// The spindle as commanded.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Spindle {
-    /// Whether S counts as a cutting speed (G96).
+    /// Whether S is a cutting speed (G96).
     pub surface: bool,
     /// Speed under G97, rpm; 0 before any S.
     pub rpm: f64,
@@ -294,29 +294,30 @@ pub struct Spindle {
     pub lowest: Option<f64>,
     /// Direction.
     pub turn: SpindleTurn,
-    /// S0 was given: the spindle stays stopped under M03 too.
+    /// S0 was given: the spindle does not turn under M03 either.
     pub still: bool,
     /// M05 stopped it after M03 or M04.
     pub is_stopped: bool,
-    /// An M code of the machine's own has run since M05: it may turn a spindle or a tool.
+    /// A machine-specific M code has run since M05: it may turn a spindle or a tool.
     pub may_turn: bool,
     /// M19 holds it at an angle until M03, M04 or M05.
     pub is_held: bool,
     /// A live tool turns.
     pub live_tool: bool,
-    /// An M code of the machine's own with S or P has run since M05: it may turn this
-    /// spindle, another one or a tool.
+    /// A machine-specific M code with S or P has run since M05: it may turn this spindle, another one or a
+    /// tool.
     pub by_maker: bool,
 }
 
 impl Spindle {
-    /// Whether M05 or M19 stopped it, and nothing is known to turn a tool.
+    /// Whether M05 or M19 stopped it, and no tool is known to turn.
     fn is_still(&self) -> bool {
         let is_stopped = self.is_stopped || self.is_held && self.turn != SpindleTurn::Stopped;
         is_stopped && !self.live_tool && !self.may_turn
     }
 
-    /// The same, no faster than the machine turns, rpm. `None` at the axis without any limit.
+    /// Speed with the tip at radius `x`, at most the machine's maximum `most`, rpm. `None` at the axis
+    /// without any limit.
     pub fn speed_within(&self, x: f64, most: Option<f64>) -> Option<f64> {
         self.speed_at(x).map(|speed| most.map_or(speed, |most| speed.min(most))).or(most)
     }
@@ -332,25 +333,25 @@ impl Spindle {
         }
         let diameter = Diameter::from_radius(x.abs()).mm();
         let free = 1000.0 * self.cutting_speed / (std::f64::consts::PI * diameter);
-        // Where the limits are reversed the highest one counts.
+        // If the limits are reversed, the highest speed wins.
         let fast = self.lowest.map_or(free, |lowest| free.max(lowest));
         let held = self.highest.map_or(fast, |highest| fast.min(highest));
         held.is_finite().then_some(held)
     }
 }
 
-/// What a hole cycle remembers from block to block.
+/// Values that a hole cycle keeps from block to block.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct HoleMemory {
     /// The cycle.
     pub kind: Hole,
-    /// Where the tool stood when the first hole cycle came into force: its level is the initial one.
+    /// Position of the tool when the first hole cycle came into force: its level is the initial level.
     pub level: Point,
     /// Group 01 in force before.
     pub before: MotionMode,
     /// R, mm.
     pub r: Option<f64>,
-    /// The bottom; an incremental one counts from the R point.
+    /// The bottom; an incremental value is measured from the R point.
     pub depth: Target,
     /// Depth of a peck, mm.
     pub peck: Option<f64>,
@@ -359,17 +360,17 @@ pub struct HoleMemory {
 }
 
 impl HoleMemory {
-    /// Nothing remembered yet.
+    /// An empty memory.
     pub fn at(kind: Hole, level: Point, before: MotionMode) -> Self {
         Self { kind, level, before, r: None, depth: Target::Stay, peck: None, dwell: 0.0 }
     }
 }
 
-/// Things reported once in a program rather than at every block.
+/// Messages already reported that appear once per program, not at every block.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Reported(u16);
 
-/// What is reported once.
+/// A message that appears once.
 #[derive(Clone, Copy, Debug)]
 #[allow(missing_docs, reason = "each is one message")]
 pub enum Once {
@@ -387,7 +388,7 @@ pub enum Once {
 }
 
 impl Reported {
-    /// Whether it is to be said now; it counts as said from here on.
+    /// Whether it is to be reported now; it counts as reported afterwards.
     pub fn first(&mut self, once: Once) -> bool {
         let bit = 1 << once as u64;
         let first = self.0 & bit == 0;
@@ -395,7 +396,7 @@ impl Reported {
         first
     }
 
-    /// It may be said again.
+    /// Allows another report.
     pub fn forget(&mut self, once: Once) {
         self.0 &= !(1 << once as u64);
     }
@@ -404,19 +405,19 @@ impl Reported {
 /// The state of the control between two blocks.
 #[derive(Clone, Debug, PartialEq)]
 pub struct State {
-    /// Place of the tip in the work frame in force.
+    /// Position of the tip in the work frame in force.
     pub position: Point,
-    /// Where the tip really stands, when compensation has just left it beside the programmed point.
+    /// Actual position of the tip, if compensation has just left it beside the programmed point.
     pub tip: Option<Point>,
     /// Angle of C, degrees, outside a virtual plane.
     pub c: f64,
-    /// Place of the tip along Y, mm, beside the plane of X and Z.
+    /// Position of the tip along Y, mm, outside the plane of X and Z.
     pub y: f64,
-    /// Polar or cylindrical interpolation; or a plane of Y, while a block moves in it or a move waits there.
+    /// Polar or cylindrical interpolation; or a Y plane, while a block moves or a move waits in it.
     pub virtual_plane: Option<VirtualPlane>,
     /// Work zero points.
     pub frames: Frames,
-    /// What the program wrote into the tool offsets.
+    /// The tool offsets that the program wrote.
     pub offsets: ToolOffsets,
     /// Intermediate point of the last G28 or G30.
     pub intermediate: Option<Point>,
@@ -436,23 +437,23 @@ pub struct State {
     pub feed_mode: FeedMode,
     /// F, mm/min or mm/rev, as it was written.
     pub feed: Option<f64>,
-    /// The lead of threads, where it is not that of F; until an F is given.
+    /// The lead of threads, if it is not F; until the next F.
     pub lead: Option<Lead>,
-    /// Groups 02 and the M codes of the spindle.
+    /// Group 02 and the M codes of the spindle.
     pub spindle: Spindle,
     /// Group 07.
     pub compensation: Compensation,
     /// Turret station and offset number.
     pub tool: (u16, u16),
-    /// A T word of three digits or more was read: the shorter ones are offsets.
+    /// A T word of three digits or more was read: shorter ones are offsets.
     pub has_long_tools: bool,
-    /// Where the quill of the tailstock is (M25, M26).
+    /// Position of the tailstock quill (M25, M26).
     pub quill: Quill,
     /// A move that waits for the next one.
     pub pending: Option<Pending>,
     /// Compensation under way.
     pub compensating: Option<Compensating>,
-    /// The program stops before the next motion.
+    /// The program stops here, before the next motion.
     pub stop: Option<Stop>,
     /// Whether a C word is an axis (M45) rather than a chamfer.
     pub c_axis: bool,
@@ -462,13 +463,13 @@ pub struct State {
     pub parameters: CycleParameters,
     /// Thread pull-out, tenths of a lead (parameter 5130).
     pub thread_chamfer: u8,
-    /// Whether it is switched on (M23, M24).
+    /// Whether thread pull-out is on (M23, M24).
     pub thread_chamfer_on: bool,
     /// Calls and loops under way.
     pub call_stack: CallStack,
     /// Macro variables.
     pub variables: Variables,
-    /// System variables that are only kept.
+    /// System variables that are stored without further meaning.
     pub system: Arc<BTreeMap<u32, f64>>,
     /// The last sequence number.
     pub sequence: u32,
@@ -476,15 +477,15 @@ pub struct State {
     pub m_code: u32,
     /// Blocks are data for the control's tables (G10 L3, L50), up to G11.
     pub data_input: bool,
-    /// What may be other than it stands here.
+    /// The parts of this state that may be wrong.
     pub doubts: Doubts,
-    /// A block was not carried out: material may stand that the program takes off.
+    /// A block was not carried out: material may remain that the program removes.
     pub incomplete: bool,
-    /// What was reported once.
+    /// Messages that were reported once.
     pub reported: Reported,
 }
 
-/// The part that can give variables their values.
+/// The part of the module that can assign variables.
 pub const MACROS: Part = Part::Early;
 
 impl State {
@@ -552,8 +553,8 @@ impl State {
         self.virtual_plane.as_ref().filter(|plane| !matches!(plane.surface, Surface::Flat(_)))
     }
 
-    /// X (as a radius) and Z of the programmed position, in whichever plane the path is. Under G12.1 X is the coordinate
-    /// of the virtual plane, as the program counts it, not the distance from the axis.
+    /// X (as a radius) and Z of the programmed position, in any plane. Under G12.1 X is the programmed
+    /// coordinate of the virtual plane, not the distance from the axis.
     pub fn turning_place(&self) -> Point {
         match self.virtual_plane {
             Some(VirtualPlane { surface: Surface::Face, third, .. }) => Point::new(self.position.z, third.1),
@@ -562,7 +563,7 @@ impl State {
         }
     }
 
-    /// C of the programmed position as the program counts it: degrees, but mm under G12.1.
+    /// C of the programmed position as programmed: degrees, but mm under G12.1.
     pub fn place_of_c(&self) -> f64 {
         match self.virtual_plane.map(|plane| plane.surface) {
             Some(Surface::Face) => self.position.x,
@@ -571,7 +572,7 @@ impl State {
         }
     }
 
-    /// Place of the tip along Y, mm, also while Y is in the plane of the path.
+    /// Position of the tip along Y, mm, even if Y is in the plane of the path.
     pub fn place_along_y(&self) -> f64 {
         match self.virtual_plane {
             Some(VirtualPlane { surface: Surface::Flat(flat), third, .. }) => {
@@ -581,7 +582,7 @@ impl State {
         }
     }
 
-    /// The first byte of the blocks whose moves wait for the next one; `u32::MAX` when none do.
+    /// First byte of the blocks whose moves wait for the next one; `u32::MAX` if there are none.
     pub fn first_waiting(&self) -> u32 {
         let pending = self.pending.as_ref().map_or(u32::MAX, Pending::first);
         let compensating = self.compensating.as_ref().map_or(u32::MAX, Compensating::first);
@@ -589,8 +590,7 @@ impl State {
         pending.min(compensating).min(stop)
     }
 
-    /// Moves the places of the text that it holds along, when the text before them has changed. Calls and
-    /// loops under way are not looked at.
+    /// Moves the spans it holds after a change of the text before them. Active calls and loops are not moved.
     pub fn shift(&mut self, shift: &Shift) {
         if let Some(pending) = &mut self.pending {
             pending.shift(shift);
@@ -601,21 +601,22 @@ impl State {
         if let Some(stop) = &mut self.stop {
             stop.shift(shift);
         }
-        // The head of a program without an O number is the first byte of the text, also after an insertion there.
+        // The head of a program without an O number is the first byte of the text, even after an insertion
+        // there.
         if self.call_stack.head != Resume::default() {
             self.call_stack.head = self.call_stack.head.shifted(shift);
         }
         self.call_stack.main_pass.shift(|byte| shift.byte(byte));
     }
 
-    /// Whether a program goes on from here as it does from `other`.
+    /// Whether a program continues from this state as it does from `other`.
     pub fn goes_on_like(&self, other: &Self) -> bool {
         let same = match (&self.compensating, &other.compensating) {
             (Some(own), Some(others)) => own.goes_on_like(others),
             (own, others) => own.is_none() && others.is_none(),
         };
         let rest = |state: &Self| Self { compensating: None, ..state.clone() };
-        // The two zeros compare as one, but a motion would begin at the other.
+        // Positive and negative zero compare as equal, but a motion would begin at the other one.
         let signs = |state: &Self| {
             let places = [Some(state.position), state.tip].map(Option::unwrap_or_default);
             places.map(|at| (at.x.is_sign_negative(), at.z.is_sign_negative()))
@@ -624,7 +625,7 @@ impl State {
             && if self.compensating.is_none() { self == other } else { rest(self) == rest(other) }
     }
 
-    /// G50 X Z: the coordinates of the tip grow by `by`.
+    /// G50 X Z: adds `by` to the coordinates of the tip.
     pub fn name_place(&mut self, by: Point) {
         self.frames.rename(by);
         for place in std::iter::once(&mut self.position).chain(self.tip.as_mut()) {
@@ -632,7 +633,7 @@ impl State {
         }
     }
 
-    /// Changes the frame and keeps the machine where it is: the tip gets its place in the new frame.
+    /// Changes the frame without moving the machine: updates the tip's coordinates.
     pub fn change_frame(&mut self, change: impl FnOnce(&mut Frames)) {
         let before = self.frames.offset();
         change(&mut self.frames);
@@ -644,14 +645,14 @@ impl State {
         }
     }
 
-    /// Whether the next motion may be another than is made of what stands here.
+    /// Whether the next motion may differ from the motion that this state gives.
     #[cold]
     fn is_path_doubtful(&self) -> bool {
         const PATH: Doubts = Doubts::of(&[Doubt::X, Doubt::Z, Doubt::Y, Doubt::Path, Doubt::Coordinates]);
         self.doubts.has_any(PATH) || (self.virtual_plane.is_some() && self.doubts.has(Doubt::C))
     }
 
-    /// Feed, spindle and tool as a motion carries them.
+    /// Feed, spindle and tool for a motion.
     pub fn process(&self) -> Process {
         let spindle = &self.spindle;
         Process {

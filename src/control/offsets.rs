@@ -1,4 +1,4 @@
-//! The tables a program can change: work zero points, and what G10 and macros write into the tool offsets.
+//! The tables that a program can change: work zero points, and the tool offsets that G10 and macros write.
 //!
 //! Plain values, part of [`super::modal::State`]. Lengths in mm, X as a radius.
 
@@ -7,17 +7,17 @@ use std::sync::Arc;
 use crate::geometry::{Point, SAME};
 use crate::motion::LeftFrame;
 
-/// Frames of G54 to G59; those of G54.1 P1 and on come after them.
+/// Number of frames of G54 to G59; the frames of G54.1 P1 and up follow them.
 pub const STANDARD_FRAMES: u16 = 6;
 
-/// Most frames of G54.1.
+/// Number of frames of G54.1.
 pub const EXTENDED_FRAMES: u16 = 300;
 
 /// The zero of a frame.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 struct Zero {
     at: Point,
-    /// The program sets it, and does not only move it.
+    /// Whether the program sets the zero, rather than only shifting it.
     is_given: bool,
 }
 
@@ -39,7 +39,7 @@ impl ByFrame {
     }
 }
 
-/// Work zero points: where the machine stands is the place in the work frame plus all of these (§3.9).
+/// Work zero points: machine position = position in the work frame + all of these (§3.9).
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Frames {
     /// Shift of all frames by G50 X Z.
@@ -52,39 +52,39 @@ pub struct Frames {
     pub local: Point,
     /// The frame in force: 0 for G54 to 5 for G59, then those of G54.1.
     pub active: u16,
-    /// Where the workpiece is; nothing before the first cut.
+    /// The frame of the workpiece; `None` before the first cut.
     workpiece: Option<Workpiece>,
-    /// Zero of the frame in force in that of the workpiece, as far as it is known.
+    /// Zero of the frame in force, in coordinates of the workpiece, if it is known.
     on_workpiece: Point,
-    /// Whether the other end of the workpiece is machined.
+    /// Which end of the workpiece is machined.
     side: Side,
 }
 
-/// Which end of the workpiece is machined, as stops and the comments beside them say.
+/// Which end of the workpiece is machined, judged by stops and comments.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 enum Side {
-    /// The first one.
+    /// The first end.
     #[default]
     First,
-    /// The first one, and since the last cut a comment says that the part is turned round.
+    /// The first end; since the last cut a comment says that the part is turned round.
     Announced,
-    /// The first one, and the program has stopped since the last cut.
+    /// The first end; the program has stopped since the last cut.
     Stopped,
-    /// The other one, and nothing is known of its zero.
+    /// The other end, whose zero is unknown.
     Other,
 }
 
-/// The frame of the workpiece: the one in which it is cut first, as it is then.
+/// The frame of the workpiece: the frame of the first cut, as it was at that time.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Workpiece {
     /// 0 for G54, as [`Frames::active`].
     frame: u16,
-    /// Its zero in the machine.
+    /// Its zero, in machine coordinates.
     zero: Point,
 }
 
 impl Frames {
-    /// Takes in that something is cut in the frame in force. `true`: it is the first cut.
+    /// Records a cut in the frame in force. Returns true for the first cut.
     #[inline]
     pub fn cut(&mut self) -> bool {
         let is_first = self.workpiece.is_none();
@@ -97,75 +97,76 @@ impl Frames {
         is_first
     }
 
-    /// The frame in force, before the first cut.
+    /// The frame in force, if nothing has been cut yet.
     pub fn before_first_cut(&self) -> Option<LeftFrame> {
         let own = LeftFrame { frame: self.active, offset: self.offset() };
         self.workpiece.is_none().then_some(own)
     }
 
-    /// Takes in a comment that says that the part is turned round. `true`: the program has stopped for it, and the
-    /// other end is machined from here on.
+    /// Records a comment that says that the part is turned round. Returns true if the program has already
+    /// stopped for it: from here on the other end is machined.
     pub fn announce_other_end(&mut self) -> bool {
         self.turn_after(Side::Stopped, Side::Announced)
     }
 
-    /// Takes in a stop (M00, M01). `true`: the other end is machined from here on.
+    /// Records a stop (M00, M01). Returns true if the other end is machined from here on.
     pub fn stop(&mut self) -> bool {
         self.turn_after(Side::Announced, Side::Stopped)
     }
 
-    /// The first of the two signs that the part is turned round is `own`, the second follows `other`. `true`: this is the second.
+    /// Records one of the two signs that the part is turned round, in either order. `own` is the state after
+    /// this sign, `other` the state after the other sign. Returns true if this is the second sign.
     fn turn_after(&mut self, other: Side, own: Side) -> bool {
         let turns = self.side == other;
         self.side = if turns || self.side == Side::Other { Side::Other } else { own };
         turns
     }
 
-    /// Whether something has been cut.
+    /// Whether anything has been cut.
     pub fn has_cut(&self) -> bool {
         self.workpiece.is_some()
     }
 
-    /// Whether the other end of the workpiece is machined, or the first cut was made in another frame than that in
-    /// force, and the program does not give the zeros of both.
+    /// Whether the position on the workpiece is unknown: the other end is machined, or the first cut was made
+    /// in another frame and the program does not give the zeros of both frames.
     #[inline]
     pub fn is_elsewhere(&self) -> bool {
         self.side == Side::Other
             || self.workpiece.is_some_and(|workpiece| !self.is_known(self.active, workpiece))
     }
 
-    /// Whether the program says where a frame is on the workpiece.
+    /// Whether the program defines the position of a frame on the workpiece.
     fn is_known(&self, frame: u16, workpiece: Workpiece) -> bool {
         let is_given = |frame: u16| self.work.get(frame).is_given;
         frame == workpiece.frame || is_given(workpiece.frame) && is_given(frame)
     }
 
-    /// Zero on the workpiece of a frame that was left before the first cut, as far as it is known.
+    /// Zero of a frame that was left before the first cut, in coordinates of the workpiece, if it is known.
     pub fn place(&self, LeftFrame { frame, offset }: LeftFrame) -> Option<Point> {
         let workpiece = self.workpiece.filter(|&workpiece| self.is_known(frame, workpiece))?;
         Some(distance(workpiece.zero, offset))
     }
 
-    /// Whether the workpiece is in this frame, and the program has not given its zero.
+    /// Whether this is the frame of the workpiece, and the program has not given its zero.
     pub fn is_workpiece_not_given(&self, frame: u16) -> bool {
         self.workpiece.is_some_and(|workpiece| workpiece.frame == frame) && !self.work.get(frame).is_given
     }
 
-    /// Zero of the frame in force in that of the workpiece: added to a programmed place it gives the place on the
-    /// workpiece. Zero before the first cut, and where it is not known.
+    /// Zero of the frame in force, in coordinates of the workpiece: added to a programmed position it gives
+    /// the position on the workpiece. Zero before the first cut, and if it is unknown.
     #[inline]
     pub fn on_workpiece(&self) -> Point {
         self.on_workpiece
     }
 
-    /// Works out [`Frames::on_workpiece`] after a change.
+    /// Updates [`Frames::on_workpiece`] after a change.
     pub fn place_workpiece(&mut self) {
         let known = self.workpiece.filter(|_| !self.is_elsewhere());
         self.on_workpiece =
             known.map_or(Point::default(), |workpiece| distance(workpiece.zero, self.offset()));
     }
 
-    /// G50 X Z: the coordinates of the tip grow by `by`. Neither the tip nor the workpiece moves.
+    /// G50 X Z: adds `by` to the coordinates of the tip. Neither the tip nor the workpiece moves.
     pub fn rename(&mut self, by: Point) {
         self.shift = Point::new(self.shift.x - by.x, self.shift.z - by.z);
         if let Some(Workpiece { zero, .. }) = &mut self.workpiece {
@@ -173,7 +174,7 @@ impl Frames {
         }
     }
 
-    /// Machine place minus work place.
+    /// Machine position minus work position.
     pub fn offset(&self) -> Point {
         let (work, local) = (self.work.get(self.active).at, self.local);
         Point::new(
@@ -187,7 +188,7 @@ impl Frames {
         self.work.get(frame).at
     }
 
-    /// Zero of a frame, to be changed.
+    /// Zero of a frame, mutable.
     pub fn work_mut(&mut self, frame: u16, setting: Setting) -> &mut Point {
         let zero = self.work.entry(frame);
         zero.is_given |= setting == Setting::Absolute;
@@ -195,7 +196,7 @@ impl Frames {
     }
 }
 
-/// From one zero to another; sums and differences of the same numbers leave dust.
+/// Vector from one zero to another, without rounding errors.
 fn distance(from: Point, to: Point) -> Point {
     let without_dust = |length: f64| if length.abs() < SAME { 0.0 } else { length };
     Point::new(without_dust(to.x - from.x), without_dust(to.z - from.z))
@@ -204,9 +205,9 @@ fn distance(from: Point, to: Point) -> Point {
 /// How a zero is set.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Setting {
-    /// To a place.
+    /// To a position.
     Absolute,
-    /// By a distance from where it is.
+    /// By a distance from its present position.
     Relative,
 }
 
@@ -229,21 +230,21 @@ pub enum Column {
     Tip,
 }
 
-/// What the program has written into the tool offset table; all else is as the setup says. In order of
-/// number and column.
+/// The entries of the tool offset table that the program has written, sorted by number and column. All other
+/// entries are as in the setup.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct ToolOffsets(Arc<Vec<((u16, Column), f64)>>);
 
-/// Most offset numbers of a control.
+/// Largest offset number.
 pub const OFFSETS: u16 = 999;
 
 impl ToolOffsets {
-    /// What was written, mm (X values as diameters, as tables have them).
+    /// The written value, mm (X values as diameters, as in the table).
     pub fn get(&self, offset: u16, column: Column) -> Option<f64> {
         self.find(offset, column).ok().map(|at| self.0[at].1)
     }
 
-    /// Writes an entry; numbers past [`OFFSETS`] are ignored.
+    /// Writes an entry; ignores numbers above [`OFFSETS`].
     pub fn set(&mut self, offset: u16, column: Column, value: f64) {
         if (1..=OFFSETS).contains(&offset) {
             let at = self.find(offset, column);

@@ -1,8 +1,9 @@
-//! Which block set what is in force: for whoever explains the state of the control.
+//! Which block set each part of the state: for explaining the state of the control.
 //!
-//! In: the state after each block, with the place of the block. Out: for each [`Modal`] and each macro variable, the
-//! block that gave it its present value; and what a cycle read of a block in its contour. Nothing of a run depends on
-//! it. The control knows a [`Chronicler`] alone, whose code is loaded after the first picture: before that nobody asks.
+//! In: the state after each block, with the position of the block. Out: for each [`Modal`] and each macro
+//! variable, the block that gave it its present value; and how a cycle read a block of its contour. A run
+//! does not depend on it. The control knows only the trait [`Chronicler`], whose code is loaded after the
+//! first picture; no query comes before that.
 
 use std::collections::BTreeMap;
 use std::fmt;
@@ -20,35 +21,36 @@ use crate::text::block::Block;
 use crate::text::parser::Resume;
 use crate::units::Unit;
 
-/// Whoever notes what the blocks set, as the control carries them out. Places of blocks are their first bytes.
+/// Records which blocks set the state, as the control carries them out. Blocks are identified by their first
+/// byte.
 pub trait Chronicler {
     /// A block was carried out.
     fn note(&mut self, state: &State, block: u32);
-    /// The code of group 01 is another one since a block.
+    /// A block has changed the code of group 01.
     fn note_motion(&mut self, mode: MotionMode, block: u32);
-    /// A block gives a variable a value. `level`: calls of macros under way.
+    /// A block assigns a variable. `level`: depth of macro calls.
     fn assigned(&mut self, level: usize, variable: u32, block: u32);
-    /// A macro was left, with the variables of its level. `level`: that of the macro.
+    /// A macro returned, and its variables are gone. `level`: the level of the macro.
     fn left(&mut self, level: usize);
-    /// The blocks of a contour are read from here on.
+    /// The blocks of a contour are read next.
     fn contour_begins(&mut self);
-    /// They have been read, and the control is as it was before.
+    /// The contour has been read, and the control is as it was before.
     fn contour_ends(&mut self);
-    /// A block of the contour comes next.
+    /// The next block of the contour is about to be read.
     fn before_reading(&mut self, at: Resume, state: &State);
-    /// It was read.
+    /// The block was read.
     fn after_reading(&mut self, block: &Block, state: &State, purpose: Purpose);
-    /// One who begins with a control at power-on, and watches the same block.
+    /// A new recorder for a control at power-on, which watches the same block.
     fn anew(&self, state: &State) -> Box<dyn Chronicler>;
-    /// Another one who has noted the same.
+    /// A copy.
     fn boxed(&self) -> Box<dyn Chronicler>;
-    /// What was noted.
+    /// The recorded chronicle.
     fn chronicle(&self) -> &Chronicle;
-    /// The same, to be changed.
+    /// The recorded chronicle, mutable.
     fn chronicle_mut(&mut self) -> &mut Chronicle;
 }
 
-// What it has noted is not shown: it would bring the code that shows a whole state.
+// Prints no content: that would pull in the code that prints a whole state.
 impl fmt::Debug for dyn Chronicler {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str("Chronicler")
@@ -61,34 +63,34 @@ impl Clone for Box<dyn Chronicler> {
     }
 }
 
-/// What was noted in a run.
+/// The record of a run.
 #[derive(Clone, Debug)]
 pub struct Chronicle {
-    /// Which block set what is in force.
+    /// Which block set each part of the state.
     pub origins: Origins,
-    /// The block whose readings are kept, by its first byte.
+    /// First byte of the watched block, whose readings are kept.
     watched: Option<u32>,
-    /// The control before that block, while it is read.
+    /// State and origins before that block, while it is read.
     before: Option<Box<(State, Origins)>>,
-    /// What was seen of it.
+    /// The readings of the watched block.
     readings: Vec<Reading>,
-    /// The origins before the contours under way.
+    /// The origins before each of the contours being read.
     set_aside: Vec<Origins>,
 }
 
-/// A block that was read as a part of a contour.
+/// A reading of a block as a part of a contour.
 #[derive(Clone, Debug)]
 pub struct Reading {
-    /// What for.
+    /// Why the contour is read.
     pub purpose: Purpose,
-    /// The state before it, and which block set what.
+    /// State and origins before the block.
     pub before: (State, Origins),
-    /// The same after it.
+    /// State and origins after the block.
     pub after: (State, Origins),
 }
 
 impl Chronicle {
-    /// Nothing yet, of a control at power-on.
+    /// An empty record for a control at power-on.
     pub fn new(state: &State) -> Self {
         Self {
             origins: Origins::new(state),
@@ -99,18 +101,18 @@ impl Chronicle {
         }
     }
 
-    /// Keeps from here on what is read of the block at `byte` as a part of a contour.
+    /// Watches the block at `byte`: keeps each reading of it as a part of a contour from here on.
     pub fn watch(&mut self, byte: u32) {
         self.watched = Some(byte);
     }
 
-    /// What was read of it since this was last asked.
+    /// Takes the readings since the last call.
     pub fn take_readings(&mut self) -> Vec<Reading> {
         std::mem::take(&mut self.readings)
     }
 
-    /// What was noted in a run that went on as another one did, in the places of that: what was set before the two
-    /// met at byte `met` of the old text, `meeting` knows.
+    /// The chronicle after this run, of an old text, met a new run at byte `met` of the old text. Positions
+    /// are moved into the new text; `meeting` has what was set before they met.
     pub fn after_meeting(&self, met: u32, meeting: &Self, shift: &Shift) -> Self {
         Self { origins: self.origins.after_meeting(met, &meeting.origins, shift), ..meeting.clone() }
     }
@@ -179,16 +181,16 @@ impl Chronicler for Chronicle {
     }
 }
 
-/// Lists what stays in force once, for the enum and for [`Modal::ALL`].
+/// Lists the modal settings once, for the enum and for [`Modal::ALL`].
 macro_rules! modals {
     ($($(#[$doc:meta])* $name:ident)+) => {
-        /// What stays in force from block to block.
+        /// A setting that stays in force from block to block.
         #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
         #[repr(u8)]
         pub enum Modal { $($(#[$doc])* $name),+ }
 
         impl Modal {
-            /// All of them, in the order they are shown.
+            /// All settings, in display order.
             pub const ALL: &[Self] = &[$(Self::$name),+];
         }
     };
@@ -201,7 +203,7 @@ modals! {
     FeedMode
     /// F.
     Feed
-    /// Group 02: whether S is a speed or a cutting speed.
+    /// Group 02: whether S is a spindle speed or a cutting speed.
     SpeedMode
     /// S.
     Speed
@@ -265,19 +267,19 @@ modals! {
     ThreadAllowance
 }
 
-/// How many there are.
+/// Number of settings.
 const MODALS: usize = Modal::ThreadAllowance as usize + 1;
 
-/// Nobody has set it in the program.
+/// Not set by the program.
 const NEVER: u32 = u32::MAX;
 
-/// Which block set what is in force; blocks by their first byte.
+/// Which block set each part of the state; blocks by their first byte.
 #[derive(Clone, Debug)]
 pub struct Origins {
-    /// The values after the last block, in a form that can only be compared.
+    /// The values after the last block, encoded for comparison only.
     values: [u64; MODALS],
     since: [u32; MODALS],
-    /// By call level (0 in the main program and for common variables) and number.
+    /// By call level (0 in the main program and for common variables) and variable number.
     variables: Arc<BTreeMap<(u8, u32), u32>>,
 }
 
@@ -291,7 +293,7 @@ impl Origins {
     #[inline]
     fn note(&mut self, state: &State, block: u32) {
         let values = values(state);
-        // Pair by pair: comparing them as bytes is a call into the module from the part.
+        // Compared pair by pair: comparing them as bytes is a call from this part into the main module.
         if values.iter().zip(&self.values).any(|(now, before)| now != before) {
             self.differ(values, block);
         }
@@ -307,24 +309,24 @@ impl Origins {
         self.values = values;
     }
 
-    /// The code of group 01 is another one since a block.
+    /// A block has changed the code of group 01.
     fn note_motion(&mut self, mode: MotionMode, block: u32) {
         (self.values[Modal::Motion as usize], self.since[Modal::Motion as usize]) = (motion(mode), block);
     }
 
-    /// A block gives a variable a value. `level`: calls of macros under way.
+    /// A block assigns a variable. `level`: depth of macro calls.
     fn assigned(&mut self, level: usize, variable: u32, block: u32) {
         Arc::make_mut(&mut self.variables).insert(key(level, variable), block);
     }
 
-    /// A macro was left, with the variables of its level. `level`: that of the macro.
+    /// A macro returned, and its variables are gone. `level`: the level of the macro.
     fn left(&mut self, level: usize) {
         if !self.variables.is_empty() {
             Arc::make_mut(&mut self.variables).retain(|&(own, _), _| usize::from(own) < level);
         }
     }
 
-    /// First byte of the block that set this; `None` where it is as at power-on.
+    /// First byte of the block that set this; `None` if it is unchanged since power-on.
     pub fn since(&self, modal: Modal) -> Option<u32> {
         Some(self.since[modal as usize]).filter(|&since| since != NEVER)
     }
@@ -334,8 +336,8 @@ impl Origins {
         self.variables.get(&key(level, variable)).copied()
     }
 
-    /// These origins, of a run that went on as another one did, in the places of that: what was set before the two
-    /// met at byte `met` of the old text, `meeting` knows.
+    /// The origins after this run, of an old text, met a new run at byte `met` of the old text. Positions are
+    /// moved into the new text; `meeting` has what was set before they met.
     fn after_meeting(&self, met: u32, meeting: &Self, shift: &Shift) -> Self {
         let place = |old: u32, own: u32| if old != NEVER && old >= met { shift.byte(old) } else { own };
         let mut since = meeting.since;
@@ -347,12 +349,12 @@ impl Origins {
     }
 }
 
-/// Local variables are those of their level.
+/// Key of a variable: local variables have the level of their macro.
 fn key(level: usize, variable: u32) -> (u8, u32) {
     (if variable <= 33 { level as u8 } else { 0 }, variable)
 }
 
-/// What is in force, each as one number that is another one for each value.
+/// The settings, each encoded as a number that differs for each value.
 fn values(state: &State) -> [u64; MODALS] {
     let (spindle, cycle, multiple) = (&state.spindle, &state.memory, &state.parameters);
     let mut values = [0; MODALS];
@@ -423,7 +425,7 @@ fn optional(value: Option<f64>) -> u64 {
     value.map_or(u64::MAX, f64::to_bits)
 }
 
-/// Two points rarely have the same.
+/// Encodes a point; collisions are rare.
 fn point(point: Point) -> u64 {
     point.x.to_bits().rotate_left(31) ^ point.z.to_bits()
 }

@@ -1,8 +1,8 @@
-//! The registry: every code that is recognised, once.
+//! The registry: every recognised code, listed once.
 //!
-//! In: a number, and the control's list. Out: what the code asks for; for the table of supported codes, its
-//! [`Function`]. Codes are looked up by indices that are made from the rows when this is compiled, so a code
-//! without a row is not recognised.
+//! In: a number, and the control's list. Out: the meaning of the code, and its [`Function`] for the table of
+//! supported codes. Lookup uses indices that are computed from the rows at compile time, so a code without a
+//! row is not recognised.
 
 use super::{Compensation, G, Group, Hole, HoleReturn, M, MacroCall, MotionMode, Multiple, Plane, Switch};
 use crate::cycles::single::Single;
@@ -28,7 +28,7 @@ macro_rules! functions {
             /// All of them, in the order of the table.
             pub const ALL: &[Function] = &[$($(Self::$function),+),+];
 
-            /// The heading it stands under.
+            /// The heading of this function.
             pub fn section(self) -> Section {
                 match self { $($(Self::$function)|+ => Section::$section),+ }
             }
@@ -55,28 +55,28 @@ functions! {
         OtherSynchronization OtherCycles OtherMacroCall }
 }
 
-/// What comes of a code here.
+/// How this project treats a code.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Effect {
     /// It is carried out.
     Done,
-    /// It is accepted; the path does not depend on it.
+    /// It is accepted, and does not affect the path.
     Accepted,
-    /// It is recognised and answered as not supported.
+    /// It is recognised and reported as not supported.
     NotSupported,
 }
 
-/// A list that does not have the code.
+/// Key for a list that does not have the code.
 const NOT_THERE: u16 = u16::MAX;
 
 /// A G code.
 pub struct GCode {
     function: Function,
-    /// What it asks for.
+    /// Its meaning.
     pub code: G,
-    /// Two codes of one group cannot be in force together.
+    /// Modal group: two codes of one group cannot be in force together.
     pub group: Group,
-    /// Ten times its number in each list.
+    /// Ten times its number, for each list.
     keys: [u16; CodeList::ALL.len()],
 }
 
@@ -87,7 +87,7 @@ struct MCode {
     number: u16,
 }
 
-/// A G code that has the same number everywhere.
+/// A G code with the same number in all lists.
 const fn same(key: u16, function: Function, code: G, group: Group) -> GCode {
     spelled([key; 4], function, code, group)
 }
@@ -122,12 +122,12 @@ const fn not_supported(key: u16, function: Function) -> GCode {
     same(key, function, G::NotSupported, 0)
 }
 
-/// In systems B and C only.
+/// A G code of systems B and C only.
 const fn not_in_a(key: u16, function: Function, code: G, group: Group) -> GCode {
     spelled([NOT_THERE, key, key, NOT_THERE], function, code, group)
 }
 
-/// A number of systems A and GSK, and another of B and C.
+/// A G code with one number in A and GSK, and another in B and C.
 const fn moved(a: u16, b: u16, function: Function, code: G, group: Group) -> GCode {
     spelled([a, b, b, a], function, code, group)
 }
@@ -161,7 +161,7 @@ const G_CODES: &[GCode] = &[
     hole(Function::SideDrilling, Hole::G87),
     hole(Function::SideTapping, Hole::G88),
     hole(Function::SideBoring, Hole::G89),
-    // Level the tool returns to after a hole: the initial one is taken.
+    // Return level after a hole; the initial level is used.
     not_in_a(980, Function::HoleReturn, G::HoleReturn(HoleReturn::Initial), 11),
     not_in_a(990, Function::HoleReturn, G::HoleReturn(HoleReturn::RPoint), 11),
     same(400, Function::CompensationOff, G::Compensation(Compensation::Off), 7),
@@ -211,7 +211,7 @@ const G_CODES: &[GCode] = &[
     idle(640, Function::ExactStop),
     idle(250, Function::SpindleCheck),
     idle(260, Function::SpindleCheck),
-    // Off states of functions this project does not have: headers are full of them.
+    // Off states of functions that this project does not support: program headers often contain them.
     idle(80, Function::Off),
     idle(490, Function::Off),
     idle(502, Function::Off),
@@ -328,7 +328,7 @@ const fn m(number: u16, function: Function, code: M) -> MCode {
     MCode { function, code, number }
 }
 
-/// Seed 002's table, and what else is commonly met.
+/// The table of seed 002, and other common codes.
 static M_CODES: &[MCode] = &[
     m(3, Function::Spindle, M::Spindle(SpindleTurn::Forward)),
     m(4, Function::Spindle, M::Spindle(SpindleTurn::Reverse)),
@@ -374,13 +374,13 @@ static M_CODES: &[MCode] = &[
     m(12, Function::OtherMachine, M::Idle),
 ];
 
-/// What is no G or M code and still has a row.
+/// A row of the table that is neither a G nor an M code.
 struct Other {
     function: Function,
-    /// As people write it.
+    /// The usual spelling.
     written: &'static str,
     effect: Effect,
-    /// Who has it.
+    /// The lists that have it.
     lists: &'static [CodeList],
 }
 
@@ -402,7 +402,7 @@ static OTHERS: &[Other] = &[
     other(Function::BlockSkip, "/ /2…/9"),
 ];
 
-/// No row.
+/// Index for a missing row.
 const NO_ROW: u8 = u8::MAX;
 
 /// Rows of [`G_CODES`] by list and key.
@@ -425,7 +425,7 @@ const G_ROWS: [[u8; 1131]; CodeList::ALL.len()] = {
     rows
 };
 
-/// The same by whole numbers, nearly all there are: a tenth of the table.
+/// The same for whole numbers, which are nearly all codes: a tenth of the table size.
 static WHOLE_G_ROWS: [[u8; 114]; CodeList::ALL.len()] = {
     let mut rows = [[NO_ROW; 114]; CodeList::ALL.len()];
     let mut list = 0;
@@ -453,7 +453,7 @@ const M_ROWS: [u8; 714] = {
     rows
 };
 
-/// The same of the numbers that most programs have.
+/// The same for the usual numbers.
 static USUAL_M_ROWS: [u8; 100] = {
     let mut rows = [NO_ROW; 100];
     let mut number = 0;
@@ -464,17 +464,17 @@ static USUAL_M_ROWS: [u8; 100] = {
     rows
 };
 
-/// The row of a key that means the same in all lists.
+/// The row of a key with the same meaning in all lists.
 const fn everywhere(key: usize) -> &'static GCode {
     let row = G_ROWS[0][key];
     assert!(row == G_ROWS[1][key] && row == G_ROWS[2][key] && row == G_ROWS[3][key]);
     &G_CODES[row as usize]
 }
 
-/// The G code of a word in a list: `key` is ten times the number, so that G12.1 is 121.
+/// The G code of a number in a list: `key` is ten times the number, 121 for G12.1.
 #[inline]
 pub fn g_code(key: u64, list: CodeList) -> Option<&'static GCode> {
-    // Nearly every block has one of these: as constants they cost nothing to look up.
+    // Nearly every block has one of these: as constants they need no lookup.
     match key {
         0 => return Some(const { everywhere(0) }),
         10 => return Some(const { everywhere(10) }),
@@ -489,8 +489,8 @@ pub fn g_code(key: u64, list: CodeList) -> Option<&'static GCode> {
     G_CODES.get(usize::from(row))
 }
 
-/// Whether a G code that is not in the list calls a macro of the machine builder; `key` is ten times its number. From G100 on
-/// they do, Haas's G103 and G110 to G129 among them.
+/// Whether a G code that is not in the list calls a macro of the machine builder; `key` is ten times its
+/// number. This is assumed from G100 on, Haas's G103 and G110 to G129 among them.
 pub fn is_of_machine(key: u64, list: CodeList) -> bool {
     key >= 1_000 && g_code(key, list).is_none()
 }
@@ -501,13 +501,13 @@ fn with_decimal(key: u64, list: CodeList) -> Option<&'static GCode> {
 }
 
 impl GCode {
-    /// The row of the table it stands in.
+    /// Its row in the table.
     pub fn function(&self) -> Function {
         self.function
     }
 }
 
-/// A G code as a list writes it: `G99`; `None` where the list has none.
+/// A G code as spelled in a list: `G99`; `None` if the list does not have it.
 pub fn written(code: G, list: CodeList) -> Option<String> {
     let found = G_CODES.iter().find(|other| other.code == code && other.keys[list as usize] != NOT_THERE)?;
     let key = found.keys[list as usize];
@@ -516,7 +516,7 @@ pub fn written(code: G, list: CodeList) -> Option<String> {
     Some(text)
 }
 
-/// The G codes of a list, as it writes them.
+/// The G codes of a list, with their spelling.
 pub fn g_codes(list: CodeList) -> impl Iterator<Item = (String, &'static GCode)> {
     let is_there = move |code: &&GCode| code.keys[list as usize] != NOT_THERE;
     G_CODES.iter().filter(is_there).map(move |code| {
@@ -532,17 +532,17 @@ pub fn m_codes() -> impl Iterator<Item = (u16, M, Function)> {
     M_CODES.iter().map(|code| (code.number, code.code, code.function))
 }
 
-/// The row of the table of a G code.
+/// The table row of a G code.
 pub fn function_of(code: G) -> Option<Function> {
     G_CODES.iter().find(|other| other.code == code).map(|found| found.function)
 }
 
-/// The row of the table of an M code.
+/// The table row of an M code.
 pub fn m_function(number: u64) -> Option<Function> {
     m_row(number).map(|row| row.function)
 }
 
-/// The M code of a number; `None` for one that only some machines know.
+/// The M code of a number; `None` for a machine-specific code.
 #[inline]
 pub fn m_code(number: u64) -> Option<M> {
     m_row(number).map(|row| row.code)
@@ -559,13 +559,14 @@ fn m_row(number: u64) -> Option<&'static MCode> {
 /// A row of the table of supported codes.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Row {
-    /// What the codes do.
+    /// Function of the codes.
     pub function: Function,
-    /// How they are written in each list of [`CodeList::ALL`], blanks between; empty where it has none.
+    /// Spelling of the codes in each list of [`CodeList::ALL`], separated by blanks; empty if the list has
+    /// none.
     pub codes: [String; CodeList::ALL.len()],
-    /// Modal group; `None` for what is no G code.
+    /// Modal group; `None` if it is not a G code.
     pub group: Option<Group>,
-    /// What comes of them here.
+    /// How this project treats them.
     pub effect: Effect,
 }
 
@@ -617,7 +618,7 @@ impl Row {
     }
 }
 
-/// Adds a code as people write it: `G01`, `G12.1`.
+/// Adds a code in its usual spelling: `G01`, `G12.1`.
 fn spell(codes: &mut String, letter: char, number: u16, decimal: u16) {
     let digit = |digit: u16| char::from(b'0' + (digit % 10) as u8);
     if !codes.is_empty() {

@@ -1,6 +1,6 @@
 //! Checks that several kinds of blocks share: is there a feed rate, is a word a whole number?
 //!
-//! In: a block and its words. Out: whether it can be carried out; where not, that was reported.
+//! In: a block and its words. Out: whether it can be carried out; if not, the error was reported.
 
 use super::Interpreter;
 use super::request::Request;
@@ -23,12 +23,12 @@ impl Interpreter {
         request: &mut Request,
     ) -> bool {
         match self.state.feed {
-            // The F of the cycle counts, and what is to be said of it is said there.
+            // The F of the cycle applies, and is checked for the cycle.
             Some(_) if self.contours.purpose == Some(Purpose::Roughing) => true,
             Some(feed) if feed > 0.0 => {
                 if self.cut_is_news || words.has_any(letters(b"F")) {
                     self.observe(text, Event::Cut { block, words, feed });
-                    // `U0 W0` is no cut.
+                    // `U0 W0` makes no cut.
                     self.cut_is_news = !words.has_any(letters(b"XZ"));
                 }
                 true
@@ -44,8 +44,9 @@ impl Interpreter {
         }
     }
 
-    /// A cut before any F. After power-up a control stops there with PS0011; else it cuts with the F of the
-    /// program before. The block is left out as after an error; later ones go on, for it is the same fault.
+    /// A cut before any F. After power-up a control stops here with PS0011; otherwise it cuts with the F of
+    /// the previous program. The block is left out as after an error. Later blocks continue without another
+    /// message, because the error is the same.
     #[cold]
     fn without_feed(&mut self, text: &[u8], block: &Block, request: &mut Request) -> bool {
         let strict = self.dialect.strict;
@@ -59,13 +60,13 @@ impl Interpreter {
         !request.drop
     }
 
-    /// Whether Q of G32 or G92, a start angle, is a whole number of 0.001°. False: reported.
+    /// Whether Q of G32 or G92, a start angle, is a whole number of 0.001°. False: an error was reported.
     pub(super) fn has_whole_angle(&mut self, text: &[u8], words: &Words) -> bool {
         let any_number = self.dialect.control == Control::Forum;
         any_number || words.get(b'Q').is_none_or(|word| self.is_whole(text, word))
     }
 
-    /// Whether a word is written without a point, as its address demands here (PS0007). False: reported.
+    /// Whether a word has no point, as its address requires here (PS0007). False: an error was reported.
     pub(super) fn is_whole(&mut self, text: &[u8], word: &Word) -> bool {
         let whole = !matches!(word.value, Value::Number { number, .. } if number.has_point());
         if !whole {
@@ -78,7 +79,7 @@ impl Interpreter {
     }
 }
 
-/// `P10.` as `P10`; nothing where digits stand after the point.
+/// `P10.` as `P10`; `None` if there are digits after the point.
 fn without_point(text: &[u8], word: &Word) -> Option<Fix> {
     let Value::Number { number, .. } = word.value else { return None };
     let written = quote(text, word.span);

@@ -1,7 +1,7 @@
 //! The contour between blocks ns and nf of G70 to G73 (GSK980TDb p. 102).
 //!
-//! In: P and Q. Out: the moves of these blocks, read by the interpreter itself into a list instead of the
-//! motion list, so that everything a block can say about a path can be said in a contour too.
+//! In: P and Q. Out: the moves of these blocks. The interpreter itself reads them into a list instead of the
+//! motion list, so that a contour may contain everything that a path may.
 
 use super::calls::Here;
 use super::repairs::REPAIRS;
@@ -23,16 +23,16 @@ use crate::source::Span;
 use crate::text::block::{Block, BlockKind, Value};
 use crate::text::parser::{Parser, Resume};
 
-/// What is known of the contours of a run.
+/// The contours of a run.
 #[derive(Default)]
 pub(super) struct Contours {
-    /// While a contour is read, motions are kept here instead of being stored.
+    /// The motions of a contour while it is read; they are kept here instead of being stored.
     pub recorded: Option<Vec<PathMove>>,
-    /// What for, if a contour is being read.
+    /// Why a contour is read, while one is.
     pub purpose: Option<Purpose>,
-    /// Compensation as the program commands it, while a contour is read for a roughing cycle, which ignores it.
+    /// Compensation as programmed, while a contour is read for a roughing cycle, which ignores it.
     pub ignored_compensation: Compensation,
-    /// Places of the contour cycles, for the picture.
+    /// Positions of the contour cycles, for the picture.
     pub landmarks: Vec<Landmarks>,
     /// The contours of G71 to G73.
     roughed: Vec<Roughed>,
@@ -42,52 +42,52 @@ pub(super) struct Contours {
 struct Roughed {
     /// P and Q.
     named: (u32, u32),
-    /// Where it begins.
+    /// Its first block.
     begins: Resume,
     /// First byte of its program.
     program: u32,
 }
 
-/// Blocks ns to nf as they run; after an error in them, what could be read.
+/// The contour from block ns to nf, as executed; after an error, the part that could be read.
 pub(super) struct Shape {
     /// Their moves.
     pub moves: Vec<PathMove>,
-    /// What the first block names.
+    /// Contents of the first block.
     pub first: FirstBlock,
-    /// The first block's place in the text.
+    /// Span of the first block.
     pub first_span: Span,
     /// The first byte of block ns.
     pub begins: u32,
-    /// Where the program goes on after nf.
+    /// Where the program continues after nf.
     pub ends: Resume,
     /// The state of the control after nf.
     pub state: State,
-    /// Who listens, after nf.
+    /// The observer after nf.
     pub observer: Option<Box<dyn Observer>>,
 }
 
-/// Why a shape could not be read.
+/// Why a contour could not be read.
 enum ShapeError {
-    /// It was reported that another operation lies in between.
+    /// Another operation is in between. Reported.
     OtherOperation,
     /// nf was not found.
     NotFound,
 }
 
-/// Whether a block may stand in a contour.
+/// Whether a contour may contain a block.
 enum InContour {
     Allowed,
-    /// It was reported that it is ignored.
+    /// It is ignored. Reported.
     Ignored,
-    /// It was reported that it may not.
+    /// It is an error. Reported.
     Forbidden,
-    /// It begins another cycle, by this word.
+    /// It begins another cycle, with this word.
     OtherOperation(String),
 }
 
 impl Interpreter {
-    /// Reads the shape that P and Q name. `None`: the error was reported; the program goes on after nf if
-    /// that was found. A roughing cycle without a feed rate has no sound shape.
+    /// Reads the contour given by P and Q. `None`: the error was reported; the program continues after nf if
+    /// nf was found. The contour of a roughing cycle without a feed rate is in doubt.
     pub(super) fn shape(
         &mut self,
         text: &[u8],
@@ -101,7 +101,7 @@ impl Interpreter {
                 return None;
             }
         }
-        // `get`: the message explains the word.
+        // `get`, because the message explains the word.
         if let Some(address) = [b'X', b'Z'].into_iter().find(|&address| words.get(address).is_some()) {
             let message = said::CycleWord { code, word: words.quote(text, address) };
             let severity = if self.dialect.strict { Severity::Error } else { Severity::Warning };
@@ -122,7 +122,8 @@ impl Interpreter {
             return None;
         };
         self.observe(text, Event::ContourNamed { purpose, named: (first, last) });
-        // G70 goes along the blocks that roughing found; all others search (FANUC keeps their places).
+        // G70 uses the blocks that roughing found, because FANUC keeps their positions; all other cycles
+        // search.
         let roughed = match purpose {
             Purpose::Roughing => None,
             Purpose::Finishing => self.roughed_in_program(text, block, (first, last)),
@@ -148,7 +149,7 @@ impl Interpreter {
             self.report(Diagnostic { fixes: fix.into_iter().collect(), ..diagnostic });
             return None;
         }
-        // A number that is searched for and appears twice within its contour.
+        // Reports a sequence number that also appears a second time within the contour.
         for (address, number) in [(b'P', first), (b'Q', last)] {
             let again = self.program.labels(text).find(number, begins.byte.max(block.span.start));
             let other = again.filter(|again| again.byte > begins.byte);
@@ -172,8 +173,8 @@ impl Interpreter {
         let outer_purpose = self.contours.purpose.replace(purpose);
         let no_feed = before.feed.unwrap_or(0.0) == 0.0;
         if purpose == Purpose::Roughing && no_feed {
-            // The F of the contour does not count; its lack is reported for the cycle, not
-            // for each of these blocks.
+            // The F of the contour is ignored. A missing F is reported for the cycle, not for each of these
+            // blocks.
             self.state.feed = Some(1.0);
         }
         let read = self.read_shape(text, block, begins, last, code, purpose);
@@ -190,7 +191,7 @@ impl Interpreter {
             return None;
         }
         let most = self.setup.limits.moves_per_cycle;
-        // What else is wrong with the cycle is reported once its contour is right.
+        // Other errors of the cycle are reported only if its contour is correct.
         let reads_sound = read.is_ok() && !state.doubts.has(Doubt::Contour);
         let may_cut = purpose == Purpose::Finishing
             || reads_sound && self.may_cut(text, block, words, &mut Request::default());
@@ -240,7 +241,7 @@ impl Interpreter {
                 }
                 Some(shape)
             }
-            // What is in between is no contour: it runs as it is written.
+            // The blocks in between are no contour: they run as written.
             Err(ShapeError::OtherOperation) => None,
             Err(ShapeError::NotFound) => {
                 let word = words.quote(text, b'Q');
@@ -250,7 +251,8 @@ impl Interpreter {
         }
     }
 
-    /// Where the contour of these numbers begins that roughing has found in the program of `block`.
+    /// The beginning of the contour with these numbers that a roughing cycle has found in the program of
+    /// `block`.
     fn roughed_in_program(&mut self, text: &[u8], block: &Block, named: (u32, u32)) -> Option<Resume> {
         let own = self.program.labels(text).head_at(block.span.start).byte;
         let found =
@@ -326,14 +328,14 @@ impl Interpreter {
             if is_first {
                 let straight = matches!(self.state.motion, MotionMode::Rapid | MotionMode::Line);
                 let moved = self.contours.recorded.as_ref().map_or(0, Vec::len) > moves;
-                // One fault, one message.
+                // One error, one message.
                 let stays = !moved && !named.x && !named.z;
                 if sound && (!straight || stays) {
                     self.report(Diagnostic::new(said::ContourFirstBlock { code }, block.words_span()));
                     sound = false;
                 }
                 if stays {
-                    // What can be drawn begins with the first block that moves.
+                    // The contour is drawn from the first block that moves.
                     first = None;
                 }
             }
@@ -348,7 +350,7 @@ impl Interpreter {
         Err(ShapeError::NotFound)
     }
 
-    /// Ends the contour: nothing may wait for a further move. `sound`: no error was reported before.
+    /// Ends the contour: no move may wait for another. `sound`: no error was reported before.
     fn end_shape(&mut self, sound: bool) {
         let waits = self.state.pending.take().and_then(|pending| {
             let angle = pending.angle.map(|angle| (angle.word, angle.span, "PS0326"));
@@ -365,8 +367,8 @@ impl Interpreter {
         }
     }
 
-    /// The program goes on after a contour that stands after its cycle block; one that stands before it has
-    /// been run already (GSK980TDb p. 102).
+    /// The program continues after a contour that follows its cycle block. A contour before the cycle block
+    /// has already run (GSK980TDb p. 102).
     pub(super) fn go_on_behind(&mut self, block: &Block, begins: u32, ends: Resume) {
         if begins > block.span.start {
             self.program.jump = Some(ends);
@@ -394,8 +396,8 @@ impl Interpreter {
         first
     }
 
-    /// Only moves may stand in a contour (alarm PS0325). A retract or setting in between is
-    /// ignored unless the control is strict: many programs name the block after the contour as its last.
+    /// A contour may contain only moves (alarm PS0325). A retract or setting in between is ignored unless the
+    /// control is strict: in many programs Q names the block after the contour.
     fn allowed_in_contour(&mut self, text: &[u8], block: &Block) -> InContour {
         let skips = !self.dialect.strict;
         for word in &block.words {
@@ -427,7 +429,7 @@ impl Interpreter {
                         Some(G::MacroCall(_)) => {
                             (said::ContourCall { word: quoted() }.into(), Severity::Error)
                         }
-                        // G70 repeats blocks: some use it to drill a hole again.
+                        // G70 repeats blocks: some programs use it to drill a hole again.
                         Some(G::Hole(_) | G::NoHole)
                             if skips && self.contours.purpose == Some(Purpose::Finishing) =>
                         {
@@ -452,12 +454,12 @@ impl Interpreter {
 }
 
 impl Shape {
-    /// Whether no error in the contour was reported.
+    /// Whether the contour has no reported error.
     pub(super) fn is_sound(&self) -> bool {
         !self.state.doubts.has(Doubt::Contour)
     }
 
-    /// The call of a cycle that reads this shape as a contour.
+    /// The event data of a cycle that reads this shape as its contour.
     pub(super) fn call<'a, How>(
         &self,
         block: &'a Block,
@@ -470,7 +472,7 @@ impl Shape {
         ContourCall { block, words, contour, first, first_span, last_span, how }
     }
 
-    /// The contour for a roughing cycle that starts at A: rapids inside are cut at feed.
+    /// The contour for a roughing cycle that starts at A: rapids inside it are cut at feed.
     pub(super) fn contour(&self, start: Point) -> Contour {
         let own = self.moves.first().filter(|path_move| path_move.span == self.first_span);
         let (first, approach) = match own {
@@ -490,8 +492,8 @@ impl Shape {
         Contour { start, first, approach, pieces: pieces.filter(|piece| !piece.is_empty()).collect() }
     }
 
-    /// The contour without the rapids at its end, if there are any: many programs leave the contour there and
-    /// go back, which is no part of the shape to be roughed.
+    /// The contour without the rapids at its end; `None` if there are none. In many programs the contour ends
+    /// with a rapid away from it and back, which is not part of the shape to be roughed.
     pub(super) fn without_retreat(&self, contour: &Contour) -> Option<Contour> {
         let rapids = self
             .moves
@@ -525,10 +527,10 @@ late! {
     }
 }
 
-/// A sequence number for the block that begins a contour, after byte `from`, or for the one that ends it: the
-/// last before the tool leaves, another cycle or another tool.
+/// A fix that adds a sequence number: to the block that begins a contour, after byte `from`, or to the block
+/// that ends it, which is the last one before a retract, another cycle or another tool.
 fn numbered(text: &[u8], from: u32, number: u32, last: bool) -> Option<Fix> {
-    /// A contour of more blocks is not searched.
+    /// Maximum number of blocks searched.
     const BLOCKS: usize = 500;
     let mut parser = Parser::resume(text, Resume::inside(from, 0));
     let mut block = Block::default();

@@ -1,8 +1,8 @@
-//! The body of a macro that is run as a main program: nobody gave its arguments.
+//! The body of a macro that is run as a main program, without its arguments.
 //!
-//! In: vacant variables that are read. Out: which variables have a value that nobody knows, and
-//! statements that depend on them. One message says so; a value that is not known raises no alarm, and
-//! what comes of it is uncertain.
+//! In: vacant variables that are read, and statements that depend on them. Out: which variables have an
+//! unknown value. One message reports this. An unknown value raises no alarm, and the results that depend on
+//! it are uncertain.
 
 use super::calls::Here;
 use super::macros::{Mark, loop_mark};
@@ -16,8 +16,8 @@ use crate::text::block::Block;
 use crate::text::parser::Parser;
 
 impl Interpreter {
-    /// A vacant variable is read that may stand for an argument: reported, if the main
-    /// program is the body of a macro.
+    /// Called when a vacant variable that may be an argument is read. Reports it if the main program is the
+    /// body of a macro.
     #[cold]
     pub(super) fn miss_arguments(&mut self, text: &[u8], block: &Block, variable: u32) {
         let is_own = self.state.variables.level() == 0 && !self.state.variables.lacks_arguments();
@@ -29,13 +29,13 @@ impl Interpreter {
         self.lose(Doubts::of(&[Doubt::Values]));
     }
 
-    /// Whether the main program can only be the body of a macro: it goes back by M99, and neither ends nor
-    /// selects a tool. A program that a bar feeder repeats ends with M99, too, but has its tools.
+    /// Whether the main program can only be the body of a macro: it returns with M99, and neither ends nor
+    /// selects a tool. A program that a bar feeder repeats also ends with M99, but it selects tools.
     fn is_macro_body(&mut self, text: &[u8]) -> bool {
         if let Some(known) = self.program.is_macro_body {
             return known;
         }
-        // What stands further on decides.
+        // The rest of the text matters: this registers that it was read.
         self.program.labels(text);
         let mut parser = Parser::resume(text, self.state.call_stack.head);
         let (mut block, mut begun, mut returns, mut is_main) = (Block::default(), false, false, false);
@@ -54,8 +54,7 @@ impl Interpreter {
         *self.program.is_macro_body.insert(returns && !is_main)
     }
 
-    /// What a statement that depends on what nobody knows may have done: given a value to a
-    /// variable, or led somewhere.
+    /// A statement depends on an unknown value: it may have assigned a variable or jumped.
     #[cold]
     pub(super) fn unknown_condition(&mut self, text: &[u8], block: &Block, statement: &[u8]) {
         match macros::assigned(behind_condition(statement), &mut Store::new(self, text, block)) {
@@ -64,8 +63,8 @@ impl Interpreter {
         }
     }
 
-    /// A statement that depends on what nobody knows and has no value, or leads somewhere: the
-    /// program goes on after it.
+    /// A statement depends on an unknown value and has no value itself, or jumps: the program continues after
+    /// it.
     #[cold]
     pub(super) fn unknown_statement(
         &mut self,
@@ -84,7 +83,7 @@ impl Interpreter {
     }
 }
 
-/// What stands after the condition of IF, or all of another statement.
+/// The text after the condition of IF; the whole text of any other statement.
 fn behind_condition(statement: &[u8]) -> &[u8] {
     let statement = statement.trim_ascii_start();
     if !statement.get(..2).is_some_and(|head| head.eq_ignore_ascii_case(b"IF")) {

@@ -1,7 +1,7 @@
 //! Macro statements, values from variables, and macro calls (G65, G66, G67) as blocks use them.
 //!
-//! In: the text of a block. Out: what it does to the variables, the words with their values, and where the
-//! program goes on. Evaluating is `control::macros`; here are jumps, loops, calls and messages.
+//! In: the text of a block. Out: its effect on the variables, the words with their values, and where the
+//! program continues. `control::macros` evaluates; this file has jumps, loops, calls and messages.
 
 use super::calls::Here;
 use super::store::Store;
@@ -46,11 +46,11 @@ early! {
     }
 }
 
-/// What a statement asks for.
+/// Result of a statement.
 pub(super) enum Evaluated {
-    /// This action.
+    /// The action to carry out.
     Action(Action),
-    /// Nothing more; the program continues here.
+    /// Finished; the program continues here.
     Flow(Flow),
     /// The statement cannot be carried out.
     Fault(MacroError),
@@ -63,7 +63,8 @@ impl Interpreter {
         if self.has(MACROS) { macro_statement(self, text, block, here) } else { Flow::Next }
     }
 
-    /// Gives a variable a value that a reader tries, as if its block had set it; one that cannot be written stays.
+    /// Assigns a value that the user tries out, as if its block had assigned it; ignored if the variable
+    /// cannot be written.
     pub fn give(&mut self, tried: TriedValue) {
         if self.has(MACROS) {
             give(self, tried);
@@ -80,7 +81,7 @@ impl Interpreter {
         }
     }
 
-    /// Evaluates the statement of a block. What depends on values that are not known is done here.
+    /// Evaluates the statement of a block. Unknown values are handled here.
     pub(super) fn evaluate(&mut self, text: &[u8], block: &Block, statement: &[u8], here: Here) -> Evaluated {
         let mut store = Store::new(self, text, block);
         let outcome = macros::statement(statement, &mut store);
@@ -92,7 +93,7 @@ impl Interpreter {
             Ok(Action::Goto(_) | Action::While { .. }) if unknown => {
                 Evaluated::Flow(self.unknown_statement(text, block, statement, here))
             }
-            // Its own check of what it was given.
+            // The macro checks its arguments with an alarm; they are unknown here.
             Ok(Action::Alarm { .. }) if self.state.variables.lacks_arguments() => {
                 self.lose_program();
                 Evaluated::Flow(Flow::Next)
@@ -184,8 +185,8 @@ impl Interpreter {
         }
     }
 
-    /// A statement that is wrong. A loop that it begins is run once, so that its END
-    /// needs no message of its own.
+    /// Handles a faulty statement. If it begins a loop, the loop runs once, so that its END needs no separate
+    /// message.
     fn faulty_statement(&mut self, text: &[u8], block: &Block, here: Here, fault: &MacroError) {
         let mark = loop_mark(text, block);
         if matches!(mark, Some((Mark::End, _)))
@@ -202,13 +203,13 @@ impl Interpreter {
         }
     }
 
-    /// A loop begins whose condition says nothing: it is run once.
+    /// Begins a loop whose condition cannot be evaluated: it runs once.
     pub(super) fn run_once(&mut self, number: u32, here: Here) {
         self.leave_loop(here);
         self.open_loop(Loop { number, head: here.at, rounds: Rounds::One });
     }
 
-    /// Which of the loops under way ends in this block.
+    /// Index of the active loop that ends in this block.
     fn loop_that_ends(&mut self, here: Here) -> Option<usize> {
         let ends = &self.program.loop_ends;
         let is_own = |own: &Loop| {
@@ -234,7 +235,7 @@ impl Interpreter {
         self.left_out();
     }
 
-    /// DO: a loop begins, or its next round.
+    /// DO: begins a loop, or its next round.
     fn begin_loop(&mut self, text: &[u8], block: &Block, number: u32, here: Here) -> Flow {
         let head = here.at;
         if self.behind_end(text, block, number, here).is_none() {
@@ -252,7 +253,7 @@ impl Interpreter {
                 self.report_macro(MacroErrorKind::LoopNumber, block.words_span());
                 self.lose_program();
             } else {
-                // A jump out of a loop left it open.
+                // A jump out of the loop has left it open.
                 self.state.call_stack.loops().truncate(old);
             }
         }
@@ -261,7 +262,7 @@ impl Interpreter {
         Flow::Next
     }
 
-    /// One more loop is under way. Beyond the limit none is: numbers have one digit, so such a loop was
+    /// Adds an active loop. Ignored at the limit: loop numbers have one digit, so a deeper loop was already
     /// reported as nested in itself.
     fn open_loop(&mut self, own: Loop) {
         let loops = self.state.call_stack.loops();
@@ -277,10 +278,10 @@ impl Interpreter {
         }
     }
 
-    /// END: back to the beginning of the loop.
+    /// END: returns to the beginning of the loop.
     fn end_loop(&mut self, block: &Block, here: Here) -> Flow {
         let Some(old) = self.loop_that_ends(here) else {
-            // The END of a DO that was reported to be missing: its number is wrong.
+            // The END of a DO that was reported as missing: its number is wrong.
             if !self.program.lacks_end {
                 self.report_macro(MacroErrorKind::LoopNumber, block.words_span());
                 self.lose_program();
@@ -298,7 +299,7 @@ impl Interpreter {
         if self.count_round(block) { Flow::Jump(head) } else { Flow::End }
     }
 
-    /// The block after the END of a loop that begins here (PS0124 where there is none). `None`: reported.
+    /// The block after the END of a loop that begins here. `None`: no END, reported (PS0124).
     pub(super) fn behind_end(
         &mut self,
         text: &[u8],
@@ -314,15 +315,15 @@ impl Interpreter {
         found
     }
 
-    /// The block after the END of a loop that begins here, looked for once. The loops met on the way
-    /// need no search of their own.
+    /// The block after the END of a loop that begins here; cached. The search also records the ends of the
+    /// nested loops it passes.
     fn end_of_loop(&mut self, text: &[u8], block: &Block, number: u32, here: Here) -> Option<Resume> {
         if let Some(found) = self.program.loop_ends.get(&here.at.byte) {
             return *found;
         }
         let mut parser = Parser::resume(text, here.next);
         let mut other = Block::default();
-        // First bytes of the loops that are open, by their number, which is one digit.
+        // First bytes of the open loops, by loop number, which is one digit.
         let mut open: [Vec<u32>; 10] = Default::default();
         open[number as usize].push(here.at.byte);
         loop {
@@ -350,7 +351,7 @@ impl Interpreter {
         None
     }
 
-    /// Carries out a block of words, some of which may take their value from an expression.
+    /// Carries out a block of words, some of which may have expressions as values.
     #[inline]
     pub(super) fn words_of(&mut self, text: &[u8], block: &Block, here: Here) -> Flow {
         if !block.has_expressions {
@@ -366,7 +367,7 @@ impl Interpreter {
         self.guessing = false;
         let own = self.evaluated(text, block);
         if std::mem::take(&mut self.guessing) && !self.sink.muted {
-            // What is said of such values says nothing of the macro.
+            // Messages about such values do not apply to the macro.
             self.sink.muted = true;
             let flow = self.evaluated_words(text, block, own, here);
             self.sink.muted = false;
@@ -375,8 +376,8 @@ impl Interpreter {
         self.evaluated_words(text, block, own, here)
     }
 
-    /// Carries out a block whose expressions came to these values; `None`: they have
-    /// none, which was reported.
+    /// Carries out a block with the values of its expressions. `None`: an expression has no value, which was
+    /// reported.
     fn evaluated_words(&mut self, text: &[u8], block: &Block, own: Option<Block>, here: Here) -> Flow {
         match own {
             Some(own) => {
@@ -386,7 +387,7 @@ impl Interpreter {
                 if !self.state.doubts.has(Doubt::Values) {
                     return self.words(text, &own, here);
                 }
-                // What comes from variables is as doubtful as they are.
+                // Values from variables are as doubtful as the variables.
                 let doubtful = Self::from_variables(block);
                 self.lose(doubtful);
                 let flow = self.words(text, &own, here);
@@ -401,8 +402,8 @@ impl Interpreter {
         }
     }
 
-    /// The block with its values in place of expressions; words with a vacant variable are
-    /// left out. `None`: reported.
+    /// The block with values in place of expressions; words with a vacant variable are left out. `None`: an
+    /// error was reported.
     #[cold]
     pub(super) fn evaluated(&mut self, text: &[u8], block: &Block) -> Option<Block> {
         let mut own = block.clone();
@@ -420,7 +421,7 @@ impl Interpreter {
                 self.report(Diagnostic::new(message, word.span));
                 return None;
             }
-            // Arguments of a macro keep all their digits.
+            // Arguments of a macro keep all digits.
             let places =
                 (!handed_over || matches!(word.address, b'P' | b'L')).then(|| self.places(word.address));
             let (number, negative) = self.value_of(text, block, word, places)?;
@@ -434,8 +435,8 @@ impl Interpreter {
         Some(own)
     }
 
-    /// The value of a word's expression, rounded to some places if they are given.
-    /// The outer `None`: reported.
+    /// The value of a word's expression, rounded to `places` decimals if given. The outer `None`: an error
+    /// was reported.
     fn value_of(
         &mut self,
         text: &[u8],
@@ -446,7 +447,7 @@ impl Interpreter {
         if !self.count_macro_step(block) {
             return None;
         }
-        // The letter, and perhaps a comma and blanks, stand before the expression.
+        // The letter, with an optional comma and blanks, comes before the expression.
         let written = word.span.of(text);
         let letter = written.iter().position(u8::is_ascii_alphabetic).unwrap_or(0) + 1;
         let increment = 10f64.powi(-i32::from(self.places(word.address)));
@@ -477,7 +478,7 @@ impl Interpreter {
         }
     }
 
-    /// Decimals that an address counts.
+    /// Number of decimals of an address.
     fn places(&self, address: u8) -> u8 {
         match address {
             b'M' | b'S' | b'T' | b'N' | b'O' | b'L' => 0,
@@ -491,7 +492,7 @@ impl Interpreter {
         }
     }
 
-    /// G65: a call with arguments. G66: the same after every block with a move, until G67.
+    /// G65: calls a macro with arguments. G66: calls it after every block with a move, until G67.
     pub(super) fn macro_call(&mut self, text: &[u8], block: &Block, here: Here, call: MacroCall) -> Flow {
         if self.has(MACROS) { macro_call(self, text, block, here, call) } else { Flow::Next }
     }
@@ -541,14 +542,14 @@ impl Interpreter {
         }
     }
 
-    /// Calls the macro of G66 after a block that moved.
+    /// Calls the macro of G66 after a block with a move.
     pub(super) fn modal_call(&mut self, block: &Block, back: Resume) -> Option<Flow> {
         if self.has(MACROS) { modal_call(self, block, back) } else { None }
     }
 
     fn call_of_modal_macro(&mut self, block: &Block, back: Resume) -> Option<Flow> {
         let modal = self.state.call_stack.modal.clone()?;
-        // Its own moves do not call it again.
+        // The moves of the macro do not call it again.
         if self.state.call_stack.calls.iter().any(|call| call.head == modal.head) {
             return None;
         }
@@ -568,7 +569,7 @@ impl Interpreter {
         }
         let flow = self.call(block, CallKind::Macro, head, back, rounds);
         if matches!(flow, Flow::Jump(_)) {
-            // Deeper than the control allows was reported by the call.
+            // A call at too deep a level was already reported.
             let given = (1..).zip(&arguments).filter(|(_, value)| value.is_some());
             for (variable, _) in given {
                 self.note_assigned(self.state.variables.level() + 1, variable, block.span.start);
@@ -579,13 +580,13 @@ impl Interpreter {
     }
 }
 
-/// Which part of a loop a block is.
+/// The role of a block in a loop.
 pub(super) enum Mark {
     Do,
     End,
 }
 
-/// The loop mark of a macro statement, and its number: `DO m` at its end, or `END m` at its head.
+/// The loop mark of a macro statement, and its number: `DO m` at the end, or `END m` at the beginning.
 pub(super) fn loop_mark(text: &[u8], block: &Block) -> Option<(Mark, u32)> {
     if block.kind != BlockKind::Macro {
         return None;
@@ -607,8 +608,8 @@ pub(super) fn loop_mark(text: &[u8], block: &Block) -> Option<(Mark, u32)> {
     Some((Mark::Do, number(&statement[at + 2..])?))
 }
 
-/// What a statement or expression with a fault at `span` was likely meant to be: a jump to a literal number,
-/// a comparison by its letters, square brackets in place of round ones.
+/// A likely correction of a statement or expression with an error at `span`: a jump to a literal number, a
+/// comparison by its letters, or square brackets instead of round ones.
 fn repair(text: &[u8], kind: MacroErrorKind, within: Span, span: Span) -> Option<Fix> {
     const SIGNS: [(&str, &str); 7] =
         [("<>", "NE"), ("<=", "LE"), (">=", "GE"), ("==", "EQ"), ("=", "EQ"), (">", "GT"), ("<", "LT")];
@@ -638,14 +639,14 @@ fn repair(text: &[u8], kind: MacroErrorKind, within: Span, span: Span) -> Option
     square_brackets(text, within)
 }
 
-/// Square brackets in place of round ones that hold an expression rather than a remark.
+/// Replaces round brackets that contain an expression, rather than a comment, by square ones.
 fn square_brackets(text: &[u8], within: Span) -> Option<Fix> {
     let written = within.of(text);
     let mut meant = written.to_vec();
     let (mut at, mut is_sure) = (0, false);
     while let Some(found) = written[at..].iter().position(|&byte| byte == b'(') {
         let open = at + found;
-        // The bracket that closes it.
+        // The matching closing bracket.
         let mut depth = 0;
         let closes = |byte: &u8| {
             depth += i32::from(*byte == b'(') - i32::from(*byte == b')');
@@ -678,19 +679,19 @@ fn statement_span(block: &Block) -> Span {
     Span { start: block.statement, end: block.span.end }
 }
 
-/// Decimals that keep all of a double that matters.
+/// Number of decimals that keeps all significant digits of a double.
 fn places_of(value: f64) -> u8 {
     const DIGITS: f64 = 15.0;
     crate::geometry::within(DIGITS - value.abs().max(1.0).log10().ceil(), 0.0, DIGITS) as u8
 }
 
-/// A value as a number with so many decimals; `None` where it is too large for any address.
+/// A value as a number with `places` decimals; `None` if it is too large for any address.
 fn number_of(value: f64, places: u8) -> Option<Number> {
     const LARGEST: f64 = 99_999_999.0;
     if value.is_nan() || value.abs() > LARGEST {
         return None;
     }
     let mantissa = (value.abs() * 10f64.powi(i32::from(places))).round() as u64;
-    // A value never counts least increments: it has a point wherever the address takes one.
+    // A value never counts least increments: it has a point if the address allows one.
     Some(Number { mantissa, decimals: places, digits: 8, points: u8::from(places > 0) })
 }

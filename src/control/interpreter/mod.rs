@@ -1,8 +1,8 @@
-//! Blocks to motions: what the control does with one block after the other.
+//! Blocks to motions: carries out one block after the other.
 //!
-//! In: blocks, the setup. Out: motions and messages. Values become millimetres and radii here and nowhere
-//! else. An error drops the motion of its block, the position stays, and later motions are marked uncertain
-//! until what they depend on is known again.
+//! In: blocks, the setup. Out: motions and messages. This is the only place that converts values to
+//! millimetres and radii. An error drops the motion of its block and leaves the position unchanged. Later
+//! motions are marked as uncertain until the values they depend on are known again.
 //!
 //! Order within a block: plane, unit and feed mode – G96/G97 with S – F – T – M03, M04 –
 //! coordinate system – compensation – motion or cycle – M05, M00, M01, M02, M30.
@@ -67,26 +67,27 @@ pub use trace::{Context, Executed};
 /// Words that move X or Z.
 const AXES: u32 = letters(b"XZUW");
 
-/// Whether the program goes on after a block.
+/// How the program continues after a block.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Flow {
     /// With the next block.
     Next,
-    /// With the block at another place.
+    /// With the block at this position.
     Jump(Resume),
-    /// Everything from the start, with the program that begins there: what ran is only its subprogram.
+    /// Starts the run again with the program at this position: the program that ran first is only its
+    /// subprogram.
     Restart(Resume),
     /// It has ended.
     End,
 }
 
-/// Runs blocks and keeps what comes of them.
+/// Runs blocks and collects the results.
 pub struct Interpreter {
     setup: Setup,
     dialect: Dialect,
     /// The state of the control after the last block.
     pub state: State,
-    /// Who notes which block set what is in force.
+    /// Records which blocks set the state, if wanted.
     chronicler: Option<Box<dyn Chronicler>>,
     /// Where to read next.
     program: Program,
@@ -94,24 +95,24 @@ pub struct Interpreter {
     sink: Sink,
     /// Contours read by G70 to G73.
     contours: Contours,
-    /// Who listens.
+    /// The observer, if any.
     observer: Option<Box<dyn Observer>>,
-    /// What that one reports of the event under way.
+    /// What the observer reports about the current event.
     reports: Vec<Diagnostic>,
     /// Something has happened since the last cut that may matter for the next one.
     cut_is_news: bool,
-    /// The blocks carried out, in order, if they are asked for.
+    /// The executed blocks, in order, if a trace is wanted.
     trace: Option<Vec<Executed>>,
-    /// A block was not carried out since this was last looked at.
+    /// A block was not carried out since this flag was last cleared.
     refused: bool,
-    /// A value of the block under way comes from a variable that nobody knows.
+    /// A value of the current block comes from a variable with an unknown value.
     guessing: bool,
-    /// A part of the module that a block needs and that has not been loaded.
+    /// A part of the module that a block needs and that is not loaded.
     missing: Option<Part>,
 }
 
 impl Interpreter {
-    /// Whether a part has been loaded that a block needs; where it has not, nothing of this run can be used.
+    /// Whether a part that a block needs is loaded. If not, the results of this run are unusable.
     fn has(&mut self, part: Part) -> bool {
         let is_loaded = part.is_loaded();
         if !is_loaded {
@@ -120,7 +121,7 @@ impl Interpreter {
         is_loaded
     }
 
-    /// A part that the run needed and that had not been loaded.
+    /// The part that the run needed and that was not loaded, if any.
     pub fn missing(&self) -> Option<Part> {
         self.missing
     }
@@ -153,14 +154,14 @@ impl Interpreter {
         }
     }
 
-    /// Whoever is to hear what happens from here on.
+    /// Sends events to `observer` from here on.
     pub fn observed_by(mut self, observer: Box<dyn Observer>) -> Self {
         self.observer = Some(observer);
         self
     }
 
-    /// Something happens: what whoever listens reports of it is reported. `text`: empty
-    /// where the event names no word.
+    /// Sends `event` to the observer and records the diagnostics it returns. `text` is empty if the event
+    /// names no word.
     #[inline]
     fn observe(&mut self, text: &[u8], event: Event<'_>) {
         if self.observer.is_some() {
@@ -169,7 +170,7 @@ impl Interpreter {
         }
     }
 
-    /// Another one listens from here on, for whom everything counts as reported that was; the one before.
+    /// Replaces the observer; the new one inherits what was already reported. Returns the old one.
     fn go_on_observed_by(&mut self, observer: Option<Box<dyn Observer>>) -> Option<Box<dyn Observer>> {
         self.cut_is_news = true;
         let mut before = std::mem::replace(&mut self.observer, observer);
@@ -197,22 +198,22 @@ impl Interpreter {
         }
     }
 
-    /// Keeps the blocks carried out from here on.
+    /// Starts to keep the executed blocks.
     pub fn keep_trace(&mut self) {
         self.trace.get_or_insert_default();
     }
 
-    /// The blocks carried out.
+    /// Takes the executed blocks.
     pub fn take_trace(&mut self) -> Vec<Executed> {
         self.trace.take().unwrap_or_default()
     }
 
-    /// Whether blocks carried out are kept.
+    /// Whether executed blocks are kept.
     pub fn has_trace(&self) -> bool {
         self.trace.is_some()
     }
 
-    /// Motions kept so far.
+    /// Number of motions kept so far.
     pub fn kept_motions(&self) -> usize {
         self.sink.kept()
     }
@@ -222,27 +223,27 @@ impl Interpreter {
         &self.sink.motions
     }
 
-    /// Notes from here on which block sets what; as one that noted it of another control at power-on, if there was one.
+    /// Starts to record which block sets what, with a new recorder like `before`, if there is one.
     pub fn chronicled_like(&mut self, before: Option<&dyn Chronicler>) {
         self.chronicler = before.map(|chronicler| chronicler.anew(&self.state));
     }
 
-    /// Begins to note which block sets what is in force.
+    /// Starts to record which block sets what.
     pub fn begin_chronicle(&mut self) {
         self.chronicler = Some(Box::new(Chronicle::new(&self.state)));
     }
 
-    /// Who notes it, if somebody does.
+    /// The recorder, if any.
     pub fn chronicler(&self) -> Option<&dyn Chronicler> {
         self.chronicler.as_deref()
     }
 
-    /// What was noted; nothing where nobody does.
+    /// The recorded chronicle, if any.
     pub fn chronicle_mut(&mut self) -> Option<&mut Chronicle> {
         self.chronicler.as_mut().map(|chronicler| chronicler.chronicle_mut())
     }
 
-    /// What is in force now was set by a block that begins at this byte, as far as it was not before.
+    /// Records what the block at this byte has changed.
     #[inline]
     pub fn note_origins(&mut self, block: u32) {
         if let Some(chronicler) = &mut self.chronicler {
@@ -250,7 +251,7 @@ impl Interpreter {
         }
     }
 
-    /// A block gives a variable a value. `level`: calls of macros under way.
+    /// Records that a block assigns a variable. `level`: depth of macro calls.
     fn note_assigned(&mut self, level: usize, variable: u32, block: u32) {
         if let Some(chronicler) = &mut self.chronicler {
             chronicler.assigned(level, variable, block);
@@ -262,17 +263,17 @@ impl Interpreter {
         &self.sink.diagnostics
     }
 
-    /// The messages, taken out of a run that needs them no more.
+    /// Takes the messages out of a run that no longer needs them.
     pub fn take_diagnostics(&mut self) -> Vec<Diagnostic> {
         std::mem::take(&mut self.sink.diagnostics)
     }
 
-    /// Places of the contour cycles so far.
+    /// Positions of the contour cycles so far.
     pub fn landmarks(&self) -> &[Landmarks] {
         &self.contours.landmarks
     }
 
-    /// Messages that were not kept.
+    /// Number of messages that were not kept.
     pub fn hidden(&self) -> usize {
         self.sink.hidden
     }
@@ -282,13 +283,13 @@ impl Interpreter {
         &self.setup
     }
 
-    /// Makes the moves that wait for a next one: the program has ended.
+    /// Makes the waiting moves: the program has ended.
     pub fn finish(&mut self, text: &[u8]) {
         self.settle();
         self.observe(text, Event::RunEnds);
     }
 
-    /// Closes the last chunk, so that [`Interpreter::motions`] holds all motions.
+    /// Closes the last chunk, so that [`Interpreter::motions`] contains all motions.
     pub fn close(&mut self) {
         self.begin_chunk(Resume::default());
     }
@@ -298,31 +299,31 @@ impl Interpreter {
         self.sink.motions
     }
 
-    /// Reports something to the user, unless it was reported for the same place before.
+    /// Reports a message, unless it was reported for the same place before.
     pub fn report(&mut self, diagnostic: Diagnostic) {
         if !self.sink.is_silent_about(&diagnostic) {
-            // Which of them were reported before is not kept any more once the limit is reached.
+            // Once the limit is reached, it is no longer known which of them were reported before.
             self.sink.report(diagnostic.in_unit(self.state.unit), self.program.has_jumped());
         }
     }
 
-    /// What is reported for the setup: many faults of one kind have no other place than
-    /// the beginning of the text.
+    /// Reports a message about the setup. Several messages of the same rule are allowed, because all of them
+    /// are placed at the beginning of the text.
     pub fn report_of_setup(&mut self, diagnostic: Diagnostic) {
         self.sink.report_of_setup(diagnostic);
     }
 
-    /// Reports, even when no more messages are kept: why the run ends.
+    /// Reports the reason why the run ends, even if the list of messages is full.
     pub fn report_always(&mut self, diagnostic: Diagnostic) {
         self.sink.report_always(diagnostic);
     }
 
-    /// How numbers are read at the moment.
+    /// How numbers are read at present.
     pub fn reading(&self) -> Reading {
         Reading { unit: self.state.unit, decimal: self.dialect.decimal }
     }
 
-    /// Reports that a word is recognised and not carried out here.
+    /// Reports a word that is recognised but not supported.
     fn not_supported(&mut self, text: &[u8], span: Span) {
         let what = format!("`{}`", shortened(&quote(text, span)));
         self.report(Diagnostic::new(said::NotSupported { what }, span));
@@ -343,18 +344,18 @@ impl Interpreter {
         self.dialect.code_list()
     }
 
-    /// Reads the program in another G-code system.
+    /// Switches to another G-code system.
     pub fn set_system(&mut self, system: GSystem) {
         self.dialect.g_system = system;
     }
 
-    /// Reads the program in another unit, until a code names one.
+    /// Switches to another unit, until a code sets one.
     pub fn set_unit(&mut self, unit: Unit) {
         self.dialect.unit = unit;
         self.state.unit = unit;
     }
 
-    /// An O program begins here and is run: the main program, unless a call is under way.
+    /// Starts the O program at this position: it becomes the main program, unless a call is active.
     pub fn enter_program(&mut self, head: Resume) {
         if self.state.call_stack.calls.is_empty() {
             self.state.call_stack.head = head;
@@ -362,51 +363,51 @@ impl Interpreter {
         self.program.enter(head);
     }
 
-    /// The program to run begins here, and is not the first of the text.
+    /// Starts the program to run, which is not the first of the text.
     pub fn begin_elsewhere(&mut self, head: Resume) {
         self.enter_program(head);
         self.program.begin_elsewhere(head);
     }
 
-    /// Whether the program in force begins here.
+    /// Whether the current program begins here.
     pub fn is_head(&self, at: Resume) -> bool {
         self.state.call_stack.program_head().byte == at.byte
     }
 
-    /// Whether the program that begins here was run.
+    /// Whether the program at this position has run.
     pub fn was_run(&self, at: Resume) -> bool {
         self.program.was_run(at)
     }
 
-    /// Whether a program of the text calls the one of a number.
+    /// Whether a program of the text calls program `number`.
     pub fn is_called(&mut self, text: &[u8], number: u32) -> bool {
         self.program.labels(text).is_called(number)
     }
 
-    /// Whether the program has left the straight way through its text.
+    /// Whether a jump or call has left the linear order of the text.
     pub fn has_wandered(&self) -> bool {
         self.program.has_jumped()
     }
 
-    /// Reports what is wrong with the writing of a block that is not run.
+    /// Reports syntax errors in a block that is not run.
     pub fn report_faults(&mut self, block: &Block) {
         self.sink.fault = None;
         if block.is_unread {
             self.missing = Some(READS_FAULTS);
         }
         for fault in &block.faults {
-            // In a loop most faults have been reported before.
+            // In a loop most errors have been reported before.
             if !self.program.has_jumped() || self.sink.has_room_for(fault) {
                 self.report(fault.clone());
             }
         }
-        // Where the words are read as intended, their other faults are reported.
+        // If the words are read as intended, their other errors are reported.
         let fault = block.faults.iter().find(|fault| fault.is_error() && block.is_broken());
         self.sink.fault = fault.map(|fault| fault.span);
     }
 }
 
-/// The head of a long quotation.
+/// Shortens a long quotation.
 fn shortened(text: &str) -> String {
     const LONGEST: usize = 24;
     if text.chars().count() <= LONGEST {

@@ -1,8 +1,8 @@
-//! A stretch of lines that say nothing but where to go next, as most of a long program do.
+//! Fast path for plain lines, which contain only a motion target. Most lines of a long program are plain.
 //!
-//! In: the program, where such a stretch may begin. Out: its motions. All that decides what such lines do is looked
-//! at once, before the first of them, for none of them changes it. Each of them carried out as a block gives the
-//! same, only slower; a line that might not is left to [`Interpreter::run`].
+//! In: the program, at a possible start of plain lines. Out: their motions. All conditions are checked once,
+//! before the first line, because plain lines do not change them. Executing each line as a block has the same
+//! result, but is slower; a line that may not be plain is left to [`Interpreter::run`].
 
 use super::Interpreter;
 use crate::control::codes::{Compensation, MotionMode, Plane};
@@ -18,8 +18,8 @@ use crate::units::Diameter;
 impl Interpreter {
     /// Executes at most `most` plain lines that begin before the byte `end`; returns their number.
     ///
-    /// A function of its own, which returns now and then: a browser goes on in the quicker code that it has made of a
-    /// loop only when the loop is entered anew.
+    /// This is a separate function that returns now and then: a browser uses the optimised code of a loop
+    /// only when the loop is entered again.
     #[inline(never)]
     pub fn plain_lines(&mut self, parser: &mut Parser, most: usize, end: u32) -> usize {
         let begin = parser.position();
@@ -31,7 +31,7 @@ impl Interpreter {
         let (process, reading) = (self.state.process(), self.reading());
         let (mut taken, mut moves) = (0, false);
         let mut placed = self.state.call_stack.main_pass.placed;
-        // On the axis a drill may stand, of which something may have to be said.
+        // A drill may be on the axis, which may cause a message.
         while taken < most.min(room) && !self.is_on_axis() {
             let Some(line) = parser.plain_line().filter(|line| line.span.start < end) else { break };
             let Some((mode, kind)) = mode(&line, self.state.motion) else { break };
@@ -73,7 +73,7 @@ impl Interpreter {
         taken
     }
 
-    /// Whether lines of X and Z alone move in straight lines from where the tip stands, of which nothing is to be said.
+    /// Whether lines of only X and Z make straight moves from the position of the tip, without any message.
     fn goes_plainly(&self) -> bool {
         let state = &self.state;
         state.compensation == Compensation::Off
@@ -99,7 +99,7 @@ impl Interpreter {
     }
 }
 
-/// What of group 01 is in force in a line, where that is G00 or G01. `before`: what was in force.
+/// The code of group 01 in force in a line, if it is G00 or G01. `before`: the code in force before the line.
 fn mode(line: &PlainLine, before: MotionMode) -> Option<(MotionMode, MotionKind)> {
     let mode = match line.code.map(|code| code.tenths()) {
         None => before,
@@ -118,7 +118,7 @@ fn mode(line: &PlainLine, before: MotionMode) -> Option<(MotionMode, MotionKind)
     }
 }
 
-/// Where a line ends that begins at `from`.
+/// End point of a line that begins at `from`.
 fn end_point(line: &PlainLine, from: Point, reading: Reading) -> Point {
     let x = line.x.map_or(from.x, |(negative, x)| Diameter::new(reading.length_of(x, negative)).radius());
     Point::new(x, line.z.map_or(from.z, |(negative, z)| reading.length_of(z, negative)))

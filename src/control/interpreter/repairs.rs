@@ -1,14 +1,15 @@
-//! Repairs that a message of the control offers.
+//! Fixes that a message of the control offers.
 //!
-//! In: a message, and the place of what is to be changed. Out: the message with its repair; without, as long as nobody
-//! can read messages: a run begins anew when that part has been loaded.
+//! In: a message, and the span to change. Out: the message with its fix. The fix is omitted until the part
+//! that contains the code of fixes is loaded; messages are not shown before that, and the run starts again
+//! then.
 
 use crate::control::words;
 use crate::message::{Diagnostic, Fix};
 use crate::parts::{Part, late};
 use crate::source::Span;
 
-/// The part without which nobody reads messages.
+/// The part of the module without which no messages are shown.
 pub(super) const REPAIRS: Part = Part::Late;
 
 late! {
@@ -17,7 +18,7 @@ late! {
     }
 }
 
-/// Offers the word with the other sign.
+/// Offers the word with the opposite sign as a fix.
 pub(super) fn offer_other_sign(diagnostic: Diagnostic, text: &[u8], span: Span) -> Diagnostic {
     if REPAIRS.is_loaded() { with_sign_changed(diagnostic, text, span) } else { diagnostic }
 }

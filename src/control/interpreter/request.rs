@@ -1,4 +1,4 @@
-//! What the codes of one block ask for, until the block is carried out.
+//! The codes of one block, until the block is carried out.
 //!
 //! Plain values: `read_words` fills them in, `block` carries them out.
 
@@ -9,7 +9,7 @@ use crate::message::Diagnostic;
 use crate::motion::StopKind;
 use crate::source::Span;
 
-/// One-shot codes: they use up the words of their block.
+/// One-shot codes: they use the words of their block.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum OneShot {
     Dwell,
@@ -30,7 +30,7 @@ pub(super) enum OneShot {
     NotSupported,
 }
 
-/// Groups of codes of which a block can have one.
+/// Groups of codes of which a block can have only one.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Exclusive {
     Motion,
@@ -41,13 +41,13 @@ pub(super) enum Exclusive {
     Spindle,
 }
 
-/// What the codes of one block ask for.
+/// The codes of one block.
 #[derive(Default)]
 pub(super) struct Request {
     pub one_shot: Option<OneShot>,
-    /// Ten times the number of a G code that is not done here.
+    /// Ten times the number of a G code that is not supported.
     pub unsupported: Option<u64>,
-    /// A code of group 01 stands in the block.
+    /// The code of group 01 in the block.
     pub motion: Option<MotionMode>,
     /// G96 (true) or G97.
     pub surface: Option<bool>,
@@ -59,7 +59,7 @@ pub(super) struct Request {
     pub stop: Option<StopKind>,
     /// M02, M30.
     pub end: bool,
-    /// An M code that only the machine knows.
+    /// A machine-specific M code.
     pub maker_m: bool,
     /// M06: the tool of the block is changed.
     pub changes_tool: bool,
@@ -67,19 +67,19 @@ pub(super) struct Request {
     pub call_code: Option<CallCode>,
     /// G65 or G66: the words after it are arguments.
     pub macro_call: Option<MacroCall>,
-    /// A hole cycle stands in the block.
+    /// The hole cycle in the block.
     pub hole: Option<codes::Hole>,
     /// Words whose address appears twice.
     pub duplicates: Vec<Diagnostic>,
-    /// G43: H names a length offset.
+    /// G43: H is a length offset.
     pub length_offset: bool,
-    /// A G code of the machine: the words of its block are arguments of a macro.
+    /// A machine-specific G code: the words of its block are arguments of a macro.
     pub arguments: bool,
     /// G54.1, whose P names the frame.
     pub extended_frame: Option<Span>,
     /// The motion of the block is not carried out.
     pub drop: bool,
-    /// The words met so far of the groups that are looked at (`Exclusive`), and their numbers.
+    /// For each group in `Exclusive`: the code found so far, as number and span.
     pub group_words: [Option<(u64, Span)>; 5],
     /// Indices of the words with a comma: `,C2`, `,R1`, `,A30`.
     pub comma: [Option<usize>; 3],
@@ -87,14 +87,14 @@ pub(super) struct Request {
     pub moved: bool,
     /// G40, G41 or G42 changes compensation.
     pub switches_compensation: bool,
-    /// G40 ends compensation, be it one that a roughing cycle ignores.
+    /// G40 ends compensation, even if a roughing cycle ignores it.
     pub ends_compensation: bool,
-    /// The direction of the wall that I and K of that block name, radius and length in mm.
+    /// For that block: the direction of the wall given by I and K; radius and length in mm.
     pub wall: Option<Point>,
 }
 
 impl Request {
-    /// Whether a move of the block is of the kind that an earlier block names.
+    /// Whether a move of the block uses the code of an earlier block.
     pub fn goes_by_last_code(&self) -> bool {
         self.motion.is_none() && self.one_shot.is_none() && self.hole.is_none()
     }

@@ -1,9 +1,8 @@
-//! The control between two blocks, kept so that a change of the text needs only a part of
-//! the program to run again.
+//! Snapshots of the control between two blocks, so that after an edit only a part of the program runs again.
 //!
-//! In: the place of the next block. Out: a [`Snapshot`] to go back to, or to be met by another run. A
-//! snapshot is only made while nothing that was carried out has looked elsewhere in the text: no call,
-//! jump, loop or contour so far.
+//! In: the position of the next block. Out: a [`Snapshot`], which the run can return to or another run can
+//! meet. A snapshot is only made while nothing executed has looked elsewhere in the text: no call, jump, loop
+//! or contour so far.
 
 use std::ops::Range;
 
@@ -17,52 +16,52 @@ use crate::motion::{Chunk, Motions};
 use crate::source::shift::Shift;
 use crate::text::parser::Resume;
 
-/// The control between two blocks on the straight way through the text. What came before it does not
-/// depend on what comes after.
+/// The control between two blocks, while the program runs in the linear order of the text. The state does not
+/// depend on later blocks.
 #[derive(Clone, Debug)]
 pub struct Snapshot {
-    /// The block to come.
+    /// Position of the next block.
     at: Resume,
     state: State,
     chronicler: Option<Box<dyn Chronicler>>,
     observer: Option<Box<dyn Observer>>,
-    /// Chunks of motions before it.
+    /// Number of chunks of motions before it.
     chunks: usize,
-    /// Messages reported before it.
+    /// Number of messages reported before it.
     reported: usize,
-    /// Messages before it that were not kept.
+    /// Number of messages before it that were not kept.
     hidden: usize,
     work: usize,
-    /// A block since the snapshot before could not be carried out.
+    /// A block since the previous snapshot could not be carried out.
     failed: bool,
     /// A block before it could not be carried out.
     incomplete: bool,
 }
 
 impl Snapshot {
-    /// The block to come.
+    /// Position of the next block.
     pub fn at(&self) -> Resume {
         self.at
     }
 
-    /// Chunks of motions before it.
+    /// Number of chunks of motions before it.
     pub fn chunks(&self) -> usize {
         self.chunks
     }
 
-    /// Whether something of the blocks in `changed` depends on later blocks. A move that waits may be of several blocks:
-    /// it counts from its first block on.
+    /// Whether results of the blocks in `changed` depend on later blocks. A waiting move may come from
+    /// several blocks; its first block counts.
     fn waits_for(&self, changed: Range<u32>) -> bool {
         self.state.first_waiting() < changed.end
             || self.observer.as_ref().is_some_and(|observer| observer.waits_for(changed))
     }
 
-    /// Whether it is known at it which block set what is in force.
+    /// Whether it has a record of which block set what.
     pub fn is_chronicled(&self) -> bool {
         self.chronicler.is_some()
     }
 
-    /// Moves the places of the text that it holds along, when the text before them has changed.
+    /// Moves the spans it holds after a change of the text before them.
     fn shift(&mut self, shift: &Shift) {
         self.at = self.at.shifted(shift);
         self.state.shift(shift);
@@ -72,16 +71,16 @@ impl Snapshot {
     }
 }
 
-/// What a run that has ended gave after one of its snapshots.
+/// The results of a finished run after one of its snapshots.
 #[derive(Clone, Debug)]
 pub struct Remainder {
-    /// The snapshots after which it begins, the first one included; in order.
+    /// The snapshots after that point, in order, beginning with this snapshot.
     snapshots: Vec<Snapshot>,
     /// The motions after the first.
     motions: Motions,
     /// The messages after the first, in the order in which they were reported.
     diagnostics: Vec<Diagnostic>,
-    /// Messages of the whole run that were not kept.
+    /// Number of messages of the whole run that were not kept.
     hidden: usize,
     /// The state at the end.
     state: State,
@@ -90,7 +89,7 @@ pub struct Remainder {
 }
 
 impl Remainder {
-    /// Place of the snapshot `index`.
+    /// Position of the snapshot `index`.
     pub fn at(&self, index: usize) -> Option<Resume> {
         self.snapshots.get(index).map(|snapshot| snapshot.at)
     }
@@ -107,34 +106,35 @@ impl Remainder {
 }
 
 impl Interpreter {
-    /// Whether enough motions came together for a chunk.
+    /// Whether there are enough motions for a chunk.
     #[inline]
     pub fn has_full_chunk(&self) -> bool {
         self.sink.chunk.len() >= self.setup.limits.stride
     }
 
-    /// Motions until enough came together for a chunk.
+    /// Number of motions that the chunk still has room for.
     #[inline]
     pub fn room_in_chunk(&self) -> usize {
         self.setup.limits.stride.saturating_sub(self.sink.chunk.len())
     }
 
-    /// Bytes that the motions of a text of so many bytes are likely to take, if the rest of it is like what was read
-    /// up to a place; none for a short text.
+    /// Estimated size in bytes of all motions of a text of `text` bytes, if the rest of it is like the part
+    /// up to `at`. 0 for a short text.
     pub fn expected_bytes(&self, at: Resume, text: usize) -> usize {
-        /// Bytes of text from which on memory is worth being looked after.
+        /// Minimum size of a text, in bytes, for which memory is reserved.
         const LONG: usize = 1 << 20;
-        /// No text of a byte more makes more bytes of motions, unless it goes round in loops.
+        /// Maximum bytes of motions per byte of text; only loops can exceed it.
         const MOST: usize = 4;
         let so_far = self.sink.chunk.len() * Chunk::BYTES_PER_MOTION;
         let whole = so_far as u64 * text as u64 / u64::from(at.byte.max(1));
         if text < LONG { 0 } else { whole.min((MOST * text) as u64) as usize }
     }
 
-    /// Begins a chunk at the block to come. One without motions begins there anew.
+    /// Begins a chunk at the next block. A chunk without motions begins again there.
     pub fn begin_chunk(&mut self, at: Resume) {
         let mut next = Chunk::new(at.byte, at.line, self.state.position);
-        // A program that has filled a chunk is likely to fill another one; a single block may make far more.
+        // A program that has filled a chunk is likely to fill another one; a single block may make far more
+        // motions.
         let stride = self.setup.limits.stride;
         if (stride..2 * stride).contains(&self.sink.chunk.len()) {
             next.reserve_as(&self.sink.chunk);
@@ -142,15 +142,14 @@ impl Interpreter {
         self.sink.begin_chunk(next);
     }
 
-    /// Whether everything so far was carried out on the straight way through the text,
-    /// with an eye on nothing else.
+    /// Whether the program has run in the linear order of the text so far, without looking elsewhere in it.
     pub fn is_straight(&self) -> bool {
         self.program.is_straight() && !self.sink.is_full() && self.trace.is_none()
     }
 
-    /// Keeps the control as it is before the block to come, which begins a chunk.
+    /// Takes a snapshot before the next block, which begins a chunk.
     pub fn snapshot(&mut self, at: Resume) -> Snapshot {
-        // From here on errors are counted anew, so that the state does not depend on those before.
+        // Errors are counted from zero again, so that the state does not depend on earlier ones.
         let failed = std::mem::take(&mut self.state.incomplete);
         self.sink.incomplete |= failed;
         self.begin_chunk(at);
@@ -168,7 +167,7 @@ impl Interpreter {
         }
     }
 
-    /// Goes back to a snapshot of the same run, as if nothing after it had been carried out.
+    /// Returns to a snapshot of the same run, as if nothing after it had been carried out.
     pub fn restore(&mut self, snapshot: &Snapshot) {
         let Snapshot {
             at,
@@ -192,7 +191,8 @@ impl Interpreter {
         (self.refused, self.guessing, self.cut_is_news) = (false, false, true);
     }
 
-    /// A control that goes on from a snapshot of another one, and that nobody listens to: with the motions from there on alone.
+    /// A new control that continues from a snapshot of this one, without an observer, and contains only the
+    /// later motions.
     pub fn resumed(&self, snapshot: &Snapshot) -> Self {
         let mut interpreter = self.anew();
         interpreter.restore(&Snapshot {
@@ -205,12 +205,12 @@ impl Interpreter {
         interpreter
     }
 
-    /// A control like this one at power-on, which nobody listens to.
+    /// A control like this one at power-on, without an observer.
     pub fn anew(&self) -> Self {
         Self::of(self.setup.clone(), self.dialect.clone())
     }
 
-    /// Takes out what came after the first of some snapshots of this run, which has ended.
+    /// Takes the results after the first of these snapshots out of this run, which has ended.
     pub fn take_remainder(&mut self, snapshots: Vec<Snapshot>) -> Option<Remainder> {
         let first = snapshots.first()?;
         Some(Remainder {
@@ -224,8 +224,8 @@ impl Interpreter {
         })
     }
 
-    /// Whether this run goes on from here as another did from its snapshot `index`, once the
-    /// places there are moved along. Blocks that begin before the byte `unchanged` are the same in both.
+    /// Whether this run continues from here as another run did from its snapshot `index`, after its positions
+    /// are shifted. Blocks that begin before the byte `unchanged` are the same in both.
     pub fn meets(&self, other: &Remainder, index: usize, unchanged: u32, shift: &Shift) -> bool {
         let there = &other.snapshots[index];
         let reported = self.sink.diagnostics.len();
@@ -250,9 +250,9 @@ impl Interpreter {
         is_heard_alike && self.state.goes_on_like(&there.state)
     }
 
-    /// Takes over what another run gave after its snapshot `index`, which this run has just met.
-    /// The snapshots of that run after it are those of this run from here on. As many messages
-    /// are hidden here as there.
+    /// Takes over the results of another run after its snapshot `index`, which this run has just met. The
+    /// later snapshots of that run become snapshots of this run. The number of hidden messages is the same as
+    /// there.
     pub fn take_over(&mut self, other: Remainder, index: usize, shift: &Shift) -> Vec<Snapshot> {
         let Remainder {
             mut snapshots,
@@ -300,7 +300,8 @@ impl Interpreter {
         later
     }
 
-    /// Who noted in another run, which this one has met, which block set what: in the places of this run.
+    /// The recorder of another run, which this run has met, with its positions moved into the text of this
+    /// run.
     fn chronicler_after(
         &self,
         met: u32,

@@ -1,25 +1,25 @@
-//! The words of a G65 or G66 block as local variables of the macro that is called.
+//! The words of a G65 or G66 block as local variables of the called macro.
 
 use super::MacroErrorKind;
 use super::variables::{LOCALS, Locals};
 
-/// A word that cannot hand over an argument.
+/// A word that cannot pass an argument.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct ArgumentError {
-    /// Which word, counted from 0.
+    /// Index of the word.
     pub index: usize,
-    /// What is wrong with it.
+    /// The error.
     pub kind: MacroErrorKind,
 }
 
-/// Most sets of I, J and K in one call.
+/// Maximum number of sets of I, J and K in one call.
 const SETS: usize = 10;
 
-/// The local variables #1 to #33 from the words of a call: letter and value, in the order they are written.
-/// The caller has taken out what is no argument: G65 or G66 itself, P, L, and words whose value is vacant.
+/// The local variables #1 to #33 from the words of a call: letters and values, in program order. The caller
+/// has removed everything that is not an argument: G65 or G66 itself, P, L, and vacant words.
 ///
-/// Both specifications may be mixed: each letter has its variable, and I, J, K begin a next set whenever one
-/// of them does not follow in alphabetical order. Where two words reach the same variable, the later holds.
+/// Both specifications may be mixed: each letter has its variable, and I, J, K begin the next set whenever
+/// one of them does not follow in alphabetical order. If two words set the same variable, the later wins.
 pub fn arguments(words: impl Iterator<Item = (u8, f64)>) -> Result<Locals, ArgumentError> {
     let mut locals = [None; LOCALS];
     let mut set = 0;

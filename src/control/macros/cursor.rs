@@ -1,7 +1,7 @@
-//! A place in the text of a macro.
+//! A position in the text of a macro.
 //!
-//! In: bytes, any bytes at all. Out: signs, names and numbers, one after another. Blanks and comments may
-//! stand anywhere between them. Knows nothing of what they mean.
+//! In: any bytes. Out: signs, names and numbers, one after another. Blanks and comments are allowed between
+//! them. Knows nothing of their meaning.
 
 use std::ops::Range;
 
@@ -31,14 +31,14 @@ pub(super) enum Comparison {
     LessOrEqual,
 }
 
-/// What may stand between two values.
+/// An operator between two values.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Operator {
     Arithmetic(Arithmetic),
     Comparison(Comparison),
 }
 
-/// Digits of whole numbers up to which [`Number`] keeps them all.
+/// Maximum number of digits of a whole number that [`Number`] keeps exactly.
 const KEPT_DIGITS: usize = 18;
 
 /// Reads the text of a macro.
@@ -46,10 +46,10 @@ const KEPT_DIGITS: usize = 18;
 pub(super) struct Cursor<'t> {
     text: &'t [u8],
     at: usize,
-    /// End of what was taken last.
+    /// End of the last token.
     end: usize,
-    /// A comment with a bracket too many was met: from then on the first `)` ends a comment, so that no text
-    /// is searched again and again for an end that never comes.
+    /// A comment with an unbalanced bracket was found: from then on the first `)` ends a comment, so that the
+    /// text is not searched repeatedly for a missing bracket.
     unbalanced: bool,
 }
 
@@ -58,7 +58,7 @@ impl<'t> Cursor<'t> {
         Self { text, at: 0, end: 0, unbalanced: false }
     }
 
-    /// The next byte that counts, as a capital.
+    /// The next significant byte, as a capital.
     pub fn peek(&mut self) -> Option<u8> {
         loop {
             match *self.text.get(self.at)? {
@@ -69,18 +69,18 @@ impl<'t> Cursor<'t> {
         }
     }
 
-    /// Where the next byte that counts stands.
+    /// Position of the next significant byte.
     pub fn start(&mut self) -> usize {
         self.peek();
         self.at
     }
 
-    /// From some place to the end of what was taken last.
+    /// The range from `start` to the end of the last token.
     pub fn since(&self, start: usize) -> Range<usize> {
         start..self.end.max(start)
     }
 
-    /// The next character that counts; at the end of the text, its last one.
+    /// The next significant character; at the end of the text, the last character.
     pub fn here(&mut self) -> Range<usize> {
         let continues = |byte: &u8| byte & 0xC0 == 0x80;
         let mut start = self.start();
@@ -94,20 +94,20 @@ impl<'t> Cursor<'t> {
         start..start + 1 + rest.iter().take_while(|&byte| continues(byte)).count()
     }
 
-    /// From the next byte that counts to the last one of the text.
+    /// The range from the next significant byte to the end of the text, without trailing blanks.
     pub fn rest(&mut self) -> Range<usize> {
         let start = self.start();
         let blanks = self.text[start..].iter().rev().take_while(|byte| byte.is_ascii_whitespace()).count();
         start..self.text.len() - blanks
     }
 
-    /// Takes some bytes.
+    /// Takes `length` bytes.
     pub fn take(&mut self, length: usize) {
         self.at += length;
         self.end = self.at;
     }
 
-    /// Takes a sign if it is the next.
+    /// Takes this sign if it is next.
     pub fn eat(&mut self, sign: u8) -> bool {
         let found = self.peek() == Some(sign);
         if found {
@@ -116,7 +116,7 @@ impl<'t> Cursor<'t> {
         found
     }
 
-    /// Takes a word of capitals if it is the next, whatever follows it: `GOTO10`.
+    /// Takes this word of capitals if it is next, regardless of what follows: `GOTO10`.
     pub fn eat_word(&mut self, word: &[u8]) -> bool {
         self.peek();
         let found = self.begins(word);
@@ -126,7 +126,7 @@ impl<'t> Cursor<'t> {
         found
     }
 
-    /// Takes the letters that follow each other here.
+    /// Takes a run of letters.
     pub fn name(&mut self) -> &'t [u8] {
         let start = self.start();
         let length = self.text[start..].iter().take_while(|byte| byte.is_ascii_alphabetic()).count();
@@ -134,7 +134,7 @@ impl<'t> Cursor<'t> {
         &self.text[start..start + length]
     }
 
-    /// Takes a number without sign. `None`, and nothing taken, when there is none or it has two points.
+    /// Takes a number without sign. `None`, and nothing is taken, if there is none or it has two points.
     pub fn number(&mut self) -> Option<f64> {
         let start = self.start();
         let rest = &self.text[start..];
@@ -152,14 +152,14 @@ impl<'t> Cursor<'t> {
         Some(Number::read(written).value())
     }
 
-    /// The operator that stands here, not taken, and its length.
+    /// The operator at this position and its length; it is not taken.
     pub fn operator(&mut self) -> Option<(Operator, usize)> {
         let first = self.peek()?;
         self.operator_of(first)
     }
 
-    /// Whether the AND, OR or XOR that stands here joins conditions: there is a comparison between it and the
-    /// next of its kind. Not so in `#1 EQ #2 AND 7`.
+    /// Whether the AND, OR or XOR at this position joins conditions: a comparison follows before the next
+    /// AND, OR or XOR. Not so in `#1 EQ #2 AND 7`.
     pub fn joins_conditions(&self) -> bool {
         let mut ahead = *self;
         let mut depth = 0u32;
@@ -188,7 +188,7 @@ impl<'t> Cursor<'t> {
         false
     }
 
-    /// What stands in the comment after what was taken last; empty when there is none.
+    /// The text of the comment after the last token; empty if there is none.
     pub fn comment(&self) -> Range<usize> {
         let blanks = self.text[self.end..].iter().take_while(|byte| matches!(byte, b' ' | b'\t')).count();
         let start = self.end + blanks;
@@ -226,8 +226,8 @@ impl<'t> Cursor<'t> {
         self.text[self.at..].get(..word.len()).is_some_and(|found| found.eq_ignore_ascii_case(word))
     }
 
-    /// Where the comment that begins here ends: at the bracket that closes it; if brackets inside are not
-    /// balanced, at the first `)`; without one, with the text.
+    /// End of the comment at this position: its closing bracket; if the brackets inside are not balanced, the
+    /// first `)`; without any `)`, the end of the text.
     fn comment_end(&mut self) -> usize {
         let (mut depth, mut first_close) = (0u32, None);
         for (at, byte) in self.text.iter().enumerate().skip(self.at) {

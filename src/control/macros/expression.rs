@@ -1,4 +1,4 @@
-//! Expressions and conditions, evaluated as they are read.
+//! Expressions and conditions, evaluated while they are parsed.
 //!
 //! ```text
 //! address   = { sign } ( number | variable | function | "[" sum "]" )
@@ -12,8 +12,8 @@
 //! function  = name "[" sum [ "," sum ] "]" [ "/" "[" sum "]" ]       two numbers for ATAN and POW only
 //! ```
 //!
-//! In: text and the memory of the variables. Out: a value, or the [`MacroError`]. The text is read once, but
-//! for a look ahead at AND, OR and XOR; five brackets inside each other are the deepest recursion.
+//! In: text and the memory of the variables. Out: a value, or the [`MacroError`]. The text is read once,
+//! apart from a lookahead at AND, OR and XOR. The recursion is limited to five nested brackets.
 
 use std::ops::Range;
 
@@ -22,8 +22,8 @@ use super::functions::{self, Function};
 use super::{MacroError, MacroErrorKind, Memory};
 use crate::limits::BRACKETS;
 
-/// The value after an address letter; `None` when it is a vacant variable, which drops the word. `increment`
-/// is the least increment of the address, in its own unit, to which ROUND rounds here.
+/// The value after an address letter; `None` for a vacant variable, whose word is ignored. `increment` is the
+/// least increment of the address, in its own unit; ROUND rounds to it here.
 pub fn address_value(
     text: &[u8],
     increment: f64,
@@ -40,7 +40,7 @@ pub fn address_value(
     }
 }
 
-/// What a part of an expression comes to.
+/// Value of a part of an expression.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Outcome {
     /// A number, or a vacant variable.
@@ -49,7 +49,7 @@ pub(super) enum Outcome {
     Truth(bool),
 }
 
-/// What a part of an expression comes to, and where it stands.
+/// Value of a part of an expression, with its position.
 #[derive(Clone, Debug)]
 pub(super) struct Value {
     pub outcome: Outcome,
@@ -70,7 +70,7 @@ impl Value {
         self.number().map(|number| number.unwrap_or(0.0))
     }
 
-    /// Whether the condition holds.
+    /// The value of the condition.
     pub fn truth(&self) -> Result<bool, MacroError> {
         match self.outcome {
             Outcome::Truth(truth) => Ok(truth),
@@ -79,7 +79,7 @@ impl Value {
     }
 }
 
-/// What ROUND rounds to.
+/// Unit of ROUND.
 #[derive(Clone, Copy, Debug)]
 enum Rounding {
     Integer,
@@ -87,14 +87,14 @@ enum Rounding {
     Increment(f64),
 }
 
-/// Whether a sum stands after a comparison, so that AND, OR and XOR may begin the next condition.
+/// Whether a sum follows a comparison, so that AND, OR and XOR may begin the next condition.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Behind {
     Nothing,
     Comparison,
 }
 
-/// What binds tighter.
+/// Operator precedence, the tighter first.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Priority {
     /// `* / MOD AND`.
@@ -103,12 +103,12 @@ enum Priority {
     Sum,
 }
 
-/// Reads expressions from a text.
+/// Parses and evaluates expressions.
 pub(super) struct Evaluator<'a> {
     pub cursor: Cursor<'a>,
     memory: &'a mut dyn Memory,
     rounding: Rounding,
-    /// Brackets that are open.
+    /// Number of open brackets.
     depth: u8,
 }
 
@@ -117,7 +117,7 @@ impl<'a> Evaluator<'a> {
         Self { cursor: Cursor::new(text), memory, rounding: Rounding::Integer, depth: 0 }
     }
 
-    /// Writes the variable whose name stands at `at`.
+    /// Writes the variable whose name is at `at`.
     pub fn write(&mut self, variable: u32, value: Option<f64>, at: Range<usize>) -> Result<(), MacroError> {
         self.memory.write(variable, value).map_err(|kind| kind.at(at))
     }
@@ -130,7 +130,7 @@ impl<'a> Evaluator<'a> {
         }
     }
 
-    /// A number, as it stands after `=`.
+    /// A number, as after `=`.
     pub fn sum(&mut self) -> Result<Value, MacroError> {
         self.sum_behind(Behind::Nothing)
     }
@@ -157,7 +157,7 @@ impl<'a> Evaluator<'a> {
         Ok(Value { outcome, at: self.cursor.since(start) })
     }
 
-    /// Takes a variable and answers its number.
+    /// Takes a variable and returns its number.
     pub fn variable(&mut self) -> Result<u32, MacroError> {
         let start = self.cursor.start();
         self.cursor.take(1);
@@ -175,7 +175,7 @@ impl<'a> Evaluator<'a> {
         functions::count(number).ok_or_else(|| MacroErrorKind::VariableNumber.at(self.cursor.since(start)))
     }
 
-    /// Whether a name follows, as SETVN gives it, rather than a misread digit such as `O` or `l`.
+    /// Whether a name follows, as in SETVN, rather than a misread digit such as `O` or `l`.
     fn is_named(&self) -> bool {
         let mut ahead = self.cursor;
         // `# Title` is text.
@@ -184,7 +184,7 @@ impl<'a> Evaluator<'a> {
             && ahead.name().iter().any(|letter| !b"OILSBZQ".contains(&letter.to_ascii_uppercase()))
     }
 
-    /// Conditions, any of which may hold.
+    /// Conditions joined by OR or XOR.
     fn joined(&mut self) -> Result<Value, MacroError> {
         let mut left = self.all()?;
         while let Some((Operator::Arithmetic(operator @ (Arithmetic::Or | Arithmetic::Xor)), length)) =
@@ -199,7 +199,7 @@ impl<'a> Evaluator<'a> {
         Ok(left)
     }
 
-    /// Conditions, all of which must hold.
+    /// Conditions joined by AND.
     fn all(&mut self) -> Result<Value, MacroError> {
         let mut left = self.comparison()?;
         while let Some((Operator::Arithmetic(Arithmetic::And), length)) = self.cursor.operator() {
@@ -240,7 +240,7 @@ impl<'a> Evaluator<'a> {
         Ok(left)
     }
 
-    /// Takes the operator after a value if it is one of this priority and does not join conditions.
+    /// Takes the operator after a value if it has this priority and does not join conditions.
     fn arithmetic(&mut self, priority: Priority, left: &Value, behind: Behind) -> Option<Arithmetic> {
         let (Operator::Arithmetic(operator), length) = self.cursor.operator()? else { return None };
         let (of, may_join) = match operator {
@@ -268,7 +268,7 @@ impl<'a> Evaluator<'a> {
         Ok(Value { outcome: Outcome::Number(Some(value)), at: self.cursor.since(start) })
     }
 
-    /// Takes the signs before a value: whether they make it negative; `None` when there are none.
+    /// Takes the signs before a value. Returns whether they make it negative; `None` if there are none.
     fn signs(&mut self) -> Option<bool> {
         let mut negative = None;
         loop {
@@ -281,7 +281,7 @@ impl<'a> Evaluator<'a> {
         }
     }
 
-    /// What stands between brackets.
+    /// A value in brackets.
     fn bracket(
         &mut self,
         inside: impl FnOnce(&mut Self) -> Result<Value, MacroError>,

@@ -1,30 +1,30 @@
-//! What operators and functions make of numbers.
+//! Arithmetic operators and functions.
 //!
-//! In: numbers, angles in degrees. Out: a number within the range of the control, or what is wrong. Knows
-//! nothing of text or variables.
+//! In: numbers, angles in degrees. Out: a number within the range of the control, or the error. Knows nothing
+//! of text or variables.
 
 use super::MacroErrorKind;
 use super::cursor::{Arithmetic, Comparison};
 use crate::limits::LARGEST_VARIABLE;
 
-/// What is nearer to zero is zero.
+/// Smaller absolute values become zero.
 const SMALLEST: f64 = 1e-29;
 
-/// Sines and the like as near as this to a multiple of a half are one: COS\[90\] is 0, SIN\[30\] is 0.5.
+/// Trigonometric results this close to a multiple of 0.5 are rounded to it: COS\[90\] is 0, SIN\[30\] is 0.5.
 const ROUND_RESULT: f64 = 1e-12;
 
-/// What FIX, FUP and ROUND take for the error of earlier arithmetic, relative: FIX\[0.29*100\] is 29. A
-/// control may give 28 here.
+/// Relative rounding error that FIX, FUP and ROUND tolerate: FIX\[0.29*100\] is 29. A control may give 28
+/// here.
 const ARITHMETIC_ERROR: f64 = 1e-12;
 
-/// How far below 0 the argument of SQRT, or beyond 1 that of ASIN and ACOS, is taken for the error of earlier
-/// arithmetic: the last point of an ellipse is often reached that way.
+/// Rounding error that is tolerated in an argument: of SQRT below 0, of ASIN and ACOS beyond 1. The last
+/// point of an ellipse is often computed with such an error.
 const ARGUMENT_ERROR: f64 = 1e-9;
 
-/// Largest whole number that AND, OR, XOR, BIN and BCD work on: what a double holds exactly.
+/// Largest whole number for AND, OR, XOR, BIN and BCD: a double holds it exactly.
 const WHOLE: f64 = 9_007_199_254_740_992.0;
 
-/// Largest number of eight decimal digits, BCD.
+/// Largest number of eight decimal digits, for BCD.
 const EIGHT_DIGITS: f64 = 99_999_999.0;
 
 /// A function of one number; ATAN and POW may have two.
@@ -36,15 +36,15 @@ pub(super) enum Function {
     Cos,
     /// Tangent.
     Tan,
-    /// Angle by its sine.
+    /// Arcsine.
     Asin,
-    /// Angle by its cosine.
+    /// Arccosine.
     Acos,
-    /// Angle by its tangent.
+    /// Arctangent.
     Atan,
     /// Square root.
     Sqrt,
-    /// Without its sign.
+    /// Absolute value.
     Abs,
     /// Nearest integer, halves away from zero.
     Round,
@@ -67,8 +67,8 @@ pub(super) enum Function {
 }
 
 impl Function {
-    /// The function of a name: in full, in the second spelling of the manual, or as its first two letters
-    /// (POW in full only).
+    /// The function with this name: the full name, the second spelling of the manual, or the first two
+    /// letters (POW has no short form).
     pub fn named(name: &[u8]) -> Option<Self> {
         if name.len() > 5 {
             return None;
@@ -99,7 +99,7 @@ impl Function {
         })
     }
 
-    /// The function of one number. Of POW, which needs two, there is none.
+    /// Applies the function to one number. Fails for POW, which needs two.
     pub fn of(self, value: f64) -> Result<f64, MacroErrorKind> {
         bounded(match self {
             Self::Sin => sine(value),
@@ -108,7 +108,7 @@ impl Function {
                 0.0 => return Err(MacroErrorKind::FunctionArgument),
                 cosine => tidy(sine(value) / cosine),
             },
-            // 270° to 90°, as ATAN counts from 0 (bit NAT of parameter 6004 is 0). [K]
+            // 270° to 90°, because ATAN starts at 0 (bit NAT of parameter 6004 is 0). [K]
             Self::Asin => positive(tidy(cut(value, 1.0)?.asin().to_degrees())),
             Self::Acos => tidy(cut(value, 1.0)?.acos().to_degrees()),
             Self::Atan => tidy(value.atan().to_degrees()),
@@ -131,12 +131,13 @@ impl Function {
         })
     }
 
-    /// Whether the function takes two numbers between one pair of brackets.
+    /// Whether the function can take two numbers in one pair of brackets.
     pub fn takes_two(self) -> bool {
         matches!(self, Self::Atan | Self::Pow)
     }
 
-    /// The function of two numbers: ATAN\[y, x\], the direction of a point, 0 to 360°, and POW\[x, y\].
+    /// Applies the function to two numbers: ATAN\[y, x\], the direction of a point, 0 to 360°, and POW\[x,
+    /// y\].
     pub fn of_two(self, first: f64, second: f64) -> Result<f64, MacroErrorKind> {
         match self {
             Self::Atan if first != 0.0 || second != 0.0 => {
@@ -149,7 +150,7 @@ impl Function {
     }
 }
 
-/// ROUND as the value of an address: to the least increment.
+/// ROUND in the value of an address: rounds to the least increment.
 pub(super) fn round_to(value: f64, increment: f64) -> Result<f64, MacroErrorKind> {
     let parts = (1.0 / increment).round();
     if !(1.0..1e9).contains(&parts) {
@@ -158,7 +159,7 @@ pub(super) fn round_to(value: f64, increment: f64) -> Result<f64, MacroErrorKind
     bounded(settled(value * parts).round() / parts)
 }
 
-/// Two numbers and an operator.
+/// Applies an operator to two numbers.
 pub(super) fn combine(operator: Arithmetic, left: f64, right: f64) -> Result<f64, MacroErrorKind> {
     bounded(match operator {
         Arithmetic::Add => left + right,
@@ -167,7 +168,7 @@ pub(super) fn combine(operator: Arithmetic, left: f64, right: f64) -> Result<f64
         Arithmetic::Divide if right == 0.0 => return Err(MacroErrorKind::DivisionByZero),
         Arithmetic::Divide => left / right,
         Arithmetic::Modulo => {
-            // Of whole numbers, with the sign of the first. [K]
+            // For whole numbers; the result has the sign of the first. [K]
             let (left, right) = (left.round(), right.round());
             if right == 0.0 {
                 return Err(MacroErrorKind::DivisionByZero);
@@ -180,7 +181,7 @@ pub(super) fn combine(operator: Arithmetic, left: f64, right: f64) -> Result<f64
     })
 }
 
-/// Two values and a comparison: a vacant one differs from zero for EQ and NE, and is zero for the others.
+/// Compares two values. A vacant value differs from zero for EQ and NE, and equals zero for the others.
 pub(super) fn compare(comparison: Comparison, left: Option<f64>, right: Option<f64>) -> bool {
     let (first, second) = (left.unwrap_or(0.0), right.unwrap_or(0.0));
     match comparison {
@@ -193,7 +194,7 @@ pub(super) fn compare(comparison: Comparison, left: Option<f64>, right: Option<f
     }
 }
 
-/// A result within the range of the control; there is no negative zero.
+/// Checks that a result is within the range of the control, and removes a negative zero.
 pub(super) fn bounded(value: f64) -> Result<f64, MacroErrorKind> {
     if !value.is_finite() || value.abs() > LARGEST_VARIABLE {
         return Err(MacroErrorKind::Overflow);
@@ -201,7 +202,7 @@ pub(super) fn bounded(value: f64) -> Result<f64, MacroErrorKind> {
     Ok(if value.abs() < SMALLEST { 0.0 } else { value })
 }
 
-/// The number of a variable, block or the like: a whole number that is not negative.
+/// The number of a variable, block and so on: a non-negative whole number.
 pub(super) fn count(value: f64) -> Option<u32> {
     let nearest = value.round();
     let near = (value - nearest).abs() < 1e-6;
@@ -221,24 +222,24 @@ fn sine(degrees: f64) -> f64 {
     })
 }
 
-/// The nearest multiple of a half where the value misses it by no more than rounding.
+/// Rounds a value to the nearest multiple of 0.5, if the difference is only a rounding error.
 fn tidy(value: f64) -> f64 {
     let halves = (value * 2.0).round() / 2.0;
     if (value - halves).abs() <= ROUND_RESULT * halves.abs().max(1.0) { halves } else { value }
 }
 
-/// The nearest integer where the value misses it by no more than rounding.
+/// Rounds a value to the nearest integer, if the difference is only a rounding error.
 fn settled(value: f64) -> f64 {
     let nearest = value.round();
     if (value - nearest).abs() <= ARITHMETIC_ERROR * value.abs().max(1.0) { nearest } else { value }
 }
 
-/// An angle from 0 to 360°.
+/// Converts an angle to the range 0 to 360°.
 fn positive(degrees: f64) -> f64 {
     if degrees < 0.0 { degrees + 360.0 } else { degrees }
 }
 
-/// A value within ±`most`, or what is wrong.
+/// Checks that a value is within ±`most`, and limits it to this range.
 fn cut(value: f64, most: f64) -> Result<f64, MacroErrorKind> {
     if value.abs() > most + ARGUMENT_ERROR {
         return Err(MacroErrorKind::FunctionArgument);

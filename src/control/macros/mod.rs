@@ -1,9 +1,9 @@
 //! Custom macro B: variables, expressions and statements.
 //!
-//! In: the text of an address value or of a macro statement, and the [`Memory`] its variables are in. Out: a
-//! number, or the [`Action`] the statement asks for; else the [`MacroError`]. Evaluated straight from the
-//! text: no tree is kept, so a loop reads its blocks again each time round. Knows nothing of blocks, motions
-//! or the meaning of system variables.
+//! In: the text of an address value or of a macro statement, and the [`Memory`] with its variables. Out: a
+//! number, the [`Action`] of the statement, or a [`MacroError`]. The text is evaluated directly, without a
+//! syntax tree, so a loop parses its blocks again in each round. Knows nothing of blocks, motions or the
+//! meaning of system variables.
 
 mod arguments;
 mod cursor;
@@ -23,34 +23,34 @@ pub use expression::address_value;
 pub use statement::{Action, assigned, statement};
 pub use variables::{Found, Knowledge, LOCALS, Locals, MOST_LEVELS, Stored, Variables};
 
-/// Where variables are read and written.
+/// Storage of variables.
 pub trait Memory {
-    /// The value of a variable; `None` when it is vacant.
+    /// The value of a variable; `None` if it is vacant.
     fn read(&mut self, variable: u32) -> Result<Option<f64>, MacroErrorKind>;
 
-    /// Gives a variable a value, or makes it vacant.
+    /// Assigns a variable, or makes it vacant.
     fn write(&mut self, variable: u32, value: Option<f64>) -> Result<(), MacroErrorKind>;
 }
 
-/// What is wrong with a macro, and where.
+/// An error in a macro, with its position.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct MacroError {
-    /// What is wrong.
+    /// The kind of error.
     pub kind: MacroErrorKind,
-    /// Bytes of the text that was given; empty only where that text is.
+    /// Bytes of the given text; empty only if the text is empty.
     pub at: Range<usize>,
 }
 
-/// What can be wrong with a macro.
+/// Kinds of errors in a macro.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum MacroErrorKind {
-    /// A value beyond ±10^47, or none at all: PS0111.
+    /// A value beyond ±10^47, or not a number: PS0111.
     Overflow,
     /// Division, or MOD, by zero: PS0112.
     DivisionByZero,
     /// A function that does not exist: PS0113.
     UnknownFunction,
-    /// An expression that cannot be read: PS0114.
+    /// An expression that cannot be parsed: PS0114.
     Expression,
     /// A `[` without its `]`: PS0114.
     BracketOpen,
@@ -58,30 +58,30 @@ pub enum MacroErrorKind {
     NumberOrCondition,
     /// A variable that does not exist: PS0115.
     VariableNumber,
-    /// A variable that can only be read: PS0116.
+    /// A read-only variable: PS0116.
     ReadOnly,
-    /// More than five brackets inside each other: PS0118.
+    /// More than five nested brackets: PS0118.
     BracketsTooDeep,
-    /// A value the function has no result for: PS0119.
+    /// An argument for which the function has no result: PS0119.
     FunctionArgument,
-    /// DO without its END; reported by the caller, who sees the blocks: PS0124.
+    /// DO without its END; reported by the caller, which has the blocks: PS0124.
     EndMissing,
-    /// A statement that cannot be read: PS0125.
+    /// A statement that cannot be parsed: PS0125.
     Format,
     /// A loop number that is not 1, 2 or 3: PS0126.
     LoopNumber,
     /// Words of an ordinary block after a macro statement: PS0127.
     WordsBehind,
-    /// A number that no block can have, or, reported by the caller, that none has: PS0128.
+    /// A number that no block can have; the caller also reports a missing block this way: PS0128.
     JumpTarget,
-    /// A letter that cannot hand over an argument: PS0129.
+    /// A letter that cannot pass an argument: PS0129.
     ArgumentLetter,
-    /// Something that controls have and that is not done here.
+    /// A feature of real controls that is not supported here.
     NotSupported(&'static str),
 }
 
 impl MacroErrorKind {
-    /// Whether other values of the variables may not have the fault.
+    /// Whether the error might not occur with other values of the variables.
     pub fn depends_on_values(self) -> bool {
         match self {
             Self::Overflow
@@ -104,7 +104,7 @@ impl MacroErrorKind {
         }
     }
 
-    /// What is said of it.
+    /// The message for the error.
     pub fn message(self) -> Message {
         match self {
             Self::Overflow => said::MacroOverflow.into(),

@@ -9,8 +9,8 @@
 //! print      = ( "POPEN" | "PCLOS" | "BPRNT" | "DPRNT" | "SETVN" ) …
 //! ```
 //!
-//! In: the text of a block without its `/` and its sequence number, and the memory of the variables. Out:
-//! what the caller has to do. Knows the grammar of one block only: loops and jump targets are the caller's.
+//! In: the text of a block without its `/` and sequence number, and the memory of the variables. Out: the
+//! action for the caller. Knows the grammar of a single block; the caller finds loops and jump targets.
 
 use std::ops::Range;
 
@@ -18,59 +18,58 @@ use super::expression::Evaluator;
 use super::functions::count;
 use super::{MacroError, MacroErrorKind, Memory};
 
-/// What the caller has to do after a statement. Texts are given as bytes of the statement.
+/// What the caller has to do after a statement. Texts are byte ranges of the statement.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Action {
-    /// Nothing: the statement is carried out, or its condition does not hold.
+    /// Nothing: the statement was carried out, or its condition is false.
     Done,
-    /// Go on at the block of this sequence number, 1 to 99 999 999.
+    /// Continue at the block with this sequence number, 1 to 99 999 999.
     Goto(u32),
-    /// WHILE … DO: with `enter`, go on after it and come back at END; else go on after the END.
+    /// WHILE … DO: with `enter`, continue after it and return at END; otherwise continue after the END.
     While {
-        /// Which END, 1 to 3.
+        /// The loop number, 1 to 3.
         number: u32,
-        /// The condition holds.
+        /// The condition is true.
         enter: bool,
     },
-    /// DO without WHILE: go on after it and come back at END.
+    /// DO without WHILE: continue after it and return at END.
     Do {
-        /// Which END, 1 to 3.
+        /// The loop number, 1 to 3.
         number: u32,
     },
-    /// The end of a loop: go back to its beginning.
+    /// END: return to the beginning of the loop.
     End {
-        /// Of which DO, 1 to 3.
+        /// The loop number, 1 to 3.
         number: u32,
     },
-    /// Run these bytes as an ordinary block: the condition of IF … THEN holds.
+    /// Run these bytes as an ordinary block: the condition of IF … THEN is true.
     Words(Range<usize>),
     /// `#3000=n(…)`: the program stops with an alarm.
     Alarm {
-        /// The number as it is written; a control shows 3000 more.
+        /// The number as written; the control displays this number plus 3000.
         number: i64,
-        /// What stands between the brackets.
+        /// The text in the brackets.
         message: Range<usize>,
     },
     /// `#3006=n(…)`: the program stops until the operator starts it again.
     Pause {
-        /// What stands between the brackets.
+        /// The text in the brackets.
         message: Range<usize>,
     },
-    /// Something is written to a device; no motion depends on it, and it is not looked at.
+    /// Output to a device, which is not parsed because no motion depends on it.
     Print,
 }
 
-/// Setting this variable is an alarm.
+/// Assigning this variable raises an alarm.
 const ALARM: u32 = 3000;
 
-/// Setting this variable is a stop with a message.
+/// Assigning this variable stops the program with a message.
 const PAUSE: u32 = 3006;
 
 /// Largest sequence number.
 const LARGEST_SEQUENCE: u32 = 99_999_999;
 
-/// Carries out the macro statement of a block. What stands after a condition that does not hold is not looked
-/// at.
+/// Carries out the macro statement of a block. The text after a false condition is not parsed.
 pub fn statement(text: &[u8], memory: &mut impl Memory) -> Result<Action, MacroError> {
     let mut reader = Evaluator::new(text, memory);
     match reader.cursor.peek() {
@@ -104,13 +103,13 @@ pub fn statement(text: &[u8], memory: &mut impl Memory) -> Result<Action, MacroE
     }
 }
 
-/// The variable that an assignment gives a value; `None` for another statement.
+/// The variable that an assignment writes; `None` for any other statement.
 pub fn assigned(text: &[u8], memory: &mut impl Memory) -> Option<u32> {
     let mut reader = Evaluator::new(text, memory);
     (reader.cursor.peek() == Some(b'#')).then(|| reader.variable().ok()).flatten()
 }
 
-/// What stands after IF.
+/// The rest of an IF statement.
 fn conditional(reader: &mut Evaluator) -> Result<Action, MacroError> {
     let holds = reader.condition()?;
     let then = reader.cursor.eat_word(b"THEN");
@@ -153,7 +152,7 @@ fn assignment(reader: &mut Evaluator) -> Result<Action, MacroError> {
         PAUSE => Action::Pause { message },
         _ => Action::Done,
     };
-    // Before anything is written, so that a block that is wrong does nothing.
+    // Checked before anything is written, so that a faulty block has no effect.
     let action = ended(reader, action)?;
     if action == Action::Done {
         reader.write(variable, value, at)?;
@@ -162,7 +161,7 @@ fn assignment(reader: &mut Evaluator) -> Result<Action, MacroError> {
 }
 
 fn jump(reader: &mut Evaluator) -> Result<Action, MacroError> {
-    // `GOTO N10`: the number stands alone.
+    // `GOTO N10`: GOTO takes the number without N.
     let (start, mut ahead) = (reader.cursor.start(), reader.cursor);
     if ahead.eat(b'N') && ahead.number().is_some() {
         return Err(MacroErrorKind::JumpTarget.at(ahead.since(start)));
@@ -173,7 +172,7 @@ fn jump(reader: &mut Evaluator) -> Result<Action, MacroError> {
     ended(reader, Action::Goto(target))
 }
 
-/// The number of a loop, which is a literal.
+/// The number of a loop, a literal.
 fn loop_number(reader: &mut Evaluator) -> Result<u32, MacroError> {
     let start = reader.cursor.start();
     let Some(number) = reader.cursor.number() else {
@@ -183,7 +182,7 @@ fn loop_number(reader: &mut Evaluator) -> Result<u32, MacroError> {
     number.ok_or_else(|| MacroErrorKind::LoopNumber.at(reader.cursor.since(start)))
 }
 
-/// The action of a statement after which nothing else stands.
+/// The action of a statement, if nothing else follows it.
 fn ended(reader: &mut Evaluator, action: Action) -> Result<Action, MacroError> {
     let kind = match reader.cursor.peek() {
         None => return Ok(action),

@@ -1,48 +1,47 @@
-//! The variables of a control as plain values: local to each call level, and common.
+//! The variables of a control as plain values: local variables of each call level, and common variables.
 //!
-//! In and out: variable numbers and values. System variables (#1000 and up) are not kept here: they stand for
-//! something else, which only the caller knows. Cloning is cheap, since what is cloned is shared until one of
-//! the two is written to.
+//! In and out: variable numbers and values. System variables (#1000 and up) are not stored here, because only
+//! the caller knows their meaning. Cloning is cheap: clones share their data until one of them is written.
 
 use std::sync::Arc;
 
 use super::{MacroErrorKind, Memory};
 use crate::limits::MACRO_LEVELS;
 
-/// Local variables of one level: #1 to #33.
+/// Number of local variables of a level: #1 to #33.
 pub const LOCALS: usize = 33;
 
-/// The local variables of one level; #1 stands first.
+/// The local variables of a level, beginning with #1.
 pub type Locals = [Option<f64>; LOCALS];
 
-/// Most levels: the main program and five calls inside each other.
+/// Maximum number of levels: the main program and five nested calls.
 pub const MOST_LEVELS: usize = 1 + MACRO_LEVELS;
 
-/// Common variables lost at power off: #100 to #199, on GSK to #231.
+/// Number of common variables that are lost at power off: #100 to #199, on GSK to #231.
 const PASSING: usize = 132;
 
-/// Common variables kept at power off: #500 to #999.
+/// Number of common variables that are kept at power off: #500 to #999.
 const KEPT: usize = 500;
 
-/// What reading a variable found.
+/// Result of reading a variable.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Found {
-    /// Its value; `None` when it is vacant.
+    /// Its value; `None` if it is vacant.
     Value(Option<f64>),
     /// A system variable: the caller knows its value.
     System,
 }
 
-/// What became of writing a variable.
+/// Result of writing a variable.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Stored {
-    /// It has the value.
+    /// The value was stored.
     Done,
-    /// A system variable: the caller knows what it means.
+    /// A system variable: the caller knows its meaning.
     System,
 }
 
-/// All variables but those of the system.
+/// All variables except the system variables.
 #[derive(Clone, Debug)]
 pub struct Variables {
     /// One for each level, the main program first; never empty.
@@ -51,7 +50,7 @@ pub struct Variables {
     passing: Arc<[Option<f64>; PASSING]>,
     /// #500 to #999.
     kept: Arc<[Option<f64>; KEPT]>,
-    /// A bit for each variable of the main program whose value nobody knows; `None` while all are known.
+    /// A bit for each variable of the main program with an unknown value; `None` while all are known.
     unknown: Option<Arc<Bits>>,
 }
 
@@ -59,7 +58,7 @@ pub struct Variables {
 type Bits = [u64; 16];
 
 impl Default for Variables {
-    /// At the level of the main program, everything vacant.
+    /// The main program's level, with all variables vacant.
     fn default() -> Self {
         Self {
             levels: Arc::new(vec![[None; LOCALS]]),
@@ -71,7 +70,7 @@ impl Default for Variables {
 }
 
 impl PartialEq for Variables {
-    /// Shared values are the same without being looked at.
+    /// Shared data is equal without a comparison.
     fn eq(&self, other: &Self) -> bool {
         (Arc::ptr_eq(&self.levels, &other.levels) || self.levels == other.levels)
             && (Arc::ptr_eq(&self.passing, &other.passing) || self.passing == other.passing)
@@ -80,7 +79,7 @@ impl PartialEq for Variables {
     }
 }
 
-/// Where a variable is kept.
+/// Where a variable is stored.
 enum Place {
     /// #0.
     Vacant,
@@ -136,7 +135,7 @@ impl Variables {
         Ok(Stored::Done)
     }
 
-    /// Enters a macro, whose local variables are these. False: there are as many levels as a control has.
+    /// Enters a macro with these local variables. False if the maximum number of levels is reached.
     pub fn push_level(&mut self, arguments: Locals) -> bool {
         let is_room = self.levels.len() < MOST_LEVELS;
         if is_room {
@@ -145,33 +144,32 @@ impl Variables {
         is_room
     }
 
-    /// Leaves a macro: the local variables of the program that called it are back. In the
-    /// main program nothing happens.
+    /// Leaves a macro and restores the local variables of its caller. No effect in the main program.
     pub fn pop_level(&mut self) {
         if self.levels.len() > 1 {
             Arc::make_mut(&mut self.levels).pop();
         }
     }
 
-    /// Calls inside each other: 0 in the main program.
+    /// Number of nested calls: 0 in the main program.
     pub fn level(&self) -> usize {
         self.levels.len() - 1
     }
 }
 
-/// What is not known: the arguments of a macro that was not called, and what comes of them.
+/// Unknown values: the arguments of a macro that runs without being called, and everything derived from them.
 impl Variables {
-    /// Whether GSK alone has a variable: #200 to #231 (GSK980TD, common variables).
+    /// Whether only GSK has this variable: #200 to #231 (GSK980TD, common variables).
     pub fn is_of_gsk(variable: u32) -> bool {
         matches!(variable, 200..=231)
     }
 
-    /// Whether a vacant variable may be an argument that a call hands over by its letter.
+    /// Whether a vacant variable may be an argument, passed by its letter.
     pub fn may_be_argument(variable: u32) -> bool {
         matches!(variable, 1..=9 | 11 | 13 | 17..=26)
     }
 
-    /// The arguments of the main program are not known: what is vacant and stands for a letter.
+    /// Marks the arguments of the main program as unknown: vacant variables that have a letter.
     pub fn lack_arguments(&mut self) {
         let mut unknown = Bits::default();
         for (variable, value) in (1..).zip(&self.levels[0]) {
@@ -183,13 +181,13 @@ impl Variables {
         self.unknown = Some(Arc::new(unknown));
     }
 
-    /// Whether the arguments of the main program are not known.
+    /// Whether the arguments of the main program are unknown.
     pub fn lacks_arguments(&self) -> bool {
         self.unknown.is_some()
     }
 
-    /// Whether the value of a variable is not known. What a macro was handed by a program
-    /// without its arguments is not.
+    /// Whether the value of a variable is unknown. The arguments of a macro that such a program calls count
+    /// as known.
     pub fn is_unknown(&self, variable: u32) -> bool {
         let Some(unknown) = &self.unknown else { return false };
         let (index, bit) = bit_of(variable);
@@ -200,7 +198,7 @@ impl Variables {
         }
     }
 
-    /// Says whether the value that a variable was given is unknown.
+    /// Records whether the new value of a variable is known.
     pub fn set_unknown(&mut self, variable: u32, is: Knowledge) {
         let own_level = variable > 33 || self.level() == 0;
         if let Some(unknown) = &mut self.unknown
@@ -220,19 +218,19 @@ impl Variables {
 /// Whether a value is known.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Knowledge {
-    /// It is what the control would have.
+    /// It is the value that the control would have.
     Known,
-    /// It depends on arguments that nobody gave.
+    /// It depends on arguments that were not given.
     Unknown,
 }
 
-/// Where the bit of a variable is.
+/// Index and mask of a variable's bit.
 fn bit_of(variable: u32) -> (usize, u64) {
     ((variable as usize / 64) % 16, 1 << (variable % 64))
 }
 
 impl Memory for Variables {
-    /// Without system variables: they do not exist here.
+    /// Without system variables, which do not exist here.
     fn read(&mut self, variable: u32) -> Result<Option<f64>, MacroErrorKind> {
         match Variables::read(self, variable)? {
             _ if Self::is_of_gsk(variable) => Err(MacroErrorKind::VariableNumber),
