@@ -1,16 +1,16 @@
-//! How near the centre of the nose comes to programmed elements.
+//! Distance between the path of the nose centre and programmed elements.
 //!
-//! In: a piece of the way of the centre, and a programmed element. Out: whether the nose cuts into the
-//! element. Knows nothing of tips, nor of how the way was found.
+//! In: a piece of the path of the centre, and a programmed element. Out: whether the nose cuts into the
+//! element. Knows nothing of tips, and not how the path was found.
 
 use super::path::{Element, Shape, Vector};
 use crate::geometry::{Arc, Point, SAME, within};
 
-/// The nose may cut this deep into an element, mm: end points written to 0.01 mm make arcs that miss
-/// their neighbours by as much.
+/// Permitted depth of a cut into an element, mm: end points rounded to 0.01 mm make arcs that miss their
+/// neighbours by as much.
 pub(super) const ALLOWED: f64 = 0.02;
 
-/// A piece of the way of the centre.
+/// A piece of the path of the centre.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Way {
     pub(super) from: Point,
@@ -27,13 +27,13 @@ impl Way {
         Self { from, to, shape: Shape::Line }
     }
 
-    /// How deep, mm, a nose that takes this way cuts into an element, where that is more than is [`ALLOWED`].
+    /// Depth, mm, of the cut of a nose on this path into an element, if it is more than [`ALLOWED`].
     pub(super) fn cuts_into(&self, element: &Element, radius: f64) -> Option<f64> {
         if radius <= ALLOWED {
             return None;
         }
         let other = Self::of(element);
-        // Boxes that are apart need no closer look.
+        // Elements with distant bounding boxes need no exact test.
         let (low, high) = self.extent();
         let (other_low, other_high) = other.extent();
         let apart = (other_low.x - high.x).max(low.x - other_high.x).max(other_low.z - high.z);
@@ -44,7 +44,7 @@ impl Way {
         (depth > ALLOWED).then_some(depth)
     }
 
-    /// Corners of a box around it.
+    /// Corners of its bounding box.
     fn extent(&self) -> (Point, Point) {
         let (a, b) = (self.from, self.to);
         match self.shape {
@@ -59,7 +59,7 @@ impl Way {
         }
     }
 
-    /// Least distance between two pieces, mm.
+    /// Smallest distance between two pieces, mm.
     fn distance(&self, other: &Self) -> f64 {
         if self.meets(other) {
             return 0.0;
@@ -70,8 +70,8 @@ impl Way {
         to_other.into_iter().chain(to_self).fold(f64::MAX, f64::min)
     }
 
-    /// The places of this piece that may be nearest to the other one: its ends, and of the rest those in line
-    /// with the centre of an arc.
+    /// Candidates for the point of this piece that is nearest to the other one: its ends, and the points in
+    /// line with the centre of an arc.
     fn near_places(&self, other: &Self) -> [Option<Point>; 4] {
         let ends = [Some(self.from), Some(self.to)];
         let between = match (self.shape, other.shape) {
@@ -88,7 +88,7 @@ impl Way {
         [ends[0], ends[1], between[0], between[1]]
     }
 
-    /// The two places of an arc in a direction from its centre and against it.
+    /// The two points of an arc in a direction from its centre, and opposite.
     fn across(&self, center: Point, direction: Vector) -> [Option<Point>; 2] {
         let length = direction.length();
         if length <= SAME {
@@ -98,7 +98,7 @@ impl Way {
         [out, out * -1.0].map(|out| Some(out.from(center)).filter(|at| self.has(*at)))
     }
 
-    /// The place of a straight piece nearest to a point.
+    /// The point of a straight piece nearest to `point`.
     fn foot(&self, point: Point) -> Point {
         let along = Vector::between(self.from, self.to);
         let square = along.dot(along);
@@ -109,7 +109,7 @@ impl Way {
         (along * share).from(self.from)
     }
 
-    /// Whether a point of its circle lies on the arc.
+    /// Whether a point of the arc's circle is on the arc.
     fn has(&self, point: Point) -> bool {
         match self.shape {
             Shape::Line => true,

@@ -1,33 +1,33 @@
-//! Where the centre of the nose goes at the corner between two elements (FANUC 16/18-T B-62754EN p. 225).
+//! Path of the nose centre at the corner between two elements (FANUC 16/18-T B-62754EN p. 225).
 //!
-//! In: the two elements, the end of the first being the start of the second, and the radius. Out: vectors
-//! from the corner to the centre. Knows nothing of tips.
+//! In: the two elements, which share the corner, and the radius. Out: vectors from the corner to the centre.
+//! Knows nothing of tips.
 
 use std::f64::consts::{FRAC_PI_4, PI};
 
 use super::path::{Shape, Track, Vector, ZERO, angle_between};
 use crate::geometry::{Point, SAME};
 
-/// The centre at a corner: vectors from the programmed corner, mm, joined by
-/// straight moves where they differ.
+/// The centre at a corner: vectors from the programmed corner, mm, joined by straight moves if they differ.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Corner {
-    /// Where the first element ends.
+    /// End of the first element.
     pub(super) end: Vector,
-    /// Two places on the way around.
+    /// Two points on the path around the corner.
     pub(super) around: [Vector; 2],
-    /// Where the second element begins.
+    /// Start of the second element.
     pub(super) begin: Vector,
 }
 
-/// Sine of the largest turn that counts as none: radians.
+/// Sine of the largest turn that counts as straight.
 const STRAIGHT: f64 = 1e-6;
-/// An arc that turns through more, radians, is not lengthened at an outer corner: it could run into itself.
+/// An arc of a larger angle, radians, is not lengthened at an outer corner, because it could intersect
+/// itself.
 const LONGEST_LENGTHENED: f64 = 1.5 * PI;
-/// An arc is lengthened by this angle at most, radians.
+/// Maximum angle by which an arc is lengthened, radians.
 const MOST_LENGTHENING: f64 = FRAC_PI_4;
 
-/// The corner between two elements, or `None` when their offset paths do not meet.
+/// The corner between two elements, or `None` if their offset paths do not meet.
 pub(super) fn corner(first: Track, second: Track, radius: f64) -> Option<Corner> {
     if radius == 0.0 {
         return Some(Corner::at(ZERO));
@@ -44,8 +44,8 @@ pub(super) fn corner(first: Track, second: Track, radius: f64) -> Option<Corner>
     }
     let outer = straight || first.side.sign() * cross < 0.0;
     if outer && dot < -SAME {
-        // More than 90° around the outside: on by the radius, across, and up to the
-        // second from as far before it.
+        // More than 90° around the outside: first extended by the radius, then across, then to the start of
+        // the second, which is extended backwards by as much.
         return Some(around(first, second, [n1 + t1 * radius, n2 - t2 * radius], [n1, n2]));
     }
     let tangents_meet = (n1 + n2) * (1.0 / (1.0 + n1.dot(n2) / (radius * radius)));
@@ -81,7 +81,7 @@ impl Corner {
     }
 }
 
-/// Around the outside through two points on the tangents: lines are lengthened to them, arcs keep their ends,
+/// Around the outside through two points on the tangents: lines are lengthened to them; arcs keep their ends,
 /// where the centre is perpendicular to the corner.
 fn around(first: Track, second: Track, points: [Vector; 2], perpendicular: [Vector; 2]) -> Corner {
     let keeps = |track: Track, index: usize| match track.shape {
@@ -91,8 +91,8 @@ fn around(first: Track, second: Track, points: [Vector; 2], perpendicular: [Vect
     Corner { end: keeps(first, 0), around: points, begin: keeps(second, 1) }
 }
 
-/// The sides differ: the nose crosses the path. Two lines at a right angle or sharper cross where their
-/// offset paths meet; otherwise the first ends and the second begins perpendicular to the corner.
+/// The side changes, so the nose crosses the path. Two lines at an angle of 90° or less cross where their
+/// offset paths meet; otherwise the first element ends and the second begins perpendicular to the corner.
 fn crossing(first: Track, second: Track, radius: f64) -> Corner {
     let (n1, n2) = (first.end_normal(), second.start_normal());
     let both_lines = first.shape == Shape::Line && second.shape == Shape::Line;
@@ -103,7 +103,7 @@ fn crossing(first: Track, second: Track, radius: f64) -> Corner {
     Corner { end, around: [end, begin], begin }
 }
 
-/// The offset path of an element without its ends; all vectors from the programmed corner.
+/// The offset path of an element, without its ends; all vectors are relative to the programmed corner.
 #[derive(Clone, Copy, Debug)]
 enum Curve {
     Line {
@@ -113,14 +113,14 @@ enum Curve {
     Circle {
         center: Vector,
         radius: f64,
-        /// How far the programmed arc turns, radians.
+        /// Angle of the programmed arc, radians.
         sweep: f64,
     },
 }
 
 impl Curve {
     /// The offset path of an element that passes `through` in `direction` at `corner`. An arc whose ends
-    /// differ in radius counts as the circle through the end that meets the corner.
+    /// differ in radius is treated as the circle through the end at the corner.
     fn of(track: Track, corner: Point, through: Vector, direction: Vector) -> Self {
         match track.shape {
             Shape::Line => Self::Line { through, direction },
@@ -131,8 +131,8 @@ impl Curve {
         }
     }
 
-    /// Whether the element may go on from where it is perpendicular to the corner to
-    /// another place of the curve.
+    /// Whether the element may be lengthened from the point where it is perpendicular to the corner to
+    /// another point of the curve.
     fn may_lengthen(self, perpendicular: Vector, to: Vector) -> bool {
         match self {
             Self::Line { .. } => true,
@@ -143,7 +143,7 @@ impl Curve {
         }
     }
 
-    /// Where two curves meet. Curves that miss each other by less than [`SAME`] touch.
+    /// Intersections of two curves. Curves that miss each other by less than [`SAME`] touch.
     fn meetings(self, other: Self) -> [Option<Vector>; 2] {
         match (self, other) {
             (Self::Line { through, direction }, Self::Circle { center, radius, .. })
@@ -163,7 +163,7 @@ impl Curve {
                     return [None; 2];
                 }
                 let along = between * (1.0 / distance);
-                // Where the line through both meetings crosses the line of centres.
+                // Intersection of the line through both points with the line of centres.
                 let squares = (radius - other_radius) * (radius + other_radius);
                 let reach = ((distance + squares / distance) / 2.0).max(-radius).min(radius);
                 either_side(center + along * reach, along.left(), radius, reach.abs())

@@ -1,14 +1,14 @@
 //! The programmed elements and the nose that follows them.
 //!
-//! In: elements, side and nose as the program gives them. Out: directions, normals and lengths. Knows nothing
-//! of corners and of the order of elements.
+//! In: elements, side and nose as programmed. Out: directions, normals and lengths. Knows nothing of corners
+//! or the order of elements.
 
 use std::f64::consts::{PI, TAU};
 use std::ops::{Add, Mul, Sub};
 
 use crate::geometry::{Arc, Point, Turn};
 
-/// The side of the path, seen along it, on which the nose travels.
+/// The side of the path, seen in the direction of travel, on which the nose is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Side {
     /// G41.
@@ -18,7 +18,7 @@ pub enum Side {
 }
 
 impl Side {
-    /// The other side; a negative nose radius asks for it.
+    /// The other side, as a negative nose radius requires.
     pub fn opposite(self) -> Self {
         match self {
             Self::Left => Self::Right,
@@ -40,12 +40,12 @@ impl Side {
 pub struct Nose {
     /// Nose radius, or cutter radius, mm; not negative.
     pub radius: f64,
-    /// Tool-tip direction, 0 to 9; other numbers count as 0.
+    /// Tool-tip direction, 0 to 9; other numbers are treated as 0.
     pub tip: u8,
 }
 
 impl Nose {
-    /// From the imaginary tip to the centre of a nose of radius 1 (table of §4.1).
+    /// Vector from the imaginary tip to the centre of a nose of radius 1 (table of §4.1).
     pub fn vector(self) -> Vector {
         let (x, z) = match self.tip {
             1 => (-1.0, -1.0),
@@ -61,7 +61,7 @@ impl Nose {
         Vector { x, z }
     }
 
-    /// From the imaginary tip to the centre of this nose, mm.
+    /// Vector from the imaginary tip to the centre of this nose, mm.
     pub(super) fn offset(self) -> Vector {
         self.vector() * self.radius
     }
@@ -76,16 +76,16 @@ pub enum Travel {
     Feed,
 }
 
-/// The way between two points.
+/// The path between two points.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Shape {
     /// Straight.
     Line,
-    /// Around a centre; a full circle when start and end are one place.
+    /// Around a centre; a full circle if start and end are the same point.
     Arc {
         /// Centre.
         center: Point,
-        /// Which way it turns, the first axis to the right and the second upwards.
+        /// Direction of rotation, with the first axis to the right and the second upwards.
         turn: Turn,
     },
 }
@@ -93,7 +93,7 @@ pub enum Shape {
 /// A programmed move.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Element {
-    /// The caller's number for it; comes back with what it becomes.
+    /// The caller's number, which the resulting moves carry.
     pub id: u32,
     /// Rapid or feed.
     pub travel: Travel,
@@ -129,7 +129,7 @@ impl Vector {
         Self { x: end.x - start.x, z: end.z - start.z }
     }
 
-    /// The point this far from another.
+    /// The point at this displacement from another one.
     pub(super) fn from(self, start: Point) -> Point {
         Point::new(start.x + self.x, start.z + self.z)
     }
@@ -142,7 +142,7 @@ impl Vector {
         self.z * other.z + self.x * other.x
     }
 
-    /// Positive when `other` points to the left of this.
+    /// Positive if `other` points to the left of this vector.
     pub(super) fn cross(self, other: Self) -> f64 {
         self.z * other.x - self.x * other.z
     }
@@ -178,7 +178,7 @@ impl Mul<f64> for Vector {
     }
 }
 
-/// An element with the side on which the nose goes along it.
+/// An element with the side on which the nose follows it.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Track {
     pub(super) from: Point,
@@ -202,17 +202,17 @@ impl Track {
         self.direction(self.to)
     }
 
-    /// From the programmed start towards the centre of the nose, length 1.
+    /// Unit vector from the programmed start towards the centre of the nose.
     pub(super) fn start_normal(&self) -> Vector {
         self.start_direction().left() * self.side.sign()
     }
 
-    /// From the programmed end towards the centre of the nose, length 1.
+    /// Unit vector from the programmed end towards the centre of the nose.
     pub(super) fn end_normal(&self) -> Vector {
         self.end_direction().left() * self.side.sign()
     }
 
-    /// The radius the centre of the nose runs on along an arc of radius `radius`, mm: `R ∓ r` (§4.1).
+    /// Radius of the path of the nose centre along an arc of radius `radius`, mm: `R ∓ r` (§4.1).
     pub(super) fn offset_radius(&self, radius: f64, nose: f64) -> f64 {
         match (self.shape, self.side) {
             (Shape::Line, _) => radius,
@@ -222,7 +222,7 @@ impl Track {
         }
     }
 
-    /// Signed angle the programmed arc turns through, radians; 0 for a line.
+    /// Signed angle of the programmed arc, radians; 0 for a line.
     pub(super) fn sweep(&self) -> f64 {
         match self.shape {
             Shape::Line => 0.0,
@@ -230,8 +230,8 @@ impl Track {
         }
     }
 
-    /// Length, mm, of the way of the centre that begins at `begin` from the programmed start and ends at
-    /// `end` from the programmed end; negative when it would run backwards.
+    /// Length, mm, of the path of the centre that begins at `begin`, relative to the programmed start, and
+    /// ends at `end`, relative to the programmed end. Negative if it would run backwards.
     pub(super) fn length_between(&self, begin: Vector, end: Vector) -> f64 {
         let Shape::Arc { center, turn } = self.shape else {
             let direction = self.start_direction();

@@ -1,4 +1,4 @@
-//! One door, [`run`]: a path in drawing coordinates (X diameter), what comes out in the same.
+//! All tests use [`run`]: input and output paths are in drawing coordinates (X diameter).
 
 mod faults;
 #[cfg(not(target_arch = "wasm32"))]
@@ -9,7 +9,7 @@ use crate::geometry::{Arc, Turn};
 
 const NEAR: f64 = 1e-6;
 
-/// X diameter and Z of a drawing.
+/// A point of a drawing: X diameter and Z.
 fn at(diameter: f64, z: f64) -> Point {
     Point::new(diameter / 2.0, z)
 }
@@ -35,7 +35,7 @@ fn lines(points: &[Point]) -> Vec<Element> {
     (0..).zip(points.windows(2)).map(|(id, pair)| line(id, pair[0], pair[1])).collect()
 }
 
-/// A path from its first point, then G40 with `leave`, if given.
+/// Compensates a path from its first point, then G40 with `leave`, if given.
 fn run(side: Side, nose: Nose, path: &[Element], leave: Option<Element>) -> Vec<Outcome> {
     let mut outcomes = Vec::new();
     let mut compensator = Compensator::start(side, nose, path[0].from);
@@ -85,7 +85,7 @@ fn distance(point: Point, element: &Element) -> f64 {
     }
 }
 
-/// Places of the nose centre along a move.
+/// Positions of the nose centre along a move.
 fn centers(compensated: &Compensated, nose: Nose) -> Vec<Point> {
     const STEPS: usize = 40;
     let place = |step: usize| {
@@ -100,8 +100,8 @@ fn centers(compensated: &Compensated, nose: Nose) -> Vec<Point> {
     (0..=STEPS).map(|step| nose.offset().from(place(step))).collect()
 }
 
-/// No move after the start-up brings the nose into an element of `path` that `belongs`; every programmed move
-/// but start-up and cancel touches its element.
+/// Checks that no move after the start-up brings the nose into an element of `path` that `belongs`, and that
+/// every programmed move except start-up and cancel touches its element.
 #[track_caller]
 fn assert_tangent(
     moves: &[Compensated],
@@ -112,7 +112,7 @@ fn assert_tangent(
     assert_clear(moves, nose, path, belongs, NEAR);
 }
 
-/// The same where the nose may cut in by as much as is allowed, mm.
+/// The same, but the nose may cut in by the permitted depth, mm.
 #[track_caller]
 fn assert_clear(
     moves: &[Compensated],
@@ -226,7 +226,7 @@ fn a_square_is_milled_from_outside_in_the_virtual_plane() {
     expected.push(at(50.0, 0.0));
     assert_ends(&made, &expected);
 
-    // As printed: straight to the second corner.
+    // As printed in the manual: straight to the second corner.
     let mut printed = corners.to_vec();
     printed.remove(1);
     let made = moves(&run(Side::Right, nose(10.0, 0), &lines(&printed), Some(leave)));
@@ -236,7 +236,7 @@ fn a_square_is_milled_from_outside_in_the_virtual_plane() {
 
 #[test]
 fn a_sharp_outer_corner_is_rounded_with_a_straight_feed() {
-    // A point of 45°: out along the cylinder, back under a turn of 135°.
+    // A point of 45°: out along the cylinder, back with a turn of 135°.
     let path = lines(&[at(60.0, 5.0), at(60.0, 0.0), at(60.0, -20.0), at(40.0, -10.0)]);
     let made = moves(&run(Side::Right, nose(2.0, 0), &path, None));
     assert_eq!(made[2].made_by, MadeBy::Compensation);
@@ -266,18 +266,18 @@ fn a_full_circle_stays_full() {
             element(3, start, leave),
         ]
     };
-    // Along the tangent, and at a right angle to it from inside: lengthened, the
-    // circle would run into itself.
+    // Along the tangent, and at a right angle to it from inside: if it were lengthened, the circle would
+    // intersect itself.
     let (below, above, inside) = (Point::new(-10.0, 20.0), Point::new(10.0, 20.0), Point::new(0.0, 5.0));
     for path in [path(below, above, line), path(inside, inside, line)] {
         let made = moves(&run(Side::Right, nose(5.0, 0), &path, None));
         let round = made.iter().find(|made| matches!(made.shape, Shape::Arc { .. })).expect("the circle");
         assert!(round.from.is_same(round.to) && round.to.is_same(Point::new(0.0, 25.0)), "{round:?}");
     }
-    // Back along the tangent the nose would change over to the inside.
+    // Back along the tangent, the nose would change to the inside.
     let found = faults(&run(Side::Right, nose(5.0, 0), &path(below, below, line), None));
     assert!(matches!(found[..], [CompensationError { id: 3, reason: Reason::CutsIn { .. } }]), "{found:?}");
-    // From outside the corner takes the same off both ends.
+    // From outside, the corner shortens both ends by the same amount.
     let outside = Point::new(0.0, 40.0);
     let path =
         [line(0, Point::new(-30.0, 40.0), outside), line(2, outside, start), circle, line(3, start, outside)];
@@ -288,7 +288,7 @@ fn a_full_circle_stays_full() {
 
 #[test]
 fn what_leads_to_a_closed_contour_is_none() {
-    // A circle of radius 20 in two halves, milled from outside; the way to it and from it along the tangent.
+    // A circle of radius 20 in two halves, milled from outside, with tangential approach and retract.
     let (start, half, center) = (Point::new(0.0, 20.0), Point::new(0.0, -20.0), Point::new(0.0, 0.0));
     let (below, above) = (Point::new(-10.0, 20.0), Point::new(10.0, 20.0));
     let path = [
@@ -413,7 +413,7 @@ fn changing_the_side_crosses_the_path() {
     assert_eq!(made[2].made_by, MadeBy::Compensation);
 }
 
-/// Two balls of radius 2 and 3 side by side, the way in and out perpendicular: a valley of 180°.
+/// Two balls of radius 2 and 3 side by side, with perpendicular approach and retract: a valley of 180°.
 fn cusp() -> Vec<Element> {
     let (begin, valley, end) = (at(32.0, 0.0), at(28.0, -2.0), at(34.0, -5.0));
     vec![

@@ -1,8 +1,8 @@
-//! End points from angle words, and where two lines given by angles meet (§3.2.2).
+//! End points from angle words, and intersections of two lines given by angles (§3.2.2).
 //!
-//! Angles are in radians, counter-clockwise from +Z with X up. An angle gives a *line*, not a way along it:
-//! `A30` and `A210` are the same, since the end point gives the direction. (Programs write `X-21.75,A30` and
-//! `X109.83 A-30` for tapers that run towards -Z.)
+//! Angles are in radians, counter-clockwise from +Z with X up. An angle gives a *line*, not a direction along
+//! it: `A30` and `A210` are the same, since the end point gives the direction. (Programs write `X-21.75,A30`
+//! and `X109.83 A-30` for tapers that run towards -Z.)
 
 use super::{ANGLE_ALLOWANCE, CornerError};
 use crate::geometry::Point;
@@ -10,8 +10,8 @@ use crate::geometry::Point;
 /// The end of a move given by an angle and X (radius, mm) or Z: `Z = Z0 + (r - r0) / tan A`, or
 /// `r = r0 + (Z - Z0) · tan A`.
 ///
-/// With both, the end point is as given, provided that its direction is within [`ANGLE_ALLOWANCE`] of the
-/// angle. With neither, the end follows from the next block ([`after_angle`]); here it is not found.
+/// With both, the end point is as given, if its direction is within [`ANGLE_ALLOWANCE`] of the angle. With
+/// neither, this is an error; the end follows from the next block ([`after_angle`]).
 pub fn end_by_angle(from: Point, angle: f64, x: Option<f64>, z: Option<f64>) -> Result<Point, CornerError> {
     match (x, z) {
         (Some(x), Some(z)) => {
@@ -34,8 +34,8 @@ pub fn end_by_angle(from: Point, angle: f64, x: Option<f64>, z: Option<f64>) -> 
     }
 }
 
-/// Where the line from `from` at the first angle meets the line through `to` at the second: the end of a
-/// block that has only an angle.
+/// Intersection of the line through `from` at the first angle and the line through `to` at the second: the
+/// end of a block with only an angle.
 pub fn meet(from: Point, first_angle: f64, to: Point, second_angle: f64) -> Result<Point, CornerError> {
     cross_safely(first_angle, second_angle)?;
     let (dx, dz) = (to.x - from.x, to.z - from.z);
@@ -43,11 +43,11 @@ pub fn meet(from: Point, first_angle: f64, to: Point, second_angle: f64) -> Resu
     Ok(Point::new(from.x + along * first_angle.sin(), from.z + along * first_angle.cos()))
 }
 
-/// The end of an angle-only block by what the next block has: X (radius, mm), Z and an angle, [`meet`].
+/// The end of an angle-only block from X (radius, mm), Z and angle of the next block, by [`meet`].
 ///
-/// X and Z of the next block count from the program zero: increments would count from the point looked for.
-/// One of X and Z with an angle leaves a whole line of solutions: [`CornerError::NoEndPoint`]. Without an
-/// angle, or with nothing but an angle, [`CornerError::NextIncomplete`].
+/// X and Z of the next block are absolute, because increments would be relative to the unknown point. Only
+/// one of X and Z, with an angle, leaves a whole line of solutions: [`CornerError::NoEndPoint`]. Without an
+/// angle, or with only an angle: [`CornerError::NextIncomplete`].
 pub fn after_angle(
     from: Point,
     first_angle: f64,
@@ -62,10 +62,10 @@ pub fn after_angle(
     }
 }
 
-/// Two lines at these angles meet in a point that is not too far away.
+/// Checks that two lines at these angles have an intersection that is not too far away.
 fn cross_safely(first: f64, second: f64) -> Result<(), CornerError> {
     let between = between(first, second);
-    // Written so that an angle that is no number has no solution either.
+    // Written so that NaN has no solution either.
     if between > ANGLE_ALLOWANCE { Ok(()) } else { Err(CornerError::NoSolution { between }) }
 }
 

@@ -1,20 +1,20 @@
 //! The chamfer or arc between two moves, straight or round, at any angle (§3.2.1).
 //!
-//! Both moves are looked at from the corner, as two arms that lead away from it: the first one backwards.
-//! Distances are then measured outwards on both, and one rule serves for both.
+//! Both moves are seen from the corner, as two arms that lead away from it; the first one backwards.
+//! Distances are measured outwards on both arms, so the same rules apply to both.
 
 use super::{ANGLE_ALLOWANCE, Corner, CornerError, Joined, Side};
 use crate::cycles::Piece;
 use crate::geometry::{Arc, Point, SAME, Turn};
 
-/// What is left of a move counts as nothing up to this length, mm: ends this near are one place, and an arc
+/// A remaining move up to this length, mm, counts as empty: its ends count as the same point, and an arc
 /// between them would be read as a full circle.
 const USED_UP: f64 = 2.0 * SAME;
 
-/// Shortens two moves that meet in `first.to` and joins them by a chamfer or an arc.
+/// Shortens two moves that meet at `first.to` and joins them by a chamfer or an arc.
 ///
-/// Between lines the arc begins and ends `r · tan(φ/2)` from the corner, φ being the turn. On an arc a
-/// chamfer's distance is the chord from the corner (NCT 2000M, p. 119).
+/// Between lines the arc begins and ends `r · tan(φ/2)` from the corner; φ is the turn. On an arc the
+/// distance of a chamfer is the chord from the corner (NCT 2000M, p. 119).
 pub fn join(first: &Piece, second: &Piece, corner: Corner) -> Result<Joined, CornerError> {
     let value = match corner {
         Corner::Chamfer(value) | Corner::Round(value) => value,
@@ -61,13 +61,13 @@ pub fn join(first: &Piece, second: &Piece, corner: Corner) -> Result<Joined, Cor
     })
 }
 
-/// The centre of the arc that touches both arms, and the distances along them where it does.
+/// The centre of the arc that touches both arms, and the distances along them to the touching points.
 ///
-/// The centre is `radius` to the inside of both. Of several, the one nearest to the corner: it is the one
-/// that shrinks into the corner with its radius.
+/// The centre is `radius` to the inside of both. If there are several, the nearest to the corner is used: it
+/// moves into the corner as the radius shrinks.
 fn round(arms: &[Arm; 2], radius: f64, turn: f64) -> Result<(Point, [f64; 2]), CornerError> {
     let left = radius.copysign(turn);
-    // The first arm leads backwards: its left is the other side.
+    // The first arm leads backwards, so its left is the other side.
     let lines = arms[0].beside(-left).zip(arms[1].beside(left));
     let (one, other) = lines.ok_or(CornerError::NoFit { radius })?;
     crossings(&one, &other)
@@ -79,7 +79,7 @@ fn round(arms: &[Arm; 2], radius: f64, turn: f64) -> Result<(Point, [f64; 2]), C
         .ok_or(CornerError::NoFit { radius })
 }
 
-/// What is left of a move, `length` mm long.
+/// The remaining part of a move, `length` mm long.
 fn rest(piece: Piece, length: f64) -> Piece {
     if length > USED_UP { piece } else { Piece { to: piece.from, arc: None, ..piece } }
 }
@@ -95,7 +95,7 @@ struct Arm {
     form: Form,
 }
 
-/// A line or a circle, with a sense.
+/// A line or a circle, with a direction.
 enum Form {
     /// Through a point in a direction, a unit vector.
     Line { through: Point, direction: Vector },
@@ -124,14 +124,13 @@ impl Arm {
             Turn::Counterclockwise => sense,
             Turn::Clockwise => -sense,
         };
-        // An end slightly off the circle is allowed: the circle through the corner is
-        // the one that counts here.
+        // An end slightly off the circle is allowed: the circle through the corner is used.
         let radius = center.distance(corner);
         let sweep = Arc { start: piece.from, end: piece.to, center, turn }.sweep().abs();
         Self { side, corner, far, length: sweep * radius, form: Form::Circle { center, radius, spin } }
     }
 
-    /// The direction in which it leaves the corner.
+    /// The direction in which the arm leaves the corner.
     fn departure(&self) -> Vector {
         match self.form {
             Form::Line { direction, .. } => direction,
@@ -141,7 +140,7 @@ impl Arm {
         }
     }
 
-    /// The point at a distance along it from the corner; the far end when that is as good as reached.
+    /// The point at a distance along the arm from the corner; the far end if the distance nearly reaches it.
     fn at(&self, distance: f64) -> Point {
         if self.length - distance <= USED_UP {
             return self.far;
@@ -154,7 +153,7 @@ impl Arm {
         }
     }
 
-    /// The distance along it at which it is `straight` away from the corner.
+    /// The distance along the arm to the point at the straight distance `straight` from the corner.
     fn chamfer(&self, straight: f64) -> Result<f64, CornerError> {
         let available = match self.form {
             Form::Line { .. } => self.length,
@@ -169,8 +168,7 @@ impl Arm {
         })
     }
 
-    /// The line or circle at a distance to the left, to the right when negative; none
-    /// when the arc is too small.
+    /// The line or circle offset to the left, or to the right if negative; `None` if the arc is too small.
     fn beside(&self, left: f64) -> Option<Form> {
         match self.form {
             Form::Line { through, direction } => {
@@ -183,7 +181,8 @@ impl Arm {
         }
     }
 
-    /// How far along it a circle around `center` touches it; negative before the corner, on a line.
+    /// Distance along the arm to the point where a circle around `center` touches it; negative before the
+    /// corner, on a line.
     fn touch(&self, center: Point) -> f64 {
         match self.form {
             Form::Line { through, direction } => Vector::between(through, center).dot(direction),
@@ -196,13 +195,13 @@ impl Arm {
     }
 }
 
-/// The greatest straight distance that a piece of arc, `length` mm along, reaches from its start.
+/// The largest straight distance from the start of an arc `length` mm long.
 fn chord(radius: f64, length: f64) -> f64 {
     let half = (length / radius / 2.0).min(std::f64::consts::FRAC_PI_2);
     2.0 * radius * half.sin()
 }
 
-/// Where two lines or circles cross.
+/// Intersections of two lines or circles.
 fn crossings(one: &Form, other: &Form) -> [Option<Point>; 2] {
     match (one, other) {
         (
@@ -236,9 +235,9 @@ fn crossings(one: &Form, other: &Form) -> [Option<Point>; 2] {
     }
 }
 
-/// The two points on either side of the foot of a perpendicular, by the square of their distance from it.
+/// The two points on either side of the foot of a perpendicular, from the square of their distance to it.
 fn beside_foot(foot: Point, direction: Vector, square: f64) -> [Option<Point>; 2] {
-    // An arc that only just fits is not lost to binary rounding.
+    // Keeps an arc that just fits despite rounding errors.
     if square.is_nan() || square < -SAME * SAME {
         return [None, None];
     }
@@ -281,7 +280,7 @@ impl Vector {
         self.x * other.x + self.z * other.z
     }
 
-    /// Positive when `other` is to the left of this.
+    /// Positive if `other` is to the left of this vector.
     fn cross(self, other: Self) -> f64 {
         self.z * other.x - self.x * other.z
     }

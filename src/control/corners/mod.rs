@@ -1,9 +1,9 @@
 //! Chamfers, rounded corners and angle words: the geometry between two blocks.
 //!
-//! In: two moves that meet in a virtual corner, or points and angles; mm, radius, radians. Out: the moves
-//! shortened, the piece inserted between them, or end points; else the [`CornerError`]. Knows
-//! nothing of letters, but in [`check_signed`], nor of which control reads which form (GSK980TDi
-//! p. 96, NCT 2000M p. 120).
+//! In: two moves that meet in a virtual corner, or points and angles; mm, radius, radians. Out: the shortened
+//! moves and the piece inserted between them, or end points; otherwise the [`CornerError`]. Knows nothing of
+//! letters, except in [`check_signed`], and not which control reads which form (GSK980TDi p. 96, NCT 2000M p.
+//! 120).
 
 mod angles;
 mod join;
@@ -16,28 +16,28 @@ pub use join::join;
 use crate::cycles::{Piece, sign};
 use crate::geometry::SAME;
 
-/// Two directions nearer than this, radians (1°), make no corner and no point of intersection: the control
-/// refuses an angle word as near as this to the axis whose coordinate it leaves open, since the way to the
-/// end would be too long, and leaves out the chamfer or rounding of such a corner. \[K\]
+/// Two directions that differ by less than this, radians (1°), make no corner and no intersection. The
+/// control refuses an angle word this close to the axis whose coordinate it leaves open, since the path to
+/// the end would be too long. It leaves out the chamfer or rounding of such a corner. \[K\]
 pub const ANGLE_ALLOWANCE: f64 = std::f64::consts::PI / 180.0;
 
-/// What takes the place of the virtual corner.
+/// What replaces the virtual corner.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Corner {
     /// A straight piece; the value is the straight distance from the corner to each of its ends, mm.
     Chamfer(f64),
-    /// An arc that leaves both moves without a bend; the value is its radius, mm.
+    /// An arc tangent to both moves; the value is its radius, mm.
     Round(f64),
 }
 
-/// Two moves and what joins them: each piece begins where the one before ends.
+/// Two moves and the piece between them: each piece begins at the end of the previous one.
 ///
-/// A move that is used up has no length: it is then straight, from and to the same place.
+/// A move that is used up completely is a line without length.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Joined {
     /// The first move, shortened at its end.
     pub first: Piece,
-    /// The chamfer or arc; `None` when it is too small to matter.
+    /// The chamfer or arc; `None` if it is too small to matter.
     pub inserted: Option<Piece>,
     /// The second move, shortened at its start: the `first` of the next corner.
     pub second: Piece,
@@ -46,51 +46,50 @@ pub struct Joined {
 /// One of the two moves at a corner.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Side {
-    /// The move with the chamfer or rounding word, which ends in the corner.
+    /// The move with the chamfer or rounding word, which ends at the corner.
     First,
-    /// The next move, which begins in the corner.
+    /// The next move, which begins at the corner.
     Second,
 }
 
 /// The letter of a chamfer or rounding without comma.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Letter {
-    /// Chamfer, towards whichever axis moves next.
+    /// Chamfer, towards the axis that moves next.
     C,
     /// Chamfer towards X: from a move along Z.
     I,
     /// Chamfer towards Z: from a move along X.
     K,
-    /// Rounding, towards whichever axis moves next.
+    /// Rounding, towards the axis that moves next.
     R,
 }
 
 /// Why there is no corner or no end point.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum CornerError {
-    /// A move is shorter than the chamfer or rounding takes from it.
+    /// A move is shorter than the part that the chamfer or rounding removes.
     TooLong {
         /// The move that is too short.
         side: Side,
-        /// What the corner takes from it, mm. On an arc: straight for a chamfer,
-        /// along the arc for a rounding.
+        /// Length that the corner needs, mm. On an arc: straight for a chamfer, along the arc for a rounding.
         needed: f64,
-        /// What it has, mm, measured in the same way.
+        /// Length of the move, mm, measured in the same way.
         available: f64,
     },
     /// No arc of this radius, mm, touches both moves: one of them is an arc and bends away or is too small.
     NoFit {
-        /// The radius asked for, mm.
+        /// The programmed radius, mm.
         radius: f64,
     },
-    /// The second move goes straight on, or back the same way.
+    /// The second move continues straight, or goes back the same way.
     NoCorner {
-        /// From the first direction to the second, radians, counter-clockwise: near 0
-        /// straight on, near ±π back.
+        /// Angle from the first direction to the second, radians, counter-clockwise: near 0 straight, near ±π
+        /// back.
         turn: f64,
     },
-    /// The value of a chamfer or rounding is below zero; without comma the sign has a
-    /// meaning, here it has none.
+    /// The value of a chamfer or rounding is negative where the sign has no meaning; it has one only without
+    /// comma.
     Negative {
         /// The value, mm.
         value: f64,
@@ -101,19 +100,19 @@ pub enum CornerError {
     SecondNotPerpendicular,
     /// I after a move along X, or K after a move along Z.
     WrongLetter,
-    /// The sign of a chamfer or rounding without comma is not that of the direction of the next move.
+    /// The sign of a chamfer or rounding without comma differs from the direction of the next move.
     WrongSign,
-    /// No end point follows from the angle: it is near the axis whose coordinate is open, or both lines are
-    /// near parallel.
+    /// The angle gives no end point: it is nearly parallel to the axis whose coordinate is open, or both
+    /// lines are nearly parallel.
     NoSolution {
         /// The angle between the two lines, or to the axis, radians, 0 to [`ANGLE_ALLOWANCE`].
         between: f64,
     },
-    /// Too few coordinates for an end point.
+    /// Not enough coordinates for an end point.
     NoEndPoint,
     /// The block after an angle-only block needs both an end point and an angle, and lacks one of them.
     NextIncomplete,
-    /// X, Z and an angle in one block, and the angle is not the way there.
+    /// X, Z and an angle in one block, and the angle differs from the direction of the end point.
     AngleDisagrees {
         /// The direction of the end point, radians, counter-clockwise from +Z.
         actual: f64,
@@ -121,10 +120,10 @@ pub enum CornerError {
 }
 
 impl CornerError {
-    /// The alarm of a FANUC control; `None` where none is known.
+    /// The alarm of a FANUC control; `None` if none is known.
     ///
-    /// PS0056 is titled "no end point & angle", and raised when one is missing; some tables say "were
-    /// specified" where "were not" is meant.
+    /// PS0056 has the title "no end point & angle", and is raised if one of them is missing; some tables say
+    /// "were specified" instead of "were not".
     pub fn alarm(&self) -> Option<&'static str> {
         match self {
             Self::TooLong { side: Side::First, .. } | Self::NoFit { .. } => Some("PS0055"),
@@ -142,10 +141,10 @@ impl CornerError {
     }
 }
 
-/// The rules of the forms without comma and without direct drawing: both moves along an axis, at right
-/// angles, the letter that of the axis, the sign that of the direction of the next move (§3.2.1).
+/// Checks the forms without comma and without direct drawing: both moves along an axis and at right angles,
+/// the letter of the right axis, the sign of the direction of the next move (§3.2.1).
 ///
-/// A value of 0 has no sign to be wrong. The corner itself is then `join` with the amount of the value.
+/// A value of 0 has no wrong sign. The corner itself is then made by `join` with the absolute value.
 pub fn check_signed(first: &Piece, second: &Piece, letter: Letter, value: f64) -> Result<(), CornerError> {
     let first_axis = axis(first).ok_or(CornerError::FirstNotAlongAxis)?;
     if second.is_empty() {

@@ -1,4 +1,4 @@
-//! Worked corners, each fault beside its nearest neighbour, and what holds at every corner.
+//! Worked corners, each error beside its nearest correct neighbour, and properties of every corner.
 
 use super::*;
 #[cfg(not(target_arch = "wasm32"))]
@@ -6,7 +6,7 @@ use crate::geometry::Arc;
 use crate::geometry::{Point, Turn};
 use Turn::{Clockwise, Counterclockwise};
 
-/// Numbers worked by hand are given to six places.
+/// Tolerance of numbers computed by hand, which have six decimals.
 const BY_HAND: f64 = 1e-6;
 
 fn at(x: f64, z: f64) -> Point {
@@ -44,7 +44,7 @@ fn same_piece(found: &Piece, expected: &Piece) {
     );
 }
 
-/// Joins and compares the inserted piece; the neighbours keep their other ends and meet it.
+/// Joins two moves and compares the inserted piece; the neighbours keep their other ends and meet it.
 #[track_caller]
 fn check(first: Piece, second: Piece, corner: Corner, inserted: Piece) {
     let joined = join(&first, &second, corner).unwrap();
@@ -99,7 +99,8 @@ fn a_45_degree_taper_is_rounded_from_r_tan_22_5() {
 
 #[test]
 fn an_arc_is_rounded_from_outside_and_from_inside() {
-    // The centre of the rounding is 10 + 2 from that of the ball, then 10 - 2 from that of the hollow.
+    // The centre of the rounding is 10 + 2 from the centre of the ball, then 10 - 2 from the centre of the
+    // hollow.
     let ball = round((10.0, -20.0), (20.0, -30.0), (10.0, -30.0), Counterclockwise);
     let outside = round((10.0, -18.16784), (11.666667, -20.139867), (12.0, -18.16784), Clockwise);
     check(along_z(), ball, Corner::Round(2.0), outside);
@@ -107,7 +108,7 @@ fn an_arc_is_rounded_from_outside_and_from_inside() {
     check(along_z(), hollow(), Corner::Round(2.0), inside);
 }
 
-/// A quarter circle of radius 10 under the line of [`along_z`], back from its end.
+/// A quarter circle of radius 10 below the line of [`along_z`], back from its end.
 fn hollow() -> Piece {
     round((10.0, -20.0), (0.0, -10.0), (10.0, -10.0), Counterclockwise)
 }
@@ -125,7 +126,7 @@ fn the_valley_between_two_balls_is_rounded_and_chamfered() {
     assert!((chamfer.from.distance(at(0.0, 6.0)) - 10.0).abs() < 1e-9);
     assert!(chamfer.from.z > 0.0 && chamfer.from.x > 8.0);
     assert!((chamfer.from.x - chamfer.to.x).abs() < 1e-9 && (chamfer.from.z + chamfer.to.z).abs() < 1e-9);
-    // No further than from end to end of the first ball.
+    // At most from end to end of the first ball.
     let reach = at(10.0, 6.0).distance(at(8.0, 0.0));
     assert!(join(&one, &other, Corner::Chamfer(reach)).is_ok());
     check_fault(one, other, Corner::Chamfer(reach + 0.001), Some("PS0055"));
@@ -160,10 +161,10 @@ fn a_move_may_be_used_up_but_not_more() {
 
 #[test]
 fn a_used_up_arc_is_not_read_as_a_full_circle() {
-    // 5 is the greatest radius between the line and the hollow: it touches at the end of the quarter circle.
+    // 5 is the largest radius between the line and the hollow: it touches at the end of the quarter circle.
     let joined = join(&along_z(), &hollow(), Corner::Round(5.0)).unwrap();
     assert_eq!(joined.second, line(at(0.0, -10.0), at(0.0, -10.0)));
-    // A chamfer from end to end, but for less than the tolerance between two places.
+    // A chamfer from end to end, minus less than the tolerance between two points.
     let reach = 10.0 * 2_f64.sqrt();
     let joined = join(&along_z(), &hollow(), Corner::Chamfer(reach - 0.5 * SAME)).unwrap();
     assert_eq!(joined.second, line(at(0.0, -10.0), at(0.0, -10.0)));
@@ -199,7 +200,7 @@ fn straight_on_and_straight_back_are_no_corners() {
             }
         }
     }
-    // A line that runs into an arc without a bend.
+    // A line tangent to an arc.
     let smooth = round((10.0, -20.0), (20.0, -30.0), (20.0, -20.0), Clockwise);
     check_fault(along_z(), smooth, Corner::Round(1.0), Some("PS0051"));
 }
@@ -322,7 +323,7 @@ mod properties {
         (distance * angle.sin(), distance * angle.cos())
     }
 
-    /// A piece that begins in a place: a line, or an arc of up to nearly a full circle.
+    /// A piece that begins at a point: a line, or an arc of up to nearly a full circle.
     fn leaving(corner: Point) -> impl Strategy<Value = Piece> {
         let turn = prop_oneof![Just(None), Just(Some(Clockwise)), Just(Some(Counterclockwise))];
         (turn, 0.0..std::f64::consts::TAU, 0.5..40.0, 0.05..6.2_f64).prop_map(
@@ -386,7 +387,7 @@ mod properties {
         }
     }
 
-    /// Whether two pieces are equal but for rounding; an arc by its own centre and turn.
+    /// Whether two pieces are equal apart from rounding; an arc by its centre and direction of rotation.
     fn alike(one: &Piece, other: &Piece) -> bool {
         let near = |a: Point, b: Point| a.distance(b) < 1e-7;
         let arcs = match (one.arc, other.arc) {

@@ -1,4 +1,4 @@
-//! One block: what it is, what its words ask for, and where the program goes on.
+//! One block: what kind it is, what its words request, and where the program continues.
 //!
 //! In: a block. Out: its [`Request`] carried out.
 
@@ -63,7 +63,7 @@ impl Interpreter {
             if !block.comments.is_empty() {
                 self.look_for_other_end(text, block, None);
             }
-            // What can only be text moves nothing; anything else that is broken may have been a motion.
+            // Blocks that can only be text make no moves; any other broken block may have been a motion.
             if broken && block.faults.iter().any(|fault| !super::doubts::is_text(fault)) {
                 self.excuse_feed(text, block);
                 self.lose(super::doubts::faults_of(text, block));
@@ -79,8 +79,8 @@ impl Interpreter {
         self.words_of(text, block, here)
     }
 
-    /// A block of which only the first words are known: they count, but nothing more is reported for it, nor
-    /// that what the rest may have set is missing.
+    /// A block of which only the first words could be parsed. These take effect. Nothing more is reported for
+    /// the block, nor for settings that its other words may have made.
     #[cold]
     fn torn_block(&mut self, text: &[u8], block: &Block, here: Here) -> Flow {
         self.sink.muted = true;
@@ -119,7 +119,8 @@ impl Interpreter {
             if let Some(mode) = request.motion {
                 self.enter(text, mode, block, &words);
             }
-            // The speed limit of a G50 that this system does not have was meant: nothing is reported as a consequence.
+            // The speed limit of a G50 that does not exist in this system takes effect: no consequences are
+            // reported.
             if !broken && request.one_shot == Some(OneShot::Setting) && !words.has_any(AXES) {
                 self.setting(text, &words);
             }
@@ -190,7 +191,7 @@ impl Interpreter {
                 }
                 Flow::Jump(at)
             }
-            // A call in a contour was reported already.
+            // A call in a contour was already reported.
             (None, _) if self.contours.recorded.is_some() => Flow::Next,
             (None, Some(call_code)) => self.pass(text, block, &words, call_code, here),
             (None, None) => match request.macro_call {
@@ -203,7 +204,7 @@ impl Interpreter {
         }
     }
 
-    /// Notes for the pass of the main program which axes the block has moved to an absolute position.
+    /// Records, for the pass of the main program, which axes the block has moved to an absolute position.
     #[cold]
     fn note_placed(&mut self, request: &Request, words: &Words) {
         for (index, axis) in [Doubt::X, Doubt::Z].into_iter().enumerate() {
@@ -296,14 +297,14 @@ impl Interpreter {
         }
     }
 
-    /// The direction of the wall that I and K of a G40 block name (FANUC 16-TC B-61804E 15.3.4).
+    /// The direction of the wall given by I and K of a G40 block (FANUC 16-TC B-61804E 15.3.4).
     fn wall_of(&self, words: &Words) -> Option<Point> {
         let length = |address: u8| words.get(address).and_then(|word| self.reading().length(word));
         let (i, k) = (length(b'I'), length(b'K'));
         Some(Point::new(i.unwrap_or(0.0), k.unwrap_or(0.0))).filter(|_| i.is_some() || k.is_some())
     }
 
-    /// A code that uses up the words of its block.
+    /// Carries out a code that uses the words of its block.
     #[inline(never)]
     fn one_shot(
         &mut self,
@@ -318,7 +319,7 @@ impl Interpreter {
             self.observe(text, Event::OneShot);
         }
         if let (OneShot::Setting | OneShot::Data | OneShot::Dwell, Some(word)) = (one_shot, words.get(b'T')) {
-            // Old controls take T with G50; it was usual there, above all beside the highest speed.
+            // Old controls accept T with G50; it was common there, especially with the speed limit.
             let taken = one_shot == OneShot::Setting && !self.dialect.strict;
             let only_speed = taken && !words.has_any(letters(b"XZUW"));
             let word_text = quote(text, word.span);
@@ -385,7 +386,7 @@ impl Interpreter {
         }
         match (mode, state.motion) {
             (MotionMode::Cycle(new), MotionMode::Cycle(old)) => {
-                // Spelled again, the code forgets its taper but not its end point (seed 000).
+                // Repeated, the code resets the taper but keeps the end point (seed 000).
                 state.memory.taper = 0.0;
                 if new != old {
                     state.memory.passes = 0;
@@ -397,7 +398,7 @@ impl Interpreter {
     }
 }
 
-/// The block as it is when the slash within it counts.
+/// The block if the slash within it takes effect.
 fn without_optional(block: &Block) -> Block {
     let mut rest = block.clone();
     if let Some((first, _)) = rest.optional.take() {

@@ -1,6 +1,6 @@
-//! Where the program goes on: subprograms (M97, M98, M99) and what bounds them.
+//! Where the program continues: subprograms (M97, M98, M99) and their limits.
 //!
-//! In: the words of a block and where it stands. Out: the place of the next block.
+//! In: the words of a block and its position. Out: the position of the next block.
 
 use super::{Flow, Interpreter};
 use crate::control::modal::MACROS;
@@ -12,16 +12,16 @@ use crate::source::Span;
 use crate::text::block::{Block, Word};
 use crate::text::parser::Resume;
 
-/// Where a block stands in the text.
+/// Position of a block in the text.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Here {
-    /// Its own beginning.
+    /// Start of the block.
     pub at: Resume,
-    /// The beginning of the block after it.
+    /// Start of the next block.
     pub next: Resume,
 }
 
-/// What M97, M98 or M99 asks for, once everything else of its block is done.
+/// M97, M98 or M99, to be carried out after all other words of its block.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum CallCode {
     /// M98.
@@ -39,8 +39,7 @@ early! {
 }
 
 impl Interpreter {
-    /// Counts blocks that are carried out through jumps, loops and calls. False: they were too
-    /// many, and the run ends here.
+    /// Counts blocks executed in jumps, loops and calls. False: the limit is exceeded, and the run ends here.
     #[inline]
     pub(super) fn may_go_on(&mut self, block: &Block) -> bool {
         if self.state.call_stack.calls.is_empty() && self.program.is_first_reading(block.span.start) {
@@ -49,22 +48,22 @@ impl Interpreter {
         self.count_repeat(block, block)
     }
 
-    /// Counts a block that is read or carried out once more because of another. False: they were too many.
+    /// Counts a block that is read or executed again because of another one. False: the limit is exceeded.
     pub(super) fn count_repeat(&mut self, block: &Block, cause: &Block) -> bool {
         let span = self.program.jumped_by.unwrap_or_else(|| cause.words_span());
         let spent = self.program.budget.repeat(block.span.len(), &self.setup.limits);
         self.go_on_within(spent, span)
     }
 
-    /// Counts a round of a loop or call. False: they were too many, and the run ends here.
+    /// Counts a round of a loop or call. False: the limit is exceeded, and the run ends here.
     pub(super) fn count_round(&mut self, block: &Block) -> bool {
         let span = self.program.jumped_by.unwrap_or_else(|| block.words_span());
         let spent = self.program.budget.round(&self.setup.limits);
         self.go_on_within(spent, span)
     }
 
-    /// Counts a macro statement or expression, once the program has left the straight way. False: they were
-    /// too many, and the run ends here.
+    /// Counts a macro statement or expression after the program has left the linear order of the text. False:
+    /// the limit is exceeded, and the run ends here.
     pub(super) fn count_macro_step(&mut self, block: &Block) -> bool {
         if !self.program.has_jumped() {
             return !self.sink.is_full();
@@ -73,13 +72,13 @@ impl Interpreter {
         self.go_on_within(spent, block.words_span())
     }
 
-    /// Counts steps that leave no motion. False: they were too many, and the run ends here.
+    /// Counts steps without a motion. False: the limit is exceeded, and the run ends here.
     pub(super) fn spend(&mut self, steps: usize, block: &Block) -> bool {
         let spent = self.program.budget.work(steps, &self.setup.limits);
         self.go_on_within(spent, block.words_span())
     }
 
-    /// Whether the run goes on; where a limit is exceeded it ends.
+    /// Ends the run if a limit is exceeded. Returns whether it continues.
     #[inline]
     fn go_on_within(&mut self, spent: Result<(), Message>, span: Span) -> bool {
         if let Err(message) = spent {
@@ -103,7 +102,8 @@ impl Interpreter {
             CallCode::Call | CallCode::LocalCall => {
                 let named = words.get(b'P').and_then(plain).filter(|&number| number >= 1.0);
                 let Some(named) = named.map(|number| number as u64) else {
-                    // Only Haas calls with M97, and always with P; elsewhere M97 is one of the machine.
+                    // Only Haas calls with M97, and always with P; on other machines M97 is a
+                    // machine-specific code.
                     let is_m97 = |word: &&Word| word.address == b'M' && plain(word) == Some(97.0);
                     let of_machine = call_code == CallCode::LocalCall && words.get(b'P').is_none();
                     if let Some(word) = block.words.iter().find(is_m97).filter(|_| of_machine) {
@@ -137,7 +137,7 @@ impl Interpreter {
                         self.lose_program();
                         return Flow::Next;
                     };
-                    // Q: the block of that number in the subprogram.
+                    // Q: the block in the subprogram with that number.
                     let begin = words.get(b'Q').and_then(plain).map(|sequence| sequence as u32);
                     match begin.map(|begin| (begin, self.program.labels(text).find(begin, head.byte))) {
                         Some((begin, None)) => {
@@ -156,7 +156,7 @@ impl Interpreter {
         }
     }
 
-    /// The head of a subprogram, and the repeats packed into the number.
+    /// The head of a subprogram, and the repeats that are packed into the number.
     fn subprogram(&mut self, text: &[u8], named: u64) -> (Option<Resume>, u32) {
         let labels = self.program.labels(text);
         let whole = u32::try_from(named).ok().and_then(|number| labels.program(number));
@@ -167,12 +167,12 @@ impl Interpreter {
         }
     }
 
-    /// The block of a sequence number in the program of `block`.
+    /// The block with a sequence number in the program of `block`.
     pub(super) fn sequence(&mut self, text: &[u8], block: &Block, sequence: u32) -> Option<Resume> {
         self.program.labels(text).find(sequence, block.span.start)
     }
 
-    /// Goes into a subprogram or macro, unless too many are under way (PS0077, PS0122).
+    /// Calls a subprogram or macro, unless too many calls are active (PS0077, PS0122).
     pub(super) fn call(
         &mut self,
         block: &Block,
@@ -190,7 +190,7 @@ impl Interpreter {
         };
         if depth >= most {
             let alarm = if kind == CallKind::Macro { "PS0122" } else { "PS0077" };
-            // The control stops here; going on would only call again.
+            // The control stops here; continuing would only call again.
             self.sink.end(said::CallTooDeep { most, alarm }.into(), block.words_span());
             return Flow::End;
         }
@@ -201,14 +201,14 @@ impl Interpreter {
         Flow::Jump(head)
     }
 
-    /// M99: back to the caller, or to the head of the main program.
+    /// M99: returns to the caller, or to the head of the main program.
     fn go_back(&mut self, text: &[u8], block: &Block, words: &Words) -> Flow {
         let named = words.get(b'P').and_then(plain).map(|number| number as u32);
         let Some(call) = self.state.call_stack.calls.last_mut() else {
             let behind = |at: &Resume| at.byte > block.span.start;
             return match named.map(|sequence| (sequence, self.sequence(text, block, sequence))) {
-                // A sequence number further on is a jump like any other, unless this program is a subprogram: then the number
-                // belongs to its caller.
+                // A sequence number further on is an ordinary jump, unless this program is a subprogram: then
+                // the number is in its caller.
                 Some((sequence, at))
                     if at.as_ref().map_or_else(|| self.caller_of(text, block).is_none(), behind) =>
                 {
@@ -235,7 +235,7 @@ impl Interpreter {
         }
     }
 
-    /// The innermost call ends.
+    /// Ends the innermost call.
     fn leave_call(&mut self) {
         if self.state.call_stack.calls.pop().is_some_and(|call| call.kind == CallKind::Macro) {
             if let Some(chronicler) = &mut self.chronicler {
@@ -245,7 +245,7 @@ impl Interpreter {
         }
     }
 
-    /// The end of a subprogram was passed without M99: a control stops; here the caller goes on.
+    /// The end of a subprogram without M99: a control stops; here the caller continues.
     pub fn run_out(&mut self, span: Span) -> Option<Resume> {
         let back = self.state.call_stack.calls.last()?.back;
         self.report(Diagnostic::new(said::NoReturn, span));
@@ -253,7 +253,7 @@ impl Interpreter {
         Some(back)
     }
 
-    /// Goes on at a sequence number of the same program (M99 P in the main program, GOTO).
+    /// Continues at a sequence number of the same program (M99 P in the main program, GOTO).
     pub(super) fn go_to(&mut self, text: &[u8], block: &Block, sequence: u32, span: Span) -> Flow {
         match self.sequence(text, block, sequence) {
             Some(at) => {
@@ -272,9 +272,10 @@ impl Interpreter {
         self.lose_program();
     }
 
-    /// The program that calls the program of a block. The run began with the latter only because it is first in the text.
+    /// The program that calls the program of `block`, if the run began with the latter only because it is
+    /// first in the text.
     fn caller_of(&mut self, text: &[u8], block: &Block) -> Option<Resume> {
-        // Elsewhere: where to begin was decided already, by the setup or by this very search.
+        // If the run began elsewhere, the setup or this search has already chosen the program.
         if self.program.begun_elsewhere {
             return None;
         }
@@ -282,13 +283,13 @@ impl Interpreter {
         labels.number_at(block.span.start).and_then(|own| labels.caller_of(own))
     }
 
-    /// M99 of the main program: from its head, or from the block of P, once more, for ever.
+    /// M99 in the main program: repeats it from its head, or from the block in P, endlessly.
     fn main_again(&mut self, text: &[u8], block: &Block, from: Option<Resume>) -> Flow {
         if let Some(main) = self.caller_of(text, block) {
             return Flow::Restart(main);
         }
         if self.state.variables.lacks_arguments() {
-            // The body of a macro, which goes back to the program that called it.
+            // The body of a macro returns to its caller, which is not in the text.
             return Flow::End;
         }
         // Without macros no pass reads a variable.

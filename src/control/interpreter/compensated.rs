@@ -1,7 +1,7 @@
-//! The programmed path beside which the tool nose goes: moves under compensation.
+//! Nose radius compensation of the programmed path.
 //!
-//! In: moves of the path, corners put in; the side and the nose. Out: motions of the tip. A move is given out
-//! once the next one is known, or nothing more can come of the path.
+//! In: moves of the path, with corners inserted; the side and the nose. Out: motions of the tip. A move is
+//! emitted when the next one is known, or when the path ends.
 
 use super::Interpreter;
 use crate::control::codes::Compensation;
@@ -16,11 +16,11 @@ use crate::message::{Diagnostic, Message, said};
 use crate::motion::{Motion, MotionKind, Programmed};
 
 impl Interpreter {
-    /// One more move of the path, by a nose that has a radius or follows one that had.
+    /// Compensates the next move of the path, with a nose that has a radius or replaces one that had.
     pub(super) fn compensate(&mut self, path_move: PathMove, nose: Nose) {
         let side = self.side();
         let motion = path_move.motion;
-        // Another tool or offset: the new nose counts from this move on.
+        // Another tool or offset: the new nose applies from this move on.
         if side.is_some()
             && self.state.compensating.as_ref().is_some_and(|old| old.compensator.nose() != nose)
         {
@@ -77,7 +77,7 @@ impl Interpreter {
         }
     }
 
-    /// Makes motions of what compensation gives out.
+    /// Converts the emitted moves of compensation to motions.
     fn give_out(&mut self, compensating: &mut Compensating, outcomes: Vec<Outcome>) {
         let mut last = None;
         for outcome in outcomes {
@@ -127,7 +127,7 @@ impl Interpreter {
                     };
                     self.report(Diagnostic::new(message, path_move.words));
                     self.left_out();
-                    // The next move begins elsewhere.
+                    // The next move begins at another point.
                     match compensating.waiting.iter_mut().find(|(later, _)| *later > id) {
                         Some((_, later)) => later.motion.process.uncertain = true,
                         None => self.lose_path(),
@@ -152,7 +152,7 @@ impl Interpreter {
         }
     }
 
-    /// The centre goes to the end of the last move; no next move is known.
+    /// Moves the centre to the end of the last move; no next move is known.
     pub(super) fn give_out_rest(&mut self) {
         if let Some(mut compensating) = self.state.compensating.take() {
             let mut outcomes = Vec::new();
@@ -162,7 +162,7 @@ impl Interpreter {
         }
     }
 
-    /// The side of the path the nose is on: a negative radius changes it.
+    /// The side of the path on which the nose is: a negative radius reverses it.
     pub(super) fn side(&self) -> Option<Side> {
         let side = match self.state.compensation {
             Compensation::Off => return None,

@@ -1,6 +1,6 @@
-//! Chamfers and rounded corners between two moves of the path, and moves known by their angle.
+//! Chamfers and rounded corners between two moves of the path, and moves given by their angle.
 //!
-//! In: a move that waits for the next one, and that one. Out: both shortened, and what comes between them.
+//! In: a waiting move, and the next one. Out: both shortened, and the piece between them.
 
 use super::Interpreter;
 use super::request::Request;
@@ -56,7 +56,7 @@ impl Interpreter {
         Ok(Some(Joint {
             corner: corner(if letter.is_some() { value.abs() } else { value }),
             signed: letter.map(|letter| (letter, value)),
-            // Newer controls round between a line and an arc, older ones raise PS0052.
+            // Newer controls round the corner between a line and an arc; older ones raise PS0052.
             before: if letter.is_none() && (gsk || !self.dialect.strict) {
                 Follower::LineOrArc
             } else {
@@ -67,7 +67,7 @@ impl Interpreter {
         }))
     }
 
-    /// Closes an open angle with the end point and angle of the next block. False: reported.
+    /// Closes an open angle with the end point and angle of the next block. False: an error was reported.
     pub(super) fn end_open_angle(&mut self, x: Option<f64>, z: Option<f64>, angle: Option<f64>) -> bool {
         let Some(pending) = &mut self.state.pending else { return true };
         let Some(open) = &pending.angle else { return true };
@@ -100,8 +100,8 @@ impl Interpreter {
         }
     }
 
-    /// Puts the corner in between a waiting move and the next one, which it may shorten at its start. False:
-    /// reported; the waiting move is dropped.
+    /// Inserts the corner between a waiting move and the next one, whose start it may shorten. False: an
+    /// error was reported, and the waiting move is dropped.
     pub(super) fn put_corner_in(&mut self, pending: &Pending, joint: &Joint, next: &mut PathMove) -> bool {
         let first = piece(&pending.path_move.motion);
         let second = piece(&next.motion);
@@ -119,7 +119,7 @@ impl Interpreter {
             None => corners::join(&first, &second, joint.corner),
         };
         let joined = match joined {
-            // The control puts nothing in between, and goes on.
+            // The control inserts nothing, and continues.
             Err(CornerError::NoCorner { turn }) if turn.abs() < ANGLE_ALLOWANCE => {
                 self.report(Diagnostic::new(said::CornerStraight { word: joint.word.clone() }, joint.span));
                 Ok(Joined { first, inserted: None, second })
@@ -150,7 +150,7 @@ impl Interpreter {
             }
             Err(fault) => {
                 self.report_corner(joint, fault);
-                // An arc begins on its circle.
+                // The start of an arc stays on its circle.
                 if next.motion.center.is_none() {
                     next.motion.from = pending.path_move.motion.from;
                 }
@@ -184,8 +184,9 @@ fn piece(motion: &Motion) -> Piece {
     Piece { from: motion.from, to: motion.to, arc }
 }
 
-/// What is wrong with a corner word without comma. I and K are always held to their sign and axis; C and R,
-/// which many controls take as the comma forms, only where they are negative or the control is strict.
+/// The error of a corner word without comma. The sign and axis of I and K are always checked. Many controls
+/// read C and R like the comma forms, so these are checked only if they are negative or the control is
+/// strict.
 fn signed_fault(
     first: &Piece,
     second: &Piece,

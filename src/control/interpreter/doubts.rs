@@ -1,8 +1,8 @@
-//! What is not known after something that was not carried out, and what ends it.
+//! What is unknown after something that was not carried out, and what makes it known again.
 //!
-//! In: blocks that were refused, calls that lead nowhere. Out: [`Doubts`] of the state. A motion is
-//! uncertain that begins, ends or goes on where something is in doubt; the next absolute place of an axis
-//! makes that axis certain again.
+//! In: refused blocks, and calls of missing programs. Out: [`Doubts`] of the state. A motion is uncertain if
+//! its start, end or path depends on something in doubt. The next absolute position of an axis makes that
+//! axis certain again.
 
 use super::request::{OneShot, Request};
 use super::{AXES, Interpreter};
@@ -17,15 +17,15 @@ use crate::setup::dialect::XuConflict;
 use crate::text::block::{Block, Value};
 use crate::text::parser::{Parser, Resume};
 
-/// Where the tip is.
+/// The position of the tip.
 const PLACE: Doubts = Doubts::of(&[Doubt::X, Doubt::Z]);
 
-/// What a program that is not there may have changed. It may also have set a tool or a frame, but
-/// hardly one leaves them so.
+/// What a missing program may have changed. It may also have set a tool or a frame, but few programs leave
+/// them changed.
 const BY_A_PROGRAM: Doubts = Doubts::of(&[Doubt::X, Doubt::Z, Doubt::C, Doubt::Code, Doubt::Values]);
 
 impl Interpreter {
-    /// Something was left out: material may stand that the program takes off.
+    /// Something was left out: material may remain that the program removes.
     #[cold]
     pub(super) fn left_out(&mut self) {
         self.state.incomplete = true;
@@ -34,7 +34,7 @@ impl Interpreter {
         self.observe(&[], Event::LeftOut);
     }
 
-    /// These things are in doubt from here on.
+    /// Adds these doubts.
     #[cold]
     pub(super) fn lose(&mut self, lost: Doubts) {
         self.left_out();
@@ -42,27 +42,27 @@ impl Interpreter {
         if lost.has_any(PLACE)
             && let Some(compensating) = &mut self.state.compensating
         {
-            // They end where the next move begins.
+            // The waiting moves end at the start of the next move, which is uncertain.
             for (_, path_move) in &mut compensating.waiting {
                 path_move.motion.process.uncertain = true;
             }
         }
     }
 
-    /// The place of the tip is in doubt.
+    /// Marks the position of the tip as doubtful.
     #[cold]
     pub(super) fn lose_place(&mut self) {
         self.lose(PLACE);
     }
 
-    /// The next move does not begin where it should.
+    /// Marks the path of the next move as doubtful: it may begin elsewhere.
     #[cold]
     pub(super) fn lose_path(&mut self) {
         self.lose(Doubts::of(&[Doubt::Path]));
     }
 
-    /// A program that is not there, or a jump that leads nowhere: nothing is reported
-    /// for what it may have set.
+    /// A missing program, or a jump to a missing block: no messages are reported about values that it may
+    /// have set.
     #[cold]
     pub(super) fn lose_program(&mut self) {
         self.lose(BY_A_PROGRAM);
@@ -70,14 +70,14 @@ impl Interpreter {
         self.observe(&[], Event::SettingsUnknown);
     }
 
-    /// A macro statement that was not carried out.
+    /// A macro statement was not carried out.
     #[cold]
     pub(super) fn lose_statement(&mut self, statement: &[u8]) {
         let assigns = statement.trim_ascii_start().first() == Some(&b'#');
         self.lose(if assigns { Doubts::of(&[Doubt::Values]) } else { BY_A_PROGRAM });
     }
 
-    /// A block that was refused: the axes it names are not where it wants them.
+    /// A block was refused: its axes are not at the programmed positions.
     #[cold]
     pub(super) fn refuse(&mut self, text: &[u8], block: &Block, request: &Request, words: &Words) {
         self.excuse_feed(text, block);
@@ -91,7 +91,7 @@ impl Interpreter {
             }
         }
         match request.one_shot {
-            // These come back to where they started.
+            // These return to their start point.
             Some(OneShot::Multiple(cycle)) => {
                 lost = Doubts::default();
                 if is_first_block(cycle, words) {
@@ -126,7 +126,7 @@ impl Interpreter {
         self.lose(lost);
     }
 
-    /// A feed that is missing after an F that could not be taken is the same fault.
+    /// Suppresses the message for a missing feed if an F could not be read: it is the same error.
     #[cold]
     pub(super) fn excuse_feed(&mut self, text: &[u8], block: &Block) {
         let is_feed = |at: u32| text.get(at as usize).is_some_and(|byte| byte.eq_ignore_ascii_case(&b'F'));
@@ -137,8 +137,8 @@ impl Interpreter {
         }
     }
 
-    /// A cycle along a contour whose block cannot be read: its contour is no part of
-    /// the program all the same.
+    /// Skips the contour of a cycle whose block cannot be parsed: the contour does not run as part of the
+    /// program.
     #[cold]
     pub(super) fn pass_over_contour(&mut self, text: &[u8], cycle: &Block, words: &Words) {
         let sequence = |address: u8| words.peek(address).and_then(plain).map(|number| number as u32);
@@ -146,7 +146,7 @@ impl Interpreter {
             return;
         }
         let (Some(first), Some(last)) = (sequence(b'P'), sequence(b'Q')) else {
-            // The contour is carried out as if there were no cycle.
+            // The contour runs as if there were no cycle.
             if words.has_any(letters(b"PQ")) {
                 self.lose_place();
             }
@@ -169,8 +169,8 @@ impl Interpreter {
         }
     }
 
-    /// A code that is recognised and not done here: how long it makes what follows
-    /// doubtful depends on what it does.
+    /// A code that is recognised but not supported: how long the following moves are in doubt depends on its
+    /// function.
     #[cold]
     pub(super) fn lose_to_unsupported(&mut self, tenths: Option<u64>, words: &Words) {
         match tenths {
@@ -180,7 +180,7 @@ impl Interpreter {
             Some(160 | 511 | 512 | 680..=684) => self.lose(Doubts::of(&[Doubt::Coordinates])),
             _ => {
                 let mut lost = Doubts::default();
-                // They may be modal: the blocks after them move in the same way.
+                // They may be modal, in which case the following blocks move in the same way.
                 let code = tenths.and_then(|key| codes::g_code(key, self.dialect.code_list()));
                 if let Some(Function::OtherInterpolation | Function::OtherCycles) =
                     code.map(codes::GCode::function)
@@ -197,7 +197,7 @@ impl Interpreter {
         }
     }
 
-    /// Coordinates mean again what they say; where the tip stands is not known yet.
+    /// Coordinates have their usual meaning again; the position of the tip remains unknown.
     #[cold]
     pub(super) fn regain_coordinates(&mut self) {
         if self.state.doubts.has(Doubt::Coordinates) {
@@ -206,7 +206,7 @@ impl Interpreter {
         }
     }
 
-    /// What a block makes certain as it begins, and what it depends on.
+    /// At the start of a block: removes doubts that the block ends, and adds doubts that it depends on.
     #[cold]
     pub(super) fn doubt_block(&mut self, request: &Request, words: &Words) {
         let doubts = &mut self.state.doubts;
@@ -223,7 +223,8 @@ impl Interpreter {
         }
     }
 
-    /// What a block that was carried out makes certain again; `before` was in doubt when it began.
+    /// After a block that was carried out: removes the doubts that it ends. `before`: the doubts at its
+    /// start.
     #[cold]
     pub(super) fn regain(&mut self, request: &Request, words: &Words, before: Doubts) {
         let by_angle = request.comma[2].is_some() || words.peek(b'A').is_some();
@@ -233,7 +234,7 @@ impl Interpreter {
             if known {
                 doubts.remove(doubt);
             } else if by_angle && doubts.has_any(PLACE) && doubt != Doubt::C {
-                // The end was worked out from where it starts.
+                // The end was computed from the start, which is in doubt.
                 doubts.add(doubt);
             }
         }
@@ -248,8 +249,8 @@ impl Interpreter {
         }
     }
 
-    /// Whether a block that was carried out has moved an axis (X, Z or C) to a place that does not depend on
-    /// where the axis was before.
+    /// Whether a block that was carried out has moved an axis (X, Z or C) to a position that does not depend
+    /// on its previous position.
     pub(super) fn ends_at_place(&self, request: &Request, words: &Words, axis: Doubt) -> bool {
         let (absolute, incremental) = match axis {
             Doubt::X => (b'X', b'U'),
@@ -272,10 +273,10 @@ impl Interpreter {
                 | OneShot::Multiple(_)
                 | OneShot::NotSupported,
             ) => false,
-            // A hole names one place and one depth; the tool comes back out of it.
+            // A hole has one position and one depth, and the tool returns from the hole.
             None if hole.is_some() => is_absolute && (axis == Doubt::X) == (hole == Some(true)),
             None => match self.state.motion {
-                // They come back to where they started.
+                // They return to their start point.
                 MotionMode::Cycle(_) | MotionMode::Tapping => false,
                 MotionMode::Rapid
                 | MotionMode::Line
@@ -286,7 +287,7 @@ impl Interpreter {
         }
     }
 
-    /// Whether the word of an axis that counts names a place.
+    /// Whether the effective word of an axis is absolute.
     fn is_absolute(&self, words: &Words, absolute: u8, incremental: u8) -> bool {
         match (words.peek(absolute), words.peek(incremental)) {
             (Some(_), None) => !self.state.incremental,
@@ -298,7 +299,7 @@ impl Interpreter {
         }
     }
 
-    /// The axes whose words in a block take their value from variables.
+    /// The axes whose words in a block have a value from variables.
     pub(super) fn from_variables(block: &Block) -> Doubts {
         let mut found = Doubts::default();
         for word in block.words.iter().filter(|word| word.value == Value::Expression) {
@@ -315,7 +316,7 @@ impl Interpreter {
     }
 }
 
-/// Whether a block of a multiple cycle only sets its amounts.
+/// Whether a block of a multiple cycle only sets its parameters.
 fn is_first_block(cycle: Multiple, words: &Words) -> bool {
     match cycle {
         Multiple::Finishing | Multiple::RoughTurning | Multiple::RoughFacing | Multiple::Pattern => {
@@ -325,11 +326,11 @@ fn is_first_block(cycle: Multiple, words: &Words) -> bool {
     }
 }
 
-/// What the faults in the writing of a block leave in doubt.
+/// The doubts that the syntax errors of a block cause.
 pub(super) fn faults_of(text: &[u8], block: &Block) -> Doubts {
     let mut lost = Doubts::default();
     for fault in block.faults.iter().filter(|fault| fault.is_error() && !is_text(fault)) {
-        // Where text may be words with misread digits, each of its letters may be an address.
+        // If text may be words with misread digits, each of its letters may be an address.
         let addresses = fault.span.of(text);
         let most = if reads_as_text(fault) { addresses.len() } else { 1 };
         for address in addresses.iter().take(most) {
@@ -339,7 +340,7 @@ pub(super) fn faults_of(text: &[u8], block: &Block) -> Doubts {
     lost
 }
 
-/// What is in doubt after a word of this address could not be read.
+/// The doubts after a word of this address that could not be read.
 fn lost_with(address: u8) -> Doubts {
     match address {
         b'X' | b'U' => Doubts::of(&[Doubt::X]),
@@ -347,7 +348,7 @@ fn lost_with(address: u8) -> Doubts {
         b'C' | b'H' => Doubts::of(&[Doubt::C]),
         b'G' => Doubts::of(&[Doubt::X, Doubt::Z, Doubt::Code]),
         b'F' | b'S' | b'M' | b'N' | b'I' | b'K' | b'R' | b'P' | b'Q' | b'L' => Doubts::default(),
-        // Offsets of a tool move the place; a number without an address may be a G code.
+        // Tool offsets change the position; a number without an address may be a G code.
         b'T' => PLACE,
         _ => Doubts::of(&[Doubt::X, Doubt::Z, Doubt::Code]),
     }
@@ -357,7 +358,7 @@ fn reads_as_text(fault: &Diagnostic) -> bool {
     fault.message.is::<said::PlainText>() || fault.message.is::<said::PlainWords>()
 }
 
-/// Whether a fault can only be text: brackets around it change nothing.
+/// Whether a syntax error can only be text: putting it in brackets changes nothing else.
 pub(super) fn is_text(fault: &Diagnostic) -> bool {
     reads_as_text(fault) && fault.fixes.iter().any(|fix| fix.safe)
 }

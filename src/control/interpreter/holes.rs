@@ -1,7 +1,7 @@
 //! Hole cycles as blocks call them: G83 to G85 along Z, G87 to G89 along X, G80.
 //!
-//! In: the words of a block. Out: the moves of a hole at each place the block names. The geometry is in
-//! `cycles::drilling`; here are the words, their memory and their alarms.
+//! In: the words of a block. Out: the moves of a hole at each position that the block gives.
+//! `cycles::drilling` has the geometry; this file has the words, their memory and their alarms.
 
 use super::request::{OneShot, Request};
 use super::rotary::TURNS;
@@ -21,10 +21,10 @@ use crate::source::Span;
 use crate::text::block::Block;
 use crate::units::Diameter;
 
-/// How far above the last depth a peck begins, mm (parameter 5114).
+/// Distance between the start of a peck and the previous depth, mm (parameter 5114).
 const CLEARANCE: f64 = 1.0;
 
-/// Most repeats of a hole.
+/// Maximum number of repeats of a hole.
 const MOST_REPEATS: f64 = 9_999.0;
 
 early! {
@@ -34,7 +34,7 @@ early! {
 }
 
 impl Interpreter {
-    /// A hole cycle comes into force, or is spelled once more.
+    /// A hole cycle comes into force, possibly again.
     #[inline(never)]
     pub(super) fn enter_hole(&mut self, kind: Hole, span: Span) {
         if matches!(kind, Hole::G81 | Hole::G82 | Hole::G86) && self.dialect.g_system == GSystem::A {
@@ -45,14 +45,14 @@ impl Interpreter {
             self.state.reported.forget(Once::HoleInForce);
         }
         self.state.hole = Some(match self.state.hole {
-            // What was given holds until G80, for a cycle along the same axis.
+            // For a cycle along the same axis, values stay in force until G80.
             Some(hole) if hole.kind.is_face() == kind.is_face() => HoleMemory { kind, ..hole },
             Some(hole) => HoleMemory::at(kind, self.state.position, hole.before),
             None => HoleMemory::at(kind, self.state.position, self.state.motion),
         });
     }
 
-    /// Whether a one-shot code may stand while a hole cycle is in force (PS0044, PS0327). False: reported.
+    /// Whether a one-shot code is allowed while a hole cycle is in force (PS0044, PS0327). False: reported.
     #[inline(never)]
     pub(super) fn may_stand_with_hole(&mut self, text: &[u8], block: &Block, one_shot: OneShot) -> bool {
         let alarm = match one_shot {
@@ -61,13 +61,13 @@ impl Interpreter {
             _ => return true,
         };
         let Some(hole) = self.state.hole else { return true };
-        // A control that has G81 often goes home from it all the same.
+        // Programs for controls with G81 often go to the reference point without G80.
         let lenient = alarm == "PS0044" && !self.dialect.strict;
         if lenient {
             self.state.motion = hole.before;
             self.state.hole = None;
         }
-        // What such a control alarms is not in the manuals of one that lacks the cycle.
+        // The alarm is not in the manuals of a control that lacks the cycle.
         let foreign = lenient && matches!(hole.kind, Hole::G81 | Hole::G82 | Hole::G86);
         if foreign || !self.state.reported.first(Once::HoleInForce) {
             return lenient;
@@ -110,7 +110,7 @@ impl Interpreter {
             self.state.hole = Some(memory);
             return;
         }
-        // The initial level is where the tool stood when the cycle came into force.
+        // The initial level is the position of the tool when the cycle came into force.
         let from = self.state.position;
         let at = match face {
             true => Point::new(place.from(from.x), memory.level.z),
@@ -193,7 +193,7 @@ impl Interpreter {
         let turning =
             if self.state.incremental { words.get(b'C').or(words.get(b'H')) } else { words.get(b'H') };
         let turned = turning.and_then(|word| reading.degrees(word)).unwrap_or(0.0);
-        // Repeats go on by what is incremental: a row of holes.
+        // Repeats continue by incremental positions: a row of holes.
         let step = match place {
             Target::Incremental(step) if face => Point::new(step, 0.0),
             Target::Incremental(step) => Point::new(0.0, step),
@@ -211,12 +211,12 @@ impl Interpreter {
         }
     }
 
-    /// The R level. R counts from the initial level towards the hole (system A); one that would lead away
-    /// from it, or a system with absolute words, means a place.
+    /// The R level. R is measured from the initial level towards the hole (system A). If that would lead away
+    /// from the hole, or the system has absolute words, R is a position.
     fn r_level(&self, memory: &HoleMemory, level: f64) -> f64 {
         let Some(r) = memory.r else { return level };
         let absolute = self.dialect.g_system != GSystem::A && !self.state.incremental;
-        // A place along X is a diameter.
+        // A position along X is a diameter.
         let place = if memory.kind.is_face() { r } else { Diameter::new(r).radius() };
         let bottom = match memory.depth {
             Target::Absolute(place) => place,
@@ -227,8 +227,8 @@ impl Interpreter {
         if absolute || away { place } else { level + r }
     }
 
-    /// The lead of a tap, mm. On FANUC its F is a feed like any other: a minute's feed
-    /// by the turns of a minute.
+    /// The lead of a tap, mm. On FANUC its F is an ordinary feed: feed per minute divided by revolutions per
+    /// minute.
     fn tap_lead(&mut self, text: &[u8], block: &Block, words: &Words, kind: Hole) -> Option<f64> {
         let lead = self.lead(text, block, words, kind.code())?;
         let (rpm, gsk) = (self.state.spindle.rpm, self.dialect.control == Control::Gsk);
@@ -237,7 +237,7 @@ impl Interpreter {
         Some(if by_minute && rpm > 0.0 { lead / rpm } else { lead })
     }
 
-    /// One hole. False: it was refused.
+    /// Makes one hole. False: it was refused.
     fn one_hole(
         &mut self,
         block: &Block,
@@ -253,7 +253,7 @@ impl Interpreter {
             return false;
         };
         let tag = |step: Step, pass: u32| Some(CycleStep { cycle: kind.cycle(), pass, step });
-        // Along its own axis the tool moves only in the cycle.
+        // Along its own axis the tool moves only within the cycle.
         let from = self.state.position;
         let start = match kind.is_face() {
             true => Point::new(hole.initial.x, from.z),
@@ -263,7 +263,7 @@ impl Interpreter {
         let approach = self.turning(approach, c);
         self.push(block, approach);
         let kept = self.sink.kept();
-        // Rigid tapping turns the spindle itself; a live tool leaves it where it stands.
+        // Rigid tapping turns the spindle itself; with a live tool the spindle does not turn.
         let in_axis = kind.is_face() && hole.initial.x.abs() <= crate::geometry::SAME && c.is_none();
         let tapping = match self.state.spindle.turn {
             SpindleTurn::Stopped if in_axis && !self.state.spindle.live_tool => SpindleTurn::Forward,
@@ -271,19 +271,19 @@ impl Interpreter {
         };
         for step in &moves {
             let mut motion = Motion { cycle: tag(step.step, step.pass), ..self.motion(step.kind, step.to) };
-            // Rigid tapping, or a live tool that an M code of the machine has started.
+            // Rigid tapping, or a live tool that a machine-specific M code has started.
             motion.process.still = false;
             motion.lead = lead.filter(|_| step.kind == MotionKind::Thread);
             if step.kind == MotionKind::Thread {
                 motion.process.turn = match step.step {
-                    // A tap is turned out again.
+                    // The tap turns the other way to come out.
                     Step::Retract => tapping.reversed(),
                     _ => tapping,
                 };
             }
             motion.seconds = (step.kind == MotionKind::Dwell).then_some(dwell);
             if step.kind == MotionKind::Feed && step.step == Step::Retract {
-                // A boring tool comes back twice as fast as it went in.
+                // Boring retracts at twice the feed.
                 motion.process.feed = match motion.process.feed {
                     Feed::PerMinute(feed) => Feed::PerMinute(2.0 * feed),
                     Feed::PerTurn(feed) => Feed::PerTurn(2.0 * feed),

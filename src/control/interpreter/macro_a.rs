@@ -13,8 +13,8 @@ use crate::message::{Diagnostic, said};
 use crate::setup::dialect::Control;
 use crate::text::block::Block;
 
-/// The operations by their number (GSK980TDi manual, macro command list; H28 is FANUC's), with the values of P, Q and R as
-/// small letters. The angles are degrees.
+/// The operations by number (GSK980TDi manual, macro command list; H28 is FANUC's). Small letters are the
+/// values of P, Q and R. Angles are in degrees.
 const OPERATIONS: [(u32, &str); 28] = [
     (1, "p=q"),
     (2, "p=q+r"),
@@ -46,11 +46,12 @@ const OPERATIONS: [(u32, &str); 28] = [
     (99, "#3000=p"),
 ];
 
-/// What H99 adds to its number (GSK980TDi: alarm 500+n).
+/// Added to the number of H99 (GSK980TDi: alarm 500+n).
 const FIRST_ALARM: i64 = 500;
 
 impl Interpreter {
-    /// The number of the operation, if the block is one of macro A: H follows G65, and no program of this text is called.
+    /// The number of the operation, if the block is macro A: H follows G65, and P is not a program of this
+    /// text.
     pub(super) fn macro_a_of(&mut self, text: &[u8], block: &Block) -> Option<u32> {
         let operation = codes::macro_a(block)?;
         let called = block.words.iter().find(|word| word.address == b'P');
@@ -96,7 +97,7 @@ impl Interpreter {
     }
 }
 
-/// The statement of a form with the values of the block; `None` where one is missing.
+/// The statement of a form with the values of the block; `None` if a value is missing.
 fn written(text: &[u8], block: &Block, form: &str) -> Option<String> {
     let value = |letter: char| {
         let word = block

@@ -141,7 +141,7 @@ impl Interpreter {
                 let words = within(message);
                 let end = block.statement_end.max(if words.is_empty() { 0 } else { words.end + 1 });
                 let (words, span) = (shortened(&words.quote(text)), Span { end: end.min(span.end), ..span });
-                // What a control shows.
+                // The number that a control displays.
                 let number = number.saturating_add(3000);
                 self.report_always(Diagnostic::new(said::MacroAlarm { number, words }, span));
                 Flow::End

@@ -1,6 +1,6 @@
-//! Moves that a block spells out: G00, G01, G02, G03, G32.
+//! Moves that a block programs directly: G00, G01, G02, G03, G32.
 //!
-//! In: the words of a block. Out: motions. Corner words and angles are answered here too.
+//! In: the words of a block. Out: motions. Handles corner words and angles, too.
 
 use super::repairs::offer_other_sign;
 use super::request::Request;
@@ -19,7 +19,7 @@ use crate::setup::dialect::{Control, DecimalRule, IInG92, NegativeArcR, XuConfli
 use crate::text::block::{Block, Value, Word};
 
 impl Interpreter {
-    /// The end point that X, U, Z and W name.
+    /// The end point given by X, U, Z and W.
     #[inline]
     pub(super) fn target(&mut self, text: &[u8], words: &Words) -> Point {
         let from = self.state.position;
@@ -28,7 +28,7 @@ impl Interpreter {
         Point::new(x.from(from.x), z.from(from.z))
     }
 
-    /// What the absolute and the incremental word of an axis say.
+    /// The target given by the absolute and the incremental word of an axis.
     #[inline]
     pub(super) fn axis(
         &mut self,
@@ -50,7 +50,7 @@ impl Interpreter {
         }
     }
 
-    /// X with U, or Z with W: which one counts.
+    /// X with U, or Z with W: reports it and returns the effective target.
     #[cold]
     pub(super) fn conflict(&mut self, text: &[u8], a: &Word, i: &Word, counts: Counts) -> Target {
         let reading = self.reading();
@@ -61,7 +61,8 @@ impl Interpreter {
         }
     }
 
-    /// Reports an absolute and an incremental word of one axis in a block. Whether the absolute one takes effect.
+    /// Reports an absolute and an incremental word of one axis in a block. Returns whether the absolute one
+    /// takes effect.
     #[cold]
     pub(super) fn absolute_counts(&mut self, text: &[u8], a: &Word, i: &Word) -> bool {
         let absolute_counts = match self.dialect.xu_conflict {
@@ -80,7 +81,7 @@ impl Interpreter {
         absolute_counts
     }
 
-    /// Whether the tip stands on the axis of the spindle.
+    /// Whether the tip is on the spindle axis.
     #[inline]
     pub(super) fn is_on_axis(&self) -> bool {
         self.state.position.x.abs() <= SAME
@@ -92,7 +93,7 @@ impl Interpreter {
         let angle = self.angle(text, block, request, words);
         let c = self.turn_target(text, words);
         if c.is_none() && angle.is_none() && !words.has_any(AXES) && self.state.virtual_plane.is_none() {
-            // A chamfer word alone.
+            // A chamfer word without axis words.
             if self.joint(text, block, request, words).is_err() {
                 request.drop = true;
             }
@@ -166,13 +167,13 @@ impl Interpreter {
     fn angle(&self, text: &[u8], block: &Block, request: &Request, words: &Words) -> Option<Angle> {
         let word = request.comma[2].map(|index| &block.words[index]).or_else(|| words.get(b'A'))?;
         let Value::Number { number, .. } = word.value else { return None };
-        // Angles count 0.001° where numbers without a point count least increments.
+        // Without a point under the least-increment rule the unit of an angle is 0.001°.
         let fine = self.dialect.decimal == DecimalRule::LeastIncrement && !number.has_point();
         let degrees = if fine { plain(word)? / 1000.0 } else { plain(word)? };
         Some(Angle { radians: degrees.to_radians(), span: word.span, word: quote(text, word.span) })
     }
 
-    /// A thread has no corner words (PS0050).
+    /// Checks that a thread has no corner words (PS0050). False: an error was reported.
     fn no_corner_in_thread(&mut self, text: &[u8], block: &Block, request: &Request, words: &Words) -> bool {
         let comma = request.comma.into_iter().flatten().next().map(|index| &block.words[index]);
         let plain_word = [b'C', b'R'].into_iter().find_map(|address| words.get(address));
@@ -194,7 +195,7 @@ impl Interpreter {
         let reading = self.reading();
         let code = if turn == Turn::Clockwise { "G02" } else { "G03" };
         let given = |address: u8| words.get(address).and_then(|word| reading.length(word));
-        // The words of the centre along the second and the first axis of the plane, and along the third.
+        // The addresses of the centre along the second, the first and the third axis of the plane.
         let (up, right, third) = match surface {
             None | Some(Surface::Flat(Flat::Zx)) => (b'I', b'K', b'J'),
             Some(Surface::Face | Surface::Flat(Flat::Xy)) => (b'J', b'I', b'K'),
@@ -215,7 +216,7 @@ impl Interpreter {
             _ => turn,
         };
         let [first, second] = [up.min(right), up.max(right)].map(char::from);
-        // Beside R the words of the centre are not read.
+        // With R, the words of the centre are not read.
         let radius = given(b'R');
         let of_centre = |address: u8| if radius.is_none() { given(address) } else { None };
         let stray = of_centre(third).filter(|&way| way != 0.0).map(|_| {
@@ -233,7 +234,7 @@ impl Interpreter {
                 if alarm {
                     request.drop = true;
                 } else {
-                    // FANUC goes there in a straight line unless a parameter (3403#5) asks for the alarm.
+                    // FANUC goes there in a straight line unless parameter 3403#5 selects the alarm.
                     self.line(text, block, request, words);
                 }
                 return;
@@ -308,15 +309,15 @@ impl Interpreter {
                     };
                     diagnostic.fixes.extend(center_repair(text, words, of_center, [i, k], meets));
                 }
-                // One fault, one message.
+                // One error, one message.
                 self.report(stray.map_or(diagnostic, |stray| stray.graded(Severity::Error)));
                 request.drop = true;
             }
         }
     }
 
-    /// G32: one thread cut; G34: one whose lead changes; G33 on GSK: in and out again (seeds 001
-    /// and 002, GSK980TDb p. 122).
+    /// G32: one thread cut. G34: one with a variable lead. G33 on GSK: in and out again (seeds 001 and 002,
+    /// GSK980TDb p. 122).
     #[inline(never)]
     pub(super) fn thread(&mut self, text: &[u8], block: &Block, request: &mut Request, words: &Words) {
         let code = match self.state.motion {
@@ -351,7 +352,7 @@ impl Interpreter {
                 let length = (to.z - from.z).abs().max((to.x - from.x).abs());
                 let reached = lead_ends(lead, change.unwrap_or(0.0));
                 if let Some(reached) = reached.filter(|&reached| reached <= length + SAME) {
-                    // As people measure it.
+                    // In hundredths of a millimetre, the usual precision of measurement.
                     let reached = (100.0 * reached).round() / 100.0;
                     let message = said::LeadRunsOut { word: words.quote(text, b'K'), reached, length };
                     self.report(Diagnostic::new(message, words.span(b'K')));
@@ -405,8 +406,8 @@ impl Interpreter {
     }
 }
 
-/// The words of a centre, by their letters and ways, with other signs, where no others lead to the end; `meets`:
-/// whether these ways do.
+/// A fix that changes signs of the words of the centre, if exactly one change leads to the end. `meets`:
+/// whether these distances lead there.
 #[cold]
 #[inline(never)]
 fn center_repair(
@@ -454,8 +455,8 @@ fn gsk_pull_out(from: Point, to: Point, out: f64, along: f64) -> [Option<Point>;
     [Some(leave), Some(end)]
 }
 
-/// How far a G34 gets until its lead is zero, mm: n turns make a thread of F·n + K·n²/2, and the lead is zero
-/// after F/−K of them. Nothing where it does not fall.
+/// Length, mm, that a G34 can cut until its lead is zero: n turns make a thread of F·n + K·n²/2, and the lead
+/// is zero after F/−K turns. `None` if the lead does not decrease.
 fn lead_ends(lead: f64, change: f64) -> Option<f64> {
     (change < 0.0).then(|| lead * lead / (-2.0 * change))
 }

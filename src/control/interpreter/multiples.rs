@@ -1,9 +1,9 @@
-//! G70 to G76 as blocks call them (seed 003): what is the same in all, and the cycles along a contour. G74
-//! and G75 are in `pecks`, G76 in `threads`.
+//! G70 to G76 as blocks call them (seed 003): the common code, and the contour cycles. G74 and G75 are in
+//! `pecks`, G76 in `threads`.
 //!
-//! In: the words of a block. Out: the moves of the cycle. The geometry is in `cycles`; here are the words,
-//! their units and their alarms. After an error in its blocks or its contour a cycle makes what can be read, as
-//! uncertain motions: its passes where they are known, else the contour as it is written.
+//! In: the words of a block. Out: the moves of the cycle. `cycles` has the geometry; this file has the words,
+//! their units and their alarms. After an error in its blocks or contour a cycle makes uncertain motions of
+//! what could be read: its passes if they are known, otherwise the contour as written.
 
 use super::Interpreter;
 use super::contours::Shape;
@@ -26,10 +26,10 @@ use crate::setup::dialect::{Control, G71Retract, G73Intervals};
 use crate::text::block::{Block, Value, Word};
 use crate::units::Unit;
 
-/// The least input increment, mm: D of the one-block forms counts it when written without a point.
+/// The least input increment, mm: unit of D in the one-block forms if it is written without a point.
 pub(super) const INCREMENT: f64 = 0.001;
 
-/// Lengths this near are the same, mm.
+/// Lengths that differ by no more than this, mm, are equal.
 pub(super) const NEAR: f64 = 0.001;
 
 impl Interpreter {
@@ -42,7 +42,7 @@ impl Interpreter {
         cycle: Multiple,
     ) {
         if self.contours.recorded.is_some() {
-            // Reported already: no cycle may stand in a contour.
+            // Already reported: a contour may not contain a cycle.
             request.drop = true;
             return;
         }
@@ -57,7 +57,7 @@ impl Interpreter {
         request.drop |= done.is_none();
     }
 
-    /// G70: the contour as it is written, then home.
+    /// G70: the contour as written, then back to the start point.
     fn finishing(&mut self, text: &[u8], block: &Block, words: &Words) -> Option<()> {
         let shape = self.shape(text, block, words, "G70", Purpose::Finishing)?;
         let start = self.state.position;
@@ -76,7 +76,7 @@ impl Interpreter {
         self.observe(text, Event::Finishing(call));
         self.contours.landmarks = landmarks;
         self.go_along(block, Cycle::Finishing, &shape.moves);
-        // The blocks change the modal state as they would on their own; the tool goes home.
+        // The blocks change the modal state as they would on their own; the tool returns to the start point.
         let (position, reported, doubts) = (self.state.position, self.state.reported, self.state.doubts);
         self.state = State { position, reported, doubts, ..shape.state };
         self.go_on_observed_by(shape.observer);
@@ -84,20 +84,20 @@ impl Interpreter {
         Some(())
     }
 
-    /// The contour of a roughing cycle whose passes are not known, and the way back.
+    /// The contour of a roughing cycle whose passes are unknown, and the return move.
     #[cold]
     fn contour_alone(&mut self, block: &Block, cycle: Cycle, shape: &Shape) {
         let start = self.state.position;
         self.state.doubts.add(Doubt::Contour);
         let feed = self.state.process().feed;
         let mut moves = shape.moves.clone();
-        // The F of the contour does not count.
+        // The F of the contour is ignored.
         moves.iter_mut().for_each(|path_move| path_move.motion.process.feed = feed);
         self.go_along(block, cycle, &moves);
         self.return_to(block, cycle, start);
     }
 
-    /// The contour of a cycle whose own block cannot be read. What is wrong with either was reported.
+    /// The contour of a cycle whose own block cannot be parsed. Errors in both were reported.
     #[cold]
     pub(super) fn contour_of_broken(&mut self, text: &[u8], block: &Block, words: &Words, cycle: Multiple) {
         let (reported, muted) = (self.state.reported, std::mem::replace(&mut self.sink.muted, true));
@@ -111,7 +111,7 @@ impl Interpreter {
         self.state.doubts.remove(Doubt::Contour);
     }
 
-    /// The moves of a cycle along its contour.
+    /// Makes the moves of a cycle along its contour.
     fn go_along(&mut self, block: &Block, cycle: Cycle, moves: &[PathMove]) {
         for path_move in moves {
             let step = match path_move.motion.kind {
@@ -125,7 +125,7 @@ impl Interpreter {
         }
     }
 
-    /// The move of a cycle back to its start point.
+    /// Moves from a cycle back to its start point.
     fn return_to(&mut self, block: &Block, cycle: Cycle, start: Point) {
         let tag = CycleStep { cycle, pass: 0, step: Step::Return };
         let mut home = Motion { cycle: Some(tag), ..self.motion(MotionKind::Rapid, start) };
@@ -142,7 +142,7 @@ impl Interpreter {
         let radius = |address: u8| words.get(address).and_then(|word| reading.radius(word));
         let depth_word = if turning { b'U' } else { b'W' };
         if !words.has_any(letters(b"PQ")) {
-            // X or Z in the first block: the depth lost its letter's place (PS0066).
+            // X or Z in the first block: a wrong letter for the depth (PS0066).
             if (!words.has_any(letters(&[depth_word])) || self.dialect.strict)
                 && let Some(address) = [b'X', b'Z'].into_iter().find(|&address| words.peek(address).is_some())
             {
@@ -174,7 +174,7 @@ impl Interpreter {
             }
             let other_word = if turning { b'W' } else { b'U' };
             if words.get(depth_word).is_none() && words.peek(other_word).is_some() {
-                // U and W have changed their roles: G71 takes U, G72 takes W.
+                // U and W are exchanged: the depth is U for G71, W for G72.
                 let word = words.quote(text, other_word);
                 let fix = Fix::write(
                     words.span(other_word),
@@ -202,7 +202,7 @@ impl Interpreter {
         self.go_on_behind(block, shape.begins, shape.ends);
         let Some(depth) = self.state.parameters.depth.filter(|&depth| depth > 0.0) else {
             let depth = self.state.parameters.depth;
-            // A depth that is wrong in the first block was reported there.
+            // A wrong depth in the first block was reported there.
             if let Some(word) = words.get(b'D').filter(|_| shape.is_sound()) {
                 let depth = plain(word).map(|depth| depth * self.state.unit.millimetres());
                 let message: Message = depth.map_or(said::DepthMissing { code }.into(), |depth| {
@@ -254,7 +254,7 @@ impl Interpreter {
         Some(())
     }
 
-    /// Roughs as type I or II (GSK980TDb pp. 99, 100; for G72 with X and Z exchanged), and says as which.
+    /// Roughs as type I or II (GSK980TDb pp. 99, 100; for G72 with X and Z exchanged), and returns the type.
     #[allow(clippy::too_many_arguments, reason = "one call, all of its words")]
     fn rough(
         &mut self,
@@ -277,7 +277,7 @@ impl Interpreter {
         self.observe(text, Event::RoughingCalled(shape.call(block, words, contour, how)));
         let most = self.moves_left();
         let mut how = *how;
-        // GSK runs along the contour after its pockets only when asked to (GSK980TDb p. 100).
+        // GSK runs along the contour after its pockets only on request (GSK980TDb p. 100).
         if pockets && self.dialect.control == Control::Gsk && words.get(b'J').and_then(plain) != Some(1.0) {
             how.last_pass = roughing::LastPass::Nothing;
         }
@@ -294,7 +294,7 @@ impl Interpreter {
         {
             moves = Ok(found);
         }
-        // Where there is no type II, it is the pocket that cannot be roughed, however the block is written.
+        // If the control has no type II, the error is the pocket, regardless of the spelling of the block.
         let may_change = !pockets && second_named && self.dialect.type_ii;
         if may_change && matches!(moves, Err(roughing::RoughingError::NotMonotoneAcross { .. })) {
             how.shape = roughing::Shape::Pockets;
@@ -315,18 +315,18 @@ impl Interpreter {
             && roughing::rough(contour, &type_two, most).is_ok();
         let remedy = if can_be_pocket { Remedy::Pockets } else { Remedy::AnotherCycle };
         let Some(message) = contour_message(fault, code, turning, shape, remedy) else {
-            // Found out only after that many moves.
+            // This was only found after that many moves.
             self.refuse_long_cycle(block, code, most, most);
             return Err(Refused::Length);
         };
-        // At the block of the contour, which is where it can be fixed.
+        // Reported at the block of the contour, where it can be fixed.
         let place = match fault {
             roughing::RoughingError::NotMonotoneAlong { piece }
             | roughing::RoughingError::NotMonotoneAcross { piece }
             | roughing::RoughingError::BeyondStart { piece: Some(piece), .. } => shape.span_of(piece),
             _ => None,
         };
-        // Where much of the contour lies beyond the start, it is the start that is wrong.
+        // If much of the contour is beyond the start point, the start point is wrong.
         let side =
             if turning { contour.first.x - contour.start.x } else { contour.first.z - contour.start.z };
         let beyond = |piece: &&crate::cycles::Piece| {
@@ -345,7 +345,7 @@ impl Interpreter {
             self.report(message);
             return Err(Refused::Contour);
         }
-        // Many such programs run: some controls leave the check out, others allow a tolerance.
+        // Many such programs run: some controls have no such check, others allow a tolerance.
         let found = self.forgiving(block, contour, shape, &how, most);
         self.report(if found.is_some() { message.graded(Severity::Warning) } else { message });
         found.map(|moves| (moves, how.shape)).ok_or(Refused::Contour)
@@ -374,7 +374,7 @@ impl Interpreter {
             let old = parameters.pattern_passes.filter(|&passes| passes >= 1.0);
             parameters.pattern_passes = words.get(b'R').and_then(plain).or(old);
             let passes = self.pattern_passes(words, b'R');
-            // What is missing is reported here, and not again for the second block.
+            // A missing value is reported here, and not again for the second block.
             self.state.parameters.pattern_passes.get_or_insert(0.0);
             return passes.map(|_| ());
         }
@@ -447,13 +447,13 @@ impl Interpreter {
         Some(plain(word)? * scale)
     }
 
-    /// Moves that a cycle may make.
+    /// Number of moves that a cycle may still make.
     pub(super) fn moves_left(&self) -> usize {
         self.setup.limits.moves_per_cycle.min(self.setup.limits.motions.saturating_sub(self.sink.kept()))
     }
 
-    /// Refuses a cycle of more than `most` moves, found out after so many steps: it has too many by itself,
-    /// or too few are left for it and the run ends.
+    /// Refuses a cycle of more than `most` moves, after `steps` steps: either it is too long, or the run has
+    /// too few moves left and ends.
     pub(super) fn refuse_long_cycle(&mut self, block: &Block, code: &'static str, steps: usize, most: usize) {
         let span = block.words_span();
         if !self.spend(steps, block) {
@@ -480,7 +480,8 @@ impl Interpreter {
         self.spend(moves.len() - (self.sink.kept() - kept), block);
     }
 
-    /// The moves of a contour that is held to less: as it is, or without the last blocks, which lead back.
+    /// The passes of a contour with less strict checks: the contour as it is, or without its last blocks,
+    /// which lead back.
     fn forgiving(
         &mut self,
         block: &Block,
@@ -506,7 +507,7 @@ impl Interpreter {
     }
 }
 
-/// Why a contour is not roughed; it was reported.
+/// Why a contour is not roughed. The error was reported.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Refused {
     /// The contour cannot be roughed.
@@ -515,16 +516,16 @@ enum Refused {
     Length,
 }
 
-/// What can be done about a contour that turns back.
+/// How a contour that turns back can be cut.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Remedy {
-    /// Type II cuts it: it is a pocket.
+    /// As type II: it is a pocket.
     Pockets,
-    /// No type of this cycle cuts it on this control.
+    /// With another cycle: no type of this cycle can cut it on this control.
     AnotherCycle,
 }
 
-/// What to say of a contour that cannot be roughed; `None` where it only takes too many moves.
+/// The message for a contour that cannot be roughed; `None` if it only needs too many moves.
 fn contour_message(
     fault: roughing::RoughingError,
     code: &'static str,

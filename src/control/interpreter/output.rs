@@ -1,6 +1,6 @@
-//! Motions on their way into the list, and the bounds of that list.
+//! Output of motions into the list, and the limits of that list.
 //!
-//! In: motions. Out: those that have a length, in the coordinates of the machine.
+//! In: motions. Out: those with a length, in machine coordinates.
 
 use super::Interpreter;
 use crate::control::modal::PathMove;
@@ -11,13 +11,14 @@ use crate::parts::{Part, late};
 use crate::setup::tool_words::{is_second_operation, turns_round};
 use crate::text::block::Block;
 
-/// The part that reads comments on turning the part round. A run without it begins again when it is loaded, for the lints.
+/// The part of the module that reads comments about turning the part round. A run without it starts again
+/// when it is loaded, because the lints need it, too.
 const OTHER_END: Part = Part::Late;
 
 late! {
     /// Whether the comments of a block say that the part is turned round.
     fn announces_other_end(text: &[u8], block: &Block, stop: Option<StopKind>) -> bool {
-        // A comment beside a T word is about the tool.
+        // A comment in a block with a T word is about the tool.
         !block.words.iter().any(|word| word.address == b'T')
             && block.comments.iter().any(|comment| {
                 let comment = String::from_utf8_lossy(comment.of(text));
@@ -29,7 +30,7 @@ late! {
 }
 
 impl Interpreter {
-    /// A motion from where the tip stands.
+    /// A motion from the position of the tip.
     #[inline]
     pub(super) fn motion(&self, kind: MotionKind, to: Point) -> Motion {
         Motion {
@@ -44,19 +45,20 @@ impl Interpreter {
             programmed: None,
             rotary: None,
             cycle: None,
-            // Whether a block has failed is known when it is kept: it may wait for the next one.
+            // Whether a block has failed is determined when the motion is stored, because it may wait for the
+            // next one.
             process: Process { incomplete: false, ..self.state.process() },
         }
     }
 
-    /// Keeps a motion unless it has no length, and puts the tip at its end.
+    /// Outputs a motion unless it has no length, and moves the tip to its end.
     #[inline]
     pub(super) fn push(&mut self, block: &Block, motion: Motion) {
         self.emit(self.path_move(block, motion));
         self.state.position = motion.to;
     }
 
-    /// Reads what the comments of a block say of turning the part round. `stop`: the block is M00 or M01.
+    /// Looks for comments about turning the part round. `stop`: the block is M00 or M01.
     #[cold]
     pub(super) fn look_for_other_end(&mut self, text: &[u8], block: &Block, stop: Option<StopKind>) {
         if !self.state.frames.has_cut() || self.contours.recorded.is_some() {
@@ -71,23 +73,22 @@ impl Interpreter {
         }
     }
 
-    /// M00, M01: the program stops once all moves before it are made, those that
-    /// wait for a next one included.
+    /// M00, M01: the program stops after all previous moves, including those that wait for a next one.
     #[cold]
     pub(super) fn stop(&mut self, block: &Block, kind: StopKind) {
-        // A contour is read for its shape alone.
+        // A contour is read only for its shape.
         if self.contours.recorded.is_none() {
             let here = self.motion(MotionKind::Dwell, self.state.position);
             self.wait_here(PathMove { stop: Some(kind), ..self.path_move(block, here) });
         }
     }
 
-    /// Keeps a motion unless it has no length.
+    /// Outputs a motion unless it has no length.
     #[inline]
     pub(super) fn emit(&mut self, mut path_move: PathMove) {
         if let Some(kind) = path_move.stop {
             let stop = Stop { kind, span: path_move.span, line: path_move.line };
-            // Of several stops at one place the one that cannot be skipped counts.
+            // Of several stops at one position, the one that cannot be skipped is kept.
             let own = &mut self.state.stop;
             if own.is_none_or(|before| before.kind == StopKind::Optional) {
                 *own = Some(stop);
@@ -110,21 +111,21 @@ impl Interpreter {
             path_move = self.on_machine(path_move, third);
         }
         match &mut self.contours.recorded {
-            // One more than a cycle may have, so that it is refused rather than cut short.
+            // One more than a cycle may have, so that the cycle is refused, not truncated.
             Some(recorded) if recorded.len() <= self.setup.limits.moves_per_cycle => recorded.push(path_move),
             Some(_) => {}
             None => self.store(path_move),
         }
     }
 
-    /// Keeps a motion for good.
+    /// Stores a motion in the list.
     #[inline]
     fn store(&mut self, mut path_move: PathMove) {
         if !self.sink.has_room() {
             self.sink.end(said::TooManyMotions { most: self.setup.limits.motions }.into(), path_move.span);
             return;
         }
-        // A block after that of a motion that waited may have failed.
+        // A block after the block of a waiting motion may have failed.
         path_move.motion.process.incomplete |= self.state.incomplete;
         if let Some(stop) = self.state.stop.take() {
             self.sink.chunk.stop(&stop);

@@ -1,8 +1,8 @@
-//! The way of the programmed path to the motion list: corners first, then nose radius compensation.
+//! From the programmed path to the motion list: corners first, then nose radius compensation.
 //!
-//! In: straight moves and arcs as blocks program them. Out: motions. A move with a chamfer, a rounding or an
-//! open angle waits for the next one; under compensation every move does. Whatever is no part of the path
-//! (cycles, threads, G28, changes of the frame) first settles what waits.
+//! In: straight moves and arcs as programmed. Out: motions. A move with a chamfer, a rounding or an open
+//! angle waits for the next one; with compensation every move does. Everything that is not part of the path
+//! (cycles, threads, G28, frame changes) first outputs the waiting moves.
 
 use super::Interpreter;
 use super::request::Request;
@@ -18,7 +18,7 @@ use crate::motion::{Motion, MotionKind};
 use crate::parts::{Part, early};
 use crate::text::block::Block;
 
-/// Where corners are put in, and compensated paths worked out.
+/// The part of the module that inserts corners and compensates paths.
 const PATH: Part = Part::Early;
 
 early! {
@@ -53,17 +53,17 @@ early! {
     }
 }
 
-/// Blocks without a move after which a control no longer sees the next move.
+/// Number of blocks without a move after which a control no longer sees the next move.
 const IDLE_BLOCKS: u32 = 2;
 
 impl Interpreter {
-    /// A move of the programmed path.
+    /// Adds a move of the programmed path.
     #[inline(never)]
     pub(super) fn travel(&mut self, mut path_move: PathMove, joint: Option<Joint>) {
         let motion = path_move.motion;
         let still = motion.from.is_same(motion.to) && motion.center.is_none();
         if still && (motion.rotary.is_some() || path_move.third.is_some_and(|(from, to)| from != to)) {
-            // Nothing moves in the plane of the path: no corner, nothing to compensate.
+            // Nothing moves in the plane of the path: there is no corner, and nothing to compensate.
             return self.wait_here(path_move);
         }
         if self.state.pending.is_some()
@@ -83,8 +83,8 @@ impl Interpreter {
         }
     }
 
-    /// A move while nothing waits, is compensated or recorded: straight into the motion list, as nearly all
-    /// moves of long programs. False: it has to go the whole way.
+    /// Fast path for a move while nothing is waiting, compensated or recorded: puts it directly into the
+    /// motion list, as most moves of long programs. False: the move has to take the normal path.
     #[inline]
     pub(super) fn travel_plainly(
         &mut self,
@@ -118,7 +118,7 @@ impl Interpreter {
         true
     }
 
-    /// A move known by its angle alone, until the next block gives its end.
+    /// Adds a move of which only the angle is known, until the next block gives its end.
     #[inline(never)]
     pub(super) fn travel_at_angle(&mut self, block: &Block, angle: Angle, joint: Option<Joint>) {
         let motion = self.motion(MotionKind::Feed, self.state.position);
@@ -137,13 +137,13 @@ impl Interpreter {
             Some(Pending { path_move, joint, angle: Some(angle), before, dwells: Vec::new() });
     }
 
-    /// Closes an open angle with the end point and angle of the next block. False: reported.
+    /// Closes an open angle with the end point and angle of the next block. False: an error was reported.
     pub(super) fn close_angle(&mut self, x: Option<f64>, z: Option<f64>, angle: Option<f64>) -> bool {
         let is_open = self.state.pending.as_ref().is_some_and(|pending| pending.angle.is_some());
         !is_open || self.has(PATH) && close_angle(self, x, z, angle)
     }
 
-    /// The end of a straight move that its angle and one of its axes name.
+    /// The end of a straight move given by its angle and one axis.
     pub(super) fn end_by_angle(
         &mut self,
         angle: f64,
@@ -171,7 +171,7 @@ impl Interpreter {
         read_joint(self, text, block, request, words)
     }
 
-    /// Joins a waiting move to the next one, which it may shorten at its start. False: reported;
+    /// Joins a waiting move to the next one, whose start it may shorten. False: an error was reported, and
     /// the waiting move is dropped.
     pub(super) fn join(&mut self, pending: Pending, next: &mut PathMove) -> bool {
         if let Some(joint) = &pending.joint {
@@ -182,7 +182,7 @@ impl Interpreter {
         true
     }
 
-    /// A dwell: it comes after the move that waits, if there is one.
+    /// Adds a dwell after the waiting move, if there is one.
     pub(super) fn wait_here(&mut self, path_move: PathMove) {
         if let Some(pending) = &mut self.state.pending {
             pending.dwells.push(path_move);
@@ -204,7 +204,7 @@ impl Interpreter {
         }
     }
 
-    /// Compensation: gives the move on at once where there is none.
+    /// Compensates a move, or outputs it directly without compensation.
     pub(super) fn offset(&mut self, path_move: PathMove) {
         if self.state.compensation == Compensation::Off && self.state.compensating.is_none() {
             return self.emit(path_move);
@@ -222,15 +222,15 @@ impl Interpreter {
         }
     }
 
-    /// The centre goes to the end of the last move; no next move is known.
+    /// Moves the centre to the end of the last move; no next move is known.
     pub(super) fn flush_compensation(&mut self) {
-        // Where something is compensated, the part has been loaded.
+        // If a move is being compensated, the part is loaded.
         if self.state.compensating.is_some() {
             flush(self);
         }
     }
 
-    /// Makes what waits for a next move that will not come: end of program, a cycle, a new frame.
+    /// Outputs the waiting moves, because no next move will come: end of program, a cycle, a new frame.
     #[inline(never)]
     pub(super) fn settle(&mut self) {
         if let Some(pending) = self.state.pending.take() {
@@ -260,8 +260,8 @@ impl Interpreter {
         self.flush_compensation();
     }
 
-    /// The next move is not carried out: a corner or an open angle that waits for it is left out, and nothing
-    /// is reported for it. One fault, one message.
+    /// The next move is not carried out: a corner or an open angle that waits for it is left out without a
+    /// message. One error, one message.
     #[cold]
     pub(super) fn forget_next_move(&mut self) {
         let Some(pending) = &mut self.state.pending else { return };
@@ -277,8 +277,8 @@ impl Interpreter {
         }
     }
 
-    /// Compensation ends here without a move of its own: the tip stands beside the programmed point, and what
-    /// comes next begins there.
+    /// Ends compensation without a separate move: the tip is beside the programmed point, and the next move
+    /// begins there.
     pub(super) fn leave_compensation(&mut self) {
         if self.state.pending.is_none() && self.state.compensating.is_none() {
             return;
@@ -291,14 +291,14 @@ impl Interpreter {
         self.leave_flat();
     }
 
-    /// An open angle that no straight move with an end point follows.
+    /// Outputs a move with an open angle if no straight move with an end point follows.
     pub(super) fn settle_angle(&mut self) {
         if self.state.pending.as_ref().is_some_and(|pending| pending.angle.is_some()) {
             self.settle();
         }
     }
 
-    /// Counts a block that made no move of the path.
+    /// Counts a block without a move of the path.
     pub(super) fn idle_block(&mut self) {
         if let Some(compensating) = &mut self.state.compensating {
             compensating.idle_blocks += 1;
@@ -308,8 +308,8 @@ impl Interpreter {
         }
     }
 
-    /// A cycle starts here: its start point is the programmed one, so an approach that only begins
-    /// compensation goes there uncompensated.
+    /// A cycle starts here. Its start point is the programmed point, so an approach that only starts
+    /// compensation goes there without compensation.
     pub(super) fn arrive_for_cycle(&mut self) {
         let only_approach =
             |compensating: &Compensating| compensating.is_new && compensating.waiting.len() == 1;

@@ -1,7 +1,7 @@
-//! G74 and G75 as blocks call them, and what P and Q of G74 to G76 count.
+//! G74 and G75 as blocks call them, and the unit of P and Q in G74 to G76.
 //!
-//! In: the words of a block. Out: the moves of the cycle, amounts as lengths. The geometry is in
-//! `cycles::grooving`, the guess of the unit in `cycles::units`.
+//! In: the words of a block. Out: the moves of the cycle, amounts as lengths. `cycles::grooving` has the
+//! geometry, `cycles::units` guesses the unit.
 
 use super::multiples::{INCREMENT, NEAR};
 use super::request::Request;
@@ -51,7 +51,7 @@ impl Interpreter {
         if !may_cut {
             self.state.doubts.add(Doubt::Contour);
         }
-        // The older one-block form spells P, Q and R as I, K and D, in millimetres.
+        // The older one-block form uses I, K and D instead of P, Q and R, in millimetres.
         let in_one_block = words.has_any(letters(b"IK"));
         let (x_amount, z_amount, relief) = if in_one_block {
             (length(b'I'), length(b'K'), words.get(b'D').and_then(|word| self.one_block_depth(word)))
@@ -82,7 +82,7 @@ impl Interpreter {
         if let (Some(width), Some(step)) = (width, stepover)
             && cycle == Multiple::Grooving
             && (end.z - start.z).abs() > NEAR
-            // Far apart they are grooves of their own.
+            // With larger distances they are separate grooves.
             && (width - NEAR..=1.5 * width).contains(&step)
         {
             let message = said::GrooveStep { word: words.quote(text, other), step, width };
@@ -121,7 +121,7 @@ impl Interpreter {
             }
         };
         self.report(Diagnostic::new(message, span));
-        // Without its wrong words: a column at either end where their distance is missing.
+        // Without the wrong words: if their distance is missing, one column at each end.
         how.relief = how.relief.abs();
         how.peck = how.peck.map(f64::abs);
         how.stepover = how.stepover.map(f64::abs);
@@ -144,7 +144,7 @@ impl Interpreter {
         self.setup.tools.get(&format!("T{station:02}{offset:02}")).and_then(|tool| tool.width)
     }
 
-    /// What P and Q count (GSK980TDb pp. 119, 135), and both as lengths, mm.
+    /// The unit of P and Q (GSK980TDb pp. 119, 135), and both as lengths, mm.
     pub(super) fn amounts(
         &mut self,
         text: &[u8],
@@ -167,7 +167,7 @@ impl Interpreter {
         ))
     }
 
-    /// A P or Q word as it would count least increments.
+    /// A P or Q word as an amount in least increments.
     pub(super) fn amount(&self, words: &Words, address: u8) -> Option<Amount> {
         let word = words.get(address)?;
         let Value::Number { number, .. } = word.value else { return None };
@@ -183,8 +183,8 @@ impl Interpreter {
         amount.mm(reading, self.state.unit)
     }
 
-    /// Says that P and Q were read as millimetres, or that a control takes no point
-    /// there. False: it does not.
+    /// Reports that P and Q were read as millimetres, or that the control does not accept a point there.
+    /// False: it does not.
     pub(super) fn report_amounts(&mut self, text: &[u8], words: &Words, reading: units::Reading) -> bool {
         let pointed = [b'P', b'Q'].into_iter().find(|&address| {
             self.amount(words, address).is_some_and(|amount| amount.written == Written::WithPoint)
@@ -211,9 +211,9 @@ impl Interpreter {
         true
     }
 
-    /// P and Q as a control counts them, thousandths of a millimetre without a point.
+    /// A fix that writes P and Q as a control reads them: thousandths of a millimetre without a point.
     pub(super) fn in_micrometres(&self, text: &[u8], words: &Words) -> Vec<Fix> {
-        // Before the part is there nobody reads the message.
+        // Without the part no messages are shown.
         match FIXING.is_loaded() && self.state.unit == Unit::Millimetre {
             true => in_micrometres(text, words),
             false => Vec::new(),
@@ -221,7 +221,7 @@ impl Interpreter {
     }
 }
 
-/// The part that repairs words.
+/// The part of the module that contains fixes of words.
 const FIXING: Part = Part::Late;
 
 late! {

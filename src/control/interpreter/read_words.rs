@@ -1,4 +1,4 @@
-//! G and M words: what each changes at once, and what it asks of its block.
+//! G and M words: their immediate effect, and their part of the block's request.
 //!
 //! In: one word after the other. Out: the modal state, and the [`Request`] of the block.
 
@@ -17,7 +17,7 @@ use crate::source::Span;
 use crate::text::block::{Block, Value, Word};
 
 impl Interpreter {
-    /// Takes one word: codes change the request and the modal state, data words are kept for later.
+    /// Reads one word: codes change the request and the modal state, data words are stored for later.
     #[inline]
     pub(super) fn read_word<'b>(
         &mut self,
@@ -66,7 +66,7 @@ impl Interpreter {
         }
     }
 
-    /// Reports addresses that appear twice; both blocks of a cycle in one line are one fault.
+    /// Reports addresses that appear twice. Both blocks of a cycle in one line are a single error.
     #[cold]
     pub(super) fn report_duplicates(&mut self, text: &[u8], block: &Block, request: &mut Request) {
         let duplicates = std::mem::take(&mut request.duplicates);
@@ -150,7 +150,7 @@ impl Interpreter {
                 self.observe(text, Event::FeedMode(mode));
                 self.state.feed_mode = mode;
             }
-            // What makes coordinates doubtful is switched off.
+            // Switches off a function that makes coordinates doubtful.
             G::Idle if matches!(tenths, Some(150 | 501 | 502 | 690 | 691)) => self.regain_coordinates(),
             G::Idle => {}
             G::NotSupported => {
@@ -161,13 +161,13 @@ impl Interpreter {
         }
     }
 
-    /// A G code this control does not have: an alarm; of the numbers machine makers use,
-    /// a question of the machine.
+    /// A G code that this control does not have: an alarm, or, for numbers that machine builders use, a note
+    /// that it depends on the machine.
     #[inline(never)]
     fn unknown_g(&mut self, text: &[u8], request: &mut Request, tenths: Option<u64>, word: &Word) {
         let quoted = quote(text, word.span);
-        // Tool length offsets of mills: on a lathe the T word has them, and on some machines with a B axis G43. The other words of
-        // the block act.
+        // Tool length offsets of mills: a lathe has them in the T word, and some machines with a B axis in
+        // G43. The other words of the block take effect.
         if matches!(tenths, Some(430 | 440)) {
             request.length_offset = true;
             self.report(Diagnostic::new(said::LengthOffset { word: quoted }, word.span));
@@ -181,9 +181,9 @@ impl Interpreter {
         }
         let is_limit = tenths == Some(500);
         let meant = match tenths {
-            // The speed limit of system A. The others write G92.
+            // The speed limit of system A; the other systems write G92.
             Some(500) => Some("G92"),
-            // A thread: G32 in system A, G33 in the others.
+            // A thread: G32 in system A, G33 in the other systems.
             Some(320) => Some("G33"),
             Some(330) => Some("G32"),
             _ => None,
@@ -196,12 +196,13 @@ impl Interpreter {
         } else if meant.is_some() {
             request.motion = Some(MotionMode::Thread);
         }
-        // It may have been one of group 01.
+        // It may have been a code of group 01.
         self.lose(Doubts::of(&[Doubt::Code]));
         request.drop = true;
     }
 
-    /// Two different codes of a group in a block: the last is valid, but M05 acts at the end of the block.
+    /// Two different codes of a group in a block: the last is effective, but M05 takes effect at the end of
+    /// the block.
     fn note_group(&mut self, text: &[u8], request: &mut Request, group: Exclusive, key: u64, span: Span) {
         const STOP: u64 = 5;
         if let Some((other, before)) = request.group_words[group as usize].replace((key, span))
@@ -233,13 +234,13 @@ impl Interpreter {
                 state.spindle.turn = turn;
                 state.spindle.is_stopped = false;
                 state.spindle.is_held = false;
-                // A spindle that turns is no axis.
+                // A turning spindle is not an axis.
                 state.c_axis = false;
             }
             Some(M::Orientation) => state.spindle.is_held = true,
             Some(M::LiveTool) => state.spindle.live_tool = true,
             Some(M::ThreadPullOut(switch)) => state.thread_chamfer_on = switch == Switch::On,
-            // It is no longer in the way of this block, and comes when the block is done.
+            // It takes effect after the block, so it is not an obstacle for this block.
             Some(M::Quill(Quill::Forward)) => request.quill_comes = true,
             Some(M::Quill(quill)) => state.quill = quill,
             Some(M::End) => request.end = true,
@@ -263,7 +264,7 @@ early! {
         let Some(OneShot::Multiple(cycle)) = request.one_shot.filter(|_| request.macro_call.is_none()) else {
             return false;
         };
-        // The words with which the second block begins, and those that both blocks have.
+        // The first words of the second block, and the words that both blocks have.
         let (second, both): (&[u8], &[u8]) = match cycle {
             Multiple::Finishing => (b"", b""),
             Multiple::RoughTurning | Multiple::RoughFacing | Multiple::Pattern => (b"PQ", b"UWR"),
@@ -293,7 +294,8 @@ early! {
     }
 }
 
-/// `G7` of LinuxCNC: X is a diameter, as it is here. FANUC writes G07, and names the axis that it makes hypothetical.
+/// `G7` of LinuxCNC: X is a diameter, as it always is here. FANUC writes G07, and names the axis that becomes
+/// hypothetical.
 fn is_diameter_mode(word: &Word, block: &Block) -> bool {
     word.span.len() == 2
         && block.words.iter().all(|word| matches!(word.address, b'G' | b'M' | b'S' | b'T' | b'F'))

@@ -1,5 +1,5 @@
-//! Reference points and machine coordinates: G27, G28, G29, G30, G53 (seed 002); and what G10 writes (FANUC
-//! 16i/18i-TB B-63524EN p. 285).
+//! Reference points and machine coordinates: G27, G28, G29, G30, G53 (seed 002); and the tables that G10
+//! writes (FANUC 16i/18i-TB B-63524EN p. 285).
 //!
 //! In: the words of a block. Out: rapids, and changed tables.
 
@@ -24,7 +24,7 @@ impl Interpreter {
         Point::new(home.x.radius() - offset.x, home.z - offset.z)
     }
 
-    /// G28, and G30 to the other reference points. That of Y is over the spindle axis.
+    /// G28, and G30 to the other reference points. The reference point of Y is over the spindle axis.
     pub(super) fn home(&mut self, text: &[u8], block: &Block, request: &mut Request, words: &Words) {
         self.go_home(text, block, request, words);
         if words.has_any(letters(b"YV")) {
@@ -32,7 +32,7 @@ impl Interpreter {
         }
     }
 
-    /// Over the intermediate point to a reference point.
+    /// Moves over the intermediate point to a reference point.
     fn go_home(&mut self, text: &[u8], block: &Block, request: &mut Request, words: &Words) {
         if request.one_shot == Some(OneShot::OtherHome)
             && let Some(word) = words.get(b'P')
@@ -53,11 +53,11 @@ impl Interpreter {
             }
             return;
         }
-        // Homing is what connects C on many machines.
+        // On many machines C is connected by returning it to its reference point.
         self.state.c_axis |= turns;
         let middle = self.target(text, words);
         request.moved = true;
-        // Each axis keeps the intermediate place it was last given.
+        // Each axis keeps the intermediate position it was last given.
         let named = |axes: u32| words.has_any(axes);
         let kept = self.state.intermediate.unwrap_or(middle);
         self.state.intermediate = Some(Point::new(
@@ -78,7 +78,7 @@ impl Interpreter {
         self.push(block, motion);
     }
 
-    /// G27: goes to a point and checks that it is the reference point (PS0092).
+    /// G27: moves to a point and checks that it is the reference point (PS0092).
     pub(super) fn check_home(&mut self, text: &[u8], block: &Block, request: &mut Request, words: &Words) {
         request.moved = true;
         let to = self.target(text, words);
@@ -91,7 +91,7 @@ impl Interpreter {
         }
     }
 
-    /// G29: over the intermediate point of G28 to the end.
+    /// G29: moves over the intermediate point of G28 to the end point.
     pub(super) fn leave_home(&mut self, text: &[u8], block: &Block, request: &mut Request, words: &Words) {
         let Some(middle) = self.state.intermediate else {
             self.report(Diagnostic::new(said::NoIntermediate, block.words_span()));
@@ -99,7 +99,7 @@ impl Interpreter {
             return;
         };
         request.moved = true;
-        // Incremental words count from the intermediate point; an axis that is not named stays.
+        // Incremental words are relative to the intermediate point; an axis without a word does not move.
         let from = self.state.position;
         let x = self.axis(text, words, b'X', b'U', Counts::Diameter);
         let z = self.axis(text, words, b'Z', b'W', Counts::Length);
@@ -112,7 +112,7 @@ impl Interpreter {
         self.push(block, self.motion(MotionKind::Rapid, Point::new(to_x, to_z)));
     }
 
-    /// G53: a rapid in machine coordinates; incremental words do not count.
+    /// G53: a rapid in machine coordinates; incremental words are ignored.
     pub(super) fn machine_move(&mut self, text: &[u8], block: &Block, request: &mut Request, words: &Words) {
         let reading = self.reading();
         if let Some((word, y)) = words.get(b'Y').and_then(|word| Some((word, reading.length(word)?))) {
@@ -125,9 +125,8 @@ impl Interpreter {
         }
         request.moved = true;
         let (from, offset) = (self.state.position, self.state.frames.offset());
-        // Most machines count from their reference point, where the slides are as far out as they
-        // go: what lies at zero or below is counted from there, for in the frame of the work it
-        // would be inside the chuck.
+        // Most machines measure from their reference point, where the slides are fully retracted. Coordinates
+        // at zero or below are measured from there, because in the work frame they would be inside the chuck.
         let from_reference = x.unwrap_or(0.0) <= 0.0 && z.unwrap_or(0.0) <= 0.0;
         let zero = match from_reference {
             true => self.reference_point(),
@@ -141,7 +140,7 @@ impl Interpreter {
         self.push(block, self.motion(MotionKind::Rapid, to));
     }
 
-    /// G10: offsets and zero points written by the program; L3, L50 and the like read data up to G11.
+    /// G10: the program writes offsets and zero points; L3, L50 and others begin data up to G11.
     pub(super) fn write_data(&mut self, text: &[u8], request: &mut Request, words: &Words) {
         let reading = self.reading();
         let length = |address: u8| words.get(address).and_then(|word| reading.length(word));
@@ -159,7 +158,7 @@ impl Interpreter {
         let kind = words.get(b'L').and_then(plain).map(|kind| kind as u32);
         let (x, z) = (length(b'X'), length(b'Z'));
         let (u, w) = (length(b'U'), length(b'W'));
-        // Under G91 of systems B and C the plain letters add as well.
+        // Under G91 of systems B and C, X and Z are incremental, too.
         let (x, u) = if self.state.incremental { (None, x.or(u)) } else { (x, u) };
         let (z, w) = if self.state.incremental { (None, z.or(w)) } else { (z, w) };
         let setting = if x.is_some() || z.is_some() { Setting::Absolute } else { Setting::Relative };
@@ -199,7 +198,7 @@ impl Interpreter {
         }
     }
 
-    /// Changes the zero of a frame, by the words at `span`.
+    /// Changes the zero of a frame, given by the words at `span`.
     pub(super) fn set_zero(
         &mut self,
         frame: u16,

@@ -1,8 +1,8 @@
-//! The C axis: as an axis of its own, and as the second axis of a virtual plane under polar (G12.1) and
-//! cylindrical (G07.1) interpolation (seed 002, FANUC 15i B-63324EN p. 80).
+//! The C axis: as a separate axis, and as the second axis of a virtual plane in polar (G12.1) and cylindrical
+//! (G07.1) interpolation (seed 002, FANUC 15i B-63324EN p. 80).
 //!
-//! In: the words of a block. Out: moves of the path, in the plane while one is in force, and what
-//! the machine makes of them.
+//! In: the words of a block. Out: moves of the path, in the virtual plane while one is in force, and the
+//! machine's motions for them.
 
 use super::Interpreter;
 use super::request::Request;
@@ -18,11 +18,11 @@ use crate::setup::dialect::PolarX;
 use crate::source::Span;
 use crate::text::block::{Block, Value, Word};
 
-/// Words that name the C axis.
+/// Addresses of the C axis.
 pub(super) const TURNS: u32 = letters(b"CH");
 
 impl Interpreter {
-    /// The G codes that may stand in polar or cylindrical interpolation; all others are an alarm.
+    /// Whether a G code is allowed in polar or cylindrical interpolation; all others raise an alarm.
     pub(super) fn may_stand_in_plane(&mut self, text: &[u8], code: G, word: &Word) -> bool {
         let Some(plane) = self.state.virtual_plane else { return true };
         if matches!(plane.surface, Surface::Flat(_)) {
@@ -50,9 +50,9 @@ impl Interpreter {
         false
     }
 
-    /// A tool change or the end of the program, while a virtual plane is in force.
+    /// Reports a tool change or the end of the program while a virtual plane is in force.
     pub(super) fn plane_left_on(&mut self, text: &[u8], span: Span) {
-        // What waits there settles as the cutter goes.
+        // Moves that wait in a Y plane are made when it is left.
         self.leave_flat();
         let Some(plane) = self.state.virtual_plane else { return };
         let (code, face) = (quote(text, span), plane.surface == Surface::Face);
@@ -71,7 +71,7 @@ impl Interpreter {
             return;
         }
         if switch == Switch::Off && self.state.virtual_plane.is_none() {
-            // What kept it from being switched on was reported.
+            // The reason why it was not switched on has been reported.
             return;
         }
         if self.compensates_at(block, code) {
@@ -88,7 +88,7 @@ impl Interpreter {
         }
     }
 
-    /// Whether compensation is on where a virtual plane begins or ends; reported.
+    /// Whether compensation is active where a virtual plane begins or ends, which is reported.
     fn compensates_at(&mut self, block: &Block, code: &'static str) -> bool {
         let compensates = self.state.compensation != Compensation::Off;
         if compensates {
@@ -97,7 +97,7 @@ impl Interpreter {
         compensates
     }
 
-    /// G07.1 with the radius of the cylinder as C; C0 ends it.
+    /// G07.1, with the radius of the cylinder in C; C0 ends it.
     pub(super) fn cylinder(&mut self, text: &[u8], block: &Block, request: &mut Request, words: &Words) {
         let reading = self.reading();
         let radius = words.get(b'C').and_then(|word| reading.length(word));
@@ -110,7 +110,7 @@ impl Interpreter {
             return;
         };
         if radius == 0.0 && self.state.virtual_plane.is_none() {
-            // What kept it from being switched on was reported.
+            // The reason why it was not switched on has been reported.
             return;
         }
         if self.compensates_at(block, "G07.1") {
@@ -147,7 +147,7 @@ impl Interpreter {
         self.state.virtual_plane = Some(VirtualPlane { surface, third: (third, third), angle: self.state.c });
     }
 
-    /// Back to the plane of turning: the tool stands where the machine has taken it.
+    /// Returns to the turning plane, with the tool at its position in the machine.
     pub(super) fn leave_plane(&mut self) {
         self.settle();
         if let Some(plane) = self.state.virtual_plane.take() {
@@ -158,8 +158,8 @@ impl Interpreter {
         }
     }
 
-    /// A code that ends the plane is refused: what follows is written for the plane of turning all the
-    /// same. One fault, one message.
+    /// A code that ends the plane was refused: the plane is left all the same, because the following blocks
+    /// are written for the turning plane. One error, one message.
     fn leave_plane_refused(&mut self, switch: Switch) {
         if switch == Switch::Off && self.state.virtual_plane.is_some() {
             self.leave_plane();
@@ -167,7 +167,7 @@ impl Interpreter {
         }
     }
 
-    /// Checks before a move in the virtual plane. False: reported.
+    /// Checks a move in the virtual plane. False: an error was reported.
     pub(super) fn may_move_in_plane(&mut self, text: &[u8], block: &Block, words: &Words) -> bool {
         let Some(plane) = self.state.virtual_plane else { return true };
         if matches!(plane.surface, Surface::Flat(_)) {
@@ -191,13 +191,13 @@ impl Interpreter {
         true
     }
 
-    /// C moves: it is an axis from here on.
+    /// C moves: C words are an axis from here on.
     fn connect_c(&mut self, text: &[u8], span: Span) {
         self.observe(text, Event::CAxis { span });
         self.state.c_axis = true;
     }
 
-    /// The angle that C and H name outside a virtual plane, degrees; `None` where C stays.
+    /// The target angle of C and H outside a virtual plane, degrees; `None` if C does not move.
     pub(super) fn turn_target(&mut self, text: &[u8], words: &Words) -> Option<f64> {
         if !words.has_any(TURNS) || self.state.virtual_plane.is_some() {
             return None;
@@ -223,7 +223,7 @@ impl Interpreter {
         }
     }
 
-    /// Gives a motion its part of C, outside a virtual plane.
+    /// Adds the rotation of C to a motion outside a virtual plane.
     pub(super) fn turning(&mut self, motion: Motion, c: Option<f64>) -> Motion {
         let Some(to) = c else { return motion };
         let from = std::mem::replace(&mut self.state.c, to);
@@ -232,7 +232,8 @@ impl Interpreter {
         Motion { rotary, ..motion }
     }
 
-    /// What X, Z, C and their incremental words say of the two axes of the path: upwards and to the right.
+    /// The targets along the two axes of the path, upwards and to the right, from X, Z, C and their
+    /// incremental words.
     pub(super) fn plane_targets(&mut self, text: &[u8], words: &Words) -> (Target, Target) {
         let Some(plane) = self.state.virtual_plane else {
             let x = self.axis(text, words, b'X', b'U', Counts::Diameter);
@@ -278,7 +279,7 @@ impl Interpreter {
         (up, right)
     }
 
-    /// A motion of a block, on its way through the pipeline.
+    /// A motion of a block for the next stages: corners, compensation, output.
     #[inline]
     pub(super) fn path_move(&self, block: &Block, motion: Motion) -> PathMove {
         let third = self.state.virtual_plane.map(|plane| plane.third);
@@ -286,7 +287,7 @@ impl Interpreter {
         PathMove { motion, span, words, line, third, stop: None, wall: None }
     }
 
-    /// What the machine does for a motion of a virtual plane.
+    /// The motion of the machine for a motion in a virtual plane.
     #[cold]
     pub(super) fn on_machine(&mut self, mut path_move: PathMove, third: (f64, f64)) -> PathMove {
         let Some(plane) = &mut self.state.virtual_plane else { return path_move };
@@ -302,7 +303,7 @@ impl Interpreter {
         };
         let from = plane.angle;
         match plane.surface {
-            // C turns beside the way.
+            // C turns independently of the path.
             Surface::Flat(_) => plane.angle = self.state.c,
             surface => plane.angle += surface.turn_along(&way),
         }

@@ -1,5 +1,5 @@
-//! What a block sets without moving the tool: F, S, T, coordinate systems, speed limits; and the one-shot
-//! codes G04 and G28, which use the words of their block in their own way.
+//! Settings of a block without a move: F, S, T, coordinate systems, speed limits; and the one-shot codes G04
+//! and G28, which read the words of their block in their own way.
 
 use super::Interpreter;
 use super::request::{OneShot, Request};
@@ -16,7 +16,7 @@ use crate::source::Span;
 use crate::text::block::{Block, Value, Word};
 
 impl Interpreter {
-    /// S, F and T, with what G96, G97 and G50 make of S.
+    /// S, F and T, with the effect of G96, G97 and G50 on S.
     #[inline]
     pub(super) fn set_feed_speed_tool(
         &mut self,
@@ -73,7 +73,7 @@ impl Interpreter {
         let most = self.setup.machine.max_speed;
         let spindle = &mut self.state.spindle;
         if !surface && spindle.surface && words.get(b'S').is_none() {
-            // G97 without S keeps the speed that was reached last.
+            // G97 without S keeps the last speed.
             spindle.rpm = spindle.speed_within(self.state.position.x, most).unwrap_or(spindle.rpm);
         }
         spindle.surface = surface;
@@ -95,12 +95,12 @@ impl Interpreter {
             3 | 4 => (value / 100, value % 100),
             _ => (value / 1000, value % 1000),
         };
-        // `T2200` and later `T22`: the station stands at work already, now it gets its offset.
+        // `T2200` and later `T22`: the station is already at work, and gets its offset now.
         let (at_work, in_force) = self.state.tool;
         let adds_offset = in_force == 0 && u64::from(at_work) == value;
         let is_short = digits <= 2 && value > 0;
         self.state.has_long_tools |= digits > 2;
-        // M06 beside it, and no T word of four digits: a turret that takes two digits, or a changer.
+        // With M06, and no T word of four digits: a turret with two-digit T words, or a tool changer.
         let is_station = is_short && changes_tool && !self.state.has_long_tools;
         if is_station {
             let message = said::ShortToolAsStation { word: quote(text, word.span), station: value as u32 };
@@ -110,7 +110,7 @@ impl Interpreter {
             let diagnostic = Diagnostic::new(message, word.span);
             self.report(if changes_tool { diagnostic.graded(Severity::Info) } else { diagnostic });
         }
-        // Six digits are three and three: `T010101` would be offset 101; some machines have that many.
+        // Six digits are split three and three: `T010101` would be offset 101; some machines have that many.
         let beyond = station > 999 || digits > 6;
         if beyond || (digits == 6 && offset > 99) {
             // With M06 it is the number of a tool changer.
@@ -137,14 +137,14 @@ impl Interpreter {
     /// G04.
     pub(super) fn dwell(&mut self, text: &[u8], block: &Block, words: &Words, request: &mut Request) {
         let reading = self.reading();
-        // Where X or U gives the time, P is not read.
+        // If X or U gives the time, P is not read.
         let by_seconds = words.get(b'X').or_else(|| words.get(b'U')).and_then(|word| reading.seconds(word));
         let milliseconds = if by_seconds.is_none() { words.get(b'P') } else { None };
         let pointed = milliseconds
             .filter(|word| matches!(word.value, Value::Number { number, .. } if number.has_point()));
         let forum = self.dialect.control == Control::Forum;
         if let Some(word) = pointed.filter(|_| !forum) {
-            // Haas reads seconds where there is a point.
+            // Haas reads seconds if there is a point.
             let severity = if self.dialect.strict { Severity::Error } else { Severity::Warning };
             let message = said::DwellWithPoint { word: quote(text, word.span) };
             self.report(Diagnostic::new(message, word.span).graded(severity));
@@ -164,8 +164,8 @@ impl Interpreter {
             }
             _ => {
                 let diagnostic = Diagnostic::new(said::DwellNoTime, block.words_span());
-                // Many controls take a lone G04 as an exact stop; with the spindle stopped
-                // no groove waits for a turn.
+                // Many controls take a G04 without time as an exact stop; with the spindle stopped, no groove
+                // waits for a revolution.
                 let only_stops = self.state.spindle.turn == SpindleTurn::Stopped
                     && !self.state.spindle.still
                     && !words.has_any(letters(b"XUPF"));
@@ -182,7 +182,7 @@ impl Interpreter {
         let at = self.state.position;
         let radius = |address: u8| words.get(address).and_then(|word| reading.radius(word));
         let (x, z) = (radius(b'X'), length(b'Z'));
-        // New coordinates of the tip: old programs give them for each tool.
+        // New coordinates of the tip: old programs set them for each tool.
         let named = Point::new(x.map_or(0.0, |x| x - at.x), z.map_or(0.0, |z| z - at.z));
         self.state.name_place(named);
         self.sink.chunk.rename(named);
@@ -207,7 +207,7 @@ impl Interpreter {
         }
     }
 
-    /// Changes the frame, and keeps the machine where it is.
+    /// Changes the frame without moving the machine.
     pub(super) fn change_frame(&mut self, change: impl FnOnce(&mut Frames)) {
         self.leave_compensation();
         if let Some(left) = self.state.frames.before_first_cut() {
@@ -216,14 +216,14 @@ impl Interpreter {
         self.state.change_frame(change);
     }
 
-    /// The first cut says where the workpiece is.
+    /// The first cut determines the frame of the workpiece.
     #[cold]
     pub(super) fn place_motions_before(&mut self) {
         let frames = &self.state.frames;
         self.sink.chunk.place_on_workpiece(|left| frames.place(left));
     }
 
-    /// G52: local shift, in every frame; X0 Z0 takes it away.
+    /// G52: local shift, in every frame; X0 Z0 cancels it.
     pub(super) fn local_frame(&mut self, words: &Words) {
         let reading = self.reading();
         let length = |address: u8| words.get(address).and_then(|word| reading.length(word));

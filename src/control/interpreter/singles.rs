@@ -20,7 +20,7 @@ use crate::source::Span;
 use crate::text::block::Block;
 use crate::units::Diameter;
 
-/// The part that writes numbers into messages.
+/// The part of the module that formats numbers for messages.
 const QUOTING: Part = Part::Late;
 
 late! {
@@ -29,7 +29,7 @@ late! {
     }
 }
 
-/// What the moves of a thread cycle have in common.
+/// Data shared by the moves of a thread cycle.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Thread {
     /// Lead, mm.
@@ -47,7 +47,7 @@ impl Thread {
     }
 }
 
-/// Start angle of the start `number` (from 0) of `starts`, degrees (GSK980TDb, L of G92).
+/// Start angle, degrees, of start number `number` (from 0) of `starts` (GSK980TDb, L of G92).
 pub(super) fn angle_of_start(number: u64, starts: u64) -> f64 {
     360.0 * number as f64 / starts as f64
 }
@@ -116,10 +116,10 @@ impl Interpreter {
         let taper_span = taper.map_or_else(|| block.words_span(), |word| word.span);
         let taper_word = |control: &Self| match taper {
             Some(word) => words::quote(text, word.span),
-            // It is that of a block before.
+            // The taper of an earlier block.
             None => {
                 let taper = control.state.memory.taper / control.state.unit.millimetres();
-                // Before the part is there nobody reads the message.
+                // Without the part no messages are shown.
                 if QUOTING.is_loaded() { taper_word(taper) } else { String::new() }
             }
         };
@@ -147,7 +147,7 @@ impl Interpreter {
             let pass = SinglePass { block, words, cycle, start, end, taper_word, taper_span, lead, starts };
             self.observe(text, Event::SinglePass(pass));
         } else {
-            // Its moves are known all the same.
+            // Its moves are known in spite of the error.
             request.drop = true;
             self.state.doubts.add(Doubt::Cycle);
         }
@@ -177,14 +177,14 @@ impl Interpreter {
         }
     }
 
-    /// How far compensation moves a straight cut along an axis, mm, so that the nose touches the programmed
-    /// line; nothing without compensation or radius.
+    /// Shift, mm, of a straight cut along an axis due to compensation, so that the nose touches the
+    /// programmed line; 0 without compensation or radius.
     fn nose_shift(&self, from: Point, to: Point, along: Axis) -> f64 {
         let Some(side) = self.side() else { return 0.0 };
         cycle_shift(side, tool_offset::nose(&self.state, &self.setup), from, to, along).unwrap_or(0.0)
     }
 
-    /// The letter that holds the taper in a block of a cycle: R, or its older spelling.
+    /// The address of the taper in a block of a cycle: R, or its older spelling.
     pub(super) fn taper_word(&self, words: &Words, cycle: Single) -> Option<u8> {
         let old = match cycle {
             Single::Turning => Some(b'I'),
@@ -194,8 +194,8 @@ impl Interpreter {
         [Some(b'R'), old].into_iter().flatten().find(|&address| words.peek(address).is_some())
     }
 
-    /// Checks the taper (its place and its word) against the start point. `own_word`: the text and the place of
-    /// the taper's word, where this block has one.
+    /// Checks the taper against the start point. `own_word`: the text, and the span of the taper word if this
+    /// block has one. `taper_span` is where errors are reported.
     pub(super) fn taper_fits(
         &mut self,
         cycle: Single,
@@ -211,7 +211,7 @@ impl Interpreter {
             Single::Facing => end.z - start.z,
         };
         if single::begins_beyond_start(way, taper) {
-            // GSK states it as an error (seed 000); no FANUC alarm is known for it.
+            // GSK documents it as an error (seed 000); no FANUC alarm is known for it.
             let error = self.dialect.control == Control::Gsk || self.dialect.strict;
             let severity = if error { Severity::Error } else { Severity::Warning };
             let word = word(self);
@@ -222,7 +222,7 @@ impl Interpreter {
                 Single::Facing => said::TaperBeyondLength { word, limit: way }.into(),
             };
             let mut diagnostic = Diagnostic::new(message, span).graded(severity);
-            // With the other sign the cut begins inside of the start point and ends where it did.
+            // With the opposite sign the cut begins inside the start point and has the same end.
             let crosses_axis = cycle != Single::Facing && end.x > 0.0 && end.x < taper;
             if let Some((text, place)) = own_word
                 && !crosses_axis
@@ -235,15 +235,15 @@ impl Interpreter {
         true
     }
 
-    /// How often a G92 pass is cut: once, or for each start (GSK L).
+    /// Number of cuts of a G92 pass: one per start (GSK L).
     pub(super) fn starts(&self, words: &Words, cycle: Single) -> u64 {
         let several = cycle == Single::Threading && self.dialect.control == Control::Gsk;
         let starts = if several { words.get(b'L').and_then(plain) } else { None };
         starts.map_or(1, |starts| crate::geometry::within(starts, 1.0, 99.0) as u64)
     }
 
-    /// The start angle of a thread, degrees: Q counts thousandths, up to a full turn, and holds for its block
-    /// (B-64304EN, multiple threads).
+    /// The start angle of a thread, degrees: Q is in units of 0.001°, up to a full turn, and applies only to
+    /// its block (B-64304EN, multiple threads).
     pub(super) fn start_angle(&self, words: &Words) -> f64 {
         let angle = words.get(b'Q').and_then(plain).unwrap_or(0.0);
         crate::geometry::within(angle / 1000.0, 0.0, 360.0)
@@ -264,7 +264,7 @@ impl Interpreter {
         }
     }
 
-    /// How a thread is left by the chamfer in tenths of a lead (parameter 5130), if it is switched on.
+    /// Pull-out of a thread by the chamfer in tenths of a lead (parameter 5130), if it is switched on.
     pub(super) fn chamfer(&self, lead: f64) -> Option<PullOut> {
         let length = 0.1 * f64::from(self.state.thread_chamfer) * lead;
         (self.state.thread_chamfer_on && length > 0.0).then_some(PullOut { along: length, out: length })

@@ -1,7 +1,7 @@
 //! The variables of a run, as the evaluation of macros reads and writes them.
 //!
-//! In: numbers of variables. Out: their values, whether they are known, and what reading
-//! and writing does to the run.
+//! In: numbers of variables. Out: their values, whether these are known, and the effects of reading and
+//! writing on the run.
 
 use super::Interpreter;
 use crate::control::macros::{Found, Knowledge, MacroErrorKind, Memory, Stored, Variables};
@@ -9,7 +9,7 @@ use crate::control::offsets::Setting;
 use crate::setup::dialect::Control;
 use crate::text::block::Block;
 
-/// The variables as a statement of a block sees them.
+/// The variables for a statement of a block.
 pub(super) struct Store<'a> {
     interpreter: &'a mut Interpreter,
     text: &'a [u8],
@@ -25,7 +25,8 @@ impl<'a> Store<'a> {
         Self { interpreter, text, block, read: None, knowledge: Knowledge::Known }
     }
 
-    /// Whether the control has the variable at all is known to `Variables`, except of those that one control has.
+    /// Checks that a variable exists on this control; `Variables` checks everything except the variables that
+    /// only GSK has.
     fn exists(&self, variable: u32) -> Result<(), MacroErrorKind> {
         let is_gsk = self.interpreter.dialect.control == Control::Gsk;
         if is_gsk || !Variables::is_of_gsk(variable) { Ok(()) } else { Err(MacroErrorKind::VariableNumber) }
@@ -67,25 +68,26 @@ impl Memory for Store<'_> {
     }
 }
 
-/// What a pass of the main program reads before it assigns it.
+/// Values that a pass of the main program reads before it assigns them.
 impl Interpreter {
-    /// Notes for the pass of the main program that a block assigns a variable (`None`), or reads one that had
-    /// this value when the pass began.
+    /// Records for the pass of the main program that a block assigns a variable (`None`), or reads one that
+    /// had this value when the pass began.
     pub(super) fn note_access(&mut self, block: u32, variable: u32, read: Option<Option<f64>>) {
-        // The local variables of a macro are other variables.
+        // The local variables of a macro are separate variables.
         if variable > 33 || self.state.variables.level() == 0 {
             let block = self.main_block(block);
             self.state.call_stack.main_pass.note(block, variable, read);
         }
     }
 
-    /// The block of the main program that is carried out: a call, while the block at byte `block` is in a subprogram.
+    /// The current block of the main program: the calling block, while the block at byte `block` is in a
+    /// subprogram.
     pub(super) fn main_block(&self, block: u32) -> u32 {
         self.state.call_stack.calls.first().map_or(block, |call| call.caller)
     }
 
-    /// Ends a pass of the main program at M99. Whether the next one, from the block at byte `from` or from the
-    /// head, begins with another value of a variable that it reads.
+    /// Ends a pass of the main program at M99. Returns whether the next pass, from the block at byte `from`
+    /// or from the head, begins with a different value of a variable that it reads.
     pub(super) fn begin_next_pass(&mut self, text: &[u8], block: &Block, from: Option<u32>) -> bool {
         let pass = std::mem::take(&mut self.state.call_stack.main_pass);
         let differs = |&(variable, at_start): &(u32, Option<f64>)| {

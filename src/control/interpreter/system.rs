@@ -1,7 +1,6 @@
-//! System variables (#1000 and up): what a program can read from the control and write to it.
+//! System variables (#1000 and up): values of the control that a program can read or write.
 //!
-//! In: numbers of variables. Out: values as a program writes them: X a diameter,
-//! lengths in the program's unit.
+//! In: numbers of variables. Out: values as in a program: X is a diameter, lengths are in the program's unit.
 
 use super::Interpreter;
 use crate::control::codes::{Compensation, Plane};
@@ -13,26 +12,26 @@ use crate::setup::dialect::FeedMode;
 use crate::text::block::Block;
 use crate::units::{Diameter, Unit};
 
-/// What a system variable is.
+/// Meaning of a system variable.
 enum System {
     /// Modal G code of a group.
     Group(u32),
     /// F, M, N, O, S, T in force.
     Letter(u8),
-    /// X, Z or C of the tip: in the work frame.
+    /// X, Z or C of the tip, in the work frame.
     Work(u32),
-    /// The same in the machine.
+    /// The same in machine coordinates.
     Machine(u32),
-    /// X or Z of the shift of all frames, or of a frame.
+    /// X or Z of the external shift, or of the zero of a frame.
     External(u32),
     Frame(u16, u32),
     /// A column of the offset table.
     Offset(u16, Column),
-    /// A number that is kept: counters, switches, and what the machine maker's interface receives.
+    /// A stored number: counters, switches, and outputs to the machine builder's interface.
     Kept,
 }
 
-/// Columns of the offset table in memory A, by the first variable of each.
+/// Columns of the offset table in memory A, by the first variable of each column.
 const COLUMNS: [(u32, Column); 7] = [
     (2000, Column::WearX),
     (2100, Column::WearZ),
@@ -43,7 +42,7 @@ const COLUMNS: [(u32, Column); 7] = [
     (2900, Column::Radius),
 ];
 
-/// The same of tables with more than 64 offsets.
+/// The same for tables with more than 64 offsets.
 const LONG_COLUMNS: [(u32, Column); 7] = [
     (10_000, Column::WearX),
     (11_000, Column::WearZ),
@@ -92,7 +91,7 @@ impl System {
 }
 
 impl Interpreter {
-    /// Reads a system variable; one that is not known here is vacant, and reported once.
+    /// Reads a system variable. A variable that is unknown here is vacant, and reported once.
     pub(super) fn read_system(&mut self, text: &[u8], block: &Block, variable: u32) -> Option<f64> {
         let value = self.system_value(text, block, variable);
         if value.is_none() {
@@ -104,8 +103,8 @@ impl Interpreter {
         value
     }
 
-    /// The value that a system variable had at the beginning of the pass of the main program; `None` where the
-    /// pass has assigned it before this block.
+    /// The value of a system variable at the beginning of the pass of the main program; `None` if the pass
+    /// has assigned it before this block.
     fn system_at_start(&mut self, text: &[u8], block: &Block, variable: u32) -> Option<f64> {
         let system = System::of(variable)?;
         if let System::Kept = system {
@@ -127,14 +126,14 @@ impl Interpreter {
             }
             false => pass.system_at_start(variable),
         };
-        // These change by an absolute assignment alone.
+        // Only an absolute assignment changes these.
         let is_set = matches!(system, System::Group(_) | System::Letter(_));
         let is_unchanged =
             !is_set || at_start.is_nan() || self.system_value(text, block, variable) == Some(at_start);
         is_unchanged.then_some(at_start)
     }
 
-    /// The value of a system variable; `None` where it is not known here.
+    /// The value of a system variable; `None` if the variable is unknown here.
     pub(super) fn system_value(&mut self, text: &[u8], block: &Block, variable: u32) -> Option<f64> {
         let unit = self.state.unit.millimetres();
         let coordinate = |place: Point, axis: u32| match axis {
@@ -171,8 +170,8 @@ impl Interpreter {
         })
     }
 
-    /// Writes a system variable; one that is not known here is reported once and ignored. `setting`: whether the
-    /// value was worked out from the one before.
+    /// Writes a system variable. A variable that is unknown here is reported once and ignored. `setting`:
+    /// whether the value was computed from the previous one.
     pub(super) fn write_system(
         &mut self,
         block: &Block,
@@ -206,12 +205,12 @@ impl Interpreter {
         self.report(Diagnostic::new(said::SystemVariable { variable }, block.words_span()));
     }
 
-    /// A column of a tool offset, mm: as the program wrote it, else as the setup says.
+    /// A column of a tool offset, mm: as written by the program, otherwise as in the setup.
     pub(super) fn offset_value(&self, offset: u16, column: Column) -> f64 {
         self.state.offsets.get(offset, column).unwrap_or_else(|| self.setup_offset(offset, column))
     }
 
-    /// What the setup says of a tool offset, mm.
+    /// A tool offset of the setup, mm.
     fn setup_offset(&self, offset: u16, column: Column) -> f64 {
         let ends = |key: &str| key.len() == 5 && key[3..].parse() == Ok(offset);
         let tool = self.setup.tools.iter().find(|(key, _)| key.is_ascii() && ends(key)).map(|(_, tool)| tool);
@@ -222,7 +221,7 @@ impl Interpreter {
         }
     }
 
-    /// Ten times the G code in force of a modal group.
+    /// Ten times the G code in force in a modal group.
     fn modal_code(&self, group: u32) -> u32 {
         let state = &self.state;
         10 * match group {

@@ -1,4 +1,4 @@
-//! The control by itself: blocks in, motions and events out, without lints and without the stages around it.
+//! The control alone: blocks in, motions and events out, without lints and other stages.
 
 use std::cell::RefCell;
 use std::ops::Range;
@@ -15,7 +15,7 @@ use crate::source::shift::Shift;
 use crate::text::block::Block;
 use crate::text::parser::Parser;
 
-/// Writes down what it hears.
+/// Records the events.
 #[derive(Clone, Default)]
 struct Recorder(Rc<RefCell<Vec<String>>>);
 
@@ -57,7 +57,7 @@ impl Observer for Recorder {
     fn listen_after(&mut self, _: &mut dyn Observer) {}
 }
 
-/// Carries out blocks until one leads elsewhere; the control after them, and the flow of each block.
+/// Carries out blocks until one jumps; returns the control after them, and the flow of each block.
 fn carried_out(mut control: Interpreter, text: &str) -> (Interpreter, Vec<Flow>) {
     let text = text.as_bytes();
     let (mut parser, mut block) = (Parser::new(text), Block::default());
@@ -84,7 +84,7 @@ fn control() -> Interpreter {
     Interpreter::new(Setup::default())
 }
 
-/// What is heard of some blocks.
+/// The events of some blocks.
 fn heard(text: &str) -> Vec<String> {
     let recorder = Recorder::default();
     carried_out(control().observed_by(recorder.copy()), text);
@@ -123,7 +123,7 @@ fn events_come_before_the_change_they_announce() {
             "F after None",
             "G01",
             "cut at 0.2 from X20 Z2",
-            // `Z-9` brings nothing new.
+            // `Z-9` adds nothing that matters for cuts.
             "F after Some(0.2)",
             "cut at 0.1 from X20 Z-9",
         ]

@@ -1,7 +1,7 @@
 //! G76 as blocks call it: `P(m)(r)(a) Q R`, then the thread (seeds 001 and 003, GSK980TDb pp. 135, 138).
 //!
-//! In: the words of a block. Out: the passes. The geometry is in `cycles::threading`; what an instructor
-//! remarks in `lint::thread`.
+//! In: the words of a block. Out: the passes. `cycles::threading` has the geometry, `lint::thread` the advice
+//! of an instructor.
 
 use super::singles::{Thread, angle_of_start};
 use super::{AXES, Interpreter};
@@ -18,17 +18,17 @@ use crate::parts::{Part, late};
 use crate::setup::dialect::{Control, G76Clamp, PqUnit};
 use crate::text::block::{Block, Value, Word};
 
-/// Tool angles that FANUC takes, degrees (PS0315).
+/// Tool angles that FANUC accepts, degrees (PS0315).
 const THREAD_ANGLES: [f64; 6] = [0.0, 29.0, 30.0, 55.0, 60.0, 80.0];
 
-/// A least depth of G76 beyond this, mm, is no depth that somebody meant.
+/// A larger minimum depth of G76, mm, is taken as an error.
 const LEAST_DEPTH: f64 = 1.0;
 
-/// The part that repairs words.
+/// The part of the module that contains fixes of words.
 const FIXING: Part = Part::Late;
 
 late! {
-    // P of G76 with the nearest angle there is.
+    // P of G76 with the nearest permitted angle.
     fn nearest_angle(text: &[u8], word: &Word, angle: f64) -> Option<Fix> {
         let Value::Number { number, .. } = word.value else { return None };
         let written = quote(text, word.span);
@@ -65,7 +65,7 @@ impl Interpreter {
             let depth = words.get(b'D').and_then(|word| self.one_block_depth(word));
             (length(b'K'), depth, 0.0, words.get(b'P').and_then(plain).unwrap_or(1.0) as u32)
         } else {
-            // Q of the first block is read in the unit of this pair.
+            // Q of the first block is read in the unit of this block's P and Q.
             let least = self.state.parameters.least_amount;
             let Some((unit, p, q)) = self.amounts(text, words, |p, q| units::threading(least, p, q)) else {
                 self.last_pass(block, start, end, taper, Some(lead));
@@ -113,7 +113,7 @@ impl Interpreter {
                 let how = &how;
                 let call = ThreadingCall { block, words, start, how, lead, angle, one_block };
                 self.observe(text, Event::Threading(call));
-                // P and Q of two blocks are depths; Q of one block is the start angle.
+                // P and Q are depths in the two-block form; in the one-block form Q is the start angle.
                 let own_angle = if one_block { self.start_angle(words) } else { 0.0 };
                 for number in 0..starts {
                     let start_angle = own_angle + angle_of_start(number, starts);
@@ -138,7 +138,7 @@ impl Interpreter {
         None
     }
 
-    /// The last pass of a G76 whose other passes are not known.
+    /// The last pass of a G76 whose other passes are unknown.
     #[cold]
     fn last_pass(&mut self, block: &Block, start: Point, end: Point, taper: f64, lead: Option<f64>) {
         self.state.doubts.add(Doubt::Contour);
@@ -162,7 +162,7 @@ impl Interpreter {
             self.state.parameters.angle = angle;
             if self.dialect.control != Control::Gsk && !THREAD_ANGLES.contains(&angle) {
                 let diagnostic = Diagnostic::new(said::ThreadAngle { angle }, word.span);
-                // Before the part is there nobody reads the message.
+                // Without the part no messages are shown.
                 let fix = FIXING.is_loaded().then(|| nearest_angle(text, word, angle)).flatten();
                 self.report(Diagnostic { fixes: fix.into_iter().collect(), ..diagnostic });
             }

@@ -1,6 +1,6 @@
-//! The blocks that were carried out, kept for whoever writes the program out again.
+//! A trace of the executed blocks, for tools that write the program out again.
 //!
-//! In: blocks as they run. Out: [`Executed`]. Costs nothing where it is not asked for.
+//! In: blocks as they run. Out: [`Executed`]. Has no cost if it is not requested.
 
 use std::sync::Arc;
 
@@ -14,51 +14,51 @@ use crate::parts::late;
 use crate::text::block::{Block, BlockKind, Value, Word};
 use crate::text::parser::Resume;
 
-/// A block that was carried out.
+/// An executed block.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Executed {
     /// Its first byte and line.
     pub at: Resume,
-    /// One past the last byte of the contour that a cycle passes over; the end of the block where there is none.
+    /// End of the contour that a cycle skips, one past its last byte; the end of the block if there is none.
     pub passed: u32,
-    /// One past the last byte of the empty blocks that follow.
+    /// End of the empty blocks that follow, one past the last byte.
     pub until: u32,
-    /// Motions kept before it.
+    /// Number of motions kept before it.
     pub first: u32,
     /// Its words with values in place of expressions.
     pub values: Option<Box<str>>,
-    /// It only steers the program: a macro statement, a call, a return.
+    /// It only controls the flow: a macro statement, a call, a return.
     pub steers: bool,
-    /// It was not carried out, or not wholly.
+    /// It was not carried out, or only in part.
     pub failed: bool,
-    /// Code of group 01 in force before it.
+    /// The code of group 01 in force before it.
     pub mode: MotionMode,
-    /// What it depends on beside the modal codes.
+    /// What it depends on, apart from the modal codes.
     pub context: Context,
-    /// Feed, spindle and tool before it. Blocks that change nothing share one.
+    /// Feed, spindle and tool before it. Blocks that do not change them share the value.
     pub before: Arc<Process>,
-    /// The same once its own words for them count, before it moves.
+    /// Feed, spindle and tool after its own words for them, before its moves.
     pub ready: Arc<Process>,
 }
 
-/// What the moves of a block depend on beside the modal codes.
+/// What the moves of a block depend on, apart from the modal codes.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Context {
     /// Nothing.
     #[default]
     Settled,
-    /// The words of earlier blocks of the cycle or hole cycle in force. A code of group 01 ends it.
+    /// The words of earlier blocks of the cycle or hole cycle in force, until a code of group 01.
     Cycle,
-    /// A move that waits for its corner, compensation, or a place that is in doubt.
+    /// A move that waits for its corner, compensation, or a position that is in doubt.
     Open,
-    /// It is data for the tables of the control (G10 to G11).
+    /// The block is data for the tables of the control (G10 to G11).
     Data,
 }
 
 impl Context {
     fn of(state: &State) -> Self {
         let mut doubts = state.doubts;
-        // A block that takes a value from such a variable is itself in doubt.
+        // A block with a value from such a variable is itself in doubt.
         doubts.remove(Doubt::Values);
         let waits = state.pending.is_some() || state.compensating.is_some() || state.tip.is_some();
         if state.data_input {
@@ -82,7 +82,7 @@ late! {
         interpreter.trace_process();
     }
 
-    // Only tools ask for a trace.
+    // Only tools request a trace.
     fn assigned(variable: u32, value: f64) -> String {
         format!("#{variable}={value}")
     }
@@ -96,7 +96,7 @@ late! {
             let whole = number.value().fract() == 0.0;
             let point = if number.has_point() && whole { "." } else { "" };
             let (letter, number) = (word.address as char, number.value());
-            // A value that is in doubt stays an expression.
+            // A value in doubt stays an expression.
             let is_doubtful = doubtful.iter().any(|own| own.span == word.span && own.value == Value::Expression);
             values += &match is_doubtful {
                 true => format!("{space}{comma}{letter}[{minus}{number}{point}]"),
@@ -108,7 +108,7 @@ late! {
 }
 
 impl Interpreter {
-    /// Keeps a block that is carried out. Empty blocks belong to the one before.
+    /// Adds an executed block. Empty blocks are merged into the previous one.
     fn trace_block(&mut self, block: &Block, here: Here) {
         let first = self.sink.kept() as u32;
         let Some(trace) = self.trace.as_mut().filter(|_| self.contours.recorded.is_none()) else { return };
@@ -143,7 +143,7 @@ impl Interpreter {
         });
     }
 
-    /// Keeps what the last block has made of feed, spindle and tool.
+    /// Records feed, spindle and tool after the words of the last block.
     fn trace_process(&mut self) {
         let process = self.state.process();
         let Some(trace) = self.trace.as_mut().filter(|_| self.contours.recorded.is_none()) else { return };
@@ -152,7 +152,7 @@ impl Interpreter {
         }
     }
 
-    /// The last block is a cycle that passes over its contour, up to here.
+    /// Records that the last block is a cycle that skips its contour, up to `end`.
     #[cold]
     pub(super) fn trace_contour(&mut self, end: u32) {
         let Some(trace) = self.trace.as_mut().filter(|_| self.contours.recorded.is_none()) else { return };
@@ -161,7 +161,7 @@ impl Interpreter {
         }
     }
 
-    /// The last block, or a part of it, was not carried out.
+    /// Records that the last block, or a part of it, was not carried out.
     #[cold]
     pub(super) fn trace_refusal(&mut self) {
         if let Some(last) = self.trace.as_mut().and_then(|trace| trace.last_mut()) {
@@ -169,21 +169,21 @@ impl Interpreter {
         }
     }
 
-    /// Keeps what the last block wrote into a table of the control.
+    /// Records what the last block wrote into a table of the control.
     pub(super) fn trace_write(&mut self, variable: u32, value: f64) {
         if let Some(last) = self.trace.as_mut().and_then(|trace| trace.last_mut()) {
             last.values = Some(assigned(variable, value).into());
         }
     }
 
-    /// The last block could not be carried out, and stays as it is.
+    /// Records that the last block could not be carried out, and stays as written.
     pub(super) fn trace_fault(&mut self) {
         if let Some(last) = self.trace.as_mut().and_then(|trace| trace.last_mut()) {
             last.steers = false;
         }
     }
 
-    /// Keeps the words of the last block with their values; `typed`: the words before they were evaluated.
+    /// Records the words of the last block with their values; `typed`: the words before evaluation.
     #[cold]
     pub(super) fn trace_values(&mut self, block: &Block, typed: &[Word]) {
         let Some(trace) = self.trace.as_mut().filter(|_| self.contours.recorded.is_none()) else { return };
@@ -195,7 +195,7 @@ impl Interpreter {
         }
     }
 
-    /// The last block was not carried out, for want of a value.
+    /// Records that the last block was not carried out because a value is missing.
     pub(super) fn trace_nothing(&mut self) {
         if let Some(last) = self.trace.as_mut().and_then(|trace| trace.last_mut()) {
             (last.values, last.steers) = (Some(Box::default()), false);

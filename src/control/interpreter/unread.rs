@@ -1,7 +1,8 @@
-//! The words of a block that the control has not read: an axis that is not shown, or a word that is ignored.
+//! The words of a block that the control did not read: an axis that is not shown, or an ignored word.
 //!
-//! In: a block that was carried out, and which of its words were read ([`Words::unread`]). Out: a note of the axis, an
-//! event for the rest. Words that a code of the machine or an unsupported function may read are not reported.
+//! In: a block that was carried out, and which of its words were read ([`Words::unread`]). Out: a note about
+//! the axis, and an event for the other words. Words that a machine-specific code or an unsupported function
+//! may read are not reported.
 
 use super::request::{OneShot, Request};
 use super::rotary::TURNS;
@@ -16,17 +17,17 @@ use crate::parts::{Part, late};
 use crate::setup::dialect::{CodeList, Control};
 use crate::text::block::{Block, Value, Word};
 
-/// Words that each code reads, or that a later block does: N and O, F, S and T.
+/// Addresses that every code reads, or a later block: N and O, F, S and T.
 const ALWAYS: u32 = letters(b"FNOST");
 
-/// Words of the axes whose moves are shown.
+/// Addresses of the axes whose moves are shown.
 const SHOWN_AXES: u32 = letters(b"CHYV");
 
-/// Words of the axes that are not shown.
+/// Addresses of the axes that are not shown.
 const OTHER_AXES: u32 = letters(b"AB");
 
 late! {
-    /// Reports what of a block was not read, the words of the letters of `unread`.
+    /// Reports the unread words of a block; `unread` contains their letters.
     pub(super) fn unread_words(
         control: &mut Interpreter,
         text: &[u8],
@@ -38,7 +39,7 @@ late! {
         control.report_unread(text, block, request, words, unread);
     }
 
-    /// Reports a corner word of a block that does not move along a path: `,R2` in a block of G71, or alone.
+    /// Reports a corner word in a block without a path move: `,R2` in a block of G71, or alone.
     pub(super) fn unread_corner(
         control: &mut Interpreter,
         text: &[u8],
@@ -50,7 +51,8 @@ late! {
     }
 }
 
-/// The part that reports unread words. A run without it begins again when it is loaded, for the lints.
+/// The part of the module that reports unread words. A run without it starts again when it is loaded, for the
+/// lints.
 pub(super) const UNREAD: Part = Part::Late;
 
 impl Interpreter {
@@ -78,7 +80,8 @@ impl Interpreter {
         }
     }
 
-    /// Whether the words of a block may all be read: by a macro, a code of the machine or an unsupported function.
+    /// Whether all words of a block may be read: by a macro, a machine-specific code or an unsupported
+    /// function.
     fn reads_all(&self, request: &Request) -> bool {
         request.maker_m
             || request.call_code.is_some()
@@ -104,7 +107,7 @@ impl Interpreter {
         self.report(Diagnostic::new(message, span).with(Fix::delete(text, span)));
     }
 
-    /// A word of an axis that is not shown: a note for each axis.
+    /// Reports a word of an axis that is not shown: one note for each axis.
     fn other_axis(&mut self, text: &[u8], words: &Words, address: u8) {
         let once = if address == b'A' { Once::AxisA } else { Once::AxisB };
         if self.state.reported.first(once) {
@@ -114,7 +117,7 @@ impl Interpreter {
         }
     }
 
-    /// Whether a code may read words that the playground does not know.
+    /// Whether a code may read words that are unknown here.
     fn reads_others(&self, word: &Word) -> bool {
         let Value::Number { number, .. } = word.value else { return true };
         match word.address {
@@ -127,7 +130,7 @@ impl Interpreter {
         }
     }
 
-    /// Letters of the words that something beside the move of the block may read.
+    /// The letters of words that something other than the move of the block may read.
     fn read_by_others(&self, block: &Block, request: &Request, words: &Words) -> u32 {
         let mut read = 0;
         let code = |word: &Word| plain(word).filter(|_| word.address == b'G');
@@ -140,7 +143,7 @@ impl Interpreter {
         if self.dialect.control == Control::Gsk && moves && is_path {
             read |= letters(b"DL");
         }
-        // GSK asks with K whether the contour is checked (GSK980TDb p. 100).
+        // K of GSK selects whether the contour is checked (GSK980TDb p. 100).
         if self.dialect.control == Control::Gsk && matches!(request.one_shot, Some(OneShot::Multiple(_))) {
             read |= letters(b"JK");
         }
@@ -148,16 +151,16 @@ impl Interpreter {
         if words.has_any(letters(b"T")) || has_code(40.0, 42.0) {
             read |= letters(b"D");
         }
-        // P and Q name a spindle beside S or M, P an axis beside G96, and a frame beside G54.
+        // P and Q give a spindle with S or M, P an axis with G96, and a frame with G54.
         let is_spindle = words.has_any(letters(b"S")) || block.words.iter().any(|word| word.address == b'M');
         if is_spindle || request.surface.is_some() || has_code(54.0, 59.0) {
             read |= letters(b"PQ");
         }
-        // E is kept like F.
+        // E is stored like F.
         if !words.has_any(AXES | TURNS) && request.one_shot.is_none() {
             read |= letters(b"E");
         }
-        // An arc or a thread has no C; where C is connected, it may turn beside them.
+        // An arc or a thread has no C word; if C is connected, it may turn during them.
         let takes_c = self.state.c_axis
             || self.state.virtual_plane.is_some()
             || matches!(self.state.motion, MotionMode::Rapid | MotionMode::Line);
@@ -172,8 +175,8 @@ impl Interpreter {
         read
     }
 
-    /// The code that reads the words of a block, as list A writes it; `None` where there is none, or another list
-    /// writes it otherwise.
+    /// The code that reads the words of a block, in the spelling of list A; `None` if there is none, or if
+    /// the list in force has another spelling.
     fn code_of_block(&self, request: &Request, words: &Words) -> Option<&'static str> {
         let is_list_a = matches!(self.dialect.code_list(), CodeList::A | CodeList::Gsk);
         let code = match request.one_shot {

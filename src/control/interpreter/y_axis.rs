@@ -1,8 +1,9 @@
-//! The Y axis: moves beside the plane of X and Z, and the planes of G17 and G19 (seed 002, figure 5-5).
+//! The Y axis: moves outside the plane of X and Z, and the planes of G17 and G19 (seed 002, figure 5-5).
 //!
-//! In: the words of a block. Out: moves of X, Y and Z where the machine has a Y axis; elsewhere what a lathe
-//! without it says. The state is in a plane of Y only while a block is carried out, or while compensation or a corner
-//! waits for the next move there: everything else finds it in the plane of turning, with Y beside it.
+//! In: the words of a block. Out: moves of X, Y and Z if the machine has a Y axis; otherwise the messages of
+//! a lathe without one. The state is in a Y plane only during a block, or while compensation or a corner
+//! waits for the next move in it. All other code finds the state in the turning plane, with Y as a separate
+//! value.
 
 use super::request::Request;
 use super::rotary::TURNS;
@@ -19,7 +20,7 @@ use crate::motion::{Motion, MotionKind, Rotary};
 use crate::parts::{Part, early};
 use crate::text::block::{Block, Word};
 
-/// Where moves along Y are made.
+/// The part of the module that makes moves along Y.
 const Y_AXIS: Part = Part::Early;
 
 /// Words that move Y.
@@ -44,7 +45,7 @@ early! {
 }
 
 impl Interpreter {
-    /// A block that names Y, or is run where Y is not 0 or in another plane than that of turning. True: it is done.
+    /// A block with Y, or with Y not at 0, or in a plane other than the turning plane. True: it is done.
     #[cold]
     pub(super) fn moves_beside_plane(
         &mut self,
@@ -56,21 +57,21 @@ impl Interpreter {
         self.has(Y_AXIS) && move_beside(self, text, block, request, words)
     }
 
-    /// Y and V beside a code that uses up the other words of its block.
+    /// Y and V in a block whose code uses the other words.
     pub(super) fn other_axes(&mut self, text: &[u8], block: &Block, words: &Words) {
         if words.has_any(Y) && self.has(Y_AXIS) {
             name_y(self, text, block, words);
         }
     }
 
-    /// The tip goes to a place along Y, mm.
+    /// Moves the tip to a position along Y, mm.
     pub(super) fn move_y(&mut self, text: &[u8], block: &Block, word: &Word, y: f64) {
         if self.has(Y_AXIS) {
             go_along_y(self, text, block, word, y);
         }
     }
 
-    /// Back to the plane of turning from one that Y is in.
+    /// Returns from a Y plane to the turning plane.
     #[inline]
     pub(super) fn leave_flat(&mut self) {
         if self.state.virtual_plane.is_some_and(|plane| matches!(plane.surface, Surface::Flat(_))) {
@@ -121,7 +122,7 @@ impl Interpreter {
             return true;
         }
         if words.has_any(TURNS) {
-            // C turns beside the plane.
+            // C turns independently of the plane.
             self.leave_flat();
         }
         let c = self.turn_target(text, words);
@@ -147,7 +148,7 @@ impl Interpreter {
         true
     }
 
-    /// Whether an arc of G18 with R goes along Y alone: controls differ in what they make of that.
+    /// Whether an arc of G18 with R goes only along Y, which controls handle differently.
     fn is_arc_along_y(&mut self, text: &[u8], words: &Words) -> bool {
         let moves = self.y_named(words).is_some_and(|(_, y)| (y - self.state.y).abs() > SAME);
         moves && words.get(b'R').is_some() && self.target(text, words).is_same(self.state.position)
@@ -157,12 +158,12 @@ impl Interpreter {
         self.state.virtual_plane.is_some_and(|plane| matches!(plane.surface, Surface::Flat(_)))
     }
 
-    /// Whether a block moves X or Z by what is in force.
+    /// Whether a block moves X or Z with the codes in force.
     fn makes_moves(&self, words: &Words) -> bool {
         words.has_any(AXES) || self.state.hole.is_some() && words.has_any(TURNS)
     }
 
-    /// The last word of Y in a block, and the place it names, mm.
+    /// The last Y word of a block, and its target, mm.
     fn y_named<'b>(&self, words: &Words<'b>) -> Option<(&'b Word, f64)> {
         let reading = self.reading();
         let mut named = None;
@@ -175,14 +176,14 @@ impl Interpreter {
         named
     }
 
-    /// Y and V where X and Z go another way: at Y0 they change nothing.
+    /// Y and V in a block that moves X and Z by other rules: they have no effect at Y0.
     fn name_y(&mut self, text: &[u8], block: &Block, words: &Words) {
         if let Some((word, y)) = self.y_named(words) {
             self.go_along_y(text, block, word, y);
         }
     }
 
-    /// Whether a block of polar interpolation has Y as its second axis, which is reported once.
+    /// Whether a block of polar interpolation has Y as its second axis; reported once.
     #[cold]
     pub(super) fn names_second_axis_y(&mut self, text: &[u8], block: &Block) -> bool {
         let Some(word) = second_axis::named_y(block, &self.state, &self.setup.machine) else { return false };
@@ -193,8 +194,8 @@ impl Interpreter {
         true
     }
 
-    /// With a Y axis a rapid to a place along Y. Elsewhere a place off Y0 is reported once, and the motion of X and Z
-    /// is drawn as an uncertain one.
+    /// With a Y axis: a rapid to a position along Y. Without one: a position other than Y0 is reported once,
+    /// and the motion of X and Z is drawn as uncertain.
     fn go_along_y(&mut self, text: &[u8], block: &Block, word: &Word, y: f64) {
         if self.setup.machine.has_y() {
             self.rapid_along_y(block, y);
@@ -221,7 +222,7 @@ impl Interpreter {
         self.state.doubts.remove(Doubt::Y);
     }
 
-    /// A rapid of Y alone.
+    /// A rapid of only Y.
     fn rapid_along_y(&mut self, block: &Block, y: f64) {
         if (y - self.state.y).abs() > SAME {
             let at = self.state.position;
@@ -238,7 +239,8 @@ impl Interpreter {
         self.state.y = y;
     }
 
-    /// Something beside Y0 that is made only there: it is drawn at Y0, and nothing after it is certain until Y is 0.
+    /// Something outside Y0 that is only supported at Y0: it is drawn at Y0, and everything after it is
+    /// uncertain until Y is 0.
     fn y_is_not_done(&mut self, text: &[u8], block: &Block, words: &Words) {
         let named = self.y_named(words);
         if self.state.reported.first(Once::AxisNotHere) {
@@ -264,7 +266,7 @@ impl Interpreter {
     }
 
     fn back_to_turning(&mut self) {
-        // What waits comes back here.
+        // Waiting moves lead back here.
         self.leave_compensation();
         let state = &mut self.state;
         let Some(plane) = state.virtual_plane.take() else { return };

@@ -1,4 +1,4 @@
-//! Each rule of custom macro B, and each fault beside what is right.
+//! Each rule of custom macro B, and each error beside the correct form.
 
 use std::collections::BTreeMap;
 
@@ -7,7 +7,7 @@ use super::*;
 #[cfg(not(target_arch = "wasm32"))]
 mod properties;
 
-/// What is known of the variables, and what was written.
+/// The values of the variables.
 #[derive(Default)]
 struct Plain(BTreeMap<u32, f64>);
 
@@ -30,7 +30,7 @@ fn memory() -> Plain {
     Plain(BTreeMap::from([(1, 2.0), (2, 5.0), (3, -1.5), (102, 7.0)]))
 }
 
-/// What `#100=…` gives the variable.
+/// The value that `#100=…` assigns.
 fn assigned(expression: &str) -> Result<Option<f64>, MacroError> {
     let mut memory = memory();
     statement(format!("#100={expression}").as_bytes(), &mut memory)?;
@@ -52,7 +52,7 @@ fn exact(expression: &str, expected: f64) {
     assert_eq!(assigned(expression), Ok(Some(expected)), "{expression}");
 }
 
-/// The alarm and the text it points at.
+/// Checks the alarm and the text of its span.
 #[track_caller]
 fn refused(text: &str, alarm: &str, quote: &str) {
     let fault = statement(text.as_bytes(), &mut memory()).expect_err(text);
@@ -83,7 +83,7 @@ fn functions_come_before_products_and_products_before_sums() {
     exact("24/4/3", 2.0);
     exact("1+SQRT[9]*2", 7.0);
     exact("[1+2]*3", 9.0);
-    // AND binds as a product, OR and XOR as a sum.
+    // AND has the precedence of a product, OR and XOR that of a sum.
     exact("1+6AND3", 3.0);
     exact("1OR6AND3", 3.0);
     exact("12OR3XOR5", 10.0);
@@ -234,7 +234,7 @@ fn conditions_may_be_joined() {
         ("[1 LT 2 OR #1 EQ 3 AND #2 EQ 4]", true),
         ("[[[#1 EQ 2] OR [#1 EQ 3]] AND [#2 GT 1]]", true),
         ("[#1 EQ 2]AND[#2 EQ 5]", true),
-        // Of numbers, AND works bit by bit.
+        // For numbers, AND works bit by bit.
         ("[#2 AND 4 EQ 4]", true),
         ("[#1 EQ 6 AND 3]", true),
         ("[#1 EQ 6 AND 3 AND #2 EQ 5]", true),
@@ -288,7 +288,7 @@ fn what_has_no_result_is_refused() {
     refused("#1=#-2", "PS0114", "-");
     refused("#1=#[-1]", "PS0115", "#[-1]");
     refused("#1=#[1.5]", "PS0115", "#[1.5]");
-    // Less than a control can hold is zero, and rounding is no fault.
+    // Values smaller than a control can store are zero, and rounding is no error.
     exact("POW[10,-20]*POW[10,-20]", 0.0);
     exact("SQRT[0.1+0.2-0.3-0.0000000000000001]", 0.0);
 }
@@ -316,7 +316,7 @@ fn round_in_an_address_keeps_the_least_increment() {
     assert_eq!(address("ROUND[1.23456]"), Ok(Some(1.235)));
     assert_eq!(address("-ROUND[1.23456]"), Ok(Some(-1.235)));
     assert_eq!(address("[ROUND[1.2345]+ROUND[2.3456]]"), Ok(Some(1.235 + 2.346)));
-    // The number of a variable is a whole number anyhow.
+    // The number of a variable is always a whole number.
     assert_eq!(address("#[ROUND[1.6]]"), Ok(Some(5.0)));
     assert_eq!(address("[#[ROUND[1.6]]+ROUND[.0006]]"), Ok(Some(5.001)));
     let inch = address_value(b"ROUND[1.23456]", 0.0001, &mut memory());
@@ -512,13 +512,13 @@ fn i_j_and_k_may_come_in_sets() {
     assert_eq!(handed_over("I1 J2 K3 I4 J5 K6"), handed_over("I1 J2 K3 D4 E5 F6"));
     assert_eq!(handed_over("I1 I2 J3").unwrap(), [(4, 1.0), (7, 2.0), (8, 3.0)]);
     assert_eq!(handed_over("J1 X9 K2 K3").unwrap(), [(5, 1.0), (6, 2.0), (9, 3.0), (24, 9.0)]);
-    // Out of order begins a next set.
+    // Out of order, the next set begins.
     assert_eq!(handed_over("K1 J2").unwrap(), [(6, 1.0), (8, 2.0)]);
     let ten = "I1 J1 K1 ".repeat(10);
     assert_eq!(handed_over(&ten).unwrap().len(), 30);
     let eleven = handed_over(&(ten + "I1")).unwrap_err();
     assert_eq!((eleven.index, eleven.kind.message().alarm().unwrap_or_default()), (30, "PS0129"));
-    // The later of two words for one variable holds.
+    // If two words set one variable, the later wins.
     assert_eq!(handed_over("I1 I2 D3").unwrap(), [(4, 1.0), (7, 3.0)]);
     assert_eq!(handed_over("D3 I1 I2").unwrap(), [(4, 1.0), (7, 2.0)]);
 }

@@ -1,32 +1,32 @@
-//! What a run may spend on reading blocks again, and on steps that leave no motion.
+//! Limits on reading blocks again, and on steps without a motion.
 //!
-//! In: each such step. Out: the message of the limit that is exceeded (`limits`).
+//! In: each such step. Out: the message of the exceeded limit (`limits`).
 
 use crate::limits::Limits;
 use crate::message::{Message, said};
 
-/// How much of each limit has been used.
+/// How much of each limit is used.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Budget {
-    /// Steps that left no motion: see [`Limits::cycle_work`].
+    /// Steps without a motion: see [`Limits::cycle_work`].
     pub work: usize,
-    /// Blocks carried out through jumps, loops and calls.
+    /// Blocks executed in jumps, loops and calls.
     repeated: usize,
-    /// Their bytes.
+    /// The size of these blocks, bytes.
     repeated_text: usize,
     /// Rounds of loops and calls.
     rounds: usize,
-    /// Macro statements and expressions in blocks that were carried out so.
+    /// Macro statements and expressions in these blocks.
     macro_steps: usize,
 }
 
 impl Budget {
-    /// Nothing is used but so many steps that left no motion.
+    /// A budget with `work` steps without a motion used, and nothing else.
     pub fn after_work(work: usize) -> Self {
         Self { work, ..Self::default() }
     }
 
-    /// Counts a block of `bytes` that is read or carried out once more.
+    /// Counts a block of `bytes` that is read or executed again.
     pub fn repeat(&mut self, bytes: usize, limits: &Limits) -> Result<(), Message> {
         self.repeated += 1;
         self.repeated_text += bytes;
@@ -46,13 +46,13 @@ impl Budget {
         within(self.rounds, limits.rounds, |most| said::TooManyRounds { most }.into())
     }
 
-    /// Counts a macro statement or expression that is worked out through a jump, loop or call.
+    /// Counts a macro statement or expression that is evaluated in a jump, loop or call.
     pub fn macro_step(&mut self, limits: &Limits) -> Result<(), Message> {
         self.macro_steps += 1;
         within(self.macro_steps, limits.macro_steps, |most| said::TooManyMacroSteps { most }.into())
     }
 
-    /// Counts steps that leave no motion.
+    /// Counts steps without a motion.
     pub fn work(&mut self, steps: usize, limits: &Limits) -> Result<(), Message> {
         self.work = self.work.saturating_add(steps);
         within(self.work, limits.cycle_work, |most| said::TooMuchWork { most }.into())

@@ -1,85 +1,85 @@
-//! The calls and loops that a program is in.
+//! The active calls and loops of a program.
 //!
-//! Plain values, part of [`State`](crate::control::modal::State). What calls and jumps do
-//! is in `interpreter/calls`.
+//! Plain values, part of [`State`](crate::control::modal::State). `interpreter/calls` carries out calls and
+//! jumps.
 
 use super::main_pass::MainPass;
 use crate::text::parser::Resume;
 
-/// What was called, and from where.
+/// Kind of a call.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum CallKind {
     /// M98, or M97: a subprogram, which shares the variables of its caller.
     Subprogram,
-    /// G65 or G66: a macro, with local variables of its own.
+    /// G65 or G66: a macro, with its own local variables.
     Macro,
 }
 
-/// A call under way.
+/// An active call.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Call {
-    /// What was called.
+    /// Kind of the call.
     pub kind: CallKind,
-    /// The block it begins with.
+    /// First block of the called program.
     pub head: Resume,
-    /// Where the caller goes on.
+    /// Where the caller continues.
     pub back: Resume,
     /// First byte of the calling block.
     pub caller: u32,
-    /// How often it is still to be run, this time included.
+    /// Remaining number of executions, including the current one.
     pub rounds: u32,
-    /// The loops it is in.
+    /// Its active loops.
     pub loops: Vec<Loop>,
 }
 
-/// A loop under way: `WHILE … DO m` or `DO m` up to `END m`.
+/// An active loop: `WHILE … DO m` or `DO m` up to `END m`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Loop {
     /// m, 1 to 3.
     pub number: u32,
     /// Its first block.
     pub head: Resume,
-    /// How often it is run.
+    /// How often it runs.
     pub rounds: Rounds,
 }
 
-/// How often a loop is run.
+/// How often a loop runs.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Rounds {
-    /// As long as its condition holds.
+    /// While its condition is true.
     All,
-    /// Once: its DO is wrong, which was reported.
+    /// Once: its DO is faulty, which was reported.
     One,
 }
 
-/// A macro that G66 has every block with a move call.
+/// A macro that every block with a move calls (G66).
 #[derive(Clone, Debug, PartialEq)]
 pub struct ModalCall {
-    /// The block it begins with.
+    /// First block of the macro.
     pub head: Resume,
-    /// How often it is run each time.
+    /// Number of executions per call.
     pub rounds: u32,
     /// Its arguments, by the number of their variable.
     pub arguments: [Option<f64>; 33],
 }
 
-/// Calls and loops under way: where the program goes back to.
+/// Active calls and loops: where the program returns to.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct CallStack {
-    /// Calls under way, the innermost last.
+    /// Active calls, innermost last.
     pub calls: Vec<Call>,
-    /// Loops of the main program.
+    /// Active loops of the main program.
     loops: Vec<Loop>,
     /// G66.
     pub modal: Option<ModalCall>,
     /// First block of the main program.
     pub head: Resume,
-    /// The pass of the main program under way.
+    /// The current pass of the main program.
     pub main_pass: MainPass,
 }
 
 impl CallStack {
-    /// The loops of the program in force.
+    /// The active loops of the current program.
     pub fn loops(&mut self) -> &mut Vec<Loop> {
         match self.calls.last_mut() {
             Some(call) => &mut call.loops,
@@ -87,17 +87,17 @@ impl CallStack {
         }
     }
 
-    /// The loops of the main program, the outermost first.
+    /// The active loops of the main program, outermost first.
     pub fn loops_of_main(&self) -> &[Loop] {
         &self.loops
     }
 
-    /// First block of the program in force.
+    /// First block of the current program.
     pub fn program_head(&self) -> Resume {
         self.calls.last().map_or(self.head, |call| call.head)
     }
 
-    /// Macros among the calls under way.
+    /// Number of macros among the active calls.
     pub fn macros(&self) -> usize {
         self.calls.iter().filter(|call| call.kind == CallKind::Macro).count()
     }

@@ -1,7 +1,7 @@
-//! Where things stand in the program text: O programs and the sequence numbers within each of them.
+//! Index of the program text: O programs, and the sequence numbers in each of them.
 //!
-//! In: the text. Out: places a parser can go on from. Made when first asked for, because most programs never
-//! ask. Knows nothing of what a block means, but for the numbers that calls name.
+//! In: the text. Out: positions from which a parser can continue. Built on first use, because most programs
+//! need none. Knows nothing of the meaning of a block, apart from the program numbers in calls.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -12,13 +12,13 @@ use crate::text::block::{Block, Value, Word};
 use crate::text::parser::{Parser, Resume};
 use crate::text::program_name;
 
-/// A number and the block it leads to.
+/// A number and the position of its block.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 struct Label {
     number: u32,
-    /// Which O program of the text it belongs to, from 0; 0 for numbers of programs.
+    /// Index of its O program in the text; 0 for program numbers.
     program: u32,
-    /// Where its block begins.
+    /// Start of its block.
     at: Resume,
 }
 
@@ -28,7 +28,7 @@ impl Label {
     }
 }
 
-/// Labels in order of program, number and place.
+/// Labels sorted by program, number and position.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 struct Sorted(Vec<Label>);
 
@@ -38,7 +38,7 @@ impl Sorted {
         Self(labels)
     }
 
-    /// The first of a number in a program that leads to byte `from` or beyond.
+    /// The first label of a number in a program, at byte `from` or after it.
     fn first(&self, program: u32, number: u32, from: u32) -> Option<Resume> {
         let at = self.0.partition_point(|label| label.key() < (program, number, from));
         let label = self.0.get(at)?;
@@ -49,9 +49,9 @@ impl Sorted {
 /// An O program of the text.
 #[derive(Clone, Debug, PartialEq, Eq)]
 struct Program {
-    /// Its number, if it has one: a text may begin without.
+    /// Its number, if any: the first program of a text may have none.
     number: Option<u32>,
-    /// The number of its name, if it has one besides.
+    /// The number in its name, if it also has a name.
     name: Option<u32>,
     /// Its first block.
     head: Resume,
@@ -62,18 +62,18 @@ struct Program {
 pub struct Labels {
     /// The sequence numbers.
     labels: Sorted,
-    /// In order of the text; the first begins with the text.
+    /// In text order; the first begins at the start of the text.
     programs: Vec<Program>,
-    /// The programs by their number.
+    /// The programs by number.
     heads: Sorted,
-    /// By called number: the programs that call it.
+    /// By called number: the calling programs.
     calls: Sorted,
-    /// The same, but only of programs that are called by none themselves.
+    /// The same, but only programs that are not called themselves.
     callers: Sorted,
 }
 
 impl Labels {
-    /// Reads the program and sequence numbers of a text.
+    /// Reads the program numbers and sequence numbers of a text.
     pub fn new(text: &[u8]) -> Self {
         let mut parser = Parser::new(text);
         let mut block = Block::default();
@@ -82,7 +82,7 @@ impl Labels {
             ..Self::default()
         };
         let mut sequences = Vec::new();
-        // By index of the program that calls, the number it calls.
+        // Pairs of the index of the calling program and the called number.
         let mut calls = Vec::new();
         let mut begun = false;
         loop {
@@ -115,7 +115,7 @@ impl Labels {
             .iter()
             .flat_map(|program| numbers(program).map(|number| label(number, program.head)));
         labels.heads = Sorted::new(heads.collect());
-        // `G65 H80 P90` is a statement of macro A, unless P names a program of the text.
+        // `G65 H80 P90` is a statement of macro A, unless P is the number of a program in the text.
         let is_call = |&((_, number), is_macro_a): &((usize, u32), bool)| {
             !is_macro_a || labels.heads.first(0, number, 0).is_some()
         };
@@ -131,46 +131,46 @@ impl Labels {
         labels
     }
 
-    /// The block of a sequence number: the first match after byte `from`, then from the head of the same O
-    /// program.
+    /// The block with a sequence number: the first match after byte `from`, otherwise the first from the head
+    /// of the same O program.
     pub fn find(&self, sequence: u32, from: u32) -> Option<Resume> {
         let head = || self.first_from(sequence, from, 0);
         self.first_from(sequence, from, from + 1).or_else(head)
     }
 
-    /// Whether a block of that number stands at byte `from` or after it in the same O program.
+    /// Whether there is a block with that number at byte `from` or after it, in the same O program.
     pub fn is_at_or_behind(&self, sequence: u32, from: u32) -> bool {
         self.first_from(sequence, from, from).is_some()
     }
 
-    /// The first block of the O program of a number.
+    /// The first block of the O program with a number.
     pub fn program(&self, number: u32) -> Option<Resume> {
         self.heads.first(0, number, 0)
     }
 
-    /// The O program that byte `at` belongs to.
+    /// The number of the O program that contains byte `at`.
     pub fn number_at(&self, at: u32) -> Option<u32> {
         self.programs.get(self.index_at(at)).and_then(|program| program.number)
     }
 
-    /// Where the O program that byte `at` belongs to begins.
+    /// The head of the O program that contains byte `at`.
     pub fn head_at(&self, at: u32) -> Resume {
         self.programs.get(self.index_at(at)).map_or(Resume::default(), |program| program.head)
     }
 
-    /// Whether a program of the text calls the program of a number, or of the name it has besides.
+    /// Whether a program of the text calls the program with a number, by number or by name.
     pub fn is_called(&self, number: u32) -> bool {
         let calls = |number: u32| self.calls.first(0, number, 0).is_some();
         calls(number) || self.name_of(number).is_some_and(calls)
     }
 
-    /// The first program that calls the one of a number and is called by none itself.
+    /// The first program that calls the program with a number, and is not called itself.
     pub fn caller_of(&self, number: u32) -> Option<Resume> {
         let caller = |number: u32| self.callers.first(0, number, 0);
         caller(number).or_else(|| caller(self.name_of(number)?))
     }
 
-    /// The number of the name that the program of a number has besides.
+    /// The number in the name of the program with a number.
     fn name_of(&self, number: u32) -> Option<u32> {
         let program = self.programs.get(self.index_at(self.program(number)?.byte))?;
         program.name.filter(|_| program.number == Some(number))
@@ -180,14 +180,14 @@ impl Labels {
         self.programs.partition_point(|program| program.head.byte <= at).saturating_sub(1)
     }
 
-    /// The first block of a number from byte `byte` on, in the O program around byte `around`.
+    /// The first block with a number from byte `byte` on, in the O program that contains byte `around`.
     fn first_from(&self, sequence: u32, around: u32, byte: u32) -> Option<Resume> {
         let program = self.index_at(around) as u32;
         self.labels.first(program, sequence, byte)
     }
 }
 
-/// The programs that a text calls and does not contain: each number once, and the word that names it first.
+/// The programs that a text calls but does not contain: each number once, with the first word that calls it.
 pub fn calls_elsewhere(text: &[u8]) -> Vec<(u32, Span)> {
     let (mut parser, mut block) = (Parser::new(text), Block::default());
     let (mut heads, mut calls) = (BTreeSet::new(), BTreeMap::new());
@@ -200,7 +200,7 @@ pub fn calls_elsewhere(text: &[u8]) -> Vec<(u32, Span)> {
     calls.into_iter().filter(|(number, _)| !heads.contains(number)).collect()
 }
 
-/// The number of the program that a block calls by M98, M198, G65 or G66, and the word that names it.
+/// The number of the program that a block calls with M98, M198, G65 or G66, and the word with it.
 fn called(block: &Block) -> Option<(u32, Span)> {
     let code =
         |word: &Word| matches!((word.address, whole(word)), (b'M', Some(98 | 198)) | (b'G', Some(65 | 66)));
@@ -216,8 +216,8 @@ fn whole(word: &Word) -> Option<u64> {
     }
 }
 
-/// What P of M98 names: up to four digits are the program, more hold the repeats in front of the last four
-/// (`P51002` is five times O1002).
+/// Splits P of M98: up to four digits are the program number; longer values have the repeats before the last
+/// four digits (`P51002` calls O1002 five times).
 pub fn program_and_repeats(value: u64) -> (u32, u32) {
     match value {
         0..=9999 => (value as u32, 1),

@@ -1,9 +1,8 @@
-//! The way a program takes through its text: where to read next, and the limits on
-//! reading the same blocks again.
+//! Control flow of a program: where to read next, and limits on reading blocks again.
 //!
-//! In: places in the text, and what asks for a jump, a call or another round. Out: the next place; the
-//! message of the limit that is exceeded. Knows nothing of what a block does. What has to be known to go back
-//! to a block (calls and loops under way) is [`CallStack`], a part of the state.
+//! In: positions in the text, and requests for jumps, calls or rounds. Out: the next position, or the message
+//! of the exceeded limit. Knows nothing of what a block does. Active calls and loops, which are needed to
+//! return to a block, are in [`CallStack`], a part of the state.
 
 mod budget;
 mod call_stack;
@@ -21,30 +20,30 @@ use crate::order;
 use crate::source::Span;
 use crate::text::parser::Resume;
 
-/// How a program is read: straight through, or by jumps, calls and loops.
+/// How a program is read: in the linear order of the text, or with jumps, calls and loops.
 #[derive(Debug, Default)]
 pub struct Program {
-    /// Sequence numbers, made when first asked for.
+    /// Sequence numbers; computed on first use.
     labels: Option<Labels>,
-    /// Where loops go on after their END, by the first byte of their DO; found when first asked for.
+    /// Where loops continue after their END, by the first byte of their DO; cached.
     pub loop_ends: BTreeMap<u32, Option<Resume>>,
     /// A loop has no END.
     pub lacks_end: bool,
-    /// Where the program goes on after the block under way.
+    /// Where the program continues after the current block.
     pub jump: Option<Resume>,
     /// Blocks of the main program from this byte on have not been run yet.
     unread_from: u32,
     /// How much has been read again.
     pub budget: Budget,
-    /// The block that jumped or called last.
+    /// The words of the block that jumped or called last.
     pub jumped_by: Option<Span>,
-    /// A jump, call or loop has led away from the straight way through the text.
+    /// A jump, call or loop has left the linear order of the text.
     has_jumped: bool,
-    /// The run began with another program than the first of the text.
+    /// The run began with a program that is not the first of the text.
     pub begun_elsewhere: bool,
-    /// First bytes of the programs that were run.
+    /// First bytes of the programs that have run.
     heads: BTreeSet<u32>,
-    /// Whether the main program is the body of a macro; found when first asked for.
+    /// Whether the main program is the body of a macro; cached.
     pub is_macro_body: Option<bool>,
 }
 
@@ -54,8 +53,8 @@ impl Program {
         self.labels.get_or_insert_with(|| Labels::new(text))
     }
 
-    /// Whether the block at byte `start` of the main program is read for the first time; it
-    /// counts as read from here on.
+    /// Whether the block at byte `start` of the main program is read for the first time. It counts as read
+    /// afterwards.
     #[inline]
     pub fn is_first_reading(&mut self, start: u32) -> bool {
         let is_first = start >= self.unread_from;
@@ -65,39 +64,38 @@ impl Program {
         is_first
     }
 
-    /// Whether nothing of the main program from byte `start` on has been read.
+    /// Whether no block of the main program from byte `start` on has been read.
     pub fn is_unread_from(&self, start: u32) -> bool {
         start >= self.unread_from
     }
 
-    /// A jump, call or loop leads elsewhere. `by`: the words of its block.
+    /// Records a jump, call or loop. `by`: the words of its block.
     pub fn jump_by(&mut self, by: Span) {
         self.has_jumped = true;
         self.jumped_by = Some(by);
     }
 
-    /// A loop that is not run is left out.
+    /// Records that a loop is skipped.
     pub fn skip_loop(&mut self) {
         self.has_jumped = true;
     }
 
-    /// Whether the program has left the straight way through its text.
+    /// Whether a jump, call or loop has left the linear order of the text.
     pub fn has_jumped(&self) -> bool {
         self.has_jumped
     }
 
-    /// Whether nothing so far was carried out, or looked for, anywhere else than on the
-    /// straight way through the text.
+    /// Whether nothing so far was executed or searched for outside the linear order of the text.
     pub fn is_straight(&self) -> bool {
         self.labels.is_none() && self.loop_ends.is_empty() && !self.has_jumped
     }
 
-    /// An O program that begins at `head` is run.
+    /// Starts the O program that begins at `head`.
     pub fn enter(&mut self, head: Resume) {
         self.heads.insert(head.byte);
     }
 
-    /// The program to run begins at `head`, and is not the first of the text.
+    /// Starts the program to run at `head`, which is not the first of the text.
     pub fn begin_elsewhere(&mut self, head: Resume) {
         self.enter(head);
         self.unread_from = head.byte;
@@ -105,13 +103,13 @@ impl Program {
         self.begun_elsewhere = true;
     }
 
-    /// Whether the program that begins here was run.
+    /// Whether the program at this position has run.
     pub fn was_run(&self, at: Resume) -> bool {
         self.heads.contains(&at.byte)
     }
 
-    /// The same program, of which nothing from `at` on has been read. Only right for one that was
-    /// read straight through so far.
+    /// The same program, reset so that nothing from `at` on has been read. Only valid for a program that was
+    /// read in linear order so far.
     pub fn back_at(self, at: Resume, work: usize) -> Self {
         let heads = order::gathered(self.heads.into_iter().filter(|&head| head < at.byte));
         let budget = Budget::after_work(work);

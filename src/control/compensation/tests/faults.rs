@@ -1,4 +1,4 @@
-//! Each fault, and the nearest path that is none.
+//! Each error, and the nearest correct path.
 
 use super::*;
 
@@ -11,7 +11,7 @@ fn start_up_and_cancel_on_an_arc_are_faults() {
     // The next straight move starts instead.
     let then = run(Side::Right, nose(0.8, 3), &[arc, after, line(3, after.to, at(30.0, -20.0))], None);
     assert_eq!((faults(&then).len(), then.len()), (1, 3));
-    // An arc right after the start-up is fine; one in the G40 block is not.
+    // An arc right after the start-up is allowed; an arc in the G40 block is not.
     let up = line(0, at(20.0, 5.0), at(20.0, 0.0));
     assert_eq!(faults(&run(Side::Right, nose(0.8, 3), &[up, arc], None)), []);
     let last = run(Side::Right, nose(0.8, 3), &[up, line(4, up.to, at(20.0, -9.0))], Some(arc));
@@ -44,7 +44,7 @@ fn a_valley_between_two_arcs_that_touch_is_an_overcut() {
             );
         }
     }
-    // From inside it is a point of two hollows, and the nose goes around it.
+    // From inside, this is the point between two hollows, and the nose goes around it.
     let nose = nose(0.4, 3);
     let outcomes = run(Side::Left, nose, &cusp(), None);
     assert_eq!(faults(&outcomes), []);
@@ -53,8 +53,8 @@ fn a_valley_between_two_arcs_that_touch_is_an_overcut() {
 
 #[test]
 fn a_short_slope_between_two_inner_corners_is_an_overcut() {
-    // Two corners of 45°, each takes r·tan 22.5° = 0.331 of the slope; a step with one inner and one
-    // outer corner takes nothing.
+    // Two corners of 45°; each takes r·tan 22.5° = 0.331 of the slope. A step with one inner and one outer
+    // corner takes nothing.
     let slope = |rise: f64| {
         lines(&[at(50.0, 5.0), at(20.0, 5.0), at(20.0, 0.0), at(20.0 + 2.0 * rise, -rise), {
             at(40.0, -rise)
@@ -127,8 +127,8 @@ fn an_arc_about_its_own_start_or_end_is_a_fault() {
 
 #[test]
 fn a_line_that_misses_the_offset_arc_has_no_intersection() {
-    // Down a face into a hollow of radius 3, where the centre of the nose keeps within 1 of the middle: the
-    // face may stand up to 2 inside the widest place.
+    // Down a face into a hollow of radius 3, in which the centre of the nose stays within 1 of the middle:
+    // the face may be up to 2 inside the widest point.
     let hollow = |inside: f64| {
         let rim = Point::new(20.0 - (9.0 - (3.0 - inside) * (3.0 - inside)).sqrt(), -(3.0 - inside));
         [

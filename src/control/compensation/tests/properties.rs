@@ -1,4 +1,4 @@
-//! What holds for every path: random lines and arcs.
+//! Properties of all paths: random lines and arcs.
 
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_3, PI};
 
@@ -7,7 +7,7 @@ use proptest::prelude::*;
 use super::*;
 use crate::control::compensation::clearance::ALLOWED;
 
-/// A piece of a random path: length, turn before it in radians, and how far it bends as an arc.
+/// A piece of a random path: length, turn before it in radians, and bend as an arc.
 type Piece = (f64, f64, Option<f64>);
 
 fn pieces(arcs: bool) -> impl Strategy<Value = Vec<Piece>> {
@@ -18,8 +18,8 @@ fn pieces(arcs: bool) -> impl Strategy<Value = Vec<Piece>> {
     prop::collection::vec((1.0..20.0f64, -2.9..2.9f64, bend), 2..8)
 }
 
-/// The same with short pieces, large arcs, and turns that people write: tangential, back the same way,
-/// square, and these a little off, as coordinates of three decimals make them.
+/// The same with short pieces, large arcs, and usual turns: tangential, reverse and square, and slightly
+/// different ones, as with coordinates of three decimals.
 fn drawn_pieces() -> impl Strategy<Value = Vec<Piece>> {
     let length = prop_oneof![0.05..2.0f64, 1.0..20.0f64];
     let square = prop::sample::select(vec![0.0, FRAC_PI_2, PI, -FRAC_PI_2, -PI, FRAC_PI_3, -FRAC_PI_3]);

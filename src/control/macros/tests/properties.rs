@@ -1,5 +1,5 @@
-//! What holds for any text: no panic, places inside the text, work in step with its length; and random
-//! arithmetic against a plain reference.
+//! Properties of any text: no panic, spans inside the text, work proportional to its length; and random
+//! arithmetic against a simple reference.
 
 use std::time::{Duration, Instant};
 
@@ -7,7 +7,7 @@ use proptest::prelude::*;
 
 use super::*;
 
-/// Evaluates some bytes in every way there is.
+/// Evaluates some bytes in every possible way.
 fn evaluate(text: &[u8]) {
     let mut variables = Variables::default();
     let _ = variables.write(1, Some(2.0));
@@ -25,7 +25,7 @@ fn evaluate(text: &[u8]) {
     }
 }
 
-/// A text of signs and words of macros.
+/// A text of signs and words from macros.
 fn pieces() -> impl Strategy<Value = String> {
     let piece = prop::sample::select(vec![
         "#", "[", "]", "=", "+", "-", "*", "/", ",", " ", "(", ")", ".", "1", "2.5", "#1", "#[", "AND", "OR",
@@ -35,7 +35,7 @@ fn pieces() -> impl Strategy<Value = String> {
     prop::collection::vec(piece, 0..24).prop_map(|pieces| pieces.concat())
 }
 
-/// A sum of products, with brackets inside brackets.
+/// A sum of products, with nested brackets.
 #[derive(Clone, Debug)]
 enum Tree {
     Number(u32),
@@ -82,7 +82,7 @@ impl Tree {
         }
     }
 
-    /// The value; NaN where something is divided by zero.
+    /// The value; NaN after a division by zero.
     fn value(&self) -> f64 {
         match self {
             Self::Number(number) => f64::from(*number) / 8.0,
