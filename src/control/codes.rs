@@ -128,7 +128,7 @@ pub enum G {
     Feed(FeedMode),
     /// G70 to G76.
     Multiple(Multiple),
-    /// Accepted without effect here.
+    /// Accepted; the tool path does not depend on it.
     Idle,
     /// Recognised, but not supported: the axis words of the block are not carried out.
     NotSupported,

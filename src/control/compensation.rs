@@ -66,7 +66,7 @@ pub struct CompensationError {
 pub enum Reason {
     /// Compensation starts or ends on an arc: PS0034.
     ArcAtSwitch,
-    /// The offset paths of this element and the one before do not meet: PS0033.
+    /// The offset paths of this element and the previous one do not meet: PS0033.
     NoIntersection {
         /// The previous element.
         before: u32,
@@ -175,7 +175,7 @@ impl Compensator {
         self.nose
     }
 
-    /// Position of the tip after the moves emitted so far.
+    /// Position of the tip after the last emitted move.
     pub fn tip(&self) -> Point {
         self.tip
     }

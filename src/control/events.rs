@@ -38,7 +38,7 @@ pub struct Moment<'a> {
     pub setup: &'a Setup,
     /// The switches of the control.
     pub dialect: &'a Dialect,
-    /// Motions and messages so far.
+    /// Motions and messages of the run up to now.
     pub sink: &'a Sink,
     /// Why the contour is read, while one is.
     pub contour: Option<Purpose>,
@@ -190,11 +190,11 @@ pub struct ContourCall<'a, How> {
 pub struct FinishingCall<'a> {
     /// The cycle block.
     pub block: &'a Block,
-    /// Contour cycles so far, this one last.
+    /// Contour cycles up to this one, which is last.
     pub landmarks: &'a [Landmarks],
     /// Ends of the moves along the contour.
     pub ends: &'a [Point],
-    /// The last of them is a rapid.
+    /// Whether the last of them is a rapid.
     pub leaves_at_rapid: bool,
 }
 
@@ -365,8 +365,8 @@ pub trait Observer: Any {
     /// Whether the message of a block that begins in `changed` depends on later blocks.
     fn waits_for(&self, changed: Range<u32>) -> bool;
 
-    /// Called before a contour is read, after which the state is restored: returns the observer for the
-    /// contour.
+    /// Called before a contour is read, after which the state is restored. Returns the observer that continues
+    /// after the contour; this one observes the contour.
     fn set_aside(&mut self) -> Box<dyn Observer>;
 
     /// Replaces `before` from here on; what `before` has reported counts as reported here, too.

@@ -47,7 +47,7 @@ impl Target {
     }
 }
 
-/// What G90, G92 and G94 remember between blocks (seeds 000 and 001).
+/// Values that G90, G92 and G94 keep between blocks (seeds 000 and 001).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct CycleMemory {
     /// X or U.
@@ -195,7 +195,7 @@ pub struct Compensating {
     pub waiting: Vec<(u32, PathMove)>,
     /// The dwells, each after the move of this number.
     pub dwells: Vec<(u32, PathMove)>,
-    /// At most one move was compensated so far.
+    /// At most one move has been taken in.
     pub is_new: bool,
     /// Blocks without a move since the last one.
     pub idle_blocks: u32,

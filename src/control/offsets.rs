@@ -50,7 +50,7 @@ pub struct Frames {
     work: ByFrame,
     /// Local shift by G52, in every frame.
     pub local: Point,
-    /// The frame in force: 0 for G54 to 5 for G59, then those of G54.1.
+    /// The frame in force: 0 for G54 to 5 for G59, then the frames of G54.1.
     pub active: u16,
     /// The frame of the workpiece; `None` before the first cut.
     workpiece: Option<Workpiece>,

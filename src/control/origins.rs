@@ -111,8 +111,9 @@ impl Chronicle {
         std::mem::take(&mut self.readings)
     }
 
-    /// The chronicle after this run, of an old text, met a new run at byte `met` of the old text. Positions
-    /// are moved into the new text; `meeting` has what was set before they met.
+    /// The chronicle of a new run that met this old run at byte `met` of the old text and continues like it.
+    /// Blocks after `met` come from this chronicle, with shifted positions; earlier blocks come from
+    /// `meeting`, the chronicle of the new run at that point.
     pub fn after_meeting(&self, met: u32, meeting: &Self, shift: &Shift) -> Self {
         Self { origins: self.origins.after_meeting(met, &meeting.origins, shift), ..meeting.clone() }
     }
@@ -336,8 +337,9 @@ impl Origins {
         self.variables.get(&key(level, variable)).copied()
     }
 
-    /// The origins after this run, of an old text, met a new run at byte `met` of the old text. Positions are
-    /// moved into the new text; `meeting` has what was set before they met.
+    /// The origins of a new run that met this old run at byte `met` of the old text and continues like it.
+    /// Blocks after `met` come from these origins, with shifted positions; earlier blocks come from
+    /// `meeting`, the origins of the new run at that point.
     fn after_meeting(&self, met: u32, meeting: &Self, shift: &Shift) -> Self {
         let place = |old: u32, own: u32| if old != NEVER && old >= met { shift.byte(old) } else { own };
         let mut since = meeting.since;

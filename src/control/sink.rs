@@ -53,12 +53,12 @@ impl Sink {
         }
     }
 
-    /// Number of motions kept so far.
+    /// Number of motions kept.
     pub fn kept(&self) -> usize {
         self.motions.len() + self.chunk.len()
     }
 
-    /// All motions kept so far, in order.
+    /// All motions, in order.
     pub fn all_motions(&self) -> impl Iterator<Item = Motion> + '_ {
         let chunks = self.motions.chunks().iter().chain([&self.chunk]);
         chunks.flat_map(|chunk| (0..chunk.len()).map(|index| chunk.get(index)))

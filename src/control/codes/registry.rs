@@ -19,7 +19,7 @@ macro_rules! functions {
         #[allow(missing_docs, reason = "sentences::codes says what each is")]
         pub enum Section { $($section),+ }
 
-        /// What a code does: a row of the table.
+        /// The function of a code: a row of the table.
         #[derive(Clone, Copy, Debug, PartialEq, Eq)]
         #[allow(missing_docs, reason = "sentences::codes says what each is")]
         pub enum Function { $($($function),+),+ }

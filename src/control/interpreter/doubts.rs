@@ -1,4 +1,4 @@
-//! What is unknown after something that was not carried out, and what makes it known again.
+//! Doubts: what is unknown after something was not carried out, and what makes it known again.
 //!
 //! In: refused blocks, and calls of missing programs. Out: [`Doubts`] of the state. A motion is uncertain if
 //! its start, end or path depends on something in doubt. The next absolute position of an axis makes that

@@ -35,7 +35,8 @@ impl Interpreter {
         if let Some(known) = self.program.is_macro_body {
             return known;
         }
-        // The rest of the text matters: this registers that it was read.
+        // The result depends on later blocks: with labels the run no longer counts as straight
+        // (`Program::is_straight`).
         self.program.labels(text);
         let mut parser = Parser::resume(text, self.state.call_stack.head);
         let (mut block, mut begun, mut returns, mut is_main) = (Block::default(), false, false, false);

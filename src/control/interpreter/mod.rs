@@ -213,7 +213,7 @@ impl Interpreter {
         self.trace.is_some()
     }
 
-    /// Number of motions kept so far.
+    /// Number of motions kept.
     pub fn kept_motions(&self) -> usize {
         self.sink.kept()
     }
@@ -258,7 +258,7 @@ impl Interpreter {
         }
     }
 
-    /// Messages so far, in the order in which they were reported.
+    /// Messages in the order in which they were reported.
     pub fn diagnostics(&self) -> &[Diagnostic] {
         &self.sink.diagnostics
     }
@@ -268,7 +268,7 @@ impl Interpreter {
         std::mem::take(&mut self.sink.diagnostics)
     }
 
-    /// Positions of the contour cycles so far.
+    /// Positions of the contour cycles that have run.
     pub fn landmarks(&self) -> &[Landmarks] {
         &self.contours.landmarks
     }

@@ -88,7 +88,7 @@ impl Interpreter {
     pub(super) fn emit(&mut self, mut path_move: PathMove) {
         if let Some(kind) = path_move.stop {
             let stop = Stop { kind, span: path_move.span, line: path_move.line };
-            // Of several stops at one position, the one that cannot be skipped is kept.
+            // Of several stops at one position, a stop that cannot be skipped wins.
             let own = &mut self.state.stop;
             if own.is_none_or(|before| before.kind == StopKind::Optional) {
                 *own = Some(stop);

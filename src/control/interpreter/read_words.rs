@@ -240,7 +240,7 @@ impl Interpreter {
             Some(M::Orientation) => state.spindle.is_held = true,
             Some(M::LiveTool) => state.spindle.live_tool = true,
             Some(M::ThreadPullOut(switch)) => state.thread_chamfer_on = switch == Switch::On,
-            // It takes effect after the block, so it is not an obstacle for this block.
+            // The quill comes forward after the block, so it is not an obstacle for this block.
             Some(M::Quill(Quill::Forward)) => request.quill_comes = true,
             Some(M::Quill(quill)) => state.quill = quill,
             Some(M::End) => request.end = true,

@@ -75,11 +75,11 @@ pub(super) struct Request {
     pub length_offset: bool,
     /// A machine-specific G code: the words of its block are arguments of a macro.
     pub arguments: bool,
-    /// G54.1, whose P names the frame.
+    /// G54.1, with the frame in P.
     pub extended_frame: Option<Span>,
     /// The motion of the block is not carried out.
     pub drop: bool,
-    /// For each group in `Exclusive`: the code found so far, as number and span.
+    /// For each group in `Exclusive`: number and span of the last code.
     pub group_words: [Option<(u64, Span)>; 5],
     /// Indices of the words with a comma: `,C2`, `,R1`, `,A30`.
     pub comma: [Option<usize>; 3],

@@ -195,7 +195,7 @@ impl Interpreter {
     }
 
     /// Checks the taper against the start point. `own_word`: the text, and the span of the taper word if this
-    /// block has one. `taper_span` is where errors are reported.
+    /// block has one. Errors are reported at `span`.
     pub(super) fn taper_fits(
         &mut self,
         cycle: Single,

@@ -2,7 +2,7 @@
 //!
 //! In: the position of the next block. Out: a [`Snapshot`], which the run can return to or another run can
 //! meet. A snapshot is only made while nothing executed has looked elsewhere in the text: no call, jump, loop
-//! or contour so far.
+//! or contour yet.
 
 use std::ops::Range;
 
@@ -142,7 +142,7 @@ impl Interpreter {
         self.sink.begin_chunk(next);
     }
 
-    /// Whether the program has run in the linear order of the text so far, without looking elsewhere in it.
+    /// Whether the program has run only in the linear order of the text, without looking elsewhere in it.
     pub fn is_straight(&self) -> bool {
         self.program.is_straight() && !self.sink.is_full() && self.trace.is_none()
     }

@@ -16,7 +16,7 @@ pub(super) struct Store<'a> {
     block: &'a Block,
     /// The system variable that was read last.
     read: Option<u32>,
-    /// Whether everything read so far is known.
+    /// Whether all values read are known.
     pub(super) knowledge: Knowledge,
 }
 

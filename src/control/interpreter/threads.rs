@@ -21,7 +21,7 @@ use crate::text::block::{Block, Value, Word};
 /// Tool angles that FANUC accepts, degrees (PS0315).
 const THREAD_ANGLES: [f64; 6] = [0.0, 29.0, 30.0, 55.0, 60.0, 80.0];
 
-/// A larger minimum depth of G76, mm, is taken as an error.
+/// A minimum depth of G76 above this, mm, is reported as implausible.
 const LEAST_DEPTH: f64 = 1.0;
 
 /// The part of the module that contains fixes of words.

@@ -176,7 +176,8 @@ impl Interpreter {
         named
     }
 
-    /// Y and V in a block that moves X and Z by other rules: they have no effect at Y0.
+    /// Y and V as a separate move, in a block whose code moves only X and Z. A target of Y0 changes nothing on a
+    /// machine without a Y axis.
     fn name_y(&mut self, text: &[u8], block: &Block, words: &Words) {
         if let Some((word, y)) = self.y_named(words) {
             self.go_along_y(text, block, word, y);

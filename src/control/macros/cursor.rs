@@ -116,7 +116,7 @@ impl<'t> Cursor<'t> {
         found
     }
 
-    /// Takes this word of capitals if it is next, regardless of what follows: `GOTO10`.
+    /// Takes this word of capitals if it is next, even directly before other characters: `GOTO10`.
     pub fn eat_word(&mut self, word: &[u8]) -> bool {
         self.peek();
         let found = self.begins(word);

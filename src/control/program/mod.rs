@@ -1,8 +1,8 @@
 //! Control flow of a program: where to read next, and limits on reading blocks again.
 //!
 //! In: positions in the text, and requests for jumps, calls or rounds. Out: the next position, or the message
-//! of the exceeded limit. Knows nothing of what a block does. Active calls and loops, which are needed to
-//! return to a block, are in [`CallStack`], a part of the state.
+//! of the exceeded limit. Knows nothing of the effect of a block. [`CallStack`], a part of the state, has the
+//! active calls and loops, which are needed to return to a block.
 
 mod budget;
 mod call_stack;
@@ -33,7 +33,7 @@ pub struct Program {
     pub jump: Option<Resume>,
     /// Blocks of the main program from this byte on have not been run yet.
     unread_from: u32,
-    /// How much has been read again.
+    /// Repeated work, counted against the limits.
     pub budget: Budget,
     /// The words of the block that jumped or called last.
     pub jumped_by: Option<Span>,
@@ -85,7 +85,7 @@ impl Program {
         self.has_jumped
     }
 
-    /// Whether nothing so far was executed or searched for outside the linear order of the text.
+    /// Whether nothing was executed or searched for outside the linear order of the text.
     pub fn is_straight(&self) -> bool {
         self.labels.is_none() && self.loop_ends.is_empty() && !self.has_jumped
     }
@@ -109,7 +109,7 @@ impl Program {
     }
 
     /// The same program, reset so that nothing from `at` on has been read. Only valid for a program that was
-    /// read in linear order so far.
+    /// read in linear order.
     pub fn back_at(self, at: Resume, work: usize) -> Self {
         let heads = order::gathered(self.heads.into_iter().filter(|&head| head < at.byte));
         let budget = Budget::after_work(work);
