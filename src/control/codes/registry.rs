@@ -80,7 +80,6 @@ pub struct GCode {
     keys: [u16; CodeList::ALL.len()],
 }
 
-/// An M code.
 struct MCode {
     function: Function,
     code: M,

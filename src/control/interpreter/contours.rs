@@ -38,7 +38,6 @@ pub(super) struct Contours {
     roughed: Vec<Roughed>,
 }
 
-/// A contour that was roughed.
 struct Roughed {
     /// P and Q.
     named: (u32, u32),

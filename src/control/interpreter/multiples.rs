@@ -294,7 +294,7 @@ impl Interpreter {
         {
             moves = Ok(found);
         }
-        // If the control has no type II, the error is the pocket, regardless of the spelling of the block.
+        // On a control without type II the pocket is the error, even if the block asks for type II.
         let may_change = !pockets && second_named && self.dialect.type_ii;
         if may_change && matches!(moves, Err(roughing::RoughingError::NotMonotoneAcross { .. })) {
             how.shape = roughing::Shape::Pockets;

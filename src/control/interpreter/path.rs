@@ -204,7 +204,7 @@ impl Interpreter {
         }
     }
 
-    /// Compensates a move, or outputs it directly without compensation.
+    /// Compensates a move; outputs it directly if compensation is off.
     pub(super) fn offset(&mut self, path_move: PathMove) {
         if self.state.compensation == Compensation::Off && self.state.compensating.is_none() {
             return self.emit(path_move);

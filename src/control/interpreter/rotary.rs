@@ -191,7 +191,7 @@ impl Interpreter {
         true
     }
 
-    /// C moves: C words are an axis from here on.
+    /// C moves: from here on C words are an axis, not a chamfer.
     fn connect_c(&mut self, text: &[u8], span: Span) {
         self.observe(text, Event::CAxis { span });
         self.state.c_axis = true;

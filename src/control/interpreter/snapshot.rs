@@ -74,11 +74,11 @@ impl Snapshot {
 /// The results of a finished run after one of its snapshots.
 #[derive(Clone, Debug)]
 pub struct Remainder {
-    /// The snapshots after that point, in order, beginning with this snapshot.
+    /// That snapshot and the later ones, in order.
     snapshots: Vec<Snapshot>,
-    /// The motions after the first.
+    /// The motions after the first snapshot.
     motions: Motions,
-    /// The messages after the first, in the order in which they were reported.
+    /// The messages after the first snapshot, in the order in which they were reported.
     diagnostics: Vec<Diagnostic>,
     /// Number of messages of the whole run that were not kept.
     hidden: usize,

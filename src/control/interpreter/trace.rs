@@ -44,7 +44,7 @@ pub struct Executed {
 /// What the moves of a block depend on, apart from the modal codes.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Context {
-    /// Nothing.
+    /// Nothing else.
     #[default]
     Settled,
     /// The words of earlier blocks of the cycle or hole cycle in force, until a code of group 01.
