@@ -261,7 +261,7 @@ impl Compensator {
         if let (Some(wall), Stage::Waiting(waiting)) = (wall, &self.stage) {
             let (waiting, from) = (*waiting, waiting.element.to);
             let wall = Element { from, to: from.moved(wall), shape: Shape::Line, ..waiting.element };
-            // I0 K0 names no direction.
+            // I0 K0 gives no direction.
             let track = (!wall.is_still()).then(|| Track::new(&wall, waiting.side));
             let meeting = track
                 .and_then(|wall| corner(Track::new(&waiting.element, waiting.side), wall, self.nose.radius));

@@ -115,8 +115,8 @@ pub struct PathMove {
     pub words: Span,
     /// Line of its block, from 0.
     pub line: u32,
-    /// Only in a virtual plane, in which the motion's points then are: start and end along the third axis,
-    /// mm.
+    /// In a virtual plane, which then contains the points of the motion: start and end along the third axis,
+    /// mm. `None` in the turning plane.
     pub third: Option<(f64, f64)>,
     /// A program stop (M00, M01) instead of a motion.
     pub stop: Option<StopKind>,
@@ -451,7 +451,7 @@ pub struct State {
     pub quill: Quill,
     /// A move that waits for the next one.
     pub pending: Option<Pending>,
-    /// Compensation under way.
+    /// Active compensation.
     pub compensating: Option<Compensating>,
     /// The program stops here, before the next motion.
     pub stop: Option<Stop>,
@@ -465,7 +465,7 @@ pub struct State {
     pub thread_chamfer: u8,
     /// Whether thread pull-out is on (M23, M24).
     pub thread_chamfer_on: bool,
-    /// Calls and loops under way.
+    /// Active calls and loops.
     pub call_stack: CallStack,
     /// Macro variables.
     pub variables: Variables,
@@ -563,7 +563,7 @@ impl State {
         }
     }
 
-    /// C of the programmed position as programmed: degrees, but mm under G12.1.
+    /// C of the programmed position, in the unit of the program: degrees, but mm under G12.1.
     pub fn place_of_c(&self) -> f64 {
         match self.virtual_plane.map(|plane| plane.surface) {
             Some(Surface::Face) => self.position.x,

@@ -49,7 +49,7 @@ struct Roughed {
 
 /// The contour from block ns to nf, as executed; after an error, the part that could be read.
 pub(super) struct Shape {
-    /// Their moves.
+    /// The moves of the contour.
     pub moves: Vec<PathMove>,
     /// Contents of the first block.
     pub first: FirstBlock,
