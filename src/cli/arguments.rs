@@ -1,6 +1,6 @@
 //! The arguments of the command line.
 //!
-//! In: what is typed. Out: [`Command`]. What several commands take is in `options`.
+//! In: the arguments of the process. Out: [`Command`]. Options that several commands share are in `options`.
 
 use std::path::PathBuf;
 

@@ -1,7 +1,7 @@
 //! The command line: arguments in, text or JSON out.
 //!
-//! Exit status 0: no error in the program; 1: errors found; 2: bad usage or a file that cannot be read or written. Natively and under Node it is
-//! the same program: what it asks of the machine it asks through `system`.
+//! Exit status 0: no error in the program; 1: errors found; 2: bad usage, or a file that cannot be read or
+//! written. The same program runs natively and under Node; `system` hides the difference.
 
 mod arguments;
 mod check;
@@ -58,18 +58,18 @@ use options::{Format, Input, TurretName, ViewName, With};
 pub use status::Status;
 use system::{Stream, say};
 
-/// A program that was read and run.
+/// A program after its run.
 struct Program {
     name: String,
-    /// As UTF-8: places in messages are counted in it.
+    /// UTF-8; spans of messages are byte offsets into it.
     text: Vec<u8>,
-    /// Of the file.
+    /// Encoding of the file.
     encoding: Encoding,
     analysis: Analysis,
 }
 
 impl Program {
-    /// The name of its file without folders, or with the innermost one where another file has the same name.
+    /// The file name without folders, or with the innermost folder if `other` has the same file name.
     fn name_beside(&self, other: &Program) -> String {
         let last = |name: &str, parts: usize| {
             let mut parts: Vec<&str> = name.rsplit(['/', '\\']).take(parts).collect();
@@ -81,10 +81,10 @@ impl Program {
     }
 }
 
-/// How the program is called.
+/// Name of the command.
 const NAME: &str = "gcode-playground";
 
-/// Runs the command line of this process; the answer is its exit status.
+/// Runs the command line of this process and returns its exit status.
 pub fn main() -> Status {
     #[cfg(not(target_arch = "wasm32"))]
     system::report_size_limit();
@@ -98,13 +98,13 @@ pub fn main() -> Status {
     })
 }
 
-/// The same under Node, whose process gets the exit status.
+/// Runs the command line under Node and sets the exit status of the process.
 #[cfg(target_arch = "wasm32")]
 pub fn main_in_node() {
     system::end(main() as u8);
 }
 
-/// Writes what is said about arguments, or the help that they ask for.
+/// Writes an error about the arguments, or the requested help.
 fn usage(said: &clap::Error) -> Status {
     let (stream, status) = match said.use_stderr() {
         true => (Stream::Error, Status::Unusable),
@@ -120,7 +120,7 @@ fn usage(said: &clap::Error) -> Status {
     } else {
         terminal::without_commands(plain.as_bytes())
     };
-    // A reader that went away is no error.
+    // A closed pipe is not an error.
     let _ = system::stream(stream).write_all(&text);
     status
 }
@@ -232,7 +232,7 @@ fn run(command: Command) -> Result<Status, String> {
     }
 }
 
-/// Why there is no part of a program.
+/// The reason why a program has no simulated part.
 fn why_no_part(program: &Program, simulation: &SimulationResult) -> String {
     let Analysis { motions, diagnostics, .. } = &program.analysis;
     let told = crate::findings::diagnostics(simulation, motions, &Levels::default(), diagnostics);
@@ -243,7 +243,7 @@ fn why_no_part(program: &Program, simulation: &SimulationResult) -> String {
     )
 }
 
-/// The picture of a program.
+/// Renders a program as SVG.
 fn svg(program: &Program, view: ViewName, turret: Option<TurretName>) -> Result<String, String> {
     let Analysis { motions, setup, .. } = &program.analysis;
     let turret = turret.map_or(setup.machine.turret, TurretName::turret);
@@ -274,7 +274,7 @@ fn svg(program: &Program, view: ViewName, turret: Option<TurretName>) -> Result<
     }
 }
 
-/// The table of supported codes: of one list, or of all.
+/// Writes the table of supported codes, for one list of codes or for all.
 fn codes(out: &mut dyn Write, only: Option<CodeList>, language: Language, format: Format) -> io::Result<()> {
     let table = api::codes(only.unwrap_or_default(), language);
     if format == Format::Text {
@@ -308,7 +308,7 @@ fn codes(out: &mut dyn Write, only: Option<CodeList>, language: Language, format
     Ok(())
 }
 
-/// The first cells of a line of the table, one for each list of codes.
+/// The first cells of a table row, one for each list of codes, padded to the column widths.
 fn cells<'a>(of: impl IntoIterator<Item = &'a str>) -> String {
     const WIDTHS: [usize; CodeList::ALL.len()] = [30, 8, 8, 4];
     of.into_iter()
@@ -320,12 +320,12 @@ fn program(input: &Input) -> Result<Program, String> {
     program_run(input, |run| run)
 }
 
-/// Reads and runs a program; `begin` may change how.
+/// Reads and runs a program; `begin` may modify the run before it starts.
 fn program_run(input: &Input, begin: impl FnOnce(Run) -> Run) -> Result<Program, String> {
     program_with(&input.file, &input.with, begin)
 }
 
-/// The same with a file and a setup of their own.
+/// Like [`program_run`], with file and setup options given separately.
 fn program_with(file: &Path, with: &With, begin: impl FnOnce(Run) -> Run) -> Result<Program, String> {
     let configurations = Configurations::new(with)?;
     let setup = configurations.settings(file)?.setup.clone();
@@ -336,7 +336,7 @@ fn program_with(file: &Path, with: &With, begin: impl FnOnce(Run) -> Run) -> Res
     Ok(run_text(name, text, encoding, setup, begin))
 }
 
-/// Runs a program that was read; `begin` may change how.
+/// Runs a program that was already read; `begin` may modify the run before it starts.
 fn run_text(
     name: String,
     text: Vec<u8>,
@@ -349,7 +349,7 @@ fn run_text(
     program
 }
 
-/// The same without what happens at the machine.
+/// Like [`run_text`], but without the machine stage.
 fn run_at_control(
     name: String,
     text: Vec<u8>,
@@ -362,12 +362,12 @@ fn run_at_control(
     Program { name, text, encoding, analysis: run.into_analysis() }
 }
 
-/// What a program is run with: what the options name, and what its configuration says.
+/// The setup for a program: its configuration, overridden by the options.
 fn setup_of(file: &Path, with: &With) -> Result<Setup, String> {
     Ok(Configurations::new(with)?.settings(file)?.setup.clone())
 }
 
-/// A text made from a program, in the encoding of the program's file.
+/// Encodes text derived from a program in the encoding of the program's file.
 fn encoded<'a>(program: &Program, text: &'a str) -> Cow<'a, [u8]> {
     program.encoding.encode(text).unwrap_or_else(|| {
         let (name, encoding) = (&program.name, program.encoding.name());
@@ -381,7 +381,7 @@ fn read(file: &Path) -> Result<(String, Vec<u8>), String> {
     read_within(file, limits::TEXT_BUFFER as u64)
 }
 
-/// Reads a file, or standard input, of at most so many bytes. One that is larger is refused before it is read.
+/// Reads a file, or standard input, of at most `most` bytes. A larger file is refused before it is read.
 fn read_within(file: &Path, most: u64) -> Result<(String, Vec<u8>), String> {
     let is_standard_input = file == Path::new("-");
     let name = if is_standard_input { "standard input".to_owned() } else { terminal::printable_name(file) };
@@ -395,8 +395,8 @@ fn read_within(file: &Path, most: u64) -> Result<(String, Vec<u8>), String> {
     }
 }
 
-/// Writes a program or another file, to standard output where no path is named. A terminal gets it without commands,
-/// everything else byte for byte.
+/// Writes a program or another file to `path`, or to standard output if `None`. On a terminal, control
+/// characters are masked; everywhere else the output is byte for byte.
 fn save(path: Option<&Path>, content: &[u8]) -> Result<(), String> {
     let stream = path.map_or(Some(Stream::Output), system::standard);
     match (stream, path) {
@@ -406,7 +406,7 @@ fn save(path: Option<&Path>, content: &[u8]) -> Result<(), String> {
     }
 }
 
-/// The same for pictures, tables and reports, which never replace a file that this command has read.
+/// Like [`save`], for pictures, tables and reports: never overwrites a file that this command has read.
 fn save_apart(path: Option<&Path>, content: &[u8]) -> Result<(), String> {
     match path.filter(|path| system::was_read(path)) {
         Some(path) => {
@@ -416,14 +416,14 @@ fn save_apart(path: Option<&Path>, content: &[u8]) -> Result<(), String> {
     }
 }
 
-/// Writes to standard output, without control characters of programs.
+/// Writes to standard output, with the control characters of programs masked.
 fn print(write: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> Result<(), String> {
     print_to(Stream::Output, write)
 }
 
-/// The same to any stream.
+/// Like [`print`], for any stream.
 fn print_to(to: Stream, write: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> Result<(), String> {
-    // The buffer hands on whole pieces, so no character is torn.
+    // `BufWriter` passes on whole writes, so no UTF-8 character is split.
     print_bytes(to, |out| {
         let mut out = io::BufWriter::with_capacity(1 << 16, terminal::Masked(out));
         write(&mut out)?;
@@ -431,7 +431,7 @@ fn print_to(to: Stream, write: impl FnOnce(&mut dyn Write) -> io::Result<()>) ->
     })
 }
 
-/// Writes bytes as they are to a stream; a reader that went away (`| head`) is no error.
+/// Writes bytes unchanged to a stream; a closed pipe (`| head`) is not an error.
 fn print_bytes(to: Stream, write: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> Result<(), String> {
     let mut out = io::BufWriter::with_capacity(1 << 16, system::stream(to));
     match write(&mut out).and_then(|()| out.flush()) {

@@ -1,7 +1,8 @@
-//! Findings that are known already: a list in a file, so that only new ones fail.
+//! Known findings: a list in a file, so that only new findings fail the check.
 //!
-//! In: findings of files, and the list. Out: the findings that are not on it. A finding is known by its file, from the folder of the list, its
-//! rule and the text of its block without spaces and without its N number, so that blocks may move and be numbered anew.
+//! In: findings of files, and the list. Out: the findings that are not in the list. A finding is identified
+//! by its file (relative to the folder of the list), its rule, and the text of its block without spaces and
+//! without its N number, so that blocks may be moved and renumbered.
 
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
@@ -24,35 +25,35 @@ pub(super) struct Files {
     write_baseline: Option<PathBuf>,
 }
 
-/// What a finding is known by: file, rule, block.
+/// Identifies a finding: file, rule, block.
 pub(super) type Entry = (String, &'static str, String);
 
-/// How often each is known.
+/// The known findings, each with its count.
 #[derive(Default)]
 pub(super) struct Baseline {
-    /// Where names of files start.
+    /// The folder that file names are relative to.
     folder: PathBuf,
     known: BTreeMap<(String, String, String), usize>,
 }
 
 impl Files {
-    /// The list that is read.
+    /// The list to read, if given.
     #[cfg(not(target_arch = "wasm32"))]
     pub(super) fn named(&self) -> Option<PathBuf> {
         self.baseline.clone()
     }
 
-    /// The list that is written.
+    /// The list to write, if given.
     pub(super) fn written(&self) -> Option<&PathBuf> {
         self.write_baseline.as_ref()
     }
 
-    /// Reads the list; `usual` where no other is named.
+    /// Reads the list; `usual` is the default if no option names one.
     pub(super) fn read(&self, usual: Option<&Path>) -> Result<Baseline, String> {
         let Some(path) = self.baseline.as_deref().or(usual) else { return Ok(Baseline::default()) };
         let at = |error: String| format!("{}: {error}", shown(path));
         if self.write_baseline.is_some() && system::kind(path).is_err() {
-            // It is about to be made.
+            // The list will be created by `--write-baseline`.
             return Ok(Baseline::default());
         }
         let text = system::read_text(path)?;
@@ -70,14 +71,14 @@ impl Files {
         Ok(Baseline { folder: folder_of(path), known })
     }
 
-    /// What the list has of a file: all its findings. Nothing where no list is written.
+    /// The entries for all findings of a file. Empty if no list is written.
     pub(super) fn entries(&self, subject: &Subject) -> Vec<Entry> {
         let Some(list) = &self.write_baseline else { return Vec::new() };
         let (folder, lines) = (folder_of(list), LineIndex::new(&subject.text));
         subject.findings.iter().filter_map(|one| entry(&folder, subject, &lines, one)).collect()
     }
 
-    /// Writes the list, in the order of the files, a finding a line.
+    /// Writes the list in the order of the files, one finding per line.
     pub(super) fn write(&self, entries: Vec<Entry>) -> Result<(), String> {
         let Some(path) = &self.write_baseline else { return Ok(()) };
         let mut counts: BTreeMap<Entry, usize> = BTreeMap::new();
@@ -96,7 +97,7 @@ impl Files {
 }
 
 impl Baseline {
-    /// Removes the findings of a file that are known, as many of each as are known.
+    /// Removes the known findings of a file, each as often as it is listed.
     pub(super) fn remove_known(&self, subject: &mut Subject) {
         if self.known.is_empty() {
             return;
@@ -117,14 +118,14 @@ impl Baseline {
     }
 }
 
-/// The folder of a list, from the root of the disk.
+/// The absolute path of the folder that contains a list.
 fn folder_of(list: &Path) -> PathBuf {
     let mut folder = system::absolute(list).unwrap_or_else(|_| list.to_owned());
     folder.pop();
     folder
 }
 
-/// What a finding is known by; nothing for what is no fault.
+/// The entry of a finding; `None` if it is not a fault.
 fn entry(folder: &Path, subject: &Subject, lines: &LineIndex, one: &Finding) -> Option<Entry> {
     let text = &subject.text;
     let line = match &one.what {
@@ -138,7 +139,7 @@ fn entry(folder: &Path, subject: &Subject, lines: &LineIndex, one: &Finding) -> 
     let without_number = block
         .strip_prefix(['N', 'n'])
         .map_or(&*block, |rest| rest.trim_start_matches(|letter: char| letter.is_ascii_digit()));
-    // From the folder of the list, so that it does not matter where the check is started.
+    // Relative to the folder of the list, so that the working directory does not matter.
     let name = system::absolute(Path::new(&subject.name)).ok();
     let name = name.and_then(|name| name.strip_prefix(folder).ok()?.to_str().map(str::to_owned));
     let name = name.unwrap_or_else(|| subject.name.clone()).replace('\\', "/");

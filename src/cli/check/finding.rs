@@ -1,62 +1,63 @@
-//! What is found in a file: messages of its programs, and remarks about a page that holds them.
+//! Findings of a file: messages of its programs, and remarks about the page that contains them.
 //!
-//! In: programs that were run. Out: findings in the order of the file, each with the row that reports have of it.
+//! In: analysed programs. Out: findings in the order of the file, each with its row for reports.
 
 use crate::api::{self, InferredStock, Places};
 use crate::message::{Diagnostic, Severity};
 use crate::sentences::Language;
 
-/// A file that was looked into.
+/// A checked file.
 pub(super) struct Subject {
     /// Its name.
     pub name: String,
-    /// Its text, as UTF-8.
+    /// Its text, in UTF-8.
     pub text: Vec<u8>,
-    /// How many programs are in it that were checked, and how many that say they are not to be.
+    /// How many of its programs were checked, and how many opt out of the check.
     pub programs: Programs,
-    /// What was found.
+    /// Its findings.
     pub findings: Vec<Finding>,
 }
 
-/// How many programs a file has.
+/// Number of programs in a file.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(super) struct Programs {
-    /// That were checked.
+    /// Programs that were checked.
     pub checked: usize,
-    /// That are left out.
+    /// Programs that were skipped.
     pub left_out: usize,
 }
 
-/// Something that was found.
+/// A finding.
 pub(super) struct Finding {
-    /// The program of the file it is about, from 0.
+    /// Index of the program in the file, from 0.
     pub program: usize,
-    /// What.
+    /// Kind and content of the finding.
     pub what: What,
 }
 
-/// What was found.
+/// Kind and content of a finding.
 pub(super) enum What {
-    /// A message, by places of the file.
+    /// A message, with a span in the file.
     Message(Diagnostic),
-    /// Something about the element that holds a program: an error.
+    /// An error in the element that contains a program.
     Remark(Remark),
-    /// The stock is assumed: no collisions were looked for. Of a program in a page, with its place.
+    /// The stock is assumed, so collisions were not checked. With line and column if the program is in a
+    /// page.
     AssumedStock(Option<(u32, u32)>, InferredStock),
 }
 
-/// Something about an element in a page.
+/// An error in an element of a page.
 pub(super) struct Remark {
     /// Line and column, from 1.
     pub place: (u32, u32),
-    /// The name of the fault.
+    /// Slug of the fault.
     pub slug: &'static str,
-    /// A sentence.
+    /// Message text.
     pub message: String,
 }
 
 impl Finding {
-    /// The rule, or the name of the fault; nothing for what is no fault.
+    /// Slug of the rule or of the fault; `None` if the finding is not a fault.
     pub(super) fn slug(&self) -> Option<&'static str> {
         match &self.what {
             What::Message(message) => Some(message.message.slug()),
@@ -65,7 +66,7 @@ impl Finding {
         }
     }
 
-    /// Its severity; nothing for what is no fault.
+    /// Severity; `None` if the finding is not a fault.
     pub(super) fn severity(&self) -> Option<Severity> {
         match &self.what {
             What::Message(message) => Some(message.severity),
@@ -74,7 +75,7 @@ impl Finding {
         }
     }
 
-    /// The row of a report; nothing for what is no fault.
+    /// The row for reports; `None` if the finding is not a fault.
     pub(super) fn row(&self, places: Places<'_>, language: Language) -> Option<api::Diagnostic> {
         match &self.what {
             What::Message(message) => Some(places.diagnostic(message, language)),

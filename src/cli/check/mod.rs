@@ -1,10 +1,10 @@
 //! `check`: what is wrong with programs, in files, folders and standard input.
 //!
-//! In: what is typed after `check`. Out: the findings in one of several formats, and the exit status: 0 nothing that fails, 1 errors
-//! (or more warnings than allowed), 2 bad usage or a file that cannot be read or written, which does not hide what is found in the others.
-//! `paths` says which files are meant, `pages` finds what is wrong in a page of a manual, `selection` says which findings count,
-//! `baseline` which of them are known, `reports` how they are written. All options hold together: a repaired program and a page are
-//! reported as any other file.
+//! In: the arguments of `check`. Out: the findings in one of several formats, and the exit status: 0 if
+//! nothing fails, 1 for errors (or more warnings than allowed), 2 for bad usage or a file that cannot be read
+//! or written; the other files are still reported. `paths` finds the files, `pages` checks the programs in a
+//! page of a manual, `selection` decides which findings count, `baseline` which are known, `reports` formats
+//! them. All options can be combined: repaired programs and pages are reported like any other file.
 
 mod baseline;
 mod finding;
@@ -44,9 +44,9 @@ use selection::Selection;
 
 pub(super) use reports::{Colour, ReportFormat};
 
-/// The stack of a thread that runs programs: that of a main thread.
+/// Stack size of a worker thread, bytes: the same as for a main thread.
 const STACK: usize = 8 << 20;
-/// Files that may have been checked and not yet written.
+/// Maximum number of files that are checked but not yet written.
 const AHEAD: usize = 256;
 
 /// The arguments of `check`.
@@ -103,29 +103,29 @@ pub(super) struct Check {
     watch: bool,
 }
 
-/// What becomes of one file.
+/// Outcome for one file.
 enum Checked {
-    /// It was checked.
+    /// The file was checked.
     Done(Done),
-    /// It could not be read.
+    /// The file could not be read.
     Unreadable(String),
 }
 
-/// A file that was checked.
+/// A checked file.
 struct Done {
-    /// What the report says of it.
+    /// Its part of the report.
     text: Vec<u8>,
-    /// How much was found, without what is known.
+    /// Its counts, without known findings.
     counts: Counts,
-    /// All that was found, for the list that is written.
+    /// Entries of all its findings, for `--write-baseline`.
     entries: Vec<baseline::Entry>,
-    /// What was repaired, a line each.
+    /// Descriptions of the repairs, one line each.
     repaired: Vec<String>,
-    /// The repaired program, where it is to be printed.
+    /// The repaired program, if it is to be printed.
     printed: Option<Vec<u8>>,
 }
 
-/// Runs it.
+/// Runs `check`.
 pub(super) fn run(check: &Check) -> Result<Status, String> {
     #[cfg(not(target_arch = "wasm32"))]
     if check.watch {
@@ -134,13 +134,13 @@ pub(super) fn run(check: &Check) -> Result<Status, String> {
     once(check)
 }
 
-/// The endings of files in folders, where none are asked for.
+/// Default endings of files in folders.
 fn usual_endings(check: &Check) -> &'static [&'static str] {
     if check.markdown { paths::PAGES } else { paths::PROGRAMS }
 }
 
 impl Check {
-    /// Refuses outputs that no reader expects: a report in the place of a program, a table where XML is asked for.
+    /// Refuses an output that would overwrite a program, and a table where XML is requested.
     fn refuse_what_would_be_lost(&self, files: &[PathBuf]) -> Result<(), String> {
         for output in self.output_file.iter().chain(self.baseline.written()) {
             let is_output = system::same_as(output);
@@ -156,10 +156,10 @@ impl Check {
     }
 }
 
-/// Checks once.
+/// Runs the check once.
 fn once(check: &Check) -> Result<Status, String> {
     let configurations = Configurations::new(&check.with)?;
-    // What holds for the whole check is said where the check is started.
+    // Settings of the whole check come from the configuration of the working directory.
     let here = configurations.of(Path::new("program"))?;
     let keys = here.as_ref().map(|one| &one.keys);
     let language = keys.and_then(|keys| keys.language.as_ref()).map(|said| said.value);
@@ -178,7 +178,7 @@ fn once(check: &Check) -> Result<Status, String> {
             .max_warnings
             .or(keys.and_then(|keys| Some(keys.max_warnings.as_ref()?.value))),
         report_to: match check.fix && (check.dry_run || has_standard_input) {
-            // Standard output is for the repaired programs.
+            // Standard output contains the repaired programs.
             true => Stream::Error,
             false => Stream::Output,
         },
@@ -198,7 +198,7 @@ fn once(check: &Check) -> Result<Status, String> {
     job.run(&found)
 }
 
-/// A text with the line ends of the text before it, where all of those are CR LF, or all are CR.
+/// Converts the line ends of `text` to those of `before`, if all of these are CR LF or all are CR.
 fn with_line_ends_of(before: &[u8], mut text: Vec<u8>) -> Vec<u8> {
     match only_line_end(before) {
         "\r" => text.iter_mut().filter(|byte| **byte == b'\n').for_each(|byte| *byte = b'\r'),
@@ -213,9 +213,10 @@ fn with_line_ends_of(before: &[u8], mut text: Vec<u8>) -> Vec<u8> {
     text
 }
 
-/// Keeps the messages of the program and moves messages of its subprograms to the calls: the dangers at the machine, which
-/// only the joined run finds, and the first block that is not carried out. All other messages of a subprogram appear when its
-/// own file is checked. `of_control`: the diagnostics before the machine stage.
+/// Keeps the messages of the program, and moves some messages of its subprograms to the calls: machine
+/// findings, which only the joined run produces, and the first block that is not executed. All other messages
+/// of a subprogram are reported when its own file is checked. `of_control`: the diagnostics before the
+/// machine stage.
 fn report_at_calls(diagnostics: &mut Vec<Diagnostic>, joined: &Joined, of_control: &[Diagnostic]) {
     let mut reported = BTreeSet::new();
     diagnostics.retain_mut(|diagnostic| {
@@ -235,13 +236,13 @@ fn report_at_calls(diagnostics: &mut Vec<Diagnostic>, joined: &Joined, of_contro
     sort_by_place(diagnostics);
 }
 
-/// A check of some files.
+/// One check of a set of files.
 struct Job<'a> {
     check: &'a Check,
     configurations: Configurations<'a>,
     selection: Selection,
     known: Baseline,
-    /// More warnings than this fail.
+    /// Maximum number of warnings; more fail the check.
     allowed: Option<usize>,
     report: Report,
     report_to: Stream,
@@ -302,9 +303,9 @@ impl Job<'_> {
         })
     }
 
-    /// Writes to the output that is asked for.
+    /// Writes to the requested output.
     fn write(&self, body: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> Result<(), String> {
-        // A coloured report has masked what it takes from programs.
+        // A coloured report already masks text from programs.
         let is_coloured = self.report.is_coloured();
         let Some(path) = &self.check.output_file else {
             let to = self.report_to;
@@ -316,14 +317,14 @@ impl Job<'_> {
         save_apart(Some(path), &text)
     }
 
-    /// Checks files on all processors; `take` gets them in their order.
+    /// Checks files on all processors; passes the results to `take` in the order of the files.
     fn in_order(&self, files: &[PathBuf], mut take: impl FnMut(Checked) -> io::Result<()>) -> io::Result<()> {
         let workers = system::processors().min(files.len());
         if workers < 2 {
             return files.iter().try_for_each(|file| take(self.file(file)));
         }
         let next = AtomicUsize::new(0);
-        // Nobody checks far ahead of what has been written.
+        // A bounded channel limits how far checking runs ahead of writing.
         let (send, receive) = mpsc::sync_channel(AHEAD);
         thread::scope(|scope| {
             for _ in 0..workers {
@@ -372,7 +373,7 @@ impl Job<'_> {
         Ok(Done { text, counts, entries, repaired, printed })
     }
 
-    /// Checks a program, and repairs it first where that is asked for.
+    /// Checks a program, after repairing it if requested.
     #[allow(clippy::type_complexity)]
     fn program(
         &self,

@@ -1,7 +1,7 @@
-//! `check --markdown`: all programs in a page of a manual, with their places there.
+//! `check --markdown`: all programs in a page of a manual, with their positions in the page.
 //!
-//! In: a page, and what is said about its programs. Out: what was found, by line and column of the page. An example that says `no-check` is
-//! left out: a manual shows faulty programs, too.
+//! In: a page and the settings. Out: findings by line and column of the page. Examples marked `no-check` are
+//! skipped, because manuals also show faulty programs.
 
 use super::super::configuration::Settings;
 use super::super::manual::attributes::{self, Fault};
@@ -13,7 +13,7 @@ use crate::api::InferredStock;
 use crate::sentences::{Language, labels};
 use crate::source::LineIndex;
 
-/// Looks into a page.
+/// Checks a page.
 pub(super) fn look_into(
     page: Page,
     settings: &Settings,
@@ -49,7 +49,7 @@ struct Look<'a> {
 }
 
 impl Look<'_> {
-    /// What is found in an example.
+    /// The findings of an example.
     fn example(&self, example: &Example, lines: &LineIndex) -> Vec<What> {
         let place = self.page.place(lines, example.at);
         let language = self.language;

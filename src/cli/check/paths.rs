@@ -1,8 +1,8 @@
-//! Which files are meant: those that are named, and the programs in folders that are named.
+//! Finds the files to check: named files, and programs in named folders.
 //!
-//! In: paths as they are typed. Out: files in order, each once, and what could not be looked into. A file that is named is
-//! always meant, whatever it is called; in a folder its ending decides, and `.gitignore` and `.ignore` are respected (patterns by the
-//! crate `ignore`), as are hidden files left out. Links in folders are not followed.
+//! In: paths from the command line. Out: files in order, each once, and problems with paths. A named file is
+//! always included, whatever its ending. In a folder the ending decides; `.gitignore` and `.ignore` are
+//! respected (patterns by the crate `ignore`), hidden files are skipped, and links are not followed.
 
 use std::collections::HashSet;
 use std::ffi::OsStr;
@@ -18,17 +18,18 @@ use super::super::terminal::printable_name;
 use crate::text::block::Block;
 use crate::text::parser::Parser;
 
-/// The endings of program files. Controls of FANUC write programs without an ending, as `O0001`: these are meant as well.
+/// Endings of program files. FANUC controls write programs without an ending, such as `O0001`; these are
+/// included, too.
 pub(super) const PROGRAMS: &[&str] = subprograms::ENDINGS;
 
-/// The endings that programs share with other files, and none: the text decides.
+/// Endings that are also used for other files (`""`: no ending): the text decides whether it is a program.
 const SHARED: &[&str] = &["txt", "g", "h", ""];
-/// The number of blocks of such a file that are read.
+/// Maximum number of blocks read of such a file.
 const LOOKED_AT: usize = 100;
-/// The bytes of such a file that are read.
+/// Maximum number of bytes read of such a file.
 const HEAD: u64 = 64 << 10;
 
-/// The endings of the pages of a manual.
+/// Endings of pages of a manual.
 pub(super) const PAGES: &[&str] = &["md", "markdown", "mdx", "html", "htm", "rst"];
 
 /// Which files of a folder.
@@ -45,18 +46,18 @@ pub(super) struct Which {
     extension: Vec<String>,
 }
 
-/// What is meant.
+/// Result of the search.
 #[derive(Debug, Default)]
 pub(super) struct Found {
-    /// The files, in order.
+    /// The files to check, in order.
     pub files: Vec<PathBuf>,
-    /// What could not be looked into, as sentences.
+    /// Errors about paths, as sentences.
     pub problems: Vec<String>,
-    /// How many files of folders are not meant because of their endings.
+    /// Number of files in folders skipped because of their ending.
     pub left_out: usize,
 }
 
-/// Finds the files; `usual` are the endings where none is given. The error names a pattern that is not one.
+/// Finds the files; `usual` are the default endings. Returns an error for an invalid pattern.
 pub(super) fn find(
     given: &[PathBuf],
     which: &Which,
@@ -86,7 +87,7 @@ pub(super) fn find(
         }
         let before = found.files.len();
         let mut walk = Walk { endings, usual, excluded, ignored: parents(&absolute), found, seen };
-        // `.` and `./` are how a folder is named, not a part of the names in it.
+        // `.` and `./` name the folder; they are not part of the names of files in it.
         walk.folder(path.strip_prefix(".").unwrap_or(path), &absolute);
         let Walk { endings, found: looked, seen: met, .. } = walk;
         (found, seen) = (looked, met);
@@ -100,14 +101,14 @@ pub(super) fn find(
 }
 
 impl Which {
-    /// The patterns of the options, in a folder.
+    /// The `--exclude` patterns, relative to a folder.
     fn excluded(&self, folder: &Path) -> Result<Gitignore, String> {
         let patterns = self.exclude.iter().map(String::as_str);
         configuration::patterns(folder, patterns).map_err(|problem| format!("--exclude {problem}"))
     }
 }
 
-/// Whether a file that is named is left out.
+/// Whether a named file is excluded.
 fn is_excluded(file: &Path, which: &Which, configurations: &Configurations<'_>) -> Result<bool, String> {
     let here = system::absolute(Path::new(".")).unwrap_or_default();
     let file = system::absolute(file).unwrap_or_else(|_| file.to_owned());
@@ -118,22 +119,22 @@ fn is_excluded(file: &Path, which: &Which, configurations: &Configurations<'_>) 
     Ok(by_configuration || says(&which.excluded(&here)?, &here))
 }
 
-/// A way through a folder and those in it.
+/// A recursive walk through a folder.
 struct Walk<'a> {
-    /// The endings that are asked for.
+    /// Requested endings.
     endings: Vec<String>,
-    /// The endings where none is asked for.
+    /// Default endings, used if none are requested.
     usual: &'a [&'a str],
-    /// Patterns of what is left out.
+    /// Patterns of excluded files.
     excluded: Vec<Gitignore>,
-    /// What `.gitignore` and `.ignore` say, the innermost folder last.
+    /// Patterns of `.gitignore` and `.ignore`, innermost folder last.
     ignored: Vec<Gitignore>,
     found: Found,
     seen: HashSet<PathBuf>,
 }
 
 impl Walk<'_> {
-    /// Looks into a folder, by the name it is shown with and from the root of the disk.
+    /// Visits a folder, given its displayed name and its absolute path.
     fn folder(&mut self, shown: &Path, absolute: &Path) {
         let entries = match system::entries(absolute) {
             Ok(entries) => entries,
@@ -172,13 +173,13 @@ impl Walk<'_> {
         if self.excluded.iter().any(|patterns| patterns.matched(file, is_folder).is_ignore()) {
             return true;
         }
-        // The innermost folder has the last word.
+        // The innermost folder takes precedence.
         let mut said = self.ignored.iter().rev().map(|patterns| patterns.matched(file, is_folder));
         said.find(|said| !said.is_none()).is_some_and(|said| said.is_ignore())
     }
 }
 
-/// What the `.gitignore` and `.ignore` of a folder say; nothing where there are none.
+/// Patterns from the `.gitignore` and `.ignore` of a folder; `None` if it has neither.
 fn ignore_files(folder: &Path) -> Option<Gitignore> {
     let files = [".gitignore", ".ignore"];
     let texts: Vec<String> =
@@ -188,13 +189,13 @@ fn ignore_files(folder: &Path) -> Option<Gitignore> {
     }
     let mut builder = GitignoreBuilder::new(folder);
     for line in texts.iter().flat_map(|text| text.lines()) {
-        // A line that is no pattern is ignored, as git does.
+        // Invalid patterns are ignored, as in git.
         let _ = builder.add_line(None, line);
     }
     builder.build().ok()
 }
 
-/// What the folders above say, up to the root of the repository, the innermost last.
+/// Ignore patterns of the parent folders up to the root of the repository, innermost last.
 fn parents(folder: &Path) -> Vec<Gitignore> {
     let is_root = |folder: &Path| system::kind(&folder.join(".git")).is_ok();
     let mut said = Vec::new();
@@ -209,7 +210,7 @@ fn parents(folder: &Path) -> Vec<Gitignore> {
     said
 }
 
-/// Whether a file of a folder is one of those that are meant: the name it is shown with, and that from the root of the disk.
+/// Whether a file of a folder is to be checked, given its displayed name and its absolute path.
 fn is_meant(shown: &Path, absolute: &Path, endings: &[String], usual: &[&str]) -> bool {
     let ending = shown.extension().and_then(OsStr::to_str).unwrap_or_default();
     let is_one = |wanted: &str| ending.eq_ignore_ascii_case(wanted.trim_start_matches('.'));
@@ -226,11 +227,11 @@ fn is_meant(shown: &Path, absolute: &Path, endings: &[String], usual: &[&str]) -
     usual.iter().any(|wanted| is_one(wanted)) || is_shared() && is_program(absolute)
 }
 
-/// Whether the beginning of a file is blocks, with hardly anything else.
+/// Whether the beginning of a file consists almost entirely of blocks.
 fn is_program(file: &Path) -> bool {
     let Ok(mut bytes) = system::peek(file, HEAD) else { return false };
     if bytes.len() as u64 == HEAD {
-        // The last line may be torn, and the last character.
+        // The last line, and its last character, may be cut off.
         let end = bytes.iter().rposition(|&byte| byte == b'\n').unwrap_or(bytes.len());
         bytes.truncate(end);
     }
@@ -246,7 +247,7 @@ fn is_program(file: &Path) -> bool {
     has_code && 4 * faulty <= blocks
 }
 
-/// `O0001`.
+/// Whether `name` is a program number such as `O0001`.
 fn is_program_number(name: &str) -> bool {
     let digits = name.strip_prefix(['O', 'o']).unwrap_or_default();
     !digits.is_empty() && digits.bytes().all(|byte| byte.is_ascii_digit())

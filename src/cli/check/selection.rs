@@ -1,6 +1,6 @@
 //! Which findings count, and their severity.
 //!
-//! In: names of rules, by slug or by code. Out: the setup with levels, and the findings that are left.
+//! In: rules, by slug or by code. Out: the setup with severities, and the findings that remain.
 
 use super::super::configuration::Settings;
 use super::super::rules::{level, named};
@@ -24,14 +24,14 @@ pub(super) struct Choice {
     pub(super) max_warnings: Option<usize>,
 }
 
-/// Names that have been found among the rules.
+/// The selected rules, and the severities that are set.
 pub(super) struct Selection {
     select: Vec<&'static str>,
     levels: Vec<(&'static str, Severity)>,
 }
 
 impl Selection {
-    /// Reads the names; the error says which is none, and the nearest that is one.
+    /// Looks up the rules; the error names an unknown rule and the most similar known one.
     pub(super) fn new(options: &Choice) -> Result<Self, String> {
         let mut select = Vec::new();
         for name in &options.select {
@@ -51,12 +51,12 @@ impl Selection {
         Ok(Self { select, levels })
     }
 
-    /// The setup of some programs, with the levels that are asked for.
+    /// The setup of a program with the requested severities.
     pub(super) fn setup(&self, settings: &Settings) -> Setup {
         self.levelled(settings, settings.setup.clone())
     }
 
-    /// A setup with them, whatever comments in the programs say.
+    /// `setup` with the requested severities, which override comments in programs.
     pub(super) fn levelled(&self, settings: &Settings, mut setup: Setup) -> Setup {
         let ignored = settings.ignore.iter().map(|slug| (*slug, Severity::Off));
         for (slug, level) in ignored.chain(self.levels.iter().copied()) {
@@ -66,12 +66,12 @@ impl Selection {
         setup
     }
 
-    /// Removes what is not among the rules that are reported alone.
+    /// Removes findings of rules that are not selected.
     pub(super) fn keep(&self, settings: &Settings, found: &mut Vec<Diagnostic>) {
         found.retain(|one| self.takes(settings, one));
     }
 
-    /// Whether a message is of the rules that are reported alone; where none are named, all are.
+    /// Whether the rule of a finding is selected. All rules are selected if none is named.
     pub(super) fn takes(&self, settings: &Settings, found: &Diagnostic) -> bool {
         let select = if self.select.is_empty() { &settings.select } else { &self.select };
         select.is_empty() || select.contains(&found.message.slug())

@@ -1,7 +1,8 @@
 //! `check --watch`: the check again whenever a file changes.
 //!
-//! In: a check. Out: its report, anew after each change of a program, a setup, a configuration, a list of known findings, or of which files
-//! there are. It looks at times and lengths a few times a second: that works on every disk, also on those of a network. It ends with the process.
+//! In: a check. Out: its report, repeated after each change of a program, a setup, a configuration, a list of
+//! known findings, or of the set of files. Polls modification times and sizes a few times a second, because
+//! this works on every disk, including network drives. Ends with the process.
 
 use std::convert::Infallible;
 use std::fs;
@@ -14,22 +15,22 @@ use super::super::system::{self, Stream, say};
 use super::{Check, paths};
 use crate::cli::NAME;
 
-/// How often it looks.
+/// Polling interval.
 const EVERY: Duration = Duration::from_millis(250);
 
-/// What clears a terminal.
+/// Escape sequences that clear the terminal.
 const CLEAR: &[u8] = b"\x1b[2J\x1b[3J\x1b[H";
 
-/// A file, and when it was written with how many bytes; nothing where it is gone.
+/// A file with its modification time and size in bytes; `None` if it does not exist.
 type Seen = (PathBuf, Option<(SystemTime, u64)>);
 
-/// Checks again and again.
+/// Checks in a loop.
 pub(super) fn run(check: &Check) -> Result<Infallible, String> {
     if check.files.iter().any(|file| file == Path::new("-")) {
         return Err("`--watch` looks at files: standard input does not change".to_owned());
     }
     loop {
-        // As it was before the check: what is written meanwhile is a change.
+        // Taken before the check, so that files written during the check count as changed.
         let before = seen(check);
         if system::is_terminal(Stream::Output) {
             use std::io::Write;
@@ -39,7 +40,7 @@ pub(super) fn run(check: &Check) -> Result<Infallible, String> {
             say(format_args!("{NAME}: {problem}"));
         }
         say(format_args!("{NAME}: waiting for a change; Ctrl C ends"));
-        // Of what `--fix` and reports have written nothing is new.
+        // Files that `--fix` rewrote do not count as changed.
         let after = if check.fix { seen(check) } else { before };
         while seen(check) == after {
             thread::sleep(EVERY);
@@ -47,13 +48,13 @@ pub(super) fn run(check: &Check) -> Result<Infallible, String> {
     }
 }
 
-/// All files that have a say, as they are now.
+/// All files that affect the result, in their current state.
 fn seen(check: &Check) -> Vec<Seen> {
     let usual = super::usual_endings(check);
     let mut files: Vec<PathBuf> = check.with.setup.clone();
     files.extend(check.with.config.clone());
     files.extend(check.baseline.named());
-    // A configuration that cannot be read is still to be looked at.
+    // A configuration that cannot be read is watched, too.
     files.push(PathBuf::from(configuration::NAME));
     if let Ok(configurations) = Configurations::new(&check.with)
         && let Ok(found) = paths::find(&check.files, &check.which, usual, &configurations)

@@ -1,4 +1,4 @@
-//! Annotations of a workflow on GitHub: a line of text for each finding.
+//! Annotations of a GitHub workflow: one line for each finding.
 
 use super::{api, sentence};
 
@@ -11,19 +11,19 @@ fn annotation(name: &str, row: &api::Diagnostic) -> String {
     let command = if row.severity == "info" { "notice" } else { &row.severity };
     let mut properties =
         format!("file={},line={},endLine={}", property(&name.replace('\\', "/")), row.line, row.end_line);
-    // Columns are taken of one line alone.
+    // GitHub accepts columns only if the annotation is within one line.
     if row.line == row.end_line {
         properties += &format!(",col={},endColumn={}", row.column, row.end_column);
     }
     format!("::{command} {properties},title={}::{}\n", property(&row.code), data(&sentence(row)))
 }
 
-/// What may stand after the second `::`.
+/// Escapes text for the part after the second `::`.
 fn data(text: &str) -> String {
     text.replace('%', "%25").replace('\r', "%0D").replace('\n', "%0A")
 }
 
-/// What may stand as a property.
+/// Escapes text for a property.
 fn property(text: &str) -> String {
     data(text).replace(':', "%3A").replace(',', "%2C")
 }

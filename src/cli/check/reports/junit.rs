@@ -1,4 +1,5 @@
-//! JUnit's XML: a suite for each file; each error and warning a test that fails, a file without any one test that passes.
+//! JUnit XML: each file is a suite; each error or warning is a failing test; a file without any has one
+//! passing test.
 
 use std::fmt::Write;
 
@@ -33,7 +34,7 @@ pub(super) fn suite(name: &str, rows: impl Iterator<Item = api::Diagnostic>) -> 
     text
 }
 
-/// Text for XML; characters that XML has no way to write become `?`.
+/// Escapes text for XML; characters that XML cannot represent become `?`.
 fn escaped(text: &str) -> String {
     let mut escaped = String::with_capacity(text.len());
     for letter in text.chars() {

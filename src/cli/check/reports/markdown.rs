@@ -1,9 +1,9 @@
-//! A table for a comment or a page.
+//! A Markdown table for a comment or a page.
 
 use super::{api, sentence};
 use crate::sentences::{Language, labels};
 
-/// The head of the table.
+/// The table header.
 pub(super) fn begin(language: Language) -> String {
     let head = match language {
         Language::English => ["File", "Line", "Severity", "Code", "Finding"],
@@ -13,7 +13,7 @@ pub(super) fn begin(language: Language) -> String {
     format!("| {} |\n|---|---:|---|---|---|\n", head.join(" | "))
 }
 
-/// The rows of a program.
+/// The table rows of a program.
 pub(super) fn rows(name: &str, rows: impl Iterator<Item = api::Diagnostic>, language: Language) -> String {
     rows.map(|row| {
         let severity =
@@ -30,7 +30,7 @@ pub(super) fn rows(name: &str, rows: impl Iterator<Item = api::Diagnostic>, lang
     .collect()
 }
 
-/// Text that stays in its cell, and is no markup.
+/// Escapes text for a table cell.
 fn cell(text: &str) -> String {
     let mut cell = String::with_capacity(text.len());
     for letter in text.chars() {

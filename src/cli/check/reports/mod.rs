@@ -1,7 +1,8 @@
-//! How findings are written: one report for all files, made of what is written before, for each program, between and after.
+//! Formats findings: one report for all files, made of a beginning, a part for each file, separators and an
+//! end.
 //!
-//! In: files with the findings that count. Out: bytes. What is written of a file depends on that file
-//! alone, so it is made wherever the file is checked; the counts are added up in between.
+//! In: files with the findings that count. Out: bytes. The part of a file depends on that file alone, so it
+//! is made in the thread that checks the file; the counts are added up afterwards.
 
 mod github;
 mod junit;
@@ -50,26 +51,26 @@ pub(in crate::cli) enum Colour {
     Never,
 }
 
-/// How much was found.
+/// Totals of a report.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub(super) struct Counts {
-    /// Files.
+    /// Number of files.
     pub files: usize,
-    /// Programs in them.
+    /// Number of programs in them.
     pub programs: Programs,
-    /// Programs with errors.
+    /// Number of programs with errors.
     pub with_errors: usize,
-    /// Errors.
+    /// Number of errors.
     pub errors: usize,
-    /// Warnings.
+    /// Number of warnings.
     pub warnings: usize,
-    /// Notes.
+    /// Number of notes.
     pub notes: usize,
-    /// Findings that `--fix` repairs.
+    /// Number of findings that `--fix` repairs.
     pub fixable: usize,
-    /// Programs whose stock is assumed: no collisions were looked for.
+    /// Number of programs with an assumed stock, whose collisions were not checked.
     pub without_stock: usize,
-    /// How often each rule was found.
+    /// Number of findings of each rule.
     pub rules: BTreeMap<&'static str, usize>,
 }
 
@@ -98,7 +99,7 @@ impl Counts {
         counts
     }
 
-    /// Adds those of other files.
+    /// Adds the counts of other files.
     pub(super) fn add(&mut self, other: &Self) {
         self.files += other.files;
         self.programs.checked += other.programs.checked;
@@ -115,34 +116,34 @@ impl Counts {
     }
 }
 
-/// How a report is asked for.
+/// Options of a report.
 pub(super) struct Wanted {
-    /// The format.
+    /// Output format.
     pub format: ReportFormat,
     /// When text is coloured.
     pub colour: Colour,
-    /// The report goes into a file, which is left without colours.
+    /// The report is written to a file and not coloured by default.
     pub to_file: bool,
-    /// The language of messages.
+    /// Language of messages.
     pub language: Language,
-    /// How often each rule was found, instead of the findings.
+    /// Report the number of findings of each rule instead of the findings.
     pub statistics: bool,
-    /// Findings alone.
+    /// Report findings only.
     pub quiet: bool,
-    /// There is one file: the assumed stock of its program is shown; of several it is only counted.
+    /// There is one file: show the assumed stock of its program. For several files it is only counted.
     pub is_lone: bool,
     /// The files are pages with programs in them.
     pub are_pages: bool,
 }
 
-/// A report in a format.
+/// A report in one format.
 pub(super) struct Report {
     wanted: Wanted,
     is_coloured: bool,
 }
 
 impl Report {
-    /// A report as it is asked for.
+    /// Creates a report from its options.
     pub(super) fn new(wanted: Wanted) -> Self {
         let is_coloured = match wanted.colour {
             Colour::Always => true,
@@ -155,12 +156,12 @@ impl Report {
         Self { wanted, is_coloured }
     }
 
-    /// Whether it contains the commands of a terminal that colour it.
+    /// Whether the output contains colour escape sequences.
     pub(super) fn is_coloured(&self) -> bool {
         self.is_coloured && self.wanted.format == ReportFormat::Text
     }
 
-    /// What stands before all programs.
+    /// The text before all programs.
     pub(super) fn begin(&self) -> Vec<u8> {
         match self.wanted.format {
             _ if self.wanted.statistics => Vec::new(),
@@ -171,7 +172,7 @@ impl Report {
         }
     }
 
-    /// What stands between two programs of which something is written.
+    /// The separator between two files with output.
     pub(super) fn between(&self) -> &'static [u8] {
         match self.wanted.format {
             ReportFormat::Sarif if !self.wanted.statistics => b",\n",
@@ -179,7 +180,7 @@ impl Report {
         }
     }
 
-    /// What is written of a file, and what counts.
+    /// The part of a file, and its counts.
     pub(super) fn subject(&self, subject: &Subject) -> (Vec<u8>, Counts) {
         let counts = Counts::of(subject);
         if self.wanted.statistics {
@@ -204,7 +205,7 @@ impl Report {
         (text, counts)
     }
 
-    /// A finding as text.
+    /// Formats a finding as text.
     fn text(&self, name: &str, places: Places<'_>, one: &Finding) -> String {
         match &one.what {
             What::Message(message) => {
@@ -221,7 +222,7 @@ impl Report {
         }
     }
 
-    /// A finding as an object.
+    /// Writes a finding as a JSON object.
     fn json(&self, out: &mut dyn Write, file: &str, places: Places<'_>, one: &Finding) -> io::Result<()> {
         match &one.what {
             What::Message(message) => {
@@ -240,12 +241,13 @@ impl Report {
         }
     }
 
-    /// What stands after all programs.
+    /// The text after all programs.
     pub(super) fn end(&self, counts: &Counts) -> Vec<u8> {
         if self.wanted.statistics {
             return in_memory(|out| statistics(out, counts, self.wanted.format));
         }
-        // The stock of a lone program has a line of its own; pages have their sum on standard error.
+        // The stock of a single program is reported on a separate line; for pages the total is on standard
+        // error.
         let is_named = self.wanted.is_lone && !self.wanted.are_pages;
         let counts =
             &Counts { without_stock: if is_named { 0 } else { counts.without_stock }, ..counts.clone() };
@@ -255,7 +257,7 @@ impl Report {
             ReportFormat::Markdown if !self.wanted.quiet => {
                 format!("\n{}\n", words::summary(counts, self.wanted.language)).into_bytes()
             }
-            // Where no file could be read, that is said, and not that nothing was found.
+            // If no file could be read, errors were reported; a summary of "no findings" would be misleading.
             ReportFormat::Text if counts.files == 0 => Vec::new(),
             ReportFormat::Text if !self.wanted.quiet && !self.wanted.are_pages => {
                 format!("{}\n", words::summary(counts, self.wanted.language)).into_bytes()
@@ -265,7 +267,7 @@ impl Report {
     }
 }
 
-/// How many programs the pages have: `3 programs; 1 with errors`.
+/// Summary of the programs in pages: `3 programs; 1 with errors`.
 pub(super) fn programs_of_pages(counts: &Counts) -> String {
     let Counts { programs, with_errors, without_stock, .. } = counts;
     let told = [
@@ -277,14 +279,14 @@ pub(super) fn programs_of_pages(counts: &Counts) -> String {
     counted(programs.checked, "program") + &told.collect::<String>()
 }
 
-/// What is written, in memory.
+/// Collects the output of `write` in memory.
 fn in_memory(write: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> Vec<u8> {
     let mut text = Vec::new();
     write(&mut text).expect("memory takes all that is written");
     text
 }
 
-/// How often each rule was found, the most frequent first.
+/// Number of findings of each rule, most frequent first.
 fn statistics(out: &mut dyn Write, counts: &Counts, format: ReportFormat) -> io::Result<()> {
     let mut rules: Vec<(&str, usize)> = counts.rules.iter().map(|(rule, count)| (*rule, *count)).collect();
     rules.sort_by(|a, b| b.1.cmp(&a.1).then(a.0.cmp(b.0)));
@@ -297,7 +299,7 @@ fn statistics(out: &mut dyn Write, counts: &Counts, format: ReportFormat) -> io:
     Ok(())
 }
 
-/// A finding as reports other than the text one have it: what was found, and what to do.
+/// Text of a finding for all formats except `text`: message and help.
 fn sentence(row: &api::Diagnostic) -> String {
     match &row.help {
         Some(help) => format!("{} {help}", row.message),
@@ -305,7 +307,7 @@ fn sentence(row: &api::Diagnostic) -> String {
     }
 }
 
-/// The name of a file as a part of an address: with slashes, and `%` before what an address does not take.
+/// A file name as part of a URL: with `/` as separator, percent-encoded.
 fn address(name: &str) -> String {
     let mut address = String::new();
     for byte in name.replace('\\', "/").trim_start_matches("./").bytes() {

@@ -1,18 +1,19 @@
-//! SARIF 2.1.0 (OASIS): one run of one tool, a result for each finding.
+//! SARIF 2.1.0 (OASIS): one run of one tool, one result for each finding.
 //!
-//! Columns count UTF-16 code units, as those of JSON do. Rules are listed after the results, when it is known which were found.
+//! Columns are UTF-16 code units, as in the JSON format. Rules follow the results, because only then it is
+//! known which occurred.
 
 use serde_json::{Value, json};
 
 use super::{Counts, address, api, in_memory, terminal};
 use crate::message::{RULES, Severity};
 
-/// What stands before the results.
+/// The text before the results.
 pub(super) fn begin() -> Vec<u8> {
     b"{\n\"$schema\": \"https://json.schemastore.org/sarif-2.1.0.json\",\n\"version\": \"2.1.0\",\n\"runs\": [{\n\"columnKind\": \"utf16CodeUnits\",\n\"results\": [\n".into()
 }
 
-/// The results of a program, with a comma between.
+/// The results of a program, separated by commas.
 pub(super) fn results(name: &str, rows: impl Iterator<Item = api::Diagnostic>) -> Vec<u8> {
     in_memory(|out| {
         for (at, row) in rows.enumerate() {
@@ -25,7 +26,7 @@ pub(super) fn results(name: &str, rows: impl Iterator<Item = api::Diagnostic>) -
     })
 }
 
-/// What stands after them.
+/// The text after the results.
 pub(super) fn end(counts: &Counts) -> Vec<u8> {
     let rules: Vec<Value> = RULES
         .iter()
@@ -75,7 +76,7 @@ fn result(name: &str, row: &api::Diagnostic) -> Value {
     result
 }
 
-/// The address of a file: relative, or, of one that is named from the root, with `file` before it.
+/// The URI of a file: relative, or with `file:` if the path is absolute.
 fn uri(name: &str) -> String {
     let name = name.replace('\\', "/");
     match name.split_once(':') {
@@ -88,7 +89,7 @@ fn uri(name: &str) -> String {
     }
 }
 
-/// The names that SARIF has.
+/// SARIF's names of severities.
 fn level(severity: Severity) -> &'static str {
     match severity {
         Severity::Error => "error",

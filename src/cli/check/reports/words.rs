@@ -1,4 +1,4 @@
-//! The line that sums up a report, in three languages.
+//! The summary line of a report, in three languages.
 
 use super::Counts;
 use crate::cli::counted;
@@ -56,7 +56,7 @@ pub(super) fn summary(counts: &Counts, language: Language) -> String {
     }
 }
 
-/// What there is any of.
+/// Joins the counts that are not zero.
 fn join(counts: &[(usize, &str)], between: &str, say: impl Fn(usize, &str) -> String) -> String {
     let found = counts.iter().filter(|(count, _)| *count > 0).map(|(count, what)| say(*count, what));
     found.collect::<Vec<_>>().join(between)
