@@ -1,7 +1,7 @@
-//! `clean`: the programs inside a text, listed or saved one by one.
+//! `clean`: lists the programs inside a text, or writes one of them.
 //!
-//! In: a file of any kind of text. Out: the cleaned program; on standard error what was changed and what
-//! only the reader can know.
+//! In: a file with any text. Out: the cleaned program; on standard error the changes, and questions that only
+//! the user can answer.
 
 use std::io::{self, Write};
 use std::path::PathBuf;
@@ -14,7 +14,7 @@ use crate::paste::{self, Found, Name, Piece, Program};
 use crate::sentences::Language;
 use crate::source::LineIndex;
 
-/// Changes and questions that are listed, at most.
+/// Maximum number of changes and questions that are listed.
 const MOST_LISTED: usize = 1000;
 
 /// What to do with what is found.
@@ -34,7 +34,7 @@ pub(super) struct Clean {
     to: Destination,
 }
 
-/// Runs it.
+/// Runs `clean`.
 pub(super) fn run(clean: &Clean) -> Result<(), String> {
     let (name, bytes) = read(&clean.file)?;
     let (bytes, from) = encoding::decode(bytes);
@@ -76,7 +76,7 @@ fn list(out: &mut dyn Write, found: &Found) -> io::Result<()> {
     Ok(())
 }
 
-/// Lists the changes and the questions, [`MOST_LISTED`] at most.
+/// Lists the changes and the questions, at most [`MOST_LISTED`].
 fn tell(
     out: &mut dyn Write,
     name: &str,
@@ -97,7 +97,7 @@ fn tell(
     }
 }
 
-/// What stood there and what stands there now, short.
+/// The old and the new text of a piece, shortened.
 fn quoted(text: &str, piece: &Piece) -> String {
     let was = &text[piece.span.start as usize..piece.span.end as usize];
     if piece.is_question() {

@@ -1,7 +1,7 @@
-//! Two programs' parts laid over each other, as text, JSON or a picture.
+//! `compare`: the difference between the parts of two programs, as text, JSON or a picture.
 //!
-//! In: two programs that were run. Out: what only one of the parts has, measured.
-//! Diameters are reported as X.
+//! In: two analysed programs. Out: the areas that only one of the parts has, with measurements. Radial
+//! measurements are reported as X, a diameter.
 
 use std::io::{self, Write};
 
@@ -18,7 +18,7 @@ use crate::scene::svg::{SvgOptions, svg};
 use crate::scene::work::Work;
 use crate::units::Diameter;
 
-/// Two parts.
+/// The comparison of two parts.
 pub(super) struct Compared<'a> {
     programs: [&'a Program; 2],
     comparison: Comparison,
@@ -26,7 +26,7 @@ pub(super) struct Compared<'a> {
 }
 
 impl<'a> Compared<'a> {
-    /// Compares the parts of two programs; nothing where there is no blank.
+    /// Compares the parts of two programs; `None` if a blank is missing.
     pub(super) fn of(programs: [&'a Program; 2]) -> Option<Self> {
         let [first, second] =
             parts(programs.map(|program| (&program.analysis.motions, &program.analysis.setup)));
@@ -83,7 +83,7 @@ impl<'a> Compared<'a> {
         [first.name_beside(second), second.name_beside(first)]
     }
 
-    /// The picture: the second part, and what only one of them has.
+    /// A picture of the second part, with the areas that only one of the parts has.
     pub(super) fn svg(&self) -> String {
         let analysis = &self.programs[1].analysis;
         let simulation = analysis.simulate();
@@ -103,7 +103,7 @@ impl<'a> Compared<'a> {
     }
 }
 
-/// At most three decimals, and no more than needed.
+/// Formats with at most three decimals, without trailing zeros.
 fn short(value: f64) -> String {
     let text = format!("{value:.3}");
     let text = text.trim_end_matches('0').trim_end_matches('.');

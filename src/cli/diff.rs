@@ -1,6 +1,7 @@
-//! Two versions of a program beside each other, as text, Markdown or JSON, and as a drawing.
+//! `diff`: the difference between two versions of a program, as text, Markdown, JSON or a drawing.
 //!
-//! In: two programs that were run. Out: what differs in the text, and what that changes in motion, time, part and messages.
+//! In: two analysed programs. Out: the changes of the text, and their effect on motion, time, part and
+//! messages.
 
 use std::path::PathBuf;
 
@@ -49,7 +50,7 @@ enum DiffFormat {
     Markdown,
 }
 
-/// Compares two programs; the status says whether they differ.
+/// Compares two programs; the exit status says whether they differ.
 pub(super) fn run(arguments: &Diff) -> Result<Status, String> {
     let Diff { first, second, with, texts, format, motions_only, output } = arguments;
     if first.as_os_str() == "-" && second.as_os_str() == "-" {
@@ -93,7 +94,7 @@ fn version(program: &Program) -> Version<'_> {
     }
 }
 
-/// The tool paths of both programs.
+/// Draws the tool paths of both programs.
 fn drawing(programs: &[Program; 2], names: &[String; 2], language: Language) -> String {
     let analysis = &programs[1].analysis;
     let options = SvgOptions {
@@ -106,7 +107,7 @@ fn drawing(programs: &[Program; 2], names: &[String; 2], language: Language) -> 
     overlay(programs.each_ref().map(|program| &program.analysis.motions), &legend, &options)
 }
 
-/// A difference that is written for people.
+/// Formats a difference for people.
 struct Report<'a> {
     rows: &'a ProgramDifference,
     names: &'a [String; 2],
@@ -122,7 +123,7 @@ impl Report<'_> {
         said_with(what, &value.to_string(), self.language)
     }
 
-    /// What the whole comes to, where that is quickly said.
+    /// A one-line summary, if the programs are the same in text or in motions.
     fn verdict(&self) -> Option<&'static str> {
         match (self.rows.same_text, self.rows.same_motions) {
             (true, true) => Some(self.said(Said::Same)),
@@ -223,7 +224,7 @@ impl Report<'_> {
         lines.join("\n") + "\n"
     }
 
-    /// Where a hunk stands: `@@ line 5 | line 5 @@`.
+    /// The header of a hunk: `@@ line 5 | line 5 @@`.
     fn place(&self, rows: &[Row]) -> String {
         let lines =
             [rows.iter().find_map(|row| row.first.as_ref()), rows.iter().find_map(|row| row.second.as_ref())];
@@ -274,10 +275,10 @@ impl Report<'_> {
     }
 }
 
-/// Pieces of the part that are listed, the largest first.
+/// Maximum number of listed areas of the part, the largest first.
 const MOST_PIECES: usize = 20;
 
-/// The blocks of a row as a patch has them.
+/// The blocks of a row in the style of a patch, with `-` and `+`.
 fn blocks(row: &Row) -> Vec<String> {
     let line = |sign: char, block: &Option<crate::api::difference::Block>| {
         block.as_ref().map(|block| format!("{sign} {}", block.text))
@@ -285,7 +286,7 @@ fn blocks(row: &Row) -> Vec<String> {
     [line('-', &row.first), line('+', &row.second)].into_iter().flatten().collect()
 }
 
-/// `end point: X50 Z-20 → X49.96 Z-20`.
+/// Formats a change: `end point: X50 Z-20 → X49.96 Z-20`.
 fn told(change: &Change) -> String {
     if change.first.is_empty() && change.second.is_empty() {
         return change.name.clone();
@@ -293,13 +294,13 @@ fn told(change: &Change) -> String {
     format!("{}: {} → {}", change.name, change.first, change.second)
 }
 
-/// A fence that no line closes early.
+/// A code fence that none of the lines closes.
 fn fence(lines: &[String]) -> String {
     let longest = lines.iter().flat_map(|line| line.split(|letter| letter != '`')).map(str::len).max();
     "`".repeat(longest.unwrap_or(0).max(2) + 1)
 }
 
-/// A text as code in Markdown.
+/// Formats a text as inline code in Markdown.
 fn code(text: &str) -> String {
     let text = text.replace(['\n', '\r'], " ");
     let ticks = fence(std::slice::from_ref(&text));
@@ -308,7 +309,7 @@ fn code(text: &str) -> String {
     format!("{ticks}{blank}{text}{blank}{ticks}")
 }
 
-/// A text that ends no cell of a table and begins no markup.
+/// Escapes a text for a table cell in Markdown.
 fn cell(text: &str) -> String {
     text.replace('|', "\\|").replace('<', "&lt;").replace(['\n', '\r'], " ")
 }

@@ -1,9 +1,9 @@
-//! `embed`: a program as the element for a page, with its picture inside; and whether the pictures in pages are
-//! still what their programs draw.
+//! `embed`: writes a program as the element for a page, including its picture; or checks and updates the
+//! pictures in existing pages.
 //!
-//! In: a program and the attributes of its element, or pages. Out: HTML, or a block of HTML for Markdown; what is
-//! wrong with the pictures of the pages, or the pages with the pictures drawn anew. Knows the attributes that change
-//! the picture; all others are passed on.
+//! In: a program and the attributes of its element, or pages. Out: HTML, or a block of HTML for Markdown;
+//! outdated pictures in the pages, or the pages with updated pictures. Knows the attributes that affect the
+//! picture; all others are passed on unchanged.
 
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
@@ -55,7 +55,7 @@ pub(super) struct Embed {
     fix: bool,
 }
 
-/// What pages say themselves.
+/// Options for writing an element. They conflict with `--check` and `--fix`, which read them from the page.
 const OF_WRITING: [&str; 12] = [
     "setup",
     "control",
@@ -113,12 +113,12 @@ enum MarkupName {
     Frame,
 }
 
-/// The name of a value as it is typed.
+/// The name of a value on the command line.
 fn name_of(value: &impl ValueEnum) -> String {
     value.to_possible_value().map_or(String::new(), |value| value.get_name().to_owned())
 }
 
-/// `name=value`, or a name alone.
+/// Parses `name=value`, or a name alone.
 fn attribute(text: &str) -> Result<(String, String), String> {
     let (name, value) = text.split_once('=').unwrap_or((text, ""));
     let name = name.to_ascii_lowercase();
@@ -130,7 +130,7 @@ fn attribute(text: &str) -> Result<(String, String), String> {
     Ok((name, value.to_owned()))
 }
 
-/// Runs the command.
+/// Runs `embed`.
 pub(super) fn run(embed: &Embed) -> Result<Status, String> {
     if embed.check || embed.fix {
         return pages(&embed.files, embed.fix);
@@ -203,7 +203,7 @@ fn attributes(embed: &Embed) -> Result<Vec<(String, String)>, String> {
     Ok(attributes)
 }
 
-/// The picture of a program, for the attributes of its element.
+/// Draws the picture of a program with the attributes of its element.
 fn picture(program: &Program, attributes: &Attributes) -> String {
     let language = match attributes.get("language") {
         Some("zh") => Language::Chinese,
@@ -222,7 +222,7 @@ fn picture(program: &Program, attributes: &Attributes) -> String {
     }
     let simulation = program.analysis.simulate();
     let svg = scene::svg::section(&program.analysis.motions, Some(&simulation), &options);
-    // In a narrow column it is as wide as that.
+    // Limits the width to that of the column.
     svg.replacen("<svg ", r#"<svg slot="fallback" style="max-width:100%;height:auto" "#, 1)
 }
 
@@ -233,8 +233,8 @@ fn html(attributes: &[(String, String)], text: &str, picture: Option<String>) ->
     format!("{tag}\n{picture}<pre>\n{}</pre>\n</gcode-playground>\n", manual::escaped(text))
 }
 
-/// The element for a page in Markdown, where a `pre` may have blank lines. The picture stands in its last line,
-/// because the end of a style sheet ends the block of HTML.
+/// The element for a page in Markdown, as a `pre`, which may contain blank lines. The picture is in the last
+/// line, because the end of its style sheet ends the HTML block.
 fn markdown(attributes: &[(String, String)], text: &str, picture: Option<String>) -> String {
     let tag = tag("pre data-gcode-playground", "data-", attributes);
     let end = if text.ends_with('\n') { "" } else { "\n" };
@@ -242,8 +242,8 @@ fn markdown(attributes: &[(String, String)], text: &str, picture: Option<String>
     format!("{tag}\n{}{end}{picture}</pre>\n", manual::escaped(text))
 }
 
-/// The element for a page in MDX, where `{` and `<` begin JSX: program and picture are texts of JavaScript. The program
-/// is indented as what is inside of a tag, because up to two spaces are taken off each line.
+/// The element for a page in MDX, where `{` and `<` begin JSX: program and picture are JavaScript strings.
+/// The program is indented like the content of a tag, because MDX removes up to two spaces from each line.
 fn mdx(attributes: &[(String, String)], text: &str, picture: Option<String>) -> String {
     let tag = tag("gcode-playground", "", attributes);
     let picture = picture.map_or(String::new(), |picture| {
@@ -256,8 +256,8 @@ fn mdx(attributes: &[(String, String)], text: &str, picture: Option<String>) -> 
     format!("{tag}\n{picture}  <pre>{{`\n{lines}  `}}</pre>\n</gcode-playground>\n")
 }
 
-/// A frame that shows the page of the element's folder, with attributes and program in its address. There the number of
-/// the program to run stands in the setup, because `program` is its text.
+/// An `iframe` of the page in the element's folder, with attributes and program in its address. The number of
+/// the program to run is in the setup, because there `program` is the text of the program.
 fn frame(host: &str, attributes: &[(String, String)], text: &str) -> String {
     let mut said: Vec<(&str, String)> = Vec::new();
     let mut setups: Vec<String> = Vec::new();
@@ -285,7 +285,7 @@ fn frame(host: &str, attributes: &[(String, String)], text: &str) -> String {
     )
 }
 
-/// As the part of an address after `#` has it.
+/// Percent-encodes a text for the fragment of a URL.
 fn percent_encoded(text: &str) -> String {
     let mut encoded = String::with_capacity(2 * text.len());
     for byte in text.bytes() {
@@ -314,7 +314,7 @@ fn in_one_line(picture: &str) -> String {
     picture.lines().map(str::trim).collect()
 }
 
-/// How many pictures there are.
+/// Counts of the pages.
 #[derive(Default)]
 struct Counts {
     elements: usize,
@@ -323,7 +323,7 @@ struct Counts {
     faulty: usize,
 }
 
-/// Checks the pictures of some pages, or draws those that are old anew.
+/// Checks the pictures of pages; with `fix`, updates outdated ones.
 fn pages(files: &[PathBuf], fix: bool) -> Result<Status, String> {
     let mut counts = Counts::default();
     for file in files {
@@ -340,7 +340,8 @@ fn pages(files: &[PathBuf], fix: bool) -> Result<Status, String> {
         if !edits.is_empty() {
             let text = applied(&page.text, &edits);
             let text = String::from_utf8_lossy(&text);
-            // What a page cannot write in its encoding is not in a picture: those of captions are in the page.
+            // Characters that the encoding of the page lacks cannot come from a picture: its captions are
+            // also in the page.
             let bytes = page.encoding.encode(&text).unwrap_or(text.as_bytes().into());
             save(Some(file.as_path()).filter(|file| *file != Path::new("-")), &bytes)?;
         }
@@ -352,21 +353,22 @@ fn pages(files: &[PathBuf], fix: bool) -> Result<Status, String> {
     Ok(Status::faulty_if(faulty > 0 || old > 0 && !fix))
 }
 
-/// A page, and its lines.
+/// A page and its line index.
 struct InPage<'a> {
     page: &'a Page,
     lines: &'a LineIndex,
 }
 
 impl InPage<'_> {
-    /// Says something about an element.
+    /// Writes a message about an element.
     fn note(&self, out: &mut dyn Write, example: &Example, message: &str) -> io::Result<()> {
         let (line, column) = self.page.place(self.lines, example.at);
         writeln!(out, "{}:{line}:{column}: {message}", self.page.name)
     }
 }
 
-/// Compares the picture of an element with what its program draws; the answer is the edit that draws it anew.
+/// Compares the picture of an element with a new drawing of its program; returns the edit that updates it, if
+/// needed.
 fn look_at(
     out: &mut dyn Write,
     told: &InPage<'_>,

@@ -1,10 +1,10 @@
 //! The encodings of program files: bytes to UTF-8 and back, without loss.
 //!
-//! In: the bytes of a file. Out: its text as UTF-8, and the encoding to write it in again. Files with a byte
-//! order mark, UTF-16 with a zero in every other byte and valid UTF-8 are certain; otherwise what is not ASCII (comments, as a rule) is read as
-//! Chinese, Russian and Western text, and the reading that surprises least is taken.
+//! In: the bytes of a file. Out: its text as UTF-8, and the encoding to write it in. Files with a byte order
+//! mark, UTF-16 with a zero in every other byte, and valid UTF-8 are certain. Otherwise the non-ASCII bytes,
+//! usually comments, are decoded as Chinese, Russian and Western text, and the most probable reading is used.
 //! `www/src/files/encoding-guess.ts` does the same on the page, with the same table; `tests/encodings.json`
-//! holds both to it. Must not know: what stands in a program.
+//! tests both. Must not know: the contents of a program.
 
 use std::borrow::Cow;
 use std::collections::HashSet;
@@ -13,18 +13,18 @@ use std::sync::LazyLock;
 use encoding_rs::{GB18030, WINDOWS_1251, WINDOWS_1252};
 use serde::Deserialize;
 
-/// How a file is written.
+/// The encoding of a file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Encoding {
-    /// With or without a byte order mark, which stays in the text.
+    /// With or without a byte order mark, which is kept in the text.
     Utf8,
-    /// With or without a byte order mark, which is no part of the text.
+    /// With or without a byte order mark, which is removed from the text.
     Utf16(Endian, ByteOrderMark),
-    /// One that can only be guessed.
+    /// An encoding that can only be guessed.
     Legacy(&'static encoding_rs::Encoding),
 }
 
-/// The order of the bytes in UTF-16.
+/// Byte order of UTF-16.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Endian {
     /// Low byte first.
@@ -33,19 +33,19 @@ pub enum Endian {
     Big,
 }
 
-/// Whether a file in UTF-16 begins with a byte order mark.
+/// Whether a UTF-16 file begins with a byte order mark.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ByteOrderMark {
-    /// It does.
+    /// With a byte order mark.
     Present,
-    /// It does not.
+    /// Without one.
     Absent,
 }
 
-/// More bytes beyond ASCII than these change no guess.
+/// Maximum number of non-ASCII bytes used for a guess; more do not change it.
 const LOOKED_AT: usize = 100_000;
 
-/// The text of a file as UTF-8, and what it was written in; encoding it again gives the very same bytes.
+/// Decodes a file to UTF-8. Encoding the text again returns the same bytes.
 pub fn decode(bytes: Vec<u8>) -> (Vec<u8>, Encoding) {
     let unmarked = unmarked_utf16(&bytes);
     if unmarked.is_none() && bytes.is_ascii() {
@@ -66,12 +66,12 @@ pub fn decode(bytes: Vec<u8>) -> (Vec<u8>, Encoding) {
             return (text.into_bytes(), encoding);
         }
     }
-    // Not reached: every byte is a character of Windows-1252.
+    // Unreachable: every byte is a character of Windows-1252.
     (bytes, Encoding::Utf8)
 }
 
 impl Encoding {
-    /// The name people know it by.
+    /// The common name of the encoding.
     pub fn name(self) -> &'static str {
         match self {
             Encoding::Utf8 => "UTF-8",
@@ -81,7 +81,7 @@ impl Encoding {
         }
     }
 
-    /// The text of some bytes; `None` when it would not become the same bytes again.
+    /// Decodes bytes; `None` if encoding the text would not return the same bytes.
     fn decode(self, bytes: &[u8]) -> Option<String> {
         let text = match self {
             Encoding::Utf8 => String::from_utf8(bytes.to_vec()).ok()?,
@@ -97,7 +97,7 @@ impl Encoding {
         (self.encode(&text).as_deref() == Some(bytes)).then_some(text)
     }
 
-    /// The bytes of a text; `None` when a character has no place in this encoding.
+    /// Encodes a text; `None` if the encoding lacks a character.
     pub fn encode(self, text: &str) -> Option<Cow<'_, [u8]>> {
         match self {
             Encoding::Utf8 => Some(Cow::Borrowed(text.as_bytes())),
@@ -140,16 +140,16 @@ impl Endian {
     }
 }
 
-/// Characters of program comments.
+/// Characters that are common in comments of programs.
 #[derive(Deserialize)]
 struct Plausible {
-    /// Those of a Chinese workshop.
+    /// Chinese characters used in workshops.
     hanzi: String,
-    /// Russian letters, the frequent ones first.
+    /// Russian letters, in order of frequency.
     cyrillic: String,
-    /// Letters of Western languages beyond ASCII.
+    /// Non-ASCII letters of Western languages.
     western: String,
-    /// Signs of any language.
+    /// Punctuation and symbols of any language.
     signs: String,
 }
 
@@ -157,8 +157,9 @@ static PLAUSIBLE: LazyLock<Plausible> = LazyLock::new(|| {
     serde_json::from_str(include_str!("plausible.json")).expect("plausible.json is well formed")
 });
 
-/// The order of the bytes where a file is UTF-16 without a byte order mark: ASCII characters, most of a program, have a
-/// zero as their high byte, and none has one as its low byte. The feed of paper tape is zeros in a row, so both.
+/// The byte order of a UTF-16 file without a byte order mark. ASCII characters, most of a program, have a
+/// zero high byte and a non-zero low byte. Paper-tape feed is a sequence of zeros, so both conditions are
+/// tested.
 fn unmarked_utf16(bytes: &[u8]) -> Option<Endian> {
     let (pairs, _) = bytes.as_chunks::<2>();
     let zeros = |at: usize| pairs.iter().filter(|pair| pair[at] == 0).count();
@@ -170,8 +171,8 @@ fn unmarked_utf16(bytes: &[u8]) -> Option<Endian> {
     }
 }
 
-/// Whether what is valid UTF-8 is so by chance, as short Chinese comments can be: letters of alphabets nobody
-/// has in a program, in UTF-8, that are common characters in GB18030.
+/// Whether valid UTF-8 is more probably GB18030, as in short Chinese comments: bytes that are letters of rare
+/// alphabets in UTF-8, but common characters in GB18030.
 fn is_rather_chinese(bytes: &[u8]) -> bool {
     let of_far_alphabet = |&byte: &u8| matches!(byte, 0xC6..=0xCD | 0xD2..=0xDF);
     let pairs = bytes.iter().filter(|byte| !byte.is_ascii()).count() / 2;
@@ -190,13 +191,13 @@ fn by_likelihood(bytes: &[u8]) -> impl Iterator<Item = &'static encoding_rs::Enc
     surprises.into_iter().map(|(encoding, _)| encoding)
 }
 
-/// The most that characters of the first level of GB 2312 surprise.
+/// Maximum surprise of a character in the first level of GB 2312.
 const COMMON: f64 = 9.8;
 
-// How much each reading surprises: natural logarithms of one over a rough probability, added up.
+// Surprise of a reading: the sum of `-ln(p)` for rough probabilities `p` of its characters.
 
-/// Words of Cyrillic letters, the frequent ones more likely; capitals after small letters and
-/// Latin neighbours are not.
+/// Surprise as Russian: words of Cyrillic letters are likely, frequent letters more so. Capitals after small
+/// letters and Latin neighbours are unlikely.
 fn russian(bytes: &[u8]) -> f64 {
     let table = byte_table(WINDOWS_1251, |ch| {
         let small = ch.to_lowercase().next();
@@ -223,7 +224,8 @@ fn russian(bytes: &[u8]) -> f64 {
     total
 }
 
-/// Single accented letters among Latin ones, and signs beside numbers.
+/// Surprise as Western text: single accented letters between Latin letters, and symbols next to numbers, are
+/// likely.
 fn western(bytes: &[u8]) -> f64 {
     let table = byte_table(WINDOWS_1252, |ch| {
         if PLAUSIBLE.western.contains(ch) {
@@ -254,8 +256,8 @@ fn western(bytes: &[u8]) -> f64 {
     total
 }
 
-/// Pairs of bytes, those of the characters of a workshop most likely; one that is no
-/// pair at all rules it out.
+/// Surprise as Chinese: pairs of bytes; characters used in workshops are most likely. An invalid pair rules
+/// it out.
 fn chinese(bytes: &[u8]) -> f64 {
     let (common, _, _) = GB18030.encode(&PLAUSIBLE.hanzi);
     let common: HashSet<&[u8]> = common.chunks(2).collect();
@@ -285,7 +287,7 @@ fn chinese(bytes: &[u8]) -> f64 {
     total
 }
 
-/// The character of each byte and how much it surprises.
+/// The character of each byte, and its surprise.
 fn byte_table(encoding: &'static encoding_rs::Encoding, surprise: impl Fn(char) -> f64) -> Vec<(char, f64)> {
     let entry = |byte: u8| {
         let (text, _) = encoding.decode_without_bom_handling(std::slice::from_ref(&byte));
@@ -295,7 +297,7 @@ fn byte_table(encoding: &'static encoding_rs::Encoding, surprise: impl Fn(char) 
     (0..=255).map(entry).collect()
 }
 
-/// The bytes before and after one; 0 at the ends.
+/// The bytes before and after a byte; 0 at the ends.
 fn neighbours(bytes: &[u8], at: usize) -> (u8, u8) {
     (at.checked_sub(1).map_or(0, |at| bytes[at]), bytes.get(at + 1).copied().unwrap_or(0))
 }

@@ -1,7 +1,7 @@
-//! `explain`: the page of a rule in the terminal.
+//! `explain`: prints the page of a rule.
 //!
-//! In: a slug, or a code that messages show. Out: what the rule looks at, why, what to do, a failing program and the same
-//! corrected, in the language that is asked for.
+//! In: a slug, or a code from a message. Out: what the rule checks, why, how to fix it, a failing program and
+//! the corrected one, in the requested language.
 
 use std::io::{self, Write};
 
@@ -12,11 +12,11 @@ use crate::sentences::{Language, labels};
 /// The page of a rule.
 struct Page {
     slug: &'static str,
-    /// The setup of both programs, JSON; `{}` where it is the usual one.
+    /// The setup of both programs, JSON; `{}` for the default.
     setup: &'static str,
     wrong: &'static str,
     right: &'static str,
-    /// English, Chinese, Russian.
+    /// In English, Chinese, Russian.
     texts: [Text; 3],
 }
 
@@ -30,10 +30,10 @@ struct Text {
 
 include!(concat!(env!("OUT_DIR"), "/pages.rs"));
 
-/// Characters of a line.
+/// Line width in characters.
 const WIDTH: usize = 100;
 
-/// Writes the pages of a name: of a rule, or of all that have a code. The error names the nearest rule.
+/// Writes the pages of a rule, or of all rules with a code. The error names the most similar rule.
 pub(super) fn write(out: &mut dyn Write, name: &str, language: Language) -> Result<io::Result<()>, String> {
     let found = named(name)?;
     let pages = RULES.iter().filter(|rule| found.contains(&rule.slug));
@@ -95,7 +95,7 @@ fn page(out: &mut dyn Write, rule: &Rule, language: Language) -> io::Result<()> 
     writeln!(out, "\n{off}\n  (RULES {}=OFF)    --ignore {}", rule.slug.to_uppercase(), rule.slug)
 }
 
-/// A paragraph in lines of a width, each indented; letters of Chinese are as wide as two others.
+/// Wraps a paragraph to a width, with indentation; Chinese characters are two columns wide.
 fn wrapped(text: &str, width: usize) -> String {
     let mut lines = vec![String::from("  ")];
     let mut used = 2;
@@ -112,7 +112,7 @@ fn wrapped(text: &str, width: usize) -> String {
     lines.iter().map(|line| line.trim_end()).collect::<Vec<_>>().join("\n")
 }
 
-/// Where a line may end: before a blank, and before each Chinese letter.
+/// Pieces between which a line may break: before a space, and before each Chinese character.
 fn pieces(text: &str) -> impl Iterator<Item = &str> {
     let mut starts: Vec<usize> = text
         .char_indices()

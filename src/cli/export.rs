@@ -1,6 +1,6 @@
 //! The files of `export`.
 //!
-//! In: a program that was run. Out: the bytes of a file, in the encoding of the program where it is one.
+//! In: an analysed program. Out: the bytes of a file; a program is in the encoding of the original.
 
 use std::cell::OnceCell;
 
@@ -19,7 +19,7 @@ use crate::setup::Setup;
 use crate::setup::dialect::CodeList;
 use crate::units::Unit;
 
-/// The language of a file; an error where one is chosen for a format without texts.
+/// The language of a file; an error if one is given for a format without texts.
 pub(super) fn language(format: FileFormat, chosen: Option<LanguageName>) -> Result<Language, String> {
     match chosen {
         Some(_) if !format.has_texts() => {
@@ -42,15 +42,15 @@ pub(super) fn language(format: FileFormat, chosen: Option<LanguageName>) -> Resu
     }
 }
 
-/// A file made from a program.
+/// Exports a program in a format.
 pub(super) fn file(program: &Program, format: FileFormat, language: Language) -> Result<Vec<u8>, String> {
     let ran = Ran { program, simulation: OnceCell::new() };
     export(format, &ran, language)
         .ok_or_else(|| format!("{}: no blank is given, or nothing is left of it", program.name))
 }
 
-/// The expanded program, in the encoding of its file. A program without an expansion stays as it is; that is
-/// printed.
+/// The expanded program, in the encoding of its file. If it cannot be expanded, it is returned unchanged,
+/// with a note on standard error.
 pub(super) fn expanded(program: &Program) -> Vec<u8> {
     let expanded = crate::expand::write_out(&program.text, &program.analysis).unwrap_or_else(|| {
         let name = &program.name;
@@ -60,12 +60,12 @@ pub(super) fn expanded(program: &Program) -> Vec<u8> {
     encoded(program, &expanded).into_owned()
 }
 
-/// How the drawing of a program looks.
+/// Options for the drawing of a program.
 pub(super) fn svg_options(program: &Program, language: Language) -> SvgOptions {
     file::svg_options(&Ran { program, simulation: OnceCell::new() }, language)
 }
 
-/// A program that was run, and what is left of its blank once that is asked for.
+/// An analysed program; the simulation is computed on first use.
 struct Ran<'a> {
     program: &'a Program,
     simulation: OnceCell<SimulationResult>,

@@ -1,7 +1,7 @@
-//! What was inferred of a program, and therefore not checked: reported after the messages.
+//! The inferred stock of a program, reported after the messages, because collisions were not checked.
 //!
-//! In: a program that was run. Out: a line of text, or a JSON object with `note`; nothing where the setup
-//! names a stock, or nothing is cut.
+//! In: an analysed program. Out: a line of text, or a JSON object with `note`. Empty if the setup names a
+//! stock, or nothing is cut.
 
 use std::io::{self, Write};
 
@@ -9,7 +9,7 @@ use super::{Format, Program, write_row};
 use crate::api::{InFile, InferredStock};
 use crate::sentences::Language;
 
-/// Writes that the stock is inferred.
+/// Writes a note that the stock is inferred.
 pub(super) fn write(
     out: &mut dyn Write,
     program: &Program,

@@ -1,7 +1,8 @@
-//! A page of a manual with programs in it.
+//! A page of a manual that contains programs.
 //!
-//! In: a file, and what its examples are run with unless they say something else. Out: its programs, their setups, places of programs as
-//! places of the page. `check --markdown` and `embed --check` go through pages. Must not know what is done with them.
+//! In: a file, and the default settings of its examples. Out: its programs, their setups, and the conversion
+//! of positions in programs to positions in the page. Used by `check --markdown` and `embed --check`. Must
+//! not know what is done with them.
 
 use std::path::Path;
 
@@ -15,13 +16,13 @@ use crate::source::{LineIndex, Span};
 
 /// A page of a manual.
 pub(super) struct Page {
-    /// The name of its file.
+    /// File name.
     pub name: String,
-    /// As UTF-8.
+    /// Text, in UTF-8.
     pub text: Vec<u8>,
-    /// Of the file.
+    /// Encoding of the file.
     pub encoding: Encoding,
-    /// How it is written.
+    /// Markup language.
     pub markup: Markup,
 }
 
@@ -29,7 +30,7 @@ impl Page {
     /// Reads a page.
     pub fn read(file: &Path, most: u64) -> Result<Self, String> {
         let (name, bytes) = read_within(file, most)?;
-        // Pages are UTF-8 unless they cannot be: the guess is made for comments of programs.
+        // Pages are UTF-8 whenever they are valid: the guess is designed for comments of programs.
         let (text, encoding) = match std::str::from_utf8(&bytes) {
             Ok(_) => (bytes, Encoding::Utf8),
             Err(_) => encoding::decode(bytes),
@@ -38,7 +39,7 @@ impl Page {
         Ok(Self { name, text, encoding, markup })
     }
 
-    /// Another name, which also says how it is written.
+    /// Renames the page; the markup language follows from the name.
     pub fn rename(&mut self, name: &str) {
         self.markup = Markup::of(name);
         name.clone_into(&mut self.name);
@@ -50,25 +51,25 @@ impl Page {
         (place.line + 1, place.column + 1)
     }
 
-    /// The programs in it.
+    /// The programs in the page.
     pub fn examples(&self) -> Vec<Example> {
         manual::examples(&self.text, self.markup)
     }
 }
 
-/// What all programs are run with unless they say something else.
+/// Default settings of the programs in a page.
 pub(super) struct Base {
     setups: Vec<String>,
     control: Option<Control>,
 }
 
 impl Base {
-    /// Nothing: the example says all of it.
+    /// No defaults: the example contains all settings.
     pub fn none() -> Self {
         Self { setups: Vec::new(), control: None }
     }
 
-    /// What the options and the configuration say.
+    /// Defaults from the options and the configuration.
     pub fn of(settings: &Settings) -> Self {
         let setups: Vec<String> = settings.setups.iter().map(|(_, json)| json.clone()).collect();
         let mut all = serde_json::from_str(&profile::joined_text(&setups)).unwrap_or(serde_json::json!({}));
@@ -78,7 +79,7 @@ impl Base {
         Self { setups: vec![all.to_string()], control: settings.control }
     }
 
-    /// The setup of an example with these attributes, as the element has it.
+    /// The setup of an example with these attributes, as in the element.
     pub fn setup(&self, attributes: &Attributes) -> Result<Setup, String> {
         let mut setups = self.setups.clone();
         setups.extend(attributes.get("setup").filter(|json| !json.is_empty()).map(str::to_owned));
@@ -102,7 +103,7 @@ impl Base {
     }
 }
 
-/// What is no number is refused where setups are read.
+/// A number if the text is one; other texts are rejected by the parser of setups.
 fn number_or_text(text: &str) -> serde_json::Value {
     text.trim().parse::<u32>().map_or_else(|_| text.into(), Into::into)
 }
@@ -112,7 +113,7 @@ pub(super) fn run(name: &str, example: &Example, setup: Setup) -> Program {
     run_text(name.to_owned(), example.program.text().to_vec(), Encoding::Utf8, setup, |run| run)
 }
 
-/// A message about a program as one about the page that contains it.
+/// Converts a message about a program to a message about the page that contains it.
 pub(super) fn placed(
     told: &Diagnostic,
     example: &Example,
@@ -145,7 +146,8 @@ pub(super) fn placed(
     told
 }
 
-/// What stands before each line of a block in a quotation or a list; nothing before a line that begins a block.
+/// The prefix of each line of a block in a quotation or a list; empty if the block begins at the start of a
+/// line.
 fn margin(before: &[u8]) -> &str {
     let is_margin = before.iter().all(|byte| matches!(byte, b' ' | b'\t' | b'>'));
     std::str::from_utf8(before).ok().filter(|_| is_margin).unwrap_or_default()

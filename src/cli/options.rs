@@ -1,7 +1,7 @@
-//! Options that several commands share: a program, what it is run with, a language, a form
-//! of output, a destination.
+//! Options that several commands share: a program, its setup, the language, the output format, the
+//! destination.
 //!
-//! In: what is typed. Out: one group of options for each. Must not know the commands.
+//! In: arguments. Out: one group of options for each. Must not know the commands.
 
 use std::path::{Path, PathBuf};
 
@@ -51,12 +51,12 @@ pub(super) struct Texts {
 }
 
 impl Texts {
-    /// The language that is asked for, English otherwise.
+    /// The requested language, by default English.
     pub fn language(&self) -> Language {
         self.given().unwrap_or(Language::English)
     }
 
-    /// The language that is asked for.
+    /// The requested language, if any.
     pub fn given(&self) -> Option<Language> {
         self.lang.map(LanguageName::language)
     }
@@ -79,7 +79,7 @@ pub(super) struct Destination {
 }
 
 impl Destination {
-    /// The file; standard output where there is none.
+    /// The file; `None` for standard output.
     pub fn file(&self) -> Option<&Path> {
         self.output.as_deref()
     }

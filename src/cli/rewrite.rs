@@ -1,4 +1,5 @@
-//! Plain moves as cycles: the program on standard output, what was done to it on standard error.
+//! `rewrite`: plain moves as cycles. The program goes to standard output, a report of the changes to standard
+//! error.
 
 use std::path::Path;
 
@@ -9,7 +10,7 @@ use crate::rewrite::rewritten;
 use crate::sentences::Language;
 use crate::source::LineIndex;
 
-/// Writes the program with every offer taken.
+/// Writes the program with all suggested cycles applied.
 pub(super) fn write(input: &Input, language: Language, output: Option<&Path>) -> Result<Status, String> {
     let program = program(input)?;
     let (text, taken) = rewritten(&program.text, &setup_of(&input.file, &input.with)?);

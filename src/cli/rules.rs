@@ -1,6 +1,6 @@
-//! The list of rules, and the rules of a name.
+//! Lists the rules, and finds rules by name.
 //!
-//! In: the levels of a setup. Out: text or JSON, a row for each rule: slug, severity, code, alarms, kind.
+//! In: the severities of a setup. Out: text or JSON, a row for each rule: slug, severity, code, alarms, kind.
 
 use std::io::{self, Write};
 
@@ -34,7 +34,7 @@ pub(super) fn write(
     Ok(())
 }
 
-/// The rules of a name: its own slug, or all that have this code or are in this group.
+/// The rules with a slug, a code or a group of this name.
 pub(super) fn named(name: &str) -> Result<Vec<&'static str>, String> {
     let is_named = |known: &str| known.eq_ignore_ascii_case(name);
     let is_in_it = |rule: &Rule| rule.group.is_some_and(|group| is_named(group.name()));
@@ -50,7 +50,7 @@ pub(super) fn named(name: &str) -> Result<Vec<&'static str>, String> {
     Ok(found)
 }
 
-/// The level of a name.
+/// Parses the name of a severity.
 pub(super) fn level(name: &str) -> Result<Severity, String> {
     Severity::named(name)
         .ok_or_else(|| format!("`{name}` is no level of a rule; it can be off, info, warning or error"))

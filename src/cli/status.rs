@@ -1,28 +1,28 @@
-//! How a command ended.
+//! The exit status of a command.
 //!
-//! In: what was found. Out: the exit status of the process.
+//! In: the result of a command. Out: the exit status of the process.
 
 use std::process::{ExitCode, Termination};
 
-/// What the exit status says.
+/// Exit status of the process.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[repr(u8)]
 pub enum Status {
     /// 0: no errors.
     Right = 0,
-    /// 1: errors in a program, or programs that differ where that was asked.
+    /// 1: errors in a program; or, for commands that compare, programs that differ.
     Faulty = 1,
     /// 2: bad usage, or a file that cannot be read or written.
     Unusable = 2,
 }
 
 impl Status {
-    /// Errors, if there are any.
+    /// `Faulty` if there are errors.
     pub(super) fn faulty_if(has_errors: bool) -> Self {
         if has_errors { Self::Faulty } else { Self::Right }
     }
 
-    /// What `diff` answers a script.
+    /// The exit status of `diff`.
     pub(super) fn differing_if(differ: bool) -> Self {
         if differ { Self::Faulty } else { Self::Right }
     }

@@ -1,7 +1,8 @@
 //! Subprograms in separate files: `M98 P2000` calls `O2000.nc` in the folder of the program or in a library.
 //!
-//! In: a program and folders. Out: the program, then the subprograms that it calls and does not contain, each once, as a
-//! control has them all in its memory. Must not know what is done with the program.
+//! In: a program and folders. Out: the program, followed by the subprograms that it calls but does not
+//! contain, each once, as if all were in the memory of a control. Must not know what is done with the
+//! program.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::ffi::OsStr;
@@ -15,42 +16,43 @@ use crate::source::Span;
 use crate::text::block::{Block, BlockKind};
 use crate::text::parser::Parser;
 
-/// The endings of program files.
+/// Endings of program files.
 pub(super) const ENDINGS: &[&str] = &[
     "nc", "cnc", "ncc", "ngc", "gcode", "gc", "tap", "dnc", "eia", "iso", "prg", "pgm", "pim", "min", "mpf",
     "spf",
 ];
 
-/// Most files that are added to a program.
+/// Maximum number of files added to a program.
 const MOST_FILES: usize = 100;
 
-/// Most programs that are searched for: each search may read files.
+/// Maximum number of programs searched for; each search may read files.
 const MOST_SEARCHES: usize = 1000;
 
 /// A program with its subprograms.
 pub(super) struct Joined {
-    /// The program up to the sign that ends its tape, then the subprograms.
+    /// The program up to the `%` that ends it, then the subprograms.
     pub text: Vec<u8>,
-    /// Bytes of the program itself.
+    /// Length of the program itself, bytes.
     own: usize,
-    /// Where each subprogram begins, and the word of the program that calls it, directly or through another one.
+    /// Start of each subprogram, and the word in the program that calls it, directly or indirectly.
     added: Vec<(usize, Span)>,
 }
 
 impl Joined {
-    /// Whether a place is in the program itself.
+    /// Whether a span is in the program itself.
     pub fn is_own(&self, place: Span) -> bool {
         place.end as usize <= self.own
     }
 
-    /// The first word of the program that calls the subprogram of a place; `None` in the program itself.
+    /// The first word of the program that calls the subprogram at a span; `None` in the program itself.
     pub fn call(&self, place: Span) -> Option<Span> {
         let until = self.added.partition_point(|(start, _)| *start <= place.start as usize);
         self.added[..until].last().map(|(_, call)| *call)
     }
 }
 
-/// Appends the subprograms to a program, at most `most` bytes in all; `None` if none is missing or found.
+/// Appends the missing subprograms to a program, at most `most` bytes in all; `None` if none is missing or
+/// none is found.
 pub(super) fn join(text: &[u8], folders: &[PathBuf], most: usize) -> Option<Joined> {
     if !may_call(text) {
         return None;
@@ -84,7 +86,7 @@ pub(super) fn join(text: &[u8], folders: &[PathBuf], most: usize) -> Option<Join
     (!joined.added.is_empty()).then_some(joined)
 }
 
-/// Whether a text may call anything: it has M98, M198, G65 or G66.
+/// Whether a text can contain a call: it has M98, M198, G65 or G66.
 fn may_call(text: &[u8]) -> bool {
     text.windows(2).enumerate().any(|(at, code)| {
         let before = &text[at.saturating_sub(4)..at];
@@ -95,14 +97,14 @@ fn may_call(text: &[u8]) -> bool {
 
 /// The program files of folders, in the order of the folders.
 struct Library {
-    /// By their names without the ending, in small letters.
+    /// By file name without the ending, in lower case.
     by_stem: BTreeMap<String, Vec<PathBuf>>,
-    /// By the numbers that their names are.
+    /// By the number in the file name.
     by_number: BTreeMap<u32, Vec<PathBuf>>,
 }
 
 impl Library {
-    /// Lists each folder once.
+    /// Lists the files of each folder once.
     fn of(folders: &[PathBuf]) -> Self {
         let (mut by_stem, mut by_number) = (BTreeMap::new(), BTreeMap::new());
         for folder in folders {
@@ -127,7 +129,7 @@ impl Library {
         Self { by_stem, by_number }
     }
 
-    /// The program of a number; `word` is how the call names it.
+    /// Finds a program by its number; `word` is its name in the call.
     fn find(&self, number: u32, word: &str, most: usize) -> Option<Vec<u8>> {
         let name = word.strip_prefix('<').and_then(|name| name.strip_suffix('>')).map(str::trim);
         let (files, head) = match name {
@@ -141,10 +143,11 @@ impl Library {
     }
 }
 
-/// The programs of a file, which must contain that of the number, or no head; then `head` is put before it.
+/// The programs of a file, one of which must have the number, or none a program number; then `head` is put
+/// before it.
 fn program_of(text: &[u8], number: u32, head: &str) -> Option<Vec<u8>> {
     let (mut parser, mut block, extent) = (Parser::new(text), Block::default(), extent(text));
-    // A head before the sign `%` is that of the first program after it.
+    // A program number before the `%` belongs to the first program after it.
     let (mut before, mut heads) = (Vec::new(), Vec::new());
     while parser.next_block(&mut block) {
         let is_inside = block.span.start as usize >= extent.start;
@@ -193,7 +196,7 @@ mod tests {
         assert_eq!(program("O1\nM99\nO2000\nM99%\n").as_deref(), Some("O1\nM99\nO2000\nM99\n"));
         assert_eq!(program("G01 W-1.\nM99").as_deref(), Some("O2000\nG01 W-1.\nM99\n"));
         assert_eq!(program("O2001\nM99\n"), None);
-        // A head before the sign `%`.
+        // A program number before the `%`.
         assert_eq!(program("O2000\n%\nM99\n%\n").as_deref(), Some("O2000\n\nM99\n\n"));
         assert_eq!(program("O2000\n%\nM99\n").as_deref(), Some("O2000\n\nM99\n\n"));
         assert_eq!(program("O2001\n%\nM99\n%\n"), None);

@@ -1,6 +1,6 @@
-//! The table of what each tool does.
+//! `summary`: a table of the work of each tool.
 //!
-//! In: a program that was run. Out: text or JSON: a row for each tool, and one for the whole program.
+//! In: an analysed program. Out: text or JSON: a row for each tool, and one for the whole program.
 
 use std::io::{self, Write};
 
@@ -48,7 +48,7 @@ fn line(out: &mut dyn Write, name: &str, row: &Totals) -> io::Result<()> {
     writeln!(out, "{name:<6} {time:>10} {:>11.1} {:>11.1}  {x:<23} {z}", row.cut, row.rapid)
 }
 
-/// Minutes and seconds.
+/// Formats seconds as minutes and seconds.
 fn clock(seconds: f64) -> String {
     let tenths = (10.0 * seconds).round();
     format!("{}:{:04.1}", (tenths / 600.0).floor(), tenths % 600.0 / 10.0)

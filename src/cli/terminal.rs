@@ -1,5 +1,5 @@
-//! Messages on the terminal, with carets under the word they are about, as rustc prints them; and the masking of control
-//! characters for all output.
+//! Formats messages for the terminal, with carets under the source text as in rustc; and masks control
+//! characters in all output.
 
 use std::io::{self, Write};
 
@@ -9,7 +9,7 @@ use crate::message::{Diagnostic, Edit, Severity};
 use crate::sentences::Language;
 use crate::source::{LineIndex, Span, is_unprintable};
 
-/// The messages of a program as text; `lines` are those of the text.
+/// Formats the messages of a program as text; `lines` is the line index of its text.
 pub fn render(
     name: &str,
     text: &[u8],
@@ -46,8 +46,8 @@ fn render_one(
         // Never reported.
         Severity::Off => Level::NOTE,
     };
-    // Only the line of the fault is given to the renderer: programs can be long, and bytes that are not UTF-8
-    // must not move the carets.
+    // Only the line of the fault is passed to the renderer: programs can be long, and bytes that are not
+    // UTF-8 must not shift the carets.
     let line = lines.line_of(diagnostic.span.start.min(text.len() as u32));
     let place = lines.line(text, line);
     let window = window(place.start as usize, place.end as usize, diagnostic.span.start as usize);
@@ -88,12 +88,12 @@ fn render_one(
     renderer.render(&report)
 }
 
-/// A line with edits, as it is shown.
+/// A line after edits, for display.
 struct EditedLine {
     line: u32,
-    /// The bytes of the whole text that are shown.
+    /// The displayed byte range of the text.
     window: std::ops::Range<usize>,
-    /// One past the end of the line with its line end.
+    /// End of the line, including its line end.
     end: usize,
     text: String,
 }
@@ -104,7 +104,7 @@ impl EditedLine {
         self.window.start <= from && (from < self.end || from <= self.window.end)
     }
 
-    /// A part of the text as a part of what is shown.
+    /// Converts a span of the text to a range of the displayed text.
     fn inside(&self, span: Span) -> std::ops::Range<usize> {
         let place = |at: u32| {
             let at = (at as usize).clamp(self.window.start, self.window.end) - self.window.start;
@@ -114,7 +114,7 @@ impl EditedLine {
     }
 }
 
-/// The lines that edits are on, in their order; `first` where there is no edit.
+/// The lines with edits, in order; line `first` if there are none.
 fn lines_of_edits(text: &[u8], lines: &LineIndex, edits: &[Edit], first: u32) -> Vec<EditedLine> {
     let mut numbers: Vec<(u32, usize)> = Vec::new();
     for edit in edits {
@@ -145,7 +145,7 @@ fn window(start: usize, end: usize, at: usize) -> std::ops::Range<usize> {
     at.saturating_sub(AROUND).max(start)..(at + AROUND).min(end)
 }
 
-/// The bytes as text of the same length: what is not UTF-8 or not printable becomes `?`.
+/// The bytes as text of the same length; bytes that are not UTF-8 or not printable become `?`.
 fn printable(bytes: &[u8]) -> String {
     let mut text = String::with_capacity(bytes.len());
     for chunk in bytes.utf8_chunks() {
@@ -160,19 +160,19 @@ fn printable(bytes: &[u8]) -> String {
     text
 }
 
-/// The name of a file without anything that a terminal would take for a command.
+/// A file name without control characters that a terminal would interpret.
 pub fn printable_name(file: &std::path::Path) -> String {
     let name = file.display().to_string();
     let is_shown = |letter: char| !is_unprintable(letter) && !matches!(letter, '\n' | '\t');
     name.chars().map(|letter| if is_shown(letter) { letter } else { '?' }).collect()
 }
 
-/// A text with `?` in place of characters that are not to be shown.
+/// A text with `?` in place of unprintable characters.
 pub fn masked(text: &str) -> String {
     text.chars().map(|letter| if is_unprintable(letter) { '?' } else { letter }).collect()
 }
 
-/// A value as JSON in one line, where such characters are escaped.
+/// A value as one line of JSON, with unprintable characters escaped.
 pub fn json(value: &impl serde::Serialize) -> io::Result<String> {
     let text = serde_json::to_string(value)?;
     if !text.contains(is_unprintable) {
@@ -185,12 +185,12 @@ pub fn json(value: &impl serde::Serialize) -> io::Result<String> {
     Ok(escaped.collect())
 }
 
-/// Writes what it is given [without commands](without_commands). Each piece ends with a whole character.
+/// Writes text [without commands](without_commands). Each write must end at a character boundary.
 pub struct Masked<W>(pub W);
 
 impl<W: Write> Write for Masked<W> {
     fn write(&mut self, text: &[u8]) -> io::Result<usize> {
-        // Most output is printable ASCII.
+        // Fast path: most output is printable ASCII.
         match text.iter().all(|byte| matches!(byte, b'\n' | b'\t' | b' '..=b'~')) {
             true => self.0.write_all(text)?,
             false => self.0.write_all(&without_commands(text))?,
@@ -203,8 +203,8 @@ impl<W: Write> Write for Masked<W> {
     }
 }
 
-/// A text without anything that a terminal would take for a command: such characters become `?`, and each line end LF.
-/// Bytes that are not UTF-8 stay: they are text in another encoding.
+/// A text without terminal control sequences: control characters become `?`, and line ends become LF. Bytes
+/// that are not UTF-8 are kept: they are text in another encoding.
 pub fn without_commands(text: &[u8]) -> Vec<u8> {
     let mut shown = Vec::with_capacity(text.len());
     for chunk in text.utf8_chunks() {
@@ -232,7 +232,7 @@ mod tests {
         let program = "O1 (a\x1b]0;x\x07 \u{9b}31m 外圆)\r\n\tG0\n".as_bytes();
         assert_eq!(without_commands(program), "O1 (a?]0;x? ?31m 外圆)\n\tG0\n".as_bytes());
         assert_eq!(without_commands("X1\rX\u{202e}2\u{2069}\x7f".as_bytes()), b"X1\nX?2??");
-        // Of a file in another encoding, too.
+        // In a file with another encoding, too.
         assert_eq!(without_commands(b"(\xcd\xe2\x1b)"), b"(\xcd\xe2?)");
     }
 }

@@ -1,4 +1,4 @@
-//! `check`: what is wrong with programs, in files, folders and standard input.
+//! `check`: reports errors and warnings in programs, from files, folders and standard input.
 //!
 //! In: the arguments of `check`. Out: the findings in one of several formats, and the exit status: 0 if
 //! nothing fails, 1 for errors (or more warnings than allowed), 2 for bad usage or a file that cannot be read

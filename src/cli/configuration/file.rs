@@ -1,7 +1,7 @@
-//! Reading `gcode-playground.toml`.
+//! Parses `gcode-playground.toml`.
 //!
-//! In: the text of a file. Out: what it says, each value with its line; or the first thing that is wrong, with its place and the nearest
-//! key that there is. Must not know: which programs it is about.
+//! In: the text of a file. Out: its values, each with its line; or the first error, with its position and the
+//! most similar valid key. Must not know: the programs that the values apply to.
 
 use toml::Spanned;
 use toml::de::{DeString, DeTable, DeValue};
@@ -12,44 +12,44 @@ use crate::message::levels::{known, nearest_of};
 use crate::sentences::Language;
 use crate::setup::dialect::Control;
 
-/// A value, and the line that says it, from 1.
+/// A value, and its line in the file, from 1.
 #[derive(Clone, Debug, PartialEq)]
 pub(in crate::cli) struct Said<T> {
-    /// What is said.
+    /// The value.
     pub value: T,
-    /// Where.
+    /// The line, from 1.
     pub line: u32,
 }
 
-/// What a file says.
+/// The contents of a configuration file.
 #[derive(Debug, Default, PartialEq)]
 pub(in crate::cli) struct Keys {
-    /// What holds for all programs.
+    /// Values for all programs.
     pub usual: Values,
-    /// The language of messages.
+    /// Language of messages.
     pub language: Option<Said<Language>>,
-    /// The endings of programs in folders.
+    /// Endings of programs in folders.
     pub extension: Vec<Said<String>>,
-    /// What is left out in folders, as lines of a `.gitignore`.
+    /// Patterns of excluded files, in the syntax of `.gitignore`.
     pub exclude: Vec<Said<String>>,
-    /// The folders with subprograms.
+    /// Folders with subprograms.
     pub library: Vec<Said<String>>,
-    /// The list of known findings.
+    /// Path of the list of known findings.
     pub baseline: Option<Said<String>>,
-    /// How many warnings are allowed.
+    /// Maximum number of warnings.
     pub max_warnings: Option<Said<usize>>,
-    /// What holds for some programs, in their order.
+    /// Values for some programs, in the order of the file.
     pub overrides: Vec<Override>,
 }
 
-/// What holds for programs.
+/// Values for programs.
 #[derive(Debug, Default, PartialEq)]
 pub(in crate::cli) struct Values {
     /// The control.
     pub control: Option<Said<Control>>,
     /// Setup files: machines, tools.
     pub setup: Vec<Said<String>>,
-    /// Rules that are reported alone.
+    /// Rules to report; all others are not reported.
     pub select: Vec<Said<&'static str>>,
     /// Rules that are not reported.
     pub ignore: Vec<Said<&'static str>>,
@@ -57,27 +57,27 @@ pub(in crate::cli) struct Values {
     pub rules: Vec<Said<(&'static str, Severity)>>,
 }
 
-/// What holds for some programs.
+/// Values for the programs that match a pattern.
 #[derive(Debug, Default, PartialEq)]
 pub(in crate::cli) struct Override {
-    /// Which: patterns, as lines of a `.gitignore`.
+    /// Patterns of the programs, in the syntax of `.gitignore`.
     pub files: Vec<Said<String>>,
-    /// What.
+    /// Values for these programs.
     pub values: Values,
 }
 
 /// Keys of [`Values`].
 const VALUES: [&str; 5] = ["control", "setup", "select", "ignore", "rules"];
-/// Keys of a file besides.
+/// Further keys at the top level of a file.
 const USUAL: [&str; 7] =
     ["language", "extension", "exclude", "library", "baseline", "max-warnings", "override"];
-/// Keys of an override besides.
+/// Further keys of an override.
 const OF_OVERRIDES: [&str; 1] = ["files"];
 
-/// Where something is wrong, a byte of the file, and what.
+/// An error: byte offset in the file, and message.
 type Fault = (usize, String);
 
-/// Reads a file; the error begins with line and column.
+/// Parses a file; an error message begins with line and column.
 pub(super) fn read(text: &str) -> Result<Keys, String> {
     let lines = Lines(text);
     let placed = |(at, problem): Fault| {
@@ -138,7 +138,7 @@ fn overrides(value: &Spanned<DeValue<'_>>, lines: &Lines<'_>) -> Result<Vec<Over
 }
 
 impl Values {
-    /// Reads a key; `others` are those that could have stood there too.
+    /// Reads a key; `others` are the other keys allowed here, for suggestions.
     fn read(
         &mut self,
         key: &Spanned<DeString<'_>>,
@@ -163,7 +163,7 @@ impl Values {
     }
 }
 
-/// The rules of a list, by slug or code.
+/// Rules from a list, by slug or code.
 fn rules(value: &Spanned<DeValue<'_>>, lines: &Lines<'_>) -> Result<Vec<Said<&'static str>>, Fault> {
     let mut rules = Vec::new();
     for one in list(value) {
@@ -173,7 +173,7 @@ fn rules(value: &Spanned<DeValue<'_>>, lines: &Lines<'_>) -> Result<Vec<Said<&'s
     Ok(rules)
 }
 
-/// The levels of a table.
+/// Severities from a table.
 fn levels(
     value: &Spanned<DeValue<'_>>,
     lines: &Lines<'_>,
@@ -202,7 +202,7 @@ fn language(value: &Spanned<DeValue<'_>>) -> Result<Language, Fault> {
     one_of("language", value, Language::ALL, Language::tag)
 }
 
-/// The one of some values that is named.
+/// Looks up a value by its name.
 fn one_of<T: Copy, const COUNT: usize>(
     what: &str,
     value: &Spanned<DeValue<'_>>,
@@ -224,12 +224,12 @@ fn count(value: &Spanned<DeValue<'_>>) -> Result<usize, Fault> {
     number.ok_or_else(|| (value.span().start, "write a whole number, 0 or more".to_owned()))
 }
 
-/// A text, or several of them.
+/// One string, or an array of strings.
 fn texts(value: &Spanned<DeValue<'_>>, lines: &Lines<'_>) -> Result<Vec<Said<String>>, Fault> {
     list(value).map(|one| Ok(lines.said(one, text(one)?.to_owned()))).collect()
 }
 
-/// The values of an array; any other value is one.
+/// The elements of an array; a single value counts as an array of one.
 fn list<'a, 'b>(value: &'a Spanned<DeValue<'b>>) -> Box<dyn Iterator<Item = &'a Spanned<DeValue<'b>>> + 'a> {
     match value.get_ref() {
         DeValue::Array(list) => Box::new(list.iter()),
@@ -244,7 +244,7 @@ fn text<'a>(value: &'a Spanned<DeValue<'_>>) -> Result<&'a str, Fault> {
     }
 }
 
-/// The lines of a text.
+/// Finds lines and columns of byte offsets in a text.
 struct Lines<'a>(&'a str);
 
 impl Lines<'_> {
@@ -252,7 +252,7 @@ impl Lines<'_> {
         Said { value, line: self.place(from.span().start).0 }
     }
 
-    /// Line and column of a byte, from 1; columns count characters.
+    /// Line and column of a byte offset, from 1; columns count characters.
     fn place(&self, at: usize) -> (u32, usize) {
         let before = self.0.get(..at).unwrap_or(self.0);
         let start = before.rfind('\n').map_or(0, |end| end + 1);

@@ -1,8 +1,8 @@
-//! What programs are run with and how they are checked: `gcode-playground.toml`, which is looked for in the folder of a program and
-//! upward, and the options, which override it.
+//! The setup and check options of programs: from `gcode-playground.toml`, searched for in the folder of the
+//! program and its parents, and from the command-line options, which override it.
 //!
-//! In: options, the name of a file. Out: its setup and what else is said about it, each with the place that says it (`shown`). `file`
-//! reads the configuration. Setups are JSON, or TOML with the same keys. Must not know: what is done with programs.
+//! In: options, a file name. Out: the settings of the file, each with its source (`shown`). `file` parses the
+//! configuration. Setups are JSON, or TOML with the same keys. Must not know: what is done with programs.
 
 mod file;
 pub(super) mod shown;
@@ -20,21 +20,21 @@ use crate::setup::dialect::Control;
 use crate::setup::{Setup, profile};
 use file::{Keys, Said, Values};
 
-/// The name of the file.
+/// Name of the configuration file.
 pub(super) const NAME: &str = "gcode-playground.toml";
 
-/// A file that was found and read.
+/// A parsed configuration file.
 #[derive(Debug)]
 pub(super) struct Configuration {
-    /// Its name, as it is shown.
+    /// Its name for messages.
     pub name: String,
-    /// The folder it is in, from the root of the disk: names in the file start there.
+    /// The absolute path of its folder; paths in the file are relative to it.
     pub folder: PathBuf,
-    /// What it says.
+    /// Its contents.
     pub keys: Keys,
-    /// The patterns of its overrides.
+    /// The patterns of its overrides, in the same order.
     overrides: Vec<Gitignore>,
-    /// The patterns of what is left out in folders.
+    /// The patterns of excluded files.
     pub exclude: Gitignore,
 }
 
@@ -56,7 +56,7 @@ impl Configuration {
         Ok(Self { name, overrides, exclude, folder, keys })
     }
 
-    /// The overrides that hold for a file, by their numbers, in their order.
+    /// Indices of the overrides that apply to a file, in order.
     fn overrides_for(&self, file: &Path) -> Vec<usize> {
         let is_inside = file.starts_with(&self.folder);
         let holds =
@@ -65,19 +65,19 @@ impl Configuration {
         holding.map(|(at, _)| at).collect()
     }
 
-    /// What it says of programs for which some overrides hold, the last word last.
+    /// Its values with these overrides, in increasing order of precedence.
     fn values<'a>(&'a self, overrides: &'a [usize]) -> impl Iterator<Item = &'a Values> {
         let overriding = overrides.iter().filter_map(|at| self.keys.overrides.get(*at));
         std::iter::once(&self.keys.usual).chain(overriding.map(|one| &one.values))
     }
 
-    /// A file that the configuration names, as it can be opened.
+    /// The path of a file that the configuration names.
     pub(super) fn file(&self, name: &str) -> PathBuf {
         self.folder.join(name)
     }
 }
 
-/// Patterns as lines of a `.gitignore` in a folder. The error names the one that is none.
+/// Compiles patterns in the syntax of `.gitignore`, relative to `folder`. The error names an invalid pattern.
 pub(super) fn patterns<'a>(folder: &Path, lines: impl Iterator<Item = &'a str>) -> Result<Gitignore, String> {
     let mut builder = GitignoreBuilder::new(folder);
     builder.allow_unclosed_class(false);
@@ -87,29 +87,29 @@ pub(super) fn patterns<'a>(folder: &Path, lines: impl Iterator<Item = &'a str>) 
     builder.build().map_err(|error| error.to_string())
 }
 
-/// What is said about a program, and by whom.
+/// The settings of a program, with their sources.
 #[derive(Debug)]
 pub(super) struct Settings {
-    /// The configuration, if there is one.
+    /// The configuration, if any.
     pub configuration: Option<Arc<Configuration>>,
-    /// The overrides of it that hold.
+    /// Indices of the overrides that apply.
     overrides: Vec<usize>,
-    /// What the setups say, as JSON, one after the other, each with its file.
+    /// The setups as JSON, in order, each with its file.
     pub setups: Vec<(PathBuf, String)>,
-    /// The control of the options or the configuration.
+    /// The control from the options or the configuration.
     pub control: Option<Control>,
-    /// Severities of rules and groups in the configuration.
+    /// Severities of rules and groups from the configuration.
     pub rules: Vec<(&'static str, Severity)>,
-    /// Rules that are reported alone; none: all.
+    /// Rules to report; all if empty.
     pub select: Vec<&'static str>,
     /// Rules that are not reported.
     pub ignore: Vec<&'static str>,
-    /// The setup of all that.
+    /// The setup that results from all of these.
     pub setup: Setup,
 }
 
 impl Settings {
-    /// The setup of all that, read anew.
+    /// Parses and merges the setups.
     fn joined(&self) -> Result<Setup, String> {
         let texts: Vec<String> = self.setups.iter().map(|(_, json)| json.clone()).collect();
         let mut setup = profile::joined(&texts)?;
@@ -122,7 +122,7 @@ impl Settings {
         Ok(setup)
     }
 
-    /// What the configuration says of programs, the last word last.
+    /// Values from the configuration, in increasing order of precedence.
     fn values(&self) -> impl Iterator<Item = &Values> {
         self.configuration.iter().flat_map(|one| one.values(&self.overrides))
     }
@@ -131,14 +131,14 @@ impl Settings {
 /// Finds and reads configurations and setups, each once.
 pub(super) struct Configurations<'a> {
     with: &'a With,
-    /// The one that `--config` names.
+    /// The configuration given by `--config`.
     given: Option<Arc<Configuration>>,
-    /// What the options name, as JSON.
+    /// The setups given by `--setup`, as JSON.
     setups: Vec<(PathBuf, String)>,
     found: Mutex<Found>,
 }
 
-/// By folder, by file.
+/// Caches: configurations by folder, setups by file.
 #[derive(Default)]
 struct Found {
     folders: HashMap<PathBuf, Result<Option<Arc<Configuration>>, String>>,
@@ -146,23 +146,23 @@ struct Found {
     settings: HashMap<Applying, Result<Arc<Settings>, String>>,
 }
 
-/// What applies to a program: the folder of its configuration, and the overrides that hold.
+/// Cache key of settings: the folder of the configuration, and the overrides that apply.
 type Applying = (Option<PathBuf>, Vec<usize>);
 
 impl<'a> Configurations<'a> {
-    /// Reads what the options name.
+    /// Reads the files given by the options.
     pub(super) fn new(with: &'a With) -> Result<Self, String> {
         let given = with.config.as_deref().map(Configuration::read).transpose()?.map(Arc::new);
         let setups = with.setup.iter().map(|path| Ok((path.clone(), setup_text(path)?)));
         Ok(Self { with, given, setups: setups.collect::<Result<_, String>>()?, found: Mutex::default() })
     }
 
-    /// What the options name, as JSON.
+    /// The setups given by the options, as JSON.
     pub(super) fn setups(&self) -> Vec<String> {
         self.setups.iter().map(|(_, json)| json.clone()).collect()
     }
 
-    /// The configuration of a file, or of a folder with a file that is not there; nothing where there is none.
+    /// The configuration for a file, which need not exist. `None` if there is no configuration.
     pub(super) fn of(&self, file: &Path) -> Result<Option<Arc<Configuration>>, String> {
         if self.with.no_config {
             return Ok(None);
@@ -182,7 +182,7 @@ impl<'a> Configurations<'a> {
         let read = match read {
             None => Ok(None),
             Some(path) => {
-                // Another folder may have found it.
+                // It may be cached for another folder.
                 let holder = path.parent().unwrap_or(Path::new("")).to_owned();
                 let known = found.folders.get(&holder).cloned();
                 let read = known.unwrap_or_else(|| Configuration::read(&path).map(|one| Some(Arc::new(one))));
@@ -194,7 +194,8 @@ impl<'a> Configurations<'a> {
         read
     }
 
-    /// The folders in which subprograms are searched for: the folder of the program, then `--library`, then the key `library`.
+    /// Folders to search for subprograms: the folder of the program, then `--library`, then the key
+    /// `library`.
     pub(super) fn libraries(&self, file: &Path) -> Result<Vec<PathBuf>, String> {
         let own = if file == Path::new("-") { None } else { absolute(file).parent().map(Path::to_owned) };
         let mut folders: Vec<_> = own.into_iter().chain(self.with.library.iter().cloned()).collect();
@@ -204,7 +205,7 @@ impl<'a> Configurations<'a> {
         Ok(folders)
     }
 
-    /// What is said about a program.
+    /// The settings of a program.
     pub(super) fn settings(&self, file: &Path) -> Result<Arc<Settings>, String> {
         let configuration = self.of(file)?;
         let path = absolute(file);
@@ -252,7 +253,7 @@ impl<'a> Configurations<'a> {
         }
         settings.setups.extend(self.setups.iter().cloned());
         settings.control = self.with.control.map(|name| name.control()).or(settings.control);
-        // Each is right; together they may be too much.
+        // Each setup is valid, but the merged one may exceed a limit.
         settings.setup = settings.joined()?;
         Ok(settings)
     }
@@ -271,7 +272,7 @@ impl<'a> Configurations<'a> {
     }
 }
 
-/// A setup file as JSON. The error names the file and, where it can be said, the place.
+/// Reads a setup file and converts it to JSON. The error names the file and, if known, the position.
 fn setup_text(path: &Path) -> Result<String, String> {
     let name = shown(path);
     let text = system::read_text(path)?;
@@ -283,7 +284,7 @@ fn setup_text(path: &Path) -> Result<String, String> {
         Setup::from_json(&text).map_err(|problem| format!("{name}: {problem}"))?;
         return Ok(text);
     }
-    // By its own reader, which knows the places, and then as JSON, as all other setups are.
+    // Parsed as a TOML setup first, for errors with positions; then converted to JSON, like all other setups.
     let placed = |error: toml::de::Error| {
         let at = error.span().map_or(0, |span| span.start);
         let before = text.get(..at).unwrap_or_default();
@@ -297,12 +298,12 @@ fn setup_text(path: &Path) -> Result<String, String> {
     Ok(json)
 }
 
-/// A path from the root of the disk; as it is where there is no such thing.
+/// The absolute path; unchanged on error.
 fn absolute(path: &Path) -> PathBuf {
     system::absolute(path).unwrap_or_else(|_| path.to_owned())
 }
 
-/// A path as it is shown: from the folder the process works in, where it is in it.
+/// A path for messages: relative to the working directory if it is inside.
 pub(super) fn shown(path: &Path) -> String {
     let here = absolute(Path::new("."));
     let short = absolute(path).strip_prefix(&here).map(Path::to_owned).unwrap_or_else(|_| path.to_owned());

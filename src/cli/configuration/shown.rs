@@ -1,6 +1,6 @@
-//! `config`: what a program is run with and how it is checked, each with the place that says so.
+//! `config`: prints the settings of a program, each with its source.
 //!
-//! In: a program's name, options. Out: text, or JSON with a row for each key.
+//! In: the name of a program, options. Out: text, or JSON with one row for each key.
 
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
@@ -23,7 +23,7 @@ pub(in crate::cli) struct Config {
     form: Form,
 }
 
-/// Runs it.
+/// Runs `config`.
 pub(in crate::cli) fn run(asked: &Config) -> Result<Status, String> {
     let file = asked.file.as_deref().unwrap_or(Path::new("program"));
     let settings = Configurations::new(&asked.with)?.settings(file)?;
@@ -49,7 +49,7 @@ fn write(out: &mut dyn Write, settings: &Settings, rows: &[Row], format: Format)
     Ok(())
 }
 
-/// What holds, key by key.
+/// The settings, one row for each key.
 fn rows(settings: &Settings, with: &With) -> Vec<Row> {
     let mut rows =
         Rows { list: Vec::new(), file: settings.configuration.as_deref().map(|one| one.name.clone()) };
@@ -89,7 +89,7 @@ fn rows(settings: &Settings, with: &With) -> Vec<Row> {
     rows.list
 }
 
-/// The control that the last setup with one says, and the file.
+/// The control from the last setup that names one, and its file.
 fn control_of_setups(settings: &Settings) -> Option<(String, String)> {
     settings.setups.iter().rev().find_map(|(file, json)| {
         let setup: serde_json::Value = serde_json::from_str(json).ok()?;
@@ -97,7 +97,7 @@ fn control_of_setups(settings: &Settings) -> Option<(String, String)> {
     })
 }
 
-/// What holds for a check that is started in the folder.
+/// Rows for the settings of a whole check started in the folder.
 fn whole_check(rows: &mut Rows, configuration: Option<&Configuration>) {
     let keys = configuration.map(|one| &one.keys);
     match keys.and_then(|keys| keys.language.as_ref()) {
@@ -120,7 +120,7 @@ fn whole_check(rows: &mut Rows, configuration: Option<&Configuration>) {
     }
 }
 
-/// Rows, and the file that lines are of.
+/// The rows, and the file that their line numbers refer to.
 struct Rows {
     list: Vec<Row>,
     file: Option<String>,

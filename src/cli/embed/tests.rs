@@ -2,10 +2,11 @@ use proptest::prelude::*;
 
 use super::*;
 
-/// What the element takes for its program: line ends are LF, no blank lines around, no common indent.
+/// The program as the element reads it: line ends are LF, without blank lines around it and common
+/// indentation.
 fn taken(text: &str) -> String {
     let text = text.replace("\r\n", "\n").replace('\r', "\n");
-    // As JavaScript has it.
+    // JavaScript's definition of white space.
     let blank = |letter: char| letter == '\u{feff}' || letter.is_whitespace() && letter != '\u{85}';
     let is_blank = |line: &&str| line.chars().all(blank);
     let lines: Vec<&str> = text.split('\n').collect();
@@ -32,7 +33,7 @@ fn text_of(example: &Example) -> String {
 
 const PICTURE: &str = "<svg slot=\"fallback\" class=\"lathe\">\n<title>A&lt;B</title>\n<style>\n.a { b: c }\n@media d {\n.e { f: g }\n}\n</style>\n<svg x=\"1\">\n<path d=\"M0 0\"/>\n</svg>\n</svg>\n";
 
-/// What breaks a page that does not expect it.
+/// Programs with characters that could break a page.
 fn program() -> impl Strategy<Value = String> {
     let pieces = [
         "G00 X1",
@@ -115,7 +116,8 @@ proptest! {
                 let example = only(page, markup);
                 prop_assert_eq!(text_of(&example), taken(&text), "{}", page);
                 prop_assert_eq!(example.attributes.get("setup"), Some("{\"program\": 2}"));
-                // Browsers normalise the line ends of a page; those of an attribute are references.
+                // Browsers normalise the line ends of a page; line ends in an attribute are character
+                // references.
                 prop_assert_eq!(example.attributes.get("caption"), Some(caption.as_str()));
                 let there = example.picture.as_ref().map(|there| in_one_line(&String::from_utf8_lossy(there.text())));
                 prop_assert_eq!(there, picture.as_deref().map(in_one_line));
@@ -124,7 +126,7 @@ proptest! {
     }
 }
 
-/// A block of Markdown becomes the same HTML.
+/// A block of Markdown is converted to the same HTML.
 #[test]
 fn markdown_passes_the_block_on() {
     let text = "O1 (A<B & *C*)\n\n#100=#1*2\n\n    G00 X1\n</style>\n</pre>\nM30\n";

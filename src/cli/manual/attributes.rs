@@ -1,9 +1,9 @@
-//! What the attributes of an element can be.
+//! Validates the attributes of an element.
 //!
-//! In: the name of an attribute and its value. Out: what is wrong with it. The page's own list is that of
-//! `element.ts`; `tests/manuals.rs` holds the two against each other.
+//! In: name and value of an attribute. Out: the fault, if any. The page has its own list in `element.ts`;
+//! `tests/manuals.rs` compares the two.
 
-/// An attribute, and the values it has; none where any text may be one.
+/// Attributes with their allowed values; empty if any text is allowed.
 const KNOWN: [(&str, &[&str]); 20] = [
     ("src", &[]),
     ("control", &["fanuc", "gsk", "forum"]),
@@ -26,31 +26,31 @@ const KNOWN: [(&str, &[&str]); 20] = [
     ("rules", &[]),
     ("docs", &[]),
 ];
-/// Attributes that the element has beside those of its program.
+/// Attributes of the element that do not concern its program.
 const OF_THE_PAGE: [&str; 2] = ["split", "hints"];
-/// Attributes that any element of a page can have.
+/// Global attributes of HTML.
 const OF_HTML: [&str; 13] = [
     "class", "dir", "hidden", "id", "key", "lang", "no-check", "part", "role", "slot", "style", "tabindex",
     "title",
 ];
-/// What begins the names of others.
+/// Prefixes of other allowed names.
 const BEGINNINGS: [&str; 4] = ["aria-", "data-", "on", "item"];
 const CONTROLS: [&str; 10] =
     ["none", "file", "setup", "problems", "views", "playback", "status", "tools", "help", "link"];
 
-/// What is wrong with an attribute.
+/// A fault in an attribute.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Fault {
-    /// The element has none of this name.
+    /// Unknown name.
     Name,
-    /// It has no such value.
+    /// Invalid value.
     Value {
-        /// Those it has, or how it is written.
+        /// The allowed values, or the expected syntax.
         expected: String,
     },
 }
 
-/// What is wrong with an attribute of an element; nothing where it is right.
+/// The fault in an attribute of an element, if any.
 pub fn fault(name: &str, value: &str) -> Option<Fault> {
     let value = value.trim();
     let expects = |expected: &str| Some(Fault::Value { expected: expected.to_owned() });
@@ -71,17 +71,17 @@ pub fn fault(name: &str, value: &str) -> Option<Fault> {
     }
 }
 
-/// Whether the value of the attribute is a script, as that of `onclick`.
+/// Whether the attribute is an event handler, like `onclick`, whose value is a script.
 pub fn is_handler(name: &str) -> bool {
     name.starts_with("on")
 }
 
-/// Whether the element reads the attribute. The page for frames takes no others from its address.
+/// Whether the element reads the attribute. The page for frames accepts no others in its address.
 pub fn is_of_the_element(name: &str) -> bool {
     KNOWN.iter().any(|(known, _)| *known == name)
 }
 
-/// The names of all attributes that belong to the program.
+/// Names of all attributes that concern the program.
 #[cfg(test)]
 pub fn names() -> Vec<&'static str> {
     KNOWN.iter().map(|(name, _)| *name).collect()

@@ -1,6 +1,6 @@
-//! Character references in HTML: `&lt;` is `<`.
+//! Decodes character references in HTML: `&lt;` is `<`.
 //!
-//! In: text of a page. Out: what it is read as, with its places.
+//! In: text of a page. Out: the decoded text, mapped to its positions in the page.
 
 use std::ops::Range;
 
@@ -9,22 +9,22 @@ use pulldown_cmark::{Event, Parser};
 
 use super::mapped::Mapped;
 
-/// No name of a character is longer.
+/// Maximum length of a character name.
 const LONGEST: usize = 34;
 
-/// Those that need no semicolon, as far as programs have a use for them.
+/// References that need no semicolon, as far as programs use them.
 const LOOSE: [(&[u8], &[u8]); 4] = [(b"&amp", b"&"), (b"&lt", b"<"), (b"&gt", b">"), (b"&quot", b"\"")];
 
-/// Where a reference without a semicolon is one.
+/// Where a reference without a semicolon is valid.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Loose {
-    /// In text: before anything.
+    /// In text: before any character.
     Anywhere,
-    /// In an attribute: not before what would go on with its name, as in `?a=1&lt=2`.
+    /// In an attribute: not before a character that could continue the name, as in `?a=1&lt=2`.
     Alone,
 }
 
-/// Adds what a part of `html` is read as.
+/// Appends the decoded text of a part of `html`.
 pub fn read(html: &Mapped, range: Range<usize>, into: &mut Mapped) {
     read_with(html, range, into, Loose::Anywhere);
 }
@@ -45,7 +45,7 @@ fn read_with(html: &Mapped, range: Range<usize>, into: &mut Mapped, loose: Loose
     into.keep_of(html, from..range.end);
 }
 
-/// What the value of an attribute is read as.
+/// Decodes the value of an attribute.
 pub fn decoded(text: &[u8]) -> String {
     let html = Mapped::of(text, 0..text.len());
     let mut into = Mapped::default();
@@ -53,7 +53,7 @@ pub fn decoded(text: &[u8]) -> String {
     String::from_utf8_lossy(into.text()).into_owned()
 }
 
-/// The character that a text begins with the reference of, and the length of that.
+/// The character of the reference at the start of a text, and the length of the reference.
 fn reference(text: &[u8], loose: Loose) -> Option<(Vec<u8>, usize)> {
     let named = |byte: &u8| byte.is_ascii_alphanumeric() || *byte == b'#';
     let length = 1 + text[1..].iter().take(LONGEST).take_while(|byte| named(byte)).count();

@@ -1,8 +1,8 @@
-//! Programs in HTML, as a browser and the element find them: in `<gcode-playground>`, in marked `<pre>` and
-//! `<script>`, and in scripts of the type `text/x-gcode`.
+//! Programs in HTML, found in the same way as by a browser and the element: in `<gcode-playground>`, in
+//! marked `<pre>` and `<script>`, and in scripts of the type `text/x-gcode`.
 //!
-//! In: a page, or a block of HTML in a page. Out: its examples. A tag is read as browsers read it; what is slotted is
-//! no program. With JSX, attributes and text may also be `{…}`.
+//! In: a page, or a block of HTML in a page. Out: its examples. Tags are parsed as in browsers; slotted
+//! content is not part of the program. With JSX, attributes and text may also be `{…}`.
 
 use std::ops::Range;
 
@@ -12,30 +12,30 @@ use super::entities;
 use super::mapped::Mapped;
 use super::{Attributes, Example, Holder, dedented};
 
-/// The tag of the element.
+/// Tag name of the element.
 const ELEMENT: &[u8] = b"gcode-playground";
-/// What marks a `pre` or a script as an element.
+/// Attribute that marks a `pre` or a script as an element.
 const MARK: &str = "data-gcode-playground";
-/// What has no end tag.
+/// Tags without an end tag.
 const VOID: [&[u8]; 14] = [
     b"area", b"base", b"br", b"col", b"embed", b"hr", b"img", b"input", b"link", b"meta", b"param",
     b"source", b"track", b"wbr",
 ];
-/// What is in these is no text of a page.
+/// Tags whose content is not displayed.
 const NO_TEXT: [&[u8]; 2] = [b"template", b"noscript"];
-/// What is in these is no markup.
+/// Tags whose content is not markup.
 const RAW: [&[u8]; 4] = [b"script", b"style", b"textarea", b"title"];
 
-/// What else than HTML may stand there.
+/// Syntax allowed besides HTML.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Dialect {
-    /// Nothing.
+    /// HTML only.
     Html,
-    /// `{…}`, and `<a/>` is closed.
+    /// JSX: `{…}` is allowed, and `<a/>` is an empty element.
     Jsx,
 }
 
-/// The examples of a text, in their order.
+/// The examples in a text, in order.
 pub fn examples(html: &Mapped, dialect: Dialect) -> Vec<Example> {
     let mut scanner =
         Scanner { html, text: html.text(), dialect, found: Vec::new(), open: None, braces: true };
@@ -43,12 +43,12 @@ pub fn examples(html: &Mapped, dialect: Dialect) -> Vec<Example> {
     scanner.found
 }
 
-/// A tag as it stands in the text.
+/// A tag in the text.
 struct Tag {
     /// In lower case.
     name: Vec<u8>,
     is_end: bool,
-    /// Ends in `/>`.
+    /// Whether it ends in `/>`.
     is_closed: bool,
     attributes: Attributes,
     range: Range<usize>,
@@ -60,7 +60,7 @@ impl Tag {
     }
 }
 
-/// An element whose end has not come.
+/// An element whose end tag was not read yet.
 struct Open {
     name: Vec<u8>,
     start: usize,
@@ -70,7 +70,7 @@ struct Open {
     pre: Option<Mapped>,
     in_pre: bool,
     script: Option<Mapped>,
-    /// What is slotted, or no text: its name, how many of this name are open, where it begins.
+    /// Slotted or hidden content: tag name, nesting depth of this name, start.
     aside: Option<(Vec<u8>, usize, usize)>,
     is_picture: bool,
     picture: Option<Mapped>,
@@ -78,7 +78,7 @@ struct Open {
 }
 
 impl Open {
-    /// What text of now belongs to; nothing where it is for a slot.
+    /// The buffer that current text is appended to; `None` inside slotted content.
     fn text(&mut self) -> Option<&mut Mapped> {
         match &mut self.pre {
             _ if self.aside.is_some() => None,
@@ -94,7 +94,7 @@ struct Scanner<'a> {
     dialect: Dialect,
     found: Vec<Example>,
     open: Option<Open>,
-    /// Whether a `{` may still have its `}`.
+    /// Whether a `{` may still have a matching `}`.
     braces: bool,
 }
 
@@ -113,7 +113,7 @@ impl Scanner<'_> {
         }
     }
 
-    /// Text up to the next markup; the answer is where that is.
+    /// Reads text up to the next markup; returns the position of the markup.
     fn words(&mut self, at: usize) -> usize {
         let rest = &self.text[at + 1..];
         let next = match self.dialect {
@@ -125,14 +125,14 @@ impl Scanner<'_> {
         end
     }
 
-    /// Text of the page.
+    /// Appends text of the page to the open element.
     fn say(&mut self, range: Range<usize>) {
         if let Some(text) = self.open.as_mut().and_then(Open::text) {
             entities::read(self.html, range, text);
         }
     }
 
-    /// `{…}`: text, where it is a text.
+    /// Reads `{…}`; appends it if it is a string literal.
     fn braced(&mut self, at: usize) -> usize {
         let Some(end) = braces(self.text, at) else {
             self.braces = false;
@@ -146,7 +146,7 @@ impl Scanner<'_> {
         end
     }
 
-    /// A tag, a comment, or a `<` that is neither; the answer is where it ends.
+    /// Reads a tag, a comment, or a `<` that is neither; returns its end.
     fn markup(&mut self, at: usize) -> usize {
         let rest = &self.text[at..];
         if rest.starts_with(b"<!--") {
@@ -173,13 +173,13 @@ impl Scanner<'_> {
         raw.map_or(end, |raw| raw.end)
     }
 
-    /// SVG has tags that close themselves.
+    /// Whether `/>` closes a tag: it does in SVG and JSX.
     fn in_picture(&self) -> bool {
         self.dialect == Dialect::Jsx || self.open.as_ref().is_some_and(|open| open.is_picture)
     }
 
     fn start_tag(&mut self, tag: Tag, raw: Option<Range<usize>>) {
-        // An element in an element: the first one was never closed.
+        // An element inside an element: the outer one was never closed.
         if tag.name == ELEMENT
             && let Some(open) = self.open.take()
         {
@@ -206,7 +206,7 @@ impl Scanner<'_> {
                 open.attributes.put_if_missing("setup", json);
             }
         } else if raw.is_some() || VOID.contains(&tag.name.as_slice()) {
-            // No program.
+            // Raw text and void elements contain no program text.
         } else if is_slotted && let Some(inner) = inner_html(self.text, &tag, self.dialect) {
             let mut picture = Mapped::default();
             unquoted(self.html, inner, &mut picture);
@@ -221,7 +221,7 @@ impl Scanner<'_> {
         }
     }
 
-    /// A tag outside of any element.
+    /// Handles a tag outside of any element.
     fn outermost(&mut self, tag: Tag, raw: Option<Range<usize>>) {
         let is_marked = tag.attributes.get(MARK).is_some();
         let holder = match tag.name.as_slice() {
@@ -299,12 +299,12 @@ impl Scanner<'_> {
     }
 }
 
-/// Where the tag of JSX ends that is at `at`, and whether nothing is in it; nothing where it never ends.
+/// End of the JSX tag at `at`, and whether the tag is self-closing; `None` if the tag is not terminated.
 pub fn end_of_tag(text: &[u8], at: usize) -> Option<(usize, bool)> {
     tag(text, at, Dialect::Jsx).map(|tag| (tag.range.end, tag.is_closed))
 }
 
-/// The tag at `at`; nothing where it never ends.
+/// Parses the tag at `at`; `None` if it is not terminated.
 fn tag(text: &[u8], at: usize, dialect: Dialect) -> Option<Tag> {
     let is_end = text.get(at + 1) == Some(&b'/');
     let mut from = at + 1 + usize::from(is_end);
@@ -333,7 +333,7 @@ fn tag(text: &[u8], at: usize, dialect: Dialect) -> Option<Tag> {
     }
 }
 
-/// Name and value of the attribute at `from`, and where it ends.
+/// Name and value of the attribute at `from`, and its end.
 fn attribute(text: &[u8], from: usize, dialect: Dialect) -> Option<(String, String, usize)> {
     let is_blank = |byte: u8| matches!(byte, b' ' | b'\t' | b'\n' | b'\r' | b'\x0c');
     let mut at = from + 1;
@@ -375,7 +375,7 @@ fn attribute(text: &[u8], from: usize, dialect: Dialect) -> Option<(String, Stri
     Some((name, value, end))
 }
 
-/// What a script and the like hold: from `from` to their end tag.
+/// The content of a script or similar, from `from` to its end tag.
 fn raw_text(text: &[u8], from: usize, name: &[u8]) -> Range<usize> {
     for at in memmem::find_iter(&text[from..], b"</") {
         let rest = &text[from + at + 2..];
@@ -388,7 +388,7 @@ fn raw_text(text: &[u8], from: usize, name: &[u8]) -> Range<usize> {
     from..text.len()
 }
 
-/// Where the braces end that begin at `at`.
+/// The end of the braces that begin at `at`.
 fn braces(text: &[u8], at: usize) -> Option<usize> {
     let mut depth = 0_usize;
     let mut quote = None;
@@ -415,7 +415,7 @@ fn braces(text: &[u8], at: usize) -> Option<usize> {
     }
 }
 
-/// What JSX puts into an element as HTML, if that is a text.
+/// The value of `dangerouslySetInnerHTML`, if it is a string literal.
 fn inner_html(text: &[u8], tag: &Tag, dialect: Dialect) -> Option<Range<usize>> {
     if dialect == Dialect::Html || tag.attributes.get("dangerouslysetinnerhtml").is_none() {
         return None;
@@ -427,7 +427,7 @@ fn inner_html(text: &[u8], tag: &Tag, dialect: Dialect) -> Option<Range<usize>> 
     literal(text, value..end.checked_sub(2).filter(|end| *end > value)?)
 }
 
-/// Reads what stands between the quotes of a text.
+/// Decodes the contents of a string literal.
 fn unquoted(html: &Mapped, inner: Range<usize>, into: &mut Mapped) {
     let text = html.text();
     let mut from = inner.start;
@@ -441,7 +441,7 @@ fn unquoted(html: &Mapped, inner: Range<usize>, into: &mut Mapped) {
     into.keep_of(html, from..inner.end);
 }
 
-/// What stands between the quotes of a text; nothing where it is no text.
+/// The range between the quotes of a string literal; `None` if it is something else.
 fn literal(text: &[u8], range: Range<usize>) -> Option<Range<usize>> {
     let all = &text[range.clone()];
     let trimmed = all.trim_ascii();

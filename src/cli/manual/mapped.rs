@@ -1,33 +1,33 @@
-//! A text that was taken out of a page, with the place of each of its bytes there.
+//! A text extracted from a page, with the position of each of its bytes in the page.
 //!
-//! In: pieces of a page, as they are or as they are read (`&lt;` is `<`). Out: the text, and spans of it as spans of
-//! the page. Must not know: what is written in either.
+//! In: pieces of a page, verbatim or decoded (`&lt;` is `<`). Out: the text, and the mapping of its spans to
+//! spans of the page. Must not know: the meaning of either.
 
 use std::ops::Range;
 
 use crate::source::Span;
 
-/// A text with its places in a page.
+/// A text with its positions in a page.
 #[derive(Clone, Debug, Default)]
 pub struct Mapped {
     text: Vec<u8>,
-    /// In order of the text, without gaps, none of them empty.
+    /// In text order, without gaps or empty pieces.
     pieces: Vec<Piece>,
 }
 
-/// Some bytes of the text.
+/// A range of the text.
 #[derive(Clone, Copy, Debug)]
 struct Piece {
     /// Its first byte in the text.
     start: usize,
-    /// What it was made of in the page.
+    /// Its range in the page.
     page: (usize, usize),
-    /// Byte for byte.
+    /// Whether it is verbatim, byte for byte.
     same: bool,
 }
 
 impl Mapped {
-    /// A part of a page as it is.
+    /// A part of a page, verbatim.
     pub fn of(page: &[u8], range: Range<usize>) -> Self {
         let mut mapped = Self::default();
         mapped.keep(page, range);
@@ -39,18 +39,18 @@ impl Mapped {
         &self.text
     }
 
-    /// Adds a part of the page as it is.
+    /// Appends a part of the page, verbatim.
     pub fn keep(&mut self, page: &[u8], range: Range<usize>) {
         self.piece(&page[range.clone()], (range.start, range.end), true);
     }
 
-    /// Adds what a part of the page is read as.
+    /// Appends `text`, the decoded form of a part of the page.
     pub fn read(&mut self, text: &[u8], page: &[u8], range: Range<usize>) {
         let same = page[range.clone()] == *text;
         self.piece(text, (range.start, range.end), same);
     }
 
-    /// Adds a part of another text of the same page.
+    /// Appends a part of another text of the same page.
     pub fn keep_of(&mut self, other: &Self, range: Range<usize>) {
         if range.is_empty() {
             return;
@@ -70,7 +70,7 @@ impl Mapped {
         }
     }
 
-    /// Adds what a part of another text of the same page is read as.
+    /// Appends `text`, the decoded form of a part of another text of the same page.
     pub fn read_of(&mut self, text: &[u8], other: &Self, range: Range<usize>) {
         let Span { start, end } = other.in_page(Span::new(range.start, range.end));
         self.piece(text, (start as usize, end as usize), false);
@@ -83,14 +83,14 @@ impl Mapped {
         part
     }
 
-    /// A span of the text as one of the page.
+    /// Converts a span of the text to a span of the page.
     pub fn in_page(&self, span: Span) -> Span {
         let start = self.start_in_page(span.start as usize);
         let end = if span.is_empty() { start } else { self.end_in_page(span.end as usize) };
         Span::new(start, end.max(start))
     }
 
-    /// Where a byte begins in the page; for one past the last where that ends.
+    /// Position in the page where a byte begins; the end position for an offset past the last byte.
     fn start_in_page(&self, at: usize) -> usize {
         if at >= self.text.len() {
             return self.pieces.last().map_or(0, |last| last.page.1);
@@ -99,7 +99,7 @@ impl Mapped {
         if piece.same { piece.page.0 + at - piece.start } else { piece.page.0 }
     }
 
-    /// Where the byte before `at` ends in the page.
+    /// Position in the page where the byte before `at` ends.
     fn end_in_page(&self, at: usize) -> usize {
         let at = at.min(self.text.len());
         let Some(last) = at.checked_sub(1) else { return self.start_in_page(0) };

@@ -1,7 +1,7 @@
-//! Programs in Markdown: blocks of code that name the language, and the HTML between.
+//! Programs in Markdown: code blocks with a G-code language, and the HTML between them.
 //!
-//! In: a page. Out: its examples. Which blocks there are is what a parser of CommonMark says, so that fences in
-//! lists, in quotations and in other fences are what they are on the page.
+//! In: a page. Out: its examples. A CommonMark parser finds the blocks, so that fences in lists, in
+//! quotations and in other fences are handled as on the rendered page.
 
 use std::ops::Range;
 
@@ -14,7 +14,7 @@ use super::{Attributes, Example, Holder, is_gcode};
 const START: &str = "<gcode-playground";
 const END: &str = "</gcode-playground>";
 
-/// The examples of a page; `text` is the page as characters.
+/// The examples of a page; `text` is the page as a string.
 pub fn examples(text: &str, page: &[u8]) -> Vec<Example> {
     let mut reader = Reader { page, found: Vec::new(), code: None, html: None, inline: None };
     for (event, range) in parser(text).into_offset_iter() {
@@ -23,7 +23,7 @@ pub fn examples(text: &str, page: &[u8]) -> Vec<Example> {
     reader.found
 }
 
-/// The examples of a page with JSX, where elements may have blank lines.
+/// The examples of a page with JSX, where elements may contain blank lines.
 pub fn examples_with_jsx(text: &str, page: &[u8]) -> Vec<Example> {
     let mut reader = Reader { page, found: Vec::new(), code: None, html: None, inline: None };
     let mut outside = Mapped::default();
@@ -31,7 +31,7 @@ pub fn examples_with_jsx(text: &str, page: &[u8]) -> Vec<Example> {
     for (event, range) in parser(&without_elements(text)).into_offset_iter() {
         let is_code = match &event {
             Event::Start(Tag::CodeBlock(CodeBlockKind::Fenced(_))) => true,
-            // What stands in braces is a text of JSX.
+            // Braces contain a JSX string.
             Event::Code(_) => !page[..range.start].ends_with(b"{"),
             _ => false,
         };
@@ -49,10 +49,11 @@ pub fn examples_with_jsx(text: &str, page: &[u8]) -> Vec<Example> {
     reader.found
 }
 
-/// The page with letters in the place of all that stands in elements at the start of a line: a fence in a program is none.
+/// The page with elements at the start of a line replaced by letters, so that a fence inside a program does
+/// not count.
 fn without_elements(text: &str) -> String {
     let mut left = String::with_capacity(text.len());
-    // Where the end of the element is, as long as its lines last.
+    // The end of the current element, while its lines continue.
     let mut end = 0;
     let mut at = 0;
     for line in text.split_inclusive('\n') {
@@ -65,7 +66,7 @@ fn without_elements(text: &str) -> String {
                     inside[..next].find(END).map_or(open, |end| open + end + END.len())
                 }
                 Some((open, true)) => open,
-                // All of the rest is in the tag.
+                // The tag extends to the end of the text.
                 None => text.len(),
             };
         }
@@ -80,7 +81,7 @@ fn without_elements(text: &str) -> String {
     left
 }
 
-/// With what changes where blocks begin and end.
+/// The parser, with the extensions that affect where blocks begin and end.
 fn parser(text: &str) -> Parser<'_> {
     let options = Options::ENABLE_TABLES
         | Options::ENABLE_FOOTNOTES
@@ -95,11 +96,11 @@ struct Reader<'a> {
     found: Vec<Example>,
     code: Option<Code>,
     html: Option<Mapped>,
-    /// From the start of an element among words.
+    /// An inline element, from its start tag.
     inline: Option<Mapped>,
 }
 
-/// A block of code that is a program.
+/// A code block with a program.
 struct Code {
     at: usize,
     attributes: Attributes,
@@ -160,7 +161,7 @@ impl Reader<'_> {
         }
     }
 
-    /// Words of an element among words.
+    /// Appends the text of an inline element.
     fn words(&mut self, text: &str, range: Range<usize>) {
         let Some(inline) = &mut self.inline else { return };
         if !text.contains(['<', '&']) {
@@ -213,8 +214,9 @@ impl Code {
     }
 }
 
-/// What the line of a fence says: `gcode control=gsk`, `gcode,control=gsk`, `{code-block} gcode`. Nothing where the
-/// language is another one. With the attributes comes whether they go on in the block, as `:control: gsk`.
+/// Parses the info string of a fence: `gcode control=gsk`, `gcode,control=gsk`, `{code-block} gcode`. `None`
+/// for another language. The second value says whether options may follow in the block, such as `:control:
+/// gsk`.
 fn info_string(info: &str) -> Option<(Attributes, bool)> {
     let mut words = words(info).into_iter();
     let mut language = words.next()?;
@@ -233,7 +235,7 @@ fn info_string(info: &str) -> Option<(Attributes, bool)> {
     Some((attributes, is_directive))
 }
 
-/// Words between blanks, commas and braces; quotes hold together and go.
+/// Splits at spaces, commas and braces; quotes group words and are removed.
 fn words(info: &str) -> Vec<String> {
     let mut words = Vec::new();
     let mut word = String::new();
@@ -253,7 +255,8 @@ fn words(info: &str) -> Vec<String> {
     words
 }
 
-/// The options that a directive begins with, `:control: gsk` in a line each; the answer is where the program begins.
+/// Parses the options at the start of a directive, one `:control: gsk` per line; returns the start of the
+/// program.
 pub fn options(text: &[u8], attributes: &mut Attributes) -> usize {
     let mut start = 0;
     for (from, end, next) in super::lines(text) {

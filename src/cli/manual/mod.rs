@@ -1,7 +1,7 @@
-//! The programs in the sources of a manual, each with its places there.
+//! The programs in the source files of a manual, with their positions.
 //!
-//! In: the text of a page (Markdown, HTML, reStructuredText) and its name. Out: [`Example`]s. Must not know: what a
-//! program says, or what becomes of it.
+//! In: the text of a page (Markdown, HTML, reStructuredText) and its name. Out: [`Example`]s. Must not know:
+//! the meaning of a program, or what is done with it.
 
 pub mod attributes;
 mod entities;
@@ -17,26 +17,26 @@ use crate::source::Span;
 /// A program in a page.
 #[derive(Clone, Debug)]
 pub struct Example {
-    /// Where that begins which holds it: a byte of the page.
+    /// Byte offset in the page where the block or element begins.
     pub at: usize,
     /// The program, as the element reads it.
     pub program: Mapped,
-    /// What is said of it, by the names of the element's attributes.
+    /// Its attributes, with the names of the element's attributes.
     pub attributes: Attributes,
-    /// What holds it.
+    /// Kind of block or element that contains it.
     pub holder: Holder,
-    /// The SVG that is shown in place of the element.
+    /// The SVG shown in place of the element.
     pub picture: Option<Mapped>,
-    /// Whether the picture is a text between back quotes, as JSX has it.
+    /// Whether the picture is a JavaScript template literal, as in JSX.
     pub picture_is_quoted: bool,
-    /// Whether `<` is written `&lt;` in it.
+    /// Whether `<` is written as `&lt;` in it.
     pub is_escaped: bool,
-    /// Whether it ends where it should. In Markdown a blank line ends an element.
+    /// Whether it is properly closed. In Markdown a blank line ends an element.
     pub is_closed: bool,
 }
 
 impl Example {
-    /// A span of the program as one of the page; an empty program is where it begins.
+    /// Converts a span of the program to a span of the page; an empty program maps to the start of the block.
     pub fn in_page(&self, span: Span) -> Span {
         match self.program.text() {
             [] => Span::new(self.at, self.at),
@@ -45,10 +45,10 @@ impl Example {
     }
 }
 
-/// What holds a program.
+/// Kind of block or element that contains a program.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Holder {
-    /// A block of code, or a directive.
+    /// A code block, or a directive.
     Code,
     /// `<gcode-playground>`.
     Element,
@@ -56,15 +56,15 @@ pub enum Holder {
     Marked,
 }
 
-/// More attributes than the element has, which a tag may have all the same, are not looked at.
+/// Maximum number of attributes that are read of a tag; the element has fewer.
 const MOST_ATTRIBUTES: usize = 100;
 
-/// Attributes of an element, in their order; the first of a name counts.
+/// Attributes of an element, in order; the first one of a name counts.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Attributes(Vec<(String, String)>);
 
 impl Attributes {
-    /// Attributes with their values.
+    /// Creates a list from names and values.
     pub fn of(attributes: &[(String, String)]) -> Self {
         Self(attributes.to_vec())
     }
@@ -74,7 +74,7 @@ impl Attributes {
         self.0.iter().find(|(own, _)| own == name).map(|(_, value)| value.as_str())
     }
 
-    /// Names and values, in their order.
+    /// Names and values, in order.
     pub fn all(&self) -> impl Iterator<Item = (&str, &str)> {
         self.0.iter().map(|(name, value)| (name.as_str(), value.as_str()))
     }
@@ -85,7 +85,7 @@ impl Attributes {
         }
     }
 
-    /// Those that are written as `data-…`, without that.
+    /// The `data-…` attributes, without the prefix.
     fn of_data(&self) -> Self {
         let own = self.0.iter().filter_map(|(name, value)| {
             let name = name.strip_prefix("data-").filter(|name| *name != "gcode-playground")?;
@@ -95,7 +95,7 @@ impl Attributes {
     }
 }
 
-/// How a page is written.
+/// Markup language of a page.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Markup {
     /// CommonMark with the extensions that manuals use.
@@ -109,7 +109,7 @@ pub enum Markup {
 }
 
 impl Markup {
-    /// By the ending of a file's name; Markdown for any other ending.
+    /// Chooses by the ending of a file name; Markdown for an unknown ending.
     pub fn of(name: &str) -> Self {
         let ending = name.rsplit_once('.').map_or(String::new(), |(_, ending)| ending.to_ascii_lowercase());
         match ending.as_str() {
@@ -121,7 +121,7 @@ impl Markup {
     }
 }
 
-/// The examples of a page, in their order.
+/// The examples of a page, in order.
 pub fn examples(page: &[u8], markup: Markup) -> Vec<Example> {
     let mut found = match markup {
         Markup::Markdown => markdown::examples(&characters(page), page),
@@ -133,13 +133,13 @@ pub fn examples(page: &[u8], markup: Markup) -> Vec<Example> {
     found
 }
 
-/// A text between back quotes of JavaScript, in which no element ends.
+/// A JavaScript template literal that contains no end tag of the element.
 pub fn quoted(text: &str) -> String {
     let text = text.replace('\\', r"\\").replace('`', r"\`").replace("${", r"\${");
     text.replace("</gcode-playground", r"<\/gcode-playground")
 }
 
-/// A text as it is written in HTML.
+/// Escapes a text for HTML.
 pub fn escaped(text: &str) -> String {
     let mut escaped = String::with_capacity(text.len());
     for letter in text.chars() {
@@ -153,7 +153,7 @@ pub fn escaped(text: &str) -> String {
     escaped
 }
 
-/// The page as characters, byte for byte in the same places.
+/// The page as a string with the same byte offsets.
 fn characters(page: &[u8]) -> String {
     let mut text = String::with_capacity(page.len());
     for chunk in page.utf8_chunks() {
@@ -163,13 +163,13 @@ fn characters(page: &[u8]) -> String {
     text
 }
 
-/// Whether the language that a block of code names is this one.
+/// Whether the language of a code block is G-code.
 fn is_gcode(language: &str) -> bool {
     ["gcode", "g-code", "nc", "cnc", "gcode-playground"].iter().any(|own| own.eq_ignore_ascii_case(language))
 }
 
-/// The program as the element takes it from a text: line ends are LF, without blank first and last lines and the
-/// common indent.
+/// The program as the element reads it from a text: line ends are LF, without blank first and last lines and
+/// common indentation.
 fn dedented(text: &Mapped) -> Mapped {
     let lines = lines(text.text());
     let blank = |line: &(usize, usize, usize)| indent(&text.text()[line.0..line.1]).is_none();
@@ -191,7 +191,7 @@ fn dedented(text: &Mapped) -> Mapped {
     program
 }
 
-/// Start and end of each line, and the start of the next.
+/// Start and end of each line, and the start of the next one.
 fn lines(text: &[u8]) -> Vec<(usize, usize, usize)> {
     let mut lines = Vec::new();
     let mut start = 0;
@@ -204,16 +204,16 @@ fn lines(text: &[u8]) -> Vec<(usize, usize, usize)> {
     lines
 }
 
-/// How many characters before the first word of a line are blank; nothing in a blank line.
+/// Indentation of a line in characters; `None` if the line is blank.
 fn indent(line: &[u8]) -> Option<usize> {
     let chunk = line.utf8_chunks().next()?;
-    // As JavaScript trims.
+    // JavaScript's definition of white space, as in `trim`.
     let is_blank = |letter: char| letter == '\u{feff}' || letter.is_whitespace() && letter != '\u{85}';
     let word = chunk.valid().chars().position(|letter| !is_blank(letter));
     word.or_else(|| (!chunk.invalid().is_empty()).then(|| chunk.valid().chars().count()))
 }
 
-/// The bytes of the first characters of a line.
+/// Length of the first `characters` characters of a line, in bytes.
 fn width(line: &[u8], characters: usize) -> usize {
     let line = line.utf8_chunks().next().map_or("", |chunk| chunk.valid());
     line.char_indices().nth(characters).map_or(line.len(), |(byte, _)| byte)

@@ -1,19 +1,20 @@
 //! Programs in reStructuredText: `.. code-block:: gcode`, `.. gcode-playground::`, and the HTML of `.. raw:: html`.
 //!
-//! In: a page. Out: its examples. Directives are found by their lines; what is indented below one is its own.
+//! In: a page. Out: its examples. Directives are found line by line; the indented lines below a directive are
+//! its content.
 
 use super::html::{self, Dialect};
 use super::mapped::Mapped;
 use super::markdown::options;
 use super::{Attributes, Example, Holder, dedented, indent, is_gcode, lines, width};
 
-/// What a directive holds.
+/// Content of a directive.
 enum Content {
     Program,
     Html,
     /// Code in another language.
     Code,
-    /// What may hold more directives.
+    /// Text that may contain further directives.
     Text,
 }
 
@@ -29,7 +30,7 @@ pub fn examples(page: &[u8]) -> Vec<Example> {
         if matches!(content, Content::Text) {
             continue;
         }
-        // What is deeper than the directive, up to its last line that is not blank.
+        // The lines that are indented more than the directive, up to the last one that is not blank.
         let below = lines[index..]
             .iter()
             .position(|line| indent(&page[line.0..line.1]).is_some_and(|indent| indent <= indent_of_own));
@@ -63,7 +64,7 @@ pub fn examples(page: &[u8]) -> Vec<Example> {
     found
 }
 
-/// Indent and content of the directive that a line is; nothing for other lines.
+/// Indentation and content of the directive in a line; `None` if the line is not a directive.
 fn directive(line: &[u8]) -> Option<(usize, Content)> {
     let text = std::str::from_utf8(line).ok()?;
     let (name, argument) = text.trim().strip_prefix(".. ")?.split_once("::")?;

@@ -1,6 +1,6 @@
 use super::*;
 
-/// Programs and attributes of a page, and what stands at the place of the first letter of each program.
+/// The programs and attributes of a page, with the page's text at the first character of each program.
 fn programs(page: &str, markup: Markup) -> Vec<(String, Vec<(String, String)>)> {
     let found = examples(page.as_bytes(), markup);
     let program = |example: &Example| String::from_utf8_lossy(example.program.text()).into_owned();
@@ -68,7 +68,7 @@ fn every_byte_of_a_program_has_its_place_in_the_page() {
     assert_eq!(found[1].program.text(), b"A<B\n C");
 }
 
-/// What the element reads, in every form it can be written in.
+/// The program is the same in every form that the element accepts.
 #[test]
 fn an_element_is_read_as_the_element_reads_itself() {
     let program = "#100=#1*2+#3*4\nIF[#100 LT 5](SMALL)\n(A<B & C)\nM98<SUB>\n\nM30";
@@ -192,7 +192,7 @@ fn the_ending_of_a_file_tells_how_it_is_written() {
     }
 }
 
-/// Cut anywhere, a page is read to its end.
+/// A page cut off at any byte is read to its end.
 #[test]
 fn no_page_is_too_broken_to_be_read() {
     let page = "> ```gcode a={'}\nG00\n> ```\n<gcode-playground a='{' b={`}><svg slot=fallback><text>&lt;</text></svg>{`G\\`}<pre>\nX&amp;\r\n</pre><script type=text/x-gcode>\n<!-- </script></gcode-playground>\n.. raw:: html\n\n  <pre data-gcode-playground>é</pre>\n";

@@ -1,10 +1,11 @@
-//! Files as commands read and write them. A write that fails leaves the old file.
+//! Reads and writes files. A failed write leaves the old file intact.
 //!
-//! In: paths, bytes. Out: bytes, or the reason why nothing was written. A regular file is replaced: the new content goes to a temporary file
-//! in the same folder, is flushed to the disk and renamed. A file that has more than one hard link, or whose owner and mode the new file
-//! cannot get, is written in place, with a backup until the write has succeeded. A symbolic link stays, and its target is written. Devices
-//! and pipes are written directly. A file that changed on disk after this process read it is not written.
-//! Must not know: programs.
+//! In: paths, bytes. Out: bytes, or the reason why nothing was written. A regular file is replaced: the new
+//! content is written to a temporary file in the same folder, flushed to the disk, and renamed. A file with
+//! several hard links, or whose owner and mode cannot be given to the new file, is written in place, with a
+//! backup until the write succeeds. A symbolic link is kept and its target written. Devices and pipes are
+//! written directly. A file that changed on disk since this process read it is not written. Must not know:
+//! programs.
 
 use std::collections::BTreeMap;
 use std::hash::{DefaultHasher, Hasher};
@@ -15,20 +16,21 @@ use std::sync::{Mutex, MutexGuard, PoisonError};
 use super::host::{self, OpenFile};
 use super::{Found, PathKind, Stream, reason};
 
-/// Symbolic links are followed to this depth, as Linux does.
+/// Maximum number of symbolic links followed, as in Linux.
 const LINKS: usize = 40;
-/// Names tried for a temporary file.
+/// Maximum number of names tried for a temporary file.
 const NAMES: usize = 100;
-/// A file that is written in place is at most this long, in bytes: its old content is kept in memory.
+/// Maximum size of a file that is written in place, bytes: its old content is kept in memory.
 const IN_PLACE: u64 = 1 << 30;
 
-/// The content of each file that was read, by [`place`].
+/// Length and hash of each file that was read, by [`place`].
 static READ: Mutex<BTreeMap<PathBuf, Content>> = Mutex::new(BTreeMap::new());
 
-/// Held while a file is written in place: another thread may write it by another of its names, and must not see half of it.
+/// Held while a file is written in place, so that a thread that writes the file by another name sees no
+/// partial content.
 static IN_PLACE_WRITE: Mutex<()> = Mutex::new(());
 
-/// Length and hash of a content.
+/// Length and hash of a file's content.
 type Content = (u64, u64);
 
 /// Reads a file of at most `most` bytes. A larger file is the error `FileTooLarge`.
@@ -40,18 +42,18 @@ pub(in crate::cli) fn read(file: &Path, most: u64) -> io::Result<Vec<u8>> {
     Ok(bytes)
 }
 
-/// The first bytes of a file, at most `most`, to see whether it is a program: the file does not count as read.
+/// The first bytes of a file, at most `most`, to detect a program. The file does not count as read.
 pub(in crate::cli) fn peek(file: &Path, most: u64) -> io::Result<Vec<u8>> {
     host::read_head(file, most)
 }
 
-/// Whether this process has read the file, no pipe or device.
+/// Whether this process has read the path, and it is a regular file.
 pub(in crate::cli) fn was_read(file: &Path) -> bool {
     let is_file = host::found(file).is_ok_and(|found| found.kind == PathKind::File);
     is_file && target(file).is_ok_and(|target| contents().contains_key(&place(&target)))
 }
 
-/// Whether another path leads to the file of this one, by symbolic or hard links.
+/// Returns a predicate: whether another path refers to the same file, by symbolic or hard links.
 pub(in crate::cli) fn same_as(file: &Path) -> impl Fn(&Path) -> bool {
     let identity = |path: &Path| {
         let place = target(path).map(|target| place(&target)).ok();
@@ -64,7 +66,7 @@ pub(in crate::cli) fn same_as(file: &Path) -> impl Fn(&Path) -> bool {
     }
 }
 
-/// The stream that a path of a device names.
+/// The standard stream for a device path such as `/dev/stdout`.
 pub(in crate::cli) fn standard(path: &Path) -> Option<Stream> {
     match path.to_str()? {
         "/dev/stdout" | "/dev/fd/1" | "/proc/self/fd/1" => Some(Stream::Output),
@@ -73,7 +75,7 @@ pub(in crate::cli) fn standard(path: &Path) -> Option<Stream> {
     }
 }
 
-/// Writes a file. The error is a sentence that begins with its name; the file then has its old content.
+/// Writes a file. On error the file keeps its old content; the message begins with the file name.
 pub(in crate::cli) fn write(path: &Path, bytes: &[u8]) -> Result<(), String> {
     let written = target(path).map_err(|error| reason(&error)).and_then(|target| {
         write_target(&target, bytes)?;
@@ -92,7 +94,7 @@ fn write_target(target: &Path, bytes: &[u8]) -> Result<(), String> {
             host::write_directly(target, bytes).map_err(|error| reason(&error))
         }
         Ok(found) => {
-            // Renaming would also replace a file that must not be written.
+            // Renaming would also replace a write-protected file, so check for write permission first.
             host::open_to_write(target).map_err(|error| reason(&error))?;
             match found.links {
                 0 | 1 => replace(target, Some(&found), bytes),
@@ -104,7 +106,7 @@ fn write_target(target: &Path, bytes: &[u8]) -> Result<(), String> {
     }
 }
 
-/// Renames a new file over the old one, if there is one.
+/// Renames a new file over the old one, if any.
 fn replace(target: &Path, old: Option<&Found>, bytes: &[u8]) -> Result<(), String> {
     let mut new = Temporary::beside(target, if old.is_some() { 0o600 } else { 0o666 })?;
     host::write_whole(&mut new.file, bytes).map_err(|error| reason(&error))?;
@@ -122,7 +124,7 @@ fn replace(target: &Path, old: Option<&Found>, bytes: &[u8]) -> Result<(), Strin
             host::flush_folder(folder_of(target));
             Ok(())
         }
-        // Another file system begins at this file, as in a container.
+        // The file is a mount point, as in a container.
         (Err(error), Some(old)) if error.kind() == ErrorKind::ResourceBusy => {
             write_in_place(target, old, bytes)
         }
@@ -130,13 +132,13 @@ fn replace(target: &Path, old: Option<&Found>, bytes: &[u8]) -> Result<(), Strin
     }
 }
 
-/// Writes into the old file, and restores it if that fails.
+/// Overwrites the old file, and restores it if that fails.
 fn write_in_place(target: &Path, old: &Found, bytes: &[u8]) -> Result<(), String> {
     let _alone = IN_PLACE_WRITE.lock().unwrap_or_else(PoisonError::into_inner);
     let mut backup = Temporary::beside(target, 0o600)?;
     let before = host::read(target, IN_PLACE).map_err(|error| reason(&error))?;
     host::write_whole(&mut backup.file, &before).map_err(|error| reason(&error))?;
-    // A backup that stays is better readable by its owner alone than lost.
+    // A backup that is left behind should rather be readable by its owner alone than be lost.
     let _ = backup.make_like(old);
     if is_written_by_others(target, bytes)? {
         return Ok(());
@@ -150,7 +152,8 @@ fn write_in_place(target: &Path, old: &Found, bytes: &[u8]) -> Result<(), String
     }
 }
 
-/// Whether the file has the new content already, written by another process. The error says that it changed otherwise after it was read.
+/// Whether another process already wrote the new content. Returns an error if the file changed otherwise
+/// since it was read.
 fn is_written_by_others(target: &Path, bytes: &[u8]) -> Result<bool, String> {
     let Some(read) = contents().get(&place(target)).copied() else { return Ok(false) };
     match host::read(target, read.0.max(bytes.len() as u64)) {
@@ -163,19 +166,19 @@ fn is_written_by_others(target: &Path, bytes: &[u8]) -> Result<bool, String> {
     }
 }
 
-/// A file that is removed again unless it is renamed or kept.
+/// A temporary file, removed on drop unless it was renamed or kept.
 struct Temporary {
     file: OpenFile,
-    /// Nothing once it is renamed or kept.
+    /// `None` after it was renamed or kept.
     path: Option<PathBuf>,
 }
 
 impl Temporary {
-    /// A new file in the folder of another one; `mode` before the mask of the process applies.
+    /// Creates a file in the folder of another one; `mode` is subject to the umask.
     fn beside(target: &Path, mode: u32) -> Result<Self, String> {
         let mut tries = 0..NAMES;
         loop {
-            // The name of the target may already be as long as a name may be.
+            // Independent of the target's name, which may already have the maximum length.
             let path = folder_of(target).join(format!(".gcode-playground-{:016x}.tmp", host::random()));
             match host::create(&path, mode) {
                 Ok(file) => return Ok(Self { file, path: Some(path) }),
@@ -190,13 +193,13 @@ impl Temporary {
         }
     }
 
-    /// Gives it the owner, the group and the mode of another file.
+    /// Copies owner, group and mode of another file.
     fn make_like(&self, old: &Found) -> io::Result<()> {
         let Some(path) = &self.path else { return Ok(()) };
         if host::found(path)?.owner != old.owner {
             host::set_owner(&self.file, old.owner)?;
         }
-        // A change of the owner clears bits of the mode.
+        // A change of owner clears mode bits.
         if host::found(path)?.mode != old.mode {
             host::set_mode(&self.file, old.mode)?;
         }
@@ -224,7 +227,7 @@ impl Drop for Temporary {
     }
 }
 
-/// Follows symbolic links up to a path that is none, and need not exist.
+/// Follows symbolic links to a path that is not a link; it need not exist.
 fn target(path: &Path) -> io::Result<PathBuf> {
     let mut path = path.to_owned();
     for _ in 0..LINKS {
@@ -236,7 +239,7 @@ fn target(path: &Path) -> io::Result<PathBuf> {
     Err(io::Error::other("too many symbolic links"))
 }
 
-/// Whether a path names an open file of a process, whose link need not be a path.
+/// Whether a path names an open file of a process; its link need not be a valid path.
 fn is_descriptor(path: &Path) -> bool {
     path.starts_with("/proc") || path.starts_with("/dev/fd")
 }
@@ -245,7 +248,7 @@ fn folder_of(path: &Path) -> &Path {
     path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."))
 }
 
-/// A target by the one path that has no symbolic links.
+/// The canonical path of a target, without symbolic links.
 fn place(target: &Path) -> PathBuf {
     match (host::canonical(folder_of(target)), target.file_name()) {
         (Ok(folder), Some(name)) => folder.join(name),
@@ -269,7 +272,8 @@ mod tests {
 
     use super::*;
 
-    /// What is in the file after it was read, changed to `changed` (or removed), and written; and the error.
+    /// Writes a file that was changed to `changed` (or removed) after it was read; returns its content and
+    /// the error.
     fn written(changed: Option<&str>) -> (Option<String>, Option<String>) {
         let folder = std::env::temp_dir().join(format!("gcode-playground-{:016x}", host::random()));
         fs::create_dir(&folder).expect("a folder");
@@ -291,7 +295,7 @@ mod tests {
     fn a_file_that_changed_after_it_was_read_is_not_overwritten() {
         let text = |text: &str| Some(text.to_owned());
         assert_eq!(written(Some("G00 X1\n")), (text("G00 X2\n"), None));
-        // Another process has written the same.
+        // Another process wrote the same content.
         assert_eq!(written(Some("G00 X2\n")), (text("G00 X2\n"), None));
         for changed in [None, Some(""), Some("G00 X3\n"), Some("G00 X1\nM30\n")] {
             let (now, error) = written(changed);

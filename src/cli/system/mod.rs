@@ -1,9 +1,8 @@
-//! What the command line asks of the machine it runs on: arguments, files, folders, streams.
+//! The interface to the host system: arguments, files, folders, streams.
 //!
-//! In: paths, bytes. Out: bytes, and errors in words that are the same on every machine. Natively this is the standard library
-//! (`native`), under Node the functions of `node.js` (`node`): so one command line is both, with the same output to the byte. `files` says how
-//! files are read and written; both have the steps.
-//! Must not know: programs.
+//! In: paths, bytes. Out: bytes, and error messages that are the same on every system. The native program
+//! uses the standard library (`native`), the module for Node uses `node.js` (`node`), with identical output.
+//! `files` implements reading and writing on top of either. Must not know: programs.
 
 mod files;
 #[cfg(not(target_arch = "wasm32"))]
@@ -28,50 +27,50 @@ pub(super) use host::{
 #[cfg(target_arch = "wasm32")]
 pub(super) use node::end;
 
-/// A stream of text to the reader.
+/// An output stream of the process.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Stream {
-    /// Standard output: results.
+    /// Standard output, for results.
     Output,
-    /// Standard error: what is said about the work.
+    /// Standard error, for messages.
     Error,
 }
 
-/// What a path leads to.
+/// Type of a path.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum PathKind {
     /// A file.
     File,
     /// A folder.
     Folder,
-    /// A link in a folder, a pipe, a device.
+    /// A link in a folder, a pipe, or a device.
     Other,
 }
 
-/// What is at a path; links are followed.
+/// Metadata of a path; links are followed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 struct Found {
     kind: PathKind,
-    /// Permissions, as Unix numbers them; 0 elsewhere.
+    /// Unix permissions; 0 on other systems.
     mode: u32,
-    /// User and group, as Unix numbers them; 0 elsewhere.
+    /// Unix user and group; 0 on other systems.
     owner: (u32, u32),
-    /// The number of hard links; 1 where it is unknown.
+    /// Number of hard links; 1 if unknown.
     links: u64,
-    /// File system and number of the file; unknown outside of Unix.
+    /// Device and inode number; `None` on other systems than Unix.
     id: Option<(u64, u64)>,
 }
 
-/// What a folder has in it.
+/// An entry of a folder.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) struct Entry {
-    /// Its name in the folder.
+    /// Its name, without the folder.
     pub name: std::ffi::OsString,
-    /// What it is; links are not followed.
+    /// Its type; links are not followed.
     pub kind: PathKind,
 }
 
-/// What went wrong with a file, in words that no operating system changes.
+/// The message for an I/O error, the same on every operating system.
 pub(super) fn reason(error: &io::Error) -> String {
     match error.kind() {
         ErrorKind::NotFound => "no such file or folder".to_owned(),
@@ -89,13 +88,13 @@ pub(super) fn reason(error: &io::Error) -> String {
     }
 }
 
-/// Says a line on standard error, without commands to a terminal. Where nobody listens, it is lost.
+/// Writes a line to standard error, with control characters masked. Errors are ignored.
 pub(super) fn say(line: std::fmt::Arguments<'_>) {
     let line = super::terminal::without_commands(format!("{line}\n").as_bytes());
     let _ = stream(Stream::Error).write_all(&line);
 }
 
-/// A text file that belongs to the work itself, such as a setup.
+/// Reads a text file that configures the command, such as a setup.
 pub(super) fn read_text(file: &Path) -> Result<String, String> {
     let at = |error: &io::Error| format!("{}: {}", file.display(), reason(error));
     let bytes = read(file, super::limits::TEXT_BUFFER as u64).map_err(|error| match error.kind() {
@@ -104,7 +103,7 @@ pub(super) fn read_text(file: &Path) -> Result<String, String> {
         }
         _ => at(&error),
     })?;
-    // Editors of Windows begin a file with a mark that says that it is UTF-8.
+    // Windows editors begin a UTF-8 file with a byte order mark.
     let bytes = bytes.strip_prefix(b"\xef\xbb\xbf").map(<[u8]>::to_vec).unwrap_or(bytes);
     String::from_utf8(bytes).map_err(|_| at(&ErrorKind::InvalidData.into()))
 }

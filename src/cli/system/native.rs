@@ -1,4 +1,4 @@
-//! By the standard library.
+//! Implements the system interface with the standard library.
 
 use std::ffi::OsString;
 use std::fs::{self, File, OpenOptions};
@@ -10,25 +10,25 @@ use std::sync::atomic::AtomicBool;
 
 use super::{Entry, Found, PathKind, Stream};
 
-/// A file that is open for writing.
+/// A file open for writing.
 pub(super) use std::fs::File as OpenFile;
 
-/// What was typed, with the name of the program first.
+/// The command-line arguments; the first is the name of the program.
 pub(in crate::cli) fn arguments() -> Vec<OsString> {
     std::env::args_os().collect()
 }
 
-/// A variable of the environment; nothing where it is not set or empty.
+/// An environment variable; `None` if it is unset or empty.
 pub(in crate::cli) fn variable(name: &str) -> Option<String> {
     std::env::var_os(name).map(|value| value.to_string_lossy().into_owned()).filter(|value| !value.is_empty())
 }
 
-/// How many files can be worked on at once.
+/// Number of files that can be processed in parallel.
 pub(in crate::cli) fn processors() -> usize {
     std::thread::available_parallelism().map_or(1, usize::from)
 }
 
-/// Reads a file of at most so many bytes. The error of a larger one is `FileTooLarge`; it is not read.
+/// Reads a file of at most `most` bytes. A larger file is not read; the error is `FileTooLarge`.
 pub(super) fn read(file: &Path, most: u64) -> io::Result<Vec<u8>> {
     let opened = File::open(file)?;
     let kind = opened.metadata()?;
@@ -38,7 +38,7 @@ pub(super) fn read(file: &Path, most: u64) -> io::Result<Vec<u8>> {
     if kind.len() > most {
         return Err(ErrorKind::FileTooLarge.into());
     }
-    // What is no file, such as a pipe, has no length.
+    // A pipe, for example, has no length.
     within(opened, most)
 }
 
@@ -49,7 +49,7 @@ pub(super) fn read_head(file: &Path, most: u64) -> io::Result<Vec<u8>> {
     Ok(bytes)
 }
 
-/// Reads standard input, no further than one byte beyond the limit.
+/// Reads standard input; stops one byte past the limit.
 pub(in crate::cli) fn read_standard_input(most: u64) -> io::Result<Vec<u8>> {
     within(io::stdin().lock(), most)
 }
@@ -60,7 +60,7 @@ fn within(from: impl Read, most: u64) -> io::Result<Vec<u8>> {
     if bytes.len() as u64 > most { Err(ErrorKind::FileTooLarge.into()) } else { Ok(bytes) }
 }
 
-/// Creates a file, where there is none; `mode` before the mask of the process applies.
+/// Creates a file that does not exist yet; `mode` is subject to the umask.
 pub(super) fn create(path: &Path, mode: u32) -> io::Result<OpenFile> {
     let mut options = OpenOptions::new();
     options.write(true).create_new(true);
@@ -71,12 +71,12 @@ pub(super) fn create(path: &Path, mode: u32) -> io::Result<OpenFile> {
     options.open(path)
 }
 
-/// Opens a file that exists.
+/// Opens an existing file for writing.
 pub(super) fn open_to_write(path: &Path) -> io::Result<OpenFile> {
     OpenOptions::new().write(true).open(path)
 }
 
-/// Makes bytes the whole content of a file, and flushes it to the disk.
+/// Replaces the whole content of a file, and flushes it to the disk.
 pub(super) fn write_whole(file: &mut OpenFile, bytes: &[u8]) -> io::Result<()> {
     file.rewind()?;
     file.write_all(bytes)?;
@@ -84,30 +84,29 @@ pub(super) fn write_whole(file: &mut OpenFile, bytes: &[u8]) -> io::Result<()> {
     file.sync_all()
 }
 
-/// Writes to a device, a pipe, or a file that the path of a descriptor names.
+/// Writes to a device, a pipe, or the path of a file descriptor.
 pub(super) fn write_directly(path: &Path, bytes: &[u8]) -> io::Result<()> {
     let mut file = OpenOptions::new().write(true).truncate(true).open(path)?;
     file.write_all(bytes)
 }
 
-/// Renames a file over another one.
+/// Renames a file, replacing an existing one.
 pub(super) fn rename(from: &Path, to: &Path) -> io::Result<()> {
     fs::rename(from, to)
 }
 
-/// Removes a file.
 pub(super) fn remove(path: &Path) -> io::Result<()> {
     fs::remove_file(path)
 }
 
-/// Flushes the names in a folder to the disk, where the system can do that.
+/// Flushes a folder to the disk, if the system supports it.
 pub(super) fn flush_folder(folder: &Path) {
     if cfg!(unix) {
         let _ = File::open(folder).and_then(|folder| folder.sync_all());
     }
 }
 
-/// Gives a file to a user and a group.
+/// Sets user and group of a file.
 #[cfg(unix)]
 pub(super) fn set_owner(file: &OpenFile, (user, group): (u32, u32)) -> io::Result<()> {
     std::os::unix::fs::fchown(file, Some(user), Some(group))
@@ -119,7 +118,7 @@ pub(super) fn set_mode(file: &OpenFile, mode: u32) -> io::Result<()> {
     file.set_permissions(std::os::unix::fs::PermissionsExt::from_mode(mode))
 }
 
-// Outside of Unix a new file gets owner and permissions from its folder.
+// On other systems than Unix a new file inherits owner and permissions from its folder.
 #[cfg(not(unix))]
 pub(super) fn set_owner(_: &OpenFile, _: (u32, u32)) -> io::Result<()> {
     Ok(())
@@ -130,12 +129,12 @@ pub(super) fn set_mode(_: &OpenFile, _: u32) -> io::Result<()> {
     Ok(())
 }
 
-/// A number that another process is unlikely to get.
+/// A number that is unlikely to be the same in another process.
 pub(super) fn random() -> u64 {
     RandomState::new().hash_one(std::process::id())
 }
 
-/// Makes a write beyond the size limit for files an error, as under Node. By default, its signal ends the process.
+/// Turns a write beyond the file size limit into an error, as in Node. By default, SIGXFSZ ends the process.
 #[cfg(unix)]
 pub(in crate::cli) fn report_size_limit() {
     static WAS_REACHED: AtomicBool = AtomicBool::new(false);
@@ -145,17 +144,17 @@ pub(in crate::cli) fn report_size_limit() {
 #[cfg(not(unix))]
 pub(in crate::cli) fn report_size_limit() {}
 
-/// Where a symbolic link leads to; nothing for all else.
+/// The target of a symbolic link; `None` for any other path.
 pub(super) fn link(path: &Path) -> Option<PathBuf> {
     fs::read_link(path).ok()
 }
 
-/// A path without symbolic links.
+/// The canonical path, without symbolic links.
 pub(super) fn canonical(path: &Path) -> io::Result<PathBuf> {
     fs::canonicalize(path)
 }
 
-/// What is at a path.
+/// Metadata of a path.
 #[cfg(unix)]
 pub(super) fn found(path: &Path) -> io::Result<Found> {
     use std::os::unix::fs::MetadataExt;
@@ -169,7 +168,7 @@ pub(super) fn found(path: &Path) -> io::Result<Found> {
     })
 }
 
-/// What is at a path.
+/// Metadata of a path.
 #[cfg(not(unix))]
 pub(super) fn found(path: &Path) -> io::Result<Found> {
     // The standard library does not report the number of hard links here.
@@ -177,12 +176,12 @@ pub(super) fn found(path: &Path) -> io::Result<Found> {
     Ok(Found { kind, mode: 0, owner: (0, 0), links: 1, id: None })
 }
 
-/// What a path leads to; links are followed.
+/// Type of a path; links are followed.
 pub(in crate::cli) fn kind(path: &Path) -> io::Result<PathKind> {
     fs::metadata(path).map(|found| kind_of(found.file_type()))
 }
 
-/// What is in a folder, by name.
+/// The entries of a folder, sorted by name.
 pub(in crate::cli) fn entries(folder: &Path) -> io::Result<Vec<Entry>> {
     let mut entries = Vec::new();
     for entry in fs::read_dir(folder)? {
@@ -201,7 +200,7 @@ fn kind_of(kind: fs::FileType) -> PathKind {
     }
 }
 
-/// A path from the root of the disk, without `.` and `..`.
+/// The absolute path, without `.` and `..`.
 pub(in crate::cli) fn absolute(path: &Path) -> io::Result<PathBuf> {
     let mut absolute = PathBuf::new();
     for part in std::path::absolute(path)?.components() {
@@ -215,7 +214,7 @@ pub(in crate::cli) fn absolute(path: &Path) -> io::Result<PathBuf> {
     Ok(absolute)
 }
 
-/// A stream to write to.
+/// Opens a stream for writing.
 pub(in crate::cli) fn stream(stream: Stream) -> Box<dyn Write> {
     match stream {
         Stream::Output => Box::new(io::stdout().lock()),
@@ -223,7 +222,7 @@ pub(in crate::cli) fn stream(stream: Stream) -> Box<dyn Write> {
     }
 }
 
-/// Whether a stream goes to a terminal.
+/// Whether a stream is connected to a terminal.
 pub(in crate::cli) fn is_terminal(stream: Stream) -> bool {
     match stream {
         Stream::Output => io::stdout().is_terminal(),

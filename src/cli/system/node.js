@@ -1,7 +1,7 @@
-// What the command line asks of Node: the same as `native.rs` asks of the standard library.
+// The system interface under Node, the counterpart of `native.rs`.
 //
-// In: paths, bytes. Out: bytes, names; errors of Node with their `code`, and `EFBIG` for a file that is too large. All calls wait:
-// the command line has nothing else to do.
+// In: paths, bytes. Out: bytes, names; Node errors with their `code`, and `EFBIG` for a file that is too
+// large. All calls are synchronous: the command line has no other work.
 
 import {
   closeSync, constants, fstatSync, fsyncSync, ftruncateSync, openSync, readFileSync, readSync, readdirSync, realpathSync, statSync, writeSync,
@@ -27,7 +27,7 @@ export function readFile(path, most) {
     const found = fstatSync(file);
     if (found.isDirectory()) throw coded('EISDIR');
     if (found.size > most) throw coded('EFBIG');
-    // What is no file, such as a pipe, has no length.
+    // A pipe, for example, has no length.
     return found.isFile() ? readFileSync(file) : readWithin(file, most);
   } finally {
     closeSync(file);

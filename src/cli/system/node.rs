@@ -1,4 +1,4 @@
-//! By functions of `node.js`, which use Node's own modules.
+//! Implements the system interface with the functions of `node.js`, which use Node's modules.
 
 use std::ffi::OsString;
 use std::io::{self, ErrorKind, Write};
@@ -55,27 +55,27 @@ extern "C" {
     fn endWith(status: u8);
 }
 
-/// The exit status that the process is to have.
+/// Sets the exit status of the process.
 pub(in crate::cli) fn end(status: u8) {
     endWith(status);
 }
 
-/// What was typed, with the name of the program first.
+/// The command-line arguments; the first is the name of the program.
 pub(in crate::cli) fn arguments() -> Vec<OsString> {
     argumentsTyped().into_iter().map(OsString::from).collect()
 }
 
-/// A variable of the environment; nothing where it is not set or empty.
+/// An environment variable; `None` if it is unset or empty.
 pub(in crate::cli) fn variable(name: &str) -> Option<String> {
     environmentVariable(name).filter(|value| !value.is_empty())
 }
 
-/// How many files can be worked on at once: a module has one thread.
+/// Number of files that can be processed in parallel: a WebAssembly module has one thread.
 pub(in crate::cli) fn processors() -> usize {
     1
 }
 
-/// Reads a file of at most so many bytes. The error of a larger one is `FileTooLarge`; it is not read.
+/// Reads a file of at most `most` bytes. A larger file is not read; the error is `FileTooLarge`.
 pub(super) fn read(file: &Path, most: u64) -> io::Result<Vec<u8>> {
     readFile(&text(file), most as f64).map_err(error)
 }
@@ -85,12 +85,12 @@ pub(super) fn read_head(file: &Path, most: u64) -> io::Result<Vec<u8>> {
     readHead(&text(file), most as f64).map_err(error)
 }
 
-/// Reads standard input, no further than one byte beyond the limit.
+/// Reads standard input; stops one byte past the limit.
 pub(in crate::cli) fn read_standard_input(most: u64) -> io::Result<Vec<u8>> {
     readStandardInput(most as f64).map_err(error)
 }
 
-/// A file that is open for writing, by its descriptor.
+/// A file open for writing, by its descriptor.
 pub(super) struct OpenFile(i32);
 
 impl Drop for OpenFile {
@@ -99,67 +99,65 @@ impl Drop for OpenFile {
     }
 }
 
-/// Creates a file, where there is none; `mode` before the mask of the process applies.
+/// Creates a file that does not exist yet; `mode` is subject to the umask.
 pub(super) fn create(path: &Path, mode: u32) -> io::Result<OpenFile> {
     createFile(&text(path), mode).map(OpenFile).map_err(error)
 }
 
-/// Opens a file that exists.
+/// Opens an existing file for writing.
 pub(super) fn open_to_write(path: &Path) -> io::Result<OpenFile> {
     openToWrite(&text(path)).map(OpenFile).map_err(error)
 }
 
-/// Makes bytes the whole content of a file, and flushes it to the disk.
+/// Replaces the whole content of a file, and flushes it to the disk.
 pub(super) fn write_whole(file: &mut OpenFile, bytes: &[u8]) -> io::Result<()> {
     writeWhole(file.0, bytes).map_err(error)
 }
 
-/// Writes to a device, a pipe, or a file that the path of a descriptor names.
+/// Writes to a device, a pipe, or the path of a file descriptor.
 pub(super) fn write_directly(path: &Path, bytes: &[u8]) -> io::Result<()> {
     writeDirectly(&text(path), bytes).map_err(error)
 }
 
-/// Renames a file over another one.
+/// Renames a file, replacing an existing one.
 pub(super) fn rename(from: &Path, to: &Path) -> io::Result<()> {
     renameSync(&text(from), &text(to)).map_err(error)
 }
 
-/// Removes a file.
 pub(super) fn remove(path: &Path) -> io::Result<()> {
     unlinkSync(&text(path)).map_err(error)
 }
 
-/// Flushes the names in a folder to the disk, where the system can do that.
+/// Flushes a folder to the disk, if the system supports it.
 pub(super) fn flush_folder(folder: &Path) {
     let _ = flushFolder(&text(folder));
 }
 
-/// Gives a file to a user and a group.
+/// Sets user and group of a file.
 pub(super) fn set_owner(file: &OpenFile, (user, group): (u32, u32)) -> io::Result<()> {
     fchownSync(file.0, user, group).map_err(error)
 }
 
-/// Sets the permissions of a file.
 pub(super) fn set_mode(file: &OpenFile, mode: u32) -> io::Result<()> {
     fchmodSync(file.0, mode).map_err(error)
 }
 
-/// A number that another process is unlikely to get.
+/// A number that is unlikely to be the same in another process.
 pub(super) fn random() -> u64 {
     (js_sys::Math::random() * 2f64.powi(53)) as u64
 }
 
-/// Where a symbolic link leads to; nothing for all else.
+/// The target of a symbolic link; `None` for any other path.
 pub(super) fn link(path: &Path) -> Option<PathBuf> {
     readlinkSync(&text(path)).ok().map(PathBuf::from)
 }
 
-/// A path without symbolic links.
+/// The canonical path, without symbolic links.
 pub(super) fn canonical(path: &Path) -> io::Result<PathBuf> {
     canonicalPath(&text(path)).map(PathBuf::from).map_err(error)
 }
 
-/// What is at a path.
+/// Metadata of a path.
 pub(super) fn found(path: &Path) -> io::Result<Found> {
     let facts = factsOf(&text(path)).map_err(error)?;
     let [mode, user, group, links, device, number] = facts[..] else {
@@ -174,12 +172,12 @@ pub(super) fn found(path: &Path) -> io::Result<Found> {
     Ok(Found { kind, mode, owner: (user as u32, group as u32), links, id: Some((device, number)) })
 }
 
-/// What a path leads to; links are followed.
+/// Type of a path; links are followed.
 pub(in crate::cli) fn kind(path: &Path) -> io::Result<PathKind> {
     kindOf(&text(path)).map(|kind| kind_named(&kind)).map_err(error)
 }
 
-/// What is in a folder, by name.
+/// The entries of a folder, sorted by name.
 pub(in crate::cli) fn entries(folder: &Path) -> io::Result<Vec<Entry>> {
     let listed = entriesOf(&text(folder)).map_err(error)?;
     let (pairs, _) = listed.as_chunks::<2>();
@@ -189,22 +187,22 @@ pub(in crate::cli) fn entries(folder: &Path) -> io::Result<Vec<Entry>> {
     Ok(entries)
 }
 
-/// A path from the root of the disk, without `.` and `..`.
+/// The absolute path, without `.` and `..`.
 pub(in crate::cli) fn absolute(path: &Path) -> io::Result<PathBuf> {
     Ok(absolutePath(&text(path)).into())
 }
 
-/// A stream to write to.
+/// Opens a stream for writing.
 pub(in crate::cli) fn stream(stream: Stream) -> Box<dyn Write> {
     Box::new(Descriptor(descriptor(stream)))
 }
 
-/// Whether a stream goes to a terminal.
+/// Whether a stream is connected to a terminal.
 pub(in crate::cli) fn is_terminal(stream: Stream) -> bool {
     isTerminal(descriptor(stream))
 }
 
-/// A stream by its number.
+/// A stream, by its file descriptor.
 struct Descriptor(u32);
 
 impl Write for Descriptor {
@@ -225,7 +223,7 @@ fn descriptor(stream: Stream) -> u32 {
     }
 }
 
-/// Paths come from texts of JavaScript, so they are texts.
+/// Paths come from JavaScript strings, so they are valid text.
 fn text(path: &Path) -> String {
     path.to_string_lossy().into_owned()
 }
@@ -238,7 +236,7 @@ fn kind_named(name: &str) -> PathKind {
     }
 }
 
-/// The error of Node as the standard library has it.
+/// Converts a Node error to an error of the standard library.
 fn error(thrown: JsValue) -> io::Error {
     let property = |name: &str| js_sys::Reflect::get(&thrown, &name.into()).ok()?.as_string();
     let kind = match property("code").as_deref() {
