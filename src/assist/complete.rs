@@ -1,7 +1,7 @@
-//! What can be written at a place: codes, words of the cycle under way with their values, numbers that exist, snippets.
+//! Completion at a place: codes, words of the current cycle with their values, existing numbers, snippets.
 //!
-//! In: the text, a place in it, the block there as it was carried out. Out: proposals, the likeliest first, as pieces of
-//! text and what each is. Where a value comes from is said with it: nothing is proposed that is only a guess.
+//! In: the text, a place in it, the executed block there. Out: proposals, the most likely first, as pieces of
+//! text with their kind. Each value has its source: no value is guessed.
 
 mod around;
 mod begun;
@@ -23,47 +23,47 @@ use crate::source::{Span, line_around};
 use crate::text::parser::Resume;
 use crate::text::program_name;
 
-/// Most proposals of one kind.
+/// Maximum number of proposals of one kind.
 const MOST: usize = 60;
 
-/// What can be written at a place.
+/// Proposals for a place.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Completion {
-    /// What it replaces: what was begun.
+    /// The text that a proposal replaces: the typed prefix.
     pub span: Span,
-    /// The likeliest first.
+    /// The proposals, the most likely first.
     pub items: Vec<Item>,
 }
 
 /// A proposal.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Item {
-    /// What is written.
+    /// The text to insert.
     pub pieces: Vec<Piece>,
-    /// What it is.
+    /// Kind of the proposal.
     pub what: What,
 }
 
-/// What a proposal is.
+/// Kind of a proposal.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum What {
-    /// A code, and what it means where it stands in a row with others.
+    /// A code, with its meaning if the table describes several codes in one row.
     Code(Function, Option<Role>),
-    /// A word, and why it has its value; its letter alone where nothing is known of the value.
+    /// A word with the source of its value; the letter alone if no value is known.
     Word(Role, Option<Why>),
-    /// A sequence number, in the block at a byte.
+    /// A sequence number, with the byte offset of its block.
     Sequence(u32),
-    /// The next sequence number that is not used.
+    /// The next unused sequence number.
     NextSequence,
-    /// A program, at a byte.
+    /// A program, with its byte offset.
     Program(u32),
-    /// A variable with this value.
+    /// A variable, with its value.
     Variable(f64),
     /// Several words or blocks.
     Snippet(Snippet),
 }
 
-/// Where a value comes from.
+/// Source of a value.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Why {
     /// The front face of the blank.
@@ -76,17 +76,18 @@ pub enum Why {
     Bore,
     /// The axis of the spindle.
     Axis,
-    /// Where the tool stands.
+    /// The position of the tool.
     Here,
-    /// The program has it before.
+    /// An earlier value in the program.
     Used,
-    /// The setup has the tool.
+    /// A tool in the setup.
     InSetup,
 }
 
 impl Asked<'_> {
-    /// What can be written at a byte; `end`: the state after the run, for what is not carried out; `asked_for`: the reader
-    /// asks for it, so that something is proposed where nothing was begun. `None`: nothing.
+    /// Proposals at a byte. `end`: the state after the run, used for blocks that are not executed.
+    /// `asked_for`: the user requested completion, so propose something even if no word was begun. `None` if
+    /// there are no proposals.
     pub fn complete(&self, byte: u32, end: &State, asked_for: bool) -> Option<Completion> {
         let line = line_around(self.text, byte as usize);
         let (begun, span) = begun_at(self.text, line.start, byte)?;
@@ -109,25 +110,25 @@ impl Asked<'_> {
         };
         items.retain(|item| begins_with(item, &typed, begun));
         items.truncate(MOST);
-        // What stands there already is no proposal.
+        // A proposal equal to the typed text is useless.
         let is_nothing_new =
             matches!(&items[..], [Item { pieces, .. }] if pieces[..] == [Piece::Fixed(typed)]);
         (!items.is_empty() && !is_nothing_new).then_some(Completion { span, items })
     }
 }
 
-/// Proposals under way.
+/// Context for making proposals.
 struct Proposing<'a> {
     asked: &'a Asked<'a>,
-    /// The control before the block.
+    /// State of the control before the block.
     state: &'a State,
-    /// The block is that of the line.
+    /// Whether the block is on the same line.
     own: bool,
-    /// What was begun.
+    /// The typed prefix.
     span: Span,
-    /// The line.
+    /// The line of the place.
     line: Span,
-    /// What stands around it.
+    /// Numbers and values that the text around the place uses.
     around: Around,
 }
 
@@ -138,7 +139,7 @@ fn fixed(text: impl Into<String>, what: What) -> Item {
 impl Proposing<'_> {
     // ---- codes ------------------------------------------------------------------------------------------
 
-    /// The G codes of the control, those usual here first.
+    /// The G codes of the control, ordered by how likely they are here.
     fn g_codes(&self) -> Vec<Item> {
         let list = self.asked.codes;
         let is_supported = |(_, code): &(String, &GCode)| code.code != G::NotSupported;
@@ -151,11 +152,11 @@ impl Proposing<'_> {
         continued.into_iter().chain(codes).collect()
     }
 
-    /// How usual a code is here, the most usual first.
+    /// Rank of a code, the most likely first.
     fn rank_g(&self, code: G) -> usize {
         let is_cut = self.state.spindle.turn != SpindleTurn::Stopped;
         match code {
-            // What sets up a tool comes before the first cut.
+            // Speed codes come before the first cut.
             G::SurfaceSpeed | G::ConstantSpeed | G::Setting if !is_cut => 0,
             G::Motion(MotionMode::Rapid | MotionMode::Line) => 1,
             G::Motion(MotionMode::Arc(_)) => 2,
@@ -170,7 +171,7 @@ impl Proposing<'_> {
         }
     }
 
-    /// The M codes, those usual here first.
+    /// The M codes, ordered by how likely they are here.
     fn m_codes(&self) -> Vec<Item> {
         let stands = self.state.spindle.turn == SpindleTurn::Stopped;
         let rank = |number: u16, code: M| match (number, code) {
@@ -199,7 +200,7 @@ impl Proposing<'_> {
         vec![fixed(format!("N{}", self.around.last_sequence().saturating_add(step)), What::NextSequence)]
     }
 
-    /// The sequence numbers of the text, those after the place first.
+    /// The sequence numbers of the text; those after the place come first.
     fn sequences(&self, letter: &str) -> Vec<Item> {
         let (before, after): (Vec<_>, Vec<_>) =
             self.around.sequences.iter().copied().partition(|&(_, at)| at <= self.span.start);
@@ -207,7 +208,7 @@ impl Proposing<'_> {
         after.into_iter().chain(before).map(item).collect()
     }
 
-    /// The programs of the text but the one the place is in.
+    /// The programs of the text, except the one that contains the place.
     fn programs(&self) -> Vec<Item> {
         let programs = &self.around.programs;
         let own = programs.iter().rev().find(|(_, at)| *at <= self.span.start);
@@ -227,7 +228,7 @@ impl Proposing<'_> {
         items.collect()
     }
 
-    /// The tools of the text before and of the setup.
+    /// The tools used earlier in the text, and those of the setup.
     fn tools(&self) -> Vec<Item> {
         let used = &self.around.tools;
         let others = self.asked.setup.tools.keys().filter(|tool| !used.contains(tool));
@@ -237,7 +238,7 @@ impl Proposing<'_> {
 
     // ---- snippets ---------------------------------------------------------------------------------------
 
-    /// The second block of the cycle whose first block stands before.
+    /// The second block of the cycle, if the previous block is its first block.
     fn second_block(&self) -> Option<Snippet> {
         let last = self.around.last?;
         let (_, block) = block_at(self.asked.text, Resume::inside(last, 0), last);
@@ -247,7 +248,7 @@ impl Proposing<'_> {
         }
     }
 
-    /// The snippets that fit here: a program has one head, and it comes first.
+    /// The snippets that fit here: a program has one head, at its beginning.
     fn snippets(&self) -> Vec<Item> {
         let has_number = self.around.programs.iter().any(|(_, at)| *at < self.line.start);
         let is_empty = self.around.last.is_none() && !has_number;

@@ -1,7 +1,7 @@
-//! What a block does, with the numbers worked out: from where to where, how deep, in how many passes, how long.
+//! Explains a block with computed numbers: start and end, depth, number of passes, time.
 //!
-//! In: the motions of a block, and what is known of the machine. Out: an [`Explanation`], plain values that any language can be
-//! made of. Nothing is asked of the program: what a stroke of the picture belongs to is explained in the same way.
+//! In: the motions of a block, and the machine. Out: an [`Explanation`]: plain values, independent of the
+//! language. Does not use the program text, so a stroke of the picture is explained in the same way.
 
 use super::Asked;
 use super::fact::Quantity;
@@ -13,72 +13,72 @@ use crate::playback::timing;
 use crate::setup::Machine;
 use crate::units::Diameter;
 
-/// Plain moves of a block that are named one by one.
+/// Maximum number of plain moves that are listed individually.
 const NAMED: usize = 3;
 
-/// A part of the work of a block, at its programmed places.
+/// One step of a block, with programmed positions.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Action {
-    /// A rapid.
+    /// A rapid, from and to.
     Rapid(Place, Place),
-    /// A straight cut along one axis, and its length.
+    /// A straight cut along one axis: from, to, length.
     Straight(Place, Place, Quantity),
-    /// A straight cut along both axes, and its angle with Z.
+    /// A straight cut along both axes: from, to, angle with Z.
     Taper(Place, Place, Quantity),
-    /// An arc: its end, its radius, whether it is clockwise.
+    /// An arc: end, radius, whether it is clockwise.
     Arc(Place, Quantity, bool),
-    /// A cut locked to the spindle, and its lead.
+    /// A thread cut, synchronised with the spindle: from, to, lead.
     Thread(Place, Place, Quantity),
     /// The tool waits.
     Dwell(Quantity),
-    /// C takes part: where it ends.
+    /// A rotation of C: its end.
     Turn(Quantity),
-    /// Y takes part: where it begins and ends.
+    /// A motion along Y: start and end.
     AlongY(Quantity, Quantity),
-    /// So many moves, from one place to another.
+    /// Several moves: their number, start and end.
     Moves(u32, Place, Place),
-    /// One pass of a single cycle: the cycle, the diameter or Z it cuts at where it is no taper, from one place to another.
+    /// One pass of a single cycle: the cycle, its diameter or Z if it is not a taper, start and end.
     Pass(Cycle, Option<Quantity>, Place, Place),
-    /// Passes of a cycle, how deep each is and all are, and where the last one is.
+    /// Several passes of a cycle.
     Passes {
         /// The cycle.
         cycle: Cycle,
-        /// How many.
+        /// Number of passes.
         passes: u32,
-        /// How deep each of them is, but perhaps the last.
+        /// Depth of each pass; the last may differ.
         each: Quantity,
-        /// How deep all of them are.
+        /// Total depth.
         depth: Quantity,
-        /// Where the last cuts: a diameter, or Z of facing.
+        /// Position of the last pass: a diameter; for facing, Z.
         last: Quantity,
     },
-    /// Passes that are not equally deep, or follow the contour: how many, and where the last cuts.
+    /// Passes of different depth, or along the contour: cycle, number, position of the last pass.
     PassesTo(Cycle, u32, Quantity),
-    /// Passes along the contour.
+    /// Passes parallel to the contour: cycle, number.
     Pattern(Cycle, u32),
-    /// Once along the contour, and its length.
+    /// One finishing pass along the contour: its length.
     Contour(Quantity),
-    /// Pecks of a cycle, in columns, down to a place.
+    /// Pecks of a cycle: cycle, number of columns, pecks, end position.
     Pecks(Cycle, u32, u32, Quantity),
-    /// A hole: the cycle, from one place to another, in so many pecks.
+    /// A hole: cycle, start, end, number of pecks.
     Hole(Cycle, Quantity, Quantity, u32),
 }
 
-/// What a block does.
+/// Explanation of a block.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Explanation {
-    /// In their order.
+    /// The steps, in order.
     pub actions: Vec<Action>,
-    /// The feed of its cuts, where it is one.
+    /// The feed of its cuts, if it is the same for all.
     pub feed: Option<Quantity>,
-    /// How long it takes, as far as that can be known; a dwell says it itself.
+    /// Duration, if known; `None` for a dwell, whose step contains it.
     pub time: Option<Quantity>,
-    /// The time is that without the rapids, whose speed nobody gave.
+    /// Whether the time excludes rapids, because no rapid speed is given.
     pub without_rapids: bool,
 }
 
 impl Explanation {
-    /// What some motions of one execution of a block do.
+    /// Explains the motions of one execution of a block.
     pub fn of(own: &[Motion], machine: &Machine) -> Self {
         let moves = as_programmed(own);
         let (Some(first), Some(last)) = (moves.first(), moves.last()) else { return Self::default() };
@@ -107,7 +107,8 @@ impl Explanation {
 }
 
 impl Asked<'_> {
-    /// What the block does; nothing of a block that a cycle reads as a part of its contour: it moves by the cycle's.
+    /// The explanation of the block. Empty if a cycle reads the block as a part of its contour: the cycle
+    /// makes the moves.
     pub fn explanation(&self, motions: &Motions) -> Explanation {
         match self.visit {
             Some(visit) if visit.purpose.is_none() => {
@@ -118,7 +119,7 @@ impl Asked<'_> {
     }
 }
 
-/// Where a motion begins (0) or ends (1).
+/// Start (`t` = 0) or end (`t` = 1) of a motion.
 fn place_of(motion: &Motion, t: f64) -> Place {
     match motion.virtual_move() {
         Some(own) => Place::on(&own, t),
@@ -126,7 +127,7 @@ fn place_of(motion: &Motion, t: f64) -> Place {
     }
 }
 
-/// What the plane of the path does, then the axes beside it.
+/// Steps of a plain move: first in the plane of the path, then along the other axes.
 fn plain(motion: &Motion) -> Vec<Action> {
     let own = motion.virtual_move();
     let path = match &own {
@@ -142,7 +143,7 @@ fn plain(motion: &Motion) -> Vec<Action> {
     [path, along_y, turn].into_iter().flatten().collect()
 }
 
-/// A move under G12.1 or G07.1, or on a machine with a Y axis.
+/// A move in the plane of G12.1 or G07.1, or on a machine with a Y axis.
 fn in_virtual_plane(motion: &Motion, own: &VirtualMove) -> Action {
     let (from, to) = (Place::on(own, 0.0), Place::on(own, 1.0));
     match own.way {
@@ -231,7 +232,8 @@ fn of_cycle(cycle: Cycle, own: &[Motion], start: Point) -> Vec<Action> {
             let mut places: Vec<f64> = cuts.iter().map(|motion| across(motion.from)).collect();
             places.dedup_by(|a, b| (*a - *b).abs() <= SAME);
             let depths: Vec<f64> = places.windows(2).map(|two| (two[0] - two[1]).abs()).collect();
-            // The first begins at the start point, which roughing shifts by the allowance; the last takes what is left.
+            // The first pass begins at the start point, which roughing shifts by the allowance; the last pass
+            // cuts the rest.
             let each = depths.first().copied().unwrap_or_default();
             let is_even = depths.iter().rev().skip(1).all(|depth| (depth - each).abs() <= 1e-3);
             let mut actions = vec![if is_even && !depths.is_empty() {
@@ -253,7 +255,7 @@ fn of_cycle(cycle: Cycle, own: &[Motion], start: Point) -> Vec<Action> {
     }
 }
 
-/// Passes are counted on while a cycle stays modal: those of this block.
+/// Number of passes of this block. Pass numbers continue while a cycle is modal.
 fn number_of_passes(own: &[Motion]) -> u32 {
     let passes = own.iter().filter_map(|motion| motion.cycle.map(|step| step.pass)).filter(|pass| *pass > 0);
     let (mut least, mut most) = (u32::MAX, 0);
@@ -263,7 +265,7 @@ fn number_of_passes(own: &[Motion]) -> u32 {
     (most + 1).saturating_sub(least)
 }
 
-/// The feed of the cuts, where all have the same.
+/// The feed of the cuts, if it is the same for all.
 fn feed_of_all(own: &[Motion]) -> Option<Quantity> {
     let mut feeds =
         own.iter().filter(|motion| motion.kind.cuts() && motion.kind != MotionKind::Thread).map(|motion| {
@@ -277,7 +279,7 @@ fn feed_of_all(own: &[Motion]) -> Option<Quantity> {
     feeds.all(|feed| feed == Some(first)).then_some(first)
 }
 
-/// To a tenth of a second, short times to a hundredth.
+/// Rounds to 0.1 s, or to 0.01 s below one second.
 fn rounded(seconds: f64) -> f64 {
     let places = if seconds < 1.0 { 100.0 } else { 10.0 };
     (seconds * places).round() / places

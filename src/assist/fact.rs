@@ -1,14 +1,14 @@
-//! What an answer is made of: quantities, and facts with their places.
+//! Building blocks of answers: quantities, and facts with positions in the text.
 //!
-//! Plain values. Lengths in mm, X as a radius where a field says nothing else; the sentences show them in the unit of the
-//! reader.
+//! Plain values. Lengths are in mm, X is a radius unless stated otherwise; the sentences convert to the unit
+//! of the user.
 
 use crate::control::codes::Group;
 use crate::control::contour::Purpose;
 use crate::source::Span;
 use crate::units::Diameter;
 
-/// A number with what it counts.
+/// A number with its unit.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Quantity {
     /// A length, mm.
@@ -19,7 +19,7 @@ pub enum Quantity {
     FeedPerMinute(f64),
     /// A feed or lead, mm/rev.
     FeedPerTurn(f64),
-    /// Threads to the inch.
+    /// Threads per inch.
     ThreadsPerInch(f64),
     /// A spindle speed, rpm.
     Speed(f64),
@@ -29,7 +29,7 @@ pub enum Quantity {
     Degrees(f64),
     /// A time, seconds.
     Seconds(f64),
-    /// A number of things, or a number as it is.
+    /// A number without a unit.
     Count(f64),
     /// A sequence number: `N10`.
     Sequence(u32),
@@ -39,71 +39,72 @@ pub enum Quantity {
     Variable(u32),
 }
 
-/// Something that is known of a word or of a block. Blocks are named by their first byte.
+/// A known fact about a word or a block. Blocks are identified by their first byte.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Fact {
-    /// The modal group of a code; 0: the code is not modal.
+    /// The modal group of a code; 0 if it is not modal.
     Group(Group),
-    /// What the word sets was in force before, since a block.
+    /// The word repeats a value that was in force already, and the block that set it.
     Unchanged(Option<u32>),
-    /// Before this block something else was in force: a code, since a block.
+    /// The code that was in force before this block, and the block that set it.
     CodeBefore(String, Option<u32>),
-    /// Before this block the value was another one, since a block.
+    /// The value that was in force before this block, and the block that set it.
     ValueBefore(Quantity, Option<u32>),
-    /// The block moves by a code that an earlier block has set.
+    /// The modal code that moves the block, and the block that set it.
     ByCode(String, Option<u32>),
-    /// The cut is made at the feed that an earlier block has set.
+    /// The feed of the cut, and the block that set it.
     ByFeed(Quantity, Option<u32>),
-    /// A way along an axis leads from one place to another.
+    /// Start and end of an incremental coordinate.
     FromTo(Quantity, Quantity),
-    /// A number without a decimal point counts this.
+    /// Meaning of a number without a decimal point.
     WithoutPoint(Quantity),
-    /// A feed per revolution at a speed is so much a minute.
+    /// The feed per minute that a feed per revolution gives, and the spindle speed.
     FeedAtSpeed(Quantity, Quantity),
-    /// A cutting speed at a diameter is a speed.
+    /// The spindle speed that a cutting speed gives, and the diameter.
     SpeedAt(Quantity, Quantity),
-    /// That speed is held to a limit, set by a block.
+    /// The limit of that speed, and the block that set it.
     SpeedHeld(Quantity, Option<u32>),
-    /// P of the first block of G76: finishing passes, thread pull-out in tenths of a lead, tool angle in degrees.
+    /// P of the first block of G76: finishing passes, thread pull-out in tenths of a lead, tool angle in
+    /// degrees.
     ThreadPacked(u32, u32, u32),
-    /// Turret station and number of the offset.
+    /// Turret station and offset number.
     StationAndOffset(u16, u16),
-    /// The nose radius of the tool.
+    /// Nose radius of the tool.
     NoseRadius(Quantity),
-    /// The pass before, to the same end, had another taper: the first way of roughing a cone (seed 004).
+    /// The previous pass had the same end and another taper: the first way of roughing a cone (seed 004).
     TaperBefore(Quantity),
-    /// The taper of the pass before goes on while the end moves: the second way (seed 004).
+    /// The taper of the previous pass stays while the end moves: the second way (seed 004).
     TaperKept(Quantity),
-    /// The block makes so many passes.
+    /// Number of passes in the block.
     Passes(u32),
-    /// The last of them is at this diameter.
+    /// Diameter of the last pass.
     LastPass(Quantity),
-    /// The contour from one block to another.
+    /// First and last block of the contour.
     Contour(Span, Span),
-    /// The block of a number that a word names.
+    /// The block that a word refers to.
     Names(u32),
-    /// The number that a word names is not there.
+    /// The word refers to a number that does not exist.
     NamesNothing,
-    /// The value of a variable before the block; `None`: it is vacant.
+    /// Value of a variable before the block; `None` if it is vacant.
     Variable(u32, Option<f64>),
-    /// The block that gave a variable its value.
+    /// A variable, and the block that set it.
     VariableSet(u32, u32),
-    /// The block gives a variable a value.
+    /// A variable, and its value after the block.
     VariableBecomes(u32, Option<f64>),
-    /// The argument becomes a variable of the macro.
+    /// The macro variable that receives the argument.
     Argument(u32),
-    /// While it cuts a thread, feed override counts as 100 % and feed hold waits.
+    /// During the thread cut, the feed override counts as 100 % and feed hold is delayed.
     ThreadLocked,
-    /// The block is never carried out.
+    /// The block is never executed.
     NotCarriedOut,
-    /// It is left out: a level of block skip is on.
+    /// The block is skipped: this level of block skip is on.
     Skipped(u8),
     /// A cycle reads the block as a part of its contour.
     ReadBy(Purpose),
     /// Roughing reads the block as a part of its contour, and ignores the word.
     IgnoredByRoughing,
-    /// Finishing takes the word.
+    /// Finishing uses the word.
     TakenByFinishing,
-    /// This is one of the times the block is carried out.
+    /// Which execution of the block this is, and how often the block is executed.
     Time(u32, u32),
 }

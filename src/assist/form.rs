@@ -1,6 +1,7 @@
-//! What the words of a block belong to: a move, a cycle and which of its blocks, a call.
+//! Determines what the words of a block belong to: a move, one of the blocks of a cycle, a call.
 //!
-//! In: a block, the state before it, the codes of the control. Out: its [`Form`]. Decided as `control::interpreter` does.
+//! In: a block, the state before it, the codes of the control. Out: its [`Form`], by the same rules as
+//! `control::interpreter`.
 
 use crate::control::codes::{self, G, Hole, M, MotionMode, Multiple};
 use crate::control::modal::State;
@@ -8,32 +9,32 @@ use crate::control::words::plain;
 use crate::setup::dialect::CodeList;
 use crate::text::block::{Block, Value, Word};
 
-/// Which block of a multiple cycle it is.
+/// Which block of a multiple cycle.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Half {
-    /// The one that sets the amounts.
+    /// The first block, with the amounts.
     First,
-    /// The one that cuts.
+    /// The second block, which cuts.
     Second,
-    /// Both in one, as older controls write it.
+    /// One block with everything, as on older controls.
     Whole,
 }
 
 /// What the words of a block belong to.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Form {
-    /// A move, or a pass of a single cycle, by group 01. `own`: the code stands in the block.
+    /// A move, or a pass of a single cycle (group 01). `own`: the block contains the code.
     Motion {
-        /// The code in force.
+        /// The modal code in force.
         mode: MotionMode,
-        /// It stands in the block.
+        /// Whether the block contains the code.
         own: bool,
     },
     /// A hole cycle.
     Hole {
         /// The cycle.
         hole: Hole,
-        /// It stands in the block.
+        /// Whether the block contains the code.
         own: bool,
     },
     /// G70 to G76.
@@ -46,12 +47,12 @@ pub enum Form {
     Call(M),
     /// A macro statement.
     Macro,
-    /// Nothing that could be carried out.
+    /// A block that cannot be executed.
     Nothing,
 }
 
 impl Form {
-    /// The form of a block that is carried out from a state.
+    /// The form of a block executed in a state.
     pub fn of(block: &Block, state: &State, list: CodeList) -> Self {
         if block.kind == crate::text::block::BlockKind::Macro {
             return Self::Macro;
@@ -99,14 +100,14 @@ impl Form {
     }
 }
 
-/// What the G word of a list asks for.
+/// The G code of a word in a code list.
 pub fn g_of(word: &Word, list: CodeList) -> Option<G> {
     let Value::Number { number, .. } = word.value else { return None };
     let key = number.tenths().filter(|_| word.address == b'G' && !word.comma)?;
     codes::g_code(key, list).map(|found| found.code)
 }
 
-/// What an M word asks for.
+/// The M code of a word.
 pub fn m_of(word: &Word) -> Option<M> {
     let number =
         plain(word).filter(|number| word.address == b'M' && *number >= 0.0 && number.fract() == 0.0)?;
@@ -117,7 +118,7 @@ fn is_call(code: M) -> bool {
     matches!(code, M::Call | M::LocalCall | M::Return)
 }
 
-/// Which block of a multiple cycle it is, by its words.
+/// Which block of a multiple cycle it is, decided by its words.
 pub fn half(cycle: Multiple, block: &Block) -> Half {
     let has = |letters: &[u8]| block.words.iter().any(|word| !word.comma && letters.contains(&word.address));
     let cuts = match cycle {

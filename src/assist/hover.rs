@@ -1,6 +1,6 @@
-//! What the word at a place is, in its block.
+//! Describes the word at a place.
 //!
-//! In: a block as it was carried out, a place in it. Out: the word, its role, its value, and what is known of it.
+//! In: an executed block, a place in it. Out: the word, its role, its value, and facts about it.
 
 use super::Asked;
 use super::fact::{Fact, Quantity};
@@ -29,18 +29,18 @@ use crate::text::parser::Parser;
 use crate::text::program_name;
 use crate::units::Diameter;
 
-/// The word at a place, with what is known of it.
+/// Description of the word at a place.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Hover {
     /// The word.
     pub span: Span,
-    /// The row of the table of codes, where it is a code.
+    /// The row of the table of codes, if the word is a code.
     pub function: Option<Function>,
-    /// What it is.
+    /// Its role.
     pub role: Option<Role>,
     /// Its value.
     pub quantity: Option<Quantity>,
-    /// What else is known, the most important first.
+    /// Further facts, the most important first.
     pub facts: Vec<Fact>,
 }
 
@@ -51,8 +51,9 @@ impl Hover {
 }
 
 impl<'a> Asked<'a> {
-    /// What stands at a byte, or ends there: a cursor after a word is still at it. `None`: nothing that could be
-    /// explained. `notes`: the comments that the setup is read from; `motions`: those of the run.
+    /// Describes the word at a byte, or the word that ends there, because a cursor after a word still refers
+    /// to it. `None` if there is nothing to explain. `notes`: the comments that set up the program;
+    /// `motions`: those of the run.
     pub fn hover(&self, byte: u32, notes: &[Span], motions: &Motions) -> Option<Hover> {
         let before = byte.checked_sub(1).filter(|before| self.block.span.start <= *before);
         self.hover_on(byte, notes, motions)
@@ -121,7 +122,7 @@ impl<'a> Asked<'a> {
         }
     }
 
-    /// A variable of a macro statement or of an expression.
+    /// A variable in a macro statement or an expression.
     fn variable_at(&self, byte: u32) -> Option<Hover> {
         let block = self.block;
         let within = match block.kind {
@@ -223,7 +224,7 @@ impl<'a> Asked<'a> {
         Hover { span: written.span, function: None, role: Some(role), quantity, facts }
     }
 
-    /// A word of a block that is never carried out: what it would be at power-on.
+    /// A word of a block that is never executed, described with the state at power-on.
     fn unvisited(&self, word: &Word) -> Hover {
         let state = self.before();
         let form = Form::of(self.block, &state, self.codes);
@@ -235,7 +236,7 @@ impl<'a> Asked<'a> {
         Hover { quantity, ..Hover::of(word.span, role) }
     }
 
-    /// Whether the block itself says how S counts.
+    /// The mode of S, if the block itself sets it: `true` for cutting speed.
     fn surface_in_block(&self) -> Option<bool> {
         self.block.words.iter().rev().find_map(|word| match g_of(word, self.codes)? {
             G::SurfaceSpeed => Some(true),
@@ -244,7 +245,7 @@ impl<'a> Asked<'a> {
         })
     }
 
-    /// A word with the value its expression had.
+    /// The word, with the value of its expression.
     fn evaluated(&self, word: &Word) -> Option<Word> {
         if word.value != Value::Expression {
             return None;
@@ -336,12 +337,13 @@ impl<'a> Asked<'a> {
         own.unwrap_or(state.feed_mode)
     }
 
-    /// P and Q of G74 to G76, Q of holes, D of the one-block forms: mm.
+    /// P and Q of G74 to G76, Q of holes, D of the one-block forms, in mm.
     fn amount(&self, word: &Word, form: Form, state: &State, reading: Reading) -> Option<f64> {
         let Value::Number { number, .. } = word.value else { return None };
         let increment = reading.unit.increment() * reading.unit.millimetres();
         if matches!(form, Form::Multiple(_, Half::Whole)) {
-            // As older controls write it: I and K are lengths, D counts increments where it has no point.
+            // In the format of older controls, I and K are lengths; D without a decimal point counts
+            // increments.
             return match word.address {
                 b'D' if !number.has_point() => Some(plain(word)? * increment),
                 _ => reading.length(word),
@@ -351,7 +353,7 @@ impl<'a> Asked<'a> {
         Some(amount(word, increment)?.mm(read, reading.unit))
     }
 
-    /// What P and Q of G74 to G76 and Q of holes count.
+    /// The unit of P and Q in G74 to G76, and of Q in hole cycles.
     fn amount_reading(&self, word: &Word, form: Form, state: &State, reading: Reading) -> units::Reading {
         let increment = reading.unit.increment() * reading.unit.millimetres();
         let of = |address: u8| {
@@ -372,7 +374,7 @@ impl<'a> Asked<'a> {
         }
     }
 
-    /// What Q of a hole counted when the block was carried out: its unit depends on the levels of the hole.
+    /// The unit of Q of a hole when the block was executed: it depends on the levels of the hole.
     fn peck_reading(&self, amount: Option<Amount>, reading: Reading) -> units::Reading {
         let in_millimetres = units::Reading::Millimetres(units::Because::Point);
         let peck = self.visit.and_then(|visit| visit.after.state.hole?.peck);
@@ -380,7 +382,7 @@ impl<'a> Asked<'a> {
         if amount.is_some_and(is_peck) { in_millimetres } else { units::Reading::Micrometres }
     }
 
-    /// Where the axis words of the block lead.
+    /// The position that the axis words of the block lead to.
     pub(super) fn end(&self, state: &State, reading: Reading) -> Point {
         let mut end = state.position;
         for word in &self.block.words {
@@ -530,7 +532,7 @@ impl<'a> Asked<'a> {
         }
     }
 
-    /// The blocks that P and Q name.
+    /// The blocks that P and Q refer to.
     fn contour(&self) -> Fact {
         let named = |address: u8| {
             let word = self.block.words.iter().rev().find(|word| word.address == address)?;
@@ -548,7 +550,7 @@ impl<'a> Asked<'a> {
         Fact::Contour(span(first.byte), span(last.byte))
     }
 
-    /// The block that a call names.
+    /// The block that a call refers to.
     fn called(&self, role: Role, word: &Word) -> Fact {
         let Some(number) = plain(word) else { return Fact::NamesNothing };
         let labels = Labels::new(self.text);
@@ -562,7 +564,7 @@ impl<'a> Asked<'a> {
         found.map_or(Fact::NamesNothing, |found| Fact::Names(found.byte))
     }
 
-    /// The variable that a word of a macro call becomes.
+    /// The variable that receives a word of a macro call.
     fn argument(&self, word: &Word) -> Option<Fact> {
         let mut is_argument = false;
         let mut words = Vec::new();
@@ -578,7 +580,7 @@ impl<'a> Asked<'a> {
         Some(Fact::Argument(index as u32 + 1))
     }
 
-    /// How many passes the block makes, and where the last of them cuts.
+    /// The number of passes in the block, and the position of the last one.
     fn about_passes(&self, motions: &Motions, facts: &mut Vec<Fact>) {
         let Some(visit) = self.visit else { return };
         let own = visit.motions.start..visit.motions.end.min(motions.len());
@@ -588,7 +590,7 @@ impl<'a> Asked<'a> {
             .collect();
         let Some(last) = passes.iter().map(|(step, _)| step.pass).max() else { return };
         facts.push(Fact::Passes(last));
-        // The pull-out of a pass ends beside the thread.
+        // The pull-out at the end of a pass is not on the thread diameter, so use the cut.
         let cut = passes.iter().rev().find(|(step, _)| step.step == Step::Cut);
         if let Some((CycleStep { cycle: Cycle::MultiThreading, .. }, x)) = cut {
             facts.push(Fact::LastPass(Quantity::Diameter(Diameter::from_radius(*x))));
@@ -596,8 +598,8 @@ impl<'a> Asked<'a> {
     }
 }
 
-/// How this pass of a taper follows from the one before: with another R to the same end, or with the same R to another end.
-/// R of G90 and G94 alike is the start of the cut minus its end.
+/// Relation of this pass of a taper to the previous one: another R to the same end, or the same R to another
+/// end. R of both G90 and G94 is the start of the cut minus its end.
 fn way_of_roughing_a_cone(role: Role, before: &State, after: &State) -> Option<Fact> {
     let (last, this) = (before.memory, after.memory);
     let goes_on = before.motion == after.motion && this.passes > last.passes && last.passes > 0;
@@ -614,7 +616,7 @@ fn way_of_roughing_a_cone(role: Role, before: &State, after: &State) -> Option<F
     }
 }
 
-/// A value that is set again, or another one.
+/// Facts about a value that is set again or changed.
 fn about_value(was: Quantity, now: Option<Quantity>, origins: &Origins, modal: Modal, facts: &mut Vec<Fact>) {
     let Some(since) = origins.since(modal) else { return };
     if now == Some(was) {
@@ -632,7 +634,7 @@ fn from_to(from: f64, to: f64, across: bool) -> Fact {
     Fact::FromTo(place(from), place(to))
 }
 
-/// F in force.
+/// The feed in force.
 pub fn feed_of(state: &State) -> Option<Quantity> {
     match (state.feed, state.lead, state.feed_mode) {
         (_, Some(Lead::ThreadsPerInch(threads)), _) => Some(Quantity::ThreadsPerInch(threads)),
@@ -642,8 +644,7 @@ pub fn feed_of(state: &State) -> Option<Quantity> {
     }
 }
 
-/// What a G code changes of what is in force.
-/// Whether a code cuts a thread, in which the slide is locked to the spindle.
+/// Whether a code cuts a thread, with the slide synchronised to the spindle.
 fn cuts_thread(code: G) -> bool {
     match code {
         G::Motion(mode) => match mode {
@@ -674,7 +675,7 @@ fn modal_of(code: G) -> Option<Modal> {
     })
 }
 
-/// The code of a group that is in force, as a list writes it.
+/// The code of a modal group in force, as written in a code list.
 pub fn code_in_force(modal: Modal, state: &State, list: crate::setup::dialect::CodeList) -> Option<String> {
     let code = match modal {
         Modal::Motion => G::Motion(state.motion),
@@ -694,7 +695,7 @@ pub fn code_in_force(modal: Modal, state: &State, list: crate::setup::dialect::C
     codes::written(code, list)
 }
 
-/// The value of a variable that is not of the system.
+/// The value of a variable, unless it is a system variable.
 fn value_of(state: &State, variable: u32) -> Option<f64> {
     match state.variables.read(variable) {
         Ok(macros::Found::Value(value)) => value,
@@ -702,7 +703,7 @@ fn value_of(state: &State, variable: u32) -> Option<f64> {
     }
 }
 
-/// The variable whose name a byte is in: `#100`.
+/// The variable at a byte: `#100`.
 fn variable_in(text: &[u8], within: Span, byte: u32) -> Option<(u32, Span)> {
     let (start, end) = (within.start as usize, (within.end as usize).min(text.len()));
     let at = byte as usize;
@@ -726,13 +727,13 @@ fn amount(word: &Word, increment: f64) -> Option<Amount> {
     Some(Amount { in_increments: plain(word)? * increment, written })
 }
 
-/// Whether it is P or Q of G74 to G76, or Q of a hole.
+/// Whether a role is P or Q of G74 to G76, or Q of a hole.
 fn is_amount(role: Role) -> bool {
     use Role::*;
     matches!(role, Peck | StepOver | LeastDepth | ThreadHeight | FirstDepth | HolePeck)
 }
 
-/// Whether a beginner may wonder what a number without a point counts.
+/// Whether the unit of a number without a decimal point may surprise a beginner.
 fn counts_increments(word: &Word, role: Role, rule: DecimalRule) -> bool {
     let Value::Number { number, .. } = word.value else { return false };
     let is_length = matches!(word.address, b'X' | b'Z' | b'U' | b'W' | b'R' | b'I' | b'K')

@@ -1,8 +1,8 @@
-//! Help at a place of the program: what the word there is, and what the control knows there.
+//! Help at a place of the program: the meaning of the word there, and the state of the control.
 //!
-//! In: the text, a place in it, a run and the block there as it was carried out (`run::replay`). Out: answers that any
-//! language can be made of: roles, facts and quantities, with the places of the blocks they name. Pure functions:
-//! nothing here runs a program, and nothing knows a language or an editor.
+//! In: the text, a place in it, a run, and the block there as executed (`run::replay`). Out: answers
+//! independent of the language: roles, facts and quantities, with the positions of the blocks they refer to.
+//! Pure functions: nothing here runs a program or knows a language or an editor.
 
 pub mod complete;
 pub mod explain;
@@ -27,27 +27,27 @@ use crate::setup::Setup;
 use crate::setup::dialect::{CodeList, Dialect};
 use crate::text::block::Block;
 
-/// What an answer is made from: a block, and how it was carried out.
+/// Input of all questions: a block and its execution.
 #[derive(Clone, Copy)]
 pub struct Asked<'a> {
     /// The program.
     pub text: &'a [u8],
     /// The block.
     pub block: &'a Block,
-    /// The block once carried out; `None` where it never is.
+    /// The execution of the block; `None` if it is never executed.
     pub visit: Option<&'a Visit>,
-    /// How often it is carried out.
+    /// Number of executions.
     pub times: u32,
     /// The setup of the run.
     pub setup: &'a Setup,
     /// The switches of the control.
     pub dialect: &'a Dialect,
-    /// The G codes the program is read with.
+    /// The G code list that the program is read with.
     pub codes: CodeList,
 }
 
 impl<'a> Asked<'a> {
-    /// What a replay of a run has found of a block.
+    /// Creates the input from the replay of a run.
     pub fn new(run: &'a Run, found: &'a Found, block: &'a Block) -> Self {
         Self {
             text: run.text(),
@@ -62,7 +62,7 @@ impl<'a> Asked<'a> {
 }
 
 impl Asked<'_> {
-    /// The control before the block; where that is never carried out, as it is at power-on.
+    /// State of the control before the block; the state at power-on if the block is never executed.
     fn before(&self) -> Cow<'_, State> {
         match self.visit {
             Some(visit) => Cow::Borrowed(&visit.before.state),

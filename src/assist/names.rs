@@ -1,6 +1,6 @@
-//! The numbers that blocks and values go by (N, O, #), and the words that name them.
+//! Finds numbers that identify blocks and values (N, O, #), and the words that refer to them.
 //!
-//! In: a block. Out: what is named in it, and whether it stands there itself. Nothing has to have run.
+//! In: a block. Out: the numbers it defines or refers to. Does not need a run.
 
 use super::form::{g_of, m_of};
 use crate::control::codes::{G, M, Multiple};
@@ -11,7 +11,7 @@ use crate::source::Span;
 use crate::text::block::{Block, BlockKind, Value};
 use crate::text::highlight::sequence_span;
 
-/// What a number names.
+/// A number that identifies a block, a program or a variable.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Name {
     /// A block of the same program: `N10`.
@@ -31,20 +31,20 @@ impl Name {
     }
 }
 
-/// A place where something is named.
+/// An occurrence of a name.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Named {
-    /// What.
+    /// The name.
     pub name: Name,
-    /// The word, or the name of the variable.
+    /// Span of the word, or of the variable.
     pub span: Span,
-    /// It stands here: `N10` itself, or a variable that is given a value.
+    /// Whether it is the definition: `N10` itself, or a variable that is assigned.
     pub defines: bool,
-    /// The block may be one of another program: M99 P goes to a block of the caller.
+    /// Whether the block may be in another program: M99 P refers to a block of the caller.
     pub anywhere: bool,
 }
 
-/// What is named in a block, in the order of the text.
+/// The names in a block, in text order.
 pub fn names(text: &[u8], block: &Block, codes: CodeList) -> Vec<Named> {
     let mut found = Vec::new();
     let own = |name, span| Named { name, span, defines: true, anywhere: false };
@@ -71,7 +71,7 @@ pub fn names(text: &[u8], block: &Block, codes: CodeList) -> Vec<Named> {
     found
 }
 
-/// The blocks and programs that words name.
+/// The blocks and programs that words refer to.
 fn words(block: &Block, codes: CodeList, found: &mut Vec<Named>) {
     #[derive(Clone, Copy)]
     enum By {
@@ -104,7 +104,7 @@ fn words(block: &Block, codes: CodeList, found: &mut Vec<Named>) {
     }
 }
 
-/// The number after GOTO.
+/// The target of GOTO.
 fn jump(text: &[u8], statement: Span) -> Option<Named> {
     let upper = statement.of(text).to_ascii_uppercase();
     let at = upper.windows(4).position(|four| four == b"GOTO")? + 4;
@@ -112,7 +112,7 @@ fn jump(text: &[u8], statement: Span) -> Option<Named> {
     Some(Named { name: Name::Sequence(number), span, defines: false, anywhere: false })
 }
 
-/// The variables of a statement or an expression; `statement`: the first of it may be given a value.
+/// The variables in a statement or an expression; `statement`: the first one may be assigned.
 fn variables(text: &[u8], within: Span, statement: bool, found: &mut Vec<Named>) {
     let (start, end) = (within.start as usize, (within.end as usize).min(text.len()));
     for hash in (start..end).filter(|&at| text[at] == b'#') {
@@ -124,7 +124,7 @@ fn variables(text: &[u8], within: Span, statement: bool, found: &mut Vec<Named>)
     }
 }
 
-/// The whole number at a byte, or after the signs there that are skipped, and where it stands.
+/// The integer at a byte, after any `skipped` characters, and its span.
 pub fn number_after(text: &[u8], at: usize, skipped: &[u8]) -> Option<(u32, Span)> {
     let at = at + text.get(at..)?.iter().take_while(|byte| skipped.contains(byte)).count();
     let count = text[at..].iter().take_while(|byte| byte.is_ascii_digit()).count();

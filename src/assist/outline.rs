@@ -1,6 +1,7 @@
-//! The outline of a text: its programs, tools, operations, cycles, and the blocks that others go to; and what can be folded.
+//! The outline of a text: programs, tools, operations, cycles, and blocks that are referred to; and the
+//! folding ranges.
 //!
-//! In: the text, the codes it is read with. Out: entries in the order of the text, with their depth. Nothing has to have run.
+//! In: the text, its G code list. Out: entries in text order, with their depth. Does not need a run.
 
 use super::form::{Half, g_of, half};
 use super::names::{Name, Named, names, number_after};
@@ -12,21 +13,21 @@ use crate::source::{Span, line_end};
 use crate::text::block::{Block, BlockKind};
 use crate::text::parser::Parser;
 
-/// Bytes of the text that are read.
+/// Maximum number of bytes of the text that are read.
 const MOST_BYTES: usize = 4 << 20;
-/// Most entries.
+/// Maximum number of entries.
 const MOST: usize = 3000;
 
-/// What an entry is.
+/// Kind of an entry.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Kind {
     /// A program.
     Program,
-    /// A tool comes in.
+    /// A tool change.
     Tool,
-    /// A comment that stands alone: an operation, in the words of the programmer.
+    /// A comment in a separate block: an operation, as named by the programmer.
     Operation,
-    /// A block that others go to or name.
+    /// A block that a jump, a call or a cycle refers to.
     Sequence,
     /// A cycle.
     Cycle(Function),
@@ -35,30 +36,30 @@ pub enum Kind {
 /// An entry of the outline.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Entry {
-    /// What it is.
+    /// Kind of the entry.
     pub kind: Kind,
-    /// Under how many others it stands.
+    /// Nesting depth.
     pub depth: u8,
-    /// Where its block begins.
+    /// Start of its block.
     pub at: u32,
-    /// What it is called: the word, the block, the comment.
+    /// Span of its name: the word, the block, or the comment.
     pub name: Span,
-    /// The comment that says more of it.
+    /// A comment with further information.
     pub comment: Option<Span>,
 }
 
 /// The outline of a text.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Outline {
-    /// In the order of the text.
+    /// The entries, in text order.
     pub entries: Vec<Entry>,
-    /// What can be folded: from the end of a block to the end of the last that belongs to it.
+    /// Folding ranges: from the end of a block to the end of the last block that belongs to it.
     pub folds: Vec<Span>,
-    /// The text goes on.
+    /// Whether the text is longer than the part that was read.
     pub is_cut: bool,
 }
 
-/// The outline of a text.
+/// Creates the outline of a text.
 pub fn outline(text: &[u8], codes: CodeList) -> Outline {
     let end = text.len().min(MOST_BYTES);
     let notes = Notes::read(&text[..end]).spans().collect();
@@ -76,25 +77,26 @@ pub fn outline(text: &[u8], codes: CodeList) -> Outline {
 struct Outlining<'a> {
     text: &'a [u8],
     codes: CodeList,
-    /// Comments that the setup is read from: they name nothing.
+    /// Comments that set up the program: they are not names.
     notes: Vec<Span>,
     entries: Vec<Entry>,
-    /// The sequence numbers that are named, and those that stand there: their entries are left out where nothing names them.
+    /// Sequence numbers that are referred to, and entries of defined ones. An entry is dropped if nothing
+    /// refers to it.
     named: Vec<u32>,
     sequences: Vec<(u32, Entry)>,
-    /// The last comment that stands alone, while nothing else has come after it.
+    /// The last comment in a separate block, until another block follows.
     comment: Option<Span>,
-    /// Comments are those of the head of the program.
+    /// Whether comments belong to the head of the program.
     is_head: bool,
-    /// Entries that are open: the program, the tool.
+    /// Blocks of the current program and tool.
     program: Option<Span>,
     tool: Option<Span>,
     station: Option<u32>,
-    /// The last block that is no comment.
+    /// The last block that is not a comment.
     last: Option<Span>,
-    /// Loops under way: the number of the DO, and its block.
+    /// Open loops: the number of the DO, and its block.
     loops: Vec<(u32, Span)>,
-    /// The contour that the last cycle names: the block of the cycle, and its first and last number.
+    /// The contour of the last cycle: the block of the cycle, and the last sequence number.
     contour: Option<(Span, u32)>,
     folds: Vec<Span>,
 }
@@ -120,7 +122,7 @@ impl Outlining<'_> {
             self.close_tool();
             let own = self.comment_of(block);
             let before = self.comment.filter(|_| own.is_none());
-            // The comment before a tool is its name, not an operation of its own.
+            // The comment before a tool is the name of the tool, not a separate operation.
             self.entries.retain(|entry| entry.kind != Kind::Operation || Some(entry.name) != before);
             (self.station, self.tool) = (Some(station), Some(block.span));
             self.add(Kind::Tool, depth, block, name, own.or(before));
@@ -143,7 +145,7 @@ impl Outlining<'_> {
         self.last = Some(block.span);
     }
 
-    /// A comment that stands alone: the first of several names what comes, after the head of a program the last.
+    /// A comment in a separate block. The first of several names the operation; in the head of a program the last.
     fn comment_alone(&mut self, block: &Block) {
         let Some(comment) = self.comment_of(block) else { return };
         if self.is_head {
@@ -155,9 +157,9 @@ impl Outlining<'_> {
         }
     }
 
-    /// What a block is called in the words of the programmer.
+    /// The comment that names a block.
     fn comment_of(&self, block: &Block) -> Option<Span> {
-        // Both are in the order of the text.
+        // Both lists are in text order.
         let is_note = |comment: &Span| {
             let next = self.notes.partition_point(|note| note.start < comment.start);
             self.notes.get(next).is_some_and(|note| comment.contains(*note))
@@ -169,7 +171,8 @@ impl Outlining<'_> {
         self.entries.push(Entry { kind, depth, at: block.span.start, name, comment });
     }
 
-    /// The station of a tool that comes in, and its word; cancelling its offset, or calling it again, is no new one.
+    /// The station of a new tool, and its word. Cancelling the offset or repeating the same station is not a
+    /// new tool.
     fn station_of(&self, block: &Block) -> Option<(u32, Span)> {
         let word = block.words.iter().find(|word| word.address == b'T')?;
         let number = plain(word).filter(|number| *number >= 0.0)? as u32;
@@ -178,7 +181,7 @@ impl Outlining<'_> {
         is_new.then_some((station, word.span))
     }
 
-    /// The cycle that a block cuts by.
+    /// The cycle that a block executes.
     fn cycle(&self, block: &Block) -> Option<Function> {
         block.words.iter().find_map(|word| match g_of(word, self.codes)? {
             code @ G::Multiple(cycle) if half(cycle, block) != Half::First => codes::function_of(code),
@@ -189,11 +192,11 @@ impl Outlining<'_> {
 
     // ---- what can be folded -----------------------------------------------------------------------------
 
-    /// `found`: what is named in the block.
+    /// Adds folding ranges. `found`: the names in the block.
     fn fold(&mut self, block: &Block, is_cycle: bool, found: &[Named]) {
         let (text, codes) = (self.text, self.codes);
         if is_cycle {
-            // A contour follows its cycle.
+            // The contour follows its cycle.
             let last = found.iter().rev().find_map(|named| match named.name {
                 Name::Sequence(number) if !named.defines => Some(number),
                 _ => None,
@@ -226,7 +229,7 @@ impl Outlining<'_> {
         }
     }
 
-    /// What began with a block can be folded down to the end of another.
+    /// Adds a folding range from one block to the end of another.
     fn close(&mut self, head: Span, last: Option<Span>) {
         let Some(last) = last.filter(|last| last.start > head.start) else { return };
         let is_more_than_a_line = line_end(self.text, head.end as usize) < last.end as usize;

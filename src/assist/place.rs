@@ -1,8 +1,8 @@
-//! The motions of one execution of a block, at the places the block programs.
+//! The motions of one execution of a block, at the positions the block programs.
 //!
-//! In: a block once carried out, and the motions of the run. Out: its own motions. A move before a corner, and every move
-//! under nose radius compensation, becomes a motion while a later block is carried out, so motions made during a
-//! block may belong to another one.
+//! In: an execution of a block, and the motions of the run. Out: the motions of this block. A move before a
+//! corner, and every move under nose radius compensation, becomes a motion while a later block is executed,
+//! so motions made during a block may belong to another one.
 
 use super::fact::Quantity;
 use crate::control::modal::State;
@@ -12,10 +12,10 @@ use crate::motion::{Motion, MotionKind, Motions};
 use crate::run::replay::Visit;
 use crate::source::Span;
 
-/// Most motions after those made during a block among which its own are looked for.
+/// Maximum number of later motions searched for motions of a block.
 const MOST_LATER: usize = 64;
 
-/// A place in the words of a block.
+/// A position, in the axes that a block programs.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Place {
     /// X, mm, as a radius.
@@ -27,12 +27,13 @@ pub struct Place {
 }
 
 impl Place {
-    /// A place in the plane of turning.
+    /// A position in the plane of turning.
     pub fn turning(at: Point) -> Self {
         Self { x: Some(at.x), z: Some(at.z), c: None }
     }
 
-    /// The place at a fraction of a move in a virtual plane: the two axes of the plane, and the third where it moves.
+    /// The position at a fraction of a move in a virtual plane: both axes of the plane, and the third axis if
+    /// it moves.
     pub fn on(own: &VirtualMove, t: f64) -> Self {
         let at = own.way.at(t);
         let third = own.third.0 + t * (own.third.1 - own.third.0);
@@ -55,7 +56,7 @@ pub fn of_c(state: &State, c: f64) -> Quantity {
     }
 }
 
-/// The motions of one execution of the block at `span`, in their order.
+/// The motions of one execution of the block at `span`, in order.
 pub fn own_motions(motions: &Motions, span: Span, visit: &Visit) -> Vec<Motion> {
     let made = visit.motions.start..visit.motions.end.min(motions.len());
     let until = match holds(&visit.after.state, span) {
@@ -69,7 +70,7 @@ pub fn own_motions(motions: &Motions, span: Span, visit: &Visit) -> Vec<Motion> 
         let motion = motions.get(index);
         let is_later = index >= made.end;
         let is_own = motions.span(index) == span || !is_later && motion.cycle.is_some();
-        // The same block carried out once more follows where this one ends.
+        // The next execution of the same block starts where this one ends.
         let is_next = is_later && start(&motion).is_same(visit.after.state.position);
         match (is_own, own.is_empty()) {
             (true, true) if earlier && !start(&motion).is_same(begins) => {}
@@ -82,7 +83,7 @@ pub fn own_motions(motions: &Motions, span: Span, visit: &Visit) -> Vec<Motion> 
     own
 }
 
-/// Whether moves of a block wait for a later one.
+/// Whether moves of a block are still pending.
 fn holds(state: &State, span: Span) -> bool {
     let compensating = state.compensating.iter().flat_map(|own| own.waiting.iter().chain(&own.dwells));
     let compensating = compensating.map(|(_, path_move)| path_move);
@@ -93,13 +94,13 @@ fn holds(state: &State, span: Span) -> bool {
     compensating.chain(pending).any(|path_move| path_move.span == span)
 }
 
-/// The start of a motion in the coordinates of the path: in the virtual plane, if one is in force.
+/// The start of a motion in path coordinates: in the virtual plane, if one is in force.
 fn start(motion: &Motion) -> Point {
     let in_plane = || motion.virtual_move().map_or(motion.from, |own| own.way.at(0.0));
     motion.programmed.map_or_else(in_plane, |programmed| programmed.from)
 }
 
-/// The moves of a block at their programmed places, without those that compensation puts in between.
+/// The moves of a block at their programmed positions, without moves inserted by compensation.
 pub fn as_programmed(own: &[Motion]) -> Vec<Motion> {
     let is_compensated = own.iter().any(|motion| motion.programmed.is_some());
     let is_inserted = |motion: &Motion| {
@@ -120,7 +121,7 @@ fn at_programmed_place(motion: &Motion) -> Motion {
     motion
 }
 
-/// Whether an arc is clockwise as its code says it: the cylinder seen from inside turns the other way.
+/// Whether an arc is clockwise by its code: the direction is reversed for a cylinder seen from inside.
 pub fn is_clockwise(motion: &Motion, own: Option<&VirtualMove>) -> bool {
     let is_turned = own.is_some_and(|own| matches!(own.surface, Surface::Cylinder { turned: true, .. }));
     (motion.kind == MotionKind::ArcClockwise) != is_turned

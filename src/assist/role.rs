@@ -1,7 +1,7 @@
-//! What a word is in its block: the first depth of cut, a coordinate of the end point, an argument.
+//! The role of a word in its block: the first depth of cut, a coordinate of the end point, an argument.
 //!
-//! In: a word and the form of its block. Out: its [`Role`]. A role without a text in one of the languages does not
-//! build (`sentences::assist`).
+//! In: a word and the form of its block. Out: its [`Role`]. The build fails if a role lacks a text in one of
+//! the languages (`sentences::assist`).
 
 use super::form::{Form, Half};
 use crate::control::codes::{G, Hole, M, MotionMode, Multiple, Plane};
@@ -12,16 +12,17 @@ use crate::setup::dialect::FeedMode;
 use crate::text::block::Word;
 use crate::units::Unit;
 
-/// Lists the roles once, for the enum and for the tests of all of them.
+/// Lists the roles once, for the enum and for tests of all roles.
 macro_rules! roles {
     ($($name:ident)+) => {
-        /// What a word is in its block, or which of several things its code means.
+        /// The role of a word in its block, or the meaning of a code that shares its row in the table with
+        /// other codes.
         #[derive(Clone, Copy, Debug, PartialEq, Eq)]
         #[allow(missing_docs, reason = "sentences::assist says what each is")]
         pub enum Role { $($name),+ }
 
         impl Role {
-            /// All of them.
+            /// All roles.
             pub const ALL: &[Self] = &[$(Self::$name),+];
         }
     };
@@ -30,13 +31,13 @@ macro_rules! roles {
 roles! {
     // Numbers and marks
     ProgramNumber SequenceNumber BlockSkip Percent Comment SetupNote MacroStatement Variable
-    // Codes that stand in a row with others
+    // Codes that share a row of the table with other codes
     InchInput MetricInput FeedPerMinute FeedPerTurn SpindleForward SpindleReverse SpindleStop PlaneXy PlaneZx
     PlaneYz Absolute Incremental InitialLevel RPointLevel ProgramStop OptionalStop CAxisOn CAxisOff PullOutOn PullOutOff
     DataInput DataEnd MacroOnce MacroModal MacroOff WorkFrame UnknownCode
     ToolChange CoolantOn CoolantOff ChuckClamp ChuckUnclamp LiveTool LiveToolForward LiveToolReverse FirstOrientation SecondOrientation
     TailstockForward TailstockBack SynchronousOn SynchronousOff ConveyorForward ConveyorStop InterlockOff InterlockOn
-    // Places and ways
+    // Absolute and incremental coordinates
     EndX EndZ EndC EndY WayX WayZ WayC WayY ViaX ViaZ ViaC ViaWayX ViaWayZ MachineX MachineZ OriginX OriginZ ShiftX ShiftZ LocalX LocalZ
     // Corners and arcs
     Chamfer Rounding LineAngle ArcRadius ArcCenterX ArcCenterZ ArcCenterC ArcCenterY CornerX CornerZ
@@ -63,7 +64,7 @@ roles! {
 }
 
 impl Role {
-    /// What an M code means, where it stands in a row with others.
+    /// The meaning of an M code that shares its row with other codes.
     pub fn of_m(number: u64) -> Option<Self> {
         Some(match number {
             0 => Self::ProgramStop,
@@ -96,7 +97,7 @@ impl Role {
         })
     }
 
-    /// What a G code means, where it stands in a row with others.
+    /// The meaning of a G code that shares its row with other codes.
     pub fn of_g(code: G) -> Option<Self> {
         use crate::control::codes::{HoleReturn, MacroCall};
         Some(match code {
@@ -121,8 +122,8 @@ impl Role {
         })
     }
 
-    /// What a word other than of G, M, N and O is in a block of a form. `surface`: S counts as a cutting speed there;
-    /// `c_axis`: a C word is an axis.
+    /// The role of a word other than G, M, N and O in a block of a form. `surface`: S is a cutting speed;
+    /// `c_axis`: C is an axis word.
     pub fn of(word: &Word, form: Form, surface: bool, c_axis: bool) -> Self {
         let letter = word.address;
         match (letter, word.comma, form) {
@@ -157,8 +158,8 @@ impl Role {
 }
 
 impl Role {
-    /// The same of a word in an arc that does not lie in the plane of turning: on the end face (G12.1) the centre is I and
-    /// J, under G17 I and J, under G19 J and K (seed 002, figure 5-5).
+    /// Adjusts the role for an arc outside the plane of turning: the centre is I and J on the end face
+    /// (G12.1) and under G17, and J and K under G19 (seed 002, figure 5-5).
     pub fn in_plane_of(self, letter: u8, state: &State) -> Self {
         let on_face = state.virtual_plane.is_some_and(|plane| plane.surface == Surface::Face);
         match (self, letter, state.plane) {

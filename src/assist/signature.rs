@@ -1,8 +1,8 @@
-//! The form of a cycle, a move or a call: its words in the order they are written, which of them can be left out, and what then
-//! holds.
+//! The signature of a cycle, a move or a call: its words in the usual order, which of them are optional, and
+//! their defaults.
 //!
-//! In: what the words of a block belong to. Out: one line for each block of the form, two for the multiple cycles of today.
-//! The table is checked against the control: tests leave out each word.
+//! In: the form of a block. Out: one line for each block of the form; two for the current multiple cycles.
+//! Tests check the table against the control by leaving out each word.
 
 use super::Asked;
 use super::fact::Quantity;
@@ -20,29 +20,29 @@ use crate::source::Span;
 use crate::text::block::{Value, Word};
 use crate::units::Diameter;
 
-/// What holds where a word is left out.
+/// Meaning of an omitted word.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Otherwise {
-    /// The block is wrong, or does nothing that was meant.
+    /// The block is wrong, or does not do what was intended.
     Missing,
-    /// The axis stays where it is.
+    /// The axis does not move.
     Stays,
     /// Zero.
     Zero,
-    /// What an earlier block has set.
+    /// The value set by an earlier block.
     AsSet,
-    /// Nothing: the word is an addition.
+    /// Nothing: the word is optional.
     Nothing,
 }
 
-/// A place for a word.
+/// A word of a signature.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Slot {
-    /// The letters that can stand there: X or U.
+    /// Its possible letters, such as X or U.
     pub letters: &'static [u8],
-    /// After a comma: `,C`.
+    /// Whether it follows a comma: `,C`.
     pub comma: bool,
-    /// What holds without it.
+    /// Meaning if it is omitted.
     pub otherwise: Otherwise,
 }
 
@@ -52,36 +52,36 @@ impl Slot {
     }
 }
 
-/// A block of a form.
+/// One block of a signature.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Line {
     /// The code, as the control writes it.
     pub code: String,
-    /// What the words of this block belong to.
+    /// What the words of the block belong to.
     pub form: Form,
     /// Its words.
     pub slots: &'static [Slot],
 }
 
-/// A place for a word, in the block that is asked about.
+/// A slot, filled in for a given block.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Place {
-    /// The place.
+    /// The slot.
     pub slot: Slot,
-    /// What the word there is.
+    /// Role of the word.
     pub role: Role,
-    /// The word that stands there.
+    /// The word in the block, if present.
     pub word: Option<Span>,
-    /// What is in force, where the word is left out and an earlier block has set it.
+    /// The value in force, if the word is omitted and an earlier block set it.
     pub in_force: Option<Quantity>,
 }
 
-/// The form of the block that is asked about.
+/// The signature of a given block.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Signature {
-    /// Each block of the form, and its words.
+    /// Each block of the form, with its words.
     pub lines: Vec<(Line, Vec<Place>)>,
-    /// Which of them is asked about.
+    /// Index of the given block.
     pub own: usize,
 }
 
@@ -161,7 +161,7 @@ const CALL: &[Slot] = &[must(b"P"), may(b"L")];
 const MACRO_CALL: &[Slot] = &[must(b"P"), may(b"L"), may(b"ABC")];
 const RETURN: &[Slot] = &[may(b"P")];
 
-/// The blocks of a form, in their order; none where a form has no words of its own.
+/// The blocks of a form, in order; empty if the form has no words.
 pub fn lines(form: Form, dialect: &Dialect) -> Vec<Line> {
     let list = dialect.code_list();
     let line = |code: G, form: Form, slots: &'static [Slot]| {
@@ -214,7 +214,7 @@ pub fn lines(form: Form, dialect: &Dialect) -> Vec<Line> {
     }
 }
 
-/// The words of the first block of a multiple cycle, where it has one, and of the one that cuts.
+/// The words of a multiple cycle: of its first block, if any, and of the block that cuts.
 fn of_multiple(cycle: Multiple, half: Half) -> (Option<&'static [Slot]>, &'static [Slot]) {
     match (cycle, half) {
         (Multiple::Finishing, _) => (None, CONTOUR),
@@ -237,7 +237,7 @@ fn of_hole(hole: Hole) -> &'static [Slot] {
 }
 
 impl Asked<'_> {
-    /// The form of the block; `None` where it has no words of its own.
+    /// The signature of the block; `None` if its form has no words.
     pub fn signature(&self) -> Option<Signature> {
         let state = &*self.before();
         let form = Form::of(self.block, state, self.codes);
@@ -256,7 +256,7 @@ impl Asked<'_> {
         let surface = state.spindle.surface;
         let reading = Reading { unit: state.unit, decimal: self.dialect.decimal };
         let (start, end) = (state.position, self.end(state, reading));
-        // A step over is wanted where the pecks stand side by side.
+        // A step over is required only for more than one column of pecks.
         let steps_over = match form {
             Form::Multiple(Multiple::FacePecking, _) => (end.x - start.x).abs() > SAME,
             Form::Multiple(Multiple::Grooving, _) => (end.z - start.z).abs() > SAME,
@@ -275,7 +275,7 @@ impl Asked<'_> {
                     if role == Role::StepOver && steps_over {
                         slot.otherwise = Otherwise::Missing;
                     }
-                    // Modal passes keep R; the code spelled again forgets it.
+                    // Passes without a code keep R; repeating the code resets it.
                     let keeps_taper = matches!(form, Form::Motion { own: false, .. })
                         && matches!(role, Role::TaperX | Role::TaperZ)
                         && state.memory.taper != 0.0;
@@ -298,7 +298,7 @@ impl Asked<'_> {
     }
 }
 
-/// The words of a move where its axes are not X and Z alone.
+/// The words of a move with other axes than X and Z.
 fn other_axes(form: Form, state: &State) -> Option<&'static [Slot]> {
     let Form::Motion { mode, .. } = form else { return None };
     let surface = state.interpolation().map(|plane| plane.surface);
@@ -315,22 +315,22 @@ fn other_axes(form: Form, state: &State) -> Option<&'static [Slot]> {
     }
 }
 
-/// Whether a line has a place for a word.
+/// Whether a line has a slot for a word.
 fn takes(line: &Line, word: &Word) -> bool {
     line.slots.iter().any(|slot| slot.takes(word))
 }
 
-/// What a word of a letter is in a form.
+/// The role of a letter in a form.
 pub fn role_of(letter: u8, form: Form, state: &State) -> Role {
     Role::of(&sample(letter, false), form, state.spindle.surface, state.c_axis)
 }
 
-/// A word of a letter alone.
+/// A word with a letter and no value.
 fn sample(address: u8, comma: bool) -> Word {
     Word { address, comma, value: Value::Expression, span: Span::new(0, 0) }
 }
 
-/// What an earlier block has set of a word that is left out.
+/// The value in force for an omitted word.
 fn in_force(role: Role, state: &State) -> Option<Quantity> {
     let (cycle, multiple) = (&state.memory, &state.parameters);
     let target = |target: Target, across: bool| match target {

@@ -1,6 +1,7 @@
-//! Several words or blocks at once: the head of a program, a cycle with its contour, a loop.
+//! Snippets of several words or blocks: the head of a program, a cycle with its contour, a loop.
 //!
-//! In: the control, its unit, the blank. Out: pieces of text, with places to fill. As they stand, after a head, they run without a message.
+//! In: the control, its unit, the blank. Out: pieces of text, with placeholders. After a head, the default
+//! texts run without a message.
 
 use super::Asked;
 use crate::control::codes::{self, Compensation, G, Hole, MacroCall, MotionMode, Multiple};
@@ -10,35 +11,35 @@ use crate::cycles::single::Single;
 use crate::setup::dialect::{DecimalRule, Dialect, FeedMode, PqUnit};
 use crate::units::{Diameter, Unit, number};
 
-/// A piece of what is proposed.
+/// A piece of a snippet.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Piece {
-    /// Written as it is.
+    /// Fixed text.
     Fixed(String),
-    /// A place to fill, with what stands there at first.
+    /// A placeholder, with its default text.
     Fill(String),
 }
 
-/// Several words or blocks at once.
+/// A snippet of several words or blocks.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Snippet {
     /// Head of a program: number, modes, tool, spindle, approach.
     Head,
-    /// End of a program: away from the work, stop.
+    /// End of a program: retract, stop.
     End,
-    /// A multiple cycle: both blocks, with a contour where it has one.
+    /// A multiple cycle: both blocks, and the contour if it has one.
     Cycle(Multiple),
     /// The second block of a multiple cycle.
     Second(Multiple),
     /// A single cycle.
     Pass(Single),
-    /// Drilling in pecks.
+    /// Peck drilling.
     Drilling,
     /// A subprogram.
     Subprogram,
-    /// Its call.
+    /// Call of a subprogram.
     Call,
-    /// The call of a macro.
+    /// Call of a macro.
     MacroCall,
     /// WHILE, DO, END.
     Loop,
@@ -47,7 +48,7 @@ pub enum Snippet {
 }
 
 impl Snippet {
-    /// All of them but the second blocks.
+    /// All snippets except the second blocks.
     pub const ALL: &[Self] = &[
         Self::Cycle(Multiple::RoughTurning),
         Self::Cycle(Multiple::RoughFacing),
@@ -68,7 +69,7 @@ impl Snippet {
         Self::Head,
     ];
 
-    /// The code it is about; `None` for heads, ends and statements.
+    /// The code of the snippet; `None` for heads, ends and statements.
     pub fn code(self) -> Option<G> {
         Some(match self {
             Self::Cycle(cycle) | Self::Second(cycle) => G::Multiple(cycle),
@@ -81,18 +82,18 @@ impl Snippet {
         })
     }
 
-    /// The control has it.
+    /// Whether the control has the code.
     pub fn is_there(self, dialect: &Dialect) -> bool {
         self.code().is_none_or(|code| codes::written(code, dialect.code_list()).is_some())
     }
 
-    /// What is written; `used`: the highest sequence number of the text.
+    /// The text of the snippet; `used`: the highest sequence number of the text.
     pub fn pieces(self, asked: &Asked, state: &State, used: u32) -> Vec<Piece> {
         let reading = Reading { unit: state.unit, decimal: asked.dialect.decimal };
         let stock = asked.setup.stock.as_ref();
         let (blank, face) = (stock.map(|stock| stock.diameter.mm()), stock.map_or(0.0, |stock| stock.face));
         let (here, from) = (Diameter::from_radius(state.position.x).mm(), state.position.z);
-        // Once the tool is at the work, cuts begin where it stands.
+        // If the tool is already near the work, the cut begins at its position.
         let is_near = (face..face + NEAR).contains(&from) && here > 2.0 * CLEAR;
         let outside = match (is_near, blank) {
             (true, Some(blank)) => blank.min(here - CLEAR),
@@ -116,7 +117,7 @@ impl Snippet {
     }
 }
 
-/// A length as it is written: without a point only where that means the same.
+/// Formats a length; without a decimal point only if the meaning is the same.
 pub fn written(mm: f64, reading: Reading) -> String {
     let mut text = number(mm / reading.unit.millimetres());
     if reading.decimal == DecimalRule::LeastIncrement && !text.contains('.') && text != "0" {
@@ -125,13 +126,13 @@ pub fn written(mm: f64, reading: Reading) -> String {
     text
 }
 
-/// From the blank to where a tool approaches it, mm of diameter and along Z.
+/// Clearance between the blank and the approach point, mm of diameter and mm along Z.
 const CLEAR: f64 = 2.0;
-/// A tool so near to the face has come to the work, mm.
+/// Maximum distance of a tool that counts as near the face, mm.
 const NEAR: f64 = 20.0;
-/// Height of the thread that is cut, mm on radius.
+/// Height of the thread, mm on radius.
 const THREAD_HEIGHT: f64 = 1.3;
-/// Speed of the spindle in the head of a program, rpm.
+/// Spindle speed in the head of a program, rpm.
 const SPEED: f64 = 800.0;
 
 struct Writing<'a> {
@@ -140,13 +141,13 @@ struct Writing<'a> {
     feed_mode: FeedMode,
     /// Diameter of the blank, mm.
     outside: f64,
-    /// Z of its face, mm.
+    /// Z of the face of the blank, mm.
     face: f64,
-    /// Z in front of it, mm: not farther than the tool is.
+    /// Z in front of the face, mm: at most the Z of the tool.
     before: f64,
-    /// How far along Z it is cut, mm.
+    /// Length of the cut along Z, mm.
     reach: f64,
-    /// Sequence numbers that are not used, for a contour.
+    /// Unused sequence numbers for a contour.
     sequences: (u32, u32),
     pieces: Vec<Piece>,
 }
@@ -168,7 +169,7 @@ impl Writing<'_> {
         self.fixed(&code);
     }
 
-    /// A word with a length to fill, mm; a round one in inches, too.
+    /// Writes a word with a length in mm as a placeholder; the value is round in inches, too.
     fn length(&mut self, letter: &str, mm: f64) {
         let round = match self.reading.unit {
             Unit::Millimetre => mm,
@@ -182,7 +183,7 @@ impl Writing<'_> {
         self.fill(written(round, self.reading));
     }
 
-    /// The feed rate of a cut: mm for each turn, or what that makes in a minute.
+    /// The feed of a cut: mm per revolution, or the equivalent per minute.
     fn feed(&mut self, mm: f64) {
         match self.feed_mode {
             FeedMode::PerTurn => self.length("F", mm),
@@ -190,7 +191,7 @@ impl Writing<'_> {
         }
     }
 
-    /// A P or Q with a length to fill, which takes no point.
+    /// Writes P or Q, which take no decimal point, with a length as a placeholder.
     fn depth(&mut self, letter: &str, mm: f64) {
         if self.asked.dialect.pq_unit == PqUnit::Mm {
             return self.length(letter, mm);
@@ -200,12 +201,12 @@ impl Writing<'_> {
         self.fill(number(increments.round()));
     }
 
-    /// A diameter so much inside the blank, mm, or half way to its axis.
+    /// A diameter up to `most` mm smaller than the blank, but at least half of it.
     fn inward(&self, most: f64) -> f64 {
         self.outside - most.min((self.outside / 2.0).floor())
     }
 
-    /// Z of a part of the way that is cut, mm.
+    /// Z after a fraction of the length of the cut, mm.
     fn along(&self, part: f64) -> f64 {
         let way = self.reach * part;
         self.face - if way < 2.0 { way } else { way.round() }
@@ -312,7 +313,7 @@ impl Writing<'_> {
         self.fixed("\nM05\nM30");
     }
 
-    /// The block that sets the amounts.
+    /// The block with the amounts.
     fn first(&mut self, cycle: Multiple) {
         self.code(G::Multiple(cycle));
         match cycle {
@@ -377,7 +378,7 @@ impl Writing<'_> {
         match cycle {
             Multiple::RoughTurning | Multiple::Pattern => {
                 block(self, &from, rapid);
-                // A pattern follows a blank that is near the contour already.
+                // Pattern repeating (G73) is for a blank that is already close to the contour.
                 self.length("X", self.inward(if cycle == Multiple::Pattern { 8.0 } else { 20.0 }));
                 block(self, "", line);
                 self.length("Z", self.along(2.0 / 3.0));

@@ -1,6 +1,6 @@
-//! The state of the control before and after a block: what is in force, and which block set it.
+//! The state of the control before and after a block: the values in force, and the blocks that set them.
 //!
-//! In: a block as it was carried out. Out: rows in the order they are shown, with what the block changed.
+//! In: an executed block. Out: rows in display order, marking what the block changed.
 
 use super::Asked;
 use super::fact::Quantity;
@@ -21,44 +21,44 @@ use crate::run::replay::{Moment, Visit};
 use crate::setup::dialect::{CodeList, GSystem, PqUnit};
 use crate::units::Diameter;
 
-/// A value that is in force.
+/// A value in force.
 #[derive(Clone, Debug, PartialEq)]
 pub enum InForce {
-    /// A code, as the control writes it, and its row of the table of codes.
+    /// A code as the control writes it, and its row in the table of codes.
     Code(String, Option<Function>, Option<Role>),
     /// A number.
     Quantity(Quantity),
-    /// Two of them: of X and Z.
+    /// Two numbers: of X and Z.
     Pair(Quantity, Quantity),
-    /// A tool: turret station and number of the offset.
+    /// A tool: turret station and offset number.
     Tool(u16, u16),
-    /// Something with a name of its own.
+    /// A value with a name.
     Role(Role),
-    /// Nothing so far.
+    /// No value yet.
     Nothing,
 }
 
-/// A row: what is in force before and after a block.
+/// One value in force, before and after a block.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Row {
-    /// What it is of.
+    /// Which value.
     pub modal: Modal,
-    /// Before the block.
+    /// Value before the block.
     pub before: InForce,
-    /// After it.
+    /// Value after the block.
     pub after: InForce,
-    /// The block that set what is in force after it, by its first byte; `None`: it is as at power-on.
+    /// First byte of the block that set the value; `None` if it is as at power-on.
     pub since: Option<u32>,
 }
 
-/// Where the tip stands along an axis.
+/// Position of the tip along one axis.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct AxisRow {
     /// `X`, `Z`, `C`.
     pub axis: char,
-    /// Before the block.
+    /// Position before the block.
     pub before: Quantity,
-    /// After it.
+    /// Position after the block.
     pub after: Quantity,
 }
 
@@ -67,31 +67,31 @@ pub struct AxisRow {
 pub struct VariableRow {
     /// Its number.
     pub number: u32,
-    /// Before the block; `None`: vacant.
+    /// Value before the block; `None` if vacant.
     pub before: Option<f64>,
-    /// After it.
+    /// Value after the block.
     pub after: Option<f64>,
-    /// The block that gave it its value, by its first byte.
+    /// First byte of the block that set it.
     pub since: Option<u32>,
 }
 
-/// A call or a loop under way.
+/// A call or loop in progress.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Frame {
     /// A program that was called.
     Call {
-        /// How.
+        /// Kind of call.
         kind: CallKind,
         /// First byte of its first block.
         head: u32,
         /// First byte of the calling block.
         caller: u32,
-        /// How often it is still run, this time included.
+        /// Remaining repetitions, including the current one.
         rounds_left: u32,
     },
     /// A loop.
     Loop {
-        /// m of its DO.
+        /// Number m of its DO.
         number: u32,
         /// First byte of its first block.
         head: u32,
@@ -101,33 +101,33 @@ pub enum Frame {
 /// The state of the control at a block.
 #[derive(Clone, Debug, PartialEq)]
 pub struct StateTable {
-    /// Which of the times the block is carried out.
+    /// Number of this visit of the block.
     pub number: u32,
-    /// How often it is carried out.
+    /// Number of visits in the run.
     pub times: u32,
-    /// Which of the times it is carried out, not only read for a cycle; 0 where it is only read.
+    /// Number of this execution; 0 if a cycle only reads the block.
     pub carried_out: u32,
-    /// Which cycle reads it as a part of its contour.
+    /// The cycle that reads the block as a part of its contour.
     pub purpose: Option<Purpose>,
-    /// Where the tip stands.
+    /// Position of the tip.
     pub axes: Vec<AxisRow>,
-    /// Spindle speed and cutting speed after the block, where they can be known.
+    /// Spindle speed and cutting speed after the block, if known.
     pub speeds: Option<(Quantity, Quantity)>,
-    /// What is in force.
+    /// The values in force.
     pub rows: Vec<Row>,
-    /// Variables that have a value before or after the block.
+    /// Variables with a value before or after the block.
     pub variables: Vec<VariableRow>,
-    /// Variables beyond those shown.
+    /// Number of variables not shown.
     pub variables_hidden: usize,
-    /// Calls and loops under way, the outermost first.
+    /// Calls and loops in progress, the outermost first.
     pub frames: Vec<Frame>,
 }
 
-/// Most variables that are shown.
+/// Maximum number of variables shown.
 const VARIABLES: usize = 200;
 
 impl Asked<'_> {
-    /// The state before and after the block; `None` where it is never carried out.
+    /// The state before and after the block; `None` if it is never executed.
     pub fn state(&self) -> Option<StateTable> {
         let visit = self.visit?;
         let (before, after) = (&visit.before, &visit.after);
@@ -151,7 +151,7 @@ impl Asked<'_> {
         let [was, is] =
             [before, after].map(|moment| in_force(modal, &moment.state, self.codes, self.dialect.pq_unit));
         let since = after.origins.since(modal);
-        // What no program has touched, and few know, would only be in the way.
+        // Hide rarely used values that the program never set.
         let is_shown = is_always_shown(modal, self.dialect.g_system)
             || (since.is_some() && is != InForce::Nothing)
             || before.origins.since(modal).is_some() && was != InForce::Nothing
@@ -166,7 +166,7 @@ impl Asked<'_> {
     }
 }
 
-/// What is shown wherever another one of the same cycle is.
+/// The value whose presence also shows this one: they belong to the same cycle.
 fn goes_with(modal: Modal) -> Option<Modal> {
     match modal {
         Modal::Escape => Some(Modal::Depth),
@@ -175,7 +175,7 @@ fn goes_with(modal: Modal) -> Option<Modal> {
     }
 }
 
-/// What is shown of every program.
+/// Values that are always shown.
 fn is_always_shown(modal: Modal, system: GSystem) -> bool {
     match modal {
         Modal::Motion
@@ -316,7 +316,7 @@ fn axes(before: &State, after: &State) -> Vec<AxisRow> {
     axes
 }
 
-/// The variables that have a value, those that the block changes first; and how many are left out.
+/// The variables with a value, those changed by the block first; and the number of hidden ones.
 fn variables(visit: &Visit) -> (Vec<VariableRow>, usize) {
     let value = |moment: &Moment, number: u32| match moment.state.variables.read(number) {
         Ok(Found::Value(value)) => value,

@@ -1,7 +1,7 @@
-//! All places where one number is used: a sequence number, a program, a variable.
+//! Finds all uses of a number: a sequence number, a program, a variable.
 //!
-//! In: the text, a place in it. Out: the places, in the order of the text. Only lines that hold the number are read, so
-//! that a long program is looked through quickly; nothing has to have run.
+//! In: the text, a place in it. Out: the positions, in text order. Only lines that contain the digits are
+//! parsed, so that a long program is searched quickly. Does not need a run.
 
 use super::names::{Name, Named, names};
 use crate::setup::dialect::CodeList;
@@ -10,26 +10,26 @@ use crate::text::block::Block;
 use crate::text::parser::{Parser, Resume};
 use crate::text::program_name;
 
-/// Most places that are listed.
+/// Maximum number of positions in the list.
 const MOST: usize = 500;
-/// Variables from this number on are the same in all programs.
+/// First number of the common variables, which all programs share.
 const FIRST_COMMON: u32 = 100;
 
-/// Where a number is used.
+/// The uses of a number.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Uses {
-    /// What the number names.
+    /// The name that the number belongs to.
     pub name: Name,
-    /// The places, in the order of the text.
+    /// The positions, in text order.
     pub places: Vec<Named>,
-    /// Where a reader goes from the place that was asked about: from a word that names a block or a program to it, from
-    /// all others to the next.
+    /// Index of the position to go to from the given one: from a reference to a block or a program to its
+    /// definition, otherwise to the next use.
     pub next: usize,
-    /// There are more.
+    /// Whether there are more uses.
     pub is_cut: bool,
 }
 
-/// The uses of the number at a byte, or that ends there; `None` where none stands.
+/// The uses of the number at a byte, or of the number that ends there; `None` if there is no number.
 pub fn uses(text: &[u8], codes: CodeList, byte: u32) -> Option<Uses> {
     let mut own = None;
     read_line(text, line_around(text, byte as usize), codes, |named, _| {
@@ -59,7 +59,7 @@ pub fn uses(text: &[u8], codes: CodeList, byte: u32) -> Option<Uses> {
     Some(Uses { name: own.name, next: next.or(following.clone().next()).unwrap_or(at), places, is_cut })
 }
 
-/// All places of a name, with which program of the text each is in, from 0.
+/// All positions of a name, each with the index of its program in the text, from 0.
 fn all(text: &[u8], codes: CodeList, name: Name) -> Vec<(Named, u32)> {
     let digits = name.number().to_string();
     let names_program = matches!(name, Name::Program(number) if program_name::is_name(number));
@@ -71,7 +71,7 @@ fn all(text: &[u8], codes: CodeList, name: Name) -> Vec<(Named, u32)> {
         let may_use = if names_program { own.contains(&b'<') } else { ends_a_number(own, digits.as_bytes()) };
         if may_begin_a_program(own) || may_use {
             read_line(text, line, codes, |named, block| {
-                // The head of a program: a text may begin without one.
+                // The head of a program. The first program of a text may lack one.
                 program += u32::from(block.program.is_some() && begun);
                 begun |= block.program.is_some() || !block.is_empty();
                 found.extend(
@@ -85,7 +85,7 @@ fn all(text: &[u8], codes: CodeList, name: Name) -> Vec<(Named, u32)> {
     found
 }
 
-/// The blocks of a line, with the names in each.
+/// Passes the blocks of a line to `take`, with the names in each.
 fn read_line(text: &[u8], line: Span, codes: CodeList, mut take: impl FnMut(Vec<Named>, &Block)) {
     let mut parser = Parser::resume(&text[..line.end as usize], Resume::inside(line.start, 0));
     let mut block = Block::default();
@@ -94,7 +94,7 @@ fn read_line(text: &[u8], line: Span, codes: CodeList, mut take: impl FnMut(Vec<
     }
 }
 
-/// Whether a block of the line may begin with O, the colon of an older code, or a name.
+/// Whether a block of the line may begin with O, a colon (an older form of O), or a program name.
 fn may_begin_a_program(line: &[u8]) -> bool {
     line.split(|&byte| byte == b';').any(|block| {
         let first = block.iter().find(|byte| !matches!(byte, b' ' | b'\t' | b'%'));
@@ -102,7 +102,7 @@ fn may_begin_a_program(line: &[u8]) -> bool {
     })
 }
 
-/// Some number of the line ends with these digits.
+/// Whether a number in the line ends with these digits.
 fn ends_a_number(line: &[u8], digits: &[u8]) -> bool {
     let last = digits.len() - 1;
     line.windows(digits.len()).enumerate().any(|(at, window)| {

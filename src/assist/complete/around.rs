@@ -1,4 +1,4 @@
-//! What the text around a place uses: numbers, tools, feeds and speeds.
+//! Collects what the text around a place uses: numbers, tools, feeds and speeds.
 
 use crate::assist::form::g_of;
 use crate::control::codes::G;
@@ -8,28 +8,28 @@ use crate::text::block::{Block, BlockKind};
 use crate::text::parser::{Parser, Resume};
 use crate::text::program_name::is_name;
 
-/// Bytes before and after a line that are looked through.
+/// Number of bytes scanned before and after a line.
 const FAR: usize = 256 * 1024;
 
-/// What the text around a line uses, in the order of the text. Places are the first bytes of blocks.
+/// Numbers and values in the text around a line, in text order. Offsets are the first bytes of blocks.
 #[derive(Default)]
 pub struct Around {
-    /// The sequence numbers, and where they are.
+    /// Sequence numbers, with their offsets.
     pub sequences: Vec<(u32, u32)>,
-    /// The programs, and where they are.
+    /// Programs, with their offsets.
     pub programs: Vec<(u32, u32)>,
-    /// The T words before the line, once each.
+    /// Different T words before the line.
     pub tools: Vec<String>,
-    /// The values of F and S before the line, once each, with their letters.
+    /// Different values of F and S before the line, with their letters.
     pub rates: Vec<(u8, String)>,
-    /// The last block before the line that has words.
+    /// The last block with words before the line.
     pub last: Option<u32>,
-    /// A contour was roughed before the line, and not finished since.
+    /// Whether a contour before the line was roughed but not finished.
     pub is_roughed: bool,
 }
 
 impl Around {
-    /// What the text around a line uses; the line itself is not there yet.
+    /// Scans the text around a line, excluding the line itself.
     pub fn of(text: &[u8], line: Span, codes: CodeList) -> Self {
         let end = text.len().min(line.end as usize + FAR);
         let from = (line.start as usize).saturating_sub(FAR);
@@ -53,7 +53,7 @@ impl Around {
         around
     }
 
-    /// The highest sequence number; 0 where there is none.
+    /// The highest sequence number; 0 if there is none.
     pub fn last_sequence(&self) -> u32 {
         self.sequences.iter().map(|&(number, _)| number).max().unwrap_or(0)
     }

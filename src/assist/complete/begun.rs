@@ -1,25 +1,26 @@
-//! What was begun before a place, and which proposals go on with it.
+//! Determines what is being typed before a place, and which proposals match it.
 
 use super::{Item, What};
 use crate::assist::snippet::{Piece, Snippet};
 use crate::source::Span;
 
-/// What was begun at the place.
+/// The syntax being typed at a place.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Begun {
-    /// Nothing: a word can begin here.
+    /// Nothing yet: a word can begin here.
     Nothing,
     /// A word with this letter.
     Word(u8),
     /// `#` and digits.
     Variable,
-    /// What GOTO goes to.
+    /// The target of GOTO.
     Goto,
     /// Letters of a macro statement.
     Letters,
 }
 
-/// What was begun before a byte, and where; `None` in a comment, or after what no word begins with.
+/// The syntax typed before a byte, and its span; `None` in a comment, or after a character that cannot begin
+/// a word.
 pub fn begun_at(text: &[u8], line: u32, byte: u32) -> Option<(Begun, Span)> {
     let (line, byte) = (line as usize, (byte as usize).min(text.len()));
     let before = text.get(line..byte)?;
@@ -50,14 +51,14 @@ pub fn begun_at(text: &[u8], line: u32, byte: u32) -> Option<(Begun, Span)> {
     }
 }
 
-/// Whether a proposal goes on with what was typed: `G1` with G01 and G10.
+/// Whether a proposal starts with the typed text: `G1` matches G01 and G10.
 pub fn begins_with(item: &Item, typed: &str, begun: Begun) -> bool {
     let first = match item.pieces.first() {
         Some(Piece::Fixed(text) | Piece::Fill(text)) => text.as_str(),
         None => return false,
     };
     match begun {
-        // The form of a cycle may begin with its code: what was typed of it is no reason to leave it out.
+        // Snippets of cycles may begin with the code itself, so compare with the code.
         Begun::Word(_) => {
             let text = match item.pieces.get(1) {
                 Some(Piece::Fill(value)) if first.len() == 1 => format!("{first}{value}"),

@@ -1,4 +1,4 @@
-//! The words of a block, and the values they can have: from the blank, the tool and the text.
+//! Proposes words for a block, and values for them: from the blank, the tool and the text.
 
 use super::{Item, Proposing, What, Why, fixed};
 use crate::assist::form::Form;
@@ -15,7 +15,7 @@ enum Axis {
     Z,
 }
 
-/// The axis of a coordinate, and whether it is a way from where the tool is; `None` for other words.
+/// The axis of a coordinate word, and whether the word is incremental; `None` for other words.
 fn axis_of(role: Role) -> Option<(Axis, bool)> {
     Some(match role {
         Role::EndX | Role::CycleEndX | Role::PeckEndX | Role::HoleEndX | Role::HolePlaceX => (Axis::X, false),
@@ -39,10 +39,10 @@ impl Proposing<'_> {
         }
     }
 
-    /// A word whose letter was begun: the values it can have.
+    /// Proposals for a word whose letter was typed: possible values.
     pub fn word(&self, letter: u8) -> Vec<Item> {
         let form = match self.form() {
-            // A line that begins with a word goes on with the move in force.
+            // A line without a code continues the modal motion.
             Form::Nothing => Form::Motion { mode: self.state.motion, own: false },
             form => form,
         };
@@ -59,14 +59,14 @@ impl Proposing<'_> {
             _ => {}
         }
         let mut items: Vec<Item> = self.places(role).into_iter().map(|(at, why)| value(at, why)).collect();
-        // The newest first.
+        // The most recent value first.
         let used = self.around.rates.iter().rev().filter(|(of, _)| *of == letter);
         items.extend(used.map(|(_, used)| value(used.clone(), Why::Used)));
         items.dedup_by(|one, other| one.pieces == other.pieces);
         items
     }
 
-    /// Where a coordinate can go: values as they are written, and where they come from.
+    /// Possible values of a coordinate, formatted, with their sources.
     fn places(&self, role: Role) -> Vec<(String, Why)> {
         let Some((axis, is_way)) = axis_of(role) else { return Vec::new() };
         let reading = Reading { unit: self.state.unit, decimal: self.asked.dialect.decimal };
@@ -88,7 +88,7 @@ impl Proposing<'_> {
         for (at, why) in targets {
             let text = written(if is_way { at - self.here(axis) } else { at }, reading);
             let is_double = found.iter().any(|(other, _)| *other == text);
-            // No way leads to where the tool is.
+            // An incremental move to the current position would be zero.
             let is_nowhere = is_way && why == Why::Here;
             if !is_double && !is_nowhere {
                 found.push((text, why));
@@ -97,7 +97,7 @@ impl Proposing<'_> {
         found
     }
 
-    /// Where the tool is, as a program writes it: a diameter, or Z in mm.
+    /// The current position as programs write it: a diameter for X, Z in mm.
     fn here(&self, axis: Axis) -> f64 {
         match axis {
             Axis::X => Diameter::from_radius(self.state.position.x).mm(),
@@ -105,7 +105,7 @@ impl Proposing<'_> {
         }
     }
 
-    /// Where nothing was begun: the words that the form still needs, or what a block can begin with.
+    /// Proposals if no word was begun: the missing words of the form, or whatever can begin a block.
     pub fn anything(&self, asked_for: bool) -> Vec<Item> {
         let form = self.form();
         let missing = self.missing(form, asked_for);
@@ -120,7 +120,7 @@ impl Proposing<'_> {
         items
     }
 
-    /// The words of the form that do not stand in the block; those that can be left out only where the reader asks.
+    /// Words of the form that the block lacks; optional words only if the user requested completion.
     fn missing(&self, form: Form, asked_for: bool) -> Vec<Item> {
         if !self.own || matches!(form, Form::Motion { own: false, .. } | Form::Macro | Form::Nothing) {
             return Vec::new();

@@ -50,7 +50,7 @@ export function readStandardInput(most) {
   return readWithin(0, most);
 }
 
-/** Reads no further than one byte beyond the limit. */
+/** Reads a stream of unknown length; stops one byte past the limit. */
 function readWithin(file, most) {
   const chunks = [];
   let length = 0;
@@ -64,24 +64,24 @@ function readWithin(file, most) {
   throw coded('EFBIG');
 }
 
-/** Creates a file, where there is none. */
+/** Creates a file that does not exist yet. */
 export function createFile(path, mode) {
   return openSync(path, 'wx', mode);
 }
 
-/** Opens a file that exists. */
+/** Opens an existing file for writing. */
 export function openToWrite(path) {
   return openSync(path, constants.O_WRONLY);
 }
 
-/** Makes bytes the whole content of a file, and flushes it to the disk. */
+/** Replaces the whole content of a file, and flushes it to the disk. */
 export function writeWhole(descriptor, bytes) {
   for (let at = 0; at < bytes.length;) at += writeSync(descriptor, bytes, at, bytes.length - at, at);
   ftruncateSync(descriptor, bytes.length);
   fsyncSync(descriptor);
 }
 
-/** Writes to a device, a pipe, or a file that the path of a descriptor names. */
+/** Writes to a device, a pipe, or the path of a file descriptor. */
 export function writeDirectly(path, bytes) {
   const file = openSync(path, constants.O_WRONLY | constants.O_TRUNC);
   try {
@@ -91,7 +91,7 @@ export function writeDirectly(path, bytes) {
   }
 }
 
-/** Flushes the names in a folder to the disk. */
+/** Flushes a folder to the disk. */
 export function flushFolder(path) {
   const folder = openSync(path, 'r');
   try {
@@ -105,7 +105,7 @@ export function writeTo(descriptor, bytes) {
   for (let from = 0; from < bytes.length;) from += whenReady(() => writeSync(descriptor, bytes, from));
 }
 
-/** Calls until the stream can take or give something: a pipe that others have set to answer at once says `EAGAIN`. */
+/** Repeats a call until the stream is ready: a non-blocking pipe reports `EAGAIN`. */
 function whenReady(call, end) {
   for (;;) {
     try {
@@ -122,7 +122,7 @@ export function kindOf(path) {
   return kindNamed(statSync(path));
 }
 
-/** Type and permissions, user, group, number of hard links, file system, number of the file. */
+/** Mode, user, group, number of hard links, device, inode number. */
 export function factsOf(path) {
   const { mode, uid, gid, nlink, dev, ino } = statSync(path, { bigint: true });
   return BigUint64Array.of(mode, uid, gid, nlink, dev, ino);
@@ -132,7 +132,7 @@ export function canonicalPath(path) {
   return realpathSync.native(path);
 }
 
-/** Name, kind, name, kind, … */
+/** Name and type of each entry, alternating. */
 export function entriesOf(folder) {
   return readdirSync(folder, { withFileTypes: true }).flatMap((entry) => [entry.name, kindNamed(entry)]);
 }
