@@ -1,7 +1,7 @@
-//! A message at a place of the text, with its repairs.
+//! A message at a position of the text, with its fixes.
 //!
-//! In: a [`Message`] and a span. Out: what travels, in one list, to the page and the command line. Knows no
-//! language: `sentences` says it.
+//! In: a [`Message`] and a span. Out: the type that reaches the page and the command line, in one list.
+//! Independent of the language: `sentences` contains the texts.
 
 use super::rule::Severity;
 use super::variants::Message;
@@ -13,20 +13,20 @@ use crate::units::Unit;
 /// One message at one place.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Diagnostic {
-    /// What is to be said.
+    /// The message.
     pub message: Message,
-    /// The word or block it is about.
+    /// The word or block that the message is about.
     pub span: Span,
-    /// The unit its lengths are shown in: that of the program at its place.
+    /// The unit for lengths in the message: that of the program at this position.
     pub unit: Unit,
-    /// Its severity; mostly the message's own, but a control can turn an error into a warning.
+    /// Its severity: usually that of the message, but a control can turn an error into a warning.
     pub severity: Severity,
-    /// Repairs whose result is known exactly.
+    /// Fixes with a known result.
     pub fixes: Vec<Fix>,
 }
 
 impl Diagnostic {
-    /// A message at a place, with its usual severity.
+    /// Creates a diagnostic with the default severity.
     #[inline(always)]
     pub fn new(message: impl Into<Message>, span: Span) -> Self {
         Self::of(message.into(), span)
@@ -38,26 +38,26 @@ impl Diagnostic {
         Self { severity: message.severity(), message, span, unit: Unit::Millimetre, fixes: Vec::new() }
     }
 
-    /// The same with another severity.
+    /// Sets the severity.
     pub fn graded(mut self, severity: Severity) -> Self {
         self.severity = severity;
         self
     }
 
-    /// The same with its lengths in a unit.
+    /// Sets the unit of lengths.
     pub fn in_unit(mut self, unit: Unit) -> Self {
         self.unit = unit;
         self
     }
 
-    /// The same with one more repair.
+    /// Adds a fix.
     pub fn with(mut self, fix: Fix) -> Self {
         self.fixes.push(fix);
         self
     }
 
-    /// The code of its message. The letter of an error is E, and of nothing else, whatever severity a setup or the
-    /// control has given it: `E-NOT-MONOTONE` is `W-NOT-MONOTONE` where the control goes on.
+    /// The code of the message. Codes of errors, and only those, begin with E, whatever severity a setup or
+    /// the control sets: `E-NOT-MONOTONE` becomes `W-NOT-MONOTONE` if the control continues.
     pub fn code(&self) -> String {
         let code = self.message.code();
         match (self.is_error(), code.split_at_checked(2)) {
@@ -67,7 +67,7 @@ impl Diagnostic {
         }
     }
 
-    /// Moves its places along, when the text before them has changed.
+    /// Moves its spans after an edit of the text before them.
     pub fn shift(&mut self, shift: &Shift) {
         self.span = shift.span(self.span);
         for edit in self.fixes.iter_mut().flat_map(|fix| &mut fix.edits) {
@@ -75,89 +75,88 @@ impl Diagnostic {
         }
     }
 
-    /// Whether it says something of a word already, alone or with a neighbour.
+    /// Whether it is a warning or an error about this word, alone or with a neighbour.
     pub fn is_about(&self, word: Span) -> bool {
         let same = self.span.contains(word) && self.span.len() <= 2 * word.len() + 2;
         same && self.severity > Severity::Info
     }
 
-    /// Whether the block cannot be carried out as it is written.
+    /// Whether the block cannot be executed as written.
     pub fn is_error(&self) -> bool {
         self.severity == Severity::Error
     }
 }
 
-/// Puts messages in the order of their places; those at one place stay in theirs.
+/// Sorts messages by position, stably.
 pub fn sort_by_place(diagnostics: &mut [Diagnostic]) {
     order::by_key(diagnostics, |told| told.span.start);
 }
 
-/// What a repair does, as its title says it.
+/// Kind of a fix, used for its title.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Repair {
-    /// Closes a comment.
+    /// Close a comment.
     CloseComment,
-    /// Writes a decimal point.
+    /// Insert a decimal point.
     DecimalPoint,
-    /// Writes the letter O.
+    /// Write the letter O instead of a zero.
     LetterO,
-    /// Writes a minus.
+    /// Insert a minus sign.
     Minus,
-    /// Writes this in place of what stands there.
+    /// Replace a text.
     Write {
         /// The new text.
         text: String,
     },
-    /// Takes a word out.
+    /// Delete a word.
     Delete {
         /// The word.
         text: String,
     },
-    /// Puts this where nothing stood.
+    /// Insert a text.
     Insert {
         /// The new text.
         text: String,
     },
 }
 
-/// A repair: edits that together cure the fault.
+/// A fix: edits that together resolve the problem.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Fix {
-    /// What it does.
+    /// Kind of the fix.
     pub title: Repair,
-    /// Whether it can be applied without asking: it does not change what the program does.
+    /// Whether it can be applied without confirmation, because it does not change what the program does.
     pub safe: bool,
-    /// The edits, in order of place, not overlapping.
+    /// The edits, sorted by position, not overlapping.
     pub edits: Vec<Edit>,
 }
 
-/// Text to put in place of a span.
+/// A replacement of a span of the text.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Edit {
-    /// What is replaced; empty to insert.
+    /// The replaced span; empty for an insertion.
     pub span: Span,
     /// The new text.
     pub text: String,
 }
 
 impl Fix {
-    /// A safe repair that puts `text` in place of `span`.
+    /// A safe fix that replaces `span` by `text`.
     pub fn replace(title: Repair, span: Span, text: &str) -> Self {
         Self { title, safe: true, edits: vec![Edit { span, text: text.to_owned() }] }
     }
 
-    /// A repair that puts `text` in place of a word; whoever reads the program must
-    /// say whether that was meant.
+    /// A fix that replaces a word by `text`; the user must confirm that it was intended.
     pub fn write(span: Span, text: String) -> Self {
         Self::replace(Repair::Write { text: text.clone() }, span, &text).asking()
     }
 
-    /// A repair that takes a word out, with the blanks before it; to be asked for.
+    /// A fix that deletes a word and the spaces before it; to be confirmed.
     pub fn delete(text: &[u8], span: Span) -> Self {
         let before = text[..span.start as usize].iter().rev();
         let blanks = before.take_while(|byte| matches!(byte, b' ' | b'\t')).count() as u32;
         let from = Span { start: span.start - blanks, end: span.end };
-        // At the head of a line the blanks after it go.
+        // At the start of a line, delete the spaces after the word instead.
         let behind =
             text[span.end as usize..].iter().take_while(|byte| matches!(byte, b' ' | b'\t')).count() as u32;
         let first = from.start == 0 || matches!(text[from.start as usize - 1], b'\n' | b'\r');
@@ -165,19 +164,19 @@ impl Fix {
         Self::replace(Repair::Delete { text: span.quote(text) }, whole, "").asking()
     }
 
-    /// A repair that puts `text` at byte `at`; to be asked for.
+    /// A fix that inserts `text` at byte `at`; to be confirmed.
     pub fn insert(at: u32, text: String) -> Self {
         let title = Repair::Insert { text: text.trim().to_owned() };
         Self::replace(title, Span { start: at, end: at }, &text).asking()
     }
 
-    /// The same repair, to be applied only when somebody asks for it.
+    /// Marks the fix as one that must be confirmed.
     pub fn asking(mut self) -> Self {
         self.safe = false;
         self
     }
 
-    /// The same repair, which does not change what the program does.
+    /// Marks the fix as safe: it does not change what the program does.
     pub fn safe(mut self) -> Self {
         self.safe = true;
         self

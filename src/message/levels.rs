@@ -1,7 +1,7 @@
-//! The severity of the messages of a rule, where a setup says something else than the rule itself.
+//! Severities that a setup sets for rules, instead of their defaults.
 //!
-//! In: names of rules or of groups of them, each with a level. Out: messages with the level that is asked
-//! for; those that are off are dropped. It changes what is said, never what the control does.
+//! In: names of rules or groups, each with a severity. Out: diagnostics with the configured severity; those
+//! of rules set to `off` are dropped. Affects messages only, never the motions.
 
 use std::collections::BTreeMap;
 
@@ -13,22 +13,23 @@ use super::rule::{Group, Severity};
 use super::variants::RULES;
 use crate::parts::early;
 
-/// The levels that are asked for, by the name of a rule or a group.
+/// Configured severities, by the name of a rule or a group.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Levels(BTreeMap<&'static str, Severity>);
 
 impl Levels {
-    /// Sets a rule or a group; small and capital letters are the same. False: there is none of that name.
+    /// Sets the severity of a rule or a group; the name is case-insensitive. Returns false if the name is
+    /// unknown.
     pub fn set(&mut self, name: &str, level: Severity) -> bool {
         known(name).map(|name| self.0.insert(name, level)).is_some()
     }
 
-    /// Takes back what is asked for by exactly this name.
+    /// Removes the entry with exactly this name.
     pub fn unset(&mut self, name: &str) {
         self.0.remove(name);
     }
 
-    /// The rules that are off by their own names, in the order of these.
+    /// The rules set to `off` by their own name, sorted by name.
     pub fn rules_off(&self) -> impl Iterator<Item = &'static str> {
         let is_group = |name: &str| Group::ALL.iter().any(|group| group.name() == name);
         self.iter()
@@ -36,18 +37,18 @@ impl Levels {
             .map(|(name, _)| name)
     }
 
-    /// What is asked for by exactly this name.
+    /// The entry with exactly this name.
     pub fn get(&self, name: &str) -> Option<Severity> {
         self.0.get(name).copied()
     }
 
-    /// The level of a rule. What is said of the rule overrides what is said of its group.
+    /// The severity of a rule. An entry for the rule overrides one for its group.
     pub fn of(&self, slug: &str) -> Option<Severity> {
         let group = || RULES.iter().find(|rule| rule.slug == slug)?.group;
         self.get(slug).or_else(|| self.get(group()?.name()))
     }
 
-    /// A message as it is to be reported; nothing where its rule is off.
+    /// Applies the severity to a diagnostic; `None` if its rule is off.
     pub fn graded(&self, mut diagnostic: Diagnostic) -> Option<Diagnostic> {
         if !self.0.is_empty()
             && let Some(level) = level_of(self, &diagnostic)
@@ -57,8 +58,8 @@ impl Levels {
         (diagnostic.severity > Severity::Off).then_some(diagnostic)
     }
 
-    /// These levels with others that override them; a group that is set there
-    /// overrides rules that are set here.
+    /// Merges with `others`, which take precedence. An entry for a group there also overrides entries for its
+    /// rules here.
     pub fn with(mut self, others: &Self) -> Self {
         for rule in &RULES {
             if rule.group.is_some_and(|group| others.get(group.name()).is_some()) {
@@ -69,49 +70,49 @@ impl Levels {
         self
     }
 
-    /// These levels without those of groups.
+    /// Removes the entries for groups.
     pub fn without_groups(mut self) -> Self {
         self.0.retain(|name, _| Group::ALL.iter().all(|group| group.name() != *name));
         self
     }
 
-    /// Whether nothing is asked for.
+    /// Whether there are no entries.
     pub fn is_empty(&self) -> bool {
         self.0.is_empty()
     }
 
-    /// Name and level of each, in the order of the names.
+    /// Names and severities, sorted by name.
     pub fn iter(&self) -> impl Iterator<Item = (&'static str, Severity)> {
         self.0.iter().map(|(name, level)| (*name, *level))
     }
 }
 
 early! {
-    /// The level that a setup asks for.
+    /// The configured severity of a diagnostic.
     fn level_of(levels: &Levels, told: &Diagnostic) -> Option<Severity> {
         levels.of(told.message.slug())
     }
 }
 
-/// Names that can be set: rules and groups.
+/// Valid names: of rules and groups.
 fn names() -> impl Iterator<Item = &'static str> {
     RULES.iter().map(|rule| rule.slug).chain(Group::ALL.map(Group::name))
 }
 
-/// The rule or group of a name, written in any case.
+/// The canonical name of a rule or group; case-insensitive.
 pub fn known(name: &str) -> Option<&'static str> {
     names().find(|known| known.eq_ignore_ascii_case(name))
 }
 
-/// The rule or group whose name is most like this one; nothing where none is much like it.
+/// The most similar name of a rule or group; `None` if no name is similar.
 pub fn nearest(name: &str) -> Option<&'static str> {
     nearest_of(name, names())
 }
 
-/// The one of some names that is most like this one; nothing where none is much like it.
+/// The most similar of some names; `None` if none is similar.
 pub fn nearest_of<'a>(name: &str, names: impl Iterator<Item = &'a str>) -> Option<&'a str> {
     let name = name.to_ascii_lowercase();
-    // Nobody misspells a name by more than this, and the work stays small.
+    // Longer names are no misspellings, and the limit bounds the work.
     const LONGEST: usize = 60;
     if name.len() > LONGEST {
         return None;
@@ -126,7 +127,7 @@ impl<'de> Deserialize<'de> for Levels {
     }
 }
 
-/// Reads `{"slug": "level"}`.
+/// Deserializes `{"slug": "level"}`.
 struct Rules;
 
 impl<'de> Visitor<'de> for Rules {

@@ -1,7 +1,7 @@
-//! Messages to the user: what is wrong, where, what a control would do, and the fix.
+//! Messages to the user: the problem, its position, the effect on a control, and the fix.
 //!
-//! In: a message with its arguments, at a place. Out: what travels, in one list, to the page and the command
-//! line. Knows no sentence: `sentences` says it.
+//! In: a message with its arguments and a position. Out: the type that reaches the page and the command line,
+//! in one list. Contains no sentences; these are in `sentences`.
 
 mod diagnostic;
 pub mod levels;

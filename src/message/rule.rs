@@ -1,26 +1,26 @@
-//! Rules: what all messages of one fault have in common.
+//! Rules: the common properties of all messages about one fault.
 //!
-//! In: nothing. Out: the types of the table [`RULES`](super::RULES), which is made
-//! from `src/rules/<slug>.md`.
+//! In: nothing. Out: the types of the table [`RULES`](super::RULES), which the build script generates from
+//! `src/rules/<slug>.md`.
 
 /// The severity of a message.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Severity {
-    /// Reported only where somebody asks for it (`levels`).
+    /// Reported only if requested (`levels`).
     Off,
-    /// Good to know.
+    /// Information.
     Info,
-    /// The program runs, but perhaps not as meant.
+    /// The program runs, but perhaps not as intended.
     Warning,
-    /// The block is not carried out.
+    /// The block is not executed.
     Error,
 }
 
 impl Severity {
-    /// All of them, the lowest first.
+    /// All severities, the lowest first.
     pub const ALL: [Self; 4] = [Self::Off, Self::Info, Self::Warning, Self::Error];
 
-    /// The one of a name, written in any case.
+    /// Finds a severity by name; case-insensitive.
     pub fn named(name: &str) -> Option<Self> {
         Self::ALL.into_iter().find(|severity| severity.name().eq_ignore_ascii_case(name))
     }
@@ -36,12 +36,12 @@ impl Severity {
     }
 }
 
-/// Its category.
+/// Category of a rule.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Kind {
-    /// The program is wrong, or likely so.
+    /// The program is wrong, or probably wrong.
     Wrong,
-    /// The program may be right; the playground does not do this.
+    /// The program may be correct, but the playground does not support it.
     Unsupported,
     /// It depends on the machine.
     Machine,
@@ -58,10 +58,10 @@ impl Kind {
     }
 }
 
-/// Rules that are set by one name.
+/// A group of rules that can be set by one name.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Group {
-    /// What a teacher looks for and a control does not mind.
+    /// Rules for teaching; a control ignores these problems.
     Classroom,
 }
 
@@ -77,19 +77,19 @@ impl Group {
     }
 }
 
-/// A rule: what all messages of one slug have in common.
+/// A rule: the common properties of all messages with one slug.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Rule {
     /// Stable name of the fault.
     pub slug: &'static str,
-    /// The codes of its messages; mostly one.
+    /// The codes of its messages; usually one.
     pub codes: &'static [&'static str],
-    /// How severe it usually is.
+    /// Default severity.
     pub severity: Severity,
-    /// Its category.
+    /// Category.
     pub kind: Kind,
-    /// The alarms a control raises for it; mostly one or none.
+    /// The alarms that a control raises; usually one or none.
     pub alarms: &'static [&'static str],
-    /// The group it belongs to.
+    /// The group of the rule, if any.
     pub group: Option<Group>,
 }

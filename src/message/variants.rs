@@ -1,41 +1,42 @@
-//! Every message with its arguments, and what is the same in all languages: code, slug,
-//! severity, kind and alarm.
+//! Messages with their arguments, and their language-independent properties: code, slug, severity, kind and
+//! alarm.
 //!
-//! In: a value of a type of [`said`]. Out: a [`Message`], which is the same for all: its number and its values,
-//! so that what keeps, copies and compares messages knows none of them. The build script makes these types and
-//! the table [`RULES`] from `src/rules/<slug>.md`. Knows no language.
+//! In: a value of a type of [`said`]. Out: a [`Message`]: an index and values, one type for all messages, so
+//! that code that stores, copies and compares messages does not depend on each of them. The build script
+//! generates the types of [`said`] and the table [`RULES`] from `src/rules/<slug>.md`. Independent of the
+//! language.
 
 use std::borrow::Cow;
 
 use super::rule::{Group, Kind, Rule, Severity};
 use crate::units::Diameter;
 
-/// A word or number that a sentence quotes.
+/// An argument of a message.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Value<'a> {
-    /// Words, as they are.
+    /// Text, used verbatim.
     Text(Cow<'a, str>),
     /// An address or an axis.
     Letter(char),
-    /// A whole number.
+    /// An integer.
     Count(i64),
-    /// A measure, as people write it.
+    /// A number in the usual notation.
     Number(f64),
-    /// A length, mm; or a feed, mm/min or mm/rev. It is shown in the unit of the program.
+    /// A length, mm; or a feed, mm/min or mm/rev. Displayed in the unit of the program.
     Length(f64),
-    /// The number of a program, in four digits at least.
+    /// A program number, displayed with at least four digits.
     Program(u32),
-    /// The alarm that a real control raises; no sentence quotes it.
+    /// The alarm of a real control; not used in sentences.
     Alarm(&'static str),
 }
 
 impl Value<'_> {
-    /// How many.
+    /// A count.
     pub fn count(count: usize) -> Self {
         Self::Count(i64::try_from(count).unwrap_or(i64::MAX))
     }
 
-    /// The same value, its words where they are.
+    /// A copy that borrows the text.
     fn borrowed(&self) -> Value<'_> {
         match *self {
             Self::Text(ref text) => Value::Text(Cow::Borrowed(text)),
@@ -49,45 +50,45 @@ impl Value<'_> {
     }
 }
 
-/// Values by the names that stand in templates.
+/// Arguments by their names in templates.
 pub type Arguments<'a> = Vec<(&'static str, Value<'a>)>;
 
 /// A message to the user with its arguments.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Message {
-    /// Its place in the tables of messages.
+    /// Index in the tables of messages.
     index: u16,
-    /// Its arguments, in the order of `ARGUMENTS`; the alarm stands last.
+    /// Its arguments, in the order of `ARGUMENTS`; the alarm comes last.
     values: Box<[Value<'static>]>,
 }
 
 /// A type of [`said`].
 pub trait Said: Into<Message> {
-    /// Its place in the tables of messages.
+    /// Index in the tables of messages.
     const INDEX: u16;
 }
 
 include!(concat!(env!("OUT_DIR"), "/message.rs"));
 
 impl Message {
-    /// The message of a number with its values.
+    /// Creates a message from its index and values.
     #[cold]
     #[inline(never)]
     fn of<const N: usize>(index: u16, values: [Value<'static>; N]) -> Self {
         Self { index, values: Box::new(values) }
     }
 
-    /// Its place in the tables of messages.
+    /// Index in the tables of messages.
     pub(crate) fn index(&self) -> usize {
         usize::from(self.index)
     }
 
-    /// Whether it is a message of this type.
+    /// Whether the message has this type.
     pub fn is<M: Said>(&self) -> bool {
         self.index == M::INDEX
     }
 
-    /// The alarm among its arguments.
+    /// The alarm in the arguments, if any.
     fn own_alarm(&self) -> Option<&'static str> {
         match self.values.last() {
             Some(Value::Alarm(alarm)) => Some(alarm),
@@ -95,12 +96,12 @@ impl Message {
         }
     }
 
-    /// The place of its rule in `RULES`.
+    /// Index of its rule in `RULES`.
     pub fn rule_index(&self) -> u16 {
         RULE_OF[self.index()]
     }
 
-    /// The rule it belongs to.
+    /// The rule of the message.
     pub fn rule(&self) -> &'static Rule {
         &RULES[usize::from(self.rule_index())]
     }
@@ -119,27 +120,27 @@ impl Message {
         self.rule().slug
     }
 
-    /// How severe it usually is.
+    /// Default severity.
     pub fn severity(&self) -> Severity {
         SEVERITIES[usize::from(self.rule_index())]
     }
 
-    /// The alarm a real control raises.
+    /// The alarm of a real control, if any.
     pub fn alarm(&self) -> Option<&'static str> {
         self.own_alarm().or_else(|| self.rule().alarms.first().copied())
     }
 
-    /// Its category.
+    /// Category.
     pub fn kind(&self) -> Kind {
         self.rule().kind
     }
 
-    /// The name of its type, by which the templates of a language are found.
+    /// Name of the type, the key of its templates.
     pub fn name(&self) -> &'static str {
         NAMES[self.index()]
     }
 
-    /// The same with the lines that its sentences name as they are counted elsewhere.
+    /// Converts the line numbers in its arguments.
     pub fn with_lines(mut self, elsewhere: impl Fn(i64) -> i64) -> Self {
         for (&name, value) in ARGUMENTS[self.index()].iter().zip(&mut self.values) {
             if let (true, Value::Count(line)) = (name == "line", value) {
@@ -149,7 +150,7 @@ impl Message {
         self
     }
 
-    /// What its sentences quote, in the order of the rule file.
+    /// Its arguments, in the order of the rule file.
     pub fn arguments(&self) -> Arguments<'_> {
         ARGUMENTS[self.index()].iter().copied().zip(self.values.iter().map(Value::borrowed)).collect()
     }

@@ -1,73 +1,74 @@
-//! Items to blocks: which words belong together, and what stands between one block and the next.
+//! Groups items into blocks, and records the text between consecutive blocks.
 //!
-//! In: items. Out: [`Blocks`]. A block ends where a control ends it, and where print has lost the end: before
-//! N, before a second axis word of the same letter, before a second code of the same group.
+//! In: items. Out: [`Blocks`]. A block ends where it ends on a control, and where a printed text lost the end
+//! of block: before N, before a second axis word with the same letter, before a second code of the same
+//! group.
 
 use super::items::{Item, Kind, Word, slice};
 use crate::control::codes;
 
-/// Of an item that belongs to no block.
+/// Owner of an item that belongs to no block.
 pub(super) const NOBODY: u32 = u32::MAX;
 
-/// Fewest sequence numbers in a row that are a column of a table.
+/// Minimum number of consecutive sequence numbers that count as a column of a table.
 const LONE_NUMBERS: usize = 3;
 
-/// What stands between a block and the one before it; blanks, bullets, line numbers and noise are nothing.
+/// The text between a block and the previous one; spaces, bullets, line numbers and noise are ignored.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(super) struct Gap {
-    /// Lines of text that hold no block.
+    /// Number of text lines without a block.
     pub lines: usize,
-    /// Bytes of text on them.
+    /// Length of the text on these lines, bytes.
     pub beyond: usize,
-    /// Bytes of text before the block on its own line, after the block before it if that is there too.
+    /// Length of the text before the block on its own line, but after the previous block, bytes.
     pub before: usize,
-    /// Both stand on one line.
+    /// Whether both blocks are on one line.
     pub same_line: bool,
-    /// Something was left out on purpose: `…`.
+    /// Whether there is an ellipsis `…`, a deliberate omission.
     pub ellipsis: bool,
-    /// A `%`.
+    /// Whether there is a `%`.
     pub percent: bool,
 }
 
 impl Gap {
-    /// Whether nothing but the end of a line, or what stands after a block, is between them.
+    /// Whether the blocks are adjacent, apart from a line end or text after the first block.
     pub fn is_close(self) -> bool {
         self.lines == 0 && self.before == 0 && !self.ellipsis
     }
 
-    /// Bytes of text.
+    /// Total length of the text, bytes.
     pub fn text(self) -> usize {
         self.beyond + self.before
     }
 }
 
-/// Words that belong together.
+/// Items that form a block.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(super) struct Block {
-    /// First item, and one past the last.
+    /// The item range: first, and one past the last.
     pub first: usize,
     pub end: usize,
     /// Its program number.
     pub head: Option<u32>,
     /// Its sequence number.
     pub sequence: Option<f64>,
-    /// Words other than O and N, and macro statements.
+    /// Number of words other than O and N, and of macro statements.
     pub words: usize,
-    /// It says where to go.
+    /// Whether it programs a move.
     pub moves: bool,
-    /// M02, M30 or M99.
+    /// Whether it contains M02, M30 or M99.
     pub ends_program: bool,
-    /// Nothing but its number, with a sentence around it: the head of a table.
+    /// Whether it is only a program number within a sentence: the title of a table.
     pub table_head: bool,
-    /// A sentence that mentions a code.
+    /// Whether it is a code mentioned in a sentence.
     pub mention: bool,
-    /// Axis letters it has, as bits.
+    /// Axis letters, as a bit set.
     axes: u32,
-    /// Codes of group 01 it has.
+    /// Whether it contains a code of group 01.
     codes: bool,
-    /// The last item of a code of group 01 that stands after an axis word.
+    /// The last item that is a code of group 01 after an axis word.
     code_behind: Option<usize>,
-    /// What stands before it.
+    /// The text before it.
     pub gap: Gap,
 }
 
@@ -75,11 +76,11 @@ pub(super) struct Block {
 #[derive(Debug, Default)]
 pub(super) struct Blocks {
     pub list: Vec<Block>,
-    /// For each item the block it belongs to.
+    /// For each item, the index of its block.
     pub owner: Vec<u32>,
 }
 
-/// Puts the items of a text together.
+/// Groups the items of a text into blocks.
 pub(super) fn assemble(text: &str, items: &[Item]) -> Blocks {
     let words = || items.iter().filter(|item| matches!(item.kind, Kind::Word(_)));
     let small = words().filter(|item| is_small(text, item)).count();
@@ -108,7 +109,7 @@ pub(super) fn assemble(text: &str, items: &[Item]) -> Blocks {
     blocks
 }
 
-/// Whether a word begins with a small letter.
+/// Whether a word begins with a lower-case letter.
 fn is_small(text: &str, item: &Item) -> bool {
     slice(text, item.span).starts_with(|c: char| c.is_ascii_lowercase())
 }
@@ -116,19 +117,19 @@ fn is_small(text: &str, item: &Item) -> bool {
 struct Assembler<'a> {
     text: &'a str,
     items: &'a [Item],
-    /// Most words of the text have capital letters.
+    /// Whether most words of the text are in capitals.
     in_capitals: bool,
     blocks: Blocks,
-    /// The last block goes on.
+    /// Whether the last block can be extended.
     open: bool,
-    /// What follows on the line may still belong to the last block.
+    /// Whether further words on the line may still belong to the last block.
     reachable: bool,
-    /// A format with placeholders: its codes are none.
+    /// Whether the line is a format with placeholders, whose codes do not count.
     tainted: bool,
     gap: Gap,
-    /// Bytes of text on this line since its last block.
+    /// Length of the text on this line since its last block, bytes.
     on_line: usize,
-    /// A block stands on this line.
+    /// Whether there is a block on this line.
     block_on_line: bool,
 }
 
@@ -218,7 +219,7 @@ impl Assembler<'_> {
         self.reachable = false;
     }
 
-    /// Text that belongs to no block.
+    /// Handles text that belongs to no block.
     fn text(&mut self, item: Item) {
         if self.open && self.last().is_some_and(|block| is_remark(block)) {
             self.dissolve();
@@ -238,7 +239,7 @@ impl Assembler<'_> {
         self.block_on_line = false;
     }
 
-    /// Begins a block with an item.
+    /// Starts a block with an item.
     fn begin(&mut self, at: usize) {
         let mut gap = self.gap;
         gap.same_line = self.block_on_line;
@@ -265,7 +266,7 @@ impl Assembler<'_> {
         }
     }
 
-    /// The last block was none.
+    /// Removes the last block, which turned out not to be one.
     fn dissolve(&mut self) {
         if !self.open {
             return;
@@ -280,7 +281,8 @@ impl Assembler<'_> {
         self.close();
     }
 
-    /// Noise follows an open block: small letters at the end of a block in capitals belong to it.
+    /// Before noise: removes lower-case words at the end of an open block in capitals, since they belong to
+    /// the noise.
     fn trim(&mut self) {
         if !self.open {
             return;
@@ -306,7 +308,7 @@ impl Assembler<'_> {
         for at in first..end {
             note(&mut again, self.items, at);
         }
-        // A letter and a digit alone before noise are noise too.
+        // A single letter and digit before noise also count as noise.
         let first_letter = match self.items[first].kind {
             Kind::Word(word) => word.letter,
             _ => b'G',
@@ -329,7 +331,7 @@ impl Assembler<'_> {
             let number = word.value >= 1.0 && word.value < 1e8 && word.value.fract() == 0.0;
             let small = slice(self.text, item.span).starts_with('o') && self.block_on_line;
             if !number || small {
-                // Within a block it is noise, which `trim` takes away if more of it follows.
+                // Within a block it is probably noise, which `trim` removes if more noise follows.
                 return if self.open { self.own(at) } else { self.text(item) };
             }
         }
@@ -360,7 +362,7 @@ impl Assembler<'_> {
         }
     }
 
-    /// Whether the block should have ended before a code it already holds: `Z0 G90 X62 Z-43`.
+    /// Whether the block should have ended before a code it already contains: `Z0 G90 X62 Z-43`.
     fn splits_earlier(&mut self, word: Word) -> bool {
         self.last().is_some_and(|block| repeats(block, word) && block.code_behind.is_some())
     }
@@ -386,7 +388,7 @@ impl Assembler<'_> {
     }
 }
 
-/// Whether there are only comments in a block so far.
+/// Whether a block contains only comments.
 fn is_remark(block: &Block) -> bool {
     block.words == 0 && block.head.is_none() && block.sequence.is_none()
 }
@@ -402,12 +404,12 @@ fn repeats(block: &Block, word: Word) -> bool {
     block.axes & axis_bit(word) != 0
 }
 
-/// Codes of which a block has only one.
+/// Whether a word is a code of group 01, of which a block contains only one.
 fn is_group_1(word: Word) -> bool {
     word.letter == b'G' && u64::try_from(word.tenths()).is_ok_and(codes::is_of_motion_group)
 }
 
-/// Takes note of an item of a block.
+/// Updates the properties of a block with an item.
 fn note(block: &mut Block, items: &[Item], at: usize) {
     match items[at].kind {
         Kind::Word(word) => match word.letter {
@@ -432,7 +434,7 @@ fn note(block: &mut Block, items: &[Item], at: usize) {
     }
 }
 
-/// Takes out sequence numbers that stand in a column of their own: a table that was read column by column.
+/// Removes sequence numbers that form a separate column: a table that was extracted column by column.
 fn drop_columns(blocks: &mut Blocks, items: &[Item]) {
     let bare = |block: &Block| {
         block.words == 0 && block.head.is_none() && block.sequence.is_some() && block.end == block.first + 1
@@ -479,7 +481,7 @@ fn drop_columns(blocks: &mut Blocks, items: &[Item]) {
     blocks.list = kept;
 }
 
-/// Whether a block is a code in a sentence: letters or signs of the sentence touch it.
+/// Whether a block is a code mentioned in a sentence: letters or punctuation of the sentence touch it.
 fn is_mention(text: &str, items: &[Item], block: &Block) -> bool {
     let touches = |c: char| {
         (c.is_alphabetic() && !c.is_ascii()) || matches!(c, '、' | '—' | '“' | '”' | '«' | '»' | '～')

@@ -1,43 +1,43 @@
-//! Any text to items: words of a block, remarks, ends of blocks, and whatever else stands between them.
+//! Splits any text into items: words of a block, comments, ends of blocks, and everything between them.
 //!
-//! In: a text. Out: [`Item`]s in order, blanks left out. Work grows with the length of the text alone.
+//! In: a text. Out: [`Item`]s in order, without spaces. The work is proportional to the length of the text.
 
 use super::reason::Reason;
 use crate::source::Span;
 use crate::units::read_number;
 
-/// Longest stretch that is read as a remark or an expression, bytes; a bracket that closes later is none.
+/// Maximum length of a comment, bytes; a parenthesis that closes later does not begin a comment.
 const LONGEST_BRACKET: usize = 400;
-/// The same of an expression.
+/// Maximum length of an expression, bytes.
 const LONGEST_EXPRESSION: usize = 200;
-/// Unreadable chunks from which on the rest of a line is noise.
+/// Number of unreadable chunks that make the rest of a line noise.
 const NOISE_CHUNKS: usize = 2;
 
-/// A letter with its value.
+/// A word: a letter and its value.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Word {
     /// The address, an upper-case ASCII letter.
     pub letter: u8,
-    /// The number; not a number for an expression.
+    /// The number; NaN for an expression.
     pub value: f64,
-    /// Whether what stands between letter and number may have been a minus.
+    /// Whether a character between letter and number may have been a minus sign.
     pub lost_sign: bool,
-    /// Why it is spelled differently now.
+    /// Why its spelling was corrected.
     pub reason: Option<Reason>,
 }
 
 impl Word {
-    /// Ten times the number of a code: `G12.1` is 121.
+    /// The number of a code in tenths: `G12.1` is 121.
     pub fn tenths(self) -> i64 {
         (self.value * 10.0).round() as i64
     }
 }
 
-/// What an item is.
+/// Kind of an item.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Kind {
     Word(Word),
-    /// `( … )`, closed on its line.
+    /// `( … )`, closed on the same line.
     Comment,
     /// A macro statement up to the end of its block.
     Macro,
@@ -45,7 +45,7 @@ pub(super) enum Kind {
     Slash,
     Semicolon,
     LineEnd,
-    /// `%` alone on its line.
+    /// `%` in a separate line.
     Percent,
     /// A bullet, `>`, `|`.
     Bullet,
@@ -53,7 +53,7 @@ pub(super) enum Kind {
     LineNumber,
     /// `…`.
     Ellipsis,
-    /// Letters of a script that neither programs nor their readers use.
+    /// Letters of a script that is used neither in programs nor by the users.
     Foreign,
     /// `X(U)_`.
     Placeholder,
@@ -61,27 +61,27 @@ pub(super) enum Kind {
     Letter,
     /// A comma.
     Comma,
-    /// Other signs.
+    /// Other punctuation.
     Mark,
-    /// Signs that make no sense.
+    /// Meaningless characters.
     Noise,
     /// Anything else.
     Prose,
 }
 
 impl Kind {
-    /// Whether it is text a control does not take.
+    /// Whether a control would not accept the text.
     pub fn is_text(self, text: &str, span: Span) -> bool {
         match self {
             Self::Comment | Self::Semicolon | Self::LineEnd | Self::Percent | Self::Slash => false,
-            // A file may end with the sign that ended files under DOS.
+            // DOS files may end with the control character 0x1A.
             Self::Mark => !slice(text, span).chars().all(|c| c.is_control()),
             _ => true,
         }
     }
 }
 
-/// An item and its place.
+/// An item and its span.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Item {
     pub kind: Kind,
@@ -93,17 +93,17 @@ pub(super) fn slice(text: &str, span: Span) -> &str {
     &text[span.start as usize..span.end as usize]
 }
 
-/// Whether a character has no width.
+/// Whether a character has zero width.
 pub(super) fn is_invisible(c: char) -> bool {
     matches!(c, '\u{200b}'..='\u{200f}' | '\u{2060}' | '\u{feff}' | '\u{ad}')
 }
 
-/// Whether a character is a blank within a line: the lexer passes over control characters too.
+/// Whether a character is white space within a line; like the lexer, includes control characters.
 pub(super) fn is_blank(c: char) -> bool {
     is_invisible(c) || ((c.is_whitespace() || c.is_control()) && c != '\n' && c != '\r')
 }
 
-/// The plain sign of a character, and why it is another.
+/// The ASCII equivalent of a character, and the reason for the replacement.
 fn plain(c: char) -> (char, Option<Reason>) {
     match c {
         '\u{2212}' | '\u{2010}'..='\u{2013}' | '\u{ff0d}' | '\u{fe63}' => ('-', Some(Reason::Minus)),
@@ -112,13 +112,13 @@ fn plain(c: char) -> (char, Option<Reason>) {
     }
 }
 
-/// The address a capital of another script looks like.
+/// The Latin capital that a Cyrillic capital looks like.
 fn look_alike(c: char) -> Option<char> {
     let at = "АВСЕНКМОРТХ".chars().position(|other| other == c)?;
     "ABCEHKMOPTX".chars().nth(at)
 }
 
-/// Whether a character is a letter of a script that has no place in a program or beside it.
+/// Whether a character belongs to a script that is used neither in programs nor by the users.
 fn is_foreign(c: char) -> bool {
     matches!(c as u32, 0x530..=0x1cff | 0xa000..=0xabff)
 }
@@ -152,7 +152,7 @@ fn is_bullet(c: char) -> bool {
     )
 }
 
-/// A character as it is read, and where the next one begins; signs of no width before it are skipped.
+/// A normalised character and the position of the next one; zero-width characters before it are skipped.
 #[derive(Clone, Copy)]
 struct Seen {
     sign: char,
@@ -179,7 +179,7 @@ fn sign_at(text: &str, at: usize) -> Option<char> {
     look(text, at).map(|seen| seen.sign)
 }
 
-/// The signs of a text as a program spells them, and why they differ.
+/// Normalises the characters of a text, and returns the reason for the first change.
 pub(super) fn plain_signs(text: &str) -> (String, Option<Reason>) {
     let (mut now, mut reason, mut at) = (String::new(), None, 0);
     while let Some(seen) = look(text, at) {
@@ -190,7 +190,7 @@ pub(super) fn plain_signs(text: &str) -> (String, Option<Reason>) {
     (now, reason)
 }
 
-/// Reads a text.
+/// Splits a text into items.
 pub(super) fn read(text: &str) -> Vec<Item> {
     let mut reader = Reader { text, at: 0, items: Vec::new(), close: 0 };
     while reader.at < text.len() {
@@ -203,7 +203,7 @@ struct Reader<'a> {
     text: &'a str,
     at: usize,
     items: Vec<Item>,
-    /// No bracket closes before it.
+    /// No parenthesis closes before this byte.
     close: usize,
 }
 
@@ -239,7 +239,7 @@ impl Reader<'_> {
             let start = self.at + line.find(trimmed).unwrap_or(0);
             return self.push(Kind::Bullet, start, start + trimmed.len());
         }
-        // Only after the last words of a line there can be noise to its end.
+        // Only after the last words of a line can the rest be noise.
         let readable = self.at + last_prose(line);
         let mut noisy = None;
         let mut first = true;
@@ -270,14 +270,14 @@ impl Reader<'_> {
         self.at = end;
     }
 
-    /// What stands here, if it is anything a program is made of, or may have beside it.
+    /// The item at `start`, if it is part of a program or usual beside one.
     fn known(&mut self, start: usize, end: usize, first: bool) -> Option<(Kind, usize)> {
         let text = self.text;
         let seen = look(text, start)?;
         let before = text[..start].chars().next_back();
         match seen.sign {
             ';' => return Some((Kind::Semicolon, seen.end)),
-            // `[BILLET X62 Z70`: how class simulators write the stock.
+            // `[BILLET X62 Z70`: the stock comment of simulators used in schools.
             '[' if first && sign_at(text, seen.end).is_some_and(is_latin) => {
                 return Some((Kind::Comment, end));
             }
@@ -363,7 +363,7 @@ impl Reader<'_> {
         self.open_comment(start, end)
     }
 
-    /// Whether brackets after a word belong to noise, which continues to the end of the line.
+    /// Whether a parenthesis after a word is noise that continues to the end of the line.
     fn is_noise(&self, start: usize, to: usize, end: usize) -> bool {
         let is_behind = matches!(self.items.last().map(|item| item.kind), Some(Kind::Word(_)));
         is_behind
@@ -373,16 +373,16 @@ impl Reader<'_> {
             && last_prose(&self.text[start..end]) == 0
     }
 
-    /// A bracket that is not closed.
+    /// A parenthesis that is not closed.
     fn open_comment(&self, start: usize, end: usize) -> Option<(Kind, usize)> {
-        // Not closed on its line, which the parser reports: a remark where it stands as one and can be read.
+        // The parser reports it. It is a comment if it is in the place of one and contains readable words.
         let last = self.items.last().map(|item| item.kind);
         let behind = matches!(last, None | Some(Kind::LineEnd | Kind::Semicolon | Kind::Word(_)));
         let note = behind && end - start <= LONGEST_BRACKET && last_prose(&self.text[start..end]) > 0;
         note.then_some((Kind::Comment, end))
     }
 
-    /// A number at the head of a line: that of a program whose O was misread, or of the line.
+    /// A number at the start of a line: a program number whose O was misread, or a line number.
     fn leading_number(&self, start: usize, end: usize) -> Option<(Kind, usize)> {
         let text = self.text;
         let to = run(text, start, end, |c| c.is_ascii_digit());
@@ -441,7 +441,7 @@ impl Reader<'_> {
         Some((word, end))
     }
 
-    /// A letter with what stands for its number: `X(U)_`, `UΔd`, `F~`.
+    /// A letter with a placeholder for its number: `X(U)_`, `UΔd`, `F~`.
     fn placeholder(&mut self, start: usize, end: usize) -> Option<usize> {
         let text = self.text;
         let letter = look(text, start).filter(|seen| seen.sign.is_ascii_alphabetic())?;
@@ -454,7 +454,7 @@ impl Reader<'_> {
                 Some('_' | '~' | '～' | '□') => at = look(text, at)?.end,
                 Some('Δ' | '∆' | 'α') => at = run(text, at, end, char::is_alphanumeric),
                 Some('(') => match self.comment(at, end) {
-                    // `A(54, -24)` is a point.
+                    // `A(54, -24)` is a point, not a placeholder.
                     Some((_, to)) if text[at..to].chars().nth(1).is_some_and(char::is_alphabetic) => at = to,
                     _ => break,
                 },
@@ -464,7 +464,7 @@ impl Reader<'_> {
         (at > letter.end && at <= end).then_some(at)
     }
 
-    /// Takes what is nothing known: up to a blank, or to where something known may begin.
+    /// Consumes unknown text up to a space, or to where a known item may begin.
     fn junk(&mut self, start: usize, end: usize) {
         let text = self.text;
         let mut at = start;
@@ -499,17 +499,17 @@ fn is_latin(c: char) -> bool {
     c.is_ascii_alphabetic()
 }
 
-/// Whether a word may begin with it in the midst of other text.
+/// Whether a word may begin with this character in the middle of other text.
 fn may_begin(c: char) -> bool {
     plain(c).0.is_ascii_alphabetic()
 }
 
-/// Where a run of some characters ends.
+/// The end of a run of matching characters.
 fn run(text: &str, start: usize, end: usize, is: impl Fn(char) -> bool) -> usize {
     text[start..end].char_indices().find(|&(_, c)| !is(c)).map_or(end, |(at, _)| start + at)
 }
 
-/// Bytes of blanks.
+/// Length of the white space at `at`, bytes.
 fn blanks(text: &str, at: usize) -> usize {
     text[at..].chars().take(8).take_while(|&c| is_blank(c)).map(char::len_utf8).sum()
 }
@@ -521,7 +521,7 @@ fn ends_block(text: &str, at: usize) -> bool {
         || text[at + blanks(text, at)..].starts_with('N')
 }
 
-/// Bytes up to and with the last word of a sentence in a line.
+/// Offset of the end of the last natural-language word in a line.
 fn last_prose(line: &str) -> usize {
     let mut last = 0;
     let mut latin = 0;
@@ -534,7 +534,7 @@ fn last_prose(line: &str) -> usize {
     last
 }
 
-/// Chunks between blanks that no block could hold.
+/// Number of space-separated chunks that cannot be part of a block.
 fn unreadable_chunks(rest: &str) -> usize {
     let readable = |chunk: &str| {
         let chunk = chunk.trim_end_matches([',', ';']);
@@ -553,8 +553,8 @@ fn unreadable_chunks(rest: &str) -> usize {
     rest.split(is_blank).filter(|chunk| !chunk.is_empty() && !readable(chunk)).take(NOISE_CHUNKS).count()
 }
 
-/// A word that is spelled as it is written: a capital, perhaps a sign, a number, and no other character that
-/// could belong to it. Most words are, and [`spell`] takes several times as long.
+/// Reads a word that needs no correction: a capital, an optional sign, a number, and no further character
+/// that could belong to it. A fast path for most words; [`spell`] is several times slower.
 pub(super) fn plain_word(text: &str, at: usize) -> Option<(Word, usize)> {
     let bytes = text.as_bytes();
     if at > 0 && (bytes[at - 1].is_ascii_alphabetic() || !bytes[at - 1].is_ascii()) {
@@ -577,7 +577,8 @@ pub(super) fn plain_word(text: &str, at: usize) -> Option<(Word, usize)> {
     Some((Word { letter, value, lost_sign: false, reason: None }, end))
 }
 
-/// Reads a word as it is to be spelled: letter, sign, number or expression; where it ends.
+/// Reads a word and corrects its spelling: letter, sign, number or expression. Returns the word, its end, and
+/// the new text.
 pub(super) fn spell(text: &str, at: usize) -> Option<(Word, usize, String)> {
     let before = text[..at].chars().next_back();
     let mut now = String::new();
@@ -585,7 +586,7 @@ pub(super) fn spell(text: &str, at: usize) -> Option<(Word, usize, String)> {
     let mut at = at;
     let mut seen = look(text, at)?;
     if seen.sign == ',' {
-        // `,C2`, `,R1`: the comma belongs to the word.
+        // `,C2`, `,R1`: the comma is part of the word.
         now.push(',');
         reason = reason.or(seen.reason);
         at = seen.end;
@@ -646,7 +647,7 @@ pub(super) fn spell(text: &str, at: usize) -> Option<(Word, usize, String)> {
     Some((Word { letter: address, value, lost_sign, reason }, end, now))
 }
 
-/// Goes on after at most two blanks if a number follows them.
+/// Skips at most two spaces if a number follows.
 fn skip_blanks(text: &str, at: usize, now: &mut String) -> usize {
     let mut end = at;
     for c in text[at..].chars().take(3) {
@@ -664,7 +665,7 @@ fn skip_blanks(text: &str, at: usize, now: &mut String) -> usize {
     at
 }
 
-/// Where a macro expression ends.
+/// The end of a macro expression.
 fn expression(text: &str, at: usize) -> Option<usize> {
     let mut depth = 0u32;
     let mut end = at;
@@ -693,7 +694,7 @@ fn expression(text: &str, at: usize) -> Option<usize> {
     (begun && depth == 0).then_some(end)
 }
 
-/// Reads the digits of a word, letters among them that print put in their place.
+/// Reads the digits of a word, including letters misprinted for digits.
 fn number(text: &str, start: usize, letter: char) -> Option<(String, usize, Option<Reason>)> {
     let mut digits = String::new();
     let mut reason = None;
@@ -708,7 +709,7 @@ fn number(text: &str, start: usize, letter: char) -> Option<(String, usize, Opti
                 digits.push(c);
                 real += 1;
             }
-            // `Z5.` may be followed by the full stop of an ellipsis, not by another point.
+            // In `Z5..` the second point is punctuation, not a decimal point.
             '.' if next(seen.end) != Some('.') || digits.is_empty() => {
                 if point && !digit_follows {
                     digits.push('.');
@@ -737,7 +738,7 @@ fn number(text: &str, start: usize, letter: char) -> Option<(String, usize, Opti
         at = seen.end;
     }
     let misread = reason == Some(Reason::LetterForDigit);
-    // `GO` is G0 where a word follows it; `Go` in a sentence is not.
+    // `GO` is G0 if a word follows; `Go` in a sentence is not.
     let bare = letter == 'G'
         && (1..=2).contains(&digits.len())
         && text[at..].starts_with(' ')

@@ -1,9 +1,9 @@
-//! Programs inside other text: what comes out of a PDF, a slide, a forum, a chat.
+//! Finds programs inside other text: copied from a PDF, a slide, a forum, a chat.
 //!
-//! In: any text. Out: the programs found in it, each as [`Piece`]s: what stood there, what stands there now,
-//! and why. The pieces of a program, one after the other, are its stretch of the text without a gap, so
-//! nothing is lost unseen. What cannot be known, such as a sign that print has lost, is asked, never guessed.
-//! Knows the look of G-code, not its meaning.
+//! In: any text. Out: the programs in it, each as [`Piece`]s: old text, new text, and reason. The pieces of a
+//! program cover its range of the text without gaps, so nothing is lost unnoticed. Ambiguities, such as a
+//! minus sign lost in print, become questions; nothing is guessed. Knows the syntax of G-code, not its
+//! meaning.
 //!
 //! ```text
 //! text ──► items ──► blocks ──► programs ──► pieces
@@ -22,87 +22,87 @@ pub use reason::Reason;
 use crate::limits::{FOUND_PROGRAMS, PASTED_TEXT};
 use crate::source::Span;
 
-/// What a text holds.
+/// The programs found in a text.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Found {
-    /// In the order in which they stand.
+    /// The programs, in text order.
     pub programs: Vec<Program>,
-    /// Programs beyond those that are listed.
+    /// Number of further programs that are not listed.
     pub more: usize,
-    /// The text is longer than is looked through.
+    /// Whether the text exceeds the length limit, so it was not searched.
     pub too_long: bool,
-    /// How much the reader has to see of it.
+    /// How much of the result the user should review.
     pub review: Review,
 }
 
-/// How far a text is from a program as a control takes it, least first.
+/// How far a text is from a valid program, in increasing order.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Review {
-    /// It is one, or only has faults that the parser repairs itself.
+    /// It is a program, or has only faults that the parser fixes as well.
     #[default]
     Nothing,
-    /// It is one but for a few stray characters.
+    /// It is a program except for a few stray characters.
     FewCharacters,
-    /// Prose stands around it, or a program had to be repaired by more than that.
+    /// It contains prose, or a program needed further corrections.
     Programs,
 }
 
 /// A program found in a text.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Program {
-    /// What it goes by.
+    /// Its name.
     pub name: Name,
-    /// Its stretch of the text.
+    /// Its range of the text.
     pub span: Span,
     /// First and last line, from 0.
     pub lines: (u32, u32),
-    /// Its stretch, without a gap.
+    /// The pieces that cover its range without gaps.
     pub pieces: Vec<Piece>,
 }
 
-/// What a program goes by.
+/// Name of a program.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Name {
     /// Its O number.
     Number(u32),
-    /// What stands before it.
+    /// The title before it.
     Title(String),
-    /// Nothing names it: the line it begins in, from 0.
+    /// It has no name: the line it begins in, from 0.
     Line(u32),
 }
 
-/// A stretch of the text, and what becomes of it.
+/// A range of the text, and its replacement.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Piece {
-    /// Where it stood; empty where something is put in.
+    /// The old range; empty for an insertion.
     pub span: Span,
-    /// What stands there now.
+    /// The new text.
     pub now: String,
-    /// Why it is no longer what it was; nothing where it stayed, or only blanks changed.
+    /// Reason for the change; `None` if it is unchanged or only white space differs.
     pub reason: Option<Reason>,
-    /// What it can be read as, the first of them as printed; fewer than two where nothing is asked.
+    /// Possible readings, the printed one first; fewer than two if it is not a question.
     pub choices: Vec<String>,
 }
 
 impl Piece {
-    /// Whether the reader is to say what it is.
+    /// Whether the user must choose a reading.
     pub fn is_question(&self) -> bool {
         self.choices.len() > 1
     }
 
-    /// Whether it was repaired or left out.
+    /// Whether it was corrected or omitted.
     pub fn is_change(&self) -> bool {
         self.reason.is_some() && !self.is_question()
     }
 }
 
 impl Program {
-    /// The cleaned text, one block a line; questions read as printed.
+    /// The cleaned text, one block per line; questions are answered as printed.
     pub fn text(&self) -> String {
         self.pieces.iter().map(|piece| piece.now.as_str()).collect()
     }
 
-    /// The cleaned text with an answer for each question, in their order: which choice.
+    /// The cleaned text, with an answer (the index of a choice) for each question, in order.
     pub fn answered(&self, mut answer: impl FnMut(&Piece) -> usize) -> String {
         let mut text = String::new();
         for piece in &self.pieces {
@@ -112,12 +112,12 @@ impl Program {
         text
     }
 
-    /// What was repaired or left out.
+    /// The pieces that were corrected or omitted.
     pub fn changes(&self) -> impl Iterator<Item = &Piece> {
         self.pieces.iter().filter(|piece| piece.is_change())
     }
 
-    /// What the reader is to say.
+    /// The pieces that the user must decide.
     pub fn questions(&self) -> impl Iterator<Item = &Piece> {
         self.pieces.iter().filter(|piece| piece.is_question())
     }
@@ -153,15 +153,15 @@ pub fn find(text: &str) -> Found {
     Found { programs, more, too_long: false, review }
 }
 
-/// Up to so many stray characters are few.
+/// Maximum number of stray characters that count as few.
 const FEW: usize = 3;
 
-/// How far the text is from programs as a control takes them.
+/// How far the text is from valid programs.
 fn review(text: &str, items: &[items::Item], programs: &[Program]) -> Review {
     if programs.is_empty() {
         return Review::Nothing;
     }
-    // Text after a `;` the parser takes for a remark too.
+    // The parser also treats text after `;` as a comment.
     let remark = |piece: &Piece| {
         piece.reason == Some(Reason::Remark) && text[..piece.span.start as usize].ends_with([';', '；'])
     };
@@ -192,7 +192,7 @@ fn review(text: &str, items: &[items::Item], programs: &[Program]) -> Review {
     }
 }
 
-/// Counts lines from the start, for places that only grow.
+/// Counts lines for increasing offsets.
 #[derive(Default)]
 struct LineCount {
     at: usize,

@@ -1,7 +1,7 @@
-//! A program to pieces: what stood there, what stands there now, and why.
+//! Converts a program to pieces: old text, new text, reason.
 //!
-//! In: the blocks of a program. Out: [`Piece`]s without a gap. A block keeps its own blanks; everything else
-//! between blocks is left out, becomes a remark, or is the end of a line.
+//! In: the blocks of a program. Out: [`Piece`]s without gaps. White space within a block is kept; everything
+//! between blocks is omitted, becomes a comment, or is a line end.
 
 use super::Piece;
 use super::blocks::{Blocks, NOBODY};
@@ -12,16 +12,16 @@ use crate::control::codes;
 use crate::order;
 use crate::source::Span;
 
-/// Longest text after a block that becomes a remark, characters.
+/// Maximum length of text after a block that becomes a comment, characters.
 const LONGEST_REMARK: usize = 40;
 
-/// Codes besides the turning cycles that a G word may have been whose second digit cannot be
-/// read; `G0` is G00 already.
+/// Codes, besides the turning cycles, that may complete a G word with an unreadable second digit; `G0`
+/// already means G00.
 const CODES: [&str; 12] =
     ["G01", "G02", "G03", "G04", "G20", "G21", "G28", "G32", "G50", "G96", "G97", "G98"];
 
-/// All codes that begin as what can be read of one, in the order of their numbers. Hole cycles are left out:
-/// ten codes that begin alike are no choice.
+/// All codes that begin with the readable part, sorted by number. Hole cycles are excluded: ten codes with
+/// the same beginning would be no useful choice.
 fn longer_codes(read: &str) -> Vec<String> {
     let all = CODES.into_iter().map(str::to_owned).chain(codes::turning_cycles());
     let mut longer: Vec<String> =
@@ -30,7 +30,7 @@ fn longer_codes(read: &str) -> Vec<String> {
     longer
 }
 
-/// Writes a program.
+/// Converts a program to pieces.
 pub(super) fn write(text: &str, items: &[Item], blocks: &Blocks, stretch: &Stretch) -> Vec<Piece> {
     let (Some(&first), Some(&last)) = (stretch.blocks.first(), stretch.blocks.last()) else {
         return Vec::new();
@@ -62,7 +62,7 @@ struct Writer<'a> {
     items: &'a [Item],
     blocks: &'a Blocks,
     pieces: Vec<Piece>,
-    /// First byte that no piece holds yet.
+    /// First byte that is not yet in a piece.
     at: usize,
 }
 
@@ -76,7 +76,7 @@ impl Writer<'_> {
         let was = slice(self.text, span);
         let thinned = was.chars().any(is_invisible) && !now.chars().any(is_invisible);
         let reason = reason.or(thinned.then_some(Reason::Invisible));
-        // What stays goes together.
+        // Unchanged text is merged into one piece.
         if reason.is_none()
             && let Some(last) = self.pieces.last_mut()
             && last.reason.is_none()
@@ -88,7 +88,7 @@ impl Writer<'_> {
         self.pieces.push(Piece { span, now, reason, choices: Vec::new() });
     }
 
-    /// An item that stays, or is spelled differently.
+    /// Adds an item, unchanged or with corrected spelling.
     fn keep(&mut self, at: usize) {
         let item = self.items[at];
         let was = slice(self.text, item.span);
@@ -115,7 +115,7 @@ impl Writer<'_> {
         let end = item.span.end as usize;
         let start = item.span.start as usize;
         if word.letter == b'O' && word.reason == Some(Reason::ZeroForO) {
-            // `00006` was O0006.
+            // `00006` is a misprint of O0006.
             return self.push(end, format!("O{}", &was[1..]), word.reason);
         }
         let now = match plain_word(self.text, start) {
@@ -149,7 +149,7 @@ impl Writer<'_> {
         }
     }
 
-    /// What stands between two words of a block.
+    /// Adds the text between two words of a block.
     fn within(&mut self, range: std::ops::Range<usize>) {
         let (from, to) = (self.at, self.items[range.end].span.start as usize);
         if range.is_empty() {
@@ -167,7 +167,7 @@ impl Writer<'_> {
         self.push(to, " ".into(), None);
     }
 
-    /// What stands between two blocks.
+    /// Adds the text between two blocks.
     fn between(&mut self, range: std::ops::Range<usize>) {
         let to = self.items[range.end].span.start as usize;
         let line_end = range.clone().find(|&at| self.items[at].kind == Kind::LineEnd);
@@ -188,7 +188,7 @@ impl Writer<'_> {
         self.push(to, "\n".into(), None);
     }
 
-    /// Short text after a block becomes a remark; false where it does not.
+    /// Converts short text after a block to a comment; returns false if this does not apply.
     fn remark(&mut self, range: std::ops::Range<usize>) -> bool {
         let items = &self.items[range.clone()];
         let (Some(first), Some(last)) = (items.first(), items.last()) else { return false };
@@ -222,13 +222,13 @@ impl Writer<'_> {
         true
     }
 
-    /// Whether nothing but list numbers stands before the block on its line.
+    /// Whether only list numbers precede the block on its line.
     fn is_alone(&self, behind: usize) -> bool {
         let owner = behind.checked_sub(1).map_or(NOBODY, |at| self.blocks.owner[at]);
         owner != NOBODY && self.blocks.list[owner as usize].gap.before == 0
     }
 
-    /// Leaves items out, those of a kind together.
+    /// Omits items; consecutive items with the same reason become one piece.
     fn drop(&mut self, range: std::ops::Range<usize>) {
         let mut at = range.start;
         while at < range.end {
@@ -240,7 +240,7 @@ impl Writer<'_> {
             {
                 end += 1;
             }
-            // Line ends after it belong to the layout.
+            // Trailing line ends are part of the layout.
             while end > at + 1 && self.items[end - 1].kind == Kind::LineEnd {
                 end -= 1;
             }
@@ -251,7 +251,7 @@ impl Writer<'_> {
         }
     }
 
-    /// The rest of the last line.
+    /// Adds the rest of the last line.
     fn behind(&mut self, end: usize) {
         let line_end = (end..self.items.len()).find(|&at| self.items[at].kind == Kind::LineEnd);
         let line_end = line_end.unwrap_or(self.items.len());
@@ -262,7 +262,7 @@ impl Writer<'_> {
         self.push(self.at, "\n".into(), None);
     }
 
-    /// Why an item is left out; nothing for line ends.
+    /// Why an item is omitted; `None` for line ends.
     fn why(&self, at: usize) -> Option<Reason> {
         Some(match self.items[at].kind {
             Kind::LineEnd => return None,

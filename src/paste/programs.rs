@@ -1,38 +1,38 @@
-//! Blocks to programs: which of them belong together, and what the program goes by.
+//! Groups blocks into programs, and finds the name of each program.
 //!
-//! In: blocks. Out: stretches of them. A program number begins a program and M30 ends it; blocks without
-//! either are a program when enough of them stand together, while a code in a sentence is none.
+//! In: blocks. Out: lists of blocks. A program number begins a program and M30 ends it. Blocks without either
+//! are a program if there are enough of them close together; a code mentioned in a sentence is not.
 
 use super::Name;
 use super::blocks::{Block, Blocks, NOBODY};
 use super::items::{Item, Kind, slice};
 use crate::order;
 
-/// Most bytes of text between two blocks of a program with a number, and most lines.
+/// Maximum length of the text between two blocks of a program with a number, in bytes and in lines.
 const LONGEST_GAP: usize = 240;
 const MOST_LINES: usize = 3;
-/// The same where no number says that it is a program.
+/// The same for a program without a number.
 const LONGEST_FRAGMENT_GAP: usize = 40;
 const MOST_FRAGMENT_LINES: usize = 2;
-/// Fewest moves of a program without a number; of one with a sentence between all of its blocks.
+/// Minimum number of moves in a program without a number; and if there are sentences between all blocks.
 const FEWEST_MOVES: usize = 2;
 const FEWEST_SCATTERED: usize = 4;
-/// Longest title, characters.
+/// Maximum length of a title, characters.
 const TITLE: usize = 60;
 
 /// The blocks of a program, in order.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Stretch {
-    /// Numbers of its blocks.
+    /// Indices of its blocks.
     pub blocks: Vec<u32>,
     head: Option<u32>,
-    /// Its number stands in the head of a table, where it stands again if the table goes on.
+    /// Whether the number is in the title of a table; it is repeated if the table continues.
     table: bool,
     moves: usize,
     words: usize,
     ended: bool,
     last_sequence: f64,
-    /// Where text stands between two of its blocks: how many blocks stand before it.
+    /// Positions of text between blocks, as the number of preceding blocks.
     seams: Vec<usize>,
 }
 
@@ -42,13 +42,13 @@ impl Stretch {
     }
 }
 
-/// Puts blocks together; what belongs to no program belongs to no block any more.
+/// Groups blocks into programs. Blocks outside of programs lose their items.
 pub(super) fn join(items: &[Item], blocks: &mut Blocks) -> Vec<Stretch> {
     let mut found = Vec::new();
     let mut now = Stretch::default();
-    // A table whose program has not ended, with the number of programs found before its first gap.
+    // A table whose program has not ended, and the number of programs found before its first gap.
     let mut table: Option<(Stretch, usize)> = None;
-    // What a sentence that mentions a code adds to the gap.
+    // Lines and bytes that sentences mentioning a code add to the next gap.
     let mut passed = (0, 0);
     for (number, block) in blocks.list.iter().enumerate() {
         if block.mention {
@@ -73,7 +73,7 @@ pub(super) fn join(items: &[Item], blocks: &mut Blocks) -> Vec<Stretch> {
                     now = before;
                     continue;
                 }
-                // Another program is between the two parts: the table ends before it.
+                // There is another program between the two parts, so the table ends before it.
                 finish(before, blocks, &mut found);
             }
             let leading = now.blocks.len() <= 20 && now.words == 0 && now.head.is_none() && close;
@@ -111,14 +111,14 @@ fn bytes(items: &[Item], block: &Block) -> usize {
     (items[block.end - 1].span.end - items[block.first].span.start) as usize
 }
 
-/// Whether a block without a number of its own goes on with a program.
+/// Whether a block without a program number continues the current program.
 fn belongs(now: &Stretch, block: &Block, gap: super::blocks::Gap, close: bool) -> bool {
     let restarts = block.sequence.is_some_and(|number| number <= now.last_sequence);
     if gap.percent {
         return false;
     }
     if now.ended {
-        // After M30 there may be parts that are called, never an older number.
+        // After M30 there may be subprograms, but never a smaller sequence number.
         let remark = block.words == 0;
         return close
             && (remark
@@ -142,7 +142,7 @@ fn belongs(now: &Stretch, block: &Block, gap: super::blocks::Gap, close: bool) -
     }
 }
 
-/// Keeps what is a program of a stretch.
+/// Adds the programs in a list of blocks to `found`.
 fn finish(stretch: Stretch, blocks: &Blocks, found: &mut Vec<Stretch>) {
     let list = &blocks.list;
     if stretch.head.is_some() {
@@ -163,7 +163,8 @@ fn finish(stretch: Stretch, blocks: &Blocks, found: &mut Vec<Stretch>) {
     }
 }
 
-/// Keeps blocks without a number if there are moves enough, from the first block that is more than a remark.
+/// Adds blocks without a program number if they contain enough moves, starting at the first block that is
+/// more than a comment.
 fn keep(numbers: Vec<u32>, list: &[Block], found: &mut Vec<Stretch>) {
     let moves = numbers.iter().filter(|&&at| list[at as usize].moves).count();
     if moves >= FEWEST_MOVES {
@@ -171,7 +172,7 @@ fn keep(numbers: Vec<u32>, list: &[Block], found: &mut Vec<Stretch>) {
     }
 }
 
-/// Items of blocks that no program has belong to nobody.
+/// Clears the owner of items whose blocks belong to no program.
 fn release(blocks: &mut Blocks, found: &[Stretch]) {
     let mut used = vec![false; blocks.list.len()];
     for stretch in found {
@@ -186,13 +187,13 @@ fn release(blocks: &mut Blocks, found: &[Stretch]) {
     }
 }
 
-/// What a program goes by: its number, or the text before it.
+/// The name of a program: its number, or the title before it.
 pub(super) fn name(text: &str, items: &[Item], blocks: &Blocks, stretch: &Stretch, line: u32) -> Name {
     if let Some(number) = stretch.head {
         return Name::Number(number);
     }
     let first = stretch.blocks.first().map_or(0, |&at| blocks.list[at as usize].first);
-    // The last line of text before it, unless another program stands between.
+    // The last text line before it, unless another program is between.
     let mut end = None;
     let mut start = 0;
     for item in items[..first].iter().rev().take(400) {
@@ -219,6 +220,6 @@ pub(super) fn name(text: &str, items: &[Item], blocks: &Blocks, stretch: &Stretc
     if title.chars().filter(|c| c.is_alphabetic()).count() < 2 {
         return Name::Line(line);
     }
-    // A whole sentence names nothing.
+    // A whole sentence is not a title.
     if title.chars().count() > TITLE { Name::Line(line) } else { Name::Title(title.to_string()) }
 }

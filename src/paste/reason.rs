@@ -1,47 +1,47 @@
-//! Why something was changed, in the three languages.
+//! Reasons for corrections, with texts in three languages.
 
 use crate::sentences::Language;
 
-/// Why a piece of text was changed, left out, or is asked about.
+/// Why a piece of text was corrected, omitted, or needs a decision.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Reason {
-    /// A full-width sign.
+    /// A full-width character.
     FullWidth,
-    /// A dash of print where a minus belongs.
+    /// A typographic dash instead of a minus sign.
     Minus,
-    /// A letter where a digit belongs: `GO1`, `G0l`.
+    /// A letter instead of a digit: `GO1`, `G0l`.
     LetterForDigit,
-    /// A zero where the letter O of a program number belongs: `00006`.
+    /// A zero instead of the letter O of a program number: `00006`.
     ZeroForO,
-    /// A letter of another script that looks like the address.
+    /// A letter of another script that looks like the address letter.
     LookAlike,
-    /// A comma or full stop where a decimal point belongs.
+    /// A comma or full stop instead of a decimal point.
     DecimalPoint,
-    /// A sign of no width.
+    /// A zero-width character.
     Invisible,
-    /// Two blocks stood on one line.
+    /// Two blocks on one line were split.
     Split,
-    /// A bullet, a quotation mark of mail, the line of a table.
+    /// A bullet, a quotation mark of an e-mail, a table border.
     Bullet,
-    /// A number of a line or of a list.
+    /// A line number or a list number.
     LineNumber,
-    /// Sequence numbers of a column of their own.
+    /// Sequence numbers in a separate column.
     LoneNumbers,
-    /// The program number again, where a table goes on.
+    /// The program number, repeated where a table continues.
     RepeatedHead,
-    /// Text after a block that became a comment.
+    /// Text after a block, converted to a comment.
     Remark,
-    /// Text that is no block.
+    /// Text that is not part of a block.
     Prose,
     /// A format with placeholders: `X(U)_`.
     Format,
-    /// Signs that make no sense: those of a forum against copying, of a page number, of a picture.
+    /// Meaningless characters: copy protection of a forum, a page number, a picture.
     Noise,
-    /// A sign that could not be read stands where a minus may have been.
+    /// An unreadable character in the place of a possible minus sign.
     UnreadableSign,
-    /// All minus signs seem to be lost.
+    /// All minus signs seem to be missing.
     LostMinus,
-    /// What could not be read stands right after the digits.
+    /// An unreadable character directly after the digits.
     UnreadableDigit,
 }
 
@@ -69,17 +69,17 @@ impl Reason {
         Self::UnreadableDigit,
     ];
 
-    /// Whether the parser says it too, and offers the same repair.
+    /// Whether the parser reports the same fault with the same fix.
     pub(super) fn is_parsers_own(self) -> bool {
         matches!(self, Self::Minus | Self::LetterForDigit | Self::ZeroForO | Self::DecimalPoint)
     }
 
-    /// Whether it is about single characters that no control reads.
+    /// Whether it concerns single characters that no control accepts.
     pub(super) fn is_of_characters(self) -> bool {
         matches!(self, Self::FullWidth | Self::LookAlike | Self::Invisible | Self::Noise)
     }
 
-    /// What is said of it, in a language.
+    /// The explanation in a language.
     pub fn phrase(self, language: Language) -> &'static str {
         match language {
             Language::English => self.english(),

@@ -1,8 +1,8 @@
-//! Minus signs that print has lost, all of them: what is to be asked.
+//! Detects that print has lost all minus signs, and asks the user.
 //!
-//! In: the blocks of a program and its pieces. Out: questions at the words that may have been negative. A
-//! turning program whose cuts lead from the clearance at the face to larger Z, with no minus anywhere, has
-//! lost them; a program with its zero at the chuck cuts to smaller Z. Nothing is decided here.
+//! In: the blocks and pieces of a program. Out: questions at the words that may have been negative. A turning
+//! program whose cuts go from the clearance at the face to larger Z, without any minus sign, has lost them. A
+//! program with its zero at the chuck cuts toward smaller Z. Nothing is decided here.
 
 use super::Piece;
 use super::blocks::Blocks;
@@ -12,10 +12,10 @@ use super::reason::Reason;
 use crate::order;
 use crate::source::Span;
 
-/// Fewest cuts away from the part.
+/// Minimum number of cuts away from the part.
 const FEWEST: usize = 2;
 
-/// Asks where a minus seems to be lost.
+/// Adds a question wherever a minus sign seems to be missing.
 pub(super) fn ask(text: &str, items: &[Item], blocks: &Blocks, stretch: &Stretch, pieces: &mut Vec<Piece>) {
     let Some(ambiguous) = ambiguous(items, blocks, stretch) else { return };
     let mut asked = ambiguous.into_iter().peekable();
@@ -26,11 +26,11 @@ pub(super) fn ask(text: &str, items: &[Item], blocks: &Blocks, stretch: &Stretch
             split.push(piece);
             continue;
         }
-        // Pieces that stay have their blanks changed, so the words are found in what stands there now.
+        // White space of unchanged pieces is normalised, so search for the words in the new text.
         let (mut from, mut rest) = (piece.span.start, piece.now.as_str());
         while let Some(span) = asked.next_if(|span| span.start < piece.span.end) {
             let word = &text[span.start as usize..span.end as usize];
-            // The words between are those of the text, in their order.
+            // The words between are the same in both texts, in the same order.
             let skipped =
                 text[from as usize..span.start as usize].split_whitespace().map(str::len).sum::<usize>();
             let Some(place) = behind_words(rest, skipped).filter(|&at| rest[at..].starts_with(word)) else {
@@ -67,7 +67,7 @@ fn blank_piece() -> Piece {
     Piece { span: Span::default(), now: String::new(), reason: None, choices: Vec::new() }
 }
 
-/// The byte after so many bytes that are not blank, and the blanks that follow.
+/// The offset after `bytes` bytes that are not white space, and the white space after them.
 fn behind_words(text: &str, bytes: usize) -> Option<usize> {
     let mut left = bytes;
     for (at, c) in text.char_indices() {
@@ -82,7 +82,7 @@ fn behind_words(text: &str, bytes: usize) -> Option<usize> {
     None
 }
 
-/// The words that may have lost their minus; nothing where the program has one, or cuts towards the part.
+/// The words that may have lost a minus sign; `None` if the program contains one, or cuts toward the part.
 fn ambiguous(items: &[Item], blocks: &Blocks, stretch: &Stretch) -> Option<Vec<Span>> {
     let mut code = 0;
     let mut clearance: Option<f64> = None;
@@ -109,7 +109,7 @@ fn ambiguous(items: &[Item], blocks: &Blocks, stretch: &Stretch) -> Option<Vec<S
             if word.letter == b'G' {
                 match word.tenths() {
                     tenths @ (0 | 10 | 20 | 30 | 320 | 900 | 920 | 940) => code = tenths,
-                    // Nothing is cut by what they move.
+                    // The axis words of these codes cut nothing.
                     40 | 280 | 300 | 500 | 530 => another = true,
                     _ => {}
                 }

@@ -1,9 +1,8 @@
-//! Plain moves that form a single cycle, written as that cycle.
+//! Finds plain moves that form a single cycle, and rewrites them as that cycle.
 //!
-//! In: a program and its setup. Out: [`Offer`]s: the blocks, the cycle, and the edits that write them so. An
-//! offer is made only once the changed program has been run and made the same motions. `places` says which
-//! blocks are nothing but a move, `shape` which moves are a cycle, `write` what is written. Knows no
-//! language; the reverse is `expand`.
+//! In: a program and its setup. Out: [`Offer`]s: the blocks, the cycle, and the edits. An offer is made only
+//! if a run of the changed program makes the same motions. `places` finds blocks that are nothing but a move,
+//! `shape` recognises cycles, `write` makes the edits. Independent of the language; the reverse is `expand`.
 
 mod places;
 mod shape;
@@ -21,41 +20,41 @@ use crate::setup::Setup;
 use crate::setup::dialect::Dialect;
 use crate::source::Span;
 
-/// Most offers for one program.
+/// Maximum number of offers for one program.
 pub const MOST_OFFERS: usize = 200;
-/// Most blocks and motions of changed programs that are tried, together; one is tried however long it is.
+/// Maximum total number of blocks and motions in trial runs; one trial is made whatever its length.
 const MOST_WORK: usize = 2_000_000;
-/// What one try counts at least: a short program may still take its time.
+/// Minimum cost of one trial: a short program may still take long.
 const LEAST_WORK: usize = 10_000;
-/// Most rounds of taking offers.
+/// Maximum number of rounds of applying offers.
 const MOST_ROUNDS: usize = 50;
-/// Motions nearer than this are the same, mm.
+/// Tolerance for equal positions, mm.
 const SAME: f64 = 1e-6;
 
 /// Blocks that can be written as a cycle.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Offer {
-    /// From the first of the blocks to the last.
+    /// From the first to the last of the blocks.
     pub span: Span,
-    /// Which cycle.
+    /// The cycle.
     pub single: Single,
     /// Its code, as the program's control writes it.
     pub code: String,
-    /// Passes, four moves each.
+    /// Number of passes, four moves each.
     pub passes: usize,
-    /// The edits, in order of place, not overlapping.
+    /// The edits, sorted by position, not overlapping.
     pub edits: Vec<Edit>,
 }
 
 impl Offer {
-    /// What it does, in a few words.
+    /// A short description.
     pub fn title(&self, language: Language) -> String {
         describe_rewrite(&self.code, self.passes, language)
     }
 
-    /// The blocks as they are written then.
+    /// The blocks after the edits.
     pub fn written(&self, text: &[u8]) -> String {
-        // A following block that only gets its G00 is none of them.
+        // A following block that only gets its G00 is not included.
         let inside = |edit: &&Edit| edit.span.start < self.span.end;
         let edits: Vec<Edit> = self.edits.iter().filter(inside).cloned().collect();
         let end = edits.last().map_or(0, |last| last.span.end).max(self.span.end);
@@ -64,8 +63,8 @@ impl Offer {
     }
 }
 
-/// The offers for a program, in order of place. Those nearest to `near` are tried first,
-/// where there are very many.
+/// The offers for a program, sorted by position. If there are very many candidates, those nearest to `near`
+/// are tried first.
 pub fn offers(text: &[u8], setup: &Setup, near: Option<Span>) -> Vec<Offer> {
     let before = traced(text, setup);
     let mut candidates = candidates(text, &before);
@@ -93,13 +92,13 @@ pub fn offers(text: &[u8], setup: &Setup, near: Option<Span>) -> Vec<Offer> {
     found
 }
 
-/// The program with all offers taken, and what was taken, in order: the blocks of this program, which the
-/// edits of a later round do not know.
+/// The program with all offers applied, and the applied offers in order. Their spans are positions in `text`,
+/// without the edits of earlier rounds.
 pub fn rewritten(text: &[u8], setup: &Setup) -> (Vec<u8>, Vec<Offer>) {
     let (mut text, mut taken) = (text.to_vec(), Vec::new());
     let mut earlier: Vec<Vec<Edit>> = Vec::new();
-    // A cycle that follows another one at once begins where the first one's edits end: it
-    // is found in the next round.
+    // A cycle directly after another one begins where the edits of the first end, so it is found in the next
+    // round.
     for _ in 0..MOST_ROUNDS {
         let before = traced(&text, setup);
         let together = apart(candidates(&text, &before).into_iter().map(|candidate| candidate.offer));
@@ -107,7 +106,7 @@ pub fn rewritten(text: &[u8], setup: &Setup) -> (Vec<u8>, Vec<Offer>) {
         let mut round =
             if tries.keeps(&edits_of(&together)) { together } else { apart(offers(&text, setup, None)) };
         if round.len() > 1 && !tries.keeps(&edits_of(&round)) {
-            // Each alone keeps the motions, and all together do not.
+            // Each offer alone keeps the motions, but all together do not.
             round.truncate(1);
         }
         if round.is_empty() {
@@ -126,7 +125,7 @@ pub fn rewritten(text: &[u8], setup: &Setup) -> (Vec<u8>, Vec<Offer>) {
     (text, taken)
 }
 
-/// Those offers, in order of place, whose edits do not touch those of the one before.
+/// Filters offers, sorted by position, so that their edits do not touch.
 fn apart(offers: impl IntoIterator<Item = Offer>) -> Vec<Offer> {
     let mut kept: Vec<Offer> = Vec::new();
     for offer in offers {
@@ -142,7 +141,7 @@ fn edits_of(offers: &[Offer]) -> Vec<Edit> {
     offers.iter().flat_map(|offer| offer.edits.iter().cloned()).collect()
 }
 
-/// A text with edits, which are in order of place and do not overlap.
+/// Applies edits, which are sorted by position and do not overlap.
 pub fn applied(text: &[u8], edits: &[Edit]) -> Vec<u8> {
     let mut changed = Vec::with_capacity(text.len());
     let mut from = 0;
@@ -155,10 +154,10 @@ pub fn applied(text: &[u8], edits: &[Edit]) -> Vec<u8> {
     changed
 }
 
-/// Where a byte of a text with edits was before them; the start of what an edit took out
-/// for a byte that it put in.
+/// Maps a byte of the edited text to the original text; a byte in inserted text maps to the start of the
+/// replaced span.
 pub fn before_edits(byte: u32, edits: &[Edit]) -> u32 {
-    // One past the last byte that was looked at: before the edits, and after them.
+    // One past the last processed byte: in the original, and in the edited text.
     let (mut old, mut new) = (0, 0);
     for edit in edits {
         let start = new + (edit.span.start - old);
@@ -173,10 +172,10 @@ pub fn before_edits(byte: u32, edits: &[Edit]) -> u32 {
     old + (byte - new)
 }
 
-/// What may become an offer, once it was tried.
+/// A possible offer, not tried yet.
 struct Candidate {
     offer: Offer,
-    /// Its first pass alone, where there are more.
+    /// Its first pass alone, if there are more.
     first_alone: Option<Offer>,
 }
 
@@ -186,7 +185,7 @@ fn traced(text: &[u8], setup: &Setup) -> Analysis {
     run.into_analysis()
 }
 
-/// Rows of four plain moves that look like a cycle.
+/// Sequences of four plain moves that look like a cycle.
 fn candidates(text: &[u8], analysis: &Analysis) -> Vec<Candidate> {
     let places = places::Places::of(text, analysis);
     let dialect = Dialect::new(&analysis.setup.dialect);
@@ -208,7 +207,7 @@ fn candidates(text: &[u8], analysis: &Analysis) -> Vec<Candidate> {
     found
 }
 
-/// Runs changed programs, as many as there is time for.
+/// Runs changed programs within the work limit.
 struct Tries<'a> {
     text: &'a [u8],
     setup: &'a Setup,
@@ -222,7 +221,7 @@ impl Tries<'_> {
         self.left > 0
     }
 
-    /// Whether the program with these edits makes the same motions, and no control would object to it more.
+    /// Whether the program with these edits makes the same motions and gets no additional complaints.
     fn keeps(&mut self, edits: &[Edit]) -> bool {
         self.left =
             self.left.saturating_sub((self.before.blocks + self.before.motions.len()).max(LEAST_WORK));
@@ -233,8 +232,8 @@ impl Tries<'_> {
     }
 }
 
-/// Whether two programs make the same motions: kinds, ends, feeds, spindle and tool, in the same
-/// order, with the same stops.
+/// Whether two programs make the same motions: kinds, end points, feeds, spindle and tool, in the same order,
+/// with the same stops.
 pub fn same_motions(before: &Motions, after: &Motions) -> bool {
     let stops = |motions: &Motions| -> Vec<_> {
         motions.stops(0..motions.len()).map(|(index, stop)| (index, stop.kind)).collect()
@@ -253,7 +252,7 @@ fn same_motion(before: &Motion, after: &Motion) -> bool {
         (Some(a), Some(b)) => (a - b).abs() <= SAME,
         (a, b) => a == b,
     };
-    // What feed is in force during a rapid makes no difference to it.
+    // The feed in force does not affect a rapid.
     let process = |motion: &Motion| {
         let mut process = motion.process;
         if !feeds {
@@ -273,7 +272,7 @@ fn same_motion(before: &Motion, after: &Motion) -> bool {
         && process(before) == process(after)
 }
 
-/// Whether nothing is wrong in a program that was not wrong before.
+/// Whether the changed program has no additional complaints.
 fn complains_no_more(before: &Analysis, after: &Analysis) -> bool {
     let count = |analysis: &Analysis| {
         let mut told = BTreeMap::new();
@@ -286,8 +285,8 @@ fn complains_no_more(before: &Analysis, after: &Analysis) -> bool {
     count(after).iter().all(|(what, times)| known.get(what).is_some_and(|before| before >= times))
 }
 
-/// Whether a message that only the cycle brings contradicts it. That its cone becomes narrower toward the
-/// chuck was so before, when nobody could say it.
+/// Whether an additional message is an objection to the cycle. A cone that becomes narrower toward the chuck
+/// is not: the plain moves had the same shape, but could not be checked for it.
 fn counts(found: &Diagnostic) -> bool {
     found.severity >= Severity::Warning && !found.message.is::<said::TaperNarrows>()
 }

@@ -1,8 +1,8 @@
-//! Which blocks of a program are nothing but one straight move, and may be written differently.
+//! Finds blocks that are nothing but one straight move, and may be rewritten.
 //!
-//! In: a text and its traced run. Out: the moves in order, each with what is known of its block. Out of
-//! the question are subprograms, loops, contours between P and Q, what compensation leads, and whatever
-//! block holds more than a move.
+//! In: a text and its traced run. Out: the moves in order, each with properties of its block. Excluded are
+//! subprograms, loops, contours between P and Q, moves under compensation, and blocks that contain more than
+//! a move.
 
 use crate::order;
 use std::collections::{BTreeMap, BTreeSet};
@@ -18,42 +18,42 @@ use crate::text::block::{Block, BlockKind, Word};
 use crate::text::parser::{Parser, Resume};
 use crate::units::Unit;
 
-/// Most blocks that contours may begin with; in a text with more, everything counts as a contour.
+/// Maximum number of blocks that may begin a contour; in a text with more, everything counts as a contour.
 const MOST_LABELS: usize = 100_000;
 
-/// A block that is one straight move.
+/// A block that consists of one straight move.
 #[derive(Clone, Copy, Debug)]
 pub struct Move {
-    /// Its place among the blocks carried out.
+    /// Index in the sequence of executed blocks.
     pub index: usize,
-    /// Where the block stands.
+    /// Position of the block in the text.
     pub at: Resume,
-    /// What it does.
+    /// Its motion.
     pub motion: Motion,
     /// Unit of its numbers.
     pub unit: Unit,
-    /// Its X and Z are ways (G91 of systems B and C).
+    /// Whether X and Z are incremental (G91 of systems B and C).
     pub incremental: bool,
-    /// Nothing but blocks without words stands between it and the move before in the list.
+    /// Whether only blocks without words are between it and the previous move in the list.
     pub follows: bool,
 }
 
-/// What a text says about its blocks.
+/// Blocks of a text that may or may not be rewritten.
 pub struct Places {
-    /// Blocks that may be written differently.
+    /// Blocks that may be rewritten.
     pub moves: Vec<Move>,
-    /// Sequence numbers that are named elsewhere.
+    /// Sequence numbers that are referred to.
     targets: BTreeSet<u32>,
-    /// Some block names a sequence number that only the run knows.
+    /// Whether a block refers to a sequence number that is only known at run time.
     any_target: bool,
-    /// Bytes of loops and contours, in order, apart.
+    /// Byte ranges of loops and contours, sorted, disjoint.
     fenced: Vec<Range<u32>>,
-    /// One past the last byte of the main program.
+    /// End of the main program, bytes.
     end: u32,
 }
 
 impl Places {
-    /// Looks through a program.
+    /// Analyses a program.
     pub fn of(text: &[u8], analysis: &Analysis) -> Self {
         let head = analysis.trace.first().map_or(0, |first| first.at.byte);
         let mut places = Self::read(text, head);
@@ -61,18 +61,18 @@ impl Places {
         places
     }
 
-    /// Whether another block may lead to a block.
+    /// Whether another block may jump or refer to a block.
     pub fn is_target(&self, block: &Block) -> bool {
         block.sequence.is_some_and(|number| self.any_target || self.targets.contains(&number))
     }
 
-    /// Whether a byte lies in a loop or a contour.
+    /// Whether a byte is inside a loop or a contour.
     fn is_fenced(&self, byte: u32) -> bool {
         let behind = self.fenced.partition_point(|fenced| fenced.start <= byte);
         behind.checked_sub(1).is_some_and(|index| byte < self.fenced[index].end)
     }
 
-    /// What can be known from the text alone; the main program begins at byte `head`.
+    /// Collects everything that the text alone determines; the main program begins at byte `head`.
     fn read(text: &[u8], head: u32) -> Self {
         let mut places = Self {
             moves: Vec::new(),
@@ -125,7 +125,7 @@ impl Places {
         places
     }
 
-    /// What a macro statement says of the course of the program.
+    /// Records jumps and loops of a macro statement.
     fn read_statement(&mut self, statement: &str, bytes: Range<u32>, loops: &mut Vec<u32>) {
         let statement: String = statement.to_ascii_uppercase().split_whitespace().collect();
         if let Some((_, target)) = statement.split_once("GOTO") {
@@ -186,7 +186,7 @@ impl Places {
     }
 }
 
-/// Ranges in order, those that overlap made one.
+/// Sorts ranges and merges overlapping ones.
 fn merged(mut ranges: Vec<Range<u32>>) -> Vec<Range<u32>> {
     order::by_key(&mut ranges, |range| range.start);
     let mut found: Vec<Range<u32>> = Vec::new();
@@ -206,14 +206,14 @@ pub fn g(word: &Word, list: CodeList) -> Option<G> {
     codes::g_code(tenths, list).map(|found| found.code)
 }
 
-/// Whether a word ends a main program or leads out of it.
+/// Whether a word ends or leaves a main program.
 pub fn ends_program(word: &Word) -> bool {
     let number = plain(word).filter(|number| word.address == b'M' && *number >= 0.0);
     let code = number.and_then(|number| codes::m_code(number as u64));
     matches!(code, Some(M::End | M::Return))
 }
 
-/// Whether a block holds nothing but words and comments, without fault and without a slash.
+/// Whether a block contains only words and comments, without faults and without a slash.
 pub fn is_plain(block: &Block) -> bool {
     block.kind == BlockKind::Words
         && block.delete.is_none()
@@ -223,7 +223,7 @@ pub fn is_plain(block: &Block) -> bool {
         && block.faults.is_empty()
 }
 
-/// Whether the words of a block are those of one straight move, each once.
+/// Whether the words of a block are those of one straight move, each at most once.
 fn holds_only_a_move(block: &Block, list: CodeList) -> bool {
     let mut seen = 0u32;
     for word in &block.words {
@@ -249,7 +249,7 @@ fn holds_only_a_move(block: &Block, list: CodeList) -> bool {
     true
 }
 
-/// Whether a motion is a straight one that nothing but its own block makes.
+/// Whether a motion is straight, and made by its own block alone.
 fn is_simple(motion: &Motion) -> bool {
     matches!(motion.kind, MotionKind::Rapid | MotionKind::Feed | MotionKind::Thread)
         && motion.cycle.is_none()

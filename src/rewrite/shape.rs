@@ -1,4 +1,4 @@
-//! Which four moves in a row are a single cycle, and which passes go on with it.
+//! Recognises four consecutive moves as a single cycle, and the passes that continue it.
 //!
 //! In: plain moves. Out: passes ([`Pass`]). Pure geometry: the reverse of `cycles::single`.
 
@@ -8,20 +8,20 @@ use crate::cycles::single::Single;
 use crate::geometry::Point;
 use crate::motion::{Motion, MotionKind};
 
-/// One call of a cycle.
+/// One pass of a cycle.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Pass {
-    /// Which cycle.
+    /// The cycle.
     pub single: Single,
-    /// Where it starts and comes back to.
+    /// Its start, which is also its return point.
     pub start: Point,
-    /// Where its cut ends.
+    /// End of its cut.
     pub end: Point,
     /// Start of the cut minus its end, mm: a radius, or a length for G94.
     pub taper: f64,
 }
 
-/// The passes of one cycle at the head of `moves`; none where these are no cycle.
+/// The passes of one cycle at the start of `moves`; empty if they are not a cycle.
 pub fn passes(moves: &[Move]) -> Vec<Pass> {
     let mut found: Vec<Pass> = Vec::new();
     for four in moves.chunks_exact(4) {
@@ -37,7 +37,7 @@ pub fn passes(moves: &[Move]) -> Vec<Pass> {
     found
 }
 
-/// The cycle that four moves are.
+/// The cycle that four moves form, if any.
 fn pass(moves: &[Move]) -> Option<Pass> {
     let [infeed, cut, retract, back] = moves else { return None };
     let [infeed, cut, retract, back] = [infeed, cut, retract, back].map(|own| own.motion);
@@ -66,7 +66,7 @@ fn pass(moves: &[Move]) -> Option<Pass> {
     Some(Pass { single, start, end: cut.to, taper })
 }
 
-/// Whether two lengths are the same.
+/// Whether two lengths are equal within the tolerance.
 pub fn level(a: f64, b: f64) -> bool {
     (a - b).abs() <= SAME
 }

@@ -1,8 +1,7 @@
-//! The edits that write moves as a cycle.
+//! Makes the edits that write moves as a cycle.
 //!
-//! In: moves and the passes they are. Out: an [`Offer`], not tried yet. Words keep the way they were
-//! typed wherever they still mean the same; comments stay; the next block is given its G00 where it
-//! relied on the one that goes.
+//! In: moves and their passes. Out: an [`Offer`], not tried yet. Words are kept as typed if they have the
+//! same meaning; comments are kept; the next block gets a G00 if it relied on one that is removed.
 
 use super::Offer;
 use super::places::{Move, Places, ends_program, g, is_plain};
@@ -18,7 +17,8 @@ use crate::text::block::{Block, Word};
 use crate::text::parser::{Parser, Resume};
 use crate::units::Unit;
 
-/// Words that a block may have without a code of group 01, and that mean nothing without one.
+/// Addresses that a block without a code of group 01 may contain, and that have no meaning without such a
+/// code.
 const MODAL: &[u8] = b"XZUWYVCHIJKRAE";
 
 /// Writes the cycles of one program.
@@ -27,32 +27,32 @@ pub struct Writer<'a> {
     pub text: &'a [u8],
     /// Its traced run.
     pub analysis: &'a Analysis,
-    /// What is known of its blocks.
+    /// Properties of its blocks.
     pub places: &'a Places,
-    /// How numbers are read.
+    /// Meaning of numbers without a decimal point.
     pub decimal: DecimalRule,
 }
 
-/// How the program is written where it is changed.
+/// The formatting of the program around the change.
 struct Style {
-    /// Between two words.
+    /// Space between two words.
     gap: &'static str,
     lower_case: bool,
-    /// After whole numbers.
+    /// Decimal point after integers, if used.
     point: &'static str,
-    /// G00, as it is written here.
+    /// G00 as written in this program.
     rapid: String,
 }
 
-/// A block and its place.
+/// A block and its end.
 struct Placed {
     block: Block,
-    /// One past its last byte, with its end of block.
+    /// One past its last byte, including its end of block.
     next: u32,
 }
 
 impl Writer<'_> {
-    /// The offer for the moves of some passes; none where something would be lost.
+    /// The offer for moves that form these passes; `None` if something would be lost.
     pub fn offer(&self, moves: &[Move], passes: &[Pass]) -> Option<Offer> {
         let single = passes.first()?.single;
         let code = self.code(single)?;
@@ -64,7 +64,7 @@ impl Writer<'_> {
             let own = 4 * number..4 * number + 4;
             let before = number.checked_sub(1).map(|before| &passes[before]);
             let (moves, blocks) = (&moves[own.clone()], &blocks[own]);
-            // A jump may only lead to the first.
+            // A jump may only lead to the first block.
             if blocks[1..].iter().any(|placed| self.places.is_target(&placed.block)) {
                 return None;
             }
@@ -85,7 +85,7 @@ impl Writer<'_> {
         Some(Offer { span, single, code, passes: passes.len(), edits })
     }
 
-    /// X, Z and R, as far as they differ from the pass before.
+    /// X, Z and R, as far as they differ from the previous pass.
     fn cycle_words(
         &self,
         moves: &[Move],
@@ -98,7 +98,7 @@ impl Writer<'_> {
         let differs =
             |value: fn(&Pass) -> f64| before.is_none_or(|before| !level(value(before), value(pass)));
         let (x, z) = (differs(|pass| pass.end.x), differs(|pass| pass.end.z));
-        // A pass once more at the same depth still has to be called.
+        // A repeated pass at the same depth still needs a word.
         let again = before.is_some() && !x && !z;
         if x || (again && pass.single != Single::Facing) {
             words.push(self.axis_word(moves, blocks, b"XU", (pass.start.x, pass.end.x), style));
@@ -112,8 +112,8 @@ impl Writer<'_> {
         words
     }
 
-    /// The word for where the cut ends along an axis, typed anew only where the typed one
-    /// would mean another place.
+    /// The word for the end of the cut along an axis; rewritten only if the typed word would mean another
+    /// position.
     fn axis_word(
         &self,
         moves: &[Move],
@@ -138,8 +138,8 @@ impl Writer<'_> {
         }
     }
 
-    /// F, where it is another one than before; `None` where one of the blocks sets an F
-    /// that the cycle could not.
+    /// F, if it differs from the previous one; `None` if one of the blocks sets an F that the cycle cannot
+    /// contain.
     fn feed_word(&self, blocks: &[Placed], feed: &mut Option<f64>) -> Option<Option<String>> {
         let find = |placed: &Placed| placed.block.words.iter().find(|word| word.address == b'F').copied();
         let own = find(&blocks[1]).or_else(|| find(&blocks[0]));
@@ -150,7 +150,7 @@ impl Writer<'_> {
         late.then_some(new)
     }
 
-    /// The words of a block replaced; comments between them follow.
+    /// Replaces the words of a block; comments between them are moved behind.
     fn replaced(&self, block: &Block, mut line: String) -> Edit {
         let span = block.words_span();
         for comment in block.comments.iter().filter(|own| span.start < own.start && own.end < span.end) {
@@ -159,7 +159,7 @@ impl Writer<'_> {
         Edit { span, text: line }
     }
 
-    /// A block taken out; its comments stay in its place.
+    /// Removes a block, but keeps its comments.
     fn removed(&self, placed: &Placed) -> Edit {
         let block = &placed.block;
         let comments: Vec<String> = block.comments.iter().map(|own| own.quote(self.text)).collect();
@@ -172,15 +172,15 @@ impl Writer<'_> {
         Edit { span: self.content(block), text: comments.join(" ") }
     }
 
-    /// What a block holds, without the blanks around it.
+    /// The span of a block without surrounding spaces.
     fn content(&self, block: &Block) -> Span {
         let bytes = block.span.of(self.text);
         let start = block.span.start as usize + bytes.len() - bytes.trim_ascii_start().len();
         Span::new(start, start + bytes.trim_ascii().len())
     }
 
-    /// One past what goes with a block that is taken out: its end of block, and of a
-    /// line of its own the line end.
+    /// End of the text to remove with a block: includes its end of block, and the line end if the block is
+    /// alone on its line.
     fn cut_end(&self, placed: &Placed) -> u32 {
         let (span, next) = (placed.block.span, placed.next as usize);
         let is_line_end = |byte: &u8| matches!(byte, b'\n' | b'\r');
@@ -198,13 +198,13 @@ impl Writer<'_> {
                 if end > 0 || rest.is_empty() { (next + blank + end) as u32 } else { placed.next }
             }
             (true, false) => placed.next,
-            // After others on its line: the line still ends.
+            // After other blocks on its line, the line end is kept.
             (false, true) => placed.next,
             (false, false) => span.end,
         }
     }
 
-    /// Gives what follows the cycle its G00, where it relies on that of the last block, which is at `index`.
+    /// Adds G00 to the block after the cycle if it relies on that of the last block, which is at `index`.
     fn restore_rapid(&self, index: usize, last: &Placed, rapid: &str, edits: &mut Vec<Edit>) {
         let mut at = last.block.span.start;
         for executed in &self.analysis.trace[index + 1..] {
@@ -218,7 +218,7 @@ impl Writer<'_> {
             }
             let straight = executed.at.byte > at && !executed.steers && executed.values.is_none();
             at = executed.at.byte;
-            // The program may come to a block from elsewhere, or not at all.
+            // The program may reach a block from elsewhere, or not at all.
             if !straight || !is_plain(&block) || self.places.is_target(&block) {
                 break;
             }
@@ -241,7 +241,7 @@ impl Writer<'_> {
         if self.analysis.trace.len() == index + 1 {
             return;
         }
-        // A block of its own, in place of the last one.
+        // As a separate block, in place of the last one.
         let mut line = rapid.to_owned();
         for comment in &last.block.comments {
             line = format!("{line} {}", comment.quote(self.text));
@@ -250,7 +250,7 @@ impl Writer<'_> {
         edits.push(Edit { span: self.content(&last.block), text: line });
     }
 
-    /// The code of a cycle in the list of codes in force.
+    /// The code of a cycle in the code list in use.
     fn code(&self, single: Single) -> Option<String> {
         let is_it = |number: &u64| {
             codes::g_code(10 * number, self.analysis.codes)
@@ -287,7 +287,7 @@ impl Writer<'_> {
     }
 }
 
-/// A length, mm, as a number of the program, to its least increment.
+/// Formats a length in mm as a number of the program, rounded to its least increment.
 fn number(value: f64, unit: Unit, point: &str) -> String {
     let text = match unit {
         Unit::Millimetre => format!("{value:.3}"),
