@@ -1,7 +1,7 @@
-//! The three calls that most programs need: what is wrong with a program, which motions it makes, and the program with all safe repairs.
+//! The three main functions of the library: check a program, list its motions, and apply all safe fixes.
 //!
-//! In: a text and a setup. Out: rows as the command line and the package for Node have them, with X as a diameter; a text. Must not know: how
-//! any of it is found out.
+//! In: a text and a setup. Out: rows as in the command line and the package for Node, with X as a diameter; a
+//! text. Must not know: how the results are computed.
 
 use crate::api::{self, Diagnostic, Motion, Places};
 use crate::repair::{Repaired, repaired};
@@ -10,10 +10,10 @@ use crate::sentences::Language;
 use crate::setup::Setup;
 use crate::source::LineIndex;
 
-/// What is wrong with a program, in the order of the text: what `gcode-playground check` reports. Collisions are among it where the setup or
-/// the program names a blank or a machine.
+/// Checks a program, and returns the same findings as `gcode-playground check`, in text order. They include
+/// collisions if the setup or the program defines a blank or a machine.
 ///
-/// A mistake in the program is never an error of the call.
+/// Never fails: faults in the program are findings.
 ///
 /// ```
 /// use gcode_playground::{check, sentences::Language, setup::Setup};
@@ -31,7 +31,7 @@ pub fn check(text: &[u8], setup: &Setup, language: Language) -> Vec<Diagnostic> 
     analysis.diagnostics.iter().map(|found| places.diagnostic(found, language)).collect()
 }
 
-/// All motions of a program in order: lengths in mm, X as a diameter.
+/// All motions of a program, in order. Lengths are in mm, X is a diameter.
 ///
 /// ```
 /// use gcode_playground::{motions, setup::Setup};
@@ -46,8 +46,8 @@ pub fn motions(text: &[u8], setup: &Setup) -> Vec<Motion> {
     api::motions(&analysis.motions, &analysis.setup.machine).collect()
 }
 
-/// The program with all safe repairs, those that do not change what it does, and what was done: what `gcode-playground check --fix` makes of a file.
-/// All other bytes stay as they are.
+/// Applies all safe fixes, which do not change what the program does, like `gcode-playground check --fix`.
+/// Returns the new text and the applied fixes. All other bytes are unchanged.
 ///
 /// ```
 /// use gcode_playground::{repair, setup::Setup};

@@ -1,7 +1,8 @@
-//! Which blocks of two texts are each other's counterparts.
+//! Pairs the blocks of two texts.
 //!
-//! In: the blocks of both. Out: an [`Alignment`]: stretches whose text differs, with their blocks paired, and the partner of
-//! every block. The search is that of `similar`, which gives up the shortest answer before it takes long. Must not know motions.
+//! In: the blocks of both texts. Out: an [`Alignment`]: ranges that differ, with their blocks paired, and
+//! pairs of unchanged blocks. Uses the diff of `similar`, which falls back to a longer diff rather than take
+//! long. Must not know motions.
 
 use std::ops::Range;
 
@@ -10,33 +11,33 @@ use similar::{Algorithm, DiffOp, capture_diff_slices};
 use super::written::{Keys, Written};
 use crate::limits::CHANGED_BLOCKS;
 
-/// Stretches of more blocks than this on both sides together are paired in their order, and so is what comes after so many
-/// blocks: nobody reads that far.
+/// Longer ranges (blocks of both sides together) are paired by position, and so are all ranges after this
+/// total, because a longer list of changes is not read.
 const MOST_PAIRED_BY_WORDS: usize = 120;
 const MOST_PAIRED_AT_ALL: usize = 2 * CHANGED_BLOCKS;
 
-/// A pair of blocks; one of them may be missing.
+/// A pair of blocks; one may be missing.
 pub(super) type Pair = [Option<usize>; 2];
 
 /// Neighbouring blocks that differ.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Stretch {
-    /// Which blocks of each text.
+    /// The blocks in each text.
     pub blocks: [Range<usize>; 2],
-    /// The same, in pairs and in order.
+    /// The same blocks in pairs, in order.
     pub pairs: Vec<Pair>,
 }
 
-/// The blocks of two texts beside each other.
+/// The alignment of two texts.
 pub(super) struct Alignment {
-    /// Where they differ.
+    /// The ranges that differ.
     pub stretches: Vec<Stretch>,
-    /// The unchanged blocks, in order.
+    /// Pairs of unchanged blocks, in order.
     pub partners: Vec<[usize; 2]>,
 }
 
 impl Alignment {
-    /// Lays two texts beside each other.
+    /// Aligns two texts.
     pub(super) fn of([first, second]: [&Written; 2], keys: &Keys) -> Self {
         let mut found = Self { stretches: Vec::new(), partners: Vec::new() };
         for op in capture_diff_slices(Algorithm::Myers, &first.numbers, &second.numbers) {
@@ -69,7 +70,7 @@ impl Alignment {
         found
     }
 
-    /// Adds a stretch; one that begins where the last one ends goes on with it.
+    /// Adds a differing range; merges it with the last one if they are adjacent.
     fn differs(&mut self, blocks: [Range<usize>; 2]) {
         match self.stretches.last_mut() {
             Some(last) if [0, 1].iter().all(|&side| last.blocks[side].end == blocks[side].start) => {
@@ -86,10 +87,10 @@ fn in_order([first, second]: &[Range<usize>; 2]) -> Vec<Pair> {
     (0..first.len().max(second.len())).map(|index| [at(first, index), at(second, index)]).collect()
 }
 
-/// The pairing in order with the most words in common.
+/// The pairing in order that has the most words in common.
 fn by_words([first, second]: [Range<usize>; 2], texts: [&Written; 2], keys: &Keys) -> Vec<Pair> {
     let wide = second.len() + 1;
-    // The most that the rest from a block of each on has in common.
+    // Table of dynamic programming: the best score for the rest of both ranges from a pair of blocks on.
     let mut best = vec![0; (first.len() + 1) * wide];
     let alike = |i: usize, j: usize| {
         likeness(keys, texts[0].numbers[first.start + i], texts[1].numbers[second.start + j])
@@ -120,7 +121,8 @@ fn by_words([first, second]: [Range<usize>; 2], texts: [&Written; 2], keys: &Key
     found
 }
 
-/// How much two blocks have in common: a word counts more than its address alone; nothing where neither is.
+/// Similarity of two blocks: an equal word scores more than an equal address; `None` if they have neither in
+/// common.
 fn likeness(keys: &Keys, first: u32, second: u32) -> Option<u32> {
     let (mut common, mut count) = (0, 0);
     for word in keys.words(first) {

@@ -1,20 +1,21 @@
-//! Unchanged blocks that move otherwise, and the change of the text that they follow.
+//! Finds unchanged blocks with different motions, and the text change that is the cause.
 //!
-//! In: the unchanged blocks, what they do in both versions, and the changed ones. Out: a [`Later`] for each changed stretch. A block
-//! follows the nearest change before it that writes an address on which what differs can depend: F for the feed, T for the
-//! tool. A cycle follows a change of its contour, wherever that stands. It is a conclusion from the text, not a trial.
+//! In: the unchanged blocks, their motions in both versions, and the changed blocks. Out: a [`Later`] for
+//! each changed range. A block is attributed to the nearest earlier change of an address that can affect the
+//! difference: F for the feed, T for the tool. A cycle is attributed to a change of its contour, wherever it
+//! is in the text. This is inferred from the text, not tried.
 
 use super::align::Stretch;
 use super::moves::{Change, Moves, changes};
 use super::written::{Keys, Written};
 use super::{Hunk, Row};
 
-/// Unchanged blocks that move otherwise.
+/// Unchanged blocks with different motions.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Later {
-    /// How many.
+    /// Their number.
     pub blocks: usize,
-    /// The first of them for each kind of change, in order.
+    /// The first block for each kind of change, in order.
     pub rows: Vec<Row>,
 }
 
@@ -32,17 +33,17 @@ impl Later {
     }
 }
 
-/// Where everything stands.
+/// The data for the attribution.
 pub(super) struct Places<'a> {
     /// The blocks of both texts.
     pub texts: &'a [Written; 2],
-    /// Where they differ.
+    /// The ranges that differ.
     pub stretches: &'a [Stretch],
-    /// Their words.
+    /// The words of the blocks.
     pub keys: &'a Keys,
 }
 
-/// Hands each unchanged block that moves otherwise to the hunk that it follows, or to `unexplained`.
+/// Adds each unchanged block with different motions to the hunk that caused it, or to `unexplained`.
 pub(super) fn follow(
     places: &Places,
     partners: &[[usize; 2]],
@@ -51,7 +52,7 @@ pub(super) fn follow(
     unexplained: &mut Later,
 ) {
     let touched: Vec<Touched> = places.stretches.iter().map(|stretch| Touched::of(stretch, places)).collect();
-    // The last stretch before the block that can be the cause of each kind of change.
+    // For each kind of change, the last range before the block that can be its cause.
     let (mut before, mut last) = (0, [None; CAUSES]);
     for &[first, second] in partners {
         while places.stretches.get(before).is_some_and(|stretch| stretch.blocks[1].start <= second) {
@@ -82,10 +83,10 @@ pub(super) fn follow(
     }
 }
 
-/// What may cause a change: the addresses of feed, spindle, tool, path; any word; any text.
+/// Number of kinds of causes: addresses of feed, spindle, tool, path; any word; any text.
 const CAUSES: usize = 6;
 
-/// The addresses that each cause is made of.
+/// The addresses of each kind of cause.
 const ADDRESSES: [&[u8]; CAUSES] = [
     b"FG",
     b"SGM",
@@ -95,7 +96,7 @@ const ADDRESSES: [&[u8]; CAUSES] = [
     b"ABCDEFGHIJKLMNOPQRSTUVWXYZ,/(%",
 ];
 
-/// Which of them is the path.
+/// Index of the cause "path".
 const PATH: usize = 3;
 
 fn cause_of(change: &Change) -> usize {
@@ -116,7 +117,7 @@ fn cause_of(change: &Change) -> usize {
     }
 }
 
-/// The first letters of the words that a stretch changes.
+/// The first letters of the words that a range changes.
 struct Touched([bool; 256]);
 
 impl Touched {
@@ -149,12 +150,12 @@ impl Touched {
     }
 }
 
-/// What a cycle along a contour depends on beside its own block.
+/// Causes specific to a cycle along a contour.
 #[derive(Default)]
 struct OfCycle {
-    /// The stretch that changes its contour (ns to nf).
+    /// The range that changes its contour (ns to nf).
     contour: Option<usize>,
-    /// The stretch that changes the block above, where the depth of cut stands.
+    /// The range that changes the block above, which contains the depth of cut.
     above: Option<usize>,
 }
 

@@ -1,7 +1,8 @@
 //! Messages that only one of two versions has.
 //!
-//! In: the messages of both, and which blocks are counterparts. Out: those of which the other version has none: another rule, or
-//! another block. A message that only moved along with its block is the same.
+//! In: the messages of both versions, and the pairs of blocks. Out: messages without a counterpart in the
+//! other version: another rule, or another block. A message that only moved with its block counts as the
+//! same.
 
 use std::collections::HashMap;
 
@@ -10,18 +11,18 @@ use super::align::Pair;
 use super::written::Written;
 use crate::message::Diagnostic;
 
-/// Where a message stands, for both versions alike.
+/// Position of a message, comparable between the versions.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 enum At {
     /// Before the first block.
     Head,
-    /// In a block, by its number in the second version.
+    /// In a block, by its index in the second version.
     Block(usize),
-    /// In a block of the first version alone.
+    /// In a block that only the first version has.
     Gone,
 }
 
-/// The messages of the first version alone, and those of the second.
+/// The messages that only the first version has, and those that only the second has.
 pub(super) fn only(
     versions: [Version; 2],
     texts: &[Written; 2],

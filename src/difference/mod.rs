@@ -1,10 +1,11 @@
-//! Two versions of a program beside each other: which blocks differ, and what that changes in the motion.
+//! Compares two versions of a program: the blocks that differ, and the effect on the motions.
 //!
-//! In: two programs that were run. Out: a [`ProgramDifference`]: the changed blocks in [`Hunk`]s, what each changes, which
-//! unchanged blocks move otherwise because of it, totals, parts and messages of both. Knows no language.
+//! In: two analysed programs. Out: a [`ProgramDifference`]: the changed blocks in [`Hunk`]s with the effect
+//! of each, unchanged blocks with different motions, totals, parts and messages of both. Independent of the
+//! language.
 //!
-//! `written` says which blocks are the same text, `align` pairs them, `moves` compares what paired blocks do, `later` finds the
-//! change that an unchanged block follows.
+//! `written` decides which blocks have the same text, `align` pairs them, `moves` compares the motions of
+//! paired blocks, `later` finds the cause of different motions in an unchanged block.
 
 mod align;
 mod later;
@@ -27,58 +28,58 @@ use moves::{Moves, changes};
 pub use totals::Totals;
 use written::{Written, written};
 
-/// A program that was run.
+/// An analysed program.
 #[derive(Clone, Copy)]
 pub struct Version<'a> {
     /// The text.
     pub text: &'a [u8],
     /// Its motions.
     pub motions: &'a Motions,
-    /// What was found in it, by place.
+    /// Its messages, sorted by position.
     pub diagnostics: &'a [Diagnostic],
-    /// The setup it was run under, with the decimal rule decided.
+    /// The setup of the run, with the decimal rule decided.
     pub setup: &'a Setup,
-    /// The G codes it was read with.
+    /// The G code list that it was read with.
     pub codes: CodeList,
     /// The unit of length at its end.
     pub unit: Unit,
 }
 
-/// A block as it is written.
+/// A block in the text.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Place {
-    /// Its bytes.
+    /// Its span.
     pub span: Span,
     /// Line, from 0.
     pub line: u32,
 }
 
-/// A block of one version and its counterpart in the other; one of them may be missing.
+/// A block of one version and its counterpart in the other; one may be missing.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Row {
-    /// The block of the first version, and that of the second.
+    /// The blocks of the first and second version.
     pub blocks: [Option<Place>; 2],
-    /// What differs in their motion.
+    /// Differences of their motions.
     pub changes: Vec<Change>,
 }
 
-/// Neighbouring blocks that differ in their text.
+/// Neighbouring blocks with different text.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Hunk {
-    /// The blocks, in the order of the texts.
+    /// The blocks, in text order.
     pub rows: Vec<Row>,
-    /// Time of their motions in each version, s, as far as it is known.
+    /// Known time of their motions in each version, s.
     pub seconds: [f64; 2],
-    /// Unchanged blocks that move otherwise because of them.
+    /// Unchanged blocks whose motions differ because of this hunk.
     pub later: Later,
 }
 
-/// How a version was read, where the other was read otherwise.
+/// A reading rule that differs between the versions.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Reading {
-    /// By which G codes.
+    /// The G code list.
     Codes([CodeList; 2]),
-    /// What numbers without a point count.
+    /// Meaning of numbers without a decimal point.
     Decimal([DecimalRule; 2]),
     /// The unit of length.
     Unit([Unit; 2]),
@@ -87,30 +88,30 @@ pub enum Reading {
 /// The finished parts of both versions.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Parts {
-    /// They were laid over each other; an empty comparison says that they are the same.
+    /// The parts were compared; they are the same if the comparison is empty.
     Compared(Comparison),
-    /// There is none of one of them: no blank, or a bound was met.
+    /// At least one part is unknown: no blank, or a limit was reached.
     Unknown,
 }
 
-/// What differs between two versions of a program.
+/// The difference between two versions of a program.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ProgramDifference {
-    /// What differs in the text, in order.
+    /// Changes of the text, in order.
     pub hunks: Vec<Hunk>,
-    /// Blocks that move otherwise though no text differs.
+    /// Blocks with different motions although no text that could be the cause differs.
     pub unexplained: Later,
-    /// The motions of both versions are the same, one after the other.
+    /// Whether the motions of both versions are the same, in the same order.
     pub same_motions: bool,
-    /// How they were read.
+    /// Reading rules that differ.
     pub readings: Vec<Reading>,
-    /// The whole of each version.
+    /// Totals of each version.
     pub totals: [Totals; 2],
     /// The finished parts.
     pub parts: Parts,
-    /// Messages of the first version alone.
+    /// Messages that only the first version has.
     pub gone: Vec<Diagnostic>,
-    /// Messages of the second version alone.
+    /// Messages that only the second version has.
     pub new: Vec<Diagnostic>,
 }
 
@@ -151,7 +152,7 @@ impl ProgramDifference {
         }
     }
 
-    /// Whether the texts are the same, but for N numbers, blanks and how numbers are written.
+    /// Whether the texts are the same, apart from N numbers, white space and number format.
     pub fn same_text(&self) -> bool {
         self.hunks.is_empty()
     }
@@ -179,13 +180,13 @@ fn hunk(stretch: &Stretch, texts: &[Written; 2], moves: &[Moves; 2], versions: [
     let rows = stretch.pairs.iter().map(|pair| row(*pair, texts, moves)).collect();
     let seconds = [0, 1].map(|side| {
         let machine = &versions[side].setup.machine;
-        // `sum` of nothing is -0.
+        // `sum` of an empty iterator is -0.
         stretch.blocks[side].clone().fold(0.0, |sum, block| sum + moves[side].seconds(block, machine))
     });
     Hunk { rows, seconds, later: Later::default() }
 }
 
-/// A block of each version, either of which may be missing, and what differs in their motion.
+/// A pair of blocks, one of which may be missing, with the differences of their motions.
 fn row(pair: [Option<usize>; 2], texts: &[Written; 2], moves: &[Moves; 2]) -> Row {
     let blocks = [0, 1].map(|side| pair[side].map(|block| texts[side].place(block)));
     let own =

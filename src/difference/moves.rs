@@ -1,7 +1,8 @@
-//! What blocks do, compared: the motions of a block of each version.
+//! Compares the motions of a block in both versions.
 //!
-//! In: motions, by block. Out: [`Change`]s, each with the value of both versions; none where the tool does the same. Where a motion
-//! begins is where the one before it ends, so that is no change of its own. Feed and spindle count for cuts alone.
+//! In: motions, by block. Out: [`Change`]s, each with the values of both versions; none if the tool does the
+//! same. The start of a motion is the end of the previous one, so it is not a separate change. Feed and
+//! spindle matter for cuts only.
 
 use super::written::Written;
 use crate::geometry::Point;
@@ -9,27 +10,27 @@ use crate::motion::{Cycle, Feed, Motion, MotionKind, Motions, Process, SpindleSp
 use crate::playback::timing;
 use crate::setup::Machine;
 
-/// Places nearer than this are the same, mm.
+/// Tolerance for equal positions, mm.
 const SAME: f64 = 1e-5;
 
-/// Something that differs in the motion of two blocks: first version, second version.
+/// A difference in the motions of two blocks; values are of the first and second version.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Change {
-    /// Only one of them moves: how often, and its last motion, or its last cut.
+    /// Only one of them moves: number of motions, and the last motion or cut.
     Moves([Option<(usize, Box<Motion>)>; 2]),
     /// Another cycle, or none.
     Cycle([Option<Cycle>; 2]),
-    /// How many passes a cycle makes.
+    /// Number of passes of a cycle.
     Passes(Cycle, [usize; 2]),
-    /// How many motions the block makes.
+    /// Number of motions of the block.
     Motions([usize; 2]),
-    /// Another kind of motion: rapid for feed, say.
+    /// Kind of motion, such as rapid and feed.
     Kind([Box<Motion>; 2]),
-    /// Where it ends.
+    /// End point.
     End([Box<Motion>; 2]),
     /// The radius of an arc, mm.
     Radius([f64; 2]),
-    /// The way between the same ends.
+    /// Path between the same end points.
     Way,
     /// The feed of a cut.
     Feed([Feed; 2]),
@@ -37,9 +38,9 @@ pub enum Change {
     Lead([f64; 2]),
     /// The spindle speed.
     Speed([SpindleSpeed; 2]),
-    /// The highest spindle speed, rpm.
+    /// Maximum spindle speed, rpm.
     Highest([Option<f64>; 2]),
-    /// Which way the spindle turns.
+    /// Direction of the spindle.
     Turn([SpindleTurn; 2]),
     /// The tool and its offset.
     Tool([(u16, u16); 2]),
@@ -47,22 +48,22 @@ pub enum Change {
     Dwell([f64; 2]),
 }
 
-/// The motions of a version by the blocks that make them.
+/// The motions of a version, grouped by block.
 pub(super) struct Moves<'a> {
     motions: &'a Motions,
-    /// Where the motions of each block begin in `order`, and where the last ones end.
+    /// Start of each block's motions in `order`; the last entry is the end.
     begins: Vec<u32>,
     order: Vec<u32>,
 }
 
-/// The motions of a block, in the order in which they are made.
+/// The motions of a block, in order.
 pub(super) struct OfBlock<'a> {
     motions: &'a Motions,
     own: &'a [u32],
 }
 
 impl<'a> Moves<'a> {
-    /// Sorts the motions of a version by block.
+    /// Groups the motions of a version by block.
     pub(super) fn of(motions: &'a Motions, text: &Written) -> Self {
         let count = motions.len();
         let blocks: Vec<u32> = (0..count)
@@ -91,12 +92,12 @@ impl<'a> Moves<'a> {
         OfBlock { motions: self.motions, own }
     }
 
-    /// Those of a block that is not there.
+    /// The motions of a missing block: none.
     pub(super) fn none(&self) -> OfBlock<'_> {
         OfBlock { motions: self.motions, own: &[] }
     }
 
-    /// Time of the motions of a block, s, as far as it is known.
+    /// Known time of the motions of a block, s.
     pub(super) fn seconds(&self, block: usize, machine: &Machine) -> f64 {
         let own = self.block(block);
         own.iter().filter_map(|motion| timing::seconds(&motion, machine)).fold(0.0, |sum, own| sum + own)
@@ -126,7 +127,7 @@ impl OfBlock<'_> {
         self.own.iter().map(|&index| self.motions.get(index as usize))
     }
 
-    /// The motion that says most of the block: the last cut, or the last motion.
+    /// The most significant motion of the block: the last cut, or the last motion.
     fn last(&self) -> Option<Motion> {
         let cut = |motion: &Motion| match motion.cycle {
             Some(step) => matches!(step.step, Step::Cut | Step::Contour),
@@ -145,7 +146,7 @@ impl OfBlock<'_> {
     }
 }
 
-/// What differs in the motion of two blocks.
+/// Differences between the motions of two blocks.
 pub(super) fn changes(first: &OfBlock, second: &OfBlock) -> Vec<Change> {
     let counts = [first.len(), second.len()];
     if counts[0] == counts[1]
@@ -183,12 +184,12 @@ pub(super) fn changes(first: &OfBlock, second: &OfBlock) -> Vec<Change> {
     found
 }
 
-/// What differs in the way of the tool.
+/// Differences of the tool path.
 fn path(first: &OfBlock, second: &OfBlock) -> Vec<Change> {
     let aligned = first.len() == second.len();
     let is_cycle = first.get(0).cycle.is_some() || second.get(0).cycle.is_some();
     let pair = if aligned {
-        // Of a cycle the first cut that differs, of other blocks the last motion.
+        // For a cycle, the first cut that differs; for other blocks, the last motion.
         let differing = || (0..first.len()).map(|index| (first.get(index), second.get(index)));
         let ends = |(first, second): &(Motion, Motion)| !is_same_end(first, second);
         let is_cut = |(first, _): &(Motion, Motion)| first.cycle.is_some_and(|step| step.step == Step::Cut);
@@ -223,7 +224,7 @@ fn path(first: &OfBlock, second: &OfBlock) -> Vec<Change> {
     found
 }
 
-/// What differs in how a cut is made.
+/// Differences of the cutting conditions.
 fn cut(first: &Motion, second: &Motion) -> Vec<Change> {
     let processes = [first.process, second.process];
     let mut found = Vec::new();
@@ -244,7 +245,7 @@ fn cut(first: &Motion, second: &Motion) -> Vec<Change> {
     found
 }
 
-/// Two numbers that differ.
+/// Two numbers, if both exist and differ.
 fn both(first: Option<f64>, second: Option<f64>) -> Option<[f64; 2]> {
     first
         .zip(second)

@@ -1,4 +1,4 @@
-//! The whole of a program in a few numbers.
+//! Totals of a program.
 //!
 //! In: its motions. Out: [`Totals`].
 
@@ -7,20 +7,20 @@ use crate::playback::timing::Total;
 use crate::playback::totals::totals;
 use crate::setup::Machine;
 
-/// The whole of a program.
+/// Totals of a program.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Totals {
-    /// Its time.
+    /// Total time.
     pub time: Total,
-    /// Motions.
+    /// Number of motions.
     pub motions: usize,
-    /// Passes of cycles.
+    /// Number of passes of cycles.
     pub passes: usize,
-    /// Path cut at feed, mm.
+    /// Path length at feed, mm.
     pub cut: f64,
-    /// Path at rapid, mm.
+    /// Path length at rapid, mm.
     pub rapid: f64,
-    /// Tools in the order of their first motion.
+    /// Tools in the order of first use.
     pub tools: Vec<(u16, u16)>,
 }
 

@@ -1,7 +1,7 @@
-//! Blocks as they are compared: words without N number, blanks, case and the way numbers are written.
+//! Normalises blocks for comparison: words without N number, white space, case and number format.
 //!
-//! In: a text. Out: its blocks, each with the number of its [`Keys`] entry: the same number is the same text. Comments count,
-//! blank lines do not. Must not know what a word does.
+//! In: a text. Out: its blocks, each with the index of its [`Keys`] entry: blocks with the same index have
+//! the same text. Comments are compared, blank lines are not. Must not know the meaning of a word.
 
 use std::collections::HashMap;
 use std::rc::Rc;
@@ -12,19 +12,19 @@ use crate::text::block::{Block, BlockKind, Value, Word};
 use crate::text::lexer::Number;
 use crate::text::parser::Parser;
 
-/// Whether a decimal point in a number makes a difference.
+/// Whether a decimal point in a number matters.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Points {
-    /// `X50` is a thousandth of `X50.`.
+    /// Yes: `X50` is a thousandth of `X50.`.
     Count,
-    /// Both are the same.
+    /// No: both are the same.
     Aside,
 }
 
-/// What stands between the words of a key; no word contains it.
+/// Separator between the words of a key; no word contains it.
 const BETWEEN: u8 = 0;
 
-/// The distinct blocks of both texts: the words of each, in order.
+/// The distinct blocks of both texts, as lists of words.
 #[derive(Default)]
 pub(super) struct Keys {
     numbers: HashMap<Rc<[u8]>, u32>,
@@ -52,24 +52,24 @@ impl Keys {
 /// The blocks of a text.
 pub(super) struct Written {
     places: Vec<Place>,
-    /// Which entry of the keys each block is.
+    /// Index of the key of each block.
     pub(super) numbers: Vec<u32>,
-    /// N number of each block that has one.
+    /// Block of each N number.
     sequences: HashMap<u32, usize>,
 }
 
 impl Written {
-    /// How many blocks there are.
+    /// Number of blocks.
     pub(super) fn len(&self) -> usize {
         self.places.len()
     }
 
-    /// Where a block stands.
+    /// Position of a block.
     pub(super) fn place(&self, block: usize) -> Place {
         self.places[block]
     }
 
-    /// The block that a byte is in; nothing before the first.
+    /// The block that contains a byte; `None` before the first.
     pub(super) fn block_at(&self, byte: u32) -> Option<usize> {
         self.places.partition_point(|place| place.span.start <= byte).checked_sub(1)
     }
@@ -80,7 +80,7 @@ impl Written {
     }
 }
 
-/// The blocks of a text.
+/// Reads the blocks of a text.
 pub(super) fn written(text: &[u8], points: Points, keys: &mut Keys) -> Written {
     let mut parser = Parser::new(text);
     let mut block = Block::default();
@@ -162,7 +162,8 @@ fn write_word(word: &Word, points: Points, key: &mut Vec<u8>) {
     }
 }
 
-/// What is no list of plain words, letter by letter without blanks, N number and comments.
+/// Writes the key of a block that is not a list of plain words: its characters without white space, N number
+/// and comments.
 fn write_raw(text: &[u8], block: &Block, key: &mut Vec<u8>) {
     let mut at = block.span.start;
     for comment in &block.comments {

@@ -1,7 +1,7 @@
-//! The setup sheet: a page to print, with the blank, the tools, and every block beside what it does.
+//! The setup sheet: a page to print, with the blank, the tools, and an explanation of every block.
 //!
-//! In: a program, its motions and setup. Out: one HTML file that stands alone. Rows are blocks as they are
-//! written, not as they run: a block that runs often is described by its first time.
+//! In: a program, its motions and setup. Out: one self-contained HTML file. Rows are blocks in text order,
+//! not in execution order: a block that is executed several times is described by its first execution.
 
 mod here;
 mod words;
@@ -25,38 +25,38 @@ use crate::units::{Unit, number};
 use here::here;
 use words::{one_of, tool_kind, words};
 
-/// Blocks on a card, at most: about a hundred pages.
+/// Maximum number of blocks on a sheet: about a hundred pages.
 const MOST_BLOCKS: usize = 4000;
 
-/// A drawing of more motions than this is left out by who makes a card: it would be all ink.
+/// Maximum number of motions for the drawing; with more, callers omit it, because it would be unreadable.
 pub const MOST_DRAWN: usize = 20_000;
 
-/// Tools on a card, at most.
+/// Maximum number of tools on a sheet.
 const MOST_TOOLS: usize = 500;
 
-/// Motions of a block that are put into words one by one; more are counted.
+/// Maximum number of motions of a block that are described individually; more are only counted.
 const MOST_TOLD: usize = 4;
 
-/// Speeds and feeds named of one tool, at most.
+/// Maximum number of speeds and feeds listed for a tool.
 const MOST_RATES: usize = 4;
 
-/// What a card is made of.
+/// Input of a setup sheet.
 pub struct Card<'a> {
     /// The program.
     pub text: &'a [u8],
     /// Its motions.
     pub motions: &'a Motions,
-    /// The setup it was run under.
+    /// The setup of the run.
     pub setup: &'a Setup,
-    /// The G codes it is written in.
+    /// The G code list of the program.
     pub codes: CodeList,
-    /// The unit its lengths are shown in.
+    /// The unit for lengths.
     pub unit: Unit,
-    /// The drawing on white paper, as SVG.
+    /// The drawing for white paper, as SVG.
     pub drawing: Option<&'a str>,
 }
 
-/// The page loads nothing and runs no scripts.
+/// Allows no requests and no scripts.
 const POLICY: &str = "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; style-src 'unsafe-inline'\">\n";
 
 /// A row of the table of blocks.
@@ -70,7 +70,7 @@ struct Row {
 }
 
 impl Card<'_> {
-    /// The card as HTML.
+    /// Renders the sheet as HTML.
     pub fn html(&self, language: Language) -> String {
         let w = words(language);
         let (rows, more) = self.rows(language);
@@ -117,7 +117,7 @@ impl Card<'_> {
         page.html
     }
 
-    /// The O number that is run: the chosen one, or the first of the text.
+    /// The O number of the run: the chosen one, or the first in the text.
     fn program_number(&self) -> String {
         let first = || blocks(self.text).find_map(|block| block.program);
         let number = self.setup.program.or_else(|| first().map(|program| program.0));
@@ -147,8 +147,8 @@ impl Card<'_> {
         }
         page.heading(w.tools);
         page.begin_table("tools", &[w.tool, w.kind, w.nose, w.tip, w.speed_and_feed, w.time]);
-        // The first cut shows what a tool is for; what never cuts (an offset called
-        // off) is no tool of the card.
+        // A tool is described by its first cut. A T word without cuts, such as a cancelled offset, is not
+        // listed.
         let mut uses: BTreeMap<(u16, u16), (Motion, Rates)> = BTreeMap::new();
         for motion in self.motions.iter().filter(|motion| motion.kind.cuts()) {
             let (_, rates) = uses.entry(motion.process.tool).or_insert_with(|| (motion, Rates::default()));
@@ -173,7 +173,7 @@ impl Card<'_> {
         }
     }
 
-    /// The rows of all blocks, and how many more there are.
+    /// The rows of all blocks, and the number of omitted ones.
     fn rows(&self, language: Language) -> (Vec<Row>, usize) {
         let told = Told::new(self, language);
         let mut rows = Vec::new();
@@ -195,13 +195,13 @@ impl Card<'_> {
     }
 }
 
-/// Puts blocks into words.
+/// Describes blocks.
 struct Told<'a> {
     card: &'a Card<'a>,
     language: Language,
-    /// What each code does, and which of the codes that do the same it is.
+    /// Function of each code, and its index among the codes with the same function.
     functions: HashMap<String, (Function, usize)>,
-    /// The motions of the block that begins at a byte.
+    /// The motions of each block, by the block's first byte.
     motions: BTreeMap<u32, Vec<usize>>,
 }
 
@@ -245,7 +245,7 @@ impl<'a> Told<'a> {
         }
     }
 
-    /// What its codes do; those of plain moves are reported with the move.
+    /// Descriptions of the codes of a block; codes of plain moves are described with the move.
     fn codes(&self, block: &Block, own: &[Motion]) -> Vec<String> {
         let mut told: Vec<String> = Vec::new();
         if block.kind == BlockKind::Macro {
@@ -288,7 +288,7 @@ impl<'a> Told<'a> {
         told
     }
 
-    /// `T0101`: which tool comes in.
+    /// `T0101`: the tool that is changed to.
     fn tool(&self, word: &Word) -> Option<String> {
         let number = word_number(word).filter(|_| word.address == b'T')?.integer()?;
         let w = words(self.language);
@@ -305,7 +305,7 @@ impl<'a> Told<'a> {
         match low {
             Some(low) if low < high => vec![count(w.passes, u64::from(high - low) + 1)],
             Some(_) => {
-                // One pass of a cycle that stays on: the cut says it all.
+                // One pass of a modal cycle: the cut describes it.
                 let cut = own.iter().find(|motion| motion.cycle.is_some_and(|step| step.step == Step::Cut));
                 cut.or(own.first()).map(told).into_iter().collect()
             }
@@ -315,7 +315,7 @@ impl<'a> Told<'a> {
     }
 }
 
-/// A file in the making.
+/// The HTML file being written.
 struct Page {
     html: String,
 }
@@ -335,7 +335,7 @@ impl Page {
         let _ = writeln!(self.html, "<table class=\"{class}\">\n<thead><tr>{cells}</tr></thead>\n<tbody>");
     }
 
-    /// Cells are HTML already.
+    /// Writes a table row; the cells are HTML already.
     fn row<const N: usize>(&mut self, cells: [&str; N]) {
         let cells: String = cells.iter().map(|cell| format!("<td>{cell}</td>")).collect();
         let _ = writeln!(self.html, "<tr>{cells}</tr>");
@@ -346,13 +346,13 @@ impl Page {
     }
 }
 
-/// An O number as it is written.
+/// Formats an O number.
 pub(super) fn program_name(number: u32) -> String {
-    // Of a name the number means nothing to a reader.
+    // The number of a named program is internal.
     if is_name(number) { String::new() } else { format!("O{number:04}") }
 }
 
-/// The blocks of a text, one after the other.
+/// The blocks of a text.
 pub(super) fn blocks(text: &[u8]) -> impl Iterator<Item = Block> + '_ {
     let mut parser = Parser::new(text);
     std::iter::from_fn(move || {
@@ -361,7 +361,7 @@ pub(super) fn blocks(text: &[u8]) -> impl Iterator<Item = Block> + '_ {
     })
 }
 
-/// A G or M word as the table of codes spells it: `G01`, `G12.1`.
+/// A G or M word in the spelling of the table of codes: `G01`, `G12.1`.
 fn spelled(word: &Word) -> Option<String> {
     let number = word_number(word)?;
     match (word.address, word.comma) {
@@ -383,8 +383,8 @@ fn word_number(word: &Word) -> Option<crate::text::lexer::Number> {
     }
 }
 
-/// The sequence number of a block as it is written, and the rest of it without
-/// comments and the blanks around.
+/// The sequence number of a block as written, and the rest of the block without comments and surrounding
+/// spaces.
 fn as_written(text: &[u8], block: &Block) -> (String, String) {
     let mut bytes = block.span.of(text).to_vec();
     for comment in &block.comments {
@@ -406,7 +406,7 @@ pub(super) fn remark(text: &[u8], comment: Span) -> String {
     comment.quote(text).trim_matches(|c: char| "();（）".contains(c) || c.is_whitespace()).to_owned()
 }
 
-/// Writes measures in the unit and the language of a card.
+/// Formats measures in the unit and the language of a sheet.
 #[derive(Clone, Copy)]
 struct Measures {
     unit: Unit,
@@ -414,17 +414,17 @@ struct Measures {
 }
 
 impl Measures {
-    /// A length, mm, without its unit.
+    /// Formats a length in mm, without the unit.
     fn bare(self, mm: f64) -> String {
         number(mm / self.unit.millimetres())
     }
 
-    /// A length, mm.
+    /// Formats a length in mm.
     fn length(self, mm: f64) -> String {
         [&self.bare(mm), " ", labels::length(self.unit, self.language)].concat()
     }
 
-    /// A feed, mm/rev or mm/min.
+    /// Formats a feed in mm/rev or mm/min.
     fn feed(self, mm: f64, mode: FeedMode) -> String {
         [&self.bare(mm), " ", labels::feed_unit(mode, self.unit, self.language)].concat()
     }
@@ -471,7 +471,8 @@ fn about(resolved_tool: &ResolvedTool, measures: Measures) -> [String; 3] {
     [kind, nose, tool.tip_direction().to_string()]
 }
 
-/// The speeds and feeds of the cuts of a tool, each once, up to [`MOST_RATES`] and a sign that there are more.
+/// The different speeds and feeds of the cuts of a tool, at most [`MOST_RATES`], with a mark if there are
+/// more.
 #[derive(Default)]
 struct Rates {
     found: Vec<String>,
@@ -516,7 +517,7 @@ fn tool_name((station, offset): (u16, u16)) -> String {
     if station == 0 { "–".into() } else { format!("T{station:02}{offset:02}") }
 }
 
-/// Minutes and seconds; a dash where nothing is known.
+/// Formats a time as minutes and seconds; a dash if it is unknown.
 fn clock(time: &Total) -> String {
     if time.known <= 0.0 {
         return "–".into();
@@ -567,7 +568,7 @@ mod tests {
         assert_eq!(page.matches("<tr>").count(), page.matches("</tr>").count());
     }
 
-    /// The sheet of an inch program has inches everywhere, whatever the setup was entered in.
+    /// The sheet of an inch program uses inches everywhere, even if the setup was entered in mm.
     #[test]
     fn the_card_of_an_inch_program_is_in_inches() {
         let program = "O1\n(STOCK D=50.8 LENGTH=101.6)\n(TOOL T0101 TYPE=TURNING INSERT=CNMG120408)\nG20 G99\n\
@@ -586,13 +587,13 @@ mod tests {
         assert!(html(PROGRAM, Language::Russian).contains("<td>0.8 мм</td>"));
     }
 
-    /// What the table says of a block that is written like this.
+    /// The table's description of a block.
     fn does(page: &str, block: &str) -> String {
         let row = page.lines().find(|line| line.contains(&format!("<code>{block}</code>")));
         row.and_then(|row| row.split("<td>").nth(3)).unwrap_or_default().replace("</td>", "")
     }
 
-    /// A code that can mean several things says what it means in its block.
+    /// A code with several meanings is described by its meaning in the block.
     #[test]
     fn a_code_is_described_by_what_it_does_here() {
         let program = "G50 S2000\nG50 X100 Z100\nT0101 M3 S500\nG0 X42 Z2\nG90 X40 Z-20 F0.2\nG90 X40 Z-20 R-2\n\

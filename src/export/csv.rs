@@ -1,7 +1,7 @@
-//! All motions as a table for a spreadsheet: comma-separated values (RFC 4180).
+//! All motions as a table for spreadsheets: comma-separated values (RFC 4180).
 //!
-//! In: the rows of `motions`. Out: the same rows, one line each, under a line with the names of the columns.
-//! What a motion does not have is empty.
+//! In: the rows of `motions`. Out: a header line with the names of the columns, and one line per row. Missing
+//! values are empty.
 
 use std::fmt::Write;
 
@@ -9,8 +9,8 @@ use crate::api;
 use crate::motion::Motions;
 use crate::setup::Machine;
 
-/// The columns, named as in the rows of `motions`; what stands inside of another
-/// there has its name before it.
+/// The columns, named as in the rows of `motions`; names of nested properties are prefixed with the name of
+/// the outer one.
 pub const COLUMNS: [&str; 26] = [
     "line",
     "kind",
@@ -40,8 +40,8 @@ pub const COLUMNS: [&str; 26] = [
     "uncertain",
 ];
 
-/// The table: X a diameter and lengths in mm, angles in degrees, feed in mm/min. `x`, `z` and the centre are coordinates of the workpiece:
-/// the programmed ones plus the offset of the row.
+/// Writes the table: X as a diameter, lengths in mm, angles in degrees, feed in mm/min. `x`, `z` and the
+/// centre are workpiece coordinates: the programmed ones plus the offset of the row.
 pub fn csv(motions: &Motions, machine: &Machine) -> String {
     let mut text = COLUMNS.join(",");
     text.push_str("\r\n");
@@ -88,7 +88,7 @@ fn write_row(text: &mut String, row: &api::Motion) {
         number(row.machine.map(|place| place.c)),
         word(row.uncertain.then_some("uncertain")),
     ];
-    // No cell holds a comma, a quote or a line end.
+    // No cell contains a comma, a quote or a line end, so nothing is quoted.
     let _ = write!(text, "{}\r\n", cells.join(","));
 }
 

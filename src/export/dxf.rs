@@ -1,7 +1,7 @@
-//! The profile of the part for drawing programs: DXF of AutoCAD release 12, as text, in mm.
+//! The profile of the part for CAD programs: text DXF of AutoCAD release 12, in mm.
 //!
 //! In: the half-section. Out: lines and true arcs on the layer `PROFILE`, the spindle axis on the layer
-//! `CENTER`. X of the drawing is Z of the lathe, Y the radius.
+//! `CENTER`. X of the drawing is Z of the lathe, Y is the radius.
 
 use std::fmt::{Display, Write};
 
@@ -10,10 +10,10 @@ use crate::geometry::bounds::{Bounds, join};
 use crate::geometry::{Arc, Point, Turn};
 use crate::machine::region::Region;
 
-/// How far the centre line reaches out of the part, as drawings have it, mm.
+/// Length of the centre line beyond the part at each end, as usual in drawings, mm.
 const CENTER_LINE_OVER: f64 = 3.0;
 
-/// The half-section above the spindle axis as a drawing; nothing where nothing is left of the blank.
+/// The half-section above the spindle axis as a drawing; `None` if nothing is left of the blank.
 pub fn dxf(region: &Region) -> Option<String> {
     let chains = profile::outlines(region);
     let bounds = chains.iter().flatten().fold(None, |bounds, segment| join(bounds, Some(around(segment))))?;
@@ -42,7 +42,7 @@ fn around(segment: &Segment) -> Bounds {
     }
 }
 
-/// A file in the making: pairs of a group code and a value, each on a line of its own.
+/// The file being written: pairs of a group code and a value, each on a separate line.
 struct File {
     text: String,
 }
@@ -52,13 +52,13 @@ impl File {
         let _ = write!(self.text, "{code:>3}\r\n{value}\r\n");
     }
 
-    /// A length in mm, or an angle in degrees: to a nanometre.
+    /// Writes a length in mm or an angle in degrees, rounded to 1e-6.
     fn number(&mut self, code: u16, value: f64) {
         let rounded = (value * 1e6).round() / 1e6 + 0.0;
         self.pair(code, format_args!("{rounded:.6}"));
     }
 
-    /// A place; its codes are `code` and ten more.
+    /// Writes a point, with `code` for X, `code` + 10 for Y and `code` + 20 for Z.
     fn point(&mut self, code: u16, at: Point) {
         self.number(code, at.z);
         self.number(code + 10, at.x);
@@ -104,7 +104,7 @@ impl File {
         self.pair(70, rows);
     }
 
-    /// Dashes in mm, gaps negative.
+    /// Defines a line type. Dashes in mm; negative values are gaps.
     fn line_type(&mut self, name: &str, looks: &str, dashes: &[f64]) {
         self.pair(0, "LTYPE");
         self.pair(2, name);
@@ -125,7 +125,7 @@ impl File {
         self.point(11, to);
     }
 
-    /// Arcs of a DXF file always turn counter-clockwise.
+    /// Writes an arc. Arcs in DXF are always counter-clockwise.
     fn arc(&mut self, layer: &str, arc: &Arc) {
         let (from, to) = match arc.turn {
             Turn::Counterclockwise => (arc.start_angle(), arc.end_angle()),

@@ -1,8 +1,8 @@
-//! A file of any format: the one way out of this room for the page and the command line.
+//! Exports a file of any format, for the page and the command line.
 //!
-//! In: a format, a program that was run, a language. Out: the bytes of the file. A new format is
-//! a variant of [`FileFormat`]; the compiler names what else it needs. Must not know: where the
-//! file is written, or its name.
+//! In: a format, an analysed program, a language. Out: the bytes of the file. For a new format, add a variant
+//! to [`FileFormat`]; the compiler reports what else it needs. Must not know: where the file is written, or
+//! its name.
 
 use super::card::{self, Card};
 use super::{csv, dxf, stl};
@@ -38,7 +38,7 @@ pub enum FileFormat {
 }
 
 impl FileFormat {
-    /// What the name of such a file ends in, after the name of the program.
+    /// The suffix of the file name, after the name of the program.
     pub fn ending(self) -> &'static str {
         match self {
             Self::Svg => ".svg",
@@ -50,7 +50,7 @@ impl FileFormat {
         }
     }
 
-    /// Whether it contains texts in a language.
+    /// Whether the file contains texts in a language.
     pub fn has_texts(self) -> bool {
         match self {
             Self::Svg | Self::Card => true,
@@ -58,7 +58,7 @@ impl FileFormat {
         }
     }
 
-    /// Whether [`Exportable::expanded`] is called: it needs a run that keeps the blocks it carries out.
+    /// Whether [`Exportable::expanded`] is called, which needs a run with a trace of the executed blocks.
     pub fn needs_trace(self) -> bool {
         match self {
             Self::Program => true,
@@ -67,27 +67,27 @@ impl FileFormat {
     }
 }
 
-/// A program that was run, as the files need it. What takes time is worked out when it is asked for.
+/// An analysed program, as needed for exports. Expensive results are computed on demand.
 pub trait Exportable {
     /// Its text.
     fn text(&self) -> &[u8];
     /// All its motions.
     fn motions(&self) -> &Motions;
-    /// The setup it was run under.
+    /// The setup of the run.
     fn setup(&self) -> &Setup;
-    /// The G codes it was read with.
+    /// The G code list that it was read with.
     fn codes(&self) -> CodeList;
-    /// The program at the machine, with all its material off.
+    /// The machine simulation, with all material removed.
     fn simulation(&self) -> Option<&SimulationResult>;
-    /// The program with every cycle expanded, in the encoding of the file to be written.
+    /// The program with every cycle expanded, in the encoding of the file to write.
     fn expanded(&self) -> Vec<u8>;
-    /// The unit its lengths are shown in; a table of numbers has mm all the same.
+    /// The unit for lengths; tables of numbers use mm anyway.
     fn unit(&self) -> Unit;
-    /// Which way X+ is drawn.
+    /// The direction of X+ in drawings.
     fn x_plus(&self) -> XPlus;
 }
 
-/// The file of a format; nothing where there is no part to put into it.
+/// Exports a file; `None` if it needs a part and there is none.
 pub fn file(format: FileFormat, program: &impl Exportable, language: Language) -> Option<Vec<u8>> {
     match format {
         FileFormat::Svg => Some(drawing(program, &svg_options(program, language)).into_bytes()),
@@ -99,7 +99,7 @@ pub fn file(format: FileFormat, program: &impl Exportable, language: Language) -
     }
 }
 
-/// The setup sheet, with a drawing unless that has too many strokes.
+/// The setup sheet, with a drawing unless it would have too many strokes.
 fn card(program: &impl Exportable, language: Language) -> String {
     let motions = program.motions();
     let options = SvgOptions {
@@ -124,7 +124,7 @@ fn drawing(program: &impl Exportable, options: &SvgOptions) -> String {
     section(program.motions(), program.simulation(), options)
 }
 
-/// How the drawing of a program looks: with its title and a legend under it.
+/// Options for the drawing of a program, with its title and a legend.
 pub fn svg_options(program: &impl Exportable, language: Language) -> SvgOptions {
     let unit = program.unit();
     SvgOptions {
@@ -136,12 +136,12 @@ pub fn svg_options(program: &impl Exportable, language: Language) -> SvgOptions 
     }
 }
 
-/// What stands under a drawing.
+/// The caption of a drawing.
 pub fn caption(title: String, language: Language) -> Caption {
     Caption { title, legend: labels::legend(language) }
 }
 
-/// The number of the program that is run, and what its first comment calls it.
+/// The number of the program, and the name in its first comment.
 fn title(program: &impl Exportable) -> String {
     let (text, chosen) = (program.text(), program.setup().program);
     let head = card::blocks(text).find_map(|block| {

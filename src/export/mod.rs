@@ -1,8 +1,8 @@
-//! What leaves the playground as a file: tables, the setup sheet, the part for other programs.
+//! Exports: tables, the setup sheet, the part for other programs.
 //!
-//! In: a program that was run. Out: texts and bytes, the same on the page and on the command line, which call
-//! [`file::file`]. Each exporter only puts into words what earlier stages have worked out. (The drawing is
-//! `scene::svg`, the expanded program `expand`.)
+//! In: an analysed program. Out: texts and bytes, the same for the page and the command line, which both call
+//! [`file::file`]. The exporters only format results of earlier stages. (The drawing is `scene::svg`, the
+//! expanded program `expand`.)
 
 pub mod card;
 pub mod csv;

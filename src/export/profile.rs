@@ -1,7 +1,7 @@
-//! The outline of the part as lines and true arcs.
+//! Converts the outline of the part to lines and true arcs.
 //!
-//! In: the half-section, whose arcs are cut into chords. Out: closed chains of [`Segment`]s; neighbouring
-//! edges that lie on one circle are one arc again. Must not know what the outline is for.
+//! In: the half-section, whose arcs are approximated by chords. Out: closed chains of [`Segment`]s, in which
+//! consecutive edges on one circle are an arc again. Must not know what the outline is for.
 
 use std::f64::consts::PI;
 
@@ -10,41 +10,41 @@ use crate::geometry::{Arc, Point, SAME, Turn};
 use crate::machine::region::Region;
 use crate::machine::sweep::CHORD;
 
-/// How far an arc may be from the corners and from the middles of the edges it stands for, mm.
+/// Maximum distance of an arc from the corners and edge midpoints that it replaces, mm.
 pub const FIT: f64 = 2.0 * CHORD;
 
-/// Edges that make an arc, at least: any three corners lie on a circle.
+/// Minimum number of edges in an arc: any three points lie on a circle.
 const LEAST_EDGES: usize = 3;
 
-/// An arc that ends at a corner a little beside the circle may not fit, and a longer one again:
-/// so many corners are passed.
+/// Number of consecutive failures before the search for a longer arc stops: an arc may not fit if it ends at
+/// a corner slightly off the circle, although a longer one fits.
 const MOST_MISSED: usize = 2;
 
-/// Corners nearer to the line through their neighbours are none, mm.
+/// Maximum distance of a corner from the line through its neighbours to be ignored, mm.
 const STRAIGHT: f64 = CHORD / 8.0;
 
-/// Nose and way of a tool are both cut into chords, so that their arc may turn back a
-/// little at a corner, radians.
+/// Maximum turn of an arc in the opposite direction at a corner, radians: both the nose and the path of a
+/// tool are approximated by chords, so their combination may turn back slightly.
 const WOBBLE: f64 = 0.02;
 
-/// An arc rises so much above its chord, mm, or it is a straight line: three chords of an arc rise
-/// nine times as much as one.
+/// Minimum height of an arc above its chord, mm; a flatter one is a straight line. Three chords of an arc
+/// rise nine times as much as one.
 const LEAST_HEIGHT: f64 = 3.0 * FIT;
 
-/// Steps in which an arc is brought to where its corners are as far outside as inside.
+/// Number of iterations that balance an arc between the corners outside and inside of it.
 const BALANCINGS: usize = 3;
 
-/// An arc turns by less than this, radians: a full circle has no ends that show which way it runs, and what
-/// is left of it must be an arc as well.
+/// Maximum angle of an arc, radians: a full circle has no end points that show its direction, and the rest of
+/// it must be an arc, too.
 const WIDEST: f64 = 1.5 * PI;
 
-/// A corner no further from the spindle axis than this, mm, is on it: as far as the grid of areas moves one.
+/// Maximum radius of a corner on the spindle axis, mm: the grid of areas may shift a corner by this.
 const ON_AXIS: f64 = 2e-5;
 
-/// Radii are rounded to as few of these steps as fit, mm.
+/// Rounding steps of radii, mm; the coarsest one that fits is used.
 const ROUND: [f64; 4] = [0.5, 0.1, 0.01, 0.001];
 
-/// A piece of an outline.
+/// A segment of an outline.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Segment {
     /// A straight edge.
@@ -53,14 +53,14 @@ pub enum Segment {
     Arc(Arc),
 }
 
-/// The closed outlines of an area, those of holes among them, the material on the left. That of a solid part
-/// runs along the spindle axis; nothing is below it.
+/// The closed outlines of an area, including those of holes, with the material on the left. The outline of a
+/// solid part runs along the spindle axis; nothing is below the axis.
 pub fn outlines(region: &Region) -> Vec<Vec<Segment>> {
     let above = |at: Point| Point::new(if at.x < ON_AXIS { 0.0 } else { at.x }, at.z);
     region.outlines().map(|outline| segments(&outline.map(above).collect::<Vec<_>>())).collect()
 }
 
-/// A closed outline as lines and arcs.
+/// Converts a closed outline to lines and arcs.
 fn segments(outline: &[Point]) -> Vec<Segment> {
     let mut points = from_sharpest_corner(outline);
     points.dedup_by(|a, b| a.is_same(*b));
@@ -78,7 +78,7 @@ fn segments(outline: &[Point]) -> Vec<Segment> {
     found
 }
 
-/// No arc runs across the sharpest corner: the chain begins there.
+/// Rotates the outline to begin at its sharpest corner, which no arc crosses.
 fn from_sharpest_corner(outline: &[Point]) -> Vec<Point> {
     let count = outline.len();
     let sharpness = |&index: &usize| {
@@ -89,7 +89,7 @@ fn from_sharpest_corner(outline: &[Point]) -> Vec<Point> {
     outline.iter().cycle().skip(first).take(count).copied().collect()
 }
 
-/// The longest arc from the first point on; else the longest straight line.
+/// The longest arc from the first point, or else the longest straight line.
 fn next_segment(points: &[Point]) -> (usize, Segment) {
     let mut best = None;
     let mut missed = 0;
@@ -112,24 +112,25 @@ fn next_segment(points: &[Point]) -> (usize, Segment) {
     })
 }
 
-/// The arc from the first point to the last that all others lie on, if there is one.
+/// The arc from the first point to the last on which all other points lie, if any.
 fn arc_through(points: &[Point]) -> Option<Arc> {
     let (start, end) = (points[0], points[points.len() - 1]);
     let inner = &points[1..points.len() - 1];
-    // The edges turn the same way, and not round and round.
+    // All edges must turn in the same direction, and by less than `WIDEST` in total.
     let turns: Vec<f64> = points.windows(3).map(|three| turned(three[0], three[1], three[2])).collect();
     let whole: f64 = turns.iter().sum();
     let same_way = turns.iter().all(|turn| turn * whole.signum() > -WOBBLE);
     if !same_way || whole.abs() > WIDEST || start.is_same(end) {
         return None;
     }
-    // From every place on an arc its ends are seen under the same angle; far from the ends it is known best.
+    // Inscribed angle: from every point on an arc its chord is seen at the same angle. The sum weights points
+    // far from the ends more.
     let (cross, dot) = inner.iter().fold((0.0, 0.0), |(cross, dot), point| {
         let (a, b) = (from_to(*point, start), from_to(*point, end));
         (cross + a.1 * b.0 - a.0 * b.1, dot + a.0 * b.0 + a.1 * b.1)
     });
     let seen = f64::atan2(cross, dot);
-    // Half the angle of the arc, with the sign of its turn: positive counter-clockwise.
+    // Half the angle of the arc, radians; positive is counter-clockwise.
     let half = if seen < 0.0 { seen + PI } else { seen - PI };
     if half.signum() != whole.signum() {
         return None;
@@ -152,8 +153,8 @@ fn arc_through(points: &[Point]) -> Option<Arc> {
         let size = if half.abs() > PI / 2.0 { PI - quarter } else { quarter };
         arc_of(start, end, half.signum() * size)
     });
-    // A nose that ends at the axis touches it there: a larger circle through the same
-    // corners would lead below it.
+    // A nose that ends on the axis is tangent there: a larger circle through the same corners would extend
+    // below the axis.
     let lowest = points.iter().fold(0.0, |lowest: f64, point| lowest.min(point.x));
     let fits = |arc: &Arc| {
         let (least, most) = deviations(arc, points);
@@ -162,7 +163,7 @@ fn arc_through(points: &[Point]) -> Option<Arc> {
     rounded.chain(arc_of(start, end, half)).find(fits)
 }
 
-/// The arc between two points that turns by twice `half`, radians, positive counter-clockwise.
+/// The arc between two points with the angle 2 × `half`, radians, positive counter-clockwise.
 fn arc_of(start: Point, end: Point, half: f64) -> Option<Arc> {
     let chord = start.distance(end);
     let beside = chord / 2.0 / half.tan();
@@ -170,14 +171,14 @@ fn arc_of(start: Point, end: Point, half: f64) -> Option<Arc> {
         return None;
     }
     let turn = if half > 0.0 { Turn::Counterclockwise } else { Turn::Clockwise };
-    // The centre is left of the chord where a counter-clockwise arc is less than a half circle.
+    // The centre is left of the chord for a counter-clockwise arc of less than a half circle.
     let (dx, dz) = ((end.x - start.x) / chord, (end.z - start.z) / chord);
     let middle = Point::new((start.x + end.x) / 2.0, (start.z + end.z) / 2.0);
     Some(Arc { start, end, center: Point::new(middle.x + beside * dz, middle.z - beside * dx), turn })
 }
 
-/// How far corners and middles of edges are outside of the circle of an arc, mm: the least (inside,
-/// where negative) and the most.
+/// The minimum and maximum distance of corners and edge midpoints from the circle of an arc, mm; negative is
+/// inside.
 fn deviations(arc: &Arc, points: &[Point]) -> (f64, f64) {
     let radius = arc.radius();
     let middles = points
@@ -193,7 +194,7 @@ fn deviations(arc: &Arc, points: &[Point]) -> (f64, f64) {
         })
 }
 
-/// By which angle the way turns at the second of three points, radians, positive to the left.
+/// The change of direction at the second of three points, radians, positive to the left.
 fn turned(a: Point, b: Point, c: Point) -> f64 {
     let (before, after) = (from_to(a, b), from_to(b, c));
     f64::atan2(before.1 * after.0 - before.0 * after.1, before.0 * after.0 + before.1 * after.1)
@@ -204,7 +205,7 @@ fn distance_from_line(point: Point, from: Point, to: Point) -> f64 {
     (way.1 * own.0 - way.0 * own.1).abs() / from.distance(to).max(SAME)
 }
 
-/// From one point to another: X, Z.
+/// The vector from one point to another: X, Z.
 fn from_to(a: Point, b: Point) -> (f64, f64) {
     (b.x - a.x, b.z - a.z)
 }
@@ -235,8 +236,8 @@ mod tests {
         Segment::Arc(Arc { start, end, center, turn })
     }
 
-    /// A shaft with a round end, a groove with a round bottom, and a radius at its
-    /// shoulder, tangents on both sides.
+    /// A shaft with a round end, a groove with a round bottom, and a shoulder with a radius, all tangent on
+    /// both sides.
     fn shaft() -> Vec<Segment> {
         vec![
             arc(at(0.0, 0.0), at(10.0, -10.0), at(0.0, -10.0), Turn::Counterclockwise),
@@ -256,7 +257,7 @@ mod tests {
         let wanted = shaft();
         let mut outline = chain(&wanted);
         for _ in 0..3 {
-            // Wherever the outline begins.
+            // The result must not depend on where the outline begins.
             outline.rotate_left(17);
             let found = segments(&outline);
             assert_eq!(found.len(), wanted.len(), "{found:#?}");
@@ -278,7 +279,7 @@ mod tests {
 
     #[test]
     fn corners_are_no_arcs() {
-        // Eight corners on a circle, and three chamfers.
+        // The corners of an octagon lie on a circle, but its edges are not an arc.
         let octagon: Vec<Point> = (0..8)
             .map(|corner| {
                 let (sin, cos) = (f64::from(corner) * PI / 4.0).sin_cos();
@@ -292,8 +293,7 @@ mod tests {
 
     #[test]
     fn a_round_hole_is_arcs_only() {
-        // Chords as wide as those of a tool's way.
-        // Chords as wide as those of a tool's way.
+        // Chords as long as those of a tool path.
         let circle: Vec<Point> = (0..50)
             .map(|corner| {
                 let (sin, cos) = (f64::from(corner) * PI / 25.0).sin_cos();

@@ -1,37 +1,38 @@
-//! The part as a solid body for other programs: binary STL, in mm.
+//! The part as a solid for other programs: binary STL, in mm.
 //!
-//! In: the half-section. Out: its outlines turned about the spindle axis, as triangles that close without a
-//! gap. Z of the file is Z of the lathe. Threads are what the section shows: rings, not screws.
+//! In: the half-section. Out: its outlines rotated about the spindle axis, as a closed mesh of triangles. Z
+//! of the file is Z of the lathe. Threads are rings, as in the section, not helices.
 
 use std::f64::consts::{PI, TAU};
 
 use crate::geometry::Point;
 use crate::machine::region::Region;
 
-/// How far the middles of the flats of a turned surface may lie inside of their corners, mm. The surface
-/// itself is between them, so that the body has the volume of the part.
+/// Maximum distance of the middle of a flat from its corners, measured radially, mm. The true surface is
+/// between the two, so that the mesh has the volume of the part.
 pub const FLATNESS: f64 = 0.01;
 
-/// Flats around the axis, at least and at most.
+/// Minimum and maximum number of flats around the axis.
 const FLATS: [usize; 2] = [24, 360];
 
-/// A part with very many corners gets fewer flats, rather than more triangles than this.
+/// Maximum number of triangles; a part with very many corners gets fewer flats.
 const MOST_TRIANGLES: usize = 1_500_000;
 
-/// Places are rounded to this, mm, so that what is one corner stays one in the file's short numbers.
+/// Coordinates are rounded to this step, mm, so that equal corners stay equal in the 32-bit numbers of the
+/// file.
 const STEP: f64 = 1e-4;
 
-/// Three places in mm, counter-clockwise as seen from outside.
+/// Three points in mm, counter-clockwise as seen from outside.
 pub type Triangle = [[f64; 3]; 3];
 
-/// The file; nothing where nothing is left of the blank.
+/// Writes the file; `None` if nothing is left of the blank.
 pub fn stl(region: &Region) -> Option<Vec<u8>> {
     let triangles = triangles(region);
     if triangles.is_empty() {
         return None;
     }
     let mut file = Vec::with_capacity(84 + 50 * triangles.len());
-    // 80 bytes that say what they like, but not "solid", with which files in text begin.
+    // An 80-byte header with any text that does not begin with "solid", which marks a text STL.
     file.extend_from_slice(format!("{:<80}", "gcode-playground: turned part, mm").as_bytes());
     file.extend_from_slice(&(triangles.len() as u32).to_le_bytes());
     for triangle in &triangles {
@@ -45,11 +46,11 @@ pub fn stl(region: &Region) -> Option<Vec<u8>> {
     Some(file)
 }
 
-/// The surface of the body.
+/// The surface mesh.
 pub fn triangles(region: &Region) -> Vec<Triangle> {
     let outlines: Vec<Vec<Point>> = region.outlines().map(|outline| rounded(outline.collect())).collect();
     let flats = flats(&outlines);
-    // A regular polygon of this radius has the area of the circle of radius 1.
+    // A regular polygon with this circumradius has the area of the unit circle.
     let flat = TAU / flats as f64;
     let mean = (flat / flat.sin()).sqrt();
     let around: Vec<(f64, f64)> =
@@ -62,7 +63,7 @@ pub fn triangles(region: &Region) -> Vec<Triangle> {
             for sides in around.windows(2) {
                 let [a0, a1, b0, b1] =
                     [(a, 0), (a, 1), (b, 0), (b, 1)].map(|(at, side)| place(at, sides[side]));
-                // A corner on the axis is one place for all flats.
+                // A corner on the axis is a single point for all flats.
                 if a.x > 0.0 {
                     triangles.push([a0, b0, a1]);
                 }
@@ -75,7 +76,7 @@ pub fn triangles(region: &Region) -> Vec<Triangle> {
     triangles
 }
 
-/// How many flats keep all of them within [`FLATNESS`].
+/// The number of flats that keeps the deviation within [`FLATNESS`].
 fn flats(outlines: &[Vec<Point>]) -> usize {
     let corners: usize = outlines.iter().map(Vec::len).sum();
     let radius = outlines.iter().flatten().fold(0.0, |radius: f64, point| radius.max(point.x));

@@ -1,49 +1,49 @@
-//! The clock of the playback: how far the tool has come, and when.
+//! The playback clock: converts between positions in the program and time.
 //!
-//! In: the motions and the machine. Out: a [`Clock`], which says where the tool is so many seconds into the
-//! animation, and how long the machine takes up to there. Where the time of a motion is not known the
-//! animation goes at a usual pace, which is never reported as a time. Must not know what is drawn.
+//! In: the motions and the machine. Out: a [`Clock`], which returns the position of the tool for a time of
+//! the animation, and the machine time up to a position. If the time of a motion is unknown, the animation
+//! uses a default rate, which is never reported as a time. Must not know what is drawn.
 
 use super::timing::{self, Total};
 use crate::motion::{Motion, MotionKind, Motions};
 use crate::setup::Machine;
 
-/// Pace of rapids whose rate is not known, mm/min.
+/// Default rate of rapids, mm/min.
 const RAPID: f64 = 8000.0;
-/// Longest time that a rapid takes in the animation, seconds: there is little to see in the air.
+/// Maximum duration of a rapid in the animation, seconds, because little happens during it.
 const LONGEST_RAPID: f64 = 0.3;
-/// Pace of cuts whose feed or spindle speed is not known, mm/min.
+/// Default rate of cuts with an unknown feed or spindle speed, mm/min.
 const CUT: f64 = 250.0;
-/// Pace of the C axis where it is not known, degrees a second.
+/// Default rate of the C axis, degrees per second.
 const TURN: f64 = 120.0;
-/// Motions from one reading that is kept to the next.
+/// Number of motions between two cached readings.
 const STRIDE: usize = 64;
 
-/// How far a program has come: a motion under way, those before it done.
+/// A position in the program: the current motion; all earlier ones are finished.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Playhead {
     /// The motion.
     pub motion: usize,
-    /// How much of it is done: 0 at its start, 1 at its end.
+    /// Fraction of the motion that is done: 0 at its start, 1 at its end.
     pub share: f64,
 }
 
 impl Playhead {
-    /// At the end of a motion.
+    /// The end of a motion.
     pub fn end_of(motion: usize) -> Self {
         Self { motion, share: 1.0 }
     }
 
-    /// Before the first motion.
+    /// The start of the first motion.
     pub const START: Self = Self { motion: 0, share: 0.0 };
 }
 
-/// What the clock shows at a place of the program.
+/// Times at a position of the program.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Reading {
-    /// Seconds of the animation.
+    /// Time of the animation, seconds.
     pub pace: f64,
-    /// The time the machine takes.
+    /// Machine time.
     pub time: Total,
 }
 
@@ -51,13 +51,13 @@ pub struct Reading {
 #[derive(Clone, Debug)]
 pub struct Clock {
     machine: Machine,
-    /// Before every so many motions, and at the end.
+    /// Cached readings: before every [`STRIDE`]th motion, and at the end.
     kept: Vec<Reading>,
     motions: usize,
 }
 
 impl Clock {
-    /// The clock of all motions.
+    /// Creates the clock of all motions.
     pub fn new(motions: &Motions, machine: &Machine) -> Self {
         let mut clock = Self { machine: *machine, kept: Vec::new(), motions: motions.len() };
         let mut reading = Reading::default();
@@ -71,17 +71,17 @@ impl Clock {
         clock
     }
 
-    /// The machine it goes by.
+    /// The machine whose rates are used.
     pub fn machine(&self) -> &Machine {
         &self.machine
     }
 
-    /// At the end of the program.
+    /// The reading at the end of the program.
     pub fn whole(&self) -> Reading {
         self.kept.last().copied().unwrap_or_default()
     }
 
-    /// At a place of the program.
+    /// The reading at a position.
     pub fn at(&self, motions: &Motions, playhead: Playhead) -> Reading {
         let Playhead { motion, share } = playhead;
         let mut reading = self.before(motions, motion);
@@ -91,14 +91,13 @@ impl Clock {
         if share > 0.0 && motion < self.motions {
             let motion = motions.get(motion);
             reading.pace += share * pace(&motion, &self.machine);
-            // What has begun and is not known is reported as soon as it is done.
+            // A partial motion of unknown time counts as unknown only when it is finished.
             reading.time.known += timing::seconds(&motion.first_part(share), &self.machine).unwrap_or(0.0);
         }
         reading
     }
 
-    /// The place of the program so many seconds into the animation: where two motions meet
-    /// it is the end of the first.
+    /// The position at a time of the animation, in seconds; between two motions, the end of the first.
     pub fn place(&self, motions: &Motions, pace: f64) -> Playhead {
         if pace >= self.whole().pace {
             return Playhead::end_of(self.motions.saturating_sub(1));
@@ -118,7 +117,7 @@ impl Clock {
         Playhead::end_of(self.motions.saturating_sub(1))
     }
 
-    /// Before a motion; at the end after the last.
+    /// The reading before a motion; the total after the last motion.
     fn before(&self, motions: &Motions, motion: usize) -> Reading {
         if motion >= self.motions {
             return self.whole();
@@ -139,7 +138,7 @@ impl Reading {
     }
 }
 
-/// Seconds of the animation that a motion takes: its time, or what is usual.
+/// Duration of a motion in the animation, seconds: its time, or a default.
 fn pace(motion: &Motion, machine: &Machine) -> f64 {
     if let Some(seconds) = timing::seconds(motion, machine) {
         return if motion.kind == MotionKind::Rapid { seconds.min(LONGEST_RAPID) } else { seconds };
@@ -180,7 +179,7 @@ pub(super) mod tests {
 
     #[test]
     fn the_air_is_crossed_quickly() {
-        // 12 s of cutting; the way there and home, of 200 mm each, takes little of the animation.
+        // 12 s of cutting; the two rapids of 200 mm each take little time in the animation.
         let (motions, clock) = run("G98 M3 S500\nG0 X200 Z200\nG0 X50 Z2\nG1 Z-10 F60\nG0 X200 Z200\nM30\n");
         let cut = motions.iter().position(|motion| motion.kind == MotionKind::Feed).expect("a cut");
         let before = clock.at(&motions, Playhead::end_of(cut - 1)).pace;

@@ -1,51 +1,52 @@
-//! What holds the tool while it goes on: stops of the program, the end of a block, a line that the reader has marked.
+//! Determines where playback pauses: at program stops, at the end of a block, before a line that the user
+//! marked.
 //!
-//! In: the motions that are on the way. Out: the first of them before which the tool is held, and by what.
+//! In: the next motions. Out: the first pause before one of them, and its reason.
 
 use std::ops::Range;
 
 use super::clock::{Clock, Playhead};
 use crate::motion::{Motions, Stop, StopKind};
 
-/// Which stops of the program are heeded.
+/// Which program stops pause playback.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Stops {
     /// M00 and M01.
     All,
-    /// M00: the switch for optional stops is off.
+    /// M00 only: the switch for optional stops is off.
     NotOptional,
 }
 
-/// All that may hold the tool.
+/// Everything that may pause playback.
 #[derive(Clone, Copy, Debug)]
 pub struct Holds<'a> {
-    /// Stops of the program.
+    /// Program stops.
     pub stops: Stops,
-    /// The switch for single blocks is on: the end of each block that moves the tool.
+    /// Whether the single-block switch is on: pause at the end of each block that moves the tool.
     pub each_block: bool,
-    /// Lines, from 0, in order: before each block of theirs.
+    /// Marked lines, from 0, sorted: pause before each of their blocks.
     pub lines: &'a [u32],
 }
 
 impl Holds<'_> {
-    /// Only stops of the program.
+    /// Pauses at program stops only.
     pub fn stops(stops: Stops) -> Self {
         Self { stops, each_block: false, lines: &[] }
     }
 }
 
-/// What holds the tool.
+/// Reason of a pause.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum HeldBy {
     /// M00 or M01.
     Stop,
     /// The end of a block.
     Block,
-    /// A line that the reader has marked: it comes next.
+    /// A marked line is next.
     Line,
 }
 
-/// The place so many seconds of the animation after another, or where the tool is held on the way, and by what.
+/// The position after `seconds` of the animation, or the first pause before it with its reason.
 pub fn play(
     clock: &Clock,
     motions: &Motions,
@@ -54,9 +55,9 @@ pub fn play(
     holds: Holds,
 ) -> (Playhead, Option<HeldBy>) {
     let to = clock.place(motions, clock.at(motions, from).pace + seconds.max(0.0));
-    // A motion without any time is ignored, but nothing goes back.
+    // Motions of zero time are skipped, but the position must not move back.
     let to = if to.motion < from.motion { from } else { to };
-    // What holds the tool where it stands already was answered by going on.
+    // Resuming has already passed a pause at the current position.
     let begun = |place: Playhead| place.motion + 1 + usize::from(place.share >= 1.0);
     match first_hold(motions, begun(from)..begun(to), holds) {
         Some((place, by)) => (place, Some(by)),
@@ -64,7 +65,7 @@ pub fn play(
     }
 }
 
-/// The first place at which the tool is held before a motion of a range, which begins after the first motion.
+/// The first pause before a motion of a range, which must not include the first motion.
 fn first_hold(motions: &Motions, range: Range<usize>, holds: Holds) -> Option<(Playhead, HeldBy)> {
     let stop = stop_in(motions, range.clone(), holds.stops).map(|(motion, _)| motion);
     let until = stop.unwrap_or(range.end).min(motions.len());
@@ -72,7 +73,7 @@ fn first_hold(motions: &Motions, range: Range<usize>, holds: Holds) -> Option<(P
     block_hold(motions, range.start..until, holds).or_else(at_stop)
 }
 
-/// The same by blocks alone: the end of one, or a marked line that comes next.
+/// The first pause at a block: its end, or a marked line that is next.
 fn block_hold(motions: &Motions, range: Range<usize>, holds: Holds) -> Option<(Playhead, HeldBy)> {
     if !holds.each_block && holds.lines.is_empty() {
         return None;
@@ -86,7 +87,7 @@ fn block_hold(motions: &Motions, range: Range<usize>, holds: Holds) -> Option<(P
     })
 }
 
-/// The stop at which the tool stands.
+/// The program stop at a position.
 pub fn stop_at(motions: &Motions, playhead: Playhead) -> Option<Stop> {
     let next = playhead.motion + 1;
     (playhead.share >= 1.0).then(|| stop_in(motions, next..next + 1, Stops::All))?.map(|(_, stop)| stop)
@@ -99,7 +100,8 @@ fn stop_in(motions: &Motions, range: Range<usize>, stops: Stops) -> Option<(usiz
     })
 }
 
-/// For each of these lines, from 0, the first from there on whose blocks move the tool; in order, each once.
+/// For each line, from 0, the first line from there on whose blocks move the tool; sorted, without
+/// duplicates.
 pub fn lines_that_move(motions: &Motions, lines: &[u32]) -> Vec<u32> {
     let mut next = vec![u32::MAX; lines.len()];
     let mut last = u32::MAX;
@@ -130,7 +132,7 @@ mod tests {
 
     const LOOP: &str = "O1\nT0101 M3 S500\nG0 X50 Z2\n#1=0\nWHILE[#1LT2]DO1\nG90 X[40-#1] Z-5 F0.2\n#1=#1+1\nEND1\nG0 X100\nM00\nZ100\nM30\n";
 
-    /// What the tool is held by and the line (from 1) it stands in, time after time, to the end.
+    /// Reason and line (from 1) of each pause, until the end.
     fn held(text: &str, each_block: bool, lines: &[u32]) -> Vec<(HeldBy, u32)> {
         let (motions, clock) = run(text);
         let motions = &motions;
@@ -138,7 +140,7 @@ mod tests {
         let holds = Holds { stops: Stops::All, each_block, lines: &lines };
         let (mut at, mut found) = (Playhead::START, Vec::new());
         for _ in 0..100_000 {
-            // As frames are played.
+            // Time steps like animation frames.
             let (next, by) = play(&clock, motions, at, 0.05, holds);
             if let Some(by) = by {
                 found.push((by, motions.line(next.motion) + 1));
@@ -155,7 +157,7 @@ mod tests {
     fn single_blocks_are_held_at_their_ends() {
         use HeldBy::{Block, Stop};
         assert_eq!(held(LOOP, true, &[]), [(Block, 3), (Block, 6), (Stop, 9)]);
-        // In each round of a loop.
+        // In each iteration of a loop.
         let lines: Vec<u32> =
             held(&LOOP.replace("END1", "G0 W1\nEND1"), true, &[]).iter().map(|held| held.1).collect();
         assert_eq!(lines, [3, 6, 8, 6, 8, 10]);
@@ -165,14 +167,14 @@ mod tests {
     fn a_marked_line_holds_the_tool_in_each_round() {
         let text = LOOP.replace("#1=#1+1\n", "#1=#1+1\nG0 W1\n");
         assert_eq!(held(&text, false, &[5]), [(HeldBy::Line, 6), (HeldBy::Line, 6), (HeldBy::Stop, 10)]);
-        // Marked lines go first where both would hold it.
+        // A marked line takes precedence over the end of a block.
         assert_eq!(held(&text, true, &[5])[..2], [(HeldBy::Line, 6), (HeldBy::Block, 6)]);
     }
 
     #[test]
     fn a_line_that_moves_nothing_stands_for_the_next_that_does() {
         let motions = analyze(LOOP.as_bytes(), &Setup::default()).motions;
-        // Variables and M codes; the line after the last move stands for none.
+        // Variables and M codes do not move the tool; after the last move there is no such line.
         assert_eq!(lines_that_move(&motions, &[1, 3, 4, 11]), [2, 5]);
         assert!(lines_that_move(&motions, &[]).is_empty());
         assert_eq!(held(LOOP, false, &[3]), [(HeldBy::Line, 6), (HeldBy::Stop, 9)]);
@@ -195,7 +197,7 @@ mod tests {
         assert_eq!(second, Playhead::end_of(last - 1));
         assert_eq!(play(second, Stops::All), Playhead::end_of(last));
         assert_eq!(play(Playhead::START, Stops::NotOptional), second);
-        // Played frame by frame it is held as well.
+        // Frame-by-frame playback pauses as well.
         let mut place = Playhead::START;
         for _ in 0..10_000 {
             let next = super::play(&clock, &motions, place, 0.016, Holds::stops(Stops::NotOptional)).0;
@@ -209,7 +211,8 @@ mod tests {
 
     #[test]
     fn a_stop_waits_for_the_moves_before_it() {
-        // The chamfer is known with the block after M00 only; the stop is after the block that it ends.
+        // The chamfer is only known at the block after M00, but the stop comes after the block that the
+        // chamfer ends.
         let (motions, _) = run("G0 X50 Z2\nM3 S500\nG1 Z-10 ,C1 F0.2\nM00\nX60\nG0 Z2\nM30\n");
         let (index, stop) = motions.stops(0..usize::MAX).next().expect("a stop");
         assert_eq!((motions.line(index - 1), motions.line(index), stop.line), (2, 4, 3));

@@ -1,4 +1,5 @@
-//! The program as time: how long each motion takes, where the tool is at any moment, and where steps end.
+//! The program over time: the time of each motion, the position of the tool at any time, and the ends of
+//! steps.
 //!
 //! In: the motions and the machine's rates. Out: times, places, totals. Must not know the part.
 

@@ -1,35 +1,35 @@
-//! Steps of the playback: from the end of one motion, block or pass to that of another.
+//! Steps through the program: to the end of the next or previous motion, block or pass.
 //!
-//! In: a place of the program. Out: the next place before or after it where something ends.
+//! In: a position in the program. Out: the nearest end of a step after or before it.
 
 use super::clock::Playhead;
 use crate::motion::{Cycle, Motions};
 use crate::source::Span;
 
-/// How far one step goes.
+/// Size of a step.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Unit {
     /// One motion.
     Motion,
     /// All motions of a block.
     Block,
-    /// All motions of a pass of a cycle; outside of cycles a block.
+    /// All motions of a pass of a cycle; outside of cycles, a block.
     Pass,
 }
 
-/// Where it goes.
+/// Direction of a step.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Direction {
-    /// On in the program.
+    /// Forward.
     Next,
-    /// Back to where it came from.
+    /// Backward.
     Previous,
 }
 
-/// What motions that make one step have in common.
+/// Identifies the motions of one step.
 type Key = (Span, Option<(Cycle, u32)>);
 
-/// The place one step from another; without one, from the start of the program or from its end.
+/// The position one step away; without `from`, from the start or the end of the program.
 pub fn step(motions: &Motions, from: Option<Playhead>, unit: Unit, direction: Direction) -> Playhead {
     let Some(last) = motions.len().checked_sub(1) else { return Playhead::START };
     match direction {
@@ -47,7 +47,7 @@ pub fn step(motions: &Motions, from: Option<Playhead>, unit: Unit, direction: Di
             Playhead::end_of(end.unwrap_or(last + 1) - 1)
         }
         Direction::Previous => {
-            // The step that is under way, or has just been done, is taken back.
+            // Undoes the current step, or the step that was just finished.
             let under_way = from.map_or(last, |at| at.motion.min(last));
             let own = key(motions, under_way, unit);
             let before = (0..under_way).rev().find(|&before| !goes_on(own, key(motions, before, unit), unit));
@@ -80,7 +80,7 @@ mod tests {
     use crate::analyze;
     use crate::setup::Setup;
 
-    /// The lines (from 1) and motions at which steps end.
+    /// The lines (from 1) and motions at the ends of steps.
     fn steps(text: &str, unit: Unit, direction: Direction) -> Vec<(u32, usize)> {
         let motions = analyze(text.as_bytes(), &Setup::default()).motions;
         let mut ends = Vec::new();
@@ -95,7 +95,7 @@ mod tests {
         }
     }
 
-    // Approach, two passes of four motions each, one motion back.
+    // Approach, two passes of four motions each, one return motion.
     const TWO_PASSES: &str = "M3 S500\nG0 X62 Z2\nG90 X50 Z-30 F0.2\nX45\nG0 X100\nM30\n";
 
     #[test]

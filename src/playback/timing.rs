@@ -1,7 +1,6 @@
-//! How long motions take, and how fast the spindle turns.
+//! Computes the time of motions, and spindle speeds.
 //!
-//! In: a motion and what is known of the machine. Out: seconds, rpm, feed; nothing where it cannot be known.
-//! Must not know the program.
+//! In: a motion and the machine. Out: seconds, rpm, feed; `None` if unknown. Must not know the program.
 
 use std::f64::consts::PI;
 
@@ -10,14 +9,14 @@ use crate::geometry::{Point, SAME, within};
 use crate::motion::{Feed, Motion, MotionKind, Process, SpindleSpeed, SpindleTurn};
 use crate::setup::Machine;
 
-/// A spindle faster than this has no limit that anybody gave, rpm: nothing is known of it.
+/// Maximum plausible spindle speed, rpm: a higher result means that no limit is set, so the speed is unknown.
 const NO_LIMIT: f64 = 100_000.0;
 
-/// Pieces in which the time of an arc under G96 is added up.
+/// Number of pieces for the integration of the time of an arc under G96.
 const PIECES: u32 = 32;
 
-/// Spindle speed, rpm, with the tip at a radius, mm; nothing while the spindle stands, or
-/// without a limit at the axis.
+/// Spindle speed, rpm, with the tip at a radius, mm; `None` if the spindle is stopped, or without a limit at
+/// the axis.
 pub fn speed_at(process: &Process, machine: &Machine, radius: f64) -> Option<f64> {
     if process.turn == SpindleTurn::Stopped {
         return None;
@@ -35,17 +34,17 @@ pub fn speed_at(process: &Process, machine: &Machine, radius: f64) -> Option<f64
     (speed > 0.0 && speed < NO_LIMIT).then_some(speed)
 }
 
-/// Cutting speed at a radius, metres a minute.
+/// Cutting speed at a radius, m/min; `speed` in rpm, `radius` in mm.
 pub fn surface_speed(speed: f64, radius: f64) -> f64 {
     2.0 * PI * radius.abs() * speed / 1000.0
 }
 
-/// Feed along the path with the tip at a radius, mm/min; of a thread with a growing lead where it ends. Nothing for rapids
-/// and dwells.
+/// Feed along the path with the tip at a radius, mm/min; for a thread with a variable lead, at its end.
+/// `None` for rapids and dwells.
 pub fn feed_at(motion: &Motion, machine: &Machine, radius: f64) -> Option<f64> {
     let per_turn = match (motion.kind, motion.process.feed) {
         (MotionKind::Rapid | MotionKind::Dwell, _) => return None,
-        // The lead counts along the long axis, the feed along the path.
+        // The lead is measured along the longer axis, the feed along the path.
         (MotionKind::Thread, _) => motion.last_lead()? * motion.length() / motion.longer_axis(),
         (_, Feed::PerMinute(feed)) => return Some(feed),
         (_, Feed::PerTurn(feed)) => feed,
@@ -54,7 +53,7 @@ pub fn feed_at(motion: &Motion, machine: &Machine, radius: f64) -> Option<f64> {
     Some(per_turn * speed_at(&motion.process, machine, radius)?).filter(|feed| feed.is_finite())
 }
 
-/// Seconds a motion takes.
+/// Time of a motion, seconds.
 pub fn seconds(motion: &Motion, machine: &Machine) -> Option<f64> {
     if motion.kind == MotionKind::Dwell {
         return motion.seconds;
@@ -63,7 +62,7 @@ pub fn seconds(motion: &Motion, machine: &Machine) -> Option<f64> {
     if motion.kind == MotionKind::Rapid {
         return rapid(motion, machine);
     }
-    // Degrees count in the length of a feed (B-64304EN, feed of rotary axes).
+    // Degrees count as length for a feed (B-64304EN, feed of rotary axes).
     let way = length.hypot(motion.turned());
     if way <= SAME {
         return Some(0.0);
@@ -79,13 +78,13 @@ pub fn seconds(motion: &Motion, machine: &Machine) -> Option<f64> {
     Some(seconds).filter(|seconds| seconds.is_finite())
 }
 
-/// Both axes at their own rates: the time of the one that takes longer.
+/// Each axis moves at its own rate: the time of the slower one.
 fn rapid(motion: &Motion, machine: &Machine) -> Option<f64> {
     let axis = |length: f64, rate: Option<f64>| match length.abs() {
         length if length <= SAME => Some(0.0),
         length => Some(60.0 * length / rate?),
     };
-    // Nobody has said at which rate C turns and Y goes.
+    // The rapid rates of C and Y are not in the setup.
     let moves_y = |own: VirtualMove| own.y_at(0.0) != own.y_at(1.0);
     if motion.rotary.is_some_and(|rotary| rotary.from != rotary.to)
         || motion.virtual_move().is_some_and(moves_y)
@@ -97,20 +96,20 @@ fn rapid(motion: &Motion, machine: &Machine) -> Option<f64> {
     Some(x.max(z))
 }
 
-/// The time of a cut whose spindle follows the radius. A straight one is added up exactly: the time of
-/// each mm grows with the radius where the speed is held, and is the same everywhere below the radius at
-/// which the limit is reached.
+/// The time of a cut under constant surface speed. For a straight cut the integral is exact: the time per mm
+/// is proportional to the radius while the speed follows it, and constant below the radius at which the limit
+/// is reached.
 fn under_surface_speed(motion: &Motion, machine: &Machine) -> Option<f64> {
     let SpindleSpeed::Surface { speed } = motion.process.speed else { return None };
     let held = 1000.0 * speed / (2.0 * PI);
     let limit = highest(&motion.process, machine);
-    // Turns a mm of path.
+    // Revolutions per mm of path.
     let turns = match (motion.kind, motion.process.feed) {
         (MotionKind::Thread, _) => motion.turns()? / motion.length(),
         (_, Feed::PerTurn(feed)) => 1.0 / feed,
         _ => return None,
     };
-    // Speed needs a turning spindle, and at the axis a limit.
+    // The spindle must turn, and at the axis there must be a limit.
     let nearest =
         if motion.from.x * motion.to.x <= 0.0 { 0.0 } else { motion.from.x.abs().min(motion.to.x.abs()) };
     speed_at(&motion.process, machine, nearest)?;
@@ -119,7 +118,7 @@ fn under_surface_speed(motion: &Motion, machine: &Machine) -> Option<f64> {
         None => vec![motion.from, motion.to],
     };
     let share = motion.length() / points.windows(2).map(|ends| ends[0].distance(ends[1])).sum::<f64>();
-    // Nearer to the axis the highest speed holds the spindle back, farther out the lowest keeps it going.
+    // Near the axis the maximum speed applies, far out the minimum speed.
     let near = limit.map_or(0.0, |limit| held / limit);
     let far = motion.process.lowest.filter(|&lowest| lowest > 0.0).map_or(f64::MAX, |lowest| held / lowest);
     let corners = (near, far.max(near));
@@ -133,10 +132,10 @@ fn under_surface_speed(motion: &Motion, machine: &Machine) -> Option<f64> {
     Some(60.0 * minutes)
 }
 
-/// The mean of `|x|`, held within two bounds, while x goes evenly from `a` to `b`.
+/// The mean of `|x|`, clamped to two bounds, for x uniformly from `a` to `b`.
 fn mean_within(a: f64, b: f64, (least, most): (f64, f64)) -> f64 {
     if (a < 0.0) != (b < 0.0) && a != 0.0 && b != 0.0 {
-        // Through the axis: the two sides by their lengths.
+        // If x crosses the axis, the mean of both sides is weighted by their lengths.
         let (left, right) = (a.abs(), b.abs());
         let side = |end: f64| end * mean_within(0.0, end, (least, most));
         return (side(left) + side(right)) / (left + right);
@@ -153,7 +152,7 @@ fn mean_within(a: f64, b: f64, (least, most): (f64, f64)) -> f64 {
 }
 
 fn highest(process: &Process, machine: &Machine) -> Option<f64> {
-    // G50 S holds under G96 only.
+    // G50 S is a limit under G96 only.
     let clamp = process.clamp.filter(|_| matches!(process.speed, SpindleSpeed::Surface { .. }));
     match (clamp, machine.max_speed) {
         (Some(clamp), Some(most)) => Some(clamp.min(most)),
@@ -161,14 +160,14 @@ fn highest(process: &Process, machine: &Machine) -> Option<f64> {
     }
 }
 
-/// The time of all motions of a run, and where it is not known.
+/// The total time of a run, and the number of motions of unknown time.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Total {
-    /// Seconds of all motions whose time is known.
+    /// Total of the known times, seconds.
     pub known: f64,
-    /// Cuts whose time is not.
+    /// Number of cuts of unknown time.
     pub unknown_cuts: u32,
-    /// Rapids whose time is not.
+    /// Number of rapids of unknown time.
     pub unknown_rapids: u32,
 }
 

@@ -1,7 +1,7 @@
-//! What each tool does, added up: time, cutting length, extents.
+//! Totals for each tool: time, cutting length, extents.
 //!
-//! In: the motions and the machine. Out: [`ToolTotals`] for each tool in the order in which the tools are
-//! first used, and the whole program.
+//! In: the motions and the machine. Out: [`ToolTotals`] for each tool, in the order of first use, and for the
+//! whole program.
 
 use std::collections::BTreeMap;
 
@@ -10,22 +10,22 @@ use crate::geometry::bounds::{Bounds, join};
 use crate::motion::{MotionKind, Motions};
 use crate::setup::Machine;
 
-/// What is added up of the motions of a tool.
+/// Totals of the motions of a tool.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct ToolTotals {
     /// Station and offset of the T word; zero before the first one.
     pub tool: (u16, u16),
     /// The time.
     pub time: Total,
-    /// Path cut at feed, mm.
+    /// Path length at feed, mm.
     pub cut: f64,
-    /// Path at rapid, mm.
+    /// Path length at rapid, mm.
     pub rapid: f64,
-    /// The box around its cuts on the workpiece, if there are any.
+    /// Bounding box of its cuts on the workpiece, if any.
     pub extents: Option<Bounds>,
 }
 
-/// Adds up all motions: by tool, and all of them.
+/// Adds up the motions: for each tool, and for all of them.
 pub fn totals(motions: &Motions, machine: &Machine) -> (Vec<ToolTotals>, ToolTotals) {
     let mut tools: Vec<ToolTotals> = Vec::new();
     let mut all = ToolTotals::default();

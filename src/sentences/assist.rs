@@ -1,6 +1,6 @@
-//! Help at the word: roles, facts and quantities of `assist` as sentences.
+//! Sentences for the help at a word: roles, facts and quantities of `assist`.
 //!
-//! In: an answer, a language, the unit of the reader, the lines of the text. Out: short sentences.
+//! In: an answer, a language, the unit of the user, the lines of the text. Out: short sentences.
 
 use super::labels;
 use super::language::Language;
@@ -23,7 +23,7 @@ use crate::setup::dialect::FeedMode;
 use crate::setup::fields;
 use crate::units::{Diameter, Unit, number};
 
-/// Lists the templates of facts once, for the enum and for the tests of all of them.
+/// Lists the templates of facts once, for the enum and for tests of all templates.
 macro_rules! told {
     ($($name:ident),* $(,)?) => {
         /// The template of a fact.
@@ -39,38 +39,38 @@ macro_rules! told {
 }
 
 told! {
-    // How long a code holds
+    // Modality of a code
     OneShot, GroupMotion, GroupSpeed, GroupDistance, GroupFeed, GroupUnit, GroupCompensation, GroupHole, GroupFrame, GroupPlane,
     GroupOther,
-    // What was in force
+    // Earlier values
     UnchangedSince, UnchangedFromStart, BeforeSince, BeforeFromStart, ByCodeSince, ByCodeFromStart, ByFeedSince,
     ByFeedFromStart,
-    // What a value comes to
+    // Meaning of a value
     FromTo, WithoutPoint, FeedAtSpeed, SpeedAt, SpeedHeldSince, SpeedHeld, ThreadPackedOf, StationAndOffset, OffsetCancelled,
     NoseRadius, TaperBefore, TaperKept, Passes, LastPass,
     // Other blocks
     ContourLines, NamesLine, NamesNothing,
     // Variables
     VariableIs, VariableVacant, VariableSet, VariableBecomes, VariableBecomesVacant, ArgumentIs,
-    // Whether the block is carried out
+    // Execution of the block
     ThreadLocked, NotCarriedOut, Skipped, IgnoredByRoughing, TakenByFinishing, TimeOf,
     // The state
     Vacant, CallFrame, MacroFrame, LoopFrame, ReadByRoughing, ReadByFinishing,
-    // What a block does
+    // Explanation of a block
     ExplainRapid, ExplainStraight, ExplainTaper, ExplainClockwise, ExplainCounterclockwise, ExplainThread, ExplainDwell, ExplainTurn, ExplainAlongY,
     ExplainMoves, ExplainPass, ExplainTaperPass, ExplainPasses, ExplainPassesZ, ExplainPassTo, ExplainPassesTo, ExplainPattern, ExplainContour,
     ExplainPecks, ExplainPecksInColumns, ExplainHole, ExplainHoleInPecks,
-    // How fast and how long, and what is set
+    // Feed and time, and settings
     ExplainFeedTime, ExplainFeedTimeWithoutRapids, ExplainTime, ExplainTimeWithoutRapids, ExplainFeed, ExplainSets,
-    // The form of a cycle
+    // Signature of a cycle
     SlotMissing, SlotStays, SlotZero, SlotAsSet, SlotAsSetTo, SlotMay,
-    // What can be written
+    // Completion
     CompleteLine, CompleteNext, SnippetHead, SnippetEnd, SnippetSubprogram, SnippetCall, SnippetLoop, SnippetCondition,
     SnippetSecond, SnippetContour, WhyFace, WhyBack, WhyOutside, WhyBore, WhyAxis, WhyHere, WhyUsed, WhyInSetup,
 }
 
 impl Role {
-    /// What it is, in a language: no sentence.
+    /// A noun phrase for the role, in a language.
     pub fn words(self, language: Language) -> &'static str {
         language.text(self)
     }
@@ -83,19 +83,19 @@ impl Modal {
     }
 }
 
-/// How sentences are made.
+/// Settings for making sentences.
 #[derive(Clone, Copy)]
 pub struct Speaker<'a> {
-    /// Whose.
+    /// The language.
     pub language: Language,
     /// The unit of lengths.
     pub unit: Unit,
-    /// The line, from 1, of a byte of the text.
+    /// Maps a byte of the text to its line, from 1.
     pub line_of: &'a dyn Fn(u32) -> u32,
 }
 
 impl Speaker<'_> {
-    /// A number with its unit.
+    /// Formats a number with its unit.
     pub fn quantity(&self, quantity: Quantity) -> String {
         let (language, unit) = (self.language, self.unit);
         let length = |mm: f64| number(mm / unit.millimetres());
@@ -212,13 +212,13 @@ impl Speaker<'_> {
         self.filled(told, &arguments)
     }
 
-    /// What is in force.
+    /// Formats a value in force.
     pub fn in_force(&self, value: &InForce) -> String {
         match value {
             InForce::Code(code, function, role) => {
                 let words = role.map(|role| role.words(self.language));
                 match words.or(function.map(|function| function.describe(self.language))) {
-                    // In a table the name alone, without what it means.
+                    // The table contains only the name, without the explanation.
                     Some(words) => format!("{code} – {}", words.split([':', '：']).next().unwrap_or(words)),
                     None => code.clone(),
                 }
@@ -236,7 +236,7 @@ impl Speaker<'_> {
         value.map_or_else(|| self.language.text(Told::Vacant).to_owned(), number)
     }
 
-    /// A call or loop under way.
+    /// Describes a call or loop in progress.
     pub fn frame(&self, frame: &Frame) -> String {
         let line = |byte: u32| Value::count((self.line_of)(byte) as usize);
         let count = |count: u32| Value::Count(i64::from(count));
@@ -255,7 +255,7 @@ impl Speaker<'_> {
         self.filled(told, &arguments)
     }
 
-    /// What holds where a word is left out.
+    /// The default of an omitted word.
     pub fn otherwise(&self, otherwise: Otherwise, in_force: Option<Quantity>) -> String {
         let told = match (otherwise, in_force) {
             (Otherwise::Missing, _) => Told::SlotMissing,
@@ -269,7 +269,7 @@ impl Speaker<'_> {
         self.filled(told, &what.into_iter().collect())
     }
 
-    /// What a proposal is, and where its value comes from.
+    /// Describes a proposal, and the source of its value.
     pub fn proposed(&self, what: &What) -> String {
         let function = |code: G| codes::function_of(code).map_or("", |found| found.describe(self.language));
         let named =
@@ -305,7 +305,7 @@ impl Speaker<'_> {
         }
     }
 
-    /// What a block does, in sentences; nothing where it moves nothing.
+    /// Explains a block; empty if the block moves nothing.
     pub fn explanation(&self, explanation: &Explanation) -> String {
         let mut sentences: Vec<String> =
             explanation.actions.iter().map(|action| self.action(action)).collect();
@@ -325,13 +325,13 @@ impl Speaker<'_> {
         sentences.join(self.language.among([" ", "", " "]))
     }
 
-    /// That a block sets what is listed.
+    /// A sentence that lists the values that a block sets.
     pub fn sets(&self, list: &[String]) -> String {
         let list = list.join(self.language.among(["; ", "；", "; "]));
         self.filled(Told::ExplainSets, &vec![("what", Value::Text(list.into()))])
     }
 
-    /// A value with its name.
+    /// A name with a value.
     pub fn named(&self, name: &str, value: &str) -> String {
         format!("{name}{}{value}", self.language.among([": ", "：", ": "]))
     }
@@ -341,7 +341,7 @@ impl Speaker<'_> {
             |name: &'static str, quantity: Quantity| (name, Value::Text(self.quantity(quantity).into()));
         let place = |name: &'static str, at: Place| (name, Value::Text(self.place(at).into()));
         let count = |name: &'static str, count: u32| (name, Value::Count(i64::from(count)));
-        // A diameter, or a place along Z.
+        // A diameter, or a position along Z.
         let level = |at: Quantity| match at {
             Quantity::Length(z) => place("at", Place { x: None, z: Some(z), c: None }),
             at => named("at", at),
@@ -407,7 +407,7 @@ impl Speaker<'_> {
         fill(self.language.text(told), arguments)
     }
 
-    /// A place in the words of a block.
+    /// Formats a position like the words of a block.
     fn place(&self, at: Place) -> String {
         let length = |mm: f64| number(mm / self.unit.millimetres());
         let x = at.x.map(|x| format!("X{}", length(Diameter::from_radius(x).mm())));
@@ -420,7 +420,7 @@ impl Speaker<'_> {
         [x, z, c].into_iter().flatten().collect::<Vec<_>>().join(" ")
     }
 
-    /// Which cycle reads a block as a part of its contour.
+    /// Describes the cycle that reads a block as a part of its contour.
     pub fn purpose(&self, purpose: Purpose) -> &'static str {
         self.language.text(match purpose {
             Purpose::Roughing => Told::ReadByRoughing,
@@ -428,7 +428,7 @@ impl Speaker<'_> {
         })
     }
 
-    /// One of two templates: with the line of a block, or without.
+    /// Chooses a template: with the line of a block, or without.
     fn since(&self, with: Told, without: Told, what: &str, since: Option<u32>) -> (Told, Arguments<'static>) {
         let mut arguments = vec![("what", Value::Text(what.to_owned().into()))];
         match since {
@@ -441,7 +441,7 @@ impl Speaker<'_> {
     }
 }
 
-/// The first byte of the block that a fact names.
+/// The first byte of the block that a fact refers to.
 pub fn block_of(fact: &Fact) -> Option<u32> {
     match *fact {
         Fact::Unchanged(since)
@@ -493,7 +493,7 @@ fn variable_told(is: Told, vacant: Told, variable: u32, value: Option<f64>) -> (
     }
 }
 
-/// A rate as people read it: to a tenth, large ones whole.
+/// Formats a rate: with one decimal, large ones without.
 fn rounded(value: f64) -> String {
     let places = if value.abs() < 100.0 { 10.0 } else { 1.0 };
     number((value * places).round() / places)
@@ -503,7 +503,7 @@ fn rounded(value: f64) -> String {
 mod tests {
     use super::*;
 
-    /// The names in braces of a template.
+    /// The names in braces in a template.
     fn names(template: &str) -> Vec<&str> {
         let parts = template.split('{').skip(1);
         let mut names: Vec<_> = parts.filter_map(|part| part.split_once('}').map(|(name, _)| name)).collect();

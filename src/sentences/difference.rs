@@ -1,6 +1,7 @@
-//! What differs between two versions of a program, in words.
+//! Describes the difference between two versions of a program.
 //!
-//! In: changes, totals, readings. Out: [`Told`]: what differs, and its value in each version; the headings around them.
+//! In: changes, totals, readings. Out: [`Told`]: name of a difference and its values in both versions;
+//! headings and remarks.
 
 use super::language::Language;
 use super::{describe_motion, labels, phrases};
@@ -10,45 +11,45 @@ use crate::setup::dialect::FeedMode;
 use crate::setup::fields;
 use crate::units::{Unit, number};
 
-/// Something that differs: its name, and its value in the first and in the second version.
+/// A difference: its name, and its values in the first and the second version.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Told {
-    /// What differs.
+    /// Name of the difference.
     pub what: String,
-    /// The values; empty where there is nothing more to say.
+    /// The values; empty if the name is sufficient.
     pub values: [String; 2],
 }
 
 /// A heading or a remark of a comparison.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Said {
-    /// Neither text nor motion differs.
+    /// Neither text nor motions differ.
     Same,
-    /// The text differs, the motion does not.
+    /// The text differs, the motions do not.
     TextAlone,
-    /// The blocks of a hunk move as they did.
+    /// The motions of a hunk are unchanged.
     NoMotion,
-    /// Unchanged blocks differ in their motion, `{}` of them.
+    /// Unchanged blocks with different motions; `{}` is their number.
     Later,
-    /// The same, without any change of the text before them.
+    /// The same, without an earlier change of the text.
     Unexplained,
-    /// How the versions were read.
+    /// Reading rules of the versions.
     ReadAs,
-    /// The numbers of the whole.
+    /// Totals.
     Totals,
     /// The totals are the same.
     SameTotals,
     /// Time.
     Time,
-    /// Motions whose time is not known.
+    /// Number of motions of unknown time.
     WithoutTime,
-    /// Motions.
+    /// Number of motions.
     Motions,
-    /// Passes of cycles.
+    /// Number of passes of cycles.
     Passes,
-    /// Path cut at feed.
+    /// Path length at feed.
     Cut,
-    /// Path at rapid.
+    /// Path length at rapid.
     Rapid,
     /// Tools.
     Tools,
@@ -56,19 +57,19 @@ pub enum Said {
     Part,
     /// The parts are the same.
     SamePart,
-    /// A part cannot be shown.
+    /// A part is not available.
     NoPart,
-    /// What only one part has: the name of its program in `{}`.
+    /// Areas that only one part has; `{}` is the name of its program.
     OnlyIn,
-    /// Messages that are gone.
+    /// Messages that disappeared.
     Gone,
-    /// Messages that are new.
+    /// New messages.
     New,
-    /// A line of a program; its number in `{}`.
+    /// A line of a program; `{}` is its number.
     Line,
-    /// More changed blocks than are shown; their number in `{}`.
+    /// There are more changed blocks than are shown; `{}` is their number.
     More,
-    /// Both versions make a stroke of the drawing.
+    /// A stroke of the drawing that both versions have.
     InBoth,
 }
 
@@ -126,12 +127,12 @@ pub fn said(said: Said, language: Language) -> &'static str {
     })
 }
 
-/// A heading with a count or a name in it.
+/// A heading with `{}` replaced by a count or a name.
 pub fn said_with(heading: Said, value: &str, language: Language) -> String {
     said(heading, language).replace("{}", value)
 }
 
-/// A change in a language, lengths in a unit.
+/// Describes a change in a language, with lengths in a unit.
 pub fn describe_change(change: &Change, unit: Unit, language: Language) -> Told {
     let name = |texts: [&'static str; 3]| language.among(texts).to_owned();
     let of = |what: [&'static str; 3], values: [String; 2]| Told { what: name(what), values };
@@ -239,7 +240,7 @@ pub fn describe_change(change: &Change, unit: Unit, language: Language) -> Told 
     }
 }
 
-/// How two versions were read, where they were read otherwise.
+/// Describes a reading rule in both versions.
 pub fn describe_reading(reading: Reading, language: Language) -> [String; 2] {
     match reading {
         Reading::Codes(both) => both.map(|codes| codes.name().to_owned()),
@@ -252,7 +253,7 @@ fn turns(speed: f64, language: Language) -> String {
     format!("{} {}", number(speed), labels::unit(fields::Unit::TurnsPerMinute, language))
 }
 
-/// Minutes and seconds.
+/// Formats seconds as minutes and seconds.
 pub fn clock(seconds: f64) -> String {
     let tenths = (10.0 * seconds).round();
     format!("{}:{:04.1}", (tenths / 600.0).floor(), tenths % 600.0 / 10.0)

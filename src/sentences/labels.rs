@@ -1,7 +1,8 @@
-//! Short labels: severity and category of a message; the setup form: names of fields, and errors in entries.
+//! Short labels: severities and categories of messages; the setup form: names of fields, and errors in
+//! entries.
 //!
-//! In: a severity, a field's name, a choice, an error in an entry. Out: the words in a language, short
-//! enough to stand beside it.
+//! In: a severity, the name of a field, a choice, an error in an entry. Out: a label in a language, short
+//! enough to fit beside it.
 
 use super::language::Language;
 use crate::message::{Kind, Severity};
@@ -13,7 +14,7 @@ use crate::setup::invalid::Requirement;
 use crate::units::{self, number};
 
 impl Language {
-    /// The one of three texts that is in this language.
+    /// Chooses the text of this language.
     pub(super) fn among(self, [english, chinese, russian]: [&'static str; 3]) -> &'static str {
         match self {
             Self::English => english,
@@ -42,8 +43,8 @@ pub fn category(kind: Kind, language: Language) -> &'static str {
     })
 }
 
-/// That a stock is assumed, and what was not checked because of it; `note` is the
-/// comment that names this stock.
+/// Note that a stock is assumed, and what was not checked because of it; `note` is the comment that sets this
+/// stock.
 pub fn inferred_stock(note: &str, language: Language) -> String {
     let said = language.among([
         "stock assumed, collisions not checked; to check them, add this comment to the program:",
@@ -53,7 +54,7 @@ pub fn inferred_stock(note: &str, language: Language) -> String {
     format!("{said} {note}")
 }
 
-/// That an element of a manual's page has no end where Markdown lets it have one.
+/// Error: an element in a Markdown page is not closed.
 pub fn element_not_closed(language: Language) -> &'static str {
     language.among([
         "the element is not closed here: in Markdown a blank line ends it. Put the program into <pre data-gcode-playground> … </pre>",
@@ -62,7 +63,7 @@ pub fn element_not_closed(language: Language) -> &'static str {
     ])
 }
 
-/// That the element has no attribute of a name.
+/// Error: the element has no attribute of this name.
 pub fn attribute_unknown(name: &str, language: Language) -> String {
     let said = language.among([
         "the element has no attribute of this name:",
@@ -72,19 +73,19 @@ pub fn attribute_unknown(name: &str, language: Language) -> String {
     format!("{said} `{name}`")
 }
 
-/// That an attribute of an element has no such value; `expected` is what it can be.
+/// Error: invalid value of an attribute; `expected` describes valid values.
 pub fn attribute_value(name: &str, value: &str, expected: &str, language: Language) -> String {
     let said = language.among(["is not understood; expected:", "无法识别；应为：", "непонятно; ожидается:"]);
     format!("`{name}=\"{value}\"` {said} {expected}")
 }
 
-/// That the setup of an element cannot be read.
+/// Error: the setup of an element cannot be parsed.
 pub fn setup_unreadable(reason: &str, language: Language) -> String {
     let said = language.among(["the setup cannot be read:", "无法读取设置：", "настройки не читаются:"]);
     format!("{said} {reason}")
 }
 
-/// That a picture in a page is not what its program draws.
+/// Error: a picture in a page is outdated.
 pub fn picture_out_of_date(language: Language) -> &'static str {
     language.among([
         "the picture is not what the program draws now",
@@ -93,7 +94,7 @@ pub fn picture_out_of_date(language: Language) -> &'static str {
     ])
 }
 
-/// What a field is called.
+/// The name of a field.
 pub fn field(name: Name, language: Language) -> &'static str {
     language.among(match name {
         Name::StockDiameter => ["Diameter", "直径", "Диаметр"],
@@ -154,7 +155,7 @@ pub fn field(name: Name, language: Language) -> &'static str {
     })
 }
 
-/// What a group of fields is called.
+/// The name of a group of fields.
 pub fn group(group: &str, language: Language) -> &'static str {
     language.among(match group {
         "stock" => ["Stock", "毛坯", "Заготовка"],
@@ -167,7 +168,7 @@ pub fn group(group: &str, language: Language) -> &'static str {
     })
 }
 
-/// What a tool is called.
+/// The label of a tool.
 pub fn tool(name: &str, language: Language) -> String {
     match name {
         "T0000" => {
@@ -177,7 +178,7 @@ pub fn tool(name: &str, language: Language) -> String {
     }
 }
 
-/// How a unit is written.
+/// The symbol of a unit.
 pub fn unit(unit: Unit, language: Language) -> &'static str {
     language.among(match unit {
         Unit::Millimetre => ["mm", "mm", "мм"],
@@ -187,12 +188,12 @@ pub fn unit(unit: Unit, language: Language) -> &'static str {
     })
 }
 
-/// How a second is written after a number.
+/// The symbol of the second, after a number.
 pub fn seconds(language: Language) -> &'static str {
     language.among(["s", "s", "с"])
 }
 
-/// How a unit of length is written on a ruler.
+/// The symbol of a unit of length on a ruler.
 pub fn unit_of_ruler(unit: units::Unit, language: Language) -> &'static str {
     language.among(match unit {
         units::Unit::Millimetre => ["mm", "mm", "мм"],
@@ -200,7 +201,7 @@ pub fn unit_of_ruler(unit: units::Unit, language: Language) -> &'static str {
     })
 }
 
-/// How a unit of length is written after a number.
+/// The symbol of a unit of length after a number.
 pub fn length(unit: units::Unit, language: Language) -> &'static str {
     language.among(match unit {
         units::Unit::Millimetre => ["mm", "mm", "мм"],
@@ -208,8 +209,8 @@ pub fn length(unit: units::Unit, language: Language) -> &'static str {
     })
 }
 
-/// What the lines and areas of a drawing are called: rapids, cuts, threads; blank, part, chuck and tailstock,
-/// a collision, what is milled; and that passes which lie on one another are drawn beside their places.
+/// The legend of a drawing: rapids, cuts, threads; blank, part, chuck and tailstock, a collision, milled
+/// areas; and a note that passes on top of each other are drawn side by side.
 pub fn legend(language: Language) -> [&'static str; 9] {
     match language {
         Language::English => [
@@ -248,7 +249,7 @@ pub fn legend(language: Language) -> [&'static str; 9] {
     }
 }
 
-/// What a kind of tool is called, wherever it is named: form, readout, setup sheet.
+/// The name of a kind of tool, used in the form, the readout and the setup sheet.
 pub fn tool_kind(kind: ToolKind, language: Language) -> &'static str {
     language.among(match kind {
         ToolKind::Turning => ["turning tool", "车刀", "проходной резец"],
@@ -261,7 +262,7 @@ pub fn tool_kind(kind: ToolKind, language: Language) -> &'static str {
     })
 }
 
-/// What a choice of another field is called; the choice itself, where it has no other name.
+/// The name of a choice in a field; the choice itself if it has no other name.
 pub fn choice(name: Name, choice: &'static str, language: Language) -> &'static str {
     match (name, choice) {
         (Name::Side, "outside") => language.among(["outside", "外圆", "снаружи"]),
@@ -310,12 +311,12 @@ pub fn choice(name: Name, choice: &'static str, language: Language) -> &'static 
     }
 }
 
-/// A G-code system.
+/// The name of a G-code system.
 pub fn system(system: GSystem, language: Language) -> String {
     format!("{} {}", language.among(["system", "体系", "система"]), system.name())
 }
 
-/// The unit of length a program is written in.
+/// The unit of length of a program.
 pub fn unit_of_program(unit: units::Unit, language: Language) -> &'static str {
     language.among(match unit {
         units::Unit::Millimetre => ["mm", "mm", "мм"],
@@ -323,7 +324,7 @@ pub fn unit_of_program(unit: units::Unit, language: Language) -> &'static str {
     })
 }
 
-/// What a number without a decimal point counts.
+/// The meaning of a number without a decimal point.
 pub fn without_point(rule: DecimalRule, unit: units::Unit, language: Language) -> String {
     let said = language.among(["no point", "无小数点", "без точки"]);
     let counts = language.among(match (rule, unit) {
@@ -335,7 +336,7 @@ pub fn without_point(rule: DecimalRule, unit: units::Unit, language: Language) -
     format!("{said} = {counts}")
 }
 
-/// The unit of the feed.
+/// The unit of a feed.
 pub fn feed_unit(mode: FeedMode, unit: units::Unit, language: Language) -> &'static str {
     language.among(match (mode, unit) {
         (FeedMode::PerTurn, units::Unit::Millimetre) => ["mm/rev", "mm/r", "мм/об"],
@@ -345,7 +346,7 @@ pub fn feed_unit(mode: FeedMode, unit: units::Unit, language: Language) -> &'sta
     })
 }
 
-/// How a cutting speed is written: metres a minute, under G20 feet.
+/// The unit of a cutting speed: metres per minute; under G20, feet per minute.
 pub fn surface_speed(unit: units::Unit, language: Language) -> &'static str {
     language.among(match unit {
         units::Unit::Millimetre => ["m/min", "m/min", "м/мин"],
@@ -353,7 +354,7 @@ pub fn surface_speed(unit: units::Unit, language: Language) -> &'static str {
     })
 }
 
-/// The levels of block skip that are on.
+/// The block skip levels that are on.
 pub fn block_skip(levels: &[u8], language: Language) -> String {
     let said = language.among(["block skip", "程序段跳过", "пропуск кадров"]);
     let mark = |level: &u8| if *level == 1 { "/".to_owned() } else { format!("/{level}") };
@@ -365,14 +366,14 @@ pub fn block_skip(levels: &[u8], language: Language) -> String {
     format!("{said} {state}")
 }
 
-/// That a program was recognised to be for another control or machine; `name` is empty for a kind of machine.
+/// Note that a program is for another control or machine; `name` is empty for another kind of machine.
 pub fn not_run(name: &str, language: Language) -> String {
     let other = language.among(["another machine", "其他机床", "другой станок"]);
     let said = language.among(["not run", "未运行", "не выполнена"]);
     format!("{}: {said}", if name.is_empty() { other } else { name })
 }
 
-/// The title of a repair that sets a field of the setup; without a value it is entered in the form.
+/// The title of a fix that sets a field of the setup; without a value, the user enters it in the form.
 pub fn setting(field: &str, value: Option<&str>, language: Language) -> String {
     let template = language.among(match value {
         Some(_) => ["set `{field}` to `{value}`", "将`{field}`设为`{value}`", "задать «{field}»: `{value}`"],
@@ -381,7 +382,7 @@ pub fn setting(field: &str, value: Option<&str>, language: Language) -> String {
     template.replace("{field}", field).replace("{value}", value.unwrap_or_default())
 }
 
-/// What is wrong with an entry.
+/// Describes an error in an entry.
 pub fn entry_error(error: EntryError, language: Language) -> String {
     let with = |texts: [&'static str; 3], most: f64| language.among(texts).replace("{most}", &number(most));
     match error {

@@ -1,6 +1,6 @@
 //! The languages of all texts.
 
-/// A language the messages exist in.
+/// A language of the messages.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Language {
     /// English.
@@ -13,7 +13,7 @@ pub enum Language {
 }
 
 impl Language {
-    /// All languages, in the order they are offered.
+    /// All languages, in the order of menus.
     pub const ALL: [Language; 3] = [Self::English, Self::Chinese, Self::Russian];
 
     /// Its tag: `en`, `zh`, `ru`.
@@ -25,7 +25,7 @@ impl Language {
         }
     }
 
-    /// The language of a tag such as `zh` or `zh-CN`; English for a language that is not supported.
+    /// The language of a tag such as `zh` or `zh-CN`; English if the language is not supported.
     pub fn from_tag(tag: &str) -> Self {
         Self::ALL
             .into_iter()

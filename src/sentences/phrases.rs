@@ -1,4 +1,4 @@
-//! What a stroke of the picture is, and the titles of fixes and rewritings, as templates of every language.
+//! Templates for strokes of the picture, and for titles of fixes and rewrites, in every language.
 
 use super::language::Language;
 use super::template::fill;
@@ -7,10 +7,10 @@ use crate::message::{Arguments, Repair, Value};
 use crate::motion::{CycleStep, Motion, MotionKind, Step};
 use crate::units::{Diameter, Unit};
 
-/// Lists the phrases once, for the enum and for the tests of all of them.
+/// Lists the phrases once, for the enum and for tests of all phrases.
 macro_rules! phrases {
     ($($name:ident),* $(,)?) => {
-        /// A part of a sentence, or a short one, in any language.
+        /// A part of a sentence, or a short sentence, in any language.
         #[derive(Clone, Copy, Debug, PartialEq, Eq)]
         pub(super) enum Phrase { $($name),* }
 
@@ -25,7 +25,7 @@ macro_rules! phrases {
 phrases! {
     // Titles of fixes
     CloseComment, DecimalPoint, LetterO, Minus, Write, Delete, Insert,
-    // Moves that are a cycle
+    // Moves that form a cycle
     AsCycle, AsCyclePasses,
     // Motions
     Rapid, Feed, ArcClockwise, ArcCounterclockwise, Thread, Dwell, DwellFor,
@@ -42,7 +42,7 @@ impl Language {
 }
 
 impl Repair {
-    /// What it does, in a language: the title of a button.
+    /// The title of a button for the fix, in a language.
     pub fn words(&self, language: Language) -> String {
         let (phrase, text) = match self {
             Self::CloseComment => (Phrase::CloseComment, ""),
@@ -57,7 +57,7 @@ impl Repair {
     }
 }
 
-/// The title of the change that writes the moves of `passes` passes as a cycle.
+/// The title of the rewrite that writes the moves of `passes` passes as a cycle.
 pub fn describe_rewrite(code: &str, passes: usize, language: Language) -> String {
     let phrase = if passes == 1 { Phrase::AsCycle } else { Phrase::AsCyclePasses };
     let arguments: Arguments = vec![
@@ -67,7 +67,7 @@ pub fn describe_rewrite(code: &str, passes: usize, language: Language) -> String
     fill(language.phrase(phrase), &arguments)
 }
 
-/// What a stroke of the picture is, in a language, its end in a unit; `passes` is how many its cycle makes.
+/// Describes a stroke of the picture, its end in a unit; `passes` is the number of passes of its cycle.
 pub fn describe_motion(motion: &Motion, passes: Option<u32>, unit: Unit, language: Language) -> String {
     let to = end_of(motion, unit);
     let mut arguments: Arguments = vec![("to", Value::Text(to.into()))];
@@ -90,7 +90,7 @@ pub fn describe_motion(motion: &Motion, passes: Option<u32>, unit: Unit, languag
     fill(language.phrase(whole), &arguments)
 }
 
-/// Which pass it is, and of how many; nothing for what belongs to none.
+/// The number of the pass, and the number of passes; empty if the motion belongs to none.
 fn describe_pass(cycle: CycleStep, passes: Option<u32>, language: Language) -> String {
     if cycle.pass == 0 {
         return String::new();
@@ -134,8 +134,8 @@ fn step(step: Step) -> Phrase {
     }
 }
 
-/// Where a motion ends, in the words of a block; after an arrow the position of the machine, where the
-/// program counts in a virtual plane.
+/// The end of a motion, like the words of a block. For a program in a virtual plane, an arrow and the machine
+/// position follow.
 pub(super) fn end_of(motion: &Motion, unit: Unit) -> String {
     let place = |template: &str, numbers: &[(&'static str, f64)]| {
         fill(template, &numbers.iter().map(|&(name, value)| (name, Value::Number(value))).collect())

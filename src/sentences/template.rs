@@ -1,6 +1,6 @@
 //! Fills the templates of the messages.
 //!
-//! In: a message, a language, the unit of the program. Out: its sentence and its help. The templates
+//! In: a message, a language, the unit of the program. Out: its sentence and its help text. The templates
 //! come from `src/rules/<slug>.md`.
 
 use super::labels;
@@ -10,26 +10,26 @@ use crate::units::{Unit, number};
 
 /// The text of a message.
 pub struct Sentence {
-    /// One sentence that stands alone.
+    /// A complete sentence.
     pub message: String,
-    /// Why, and what to do about it.
+    /// The reason, and how to fix it.
     pub help: Option<String>,
 }
 
 impl Diagnostic {
-    /// The text of the diagnostic in a language, lengths in its unit.
+    /// The text of the diagnostic in a language, with lengths in its unit.
     pub fn sentence(&self, language: Language) -> Sentence {
         self.message.sentence_in(language, self.unit)
     }
 }
 
 impl Message {
-    /// The message in a language, lengths in millimetres.
+    /// The message in a language, with lengths in millimetres.
     pub fn sentence(&self, language: Language) -> Sentence {
         self.sentence_in(language, Unit::Millimetre)
     }
 
-    /// The message in a language, lengths in a unit.
+    /// The message in a language, with lengths in a unit.
     pub fn sentence_in(&self, language: Language, unit: Unit) -> Sentence {
         let template = language.texts()[self.index()];
         let mut arguments = self.arguments();
@@ -47,7 +47,7 @@ impl Message {
     }
 }
 
-/// A template with its arguments in place of the `{names}`. A name that is none stays as it is.
+/// Replaces `{names}` in a template by the arguments. Unknown names are kept.
 pub(super) fn fill(template: &str, arguments: &Arguments) -> String {
     let mut out = String::with_capacity(template.len() + 16);
     let mut rest = template.split('{');

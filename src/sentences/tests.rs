@@ -1,4 +1,4 @@
-//! The sentences of all messages, filled from the samples of the rule files.
+//! Tests the sentences of all messages, with arguments from the samples of the rule files.
 #[path = "../rules/format/mod.rs"]
 mod format;
 #[path = "../../www/rules/templates.rs"]
@@ -16,7 +16,7 @@ use crate::units::{Diameter, Unit, number};
 
 include!(concat!(env!("OUT_DIR"), "/example_messages.rs"));
 
-/// The build finds a name that is no argument; this, what is left of a template.
+/// The build rejects unknown argument names; this finds unfilled placeholders.
 #[test]
 fn every_message_is_said_in_every_language_and_unit() {
     for message in example_messages() {
@@ -60,7 +60,7 @@ fn what_a_message_quotes_is_not_a_template() {
     assert_eq!(message, "`{text} {0}` is plain text, not a block.");
 }
 
-/// What the page fills is all that is needed to say what is said here: names, types and templates.
+/// The file for the page contains everything to fill the sentences: names, types and templates.
 #[test]
 fn the_file_of_sentences_for_the_page_says_what_is_said_here() {
     let rules = format::all(env!("CARGO_MANIFEST_DIR")).into_iter().map(|(name, rule)| rule.expect(&name));
@@ -102,7 +102,7 @@ fn a_language_without_a_text_has_the_english_one() {
     let [name, text] = ["no-program-end", include_str!("../rules/no-program-end.md")];
     let whole = format::RuleFile::read(text).expect(name);
     assert_eq!(whole.missing, []);
-    // Neither the sentence nor the page in Russian.
+    // Neither the Russian sentence nor the Russian page.
     let page = text.find("## ru:").expect("a Russian page");
     let lines = text[..page].lines().filter(|line| !line.starts_with("ru"));
     let rule =

@@ -1,8 +1,8 @@
-//! The texts of each language: a list that the build script makes from the rule files and
+//! The texts of each language: lists that the build script generates from the rule files and
 //! `src/sentences/<language>.txt`.
 //!
-//! The module of the page contains no list; the page loads the file of its language
-//! ([`Language::load`]). Every other program contains all lists.
+//! The module of the page contains no list; the page loads the file of its language ([`Language::load`]).
+//! Every other program contains all lists.
 
 use std::sync::OnceLock;
 
@@ -21,7 +21,8 @@ pub(super) trait Place {
 
 include!(concat!(env!("OUT_DIR"), "/places.rs"));
 
-/// The texts of each language: first the sentence and help of each message, by its index, then those that have a [`Place`].
+/// The texts of each language: first the sentence and help of each message, by its index, then the texts with
+/// a [`Place`].
 static TEXTS: [OnceLock<Vec<&'static str>>; 3] = [const { OnceLock::new() }; 3];
 
 impl Language {
@@ -36,7 +37,7 @@ impl Language {
         self.texts()[of.place()]
     }
 
-    /// The list of its texts, a line each.
+    /// The embedded list of texts, one per line.
     #[cfg(not(parts))]
     fn list(self) -> &'static str {
         match self {
@@ -46,9 +47,10 @@ impl Language {
         }
     }
 
-    /// Takes the list of its texts from the page, the first time. False: it is no list of this version.
+    /// Loads the list of texts from the page, on the first call. Returns false if the list is not of this
+    /// version.
     pub fn load(self, list: String) -> bool {
-        // A list that was cut short is none either.
+        // A truncated list is rejected as well.
         let is_of_this_version = list.lines().next() == Some(ORDER) && list.lines().count() == COUNT + 1;
         if is_of_this_version {
             TEXTS[self as usize].get_or_init(|| String::leak(list).lines().skip(1).collect());

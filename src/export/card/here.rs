@@ -1,17 +1,17 @@
-//! What a code does in its block, where the code alone can mean several things.
+//! Describes codes with several meanings by their effect in a block.
 //!
-//! In: the function of a code, its block and the motions of the block. Out: a phrase of the setup sheet, or
-//! nothing where what the code does in general says it all.
+//! In: the function of a code, its block and the motions of the block. Out: a phrase for the setup sheet;
+//! `None` if the general description of the code is sufficient.
 
 use crate::control::codes::Function;
 use crate::motion::{Motion, Step};
 use crate::sentences::Language;
 use crate::text::block::{Block, Value};
 
-/// Shorter than this, mm, a cut is level.
+/// Tolerance for a level cut, mm.
 const LEVEL: f64 = 1e-6;
 
-/// What the function does in this block, whose motions are `own`.
+/// The effect of the function in this block, whose motions are `own`.
 pub(super) fn here(function: Function, block: &Block, own: &[Motion], language: Language) -> Option<String> {
     let phrases = match function {
         Function::TurningCycle if is_taper(own, across)? => {
@@ -82,7 +82,7 @@ pub(super) fn here(function: Function, block: &Block, own: &[Motion], language: 
     Some(in_language(phrases, language))
 }
 
-/// Coordinates, and the limits of the spindle speed: one block can set them all.
+/// Coordinates and limits of the spindle speed: one block can set all of them.
 fn setting(block: &Block, language: Language) -> String {
     let parts: [(&[u8], [&str; 3]); 3] = [
         (b"XZUWC", ["set coordinates", "坐标系设定", "установка координат"]),
@@ -93,7 +93,7 @@ fn setting(block: &Block, language: Language) -> String {
     said.map(|&(_, phrases)| in_language(phrases, language)).collect::<Vec<_>>().join(", ")
 }
 
-/// Whether the cut of a single cycle runs on a slant; nothing where there is no cut to look at.
+/// Whether the cut of a single cycle is a taper; `None` if there is no cut.
 fn is_taper(own: &[Motion], rise: fn(&Motion) -> f64) -> Option<bool> {
     let cut = own.iter().find(|motion| motion.cycle.is_some_and(|step| step.step == Step::Cut))?;
     Some(rise(cut).abs() > LEVEL)

@@ -1,11 +1,11 @@
-//! The words of the setup sheet in every language. A card without a translation does not compile.
+//! Texts of the setup sheet in every language. A missing translation is a compile error.
 
 use super::here::in_language;
 use crate::control::codes::Function;
 use crate::sentences::{Language, labels};
 use crate::setup::{Side, ToolKind};
 
-/// What is printed on a card.
+/// The texts of a sheet.
 pub(super) struct Words {
     pub card: &'static str,
     pub name: &'static str,
@@ -29,15 +29,15 @@ pub(super) struct Words {
     pub block: &'static str,
     pub does: &'static str,
     pub remark: &'static str,
-    /// After a number.
+    /// Follows a number.
     pub per_minute: &'static str,
     pub seconds: &'static str,
-    /// With `{}` for a count.
+    /// `{}` is replaced by a count.
     pub passes: &'static str,
     pub moves: &'static str,
     pub more_blocks: &'static str,
     pub more_tools: &'static str,
-    /// In a sentence, before a number.
+    /// Used in a sentence, before a number.
     pub its_tool: &'static str,
     pub offset: &'static str,
 }
@@ -50,8 +50,8 @@ pub(super) fn words(language: Language) -> &'static Words {
     }
 }
 
-/// What one code of several with the same function does: `index` counts the codes of its
-/// row in the table of codes.
+/// Describes one of several codes with the same function: `index` is its position in the row of the table of
+/// codes.
 pub(super) fn one_of(function: Function, index: usize, language: Language) -> Option<String> {
     let [en, zh, ru] = match (function, index) {
         (Function::Spindle, 0) => ["spindle forward", "主轴正转", "прямое вращение шпинделя"],
@@ -147,7 +147,7 @@ pub(super) fn one_of(function: Function, index: usize, language: Language) -> Op
     Some(in_language([en, zh, ru], language))
 }
 
-/// The name of a kind of tool, with the side it works on where that is not the outside.
+/// The name of a kind of tool, with its working side if that is not the outside.
 pub(super) fn tool_kind(kind: ToolKind, side: Side, language: Language) -> String {
     let [english, chinese, russian] = match (kind, side) {
         (ToolKind::Grooving | ToolKind::Threading, Side::Inside) => [", inside", "（内）", ", внутренний"],
