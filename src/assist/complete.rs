@@ -190,7 +190,7 @@ impl Proposing<'_> {
         codes.into_iter().map(item).collect()
     }
 
-    // ---- numbers that exist -----------------------------------------------------------------------------
+    // ---- existing numbers -------------------------------------------------------------------------------
 
     fn next_sequence(&self) -> Vec<Item> {
         let step = match self.around.sequences[..] {

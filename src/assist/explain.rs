@@ -58,7 +58,7 @@ pub enum Action {
     Pattern(Cycle, u32),
     /// One finishing pass along the contour: its length.
     Contour(Quantity),
-    /// Pecks of a cycle: cycle, number of columns, pecks, end position.
+    /// Pecks of a cycle: cycle, number of pecks, number of columns, end position.
     Pecks(Cycle, u32, u32, Quantity),
     /// A hole: cycle, start, end, number of pecks.
     Hole(Cycle, Quantity, Quantity, u32),

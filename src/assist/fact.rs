@@ -64,8 +64,7 @@ pub enum Fact {
     SpeedAt(Quantity, Quantity),
     /// The limit of that speed, and the block that set it.
     SpeedHeld(Quantity, Option<u32>),
-    /// P of the first block of G76: finishing passes, thread pull-out in tenths of a lead, tool angle in
-    /// degrees.
+    /// P of the first block of G76: finishing passes, pull-out in tenths of a lead, tool angle in degrees.
     ThreadPacked(u32, u32, u32),
     /// Turret station and offset number.
     StationAndOffset(u16, u16),

@@ -342,8 +342,7 @@ impl<'a> Asked<'a> {
         let Value::Number { number, .. } = word.value else { return None };
         let increment = reading.unit.increment() * reading.unit.millimetres();
         if matches!(form, Form::Multiple(_, Half::Whole)) {
-            // In the format of older controls, I and K are lengths; D without a decimal point counts
-            // increments.
+            // On older controls I and K are lengths, and D without a decimal point counts increments.
             return match word.address {
                 b'D' if !number.has_point() => Some(plain(word)? * increment),
                 _ => reading.length(word),

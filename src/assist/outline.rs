@@ -1,5 +1,4 @@
-//! The outline of a text: programs, tools, operations, cycles, and blocks that are referred to; and the
-//! folding ranges.
+//! The outline of a text (programs, tools, operations, cycles, referenced blocks), and its folding ranges.
 //!
 //! In: the text, its G code list. Out: entries in text order, with their depth. Does not need a run.
 
@@ -171,8 +170,8 @@ impl Outlining<'_> {
         self.entries.push(Entry { kind, depth, at: block.span.start, name, comment });
     }
 
-    /// The station of a new tool, and its word. Cancelling the offset or repeating the same station is not a
-    /// new tool.
+    /// The station of a new tool, and its word. Cancelling the offset or repeating the station does not
+    /// count.
     fn station_of(&self, block: &Block) -> Option<(u32, Span)> {
         let word = block.words.iter().find(|word| word.address == b'T')?;
         let number = plain(word).filter(|number| *number >= 0.0)? as u32;
@@ -190,7 +189,7 @@ impl Outlining<'_> {
         })
     }
 
-    // ---- what can be folded -----------------------------------------------------------------------------
+    // ---- folding ranges ---------------------------------------------------------------------------------
 
     /// Adds folding ranges. `found`: the names in the block.
     fn fold(&mut self, block: &Block, is_cycle: bool, found: &[Named]) {

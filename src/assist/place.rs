@@ -32,8 +32,8 @@ impl Place {
         Self { x: Some(at.x), z: Some(at.z), c: None }
     }
 
-    /// The position at a fraction of a move in a virtual plane: both axes of the plane, and the third axis if
-    /// it moves.
+    /// The position at a fraction of a move in a virtual plane: both its axes, and the third axis if it
+    /// moves.
     pub fn on(own: &VirtualMove, t: f64) -> Self {
         let at = own.way.at(t);
         let third = own.third.0 + t * (own.third.1 - own.third.0);

@@ -15,8 +15,8 @@ use crate::units::Unit;
 /// Lists the roles once, for the enum and for tests of all roles.
 macro_rules! roles {
     ($($name:ident)+) => {
-        /// The role of a word in its block, or the meaning of a code that shares its row in the table with
-        /// other codes.
+        /// The role of a word in its block, or the meaning of a code whose row in the table describes several
+        /// codes.
         #[derive(Clone, Copy, Debug, PartialEq, Eq)]
         #[allow(missing_docs, reason = "sentences::assist says what each is")]
         pub enum Role { $($name),+ }
@@ -31,7 +31,7 @@ macro_rules! roles {
 roles! {
     // Numbers and marks
     ProgramNumber SequenceNumber BlockSkip Percent Comment SetupNote MacroStatement Variable
-    // Codes that share a row of the table with other codes
+    // Codes whose row in the table describes several codes
     InchInput MetricInput FeedPerMinute FeedPerTurn SpindleForward SpindleReverse SpindleStop PlaneXy PlaneZx
     PlaneYz Absolute Incremental InitialLevel RPointLevel ProgramStop OptionalStop CAxisOn CAxisOff PullOutOn PullOutOff
     DataInput DataEnd MacroOnce MacroModal MacroOff WorkFrame UnknownCode
@@ -64,7 +64,7 @@ roles! {
 }
 
 impl Role {
-    /// The meaning of an M code that shares its row with other codes.
+    /// The meaning of an M code whose row in the table describes several codes.
     pub fn of_m(number: u64) -> Option<Self> {
         Some(match number {
             0 => Self::ProgramStop,
@@ -97,7 +97,7 @@ impl Role {
         })
     }
 
-    /// The meaning of a G code that shares its row with other codes.
+    /// The meaning of a G code whose row in the table describes several codes.
     pub fn of_g(code: G) -> Option<Self> {
         use crate::control::codes::{HoleReturn, MacroCall};
         Some(match code {

@@ -1,5 +1,4 @@
-//! The signature of a cycle, a move or a call: its words in the usual order, which of them are optional, and
-//! their defaults.
+//! The signature of a cycle, a move or a call: its words in the usual order, optional words, and defaults.
 //!
 //! In: the form of a block. Out: one line for each block of the form; two for the current multiple cycles.
 //! Tests check the table against the control by leaving out each word.

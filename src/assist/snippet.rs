@@ -216,7 +216,7 @@ impl Writing<'_> {
         self.fixed("\n");
     }
 
-    // ---- what each is -----------------------------------------------------------------------------------
+    // ---- text of each snippet ---------------------------------------------------------------------------
 
     fn snippet(&mut self, snippet: Snippet, unit: Unit) {
         match snippet {

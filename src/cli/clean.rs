@@ -17,7 +17,7 @@ use crate::source::LineIndex;
 /// Maximum number of changes and questions that are listed.
 const MOST_LISTED: usize = 1000;
 
-/// What to do with what is found.
+/// The arguments of `clean`.
 #[derive(clap::Args)]
 pub(super) struct Clean {
     /// The text; `-` reads standard input.

@@ -1,7 +1,6 @@
 //! `diff`: the difference between two versions of a program, as text, Markdown, JSON or a drawing.
 //!
-//! In: two analysed programs. Out: the changes of the text, and their effect on motion, time, part and
-//! messages.
+//! In: two analysed programs. Out: changes of the text, and their effect on motion, time, part and messages.
 
 use std::path::PathBuf;
 

@@ -28,7 +28,7 @@ use crate::sentences::{Language, labels};
 use crate::setup::profile;
 use crate::source::LineIndex;
 
-/// What to write, or what to check.
+/// The arguments of `embed`.
 #[derive(clap::Args)]
 #[command(mut_arg("library", |library| library.hide(true)))]
 pub(super) struct Embed {
@@ -367,8 +367,7 @@ impl InPage<'_> {
     }
 }
 
-/// Compares the picture of an element with a new drawing of its program; returns the edit that updates it, if
-/// needed.
+/// Compares the picture of an element with a new drawing; returns the edit that updates it, if needed.
 fn look_at(
     out: &mut dyn Write,
     told: &InPage<'_>,

@@ -146,8 +146,7 @@ pub(super) fn placed(
     told
 }
 
-/// The prefix of each line of a block in a quotation or a list; empty if the block begins at the start of a
-/// line.
+/// The prefix of each line of a block in a quotation or a list; empty if `before` contains anything else.
 fn margin(before: &[u8]) -> &str {
     let is_margin = before.iter().all(|byte| matches!(byte, b' ' | b'\t' | b'>'));
     std::str::from_utf8(before).ok().filter(|_| is_margin).unwrap_or_default()

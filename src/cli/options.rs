@@ -1,5 +1,4 @@
-//! Options that several commands share: a program, its setup, the language, the output format, the
-//! destination.
+//! Options that several commands share: program, setup, language, output format, destination.
 //!
 //! In: arguments. Out: one group of options for each. Must not know the commands.
 
@@ -11,7 +10,7 @@ use crate::sentences::Language;
 use crate::setup::Turret;
 use crate::setup::dialect::Control;
 
-/// A program, and what it is run with.
+/// A program and its setup.
 #[derive(clap::Args)]
 pub(super) struct Input {
     /// The program; `-` reads standard input.
@@ -20,7 +19,7 @@ pub(super) struct Input {
     pub with: With,
 }
 
-/// What programs are run with.
+/// Setup options of programs.
 #[derive(clap::Args, Default)]
 pub(super) struct With {
     /// Setup: control, tools, stock, start point, as JSON or TOML. Given more than once (a machine, a table of tools),
@@ -42,7 +41,7 @@ pub(super) struct With {
     pub library: Vec<PathBuf>,
 }
 
-/// The language of what is written for people.
+/// Language of the output.
 #[derive(clap::Args)]
 pub(super) struct Texts {
     /// Language of messages and other texts, English when left out.
@@ -62,7 +61,7 @@ impl Texts {
     }
 }
 
-/// For people, or for other programs.
+/// Format of the output.
 #[derive(clap::Args)]
 pub(super) struct Form {
     /// Text for people, or one JSON object a line.
@@ -70,7 +69,7 @@ pub(super) struct Form {
     pub format: Format,
 }
 
-/// A file that is written.
+/// Destination of the output.
 #[derive(clap::Args)]
 pub(super) struct Destination {
     /// Where to write it; standard output when left out.

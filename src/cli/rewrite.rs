@@ -1,5 +1,4 @@
-//! `rewrite`: plain moves as cycles. The program goes to standard output, a report of the changes to standard
-//! error.
+//! `rewrite`: writes plain moves as cycles. The program goes to standard output, a report to standard error.
 
 use std::path::Path;
 

@@ -1,8 +1,7 @@
 //! Exports a file of any format, for the page and the command line.
 //!
 //! In: a format, an analysed program, a language. Out: the bytes of the file. For a new format, add a variant
-//! to [`FileFormat`]; the compiler reports what else it needs. Must not know: where the file is written, or
-//! its name.
+//! to [`FileFormat`]; the compiler reports what else it needs. Must not know: path and name of the file.
 
 use super::card::{self, Card};
 use super::{csv, dxf, stl};

@@ -10,7 +10,7 @@ use crate::source::Span;
 use crate::source::shift::Shift;
 use crate::units::Unit;
 
-/// One message at one place.
+/// A message at a position of the text.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Diagnostic {
     /// The message.

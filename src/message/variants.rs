@@ -1,5 +1,4 @@
-//! Messages with their arguments, and their language-independent properties: code, slug, severity, kind and
-//! alarm.
+//! Messages with their arguments, and properties that no language changes: code, slug, severity, kind, alarm.
 //!
 //! In: a value of a type of [`said`]. Out: a [`Message`]: an index and values, one type for all messages, so
 //! that code that stores, copies and compares messages does not depend on each of them. The build script

@@ -1,5 +1,4 @@
-//! Determines where playback pauses: at program stops, at the end of a block, before a line that the user
-//! marked.
+//! Determines where playback pauses: at program stops, at the end of a block, before a marked line.
 //!
 //! In: the next motions. Out: the first pause before one of them, and its reason.
 
@@ -100,8 +99,7 @@ fn stop_in(motions: &Motions, range: Range<usize>, stops: Stops) -> Option<(usiz
     })
 }
 
-/// For each line, from 0, the first line from there on whose blocks move the tool; sorted, without
-/// duplicates.
+/// For each line, from 0, the first line at or after it whose blocks move the tool. Sorted, without duplicates.
 pub fn lines_that_move(motions: &Motions, lines: &[u32]) -> Vec<u32> {
     let mut next = vec![u32::MAX; lines.len()];
     let mut last = u32::MAX;

@@ -1,5 +1,4 @@
-//! The program over time: the time of each motion, the position of the tool at any time, and the ends of
-//! steps.
+//! The program over time: the time of each motion, the position of the tool at a time, and steps.
 //!
 //! In: the motions and the machine's rates. Out: times, places, totals. Must not know the part.
 

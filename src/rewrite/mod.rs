@@ -97,8 +97,7 @@ pub fn offers(text: &[u8], setup: &Setup, near: Option<Span>) -> Vec<Offer> {
 pub fn rewritten(text: &[u8], setup: &Setup) -> (Vec<u8>, Vec<Offer>) {
     let (mut text, mut taken) = (text.to_vec(), Vec::new());
     let mut earlier: Vec<Vec<Edit>> = Vec::new();
-    // A cycle directly after another one begins where the edits of the first end, so it is found in the next
-    // round.
+    // A cycle directly after another one begins where the edits of the first end: the next round finds it.
     for _ in 0..MOST_ROUNDS {
         let before = traced(&text, setup);
         let together = apart(candidates(&text, &before).into_iter().map(|candidate| candidate.offer));

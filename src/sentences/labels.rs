@@ -1,5 +1,4 @@
-//! Short labels: severities and categories of messages; the setup form: names of fields, and errors in
-//! entries.
+//! Short labels: severities and categories of messages, fields of the setup form, errors in entries.
 //!
 //! In: a severity, the name of a field, a choice, an error in an entry. Out: a label in a language, short
 //! enough to fit beside it.

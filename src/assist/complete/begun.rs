@@ -19,8 +19,7 @@ pub enum Begun {
     Letters,
 }
 
-/// The syntax typed before a byte, and its span; `None` in a comment, or after a character that cannot begin
-/// a word.
+/// The syntax typed before a byte, and its span; `None` in a comment, or where no word can begin.
 pub fn begun_at(text: &[u8], line: u32, byte: u32) -> Option<(Begun, Span)> {
     let (line, byte) = (line as usize, (byte as usize).min(text.len()));
     let before = text.get(line..byte)?;
@@ -58,7 +57,8 @@ pub fn begins_with(item: &Item, typed: &str, begun: Begun) -> bool {
         None => return false,
     };
     match begun {
-        // Snippets of cycles may begin with the code itself, so compare with the code.
+        // The first two pieces of a snippet may form the typed code (letter and value), so compare them
+        // together.
         Begun::Word(_) => {
             let text = match item.pieces.get(1) {
                 Some(Piece::Fill(value)) if first.len() == 1 => format!("{first}{value}"),

@@ -14,7 +14,7 @@ use super::super::system;
 use super::finding::{Finding, Subject, What};
 use crate::source::LineIndex;
 
-/// Where the list is.
+/// Options for the list of known findings.
 #[derive(clap::Args)]
 pub(super) struct Files {
     /// Findings in this list do not count.

@@ -41,8 +41,7 @@ pub(super) enum What {
     Message(Diagnostic),
     /// An error in the element that contains a program.
     Remark(Remark),
-    /// The stock is assumed, so collisions were not checked. With line and column if the program is in a
-    /// page.
+    /// The stock is assumed, so collisions were not checked. In a page, with line and column of the program.
     AssumedStock(Option<(u32, u32)>, InferredStock),
 }
 

@@ -18,8 +18,8 @@ use super::super::terminal::printable_name;
 use crate::text::block::Block;
 use crate::text::parser::Parser;
 
-/// Endings of program files. FANUC controls write programs without an ending, such as `O0001`; these are
-/// included, too.
+/// Endings of program files. Files such as `O0001`, written by FANUC controls without an ending, count as
+/// well.
 pub(super) const PROGRAMS: &[&str] = subprograms::ENDINGS;
 
 /// Endings that are also used for other files (`""`: no ending): the text decides whether it is a program.
@@ -32,7 +32,7 @@ const HEAD: u64 = 64 << 10;
 /// Endings of pages of a manual.
 pub(super) const PAGES: &[&str] = &["md", "markdown", "mdx", "html", "htm", "rst"];
 
-/// Which files of a folder.
+/// Options that select files in folders.
 #[derive(clap::Args)]
 pub(super) struct Which {
     /// Leave out what this pattern matches, as a line of a `.gitignore` (`--exclude 'old/**'`); may be given more than once.

@@ -7,7 +7,7 @@ use super::super::rules::{level, named};
 use crate::message::{Diagnostic, Severity};
 use crate::setup::Setup;
 
-/// Which rules.
+/// Options that select rules and set severities.
 #[derive(clap::Args)]
 pub(super) struct Choice {
     /// Report these rules alone, by slug or code (`rapid-through-stock`, `PS0010`).

@@ -12,7 +12,7 @@ use crate::api::Configured as Row;
 use crate::message::Severity;
 use crate::setup::dialect::Control;
 
-/// What is asked about.
+/// The arguments of `config`.
 #[derive(clap::Args)]
 pub(in crate::cli) struct Config {
     /// The program, which need not be there; without it, what holds in this folder.

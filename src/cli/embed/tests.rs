@@ -116,8 +116,7 @@ proptest! {
                 let example = only(page, markup);
                 prop_assert_eq!(text_of(&example), taken(&text), "{}", page);
                 prop_assert_eq!(example.attributes.get("setup"), Some("{\"program\": 2}"));
-                // Browsers normalise the line ends of a page; line ends in an attribute are character
-                // references.
+                // Browsers normalise the line ends of a page; in an attribute they are character references.
                 prop_assert_eq!(example.attributes.get("caption"), Some(caption.as_str()));
                 let there = example.picture.as_ref().map(|there| in_one_line(&String::from_utf8_lossy(there.text())));
                 prop_assert_eq!(there, picture.as_deref().map(in_one_line));

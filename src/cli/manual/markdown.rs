@@ -49,8 +49,7 @@ pub fn examples_with_jsx(text: &str, page: &[u8]) -> Vec<Example> {
     reader.found
 }
 
-/// The page with elements at the start of a line replaced by letters, so that a fence inside a program does
-/// not count.
+/// Replaces elements at the start of a line by letters, so that a fence inside a program does not count.
 fn without_elements(text: &str) -> String {
     let mut left = String::with_capacity(text.len());
     // The end of the current element, while its lines continue.
@@ -255,8 +254,7 @@ fn words(info: &str) -> Vec<String> {
     words
 }
 
-/// Parses the options at the start of a directive, one `:control: gsk` per line; returns the start of the
-/// program.
+/// Parses the options at the start of a directive, one `:control: gsk` per line; returns their end.
 pub fn options(text: &[u8], attributes: &mut Attributes) -> usize {
     let mut start = 0;
     for (from, end, next) in super::lines(text) {

@@ -50,8 +50,7 @@ pub(super) fn words(language: Language) -> &'static Words {
     }
 }
 
-/// Describes one of several codes with the same function: `index` is its position in the row of the table of
-/// codes.
+/// Describes one of several codes with the same function: `index` is its position in their row of the table.
 pub(super) fn one_of(function: Function, index: usize, language: Language) -> Option<String> {
     let [en, zh, ru] = match (function, index) {
         (Function::Spindle, 0) => ["spindle forward", "主轴正转", "прямое вращение шпинделя"],

@@ -1,5 +1,4 @@
-//! JUnit XML: each file is a suite; each error or warning is a failing test; a file without any has one
-//! passing test.
+//! JUnit XML: each file is a suite of failing tests (its errors and warnings), or of one passing test.
 
 use std::fmt::Write;
 

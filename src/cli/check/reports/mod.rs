@@ -1,5 +1,4 @@
-//! Formats findings: one report for all files, made of a beginning, a part for each file, separators and an
-//! end.
+//! Formats findings as one report: a beginning, a part for each file, separators, and an end.
 //!
 //! In: files with the findings that count. Out: bytes. The part of a file depends on that file alone, so it
 //! is made in the thread that checks the file; the counts are added up afterwards.
@@ -23,7 +22,7 @@ use crate::message::Severity;
 use crate::sentences::Language;
 use crate::source::LineIndex;
 
-/// The formats.
+/// Formats of a report.
 #[derive(Clone, Copy, PartialEq, Eq, ValueEnum)]
 pub(in crate::cli) enum ReportFormat {
     /// For people, with the line and carets under the words.
@@ -246,8 +245,7 @@ impl Report {
         if self.wanted.statistics {
             return in_memory(|out| statistics(out, counts, self.wanted.format));
         }
-        // The stock of a single program is reported on a separate line; for pages the total is on standard
-        // error.
+        // The stock of a single program has a separate line; for pages the total is on standard error.
         let is_named = self.wanted.is_lone && !self.wanted.are_pages;
         let counts =
             &Counts { without_stock: if is_named { 0 } else { counts.without_stock }, ..counts.clone() };
