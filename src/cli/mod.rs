@@ -421,7 +421,7 @@ fn print(write: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> Result<(), Str
     print_to(Stream::Output, write)
 }
 
-/// Like [`print`], for any stream.
+/// Like [`print()`], for any stream.
 fn print_to(to: Stream, write: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> Result<(), String> {
     // `BufWriter` passes on whole writes, so no UTF-8 character is split.
     print_bytes(to, |out| {

@@ -163,8 +163,7 @@ fn finish(stretch: Stretch, blocks: &Blocks, found: &mut Vec<Stretch>) {
     }
 }
 
-/// Adds blocks without a program number if they contain enough moves, starting at the first block that is
-/// more than a comment.
+/// Adds blocks without a program number if they contain enough moves.
 fn keep(numbers: Vec<u32>, list: &[Block], found: &mut Vec<Stretch>) {
     let moves = numbers.iter().filter(|&&at| list[at as usize].moves).count();
     if moves >= FEWEST_MOVES {

@@ -92,8 +92,8 @@ pub fn offers(text: &[u8], setup: &Setup, near: Option<Span>) -> Vec<Offer> {
     found
 }
 
-/// The program with all offers applied, and the applied offers in order. Their spans are positions in `text`,
-/// without the edits of earlier rounds.
+/// The program with all offers applied, and the applied offers in order. Their spans refer to `text`, but
+/// their edits to the text of their round.
 pub fn rewritten(text: &[u8], setup: &Setup) -> (Vec<u8>, Vec<Offer>) {
     let (mut text, mut taken) = (text.to_vec(), Vec::new());
     let mut earlier: Vec<Vec<Edit>> = Vec::new();
