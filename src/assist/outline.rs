@@ -144,7 +144,7 @@ impl Outlining<'_> {
         self.last = Some(block.span);
     }
 
-    /// A comment in a separate block. The first of several names the operation; in the head of a program the last.
+    /// A comment in a separate block. Of several, the first names the operation; in a program head, the last.
     fn comment_alone(&mut self, block: &Block) {
         let Some(comment) = self.comment_of(block) else { return };
         if self.is_head {

@@ -99,7 +99,7 @@ fn stop_in(motions: &Motions, range: Range<usize>, stops: Stops) -> Option<(usiz
     })
 }
 
-/// For each line, from 0, the first line at or after it whose blocks move the tool. Sorted, without duplicates.
+/// For each line, from 0, the first line at or after it that moves the tool. Sorted, without duplicates.
 pub fn lines_that_move(motions: &Motions, lines: &[u32]) -> Vec<u32> {
     let mut next = vec![u32::MAX; lines.len()];
     let mut last = u32::MAX;

@@ -42,7 +42,7 @@ pub fn category(kind: Kind, language: Language) -> &'static str {
     })
 }
 
-/// Note that a stock is assumed, and what was not checked because of it; `note` is the comment that sets this
+/// Text about an assumed stock and the checks that were skipped because of it; `note` is the comment that sets this
 /// stock.
 pub fn inferred_stock(note: &str, language: Language) -> String {
     let said = language.among([
