@@ -208,7 +208,7 @@ impl Proposing<'_> {
         after.into_iter().chain(before).map(item).collect()
     }
 
-    /// The programs of the text, except the one that contains the place.
+    /// The programs of the text without the current one.
     fn programs(&self) -> Vec<Item> {
         let programs = &self.around.programs;
         let own = programs.iter().rev().find(|(_, at)| *at <= self.span.start);
@@ -228,7 +228,7 @@ impl Proposing<'_> {
         items.collect()
     }
 
-    /// The tools used earlier in the text, and those of the setup.
+    /// The tools used earlier in the text, then the other tools of the setup.
     fn tools(&self) -> Vec<Item> {
         let used = &self.around.tools;
         let others = self.asked.setup.tools.keys().filter(|tool| !used.contains(tool));

@@ -53,7 +53,7 @@ impl Hover {
 impl<'a> Asked<'a> {
     /// Describes the word at a byte, or the word that ends there, because a cursor after a word still refers
     /// to it. `None` if there is nothing to explain. `notes`: the comments that set up the program;
-    /// `motions`: those of the run.
+    /// `motions`: the motions of the run.
     pub fn hover(&self, byte: u32, notes: &[Span], motions: &Motions) -> Option<Hover> {
         let before = byte.checked_sub(1).filter(|before| self.block.span.start <= *before);
         self.hover_on(byte, notes, motions)

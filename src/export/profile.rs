@@ -293,7 +293,7 @@ mod tests {
 
     #[test]
     fn a_round_hole_is_arcs_only() {
-        // Chords as long as those of a tool path.
+        // Chords of the same length as in a tool path.
         let circle: Vec<Point> = (0..50)
             .map(|corner| {
                 let (sin, cos) = (f64::from(corner) * PI / 25.0).sin_cos();

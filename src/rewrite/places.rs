@@ -223,7 +223,7 @@ pub fn is_plain(block: &Block) -> bool {
         && block.faults.is_empty()
 }
 
-/// Whether the words of a block are those of one straight move, each at most once.
+/// Whether the words of a block form one straight move, each at most once.
 fn holds_only_a_move(block: &Block, list: CodeList) -> bool {
     let mut seen = 0u32;
     for word in &block.words {

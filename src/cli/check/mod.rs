@@ -198,7 +198,7 @@ fn once(check: &Check) -> Result<Status, String> {
     job.run(&found)
 }
 
-/// Converts the line ends of `text` to those of `before`, if all of these are CR LF or all are CR.
+/// Converts the line ends of `text` to CR LF or CR if `before` uses only this line end.
 fn with_line_ends_of(before: &[u8], mut text: Vec<u8>) -> Vec<u8> {
     match only_line_end(before) {
         "\r" => text.iter_mut().filter(|byte| **byte == b'\n').for_each(|byte| *byte = b'\r'),

@@ -2,7 +2,7 @@
 //! program and its parents, and from the command-line options, which override it.
 //!
 //! In: options, a file name. Out: the settings of the file, each with its source (`shown`). `file` parses the
-//! configuration. Setups are JSON, or TOML with the same keys. Must not know: what is done with programs.
+//! configuration. Setups are JSON, or TOML with the same keys. Must not know: the commands.
 
 mod file;
 pub(super) mod shown;

@@ -1,7 +1,7 @@
 //! The programs in the source files of a manual, with their positions.
 //!
 //! In: the text of a page (Markdown, HTML, reStructuredText) and its name. Out: [`Example`]s. Must not know:
-//! the meaning of a program, or what is done with it.
+//! the meaning of a program, or its use.
 
 pub mod attributes;
 mod entities;
