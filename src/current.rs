@@ -1,11 +1,10 @@
-//! The run that is current, with all that is known of it, and how it is looked at.
+//! The current run, everything derived from it, and how it is viewed.
 //!
-//! In: the text, its edits and the setup; slices of time; where the reader looks and what
-//! the reader picks out. Out:
-//! [`Current`]: the motions, the part, and the [`Picture`]s that a painter draws. A picture is made of one
-//! run: all that is worked out of a run is one value, `Derived`, which `Current::begin` replaces as a whole
-//! when the next run begins; and nothing of the part is there before all its material is off
-//! ([`crate::machine::Simulation`]). Must not know of canvases, nor of JavaScript.
+//! In: the text, its edits and the setup; time slices; the camera and the selection of the user. Out:
+//! [`Current`]: the motions, the part, and the [`Picture`]s that a painter draws. A picture shows one run
+//! only: all data derived from a run is in one value, `Derived`, which `Current::begin` replaces as a whole
+//! when the next run begins. The part is available only once all its material is removed
+//! ([`crate::machine::Simulation`]). Must not know of canvases or JavaScript.
 
 pub(crate) mod machined;
 pub mod per_plane;
@@ -44,62 +43,62 @@ use crate::units::Unit;
 use machined::{Kept, Machined};
 use per_plane::PerPlane;
 
-/// The current run and how it is looked at.
+/// The current run and how it is viewed.
 pub struct Current {
     run: Run,
-    /// The lines of its text; made when first asked for.
+    /// The lines of the text; built on first use.
     lines: OnceCell<LineIndex>,
-    /// It keeps the boxes of the motions that an edit leaves, and finds out itself which those are.
+    /// Keeps the boxes of the motions that an edit leaves unchanged; it detects itself which those are.
     path_index: PathIndex,
     derived: Derived,
     view_state: ViewState,
 }
 
-/// All that is worked out of a run as it is now: another run begins with none of it.
+/// All data derived from the current run; a new run begins without any of it.
 #[derive(Default)]
 struct Derived {
-    /// The path index is of the motions as they are now.
+    /// Whether the path index matches the current motions.
     measured: bool,
-    /// The clock of the motions as they are now; made when first asked for.
+    /// The clock of the current motions; built on first use.
     clock: OnceCell<Clock>,
-    /// Lines that were asked about last, and those that move the tool in their place.
+    /// The argument and result of the last call of `lines_that_move`.
     moving_lines: (Vec<u32>, Vec<u32>),
     material: Material,
 }
 
-/// What belongs to the reader, and stays from one run to the next.
+/// State that belongs to the user and persists from one run to the next.
 struct ViewState {
-    /// How each picture is looked at. What is picked out and where the tool is stands in that of the
-    /// section; the others follow.
+    /// The view of each picture. Selection and tool position are kept in the view of the section; the others
+    /// follow it.
     views: PerPlane<View>,
-    /// Place of the cursor, UTF-16 offset.
+    /// Position of the cursor, UTF-16 offset.
     cursor: Option<u32>,
-    /// Lines, from 0, whose strokes are lit up as long as there is no cursor.
+    /// Lines, from 0, whose strokes are highlighted while there is no cursor.
     marked: Vec<Range<u32>>,
-    /// The side the reader has turned the turret to; that of the setup where nothing is chosen.
+    /// The turret side that the user has chosen; `None` for the side in the setup.
     turret: Option<Turret>,
-    /// The part that later ones are laid over.
+    /// The part that is kept for comparison with later ones.
     kept: Option<Kept>,
-    /// The unit the reader has chosen; that of the program where nothing is chosen.
+    /// The unit that the user has chosen; `None` for the unit of the program.
     unit: Option<Unit>,
-    /// How millimetre and inch are written in the reader's language.
+    /// The symbols of millimetre and inch in the user's language.
     unit_symbols: [&'static str; 2],
 }
 
-/// What has become of the blank.
+/// The state of the blank.
 #[derive(Default)]
 enum Material {
-    /// Nothing yet: the program has to run first.
+    /// Nothing removed yet: the program has to finish first.
     #[default]
     Untouched,
-    /// It is being taken off, which nobody sees.
+    /// Being removed; not shown yet.
     UnderWay(Box<Simulation>),
-    /// It is off.
+    /// All removed.
     Off(Box<Machined>),
 }
 
 impl Current {
-    /// Begins a run; its picture is 300 × 150 CSS pixels large, as a canvas is.
+    /// Begins a run. Its picture is 300 × 150 CSS pixels, the default size of a canvas.
     pub fn new(text: Vec<u8>, setup: Setup) -> Self {
         let (run, path_index) = (Run::new(text, setup), PathIndex::new());
         let scene = Scene::new(run.motions(), &path_index, None);
@@ -132,12 +131,12 @@ impl Current {
         });
     }
 
-    /// Begins a run of the same text under another setup.
+    /// Begins a run of the same text with another setup.
     pub fn set_setup(&mut self, setup: Setup) {
         self.begin(|run, _| run.set_setup(setup));
     }
 
-    /// Begins the run again where something it lacks has been loaded since. True: it has begun again.
+    /// Restarts the run if a part that it lacks has been loaded since. Returns whether it restarted.
     pub fn begin_again(&mut self) -> bool {
         let begins = self.run.is_outdated();
         if begins {
@@ -146,16 +145,16 @@ impl Current {
         begins
     }
 
-    /// Decides what numbers without a point count anew, for the text as it is; the run begins again
-    /// where that is something else.
+    /// Decides again, for the current text, what numbers without a decimal point count; restarts the run if
+    /// the rule changes.
     pub fn decide_decimal_rule(&mut self) {
         self.begin(|run, _| {
             run.decide_again();
         });
     }
 
-    /// Begins a run of the text with `from..to` (UTF-16 offsets) replaced; what ran before
-    /// that place is taken over.
+    /// Begins a run of the text with `from..to` (UTF-16 offsets) replaced. Results from before that place are
+    /// reused.
     pub fn edit(&mut self, from: u32, to: u32, insert: &str) {
         let text = self.run.text();
         let start = self.lines().byte_at_utf16(text, from) as usize;
@@ -171,7 +170,7 @@ impl Current {
         }
     }
 
-    /// The run goes on with the changed text, and the lines follow.
+    /// Continues the run with the changed text, and updates the lines.
     fn go_on_edited(&mut self, edit: TextEdit) {
         let (place, inserted) = (edit.start..edit.end, edit.insert.len());
         self.begin(|run, lines| {
@@ -182,18 +181,18 @@ impl Current {
         });
     }
 
-    /// The only way from one run to the next: what is known of the run goes, what
-    /// belongs to the reader stays.
+    /// The only way from one run to the next: drops the data derived from the run and keeps the state of the
+    /// user.
     fn begin(&mut self, change: impl FnOnce(&mut Run, &mut OnceCell<LineIndex>)) {
         change(&mut self.run, &mut self.lines);
         self.derived = Derived::default();
-        // Strokes are picked out by their numbers, which are those of other strokes now.
+        // Selections are stroke numbers, which now belong to other strokes.
         for view in self.view_state.views.iter_mut() {
             *view = view.bare(None);
         }
     }
 
-    /// Runs at most so many blocks; true when the run has ended.
+    /// Runs at most `blocks` blocks; returns true once the run has ended.
     pub fn advance(&mut self, blocks: usize) -> bool {
         if !self.run.is_finished() {
             self.grown();
@@ -202,13 +201,13 @@ impl Current {
         self.run.is_finished()
     }
 
-    /// Ends the run early, after so many seconds; a message says so.
+    /// Ends the run early, after `seconds` seconds, and reports that.
     pub fn stop(&mut self, seconds: f64) {
         self.grown();
         self.run.stop(seconds);
     }
 
-    /// There are more motions than there were.
+    /// Discards what depends on the number of motions.
     fn grown(&mut self) {
         self.derived.measured = false;
         self.derived.clock = OnceCell::new();
@@ -217,7 +216,8 @@ impl Current {
 
     // ---- the material ---------------------------------------------------------------------------------
 
-    /// Takes the material of at most so many motions off, once the run has ended; true when all is off.
+    /// Removes the material of at most `motions` motions, once the run has ended; returns true when all is
+    /// removed.
     pub fn remove_material(&mut self, motions: usize) -> bool {
         if !self.run.is_finished() {
             return false;
@@ -234,17 +234,17 @@ impl Current {
         }
     }
 
-    /// Takes no more material off; a message says so.
+    /// Stops removing material, and reports that.
     pub fn stop_machining(&mut self) {
         stop_machining(self);
     }
 
-    /// Takes off what is still to be taken off, of a program that has run.
+    /// Removes all remaining material, if the program has finished.
     pub fn finish_part(&mut self) {
         while self.run.is_finished() && !self.remove_material(usize::MAX) {}
     }
 
-    /// Share of the material that has been taken off, 0 to 1.
+    /// The fraction of the motions whose material has been removed, 0 to 1.
     pub fn machining_progress(&self) -> f64 {
         match &self.derived.material {
             Material::Untouched => 0.0,
@@ -254,7 +254,7 @@ impl Current {
     }
 
     fn finish_material(&mut self, simulation: SimulationResult) {
-        // The path index may still be that of the program before.
+        // The path index may still be that of the previous program.
         self.measure();
         let mut machined = Machined::new(simulation, self.run.motions());
         machined.compare(&self.run, self.view_state.kept.as_ref());
@@ -268,19 +268,19 @@ impl Current {
         }
     }
 
-    // ---- what is known --------------------------------------------------------------------------------
+    // ---- access to the run ----------------------------------------------------------------------------
 
     /// The run.
     pub fn run(&self) -> &Run {
         &self.run
     }
 
-    /// Begins to go through the run once more, to the block at a byte.
+    /// Starts a replay of the run, up to the block at `byte`.
     pub fn replay(&self, byte: u32, time: Time) -> Replay {
         self.run.replay(self.begin_of_line(byte), byte, time)
     }
 
-    /// The beginning of the line that a byte is in.
+    /// The position at the beginning of the line that contains `byte`.
     fn begin_of_line(&self, byte: u32) -> Resume {
         let (text, lines) = (self.run.text(), self.lines());
         let line = lines.line_of(byte.min(text.len() as u32));
@@ -294,7 +294,7 @@ impl Current {
         block_at(text, self.begin_of_line(byte), byte).0.start.byte
     }
 
-    /// Goes on with a replay for at most so many blocks; true once it has ended.
+    /// Continues a replay for at most `blocks` blocks; returns true once it has ended.
     pub fn advance_replay(&mut self, replay: &mut Replay, blocks: usize) -> bool {
         self.run.advance_replay(replay, blocks)
     }
@@ -309,7 +309,7 @@ impl Current {
         self.lines.get_or_init(|| LineIndex::new(self.run.text()))
     }
 
-    /// How far the run is.
+    /// How far the run has progressed.
     pub fn stage(&self) -> Stage {
         match &self.derived.material {
             Material::Off(_) => Stage::Whole,
@@ -318,12 +318,12 @@ impl Current {
         }
     }
 
-    /// The program at the machine, once all material is off.
+    /// The result of the simulation, once all material is removed.
     pub fn simulation(&self) -> Option<&SimulationResult> {
         self.machined_part().map(Machined::simulation)
     }
 
-    /// Tools and blank, once the program has run and material is taken off.
+    /// Tools and blank, once the program has finished and material is being removed.
     pub fn resolved_setup(&self) -> Option<&ResolvedSetup> {
         match &self.derived.material {
             Material::Untouched => None,
@@ -332,34 +332,34 @@ impl Current {
         }
     }
 
-    /// The part with all material off; nothing where there is no blank, or a bound was met.
+    /// The finished part, once all material is removed. `None` without a blank, or if a limit was reached.
     pub fn part(&self) -> Option<&Region> {
         self.machined_part()?.part()
     }
 
-    /// What is left of the blank at the moment that is shown.
+    /// The part at the moment that is shown.
     pub fn part_shown(&mut self) -> Option<Region> {
         self.show();
         self.machined_part()?.part_shown(self.run.motions())
     }
 
-    /// The holes of live tools in it.
+    /// The holes of live tools in the part at that moment.
     pub fn holes_shown(&mut self) -> Vec<LiveHole> {
         self.show();
         self.machined_part().map_or_else(Vec::new, |machined| machined.holes_shown(self.run.motions()))
     }
 
-    /// What moves over a surface; nothing where nothing does, and in the section.
+    /// The moves over a surface. `None` if nothing moves over it, and for the section.
     pub fn moves(&self, plane: Plane) -> Option<&SurfaceMoves> {
         self.machined_part()?.moves(plane)
     }
 
-    /// The side, where anything moves over it.
+    /// The view from the side, if anything moves there.
     pub fn side(&self) -> Option<&Side> {
         self.machined_part()?.side()
     }
 
-    /// Where the part differs from the one that was kept.
+    /// The differences between the part and the one kept for comparison.
     pub fn comparison(&self) -> Option<&Comparison> {
         self.machined_part()?.comparison()
     }
@@ -369,7 +369,7 @@ impl Current {
         self.derived.clock.get_or_init(|| Clock::new(self.run.motions(), &self.run.setup().machine))
     }
 
-    /// For each of these lines, from 0, the first from there on whose blocks move the tool; in order.
+    /// For each of these lines, from 0, the first line from there on whose blocks move the tool; in order.
     pub fn lines_that_move(&mut self, lines: &[u32]) -> Vec<u32> {
         if self.derived.moving_lines.0 != lines {
             self.derived.moving_lines = (lines.into(), lines_that_move(self.run.motions(), lines));
@@ -384,22 +384,22 @@ impl Current {
         }
     }
 
-    // ---- how it is looked at --------------------------------------------------------------------------
+    // ---- views ----------------------------------------------------------------------------------------
 
-    /// How a picture is looked at.
+    /// The view of a picture.
     pub fn view(&self, plane: Plane) -> &View {
         &self.view_state.views[plane]
     }
 
-    /// Changes how a picture is looked at.
+    /// Changes the view of a picture.
     pub fn look(&mut self, plane: Plane, change: impl FnOnce(&mut View, &Scene)) {
         self.show();
         let (scene, view) = self.looked_at(plane);
         change(view, &scene);
     }
 
-    /// The motion whose stroke is within `reach` of a place of a picture, both CSS pixels, and where the tool
-    /// is there, given as in the section.
+    /// The motion whose stroke is within `reach` of a position in a picture, both in CSS pixels, and the tool
+    /// position there, in coordinates of the section.
     pub fn pick(&mut self, plane: Plane, at: Pixel, reach: f64) -> Option<(usize, Point)> {
         let Picture { scene, view, .. } = self.picture(plane)?;
         let found = pick(&scene, view.camera(), at, reach, &view.highlight)?;
@@ -417,7 +417,7 @@ impl Current {
         Some((motion, at))
     }
 
-    /// Lights up the strokes of lines, from 0, as long as no block is chosen by the cursor.
+    /// Highlights the strokes of lines, from 0, while there is no cursor.
     pub fn set_marked_lines(&mut self, lines: Vec<Range<u32>>) {
         self.view_state.marked = lines;
         if self.derived.measured {
@@ -425,16 +425,16 @@ impl Current {
         }
     }
 
-    /// Lights up the strokes of the block at an offset.
+    /// Highlights the strokes of the block at an offset.
     pub fn set_cursor(&mut self, offset: Option<u32>) {
         self.view_state.cursor = offset;
-        // Measuring does it too.
+        // If nothing is measured yet, `measure` will highlight them.
         if self.derived.measured {
             self.light_up();
         }
     }
 
-    /// Marks a stroke, that under the pointer.
+    /// Marks the stroke under the pointer.
     pub fn set_hover(&mut self, motion: Option<usize>) {
         let motion = motion.filter(|&index| index < self.run.motions().len());
         self.section_mut().hover = motion;
@@ -443,19 +443,19 @@ impl Current {
         }
     }
 
-    /// Chooses the symbols of millimetre and inch on the rulers, those of the reader's language.
+    /// Sets the symbols of millimetre and inch on the rulers, in the user's language.
     pub fn set_unit_symbols(&mut self, symbols: [&'static str; 2]) {
         self.view_state.unit_symbols = symbols;
         self.count_in_unit();
     }
 
-    /// Chooses the unit in which lengths are shown; nothing takes that of the program.
+    /// Chooses the unit in which lengths are shown; `None` for the unit of the program.
     pub fn set_unit(&mut self, unit: Option<Unit>) {
         self.view_state.unit = unit;
         self.count_in_unit();
     }
 
-    /// The unit the reader has chosen.
+    /// The unit that the user has chosen.
     pub fn chosen_unit(&self) -> Option<Unit> {
         self.view_state.unit
     }
@@ -465,31 +465,32 @@ impl Current {
         self.view_state.unit.unwrap_or(self.run.state().unit)
     }
 
-    /// The rulers count in the unit that is shown.
+    /// Sets the unit of the rulers to the displayed unit.
     #[inline(never)]
     fn count_in_unit(&mut self) {
         let unit = self.unit();
         let scale = Scale { unit, symbol: self.view_state.unit_symbols[unit as usize] };
-        // The others follow the section, but only once something moves on them.
+        // The other pictures follow the section, but only if something moves in them; so set all of them
+        // here.
         for view in self.view_state.views.iter_mut() {
             view.scale = scale;
         }
     }
 
-    /// Puts the tool somewhere; nothing shows all strokes and no tool.
+    /// Moves the tool to a position; `None` shows all strokes and no tool.
     pub fn put(&mut self, playhead: Option<Playhead>) {
         let playhead = playhead.filter(|_| !self.run.motions().is_empty());
         self.section_mut().playhead = playhead;
     }
 
-    /// Puts the tool at the start of the block at a UTF-16 offset, or of the next one that moves it.
+    /// Moves the tool to the start of the block at a UTF-16 offset, or of the next block that moves it.
     pub fn put_at_block(&mut self, offset: u32) {
         self.measure();
         let motion = picked::first_motion(&self.run, self.lines(), &self.scene(), offset);
         self.put(motion.map(|motion| Playhead { motion, share: 0.0 }));
     }
 
-    /// A picture that the user has moved follows the tool while it cuts.
+    /// Scrolls a picture that the user has moved, so that the tool stays in view while it cuts.
     pub fn keep_tool_in_view(&mut self) {
         let Some((playhead, place)) = self.place() else { return };
         if self.run.motions().get(playhead.motion).kind != MotionKind::Rapid {
@@ -497,25 +498,25 @@ impl Current {
         }
     }
 
-    /// Where the tool is.
+    /// The position of the tool.
     pub fn place(&mut self) -> Option<(Playhead, Place)> {
         self.measure();
         let playhead = self.section().playhead?;
         Some((playhead, self.scene().place(playhead)?))
     }
 
-    /// Puts the turret on a side; nothing leaves it where the setup has it.
+    /// Chooses the side of the turret; `None` for the side in the setup.
     pub fn set_turret(&mut self, turret: Option<Turret>) {
         self.view_state.turret = turret;
         self.turn();
     }
 
-    /// The side the turret is drawn on.
+    /// The side on which the turret is drawn.
     pub fn turret(&self) -> Turret {
         self.view_state.turret.unwrap_or(self.run.setup().machine.turret)
     }
 
-    /// Keeps the part of this program, if there is one, to lay those of later runs over it.
+    /// Keeps the part of this program, if there is one, for comparison with the parts of later runs.
     pub fn keep(&mut self) {
         if self.part().is_some() {
             keep(self);
@@ -528,7 +529,7 @@ impl Current {
         self.compare();
     }
 
-    /// Marks the edge of the part within `reach` (mm) of a place of the section, and says what it is.
+    /// Marks the edge of the part within `reach` (mm) of a position in the section, and returns its feature.
     pub fn mark_edge(&mut self, at: Pixel, reach: f64) -> Option<Feature> {
         let camera = *self.section().camera();
         let pointer = camera.to_world(at);
@@ -553,12 +554,12 @@ impl Current {
 
     // ---- the pictures ---------------------------------------------------------------------------------
 
-    /// The strokes of the section, without the work.
+    /// The strokes of the section, without the workpiece.
     pub fn scene(&self) -> Scene<'_> {
         Scene::new(self.run.motions(), &self.path_index, None)
     }
 
-    /// A picture as it is to be painted: the section always, the others where anything moves on them.
+    /// A picture as it is to be painted: the section always, the others only if anything moves in them.
     pub fn picture(&mut self, plane: Plane) -> Option<Picture<'_>> {
         self.show();
         if plane != Plane::Section {
@@ -573,7 +574,7 @@ impl Current {
         Source { run: self.run.id(), stage: self.stage() }
     }
 
-    /// How the section is looked at, which says too what is picked out and where the tool is.
+    /// The view of the section, which also contains the selection and the tool position.
     fn section(&self) -> &View {
         &self.view_state.views[Plane::Section]
     }
@@ -582,7 +583,7 @@ impl Current {
         &mut self.view_state.views[Plane::Section]
     }
 
-    /// What there is to see in a picture, and how it is looked at.
+    /// The scene and the view of a picture.
     fn looked_at(&mut self, plane: Plane) -> (Scene<'_>, &mut View) {
         let Self { run, path_index, derived, view_state, .. } = self;
         let machined = match &derived.material {
@@ -592,14 +593,14 @@ impl Current {
         let work = machined.and_then(|machined| machined.work(plane));
         let scene = match machined.and_then(|machined| machined.moves(plane)) {
             Some(moves) => moves.scene(work),
-            // Where nothing moves over a surface there is nothing to fit its picture to either.
+            // If nothing moves over a surface, there is nothing to fit its picture to either.
             None if plane != Plane::Section => Scene::new(run.motions(), path_index, None).on(plane),
             None => Scene::new(run.motions(), path_index, work),
         };
         (scene, &mut view_state.views[plane])
     }
 
-    /// Brings everything that is shown to where the tool stands.
+    /// Updates everything that is shown to the tool position.
     fn show(&mut self) {
         self.measure();
         let place = self.section().playhead.and_then(|playhead| self.scene().place(playhead));
@@ -614,14 +615,14 @@ impl Current {
         }
     }
 
-    /// Measures what has run since the last time; the picture is only measured when it is asked for.
+    /// Measures the motions since the last call. Pictures are measured only on demand.
     fn measure(&mut self) {
         if self.derived.measured {
             return;
         }
         self.derived.measured = true;
         self.path_index.update(self.run.motions());
-        // Until then the picture that is shown is of the last run, or moved by the reader.
+        // Until the run has ended, the view stays as the last run or the user has left it.
         if self.run.is_finished() {
             self.path_index.settle();
             self.count_in_unit();
@@ -632,7 +633,7 @@ impl Current {
     }
 
     fn turn(&mut self) {
-        // The path index may still be that of the program before.
+        // The path index may still be that of the previous program.
         self.path_index.update(self.run.motions());
         let x_plus = XPlus::from(self.turret());
         let (scene, view) = self.looked_at(Plane::Section);
@@ -647,7 +648,7 @@ impl Current {
         self.show();
     }
 
-    /// Marks the strokes of the block the cursor is in, or of the lines that are marked.
+    /// Highlights the strokes of the block at the cursor, or of the marked lines.
     fn light_up(&mut self) {
         if PICKING_OUT.is_loaded() {
             light_up(self);
@@ -655,10 +656,10 @@ impl Current {
     }
 }
 
-/// The part that finds what is picked out: before it is there, nothing is.
+/// The part that finds the selected strokes; nothing is highlighted before it is loaded.
 const PICKING_OUT: Part = Part::Late;
 
-/// The part in which a run and its lines go on with a changed text.
+/// The part that continues a run and its lines after a change of the text.
 const GOING_ON: Part = Part::Late;
 
 late! {
@@ -689,7 +690,7 @@ late! {
         name_steps(current);
     }
 
-    // Labels the steps of the pass that is picked out.
+    // Labels the steps of the selected pass.
     fn name_steps(current: &mut Current) {
         let Current { run, view_state, .. } = current;
         let section = &mut view_state.views[Plane::Section];
@@ -709,7 +710,7 @@ late! {
     }
 }
 
-/// Over a surface the same is picked out as in the section, and the tool is where it is there.
+/// Copies the selection and the tool position of the section to the view of a surface.
 fn follow(section: &View, own: &mut View, moves: &SurfaceMoves, place: Option<Place>) {
     own.palette = section.palette.clone();
     own.playhead = place.map(|place| moves.playhead(place));

@@ -1,16 +1,16 @@
-//! A program with every cycle, corner, compensation, subprogram and macro expanded to plain G00,
-//! G01, G02, G03 and G32 blocks.
+//! Expands every cycle, corner, compensation, subprogram and macro of a program to plain G00, G01, G02, G03
+//! and G32 blocks.
 //!
-//! In: a program, its motions and the blocks that were carried out. Out: a program that makes the same
-//! motions to 0.001 mm under G40, at the same feed and speed. It is written in the order of execution: a
-//! subprogram stands where it was called, a loop as often as it ran. Blocks that are plain already stay as
-//! they were typed, but that their lengths get a point where other moves are expanded with one; what a cycle
-//! block commands besides (S, T, M, other G codes) stays on a line of its own, and so does what the blocks of
-//! its contour command. What lies between G12.1 and G13.1 stays as it is. A contour that was ignored is left
-//! out; a cycle that could not run stays as it is. So do all blocks that depend on a block that was not
-//! carried out, or from which such a block depends: their motions remain uncertain.
+//! In: a program, its motions and its executed blocks. Out: a program that makes the same motions to 0.001 mm
+//! under G40, at the same feed and speed. It is written in execution order: a subprogram appears where it was
+//! called, a loop as often as it ran. Plain blocks stay as they were typed, except that their lengths get a
+//! decimal point if other moves are expanded with one. Other words of a cycle block (S, T, M, other G codes)
+//! are kept on a separate line, and so are those of the blocks of its contour. Blocks between G12.1 and G13.1
+//! stay as they are. An ignored contour is omitted; a cycle that could not run stays as it is. So do all
+//! blocks that depend on a block that was not executed, or that such a block depends on: their motions remain
+//! uncertain.
 //!
-//! The expanded program is run once. Where its motions differ all the same, there is no expansion.
+//! The expanded program is run once. If its motions still differ, there is no expansion.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write;
@@ -32,14 +32,14 @@ use crate::text::block::{Block, BlockKind, Value, Word};
 use crate::text::parser::{Parser, Resume};
 use crate::units::{Diameter, Unit};
 
-/// Expands a program; as it was typed where it has no expansion.
+/// Expands a program; returns it unchanged if it has no expansion.
 pub fn expand(text: &[u8], setup: &Setup) -> String {
     let mut run = Run::new(text.to_vec(), setup.clone()).traced();
     while !run.advance(usize::MAX) {}
     write_out(text, &run.into_analysis()).unwrap_or_else(|| String::from_utf8_lossy(text).into_owned())
 }
 
-/// Expands a program whose run kept its blocks. `None` where the expanded program would make other motions.
+/// Expands a program whose run recorded a trace. `None` if the expanded program would make other motions.
 pub fn write_out(text: &[u8], analysis: &Analysis) -> Option<String> {
     let mut setup = analysis.setup.clone();
     if analysis.decides_decimal {
@@ -57,12 +57,12 @@ pub fn write_out(text: &[u8], analysis: &Analysis) -> Option<String> {
     (as_typed != expanded && makes_same(&as_typed)).then_some(as_typed)
 }
 
-/// What becomes of a cycle whose moves are all uncertain.
+/// How to handle a cycle whose moves are all uncertain.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Uncertain {
-    /// It is expanded to incremental moves, after which the place is as uncertain as before.
+    /// Expand it to incremental moves; the position after it is as uncertain as before.
     Expanded,
-    /// It stays as it was typed.
+    /// Keep it as typed.
     AsTyped,
 }
 
@@ -71,8 +71,7 @@ fn unchecked(text: &[u8], analysis: &Analysis, uncertain: Uncertain) -> String {
     let rule = Dialect::new(&analysis.setup.dialect).decimal;
     let mut out = as_typed.out;
     if as_typed.any_written {
-        // Numbers with a point and numbers without one in one program look like a
-        // slip, and may be read as one.
+        // Numbers with and without a point in one program look like a mistake, and may be read as one.
         out = write_with(text, analysis, Points::Everywhere(rule), uncertain).out;
     }
     if analysis.concludes_inches
@@ -81,7 +80,7 @@ fn unchecked(text: &[u8], analysis: &Analysis, uncertain: Uncertain) -> String {
         out.insert_str(end_of_head(&out), "(DIALECT UNIT=INCH)\n");
     }
     if analysis.decides_decimal && provenance::numbers(out.as_bytes()).rule() != rule {
-        // The numbers that showed the rule are expanded.
+        // The numbers that showed the rule have been expanded.
         let name = match rule {
             DecimalRule::LeastIncrement => "LEASTINCREMENT",
             DecimalRule::Calculator => "CALCULATOR",
@@ -91,13 +90,13 @@ fn unchecked(text: &[u8], analysis: &Analysis, uncertain: Uncertain) -> String {
     out
 }
 
-/// One past the lines with `%` and the program number that a text begins with.
+/// The end of the `%` line and the program number line at the beginning of a text.
 fn end_of_head(text: &str) -> usize {
     let is_head = |line: &&str| line.starts_with(['%', 'O', 'o']) && line.ends_with('\n');
     text.split_inclusive('\n').take(2).take_while(is_head).map(str::len).sum()
 }
 
-/// Whether two programs make the same motions, up to the rounding of an expanded program.
+/// Whether two programs make the same motions, within the rounding of an expanded program.
 fn same_motions(before: &Motions, after: &Motions) -> bool {
     let (mut before, mut after) = (before.iter().peekable(), after.iter().peekable());
     loop {
@@ -114,7 +113,7 @@ fn same_motions(before: &Motions, after: &Motions) -> bool {
     }
 }
 
-/// Whether rounding to 0.001 mm may leave nothing of a move.
+/// Whether a move may vanish when rounded to 0.001 mm.
 fn may_be_lost(motion: &Motion) -> bool {
     const SHORT: f64 = 2.5e-3;
     motion.kind != MotionKind::Dwell && motion.rotary.is_none() && motion.length() < SHORT
@@ -234,7 +233,7 @@ fn write_with<'a>(
     for (index, executed) in trace.iter().enumerate() {
         let end = read(text, executed.at, &mut block);
         let range = own[index].clone();
-        // What stands after THEN is a block of its own; a macro statement with values writes to a table.
+        // The statement after THEN is a block itself; a macro statement with values writes to a table.
         let words = |values: &&str| block.kind == BlockKind::Words || !values.starts_with('#');
         if let Some(values) = executed.values.as_deref().filter(words) {
             with_values(&mut block, values);
@@ -245,13 +244,13 @@ fn write_with<'a>(
         });
         writer.mode = mode.unwrap_or(executed.mode);
         let is_last = index + 1 == trace.len();
-        // A block may end the text without a line end, and still be followed by others.
+        // The last block of the text may lack a line end, and other blocks may still be executed after it.
         if index > 0 && !writer.out.ends_with(['\n', ';', '\r']) {
             writer.out.push('\n');
         }
         writer.follow(&executed.before, Units::OfProgram);
         let leaves = trace.get(index + 1).map_or(*executed.ready, |next| *next.before);
-        // A program number within a program would end it: those of subprograms become remarks.
+        // A program number inside a program would end it, so those of subprograms become comments.
         let is_called = jumps && index > 0 && block.program.is_some();
         let refused = kept[index] && executed.failed && range.is_empty();
         let mut is_copied = false;
@@ -259,7 +258,7 @@ fn write_with<'a>(
             writer.remark(&block);
             writer.comments(&block);
         } else if is_called && range.is_empty() {
-            // `O2 G55`: its codes hold.
+            // `O2 G55`: its codes still apply.
             writer.write(&block, executed, range.clone(), leaves);
         } else if executed.steers && !refused && !(is_last && ends_main(&block)) {
             writer.steer(&block, executed, range.clone(), leaves);
@@ -293,7 +292,7 @@ fn write_with<'a>(
             writer.comments_between(contour);
         }
         writer.out.push_str(&String::from_utf8_lossy(&text[passed..until.max(passed)]));
-        // What lies before the next block was deleted, or comes after the end of the program.
+        // The text up to the next block was deleted, or comes after the end of the program.
         let next = trace.get(index + 1).map_or(text.len(), |next| next.at.byte as usize);
         if !jumps {
             writer.out.push_str(&String::from_utf8_lossy(&text[until..next.max(until)]));
@@ -302,15 +301,15 @@ fn write_with<'a>(
     writer
 }
 
-/// Reads the block at a place; one past its last byte.
+/// Reads the block at a position; returns its end.
 fn read(text: &[u8], at: Resume, block: &mut Block) -> u32 {
     let mut parser = Parser::resume(text, at);
     parser.next_block(block);
     parser.position().byte
 }
 
-/// The motions of each block that was carried out. Motions may wait for a later block, but keep their order;
-/// where a block is carried out again, what came before belongs to the first time.
+/// The motions of each executed block. Motions may be delayed by a later block, but keep their order. If a
+/// block is executed again, the motions before that belong to its first execution.
 pub(crate) fn motions_of(trace: &[Executed], motions: &Motions) -> Vec<Range<usize>> {
     let mut limits = Vec::new();
     if trace.iter().zip(trace.iter().skip(1)).any(|(one, next)| next.at.byte <= one.at.byte) {
@@ -334,17 +333,17 @@ pub(crate) fn motions_of(trace: &[Executed], motions: &Motions) -> Vec<Range<usi
     own
 }
 
-/// The block as it was carried out: its words with values in place of expressions.
+/// Replaces the words of a block by its words with values in place of expressions.
 fn with_values(block: &mut Block, values: &str) {
     let mut own = Block::default();
     Parser::new(values.as_bytes()).next_block(&mut own);
-    // The words are looked at for their letters and values only; their places are those of the block.
+    // Only letters and values of the words are used; their span is that of the block.
     let span = block.words_span();
     block.kind = BlockKind::Words;
     block.words = own.words.iter().map(|word| Word { span, ..*word }).collect();
 }
 
-/// M99 alone, as a main program ends.
+/// Whether the block is M99 alone, as at the end of a main program.
 fn ends_main(block: &Block) -> bool {
     block.kind == BlockKind::Words
         && block.words.iter().any(|word| word.address == b'M' && plain(word) == Some(99.0))
@@ -356,65 +355,64 @@ struct Writer<'a> {
     out: String,
     motions: &'a Motions,
     list: CodeList,
-    /// The code of group 01 of the block under way.
+    /// The code of group 01 of the current block.
     mode: MotionMode,
-    /// The code of group 01 in force at the end of the written text.
+    /// The code of group 01 at the end of the written text.
     written: MotionMode,
     feed: Option<f64>,
-    /// The lead that E, or I on GSK, gives at the end of the written text, mm; none after an F.
+    /// The lead set by E, or by I on GSK, at the end of the written text, mm; `None` after an F.
     lead: Option<f64>,
     inch: bool,
     /// G91 of systems B and C.
     incremental: bool,
-    /// Between G12.1 and G13.1, on a cylinder, or in a plane of Y: nothing is expanded there.
+    /// Whether the tool is between G12.1 and G13.1, on a cylinder, or in a plane with Y: nothing is expanded
+    /// there.
     in_plane: bool,
-    /// The machine has a Y axis.
     has_y: bool,
-    /// The block before was expanded to moves of the path: the start of this one may have moved.
+    /// Whether the previous block was expanded to moves, so that the start of this one may have moved.
     moved_start: bool,
-    /// The block under way turns C by H.
+    /// Whether the current block turns C by H.
     turns_by_way: bool,
-    /// A contour cycle could not run: first blocks are kept, for its sake.
+    /// Whether a contour cycle could not run: first blocks are then kept, because it needs them.
     any_failed: bool,
-    /// Feed, spindle and tool as the text written so far leaves them; of the feed, G98 or G99 alone counts.
+    /// Feed, spindle and tool at the end of the written text; of the feed, only G98 or G99 is used.
     process: Option<Process>,
     points: Points,
-    /// Moves were expanded.
+    /// Whether moves were expanded.
     any_written: bool,
 }
 
-/// How the lengths of copied moves are written.
+/// The format of lengths in copied moves.
 #[derive(Clone, Copy)]
 enum Points {
     AsTyped,
-    /// With a point. The rule: what those without one count.
+    /// With a decimal point. The rule gives the unit of those typed without one.
     Everywhere(DecimalRule),
 }
 
-/// The units in force where something is written.
+/// The units in force at the current position of the output.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Units {
-    /// Those the program has chosen.
+    /// The units chosen by the program.
     OfProgram,
-    /// Millimetres, whatever the program has chosen.
+    /// Millimetres, regardless of the program.
     Millimetres,
 }
 
 impl Writer<'_> {
-    /// The G codes of a block.
     fn codes<'b>(&self, block: &'b Block) -> impl Iterator<Item = G> + use<'b> {
         let list = self.list;
         block.words.iter().filter_map(move |word| code(word, list))
     }
 
-    /// Whether a block is one of those between G12.1 and G13.1, or on a cylinder.
+    /// Whether a block is between G12.1 and G13.1, or on a cylinder.
     fn is_in_plane(&self, own: &Range<usize>) -> bool {
         let moved = own.clone().next().map(|index| self.motions.get(index).rotary);
         moved.map_or(self.in_plane, |rotary| rotary.is_some_and(|rotary| rotary.virtual_move.is_some()))
     }
 
-    /// The blocks that stay as they were typed: each block that was not carried out, with those before and after
-    /// it that one modal state connects, down to where everything is certain.
+    /// The blocks that stay as typed: each block that was not executed, and the blocks before and after it
+    /// that share modal state with it, up to the next settled block.
     fn kept_blocks(&mut self, trace: &[Executed], own: &[Range<usize>], uncertain: Uncertain) -> Vec<bool> {
         let mut kept = vec![false; trace.len()];
         let mut block = Block::default();
@@ -468,7 +466,7 @@ impl Writer<'_> {
         kept
     }
 
-    /// Whether what the words of a block do depends on the code of group 01 in force.
+    /// Whether the words of a block depend on the current code of group 01.
     fn goes_by_code(&self, block: &Block) -> bool {
         let has_own = |code| {
             matches!(
@@ -496,7 +494,8 @@ impl Writer<'_> {
         block.kind == BlockKind::Words && block.words.iter().any(moves) && !self.codes(block).any(has_own)
     }
 
-    /// Writes the modal words that a copied block depends on, where others are in force at the end of the written text.
+    /// Writes the modal words that a copied block depends on, if others are in force at the end of the
+    /// written text.
     fn restore(
         &mut self,
         block: &Block,
@@ -525,7 +524,7 @@ impl Writer<'_> {
             true => goes_by_code || last.is_some(),
             false => last.as_ref().is_some_and(|last| last.kind.cuts()),
         };
-        // A thread expanded before left its lead as F.
+        // A thread that was expanded before has written its lead as F.
         let in_force = self.lead.filter(|_| lead.is_some()).or(self.feed);
         match (executed.ready.feed, feed) {
             (Feed::PerMinute(feed) | Feed::PerTurn(feed), _) if has(b'F') => self.set_feed(feed),
@@ -541,13 +540,13 @@ impl Writer<'_> {
         }
     }
 
-    /// F is written: a lead by another word is over.
+    /// Sets the feed after an F, which ends a lead set by another word.
     fn set_feed(&mut self, feed: f64) {
         self.feed = Some(feed);
         self.lead = None;
     }
 
-    /// Whether a block is more than plain moves.
+    /// Whether a block is more than plain moves, so that it must be rewritten.
     fn must_write(&self, block: &Block, executed: &Executed, own: Range<usize>) -> bool {
         if block.kind != BlockKind::Words || block.is_broken() || self.is_in_plane(&own) {
             return false;
@@ -563,12 +562,13 @@ impl Writer<'_> {
             return false;
         }
         if own.is_empty() {
-            // A first block of a cycle sets only what the expansion of the cycle uses.
+            // The first block of a two-block cycle only sets values that the expansion has used.
             let word = |address: u8| block.words.iter().any(|word| word.address == address);
             let first = multiple
                 .is_some_and(|cycle| cycle == codes::Multiple::Threading || !(word(b'P') || word(b'Q')));
             let hole = self.codes(block).any(|code| matches!(code, G::Hole(_)));
-            // The control ignores words without an axis while such a code is in force; G00 or G01 would read them.
+            // The control ignores words without an axis while such a code is in force, but G00 or G01 would
+            // execute them.
             let is_path = matches!(executed.mode, MotionMode::Rapid | MotionMode::Line | MotionMode::Arc(_));
             let ignored = (executed.context == Context::Cycle || !is_path) && self.goes_by_code(block);
             return (first && !self.any_failed) || compensates || hole || ignored;
@@ -585,7 +585,7 @@ impl Writer<'_> {
                 return true;
             }
             let word = |address: u8| block.words.iter().any(|word| word.address == address);
-            // A rounding may use its move up, and leave nothing but its arc.
+            // A rounding may consume the whole move and leave only its arc.
             let straight = motion.kind == MotionKind::Feed
                 || motion.kind.cuts() && motion.center.is_some() && self.mode == MotionMode::Line;
             rounds |= straight && (word(b'R') || word(b'I') || word(b'K'));
@@ -593,12 +593,12 @@ impl Writer<'_> {
         cornered || rounds || compensates
     }
 
-    /// Whether C is an axis in some motions.
+    /// Whether C moves as an axis in any of the motions.
     fn turns(&self, own: &Range<usize>) -> bool {
         own.clone().any(|index| self.motions.get(index).rotary.is_some())
     }
 
-    /// Keeps in mind what a block that is copied switches.
+    /// Records the modal codes of a copied block.
     fn watch(&mut self, block: &Block) {
         for code in self.codes(block).collect::<Vec<_>>() {
             match code {
@@ -615,7 +615,7 @@ impl Writer<'_> {
         }
     }
 
-    /// A plain block as it was typed, or with its values.
+    /// Copies a plain block as typed, or with its values.
     fn copy(&mut self, block: &Block, bytes: Option<Range<usize>>, values: Option<&str>, own: Range<usize>) {
         let lengths = self.lengths_of(block, own.clone());
         self.watch(block);
@@ -624,7 +624,7 @@ impl Writer<'_> {
         }
         let remark = block.faults.iter().any(|fault| fault.message.is::<said::TextAfterSemicolon>());
         if remark && self.out.ends_with('\n') {
-            // Prose after a `;` is a remark only on the line of its block, which was expanded.
+            // Text after a `;` counts as a comment only on the line of its block, which was expanded.
             self.comments(block);
             return;
         }
@@ -634,7 +634,7 @@ impl Writer<'_> {
                 self.out.push_str(&written);
             }
             (None, values) => {
-                // Values of expressions have points.
+                // Values of expressions have a decimal point.
                 self.any_written |= !own.is_empty();
                 let values = values.unwrap_or_default().as_bytes();
                 let mut own = Block::default();
@@ -646,8 +646,7 @@ impl Writer<'_> {
         }
     }
 
-    /// The letters of a copied block whose numbers get a point: those of the lengths,
-    /// where all it does is to move.
+    /// The letters of a copied block whose numbers get a decimal point: the lengths, if the block only moves.
     fn lengths_of(&self, block: &Block, own: Range<usize>) -> &'static [u8] {
         let path = |code| {
             matches!(
@@ -671,11 +670,11 @@ impl Writer<'_> {
         {
             return b"";
         }
-        // I, K and R of a thread are not on its way.
+        // I, K and R of a thread are not lengths of its path.
         if kinds().any(|(kind, _)| kind == MotionKind::Thread) { b"XZUW" } else { b"XZUWIKR" }
     }
 
-    /// A part of a text, the lengths among its words with a point.
+    /// Part of a text, with a decimal point added to the lengths among its words.
     fn with_points(&self, text: &[u8], part: Range<usize>, words: &[Word], lengths: &[u8]) -> String {
         let mut out = String::new();
         let mut done = part.start;
@@ -705,8 +704,8 @@ impl Writer<'_> {
         out
     }
 
-    /// Writes what leads from the feed, spindle and tool of the text so far to those of the program, each on
-    /// a line of its own: what blocks of a contour command, and the turning back of a tap.
+    /// Writes the changes from the feed, spindle and tool of the written text to those of the program, each
+    /// on a separate line. They come from blocks of a contour, or from the reversal after tapping.
     fn follow(&mut self, process: &Process, units: Units) {
         let Some(now) = self.process.replace(*process) else { return };
         let unit = if self.inch { Unit::Inch } else { Unit::Millimetre };
@@ -729,7 +728,7 @@ impl Writer<'_> {
             });
         }
         if now.turn != process.turn {
-            // It stops before it turns back.
+            // The spindle stops before it reverses.
             if now.turn != SpindleTurn::Stopped {
                 lines.push("M05".to_owned());
             }
@@ -747,7 +746,7 @@ impl Writer<'_> {
         };
         if let Some(mode) = mode {
             lines.push(mode.to_owned());
-            // F counts in another unit from here on, and is named again.
+            // The unit of F changes here, so F must be written again.
             self.feed = None;
         }
         if lines.is_empty() {
@@ -756,7 +755,7 @@ impl Writer<'_> {
         if !self.out.is_empty() && !self.out.ends_with(['\n', '\r']) {
             self.out.push('\n');
         }
-        // A cutting speed was given in feet, and as a whole number.
+        // The cutting speed was given in feet, as a whole number.
         let in_feet = self.inch && units == Units::Millimetres && now.speed != process.speed;
         if in_feet {
             self.line(self.unit_code(Unit::Inch));
@@ -778,17 +777,17 @@ impl Writer<'_> {
         }
     }
 
-    /// A block that steers the program, as a remark; its own moves are expanded.
+    /// Writes a block that controls the program flow as a comment; expands its moves.
     fn steer(&mut self, block: &Block, executed: &Executed, own: Range<usize>, leaves: Process) {
         let values = executed.values.as_deref();
         if let Some(values) = values.filter(|_| block.kind == BlockKind::Macro && own.is_empty()) {
-            // The tables of the control are written to as before.
+            // Still write to the tables of the control.
             self.line(values);
         } else if block.kind == BlockKind::Macro && own.is_empty() {
             self.remark(block);
             self.comments(block);
         } else if !own.is_empty() && self.is_in_plane(&own) {
-            // Its move, as it is, and its call as a remark.
+            // Keep the move as it is, and the call as a comment.
             self.remark(block);
             self.comments(block);
             let is_call =
@@ -812,7 +811,7 @@ impl Writer<'_> {
         }
     }
 
-    /// What a block says, as a remark.
+    /// Writes a block as a comment.
     fn remark(&mut self, block: &Block) {
         let number = block.sequence.map_or_else(String::new, |_| sequence_as_written(self.text, block));
         let head = block.program.map(|(_, span)| span.to(block.words_span()));
@@ -828,7 +827,7 @@ impl Writer<'_> {
         let _ = writeln!(self.out, "{delete}{number}({})", source.trim());
     }
 
-    /// A block as plain moves. `leaves`: feed, spindle and tool after it.
+    /// Writes a block as plain moves. `leaves`: feed, spindle and tool after it.
     fn write(&mut self, block: &Block, executed: &Executed, own: Range<usize>, leaves: Process) {
         let mut before = String::new();
         let mut after = String::new();
@@ -840,7 +839,7 @@ impl Writer<'_> {
                 _ if codes::is_passage(word) => continue,
                 (b'M', Some(0.0 | 1.0 | 2.0 | 5.0 | 9.0 | 25.0 | 30.0)) => &mut after,
                 (b'M' | b'S' | b'T', _) => &mut before,
-                // It names the frame of G54.1.
+                // P selects the frame of G54.1.
                 (b'P', _) if self.codes(block).any(|code| code == G::ExtendedFrame) => &mut before,
                 (b'G', _) => match code(word, self.list) {
                     Some(
@@ -868,7 +867,7 @@ impl Writer<'_> {
         self.line(&before);
         let counted = self.process.replace(*executed.ready).map(|process| discriminant(&process.feed));
         if counted != Some(discriminant(&executed.ready.feed)) {
-            // G98 or G99 of the block itself: F counts in another unit, and is named again.
+            // G98 or G99 in the block itself: the unit of F changes, so F must be written again.
             self.feed = None;
         }
         let (inch, incremental) = (self.inch && !own.is_empty(), self.incremental && !own.is_empty());
@@ -902,7 +901,7 @@ impl Writer<'_> {
             }
             self.motion(&motion);
         }
-        // M05 of the block itself comes after its moves.
+        // An M05 in the block itself takes effect after its moves.
         let stops = block.words.iter().any(|word| word.address == b'M' && plain(word) == Some(5.0));
         let behind = Process { turn: if stops { executed.ready.turn } else { leaves.turn }, ..leaves };
         self.follow(&behind, if inch { Units::Millimetres } else { Units::OfProgram });
@@ -921,7 +920,7 @@ impl Writer<'_> {
         }
     }
 
-    /// G28 or G30 from where the tool stands; `code` as it was typed.
+    /// Writes G28 or G30 from the current tool position; `code` as typed.
     fn go_home(&mut self, block: &Block, code: &str, motion: &Motion) {
         let names = |letters: &[u8]| block.words.iter().any(|word| letters.contains(&word.address));
         let mut home = code.trim().to_owned();
@@ -943,7 +942,7 @@ impl Writer<'_> {
         }
     }
 
-    /// The comments of a block, each on a line of its own.
+    /// Writes the comments of a block, each on a separate line.
     fn comments(&mut self, block: &Block) {
         for comment in &block.comments {
             let quoted: String = comment
@@ -955,7 +954,7 @@ impl Writer<'_> {
         }
     }
 
-    /// The comments of a part of the text that was ignored.
+    /// Writes the comments in an ignored part of the text.
     fn comments_between(&mut self, part: Range<usize>) {
         let mut parser = Parser::resume(&self.text[..part.end], Resume::inside(part.start as u32, 0));
         let mut block = Block::default();
@@ -964,7 +963,7 @@ impl Writer<'_> {
         }
     }
 
-    /// A motion as a block.
+    /// Writes a motion as a block.
     fn motion(&mut self, motion: &Motion) {
         if let Some(seconds) = motion.seconds {
             let _ = writeln!(self.out, "G04 X{}", decimal(seconds));
@@ -977,7 +976,7 @@ impl Writer<'_> {
         let _ = write!(self.out, "{code} {x}{way} {z}{}", decimal(motion.to.z - from.z));
         if let Some(rotary) = motion.rotary {
             let _ = match self.turns_by_way {
-                // H makes C an axis; without M45 the C of a cut is a chamfer.
+                // H makes C an axis; without M45, C in a cut is a chamfer.
                 true => write!(self.out, " H{}", decimal(rotary.to - rotary.from)),
                 false => write!(self.out, " C{}", decimal(rotary.to)),
             };
@@ -1008,7 +1007,7 @@ impl Writer<'_> {
         };
     }
 
-    /// The code of group 01 as it is written; `None` for cycles, which need more than their code.
+    /// The G code of a mode of group 01; `None` for cycles, which need more than their code.
     fn code_of_mode(&self, mode: MotionMode) -> Option<&'static str> {
         Some(match mode {
             MotionMode::Rapid => "G00",
@@ -1023,7 +1022,7 @@ impl Writer<'_> {
         })
     }
 
-    /// The code of group 01 that makes a motion.
+    /// The code of group 01 for a motion; `None` if there is none.
     fn code_of(&self, motion: &Motion) -> Option<&'static str> {
         Some(match motion.kind {
             MotionKind::Rapid => "G00",
@@ -1037,7 +1036,7 @@ impl Writer<'_> {
     }
 }
 
-/// Whether a block makes a motion that is uncertain.
+/// Whether a block makes an uncertain motion.
 fn is_uncertain(own: &Range<usize>, motions: &Motions) -> bool {
     own.clone().any(|index| motions.get(index).process.uncertain)
 }
@@ -1049,7 +1048,7 @@ fn code(word: &Word, list: CodeList) -> Option<G> {
     codes::g_code(tenths, list).map(|found| found.code)
 }
 
-/// The sequence number of a block as it was typed, with a blank after it.
+/// The sequence number of a block as typed, followed by a blank.
 fn sequence_as_written(text: &[u8], block: &Block) -> String {
     let quoted = block.span.quote(text);
     let from = quoted.find(['N', 'n']).unwrap_or(0);
@@ -1057,7 +1056,7 @@ fn sequence_as_written(text: &[u8], block: &Block) -> String {
     format!("N{digits} ")
 }
 
-/// The F that belongs to a motion: the lead of a thread.
+/// The F of a motion; for a thread, its lead.
 fn feed_of(motion: &Motion) -> Option<f64> {
     match (motion.kind, motion.lead, motion.process.feed) {
         (MotionKind::Thread, Some(lead), _) => Some(lead),
@@ -1066,17 +1065,17 @@ fn feed_of(motion: &Motion) -> Option<f64> {
     }
 }
 
-/// A length with a point, to a thousandth: `20.`, `-0.5`.
+/// A length with a decimal point, to a thousandth: `20.`, `-0.5`.
 fn decimal(value: f64) -> String {
     trimmed(format!("{value:.3}"))
 }
 
-/// A speed, which has no point where it is a whole number.
+/// A speed; without a decimal point if it is a whole number.
 fn whole(value: f64) -> String {
     trimmed(format!("{value:.5}")).trim_end_matches('.').to_owned()
 }
 
-/// The same to a hundred-thousandth, for feeds and leads.
+/// A number to a hundred-thousandth, for feeds and leads.
 fn fine_decimal(value: f64) -> String {
     trimmed(format!("{value:.5}"))
 }

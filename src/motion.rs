@@ -1,8 +1,8 @@
 //! The motion list: what the tool tip does, in order, as a structure of arrays.
 //!
 //! In: motions pushed one by one by the interpreter. Out: columns that can be handed over without copying.
-//! Motions live in [`Chunk`]s; every place in the source is kept relative to the chunk's own first block, so
-//! that text inserted before a chunk moves the chunk's base and nothing else. Knows nothing of G-code words.
+//! Motions live in [`Chunk`]s. Every place in the source is relative to the first block of its chunk, so text
+//! inserted before a chunk changes only the base of the chunk. Knows nothing of G-code words.
 
 use std::ops::Range;
 use std::sync::atomic::{AtomicU64, Ordering};
@@ -17,7 +17,7 @@ use crate::source::shift::Shift;
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[repr(u8)]
 pub enum MotionKind {
-    /// Rapid traverse, no cut intended.
+    /// Rapid traverse, without cutting.
     Rapid = 0,
     /// Straight cut at feed.
     Feed = 1,
@@ -36,7 +36,7 @@ impl MotionKind {
     pub const ALL: [MotionKind; 6] =
         [Self::Rapid, Self::Feed, Self::ArcClockwise, Self::ArcCounterclockwise, Self::Thread, Self::Dwell];
 
-    /// The kind of an arc.
+    /// The kind of an arc with the given direction.
     pub fn of_turn(turn: Turn) -> Self {
         match turn {
             Turn::Clockwise => Self::ArcClockwise,
@@ -94,7 +94,7 @@ pub enum Cycle {
     SideBoring = 19,
 }
 
-/// What cycles have in common, for whoever decides by the kind of work.
+/// Cycles grouped by the kind of work, for code that does not need the exact cycle.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum CycleFamily {
     /// One cut along or across the axis in each pass: G90, G94.
@@ -112,7 +112,7 @@ pub enum CycleFamily {
 }
 
 impl Cycle {
-    /// What it has in common with others.
+    /// The family of the cycle.
     pub fn family(self) -> CycleFamily {
         match self {
             Self::Turning | Self::Facing => CycleFamily::Turning,
@@ -177,7 +177,7 @@ impl Cycle {
     ];
 }
 
-/// The part of a cycle a motion plays.
+/// The step of a cycle that a motion belongs to.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[repr(u8)]
 pub enum Step {
@@ -191,7 +191,7 @@ pub enum Step {
     Retract = 4,
     /// Back to the start point of the cycle, or of the next pass.
     Return = 5,
-    /// From the start point to where the passes begin.
+    /// From the start point to the beginning of the passes.
     Approach = 6,
     /// At 45° away from the wall at the end of a pass.
     Escape = 7,
@@ -236,14 +236,14 @@ impl Step {
     }
 }
 
-/// Which cycle, which pass and which part of it a motion belongs to.
+/// The cycle, pass and step that a motion belongs to.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct CycleStep {
     /// The cycle.
     pub cycle: Cycle,
     /// Pass from 1, counted while the cycle stays modal.
     pub pass: u32,
-    /// The part of the pass.
+    /// The step of the pass.
     pub step: Step,
 }
 
@@ -259,7 +259,7 @@ pub enum Feed {
 }
 
 impl Feed {
-    /// From here on a feed per revolution is one in the other unit, mm/rev.
+    /// A feed per revolution of at least this value, mm/rev, is assumed to be in the other unit.
     pub const OF_OTHER_UNIT: f64 = 20.0;
 }
 
@@ -278,16 +278,16 @@ pub enum SpindleSpeed {
 /// Which way the spindle turns.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum SpindleTurn {
-    /// M05.
+    /// Not turning (M05).
     Stopped,
-    /// M03.
+    /// Forward (M03).
     Forward,
-    /// M04.
+    /// Reverse (M04).
     Reverse,
 }
 
 impl SpindleTurn {
-    /// The other way; a stopped spindle has none.
+    /// The opposite direction; a stopped spindle stays stopped.
     pub fn reversed(self) -> Self {
         match self {
             Self::Stopped => Self::Stopped,
@@ -297,18 +297,19 @@ impl SpindleTurn {
     }
 }
 
-/// Where the quill of the tailstock is, as far as the program has said (M25, M26 of seed 002's machine).
+/// Position of the tailstock quill, as far as the program has set it (M25 and M26 on the machine of seed
+/// 002).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Quill {
-    /// Nothing was said so far.
+    /// Not set so far.
     Unsaid,
-    /// M25.
+    /// Extended (M25).
     Forward,
-    /// M26.
+    /// Retracted (M26).
     Back,
 }
 
-/// Everything about a motion that seldom changes from one to the next.
+/// The state of a motion that seldom changes from one motion to the next.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Process {
     /// Feed in force.
@@ -323,41 +324,41 @@ pub struct Process {
     pub lowest: Option<f64>,
     /// Turret station and offset number of the T word in force.
     pub tool: (u16, u16),
-    /// Where the quill of the tailstock is.
+    /// Position of the tailstock quill.
     pub quill: Quill,
-    /// Something that it depends on is not known: an earlier block could not be carried out.
+    /// Whether the motion depends on something unknown, because an earlier block could not be executed.
     pub uncertain: bool,
-    /// An earlier block could not be carried out: what is left of the material is not known.
+    /// Whether an earlier block could not be executed, so that the remaining material is not known.
     pub incomplete: bool,
-    /// On the other end of the part, or in another work frame than the first cut whose zero is not given: a second
-    /// clamping, or the sub spindle.
+    /// Whether the motion is on the other end of the part, or in a work frame other than that of the first
+    /// cut and with an unknown zero: a second clamping, or the sub spindle.
     pub elsewhere: bool,
-    /// M05 stopped the spindle and nothing is known to turn a tool: a bar puller, a gripper, a stop. Unlike a
-    /// [stopped](SpindleTurn::Stopped) spindle before any M03, it removes nothing.
+    /// Whether the spindle is stopped (M05) and no tool is known to be driven: a bar puller, a gripper, a
+    /// stop. Unlike with a [stopped](SpindleTurn::Stopped) spindle before the first M03, such a motion
+    /// removes nothing.
     pub still: bool,
     /// The work coordinate system in force: 0 to 5 for G54 to G59, 6 for G54.1 P1.
     pub frame: u16,
-    /// Offset from programmed to workpiece coordinates, mm; zero where it is unknown. See [`Motion::on_workpiece`].
+    /// Offset from programmed to workpiece coordinates, mm; zero if unknown. See [`Motion::on_workpiece`].
     pub zero: Point,
 }
 
 impl Process {
-    /// Whether a cut removes material at a known place of the first clamping.
+    /// Whether a cut removes material at a known position of the first clamping.
     pub fn removes_material(&self) -> bool {
         !self.uncertain && !self.elsewhere && !self.still
     }
 }
 
-/// What most questions about a motion need of it; quicker than all of it.
+/// The most frequently used properties of a motion; faster to get than the whole motion.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Glance {
-    /// What kind of motion.
     pub kind: MotionKind,
-    /// Where it begins.
+    /// Start point.
     pub from: Point,
-    /// Where it ends.
+    /// End point.
     pub to: Point,
-    /// A canned cycle makes it.
+    /// Whether the motion belongs to a canned cycle.
     pub is_of_cycle: bool,
     /// Turret station in force.
     pub station: u16,
@@ -368,25 +369,25 @@ pub struct Glance {
 /// A move as it was programmed, before compensation.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Programmed {
-    /// Where it begins.
+    /// Start point.
     pub from: Point,
-    /// Where it ends.
+    /// End point.
     pub to: Point,
-    /// Centre, of arcs only; they turn as the motion does.
+    /// Centre, for arcs only; the direction is that of the motion.
     pub center: Option<Point>,
 }
 
-/// Whether the operator can let a program run through a stop.
+/// Whether the operator can make the program skip a stop.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum StopKind {
-    /// M00.
+    /// Unconditional (M00).
     Always,
-    /// M01: while the switch for optional stops is on.
+    /// Optional (M01): stops only while the switch for optional stops is on.
     Optional,
 }
 
 impl StopKind {
-    /// Its code.
+    /// The M code.
     pub fn code(self) -> &'static str {
         match self {
             Self::Always => "M00",
@@ -395,62 +396,63 @@ impl StopKind {
     }
 }
 
-/// The program waits for the operator before a motion.
+/// A stop: the program waits for the operator before a motion.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Stop {
-    /// Whether it can be ignored.
+    /// Whether the stop is optional.
     pub kind: StopKind,
-    /// Bytes of its block.
+    /// Bytes of the block.
     pub span: Span,
     /// Line of the block, from 0.
     pub line: u32,
 }
 
 impl Stop {
-    /// Moves its place along, when the text before it has changed.
+    /// Adjusts the place after a change of the text before it.
     pub fn shift(&mut self, shift: &Shift) {
         self.line = shift.line(self.line, self.span.start);
         self.span = shift.span(self.span);
     }
 }
 
-/// What the C axis does in a motion. Angles are degrees, not brought back to one turn.
+/// The movement of the C axis in a motion. Angles are degrees, not reduced to one turn.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Rotary {
-    /// Where C stands before it.
+    /// C at the start.
     pub from: f64,
-    /// Where it ends.
+    /// C at the end.
     pub to: f64,
-    /// What a degree counts in the feed, mm: 1 under G21, 25.4 under G20 (FANUC B-64304EN, feed of rotary axes).
+    /// The feed distance of one degree, mm: 1 under G21, 25.4 under G20 (FANUC B-64304EN, feed of rotary
+    /// axes).
     pub degree: f64,
-    /// The move as it was programmed under polar or cylindrical interpolation; the motion's own points are
-    /// then those of the machine.
+    /// The move as programmed under polar or cylindrical interpolation; the points of the motion itself are
+    /// then machine positions.
     pub virtual_move: Option<VirtualMove>,
 }
 
-/// One motion as a value: what is pushed and what is read back.
+/// One motion as a value, to push or to read.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Motion {
-    /// What kind it is.
+    /// The kind of motion.
     pub kind: MotionKind,
-    /// Where the tip stands before it; in the work frame in force, like `to`.
+    /// Position of the tip at the start, in the current work frame, like `to`.
     pub from: Point,
-    /// Where it ends.
+    /// End point.
     pub to: Point,
-    /// Arc centre, of arcs only.
+    /// Arc centre, for arcs only.
     pub center: Option<Point>,
-    /// Thread lead, mm/rev along the long axis; of threads and the other motions of a thread cycle.
+    /// Thread lead, mm/rev along the longer axis; for threads and the other motions of a thread cycle.
     pub lead: Option<f64>,
-    /// By how much the lead grows in each revolution of the spindle (K of G34), mm.
+    /// Increase of the lead per revolution of the spindle (K of G34), mm.
     pub lead_change: Option<f64>,
-    /// How far the spindle turns past its zero mark before the first move of a thread begins (Q of G32, G34 and G92),
-    /// degrees. 0 for a move that continues a thread.
+    /// Angle past the zero mark of the spindle at which the first move of a thread begins (Q of G32, G34 and
+    /// G92), degrees. 0 for a move that continues a thread.
     pub start_angle: f64,
-    /// Seconds the tool waits, of dwells only.
+    /// Dwell time in seconds, for dwells only.
     pub seconds: Option<f64>,
-    /// What the program says, when nose radius compensation leads the tip elsewhere.
+    /// The programmed path, if tool nose radius compensation changes it.
     pub programmed: Option<Programmed>,
-    /// The C axis, of motions it takes part in.
+    /// The movement of the C axis, if it takes part.
     pub rotary: Option<Rotary>,
     /// The cycle it belongs to.
     pub cycle: Option<CycleStep>,
@@ -459,7 +461,7 @@ pub struct Motion {
 }
 
 impl Motion {
-    /// The true arc of an arc motion in the plane of turning.
+    /// The true arc of an arc motion, in the turning plane.
     pub fn arc(&self) -> Option<Arc> {
         let turn = match self.kind {
             MotionKind::ArcClockwise => Turn::Clockwise,
@@ -469,30 +471,30 @@ impl Motion {
         Some(Arc { start: self.from, end: self.to, center: self.center?, turn })
     }
 
-    /// Whether nothing but C turns while the tool stands.
+    /// Whether only C moves while the tool stays in place.
     pub fn is_turn(&self) -> bool {
         self.rotary.is_some_and(|rotary| rotary.virtual_move.is_none())
     }
 
-    /// How far C turns in the plane of turning, in mm of the feed.
+    /// How far C turns in the turning plane, in mm of feed.
     pub fn turned(&self) -> f64 {
         let turned = self.rotary.filter(|rotary| rotary.virtual_move.is_none());
         turned.map_or(0.0, |rotary| rotary.degree * (rotary.to - rotary.from).abs())
     }
 
-    /// Length of the longer axis, mm: along it a lead counts.
+    /// Length along the longer axis, mm; the lead refers to this axis.
     pub fn longer_axis(&self) -> f64 {
         (self.from.x - self.to.x).abs().max((self.from.z - self.to.z).abs())
     }
 
-    /// The lead with which a thread ends, mm: n turns are F·n + K·n²/2 long.
+    /// The lead at the end of a thread, mm: n revolutions are F·n + K·n²/2 long.
     pub fn last_lead(&self) -> Option<f64> {
         let lead = self.lead?;
         let change = self.lead_change.filter(|&change| change != 0.0);
         Some(change.map_or(lead, |change| (lead * lead + 2.0 * change * self.longer_axis()).max(0.0).sqrt()))
     }
 
-    /// The lead of a thread, mm; the mean one where it changes.
+    /// The lead of a thread, mm; the mean if it changes.
     pub fn mean_lead(&self) -> Option<f64> {
         Some(f64::midpoint(self.lead?, self.last_lead()?))
     }
@@ -502,26 +504,27 @@ impl Motion {
         Some(self.longer_axis() / self.mean_lead()?.abs()).filter(|turns| turns.is_finite())
     }
 
-    /// Share of the way, 0 to 1, after this number of revolutions, in a motion that is locked to the spindle.
+    /// The fraction of the path, 0 to 1, after `turns` revolutions, for a motion that is locked to the
+    /// spindle.
     pub fn share_after(&self, turns: f64) -> Option<f64> {
         let way = self.lead? * turns + self.lead_change.unwrap_or(0.0) * turns * turns / 2.0;
         Some(way / self.longer_axis()).filter(|share| share.is_finite())
     }
 
-    /// The move under polar or cylindrical interpolation that the program asks for.
+    /// The move as programmed under polar or cylindrical interpolation.
     pub fn virtual_move(&self) -> Option<VirtualMove> {
         self.rotary?.virtual_move
     }
 
-    /// The same cut on the side of +X, where the tool works on the side of −X: the work turns, so it removes the same.
-    /// A facing that goes a little past the axis stays as it is.
+    /// Mirrors a cut on the −X side to +X. The workpiece rotates, so the same material is removed. A facing
+    /// cut that goes a little past the axis is returned unchanged.
     pub fn on_positive_side(self) -> Motion {
         const PAST_AXIS: f64 = 2.0;
         // The radius of the thinnest pin that is turned there, mm.
         const THINNEST: f64 = 0.5;
         let (from, to) = (self.from, self.to);
-        // Past the axis a facing tool only comes from the other side or goes back there. One that goes along the work or away
-        // from the axis turns a pin.
+        // A facing tool past the axis only arrives from the +X side or returns to it. A tool that moves along
+        // the part or away from the axis turns a pin.
         let goes_on = to.x < from.x - SAME || to.z < from.z - SAME && to.x <= SAME;
         let turns = from.x <= -THINNEST && goes_on;
         if from.x + to.x >= 0.0 || from.x.min(to.x) >= -PAST_AXIS && !(turns && self.kind.cuts()) {
@@ -530,7 +533,7 @@ impl Motion {
         self.mirrored(|at| Point::new(-at.x, at.z))
     }
 
-    /// The motion in a mirror that takes points `over`; arcs turn the other way.
+    /// The motion mirrored by the function `over`, which maps points; arcs change their direction.
     pub fn mirrored(self, over: impl Fn(Point) -> Point) -> Motion {
         let kind = match self.kind {
             MotionKind::ArcClockwise => MotionKind::ArcCounterclockwise,
@@ -540,7 +543,7 @@ impl Motion {
         Motion { kind, from: over(self.from), to: over(self.to), center: self.center.map(over), ..self }
     }
 
-    /// The same motion in the coordinates of the frame of the first cut (workpiece coordinates).
+    /// The motion in the coordinates of the frame of the first cut (workpiece coordinates).
     pub fn on_workpiece(mut self) -> Motion {
         let by = std::mem::take(&mut self.process.zero);
         if by == Point::default() {
@@ -549,7 +552,7 @@ impl Motion {
         (self.from, self.to) = (self.from.moved(by), self.to.moved(by));
         self.center = self.center.map(|center| center.moved(by));
         if let Some(programmed) = &mut self.programmed {
-            // In a virtual plane these are its points.
+            // In a virtual plane, the programmed points are points of the plane.
             let own = self.rotary.and_then(|rotary| rotary.virtual_move);
             let by = own.map_or(by, |own| own.surface.enter(by, 0.0, 0.0).0);
             programmed.from = programmed.from.moved(by);
@@ -563,14 +566,14 @@ impl Motion {
         self
     }
 
-    /// The same motion along the programmed path, if compensation leads it elsewhere.
+    /// The motion along the programmed path, if compensation changes it.
     pub fn as_programmed(&self) -> Option<Motion> {
-        // In a virtual plane its points are those of the plane.
+        // In a virtual plane, the programmed points are points of the plane.
         let Programmed { from, to, center } = self.programmed.filter(|_| self.rotary.is_none())?;
         Some(Motion { from, to, center, programmed: None, ..*self })
     }
 
-    /// The part of it up to the fraction `share` of the way.
+    /// The part of the motion up to the fraction `share` of its path.
     pub fn first_part(&self, share: f64) -> Motion {
         let seconds = self.seconds.map(|seconds| share * seconds);
         if let Some(own) = self.virtual_move() {
@@ -584,13 +587,13 @@ impl Motion {
         }
         let rotary = self.rotary.map(|own| Rotary { to: own.from + share * (own.to - own.from), ..own });
         let to = self.arc().map_or_else(|| self.between(share), |arc| arc.at(share));
-        // An arc that comes back to its start is a full circle.
+        // An arc that returns to its start is a full circle.
         let center = self.center.filter(|_| !to.is_same(self.from));
         let kind = if self.center.is_some() && center.is_none() { MotionKind::Feed } else { self.kind };
         Motion { kind, to, center, rotary, seconds, ..*self }
     }
 
-    /// The point at the fraction `share` of the straight way from its start to its end.
+    /// The point at the fraction `share` of the straight line from start to end.
     pub fn between(&self, share: f64) -> Point {
         let Motion { from, to, .. } = self;
         Point::new(from.x + share * (to.x - from.x), from.z + share * (to.z - from.z))
@@ -606,18 +609,18 @@ impl Motion {
     }
 }
 
-/// A block of the source that made motions: bytes and line, relative to its chunk.
+/// The place of a block that made motions: bytes and line, relative to the chunk.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 struct BlockPlace {
-    /// First byte, from the chunk's first byte; before it where the program jumped back.
+    /// First byte, relative to the first byte of the chunk; negative if the program jumped back.
     start: i32,
-    /// Bytes of the block.
+    /// Length in bytes.
     len: u32,
-    /// Line, from the chunk's first line.
+    /// Line, relative to the first line of the chunk.
     line: i32,
 }
 
-/// Where what a motion has beside its kind and end stands in the tables of its chunk.
+/// Indices into the tables of the chunk, for the data of a motion other than its kind and end point.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 struct Row {
     /// Index into `blocks`.
@@ -633,60 +636,62 @@ struct Row {
 /// No entry in a side table.
 const NONE: u32 = u32::MAX;
 
-/// A work frame that the control has left.
+/// A work frame that the program has left.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LeftFrame {
     /// As [`Process::frame`].
     pub frame: u16,
-    /// Machine place minus work place in it, mm.
+    /// Machine position minus work position in this frame, mm.
     pub offset: Point,
 }
 
-/// A run of motions with the places of the blocks that made them.
+/// A sequence of motions with the places of the blocks that made them.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Chunk {
-    /// Where the chunk begins in the text: its blocks are placed from this byte on.
+    /// Start of the chunk in the text: the places of its blocks are relative to this byte.
     pub base: u32,
-    /// The line (from 0) of that byte.
+    /// The line (from 0) of `base`.
     pub first_line: u32,
-    /// Where the tip stands before the first motion.
+    /// Position of the tip before the first motion.
     start: Point,
-    /// A block before the chunk could not be carried out.
+    /// Whether a block before the chunk could not be executed.
     incomplete: bool,
-    /// Before the first cut: a work frame that was left, with the number of motions before that. See [`Chunk::place_on_workpiece`].
+    /// Work frames left before the first cut, each with the number of motions before the change. See
+    /// [`Chunk::place_on_workpiece`].
     left: Vec<(usize, LeftFrame)>,
-    /// Motions before whose start the frame changed: they begin here, not where the last one ended.
+    /// Start points of motions that follow a change of the frame: they do not start where the previous motion
+    /// ended.
     starts: Vec<(u32, Point)>,
-    /// Compensated motions as they were programmed.
+    /// The programmed paths of compensated motions.
     programmed: Vec<(u32, Programmed)>,
-    /// Motions that C takes part in.
+    /// Motions in which C takes part.
     rotary: Vec<(u32, Rotary)>,
     /// Threads whose lead changes.
     lead_changes: Vec<(u32, f64)>,
-    /// Threads that begin past the zero mark of the spindle.
+    /// Threads that start past the zero mark of the spindle.
     start_angles: Vec<(u32, f64)>,
     /// Motions before which the program stops.
     stops: Vec<(u32, (StopKind, BlockPlace))>,
     kind: Vec<u8>,
-    /// End point, radius in mm.
+    /// X of the end point, radius in mm.
     x: Vec<f64>,
-    /// End point, mm.
+    /// Z of the end point, mm.
     z: Vec<f64>,
     rows: Vec<Row>,
     blocks: Vec<BlockPlace>,
     processes: Vec<Process>,
-    /// Zero of one of them is not that of the workpiece.
+    /// Whether any process has a zero other than that of the workpiece.
     is_moved: bool,
     centers: Vec<Point>,
     numbers: Vec<f64>,
 }
 
 impl Chunk {
-    /// Bytes of a motion that is the only one of its block, and nothing but a line.
+    /// Bytes of a linear motion that is the only one of its block.
     pub const BYTES_PER_MOTION: usize =
         size_of::<u8>() + 2 * size_of::<f64>() + size_of::<Row>() + size_of::<BlockPlace>();
 
-    /// A chunk without motions whose places count from byte `base` on line `first_line` (from 0).
+    /// A chunk without motions, whose places are relative to byte `base` on line `first_line` (from 0).
     pub fn new(base: u32, first_line: u32, start: Point) -> Self {
         Self {
             base,
@@ -712,12 +717,12 @@ impl Chunk {
         }
     }
 
-    /// Says whether a block before the chunk could not be carried out.
+    /// Sets whether a block before the chunk could not be executed.
     pub fn set_incomplete(&mut self, incomplete: bool) {
         self.incomplete = incomplete;
     }
 
-    /// Moves the places of all blocks along, when the text before them has changed.
+    /// Adjusts the places of all blocks after a change of the text before them.
     pub fn shift(&mut self, shift: &Shift) {
         self.first_line = shift.line(self.first_line, self.base);
         self.base = shift.byte(self.base);
@@ -728,7 +733,7 @@ impl Chunk {
         self.kind.len()
     }
 
-    /// Indices of the motions that compensation leads away from the programmed path.
+    /// Indices of the motions whose path is changed by compensation.
     pub fn compensated(&self) -> impl Iterator<Item = usize> + '_ {
         self.programmed.iter().map(|(index, _)| *index as usize)
     }
@@ -738,22 +743,22 @@ impl Chunk {
         self.kind.is_empty()
     }
 
-    /// Kinds, as the numbers of [`MotionKind`].
+    /// Kinds, as the discriminants of [`MotionKind`].
     pub fn kinds(&self) -> &[u8] {
         &self.kind
     }
 
-    /// End points: radius, mm.
+    /// X of the end points: radius, mm.
     pub fn xs(&self) -> &[f64] {
         &self.x
     }
 
-    /// End points: length, mm.
+    /// Z of the end points, mm.
     pub fn zs(&self) -> &[f64] {
         &self.z
     }
 
-    /// Whether C, Y and cycles take no part in its motions.
+    /// Whether all motions are plain turning, without C, Y and cycles.
     pub fn only_turns(&self) -> bool {
         self.rotary.is_empty() && self.rows.iter().all(|row| row.cycle == 0)
     }
@@ -785,7 +790,7 @@ impl Chunk {
         }
     }
 
-    /// Adds a motion that is nothing but a move along a line or an arc.
+    /// Adds a plain linear or circular move.
     #[inline]
     #[allow(clippy::too_many_arguments, reason = "the columns of a row")]
     pub fn push_move(
@@ -802,7 +807,7 @@ impl Chunk {
         self.push_on(kind, from, to, center, span, line);
     }
 
-    /// Feed, spindle and tool of the motions that are [pushed on](Chunk::push_on).
+    /// Sets feed, spindle and tool for the motions that are [pushed next](Chunk::push_on).
     pub fn begin_process(&mut self, process: &Process) {
         if self.processes.last() != Some(process) {
             self.processes.push(*process);
@@ -810,7 +815,7 @@ impl Chunk {
         }
     }
 
-    /// Adds a move of the process that was begun last.
+    /// Adds a move with the process that was set last.
     pub fn push_on(
         &mut self,
         kind: MotionKind,
@@ -842,9 +847,9 @@ impl Chunk {
         self.rows.push(Row { block, cycle: 0, process, detail });
     }
 
-    /// Makes room for as many motions as another chunk has.
+    /// Reserves space for as many motions as another chunk has.
     pub fn reserve_as(&mut self, other: &Self) {
-        // A block more, which may make several.
+        // One block more, which may make several motions.
         let motions = other.len() + other.len() / 32;
         self.kind.reserve_exact(motions);
         self.x.reserve_exact(motions);
@@ -853,7 +858,8 @@ impl Chunk {
         self.blocks.reserve_exact(other.blocks.len());
     }
 
-    /// Leaves a work frame before the first cut, which says where the workpiece is.
+    /// Records a work frame that is left before the first cut; the first cut determines the position of the
+    /// workpiece.
     pub fn leave_frame(&mut self, left: LeftFrame) {
         let motions = self.kind.len();
         if motions > self.left.last().map_or(0, |before| before.0) {
@@ -861,15 +867,15 @@ impl Chunk {
         }
     }
 
-    /// G50 X Z: the coordinates of the tip grow by `by`; neither it nor the workpiece moves.
+    /// Handles G50 X Z: the coordinates of the tip increase by `by`; neither the tip nor the workpiece moves.
     pub fn rename(&mut self, by: Point) {
         for (_, left) in &mut self.left {
             left.offset = left.offset.moved(by.opposite());
         }
     }
 
-    /// The first cut says where the workpiece is: places the motions in frames that were left before it. `zero`: the
-    /// zero of a frame on the workpiece, where that is known.
+    /// Places the motions in frames that were left before the first cut; the first cut determines the
+    /// position of the workpiece. `zero` returns the zero of a frame on the workpiece, if it is known.
     #[cold]
     pub fn place_on_workpiece(&mut self, zero: impl Fn(LeftFrame) -> Option<Point>) {
         let current = self.processes.last().copied();
@@ -893,17 +899,17 @@ impl Chunk {
             }
             first = end;
         }
-        // What is pushed next is of the process that was begun last.
+        // The next motions belong to the process that was set last.
         self.processes.extend(current.filter(|own| self.processes.last() != Some(own)));
     }
 
-    /// The program stops before the motion that is pushed next.
+    /// Records a stop before the motion that is pushed next.
     pub fn stop(&mut self, stop: &Stop) {
         let place = self.place(stop.span, stop.line);
         self.stops.push((self.kind.len() as u32, (stop.kind, place)));
     }
 
-    /// The stops of the program, each with the index of the motion before which it is.
+    /// The stops of the program, each with the index of the motion after it.
     pub fn stops(&self) -> impl Iterator<Item = (usize, Stop)> + '_ {
         self.stops.iter().map(|&(index, (kind, place))| {
             (index as usize, Stop { kind, span: self.span_of(place), line: self.line_of(place) })
@@ -937,7 +943,7 @@ impl Chunk {
         self.get(index).on_workpiece()
     }
 
-    /// The gist of the motion at `index`.
+    /// The [`Glance`] at the motion at `index`.
     #[inline]
     pub fn glance(&self, index: usize) -> Glance {
         let process = self.own_process(index);
@@ -951,20 +957,20 @@ impl Chunk {
         }
     }
 
-    /// What kind the motion at `index` is.
+    /// The kind of the motion at `index`.
     #[inline]
     pub fn kind(&self, index: usize) -> MotionKind {
         MotionKind::ALL[self.kind[index] as usize]
     }
 
-    /// Whether the motion at `index` may be wrong, see [`Process::uncertain`].
+    /// Whether the motion at `index` may be wrong; see [`Process::uncertain`].
     #[inline]
     pub fn is_uncertain(&self, index: usize) -> bool {
         self.own_process(index).uncertain
     }
 
-    /// The ends, in the coordinates of the workpiece, of a straight motion that C takes no part in, as most are; quicker than
-    /// [`Chunk::get_on_workpiece`].
+    /// The end points, in workpiece coordinates, of a straight motion without C (the most frequent kind);
+    /// faster than [`Chunk::get_on_workpiece`].
     #[inline]
     pub fn straight_on_workpiece(&self, index: usize) -> Option<(Point, Point)> {
         let straight = matches!(self.kind(index), MotionKind::Rapid | MotionKind::Feed | MotionKind::Thread);
@@ -1018,7 +1024,7 @@ impl Chunk {
         look_up(&self.starts, index).unwrap_or_else(|| self.end_before(index))
     }
 
-    /// Where the motion before the one at `index` ends; where the chunk starts, for the first.
+    /// The end of the motion before `index`; for the first motion, the start of the chunk.
     #[inline]
     fn end_before(&self, index: usize) -> Point {
         match index {
@@ -1028,7 +1034,7 @@ impl Chunk {
     }
 }
 
-/// The entry of a motion in a table of few, sorted by index.
+/// The entry of a motion in a sparse table that is sorted by index.
 fn look_up<T: Copy>(table: &[(u32, T)], index: usize) -> Option<T> {
     if table.is_empty() {
         return None;
@@ -1040,9 +1046,9 @@ fn look_up<T: Copy>(table: &[(u32, T)], index: usize) -> Option<T> {
 #[derive(Clone, Debug, Default)]
 pub struct Motions {
     chunks: Vec<Chunk>,
-    /// For each chunk a number that no other chunk of this process has.
+    /// The id of each chunk, unique within this process.
     ids: Vec<u64>,
-    /// Motions before each chunk.
+    /// Number of motions before each chunk.
     before: Vec<usize>,
     len: usize,
 }
@@ -1063,13 +1069,13 @@ impl Motions {
         &self.chunks
     }
 
-    /// For each chunk a number that no other chunk has. A chunk keeps it when text before it moves it along,
-    /// so what was worked out from its motions need not be worked out again.
+    /// The unique id of each chunk. A chunk keeps its id when an edit before it only shifts it, so results
+    /// computed from its motions stay valid.
     pub fn ids(&self) -> &[u64] {
         &self.ids
     }
 
-    /// Motions before each chunk.
+    /// Number of motions before each chunk.
     pub fn before(&self) -> &[usize] {
         &self.before
     }
@@ -1083,7 +1089,7 @@ impl Motions {
         }
     }
 
-    /// Takes the chunks from index `chunks` on out.
+    /// Removes and returns the chunks from index `chunks` on.
     pub fn split_off(&mut self, chunks: usize) -> Self {
         let mut rest = Self::default();
         self.len = self.before.get(chunks).copied().unwrap_or(self.len);
@@ -1094,7 +1100,7 @@ impl Motions {
         rest
     }
 
-    /// Adds the chunks of another list at the end, with their numbers. `change` may move each along.
+    /// Appends the chunks of another list and keeps their ids. `change` may adjust each chunk.
     pub fn append(&mut self, other: Self, mut change: impl FnMut(usize, &mut Chunk)) {
         for (index, (mut chunk, id)) in other.chunks.into_iter().zip(other.ids).enumerate() {
             change(index, &mut chunk);
@@ -1120,13 +1126,13 @@ impl Motions {
         self.get(index).on_workpiece()
     }
 
-    /// The gist of the motion at `index`.
+    /// The [`Glance`] at the motion at `index`.
     pub fn glance(&self, index: usize) -> Glance {
         let (chunk, at) = self.locate(index);
         chunk.glance(at)
     }
 
-    /// What kind the motion at `index` is.
+    /// The kind of the motion at `index`.
     pub fn kind(&self, index: usize) -> MotionKind {
         let (chunk, at) = self.locate(index);
         chunk.kind(at)
@@ -1144,7 +1150,7 @@ impl Motions {
         chunk.line(at)
     }
 
-    /// The stops before motions of a range, each with the motion before which it is.
+    /// The stops before the motions of a range, each with the index of the motion after it.
     pub fn stops(&self, range: Range<usize>) -> impl Iterator<Item = (usize, Stop)> + '_ {
         let first = self.before.partition_point(|&before| before <= range.start).saturating_sub(1);
         let chunks = self.chunks[first..].iter().zip(&self.before[first..]);
@@ -1164,12 +1170,12 @@ impl Motions {
         self.iter().map(Motion::on_workpiece)
     }
 
-    /// What is said of the quill of the tailstock, in order; what is said again stands there again.
+    /// The settings of the tailstock quill, in order, including repeated ones.
     pub fn quills(&self) -> impl Iterator<Item = Quill> + '_ {
         self.chunks.iter().flat_map(|chunk| chunk.processes.iter().map(|process| process.quill))
     }
 
-    /// The first motion after a block that could not be carried out.
+    /// The first motion after a block that could not be executed.
     pub fn first_incomplete(&self) -> Option<usize> {
         let found =
             self.chunks.iter().zip(&self.before).find(|(chunk, _)| {
@@ -1180,7 +1186,7 @@ impl Motions {
         Some(before + (0..chunk.len()).find(own)?)
     }
 
-    /// The first cut that is [elsewhere](Process::elsewhere), and how many there are.
+    /// The first cut that is [elsewhere](Process::elsewhere), and the number of such cuts.
     pub fn cuts_elsewhere(&self) -> Option<(usize, usize)> {
         let mut first = None;
         let mut count = 0;
@@ -1196,7 +1202,7 @@ impl Motions {
         first.map(|first| (first, count))
     }
 
-    /// Cuts that are uncertain.
+    /// Number of uncertain cuts.
     pub fn uncertain_cuts(&self) -> usize {
         let chunks = self.chunks.iter().filter(|chunk| chunk.processes.iter().any(|own| own.uncertain));
         let cuts = |chunk: &Chunk, index: &usize| chunk.is_uncertain(*index) && chunk.kind(*index).cuts();
@@ -1209,7 +1215,7 @@ impl Motions {
     }
 }
 
-/// The same motions of the same blocks.
+/// Two lists are equal if they have the same motions of the same blocks; chunk ids are ignored.
 impl PartialEq for Motions {
     fn eq(&self, other: &Self) -> bool {
         self.chunks == other.chunks

@@ -1,7 +1,7 @@
-//! One run of a program from its text to motions and messages, in slices that can be spread over time.
+//! One run of a program, from its text to motions and messages, in slices that can be spread over time.
 //!
-//! In: the bytes of a program and a setup. Out: an [`Analysis`]. Knows the order of the stages, nothing of
-//! what they do.
+//! In: the bytes of a program and a setup. Out: an [`Analysis`]. Knows the order of the stages, but not what
+//! they do.
 
 pub(crate) mod edit;
 mod gathered;
@@ -38,45 +38,46 @@ use crate::units::Unit;
 use edit::{Checkpoint, PreviousRun};
 use repeated::FaultyBlocks;
 
-/// What a program does and what is to be said of it.
+/// The result of a run: what the program does, and the messages about it.
 #[derive(Clone, Debug, Default)]
 pub struct Analysis {
     /// All motions in order.
     pub motions: Motions,
-    /// All messages in order of their place.
+    /// All messages, sorted by place.
     pub diagnostics: Vec<Diagnostic>,
-    /// Blocks read, those that are run again included; empty ones are not counted.
+    /// Blocks read, including repeated ones; empty blocks are not counted.
     pub blocks: usize,
-    /// The blocks carried out, in order, if the run kept them.
+    /// The executed blocks, in order, if the run recorded a trace.
     pub trace: Vec<Executed>,
     /// The G codes the program was read with.
     pub codes: CodeList,
-    /// The setup it was run under: the one handed in, with what the text adds, and the decimal rule decided.
+    /// The setup of the run: the given one, with the additions of the text and the decimal rule that was
+    /// decided.
     pub setup: Setup,
-    /// The text decided the decimal rule, not the setup.
+    /// Whether the decimal rule was inferred from the text rather than set by the setup.
     pub decides_decimal: bool,
-    /// The text was concluded to be in inches, without a code that says so.
+    /// Whether inches were inferred from the text, without a code that selects them.
     pub concludes_inches: bool,
     /// The unit of length at the end of the program.
     pub unit: Unit,
-    /// Tools and blank, once somebody has asked for them.
+    /// Tools and blank; computed on first use.
     resolved: OnceLock<ResolvedSetup>,
 }
 
 impl Analysis {
-    /// Tools and blank: given by the setup, or concluded from the motions. They are worked out at the first
-    /// call and kept, so setup and motions must not change after that.
+    /// Tools and blank: given by the setup, or inferred from the motions. Computed on the first call and
+    /// cached, so setup and motions must not change after that.
     pub fn resolved_setup(&self) -> &ResolvedSetup {
         self.resolved.get_or_init(|| ResolvedSetup::new(&self.motions, &self.setup))
     }
 
-    /// The program at the machine, with all its material off.
+    /// Simulates the machining of the whole program.
     pub fn simulate(&self) -> SimulationResult {
         SimulationResult::of_resolved(self.resolved_setup().clone(), &self.motions, &self.setup)
     }
 
-    /// Adds what is to be reported about what happens at the machine: what runs into what, where a blank or a
-    /// machine is given to hold it against, and which tools are not known.
+    /// Adds the messages about the machine: collisions, where a blank or a machine is given to check against,
+    /// and unknown tools.
     pub fn check_at_machine(&mut self) {
         if detector::can_be_found(&self.setup) {
             let simulation = self.simulate();
@@ -108,93 +109,92 @@ pub fn analyze(text: &[u8], setup: &Setup) -> Analysis {
     run.into_analysis()
 }
 
-/// A change of the text.
+/// A change to the text.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct TextEdit {
-    /// First byte that is taken out.
+    /// First byte to remove.
     pub start: usize,
-    /// One past the last byte that is taken out.
+    /// One past the last byte to remove.
     pub end: usize,
-    /// What is put there.
+    /// The replacement.
     pub insert: Vec<u8>,
 }
 
-/// Distinguishes a run from every other one of this process.
+/// Identifies a run; unique within this process.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub struct RunId(u64);
 
 impl RunId {
-    /// One that no run has had.
+    /// A new, unused id.
     fn next() -> Self {
         static NEXT: AtomicU64 = AtomicU64::new(0);
         Self(NEXT.fetch_add(1, Ordering::Relaxed))
     }
 }
 
-/// A run under way.
+/// A run in progress.
 pub struct Run {
-    /// Another one after each edit.
+    /// Changes with each edit.
     id: RunId,
     text: Vec<u8>,
     interpreter: Interpreter,
-    /// The block under way; a faulty one may be kept in `faulty` as well.
+    /// The current block; a faulty one may be kept in `faulty` as well.
     block: Arc<Block>,
     at: Resume,
-    /// Blocks read.
     blocks: usize,
-    /// First byte of each O program met, by number.
+    /// First byte of each O program read so far, by number.
     programs: BTreeMap<u32, u32>,
     recognised: Recognised,
-    /// The setup that was handed in, to which the text may add.
+    /// The setup from the caller; the text may add to it.
     given: Setup,
-    /// What the text adds.
+    /// The additions of the text to the setup.
     notes: Notes,
-    /// What numbers without a point count, where the setup leaves it to the program. It is decided once, for
-    /// a text that is handed in; what is typed after that does not change it.
+    /// The unit of numbers without a decimal point, if the setup leaves it to the program. Decided once, when
+    /// a text is loaded; later edits do not change it.
     decided: Option<DecimalRule>,
-    /// What the numbers of the text show, once they are looked at.
+    /// The decimal evidence in the text, once its numbers have been examined.
     numbers: Option<DecimalEvidence>,
-    /// Messages reported before the first block.
+    /// Number of messages reported before the first block.
     of_setup: usize,
-    /// The lints were loaded when it began.
+    /// Whether the lints were loaded when the run began.
     has_lints: bool,
-    /// A part of the module that it needed and that had not been loaded.
+    /// A part of the module that the run needed but that was not loaded.
     missing: Option<Part>,
-    /// How often the block of each value that is tried was met.
+    /// For each value that is tried, how often its block has been reached.
     tried: Vec<u32>,
-    /// Something of the main program was carried out.
+    /// Whether a block of the main program has been executed.
     begun: bool,
-    /// The main program ended; what is left is only read, for its mistakes.
+    /// Whether the main program has ended; the rest of the text is only checked for errors.
     ended: bool,
     finished: bool,
-    /// It was ended early.
+    /// Whether the run was stopped early.
     stopped: bool,
-    /// All messages in order of their place, once it has ended.
+    /// All messages sorted by place, once the run has ended.
     sorted: Vec<Diagnostic>,
-    /// Snapshots on the way, in order.
+    /// Snapshots of the run, in order.
     checkpoints: Vec<Checkpoint>,
-    /// Blocks read when the next one is to be made at the latest.
+    /// Number of blocks read by which the next snapshot must be taken.
     due: usize,
-    /// The run before the edit, until its rest is taken over.
+    /// The run before the edit, until this run joins it and takes over its remaining results.
     previous: Option<PreviousRun>,
-    /// The byte where it may be met next.
+    /// The next byte at which this run may join the previous one.
     meeting: u32,
-    /// Faulty blocks of this text, read after a jump.
+    /// Faulty blocks of this text that were read after a jump.
     faulty: FaultyBlocks,
 }
 
-/// Which control a text was written for, as far as that can be determined.
+/// The control a text was written for, as far as it can be recognised.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 struct Recognised {
     foreign: Option<Foreign>,
     system: Option<(GSystem, Span)>,
-    /// The word that shows inches, where no code names the unit.
+    /// The word that shows inches, if no code selects the unit.
     inches: Option<Span>,
 }
 
 impl Recognised {
-    /// What of a text counts under a setup that may leave less open; `None` where the part that can say so has not
-    /// been loaded.
+    /// Recognises control, G-code system and unit of a text, except those that the setup fixes. `None` if the
+    /// part that recognises them is not loaded.
     fn of(text: &[u8], look: Look, dialect: &DialectChoice) -> Option<Self> {
         let (may_be_foreign, has_system) = (dialect.recognise != Some(false), dialect.g_system.is_some());
         let is_unknown = look.is_unusual && (may_be_foreign || !has_system);
@@ -211,14 +211,14 @@ impl Recognised {
 }
 
 impl Run {
-    /// Begins a run. Where the setup leaves the decimal rule to the program, it is decided
-    /// here, for all edits to come.
+    /// Begins a run. If the setup leaves the decimal rule to the program, it is decided here and kept for all
+    /// later edits.
     pub fn new(text: Vec<u8>, given: Setup) -> Self {
         Self::begin(text, given, None)
     }
 
-    /// Begins a run of a text whose decimal rule has been decided before: it holds where the setup
-    /// leaves the rule to the program.
+    /// Begins a run of a text whose decimal rule was decided before; `rule` applies if the setup leaves it to
+    /// the program.
     pub fn with_decimal_rule(text: Vec<u8>, given: Setup, rule: DecimalRule) -> Self {
         Self::begin(text, given, Some(rule))
     }
@@ -230,7 +230,7 @@ impl Run {
         let limits = setup.limits;
         let is_open = setup.dialect.decimal.unwrap_or_default() == DecimalChoice::Auto;
         let decides = is_open && before.is_none();
-        // The numbers beyond the head are read only to decide by them.
+        // Numbers after the head are examined only to decide the decimal rule.
         let look = if decides { provenance::look(&text) } else { provenance::look_at_head(&text) };
         let numbers = decides.then_some(look.numbers);
         let decided = before.or(numbers.map(|numbers| numbers.rule())).filter(|_| is_open);
@@ -307,23 +307,23 @@ impl Run {
         run
     }
 
-    /// The setup as it was given, with what comments of the program say; what is wrong in it is still there.
+    /// The given setup with the additions from comments of the program; invalid values are still in it.
     pub fn as_given(&self) -> Setup {
         self.notes.applied_to(self.given.clone())
     }
 
-    /// What numbers without a decimal point count in this run.
+    /// The unit of numbers without a decimal point in this run.
     pub fn decimal_rule(&self) -> DecimalRule {
         self.interpreter.dialect().decimal
     }
 
-    /// The rule that was decided for the program; nothing where the setup says which one holds.
+    /// The decimal rule that was decided for the program; `None` if the setup fixes it.
     pub fn decided_rule(&self) -> Option<DecimalRule> {
         self.decided
     }
 
-    /// The setup as it was given, with the decimal rule that was decided for the program: whoever runs
-    /// the text once more reads its numbers as this run does.
+    /// The given setup with the decimal rule that was decided for the program, so that another run of the
+    /// text reads its numbers in the same way.
     pub fn setup_to_repeat(&self) -> Setup {
         let mut setup = self.given.clone();
         if let Some(rule) = self.decided {
@@ -332,31 +332,30 @@ impl Run {
         setup
     }
 
-    /// Begins a run of the same text under another setup. A decimal rule that was
-    /// decided for the program stays.
+    /// Begins a run of the same text with another setup. Keeps a decimal rule that was decided for the
+    /// program.
     pub fn set_setup(&mut self, given: Setup) {
         *self = Self::begin(self.take_text(), given, self.decided);
     }
 
-    /// A part of the module that the program needs, or what it says of its setup, and that had not been loaded when
-    /// it was met: nothing that
-    /// came of the run can be used.
+    /// A part of the module that was needed but not loaded, by the program or by its comments about the
+    /// setup. If there is one, the results of the run are unusable.
     pub fn missing(&self) -> Option<Part> {
         self.missing.or_else(|| self.interpreter.missing())
     }
 
-    /// Whether something has been loaded since that the run lacks: a part it needs, or the lints.
+    /// Whether a part that the run lacks has been loaded since: a part it needed, or the lints.
     pub fn is_outdated(&self) -> bool {
         self.missing().is_some_and(Part::is_loaded) || !self.has_lints && LINTS.is_loaded()
     }
 
-    /// Begins again, with what has been loaded since.
+    /// Restarts the run with the parts loaded since.
     pub fn begin_again(&mut self) {
         *self = Self::begin(self.take_text(), self.given.clone(), self.decided);
     }
 
-    /// Decides the decimal rule anew, for the text as it is now, and begins again where it is another one.
-    /// True: it has begun again.
+    /// Decides the decimal rule again, for the current text, and restarts the run if the rule changes.
+    /// Returns whether it restarted.
     pub fn decide_again(&mut self) -> bool {
         let Some(before) = self.decided else { return false };
         let rule = provenance::numbers(&self.text).rule();
@@ -367,16 +366,14 @@ impl Run {
         true
     }
 
-    /// What is to be reported about numbers without a decimal point; nothing where
-    /// nothing has to be reported.
+    /// The message about numbers without a decimal point, if one is due.
     pub fn decimal_message(&self) -> Option<Diagnostic> {
         let (bare, rule) = (self.bare_number()?, self.decimal_rule());
         let message = bare.message(rule, words::quote(&self.text, bare.span));
         Some(Diagnostic::new(message, bare.span))
     }
 
-    /// A number of the text that shows what numbers without a point count; nothing
-    /// where none has to be reported.
+    /// A number of the text that shows the decimal rule, if a message about it is due.
     fn bare_number(&self) -> Option<NumberWithoutPoint> {
         let numbers = self.numbers.unwrap_or_else(|| provenance::numbers(&self.text));
         match self.decimal_rule() {
@@ -386,18 +383,18 @@ impl Run {
         }
     }
 
-    /// What comments of the program say of the setup.
+    /// The additions to the setup from comments of the program.
     pub fn notes(&self) -> &Notes {
         &self.notes
     }
 
-    /// The same run, which keeps the blocks it carries out.
+    /// The same run, recording a trace of its executed blocks.
     pub fn traced(mut self) -> Self {
         self.interpreter.keep_trace();
         self
     }
 
-    /// Runs at most so many blocks; true once the run has ended.
+    /// Runs at most `blocks` blocks; returns true once the run has ended.
     pub fn advance(&mut self, blocks: usize) -> bool {
         if self.finished {
             return true;
@@ -442,7 +439,7 @@ impl Run {
                 }
                 Flow::End if !self.ended => {
                     self.ended = true;
-                    // What was jumped over is read for its mistakes as well.
+                    // Read the blocks that were jumped over too, to check them for errors.
                     if self.interpreter.has_wandered() {
                         parser = Parser::new(&text);
                     }
@@ -461,7 +458,7 @@ impl Run {
         self.finished
     }
 
-    /// Reads the next block; false at the end of the text.
+    /// Reads the next block; returns false at the end of the text.
     #[inline]
     fn next_block(&mut self, parser: &mut Parser<'_>) -> bool {
         if self.interpreter.has_wandered() && READS_FAULTS.is_loaded() {
@@ -471,7 +468,7 @@ impl Run {
         }
     }
 
-    /// The block to read into: its storage is reused, unless it is kept.
+    /// The block to read into. Its storage is reused unless someone else still holds the block.
     fn block_to_read(&mut self) -> &mut Block {
         if Arc::get_mut(&mut self.block).is_none() {
             self.block = Arc::default();
@@ -479,7 +476,7 @@ impl Run {
         Arc::make_mut(&mut self.block)
     }
 
-    /// Executes at most `most` plain lines, up to the place where a snapshot is due; returns their number.
+    /// Executes at most `most` plain lines, stopping where a snapshot is due; returns their number.
     #[inline]
     fn plain_lines(&mut self, parser: &mut Parser, most: usize) -> usize {
         if !self.begun || self.ended || !self.tried.is_empty() {
@@ -490,7 +487,7 @@ impl Run {
         plain
     }
 
-    /// Ends the run early and says so.
+    /// Ends the run early and reports that.
     pub fn stop(&mut self, seconds: f64) {
         if !self.finished {
             let at = self.at.byte as usize;
@@ -500,12 +497,12 @@ impl Run {
         }
     }
 
-    /// Share of the text that is read, 0 to 1.
+    /// The fraction of the text that has been read, 0 to 1.
     pub fn progress(&self) -> f64 {
         if self.finished { 1.0 } else { f64::from(self.at.byte) / self.text.len().max(1) as f64 }
     }
 
-    /// Which run it is.
+    /// The id of the run.
     pub fn id(&self) -> RunId {
         self.id
     }
@@ -520,7 +517,7 @@ impl Run {
         &self.text
     }
 
-    /// The text, taken out of a run that is not needed any more.
+    /// Takes the text out of a run that is no longer needed.
     pub fn take_text(&mut self) -> Vec<u8> {
         self.finished = true;
         std::mem::take(&mut self.text)
@@ -541,48 +538,48 @@ impl Run {
         self.interpreter.dialect()
     }
 
-    /// The setup as what happens at the machine needs it: with what prose in comments says of the tools. It
-    /// is read now, so whoever needs it often keeps it.
+    /// The setup for the simulation of the machine, with the tool descriptions from comments. It is computed
+    /// on each call, so cache the result if you need it often.
     pub fn setup_at_machine(&self) -> Setup {
         at_machine(self.setup(), &self.text, self.interpreter.dialect().unit)
     }
 
-    /// Motions of all full chunks; all motions once the run has ended.
+    /// Motions of all full chunks while the run is in progress; all motions once it has ended.
     pub fn motions(&self) -> &Motions {
         self.interpreter.motions()
     }
 
-    /// Messages so far; in order of their place once the run has ended.
+    /// Messages reported so far; sorted by place once the run has ended.
     pub fn diagnostics(&self) -> &[Diagnostic] {
         if self.finished { &self.sorted } else { self.interpreter.diagnostics() }
     }
 
-    /// Places of the contour cycles so far.
+    /// The landmarks of the contour cycles so far.
     pub fn landmarks(&self) -> &[Landmarks] {
         self.interpreter.landmarks()
     }
 
-    /// Blocks read so far, those that are run again included; empty ones are not counted.
+    /// Blocks read so far, including repeated ones; empty blocks are not counted.
     pub fn blocks(&self) -> usize {
         self.blocks
     }
 
-    /// The control or machine that the text was recognised to be for, and which is not read here.
+    /// The unsupported control or machine that the text was recognised to be for.
     pub fn foreign(&self) -> Option<Target> {
         self.recognised.foreign.map(|foreign| foreign.target)
     }
 
-    /// The G-code system the text was recognised to be written in.
+    /// The G-code system that was recognised in the text.
     pub fn recognised_system(&self) -> Option<GSystem> {
         self.recognised.system.map(|system| system.0)
     }
 
-    /// Whether the text was concluded to be in inches, without a code that says so.
+    /// Whether inches were inferred from the text, without a code that selects them.
     pub fn concludes_inches(&self) -> bool {
         self.recognised.inches.is_some()
     }
 
-    /// The O number of the program that is run: the one that is chosen, or the first.
+    /// The O number of the program that is run: the chosen one, or the first.
     pub fn program_number(&self) -> Option<u32> {
         let first = self.programs.iter().min_by_key(|(_, start)| **start);
         self.setup().program.or(first.map(|(number, _)| *number))
@@ -593,7 +590,7 @@ impl Run {
         self.interpreter.code_list()
     }
 
-    /// What came of the run.
+    /// Converts the run to its result.
     pub fn into_analysis(self) -> Analysis {
         let mut interpreter = self.interpreter;
         let (trace, codes) = (interpreter.take_trace(), interpreter.code_list());
@@ -617,13 +614,13 @@ impl Run {
         }
     }
 
-    /// Begins with another program than the first of the text.
+    /// Begins with a program other than the first of the text.
     fn begin_at(&mut self, head: Resume) {
         self.at = head;
         self.interpreter.begin_elsewhere(head);
     }
 
-    /// Begins again, with another program of the text.
+    /// Restarts with another program of the text.
     fn restart(&mut self, main: Resume) {
         let setup = self.interpreter.setup().clone();
         let (system, unit) = (self.interpreter.system(), self.interpreter.dialect().unit);
@@ -648,7 +645,7 @@ impl Run {
         self.begin_at(main);
     }
 
-    /// Carries out the block just read.
+    /// Executes the block just read.
     #[inline]
     fn step(&mut self, text: &[u8], here: Here) -> Flow {
         if let Some((number, span)) = self.block.program
@@ -664,9 +661,10 @@ impl Run {
         self.interpreter.run(text, &self.block, here)
     }
 
-    /// An O number: the head of the main program, of one that is called, or of one that stands after them.
+    /// Handles an O number: the head of the main program, of a called one, or of one that follows them.
     fn program(&mut self, text: &[u8], number: u32, span: Span, here: Here) -> Option<Flow> {
-        // What is before the first O number and moves nothing is no program. Edits so near to the head run everything again.
+        // Blocks before the first O number that move nothing are not a program. Edits this close to the head
+        // run everything again.
         let leads = self.programs.is_empty()
             && (span.start as usize) < LEADER
             && self.interpreter.kept_motions() == 0;
@@ -692,7 +690,7 @@ impl Run {
         Some(self.run_out(text, span, here))
     }
 
-    /// The program in force ends without M99 or M30.
+    /// The current program ends without M99 or M30.
     fn run_out(&mut self, text: &[u8], span: Span, here: Here) -> Flow {
         if let Some(back) = self.interpreter.run_out(span) {
             return Flow::Jump(back);
@@ -701,12 +699,12 @@ impl Run {
         if self.interpreter.has_wandered() {
             return Flow::End;
         }
-        // The block is read once more, as one that is not carried out.
+        // The block is read again, as one that is not executed.
         self.ended = true;
         Flow::Jump(here.at)
     }
 
-    /// The text ends; [`Flow::Next`] when there is nothing left to do.
+    /// Handles the end of the text; returns [`Flow::Next`] when nothing is left to run.
     fn end_of_text(&mut self, text: &[u8]) -> Flow {
         if self.ended || !self.begun {
             return Flow::Next;
@@ -755,13 +753,13 @@ impl Run {
         self.finished = true;
     }
 
-    /// Adds what is said of the whole program, and puts all messages in order.
+    /// Adds the messages about the whole program and sorts all messages.
     fn complete_messages(&mut self) {
         let most = self.interpreter.setup().limits.compared_blocks;
         let motions = self.interpreter.motions();
         let setup = self.interpreter.setup();
         if self.recognised.foreign.is_some() || self.stopped || setup.lints == Lints::Off || !self.has_lints {
-            // Nothing was run, or not all of it; or nobody wants to know; or the lints were not loaded yet.
+            // Skip the comparison: the program did not run, or only partly, or lints are off or not loaded.
         } else if self.blocks > most || motions.len() > 10 * most {
             let diagnostic = Diagnostic::new(said::NotCompared { most }, Span::new(0, 0));
             self.sorted.extend(setup.rules.graded(diagnostic));
@@ -782,13 +780,13 @@ impl Run {
         lint::plausible::compare(&self.text, motions, reading, list, setup, &mut self.sorted);
     }
 
-    /// Reports what numbers without a point count, where that was concluded or looks wrong.
+    /// Reports the unit of numbers without a decimal point if it was inferred or looks wrong.
     fn report_decimal_rule(&mut self) {
         let Some(diagnostic) = self.decimal_message() else { return };
-        // That a time is long follows from it.
+        // A long dwell is a consequence of the decimal rule.
         self.sorted.retain(|old| !old.message.is::<said::DwellLong>() || old.span != diagnostic.span);
         let is_known = self.sorted.iter().any(|old| old.is_about(diagnostic.span));
-        // Where the rule is wrong, what it leads to may have been reported for the same word.
+        // If the rule is wrong, a consequence of it may already be reported for the same word.
         if is_known && self.decimal_rule() == DecimalRule::Calculator {
             return;
         }
@@ -796,14 +794,14 @@ impl Run {
         self.sorted.extend(self.interpreter.setup().rules.graded(diagnostic).filter(|_| room));
     }
 
-    /// What was reported, in order of time.
+    /// The reported messages, in the order in which they were reported.
     fn reported(&mut self) -> Vec<Diagnostic> {
-        // They stay with the control where the run may go on from a snapshot.
+        // If edits may resume from a snapshot, the control still needs its messages, so copy them.
         if edit::EDITS.is_loaded() { copied(&self.interpreter) } else { self.interpreter.take_diagnostics() }
     }
 }
 
-/// The part without which nobody reads messages: it puts them in order.
+/// The part that sorts messages; no messages are shown before it is loaded.
 const READING: Part = Part::Late;
 
 /// Where M30 belongs at the end of the tape, and the text to insert there.
@@ -814,16 +812,17 @@ fn place_of_end(text: &[u8]) -> (usize, &'static str) {
     while parser.next_block(&mut block) {
         let start = block.span.start as usize;
         let bytes = block.span.of(text);
-        // After a sign that ends the tape the rest of its line belongs to the block, with its semicolons.
+        // After a character that ends the tape, the rest of its line belongs to the block, including
+        // semicolons.
         let len = bytes.len() - bytes.iter().rev().take_while(|byte| is_between_blocks(**byte)).count();
-        // Blanks at the end of a comment that is not closed belong to it.
+        // Blanks at the end of an unclosed comment belong to the comment.
         let comment_end = block.comments.last().map_or(0, |comment| comment.end as usize);
         let end = (start + len).max(comment_end);
         place = match text[start..end].last() {
             // After the end of the last block.
             None if text[..start].ends_with(b";") => (start, "\nM30"),
             None => place,
-            // Nothing after this sign is read.
+            // Nothing after this character is read.
             Some(_) if block.kind == BlockKind::Percent => (start, "M30\n"),
             Some(b'%') if comment_end < end => (end - 1, "\nM30\n"),
             Some(_) => (end, "\nM30"),
@@ -832,15 +831,15 @@ fn place_of_end(text: &[u8]) -> (usize, &'static str) {
     place
 }
 
-/// The setup of a run with what prose in comments of its text says of tools and blank; `unit` is that of the text where no code
-/// names one.
+/// The setup of a run, with the tools and blank described in comments of its text; `unit` is the unit of the
+/// text if no code selects one.
 fn at_machine(setup: &Setup, text: &[u8], unit: Unit) -> Setup {
     let described_stock = tool_words::stock(text, unit);
     Setup { described_tools: tool_words::read(text, unit), described_stock, ..setup.clone() }
 }
 
-/// A control at power-on, with the lints that listen to it, once they are loaded, unless the setup switches
-/// them off; and with whoever notes which block sets what.
+/// A control at power-on. Once the part is loaded, it records the chronicle and, unless the setup switches
+/// them off, has the lints as observer.
 fn observed(setup: Setup) -> Interpreter {
     let listens = setup.lints == Lints::On && LINTS.is_loaded();
     let mut interpreter = Interpreter::new(setup);
@@ -850,7 +849,7 @@ fn observed(setup: Setup) -> Interpreter {
     if listens { interpreter.observed_by(lints()) } else { interpreter }
 }
 
-/// The part the lints are in.
+/// The part that contains the lints.
 const LINTS: Part = Part::Late;
 
 late! {
