@@ -1,8 +1,8 @@
-//! The shapes in which results leave the crate: rows for JavaScript and for the command line's JSON.
+//! The data structures that leave the crate: rows for JavaScript and for the JSON output of the command line.
 //!
-//! In: motions and messages. Out: plain data in the units people read: X a diameter, lines and columns from
-//! 1, columns in UTF-16 units. No other room derives `Serialize`, but for `units::Diameter`, which stands in
-//! these rows (`tests/rooms.rs`). The TypeScript types are made from these.
+//! In: motions and messages. Out: plain data in user units: X is a diameter, lines and columns count from 1,
+//! columns in UTF-16 units. No other room derives `Serialize`, except for `units::Diameter`, which these rows
+//! contain (`tests/rooms.rs`). The TypeScript types are generated from these rows.
 
 pub mod assist;
 pub mod difference;
@@ -51,7 +51,7 @@ use crate::units::{Diameter, Unit};
 #[cfg(target_arch = "wasm32")]
 use tsify::Tsify;
 
-/// A message at a place, in a language.
+/// A message with its place, in a language.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[cfg_attr(target_arch = "wasm32", derive(Tsify))]
 #[serde(rename_all = "camelCase")]
@@ -64,68 +64,68 @@ pub struct Diagnostic {
     pub end_line: u32,
     /// One past the last column.
     pub end_column: u32,
-    /// UTF-16 offset of the start in the text as it was given, CR LF counted as two units. In the page's own protocol each
-    /// line end counts as one.
+    /// UTF-16 offset of the start in the original text, where CR LF counts as two units. In the page's
+    /// internal protocol each line end counts as one.
     pub from: u32,
     /// UTF-16 offset of the end.
     pub to: u32,
-    /// Code: an alarm number, or a name after a letter: `E-…` of errors, of no other `W-…`, `I-…` or `N-…`.
+    /// An alarm number, or a letter and a name: `E-…` for errors, `W-…`, `I-…` or `N-…` for everything else.
     pub code: String,
     /// Stable name of the fault.
     pub slug: String,
     /// Its severity.
     #[cfg_attr(target_arch = "wasm32", tsify(type = "\"error\" | \"warning\" | \"info\""))]
     pub severity: String,
-    /// Whether the program is wrong, the playground does not do it, or it depends on the machine.
+    /// Whether the program is wrong, the playground does not support something, or it depends on the machine.
     #[cfg_attr(target_arch = "wasm32", tsify(type = "\"wrong\" | \"unsupported\" | \"machine\""))]
     pub kind: String,
-    /// One sentence.
+    /// The message, one sentence.
     pub message: String,
-    /// Why, and what to do.
+    /// The reason, and what to do.
     #[serde(skip_serializing_if = "Option::is_none")]
     #[cfg_attr(target_arch = "wasm32", tsify(optional))]
     pub help: Option<String>,
-    /// The alarm a control raises.
+    /// The alarm that a control raises.
     #[serde(skip_serializing_if = "Option::is_none")]
     #[cfg_attr(target_arch = "wasm32", tsify(optional))]
     pub alarm: Option<String>,
-    /// Repairs.
+    /// Suggested fixes.
     pub fixes: Vec<Fix>,
 }
 
-/// A key of a configuration, and who says what it is.
+/// A key of a configuration with its value and source.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Configured {
     /// The key.
     pub key: String,
     /// Its value.
     pub value: String,
-    /// The place that says so: a file with its line, or an option; nothing for what holds when nobody says anything.
+    /// The source of the value: a file with its line, or an option. `None` for a default.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub from: Option<String>,
 }
 
-/// A row about a file, with the name of the file first.
+/// A row about a file; the file name is the first field.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct InFile<'a, T> {
-    /// The file, as it was named.
+    /// The file name, as given by the user.
     pub file: &'a str,
     /// The row.
     #[serde(flatten)]
     pub row: T,
 }
 
-/// A repair of a fault.
+/// A fix for a fault.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[cfg_attr(target_arch = "wasm32", derive(Tsify))]
 pub struct Fix {
-    /// What it does.
+    /// Description of the fix.
     pub title: String,
-    /// Whether it can be applied without asking.
+    /// Whether it can be applied without asking the user.
     pub safe: bool,
-    /// Its edits.
+    /// Its text edits.
     pub edits: Vec<Edit>,
-    /// What it sets in the setup instead.
+    /// The setting to change in the setup, for a fix without text edits.
     #[serde(skip_serializing_if = "Option::is_none")]
     #[cfg_attr(target_arch = "wasm32", tsify(optional))]
     pub setting: Option<Setting>,
@@ -135,15 +135,15 @@ pub struct Fix {
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[cfg_attr(target_arch = "wasm32", derive(Tsify))]
 pub struct Setting {
-    /// Its key, as in the setup form: `dialect.pqUnit`.
+    /// Key, as in the setup form: `dialect.pqUnit`.
     pub key: String,
-    /// As it is entered there; none where only the reader knows it.
+    /// The value to enter in the form. Absent if only the user knows it.
     #[serde(skip_serializing_if = "Option::is_none")]
     #[cfg_attr(target_arch = "wasm32", tsify(optional))]
     pub value: Option<String>,
 }
 
-/// Text to put in place of other text.
+/// A text edit: replaces a range of the text.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[cfg_attr(target_arch = "wasm32", derive(Tsify))]
 #[serde(rename_all = "camelCase")]
@@ -164,31 +164,31 @@ pub struct Edit {
     pub text: String,
 }
 
-/// A place as people read it.
+/// A position in user units.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 #[cfg_attr(target_arch = "wasm32", derive(Tsify))]
 pub struct Place {
-    /// Diameter, mm.
+    /// X as a diameter, mm.
     pub x: Diameter,
-    /// Length, mm.
+    /// Z, mm.
     pub z: f64,
-    /// Angle of C, degrees; under polar interpolation the second axis of the virtual plane, mm.
+    /// Angle of C, degrees. Under polar interpolation, the second axis of the virtual plane, mm.
     #[serde(skip_serializing_if = "Option::is_none")]
     #[cfg_attr(target_arch = "wasm32", tsify(optional))]
     pub c: Option<f64>,
-    /// Y, mm, of moves on a machine with a Y axis.
+    /// Y, mm, for moves on a machine with a Y axis.
     #[serde(skip_serializing_if = "Option::is_none")]
     #[cfg_attr(target_arch = "wasm32", tsify(optional))]
     pub y: Option<f64>,
 }
 
-/// Where the machine stands when a program moves in a virtual plane.
+/// The machine position of a move in a virtual plane.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 #[cfg_attr(target_arch = "wasm32", derive(Tsify))]
 pub struct MachinePlace {
-    /// Diameter, mm.
+    /// X as a diameter, mm.
     pub x: Diameter,
-    /// Angle of C, degrees, not brought back to one turn.
+    /// Angle of C, degrees, not reduced to one turn.
     #[serde(rename = "c_deg")]
     pub c: f64,
 }
@@ -197,45 +197,45 @@ pub struct MachinePlace {
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[cfg_attr(target_arch = "wasm32", derive(Tsify))]
 pub struct Motion {
-    /// What it is.
+    /// The kind of motion.
     #[cfg_attr(
         target_arch = "wasm32",
         tsify(type = "\"rapid\" | \"feed\" | \"arc\" | \"thread\" | \"dwell\"")
     )]
     pub kind: &'static str,
-    /// Where it ends.
+    /// End point.
     pub to: Place,
     /// Line of its block, from 1.
     pub line: u32,
-    /// Centre of an arc.
+    /// Centre, for arcs.
     #[serde(skip_serializing_if = "Option::is_none")]
     #[cfg_attr(target_arch = "wasm32", tsify(optional))]
     pub center: Option<Place>,
-    /// Radius of an arc, mm.
+    /// Radius, mm, for arcs.
     #[serde(skip_serializing_if = "Option::is_none")]
     #[cfg_attr(target_arch = "wasm32", tsify(optional))]
     pub r: Option<f64>,
-    /// Which way an arc turns.
+    /// Direction, for arcs.
     #[serde(skip_serializing_if = "Option::is_none")]
     #[cfg_attr(target_arch = "wasm32", tsify(optional, type = "\"cw\" | \"ccw\""))]
     pub dir: Option<&'static str>,
-    /// The interpolation, or the plane on a machine with a Y axis, that its end and centre are given in.
+    /// The interpolation, or the plane on a machine with a Y axis, in which end point and centre are given.
     #[serde(skip_serializing_if = "Option::is_none")]
     #[cfg_attr(
         target_arch = "wasm32",
         tsify(optional, type = "\"polar\" | \"cylinder\" | \"xy\" | \"zx\" | \"yz\"")
     )]
     pub mode: Option<&'static str>,
-    /// Where the machine ends under that interpolation.
+    /// The machine position at the end of a move under such an interpolation.
     #[serde(skip_serializing_if = "Option::is_none")]
     #[cfg_attr(target_arch = "wasm32", tsify(optional))]
     pub machine: Option<MachinePlace>,
-    /// The work coordinate system of `to` and `center`, such as `G55` or `G54.1 P1`; left out for G54.
+    /// The work coordinate system of `to` and `center`, such as `G55` or `G54.1 P1`; omitted for G54.
     #[serde(skip_serializing_if = "Option::is_none")]
     #[cfg_attr(target_arch = "wasm32", tsify(optional))]
     pub frame: Option<String>,
-    /// What is added to X and Z of `to` and `center` for the place on the workpiece, mm, X as a diameter: from the
-    /// work zero of the first cut to the one in force. Left out where nothing is added.
+    /// Offset from `to` and `center` to the position on the workpiece, mm, X as a diameter: from the work
+    /// zero of the first cut to the current one. Omitted if zero.
     #[serde(skip_serializing_if = "Option::is_none")]
     #[cfg_attr(target_arch = "wasm32", tsify(optional))]
     pub offset: Option<Place>,
@@ -243,23 +243,23 @@ pub struct Motion {
     #[serde(skip_serializing_if = "Option::is_none")]
     #[cfg_attr(target_arch = "wasm32", tsify(optional))]
     pub lead: Option<f64>,
-    /// How far the spindle turns past its zero mark before a thread begins, degrees; left out where that is 0.
+    /// How far the spindle turns past its zero mark before a thread begins, degrees; omitted if 0.
     #[serde(skip_serializing_if = "Option::is_none")]
     #[cfg_attr(target_arch = "wasm32", tsify(optional))]
     pub start_angle: Option<f64>,
-    /// How long it takes, seconds; left out where that cannot be known.
+    /// Duration, seconds; omitted if it is unknown.
     #[serde(skip_serializing_if = "Option::is_none")]
     #[cfg_attr(target_arch = "wasm32", tsify(optional))]
     pub seconds: Option<f64>,
-    /// Feed along the path where it ends, mm/min.
+    /// Feed along the path at the end, mm/min.
     #[serde(skip_serializing_if = "Option::is_none")]
     #[cfg_attr(target_arch = "wasm32", tsify(optional))]
     pub feed: Option<f64>,
-    /// Spindle speed, rpm, where it ends.
+    /// Spindle speed at the end, rpm.
     #[serde(skip_serializing_if = "Option::is_none")]
     #[cfg_attr(target_arch = "wasm32", tsify(optional))]
     pub rpm: Option<f64>,
-    /// Its tool, such as `T0101`.
+    /// The tool, such as `T0101`.
     #[serde(skip_serializing_if = "Option::is_none")]
     #[cfg_attr(target_arch = "wasm32", tsify(optional))]
     pub tool: Option<String>,
@@ -271,24 +271,24 @@ pub struct Motion {
     #[serde(skip_serializing_if = "Option::is_none")]
     #[cfg_attr(target_arch = "wasm32", tsify(optional))]
     pub pass: Option<u32>,
-    /// The part of the pass.
+    /// The step of the pass.
     #[serde(skip_serializing_if = "Option::is_none")]
     #[cfg_attr(target_arch = "wasm32", tsify(optional))]
     pub step: Option<&'static str>,
-    /// An earlier block was not carried out, so this may be wrong.
+    /// Whether the motion may be wrong because an earlier block was not executed.
     #[serde(skip_serializing_if = "std::ops::Not::not")]
     #[cfg_attr(target_arch = "wasm32", tsify(optional))]
     pub uncertain: bool,
 }
 
-/// A stroke of the picture: a motion and the block it came from.
+/// A stroke of the picture: a motion with the block that made it.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[cfg_attr(target_arch = "wasm32", derive(Tsify))]
 #[serde(rename_all = "camelCase")]
 pub struct Stroke {
     /// Index of the motion.
     pub motion: u32,
-    /// What it is.
+    /// The kind of motion.
     #[cfg_attr(
         target_arch = "wasm32",
         tsify(type = "\"rapid\" | \"feed\" | \"arc\" | \"thread\" | \"dwell\"")
@@ -300,15 +300,15 @@ pub struct Stroke {
     pub from: u32,
     /// UTF-16 offset of the end of its block.
     pub to: u32,
-    /// End point: diameter, mm.
+    /// X of the end point as a diameter, mm.
     pub x: Diameter,
-    /// End point: length, mm.
+    /// Z of the end point, mm.
     pub z: f64,
-    /// Where the tool stands: diameter, mm.
+    /// X of the tool position as a diameter, mm.
     pub at_x: Diameter,
-    /// Where the tool stands: length, mm.
+    /// Z of the tool position, mm.
     pub at_z: f64,
-    /// What it is, in words.
+    /// Description of the motion.
     pub text: String,
 }
 
@@ -317,9 +317,9 @@ pub struct Stroke {
 #[cfg_attr(target_arch = "wasm32", derive(Tsify))]
 #[serde(rename_all = "camelCase")]
 pub struct Summary {
-    /// Motions of any kind.
+    /// All motions.
     pub motions: u32,
-    /// Rapids among them.
+    /// Rapids.
     pub rapids: u32,
     /// Straight cuts.
     pub feeds: u32,
@@ -329,9 +329,9 @@ pub struct Summary {
     pub threads: u32,
     /// Dwells.
     pub dwells: u32,
-    /// Messages that are errors.
+    /// Errors.
     pub errors: u32,
-    /// Messages that are warnings.
+    /// Warnings.
     pub warnings: u32,
     /// Other messages.
     pub infos: u32,
@@ -346,7 +346,7 @@ pub struct Summary {
 }
 
 impl Summary {
-    /// The counts by their names for JavaScript.
+    /// The counts with their JavaScript names.
     pub fn counts(&self) -> [(&'static str, u32); 12] {
         [
             ("motions", self.motions),
@@ -386,7 +386,7 @@ impl Summary {
         summary
     }
 
-    /// Counts one more message.
+    /// Counts one more message of this severity.
     pub fn count(&mut self, severity: Severity) {
         match severity {
             Severity::Error => self.errors += 1,
@@ -397,20 +397,20 @@ impl Summary {
     }
 }
 
-/// What is left of the blank: the half-section above the spindle axis.
+/// The finished part: the half-section above the spindle axis.
 #[derive(Clone, Debug, Default, PartialEq, Serialize)]
 #[cfg_attr(target_arch = "wasm32", derive(Tsify))]
 pub struct Part {
-    /// The outside of each piece, counter-clockwise: `[z, x]`, mm, x a diameter.
+    /// The outline of each piece, counter-clockwise: `[z, x]`, mm, x a diameter.
     pub polygons: Vec<Vec<[f64; 2]>>,
-    /// What is missing inside them.
+    /// The holes in the pieces.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     #[cfg_attr(target_arch = "wasm32", tsify(optional))]
     pub holes: Vec<Vec<[f64; 2]>>,
 }
 
 impl Part {
-    /// The pieces of an area.
+    /// The pieces of a region.
     pub fn new(region: &Region) -> Self {
         let outline = |points: Vec<Point>| -> Vec<[f64; 2]> {
             points
@@ -427,17 +427,17 @@ impl Part {
     }
 }
 
-/// A piece of the half-section, for a body turned from it: `[z, x]`, mm, x a diameter.
+/// A piece of the half-section, for a view of the rotated body: `[z, x]`, mm, x a diameter.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[cfg_attr(target_arch = "wasm32", derive(Tsify))]
 pub struct SectionPiece {
-    /// Its outside, counter-clockwise.
+    /// The outline, counter-clockwise.
     pub outline: Vec<[f64; 2]>,
-    /// What is missing inside it, clockwise.
+    /// The holes, clockwise.
     pub holes: Vec<Vec<[f64; 2]>>,
 }
 
-/// The half-section above the spindle axis, each piece with its own holes.
+/// The half-section above the spindle axis, each piece with its holes.
 pub fn section(region: &Region) -> Vec<SectionPiece> {
     let outline = |points: Vec<Point>| -> Vec<[f64; 2]> {
         points
@@ -452,13 +452,13 @@ pub fn section(region: &Region) -> Vec<SectionPiece> {
     region.pieces().map(piece).collect()
 }
 
-/// A hole that a live tool has drilled in the part, for a picture of the body.
+/// A hole drilled by a live tool, for a view of the body.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[cfg_attr(target_arch = "wasm32", derive(Tsify))]
 pub struct DrilledHole {
-    /// Where it enters the material, in the middle of the hole, with C.
+    /// The centre of the hole where it enters the material, with C.
     pub mouth: Place,
-    /// The deepest place of its tool.
+    /// The deepest position of the tool.
     pub bottom: Place,
     /// Diameter, mm.
     pub diameter: f64,
@@ -474,17 +474,17 @@ pub fn holes(holes: &[LiveHole]) -> Vec<DrilledHole> {
     holes.iter().map(row).collect()
 }
 
-/// Two parts laid over each other.
+/// The comparison of two parts.
 #[derive(Clone, Debug, Default, PartialEq, Serialize)]
 #[cfg_attr(target_arch = "wasm32", derive(Tsify))]
 pub struct Comparison {
-    /// What only one part has, the largest piece first; nothing where the parts are the same.
+    /// The pieces that only one part has, the largest first; empty if the parts are the same.
     pub differences: Vec<Difference>,
-    /// The largest measure across the spindle axis.
+    /// The largest difference across the spindle axis.
     #[serde(skip_serializing_if = "Option::is_none")]
     #[cfg_attr(target_arch = "wasm32", tsify(optional))]
     pub radial: Option<Measure>,
-    /// The largest measure along it.
+    /// The largest difference along the spindle axis.
     #[serde(skip_serializing_if = "Option::is_none")]
     #[cfg_attr(target_arch = "wasm32", tsify(optional))]
     pub axial: Option<Measure>,
@@ -494,35 +494,35 @@ pub struct Comparison {
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[cfg_attr(target_arch = "wasm32", derive(Tsify))]
 pub struct Difference {
-    /// Which part has it: `first` (or the one that was kept) or `second`.
+    /// The part that has it: `first` (or the one kept for comparison) or `second`.
     #[cfg_attr(target_arch = "wasm32", tsify(type = "'first' | 'second'"))]
     pub only: &'static str,
     /// Area in the half-section, mm².
     pub area: f64,
-    /// Least and greatest diameter, mm.
+    /// Minimum and maximum diameter, mm.
     pub x: [Diameter; 2],
     /// Minimum and maximum Z, mm.
     pub z: [f64; 2],
-    /// Where it is thickest across the spindle axis.
+    /// The longest measure across the spindle axis.
     pub radial: Measure,
-    /// Where it is longest along it.
+    /// The longest measure along the spindle axis.
     pub axial: Measure,
 }
 
-/// A straight measure.
+/// A straight measurement.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 #[cfg_attr(target_arch = "wasm32", derive(Tsify))]
 pub struct Measure {
-    /// mm; across the axis in radius.
+    /// Length, mm; across the axis as a radius.
     pub length: f64,
-    /// The end nearer to the axis, or to −Z.
+    /// The end closer to the axis, or to −Z.
     pub from: Place,
     /// The other end.
     pub to: Place,
 }
 
 impl Comparison {
-    /// As it leaves the crate.
+    /// The row of a comparison.
     pub fn new(comparison: &compare::Comparison) -> Self {
         let differences = comparison.differences.iter().map(|difference| Difference {
             only: match difference.side {
@@ -556,7 +556,7 @@ impl Measure {
     }
 }
 
-/// What can be measured on a part: to the third decimal.
+/// Rounds to the third decimal, the precision of a measurement on a part.
 fn to_micrometres(value: f64) -> f64 {
     let rounded = (value * 1e3).round() / 1e3;
     if rounded == 0.0 { 0.0 } else { rounded }
@@ -567,14 +567,15 @@ fn to_micrometres(value: f64) -> f64 {
 #[cfg_attr(target_arch = "wasm32", derive(Tsify))]
 #[serde(rename_all = "camelCase")]
 pub struct Dimension {
-    /// What it is.
+    /// The kind of edge.
     #[cfg_attr(target_arch = "wasm32", tsify(type = "'cylinder' | 'face' | 'taper' | 'arc' | 'thread'"))]
     pub kind: &'static str,
-    /// Diameters of its ends, mm; of a thread minor and major diameter.
+    /// Diameters of the ends, mm; for a thread, minor and major diameter.
     pub x: [Diameter; 2],
-    /// Z of its ends, mm.
+    /// Z of the ends, mm.
     pub z: [f64; 2],
-    /// mm: along the axis, of a taper as well (L of C = (D - d) / L, seed 001); of a face across it, of an arc its chord.
+    /// Length, mm: along the axis, also for a taper (L in C = (D - d) / L, seed 001); across the axis for a
+    /// face; the chord for an arc.
     pub length: f64,
     /// Half angle of a taper, degrees.
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -595,7 +596,7 @@ pub struct Dimension {
 }
 
 impl Dimension {
-    /// As it leaves the crate.
+    /// The row of a feature.
     pub fn new(feature: &Feature) -> Self {
         let [from, to] = feature.ends();
         let diameter = |radius: f64| Diameter::from_radius(radius).map(to_micrometres);
@@ -631,30 +632,30 @@ impl Dimension {
     }
 }
 
-/// What a tool does, or a whole program, added up.
+/// Totals of a tool or of a whole program.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[cfg_attr(target_arch = "wasm32", derive(Tsify))]
 #[serde(rename_all = "camelCase")]
 pub struct Totals {
-    /// The tool, such as `T0101`; left out for moves before the first one, and for the whole program.
+    /// The tool, such as `T0101`; omitted for moves before the first one, and for the whole program.
     #[serde(skip_serializing_if = "Option::is_none")]
     #[cfg_attr(target_arch = "wasm32", tsify(optional))]
     pub tool: Option<String>,
-    /// Seconds of all motions whose time is known.
+    /// Seconds of all motions with a known duration.
     pub seconds: f64,
-    /// Cuts whose time is not known: without a feed, or with the spindle stopped.
+    /// Number of cuts with an unknown duration: no feed, or the spindle is stopped.
     pub unknown_cuts: u32,
-    /// Rapids whose time is not known: without a rapid rate of the machine.
+    /// Number of rapids with an unknown duration: the rapid rate of the machine is not given.
     pub unknown_rapids: u32,
-    /// Path cut at feed, mm.
+    /// Path length at feed, mm.
     pub cut: f64,
-    /// Path at rapid, mm.
+    /// Path length at rapid, mm.
     pub rapid: f64,
-    /// Minimum X and Z of its cuts.
+    /// Minimum X and Z of the cuts.
     #[serde(skip_serializing_if = "Option::is_none")]
     #[cfg_attr(target_arch = "wasm32", tsify(optional))]
     pub low: Option<Place>,
-    /// Maximum X and Z of its cuts.
+    /// Maximum X and Z of the cuts.
     #[serde(skip_serializing_if = "Option::is_none")]
     #[cfg_attr(target_arch = "wasm32", tsify(optional))]
     pub high: Option<Place>,
@@ -680,9 +681,9 @@ impl Totals {
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[cfg_attr(target_arch = "wasm32", derive(Tsify))]
 pub struct Codes {
-    /// The controls, the chosen one first.
+    /// The controls; the selected one is first.
     pub columns: Vec<CodeColumn>,
-    /// What the codes do, in the order of the table.
+    /// The rows, in the order of the table.
     pub rows: Vec<CodeRow>,
 }
 
@@ -690,20 +691,20 @@ pub struct Codes {
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[cfg_attr(target_arch = "wasm32", derive(Tsify))]
 pub struct CodeColumn {
-    /// Where a row has its codes.
+    /// The field of a row that contains the codes of this control.
     #[cfg_attr(target_arch = "wasm32", tsify(type = "\"a\" | \"b\" | \"c\" | \"gsk\""))]
     pub key: &'static str,
-    /// Its name, the same in all languages.
+    /// Its name; not translated.
     pub name: &'static str,
 }
 
-/// A row of the table of supported codes: what codes do, and how controls write them.
+/// A row of the table of supported codes: what the codes do, and how the controls write them.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[cfg_attr(target_arch = "wasm32", derive(Tsify))]
 pub struct CodeRow {
-    /// The heading it stands under.
+    /// The heading of the section.
     pub section: &'static str,
-    /// The codes in FANUC's system A, blanks between; empty where there is none.
+    /// The codes in FANUC's system A, separated by blanks; empty if there is none.
     pub a: String,
     /// In system B.
     pub b: String,
@@ -717,16 +718,16 @@ pub struct CodeRow {
     #[serde(skip_serializing_if = "Option::is_none")]
     #[cfg_attr(target_arch = "wasm32", tsify(optional))]
     pub group: Option<u8>,
-    /// What comes of them here.
+    /// How the playground handles them.
     #[cfg_attr(target_arch = "wasm32", tsify(type = "\"done\" | \"accepted\" | \"unsupported\""))]
     pub effect: &'static str,
-    /// The same in words; empty for what is carried out.
+    /// The same as a text; empty if they are executed.
     pub note: &'static str,
 }
 
-/// The table of supported codes in a language, a list of codes first.
+/// The table of supported codes in a language, with one list of codes first.
 pub fn codes(first: CodeList, language: Language) -> Codes {
-    // The others keep their order after it.
+    // The other lists keep their order after it.
     let others = CodeList::ALL.into_iter().filter(|&list| list != first);
     let lists = [first].into_iter().chain(others);
     let columns = lists.map(|list| CodeColumn { key: column_key(list), name: list.name() }).collect();
@@ -772,7 +773,8 @@ impl CodeRow {
         }
     }
 
-    /// The codes of a list for a printed table: `=` where they are those of system A, `–` where it has none.
+    /// The codes of a list for a printed table: `=` if they are the same as in system A, `–` if there is
+    /// none.
     pub fn printed(&self, list: CodeList) -> &str {
         match self.codes(list) {
             "" => "–",
@@ -782,7 +784,7 @@ impl CodeRow {
     }
 }
 
-/// A text with its lines: turns spans into the places people read.
+/// A text with its lines; converts spans to lines, columns and UTF-16 offsets.
 #[derive(Clone, Copy)]
 pub struct Places<'a> {
     /// The text.
@@ -818,7 +820,8 @@ impl Places<'_> {
         }
     }
 
-    /// The stroke of a motion, the tip at `at` on the workpiece; its words name lengths in `unit`.
+    /// The stroke of a motion, with the tip at `at` on the workpiece; its description gives lengths in
+    /// `unit`.
     pub fn stroke(
         &self,
         motions: &Motions,
@@ -849,7 +852,7 @@ impl Places<'_> {
         (self.lines.utf16_offset(self.text, span.start), self.lines.utf16_offset(self.text, span.end))
     }
 
-    /// Text in place of a stretch.
+    /// The row of an edit.
     fn edit(&self, span: Span, text: String) -> Edit {
         let (start, end) = self.corners(span);
         let (from, to) = self.offsets(span);
@@ -870,17 +873,17 @@ impl Places<'_> {
     }
 }
 
-/// Motions looked at in either direction to count the passes of a cycle.
+/// How many motions are examined in each direction to count the passes of a cycle.
 const LOOKED_AT: usize = 20_000;
 
-/// How many passes the cycle of a motion makes: those of its own call, or of the whole run of a modal cycle.
+/// The number of passes of a motion's cycle: in its own call, or in the whole sequence of a modal cycle.
 fn passes(motions: &Motions, index: usize) -> Option<u32> {
     let own = motions.get(index).cycle?;
     let end = motions.len().min(index + LOOKED_AT);
     let mut last = own.pass;
     for step in (index + 1..end).map(|next| motions.get(next).cycle) {
         match step {
-            // Passes only grow; a smaller number begins another call.
+            // Pass numbers only increase; a smaller number starts another call.
             Some(step) if step.cycle == own.cycle && (step.pass == 0 || step.pass >= last) => {
                 last = last.max(step.pass);
             }
@@ -944,7 +947,7 @@ pub fn motion(motion: &motion::Motion, line: u32, machine: &Machine) -> Motion {
     }
 }
 
-/// A point of a virtual plane as a program writes it.
+/// A point of a virtual plane as the program gives it.
 fn place_on(surface: Surface, point: Point, third: f64) -> Place {
     match surface {
         Surface::Face => {
@@ -963,12 +966,12 @@ fn place_on(surface: Surface, point: Point, third: f64) -> Place {
     }
 }
 
-/// The T word of a tool; nothing before the first one.
+/// The T word of a tool; `None` before the first one.
 fn tool_name((station, offset): (u16, u16)) -> Option<String> {
     (station > 0).then(|| format!("T{station:02}{offset:02}"))
 }
 
-/// The code of a work coordinate system; nothing for G54.
+/// The code of a work coordinate system; `None` for G54.
 fn frame_name(frame: u16) -> Option<String> {
     match frame {
         0 => None,
@@ -994,7 +997,7 @@ fn kind_name(kind: MotionKind) -> &'static str {
     }
 }
 
-/// The diameter of a radius, mm, without the dust of binary arithmetic.
+/// The diameter of a radius, mm, without binary rounding errors.
 fn diameter(radius: f64) -> Diameter {
     Diameter::from_radius(radius).map(rounded)
 }
@@ -1003,14 +1006,13 @@ fn place(point: Point) -> Place {
     Place { x: diameter(point.x), z: rounded(point.z), c: None, y: None }
 }
 
-/// Without the dust of binary arithmetic: to a millionth.
+/// Rounds to a millionth, which removes binary rounding errors.
 fn rounded(value: f64) -> f64 {
     let rounded = (value * 1e6).round() / 1e6;
     if rounded == 0.0 { 0.0 } else { rounded }
 }
 
-/// One line on what numbers without a decimal point count in a run, where that was concluded or looks wrong:
-/// the message of it as plain text.
+/// The message about numbers without a decimal point, if a run has one: one line of plain text.
 pub fn decimal_notice(run: &Run, language: Language) -> Option<String> {
     let sentence = run.decimal_message()?.message.sentence(language).message;
     Some(sentence.trim_end_matches(['.', '。']).replace('`', ""))

@@ -1,7 +1,7 @@
-//! Messages about what happens at the machine.
+//! Messages about the machining.
 //!
-//! In: the findings of the machine, the levels that are asked for. Out: messages at the blocks that made the
-//! motions, one for each block and danger: a cycle that runs into something does so in every pass.
+//! In: the findings of the simulation, the severity levels of the setup. Out: messages at the blocks that
+//! made the motions, one for each block and danger, because a cycle repeats a collision in every pass.
 
 use crate::geometry::SAME;
 use crate::limits::INFERRED_FROM;
@@ -19,14 +19,14 @@ use crate::setup::{Side, ToolKind};
 use crate::source::Span;
 use crate::units::Diameter;
 
-/// A tool in a bore may run out so far beyond the back of the blank, mm.
+/// How far a tool in a bore may run out behind the back of the blank, mm.
 const RUN_OUT_INSIDE: f64 = 15.0;
 
-/// Of so many findings at most it is asked whether they are about the next part: each time all motions are looked at.
+/// How many findings are checked for being about the next part; each check scans all motions.
 const COMPARED: usize = 50;
 
-/// The messages of all findings, of a bound that was met, and of what was not looked at. `run`:
-/// what the run has reported.
+/// The messages of all findings, of a limit that was reached, and of what was not checked. `run`: the
+/// messages already reported by the run.
 pub fn diagnostics(
     simulation: &SimulationResult,
     motions: &Motions,
@@ -48,7 +48,7 @@ pub fn diagnostics(
         let is_feed = matches!(finding.danger, Danger::FastFeed { .. });
         let motion = if is_feed { feed_begins(motions, finding.motion) } else { finding.motion };
         let (message, span) = (message(finding, motions), motions.span(motion));
-        // A thread that starts below its own crest was reported so.
+        // A thread that starts below its crest is already reported.
         let is_known = |other: &Diagnostic| {
             (other.message.is::<said::ThreadStartInside>() || other.message.is::<said::ThreadStartAtCrest>())
                 && span.contains(other.span)
@@ -56,8 +56,8 @@ pub fn diagnostics(
         if message.is::<said::StartInStock>() && run.iter().any(is_known) {
             continue;
         }
-        // A feed without its decimal point is reported where it is written, perhaps in an earlier block. A feed in the wrong
-        // unit is reported there, too.
+        // A feed without a decimal point or in the wrong unit is reported where it is written, perhaps in an
+        // earlier block.
         let is_about_feed = |other: &Diagnostic| {
             other.message.is::<said::LeadingZero>()
                 || other.message.is::<said::FeedPerTurnTooLarge>() && span.contains(other.span)
@@ -78,7 +78,7 @@ pub fn diagnostics(
     for (index, unusual) in removals.iter().enumerate() {
         let span = motions.span(unusual.motion);
         let follows = match unusual.removal {
-            // Passes that follow end at the same Z.
+            // The following passes end at the same Z.
             Removal::BeyondBlank { .. } => {
                 removals[..index].iter().any(|other| other.removal == unusual.removal)
             }
@@ -89,7 +89,7 @@ pub fn diagnostics(
         if follows || is_meant(unusual, simulation.resolved_setup(), motions) || is_of_next_part() {
             continue;
         }
-        // A block that was reported has that fault: what it takes off is a consequence.
+        // If a message about the block was reported, the unusual removal is a consequence of that fault.
         let is_known = |other: &Diagnostic| {
             other.severity > Severity::Info && (span.contains(other.span) || other.span.contains(span))
         };
@@ -100,7 +100,7 @@ pub fn diagnostics(
     told.into_iter().filter_map(|found| levels.graded(found)).collect()
 }
 
-/// Whether what a motion takes off is unusual, but meant.
+/// Whether an unusual removal is intended.
 fn is_meant(unusual: &Unusual, resolved: &ResolvedSetup, motions: &Motions) -> bool {
     let motion = motions.get(unusual.motion);
     match unusual.removal {
@@ -115,8 +115,8 @@ fn is_meant(unusual: &Unusual, resolved: &ResolvedSetup, motions: &Motions) -> b
     }
 }
 
-/// Whether a cycle that takes nothing off makes the same first cut as one before a stop or before another tool:
-/// the work was changed in between.
+/// Whether a cycle that removes nothing repeats the first cut of one before a stop or another tool: the part
+/// was changed in between.
 fn cuts_next_part(unusual: &Unusual, motions: &Motions) -> bool {
     if !matches!(unusual.removal, Removal::Nothing(_)) {
         return false;
@@ -128,7 +128,7 @@ fn cuts_next_part(unusual: &Unusual, motions: &Motions) -> bool {
     other_tool || motions.stops(before + 1..first + 1).next().is_some()
 }
 
-/// The feed, mm/rev, where it is known.
+/// The feed, mm/rev, if it is known.
 fn feed_per_turn(process: &Process) -> Option<f64> {
     match (process.feed, process.speed) {
         (Feed::PerTurn(feed), _) => Some(feed),
@@ -137,20 +137,20 @@ fn feed_per_turn(process: &Process) -> Option<f64> {
     }
 }
 
-/// What is not taken off and not looked at after a block that was not carried out, at
-/// the first motion after it.
+/// The message that material is not removed and not checked after a block that was not executed, at the first
+/// motion after it.
 fn behind_left_out(simulation: &SimulationResult, motions: &Motions) -> Option<Diagnostic> {
     let first = motions.first_incomplete().filter(|_| simulation.limit().is_none())?;
     let cuts = motions.uncertain_cuts();
-    // Without a blank that somebody has named no collision is looked for at all.
+    // Without a given blank, collisions are not checked at all.
     let looked_for = simulation.resolved_setup().stock().is_some_and(|(_, basis)| basis == Basis::Given);
     let message: Message =
         if cuts == 0 { said::BehindLeftOut.into() } else { said::BehindLeftOutCuts { cuts }.into() };
     (cuts > 0 || looked_for).then(|| Diagnostic::new(message, motions.span(first)))
 }
 
-/// The messages that need no simulation: cuts and tools that are left out of the part, and rapids into turned surfaces
-/// where the blank is inferred.
+/// The messages that need no simulation: cuts and tools omitted from the part, and rapids into turned
+/// surfaces if the blank is inferred.
 pub fn without_simulation(resolved: &ResolvedSetup, motions: &Motions, most: usize) -> Vec<Diagnostic> {
     let has_too_many = motions.len() > most && resolved.stock().is_some();
     let too_many = has_too_many.then(|| Diagnostic::new(said::PartTooManyMotions { most }, Span::new(0, 0)));
@@ -160,9 +160,9 @@ pub fn without_simulation(resolved: &ResolvedSetup, motions: &Motions, most: usi
     too_many.into_iter().chain(not_shown(resolved, motions)).chain(rapids).collect()
 }
 
-/// What the part is not made of: cuts in a work frame whose zero nobody gave, reported at the first; and each
-/// tool that is not known, and each drill whose diameter is not, at its first cut; the first hole across the axis. Nothing where no
-/// part could be shown anyway.
+/// Messages about what the part does not include: cuts in a work frame with an unknown zero, reported at the
+/// first one; each unknown tool and each drill with an unknown diameter, at its first cut; and the first hole
+/// across the axis. None if no part could be shown anyway.
 fn not_shown(resolved: &ResolvedSetup, motions: &Motions) -> impl Iterator<Item = Diagnostic> {
     let has_part = resolved.stock().is_some();
     let elsewhere = motions.cuts_elsewhere().filter(|_| has_part);
@@ -197,7 +197,8 @@ fn not_shown(resolved: &ResolvedSetup, motions: &Motions) -> impl Iterator<Item 
     elsewhere.into_iter().chain(unknown).chain(drills).chain(cross_hole)
 }
 
-/// The first cut of each drill whose diameter is assumed. A centre drill has none: a deeper drill makes its hole.
+/// The first cut of each drill whose diameter is assumed. Omits centre drills: a deeper drill makes their
+/// hole.
 fn assumed_drills(resolved: &ResolvedSetup, motions: &Motions) -> Vec<Diagnostic> {
     struct Hole {
         tool: (u16, u16),
@@ -213,7 +214,7 @@ fn assumed_drills(resolved: &ResolvedSetup, motions: &Motions) -> Vec<Diagnostic
     for index in cuts {
         let motion = motions.get_on_workpiece(index).on_positive_side();
         let tool = resolved.tool(&motion);
-        // What a live drill makes beside the axis is not in the section.
+        // The section does not show off-axis holes of a live drill.
         let is_left_out = tool.is_live_in(&motion) || !motion.process.removes_material();
         if tool.tool.kind != Some(ToolKind::Drill) || is_left_out {
             continue;
@@ -238,7 +239,7 @@ fn assumed_drills(resolved: &ResolvedSetup, motions: &Motions) -> Vec<Diagnostic
     told.collect()
 }
 
-/// The cut with which the feed of a cut came into force, perhaps in front of the work.
+/// The first cut with the feed of a cut; it may come before the tool reaches the workpiece.
 fn feed_begins(motions: &Motions, index: usize) -> usize {
     let feed = motions.get(index).process.feed;
     let same = (0..index).rev().take_while(|&before| motions.get(before).process.feed == feed);
@@ -274,7 +275,7 @@ fn removal(unusual: &Unusual, motions: &Motions) -> Message {
 
 fn message(finding: &Finding, motions: &Motions) -> Message {
     let hundredth = |length: f64| (100.0 * length).round() / 100.0;
-    // As the program counts there.
+    // In the coordinates of the program at this motion.
     let zero = motions.get(finding.motion).process.zero;
     let at = finding.at.moved(zero.opposite());
     let (x, z) = (Diameter::from_radius(at.x).map(hundredth), hundredth(at.z));
@@ -297,7 +298,7 @@ fn message(finding: &Finding, motions: &Motions) -> Message {
         }
         Danger::BelowCenter => said::BelowCenter { x }.into(),
         Danger::OverTravel { axis, limit } => match axis {
-            // Unrounded: it may be a little beyond.
+            // Not rounded: the position may be only slightly beyond the limit.
             Axis::X => {
                 said::OverTravel { axis: 'X', to: Diameter::from_radius(finding.at.x).mm(), limit }.into()
             }

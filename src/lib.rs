@@ -7,8 +7,9 @@
 //!
 //! # Three calls
 //!
-//! [`check`] says what is wrong with a program, [`motions`] which motions it makes, [`repair`](crate::repair()) what it is with all safe repairs.
-//! Inside the crate X is a radius. The rows of [`api`], which these calls return, have diameters, as they are written and shown.
+//! [`check`] reports the faults of a program, [`motions`] returns its motions, and [`repair`](crate::repair())
+//! applies all safe repairs. Inside the crate X is a radius. The rows of [`api`], which these calls return,
+//! have diameters, as in programs and on screen.
 //!
 //! ```
 //! use gcode_playground::{check, motions, repair, sentences::Language, setup::Setup};
@@ -23,7 +24,7 @@
 //! assert_eq!(motions(&program, &setup).len(), 5);
 //! ```
 //!
-//! # What it looks like
+//! # Pictures
 //!
 //! ```
 //! use gcode_playground::{analyze, scene::svg, setup::Setup};
@@ -33,12 +34,12 @@
 //! assert!(picture.starts_with("<svg"));
 //! ```
 //!
-//! # All in one call, or in slices
+//! # In one call, or in slices
 //!
-//! [`analyze`] is the whole way in one call; [`run::Run`] the same in slices, for a page that must not block.
-//! Messages are made at every stage and travel in one list. The span of the source travels with every motion.
+//! [`analyze`] runs all stages in one call; [`run::Run`] does the same in slices, for a page that must not
+//! block. Every stage adds its messages to one list. Every motion has the span of its source.
 //!
-//! The feature `cli`, which is on unless `default-features = false`, is the command line.
+//! The default feature `cli` contains the command line.
 
 pub mod api;
 pub mod assist;

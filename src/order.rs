@@ -1,22 +1,22 @@
-//! Putting lists in order, with little code: one merge sort for all of them, a fifth of the library's.
+//! Sorting with little code: one merge sort for all types, a fifth of the size of the standard library's.
 //!
-//! In: a list, and what its order is by. Out: the list in that order; what is equal stays as it was. For lists
-//! that are sorted seldom: where one is sorted again and again, the library's own is quicker.
+//! In: a list and a key or comparison. Out: the list, sorted stably. For lists that are sorted rarely; for
+//! frequent sorting the standard library is faster.
 
 use std::cmp::Ordering;
 
-/// Puts a list in the order of a key.
+/// Sorts a list by a key.
 pub fn by_key<T, K: Ord>(list: &mut [T], key: impl Fn(&T) -> K) {
     by(list, |one, other| key(one).cmp(&key(other)));
 }
 
-/// Puts a list in the order that a comparison says.
+/// Sorts a list by a comparison function.
 pub fn by<T>(list: &mut [T], compare: impl Fn(&T, &T) -> Ordering) {
     if list.is_sorted_by(|one, other| compare(one, other).is_le()) {
         return;
     }
     let mut order = sorted(list.len(), &|one, other| compare(&list[one], &list[other]));
-    // Each circle of places is walked once: what belongs here is brought here, until it is the first.
+    // Apply the permutation cycle by cycle: move each element to its place until the cycle closes.
     for start in 0..order.len() {
         let mut here = start;
         while order[here] as usize != start {
@@ -29,14 +29,15 @@ pub fn by<T>(list: &mut [T], compare: impl Fn(&T, &T) -> Ordering) {
     }
 }
 
-/// A map or a set of what comes, one after the other. `collect` sorts it all first, which is 3 kB of code for each type.
+/// Collects items into a map or a set, one after the other. `collect` sorts them first, which takes 3 kB of
+/// code for each type.
 pub fn gathered<All: Default + Extend<T>, T>(items: impl IntoIterator<Item = T>) -> All {
     let mut all = All::default();
     all.extend(items);
     all
 }
 
-/// The indices of a list in the order that a comparison of two of them says: stretches that are in order are merged,
+/// The sorted indices of a list, by a comparison of two indices. Merges the runs that are already in order,
 /// two at a time.
 #[inline(never)]
 fn sorted(count: usize, compare: &dyn Fn(usize, usize) -> Ordering) -> Vec<u32> {
@@ -78,7 +79,7 @@ mod tests {
             (random >> 40) as u32
         };
         for round in 0..1_000 {
-            // Few keys: what is equal stays in its order.
+            // Few distinct keys, to test that equal elements keep their order.
             let list: Vec<(u32, usize)> =
                 (0..next() as usize % 40).map(|at| (next() % (1 + round % 50), at)).collect();
             let (mut own, mut expected) = (list.clone(), list);

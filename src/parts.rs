@@ -1,37 +1,38 @@
-//! The parts of the module: what every first picture needs, what some programs need before it, and the rest.
+//! The parts of the wasm module: what every first picture needs, what some programs need before it, and the
+//! rest.
 //!
-//! In: functions inside of [`early`] or [`late`]. Out: in the module of the page their code, with the code
-//! and data that only they use, is in a separate file: `cargo xtask` cuts the linked module there
-//! (`xtask/src/parts.rs`), so there is one source, one memory and one state. Everywhere else (natively, under
-//! wasm-pack, in tests) they are functions like any other.
+//! In: functions inside [`early`] or [`late`]. Out: in the module of the page their code, with the code and
+//! data that only they use, is in a separate file. `cargo xtask` splits the linked module
+//! (`xtask/src/parts.rs`), so there is one source, one memory and one state. In all other builds (native,
+//! wasm-pack, tests) they are ordinary functions.
 //!
-//! The caller of such a function makes sure that its part has been loaded: the worker of the page does, by
-//! [`Part::is_loaded`] or by the order of its messages. Until then a call throws.
+//! The caller of such a function must make sure that its part has been loaded. The worker of the page uses
+//! [`Part::is_loaded`] or the order of its messages for this. A call before that throws.
 
 #[cfg(parts)]
 use std::sync::atomic::AtomicPtr;
 use std::sync::atomic::{AtomicU8, Ordering};
 
-/// A part that is not loaded with the module, in the order in which they are loaded.
+/// A part that is not in the initial module. The variants are in loading order.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 #[repr(u8)]
 pub enum Part {
-    /// What some programs need before their first picture: a setup, macros, hole cycles, the Y axis, compensation of the
-    /// nose radius, corners, misread blocks, other controls. A run that needs it and has not got it gives nothing, and
-    /// begins again when it is loaded ([`Run::missing`](crate::run::Run::missing)).
+    /// Needed by some programs before their first picture: a setup, macros, hole cycles, the Y axis, tool
+    /// nose radius compensation, corners, misread blocks, other controls. A run that needs it before it is
+    /// loaded has no results, and restarts once it is loaded ([`Run::missing`](crate::run::Run::missing)).
     Early,
     /// The rest: material, collisions, lints, files, dialogs and tables. Loaded after [`Part::Early`].
     Late,
 }
 
-/// How many parts have been loaded.
+/// Number of loaded parts.
 static LOADED: AtomicU8 = AtomicU8::new(0);
 
 impl Part {
     /// All parts.
     pub const ALL: [Self; 2] = [Self::Early, Self::Late];
 
-    /// Its name in file names and in the page.
+    /// The name in file names and in the page.
     pub const fn name(self) -> &'static str {
         match self {
             Self::Early => "early",
@@ -39,25 +40,26 @@ impl Part {
         }
     }
 
-    /// Whether its functions can be called.
+    /// Whether the functions of the part can be called.
     pub fn is_loaded(self) -> bool {
         cfg!(not(parts)) || LOADED.load(Ordering::Relaxed) > self as u8
     }
 
-    /// Marks it and the parts before it as loaded.
+    /// Marks the part and those before it as loaded.
     pub fn loaded(self) {
         LOADED.fetch_max(self as u8 + 1, Ordering::Relaxed);
     }
 }
 
-/// Ends a call of a function whose part has not been loaded, or of a language without its texts.
+/// Throws after a call of a function whose part has not been loaded, or a use of a language whose texts have
+/// not been loaded.
 #[cfg(parts)]
 #[cold]
 pub(crate) fn missing(part: &str) -> ! {
     wasm_bindgen::throw_val(js_sys::Error::new(part).into())
 }
 
-/// The functions of a file that are in a part, once it has been loaded.
+/// A slot for the functions of a file that belong to a part; filled once the part is loaded.
 #[cfg(parts)]
 pub(crate) struct Slot<T: 'static>(AtomicPtr<T>);
 
@@ -68,14 +70,15 @@ impl<T> Slot<T> {
     }
 
     pub(crate) fn fill(&self, functions: &'static T) {
-        // Hidden from the optimiser: if it knew the functions, it would call them directly, and they would be in the core.
+        // Hidden from the optimiser, which would otherwise call the functions directly and so keep them in
+        // the core module.
         let functions = std::hint::black_box(functions);
         self.0.store(std::ptr::from_ref(functions).cast_mut(), Ordering::Relaxed);
     }
 
     #[allow(unsafe_code)]
     pub(crate) fn functions(&self, part: Part) -> &'static T {
-        // SAFETY: `fill` is the only one that writes, and writes a reference that is valid for ever.
+        // SAFETY: only `fill` writes to the slot, and it writes a reference with a static lifetime.
         unsafe { self.0.load(Ordering::Relaxed).as_ref() }.unwrap_or_else(|| missing(part.name()))
     }
 }
@@ -92,8 +95,8 @@ macro_rules! late {
 }
 pub(crate) use late;
 
-/// Puts the functions of a file into a part, once in a file. In the module of the page they are called through a table, which
-/// `install` fills in: nothing but [`entry`] refers to them.
+/// Puts the functions of a file into a part; use it at most once per file. In the module of the page they are
+/// called through a table that `install` fills; only [`entry`] refers to them.
 macro_rules! in_part {
     ($part:ident $(
        $(#[$attribute:meta])*
@@ -133,8 +136,8 @@ macro_rules! in_part {
 }
 pub(crate) use in_part;
 
-/// The function that installs a part, in the part itself: `entry! { Early install_early { … } }`. wasm-split cuts the module
-/// here; it finds an entry by these names.
+/// The function that installs a part, located in the part itself: `entry! { Early install_early { … } }`.
+/// wasm-split splits the module here; it finds an entry by these names.
 #[cfg(parts)]
 macro_rules! entry {
     ($part:ident $name:ident $body:block) => {
@@ -148,7 +151,7 @@ macro_rules! entry {
             #[unsafe(export_name = concat!("__wasm_split_00", stringify!($part), "00_export_00000000000000000000000000000000"))]
             extern "C" fn body() $body
 
-            // SAFETY: what is imported is `body`, which has the same signature.
+            // SAFETY: the imported function is `body`, which has the same signature.
             unsafe { import() }
         }
     };

@@ -1,11 +1,11 @@
-//! All safe repairs of a program at once.
+//! Applies all safe repairs of a program.
 //!
-//! In: a text and its messages. Out: the text with the first safe repair of each, and what was done. Repairs
-//! that have to be asked for are left to the reader.
+//! In: a text and its messages. Out: the text with the first safe repair of each message, and a list of the
+//! repairs. Repairs that need confirmation are left to the user.
 //!
-//! A repair is *safe* if the program with it does what was meant: it changes letters, signs and marks that were
-//! misread, and puts plain words in brackets. No address with a value comes into brackets, no error is added,
-//! and repairing a second time changes nothing.
+//! A repair is *safe* if the repaired program does what was intended: it changes misread letters, signs and
+//! marks, and puts plain words in brackets. It never puts an address with a value in brackets, adds no error,
+//! and repairing again changes nothing.
 
 use crate::limits::Limits;
 use crate::message::{Diagnostic, Edit, Fix, Repair};
@@ -14,10 +14,11 @@ use crate::rewrite::{applied, before_edits};
 use crate::setup::Setup;
 use crate::source::Span;
 
-/// A repaired text can show faults that were hidden by others, so it is run again; so many times at most.
+/// Maximum number of rounds. A repaired text can reveal faults that were hidden by others, so it is run
+/// again.
 const MOST_ROUNDS: usize = 100;
 
-/// Messages of one run. Repairs of more take another round.
+/// Maximum messages per run; repairs for further messages take another round.
 const MESSAGES: usize = 100_000;
 
 /// A program after its repairs.
@@ -25,32 +26,32 @@ const MESSAGES: usize = 100_000;
 pub struct Repaired {
     /// The new text.
     pub text: Vec<u8>,
-    /// What was done, in order of place.
+    /// The repairs that were made, sorted by place.
     pub taken: Vec<AppliedFix>,
-    /// A repair that is still open after the most rounds: the text is not to be used.
+    /// A repair that is still open after the maximum number of rounds; the text must not be used then.
     pub open: Option<Repair>,
 }
 
-/// A repair that was made.
+/// A repair that was applied.
 #[derive(Clone, Debug, PartialEq)]
 pub struct AppliedFix {
     /// The place in the text before all repairs.
     pub span: Span,
-    /// What it does.
+    /// Description of the repair.
     pub title: Repair,
 }
 
-/// The program with all safe repairs; they are looked for again until there is none.
+/// Applies all safe repairs, until there are none left.
 pub fn repaired(text: &[u8], setup: &Setup) -> Repaired {
     repaired_of(text, setup, &|_| true)
 }
 
-/// The program with the safe repairs of some messages.
+/// Applies the safe repairs of the messages that `wanted` accepts.
 pub fn repaired_of(text: &[u8], setup: &Setup, wanted: &dyn Fn(&Diagnostic) -> bool) -> Repaired {
     within(MOST_ROUNDS, text, setup, wanted)
 }
 
-/// Repairs in at most `most` rounds.
+/// Repairs a program in at most `most` rounds.
 fn within(most: usize, text: &[u8], setup: &Setup, wanted: &dyn Fn(&Diagnostic) -> bool) -> Repaired {
     let limits = Limits { messages: MESSAGES.max(setup.limits.messages), ..setup.limits };
     let setup = Setup { limits, ..setup.clone() };
@@ -80,8 +81,8 @@ fn within(most: usize, text: &[u8], setup: &Setup, wanted: &dyn Fn(&Diagnostic) 
     Repaired { text, taken, open }
 }
 
-/// The first safe repair of each message, in order of place. Of those that touch the
-/// same text the first is taken.
+/// The first safe repair of each message, sorted by place. If several touch the same text, only the first of
+/// them.
 pub fn safe(diagnostics: &[Diagnostic]) -> Vec<&Fix> {
     let safe = diagnostics.iter().filter_map(|found| found.fixes.iter().find(|fix| fix.safe));
     let mut fixes: Vec<(Span, &Fix)> = safe
@@ -93,7 +94,7 @@ pub fn safe(diagnostics: &[Diagnostic]) -> Vec<&Fix> {
     order::by_key(&mut fixes, |(whole, _)| whole.start);
     let mut last: Option<Span> = None;
     fixes.retain(|(whole, _)| {
-        // Two insertions at one place would stand in an order nobody has asked for.
+        // The order of two insertions at the same place would be arbitrary.
         let apart = last.is_none_or(|last| last.end <= whole.start && last.start < whole.start);
         if apart {
             last = Some(*whole);

@@ -1,24 +1,24 @@
-//! Units of length: millimetre and inch, radius and diameter; and how numbers are shown.
+//! Units of length: millimetre and inch, radius and diameter, and number formatting.
 //!
-//! In: a unit, or a value. Out: its size in millimetres, its least input increment, the
-//! value as text. Knows no words.
+//! In: a unit, or a value. Out: its size in millimetres, its least input increment, the value as text.
+//! Contains no translated words.
 
 use serde::{Deserialize, Serialize};
 
-/// Unit of length of the program.
+/// A unit of length of the program.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize)]
 pub enum Unit {
-    /// G21.
+    /// Millimetre (G21).
     #[default]
     #[serde(rename = "mm")]
     Millimetre,
-    /// G20.
+    /// Inch (G20).
     #[serde(rename = "inch")]
     Inch,
 }
 
 impl Unit {
-    /// Both, in the order they are offered.
+    /// Both units, in display order.
     pub const ALL: [Unit; 2] = [Self::Millimetre, Self::Inch];
 
     /// The name in a setup.
@@ -42,8 +42,8 @@ impl Unit {
         10f64.powi(-i32::from(self.decimals()))
     }
 
-    /// Metres in the length that the S of G96 counts a minute: a metre, under G20 a foot (FANUC
-    /// 16/18-T B-62754EN p. 127).
+    /// Metres in the length unit of S under G96: one metre, or one foot under G20 (FANUC 16/18-T B-62754EN p.
+    /// 127).
     pub fn surface_metres(self) -> f64 {
         match self {
             Self::Millimetre => 1.0,
@@ -60,16 +60,15 @@ impl Unit {
     }
 }
 
-/// A length across the spindle axis as people write it: a diameter, mm. Inside, X is a radius
-/// ([`Point`](crate::geometry::Point)); this type is the only way from one to the other, so neither
-/// can be taken for the other.
+/// An X value as a diameter, mm. Inside the crate X is a radius ([`Point`](crate::geometry::Point)); this
+/// type is the only way from one to the other, so that they cannot be confused.
 #[derive(Clone, Copy, Debug, Default, PartialEq, PartialOrd, Deserialize, Serialize)]
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
 #[serde(transparent)]
 pub struct Diameter(f64);
 
 impl Diameter {
-    /// A diameter as it is written, mm.
+    /// A diameter as written in a program, mm.
     pub const fn new(mm: f64) -> Self {
         Self(mm)
     }
@@ -84,24 +83,24 @@ impl Diameter {
         self.0
     }
 
-    /// Half of it, mm.
+    /// The radius, mm.
     pub const fn radius(self) -> f64 {
         self.0 / 2.0
     }
 
-    /// The diameter after a change of its number, such as rounding.
+    /// Applies a function, such as rounding, to the diameter.
     pub fn map(self, change: impl FnOnce(f64) -> f64) -> Self {
         Self(change(self.0))
     }
 }
 
-/// A number as people write it: at most four decimals, no trailing zeros, never `-0`.
+/// Formats a number: at most four decimals, no trailing zeros, never `-0`.
 pub fn number(value: f64) -> String {
     let bits = value.abs().to_bits();
     // The value is `mantissa * 2^exponent`, exactly.
     let (exponent, mantissa) = ((bits >> 52) as i32 - 1075, bits & ((1 << 52) - 1) | 1 << 52);
     let (mut whole, mut decimals) = match exponent {
-        // Less than 2^-15: nothing of it is shown.
+        // Less than 2^-15: rounds to zero.
         ..-67 => (0, 0),
         -67..0 => {
             let (shift, mantissa) = (-exponent, u128::from(mantissa));
@@ -112,7 +111,7 @@ pub fn number(value: f64) -> String {
             ((mantissa >> shift) as u64, decimals + u64::from(up))
         }
         0..=10 => (mantissa << exponent, 0),
-        // No machine and no program counts so far.
+        // Larger than any value in practice.
         11.. => return far(value),
     };
     if decimals == 10_000 {
@@ -123,7 +122,7 @@ pub fn number(value: f64) -> String {
     text.trim_end_matches('0').trim_end_matches('.').to_owned()
 }
 
-/// A number of 2^63 or more with all its digits; a word for what is none.
+/// Formats a number of 2^63 or more with all its digits, or a value that is not finite.
 #[cold]
 fn far(value: f64) -> String {
     if !value.is_finite() {
@@ -136,7 +135,8 @@ fn far(value: f64) -> String {
         }
         .to_owned();
     }
-    // Halved until a whole number of 64 bits has it, and doubled again digit by digit, the last digit first.
+    // Halve the value until it fits in a 64-bit integer, then double it again in decimal digits, the last
+    // digit first.
     let (mut rest, mut doublings) = (value.abs(), 0);
     while rest >= 9e18 {
         (rest, doublings) = (rest / 2.0, doublings + 1);
@@ -155,8 +155,8 @@ fn far(value: f64) -> String {
     sign.chars().chain(digits.iter().rev().map(|&digit| digit as char)).collect()
 }
 
-/// Reads a decimal number: sign, digits with one point, and an exponent where there is one. Up to 15 digits give
-/// exactly the nearest value; more are read as far as they count for a measure.
+/// Parses a decimal number: sign, digits with an optional point, and an optional exponent. Up to 15 digits
+/// give exactly the nearest value; further digits are used only as far as a length needs them.
 pub fn read_number(text: &str) -> Option<f64> {
     let (negative, digits) = match text.as_bytes() {
         [b'-', digits @ ..] => (true, digits),

@@ -1,8 +1,8 @@
-//! The wasm interface: the only way in and out for JavaScript.
+//! The wasm interface, the only interface for JavaScript.
 //!
-//! In: text, a setup as JSON, what the user does with the picture. Out: typed arrays for motions and tokens,
-//! plain objects for everything small, and a drawn canvas. Offsets are UTF-16 offsets into the document with
-//! every line end counted as one unit, as editors count. Knows no G-code.
+//! In: text, a setup as JSON, user actions in the picture. Out: typed arrays for motions and tokens, plain
+//! objects for everything small, and a drawn canvas. Offsets are UTF-16 offsets into the document, where
+//! every line end counts as one unit, as in editors. Knows no G-code.
 
 mod assist;
 mod decimal;
@@ -44,23 +44,23 @@ use crate::source::LineIndex;
 use crate::text::highlight::highlight;
 use crate::units::Unit;
 
-/// A program, its run and its picture.
+/// A program, its run and its pictures.
 #[wasm_bindgen]
 pub struct Playground {
     setup: Setup,
     language: Language,
     current: Current,
-    /// What draws each picture, once it has a canvas.
+    /// The painter of each picture, once it has a canvas.
     painters: PerPlane<Option<Painter>>,
-    /// A text that is being handed in.
+    /// The buffer for a text that is being passed in.
     incoming: Vec<u8>,
-    /// What is asked of a block.
+    /// The current question about a block.
     question: assist::Question,
 }
 
 #[wasm_bindgen]
 impl Playground {
-    /// An empty program under the default setup.
+    /// An empty program with the default setup.
     #[wasm_bindgen(constructor)]
     #[allow(clippy::new_without_default, reason = "JavaScript has no Default")]
     pub fn new() -> Playground {
@@ -74,16 +74,16 @@ impl Playground {
         }
     }
 
-    /// Takes a program; what ran before is dropped.
+    /// Sets the program and discards the previous run.
     #[wasm_bindgen(js_name = setText)]
     pub fn set_text(&mut self, text: String) {
         self.begin(text.into_bytes());
     }
 
-    /// Room for a long text in the memory of the module: a view of `capacity` bytes, to be filled with
-    /// `TextEncoder.encodeInto` and then taken by [`Self::set_text_from_buffer`]. Asked for again
-    /// with more bytes, it holds what it held. Each view dies when any call makes the memory grow:
-    /// fill it before the next one. Throws a `RangeError` where there is no room, or more than 512 MB are asked for.
+    /// A buffer for a long text in the memory of the module: a view of `capacity` bytes, to be filled with
+    /// `TextEncoder.encodeInto` and then taken by [`Self::set_text_from_buffer`]. Another call with more
+    /// bytes keeps the contents. A view becomes invalid when any call makes the memory grow, so fill it
+    /// before the next call. Throws a `RangeError` if there is not enough memory, or for more than 512 MB.
     #[wasm_bindgen(js_name = textBuffer)]
     pub fn text_buffer(&mut self, capacity: usize) -> Result<Uint8Array, JsValue> {
         let more = capacity.saturating_sub(self.incoming.len());
@@ -102,19 +102,19 @@ impl Playground {
         self.begin(bytes);
     }
 
-    /// Takes a program as bytes, such as those of a file.
+    /// Sets the program from bytes, such as those of a file.
     #[wasm_bindgen(js_name = setBytes)]
     pub fn set_bytes(&mut self, bytes: Vec<u8>) {
         self.begin(bytes);
     }
 
-    /// Replaces the text `from..to` (UTF-16 offsets) and runs on from there: what ran before it is kept. Of
-    /// several changes of one text the last in the text comes first.
+    /// Replaces the text `from..to` (UTF-16 offsets) and runs again from there; results from before it are
+    /// kept. If a text has several changes, apply the last one in the text first.
     pub fn edit(&mut self, from: u32, to: u32, insert: &str) {
         self.current.edit(from, to, insert);
     }
 
-    /// The lines `first..end` (from 0) as they are written, each with its line end.
+    /// The original text of the lines `first..end` (from 0), with their line ends.
     #[wasm_bindgen(js_name = linesAsWritten)]
     pub fn lines_as_written(&self, first: u32, end: u32) -> String {
         let (text, lines) = (self.current.run().text(), self.current.lines());
@@ -123,15 +123,15 @@ impl Playground {
         String::from_utf8_lossy(&text[start(first)..start(end.max(first))]).into_owned()
     }
 
-    /// The line (from 0) an offset is in.
+    /// The line (from 0) that contains an offset.
     #[wasm_bindgen(js_name = lineAt)]
     pub fn line_at(&self, offset: u32) -> u32 {
         self.current.lines().line_of(self.current.lines().byte_at_utf16(self.current.run().text(), offset))
     }
 
-    /// Takes a setup as JSON and begins a run of the text under it. Throws an `Error` that names what is
-    /// wrong, such as an unknown key; the setup before it stays. In a module that is cut into parts only `{}` is read without the part
-    /// `early`.
+    /// Sets a setup given as JSON, and begins a run of the text with it. Throws an `Error` that names the
+    /// fault, such as an unknown key; the previous setup is then kept. In a module that is split into parts,
+    /// only `{}` can be parsed before the part `early` is loaded.
     #[wasm_bindgen(js_name = setSetup)]
     pub fn set_setup(&mut self, json: &str) -> Result<(), JsValue> {
         let setup = Setup::from_json(json).map_err(|problem| error(&problem))?;
@@ -140,8 +140,8 @@ impl Playground {
         Ok(())
     }
 
-    /// What if variables had other values? Begins a run in which each gets its value before a block at an offset, one of the
-    /// times that is carried out, from 1; four lists of the same length. Lists without anything end the trial.
+    /// Begins a run that tries values: each variable gets its value before a block at an offset, in one of
+    /// the executions of the block, from 1. The four lists have the same length. Empty lists end the trial.
     #[wasm_bindgen(js_name = tryValues)]
     pub fn try_values(&mut self, blocks: &[u32], times: &[u32], variables: &[u32], values: &[f64]) {
         let rest = times.iter().zip(variables).zip(values);
@@ -158,7 +158,7 @@ impl Playground {
         }
     }
 
-    /// Chooses the language of the messages and the pictures: `en`, `zh` or `ru`.
+    /// Sets the language of the messages and pictures: `en`, `zh` or `ru`.
     #[wasm_bindgen(js_name = setLanguage)]
     pub fn set_language(&mut self, tag: &str) {
         self.language = Language::from_tag(tag);
@@ -166,7 +166,8 @@ impl Playground {
         self.current.set_unit_symbols(symbols.map(|unit| labels::unit_of_ruler(unit, self.language)));
     }
 
-    /// Chooses the unit in which lengths are shown: `mm` or `inch`. Anything else takes that of the program.
+    /// Sets the unit in which lengths are shown: `mm` or `inch`. Any other value selects the unit of the
+    /// program.
     #[wasm_bindgen(js_name = setUnit)]
     pub fn set_unit(&mut self, name: &str) {
         self.current.set_unit(match name {
@@ -176,50 +177,50 @@ impl Playground {
         });
     }
 
-    /// The unit in which lengths are to be shown, and that of the program.
+    /// The unit in which lengths are shown, and the unit of the program.
     #[wasm_bindgen(unchecked_return_type = "Units")]
     pub fn units(&self) -> Result<JsValue, JsValue> {
         units(self)
     }
 
-    /// Runs at most so many blocks; true when the run has ended.
+    /// Runs at most `blocks` blocks; returns true once the run has ended.
     pub fn advance(&mut self, blocks: u32) -> bool {
         self.current.advance(blocks as usize)
     }
 
-    /// Takes the material of at most so many motions off the blank, once the run has ended; true when there
-    /// is no more to do. Messages about what runs into what come with it.
+    /// Removes the material of at most `motions` motions from the blank, once the run has ended; returns true
+    /// when it is finished. It also makes the messages about collisions available.
     #[wasm_bindgen(js_name = removeMaterial)]
     pub fn remove_material(&mut self, motions: u32) -> bool {
         self.current.remove_material(motions as usize)
     }
 
-    /// The part of the module that the program needs and that had not been loaded when it ran: nothing that
-    /// came of the run can be used, and [`Self::begin_again`] is to be called once it is there.
+    /// The part of the module that the run needed but that was not loaded. If there is one, the results of
+    /// the run are unusable; call [`Self::begin_again`] once the part is loaded.
     #[wasm_bindgen(js_name = missingPart)]
     pub fn missing_part(&self) -> Option<String> {
         self.current.run().missing().map(|part| part.name().to_owned())
     }
 
-    /// Begins the run again where something it lacks has been loaded since: such a part, or the lints. True:
-    /// it has begun again.
+    /// Restarts the run if something that it lacks has been loaded since: such a part, or the lints. Returns
+    /// whether it restarted.
     #[wasm_bindgen(js_name = beginAgain)]
     pub fn begin_again(&mut self) -> bool {
         self.current.begin_again()
     }
 
-    /// Share of the program that has run, 0 to 1.
+    /// The fraction of the program that has run, 0 to 1.
     pub fn progress(&self) -> f64 {
         self.current.run().progress()
     }
 
-    /// Ends the run early, after so many seconds; a message says so.
+    /// Ends the run early, after `seconds` seconds, and reports that.
     pub fn stop(&mut self, seconds: f64) {
         self.current.stop(seconds);
     }
 
-    /// Counts of what has run so far; its messages are those of [`Self::diagnostics`]. Where the part that finds
-    /// what happens at the machine has not been loaded, they are those of the path.
+    /// Counts for the run so far. They count the messages of [`Self::diagnostics`]; if the part with the
+    /// simulation is not loaded, only the messages about the path.
     #[wasm_bindgen(unchecked_return_type = "Summary")]
     pub fn summary(&self) -> Result<JsValue, JsValue> {
         let mut summary = Summary {
@@ -231,7 +232,7 @@ impl Playground {
         if Part::Late.is_loaded() {
             count_findings(self, &mut summary);
         }
-        // Made here by hand: what serialises other rows is not needed before the first picture.
+        // Built by hand, because the general serializer is not loaded before the first picture.
         let row = js_sys::Object::new();
         for (name, count) in summary.counts() {
             Reflect::set(&row, &JsValue::from_str(name), &JsValue::from_f64(f64::from(count)))?;
@@ -240,7 +241,7 @@ impl Playground {
         Ok(row.into())
     }
 
-    /// How many motions there are so far, and how many errors of the path.
+    /// The number of motions so far, and of errors in the path.
     #[wasm_bindgen(js_name = motionsAndErrors)]
     pub fn motions_and_errors(&self) -> Vec<u32> {
         let errors = self.current.run().diagnostics().iter().filter(|told| told.is_error()).count();
@@ -253,19 +254,20 @@ impl Playground {
         diagnostics(self)
     }
 
-    /// The same for the package for Node: offsets into the text as it was given, CR LF counted as two units.
+    /// The messages for the Node package: offsets refer to the original text, where CR LF counts as two
+    /// units.
     #[wasm_bindgen(js_name = diagnosticsAsWritten, unchecked_return_type = "Diagnostic[]")]
     pub fn diagnostics_as_written(&self) -> Result<JsValue, JsValue> {
         diagnostics_as_written(self)
     }
 
-    /// The names of the rules that the setup switches off, one by one.
+    /// The names of all rules that the setup switches off.
     #[wasm_bindgen(js_name = rulesOff)]
     pub fn rules_off(&self) -> Vec<String> {
         rules_off(self)
     }
 
-    /// Classed pieces of the lines `first..end` (from 0): triples of offset, end offset and class.
+    /// Tokens of the lines `first..end` (from 0): triples of offset, end offset and class.
     pub fn tokens(&self, first: u32, end: u32) -> Vec<u32> {
         tokens(self, first, end)
     }
@@ -275,19 +277,20 @@ impl Playground {
         expanded(self)
     }
 
-    /// The table of supported codes, first as the control of this program writes them.
+    /// The table of supported codes; the codes of this program's control come first.
     #[wasm_bindgen(unchecked_return_type = "Codes")]
     pub fn codes(&self) -> Result<JsValue, JsValue> {
         codes(self)
     }
 
-    /// Lights up the strokes of the block at an offset.
+    /// Highlights the strokes of the block at an offset.
     #[wasm_bindgen(js_name = setCursor)]
     pub fn set_cursor(&mut self, offset: Option<u32>) {
         self.current.set_cursor(offset);
     }
 
-    /// Lights up the strokes of lines as long as there is no cursor: pairs of the first line, from 0, and the end.
+    /// Highlights the strokes of lines while there is no cursor: pairs of the first line, from 0, and the
+    /// end.
     #[wasm_bindgen(js_name = setMarkedLines)]
     pub fn set_marked_lines(&mut self, lines: &[u32]) {
         self.current
@@ -300,7 +303,7 @@ impl Playground {
         self.current.set_hover(motion.map(|index| index as usize));
     }
 
-    /// What is left of the blank, when all motions are done; nothing where there is no blank.
+    /// The finished part, once all material is removed; `undefined` without a blank.
     #[wasm_bindgen(unchecked_return_type = "Part | undefined")]
     pub fn part(&self) -> Result<JsValue, JsValue> {
         self.current.part().map_or(Ok(JsValue::UNDEFINED), part)
@@ -361,7 +364,7 @@ late! {
     }
 }
 
-/// The code of a part has been put into the module: what is in it can be called from now on.
+/// Installs a part whose code has been loaded into the module; its functions can be called from now on.
 #[wasm_bindgen(js_name = partLoaded)]
 pub fn part_loaded(name: &str) {
     let Some(part) = Part::ALL.into_iter().find(|part| part.name() == name) else { return };
@@ -425,7 +428,7 @@ entry! { Late install_late {
     crate::scene::canvas::sheet::install();
 } }
 
-/// Takes the texts of a language, by its tag: it can be used from now on. False: they are of another version.
+/// Loads the texts of a language, given by its tag. Returns false if they belong to another version.
 #[wasm_bindgen(js_name = textsLoaded)]
 pub fn texts_loaded(tag: &str, list: String) -> bool {
     Language::from_tag(tag).load(list)
@@ -436,7 +439,7 @@ impl Playground {
         self.current.set_text(text, self.setup.clone());
     }
 
-    /// What the machine found, in the unit of the program.
+    /// The findings of the simulation, in the unit of the program.
     fn findings(&self) -> impl Iterator<Item = Diagnostic> {
         let (run, motions) = (self.current.run(), self.current.motions());
         let (levels, told, unit) = (&run.setup().rules, run.diagnostics(), run.state().unit);
@@ -446,7 +449,7 @@ impl Playground {
         found.map(move |found| found.in_unit(unit))
     }
 
-    /// All messages in order of place, in the unit that is shown.
+    /// All messages sorted by place, in the displayed unit.
     fn all_diagnostics(&self) -> Vec<Diagnostic> {
         let mut all = self.current.run().diagnostics().to_vec();
         all.extend(self.findings());
@@ -472,7 +475,7 @@ impl Playground {
     }
 }
 
-/// What is thrown where an argument cannot be used.
+/// The error to throw for an invalid argument.
 fn error(text: &str) -> JsValue {
     js_sys::Error::new(text).into()
 }
@@ -481,20 +484,20 @@ fn to_js(value: &impl Serialize) -> Result<JsValue, JsValue> {
     Ok(value.serialize(&serde_wasm_bindgen::Serializer::new())?)
 }
 
-/// JavaScript's view of bytes that it is to fill.
+/// A JavaScript view of bytes that JavaScript will fill.
 #[allow(unsafe_code)]
 fn view_to_fill(bytes: &mut [u8]) -> Uint8Array {
-    // SAFETY: the bytes are initialised and stay where they are until the next call into the module;
-    // until then only JavaScript's single thread has them. What a stale view does is its own: it never
-    // reaches memory it has not.
+    // SAFETY: the bytes are initialised and do not move until the next call into the module; until then only
+    // JavaScript's single thread can access them. A stale view is detached or stays within the memory of the
+    // module, so it can reach no other memory.
     unsafe { Uint8Array::view_mut_raw(bytes.as_mut_ptr(), bytes.len()) }
 }
 
-/// JavaScript's views of the columns of a chunk.
+/// JavaScript views of the columns of a chunk.
 #[allow(unsafe_code)]
 fn view_of(chunk: &Chunk) -> MotionChunkView {
-    // SAFETY: nothing moves the columns before the next call into the module, until which the views are said
-    // to hold; JavaScript reads only, and any bits are a number.
+    // SAFETY: the columns do not move before the next call into the module, and the views are documented to
+    // be valid only until then. JavaScript only reads, and any bit pattern is a valid number.
     unsafe {
         MotionChunkView {
             kind: Uint8Array::view(chunk.kinds()),

@@ -1,6 +1,6 @@
-//! Help at a place of the program as rows of the page: the word there, and the state of the control.
+//! Rows for help at a place of the program: the word there, and the state of the control.
 //!
-//! In: answers of `assist`, a language. Out: texts, with the UTF-16 offsets of the blocks they name.
+//! In: results of `assist`, a language. Out: texts, with the UTF-16 offsets of the blocks that they refer to.
 
 use serde::Serialize;
 #[cfg(target_arch = "wasm32")]
@@ -26,7 +26,7 @@ use crate::source::Span;
 use crate::text::program_name::is_name;
 use crate::units::Unit;
 
-/// The word at a place.
+/// Help for the word at a place.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 #[cfg_attr(target_arch = "wasm32", derive(Tsify))]
 pub struct WordHelp {
@@ -34,21 +34,21 @@ pub struct WordHelp {
     pub from: u32,
     /// UTF-16 offset of its end.
     pub to: u32,
-    /// The word, blanks left out.
+    /// The word, without blanks.
     pub word: String,
-    /// What it is.
+    /// The meaning of the word.
     pub title: String,
-    /// Its value with its unit.
+    /// The value with its unit.
     #[serde(skip_serializing_if = "Option::is_none")]
     #[cfg_attr(target_arch = "wasm32", tsify(optional))]
     pub value: Option<String>,
-    /// What else is known, the most important first.
+    /// More facts, the most important first.
     pub facts: Vec<HelpLine>,
-    /// Blocks that the word names: pairs of UTF-16 offsets.
+    /// Blocks that the word refers to: pairs of UTF-16 offsets.
     pub marks: Vec<(u32, u32)>,
 }
 
-/// A sentence, and the block it names.
+/// A sentence, and the block that it refers to.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 #[cfg_attr(target_arch = "wasm32", derive(Tsify))]
 pub struct HelpLine {
@@ -66,41 +66,43 @@ pub struct HelpLine {
 pub struct StateHelp {
     /// Line of the block, from 1.
     pub line: u32,
-    /// Which of the times the block is carried out, from 1; 0 where it never is, and all lists are empty.
+    /// Which execution of the block this is, from 1. 0 if the block is never executed; all lists are then
+    /// empty.
     pub number: u32,
-    /// How often it is carried out.
+    /// How often the block is executed.
     pub times: u32,
     /// UTF-16 offset of the block.
     pub block: u32,
-    /// Which of the times it is carried out, from 1; 0 where a cycle only reads it. A value can be tried there.
+    /// Which execution of the block this is, from 1, for trying a value there. 0 if a cycle only reads the
+    /// block.
     pub execution: u32,
-    /// What the block does, in sentences with the numbers worked out; may be empty.
+    /// What the block does, in sentences with calculated numbers; may be empty.
     pub explanation: String,
-    /// That a cycle reads it as a part of its contour.
+    /// Says that a cycle reads the block as a part of its contour.
     #[serde(skip_serializing_if = "Option::is_none")]
     #[cfg_attr(target_arch = "wasm32", tsify(optional))]
     pub purpose: Option<&'static str>,
-    /// Where the tip stands: a row for each axis.
+    /// Position of the tip: a row for each axis.
     pub axes: Vec<StateRow>,
-    /// Spindle speed and cutting speed after the block, where they can be known.
+    /// Spindle speed and cutting speed after the block, if they are known.
     #[serde(skip_serializing_if = "Option::is_none")]
     #[cfg_attr(target_arch = "wasm32", tsify(optional))]
     pub speeds: Option<String>,
-    /// What is in force.
+    /// The modal state.
     pub rows: Vec<StateRow>,
-    /// The variables that have a value, those the block changes first.
+    /// The variables that have a value; those that the block changes are first.
     pub variables: Vec<StateRow>,
-    /// Variables that are left out.
+    /// Number of variables that are not listed.
     pub hidden: u32,
-    /// Calls and loops under way, the outermost first.
+    /// Active calls and loops, the outermost first.
     pub frames: Vec<HelpLine>,
 }
 
-/// The form of the block that was asked about: of a cycle, a move or a call.
+/// The form of the requested block: a cycle, a move or a call.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 #[cfg_attr(target_arch = "wasm32", derive(Tsify))]
 pub struct FormHelp {
-    /// Its blocks: two for the multiple cycles of today.
+    /// The blocks: two for a multiple repetitive cycle in two-block format.
     pub lines: Vec<FormLine>,
 }
 
@@ -110,56 +112,56 @@ pub struct FormHelp {
 pub struct FormLine {
     /// The code, as the control writes it.
     pub code: String,
-    /// It is the block that was asked about.
+    /// Whether it is the requested block.
     pub own: bool,
-    /// Its words, in the order they are written.
+    /// Its words, in the usual order.
     pub words: Vec<FormWord>,
 }
 
-/// A place for a word.
+/// A slot for a word.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 #[cfg_attr(target_arch = "wasm32", derive(Tsify))]
 pub struct FormWord {
-    /// The letters that can stand there: `X`, or `X/U`.
+    /// The possible letters: `X`, or `X/U`.
     pub letters: String,
-    /// What the word is.
+    /// The meaning of the word.
     pub title: &'static str,
-    /// It can be left out.
+    /// Whether the word can be omitted.
     pub optional: bool,
-    /// It stands in the block that was asked about, or has to and does not, or is left out.
+    /// Whether the requested block contains the word, lacks it although it is required, or omits it.
     #[cfg_attr(target_arch = "wasm32", tsify(type = "\"there\" | \"missing\" | \"left-out\""))]
     pub state: &'static str,
-    /// What holds without it.
+    /// What applies if the word is omitted.
     pub otherwise: String,
-    /// It is the word that was asked about.
+    /// Whether it is the requested word.
     pub marked: bool,
 }
 
-/// What can be written at a place.
+/// The completions at a place.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 #[cfg_attr(target_arch = "wasm32", derive(Tsify))]
 pub struct CompletionHelp {
-    /// UTF-16 offset of what was begun.
+    /// UTF-16 offset of the start of the text to replace.
     pub from: u32,
     /// UTF-16 offset of its end.
     pub to: u32,
-    /// The likeliest first.
+    /// The completions, the most likely first.
     pub items: Vec<CompletionItem>,
 }
 
-/// A proposal.
+/// A completion.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 #[cfg_attr(target_arch = "wasm32", derive(Tsify))]
 pub struct CompletionItem {
-    /// Its first line.
+    /// The first line of its text.
     pub label: String,
-    /// What is written.
+    /// The text to insert.
     pub text: String,
-    /// Places in it to fill, one after the other: pairs of offsets in `text`.
+    /// Fields to fill in, in order: pairs of offsets in `text`.
     pub fills: Vec<(u32, u32)>,
-    /// What it is.
+    /// A description.
     pub detail: String,
-    /// What kind of thing it is.
+    /// The kind of completion.
     #[cfg_attr(
         target_arch = "wasm32",
         tsify(type = "\"code\" | \"word\" | \"place\" | \"variable\" | \"snippet\"")
@@ -167,17 +169,17 @@ pub struct CompletionItem {
     pub kind: &'static str,
 }
 
-/// All places of the text where the number at a place is used: a sequence number, a program, a variable.
+/// All uses of the number at a place: a sequence number, a program number or a variable.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 #[cfg_attr(target_arch = "wasm32", derive(Tsify))]
 pub struct UsesHelp {
-    /// The number, as it is written: `N10`, `O1000`, `#100`.
+    /// The number, as written: `N10`, `O1000`, `#100`.
     pub name: String,
-    /// The places, in the order of the text.
+    /// The uses, in text order.
     pub places: Vec<Use>,
-    /// Index of the one to go to from here.
+    /// Index of the use to go to next.
     pub next: u32,
-    /// There are more.
+    /// Whether there are more.
     pub cut: bool,
 }
 
@@ -191,21 +193,22 @@ pub struct Use {
     pub to: u32,
     /// Line, from 1.
     pub line: u32,
-    /// The block, cut off where it is long.
+    /// The block, shortened if it is long.
     pub text: String,
-    /// The block of the number stands there, or the variable gets a value.
+    /// Whether this is the definition: the numbered block, or an assignment to the variable.
     pub defines: bool,
 }
 
-/// The outline of a text, and what of it can be folded.
+/// The outline of a text, and its foldable ranges.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 #[cfg_attr(target_arch = "wasm32", derive(Tsify))]
 pub struct OutlineHelp {
-    /// In the order of the text.
+    /// The entries, in text order.
     pub entries: Vec<OutlineEntry>,
-    /// Pairs of UTF-16 offsets: from the end of a block to the end of the last that belongs to it.
+    /// Foldable ranges, as pairs of UTF-16 offsets: from the end of a block to the end of the last block that
+    /// belongs to it.
     pub folds: Vec<(u32, u32)>,
-    /// The text goes on after the last entry.
+    /// Whether the text continues after the last entry.
     pub cut: bool,
 }
 
@@ -213,37 +216,37 @@ pub struct OutlineHelp {
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 #[cfg_attr(target_arch = "wasm32", derive(Tsify))]
 pub struct OutlineEntry {
-    /// What it is.
+    /// The kind of entry.
     #[cfg_attr(
         target_arch = "wasm32",
         tsify(type = "\"program\" | \"tool\" | \"operation\" | \"block\" | \"cycle\"")
     )]
     pub kind: &'static str,
-    /// Under how many others it stands.
+    /// Depth in the outline: the number of entries above it.
     pub depth: u8,
     /// UTF-16 offset of its block.
     pub from: u32,
     /// Line, from 1.
     pub line: u32,
-    /// What it is called in the text.
+    /// Its name in the text.
     pub name: String,
-    /// What more is said of it; may be empty.
+    /// A description; may be empty.
     pub detail: String,
 }
 
-/// What is in force before and after a block.
+/// A value of the state before and after a block.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 #[cfg_attr(target_arch = "wasm32", derive(Tsify))]
 pub struct StateRow {
-    /// What it is of.
+    /// Name of the value.
     pub name: String,
     /// Before the block.
     pub before: String,
     /// After it.
     pub after: String,
-    /// The block changes it.
+    /// Whether the block changes it.
     pub changed: bool,
-    /// Line of the block that set it, from 1; left out where it is as at the start.
+    /// Line of the block that set it, from 1; omitted if it still has its initial value.
     #[serde(skip_serializing_if = "Option::is_none")]
     #[cfg_attr(target_arch = "wasm32", tsify(optional))]
     pub line: Option<u32>,
@@ -251,25 +254,25 @@ pub struct StateRow {
     #[serde(skip_serializing_if = "Option::is_none")]
     #[cfg_attr(target_arch = "wasm32", tsify(optional))]
     pub at: Option<u32>,
-    /// The variable it is of.
+    /// Number of the variable, if it is one.
     #[serde(skip_serializing_if = "Option::is_none")]
     #[cfg_attr(target_arch = "wasm32", tsify(optional))]
     pub variable: Option<u32>,
 }
 
-/// Whose rows they are.
+/// The text, the language and the unit of the rows.
 #[derive(Clone, Copy)]
 pub struct Reader<'a> {
     /// The text.
     pub places: Places<'a>,
-    /// Of the sentences.
+    /// The language of the sentences.
     pub language: Language,
-    /// Of lengths.
+    /// The unit of lengths.
     pub unit: Unit,
 }
 
 impl Reader<'_> {
-    /// What stands at a byte.
+    /// Help for the word at a byte.
     pub fn word(&self, asked: &Asked, byte: u32, notes: &[Span], motions: &Motions) -> Option<WordHelp> {
         let hover = asked.hover(byte, notes, motions)?;
         let (from, to) = self.places.offsets(hover.span);
@@ -285,7 +288,7 @@ impl Reader<'_> {
         Some(WordHelp { from, to, word, title: self.title(&hover), value, facts, marks: marks.collect() })
     }
 
-    /// The form of the block, with the word at a byte marked; nothing where a block has none.
+    /// The form of the block, with the word at a byte marked; `None` if the block has no form.
     pub fn form(&self, asked: &Asked, byte: u32) -> Option<FormHelp> {
         let signature = asked.signature()?;
         let own = signature.own;
@@ -319,7 +322,8 @@ impl Reader<'_> {
         }
     }
 
-    /// What can be written at a byte; `end`: the state after the run; `asked_for`: the reader asks for it.
+    /// The completions at a byte. `end`: the state after the run. `asked_for`: whether the user requested
+    /// them explicitly.
     pub fn completion(
         &self,
         asked: &Asked,
@@ -333,7 +337,7 @@ impl Reader<'_> {
         Some(CompletionHelp { from, to, items })
     }
 
-    /// The uses of the number at a byte; nothing where none stands.
+    /// The uses of the number at a byte; `None` if there is no number.
     pub fn uses(&self, codes: CodeList, byte: u32) -> Option<UsesHelp> {
         let text = self.places.text;
         let found = uses(text, codes, byte)?;
@@ -386,7 +390,7 @@ impl Reader<'_> {
     fn proposal(&self, item: &Item) -> CompletionItem {
         let (mut text, mut fills) = (String::new(), Vec::new());
         for piece in &item.pieces {
-            // Proposals are ASCII: bytes are UTF-16 units.
+            // Completions are ASCII, so bytes are UTF-16 units.
             let from = text.len() as u32;
             match piece {
                 Piece::Fixed(fixed) => text.push_str(fixed),
@@ -434,7 +438,7 @@ impl Reader<'_> {
         })
     }
 
-    /// What the motions of the block do, in sentences; empty where it makes none.
+    /// A description of the motions of the block, in sentences; empty if it makes none.
     pub fn explanation(&self, asked: &Asked, motions: &Motions) -> String {
         self.speak(|speaker| speaker.explanation(&asked.explanation(motions)))
     }
@@ -513,7 +517,7 @@ impl Reader<'_> {
     }
 }
 
-/// A text in one line, cut off where it is long.
+/// A text on one line, shortened if it is long.
 fn shortened(text: &str) -> String {
     const MOST: usize = 60;
     let words = text.split_whitespace().collect::<Vec<_>>().join(" ");
@@ -523,7 +527,7 @@ fn shortened(text: &str) -> String {
     }
 }
 
-/// What a block sets that moves nothing.
+/// A description of what a block without motions sets.
 fn sets(help: &StateHelp, speaker: &Speaker) -> String {
     let changed = |row: &&StateRow| row.changed;
     let rows = help.rows.iter().filter(changed).map(|row| speaker.named(&row.name, &row.after));

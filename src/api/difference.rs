@@ -1,7 +1,8 @@
-//! Rows of what differs between two versions of a program.
+//! Rows for the differences between two versions of a program.
 //!
-//! In: a difference, both texts, a language. Out: a [`ProgramDifference`] for the page and for other programs: blocks with their
-//! lines, changes as words and values. Long lists are cut, and what is left out is counted.
+//! In: a difference, both texts, a language. Out: a [`ProgramDifference`] for the page and for other
+//! programs: blocks with their lines, changes as words and values. Long lists are truncated, and the omitted
+//! entries are counted.
 
 use serde::Serialize;
 
@@ -15,58 +16,58 @@ use crate::sentences::Language;
 use crate::sentences::difference::{Said, Told, clock, describe_change, describe_reading, said};
 use crate::units::{Unit, number};
 
-/// What differs between two versions of a program.
+/// The differences between two versions of a program.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[cfg_attr(target_arch = "wasm32", derive(Tsify))]
 #[serde(rename_all = "camelCase")]
 pub struct ProgramDifference {
-    /// The texts are the same, but for N numbers, blanks and how numbers are written.
+    /// Whether the texts are the same, except for N numbers, blanks and number formats.
     pub same_text: bool,
-    /// The motions are the same.
+    /// Whether the motions are the same.
     pub same_motions: bool,
-    /// How the versions were read, where that differs.
+    /// How each version was read, where they differ.
     pub read_as: Vec<Change>,
-    /// What differs in the text, in order.
+    /// The differences of the text, in order.
     pub hunks: Vec<Hunk>,
-    /// Changed blocks that are not listed.
+    /// Number of changed blocks that are not listed.
     pub more_blocks: usize,
-    /// Blocks that move otherwise though no text before them differs.
+    /// Blocks whose motion differs although no text before them differs.
     pub unexplained: Later,
-    /// The whole of both versions: time, passes, tools and so on, also what is the same.
+    /// The totals of both versions: time, passes, tools and so on, including those that are the same.
     pub totals: Vec<Change>,
-    /// Where the finished parts differ; left out where one of them cannot be shown.
+    /// Where the finished parts differ; omitted if one of them cannot be shown.
     #[serde(skip_serializing_if = "Option::is_none")]
     #[cfg_attr(target_arch = "wasm32", tsify(optional))]
     pub part: Option<Comparison>,
-    /// Messages of the first version alone.
+    /// Messages of the first version only.
     pub gone: Vec<Diagnostic>,
-    /// Messages of the second version alone.
+    /// Messages of the second version only.
     pub new: Vec<Diagnostic>,
 }
 
-/// Neighbouring blocks that differ in their text.
+/// Adjacent blocks whose text differs.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[cfg_attr(target_arch = "wasm32", derive(Tsify))]
 pub struct Hunk {
-    /// The blocks beside each other.
+    /// The blocks side by side.
     pub rows: Vec<Row>,
-    /// Unchanged blocks that move otherwise because of them.
+    /// Unchanged blocks whose motion differs because of these.
     pub later: Later,
 }
 
-/// A block of each version; one of them may be missing.
+/// A pair of blocks, one from each version; one of them may be missing.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[cfg_attr(target_arch = "wasm32", derive(Tsify))]
 pub struct Row {
-    /// Of the first version.
+    /// The block of the first version.
     #[serde(skip_serializing_if = "Option::is_none")]
     #[cfg_attr(target_arch = "wasm32", tsify(optional))]
     pub first: Option<Block>,
-    /// Of the second version.
+    /// The block of the second version.
     #[serde(skip_serializing_if = "Option::is_none")]
     #[cfg_attr(target_arch = "wasm32", tsify(optional))]
     pub second: Option<Block>,
-    /// What differs in their motion.
+    /// The differences of their motion.
     pub changes: Vec<Change>,
 }
 
@@ -76,35 +77,35 @@ pub struct Row {
 pub struct Block {
     /// Its line, from 1.
     pub line: u32,
-    /// Its text, without the blanks around.
+    /// Its text, without surrounding blanks.
     pub text: String,
 }
 
-/// Unchanged blocks that move otherwise.
+/// Unchanged blocks whose motion differs.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[cfg_attr(target_arch = "wasm32", derive(Tsify))]
 pub struct Later {
-    /// How many.
+    /// Number of blocks.
     pub blocks: usize,
     /// The first of them for each kind of change.
     pub rows: Vec<Row>,
 }
 
-/// Something with its value in both versions.
+/// A property with its value in both versions.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[cfg_attr(target_arch = "wasm32", derive(Tsify))]
 pub struct Change {
-    /// What it is, the same in all languages: `end`, `feed`, `time`.
+    /// Stable name of the property, not translated: `end`, `feed`, `time`.
     pub what: &'static str,
-    /// What it is called.
+    /// Translated name of the property.
     pub name: String,
-    /// In the first version.
+    /// The value in the first version.
     pub first: String,
-    /// In the second.
+    /// The value in the second version.
     pub second: String,
 }
 
-/// What rows are made from.
+/// The input for the rows.
 struct Versions<'a> {
     places: [Places<'a>; 2],
     unit: Unit,
@@ -112,7 +113,7 @@ struct Versions<'a> {
 }
 
 impl ProgramDifference {
-    /// The rows of a difference; lengths are shown in a unit.
+    /// The rows of a difference; lengths are shown in `unit`.
     pub fn new(
         found: &difference::ProgramDifference,
         places: [Places; 2],
@@ -149,14 +150,14 @@ impl ProgramDifference {
         }
     }
 
-    /// Whether neither text nor motion differs.
+    /// Whether neither text nor motions differ.
     pub fn is_same(&self) -> bool {
         self.same_text && self.same_motions
     }
 }
 
 impl Hunk {
-    /// Adds the time to its last block, where it differs.
+    /// Adds the time to the last row, if it differs.
     fn with_time(mut self, seconds: [f64; 2], language: Language) -> Self {
         if let Some(row) = self.rows.last_mut().filter(|_| (seconds[0] - seconds[1]).abs() >= 0.05) {
             row.changes.push(plain("time", Said::Time, seconds.map(clock), language));
@@ -164,7 +165,7 @@ impl Hunk {
         self
     }
 
-    /// Whether the motion stays as it is.
+    /// Whether the motions are unchanged.
     pub fn is_without_motion(&self) -> bool {
         self.later.blocks == 0 && self.rows.iter().all(|row| row.changes.is_empty())
     }
@@ -196,7 +197,7 @@ impl Versions<'_> {
     }
 }
 
-/// The name of a change in all languages.
+/// The stable name of a change, not translated.
 fn kind(change: &Changed) -> &'static str {
     match change {
         Changed::Moves(_) => "moves",

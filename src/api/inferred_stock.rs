@@ -1,4 +1,4 @@
-//! What leaves the crate of a stock that nobody has named.
+//! The row of a stock that was inferred because the setup does not give one.
 
 use serde::Serialize;
 
@@ -8,15 +8,15 @@ use crate::setup::Stock;
 use crate::setup::as_comments;
 use crate::units::Diameter;
 
-/// A stock that is inferred, and what was not checked because of that.
+/// An inferred stock, and the checks that were skipped because of it.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[serde(rename_all = "camelCase")]
 pub struct InferredStock {
-    /// `stock-assumed`: what sets the row apart from those of messages.
+    /// Always `stock-assumed`; distinguishes the row from messages.
     pub note: &'static str,
-    /// What was not looked for.
+    /// The skipped checks.
     pub not_checked: [&'static str; 1],
-    /// The same in words, with the comment that names this stock.
+    /// The same as a text, with the comment that sets this stock.
     pub message: String,
     /// The stock, as a setup has it.
     pub stock: StockRow,
@@ -31,13 +31,13 @@ pub struct StockRow {
     pub bore: Diameter,
     /// Z of the front face.
     pub face: f64,
-    /// From the face towards −Z.
+    /// Length from the face towards −Z.
     pub length: f64,
 }
 
 impl InferredStock {
-    /// That of a program; nothing where its setup names a stock, nothing is cut, or a tool is not
-    /// known and no part is shown.
+    /// The inferred stock of a program. `None` if the setup gives a stock, nothing is cut, or no part is
+    /// shown because a tool is unknown.
     pub fn of(analysis: &Analysis, language: Language) -> Option<Self> {
         if analysis.setup.stock.is_some() {
             return None;

@@ -1,8 +1,8 @@
-//! What leaves the crate of the programs in a manual, beside the messages about them.
+//! The rows for the programs in a manual, other than their messages.
 
 use serde::Serialize;
 
-/// A row about a place in a manual.
+/// A row with its place in a manual.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct InManual<T> {
     /// Line, from 1.
@@ -14,11 +14,11 @@ pub struct InManual<T> {
     pub row: T,
 }
 
-/// What is wrong with the element around a program.
+/// A fault in the element around a program.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct ElementNote {
-    /// `element-not-closed`, `attribute-wrong` or `setup-unreadable`: what sets the row apart from those of messages.
+    /// `element-not-closed`, `attribute-wrong` or `setup-unreadable`; distinguishes the row from messages.
     pub note: &'static str,
-    /// The same in words.
+    /// The same as a text.
     pub message: String,
 }

@@ -1,7 +1,7 @@
-//! The rows of the programs found in a text: a list, and each of them as pieces to be shown.
+//! Rows for the programs found in a text: a list, and the pieces of each program.
 //!
-//! In: what was found. Out: rows in a language. What is left out is quoted short; what is kept and what
-//! stands there now is whole, so that the text put together from a program's pieces is the cleaned program.
+//! In: the programs found. Out: rows in a language. Omitted text is shortened; the kept and the new text is
+//! complete, so that the pieces of a program together give the cleaned program.
 
 use serde::Serialize;
 
@@ -11,9 +11,9 @@ use tsify::Tsify;
 use crate::paste::{Found, Name, Program, Review};
 use crate::sentences::Language;
 
-/// Longest quotation of what was left out, characters.
+/// Maximum length of quoted text that was omitted, characters.
 const QUOTE: usize = 160;
-/// Most pieces of a program that are shown one by one; the rest of it is one piece.
+/// Maximum number of pieces shown separately; the rest of the program is one piece.
 const MOST_PIECES: usize = 3_000;
 
 /// The programs found in a text.
@@ -21,13 +21,13 @@ const MOST_PIECES: usize = 3_000;
 #[cfg_attr(target_arch = "wasm32", derive(Tsify))]
 #[serde(rename_all = "camelCase")]
 pub struct FoundPrograms {
-    /// In the order in which they stand.
+    /// The programs, in text order.
     pub programs: Vec<FoundProgram>,
-    /// How many more there are than are listed.
+    /// Number of programs that are not listed.
     pub more: u32,
-    /// The text is longer than is looked through.
+    /// Whether the text is longer than what was searched.
     pub too_long: bool,
-    /// How much the reader has to see: nothing, that there are a few stray characters, or the programs.
+    /// What the user has to review: nothing, a few stray characters, or the programs.
     #[cfg_attr(target_arch = "wasm32", tsify(type = "\"nothing\" | \"few-characters\" | \"programs\""))]
     pub review: &'static str,
 }
@@ -37,35 +37,35 @@ pub struct FoundPrograms {
 #[cfg_attr(target_arch = "wasm32", derive(Tsify))]
 #[serde(rename_all = "camelCase")]
 pub struct FoundProgram {
-    /// Its number, `O0006`, or the text before it; empty where nothing names it.
+    /// Its number, `O0006`, or the title before it; empty if it has neither.
     pub name: String,
-    /// First and last line in the text, from 1.
+    /// First line in the text, from 1.
     pub first_line: u32,
-    /// The last of them.
+    /// Last line in the text.
     pub last_line: u32,
-    /// How much was repaired or left out.
+    /// Number of repairs and omissions.
     pub changes: u32,
-    /// How much the reader is to say.
+    /// Number of pieces that the user has to decide on.
     pub questions: u32,
 }
 
-/// A piece of a program found.
+/// A piece of a found program.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[cfg_attr(target_arch = "wasm32", derive(Tsify))]
 #[serde(rename_all = "camelCase")]
 pub struct FoundPiece {
-    /// What stood there, cut short where it is long; empty where it stayed.
+    /// The original text, shortened if it is long; empty if it was not changed.
     pub was: String,
-    /// What stands there now.
+    /// The new text.
     pub now: String,
-    /// Why; empty where it stayed.
+    /// The reason for the change; empty if it was not changed.
     pub reason: String,
-    /// What it can be read as, the first as printed; empty where nothing is asked.
+    /// The possible readings, the printed one first; empty if there is no choice.
     pub choices: Vec<String>,
 }
 
 impl FoundPrograms {
-    /// The list.
+    /// The rows of the found programs.
     pub fn new(found: &Found) -> Self {
         Self {
             programs: found.programs.iter().map(FoundProgram::new).collect(),
@@ -97,7 +97,7 @@ impl FoundProgram {
     }
 }
 
-/// The pieces of a program found in a text.
+/// The pieces of a found program.
 pub fn pieces(text: &str, program: &Program, language: Language) -> Vec<FoundPiece> {
     let mut rows: Vec<FoundPiece> = Vec::new();
     let (shown, rest) = program.pieces.split_at(program.pieces.len().min(MOST_PIECES));
@@ -125,7 +125,7 @@ pub fn pieces(text: &str, program: &Program, language: Language) -> Vec<FoundPie
     rows
 }
 
-/// A quotation on one line, short.
+/// A quotation on one line, shortened.
 pub fn shortened(text: &str) -> String {
     let words: Vec<&str> = text.split_whitespace().take(QUOTE).collect();
     let line = words.join(" ");

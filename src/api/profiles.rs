@@ -1,4 +1,4 @@
-//! Machine and tools of a setup, each as a setup of its own.
+//! The machine and the tools of a setup, each as a separate setup.
 
 use serde::Serialize;
 
@@ -7,22 +7,22 @@ use tsify::Tsify;
 
 use crate::setup::profile::Profile;
 
-/// What of a setup can be kept under a name.
+/// The parts of a setup that can be saved under a name.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[cfg_attr(target_arch = "wasm32", derive(Tsify))]
 pub struct Profiles {
-    /// A setup with the control and the machine alone, as JSON; none where nothing is said of them.
+    /// A setup with only the control and the machine, as JSON; absent if it would be empty.
     #[serde(skip_serializing_if = "Option::is_none")]
     #[cfg_attr(target_arch = "wasm32", tsify(optional))]
     pub machine: Option<String>,
-    /// The same with the tools alone.
+    /// A setup with only the tools, as JSON; absent if it would be empty.
     #[serde(skip_serializing_if = "Option::is_none")]
     #[cfg_attr(target_arch = "wasm32", tsify(optional))]
     pub tools: Option<String>,
 }
 
 impl Profiles {
-    /// Those of a setup as JSON.
+    /// The profiles of a setup given as JSON.
     pub fn of_setup(json: &str) -> Self {
         Self { machine: Profile::Machine.in_setup(json), tools: Profile::Tools.in_setup(json) }
     }

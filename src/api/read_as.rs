@@ -1,7 +1,7 @@
-//! How a program was read: the control, its system, units and switches, and who says so.
+//! How a program was read: the control, its system, units and switches, and the source of each.
 //!
-//! In: a run. Out: a list of facts in words, each with the key of the setup that changes it. One line of the
-//! page shows them.
+//! In: a run. Out: a list of facts as text, each with the key of the setup that changes it. The page shows
+//! them on one line.
 
 use serde::Serialize;
 
@@ -18,21 +18,22 @@ use crate::text::program_name;
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[cfg_attr(target_arch = "wasm32", derive(Tsify))]
 pub struct ReadAs {
-    /// In the order in which they are read out.
+    /// The facts, in display order.
     pub facts: Vec<ReadFact>,
 }
 
-/// One thing that decides how a program is read.
+/// A fact about how a program was read.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[cfg_attr(target_arch = "wasm32", derive(Tsify))]
 pub struct ReadFact {
-    /// The key of the setup that changes it; none where something else does.
+    /// The key of the setup that changes it; absent if it is not changed by the setup.
     #[serde(skip_serializing_if = "Option::is_none")]
     #[cfg_attr(target_arch = "wasm32", tsify(optional))]
     pub key: Option<&'static str>,
-    /// In words: `system B`.
+    /// The fact as text: `system B`.
     pub text: String,
-    /// Who says it: the setup, the program by what it looks like, or nobody; `program` where a code of it does.
+    /// The source of the fact: `set` in the setup, `recognised` from the text, selected by a code of the
+    /// `program`, or `usual` (the default).
     #[cfg_attr(target_arch = "wasm32", tsify(type = "\"set\" | \"recognised\" | \"usual\" | \"program\""))]
     pub basis: &'static str,
 }

@@ -1,6 +1,6 @@
-//! What the playback shows beside the picture: where the tool is, how it cuts, and when.
+//! The playback readout beside the picture: where the tool is, how it cuts, and when.
 //!
-//! In: a place of the program. Out: a [`Readout`], numbers only, in the units people read.
+//! In: a position in the program. Out: a [`Readout`] with numbers only, in user units.
 
 use serde::Serialize;
 
@@ -19,79 +19,79 @@ use crate::units::Unit;
 #[cfg(target_arch = "wasm32")]
 use tsify::Tsify;
 
-/// The tool at a place of the program.
+/// The tool at a position in the program.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[cfg_attr(target_arch = "wasm32", derive(Tsify))]
 #[serde(rename_all = "camelCase")]
 pub struct Readout {
-    /// How much of the animation has been shown: 0 to 1.
+    /// Progress of the animation, 0 to 1.
     pub share: f64,
-    /// The stroke the tool is on, and where.
+    /// The current stroke and the tool position on it.
     pub stroke: Stroke,
-    /// Angle of C, degrees, of motions it takes part in.
+    /// Angle of C, degrees, for motions in which C takes part.
     #[serde(skip_serializing_if = "Option::is_none")]
     #[cfg_attr(target_arch = "wasm32", tsify(optional))]
     pub c: Option<f64>,
-    /// Place along Y, mm, of moves on a machine with a Y axis.
+    /// Y, mm, for moves on a machine with a Y axis.
     #[serde(skip_serializing_if = "Option::is_none")]
     #[cfg_attr(target_arch = "wasm32", tsify(optional))]
     pub y: Option<f64>,
-    /// Feed along the path, mm/min; left out at rapid, or where it cannot be known.
+    /// Feed along the path, mm/min; omitted at rapid, or if it is unknown.
     #[serde(skip_serializing_if = "Option::is_none")]
     #[cfg_attr(target_arch = "wasm32", tsify(optional))]
     pub feed: Option<f64>,
-    /// Feed or lead as it is programmed, mm/rev.
+    /// Programmed feed or lead, mm/rev.
     #[serde(skip_serializing_if = "Option::is_none")]
     #[cfg_attr(target_arch = "wasm32", tsify(optional))]
     pub feed_per_turn: Option<f64>,
-    /// A thread is cut: feed override counts as 100 %, and feed hold waits.
+    /// Whether a thread is being cut: feed override is fixed at 100 %, and feed hold is delayed.
     pub locked: bool,
-    /// Spindle speed, rpm; 0 while it stands, left out where it cannot be known.
+    /// Spindle speed, rpm; 0 if stopped, omitted if it is unknown.
     #[serde(skip_serializing_if = "Option::is_none")]
     #[cfg_attr(target_arch = "wasm32", tsify(optional))]
     pub rpm: Option<f64>,
-    /// Cutting speed at the tip, m a minute.
+    /// Cutting speed at the tip, m/min.
     #[serde(skip_serializing_if = "Option::is_none")]
     #[cfg_attr(target_arch = "wasm32", tsify(optional))]
     pub surface_speed: Option<f64>,
-    /// The time so far.
+    /// The elapsed time.
     pub elapsed: Time,
     /// The time of the whole program.
     pub total: Time,
-    /// The T word in force, such as `T0101`; left out before the first one.
+    /// The current T word, such as `T0101`; omitted before the first one.
     #[serde(skip_serializing_if = "Option::is_none")]
     #[cfg_attr(target_arch = "wasm32", tsify(optional))]
     pub tool: Option<String>,
-    /// What kind of tool it is, in words.
+    /// The kind of tool, as text.
     #[serde(skip_serializing_if = "Option::is_none")]
     #[cfg_attr(target_arch = "wasm32", tsify(optional))]
     pub tool_kind: Option<&'static str>,
-    /// Nobody has said so: it is concluded from what the program does with it.
+    /// Whether the kind of tool was inferred from the program rather than given.
     pub tool_inferred: bool,
-    /// The stop of the program at which the tool stands.
+    /// The stop at which the tool is.
     #[serde(skip_serializing_if = "Option::is_none")]
     #[cfg_attr(target_arch = "wasm32", tsify(optional))]
     pub stop: Option<Stop>,
 }
 
-/// The time of motions, as far as it is known.
+/// The duration of motions, as far as it is known.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 #[cfg_attr(target_arch = "wasm32", derive(Tsify))]
 #[serde(rename_all = "camelCase")]
 pub struct Time {
-    /// Seconds of the motions whose time is known.
+    /// Seconds of the motions with a known duration.
     pub seconds: f64,
-    /// Cuts whose time is not known.
+    /// Number of cuts with an unknown duration.
     pub unknown_cuts: u32,
-    /// Rapids whose time is not known.
+    /// Number of rapids with an unknown duration.
     pub unknown_rapids: u32,
 }
 
-/// The program waits for the operator.
+/// A stop: the program waits for the operator.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[cfg_attr(target_arch = "wasm32", derive(Tsify))]
 pub struct Stop {
-    /// Whether the switch for optional stops lets the program run through it.
+    /// Whether the stop is optional.
     #[cfg_attr(target_arch = "wasm32", tsify(type = "\"always\" | \"optional\""))]
     pub kind: &'static str,
     /// Its code: `M00` or `M01`.
@@ -104,22 +104,22 @@ pub struct Stop {
     pub to: u32,
 }
 
-/// What a readout is made from.
+/// The input for a readout.
 pub struct Shown<'a> {
     /// The text.
     pub places: Places<'a>,
     /// The motions.
     pub motions: &'a Motions,
-    /// Their clock.
+    /// The clock of the motions.
     pub clock: &'a Clock,
-    /// The unit lengths are shown in.
+    /// The unit in which lengths are shown.
     pub unit: Unit,
-    /// The tools; nothing before the run has ended.
+    /// The tools; `None` before the run has ended.
     pub resolved: Option<&'a ResolvedSetup>,
 }
 
 impl Readout {
-    /// The readout at a place of the program, where the tip is at `at` on the workpiece.
+    /// The readout at a position in the program, with the tip at `at` on the workpiece.
     pub fn new(shown: &Shown, playhead: Playhead, at: Point, language: Language) -> Self {
         let Shown { places, motions, clock, unit, resolved } = shown;
         let motion = motions.get(playhead.motion);
@@ -171,7 +171,7 @@ impl Time {
     }
 }
 
-/// The feed of a cut as the program gives it a turn.
+/// The programmed feed per revolution of a cut.
 fn per_turn(motion: &Motion) -> Option<f64> {
     match (motion.kind, motion.process.feed) {
         (MotionKind::Rapid | MotionKind::Dwell, _) => None,

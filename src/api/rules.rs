@@ -1,4 +1,4 @@
-//! What leaves the crate of a rule.
+//! The row of a rule.
 
 use serde::Serialize;
 
@@ -12,16 +12,16 @@ pub struct Rule {
     pub slug: &'static str,
     /// The codes of its messages.
     pub codes: &'static [&'static str],
-    /// Its severity under a setup.
+    /// The severity under a setup.
     pub severity: &'static str,
-    /// Whether the program is wrong, the playground does not do it, or it depends on the machine.
+    /// Whether the program is wrong, the playground does not support something, or it depends on the machine.
     pub kind: &'static str,
     /// The alarms that controls raise.
     pub alarms: &'static [&'static str],
 }
 
 impl Rule {
-    /// The row of a rule that has this severity under a setup.
+    /// The row of a rule, with its severity under a setup.
     pub fn new(rule: &message::Rule, severity: Severity) -> Self {
         let &message::Rule { slug, codes, kind, alarms, .. } = rule;
         Self { slug, codes, severity: severity.name(), kind: kind.name(), alarms }

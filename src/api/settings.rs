@@ -1,14 +1,14 @@
-//! The settings that answer a message: what can be set in the setup instead of a change of the program.
+//! Fixes of a message that change a setting of the setup instead of the program.
 //!
-//! In: a message. Out: repairs that set a setting, each with its key as in the setup form and its value. What
-//! only the reader knows has no value: it is entered in the form.
+//! In: a message. Out: fixes that change a setting, each with its key as in the setup form and its value. A
+//! value that only the user knows is absent: the user enters it in the form.
 
 use super::{Fix, Setting};
 use crate::message::{Message, Value, said};
 use crate::sentences::{Language, labels};
 use crate::setup::fields::{self, Entry, Field};
 
-/// The repairs of a message that set a setting, the likeliest first.
+/// The fixes of a message that change a setting, the most likely first.
 pub fn fixes(message: &Message, language: Language) -> Vec<Fix> {
     let fix = |key: &'static str, value: Option<&str>| fix(key, value, language);
     if message.is::<said::ForeignControl>()
@@ -17,7 +17,7 @@ pub fn fixes(message: &Message, language: Language) -> Vec<Fix> {
     {
         return vec![fix("recognise", Some("false"))];
     }
-    // A and B cannot be set.
+    // There is no setting for the A and B axes.
     if message.is::<said::AxisNotHere>() || message.is::<said::PlaneNotHere>() {
         let field = fields::MACHINE.iter().find(|field| field.key == "yAxis");
         return vec![written(field, "machine.yAxis", Some("true"), language)];
@@ -49,7 +49,7 @@ fn fix(key: &'static str, value: Option<&str>, language: Language) -> Fix {
     written(field, &format!("dialect.{key}"), value, language)
 }
 
-/// The repair that sets a field of the setup to a value.
+/// The fix that sets a field of the setup to a value.
 fn written<T>(field: Option<&Field<T>>, key: &str, value: Option<&str>, language: Language) -> Fix {
     let name = field.map_or("", |field| labels::field(field.name, language));
     let choices = field.map_or(&[][..], |field| match field.entry {
@@ -74,7 +74,8 @@ mod tests {
     use crate::setup::Setup;
     use crate::setup::draft::{Draft, Entry as Entered, put_into_json};
 
-    /// The settings that answer a message of a program under a setup; each with a value takes the message away.
+    /// Checks which settings are offered for the message `slug`, and that each of them makes the message
+    /// disappear.
     #[track_caller]
     fn check(text: &str, setup: &str, slug: &str, settings: &[(&str, Option<&str>)]) {
         let given = Setup::from_json(setup).expect("a setup");

@@ -1,7 +1,7 @@
-//! The rows of the setup form: what is given, what is assumed, what is wrong with what was entered.
+//! The rows of the setup form: given values, assumed values, and errors in the entries.
 //!
-//! In: a setup as it was given, the inferred one, the entries of a form. Out: rows for a page that knows
-//! nothing of tools and stock.
+//! In: the given setup, the inferred one, the entries of a form. Out: rows for a page that knows nothing of
+//! tools and stock.
 
 use crate::order;
 use std::collections::BTreeMap;
@@ -23,47 +23,47 @@ use crate::setup::fields::{self, Entry, Field, Value};
 use crate::setup::notes::{Notes, tool_name};
 use crate::setup::{Machine, Setup, Tool, ToolKind};
 
-/// What of stock and tools is given, and what is inferred.
+/// Which of stock and tools are given, and which are inferred.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[cfg_attr(target_arch = "wasm32", derive(Tsify))]
 pub struct SetupOverview {
-    /// Whether the blank is given; nothing where there is none.
+    /// Whether the blank is given; absent without a blank.
     #[serde(skip_serializing_if = "Option::is_none")]
     #[cfg_attr(target_arch = "wasm32", tsify(optional, type = "\"given\" | \"inferred\""))]
     pub stock: Option<&'static str>,
-    /// The tools that are put to use.
+    /// The tools in use.
     pub tools: Vec<ToolOverview>,
 }
 
-/// A tool that is put to use.
+/// A tool in use.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[cfg_attr(target_arch = "wasm32", derive(Tsify))]
 pub struct ToolOverview {
     /// Turret station; 0 before the first T word.
     pub station: u16,
-    /// What kind it is, in words.
+    /// The kind of tool, as text.
     pub kind: String,
     /// Whether it is given.
     #[cfg_attr(target_arch = "wasm32", tsify(type = "\"given\" | \"inferred\""))]
     pub known: &'static str,
 }
 
-/// The form as it opens.
+/// The initial state of the form.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[cfg_attr(target_arch = "wasm32", derive(Tsify))]
 pub struct SetupForm {
-    /// In the order in which they are shown.
+    /// The groups, in display order.
     pub groups: Vec<SetupGroup>,
-    /// Where the setup is kept now.
+    /// Where the setup is stored.
     #[cfg_attr(target_arch = "wasm32", tsify(type = "SetupPlace"))]
     pub place: &'static str,
 }
 
-/// Fields that belong together.
+/// A group of fields.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[cfg_attr(target_arch = "wasm32", derive(Tsify))]
 pub struct SetupGroup {
-    /// Which.
+    /// The group.
     #[cfg_attr(
         target_arch = "wasm32",
         tsify(
@@ -71,84 +71,84 @@ pub struct SetupGroup {
         )
     )]
     pub group: &'static str,
-    /// What it is called.
+    /// Its title.
     pub title: String,
-    /// Who says it: a comment of the program, the page, or nobody.
+    /// The source of the values: a comment of the program, the page, or none.
     #[cfg_attr(target_arch = "wasm32", tsify(type = "SetupPlace | \"nobody\""))]
     pub source: &'static str,
     /// Its fields.
     pub fields: Vec<SetupField>,
 }
 
-/// A field.
+/// A field of the form.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[cfg_attr(target_arch = "wasm32", derive(Tsify))]
 pub struct SetupField {
     /// Its key in a setup: `stock.diameter`.
     pub key: String,
-    /// What it is called.
+    /// Its label.
     pub label: String,
-    /// What it is measured in.
+    /// Its unit.
     pub unit: String,
-    /// What is to be entered.
+    /// The type of entry.
     #[cfg_attr(target_arch = "wasm32", tsify(type = "\"number\" | \"text\" | \"choice\""))]
     pub entry: &'static str,
-    /// What can be chosen.
+    /// The choices.
     pub choices: Vec<SetupChoice>,
-    /// What is given; empty where nothing is.
+    /// The given value; empty if none is given.
     pub value: String,
 }
 
-/// Something to choose.
+/// A choice.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[cfg_attr(target_arch = "wasm32", derive(Tsify))]
 pub struct SetupChoice {
-    /// As it is entered.
+    /// The value to store.
     pub value: String,
-    /// As it is read.
+    /// The text to show.
     pub text: String,
 }
 
-/// What is to be shown of entries, and what is kept of them.
+/// What to show for the entries, and what to store.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[cfg_attr(target_arch = "wasm32", derive(Tsify))]
 pub struct SetupAnswer {
-    /// One for each entry, in their order.
+    /// The state of each entry, in order.
     pub fields: Vec<SetupState>,
-    /// The setup of the page then, as JSON; empty where there is nothing in it.
+    /// The resulting setup of the page, as JSON; empty if it is empty.
     pub setup: String,
-    /// What changes in the program.
+    /// Edits to the program.
     pub edits: Vec<Edit>,
 }
 
-/// How a field stands.
+/// The state of a field.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[cfg_attr(target_arch = "wasm32", derive(Tsify))]
 pub struct SetupState {
     /// Its key.
     pub key: String,
-    /// What counts where it is empty; empty where nothing does.
+    /// The assumed value if the field is empty; empty if there is none.
     pub assumed: String,
-    /// What is wrong with it.
+    /// The error in the entry.
     #[serde(skip_serializing_if = "Option::is_none")]
     #[cfg_attr(target_arch = "wasm32", tsify(optional))]
     pub error: Option<String>,
-    /// Whether such a tool has a use for it.
+    /// Whether the field is used by this kind of tool.
     #[cfg_attr(target_arch = "wasm32", tsify(type = "\"shown\" | \"hidden\""))]
     pub shown: &'static str,
 }
 
-/// Where a setup is kept.
+/// Where a setup is stored.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum SetupPlace {
     /// In comments of the program.
     Program,
-    /// In the page's own setup.
+    /// In the setup of the page.
     Page,
 }
 
 impl SetupPlace {
-    /// Its name.
+    /// The name in rows.
     pub fn name(self) -> &'static str {
         match self {
             Self::Program => "program",
@@ -156,32 +156,32 @@ impl SetupPlace {
         }
     }
 
-    /// The place of a name; the page for any other.
+    /// The place with this name; [`Self::Page`] for any other name.
     pub fn of(name: &str) -> Self {
         if name == "program" { Self::Program } else { Self::Page }
     }
 }
 
-/// What a form is about.
+/// The input for a form.
 pub struct Subject<'a> {
-    /// The setup as the page has given it, with what the comments say.
+    /// The setup of the page with the additions from comments.
     pub given: &'a Setup,
-    /// The setup as the page has given it, without them.
+    /// The setup of the page, without comments.
     pub page: &'a Setup,
-    /// The comments.
+    /// The additions from comments.
     pub notes: &'a Notes,
     /// The setup inferred from the program.
     pub inferred: &'a Setup,
-    /// What numbers without a point count in the run.
+    /// What numbers without a decimal point count in the run.
     pub decimal: DecimalRule,
-    /// The G-code system that the program was recognised to be written in.
+    /// The G-code system that was recognised in the program.
     pub system: Option<GSystem>,
     /// The language of labels.
     pub language: Language,
 }
 
 impl SetupOverview {
-    /// The row of a resolved setup.
+    /// The overview of a resolved setup.
     pub fn new(resolved: &ResolvedSetup, language: Language) -> Self {
         let name = |basis: Basis| match basis {
             Basis::Given => "given",
@@ -197,13 +197,13 @@ impl SetupOverview {
 }
 
 impl Subject<'_> {
-    /// The form as it opens.
+    /// The initial state of the form.
     pub fn form(&self) -> SetupForm {
         let given = self.given;
         let mut groups =
             vec![self.group("stock", "stock.", fields::STOCK, given.stock.as_ref(), given.stock.is_some())];
         let mut names: Vec<&String> = self.inferred.tools.keys().collect();
-        // A tool that is given stands for its station.
+        // A given tool replaces an inferred one of the same station.
         names.retain(|name| given.tools.keys().all(|own| own.get(..3) != name.get(..3)));
         names.extend(given.tools.keys());
         order::by(&mut names, Ord::cmp);
@@ -223,7 +223,7 @@ impl Subject<'_> {
         SetupForm { groups, place: place.name() }
     }
 
-    /// Fields for one more tool; nothing for what is no T word.
+    /// Fields for one more tool; `None` if `word` is not a T word.
     pub fn another_tool(&self, word: &str) -> Option<SetupGroup> {
         let word = word.trim();
         let digits = word.strip_prefix(['T', 't']).unwrap_or(word);
@@ -285,7 +285,8 @@ impl Subject<'_> {
         SetupGroup { group, title, source, fields: rows.collect() }
     }
 
-    /// What becomes of entries that are to be kept in a place; `json` is the page's setup as it is.
+    /// Checks entries, and returns the changes that store them in `keep`; `json` is the current setup of the
+    /// page.
     pub fn answer(
         &self,
         entries: &[Entered],
@@ -318,8 +319,8 @@ impl Subject<'_> {
         }
     }
 
-    /// What of the page's setup the comments take the place of: it stays, so that undo in
-    /// the editor brings it back.
+    /// The values of the page's setup that the comments override. They are kept, so that undo in the editor
+    /// restores them.
     fn covered(&self, written: &Setup) -> Setup {
         let page = self.page;
         let machine = if written.machine == Machine::default() { Machine::default() } else { page.machine };
@@ -337,7 +338,7 @@ impl Subject<'_> {
         }
     }
 
-    /// What counts where a field is empty, for all fields that are of use.
+    /// The assumed value of each field that is in use, if the field is empty.
     fn assumed(&self, entries: &[Entered], draft: &Draft) -> BTreeMap<String, Option<String>> {
         let mut all = BTreeMap::new();
         let language = self.language;
@@ -381,7 +382,7 @@ impl Subject<'_> {
     }
 }
 
-/// The switches of the control where nothing is entered: those of the control that is entered.
+/// The defaults of the control switches, for the control that is entered.
 fn in_force(draft: &Draft, recognised: Option<GSystem>) -> DialectChoice {
     let dialect = Dialect::new(&draft.setup.dialect);
     DialectChoice {
@@ -412,7 +413,7 @@ fn put<T>(
     }
 }
 
-/// A value as it is read: a choice by its name in a language.
+/// A value as text; a choice by its translated name.
 fn in_words<T>(field: &Field<T>, value: Value, language: Language) -> String {
     match (field.entry, value) {
         (Entry::Choice(choices), Value::Text(text)) => {

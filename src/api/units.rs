@@ -1,7 +1,7 @@
 //! The units of length of the page.
 //!
-//! In: the current run, and what the reader has chosen. Out: their names. All other rows have mm: who shows
-//! them counts in this unit.
+//! In: the current run, and the choice of the user. Out: the names of the units. All other rows use mm, and
+//! the page converts them to this unit.
 
 use serde::Serialize;
 
@@ -14,16 +14,16 @@ use crate::units::Unit;
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[cfg_attr(target_arch = "wasm32", derive(Tsify))]
 pub struct Units {
-    /// In which lengths are to be shown.
+    /// The unit in which lengths are shown.
     #[cfg_attr(target_arch = "wasm32", tsify(type = "\"mm\" | \"inch\""))]
     pub shown: &'static str,
-    /// In which the program is written.
+    /// The unit of the program.
     #[cfg_attr(target_arch = "wasm32", tsify(type = "\"mm\" | \"inch\""))]
     pub program: &'static str,
 }
 
 impl Units {
-    /// The unit that is shown, and that of the program.
+    /// The names of the displayed unit and of the unit of the program.
     pub fn new(shown: Unit, program: Unit) -> Self {
         Self { shown: name(shown), program: name(program) }
     }

@@ -1,7 +1,7 @@
-//! What there is once all material of a run is off.
+//! Data that is available once all material of a run is removed.
 //!
-//! In: the [`SimulationResult`] of a run. Out: the part and its threads, end face and side, the comparison with a
-//! part that was kept, and the work as it is shown at a moment.
+//! In: the [`SimulationResult`] of a run. Out: the part and its threads, end face and side, the comparison
+//! with a part that was kept, and the workpiece at the displayed moment.
 
 use super::per_plane::PerPlane;
 use crate::machine::SimulationResult;
@@ -25,7 +25,7 @@ pub(super) struct Kept {
     setup: Setup,
 }
 
-/// A run with all its material off.
+/// A run with all its material removed.
 pub(super) struct Machined {
     simulation: SimulationResult,
     part: Option<Region>,
@@ -36,7 +36,7 @@ pub(super) struct Machined {
     shown: Option<Shown>,
 }
 
-/// The work at a moment; where there is none, when all is done.
+/// The workpiece at a moment; `None` for the finished part.
 struct Shown {
     moment: Option<Moment>,
     works: PerPlane<Option<Work>>,
@@ -57,12 +57,12 @@ impl Machined {
         Self { simulation, part, threads, face, side, comparison: None, shown: None }
     }
 
-    /// Lays the part over the one that was kept, or ends that.
+    /// Compares the part with the one that was kept; without one, ends the comparison.
     pub(super) fn compare(&mut self, run: &Run, kept: Option<&Kept>) {
         compare(self, run, kept);
     }
 
-    /// Brings the work to the moment at which the tool is at a place.
+    /// Updates the workpiece to the moment at which the tool is at a position.
     pub(super) fn show(&mut self, motions: &Motions, place: Option<Place>) {
         let moment = place.map(|place| Moment { motion: place.motion, share: place.fraction, tip: place.at });
         if self.shown.as_ref().is_some_and(|shown| shown.moment == moment) {
@@ -87,7 +87,7 @@ impl Machined {
         self.side.as_ref()
     }
 
-    /// What moves over a surface; nothing where nothing does, and in the section.
+    /// The moves over a surface. `None` if nothing moves over it, and for the section.
     pub(super) fn moves(&self, plane: Plane) -> Option<&SurfaceMoves> {
         match plane {
             Plane::Section => None,
@@ -100,19 +100,19 @@ impl Machined {
         self.comparison.as_ref()
     }
 
-    /// The work as it is shown in a picture.
+    /// The workpiece as shown in a picture.
     pub(super) fn work(&self, plane: Plane) -> Option<&Work> {
         self.shown.as_ref()?.works[plane].as_ref()
     }
 
-    /// The holes of live tools in the part at the moment that is shown.
+    /// The holes of live tools in the part at the displayed moment.
     pub(super) fn holes_shown(&self, motions: &Motions) -> Vec<LiveHole> {
         let Some(part) = self.part_shown(motions) else { return Vec::new() };
         let until = self.shown.as_ref().and_then(|shown| shown.moment).map(|at| (at.motion, at.share));
         live_holes(motions, self.simulation.resolved_setup(), &part, until)
     }
 
-    /// What is left of the blank at the moment that is shown.
+    /// The part at the displayed moment.
     pub(super) fn part_shown(&self, motions: &Motions) -> Option<Region> {
         match self.shown.as_ref()?.moment {
             Some(at) => self.simulation.part_at(motions, at.motion, at.share),

@@ -1,6 +1,6 @@
 //! One value for each picture: the section, the end face and the side.
 //!
-//! In: a [`Plane`]. Out: the value of its picture. Must not know what is kept.
+//! In: a [`Plane`]. Out: the value of its picture. Must not know the type of the values.
 
 use std::ops::{Index, IndexMut};
 
@@ -11,18 +11,18 @@ use crate::scene::Plane;
 pub struct PerPlane<T>([T; Plane::ALL.len()]);
 
 impl<T> PerPlane<T> {
-    /// The value that is made for each of them.
+    /// Calls `make` for each plane.
     pub fn new(make: impl FnMut(Plane) -> T) -> Self {
         Self(Plane::ALL.map(make))
     }
 
-    /// That of the section, and those of the others.
+    /// The value of the section, and the values of the surfaces.
     pub fn section_and_surfaces(&mut self) -> (&mut T, [(Plane, &mut T); Plane::SURFACES.len()]) {
         let [section, face, side] = &mut self.0;
         (section, [(Plane::Face, face), (Plane::Side, side)])
     }
 
-    /// All of them.
+    /// The values of all planes.
     pub fn iter_mut(&mut self) -> impl Iterator<Item = &mut T> {
         self.0.iter_mut()
     }

@@ -1,4 +1,4 @@
-//! What the cursor picks out of a run: the strokes of its block, and the named places of its cycle.
+//! The selection at the cursor: the strokes of its block, and the named points of its cycle.
 //!
 //! In: a run and an offset in its text. Out: ranges of motions, and marks.
 
@@ -10,7 +10,7 @@ use crate::scene::Scene;
 use crate::scene::view::Mark;
 use crate::source::{LineIndex, Span};
 
-/// The motions of the block at a UTF-16 offset, and the places of its cycle.
+/// The motions of the block at a UTF-16 offset, and the points of its cycle.
 pub(super) fn at(run: &Run, lines: &LineIndex, scene: &Scene, offset: u32) -> (Vec<Range<usize>>, Vec<Mark>) {
     let block = block(run, lines, offset);
     let motions = scene.motions_of(block);
@@ -18,7 +18,7 @@ pub(super) fn at(run: &Run, lines: &LineIndex, scene: &Scene, offset: u32) -> (V
     (motions, marks)
 }
 
-/// The motions of lines, from 0; of lines that the text has not, nothing.
+/// The motions of lines, from 0; lines beyond the text have none.
 pub(super) fn of_lines(
     run: &Run,
     lines: &LineIndex,
@@ -62,7 +62,7 @@ fn block(run: &Run, lines: &LineIndex, offset: u32) -> Span {
     block_at(text, line, byte)
 }
 
-/// The places of a cycle that is called in a block: A, and A′ and B of its contour.
+/// The points of a cycle that is called in a block: A, and A′ and B of its contour.
 fn marks(run: &Run, block: Span, motions: Option<&Range<usize>>) -> Vec<Mark> {
     let inside = |span: Span| block.start <= span.start && span.end <= block.end;
     if let Some(found) = run.landmarks().iter().find(|landmarks| inside(landmarks.span)) {
@@ -81,7 +81,7 @@ fn block_at(text: &[u8], line: Span, byte: u32) -> Span {
     let at = (byte - line.start) as usize;
     let start = bytes[..at].iter().rposition(|&byte| byte == b';').map_or(0, |found| found + 1);
     let end = bytes[at..].iter().position(|&byte| byte == b';').map_or(bytes.len(), |found| at + found);
-    // After the last semicolon there is often nothing but the cursor: the block before it is meant.
+    // After the last semicolon there is often only the cursor; the block before it is then meant.
     if bytes[start..end].trim_ascii().is_empty() && start > 0 {
         return block_at(text, line, line.start + start as u32 - 1);
     }
