@@ -1,9 +1,10 @@
-//! The build script: makes Rust code and lists of texts of the rule files and of `src/sentences`.
+//! The build script: generates Rust code and lists of texts from the rule files and `src/sentences`.
 //!
-//! In: `src/rules/<slug>.md`, `src/sentences/<language>.txt`. Out, in `OUT_DIR`: `message.rs` (the types of messages
-//! and the table of rules), `<language>.txt` (all texts of a language), `places.rs` (where each text is in those),
-//! `example_messages.rs` (a value of each message, for tests) and `pages.rs` (the rule pages, for the command line).
-//! A mistake in a file fails the build with file and line; a text that a language lacks is a warning.
+//! In: `src/rules/<slug>.md`, `src/sentences/<language>.txt`. Out, in `OUT_DIR`: `message.rs` (the message
+//! types and the table of rules), `<language>.txt` (all texts of a language), `places.rs` (the index of each
+//! text in these lists), `example_messages.rs` (a value of each message, for tests) and `pages.rs` (the rule
+//! pages, for the command line). An error in a file fails the build and is reported with file and line; a
+//! missing translation is a warning.
 
 mod format;
 mod generate;

@@ -1,4 +1,4 @@
-//! Rust code made of rule files that were read without a mistake.
+//! Generates Rust code from rule files without errors.
 
 use std::collections::BTreeMap;
 use std::fmt::{Display, Write};
@@ -8,7 +8,7 @@ use crate::format::page::Text;
 use crate::format::{LANGUAGES, RuleFile};
 use crate::texts::{self, Texts};
 
-/// Variants that two messages share, each with its place.
+/// Errors for message names that are used twice, each with its place.
 pub fn duplicates(rules: &[RuleFile]) -> Vec<String> {
     let mut known: BTreeMap<&str, &str> = BTreeMap::new();
     let mut mistakes = Vec::new();
@@ -24,7 +24,7 @@ pub fn duplicates(rules: &[RuleFile]) -> Vec<String> {
     mistakes
 }
 
-/// The files by name.
+/// The generated files, with their names.
 pub fn files(rules: &[RuleFile], texts: &Texts) -> Vec<(String, String)> {
     let mut files = vec![
         ("message.rs".to_owned(), message(rules)),
@@ -43,7 +43,7 @@ fn messages(rules: &[RuleFile]) -> impl Iterator<Item = (&RuleFile, &Message)> {
     rules.iter().flat_map(|rule| rule.messages.iter().map(move |message| (rule, message)))
 }
 
-/// A type for each message, and what is known of each.
+/// The source of `message.rs`: a type for each message, and the tables of rules.
 fn message(rules: &[RuleFile]) -> String {
     let mut out = String::new();
     put(
@@ -59,7 +59,8 @@ fn message(rules: &[RuleFile]) -> String {
     out
 }
 
-/// The type of a message, and how it becomes a [`Message`]: its values in the order of `ARGUMENTS`, then its alarm.
+/// The type of a message and its conversion to [`Message`]: its values in the order of `ARGUMENTS`, then its
+/// alarm.
 fn message_type(out: &mut String, index: usize, message: &Message) {
     let Message { name, doc, arguments, .. } = message;
     put(out, format_args!("    /// {doc}\n    #[derive(Clone, Debug, PartialEq)]"));
@@ -139,8 +140,8 @@ fn tables(out: &mut String, rules: &[RuleFile]) {
     put(out, "];");
 }
 
-/// Where the text of each variant is among the texts of a language. A variant without an English text, or a text
-/// without a variant, does not build.
+/// The index of each variant's text in the texts of a language. The generated code fails to compile if a
+/// variant has no English text or a text has no variant.
 fn places(rules: &[RuleFile], texts: &Texts) -> String {
     let mut out = format!(
         "/// The first line of each list: the order of its texts.\nconst ORDER: &str = {:?};\n\n/// How many texts each list has.\nconst COUNT: usize = {};\n\n",
@@ -164,7 +165,7 @@ fn places(rules: &[RuleFile], texts: &Texts) -> String {
     out
 }
 
-/// A value of each message with the samples of its arguments, one for each alarm.
+/// A value of each message from the samples of its arguments, one for each alarm.
 fn example_messages(rules: &[RuleFile]) -> String {
     let mut out = String::new();
     put(
@@ -205,7 +206,7 @@ fn example_messages(rules: &[RuleFile]) -> String {
     out
 }
 
-/// The arguments that sentences quote.
+/// The arguments that are inserted into sentences.
 fn quoted(message: &Message) -> impl Iterator<Item = &Argument> {
     message.arguments.iter().filter(|argument| argument.kind != Type::Alarm)
 }
@@ -261,7 +262,7 @@ fn pages(rules: &[RuleFile]) -> String {
     out
 }
 
-/// A literal of Rust.
+/// A Rust string literal.
 fn quote(text: impl AsRef<str>) -> String {
     format!("{:?}", text.as_ref())
 }

@@ -1,8 +1,7 @@
-//! The texts beside those of the messages, as they are written: `src/sentences/<language>.txt`.
+//! The texts other than messages, from `src/sentences/<language>.txt`.
 //!
-//! In: the files of all languages. Out: each text by the enum and the variant it belongs to, or every mistake
-//! with its file and line. A line is `Enum.Variant: text`; `#` begins a comment. Shared by the build script and
-//! `cargo xtask`.
+//! In: the files of all languages. Out: each text with its enum and variant, or all errors with file and
+//! line. A line is `Enum.Variant: text`; `#` begins a comment. Shared by the build script and `cargo xtask`.
 
 use std::collections::BTreeMap;
 use std::fs;
@@ -13,27 +12,26 @@ use super::format::{LANGUAGES, RuleFile};
 /// A text in all languages.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Text {
-    /// The enum, as in Rust.
+    /// The name of the enum in Rust.
     pub kind: String,
-    /// Its variant.
+    /// The name of the variant in Rust.
     pub variant: String,
-    /// What it says, in the order of `LANGUAGES`; in English where a language has no text.
+    /// The text in the order of `LANGUAGES`; English if a language has none.
     pub said: [String; 3],
 }
 
 /// The texts, in the order of the English file.
 #[derive(Clone, Debug, Default)]
 pub struct Texts {
-    /// Each text.
+    /// All texts.
     pub list: Vec<Text>,
-    /// What a language has no text for.
+    /// Texts that are missing in a language.
     pub missing: Vec<String>,
-    /// The mistakes.
     pub mistakes: Vec<String>,
 }
 
 impl Texts {
-    /// Reads the files of a project.
+    /// Reads the text files of a project.
     pub fn read(project: &str) -> Self {
         let file = |tag: &str| {
             let path = Path::new(project).join("src/sentences").join(format!("{tag}.txt"));
@@ -42,7 +40,7 @@ impl Texts {
         Self::of(&LANGUAGES.map(file))
     }
 
-    /// Reads the texts of all languages, in the order of `LANGUAGES`.
+    /// Parses the texts of all languages, in the order of `LANGUAGES`.
     pub fn of(files: &[String; 3]) -> Self {
         let mut texts = Self::default();
         let mut places = BTreeMap::new();
@@ -89,8 +87,8 @@ impl Texts {
     }
 }
 
-/// Of which messages, with which arguments, and of which variants a list has texts, in which order: equal where the
-/// lists fit the same module.
+/// A hash of all messages, their arguments and the variants, in order. Two lists fit the same module if it is
+/// equal.
 pub fn order(rules: &[RuleFile], texts: &Texts) -> String {
     let messages = rules.iter().flat_map(|rule| &rule.messages);
     let messages = messages.flat_map(|message| {
@@ -105,8 +103,8 @@ pub fn order(rules: &[RuleFile], texts: &Texts) -> String {
     format!("{hash:016x}")
 }
 
-/// All texts of a language, a line each: their order, the sentence of each message, after a tab its help, then the
-/// other texts.
+/// All texts of a language, one per line: the hash of their order; then each message with its help after a
+/// tab; then the other texts.
 pub fn list(language: usize, rules: &[RuleFile], texts: &Texts) -> String {
     let mut out = order(rules, texts) + "\n";
     for message in rules.iter().flat_map(|rule| &rule.messages) {
@@ -125,7 +123,7 @@ pub fn list(language: usize, rules: &[RuleFile], texts: &Texts) -> String {
     out
 }
 
-/// What languages lack, each with its file; English is in its place.
+/// Warnings for missing translations, each with its file; the English text is used instead.
 pub fn missing(rules: &[RuleFile], texts: &Texts) -> Vec<String> {
     let of_rules = rules.iter().flat_map(|rule| {
         rule.missing

@@ -1,8 +1,8 @@
-//! A change of the text: only what it can have changed is run again.
+//! Re-runs only the part of a program that an edit can have affected.
 //!
-//! In: which bytes are replaced, by what. The run goes back to the last snapshot before the change.
-//! Where it meets a snapshot of the run before the change, with nothing different but the places, it
-//! takes over the rest of that.
+//! In: the replaced bytes and their replacement. The run goes back to the last snapshot before the edit. When
+//! it reaches a snapshot of the previous run in the same state, apart from places in the text, it takes over
+//! the remaining results of that run.
 
 use std::collections::BTreeMap;
 
@@ -17,15 +17,15 @@ use crate::source::shift::Shift;
 use crate::text::long_comment;
 use crate::text::parser::{LEADER, Resume};
 
-/// Most blocks from one snapshot to the next, for each motion that there may be.
+/// Maximum distance between two snapshots, in blocks per motion of the stride.
 const BLOCKS_PER_MOTION: usize = 4;
 
-/// A snapshot on the way through the text, between the first word of the main program and its end: the O
-/// numbers met are the same at all of them.
+/// A snapshot of a run between the first word of the main program and its end. All checkpoints of a run have
+/// seen the same O numbers.
 #[derive(Clone, Debug)]
 pub(super) struct Checkpoint {
     pub(super) snapshot: Snapshot,
-    /// Blocks read before it.
+    /// Blocks read before the snapshot.
     pub(super) blocks: usize,
 }
 
@@ -35,7 +35,7 @@ impl Checkpoint {
     }
 }
 
-/// What a run gave before its text was changed, from the first snapshot after the change on.
+/// The results of the run before the edit, from the first snapshot after the edit on.
 #[derive(Clone, Debug)]
 pub(super) struct PreviousRun {
     remainder: Remainder,
@@ -43,24 +43,24 @@ pub(super) struct PreviousRun {
     blocks: Vec<usize>,
     /// Blocks read at its end.
     last: usize,
-    /// Numbers of the O programs met before its snapshots, in order.
+    /// O numbers of the programs read before its snapshots, in order.
     heads: Vec<u32>,
-    /// First byte of each O program met after them, by number.
+    /// First byte of each program read after them, by O number.
     others: BTreeMap<u32, u32>,
-    /// The snapshot to be met next.
+    /// Index of the next snapshot at which the runs may join.
     next: usize,
-    /// What has become of the old places after the change; its lines are not known before the two runs meet.
+    /// The shift of the old places by the edit; the shift of lines is unknown until the two runs join.
     shift: Shift,
-    /// First byte of the first line that has changed.
+    /// First byte of the first changed line.
     unchanged: u32,
-    /// From this byte of the text as it is now on, lines are read as before the change.
+    /// From this byte of the new text on, lines are parsed as before the edit.
     same_from: i64,
-    /// Bytes of the text as it is now, without the blanks at its end.
+    /// Length of the new text without trailing blanks.
     filled: usize,
 }
 
 impl PreviousRun {
-    /// Takes in a further change, of the text as it is now.
+    /// Adds a further edit of the new text.
     fn edit(mut self, line: u32, end: u32, bytes: i64, same_from: i64) -> Self {
         self.unchanged = self.unchanged.min(line);
         let behind = i64::from(self.shift.from) + self.shift.bytes;
@@ -71,7 +71,7 @@ impl PreviousRun {
         self
     }
 
-    /// Where after a byte the runs may meet next, in the text as it is now.
+    /// The next byte after `behind`, in the new text, at which the runs may join.
     fn meeting(&mut self, behind: u32) -> Option<u32> {
         while let Some(there) = self.remainder.at(self.next) {
             let byte = self.shift.byte(there.byte);
@@ -84,7 +84,7 @@ impl PreviousRun {
     }
 }
 
-/// The part in which what runs again is kept small: without it, a changed text runs from its beginning.
+/// The part that makes edits incremental; before it is loaded, each edit runs the text from the beginning.
 pub(super) const EDITS: Part = Part::Late;
 
 late! {
@@ -98,7 +98,7 @@ late! {
 }
 
 impl Run {
-    /// Begins a run of the changed text. Bytes outside of the text are not counted.
+    /// Begins a run of the changed text. Positions outside the text are clamped.
     pub fn edit(&mut self, edit: TextEdit) {
         if EDITS.is_loaded() {
             go_back(self, edit);
@@ -116,7 +116,7 @@ impl Run {
         let end = edit.end.min(self.text.len());
         let start = edit.start.min(end);
         let bytes = edit.insert.len() as i64 - (end - start) as i64;
-        // How a line is read may depend on those around it.
+        // The parsing of a line may depend on the lines around it.
         let (first, last) = long_comment::around(&self.text, start, end);
         let line = self.text[..start]
             .iter()
@@ -158,7 +158,7 @@ impl Run {
         self.find_next_meeting(self.at);
     }
 
-    /// What this run, or the one before it, gave after a change that is about to be made.
+    /// The results of this run, or of the one before it, that come after an edit that is about to be made.
     fn before_edit(&mut self, line: u32, end: u32, bytes: i64, same_from: i64) -> Option<PreviousRun> {
         if let Some(before) = self.previous.take() {
             return Some(before.edit(line, end, bytes, same_from));
@@ -188,20 +188,20 @@ impl Run {
         })
     }
 
-    /// Whether a snapshot is due before the next block, or the run before the edit may be met there.
+    /// Whether a snapshot is due before the next block, or this run may join the previous one there.
     #[inline]
     pub(super) fn is_due(&self, at: Resume) -> bool {
         self.interpreter.has_full_chunk() || self.blocks >= self.due || at.byte >= self.meeting
     }
 
-    /// Blocks after which a snapshot may be due.
+    /// Number of blocks after which a snapshot may be due.
     #[inline]
     pub(super) fn until_due(&self) -> usize {
         self.interpreter.room_in_chunk().min(self.due.saturating_sub(self.blocks))
     }
 
-    /// Makes a snapshot before the next block of a text of so many bytes. True: the rest of the run is that of the run
-    /// before the edit.
+    /// Takes a snapshot before the next block of a text of `text` bytes. Returns true if the run has joined
+    /// the previous one and taken over its remaining results.
     #[cold]
     pub(super) fn pause(&mut self, at: Resume, text: usize) -> bool {
         if self.interpreter.motions().is_empty() {
@@ -222,7 +222,7 @@ impl Run {
         if self.ended || !self.interpreter.is_straight() {
             self.previous = None;
         }
-        // What is tried is counted from the start: a run with it begins there each time.
+        // Tried values count executions from the start, so such a run always begins there.
         let may_pause = self.begun
             && !self.ended
             && at.begins_line()
@@ -244,7 +244,7 @@ impl Run {
         self.blocks + BLOCKS_PER_MOTION * self.setup().limits.stride
     }
 
-    /// Finds out where after a place the run before the edit may be met next.
+    /// Finds the next byte after `at` at which this run may join the previous one.
     fn find_next_meeting(&mut self, at: Resume) {
         let next = self.previous.as_mut().and_then(|before| before.meeting(at.byte));
         if next.is_none() {
@@ -253,14 +253,15 @@ impl Run {
         self.meeting = next.unwrap_or(u32::MAX);
     }
 
-    /// Takes over the rest of the run before the edit, if that went on from here as this one does.
+    /// Takes over the remaining results of the previous run, if its state here was the same.
     fn join_at(&mut self, at: Resume) -> bool {
         let Some(before) = &mut self.previous else { return false };
         let index = before.next;
         let Some(there) = before.remainder.at(index) else { return false };
         before.shift.lines = i64::from(at.line) - i64::from(there.line);
         let shift = before.shift;
-        // The end of the text is reported at the last character before it.
+        // The end of the text is reported at the last character before it, so joining there would misplace
+        // the message.
         let is_last = at.byte as usize >= before.filled;
         if is_last
             || there.shifted(&shift) != at
@@ -272,7 +273,7 @@ impl Run {
             return false;
         };
         if !heads.iter().eq(self.programs.keys()) {
-            // Nor will they be the same at a later snapshot.
+            // They will differ at later snapshots too.
             return false;
         }
         let later = self.interpreter.take_over(remainder, index, &shift);

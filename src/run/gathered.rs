@@ -1,15 +1,17 @@
-//! Messages about a habit of writing, each once in a program.
+//! Combines messages about a repeated habit into one message per program.
 //!
-//! In: the messages of a run, in order of place. Out: the same, with one message about all comments that are not closed and
-//! one about all remarks without brackets: at the first, with the number of the others and the fixes of all.
+//! In: the messages of a run, sorted by place. Out: the same messages, with one for all unclosed comments and
+//! one for all remarks without brackets: at the first occurrence, with the number of the others and all
+//! fixes.
 
 use crate::message::{Diagnostic, Message, Repair, said};
 use crate::text::parser::short_quote;
 
-/// Replaces the messages about one habit with one message. An error that has no safe fix is kept: a word may be lost there.
+/// Combines the messages about each habit. Keeps errors without a safe fix separate, because a word may be
+/// lost there.
 pub(super) fn gather(messages: &mut Vec<Diagnostic>, text: &[u8]) {
     let all = std::mem::take(messages);
-    // The places of the first ones, and how many more there are of each.
+    // The index of each first message, and the number of further ones.
     let mut habits: Vec<(usize, usize)> = Vec::new();
     for told in all {
         let is_open = told.is_error() && !told.fixes.iter().any(|fix| fix.safe);
@@ -51,7 +53,7 @@ fn is_habit(message: &Message) -> bool {
         || message.is::<said::TextAfterSlashes>()
 }
 
-/// The message with the number of the other places.
+/// The message with the number of further occurrences.
 fn with_more(told: &Diagnostic, more: usize, text: &[u8]) -> Message {
     if told.message.is::<said::CommentOpen>() {
         return said::CommentsOpen { more }.into();

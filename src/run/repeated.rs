@@ -1,7 +1,9 @@
-//! Faulty blocks that a loop executes again: reading one takes far longer than executing it.
+//! A cache of faulty blocks that a loop executes again, because reading one takes far longer than executing
+//! it.
 //!
-//! In: a block read after a jump, and the places before and after it. Out: the same block, at the next place like the first.
-//! What a block says depends on the text and the state of the parser alone, so it can be kept for a run.
+//! In: a block read after a jump, and the positions before and after it. Out: the cached block when the same
+//! position is read again. A block depends only on the text and the state of the parser, so it stays valid
+//! for the whole run.
 
 use std::collections::BTreeMap;
 use std::sync::Arc;
@@ -11,10 +13,10 @@ use crate::parts::early;
 use crate::text::block::Block;
 use crate::text::parser::{Parser, Resume};
 
-/// Most faults of the blocks that are kept: some 30 MB.
+/// Maximum number of faults in all cached blocks: about 30 MB.
 const MOST_FAULTS: usize = 100_000;
 
-/// Faulty blocks by the first byte at which they were read.
+/// Faulty blocks by the first byte of their position.
 #[derive(Clone, Debug, Default)]
 pub(super) struct FaultyBlocks {
     blocks: BTreeMap<u32, Kept>,
@@ -29,7 +31,7 @@ struct Kept {
 }
 
 early! {
-    /// Reads the next block of a program that has jumped; false at the end of the text.
+    /// Reads the next block of a program that has jumped; returns false at the end of the text.
     pub(super) fn next_block(run: &mut Run, parser: &mut Parser<'_>) -> bool {
         let at = parser.position();
         if let Some(kept) = run.faulty.blocks.get(&at.byte).filter(|kept| kept.at == at) {

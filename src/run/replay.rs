@@ -1,8 +1,8 @@
-//! A run gone through once more, up to a block: what the control knows there.
+//! Replays a run up to a block, to find the state of the control there.
 //!
-//! In: a run, a place in its text. Out: the state before and after the block there, for one of the times it is carried
-//! out. It begins at the last snapshot before the place; where there is none (after a jump, a call, a loop or a
-//! contour), at the start of the program, and goes on in slices.
+//! In: a run, a place in its text. Out: the state before and after the block at that place, for one of its
+//! executions. The replay starts at the last snapshot before the place, or at the start of the program if
+//! there is none (after a jump, a call, a loop or a contour), and advances in slices.
 
 use std::ops::Range;
 use std::sync::Arc;
@@ -20,47 +20,47 @@ use crate::text::block::Block;
 use crate::text::parser::{Parser, Resume};
 use crate::units::Unit;
 
-/// The control between two blocks.
+/// The state of the control between two blocks.
 #[derive(Clone, Debug)]
 pub struct Moment {
-    /// Its state.
+    /// Its modal state.
     pub state: State,
-    /// Which block set what.
+    /// The block that set each value.
     pub origins: Origins,
 }
 
-/// A block once carried out, or read as a part of a contour.
+/// A visit to a block: it is executed, or read as a part of a contour.
 #[derive(Clone, Debug)]
 pub struct Visit {
-    /// Which time it is, from 1.
+    /// The number of the visit, from 1.
     pub number: u32,
-    /// What for, where a cycle reads it as a part of its contour.
+    /// The purpose, if a cycle reads the block as a part of its contour.
     pub purpose: Option<Purpose>,
-    /// Which of the times it is carried out, from 1; 0 where it is only read.
+    /// The number of the execution, from 1; 0 if the block is only read.
     pub carried_out: u32,
-    /// The control before it.
+    /// The state before the block.
     pub before: Moment,
-    /// The control after it.
+    /// The state after the block.
     pub after: Moment,
-    /// Its words with values in place of expressions, where it holds any and is carried out.
+    /// The words of the block with values in place of expressions, if it has any and is executed.
     pub values: Option<String>,
-    /// The motions that were made meanwhile; those of a corner or of compensation may come with a later block.
+    /// The motions made during the visit; those of a corner or of compensation may be made by a later block.
     pub motions: Range<usize>,
 }
 
-/// What was found of a block.
+/// The result of a replay.
 #[derive(Clone, Debug)]
 pub struct Found {
-    /// Where the block begins, and the one after it.
+    /// The start of the block, and the start of the next one.
     pub place: Range<Resume>,
-    /// How often it is carried out, or read as a part of a contour; 0: never.
+    /// The number of visits; 0 if the block is never executed or read.
     pub times: u32,
-    /// One of these times.
+    /// The requested visit.
     pub visit: Option<Visit>,
 }
 
 impl Found {
-    /// The block as it is carried out.
+    /// The block as it is executed.
     pub fn block(&self, run: &Run) -> Block {
         let (_, block) = block_at(run.text(), self.place.start, self.place.start.byte);
         let state = self.visit.as_ref().map(|visit| &visit.before.state);
@@ -69,25 +69,25 @@ impl Found {
     }
 }
 
-/// Which time a block is carried out is meant.
+/// Selects one of the visits to a block.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Time {
-    /// The first that takes all its words: roughing ignores some of them in its contour.
+    /// The first visit that uses all words of the block: roughing ignores some of them in its contour.
     Usual,
-    /// This one, from 1; the last, where there are fewer.
+    /// The visit with this number, from 1; the last one if there are fewer.
     Number(u32),
-    /// The one during which the motion of this number is made; the usual one where it is made by none.
+    /// The visit that makes the motion with this index; the usual one if none does.
     Motion(usize),
 }
 
-/// A replay under way.
+/// A replay in progress.
 pub struct Replay {
     of: RunId,
-    /// The run once more; its text is there only while it goes on.
+    /// The repeated run; it has the text only while the replay advances.
     run: Run,
     place: Range<Resume>,
     time: Time,
-    /// Motions before the first that the run once more makes.
+    /// Index of the first motion of the repeated run.
     motions_before: usize,
     times: u32,
     carried_out: u32,
@@ -95,7 +95,7 @@ pub struct Replay {
     is_done: bool,
 }
 
-/// The block at a byte of a text that begins at `line`, the first byte of its line.
+/// The block at a byte. `line` is the position of the first byte of its line.
 pub fn block_at(text: &[u8], line: Resume, byte: u32) -> (Range<Resume>, Block) {
     let mut parser = Parser::resume(text, line);
     let mut block = Block::default();
@@ -110,8 +110,8 @@ pub fn block_at(text: &[u8], line: Resume, byte: u32) -> (Range<Resume>, Block) 
 }
 
 impl Run {
-    /// Begins to go through the run once more, to the block at a byte; `line`: the beginning of its line. The run has
-    /// ended, and stays as it is meanwhile: after an edit the replay is of no use.
+    /// Starts a replay up to the block at `byte`; `line` is the beginning of its line. The run must have
+    /// ended; an edit invalidates the replay.
     pub fn replay(&self, line: Resume, byte: u32, time: Time) -> Replay {
         let (place, _) = block_at(&self.text, line, byte);
         let before = self.checkpoints.partition_point(|checkpoint| checkpoint.byte() <= place.start.byte);
@@ -139,7 +139,7 @@ impl Run {
         }
     }
 
-    /// Goes on with a replay for at most so many blocks; true once it has ended.
+    /// Continues a replay for at most `blocks` blocks; returns true once it has ended.
     pub fn advance_replay(&mut self, replay: &mut Replay, blocks: usize) -> bool {
         if replay.of != self.id {
             replay.is_done = true;
@@ -153,7 +153,7 @@ impl Run {
         replay.is_done
     }
 
-    /// This run from a snapshot on, or from its beginning, without its text and without lints.
+    /// This run from a snapshot or from its beginning, without its text and without lints.
     fn once_more(&self, checkpoint: Option<&Checkpoint>) -> Self {
         let interpreter = match checkpoint {
             Some(checkpoint) => self.interpreter.resumed(&checkpoint.snapshot),
@@ -196,7 +196,7 @@ impl Run {
         if let Some((system, _)) = self.recognised.system {
             run.interpreter.set_system(system);
         }
-        // A snapshot has its own.
+        // A snapshot already contains the unit.
         if checkpoint.is_none() && self.recognised.inches.is_some() {
             run.interpreter.set_unit(Unit::Inch);
         }
@@ -213,24 +213,24 @@ impl Run {
 }
 
 impl Replay {
-    /// Share of the text that was read, 0 to 1.
+    /// The fraction of the text that has been read, 0 to 1.
     pub fn progress(&self) -> f64 {
         self.run.progress()
     }
 
-    /// Which time is meant.
+    /// The requested visit.
     pub fn time(&self) -> Time {
         self.time
     }
 
-    /// What was found, once it has ended.
+    /// The result, once the replay has ended.
     pub fn found(self) -> Found {
         Found { place: self.place, times: self.times, visit: self.visit }
     }
 
     fn advance(&mut self, blocks: usize) {
         for _ in 0..blocks {
-            // What comes after the end is only read.
+            // Blocks after the end are only read.
             if self.run.finished || self.run.ended {
                 self.is_done = true;
                 return;
@@ -253,7 +253,8 @@ impl Replay {
                 let values = self.run.interpreter.take_trace().pop().and_then(|executed| executed.values);
                 let values = values.map(String::from);
                 self.see(None, before, after, first..self.kept(), values);
-                // On the straight way no block is met twice, but for contours, which the way back is straight to.
+                // While the program runs straight through, a block is visited only once. Contours are an
+                // exception, but the way back from them is straight.
                 self.is_done = self.run.interpreter.is_straight();
             }
             if self.is_done {
@@ -266,7 +267,7 @@ impl Replay {
         self.motions_before + self.run.interpreter.kept_motions()
     }
 
-    /// The control before the block, with the values that are tried there.
+    /// The state before the block, including values that are tried there.
     fn moment_of_block(&mut self) -> Moment {
         self.carried_out += 1;
         let mut moment = self.moment();
@@ -287,7 +288,7 @@ impl Replay {
         Moment { state: state.clone(), origins }
     }
 
-    /// The block is carried out once more, or read.
+    /// Records a visit to the block.
     fn see(
         &mut self,
         purpose: Option<Purpose>,
@@ -305,7 +306,7 @@ impl Replay {
                 kept.purpose == Some(Purpose::Roughing) && purpose != Some(Purpose::Roughing)
             }
             (Time::Number(wanted), Some(_)) => number <= wanted,
-            // A motion may be made by a later block than its own.
+            // A motion may be made by a block after its own.
             (Time::Motion(wanted), Some(kept)) => !kept.motions.contains(&wanted) && motions.start <= wanted,
         };
         if is_meant {

@@ -1,15 +1,15 @@
-//! What if a variable had another value? A reader tries it, and the text stays as it is.
+//! Tries other values of variables without changing the text.
 //!
-//! In: the values that the setup names, each with its block and which of the times that is carried out. Out: the variables
-//! with these values, and the blocks as those who set them. A run with such values makes no snapshots: what is counted
-//! is counted from the start.
+//! In: the values in the setup, each with its block and the number of the execution. Out: the variables with
+//! these values, and the blocks as their origins. A run with such values takes no snapshots, because
+//! executions are counted from the start.
 
 use super::Run;
 use crate::control::macros::Variables;
 use crate::setup::TriedValue;
 
 impl Run {
-    /// The block at a byte comes next.
+    /// Gives variables the values to try, before the block at `byte` is executed.
     #[cold]
     pub(super) fn try_values(&mut self, byte: u32) {
         if self.ended {
@@ -28,7 +28,7 @@ impl Run {
     }
 }
 
-/// Gives a variable the value that is tried; one that cannot be written stays.
+/// Sets a variable to a value to try; a variable that cannot be written stays unchanged.
 pub(super) fn give(variables: &mut Variables, tried: TriedValue) {
     let _ = variables.write(tried.variable, Some(tried.value));
 }
@@ -72,10 +72,10 @@ mod tests {
             ends(&run(LOOP, &[])),
             [(0.0, 0.0), (0.0, 7.0), (10.0, 0.0), (10.0, 7.0), (20.0, 0.0), (20.0, 7.0)]
         );
-        // Before the second time of line 4: the loop ends one round earlier, too.
+        // Before the second execution of line 4: the loop also ends one iteration earlier.
         let later = run(LOOP, &[tried(3, 2, 1, 2.5)]);
         assert_eq!(ends(&later), [(0.0, 0.0), (0.0, 7.0), (25.0, 0.0), (25.0, 7.0)]);
-        // A time that never comes changes nothing.
+        // An execution that never happens changes nothing.
         assert_eq!(ends(&run(LOOP, &[tried(3, 9, 1, 2.5)])), ends(&run(LOOP, &[])));
     }
 
@@ -115,7 +115,7 @@ mod tests {
         while !run.advance(usize::MAX) {}
         assert_eq!(ends(&run).last(), Some(&(40.0, f64::from(2999 % 11))));
         assert_eq!(LineIndex::new(run.text()).len(), LineIndex::new(text.as_bytes()).len());
-        // The same number of bytes: the value stays at its block.
+        // An edit of the same length, so the value still belongs to its block.
         let at = byte_of(&text, 2000) as usize + 4;
         run.edit(TextEdit { start: at, end: at + 1, insert: b"9".to_vec() });
         while !run.advance(usize::MAX) {}

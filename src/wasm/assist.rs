@@ -1,7 +1,7 @@
 //! Help at a place of the program: the word there, and the state of the control.
 //!
-//! In: a place, and which time its block is carried out. Out: rows. The run is gone through once more, in slices; what
-//! was found is kept until another block is asked about, or the run is another one.
+//! In: a place, and the execution of its block. Out: rows. The run is replayed in slices; the result is
+//! cached until the question is about another block, or the run changes.
 
 use wasm_bindgen::prelude::*;
 
@@ -13,10 +13,10 @@ use crate::run::RunId;
 use crate::run::replay::{Found, Replay, Time};
 use crate::source::Span;
 
-/// What is asked of a block.
+/// The current question about a block.
 #[derive(Default)]
 pub(super) struct Question {
-    /// The place that is asked about.
+    /// The place of the question.
     byte: u32,
     replay: Option<Replay>,
     found: Option<(RunId, Time, Found)>,
@@ -24,39 +24,39 @@ pub(super) struct Question {
 
 #[wasm_bindgen]
 impl Playground {
-    /// Asks about the block at an offset, as it is carried out at a time: of this number, from 1, or the usual one. The
-    /// run has ended. True: the answer is there.
+    /// Asks about the block at an offset: about the execution with the number `time`, from 1, or the usual
+    /// one. The run must have ended. Returns whether the answer is already available.
     #[wasm_bindgen(js_name = askBlock)]
     pub fn ask_block(&mut self, offset: u32, time: Option<u32>) -> bool {
         ask(self, offset, time)
     }
 
-    /// Asks about the block of a motion, as it is carried out when the motion is made. The run has ended. True: the answer
-    /// is there.
+    /// Asks about the block of a motion, in the execution that makes the motion. The run must have ended.
+    /// Returns whether the answer is already available.
     #[wasm_bindgen(js_name = askMotion)]
     pub fn ask_motion(&mut self, motion: u32) -> bool {
         ask_motion(self, motion)
     }
 
-    /// Looks for the answer for at most so many blocks. True: it is there.
+    /// Continues the search for at most `blocks` blocks. Returns whether the answer is available.
     #[wasm_bindgen(js_name = lookForAnswer)]
     pub fn look_for_answer(&mut self, blocks: u32) -> bool {
         look(self, blocks)
     }
 
-    /// The word that was asked about; nothing where there is none, or no answer yet.
+    /// Help for the word at the requested place; `undefined` if there is no word, or no answer yet.
     #[wasm_bindgen(js_name = wordHelp, unchecked_return_type = "WordHelp | undefined")]
     pub fn word_help(&self) -> Result<JsValue, JsValue> {
         word(self)
     }
 
-    /// What the block that was asked about does; nothing where there is no answer yet.
+    /// A description of the requested block; `undefined` if there is no answer yet.
     #[wasm_bindgen(unchecked_return_type = "string | undefined")]
     pub fn explanation(&self) -> Result<JsValue, JsValue> {
         explanation(self)
     }
 
-    /// Where the number at an offset is used; nothing where none stands.
+    /// The uses of the number at an offset; `undefined` if there is no number.
     #[wasm_bindgen(js_name = usesAt, unchecked_return_type = "UsesHelp | undefined")]
     pub fn uses_at(&self, offset: u32) -> Result<JsValue, JsValue> {
         uses(self, offset)
@@ -68,20 +68,20 @@ impl Playground {
         outline(self)
     }
 
-    /// The state before and after the block that was asked about; nothing where there is no answer yet.
+    /// The state before and after the requested block; `undefined` if there is no answer yet.
     #[wasm_bindgen(js_name = stateHelp, unchecked_return_type = "StateHelp | undefined")]
     pub fn state_help(&self) -> Result<JsValue, JsValue> {
         state(self)
     }
 
-    /// What can be written at the place that was asked about; `asked_for`: the reader asks for it. Nothing where nothing
-    /// is known, or there is no answer yet.
+    /// The completions at the requested place. `asked_for`: whether the user requested them explicitly.
+    /// `undefined` if there are none, or no answer yet.
     #[wasm_bindgen(js_name = completionHelp, unchecked_return_type = "CompletionHelp | undefined")]
     pub fn completion_help(&self, asked_for: bool) -> Result<JsValue, JsValue> {
         completion(self, asked_for)
     }
 
-    /// The form of the block that was asked about; nothing where it has none, or there is no answer yet.
+    /// The form of the requested block; `undefined` if it has none, or there is no answer yet.
     #[wasm_bindgen(js_name = formHelp, unchecked_return_type = "FormHelp | undefined")]
     pub fn form_help(&self) -> Result<JsValue, JsValue> {
         form(self)
@@ -153,7 +153,7 @@ late! {
     }
 }
 
-/// Begins to look for the answer; true where it is there already.
+/// Starts the search for the answer; returns true if it is already available.
 fn begin(playground: &mut Playground, byte: u32, time: Time) -> bool {
     let Playground { current, question, .. } = playground;
     (question.byte, question.replay) = (byte, None);
@@ -168,7 +168,7 @@ fn begin(playground: &mut Playground, byte: u32, time: Time) -> bool {
     is_known
 }
 
-/// What is made of the answer, once it is there.
+/// Calls `make` with the answer; returns `undefined` if there is none yet.
 fn with_answer(
     playground: &Playground,
     make: impl FnOnce(&Reader, &Asked) -> Result<JsValue, JsValue>,

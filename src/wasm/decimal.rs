@@ -1,4 +1,4 @@
-//! What numbers without a decimal point count: the line the page shows of it, and the decision.
+//! What numbers without a decimal point count: the notice on the page, and the decision.
 
 use wasm_bindgen::prelude::*;
 
@@ -8,15 +8,14 @@ use crate::parts::late;
 
 #[wasm_bindgen]
 impl Playground {
-    /// One line on what numbers without a point count, where that was concluded or looks wrong; nothing
-    /// where there is nothing to say.
+    /// One line about numbers without a decimal point, if their unit was inferred or looks wrong.
     #[wasm_bindgen(js_name = decimalNotice)]
     pub fn decimal_notice(&self) -> Option<String> {
         notice(self)
     }
 
-    /// Decides what numbers without a point count anew, for the text as it is: after a paste or a click, not
-    /// while somebody types. The run begins again where that is something else.
+    /// Decides again, for the current text, what numbers without a decimal point count; restarts the run if
+    /// the rule changes. To be called after a paste or a click, not during typing.
     #[wasm_bindgen(js_name = decideDecimalRule)]
     pub fn decide_decimal_rule(&mut self) {
         self.current.decide_decimal_rule();

@@ -1,6 +1,7 @@
-//! Another version of the program beside it, for JavaScript.
+//! Comparison with another version of the program, for JavaScript.
 //!
-//! In: the program as it has run, and another one that has. Out: what differs, in the reader's language, and a drawing of both.
+//! In: the finished runs of this program and of another one. Out: the differences, in the user's language,
+//! and a drawing of both.
 
 use wasm_bindgen::prelude::*;
 
@@ -15,13 +16,13 @@ use crate::sentences::difference::{Said, said, said_with};
 use crate::sentences::labels;
 use crate::setup::Setup;
 
-/// Parts of longer programs are not laid over each other here: the page waits for the answer.
+/// Parts of longer programs are not compared here, because the page waits for the answer.
 const MOST_MOTIONS: usize = 5_000;
 
 #[wasm_bindgen]
 impl Playground {
-    /// Another program under the same setup, in the same language. It has to run ([`Self::advance`]) and its material has to be taken
-    /// off before it is compared.
+    /// Another program with the same setup and language. Run it ([`Self::advance`]) and remove its material
+    /// before comparing it.
     pub fn another(&self, text: String) -> Playground {
         let mut other = Playground::new();
         other.setup = Setup { tried: Vec::new(), ..self.setup.clone() };
@@ -30,13 +31,14 @@ impl Playground {
         other
     }
 
-    /// What differs between another version of the program, which is the first, and this one.
+    /// The differences between `other`, which is the first version, and this program.
     #[wasm_bindgen(js_name = differenceFrom, unchecked_return_type = "ProgramDifference")]
     pub fn difference_from(&self, other: &Playground) -> Result<JsValue, JsValue> {
         difference(self, other)
     }
 
-    /// The tool paths of both as SVG, with a legend; `names` are those of the other one and of this one.
+    /// The tool paths of both as SVG, with a legend; `first` is the name of `other`, `second` that of this
+    /// program.
     #[wasm_bindgen(js_name = drawnWith)]
     pub fn drawn_with(&self, other: &Playground, first: String, second: String) -> String {
         drawn(self, other, first, second)

@@ -1,6 +1,6 @@
-//! What leaves the page as a file, and the part as a body, for JavaScript.
+//! File export, and the part as a body, for JavaScript.
 //!
-//! In: the program as it has run. Out: bytes, a painted canvas.
+//! In: the finished run of the program. Out: bytes, a painted canvas.
 
 use serde::Deserialize;
 use serde::de::IntoDeserializer;
@@ -26,7 +26,8 @@ use crate::units::Unit;
 
 #[wasm_bindgen]
 impl Playground {
-    /// The bytes of a file, in the language of the messages; nothing where there is no part to put into it.
+    /// The bytes of a file, in the language of the messages; `undefined` if the file needs a part and there
+    /// is none.
     #[wasm_bindgen(js_name = exportFile)]
     pub fn export_file(
         &mut self,
@@ -35,7 +36,7 @@ impl Playground {
         bytes_of(self, format)
     }
 
-    /// What the name of such a file ends in.
+    /// The extension of such a file.
     #[wasm_bindgen(js_name = fileEnding)]
     pub fn file_ending(
         &self,
@@ -44,7 +45,7 @@ impl Playground {
         ending_of(format)
     }
 
-    /// Paints the picture as it is shown on another canvas, so many device pixels a CSS pixel.
+    /// Paints the current picture on another canvas, with `pixel_ratio` device pixels per CSS pixel.
     pub fn paint(&mut self, canvas: OffscreenCanvas, pixel_ratio: f64) -> Result<(), JsValue> {
         self.current.finish_part();
         let Some(Picture { scene, view, source }) = self.current.picture(Plane::Section) else {
@@ -57,14 +58,14 @@ impl Playground {
         Ok(())
     }
 
-    /// What is left of the blank at the moment that is shown: pieces with their holes; none where
-    /// there is no blank, or not yet.
+    /// The part at the displayed moment, as pieces with their holes; empty without a blank, or if it is not
+    /// available yet.
     #[wasm_bindgen(unchecked_return_type = "SectionPiece[]")]
     pub fn section(&mut self) -> Result<JsValue, JsValue> {
         section(self)
     }
 
-    /// The holes that live tools have drilled beside the axis and into the side by then.
+    /// The holes at that moment that live tools have drilled off the axis and into the side.
     #[wasm_bindgen(unchecked_return_type = "DrilledHole[]")]
     pub fn holes(&mut self) -> Result<JsValue, JsValue> {
         holes(self)
@@ -98,7 +99,7 @@ fn file_format(name: &str) -> Result<FileFormat, JsValue> {
         .map_err(|problem: ValueError| error(&problem.to_string()))
 }
 
-/// The current program, all of its material off.
+/// The current program with all its material removed.
 struct Ran<'a> {
     current: &'a Current,
     setup: Setup,

@@ -10,26 +10,26 @@ use crate::parts::late;
 
 #[wasm_bindgen]
 impl Playground {
-    /// The motions `first..end` as objects; for short lists. Long ones are read through [`Self::chunk`].
+    /// The motions `first..end` as objects; for short lists. Read long ones with [`Self::chunk`].
     #[wasm_bindgen(unchecked_return_type = "Motion[]")]
     pub fn motions(&self, first: u32, end: u32) -> Result<JsValue, JsValue> {
         rows(self, first as usize, end as usize)
     }
 
-    /// Number of chunks the motions are kept in.
+    /// Number of chunks of the motions.
     #[wasm_bindgen(js_name = chunkCount)]
     pub fn chunk_count(&self) -> usize {
         self.current.motions().chunks().len()
     }
 
-    /// Columns of a chunk of motions, copied out of wasm memory in one piece each.
+    /// The columns of a chunk of motions, each copied out of wasm memory.
     pub fn chunk(&self, index: usize) -> Option<MotionChunk> {
         chunk(self.current.motions(), index)
     }
 
-    /// Columns of a chunk of motions where they are, without a copy. They hold until the next call of
-    /// anything in this module, which may move the motions or make the memory grow (a view is then empty):
-    /// read them at once, or `slice()` what is to be kept. [`Self::chunk`] does that for you.
+    /// The columns of a chunk of motions in wasm memory, without a copy. They are valid until the next call
+    /// into this module, which may move the motions or make the memory grow (a view is then empty). Read them
+    /// immediately, or copy them with `slice()`. [`Self::chunk`] does that for you.
     #[wasm_bindgen(js_name = chunkView)]
     pub fn chunk_view(&self, index: usize) -> Option<MotionChunkView> {
         self.current.motions().chunks().get(index).map(view_of)
@@ -50,14 +50,14 @@ late! {
     }
 }
 
-/// Motions of one chunk as columns.
+/// The motions of a chunk as columns.
 #[wasm_bindgen(getter_with_clone)]
 pub struct MotionChunk {
     /// 0 rapid, 1 feed, 2 arc clockwise, 3 arc counter-clockwise, 4 thread, 5 dwell.
     pub kind: Uint8Array,
-    /// End points: radius, mm.
+    /// X of the end points: radius, mm.
     pub x: Float64Array,
-    /// End points: length, mm.
+    /// Z of the end points, mm.
     pub z: Float64Array,
     /// Lines, from 1.
     pub line: Uint32Array,
@@ -74,13 +74,13 @@ impl MotionChunk {
     }
 }
 
-/// Columns of one chunk in the memory of the module, see [`Playground::chunk_view`].
+/// The columns of a chunk in the memory of the module; see [`Playground::chunk_view`].
 #[wasm_bindgen(getter_with_clone)]
 pub struct MotionChunkView {
     /// As in [`MotionChunk`].
     pub kind: Uint8Array,
-    /// End points: radius, mm.
+    /// X of the end points: radius, mm.
     pub x: Float64Array,
-    /// End points: length, mm.
+    /// Z of the end points, mm.
     pub z: Float64Array,
 }

@@ -1,6 +1,7 @@
 //! Programs inside a text, for JavaScript.
 //!
-//! In: a text that was pasted, dropped or opened. Out: the list of its programs, and each of them in pieces.
+//! In: a text that was pasted, dropped or opened. Out: the list of its programs, and the pieces of each
+//! program.
 
 use wasm_bindgen::prelude::*;
 
@@ -19,21 +20,21 @@ pub struct PastedText {
 
 #[wasm_bindgen]
 impl PastedText {
-    /// Looks through a text.
+    /// Searches a text for programs.
     #[wasm_bindgen(constructor)]
     pub fn new(text: String) -> PastedText {
         let found = programs_in(&text);
         PastedText { text, found }
     }
 
-    /// What there is.
+    /// The list of programs.
     #[wasm_bindgen(unchecked_return_type = "FoundPrograms")]
     pub fn programs(&self) -> Result<JsValue, JsValue> {
         programs(&self.found)
     }
 
-    /// One of the programs, with the reasons in the language of a tag; nothing where
-    /// there is none of that number.
+    /// The pieces of a program, with reasons in the language `tag`; `undefined` if there is no program with
+    /// this index.
     #[wasm_bindgen(unchecked_return_type = "FoundPiece[]")]
     pub fn pieces(&self, program: usize, tag: &str) -> Result<JsValue, JsValue> {
         pieces(self, program, Language::from_tag(tag))

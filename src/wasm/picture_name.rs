@@ -1,4 +1,4 @@
-//! The names of the pictures, as JavaScript says them.
+//! The names of the pictures in JavaScript.
 #![allow(missing_docs, reason = "the macro adds functions of its own")]
 
 use wasm_bindgen::prelude::*;

@@ -1,7 +1,7 @@
-//! The pictures: the section along the spindle axis, the end face and the side, each on a canvas of its own,
-//! looked at in its own way.
+//! The pictures: the section along the spindle axis, the end face and the side, each with a separate canvas
+//! and view.
 //!
-//! In: what the user does with a picture. Out: drawn canvases and small objects. Knows no G-code.
+//! In: user actions in a picture. Out: drawn canvases and small objects. Knows no G-code.
 
 use wasm_bindgen::prelude::*;
 use web_sys::{ImageBitmap, OffscreenCanvas};
@@ -21,18 +21,18 @@ use crate::scene::view::Frame;
 use crate::setup::Turret;
 use crate::units::Diameter;
 
-/// How near a stroke or an edge the pointer must be, CSS pixels.
+/// Maximum distance of the pointer from a stroke or an edge, CSS pixels.
 const REACH: f64 = 8.0;
 
 /// How much of a picture has been painted.
 #[wasm_bindgen]
 #[derive(Clone, Copy, Debug)]
 pub enum Drawn {
-    /// All of it.
+    /// The whole picture.
     All,
-    /// There is more to do, which the next call goes on with.
+    /// A part; the next call continues.
     Part,
-    /// The last one was moved along with the camera; call again in the next frame.
+    /// The previous image was moved with the camera; call again in the next frame.
     Moved,
 }
 
@@ -48,49 +48,50 @@ impl From<Progress> for Drawn {
 
 #[wasm_bindgen]
 impl Playground {
-    /// Draws a picture on a canvas from now on.
+    /// Sets the canvas of a picture.
     #[wasm_bindgen(js_name = attachCanvas)]
     pub fn attach_canvas(&mut self, picture: PictureName, canvas: OffscreenCanvas) -> Result<(), JsValue> {
         self.painters[picture.into()] = Some(Painter::new(canvas)?);
         Ok(())
     }
 
-    /// Size of a picture in CSS pixels, and device pixels a CSS pixel.
+    /// Sets the size of a picture in CSS pixels, and the number of device pixels per CSS pixel.
     pub fn resize(&mut self, picture: PictureName, width: f64, height: f64, pixel_ratio: f64) {
         self.current
             .look(picture.into(), |view, scene| view.resize(scene, Size { width, height }, pixel_ratio));
     }
 
-    /// Colours of the pictures.
+    /// Sets the colours of the pictures.
     #[wasm_bindgen(js_name = setPalette)]
     pub fn set_palette(
         &mut self,
         #[wasm_bindgen(unchecked_param_type = "Palette")] colours: JsValue,
     ) -> Result<(), JsValue> {
         let palette = palette(&colours)?;
-        // The others follow the section.
+        // The other pictures follow the section.
         self.current.look(Plane::Section, |view, _| view.palette = palette);
         Ok(())
     }
 
-    /// The last images were not shown: the next ones are painted even if they are the same.
+    /// Paints the next images even if they are unchanged, because the last ones were not shown.
     #[wasm_bindgen(js_name = paintAgain)]
     pub fn paint_again(&mut self) {
         self.painters.iter_mut().flatten().for_each(Painter::paint_again);
     }
 
-    /// Gives back the memory of what is kept for the next images; these are painted anew.
+    /// Releases the memory cached for the next images; they are painted from scratch.
     #[wasm_bindgen(js_name = releaseImages)]
     pub fn release_images(&mut self) {
         self.painters.iter_mut().flatten().for_each(Painter::release);
     }
 
-    /// Shows everything worth looking at.
+    /// Fits a picture to its contents.
     pub fn fit(&mut self, picture: PictureName) {
         self.current.look(picture.into(), |view, scene| view.fit(scene));
     }
 
-    /// Chooses what a fitted picture shows: the `part` or the whole `path`; anything else is what is usual.
+    /// Sets the extent of a fitted picture: the `part` or the whole `path`; anything else selects the
+    /// default.
     #[wasm_bindgen(js_name = setFrame)]
     pub fn set_frame(&mut self, frame: &str) {
         let frame = match frame {
@@ -103,24 +104,25 @@ impl Playground {
         }
     }
 
-    /// Moves a picture, CSS pixels.
+    /// Moves a picture by a distance in CSS pixels.
     pub fn pan(&mut self, picture: PictureName, dx: f64, dy: f64) {
         self.current.look(picture.into(), |view, _| view.pan(dx, dy));
     }
 
-    /// Makes a picture `factor` times as large about a place, CSS pixels.
+    /// Zooms a picture by `factor` about a position in CSS pixels.
     pub fn zoom(&mut self, picture: PictureName, factor: f64, x: f64, y: f64) {
         self.current.look(picture.into(), |view, _| view.zoom(factor, Pixel::new(x, y)));
     }
 
-    /// The stroke at a place of a picture, CSS pixels.
+    /// The stroke at a position in a picture, CSS pixels.
     #[wasm_bindgen(unchecked_return_type = "Stroke | undefined")]
     pub fn pick(&mut self, picture: PictureName, x: f64, y: f64) -> Result<JsValue, JsValue> {
         picked(self, picture.into(), Pixel::new(x, y))
     }
 
-    /// Where a place is in a picture: in the section X (a diameter) and Z, on the face X (a diameter) and C, on the side Z and what its
-    /// other ruler says: degrees of C, or Y; lengths in mm. Two CSS pixels from the top left corner.
+    /// Converts a position to CSS pixels from the top left corner of a picture; returns two numbers. The
+    /// position is X (a diameter) and Z in the section, X (a diameter) and C on the face, and on the side Z
+    /// and the value on its other ruler: degrees of C, or Y. Lengths are mm.
     #[wasm_bindgen(js_name = screenOf)]
     pub fn screen_of(&mut self, picture: PictureName, first: f64, second: f64) -> Vec<f64> {
         let plane = Plane::from(picture);
@@ -134,7 +136,7 @@ impl Playground {
         vec![pixel.x, pixel.y]
     }
 
-    /// Paints what has changed of a picture, and says when to call again.
+    /// Paints the changes of a picture, and returns when to call again.
     pub fn draw(&mut self, picture: PictureName) -> Result<Drawn, JsValue> {
         let plane = picture.into();
         match (self.current.picture(plane), &mut self.painters[plane]) {
@@ -143,26 +145,27 @@ impl Playground {
         }
     }
 
-    /// Takes what was painted of a picture since the last time off its canvas, as an image;
-    /// nothing where nothing was.
+    /// Takes the image painted since the last call off the canvas of a picture; `undefined` if nothing was
+    /// painted.
     #[wasm_bindgen(js_name = takeImage)]
     pub fn take_image(&mut self, picture: PictureName) -> Result<Option<ImageBitmap>, JsValue> {
         self.painters[picture.into()].as_mut().map_or(Ok(None), Painter::take_image)
     }
 
-    /// Whether anything moves over the surface that a picture shows; known once all material is off.
+    /// Whether anything moves over the surface that a picture shows; known once all material is removed.
     pub fn has(&self, picture: PictureName) -> bool {
         self.current.moves(picture.into()).is_some()
     }
 
-    /// What the pictures show beside strokes, known once all material is off: `blank`, `chuck`, `tailstock`, `collision`.
+    /// What the pictures show besides strokes, known once all material is removed: `blank`, `chuck`,
+    /// `tailstock`, `collision`.
     #[wasm_bindgen(js_name = workShown, unchecked_return_type = "('blank' | 'chuck' | 'tailstock' | 'collision')[]")]
     pub fn work_shown(&self) -> Result<JsValue, JsValue> {
         work_shown(&self.current)
     }
 
-    /// Puts the turret in `front` of the spindle, where the worker stands, or to the `rear`; X+ is drawn on
-    /// its side. Anything else leaves it where the setup has it.
+    /// Puts the turret in `front` of the spindle, on the side of the operator, or to the `rear`; X+ is drawn
+    /// on that side. Anything else selects the side in the setup.
     #[wasm_bindgen(js_name = setTurret)]
     pub fn set_turret(&mut self, side: &str) {
         self.current.set_turret(match side {
@@ -172,7 +175,7 @@ impl Playground {
         });
     }
 
-    /// Which side the turret is drawn on.
+    /// The side on which the turret is drawn.
     #[wasm_bindgen(unchecked_return_type = "'front' | 'rear'")]
     pub fn turret(&self) -> JsValue {
         JsValue::from_str(match self.current.turret() {
@@ -181,20 +184,20 @@ impl Playground {
         })
     }
 
-    /// The edge of the part at a place of the picture, CSS pixels, with its dimensions; it is marked
-    /// until another is asked for.
+    /// The edge of the part at a position in the picture, CSS pixels, with its dimensions. The edge stays
+    /// marked until the next call.
     #[wasm_bindgen(unchecked_return_type = "Dimension | undefined")]
     pub fn dimension(&mut self, x: f64, y: f64) -> Result<JsValue, JsValue> {
         dimension(self, Pixel::new(x, y))
     }
 
-    /// Marks no edge any more.
+    /// Removes the mark from the edge.
     #[wasm_bindgen(js_name = leaveEdge)]
     pub fn leave_edge(&mut self) {
         self.current.leave_edge();
     }
 
-    /// Keeps the part of this program, if there is one, to lay those of later texts over it.
+    /// Keeps the part of this program, if there is one, for comparison with the parts of later texts.
     pub fn keep(&mut self) {
         self.current.keep();
     }
@@ -205,7 +208,7 @@ impl Playground {
         self.current.end_comparison();
     }
 
-    /// Where the part differs from the one that was kept (`first`); nothing while none is.
+    /// The differences between the part and the one that was kept (`first`); `undefined` if there is none.
     #[wasm_bindgen(unchecked_return_type = "Comparison | undefined")]
     pub fn comparison(&self) -> Result<JsValue, JsValue> {
         self.current.comparison().map_or(Ok(JsValue::UNDEFINED), comparison)
@@ -242,7 +245,7 @@ late! {
     }
 }
 
-/// The colours a page gives, each a text.
+/// Reads the colours given by a page, each a string.
 fn palette(colours: &JsValue) -> Result<Palette, JsValue> {
     let mut palette = Palette::default();
     for (key, own) in palette.by_name() {

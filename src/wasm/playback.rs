@@ -1,4 +1,4 @@
-//! The playback as JavaScript steers it: where the tool is put, and what is read off there.
+//! The playback interface for JavaScript: tool position and readout.
 
 use wasm_bindgen::prelude::*;
 
@@ -12,7 +12,7 @@ use crate::playback::steps::{Direction, Unit, step};
 use crate::playback::totals;
 use crate::scene::Plane;
 
-/// How far one step goes.
+/// The size of a step.
 #[wasm_bindgen]
 #[derive(Clone, Copy, Debug)]
 pub enum StepUnit {
@@ -20,47 +20,47 @@ pub enum StepUnit {
     Motion = "motion",
     /// All motions of a block.
     Block = "block",
-    /// All motions of a pass of a cycle; outside of cycles a block.
+    /// All motions of a pass of a cycle; outside cycles, of a block.
     Pass = "pass",
 }
 
-/// Where a step goes.
+/// The direction of a step.
 #[wasm_bindgen]
 #[derive(Clone, Copy, Debug)]
 pub enum StepDirection {
-    /// On in the program.
+    /// Forward.
     Next = "next",
-    /// Back.
+    /// Backward.
     Previous = "previous",
 }
 
-/// Which stops of the program hold the tool.
+/// The stops of the program at which the tool is held.
 #[wasm_bindgen]
 #[derive(Clone, Copy, Debug)]
 pub enum StopSwitch {
     /// M00 and M01.
     All = "all",
-    /// M00 alone.
+    /// M00 only.
     NotOptional = "not-optional",
 }
 
-/// What holds the tool.
+/// The reason why the tool is held.
 #[wasm_bindgen]
 #[derive(Clone, Copy, Debug)]
 pub enum HeldBy {
-    /// Nothing: it goes on, or is at the end.
+    /// Not held: the tool moves on, or is at the end.
     Nothing = "nothing",
     /// M00 or M01.
     Stop = "stop",
     /// The end of a block.
     Block = "block",
-    /// A marked line, which comes next.
+    /// A marked line, which would be next.
     Line = "line",
 }
 
 #[wasm_bindgen]
 impl Playground {
-    /// Seconds of the whole animation at the pace of the machine, some of them assumed.
+    /// Duration of the whole animation at machine speed, seconds; partly assumed.
     #[wasm_bindgen(js_name = animationSeconds)]
     pub fn animation_seconds(&self) -> f64 {
         animation_seconds(&self.current)
@@ -72,14 +72,14 @@ impl Playground {
         self.current.put(None);
     }
 
-    /// Puts the tool where so much of the animation has been shown: 0 to 1.
+    /// Moves the tool to a fraction of the animation, 0 to 1.
     pub fn seek(&mut self, share: f64) {
         seek(&mut self.current, share);
     }
 
-    /// Lets the tool go on for so many seconds of the animation, or to where it is held: by a stop of the program, at the
-    /// end of a block, or before a block of one of these lines, from 0; a line that moves nothing stands for the next that
-    /// does.
+    /// Moves the tool forward by `seconds` seconds of the animation, or to where it is held: at a stop of the
+    /// program, at the end of a block, or before a block of one of `lines`, from 0. A line without a move is
+    /// replaced by the next one with a move.
     pub fn play(&mut self, seconds: f64, stops: StopSwitch, each_block: bool, lines: &[u32]) -> HeldBy {
         let stops = match stops {
             StopSwitch::NotOptional => Stops::NotOptional,
@@ -88,13 +88,13 @@ impl Playground {
         play(&mut self.current, seconds, Holds { stops, each_block, lines })
     }
 
-    /// Puts the tool at the start of the block at a UTF-16 offset, or of the next one that moves it.
+    /// Moves the tool to the start of the block at a UTF-16 offset, or of the next block that moves it.
     #[wasm_bindgen(js_name = seekBlock)]
     pub fn seek_block(&mut self, offset: u32) {
         put_at_block(&mut self.current, offset);
     }
 
-    /// Puts the tool at the end of the step before or after it.
+    /// Moves the tool to the end of the previous or the next step.
     pub fn step(&mut self, unit: StepUnit, direction: StepDirection) {
         let unit = match unit {
             StepUnit::Block => Unit::Block,
@@ -108,7 +108,7 @@ impl Playground {
         step_on(&mut self.current, unit, direction);
     }
 
-    /// Puts the tool at the end of a motion.
+    /// Moves the tool to the end of a motion.
     #[wasm_bindgen(js_name = goTo)]
     pub fn go_to(&mut self, motion: u32) {
         let motion = motion as usize;
@@ -116,19 +116,19 @@ impl Playground {
         self.current.put(there.then_some(Playhead { motion, share: 1.0 }));
     }
 
-    /// The motions `first..end` in words, the tool at the end of each.
+    /// Descriptions of the motions `first..end`, each with the tool position at its end.
     #[wasm_bindgen(unchecked_return_type = "Stroke[]")]
     pub fn strokes(&self, first: u32, end: u32) -> Result<JsValue, JsValue> {
         strokes(self, first, end)
     }
 
-    /// Time, paths and extents of each tool in the order in which they are first used, then of the whole program.
+    /// Time, path lengths and extents of each tool, in order of first use, then of the whole program.
     #[wasm_bindgen(unchecked_return_type = "Totals[]")]
     pub fn totals(&self) -> Result<JsValue, JsValue> {
         totals_of(&self.current)
     }
 
-    /// What is read off where the tool is.
+    /// The readout at the tool position.
     #[wasm_bindgen(unchecked_return_type = "Readout | undefined")]
     pub fn readout(&mut self) -> Result<JsValue, JsValue> {
         readout(self)

@@ -1,4 +1,4 @@
-//! Machines and tables of tools that the page keeps under names.
+//! Machines and tool tables that the page saves under names.
 
 use wasm_bindgen::prelude::*;
 
@@ -14,20 +14,20 @@ const KIND: &str = "/** What is kept under a name. */\nexport type ProfileKind =
 
 #[wasm_bindgen]
 impl Playground {
-    /// Machine and tools of a setup that is handed in, such as that of a file. Throws what is wrong with it.
+    /// The machine and the tools of a given setup, such as one from a file. Throws if the setup is invalid.
     #[wasm_bindgen(js_name = profilesIn, unchecked_return_type = "Profiles")]
     pub fn profiles_in(&self, json: &str) -> Result<JsValue, JsValue> {
         profiles_in(json)
     }
 
-    /// Machine and tools of the program as it is run, what its comments say included; `json` is the setup of
-    /// the page.
+    /// The machine and the tools of the program as it is run, including those from its comments; `json` is
+    /// the setup of the page.
     #[wasm_bindgen(js_name = profilesOfRun, unchecked_return_type = "Profiles")]
     pub fn profiles_of_run(&self, json: &str) -> Result<JsValue, JsValue> {
         profiles_of_run(self, json)
     }
 
-    /// A setup with a profile in place of its own; empty where it says nothing then.
+    /// A setup with its machine or tools replaced by a profile; empty if nothing is left in it.
     #[wasm_bindgen(js_name = withProfile)]
     pub fn with_profile(
         &self,
@@ -42,7 +42,7 @@ impl Playground {
 late! {
     fn profiles_in(json: &str) -> Result<JsValue, JsValue> {
         let setup = Setup::from_json(json).map_err(|problem| error(&problem))?;
-        // Written as the setup of a run is, so that the two can be compared.
+        // Written in the same format as the setup of a run, so that the two can be compared.
         to_js(&Profiles::of_setup(&put_into_json(json, &setup)))
     }
 

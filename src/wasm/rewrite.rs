@@ -1,4 +1,4 @@
-//! Plain moves as cycles, for JavaScript.
+//! Plain moves that can be rewritten as cycles, for JavaScript.
 
 use wasm_bindgen::prelude::*;
 
@@ -9,8 +9,8 @@ use crate::source::Span;
 
 #[wasm_bindgen]
 impl Playground {
-    /// What can be written as a cycle without changing a motion, in order of place. `from` and `to` are the
-    /// reader's selection, UTF-16 offsets: where there is much, what is near it is looked at.
+    /// The blocks that can be rewritten as a cycle without changing a motion, sorted by place. `from` and
+    /// `to` are the user's selection, UTF-16 offsets: in a long program only the text near it is searched.
     #[wasm_bindgen(unchecked_return_type = "Rewriting[]")]
     pub fn rewritings(&self, from: u32, to: u32) -> Result<JsValue, JsValue> {
         rewritings(self, from, to)

@@ -1,4 +1,4 @@
-//! The setup form of the page: rows, answers to entries, and what is assumed.
+//! The setup form of the page: rows, the check of entries, and assumed values.
 
 use wasm_bindgen::prelude::*;
 
@@ -27,20 +27,20 @@ impl Playground {
         read_as(self)
     }
 
-    /// The setup form as it opens.
+    /// The initial state of the setup form.
     #[wasm_bindgen(js_name = setupForm, unchecked_return_type = "SetupForm")]
     pub fn setup_form(&self) -> Result<JsValue, JsValue> {
         form(self)
     }
 
-    /// Fields for one more tool; nothing for what is no T word.
+    /// Fields for one more tool; `undefined` if `word` is not a T word.
     #[wasm_bindgen(js_name = anotherTool, unchecked_return_type = "SetupGroup | undefined")]
     pub fn another_tool(&self, word: &str) -> Result<JsValue, JsValue> {
         another_tool(self, word)
     }
 
-    /// What becomes of the texts in the fields of these keys, when they are kept in a place; `json`
-    /// is the setup of the page.
+    /// Checks the texts in the fields with these keys, and returns the changes that store them in a place;
+    /// `json` is the setup of the page.
     #[wasm_bindgen(js_name = readSetupForm, unchecked_return_type = "SetupAnswer")]
     pub fn read_setup_form(
         &self,
@@ -52,13 +52,13 @@ impl Playground {
         answer(self, keys, texts, keep, json)
     }
 
-    /// Share of the material that has been taken off, 0 to 1.
+    /// The fraction of the material removal that is done, 0 to 1.
     #[wasm_bindgen(js_name = machiningProgress)]
     pub fn machining_progress(&self) -> f64 {
         self.current.machining_progress()
     }
 
-    /// Ends the taking off of material; a message says so.
+    /// Stops removing material, and reports that.
     #[wasm_bindgen(js_name = stopMachining)]
     pub fn stop_machining(&mut self) {
         self.current.stop_machining();

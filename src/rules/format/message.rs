@@ -2,67 +2,67 @@
 
 use super::{LANGUAGES, Mistake, Mistakes};
 
-/// A message: a type of `message::said`.
+/// A message; becomes a type in `message::said`.
 #[derive(Clone, Debug, Default)]
 pub struct Message {
     /// The line of its heading, from 1.
     pub line: usize,
     /// The name of the variant.
     pub name: String,
-    /// When it is given, in one sentence.
+    /// When the message is reported, in one sentence.
     pub doc: String,
-    /// What its sentences quote.
+    /// The arguments of its sentences.
     pub arguments: Vec<Argument>,
-    /// What is said in each language, in the order of `LANGUAGES`.
+    /// The sentence in each language, in the order of `LANGUAGES`.
     pub sentences: [Sentence; 3],
 }
 
-/// What a message says in one language.
+/// The text of a message in one language.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Sentence {
-    /// The template of a sentence that stands alone.
+    /// The template of the message, a self-contained sentence.
     pub message: String,
-    /// The template of why, and what to do.
+    /// The template of the help: the reason, and what to do.
     pub help: Option<String>,
 }
 
-/// A word or number that sentences quote.
+/// A word or number that is inserted into the sentences.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Argument {
-    /// Its name: that of the field, and in the templates.
+    /// The name of the field, and of the placeholder in the templates.
     pub name: String,
-    /// What it is.
+    /// The type of the argument.
     pub kind: Type,
-    /// A value, as it would be in a program; empty for an alarm.
+    /// An example value, as in a real program; empty for an alarm.
     pub sample: String,
     /// Meaning and unit.
     pub doc: String,
 }
 
-/// What an argument is.
+/// The type of an argument.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Type {
     /// An address or an axis.
     Letter,
-    /// Words of the program or the setup.
+    /// Text from the program or the setup.
     Text,
-    /// A code or a name that the source of the project contains.
+    /// A code or a name from the source code of the project.
     Word,
-    /// How many.
+    /// A number of things.
     Count,
-    /// The number of a line, a block, a variable.
+    /// The number of a line, a block or a variable.
     Index,
-    /// The number of a program, shown in four digits at least.
+    /// The number of a program, shown with at least four digits.
     Program,
-    /// A whole number with a sign.
+    /// A signed integer.
     Integer,
-    /// A measure in a unit of its own.
+    /// A quantity with a fixed unit.
     Number,
-    /// A length, mm, or a feed, mm per minute or turn: shown in the unit of the program.
+    /// A length, mm, or a feed, mm/min or mm/rev; shown in the unit of the program.
     Length,
-    /// A length across the spindle axis as a diameter, mm: shown in the unit of the program.
+    /// An X value as a diameter, mm; shown in the unit of the program.
     Diameter,
-    /// The alarm of the control, one of those of the rule; not quoted.
+    /// The alarm of the control, one of the alarms of the rule; not inserted into sentences.
     Alarm,
 }
 
@@ -82,12 +82,12 @@ impl Type {
         ("alarm", Self::Alarm),
     ];
 
-    /// Its name in a rule file.
+    /// The name in a rule file.
     pub fn name(self) -> &'static str {
         Self::NAMES.iter().find(|known| known.1 == self).map_or("", |known| known.0)
     }
 
-    /// Whether a sample can be read as a value of this type.
+    /// Whether a sample is a valid value of this type.
     fn takes(self, sample: &str) -> bool {
         match self {
             Self::Letter => sample.chars().count() == 1,
@@ -100,7 +100,7 @@ impl Type {
     }
 }
 
-/// The name of the program's unit of length, which every template may quote.
+/// The placeholder for the program's unit of length, allowed in every template.
 pub const UNIT: &str = "mm";
 
 impl Message {
@@ -145,7 +145,7 @@ impl Message {
         }
     }
 
-    /// Puts the English sentence or help where a language has none; returns what was missing.
+    /// Uses the English message or help for languages without one; returns what was missing.
     pub(super) fn fill_in_english(&mut self) -> Vec<Mistake> {
         let (line, [english, others @ ..]) = (self.line, &mut self.sentences);
         let mut missing = Vec::new();
@@ -164,7 +164,7 @@ impl Message {
         missing
     }
 
-    /// Checks that all languages say it, and quote all arguments and nothing else.
+    /// Checks that there is a text in every language, and that its placeholders are exactly the arguments.
     pub(super) fn check(&self, mistakes: &mut Mistakes) {
         let mut add = |what: String| mistakes.add_at(self.line, format!("{}: {what}", self.name));
         if self.doc.is_empty() {
@@ -199,11 +199,11 @@ impl Message {
 }
 
 impl Sentence {
-    /// The names in brackets, each once.
+    /// The names of the placeholders, without duplicates.
     fn quoted(&self) -> Vec<&str> {
         let help = self.help.as_deref().unwrap_or_default();
         let parts = self.message.split('{').skip(1).chain(help.split('{').skip(1));
-        // A bracket that is not closed is a name that is no argument.
+        // An unclosed bracket gives a name that is not an argument, so `check` reports it.
         let mut names: Vec<&str> =
             parts.map(|part| part.split_once('}').map_or(part, |(name, _)| name)).collect();
         names.sort_unstable();
@@ -212,7 +212,7 @@ impl Sentence {
     }
 }
 
-/// Reads ``name: type `sample`. Meaning``; of an alarm there is no sample.
+/// Parses ``name: type `sample`. Meaning``; an alarm has no sample.
 fn read_argument(line: &str) -> Result<Argument, String> {
     const FORM: &str = "an argument is written ``* name: type `sample`. Meaning and unit.``";
     let (name, rest) = line.split_once(": ").ok_or(FORM)?;

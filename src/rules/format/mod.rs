@@ -1,8 +1,8 @@
-//! A rule as it is written: `src/rules/<slug>.md`.
+//! The parser of rule files, `src/rules/<slug>.md`.
 //!
-//! In: the text of the file. Out: its parts, or every mistake in it with its line. `src/rules/README.md`
-//! describes the format. Shared by the build script, the rule pages and their tests, so it uses nothing but
-//! the standard library and must not know what a program does or what the parts are used for.
+//! In: the text of the file. Out: its parts, or all its errors with their lines. `src/rules/README.md`
+//! describes the format. Shared by the build script, the rule pages and their tests, so it uses only the
+//! standard library and must not know what a program does or what the parts are used for.
 
 pub mod message;
 pub mod page;
@@ -13,47 +13,48 @@ use std::path::{Path, PathBuf};
 use message::{Message, Type};
 use page::Page;
 
-/// The languages of all texts, in this order.
+/// The languages of all texts, in the order of all lists.
 pub const LANGUAGES: [&str; 3] = ["en", "zh", "ru"];
 
-/// Severities and kinds, as they are written in a rule file and in Rust.
+/// Severities: the name in a rule file, and the variant in Rust.
 pub const SEVERITIES: [(&str, &str); 4] =
     [("off", "Off"), ("info", "Info"), ("warning", "Warning"), ("error", "Error")];
-/// See [`SEVERITIES`].
+/// Kinds, as pairs like [`SEVERITIES`].
 pub const KINDS: [(&str, &str); 3] =
     [("wrong", "Wrong"), ("unsupported", "Unsupported"), ("machine", "Machine")];
-/// Groups of rules that one name of the setup switches, in the same form.
+/// Groups of rules that the setup switches under one name, as pairs like [`SEVERITIES`].
 pub const GROUPS: [(&str, &str); 1] = [("classroom", "Classroom")];
 
-/// Everything a rule is.
+/// A rule file.
 #[derive(Clone, Debug, Default)]
 pub struct RuleFile {
     /// Stable name of the fault.
     pub slug: String,
-    /// The stable code of its messages; none: the code is the alarm.
+    /// The stable code of its messages. If there is none, the code is the alarm.
     pub code: Option<String>,
-    /// The alarms a control raises. Several: each message has an argument of the type `alarm`.
+    /// The alarms that a control raises. If there are several, each message has an argument of the type
+    /// `alarm`.
     pub alarms: Vec<String>,
-    /// How severe it usually is, as in Rust.
+    /// Default severity, as the variant in Rust.
     pub severity: &'static str,
-    /// Its category, as in Rust.
+    /// Category, as the variant in Rust.
     pub kind: &'static str,
-    /// The group of rules it belongs to, as in Rust.
+    /// The group of the rule, as the variant in Rust.
     pub group: Option<&'static str>,
     /// Its messages.
     pub messages: Vec<Message>,
     /// Its page: texts and examples.
     pub page: Page,
-    /// What a language has no text for; English is in its place.
+    /// Texts that are missing in a language; the English text is used instead.
     pub missing: Vec<Mistake>,
 }
 
-/// A mistake in a rule file.
+/// An error in a rule file.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Mistake {
     /// The line, from 1.
     pub line: usize,
-    /// What is wrong.
+    /// Description of the error.
     pub what: String,
 }
 
@@ -63,7 +64,7 @@ impl std::fmt::Display for Mistake {
     }
 }
 
-/// The mistakes found so far, and the line that is read.
+/// The errors found so far, and the current line.
 #[derive(Default)]
 struct Mistakes {
     line: usize,
@@ -89,7 +90,7 @@ enum Section {
 }
 
 impl RuleFile {
-    /// Reads a rule file, or says everything that is wrong with it.
+    /// Parses a rule file; returns all its errors if there are any.
     pub fn read(text: &str) -> Result<Self, Vec<Mistake>> {
         let mut rule = Self::default();
         let mut mistakes = Mistakes::default();
@@ -153,7 +154,7 @@ impl RuleFile {
         }
     }
 
-    /// Checks what a rule needs and what its parts need of each other.
+    /// Checks that required fields are present and that fields are consistent.
     fn check(&self, mistakes: &mut Mistakes) {
         for (name, value) in [("# slug", &*self.slug), ("severity", self.severity), ("kind", self.kind)] {
             if value.is_empty() {
@@ -184,7 +185,7 @@ impl RuleFile {
     }
 }
 
-/// Every rule file of the project in this folder, sorted by name; or its mistakes.
+/// All rule files of the project in the folder `project`, sorted by name, each parsed or with its errors.
 pub fn all(project: &str) -> Vec<(String, Result<RuleFile, Vec<Mistake>>)> {
     let folder = Path::new(project).join("src/rules");
     let entries = fs::read_dir(&folder).unwrap_or_else(|error| panic!("{}: {error}", folder.display()));

@@ -1,24 +1,23 @@
-//! The page of a rule: its texts in all languages, a program it is triggered in, and
-//! the same program corrected.
+//! The page of a rule: its texts in all languages, a program that triggers the rule, and the corrected
+//! program.
 
 use super::{LANGUAGES, Mistake, Mistakes};
 
-/// The page of a rule.
 #[derive(Clone, Debug)]
 pub struct Page {
     /// The setup of both programs, JSON.
     pub setup: String,
-    /// Whether the fixes that are offered make `right` of `wrong`.
+    /// Whether the suggested fixes change `wrong` to `right`.
     pub is_fixed: bool,
     /// Whether the message has no place in the text.
     pub is_placeless: bool,
-    /// What is stopped by the user, so that the message is given.
+    /// What the user stops to trigger the message.
     pub stop: Option<Stop>,
-    /// Further rules that are triggered in `wrong`.
+    /// Other rules that are triggered by `wrong`.
     pub also: Vec<String>,
-    /// A program the rule is triggered in.
+    /// A program that triggers the rule.
     pub wrong: String,
-    /// The places of its messages, in order.
+    /// The places of its messages, sorted.
     pub marks: Vec<Mark>,
     /// The same program, corrected.
     pub right: String,
@@ -42,50 +41,50 @@ impl Default for Page {
     }
 }
 
-/// What the user stops while it runs.
+/// The operation that the user stops while it is running.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Stop {
-    /// The run of the program.
+    /// Running the program.
     Run,
     /// Material removal.
     Part,
 }
 
-/// Characters of one line.
+/// A range of characters on one line.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub struct Mark {
     /// The line, from 0.
     pub line: usize,
     /// The first character, from 0.
     pub column: usize,
-    /// How many.
+    /// The number of characters.
     pub length: usize,
 }
 
-/// What the page says in one language.
+/// The page in one language.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Text {
-    /// Names the fault.
+    /// The name of the fault.
     pub title: String,
-    /// What the rule looks at.
+    /// What the rule checks.
     pub what: String,
-    /// What would happen at the machine.
+    /// The consequence at the machine.
     pub why: String,
-    /// What to do.
+    /// How to repair it.
     pub repair: String,
 }
 
-/// Blanks in front of a line of a program, so that carets below it have room after
-/// `//`. They are no part of it.
+/// Indentation of a line of a program, to make room for `//` in the line of carets below it. It is not part
+/// of the program.
 pub const INDENT: &str = "   ";
 
-/// Most characters of a title.
+/// Maximum length of a title, characters.
 const MOST_TITLE: usize = 60;
 
-/// A paragraph of a text.
+/// Selects a paragraph of a text.
 type Field = fn(&mut Text) -> &mut String;
 
-/// What is read.
+/// The part that is being read.
 #[derive(Clone, Copy, Default)]
 enum Part {
     #[default]
@@ -99,7 +98,7 @@ enum Part {
 #[derive(Default)]
 pub(super) struct Reader {
     part: Part,
-    /// The paragraph that is read; a line without a keyword continues it.
+    /// The current paragraph; a line without a keyword continues it.
     field: Option<Field>,
     /// Whether the last line of a program was indented.
     is_indented: bool,
@@ -193,7 +192,7 @@ fn option(line: &str, page: &mut Page, mistakes: &mut Mistakes) {
 }
 
 impl Page {
-    /// Puts the English texts in the place of those of a language that has none; returns what was missing.
+    /// Uses the English texts for languages without texts; returns what was missing.
     pub(super) fn fill_in_english(&mut self) -> Vec<Mistake> {
         let [english, others @ ..] = &mut self.texts;
         let missing = others.iter_mut().zip(&LANGUAGES[1..]).filter(|(text, _)| **text == Text::default());
@@ -206,10 +205,10 @@ impl Page {
     }
 }
 
-/// Says what is missing.
+/// Checks that nothing is missing.
 pub(super) fn check(page: &mut Page, mistakes: &mut Mistakes) {
     page.marks.sort_unstable();
-    // The last line of a program needs no end.
+    // The last line of a program needs no line end.
     for program in [&mut page.wrong, &mut page.right] {
         program.truncate(program.trim_end_matches('\n').len());
     }
@@ -238,12 +237,12 @@ pub(super) fn check(page: &mut Page, mistakes: &mut Mistakes) {
     }
 }
 
-/// A line of a program without the blanks that make room for carets.
+/// Removes the indentation that makes room for carets.
 fn unindented(line: &str) -> &str {
     line.strip_prefix(INDENT).unwrap_or(line)
 }
 
-/// The first columns and lengths of the carets of a line that is nothing but `//` and carets.
+/// The columns and lengths of the carets, if a line consists of `//` and carets.
 fn marks_of(line: &str) -> Option<Vec<(usize, usize)>> {
     let carets = line.strip_prefix("//")?;
     if !carets.contains('^') || carets.contains(|letter| letter != '^' && letter != ' ') {
@@ -266,7 +265,7 @@ fn heading(line: &str) -> Option<(usize, &str)> {
     Some((index, title.trim()))
 }
 
-/// Adds a line to a paragraph: with a blank, except between two Chinese characters.
+/// Appends a line to a paragraph, with a blank in between unless both characters are Chinese.
 fn append(paragraph: &mut String, line: &str) {
     let is_wide = |letter: Option<char>| letter.is_some_and(|letter| letter >= '\u{2e80}');
     let together = is_wide(paragraph.chars().next_back()) && is_wide(line.chars().next());

@@ -1,5 +1,5 @@
-//! The state that a replay finds is the one that stepping through the program finds, for random programs with calls, loops,
-//! jumps and contours, and however often snapshots are made.
+//! A replay finds the same state as stepping through the program: tested with random programs with calls,
+//! loops, jumps and contours, and with different distances between snapshots.
 
 use std::collections::BTreeMap;
 use std::fmt::Write;
@@ -13,7 +13,7 @@ use crate::run::Run;
 use crate::setup::Setup;
 use crate::text::parser::Resume;
 
-/// A piece of a program.
+/// A construct of a random program.
 #[derive(Clone, Debug)]
 enum Piece {
     Move {
@@ -33,7 +33,7 @@ enum Piece {
         variable: u8,
         value: i8,
     },
-    /// A turning cycle, and a block that goes on with it.
+    /// A turning cycle, and a block that continues it.
     Cycle {
         x: u8,
         z: u8,
@@ -45,7 +45,7 @@ enum Piece {
         rounds: u8,
         body: Vec<Piece>,
     },
-    /// Passes over what follows where a variable is large enough.
+    /// Skips the body if a variable is larger than `above`.
     Skip {
         variable: u8,
         above: i8,
@@ -85,12 +85,13 @@ fn piece() -> impl Strategy<Value = Piece> {
     })
 }
 
-/// Writes pieces as blocks. What is called has a higher number than its caller, so that no call comes back to itself.
+/// Writes constructs as blocks. A called program has a higher number than its caller, so there is no
+/// recursion.
 struct Writer {
     text: String,
     sequence: u32,
     loops: u32,
-    /// Which of the programs is written; 0 is the main program.
+    /// The program being written; 0 is the main program.
     program: u8,
 }
 
@@ -149,7 +150,7 @@ impl Writer {
             Piece::Skip { variable, above, body } => {
                 let after = self.next_sequence();
                 self.line(format_args!("IF[#{variable}GT[{above}]]GOTO{after}"));
-                // A jump may lead out of no loop: its body is written in one level.
+                // A jump must not leave a loop, so the body contains no further loops.
                 let loops = std::mem::replace(&mut self.loops, 3);
                 self.pieces(body);
                 self.loops = loops;
@@ -197,17 +198,17 @@ fn programs() -> impl Strategy<Value = String> {
     })
 }
 
-/// A block as stepping through the program meets it.
+/// A block as executed when stepping through the program.
 struct Stepped {
     before: State,
     after: State,
     motions: Range<usize>,
 }
 
-/// Most blocks that are stepped through: what is called in loops may be a lot.
+/// Maximum number of blocks to step through: calls in loops can make very many.
 const MOST_STEPS: usize = 800;
 
-/// What each block does, time after time, by its first byte; nothing where there are too many.
+/// The executions of each block, by its first byte; `None` if there are too many.
 fn stepped(text: &str) -> Option<BTreeMap<u32, Vec<Stepped>>> {
     let mut run = Run::new(text.into(), Setup::default());
     let mut found: BTreeMap<u32, Vec<Stepped>> = BTreeMap::new();
@@ -228,8 +229,7 @@ fn stepped(text: &str) -> Option<BTreeMap<u32, Vec<Stepped>>> {
     None
 }
 
-/// Whether two states are the same. That a block before failed is handed over to the motions with each snapshot, and then stands in
-/// the state no more.
+/// Whether two states are equal. `incomplete` is ignored: a snapshot moves it from the state to the motions.
 fn same(one: &State, other: &State) -> bool {
     State { incomplete: other.incomplete, ..one.clone() } == *other
 }
