@@ -353,6 +353,7 @@ impl Process {
 /// The most frequently used properties of a motion; faster to get than the whole motion.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Glance {
+    /// The kind of motion.
     pub kind: MotionKind,
     /// Start point.
     pub from: Point,

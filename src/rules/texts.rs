@@ -27,6 +27,7 @@ pub struct Texts {
     pub list: Vec<Text>,
     /// Texts that are missing in a language.
     pub missing: Vec<String>,
+    /// Errors, each with its file and line.
     pub mistakes: Vec<String>,
 }
 

@@ -1,7 +1,7 @@
-//! Millimetres to pixels and back.
+//! Conversion between millimetres and pixels.
 //!
-//! In: the box to look at, the size of the picture, the user's pans and zooms. Out: [`Camera`]. Z runs to the
-//! right and X up, or down for a turret in front of the spindle, both at the same scale; pixels are CSS
+//! In: the box to show, the size of the picture, the user's pans and zooms. Out: [`Camera`]. Z points to the
+//! right and X up, or down for a turret in front of the spindle, both at the same scale. Pixels are CSS
 //! pixels from the top left corner. Knows nothing of motions.
 
 use crate::geometry::{Point, within};
@@ -9,7 +9,7 @@ use crate::setup::Turret;
 
 use crate::geometry::bounds::Bounds;
 
-/// A place in the picture, CSS pixels from its top left corner, `y` down.
+/// A position in the picture, CSS pixels from the top left corner, `y` down.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Pixel {
     /// To the right.
@@ -19,12 +19,12 @@ pub struct Pixel {
 }
 
 impl Pixel {
-    /// The place `x` pixels to the right of the top left corner and `y` down.
+    /// The position `x` pixels to the right of the top left corner and `y` pixels below it.
     pub fn new(x: f64, y: f64) -> Self {
         Self { x, y }
     }
 
-    /// Distance to another place, CSS pixels.
+    /// Distance to another position, CSS pixels.
     pub fn distance(self, other: Pixel) -> f64 {
         (self.x - other.x).hypot(self.y - other.y)
     }
@@ -43,26 +43,25 @@ pub struct Size {
 pub const LEFT_RULER: f64 = 46.0;
 /// Height of the ruler along the bottom edge, CSS pixels.
 pub const BOTTOM_RULER: f64 = 26.0;
-/// Room kept free around a fitted picture, CSS pixels: left, top, right, bottom of
-/// the part inside the rulers.
+/// Free space around a fitted picture, CSS pixels: left, top, right and bottom inside the rulers.
 const PADDING: [f64; 4] = [14.0, 26.0, 22.0, 22.0];
-/// Smallest and largest scale, CSS pixels a mm: 20 m across a phone, and half a µm a pixel.
+/// Minimum and maximum scale, CSS pixels per mm: 20 m on the width of a phone, and 0.5 µm per pixel.
 pub const SCALES: [f64; 2] = [0.02, 2000.0];
-/// Least extent that is fitted, mm, so that a single point is not blown up without end.
+/// Minimum extent that is fitted, mm, so that a single point is not magnified without limit.
 const LEAST_EXTENT: f64 = 2.0;
 
-/// Which way X+ is drawn.
+/// The direction of X+ in the picture.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum XPlus {
-    /// Upwards: a rear turret.
+    /// Up, for a rear turret.
     #[default]
     Up,
-    /// Downwards: the turret is in front of it, where the worker stands.
+    /// Down, for a turret in front of the spindle, on the side of the operator.
     Down,
 }
 
 impl XPlus {
-    /// 1 up, −1 down.
+    /// 1 for up, −1 for down.
     fn sign(self) -> f64 {
         match self {
             Self::Up => 1.0,
@@ -80,16 +79,16 @@ impl From<Turret> for XPlus {
     }
 }
 
-/// What part of the plane is seen, and how large.
+/// The visible part of the plane, and its scale.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Camera {
     /// Size of the picture.
     size: Size,
-    /// What is seen at the top left corner: radius and Z, mm.
+    /// The point at the top left corner: radius and Z, mm.
     origin: Point,
-    /// CSS pixels a mm of Z or of radius.
+    /// CSS pixels per mm of Z or of radius.
     scale: f64,
-    /// Which way X+ is drawn.
+    /// The direction of X+.
     x_plus: XPlus,
 }
 
@@ -99,7 +98,7 @@ impl Camera {
         Self::fit_with(bounds, size, XPlus::Up)
     }
 
-    /// The same, with X+ either way.
+    /// Like [`Camera::fit`], with the direction of X+.
     pub fn fit_with(bounds: Bounds, size: Size, x_plus: XPlus) -> Self {
         let [left, top, right, bottom] = PADDING;
         let width = (size.width - LEFT_RULER - left - right).max(1.0);
@@ -116,13 +115,14 @@ impl Camera {
         Self { size, origin, scale, x_plus }
     }
 
-    /// From and to which pixel the picture inside of its rulers goes, to the right and down, without a margin of so many CSS pixels.
+    /// The horizontal and vertical pixel ranges inside the rulers and a margin, CSS pixels.
     pub fn inside(&self, margin: f64) -> [[f64; 2]; 2] {
         let Size { width, height } = self.size;
         [[LEFT_RULER + margin, width - margin], [margin, height - BOTTOM_RULER - margin]]
     }
 
-    /// Height of a picture of `width` CSS pixels that `bounds` fill exactly, within `least` and `most`.
+    /// The height of a picture `width` CSS pixels wide that `bounds` fill exactly, between `least` and
+    /// `most`.
     pub fn height_for(bounds: Bounds, width: f64, least: f64, most: f64) -> f64 {
         let [left, top, right, bottom] = PADDING;
         let scale = (width - LEFT_RULER - left - right).max(1.0) / bounds.length().max(LEAST_EXTENT);
@@ -135,23 +135,23 @@ impl Camera {
         self.size
     }
 
-    /// CSS pixels a mm of Z or of radius.
+    /// CSS pixels per mm of Z or of radius.
     pub fn scale(&self) -> f64 {
         self.scale
     }
 
-    /// Which way X+ is drawn.
+    /// The direction of X+.
     pub fn x_plus(&self) -> XPlus {
         self.x_plus
     }
 
-    /// CSS pixels upwards for a mm of radius: negative where X+ is down.
+    /// CSS pixels upwards per mm of radius; negative if X+ points down.
     pub fn upward(&self) -> f64 {
         self.x_plus.sign() * self.scale
     }
 
-    /// Draws X+ the other way or the same; the axis is mirrored about the middle of
-    /// what the rulers leave free.
+    /// Sets the direction of X+. If it changes, the axis is mirrored about the middle of the area inside the
+    /// rulers.
     pub fn turn(&mut self, x_plus: XPlus) {
         if self.x_plus != x_plus {
             let axis = self.to_screen(Point::default()).y;
@@ -161,17 +161,17 @@ impl Camera {
         }
     }
 
-    /// Where a point of the plane is seen.
+    /// The position of a point in the picture.
     pub fn to_screen(&self, point: Point) -> Pixel {
         Pixel::new((point.z - self.origin.z) * self.scale, (self.origin.x - point.x) * self.upward())
     }
 
-    /// The point of the plane that is seen at a place.
+    /// The point at a position in the picture.
     pub fn to_world(&self, pixel: Pixel) -> Point {
         Point::new(self.origin.x - pixel.y / self.upward(), self.origin.z + pixel.x / self.scale)
     }
 
-    /// The part of the plane that is seen, mm.
+    /// The visible part of the plane, mm.
     pub fn seen(&self) -> Bounds {
         Bounds::around(self.origin, self.to_world(Pixel::new(self.size.width, self.size.height)))
     }
@@ -183,7 +183,7 @@ impl Camera {
         }
     }
 
-    /// Makes the picture `factor` times as large, within [`SCALES`]; what is seen at `fixed` stays there.
+    /// Zooms by `factor`, within [`SCALES`]; the point at `fixed` does not move.
     pub fn zoom(&mut self, factor: f64, fixed: Pixel) {
         if !(factor.is_finite() && factor > 0.0 && fixed.x.is_finite() && fixed.y.is_finite()) {
             return;
@@ -194,7 +194,7 @@ impl Camera {
         self.pan(fixed.x - moved.x, fixed.y - moved.y);
     }
 
-    /// Takes another size of picture; what is seen in the middle stays in the middle.
+    /// Changes the size of the picture; the point in the middle stays there.
     pub fn resize(&mut self, size: Size) {
         let middle = |size: Size| Pixel::new(size.width / 2.0, size.height / 2.0);
         let (before, after) = (middle(self.size), middle(size));

@@ -1,9 +1,9 @@
-//! The picture on a canvas of the page.
+//! Draws the picture on a canvas of the page.
 //!
-//! In: a scene and a view of it. Out: pixels on an `OffscreenCanvas`. What seldom changes (grid,
-//! stock, strokes, rulers) is kept as an image, so that a moving pointer costs one copy; so are the
-//! strokes alone, so that many of them can be moved at once and drawn a little later. Reads the scene,
-//! knows nothing of the page.
+//! In: a scene and a view of it. Out: pixels on an `OffscreenCanvas`. The layers that seldom change (grid,
+//! stock, strokes, rulers) are cached as an image, so that a moving pointer costs one copy. The strokes are
+//! cached separately too, so that many of them can be moved immediately and redrawn a little later. Reads the
+//! scene, knows nothing of the page.
 
 pub(crate) mod layer;
 mod paths;
@@ -30,15 +30,15 @@ use layer::StrokeLayer;
 use paths::Paths;
 use pen::{Dash, Pen, Text};
 
-/// Width of picked-out strokes, CSS pixels, and of the clear edge around them.
+/// Width of selected strokes, CSS pixels. `CLEAR` is the width of the clear edge around them.
 const PICKED: f64 = 3.0;
-/// More strokes than this are picked out thinner.
+/// Above this number, selected strokes are drawn thinner.
 const MANY_PICKED: usize = 24;
 const CLEAR: f64 = 7.0;
-/// Picked-out strokes bear arrow heads from this length on the screen, CSS pixels.
+/// Minimum length on screen of a selected stroke with an arrow head, CSS pixels.
 const LEAST_FOR_PICKED_ARROW: f64 = 22.0;
 
-/// The part that draws what lies over the strokes; nothing is picked out and no tool is shown before it is there.
+/// The part that draws the layer over the strokes; no selection and no tool is shown before it is loaded.
 const OVER: Part = Part::Late;
 
 late! {
@@ -51,31 +51,31 @@ late! {
 #[derive(Debug)]
 pub struct Painter {
     screen: Pen,
-    /// What seldom changes, as an image of the same size.
+    /// The layers that seldom change, as an image of the same size.
     sheet: Pen,
     strokes: StrokeLayer,
     /// The highlighted motions as paths.
     picked: Option<(Vec<Range<usize>>, Paths)>,
     painted: Option<Painted>,
-    /// Something was painted since the image was taken.
+    /// Whether anything was painted since the last image was taken.
     is_new: bool,
-    /// What lies over the strokes is drawn.
+    /// Whether the layer over the strokes is drawn.
     draws_over: bool,
 }
 
-/// What the last picture showed.
+/// The state that the last picture showed.
 #[derive(Clone, Debug, PartialEq)]
 struct Painted {
     source: Source,
     view: View,
     work: Option<u64>,
     path_index: u64,
-    /// Which image of the strokes.
+    /// The version of the stroke image.
     strokes: u32,
 }
 
 impl Painter {
-    /// A painter of a canvas that nothing else draws on.
+    /// A painter for a canvas that nothing else draws on.
     pub fn new(canvas: OffscreenCanvas) -> Result<Self, JsValue> {
         let sheet = Pen::new(OffscreenCanvas::new(1, 1)?)?;
         let screen = Pen::new(canvas)?;
@@ -90,7 +90,7 @@ impl Painter {
         })
     }
 
-    /// Paints what has changed since the last time; a picture of many strokes takes several calls.
+    /// Paints the changes since the last call; a picture with many strokes takes several calls.
     pub fn draw(&mut self, picture: &Picture) -> Result<Progress, JsValue> {
         let Picture { scene, view, source } = picture;
         let draws_over = OVER.is_loaded();
@@ -120,12 +120,12 @@ impl Painter {
         Ok(progress)
     }
 
-    /// The last image was not shown: the next one is painted even if it is the same.
+    /// Paints the next image even if it is unchanged, because the last one was not shown.
     pub fn paint_again(&mut self) {
         self.painted = None;
     }
 
-    /// Gives back the memory of all that is kept for the next picture, which is painted anew.
+    /// Releases the memory of all cached images; the next picture is painted from scratch.
     pub fn release(&mut self) {
         self.screen.release();
         self.sheet.release();
@@ -133,15 +133,15 @@ impl Painter {
         (self.picked, self.painted, self.is_new) = (None, None, false);
     }
 
-    /// Takes what was painted since the last time off the canvas; nothing where nothing was.
+    /// Takes the image painted since the last call off the canvas; `None` if nothing was painted.
     pub fn take_image(&mut self) -> Result<Option<ImageBitmap>, JsValue> {
         std::mem::take(&mut self.is_new).then(|| self.screen.take_image()).transpose()
     }
 
-    /// Draws everything but what is picked out.
+    /// Draws everything except the selection.
     fn draw_sheet(&self, scene: &Scene, view: &View) -> Result<(), JsValue> {
-        // Paper covers a part of the last row and column of pixels, where nothing of an earlier
-        // picture may shine through.
+        // The background covers only a part of the last row and column of pixels, so clear them first: an
+        // earlier picture must not show through.
         self.sheet.clear()?;
         self.sheet.begin(view)?;
         sheet::paper(&self.sheet, scene, view)?;
@@ -151,7 +151,7 @@ impl Painter {
         sheet::rulers(&self.sheet, scene.axes(), view)
     }
 
-    /// Copies the sheet to the screen, and draws what is picked out over it.
+    /// Copies the sheet to the screen, and draws the selection over it.
     fn draw_screen(&mut self, scene: &Scene, view: &View) -> Result<(), JsValue> {
         self.screen.clear()?;
         self.screen.begin(view)?;
@@ -164,7 +164,7 @@ impl Painter {
         Ok(())
     }
 
-    /// Draws what is picked out, named or moves.
+    /// Draws the layer over the strokes: selection, names, tool.
     fn draw_over(&mut self, scene: &Scene, view: &View) -> Result<(), JsValue> {
         self.point_beyond(scene, view)?;
         self.highlight(scene, view)?;
@@ -190,7 +190,8 @@ impl Painter {
         Ok(())
     }
 
-    /// Arrow heads at the edge of a fitted picture, towards what is not in it; towards the tool in any.
+    /// Draws arrow heads at the edge of a picture: in a fitted picture towards the path outside it, and
+    /// always towards a tool outside it.
     fn point_beyond(&self, scene: &Scene, view: &View) -> Result<(), JsValue> {
         let palette = &view.palette;
         self.screen.page(view)?;
@@ -209,13 +210,14 @@ impl Painter {
         Ok(())
     }
 
-    /// Rings with a letter at the named places; the letter stands on paper, so that no line runs through it.
+    /// Draws a ring and a letter at each named point. The letter has a background, so that no line crosses
+    /// it.
     fn name_places(&self, view: &View) -> Result<(), JsValue> {
         const FONT: &str = "600 13px system-ui, sans-serif";
         self.screen.page(view)?;
         for mark in &view.marks {
             let at = view.camera().to_screen(mark.at);
-            // Outwards and to the right, where a tool comes from: the path seldom runs there.
+            // Outwards and to the right, where a tool comes from: the path is seldom there.
             let out = match view.camera().x_plus() {
                 XPlus::Up => at.y,
                 XPlus::Down => at.y + 22.0,
@@ -233,7 +235,7 @@ impl Painter {
         Ok(())
     }
 
-    /// The steps of a pass; each stands on paper.
+    /// Draws the labels of the steps of a pass, each with a background.
     fn name_steps(&self, view: &View) -> Result<(), JsValue> {
         const FONT: &str = "600 12px system-ui, sans-serif";
         self.screen.page(view)?;
@@ -249,7 +251,7 @@ impl Painter {
         Ok(())
     }
 
-    /// The edge of the part under the pointer.
+    /// Draws the edge of the part under the pointer.
     fn edge(&self, view: &View) -> Result<(), JsValue> {
         if view.edge.is_empty() {
             return Ok(());
@@ -282,7 +284,7 @@ impl Painter {
         Ok(())
     }
 
-    /// Strokes paths thick and in one colour, with a dot where they start and arrow heads.
+    /// Draws paths thick and in one colour, with a dot at the start and arrow heads.
     fn pick_out<S: Iterator<Item = Stroke>>(
         &self,
         view: &View,
@@ -292,7 +294,7 @@ impl Painter {
     ) -> Result<(), JsValue> {
         let pen = &self.screen;
         let camera = view.camera();
-        // Many strokes close together, as the passes of a thread, must not run into one.
+        // Draw many strokes thinner: strokes close together, such as the passes of a thread, must not merge.
         let picked = if strokes().nth(MANY_PICKED).is_some() { PICKED * 0.55 } else { PICKED };
         pen.opacity(0.75);
         for path in Ink::ALL.into_iter().filter_map(|ink| paths.get(ink)) {
@@ -316,7 +318,7 @@ impl Painter {
         pen.dots(colour, start.into_iter(), 4.5)
     }
 
-    /// Rings where something runs into something.
+    /// Draws a ring at each collision.
     fn dangers(&self, view: &View, work: &Work) -> Result<(), JsValue> {
         self.screen.page(view)?;
         for at in work.dangers.iter().map(|at| view.camera().to_screen(*at)) {
@@ -327,7 +329,7 @@ impl Painter {
         Ok(())
     }
 
-    /// The outline of the tool that cuts, its tip marked.
+    /// Draws the outline of the cutting tool and marks its tip.
     fn real_tool(&self, view: &View, tool: &ToolOutline) -> Result<(), JsValue> {
         let camera = view.camera();
         let seen = |points: &[Point]| {
@@ -366,7 +368,7 @@ impl Painter {
     }
 }
 
-/// An arrow head of `size` CSS pixels at the edge of the picture, towards a place that is not in it.
+/// An arrow head of `size` CSS pixels at the edge of the picture, towards a point outside it.
 fn head_towards(view: &View, at: Point, size: f64) -> Option<[Pixel; 3]> {
     let at = view.camera().to_screen(at);
     let [across, down] = view.camera().inside(0.0);
@@ -386,7 +388,7 @@ fn head_towards(view: &View, at: Point, size: f64) -> Option<[Pixel; 3]> {
 }
 
 impl Painted {
-    /// Whether the sheet under what is picked out is the same.
+    /// Whether the sheet is unchanged, apart from the selection over it.
     fn has_same_sheet(&self, now: &Painted) -> bool {
         let image = |painted: &Painted| (painted.source, painted.work, painted.path_index, painted.strokes);
         self.view.shows_same_ground(&now.view) && image(self) == image(now)

@@ -1,34 +1,34 @@
-//! What of polygons and lines is in the picture: browsers lose edges whose ends are far away.
+//! Clips polygons and lines to the picture, because browsers lose edges with very distant ends.
 //!
-//! In: corners on the screen, and the size of the picture. Out: the same shape within the picture and a margin around
-//! it. Each edge keeps its direction.
+//! In: corners on the screen, and the size of the picture. Out: the same shape within the picture and a
+//! margin around it. Each edge keeps its direction.
 
 use super::camera::{Pixel, Size};
 
-/// Kept around the picture, CSS pixels: more than half of the widest line.
+/// Margin around the picture, CSS pixels: more than half of the widest line.
 const MARGIN: f64 = 10.0;
 
-/// A piece of a line that is in the picture.
+/// A piece of a line inside the picture.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Piece {
-    /// Its corners, at least two.
+    /// The corners, at least two.
     pub corners: Vec<Pixel>,
-    /// Length of the line before it, CSS pixels: where its dashes begin.
+    /// Length of the line before this piece, CSS pixels, for the phase of its dashes.
     pub before: f64,
 }
 
-/// How far inside of each side of the clipping rectangle a place is, CSS pixels; negative outside.
+/// Signed distances of a position from the sides of the clipping rectangle, CSS pixels; negative outside.
 fn inside(at: Pixel, size: Size) -> [f64; 4] {
     [at.x + MARGIN, size.width + MARGIN - at.x, at.y + MARGIN, size.height + MARGIN - at.y]
 }
 
-/// The place at the share `share` of the way from `a` to `b`.
+/// The position at the fraction `share` of the way from `a` to `b`.
 fn between(a: Pixel, b: Pixel, share: f64) -> Pixel {
     Pixel::new(a.x + share * (b.x - a.x), a.y + share * (b.y - a.y))
 }
 
-/// The part of a polygon that is in the picture. Where the polygon leaves the picture, it is closed along the clipping
-/// rectangle, outside of the picture. The algorithm is that of Sutherland and Hodgman (1974).
+/// The part of a polygon inside the picture. A polygon that leaves the picture is closed along the clipping
+/// rectangle, outside the picture. Uses the algorithm of Sutherland and Hodgman (1974).
 pub fn polygon(corners: &[Pixel], size: Size) -> Vec<Pixel> {
     let mut clipped = corners.to_vec();
     for side in 0..4 {
@@ -49,7 +49,7 @@ pub fn polygon(corners: &[Pixel], size: Size) -> Vec<Pixel> {
     clipped
 }
 
-/// The pieces of a line that are in the picture, in order.
+/// The pieces of a line inside the picture, in order.
 pub fn polyline(corners: &[Pixel], size: Size) -> Vec<Piece> {
     let mut pieces: Vec<Piece> = Vec::new();
     let (mut before, mut goes_on) = (0.0, false);
@@ -73,8 +73,8 @@ pub fn polyline(corners: &[Pixel], size: Size) -> Vec<Piece> {
     pieces
 }
 
-/// Between which shares of an edge it is in the picture. The algorithm is that of Liang and
-/// Barsky (1984).
+/// The start and end of the part of an edge inside the picture, as fractions of the edge. Uses the algorithm
+/// of Liang and Barsky (1984).
 fn shares(from: Pixel, to: Pixel, size: Size) -> Option<[f64; 2]> {
     let (mut first, mut last) = (0.0_f64, 1.0_f64);
     for (a, b) in inside(from, size).into_iter().zip(inside(to, size)) {
@@ -120,7 +120,7 @@ mod tests {
 
     #[test]
     fn a_taper_that_leaves_the_picture_keeps_its_slope() {
-        // From (50, 40) to (1050, 540): down by one for two to the right.
+        // From (50, 40) to (1050, 540): slope of one down to two right.
         let corners = pixels(&[(50.0, 40.0), (1050.0, 540.0), (50.0, 540.0)]);
         let clipped = polygon(&corners, SIZE);
         // The clipping rectangle ends at x = 110 and y = 90.
@@ -129,7 +129,7 @@ mod tests {
             clipped.contains(&Pixel::new(110.0, 90.0)) && clipped.contains(&Pixel::new(50.0, 90.0)),
             "{clipped:?}"
         );
-        // A trapezium 60 wide, 50 and 20 high.
+        // A trapezium 60 wide, with sides of 50 and 20.
         assert!((area(&clipped) / 2.0 - 60.0 * 35.0).abs() < 1e-9, "{clipped:?}");
     }
 
@@ -160,12 +160,12 @@ mod tests {
         assert_eq!(across.len(), 1);
         let ends: Vec<_> = across[0].corners.iter().map(|at| (at.x.round(), at.y.round())).collect();
         assert_eq!(ends, [(-10.0, -5.0), (-5.0, -10.0)]);
-        // x + y = −25 passes it.
+        // x + y = −25 misses the margin.
         assert_eq!(polyline(&pixels(&[(-100.0, 75.0), (75.0, -100.0)]), SIZE), []);
         assert_eq!(polyline(&pixels(&[(5.0, 5.0)]), SIZE), []);
     }
 
-    /// Whether a place is inside of a polygon, by the even-odd rule.
+    /// Whether a position is inside a polygon, by the even-odd rule.
     fn holds(corners: &[Pixel], at: Pixel) -> bool {
         let next = corners.iter().cycle().skip(1);
         let crosses = |(a, b): &(&Pixel, &Pixel)| {
@@ -174,7 +174,7 @@ mod tests {
         corners.iter().zip(next).filter(crosses).count() % 2 == 1
     }
 
-    /// Distance of a place from a line through corners.
+    /// Distance of a position from a line through corners.
     fn distance(corners: &[Pixel], at: Pixel) -> f64 {
         let of_edge = |edge: &[Pixel]| {
             let ([a, b], length) = ([edge[0], edge[1]], edge[0].distance(edge[1]));
@@ -187,7 +187,7 @@ mod tests {
     proptest! {
         #![proptest_config(ProptestConfig { rng_seed: RngSeed::Fixed(7), failure_persistence: None, ..ProptestConfig::with_cases(200) })]
 
-        /// Zoomed in up to a thousand times, a picture shows the same as the whole outline would.
+        /// Zoomed in up to a thousand times, a picture looks the same as one of the whole outline.
         #[test]
         fn what_is_seen_of_an_outline_is_that_of_the_whole(
             corners in prop::collection::vec((-2.0..3.0_f64, -2.0..3.0_f64), 3..40),
@@ -203,7 +203,7 @@ mod tests {
                 if distance(&closed, at) > 1e-6 {
                     prop_assert_eq!(holds(&clipped, at), holds(&corners, at), "{:?}", at);
                 }
-                // Up to the margin each line is as near as it was.
+                // Lines within the margin keep their distance.
                 let (near, whole) = (pieces.iter().map(|piece| distance(&piece.corners, at)).fold(f64::INFINITY, f64::min), distance(&corners, at));
                 prop_assert!(if whole < MARGIN { (near - whole).abs() < 1e-6 } else { near >= whole - 1e-6 }, "{:?}", at);
             }

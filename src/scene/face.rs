@@ -1,8 +1,9 @@
-//! The end face: what polar interpolation (G12.1), the Y axis and live drills make of it, in a picture of its own.
+//! The picture of the end face: milling with polar interpolation (G12.1) or the Y axis, and holes of live
+//! drills.
 //!
-//! In: the motions of a run and the simulation. Out: [`Face`]: the moves of the virtual plane, those along Y and the holes beside
-//! the axis, as [`SurfaceMoves`], and the area that live tools sweep. Points have C or Y in `x` (upwards) and X in `z` (to the right), mm, seen from
-//! the tailstock. Must not know of canvases.
+//! In: the motions of a run and the simulation. Out: [`Face`]: the moves of the virtual plane, the moves
+//! along Y and the holes off the axis, as [`SurfaceMoves`], and the area swept by live tools. Points have C
+//! or Y in `x` (upwards) and X in `z` (to the right), mm, seen from the tailstock. Must not know of canvases.
 
 use super::ruler::Axis;
 use super::surface_moves::{Gathered, Origin, Passed, SurfaceMoves, circle, cutter_radius, on_way, passed};
@@ -17,21 +18,21 @@ use crate::machine::resolved_setup::ResolvedTool;
 use crate::motion::{CycleFamily, Motion, MotionKind, Motions};
 use crate::setup::Stock;
 
-/// The end face and what moves over it.
+/// The end face and the moves over it.
 #[derive(Clone, Debug)]
 pub struct Face {
     moves: SurfaceMoves,
-    /// For each of them the box in the section that its cutter reaches, where it cuts.
+    /// For each move, the box in the section that its cutter reaches; `None` if it does not cut.
     reached: Vec<Option<Bounds>>,
 }
 
 impl Face {
-    /// The face of a program; nothing where no motion moves in it.
+    /// The face of a program; `None` if no motion is in it.
     pub fn of(motions: &Motions, simulation: &SimulationResult) -> Option<Self> {
         let stock = simulation.resolved_setup().stock().map(|(stock, _)| stock);
         let face_of_stock = stock.map_or(f64::INFINITY, |stock| stock.face);
         let (mut moves, mut reached) = (Gathered::default(), Vec::new());
-        // What is up: C, or Y where nothing moves in the plane of X and C.
+        // The vertical axis: C, or Y if nothing moves in the plane of X and C.
         let mut up = Axis::Y;
         let drills = simulation.resolved_setup().has_live_drill();
         for Passed { index, motion, block, c } in passed(motions, simulation.resolved_setup()) {
@@ -51,26 +52,26 @@ impl Face {
             let cuts = motion.kind.cuts() && moved.third.0.min(moved.third.1) < face_of_stock;
             let cutter = cutter_radius(tool).filter(|_| cuts && is_seen_from_above(&motion));
             moves.push(&flat, block, Origin { motion: index, shares: [0.0, 1.0], cutter });
-            // The box around holes that lie all around would be no flat.
+            // A box around holes all around the axis would look like a flat.
             let cutter = cutter.filter(|_| milled.is_some());
             reached.push(cutter.zip(stock).map(|(radius, stock)| reach(&moved, radius, &stock)));
         }
         Some(Self { moves: moves.finish(Plane::Face, [Axis::FaceX, up])?, reached })
     }
 
-    /// Its moves.
+    /// The moves over the face.
     pub fn moves(&self) -> &SurfaceMoves {
         &self.moves
     }
 
-    /// The box in the section that cutters reach in the motions of the run before `until`; nothing where they cut nothing.
+    /// The box in the section that cutters reach in the motions of the run before `until`; `None` if they cut
+    /// nothing.
     pub fn milled(&self, until: usize) -> Option<Bounds> {
         let count = self.moves.before(until);
         self.reached[..count].iter().fold(None, |all, own| join(all, *own))
     }
 
-    /// Blank, what is left of the face, and the cutter: when all is done, or with the
-    /// tool at a place of the run.
+    /// The blank, the rest of the face, and the cutter: at a position in the run, or at its end.
     pub fn work(&self, simulation: &SimulationResult, place: Option<Place>) -> Option<Work> {
         let (stock, basis) = simulation.resolved_setup().stock()?;
         let mut blank = Region::inside(&circle(stock.diameter.radius()));
@@ -84,12 +85,14 @@ impl Face {
     }
 }
 
-/// Whether the cutter of a motion looks at the end face: under G19 it looks at the side.
+/// Whether a motion is seen from the direction of its cutter on the end face; under G19 the cutter points at
+/// the side.
 fn is_seen_from_above(motion: &Motion) -> bool {
     motion.virtual_move().is_none_or(|moved| matches!(moved.surface, Surface::Face | Surface::Flat(Flat::Xy)))
 }
 
-/// A cut into a hole beside the axis with C at `c` degrees: as a move of the plane, and as it is drawn there, a dot.
+/// A cut into a hole off the axis with C at `c` degrees: as a move of the plane, and as the dot that is drawn
+/// there.
 fn hole(motion: &Motion, tool: &ResolvedTool, c: f64) -> Option<(VirtualMove, Motion)> {
     let is_hole = match motion.cycle {
         Some(step) => step.cycle.family() == CycleFamily::FaceHole,
@@ -106,7 +109,7 @@ fn hole(motion: &Motion, tool: &ResolvedTool, c: f64) -> Option<(VirtualMove, Mo
     Some((moved, Motion { kind: MotionKind::Dwell, ..on_way(motion, &moved.way) }))
 }
 
-/// Where a cutter reaches in a move, as radius and Z, within the stock.
+/// The area that a cutter reaches in a move, as radius and Z, within the stock.
 fn reach(moved: &VirtualMove, radius: f64, stock: &Stock) -> Bounds {
     let path = StrokeShape::Virtual(*moved).bounds();
     let edge = stock.diameter.radius();
@@ -147,7 +150,7 @@ mod tests {
         assert!((middle.area() - 2500.0).abs() < 1e-3, "{}", middle.area());
         let lines: Vec<u32> = face.moves().scene(None).strokes().map(|stroke| stroke.line + 1).collect();
         assert_eq!(lines, [6, 7, 8, 9, 10, 11, 12]);
-        // The programmed path is the square, the cutter's centre goes 10 mm outside of it.
+        // The programmed path is the square; the centre of the cutter moves 10 mm outside it.
         let bounds = |shapes: &mut dyn Iterator<Item = super::super::StrokeShape>| {
             shapes.map(|shape| shape.bounds()).reduce(|a, b| a.union(b)).expect("shapes")
         };
@@ -171,7 +174,7 @@ mod tests {
         assert!(work.tool.is_none() && work.part == work.blank);
     }
 
-    /// Four holes of ⌀6 on ⌀40, a quarter of a turn apart, C0 to the right.
+    /// Four holes of ⌀6 on ⌀40, a quarter turn apart, C0 to the right.
     #[test]
     fn holes_beside_the_axis_are_on_the_face() {
         let setup = r#"{"stock": {"diameter": 80, "length": 60}, "tools": {"T0202": {"type": "drill", "diameter": 6}}}"#;
@@ -188,7 +191,7 @@ mod tests {
         let area = |outlines: &[Vec<Point>]| {
             outlines.iter().map(|outline| Region::inside(outline).area()).sum::<f64>()
         };
-        // The outside, and four holes in it, each a polygon of 256 corners.
+        // The outline, and four holes in it, each a polygon of 256 corners.
         assert_eq!(work.part.len(), 5);
         let holes = area(&work.part) - area(&work.blank);
         assert!((holes - 4.0 * std::f64::consts::PI * 9.0).abs() < 0.1, "{holes}");

@@ -1,18 +1,18 @@
-//! Hatching: the lines that say "cut through material" in a section.
+//! Hatching, which marks cut material in a section.
 //!
-//! In: outlines on the screen. Out: lines at 45° inside them, at the same places however much
-//! of the outline is in view.
+//! In: outlines on the screen. Out: lines at 45° inside them. Their positions do not depend on how much of an
+//! outline is visible.
 
 use super::camera::{Pixel, Size};
 use crate::geometry::within;
 
-/// From one line to the next, CSS pixels along an axis.
+/// Distance between two lines, CSS pixels along an axis.
 const SPACING: f64 = 9.0;
 
-/// No more lines than this in one picture.
+/// Maximum number of lines in one picture.
 const MOST: usize = 20_000;
 
-/// Which way the lines run.
+/// The direction of the lines.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Slant {
     /// From the lower left to the upper right.
@@ -21,7 +21,7 @@ pub enum Slant {
     Falling,
 }
 
-/// Lines inside of outlines, see [`hatch`], that run either way.
+/// Lines inside outlines, in either direction; see [`hatch`].
 pub fn hatch_slanted(outlines: &[Vec<Pixel>], zero: Pixel, size: Size, slant: Slant) -> Vec<[Pixel; 2]> {
     match slant {
         Slant::Rising => hatch(outlines, zero, size),
@@ -34,14 +34,14 @@ pub fn hatch_slanted(outlines: &[Vec<Pixel>], zero: Pixel, size: Size, slant: Sl
     }
 }
 
-/// Lines inside of outlines, from the lower left to the upper right. `zero` is a place on a line,
-/// so that the lines stay with what they fill when the picture is moved; nothing is drawn far
-/// outside of a picture of `size`.
+/// Lines inside outlines, from the lower left to the upper right. `zero` is a point on one of the lines, so
+/// that the lines stay in place in the outline when the picture is moved. Nothing is drawn far outside a
+/// picture of `size`.
 pub fn hatch(outlines: &[Vec<Pixel>], zero: Pixel, size: Size) -> Vec<[Pixel; 2]> {
-    // On each line x + y is the same, and x − y says where on it a place is.
+    // x + y is constant on each line, and x − y is the position along it.
     let across = |at: Pixel| (at.x + at.y - zero.x - zero.y) / SPACING;
     let seen = [Pixel::default(), Pixel::new(size.width, size.height)].map(across);
-    // Of each line in view, in order, where it crosses outlines: a few places.
+    // For each visible line, in order, its intersections with the outlines; there are few.
     let first = seen[0].ceil();
     let mut crossings: Vec<Vec<f64>> =
         vec![Vec::new(); (within(seen[1] - first, 0.0, MOST as f64) as usize) + 1];
@@ -52,7 +52,7 @@ pub fn hatch(outlines: &[Vec<Pixel>], zero: Pixel, size: Size) -> Vec<[Pixel; 2]
             let (from, to) = (across(a), across(b));
             let (low, high) = (from.min(to).max(seen[0]), from.max(to).min(seen[1]));
             let mut line = low.ceil();
-            // An end that lies on a line belongs to the edge that begins below it.
+            // An edge end on a line counts for the edge that begins below it.
             while line < high && count < 2 * MOST && (line - first) < crossings.len() as f64 {
                 let share = (line - from) / (to - from);
                 let along = (a.x - a.y) + share * ((b.x - b.y) - (a.x - a.y));

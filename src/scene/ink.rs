@@ -1,20 +1,20 @@
-//! The ways of drawing strokes: each style, sure or not.
+//! The inks: the style in which a stroke is drawn, and whether it is certain.
 //!
-//! In: strokes. Out: [`Ink`], in the order in which they are drawn. Knows no colours or widths.
+//! In: strokes. Out: [`Ink`], in drawing order. Knows no colours or widths.
 
 use super::{Stroke, StrokeStyle};
 
-/// A way of drawing: a style, or that style where the stroke may be wrong.
+/// A stroke style, certain or uncertain.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Ink {
-    /// As the style says.
+    /// Drawn in its style.
     Sure(StrokeStyle),
-    /// Dimmed.
+    /// Drawn dimmed, because the stroke may be wrong.
     Uncertain(StrokeStyle),
 }
 
 impl Ink {
-    /// All ways, in the order in which they are drawn.
+    /// All inks, in drawing order.
     pub const ALL: [Ink; 8] = [
         Ink::Uncertain(StrokeStyle::Rapid),
         Ink::Sure(StrokeStyle::Rapid),
@@ -26,24 +26,24 @@ impl Ink {
         Ink::Sure(StrokeStyle::Thread),
     ];
 
-    /// The style drawn.
+    /// The stroke style.
     pub fn style(self) -> StrokeStyle {
         match self {
             Self::Sure(style) | Self::Uncertain(style) => style,
         }
     }
 
-    /// The way a stroke is drawn.
+    /// The ink of a stroke.
     pub fn of(stroke: &Stroke) -> Self {
         Self::new(stroke.style, stroke.uncertain)
     }
 
-    /// The way strokes of a style are drawn.
+    /// The ink of a style.
     pub fn new(style: StrokeStyle, uncertain: bool) -> Self {
         if uncertain { Self::Uncertain(style) } else { Self::Sure(style) }
     }
 
-    /// Where it stands among as many as [`Ink::ALL`], in no order that matters.
+    /// A unique index, less than the length of [`Ink::ALL`]; the order has no meaning.
     pub fn index(self) -> usize {
         match self {
             Self::Sure(style) => style as usize,

@@ -1,29 +1,30 @@
-//! Small marks of fixed size on the screen: arrow heads on strokes, and the tool.
+//! Small marks with a fixed size on the screen: arrow heads on strokes, and the tool.
 //!
-//! In: shapes in mm and a camera. Out: corners in CSS pixels, for any exporter to fill.
+//! In: shapes in mm and a camera. Out: corners in CSS pixels, to be filled by an exporter.
 
 use super::StrokeShape;
 use super::camera::{Camera, Pixel, XPlus};
 
 /// Length of an arrow head, CSS pixels.
 const HEAD: f64 = 8.0;
-/// Half its width.
+/// Half the width of an arrow head, CSS pixels.
 const HALF_HEAD: f64 = 2.8;
-/// Strokes shorter than this on the screen, CSS pixels, bear no arrow head.
+/// Minimum length on screen of a stroke with an arrow head, CSS pixels.
 pub const LEAST_FOR_ARROW: f64 = 44.0;
-/// Least distance between two arrow heads, CSS pixels.
+/// Minimum distance between two arrow heads, CSS pixels.
 const APART: f64 = 16.0;
-/// No more arrow heads than this in one picture.
+/// Maximum number of arrow heads in one picture.
 const MOST_ARROWS: usize = 400;
-/// Arrow heads only where no more motions than this are in view: beyond, they would be noise.
+/// Maximum number of visible motions for arrow heads; with more, they would only clutter the picture.
 pub const MOST_WITH_ARROWS: usize = 3000;
-/// Edge of the insert, CSS pixels.
+/// Edge length of the insert, CSS pixels.
 const EDGE: f64 = 19.0;
-/// Angles of the two cutting edges of an 80° insert from +Z, degrees, counter-clockwise: 95° to the feed for
-/// both turning and facing.
+/// Angles of the two cutting edges of an 80° insert from +Z, degrees, counter-clockwise: an approach angle of
+/// 95° for both turning and facing.
 const EDGES: [f64; 2] = [5.0, 85.0];
 
-/// The arrow head in the middle of a stroke at least `least` CSS pixels long; the tip comes first.
+/// The arrow head in the middle of a stroke, tip first; `None` if the stroke is shorter than `least` CSS
+/// pixels.
 fn arrow_head(shape: &StrokeShape, camera: &Camera, least: f64) -> Option<[Pixel; 3]> {
     if shape.length() * camera.scale() < least {
         return None;
@@ -41,8 +42,8 @@ fn arrow_head(shape: &StrokeShape, camera: &Camera, least: f64) -> Option<[Pixel
     Some([corner(HEAD / 2.0, 0.0), corner(-HEAD / 2.0, HALF_HEAD), corner(-HEAD / 2.0, -HALF_HEAD)])
 }
 
-/// Arrow heads in the middle of those of `shapes` that are in view and at least `least` CSS pixels long,
-/// where there is no other near by: enough to see which way things go, and no more.
+/// Arrow heads in the middle of `shapes` that are visible and at least `least` CSS pixels long. Arrow heads
+/// close to another one are omitted; the rest is enough to show the direction.
 pub fn arrow_heads(
     shapes: impl Iterator<Item = StrokeShape>,
     camera: &Camera,
@@ -53,7 +54,7 @@ pub fn arrow_heads(
     heads
 }
 
-/// Adds the arrow heads of further shapes, where there is no other near by.
+/// Adds the arrow heads of further shapes, except those close to another one.
 pub fn add_arrow_heads(
     heads: &mut Vec<[Pixel; 3]>,
     shapes: impl Iterator<Item = StrokeShape>,
@@ -73,7 +74,7 @@ pub fn add_arrow_heads(
     }
 }
 
-/// The outline of an 80° insert with its tip at `tip`, which comes first.
+/// The outline of an 80° insert with its tip at `tip`, tip first.
 pub fn insert(tip: Pixel, x_plus: XPlus) -> [Pixel; 4] {
     let outwards = match x_plus {
         XPlus::Up => -1.0,
@@ -101,7 +102,8 @@ mod tests {
         let left = StrokeShape::Line { from: Point::new(5.0, 8.0), to: Point::new(5.0, -8.0) };
         let [tip, a, b] = arrow_head(&left, &camera, 40.0).expect("long enough");
         assert!(tip.x < a.x && tip.x < b.x && (a.y + b.y - 2.0 * tip.y).abs() < 1e-6);
-        // From the right-most point of a circle over the top to the left: up on the screen, then left.
+        // From the right-most point of a circle over the top to the left: the tip points up on the screen,
+        // then left.
         let (start, end, center) = (Point::new(0.0, 8.0), Point::new(0.0, -8.0), Point::default());
         let arc = |turn| StrokeShape::Arc(Arc { start, end, center, turn });
         let [tip, a, _] = arrow_head(&arc(Turn::Counterclockwise), &camera, 40.0).expect("long enough");

@@ -1,9 +1,9 @@
-//! What you see: the analysis as shapes that carry the block that made them.
+//! The picture: the analysis as shapes, each with the block that made it.
 //!
-//! In: the motion list and the work. Out: [`Scene`], a neutral picture in mm that exporters only read:
-//! `svg` writes it as a file, `canvas` draws it in the page, `pick` finds what is under a pointer. Nothing is
-//! copied: strokes are made from motions as they are asked for. Must not know G-code words, nor say anything
-//! in human language but the names of the axes.
+//! In: the motion list and the workpiece. Out: [`Scene`], a neutral picture in mm that exporters only read:
+//! `svg` writes it as a file, `canvas` draws it in the page, `pick` finds the stroke under a pointer. Nothing
+//! is copied: strokes are made from motions on demand. Must not know G-code words, and contains no human
+//! language except the names of the axes.
 
 pub mod camera;
 #[cfg(target_arch = "wasm32")]
@@ -42,24 +42,24 @@ use ruler::Axis;
 use view::Frame;
 use work::Work;
 
-/// The line style of a stroke: what a technical drawing distinguishes.
+/// The line style of a stroke, as in technical drawings.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum StrokeStyle {
     /// Rapid traverse: thin and dashed.
     Rapid,
-    /// The tool waits: a dot.
+    /// Dwell: a dot.
     Dwell,
     /// Cut at feed, straight or an arc: solid.
     Feed,
-    /// Cut locked to the spindle.
+    /// Cut synchronised with the spindle.
     Thread,
 }
 
 impl StrokeStyle {
-    /// All styles, in the order in which they are drawn, the lowest first.
+    /// All styles, in drawing order.
     pub const ALL: [StrokeStyle; 4] = [Self::Rapid, Self::Dwell, Self::Feed, Self::Thread];
 
-    /// Its name in the classes of the SVG.
+    /// The class name in the SVG.
     pub fn name(self) -> &'static str {
         match self {
             Self::Rapid => "rapid",
@@ -80,7 +80,7 @@ impl StrokeStyle {
     }
 }
 
-/// How far a drawn curve may be from the true one, mm.
+/// Maximum distance of a drawn curve from the true one, mm.
 const CHORD: f64 = 0.02;
 
 /// The shape of a stroke, in mm.
@@ -88,16 +88,16 @@ const CHORD: f64 = 0.02;
 pub enum StrokeShape {
     /// A straight line.
     Line {
-        /// Where it begins.
+        /// Start point.
         from: Point,
-        /// Where it ends.
+        /// End point.
         to: Point,
     },
     /// A true arc, possibly a full circle.
     Arc(Arc),
-    /// Straight or round in a virtual plane, and so a curve in the plane of turning.
+    /// A line or an arc in a virtual plane, and therefore a curve in the turning plane.
     Virtual(VirtualMove),
-    /// The tool dwells here.
+    /// A dwell at this point.
     Dot(Point),
 }
 
@@ -115,7 +115,7 @@ impl StrokeShape {
         }
     }
 
-    /// The shape of a motion of a chunk; quick where it is a straight line, as most are.
+    /// The shape of a motion of a chunk; fast for straight lines, the most frequent kind.
     #[inline]
     pub fn in_chunk(chunk: &Chunk, index: usize) -> Self {
         match chunk.straight_on_workpiece(index) {
@@ -124,7 +124,7 @@ impl StrokeShape {
         }
     }
 
-    /// Where it begins.
+    /// The start point.
     pub fn start(&self) -> Point {
         match self {
             Self::Line { from, .. } => *from,
@@ -134,7 +134,7 @@ impl StrokeShape {
         }
     }
 
-    /// Where it ends.
+    /// The end point.
     pub fn end(&self) -> Point {
         match self {
             Self::Line { to, .. } => *to,
@@ -144,12 +144,12 @@ impl StrokeShape {
         }
     }
 
-    /// Points that straight lines join to the curve of a virtual move.
+    /// The points of a polyline that approximates a virtual move.
     pub fn curve(own: &VirtualMove) -> Vec<Point> {
         own.machine_path(CHORD)
     }
 
-    /// The box around it; of an arc its true extents.
+    /// The bounding box; exact for arcs.
     pub fn bounds(&self) -> Bounds {
         match self {
             Self::Line { from, to } => Bounds::around(*from, *to),
@@ -162,7 +162,7 @@ impl StrokeShape {
     /// Length along it, mm.
     pub fn length(&self) -> f64 {
         match self {
-            // Quicker than `Point::distance`, which minds numbers that no machine reaches.
+            // Faster than `Point::distance`, which also handles values beyond those of any machine.
             Self::Line { from, to } => ((from.x - to.x).powi(2) + (from.z - to.z).powi(2)).sqrt(),
             Self::Arc(arc) => arc.length(),
             Self::Virtual(own) => own.length(),
@@ -170,7 +170,7 @@ impl StrokeShape {
         }
     }
 
-    /// The point at a fraction `t` (0 start, 1 end) of the way.
+    /// The point at the fraction `t` of the path, from 0 (start) to 1 (end).
     pub fn at(&self, t: f64) -> Point {
         match self {
             Self::Line { from, to } => Point::new(from.x + t * (to.x - from.x), from.z + t * (to.z - from.z)),
@@ -180,10 +180,10 @@ impl StrokeShape {
         }
     }
 
-    /// The part before and the part after the fraction `t` (0 start, 1 end) of the way.
+    /// The parts before and after the fraction `t` of the path, from 0 (start) to 1 (end).
     pub fn split(&self, t: f64) -> (StrokeShape, StrokeShape) {
         let point = self.at(t);
-        // An arc that ends where it starts is a full circle: a part without length must not become one.
+        // An arc with its end at its start is a full circle, so a part without length must not stay an arc.
         let line = |part: StrokeShape, share: f64| {
             if share * self.length() > SAME {
                 part
@@ -208,27 +208,27 @@ impl StrokeShape {
     }
 }
 
-/// One motion as it is drawn.
+/// A motion as it is drawn.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Stroke {
     /// Index of the motion, over all motions.
     pub motion: usize,
-    /// How it is drawn.
+    /// The line style.
     pub style: StrokeStyle,
-    /// An earlier block could not be carried out, so this stroke may be wrong: drawn dimmed.
+    /// Whether the stroke may be wrong because an earlier block was not executed; it is then drawn dimmed.
     pub uncertain: bool,
-    /// Where it runs.
+    /// The shape, in mm.
     pub shape: StrokeShape,
-    /// Bytes of the block that made it.
+    /// Bytes of the block that made the stroke.
     pub span: Span,
-    /// Line of that block, from 0.
+    /// Line of the block, from 0.
     pub line: u32,
 }
 
 impl Stroke {
-    /// The shape in the direction in which it is drawn. Rapids run down and to the left, whichever
-    /// way the tool goes: the dashes of those that lie on one another then coincide instead of
-    /// filling each other's gaps.
+    /// The shape in the direction in which it is drawn. Rapids are always drawn down and to the left,
+    /// regardless of the motion: the dashes of overlapping rapids then coincide instead of filling each
+    /// other's gaps.
     pub fn drawn_shape(&self) -> StrokeShape {
         match (self.style, self.shape) {
             (StrokeStyle::Rapid, StrokeShape::Line { from, to }) if (from.x, from.z) < (to.x, to.z) => {
@@ -239,35 +239,36 @@ impl Stroke {
     }
 }
 
-/// A place on the path.
+/// A position on the path.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Place {
-    /// The motion under way.
+    /// The current motion.
     pub motion: usize,
-    /// How much of it is done: 0 at its start, 1 at its end.
+    /// The fraction of the motion that is finished, 0 at its start, 1 at its end.
     pub fraction: f64,
-    /// Where the tool tip is.
+    /// The position of the tool tip.
     pub at: Point,
 }
 
-/// Which plane a picture shows.
+/// The plane that a picture shows.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Plane {
-    /// The section along the spindle axis: Z to the right, X up, the work on both sides of the axis.
+    /// The section along the spindle axis: Z to the right, X up, the workpiece on both sides of the axis.
     #[default]
     Section,
-    /// The end face seen from the tailstock: X to the right, C or Y up. Points have C or Y in `x` and X in `z`, as
-    /// [`virtual_plane`](crate::geometry::virtual_plane) has them.
+    /// The end face, seen from the tailstock: X to the right, C or Y up. Points have C or Y in `x` and X in
+    /// `z`, as in [`virtual_plane`](crate::geometry::virtual_plane).
     Face,
-    /// The side seen from outside, mostly unrolled: Z to the right, C or Y down. Points have the way around the work in `x`.
+    /// The side, seen from outside and usually unrolled: Z to the right, C or Y down. Points have the
+    /// distance around the workpiece in `x`.
     Side,
 }
 
 impl Plane {
-    /// All of them.
+    /// All planes.
     pub const ALL: [Self; 3] = [Self::Section, Self::Face, Self::Side];
 
-    /// Those of a surface of the work, beside the section.
+    /// The planes that show a surface of the workpiece.
     pub const SURFACES: [Self; 2] = [Self::Face, Self::Side];
 
     /// The axes along the bottom and the left edge.
@@ -279,7 +280,7 @@ impl Plane {
         }
     }
 
-    /// On which sides of the axis the outlines of the work are drawn: 1 as they are, −1 mirrored.
+    /// The sides of the axis on which the outlines of the workpiece are drawn: 1 unchanged, −1 mirrored.
     pub fn sides(self) -> &'static [f64] {
         match self {
             Self::Section => &[1.0, -1.0],
@@ -287,7 +288,7 @@ impl Plane {
         }
     }
 
-    /// Which way its upright axis is drawn, where X+ of the section is drawn one way.
+    /// The direction of the vertical axis, given the direction of X+ in the section.
     pub fn x_plus(self, of_section: XPlus) -> XPlus {
         match self {
             Self::Section => of_section,
@@ -297,7 +298,7 @@ impl Plane {
     }
 }
 
-/// The picture of a run: a view over its motions and the work, which nothing is copied into.
+/// The picture of a run: a view over its motions and the workpiece, without copies.
 #[derive(Clone, Copy, Debug)]
 pub struct Scene<'a> {
     motions: &'a Motions,
@@ -309,18 +310,18 @@ pub struct Scene<'a> {
 }
 
 impl<'a> Scene<'a> {
-    /// The picture of `motions`, of which `path index` was made, and of the work. Motions that the path index
-    /// has not seen yet are left out.
+    /// The picture of `motions`, with their `path_index`, and of the workpiece. Motions that are not yet in
+    /// the index are omitted.
     pub fn new(motions: &'a Motions, path_index: &'a PathIndex, work: Option<&'a Work>) -> Self {
         Self { motions, path_index, work, plane: Plane::Section, axes: Plane::Section.axes() }
     }
 
-    /// The same with the points taken as those of another plane.
+    /// The same picture, with its points in another plane.
     pub fn on(self, plane: Plane) -> Self {
         Self { plane, axes: plane.axes(), ..self }
     }
 
-    /// The same with other axes along the bottom and the left edge.
+    /// The same picture, with other axes along the bottom and the left edge.
     pub fn with_axes(self, axes: [Axis; 2]) -> Self {
         Self { axes, ..self }
     }
@@ -330,12 +331,12 @@ impl<'a> Scene<'a> {
         self.axes
     }
 
-    /// Which plane it shows.
+    /// The plane of the picture.
     pub fn plane(&self) -> Plane {
         self.plane
     }
 
-    /// The path index the scene goes by.
+    /// The path index of the picture.
     pub fn path_index(&self) -> &'a PathIndex {
         self.path_index
     }
@@ -350,7 +351,7 @@ impl<'a> Scene<'a> {
         self.len() == 0
     }
 
-    /// The work.
+    /// The workpiece, if it is shown.
     pub fn work(&self) -> Option<&'a Work> {
         self.work
     }
@@ -388,19 +389,19 @@ impl<'a> Scene<'a> {
         })
     }
 
-    /// The chunk a stretch lies in, and which of its motions are in the stretch.
+    /// The chunk of a stretch, and the indices of its motions in the chunk.
     pub fn chunk_of(&self, stretch: &Stretch) -> (&'a Chunk, Range<usize>) {
         let (chunk, motions) = stretch.in_chunk();
         (&self.motions.chunks()[chunk], motions)
     }
 
-    /// The programmed path where compensation leads the tip elsewhere.
+    /// The programmed path of compensated motions.
     pub fn programmed(&self) -> impl Iterator<Item = StrokeShape> + use<'a> {
         let scene = *self;
         self.path_index.stretches().iter().flat_map(move |stretch| scene.programmed_in(stretch))
     }
 
-    /// That of the motions of a stretch.
+    /// The programmed path of the compensated motions of a stretch.
     pub fn programmed_in(&self, stretch: &Stretch) -> impl Iterator<Item = StrokeShape> + use<'a> {
         let (chunk, motions) = self.chunk_of(stretch);
         let own = chunk.compensated().filter(move |index| motions.contains(index));
@@ -408,7 +409,7 @@ impl<'a> Scene<'a> {
             .map(|motion| StrokeShape::of(&motion))
     }
 
-    /// The motions made by blocks that lie within `block`, as ranges: a block may run more than once.
+    /// The motions made by blocks inside `block`, as ranges: a block may be executed several times.
     pub fn motions_of(&self, block: Span) -> Vec<Range<usize>> {
         let mut ranges: Vec<Range<usize>> = Vec::new();
         for stretch in self.path_index.stretches() {
@@ -428,7 +429,7 @@ impl<'a> Scene<'a> {
         ranges
     }
 
-    /// The box that a fitted picture shows.
+    /// The extent of a fitted picture.
     pub fn bounds_of(&self, frame: Frame) -> Bounds {
         match frame {
             Frame::Usual => self.bounds(),
@@ -442,7 +443,7 @@ impl<'a> Scene<'a> {
         }
     }
 
-    /// The box with the spindle axis in it, where there is one.
+    /// Extends the box to the spindle axis, if the plane shows it.
     fn with_axis(&self, bounds: Bounds) -> Bounds {
         match self.plane {
             Plane::Section | Plane::Face => bounds.with(Point::new(0.0, bounds.min.z)),
@@ -450,7 +451,7 @@ impl<'a> Scene<'a> {
         }
     }
 
-    /// The box of the stock on both sides of the centre line.
+    /// The box of the stock, in the section on both sides of the centre line.
     fn stock(&self) -> Option<Bounds> {
         self.work.map(|work| {
             let bounds = work.bounds();
@@ -462,8 +463,8 @@ impl<'a> Scene<'a> {
         })
     }
 
-    /// The box worth looking at: what cuts and the stock, with the rapids that end nearby; all motions where
-    /// nothing cuts. The spindle axis is always in it.
+    /// The default extent: cuts and stock, with the rapids that end nearby; all motions if there are no cuts.
+    /// It always includes the spindle axis.
     pub fn bounds(&self) -> Bounds {
         let stock = self.stock();
         let Some(cuts) = self.path_index.cuts() else {
@@ -491,8 +492,8 @@ impl<'a> Scene<'a> {
         bounds
     }
 
-    /// The box around the cuts that are near the stock: one from far away, as the first of a program that begins without a rapid, or
-    /// the way home as a feed, would make the work small.
+    /// The box of the cuts near the stock. A distant cut would make the workpiece small: a program may begin
+    /// without a rapid, or return home at feed.
     fn cuts_near(&self, stock: Bounds, cuts: Bounds) -> Bounds {
         let near = stock.grown(stock.length().max(stock.height()) / 2.0);
         let all_near = |bounds: Bounds| near.holds(bounds.min) && near.holds(bounds.max);
@@ -520,7 +521,7 @@ impl<'a> Scene<'a> {
         found.unwrap_or(cuts)
     }
 
-    /// Where the tool is at a place of the program; `None` past its end.
+    /// The position of the tool at a playhead; `None` after the end of the program.
     pub fn place(&self, playhead: Playhead) -> Option<Place> {
         let Playhead { motion, share } = playhead;
         let stroke = self.stroke(motion)?;

@@ -1,14 +1,15 @@
 //! The colours of the picture.
 //!
-//! In: nothing, or the colours of the page around it. Out: [`Palette`], read by every exporter. Those that it has of itself are
-//! the page's (`www/src/colours.css`), on white paper.
+//! In: nothing, or the colours of the surrounding page. Out: [`Palette`], read by every exporter. The default
+//! colours are those of the page (`www/src/colours.css`), on white paper.
 
 use std::borrow::Cow;
 
-/// Makes the palette of rows: what a colour is of, its name for JavaScript, on white paper, on a dark ground.
+/// Defines the palette from rows: the documentation of a colour, its name in JavaScript, its values on light
+/// and dark background.
 macro_rules! palette {
     ($($(#[$doc:meta])+ $field:ident $name:literal: $light:literal, $dark:literal;)+) => {
-        /// CSS colours of everything that is drawn.
+        /// The CSS colours of everything that is drawn.
         #[derive(Clone, Debug, PartialEq, Eq)]
         #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify), serde(rename_all = "camelCase"))]
         pub struct Palette {
@@ -21,12 +22,12 @@ macro_rules! palette {
                 Self { $($field: Cow::Borrowed($light)),+ }
             }
 
-            /// Light lines on a dark ground.
+            /// Light lines on a dark background.
             pub const fn dark() -> Self {
                 Self { $($field: Cow::Borrowed($dark)),+ }
             }
 
-            /// All colours by their names for JavaScript.
+            /// All colours with their JavaScript names.
             pub fn by_name(&mut self) -> impl Iterator<Item = (&'static str, &mut Cow<'static, str>)> {
                 const NAMES: &[&str] = &[$($name),+];
                 NAMES.iter().copied().zip([$(&mut self.$field),+])
@@ -44,19 +45,19 @@ palette! {
     axis "axis": "#8a949b", "#66737f";
     /// Tick labels.
     text "text": "#5a656e", "#97a4b0";
-    /// The blank, where material is gone from it.
+    /// The blank where material has been removed.
     stock "stock": "#f5f3ec", "#1b2026";
     /// Outline of the blank.
     stock_edge "stockEdge": "#b9b09a", "#555e66";
-    /// What is left of it.
+    /// The part.
     part "part": "#e4ddc9", "#353a3d";
-    /// Outline of what is left, and its hatching.
+    /// Outline and hatching of the part.
     part_edge "partEdge": "#857a5e", "#8f99a1";
-    /// Where something runs into something.
+    /// Collisions.
     danger "danger": "#c02b2b", "#ff8f87";
-    /// What only the part has that was kept for comparison, or the first of two.
+    /// Areas that only the first of two compared parts has (the one kept for comparison).
     only_first "onlyFirst": "#9c36b5", "#da9bea";
-    /// What only the other one has.
+    /// Areas that only the second part has.
     only_second "onlySecond": "#0b7285", "#66d9e8";
     /// Rapids.
     rapid "rapid": "#b85c1e", "#e59a5f";

@@ -1,8 +1,8 @@
-//! An index over the path: boxes around short stretches of the motions.
+//! An index of the path: bounding boxes of short stretches of the motions.
 //!
-//! In: the motion list, whole or as it grows and is edited. Out: [`PathIndex`], so that a picture of a
-//! million motions can skip what is out of view without walking all of it. A stretch lies within one chunk and is measured once: an edit moves those of the chunks that
-//! stayed. Knows nothing of pixels.
+//! In: the motion list, complete or while it grows and is edited. Out: [`PathIndex`], so that a picture of a
+//! million motions can skip invisible ones without visiting all of them. A stretch lies within one chunk and
+//! is measured once; an edit shifts the stretches of unchanged chunks. Knows nothing of pixels.
 
 use std::ops::Range;
 use std::sync::atomic::{AtomicU64, Ordering};
@@ -13,45 +13,44 @@ use crate::source::Span;
 use super::{StrokeShape, StrokeStyle};
 use crate::geometry::bounds::{Bounds, join};
 
-/// Most motions in a stretch.
+/// Maximum number of motions in a stretch.
 pub const STRETCH: usize = 1024;
 
-/// Some successive motions.
+/// A stretch of successive motions.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Stretch {
-    /// Which motions, over all motions.
+    /// The motions, as indices over all motions.
     pub motions: Range<usize>,
-    /// Box around everything that cuts or waits.
+    /// Bounding box of all cuts and dwells.
     pub cuts: Option<Bounds>,
-    /// Box around where the rapids end.
+    /// Bounding box of the ends of rapids.
     pub rapids: Option<Bounds>,
-    /// Box around all strokes.
+    /// Bounding box of all strokes.
     pub bounds: Bounds,
-    /// Bytes from the first to the last of the blocks that made them.
+    /// Bytes from the first to the last of its blocks.
     pub span: Span,
-    /// Distinguishes it from every other stretch of this process; it keeps it as long as
-    /// its motions are the same.
+    /// Identifies the stretch, unique within this process. It stays the same as long as the motions do.
     pub key: StretchKey,
-    /// Which of the chunks it lies in.
+    /// The index of its chunk.
     chunk: usize,
-    /// Base of that chunk when the span was worked out.
+    /// The base of the chunk when `span` was determined.
     base: u32,
 }
 
-/// The id of a chunk, and which of its motions is the first of a stretch.
+/// The id of a chunk, and the index of the first motion of a stretch in it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct StretchKey {
     chunk: u64,
     first: usize,
 }
 
-/// Boxes around all motions.
+/// The bounding boxes of all motions.
 #[derive(Clone, Debug)]
 pub struct PathIndex {
     /// Changes with the motions, so that a cache can detect that it is stale.
     id: u64,
     stretches: Vec<Stretch>,
-    /// Those of chunks that are not in the list just now.
+    /// Stretches of chunks that are currently not in the list.
     gone: Vec<Stretch>,
 }
 
@@ -62,7 +61,7 @@ impl Default for PathIndex {
 }
 
 impl PathIndex {
-    /// The path index of no motions.
+    /// An empty path index.
     pub fn new() -> Self {
         Self { id: next_id(), stretches: Vec::new(), gone: Vec::new() }
     }
@@ -74,8 +73,8 @@ impl PathIndex {
         path_index
     }
 
-    /// Follows `motions` as they grew or were edited; only chunks that are new are measured. Those that are
-    /// gone may come back after the ones that are run again, until [`PathIndex::settle`].
+    /// Updates the index after `motions` grew or were edited; measures only new chunks. Removed chunks may
+    /// reappear after re-run ones, so their stretches are kept until [`PathIndex::settle`].
     pub fn update(&mut self, motions: &Motions) {
         let ids = motions.ids();
         let changed = self.stretches.last().map_or(0, |last| last.chunk + 1) != ids.len()
@@ -89,7 +88,7 @@ impl PathIndex {
         let mut known: Vec<Option<Stretch>> = known.into_iter().map(Some).collect();
         let mut next = 0;
         for (index, (chunk, &id)) in motions.chunks().iter().zip(ids).enumerate() {
-            // Identifiers grow, so a newer one need not be looked for; chunks that stay keep their order.
+            // Ids increase, so a newer one is not in the list; kept chunks keep their order.
             let is_of = |stretch: &Option<Stretch>| stretch.as_ref().is_some_and(|s| s.key.chunk == id);
             if newest.is_some_and(|newest| id <= newest) {
                 next += known[next..].iter().position(is_of).unwrap_or(0);
@@ -113,22 +112,23 @@ impl PathIndex {
         self.gone = known.into_iter().flatten().collect();
     }
 
-    /// No chunk that is gone will come back: the run has ended.
+    /// Drops the stretches of removed chunks. Call it when the run has ended, because no removed chunk will
+    /// reappear then.
     pub fn settle(&mut self) {
         self.gone.clear();
     }
 
-    /// A number that no path index of other motions has.
+    /// An id that is unique among path indices of different motions.
     pub fn id(&self) -> u64 {
         self.id
     }
 
-    /// Number of motions taken in.
+    /// Number of motions in the index.
     pub fn len(&self) -> usize {
         self.stretches.last().map_or(0, |last| last.motions.end)
     }
 
-    /// Whether no motion was taken in.
+    /// Whether the index is empty.
     pub fn is_empty(&self) -> bool {
         self.stretches.is_empty()
     }
@@ -138,27 +138,27 @@ impl PathIndex {
         &self.stretches
     }
 
-    /// The stretch a motion belongs to.
+    /// The stretch that contains a motion.
     pub fn stretch_of(&self, motion: usize) -> Option<&Stretch> {
         self.stretches.get(self.stretches.partition_point(|stretch| stretch.motions.end <= motion))
     }
 
-    /// Box around everything that cuts or waits.
+    /// Bounding box of all cuts and dwells.
     pub fn cuts(&self) -> Option<Bounds> {
         self.stretches.iter().fold(None, |bounds, stretch| join(bounds, stretch.cuts))
     }
 
-    /// Box around all strokes.
+    /// Bounding box of all strokes.
     pub fn bounds(&self) -> Option<Bounds> {
         self.stretches.iter().fold(None, |bounds, stretch| join(bounds, Some(stretch.bounds)))
     }
 
-    /// Box around where the rapids end.
+    /// Bounding box of the ends of all rapids.
     pub fn rapids(&self) -> Option<Bounds> {
         self.stretches.iter().fold(None, |bounds, stretch| join(bounds, stretch.rapids))
     }
 
-    /// The chunk a motion lies in and its index there; past the end no chunk.
+    /// The chunk of a motion and its index there; for a motion past the end, the chunk is `usize::MAX`.
     pub(super) fn locate(&self, motion: usize) -> (usize, usize) {
         match self.stretch_of(motion) {
             Some(stretch) => (stretch.chunk, stretch.key.first + motion - stretch.motions.start),
@@ -168,12 +168,12 @@ impl PathIndex {
 }
 
 impl Stretch {
-    /// Which of the chunks it lies in, and which of its motions those are.
+    /// The index of the chunk, and the indices of the motions in it.
     pub fn in_chunk(&self) -> (usize, Range<usize>) {
         (self.chunk, self.key.first..self.key.first + self.motions.len())
     }
 
-    /// The same motions in a chunk that was moved along.
+    /// Updates the stretch after its chunk was shifted.
     fn move_to(&mut self, chunk: usize, base: u32) {
         let moved = base.wrapping_sub(self.base);
         self.span.start = self.span.start.wrapping_add(moved);
@@ -187,7 +187,7 @@ fn next_id() -> u64 {
     NEXT.fetch_add(1, Ordering::Relaxed)
 }
 
-/// Measures some motions of a chunk; where they stand among all motions is left open.
+/// Measures motions of a chunk; the indices over all motions are left to the caller.
 fn measure(chunk: &Chunk, motions: Range<usize>, key: StretchKey) -> Stretch {
     let (mut cuts, mut rapids, mut bounds) = (None, None, None);
     let mut span = chunk.span(motions.start);

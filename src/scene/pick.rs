@@ -1,6 +1,6 @@
-//! What is under the pointer.
+//! Finds the stroke under the pointer.
 //!
-//! In: a scene, a camera, a place in the picture. Out: the nearest stroke within a tolerance. Pure.
+//! In: a scene, a camera, a position in the picture. Out: the nearest stroke within a tolerance. Pure.
 
 use std::ops::Range;
 
@@ -10,24 +10,25 @@ use super::camera::{Camera, Pixel};
 use super::{Scene, Stroke, StrokeShape, StrokeStyle};
 use crate::geometry::bounds::Bounds;
 
-/// Distances that differ by less than this, CSS pixels, are a tie: nobody can aim better.
+/// Distances that differ by less than this, CSS pixels, count as equal, because users cannot point more
+/// precisely.
 const TIE: f64 = 1.0;
 /// Radius of the dot of a dwell, CSS pixels.
 const DOT: f64 = 3.0;
 
-/// A stroke and where on it.
+/// A stroke and a point on it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Pick {
     /// The stroke.
     pub stroke: Stroke,
-    /// The point of it nearest to the pointer.
+    /// The point of the stroke nearest to the pointer.
     pub at: Point,
 }
 
-/// The stroke nearest to `pixel`, no further than `tolerance` CSS pixels. Where several are as near, those
-/// that are `lit` (motions of the selected block) go first; then the shortest, which no other place of the
-/// picture could reach (the passes of a cycle lie over one another); then what cuts before rapids, the
-/// later before the earlier.
+/// The stroke nearest to `pixel`, at most `tolerance` CSS pixels away. Among equally near ones, those that
+/// are `lit` (motions of the selected block) take precedence; then the shortest, because it may not be
+/// reachable elsewhere (the passes of a cycle overlap); then cuts before rapids, and later before earlier
+/// ones.
 pub fn pick(
     scene: &Scene,
     camera: &Camera,
@@ -117,7 +118,7 @@ mod tests {
     use super::*;
     use crate::scene::camera::Size;
 
-    /// Picks `off` CSS pixels beside a diameter and Z, on the path of each test, within 6 pixels.
+    /// Picks at a diameter and Z, with an offset of `off` CSS pixels and a tolerance of 6 pixels.
     fn check(path: Path, (diameter, z): (f64, f64), off: (f64, f64), expected: Option<usize>) {
         let motions = path.motions();
         let path_index = PathIndex::of(&motions);

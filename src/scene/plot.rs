@@ -1,8 +1,7 @@
-//! Strokes by the hundred thousand as pixels: all solid and one device pixel wide.
+//! Rasterises hundreds of thousands of strokes: all solid and one device pixel wide.
 //!
-//! In: strokes in mm and where the camera is. Out: for each way of drawing how much of every pixel
-//! it covers. A browser asked to stroke a million lines takes several times as long, above all for
-//! being asked. Knows no colours.
+//! In: strokes in mm and the camera. Out: for each ink, how much of every pixel it covers. A browser takes
+//! several times as long to draw a million lines, mainly because of the calls. Knows no colours.
 
 use std::ops::Range;
 
@@ -11,55 +10,55 @@ use crate::geometry::{Arc, Point, Turn, within};
 use super::StrokeShape;
 use super::camera::{Camera, Pixel};
 
-/// A line goes on to the next point that is at least so far away, CSS pixels.
+/// Minimum distance to the next point of a line, CSS pixels; closer points are skipped.
 const LEAST_STEP: f64 = 0.8;
-/// How far a chord may be from its arc, device pixels.
+/// Maximum distance of a chord from its arc, device pixels.
 const SAGITTA: f64 = 0.3;
-/// Most chords of an arc.
+/// Maximum number of chords of an arc.
 const MOST_CHORDS: f64 = 512.0;
-/// Radius of the dot where the tool waits, CSS pixels.
+/// Radius of the dot of a dwell, CSS pixels.
 const DOT: f64 = 3.0;
-/// Places between pixels are counted in parts: two to this many a pixel.
+/// Number of fraction bits of fixed-point positions, in pixels.
 const PARTS: u32 = 20;
 const ONE: i64 = 1 << PARTS;
 
-/// Several pictures of the same place, one over the other.
+/// Several layers of the same picture.
 #[derive(Debug)]
 pub struct Plot {
     frame: Frame,
     layers: Vec<Layer>,
 }
 
-/// What all of them show.
+/// The geometry that all layers share.
 #[derive(Clone, Copy, Debug)]
 struct Frame {
     width: usize,
     height: usize,
-    /// Device pixels a mm.
+    /// Device pixels per mm.
     scale: f64,
-    /// The same upwards for a mm of radius: negative where X+ is down.
+    /// Device pixels upwards per mm of radius; negative if X+ points down.
     upward: f64,
-    /// Where X 0 Z 0 is, device pixels.
+    /// The position of X0 Z0, device pixels.
     zero: Pixel,
     /// [`LEAST_STEP`] and [`DOT`], device pixels.
     least_step: f64,
     dot: f64,
 }
 
-/// One of the pictures.
+/// A layer.
 #[derive(Clone, Debug, Default)]
 struct Layer {
-    /// How much of each pixel is covered, 255 all of it; empty while nothing is drawn.
+    /// The coverage of each pixel, 255 for full; empty until something is drawn.
     cover: Vec<u8>,
-    /// Where the last stroke ended.
+    /// End of the last stroke.
     end: Option<Point>,
-    /// How far the line there is drawn, and where it goes on to.
+    /// The end of the drawn part of the current line, and the end of a short piece that is not drawn yet.
     drawn: Pixel,
     to: Option<Pixel>,
 }
 
 impl Plot {
-    /// Empty pictures of what a camera sees, of `size` device pixels.
+    /// Empty layers of `size` device pixels, for the view of a camera.
     pub fn new(camera: &Camera, size: (u32, u32), pixel_ratio: f64, layers: usize) -> Self {
         let zero = camera.to_screen(Point::default());
         let frame = Frame {
@@ -79,7 +78,7 @@ impl Plot {
         (self.frame.width, self.frame.height)
     }
 
-    /// Draws a shape in one of the pictures.
+    /// Draws a shape in a layer.
     pub fn draw(&mut self, layer: usize, shape: &StrokeShape) {
         let (frame, layer) = (self.frame, &mut self.layers[layer]);
         match shape {
@@ -94,13 +93,13 @@ impl Plot {
         }
     }
 
-    /// Draws a straight line in one of the pictures.
+    /// Draws a straight line in a layer.
     #[inline]
     pub fn line(&mut self, layer: usize, from: Point, to: Point) {
         self.layers[layer].line(self.frame, from, to);
     }
 
-    /// Ends all lines: nothing goes on from where they are.
+    /// Ends all lines, so that the next one is not joined to them.
     pub fn lift(&mut self) {
         for layer in &mut self.layers {
             layer.finish(self.frame);
@@ -108,7 +107,7 @@ impl Plot {
         }
     }
 
-    /// The rows of pixels from the first that anything is in to the last.
+    /// The range of pixel rows that are not empty.
     pub fn rows(&self) -> Range<usize> {
         let covers = || self.layers.iter().map(|layer| &layer.cover);
         let first = covers().filter_map(|cover| cover.iter().position(|&part| part > 0)).min();
@@ -119,8 +118,8 @@ impl Plot {
         }
     }
 
-    /// How much of each pixel a picture covers, row by row from the top, 255 all of it;
-    /// nothing when it is empty.
+    /// The coverage of each pixel in a layer, row by row from the top, 255 for full; empty if nothing is
+    /// drawn.
     pub fn cover(&self, layer: usize) -> &[u8] {
         &self.layers[layer].cover
     }
@@ -151,7 +150,7 @@ impl Layer {
         }
     }
 
-    /// Draws the short piece that waits for the line to go on.
+    /// Draws a short piece that is still waiting.
     fn finish(&mut self, frame: Frame) {
         if let Some(to) = self.to.take() {
             self.ink(frame, self.drawn, to);
@@ -169,10 +168,11 @@ impl Layer {
         self.line(frame, from, arc.end);
     }
 
-    /// Covers the pixels along a line, those at its ends in part.
+    /// Covers the pixels along a line, the ones at its ends partially.
     fn ink(&mut self, frame: Frame, from: Pixel, to: Pixel) {
         let steep = (to.y - from.y).abs() > (to.x - from.x).abs();
-        // Along the longer way the line goes from pixel to pixel; across it lies between two.
+        // `along` is the longer direction, in which the line advances pixel by pixel; `across` it lies
+        // between two pixels.
         let (mut a, mut b, length, breadth, along, across) = if steep {
             ((from.y, from.x), (to.y, to.x), frame.height, frame.width, frame.width, 1)
         } else {
@@ -187,8 +187,8 @@ impl Layer {
         }
         let slope = (b.1 - a.1) / (b.0 - a.0);
         self.begin(frame);
-        // Two pixels lie on either side of the line: each gets a part of 255 by how near it is.
-        // `middle` is in parts of a pixel.
+        // Divides the coverage between the two pixels beside the line, according to their distance. `middle`
+        // is a fixed-point position.
         let cover = &mut self.cover[..];
         let mut put = |place: usize, middle: i64, share: i64| {
             let (low, upper) = (middle >> PARTS, ((middle & (ONE - 1)) * share) >> PARTS);
@@ -219,7 +219,7 @@ impl Layer {
 
     fn disc(&mut self, frame: Frame, at: Point) {
         let (center, radius) = (frame.pixel(at), frame.dot);
-        // A cast holds what is below zero or far too large to the ends of its range.
+        // A cast clamps negative and too large values to the range of the type.
         let reach = |middle: f64, most: usize| {
             (middle - radius - 1.0) as usize..most.min((middle + radius + 1.0) as usize)
         };
@@ -241,12 +241,12 @@ impl Layer {
     }
 }
 
-/// How many straight pieces look like the arc at so many device pixels a mm.
+/// How many chords are needed for an arc at `scale` device pixels per mm.
 fn chords(arc: &Arc, scale: f64) -> u32 {
     let radius = arc.radius();
     let to = (arc.end.z - arc.start.z, arc.end.x - arc.start.x);
     let center = (arc.center.z - arc.start.z, arc.center.x - arc.start.x);
-    // Most arcs of a crowded picture are short ones, which need no angles.
+    // Most arcs in a crowded picture are short, and can be checked without angles.
     let is_left = to.0 * center.1 - to.1 * center.0 > 0.0;
     let is_short_way = is_left == (arc.turn == Turn::Counterclockwise) && !arc.start.is_same(arc.end);
     if is_short_way {
@@ -256,7 +256,7 @@ fn chords(arc: &Arc, scale: f64) -> u32 {
             return 1;
         }
     }
-    // The height of a flat arc is an eighth of its angle squared, times the radius.
+    // The height of a flat arc is its radius times an eighth of its squared angle.
     let pieces = (arc.sweep().abs() * (radius * scale / (8.0 * SAGITTA)).sqrt()).ceil();
     within(pieces, 3.0, MOST_CHORDS) as u32
 }
@@ -267,8 +267,7 @@ mod tests {
     use super::*;
     use crate::geometry::bounds::Bounds;
 
-    /// A plot with one picture of 200 × 100 pixels, 1 mm each, and what `shapes`
-    /// cover of it, in whole pixels.
+    /// The coverage of `shapes` in a layer of 200 × 100 pixels, 1 mm each, in whole pixels.
     fn covered(shapes: &[StrokeShape]) -> f64 {
         let plot = drawn(shapes);
         plot.cover(0).iter().map(|&part| f64::from(part) / 255.0).sum()
@@ -320,7 +319,7 @@ mod tests {
             covered(&[StrokeShape::Arc(Arc { start, end: start, center, turn: Turn::Clockwise })]);
             covered(&[StrokeShape::Dot(center), line((f64::NAN, 0.0), (1.0, f64::INFINITY))]);
         }
-        // Across all of the picture.
+        // Across the whole picture.
         check(&[line((25.0, -1e6), (25.0, 1e6))], 200.0);
     }
 
@@ -335,10 +334,10 @@ mod tests {
             let all = plot.cover(0).iter().enumerate();
             all.filter(right).map(|(_, &part)| f64::from(part)).sum::<f64>() / 255.0
         };
-        // Counter-clockwise from below to above goes by the right.
+        // Counter-clockwise from bottom to top passes on the right.
         assert!(side(Turn::Counterclockwise) > 20.0 && side(Turn::Clockwise) < 2.0);
         let round = StrokeShape::Arc(Arc { start, end: start, center, turn: Turn::Clockwise });
-        // A circle covers eight times the half of its width that a diagonal cuts off.
+        // A circle covers eight times the half width that a diagonal cuts off.
         check(&[round], 8.0 * 10.0 / f64::sqrt(2.0));
     }
 

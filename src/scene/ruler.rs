@@ -1,18 +1,18 @@
-//! Where the ticks of the rulers stand, and what they say.
+//! The ticks of the rulers and their labels.
 //!
-//! In: a camera, and the unit with its symbol. Out: ticks at round values, as many as there is room for. Z
-//! and C read in that unit, X as a **diameter** in it: the one place of the picture where radii become
-//! diameters, and mm inches. Knows no language.
+//! In: a camera, and the unit with its symbol. Out: ticks at round values, as many as fit. Z and C are in
+//! that unit, X is a **diameter** in that unit: only here does the picture convert radii to diameters, and mm
+//! to inches. Knows no language.
 
 use super::camera::{BOTTOM_RULER, Camera, LEFT_RULER, Pixel, XPlus};
 use crate::units::{Diameter, Unit};
 
-/// What all rulers of a picture count.
+/// The unit of all rulers of a picture.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Scale {
     /// The unit of the numbers.
     pub unit: Unit,
-    /// How it is written, in the language of the picture.
+    /// The symbol of the unit, in the language of the picture.
     pub symbol: &'static str,
 }
 
@@ -44,17 +44,17 @@ pub enum Axis {
     FaceX,
     /// Along the left edge of the face view: C as a length, as under G12.1.
     FaceC,
-    /// The same where all that moves there moves along Y; and that of the side.
+    /// Y: along the left edge of the face view if all moves there are along Y, and of the side view.
     Y,
     /// Along the left edge of the unrolled side: C in degrees.
     Around {
-        /// By which angles are unrolled, mm.
+        /// The radius at which angles are unrolled, mm.
         radius: f64,
     },
 }
 
 impl Axis {
-    /// What is written beside its ruler; `unit` is the unit symbol in the language of the picture.
+    /// The name beside the ruler; `unit` is the unit symbol in the language of the picture.
     pub fn name(self, unit: &str) -> String {
         let letter = match self {
             Self::Z => "Z",
@@ -66,12 +66,12 @@ impl Axis {
         format!("{letter} {unit}")
     }
 
-    /// Whether it stands along the bottom edge.
+    /// Whether the axis is along the bottom edge.
     fn is_level(self) -> bool {
         matches!(self, Self::Z | Self::FaceX)
     }
 
-    /// What a mm of the picture counts on it.
+    /// The ruler value of one mm of the picture.
     fn count(self, unit: Unit) -> f64 {
         let across = match self {
             Self::X | Self::FaceX => Diameter::from_radius(1.0).mm(),
@@ -81,7 +81,8 @@ impl Axis {
         across / unit.millimetres()
     }
 
-    /// What a place so many steps from zero reads: a diameter of a section is the same on both sides of the spindle axis.
+    /// The ruler value at a number of steps from zero: in a section, the diameter is the same on both sides
+    /// of the spindle axis.
     fn read(self, steps: i64) -> i64 {
         match self {
             Self::X => steps.abs(),
@@ -89,7 +90,7 @@ impl Axis {
         }
     }
 
-    /// Least room for a labelled tick, CSS pixels.
+    /// Minimum distance between labelled ticks, CSS pixels.
     fn room(self) -> f64 {
         match self {
             Self::Z | Self::FaceX => 64.0,
@@ -98,12 +99,12 @@ impl Axis {
     }
 }
 
-/// How long a tick is drawn.
+/// The length of a tick.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum TickWeight {
-    /// At a round value: with a label where there is room, and a line of the grid.
+    /// At a round value: with a grid line, and a label if it fits.
     Major,
-    /// Between two of those.
+    /// Between two major ticks.
     Minor,
 }
 
@@ -120,18 +121,18 @@ impl TickWeight {
 /// A tick of a ruler.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Tick {
-    /// Where it stands, CSS pixels: from the left edge on the ruler of Z, from the top on that of X.
+    /// Position, CSS pixels: from the left edge on a horizontal ruler, from the top on a vertical one.
     pub pixel: f64,
-    /// How long it is drawn.
+    /// Its length.
     pub weight: TickWeight,
-    /// What it says, where it says something and there is room.
+    /// The label, if the tick has one and it fits.
     pub label: Option<String>,
 }
 
-/// Least distance of a label from the right end of its ruler, CSS pixels.
+/// Minimum distance of a label from the right end of its ruler, CSS pixels.
 const END_ROOM: f64 = 14.0;
 
-/// The ticks of an axis that are in view, from the lowest value to the highest.
+/// The visible ticks of an axis, by increasing value.
 pub fn ticks(axis: Axis, camera: &Camera, unit: Unit) -> Vec<Tick> {
     let size = camera.size();
     let low = camera.to_world(Pixel::new(LEFT_RULER, size.height - BOTTOM_RULER));
@@ -146,7 +147,7 @@ pub fn ticks(axis: Axis, camera: &Camera, unit: Unit) -> Vec<Tick> {
     };
     let minor = step.value() / f64::from(step.parts());
     let (first, last) = ((from / minor).ceil(), (to / minor).floor());
-    // Never more ticks than pixels, and none where the numbers are past counting.
+    // Never more ticks than pixels, and none for values too large to count.
     let count = last - first;
     if !(0.0..=size.width.max(size.height)).contains(&count) || first.abs() > 1e12 {
         return Vec::new();
@@ -172,17 +173,18 @@ pub fn ticks(axis: Axis, camera: &Camera, unit: Unit) -> Vec<Tick> {
         .collect()
 }
 
-/// A round distance between labelled ticks: 1, 2 or 5 times a power of ten; of angles also a simple part of a turn.
+/// A round distance between labelled ticks: 1, 2 or 5 times a power of ten; for angles, also a simple
+/// fraction of a turn.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 struct Step {
-    /// 1, 2 or 5; a number of degrees.
+    /// 1, 2 or 5; or a number of degrees.
     digit: i64,
     /// The power of ten.
     power: i32,
 }
 
 impl Step {
-    /// The smallest round step that is not smaller than `least`.
+    /// The smallest round step that is at least `least`.
     fn at_least(least: f64) -> Self {
         let least = crate::geometry::within(least, 1e-6, 1e9);
         let power = least.log10().floor() as i32;
@@ -192,7 +194,7 @@ impl Step {
         steps.into_iter().find(fits).unwrap_or(Step { digit: 1, power: power + 1 })
     }
 
-    /// The same of degrees.
+    /// The smallest round step in degrees that is at least `least`.
     fn of_angle(least: f64) -> Self {
         let parts = [15, 30, 45, 90, 180, 360].map(|digit| Self { digit, power: 0 });
         let fits = |step: &Step| least > 10.0 && step.value() >= least * (1.0 - 1e-9);
@@ -206,7 +208,7 @@ impl Step {
         }
     }
 
-    /// Into how many parts short ticks divide it.
+    /// The number of intervals between minor ticks.
     fn parts(self) -> i32 {
         match self.digit {
             2 | 360 => 4,
@@ -215,7 +217,7 @@ impl Step {
         }
     }
 
-    /// `count` steps in digits, with a true minus sign, and without the noise of binary fractions.
+    /// The value of `count` steps as text, with a true minus sign and without binary rounding errors.
     fn label(self, count: i64) -> String {
         let decimals = (-self.power).max(0);
         let units = (count * self.digit).unsigned_abs();

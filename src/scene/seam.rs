@@ -1,7 +1,8 @@
-//! Where the side of the work is cut open to be unrolled, and the ways that cross that seam.
+//! The seam along which the side of the workpiece is cut open to be unrolled, and paths that cross it.
 //!
-//! In: how far ways reach around the work, mm, and ways. Out: [`Window`], one turn of the work, and the pieces of a way, each inside
-//! of it. The seam is put where nothing is cut, if there is such a place. Must not know motions.
+//! In: the extents of paths around the workpiece, mm, and paths. Out: [`Window`], one turn of the workpiece,
+//! and the pieces of a path, each inside the window. The seam is placed where nothing is cut, if possible.
+//! Must not know motions.
 
 use std::f64::consts::{PI, TAU};
 
@@ -9,13 +10,14 @@ use crate::geometry::virtual_plane::Way;
 use crate::geometry::{Arc, Point, SAME, within};
 use crate::order;
 
-/// Into how many strips a turn is divided to find out where nothing is cut.
+/// Number of strips of a turn, used to find where nothing is cut.
 const STRIPS: usize = 360;
 
-/// A way that crosses the seam more often stays whole, and is drawn beyond the edge of the work.
+/// Maximum number of crossings of a path that is split; one with more stays whole and is drawn beyond the
+/// edge of the workpiece.
 const MOST_CROSSINGS: f64 = 100.0;
 
-/// One turn of the work: what is shown of the way around it, mm.
+/// The visible turn of the workpiece, mm.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Window {
     /// Its lower edge.
@@ -24,33 +26,33 @@ pub struct Window {
     pub around: f64,
 }
 
-/// What is cut of the way around the work.
+/// The parts of a turn where something is cut.
 pub struct Taken {
     around: f64,
     strips: [bool; STRIPS],
-    /// Where it begins and ends, all turns counted.
+    /// The first and last position of all cuts, without wrapping at a turn.
     all: Option<[f64; 2]>,
     first: f64,
 }
 
-/// A piece of a way, and from which share of it to which it goes.
+/// A piece of a path.
 #[derive(Clone, Copy, Debug)]
 pub struct Piece {
     /// The piece, moved into the window.
     pub way: Way,
-    /// From where to where, 0 to 1.
+    /// Start and end of the piece as fractions of the path, 0 to 1.
     pub shares: [f64; 2],
-    /// How far it was moved, mm.
+    /// The distance by which it was moved, mm.
     pub moved: f64,
 }
 
 impl Taken {
-    /// Nothing yet, of a turn of a length.
+    /// No cuts, on a turn of length `around`.
     pub fn none(around: f64) -> Self {
         Self { around, strips: [false; STRIPS], all: None, first: 0.0 }
     }
 
-    /// A cutter of a radius, mm, goes from one place to another.
+    /// Adds a cut of a cutter with a radius, mm, from `low` to `high`.
     pub fn add(&mut self, [low, high]: [f64; 2], radius: f64) {
         let Self { around, .. } = *self;
         if self.all.is_none() {
@@ -65,12 +67,12 @@ impl Taken {
     }
 
     fn strip(&self, at: f64) -> usize {
-        // What is a little below zero may come out as a whole turn.
+        // Rounding can turn a value just below zero into a whole turn.
         ((at.rem_euclid(self.around) / self.around * STRIPS as f64) as usize).min(STRIPS - 1)
     }
 
-    /// The turn that is shown. The seam is in the middle of the widest stretch where nothing is cut, that before the first cut
-    /// if another is as wide. Where all is cut, it begins where the ways do.
+    /// The visible turn. The seam is in the middle of the widest gap without cuts; among equally wide gaps,
+    /// in the one before the first cut. If there is no gap, it is where the cuts begin.
     pub fn window(&self) -> Window {
         let around = self.around;
         let [low, high] = self.all.unwrap_or([-around / 2.0, around / 2.0]);
@@ -101,12 +103,12 @@ impl Taken {
 }
 
 impl Window {
-    /// How far a place has to be moved to lie in it.
+    /// The distance by which a position must be moved to be inside the window.
     pub fn move_of(&self, at: f64) -> f64 {
         -self.around * ((at - self.low) / self.around).floor()
     }
 
-    /// A way in pieces that each lie inside of it; all of it as it is where that would be too many.
+    /// Splits a path into pieces that are inside the window; keeps it whole if there would be too many.
     pub fn pieces(&self, way: &Way) -> Vec<Piece> {
         let [low, high] = extent(way);
         let first = ((low - self.low) / self.around).floor() + 1.0;
@@ -137,7 +139,7 @@ impl Window {
     }
 }
 
-/// From where to where a way goes around the work.
+/// The extent of a path around the workpiece.
 pub fn extent(way: &Way) -> [f64; 2] {
     match way {
         Way::Line(from, to) => [from.x.min(to.x), from.x.max(to.x)],
@@ -148,7 +150,7 @@ pub fn extent(way: &Way) -> [f64; 2] {
     }
 }
 
-/// At which shares of a way it crosses a place.
+/// The fractions of a path at which it crosses a position.
 fn crossed(way: &Way, seam: f64) -> Vec<f64> {
     let shares = match way {
         Way::Line(from, to) => vec![(seam - from.x) / (to.x - from.x)],
@@ -195,10 +197,10 @@ mod tests {
         };
         near(&[[0.0, 0.0]], -180.0);
         assert!(low(&[[0.0, 358.0]]) == 0.0 && window(&[[0.0, 340.0]], 1.0).low < -9.0);
-        // Four holes: half way before the first.
+        // Four holes: half-way before the first one.
         near(&[0.0, 90.0, 180.0, 270.0].map(|at| [at, at]), -45.0);
         near(&[[0.0, 90.0]], -135.0);
-        // All around, one way and the other.
+        // All around, in both directions.
         near(&[[0.0, 200.0], [200.0, 360.0]], 0.0);
         near(&[[-200.0, 0.0], [-360.0, -200.0]], -360.0);
         near(&[[0.0, 5000.0]], 0.0);
@@ -213,7 +215,7 @@ mod tests {
         assert_eq!(ends.len(), 2);
         assert!(ends[0].1.is_same(Point::new(180.0, -10.0)) && ends[1].0.is_same(Point::new(-180.0, -10.0)));
         assert!(ends[1].1.is_same(Point::new(-170.0, -20.0)) && pieces[1].shares == [0.5, 1.0]);
-        // Once around and back to the start: a circle that is cut off at two places.
+        // Once around and back to the start: a circle that is cut at two places.
         let start = Point::new(160.0, 0.0);
         let circle = Arc { start, end: start, center: Point::new(175.0, 0.0), turn: Turn::Clockwise };
         let pieces = window.pieces(&Way::Arc(circle));

@@ -1,10 +1,11 @@
-//! The side of the work, unrolled: what cylindrical interpolation (G07.1), live drills and the Y axis under G19 make of it,
-//! in a picture of its own.
+//! The picture of the side: cylindrical interpolation (G07.1), live drills and the Y axis under G19, usually
+//! unrolled.
 //!
-//! In: the motions of a run and the simulation. Out: [`Side`]: these moves as [`SurfaceMoves`], and the area that live tools sweep.
-//! Points have Z in `z` (to the right) and the way around the work in `x`, mm. C and Y count downwards, since with Z to the right
-//! that is how the work looks from outside. Angles are unrolled by the radius of the first cylinder, or by that of the
-//! blank. Where all moves run along Y with C at one angle, nothing is unrolled: the work is seen along X. Must not know of canvases.
+//! In: the motions of a run and the simulation. Out: [`Side`]: these moves as [`SurfaceMoves`], and the area
+//! swept by live tools. Points have Z in `z` (to the right) and the distance around the workpiece in `x`, mm.
+//! C and Y increase downwards, as seen from outside with Z to the right. Angles are unrolled at the radius of
+//! the first cylinder, or at that of the blank. If all moves are along Y with the same angle of C, nothing is
+//! unrolled: the workpiece is seen along X. Must not know of canvases.
 
 use std::f64::consts::TAU;
 
@@ -22,13 +23,13 @@ use crate::machine::region::Region;
 use crate::motion::{Motion, MotionKind, Motions, Programmed};
 use crate::source::Span;
 
-/// Pieces of an arc that is not drawn at its own radius.
+/// Number of segments of an arc that is unrolled at another radius than its own.
 const PIECES: u32 = 32;
 
-/// Most moves that are cut in two at the seam.
+/// Maximum number of moves; further moves are not split at the seam.
 const MOST_CUT: usize = 20_000;
 
-/// The side of the work and what moves over it.
+/// The side of the workpiece and the moves over it.
 #[derive(Clone, Debug)]
 pub struct Side {
     moves: SurfaceMoves,
@@ -38,26 +39,26 @@ pub struct Side {
 /// How the side is shown.
 #[derive(Clone, Copy, Debug)]
 enum Shown {
-    /// One turn of it, unrolled by a radius, mm.
+    /// One turn, unrolled at a radius, mm.
     Unrolled { radius: f64, window: Window },
-    /// As it is seen along X, of a work of a radius, mm.
+    /// Seen along X, for a workpiece of a radius, mm.
     FromAbove { radius: f64 },
 }
 
-/// A move over the side, before it is in its place in the picture.
+/// A move over the side, before it is placed in the picture.
 struct OverSide {
     index: usize,
     motion: Motion,
     block: (Span, u32),
-    /// Nothing for a hole.
+    /// `None` for a hole.
     moved: Option<VirtualMove>,
-    /// Where C stands, degrees.
+    /// Angle of C, degrees.
     c: f64,
     cutter: Option<f64>,
 }
 
 impl Side {
-    /// The side of a program; nothing where no motion moves over it.
+    /// The side of a program; `None` if no motion moves over it.
     pub fn of(motions: &Motions, simulation: &SimulationResult) -> Option<Self> {
         let surface = simulation.resolved_setup().stock().map(|(stock, _)| stock.diameter.radius());
         let (mut cylinder, mut first, mut c_of_all) = (None, None, None);
@@ -91,12 +92,13 @@ impl Side {
         Some(Self { moves: moves.finish(Plane::Side, [Axis::Z, up])?, shown })
     }
 
-    /// Its moves.
+    /// The moves over the side.
     pub fn moves(&self) -> &SurfaceMoves {
         &self.moves
     }
 
-    /// The point of the picture at a place: Z in mm, and what its other ruler says: degrees of C, or Y in mm.
+    /// The point of the picture at a position: Z in mm, and the value on the other ruler, degrees of C or Y
+    /// in mm.
     pub fn point(&self, z: f64, other: f64) -> Point {
         match self.shown {
             Shown::Unrolled { radius, window } => {
@@ -107,7 +109,7 @@ impl Side {
         }
     }
 
-    /// The blank, what is left of its surface, and the cutter: when all is done, or with the tool at a place of the run.
+    /// The blank, the rest of its surface, and the cutter: at a position in the run, or at its end.
     pub fn work(&self, simulation: &SimulationResult, place: Option<Place>) -> Option<Work> {
         let (stock, basis) = simulation.resolved_setup().stock()?;
         let (low, high) = match self.shown {
@@ -122,13 +124,13 @@ impl Side {
         let swept = self.moves.swept(place);
         let mut seams = Vec::new();
         if let Shown::Unrolled { window: Window { around, .. }, .. } = self.shown {
-            // What goes out at one edge comes in at the other.
+            // Areas that cross one edge reappear at the other.
             for turn in [-around, around] {
                 let moved =
                     swept.iter().map(|outline| outline.iter().map(|at| corner(at.x + turn, at.z)).collect());
                 left.cut(&moved.collect::<Vec<Vec<Point>>>());
             }
-            // Longer than the work, so that its corners lie on them however they are rounded.
+            // Longer than the workpiece, so that its corners lie on the seams in spite of rounding.
             seams =
                 [low, high].map(|x| vec![corner(x, stock.back() - 1.0), corner(x, stock.face + 1.0)]).into();
         }
@@ -138,7 +140,7 @@ impl Side {
     }
 }
 
-/// Goes through the moves over the side.
+/// Calls `visit` for each move over the side.
 fn each(motions: &Motions, simulation: &SimulationResult, mut visit: impl FnMut(OverSide)) {
     let resolved = simulation.resolved_setup();
     let surface = resolved.stock().map(|(stock, _)| stock.diameter.radius());
@@ -159,31 +161,32 @@ fn is_of_side(moved: &VirtualMove) -> bool {
     matches!(moved.surface, Surface::Cylinder { .. } | Surface::Flat(Flat::Yz))
 }
 
-/// Where a point of the plane of a move is, all turns counted, with the side unrolled by a radius.
+/// Maps points of the plane of a move to the side unrolled at a radius, without wrapping at a turn.
 fn place(own: &OverSide, radius: f64) -> impl Fn(Point) -> Point {
     let surface = own.moved.map(|moved| moved.surface);
     let c = radius * own.c.to_radians();
     move |point| match surface {
         Some(Surface::Cylinder { radius: own, .. }) => Point::new(point.x * radius / own, point.z),
-        // The plane has Y to the right and Z up, from the same side: the picture is the same, a quarter turn on.
+        // The plane has Y to the right and Z up, seen from the same side: the picture is rotated by a quarter
+        // turn.
         Some(Surface::Flat(_) | Surface::Face) => Point::new(c + point.z, point.x),
         None => Point::new(c, point.z),
     }
 }
 
-/// Whether arcs stay arcs of their radius.
+/// Whether arcs of the move are true arcs in the picture.
 fn is_true(own: &OverSide, radius: f64) -> bool {
     !matches!(own.moved.map(|moved| moved.surface), Some(Surface::Cylinder { radius: own, .. }) if own != radius)
 }
 
-/// The ways of a move over the side unrolled by a radius, all turns counted.
+/// The paths of a move on the side unrolled at a radius, without wrapping at a turn.
 fn ways(own: &OverSide, radius: f64) -> Vec<Way> {
     let place = place(own, radius);
     match own.moved.map(|moved| moved.way) {
         None => vec![Way::Line(place(own.motion.to), place(own.motion.to))],
         Some(Way::Line(from, to)) => vec![Way::Line(place(from), place(to))],
         Some(Way::Arc(arc)) if is_true(own, radius) => {
-            // The axes of G19 are those of the picture in the other order.
+            // The axes of G19 are swapped in the picture, which reverses the arc.
             let turn =
                 if own.moved.is_some_and(|moved| moved.has_y()) { arc.turn.opposite() } else { arc.turn };
             vec![Way::Arc(Arc {
@@ -200,7 +203,7 @@ fn ways(own: &OverSide, radius: f64) -> Vec<Way> {
     }
 }
 
-/// Adds a move in its place in the picture, in as many pieces as it takes.
+/// Adds a move at its position in the picture, in as many pieces as needed.
 fn gather(moves: &mut Gathered, own: &OverSide, shown: Shown) {
     let (radius, window, c) = match shown {
         Shown::Unrolled { radius, window } => (radius, Some(window), own.c),
@@ -214,7 +217,7 @@ fn gather(moves: &mut Gathered, own: &OverSide, shown: Shown) {
         let whole = || vec![super::seam::Piece { way: *way, shares: [0.0, 1.0], moved: 0.0 }];
         let window = window.filter(|_| moves.len() < MOST_CUT);
         for piece in window.map_or_else(whole, |window| window.pieces(way)) {
-            // What is programmed stays in one piece, with the first of those of its move.
+            // The programmed path is not split; it is added to the first piece of its move.
             let programmed = own.motion.programmed.filter(|_| is_true && piece.shares[0] == 0.0);
             let place = place(own, radius);
             let place = |at: Point| {
@@ -257,14 +260,14 @@ mod tests {
         };
         let blank = area(&work.blank);
         assert!((blank - 60.0 * TAU * 30.0).abs() < 1e-3, "{blank}");
-        // Holes in the part are outlines as well.
+        // Holes in the part are outlines too.
         area(&work.part) - blank
     }
 
     const DRILL: &str =
         r#"{"stock": {"diameter": 60, "length": 60}, "tools": {"T0303": {"type": "drill", "diameter": 8}}}"#;
 
-    /// Three holes of ⌀8 at Z-30, a quarter of a turn apart: C·r is 0, 47.124 and −47.124 (C270 is C−90).
+    /// Three holes of ⌀8 at Z-30, a quarter turn apart: C·r is 0, 47.124 and −47.124 (C270 is C−90).
     #[test]
     fn holes_of_the_side_are_where_c_takes_them() {
         let program = "M45\nT0303\nG97 S1000 M13\nG00 X66 Z-30 C0\nG98 G87 Z-30 C0 X30 R-1 F80\nC90\nC270\nG80\nG00 X100";
@@ -280,7 +283,8 @@ mod tests {
         assert!((holes - 3.0 * PI * 16.0).abs() < 0.1, "{holes}");
     }
 
-    /// Four holes: the seam is half way before the first, so that none is cut in two, and angles read as programmed.
+    /// Four holes: the seam is half-way before the first, so that no hole is split, and angles are as
+    /// programmed.
     #[test]
     fn four_holes_are_a_quarter_of_a_turn_apart() {
         let program = "M45\nT0303\nG97 S1000 M13\nG00 X66 Z-30 C0\nG98 G87 Z-30 C0 X30 R-1 F80\nC90\nC180\nC270\nG80\nG00 X100";
@@ -293,7 +297,7 @@ mod tests {
             "{ends:?}"
         );
         let work = side.work(&simulation, None).expect("a blank");
-        // The outside, and four whole holes.
+        // The outline, and four whole holes.
         assert_eq!(work.part.len(), 5);
         for (hole, c) in work.part[1..].iter().map(|hole| (hole, hole[0].x)).collect::<Vec<_>>() {
             let at = expected.iter().find(|at| (*at - c).abs() < 4.1).expect("a place");
@@ -312,7 +316,7 @@ mod tests {
 
     const MILL: &str = r#"{"stock": {"diameter": 60, "length": 60}, "tools": {"T0101": {"type": "endmill", "toolRadius": 5}}}"#;
 
-    /// A groove all around: one turn from where it begins, nothing beyond the edge.
+    /// A groove all around: one turn from its start, nothing beyond the edge.
     #[test]
     fn a_groove_all_around_is_one_turn() {
         let program = "M45\nT0101\nG98 G97 S1000 M13\nG00 X70 Z-30 C0\nG01 X50 F100\nG07.1 C30\nG01 C180\nC360\nG07.1 C0\nG00 X70";
@@ -320,14 +324,16 @@ mod tests {
         let work = side.work(&simulation, None).expect("a blank");
         assert!(work.bounds().min.x.abs() < 1e-9 && (work.bounds().max.x - TAU * 30.0).abs() < 1e-9);
         assert!((taken(&side, &simulation) + TAU * 30.0 * 10.0).abs() < 1e-3);
-        // The seam is no edge: what is left has two pieces, with three edges that were there and two of the groove.
+        // The seam is not an edge: the part has two pieces, with three edges of the blank and two of the
+        // groove.
         let [cut, _] = work.part_edges(Plane::Side);
         let along: f64 =
             cut.iter().flat_map(|line| line.windows(2)).map(|ends| (ends[0].z - ends[1].z).abs()).sum();
         assert!(along < 1e-6, "{cut:?}");
     }
 
-    /// On over C180 to C200, with holes elsewhere: the move is in two pieces, and the tool goes from one to the other.
+    /// From C180 on to C200, with holes elsewhere: the move is split, and the tool goes from one piece to the
+    /// other.
     #[test]
     fn the_tool_goes_over_the_seam() {
         let program = "M45\nT0101\nG98 G97 S1000 M13\nG00 X70 Z-30 C0\nG01 X50 F100\nG07.1 C30\nG01 C300\nZ-40\nC400\nG07.1 C0\nG00 X70";
@@ -349,7 +355,7 @@ mod tests {
                 && tool.tip.distance(side.point(-40.0, 20.0)) < 1e-9
         );
         assert!(tool.edge.iter().all(|at| (at.distance(tool.tip) - 5.0).abs() < 1e-9));
-        // What is not cut yet is there.
+        // What is not cut yet is still there.
         let area = |place| -> f64 {
             let work = side.work(&simulation, place).expect("a blank");
             work.part.iter().map(|outline| Region::inside(outline).area()).sum()
@@ -359,7 +365,7 @@ mod tests {
         assert!((area(Some(start)) - 60.0 * TAU * 30.0).abs() < 1e-3);
     }
 
-    /// An arc over the seam, and one under a cylinder of another radius, which is no circle there.
+    /// An arc over the seam, and one on a cylinder of another radius, which is not a circle in the picture.
     #[test]
     fn arcs_go_over_the_seam() {
         let begin = "M45\nT0101\nG98 G97 S1000 M13\nG00 X70 Z-10 C0\nG01 X50 F100\n";
@@ -389,8 +395,9 @@ mod tests {
         assert!((slot - (471.239 + PI * 25.0)).abs() < 0.2, "{slot}");
     }
 
-    /// G19 with C at one angle: the work is seen along X, as wide as it is. In the numbers of the picture, with Y in place of
-    /// Z and drawn downwards, G02 turns the other way; drawn, it turns as G02 does.
+    /// G19 with the same angle of C: the workpiece is seen along X, at its true width. In picture
+    /// coordinates, with Y in place of Z and drawn downwards, G02 has the opposite direction; on screen it
+    /// turns as G02 does.
     #[test]
     fn arcs_of_g19_are_on_the_side() {
         let setup = r#"{"stock": {"diameter": 60, "length": 60}, "machine": {"yAxis": true}}"#;

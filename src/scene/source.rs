@@ -1,39 +1,39 @@
-//! What a picture is made of.
+//! The origin of a picture.
 //!
-//! In: a run, and how far it is. Out: [`Source`], which distinguishes a picture from those of every other
-//! run, and from the unfinished ones of its own; [`Picture`], what a painter draws.
+//! In: a run and its progress. Out: [`Source`], which distinguishes a picture from those of other runs and of
+//! other stages of the same run; [`Picture`], the input of a painter.
 
 use super::Scene;
 use super::view::View;
 use crate::run::RunId;
 
-/// What a painter draws, all of it of one run.
+/// The input of a painter, all from the same run.
 #[derive(Clone, Copy, Debug)]
 pub struct Picture<'a> {
-    /// What there is to see.
+    /// The scene to paint.
     pub scene: Scene<'a>,
-    /// How it is looked at.
+    /// The view of the scene.
     pub view: &'a View,
-    /// The run, and how far it is.
+    /// The run and its progress.
     pub source: Source,
 }
 
-/// Of which run a picture is, and how much of it was known.
+/// The run that a picture shows, and its progress at that time.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Source {
     /// The run.
     pub run: RunId,
-    /// How far it was.
+    /// The progress of the run.
     pub stage: Stage,
 }
 
-/// How far a run is.
+/// The progress of a run.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Stage {
-    /// The program runs: there is a part of its path.
+    /// The program is running: a part of its path is known.
     Running,
-    /// The program has run: there is its path, and no part yet.
+    /// The program has finished: its path is known, but the part is not.
     Path,
-    /// All material is off: there is all there will be.
+    /// All material is removed: everything is known.
     Whole,
 }

@@ -1,7 +1,7 @@
-//! The steps of a single cycle as manuals print them: 1R 2F 3F 4R, R for rapid, F for feed.
+//! The labels of a single cycle's steps, as in manuals: 1R 2F 3F 4R, with R for rapid and F for feed.
 //!
-//! In: the motions of the selected block. Out: a label for each stroke of one pass of G90, G92 or
-//! G94. Must not know canvases.
+//! In: the motions of the selected block. Out: a label for each stroke of one pass of G90, G92 or G94. Must
+//! not know canvases.
 
 use std::ops::Range;
 
@@ -9,26 +9,26 @@ use super::camera::{Camera, Pixel};
 use crate::geometry::Point;
 use crate::motion::{Cycle, CycleStep, Motion, MotionKind, Motions, Step};
 
-/// From a stroke to the middle of its label, CSS pixels.
+/// Distance from a stroke to the middle of its label, CSS pixels.
 const BESIDE: f64 = 13.0;
-/// Strokes shorter than this bear no label, CSS pixels.
+/// Minimum length of a stroke with a label, CSS pixels.
 const LEAST: f64 = 10.0;
-/// No pass of these cycles has more motions.
+/// Maximum number of motions in a pass of these cycles.
 const MOST: usize = 8;
 
 /// The label of a stroke.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct StepLabel {
-    /// What it says.
+    /// The text of the label.
     pub text: &'static str,
     from: Point,
     to: Point,
-    /// The middle of the pass: labels stand on the other side of their strokes.
+    /// The middle of the pass; labels are on the opposite side of their strokes.
     middle: Point,
 }
 
 impl StepLabel {
-    /// Where its middle stands in the picture; nothing where the stroke is too short to show.
+    /// The position of the middle of the label; `None` if the stroke is too short for a label.
     pub fn place(&self, camera: &Camera) -> Option<Pixel> {
         let [from, to, middle] = [self.from, self.to, self.middle].map(|at| camera.to_screen(at));
         let length = from.distance(to);
@@ -44,8 +44,8 @@ impl StepLabel {
     }
 }
 
-/// The labels of one pass among the motions picked out: the pass that the motion `pointed`
-/// belongs to, else the first.
+/// The labels of one pass among the selected motions: the pass that contains the motion `pointed`, otherwise
+/// the first.
 pub fn labels(motions: &Motions, picked: &[Range<usize>], pointed: Option<usize>) -> Vec<StepLabel> {
     let holds = |index: usize| picked.iter().any(|range| range.contains(&index));
     let pass_of =
@@ -75,14 +75,14 @@ fn is_single(step: &CycleStep) -> bool {
     matches!(step.cycle, Cycle::Turning | Cycle::Threading | Cycle::Facing)
 }
 
-/// What a step of these cycles is called: its number, and R or F by how it runs.
+/// The label of a step: its number, and R or F for rapid or feed.
 fn text(motion: &Motion) -> Option<&'static str> {
     let [rapid, feed] = match motion.cycle?.step {
         Step::Infeed => ["1R", "1F"],
         Step::Cut => ["2R", "2F"],
         Step::Retract => ["3R", "3F"],
         Step::Return => ["4R", "4F"],
-        // Leaving the thread is a part of the second step.
+        // Leaving the thread belongs to the second step.
         _ => return None,
     };
     Some(if motion.kind == MotionKind::Rapid { rapid } else { feed })

@@ -1,8 +1,8 @@
-//! The moves over a surface of the work: a picture of its own beside the section.
+//! The moves over a surface of the workpiece, shown in a separate picture.
 //!
-//! In: moves as they run in the plane of the picture, each with the motion of the run it is, or the piece of it. Out:
-//! [`SurfaceMoves`], whose [`Scene`] is drawn, picked in and exported as the section is; where the tool is there, and what its
-//! cutters sweep. Must not know which surface it is.
+//! In: moves in the plane of the picture, each with its motion in the run, or a piece of it. Out:
+//! [`SurfaceMoves`], with a [`Scene`] that is drawn, picked in and exported like the section; the tool
+//! position there, and the area swept by its cutters. Must not know which surface it is.
 
 use std::f64::consts::TAU;
 use std::ops::Range;
@@ -19,23 +19,22 @@ use crate::motion::{Chunk, Motion, MotionKind, Motions};
 use crate::playback::clock::Playhead;
 use crate::source::Span;
 
-/// Most moves whose swept area is worked out; of more only the paths are drawn.
+/// Maximum number of moves whose swept area is computed; with more, only the paths are drawn.
 const MOST_SWEPT: usize = 2000;
 
-/// Corners that a circle is drawn with.
+/// Number of corners of a circle.
 const CORNERS: u32 = 256;
 
-/// A motion of a run.
 pub(super) struct Passed {
-    /// Its number.
+    /// Its index in the run.
     pub index: usize,
     pub motion: Motion,
     pub block: (Span, u32),
-    /// Where C stands after it, degrees.
+    /// Angle of C after it, degrees.
     pub c: f64,
 }
 
-/// The motions of a run that may be over a surface, one after the other: all of each chunk that has one.
+/// The motions of a run that may be over a surface, in order: all motions of each chunk that contains one.
 pub(super) fn passed(motions: &Motions, resolved: &ResolvedSetup) -> impl Iterator<Item = Passed> {
     let drills = resolved.has_live_drill();
     let chunks = motions.chunks().iter().zip(motions.before());
@@ -49,30 +48,30 @@ pub(super) fn passed(motions: &Motions, resolved: &ResolvedSetup) -> impl Iterat
     })
 }
 
-/// Moves over a surface, and what they do there.
+/// Moves over a surface.
 #[derive(Clone, Debug)]
 pub struct SurfaceMoves {
     /// The moves, in the plane of the picture.
     motions: Motions,
     path_index: PathIndex,
-    /// For each of them what it is of the run, in order.
+    /// For each move, the source motion (or a piece of it).
     of: Vec<Origin>,
     plane: Plane,
     axes: [Axis; 2],
 }
 
-/// What a move of the picture is of the run.
+/// The source of a move: a motion of the run, or a piece of it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Origin {
     /// The motion of the run.
     pub motion: usize,
-    /// From which share of the motion it goes to which, 0 to 1.
+    /// Start and end of the piece as fractions of the motion, 0 to 1.
     pub shares: [f64; 2],
-    /// What its cutter sweeps, as a radius in mm, where that is known and it cuts.
+    /// The radius that the cutter sweeps, mm; `None` if it is unknown or does not cut.
     pub cutter: Option<f64>,
 }
 
-/// A list of such moves in the making.
+/// A list of such moves that is being built.
 #[derive(Default)]
 pub(super) struct Gathered {
     own: Option<Chunk>,
@@ -80,18 +79,19 @@ pub(super) struct Gathered {
 }
 
 impl Gathered {
-    /// One more move of the block at a place of the text.
+    /// Adds a move of the block at a place in the text.
     pub fn push(&mut self, flat: &Motion, (span, line): (Span, u32), origin: Origin) {
         self.own.get_or_insert_with(|| Chunk::new(0, 0, flat.from)).push(flat, span, line);
         self.of.push(origin);
     }
 
-    /// How many there are.
+    /// Number of moves.
     pub fn len(&self) -> usize {
         self.of.len()
     }
 
-    /// All of them, in their plane, with the axes along its bottom and its left edge; nothing where there are none.
+    /// The finished list, in its plane, with the axes along its bottom and its left edge; `None` if it is
+    /// empty.
     pub fn finish(self, plane: Plane, axes: [Axis; 2]) -> Option<SurfaceMoves> {
         let mut motions = Motions::default();
         motions.push(self.own?);
@@ -106,23 +106,22 @@ impl SurfaceMoves {
         Scene::new(&self.motions, &self.path_index, work).on(self.plane).with_axes(self.axes)
     }
 
-    /// The motion of the run that a move of this picture is.
+    /// The source motion of a move in this picture.
     pub fn motion(&self, own: usize) -> Option<usize> {
         self.of.get(own).map(|of| of.motion)
     }
 
-    /// The moves of this picture that a motion of the run is: none, one, or its pieces.
+    /// The moves of this picture that come from a motion of the run: none, one, or several pieces.
     pub fn own(&self, motion: usize) -> Range<usize> {
         self.before(motion)..self.of.partition_point(|of| of.motion <= motion)
     }
 
-    /// How many of its moves are of motions of the run before `motion`.
+    /// Number of moves whose source motion comes before `motion`.
     pub(super) fn before(&self, motion: usize) -> usize {
         self.of.partition_point(|of| of.motion < motion)
     }
 
-    /// The playhead of this picture, when the tool is at a place of the run: on one of its
-    /// moves, or before the next one.
+    /// The playhead of this picture for a position in the run: on one of its moves, or before the next one.
     pub fn playhead(&self, place: Place) -> Playhead {
         let own = self.own(place.motion);
         let motion = own.clone().find(|&own| place.fraction <= self.of[own].shares[1]).unwrap_or(own.start);
@@ -130,13 +129,13 @@ impl SurfaceMoves {
         Playhead { motion, share }
     }
 
-    /// How much of one of its moves is done when so much of its motion is.
+    /// The finished fraction of a move, given that of its source motion.
     fn share_of(&self, own: usize, fraction: f64) -> f64 {
         let [from, to] = self.of[own].shares;
         if to > from { ((fraction - from) / (to - from)).clamp(0.0, 1.0) } else { 1.0 }
     }
 
-    /// The cutter, where it is on one of the moves.
+    /// The cutter, if it is on one of the moves.
     pub(super) fn tool(&self, place: Place) -> Option<ToolOutline> {
         let Playhead { motion, share } = self.playhead(place);
         let of = self.of.get(motion).filter(|of| of.motion == place.motion)?;
@@ -145,7 +144,7 @@ impl SurfaceMoves {
         Some(ToolOutline { edge, body: None, tip })
     }
 
-    /// What the cutters sweep: in all moves, or in those before a place of the run and in a part of the one there.
+    /// The areas that the cutters sweep: in all moves, or up to a position in the run.
     pub(super) fn swept(&self, place: Option<Place>) -> Vec<Vec<Point>> {
         if self.of.len() > MOST_SWEPT {
             return Vec::new();
@@ -173,7 +172,7 @@ impl SurfaceMoves {
     }
 }
 
-/// A motion as it runs along a way in the plane of a picture.
+/// A motion along a path in the plane of a picture.
 pub(super) fn on_way(motion: &Motion, way: &Way) -> Motion {
     let (kind, from, to, center) = match *way {
         Way::Line(from, to) => (MotionKind::Feed, from, to, None),
@@ -200,14 +199,14 @@ pub(super) fn on_way(motion: &Motion, way: &Way) -> Motion {
     }
 }
 
-/// The radius of a live tool, mm, where somebody has said it.
+/// The radius of a live tool, mm, if it is given.
 pub(super) fn cutter_radius(resolved_tool: &ResolvedTool) -> Option<f64> {
     let tool = &resolved_tool.tool;
     let radius = tool.cutter_radius().or(tool.geometry_r)?;
     (radius > 0.0 && radius.is_finite()).then_some(radius)
 }
 
-/// A circle about the origin as a polygon, counter-clockwise.
+/// A circle around the origin as a polygon, counter-clockwise.
 pub(super) fn circle(radius: f64) -> Vec<Point> {
     let corner = |index: u32| {
         let angle = TAU * f64::from(index) / f64::from(CORNERS);

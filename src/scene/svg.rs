@@ -1,8 +1,8 @@
-//! The picture as a stand-alone SVG file.
+//! Writes the picture as a stand-alone SVG file.
 //!
 //! In: a scene. Out: text that any browser, manual or drawing program shows: no scripts, no identifiers that
-//! could clash in a page, light and dark colours. Every stroke carries the line of its block (`data-line`,
-//! from 1), one path for each block and style. The same scene gives the same bytes.
+//! could clash in a page, light and dark colours. Every stroke has the line of its block (`data-line`, from
+//! 1); there is one path for each block and style. The same scene gives the same bytes.
 
 use std::fmt::Write;
 
@@ -31,41 +31,41 @@ use apart::Apart;
 pub use caption::{Caption, LEGEND};
 pub use overlay::{MOST_STROKES, overlay};
 
-/// How the file is to look.
+/// The options of a file.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SvgOptions {
     /// Width, CSS pixels.
     pub width: f64,
-    /// Height, CSS pixels; as the picture needs where nothing is said.
+    /// Height, CSS pixels; chosen by the contents if absent.
     pub height: Option<f64>,
-    /// Its colours.
+    /// The background.
     pub ground: Ground,
-    /// Which way X+ is drawn.
+    /// The direction of X+.
     pub x_plus: XPlus,
-    /// What the rulers count.
+    /// The unit of the rulers.
     pub scale: Scale,
-    /// What the two colours of a comparison mean.
+    /// The meaning of the two colours of a comparison.
     pub legend: Vec<(Side, String)>,
-    /// What stands under the drawing.
+    /// The caption under the drawing.
     pub caption: Option<Caption>,
-    /// Where passes are drawn that lie on one another.
+    /// How overlapping passes are drawn.
     pub passes: Passes,
 }
 
-/// Where passes are drawn that lie on one another: those of G76, and pecks along one line.
+/// How overlapping passes are drawn: those of G76, and pecks along one line.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Passes {
-    /// In their places.
+    /// At their true positions.
     #[default]
     InPlace,
-    /// Beside one another, as manuals do.
+    /// Side by side, as in manuals.
     Apart,
 }
 
-/// What a picture is drawn on.
+/// The background of a picture.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Ground {
-    /// Light or dark, as the reader's system has it.
+    /// Light or dark, depending on the user's system.
     #[default]
     AsSystem,
     /// White paper.
@@ -87,7 +87,7 @@ impl Default for SvgOptions {
     }
 }
 
-/// Least and greatest height that a picture chooses for itself, CSS pixels.
+/// Minimum and maximum height if it is chosen by the contents, CSS pixels.
 const HEIGHTS: [f64; 2] = [240.0, 720.0];
 
 /// The picture as an SVG file.
@@ -106,7 +106,7 @@ pub fn svg(scene: &Scene, options: &SvgOptions) -> String {
     drawing.text
 }
 
-/// The half-section of a whole program as an SVG file; the work is left out where there is no simulation.
+/// The half-section of a whole program as an SVG file; without a simulation, the workpiece is omitted.
 pub fn section(motions: &Motions, simulation: Option<&SimulationResult>, options: &SvgOptions) -> String {
     let path_index = PathIndex::of(motions);
     let work = simulation.and_then(|simulation| {
@@ -116,7 +116,7 @@ pub fn section(motions: &Motions, simulation: Option<&SimulationResult>, options
     svg(&Scene::new(motions, &path_index, work.as_ref()), options)
 }
 
-/// A file in the making.
+/// A file that is being written.
 struct Drawing {
     text: String,
     camera: Camera,
@@ -126,7 +126,7 @@ struct Drawing {
 impl Drawing {
     fn all(&mut self, scene: &Scene, options: &SvgOptions) {
         let Size { width, height } = self.camera.size();
-        // What stands under the drawing is as high as it comes out.
+        // The height of the caption is only known once it is written.
         let under = options.caption.as_ref().map(|caption| {
             let high = self.caption(scene, caption, height);
             (high, std::mem::take(&mut self.text))
@@ -181,7 +181,7 @@ impl Drawing {
         self.line(&format!(r#"<path class="grid" d="{d}"/>"#));
     }
 
-    /// The blank, what is left of it, and what stands around it: above the axis, and below.
+    /// Draws the blank, the part, and the obstacles around them, above and below the axis.
     fn work(&mut self, scene: &Scene) {
         let Some(work) = scene.work() else { return };
         let guessed = match work.basis {
@@ -195,7 +195,7 @@ impl Drawing {
             };
             let camera = &self.camera;
             let (part, zero) = (seen(&work.part, camera), camera.to_screen(Point::default()));
-            // What is looked at from outside is not cut through.
+            // Only the section is hatched; the other pictures are views from outside.
             let hatching = |outlines: &[Vec<Pixel>]| -> String {
                 let lines = match scene.plane() {
                     Plane::Section => hatch(outlines, zero, camera.size()),
@@ -232,7 +232,7 @@ impl Drawing {
         }
     }
 
-    /// Crosses where something runs into something.
+    /// Draws a cross at each collision.
     fn dangers(&mut self, scene: &Scene) {
         let Some(work) = scene.work().filter(|work| !work.dangers.is_empty()) else { return };
         let mut d = String::new();
@@ -283,7 +283,7 @@ impl Drawing {
         self.line("</g>");
     }
 
-    /// The programmed path under the compensated one, thin and dotted.
+    /// Draws the programmed path under the compensated one, thin and dotted.
     fn programmed(&mut self, scene: &Scene) {
         let mut d = String::new();
         for shape in scene.programmed() {
@@ -295,18 +295,18 @@ impl Drawing {
         }
     }
 
-    /// One path element: all that a block made in one style.
+    /// Writes a path element: all strokes of a block in one style.
     fn path(&mut self, stroke: &Stroke, d: &str) {
         let name = stroke.style.name();
         let dimmed = if stroke.uncertain { " uncertain" } else { "" };
         self.line(&format!(r#"<path data-line="{}" class="{name}{dimmed}" d="{d}"/>"#, stroke.line + 1));
     }
 
-    /// Draws on from the start of a shape to its end.
+    /// Continues a path from the start of a shape to its end.
     fn shape(&self, d: &mut String, shape: &StrokeShape) {
         let _ = match shape {
             StrokeShape::Line { to, .. } => write!(d, "L{}", self.place(*to)),
-            // A line without length is a dot under round caps.
+            // A line of zero length with round caps is a dot.
             StrokeShape::Dot(_) => write!(d, "h0"),
             StrokeShape::Virtual(own) => {
                 let curve = StrokeShape::curve(own);
@@ -316,7 +316,8 @@ impl Drawing {
         };
     }
 
-    /// A half of an arc, up to the fraction `t`: so that a full circle has ends, and no half is ambiguous.
+    /// Half of an arc, up to the fraction `t`. In halves, a full circle has distinct ends, and no arc is
+    /// ambiguous.
     fn half(&self, arc: &Arc, t: f64) -> String {
         let radius = number(self.camera.scale() * arc.center.distance(arc.at(t - 0.25)));
         let sweep = match arc.turn {
@@ -385,7 +386,7 @@ impl Drawing {
     }
 }
 
-/// Line widths, dashes and type: what light and dark have in common.
+/// The style rules that do not depend on the colours: line widths, dashes and fonts.
 const SHAPES: &str = "\
 .lathe .grid, .lathe .ruler, .lathe .center, .lathe g path, .lathe .programmed { fill: none }
 .lathe g path { stroke-linejoin: round; stroke-width: 1.75 }
@@ -454,18 +455,18 @@ fn colours(palette: &Palette) -> String {
     )
 }
 
-/// Whether a stroke begins another path element than the one before.
+/// Whether a stroke begins another path element than the previous stroke.
 fn is_other_path(before: &Stroke, stroke: &Stroke) -> bool {
     before.line != stroke.line || before.uncertain != stroke.uncertain
 }
 
-/// Lines through corners, one after the other; each ends with `end`.
+/// Path data of lines through corners; each line ends with `end`.
 fn polylines(lines: &[Vec<Pixel>], end: &str) -> String {
     let mut d = String::new();
     for corners in lines {
         let mut last = String::new();
         for (index, corner) in corners.iter().enumerate() {
-            // Corners nearer to one another than can be distinguished are one.
+            // Merge corners that are too close to distinguish.
             let place = pixel(*corner);
             if place != last {
                 d.push(if index == 0 { 'M' } else { 'L' });
@@ -482,12 +483,12 @@ fn pixel(pixel: Pixel) -> String {
     format!("{} {}", number(pixel.x), number(pixel.y))
 }
 
-/// The middle of the pixel a thin line falls in.
+/// The middle of the pixel that contains a thin line.
 fn sharp(value: f64) -> String {
     number(value.floor() + 0.5)
 }
 
-/// At most two decimals, and no more than needed.
+/// Formats a number with at most two decimals, without trailing zeros.
 fn number(value: f64) -> String {
     let text = format!("{value:.2}");
     let text = text.trim_end_matches('0').trim_end_matches('.');

@@ -1,4 +1,4 @@
-//! Tests of the scene, and hand-built paths for those of its parts.
+//! Tests of the scene, and hand-built paths for the tests of its parts.
 
 use crate::geometry::{Point, Turn};
 use crate::machine::SimulationResult;
@@ -18,7 +18,7 @@ pub(super) fn point(diameter: f64, z: f64) -> Point {
     Point::new(Diameter::new(diameter).radius(), z)
 }
 
-/// A path built by hand; X values are diameters. Each motion is its own line of ten bytes.
+/// A path built by hand; X values are diameters. Each motion has a separate line of ten bytes.
 pub(super) struct Path {
     at: Point,
     list: Vec<Motion>,
@@ -55,7 +55,7 @@ impl Path {
         self.with(kind, point(to.0, to.1), Some(point(center.0, center.1)))
     }
 
-    /// All that follows may be wrong.
+    /// Marks all following motions as uncertain.
     pub(super) fn uncertain(mut self) -> Self {
         self.uncertain = true;
         self
@@ -136,7 +136,7 @@ fn the_box_worth_looking_at() {
     let nothing_cuts = Path::from(200.0, 200.0).rapid(64.0, 2.0).rapid(100.0, -20.0);
     check_bounds(nothing_cuts, None, ((0.0, -20.0), (100.0, 2.0)));
     check_bounds(Path::from(0.0, 0.0), None, ((0.0, -50.0), (40.0, 10.0)));
-    // A feed all the way from home, and back, does not make the work small.
+    // A feed all the way from home and back does not make the workpiece small.
     let fed = Path::from(200.0, 200.0).feed(64.0, 2.0).feed(50.0, -30.0).feed(200.0, 200.0);
     check_bounds(fed, Some(STOCK), ((-60.0, -79.0), (64.0, 2.0)));
     let bulge = Path::from(40.0, 0.0).arc(Turn::Clockwise, (40.0, -20.0), (40.0, -10.0));
@@ -171,7 +171,7 @@ fn passes(count: usize) -> Vec<Chunk> {
     path.chunks_of(10).chunks().to_vec()
 }
 
-/// What an path index says of each stretch but which chunk it was measured in.
+/// The path index as text, without the chunks of its stretches.
 fn said(path_index: &PathIndex) -> Vec<String> {
     let row = |s: &Stretch| (s.motions.clone(), s.cuts, s.rapids, s.bounds, s.span);
     path_index.stretches().iter().map(|stretch| format!("{:?}", row(stretch))).collect()
@@ -200,7 +200,7 @@ fn an_edit_leaves_the_measures_of_the_chunks_that_stay() {
     passes(100).into_iter().for_each(|chunk| motions.push(chunk));
     let mut path_index = PathIndex::of(&motions);
     let before: Vec<StretchKey> = path_index.stretches().iter().map(|stretch| stretch.key).collect();
-    // As a run does it: the chunks after the edit come back when those before them are there again.
+    // As in a run: the chunks after the edit return once those before them are complete again.
     let rest = motions.split_off(10).split_off(2);
     path_index.update(&motions);
     for chunk in passes(3) {

@@ -1,7 +1,7 @@
-//! How the user looks at the picture just now: where, and with what picked out.
+//! The view of a picture: the camera, and the selection.
 //!
-//! In: the user's pans, zooms, selections and playhead. Out: [`View`], which a painter draws a scene by. It
-//! lives apart from the canvas, so that picking and measuring work before there is one.
+//! In: the user's pans, zooms, selections and playhead. Out: [`View`], used by a painter to draw a scene. It
+//! is independent of the canvas, so that picking and measuring work before there is one.
 
 use std::ops::Range;
 
@@ -14,43 +14,43 @@ use super::palette::Palette;
 use super::ruler::Scale;
 use super::steps::StepLabel;
 
-/// The longest side of a picture, CSS pixels and device pixels: no canvas is larger.
+/// Maximum length of a side of a picture, in CSS pixels and in device pixels: no canvas is larger.
 const LONGEST_SIDE: f64 = 16_384.0;
 
-/// How far from the edge of the picture the tool is kept, CSS pixels.
+/// Minimum distance of the tool from the edge of the picture, CSS pixels.
 const IN_VIEW: f64 = 40.0;
 
-/// Whether the camera still shows the whole picture.
+/// Whether the camera still shows the fitted picture.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Framing {
-    /// As fitted: it follows the picture as that grows.
+    /// Fitted: the camera follows as the picture grows.
     Fitted,
-    /// The user has moved it: it stays where it is.
+    /// Moved by the user: the camera stays.
     Moved,
 }
 
-/// What a fitted picture shows.
+/// The extent of a fitted picture.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Frame {
-    /// What cuts, the stock, and the rapids that end nearby.
+    /// Cuts, stock, and the rapids that end nearby.
     #[default]
     Usual,
-    /// The stock, or what cuts where there is none.
+    /// The stock, or the cuts if there is none.
     Part,
-    /// All motions, from the first place to the last.
+    /// All motions.
     Path,
 }
 
-/// A place with a name, such as the start point A of a cycle.
+/// A named point, such as the start point A of a cycle.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Mark {
-    /// The place.
+    /// The position, radius and Z in mm.
     pub at: Point,
-    /// Its name, as manuals print it.
+    /// Its name, as in manuals.
     pub name: &'static str,
 }
 
-/// What is seen, in which colours, and what is picked out.
+/// The camera, the colours, and the selection.
 #[derive(Clone, Debug, PartialEq)]
 pub struct View {
     camera: Camera,
@@ -59,19 +59,19 @@ pub struct View {
     pixel_ratio: f64,
     /// The colours.
     pub palette: Palette,
-    /// What the rulers count.
+    /// The unit of the rulers.
     pub scale: Scale,
     /// Motions of the selected block or blocks.
     pub highlight: Vec<Range<usize>>,
-    /// Named places of the selected cycle.
+    /// Named points of the selected cycle.
     pub marks: Vec<Mark>,
-    /// The steps of one of its passes.
+    /// The labels of the steps of one of its passes.
     pub steps: Vec<StepLabel>,
     /// The edge of the part under the pointer.
     pub edge: Vec<Point>,
     /// The motion under the pointer.
     pub hover: Option<usize>,
-    /// How far the tool has come; `None` shows everything drawn and no tool.
+    /// The progress of the tool; `None` shows all strokes and no tool.
     pub playhead: Option<Playhead>,
 }
 
@@ -95,17 +95,17 @@ impl View {
         }
     }
 
-    /// Where the camera is.
+    /// The camera of the picture.
     pub fn camera(&self) -> &Camera {
         &self.camera
     }
 
-    /// Whether the camera is as fitted.
+    /// Whether the camera is fitted or moved.
     pub fn framing(&self) -> Framing {
         self.framing
     }
 
-    /// Device pixels a CSS pixel.
+    /// Device pixels per CSS pixel.
     pub fn pixel_ratio(&self) -> f64 {
         self.pixel_ratio
     }
@@ -117,14 +117,14 @@ impl View {
         (device(width), device(height))
     }
 
-    /// Whether it differs by nothing but what is picked out.
+    /// Whether the views are equal apart from the selection.
     pub fn shows_same_ground(&self, other: &View) -> bool {
         let Self { camera, framing, pixel_ratio, palette, scale, playhead, .. } = self;
         (camera, framing, pixel_ratio) == (&other.camera, &other.framing, &other.pixel_ratio)
             && (palette, scale, playhead) == (&other.palette, &other.scale, &other.playhead)
     }
 
-    /// The same view with nothing picked out, and the tool somewhere else.
+    /// The same view without a selection, and with another playhead.
     pub fn bare(&self, playhead: Option<Playhead>) -> View {
         View {
             palette: self.palette.clone(),
@@ -138,14 +138,14 @@ impl View {
         }
     }
 
-    /// Shows all that is worth looking at.
+    /// Fits the camera to the scene.
     pub fn fit(&mut self, scene: &Scene) {
         let bounds = scene.bounds_of(self.frame);
         self.camera = Camera::fit_with(bounds, self.camera.size(), self.camera.x_plus());
         self.framing = Framing::Fitted;
     }
 
-    /// The same, unless the user has moved the camera: call it when a run has ended.
+    /// Fits the camera unless the user has moved it. Call this when a run has ended.
     pub fn follow(&mut self, scene: &Scene) {
         match self.framing {
             Framing::Fitted => self.fit(scene),
@@ -153,13 +153,13 @@ impl View {
         }
     }
 
-    /// Chooses what a fitted picture shows.
+    /// Sets the extent of a fitted picture.
     pub fn set_frame(&mut self, scene: &Scene, frame: Frame) {
         self.frame = frame;
         self.follow(scene);
     }
 
-    /// Draws X+ up or down.
+    /// Sets the direction of X+.
     pub fn turn(&mut self, scene: &Scene, x_plus: XPlus) {
         self.camera.turn(x_plus);
         self.follow(scene);
@@ -171,7 +171,7 @@ impl View {
         self.framing = Framing::Moved;
     }
 
-    /// Moves a picture that the user has moved so far that a place is in it, as the tool that cuts.
+    /// Moves a picture that the user has moved, so that a point such as the tool stays in view.
     pub fn keep_in_view(&mut self, at: Point) {
         if self.framing == Framing::Fitted {
             return;
@@ -185,13 +185,14 @@ impl View {
         }
     }
 
-    /// Makes the picture `factor` times as large about a place in it.
+    /// Zooms the picture by `factor` about a position.
     pub fn zoom(&mut self, factor: f64, fixed: Pixel) {
         self.camera.zoom(factor, fixed);
         self.framing = Framing::Moved;
     }
 
-    /// Takes another size of picture, CSS pixels, up to [`LONGEST_SIDE`], and another ratio of device pixels to CSS pixels.
+    /// Sets the size of the picture, CSS pixels, up to [`LONGEST_SIDE`], and the ratio of device pixels to
+    /// CSS pixels.
     pub fn resize(&mut self, scene: &Scene, size: Size, pixel_ratio: f64) {
         let possible = |length: f64| within(length.max(0.0), 0.0, LONGEST_SIDE);
         self.camera.resize(Size { width: possible(size.width), height: possible(size.height) });

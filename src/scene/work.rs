@@ -1,7 +1,7 @@
-//! The work as it is drawn: blank, what is left of it, what stands around it, and the tool.
+//! The workpiece as it is drawn: blank, part, obstacles around it, and the tool.
 //!
 //! In: the simulation, and the moment. Out: outlines in mm above the spindle axis; an exporter draws them
-//! below it too. Must not know how material is taken off.
+//! below it too. Must not know how material is removed.
 
 use std::sync::atomic::{AtomicU64, Ordering};
 
@@ -14,61 +14,61 @@ use crate::machine::region::Region;
 use crate::machine::resolved_setup::Basis;
 use crate::motion::Motions;
 
-/// A way over a point that is longer than the straight one by no more than this, mm, leads along it.
+/// A point is on an edge if the detour over it is longer than the edge by at most this, mm.
 const ON_EDGE: f64 = 1e-6;
 
-/// Closed outlines, those of holes among them: the material on the left.
+/// Closed outlines, including those of holes, with the material on the left.
 pub type Outlines = Vec<Vec<Point>>;
 
-/// The work at a moment.
+/// The workpiece at a moment.
 #[derive(Clone, Debug)]
 pub struct Work {
     id: u64,
     /// The blank.
     pub blank: Outlines,
-    /// What is left of it.
+    /// The part: the blank without the removed material.
     pub part: Outlines,
-    /// Whether somebody has named the blank.
+    /// Whether the blank is given or inferred.
     pub basis: Basis,
-    /// Chuck, and the tailstock where it is forward.
+    /// The chuck, and the tailstock if it is extended.
     pub obstacles: Outlines,
-    /// The tool, where it stands.
+    /// The tool at its position.
     pub tool: Option<ToolOutline>,
-    /// Places where something runs into something.
+    /// Positions of collisions.
     pub dangers: Vec<Point>,
-    /// What cutters reach across the section, which shows the part as it was turned.
+    /// The extent of milling in the section, which shows the part as turned.
     pub milled: Option<Bounds>,
-    /// What only one of two compared parts has: the first, the second.
+    /// The areas that only the first and only the second of two compared parts has.
     pub compared: Option<[Outlines; 2]>,
-    /// Where it was cut open to be unrolled.
+    /// The lines along which it was cut open to be unrolled.
     seams: Vec<Vec<Point>>,
     bounds: Bounds,
 }
 
-/// A tool in its place.
+/// A tool at its position.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ToolOutline {
     /// The cutting part.
     pub edge: Vec<Point>,
-    /// The holder, as far as it is known.
+    /// The holder, if it is known.
     pub body: Option<Vec<Point>>,
-    /// Where its tip is.
+    /// The position of the tip.
     pub tip: Point,
 }
 
-/// A moment: so many motions are done, and of the next one a share; the tip is there.
+/// A moment during a motion.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Moment {
-    /// Motions that are done.
+    /// Number of finished motions, which is the index of the current motion.
     pub motion: usize,
-    /// How much of the next one is done: 0 to 1.
+    /// The finished fraction of the current motion, 0 to 1.
     pub share: f64,
-    /// Where the tip is.
+    /// The position of the tip.
     pub tip: Point,
 }
 
 impl Work {
-    /// The work when all motions are done, or at a moment; nothing where there is no blank.
+    /// The workpiece at a moment, or at the end of all motions; `None` without a blank.
     pub fn of(simulation: &SimulationResult, motions: &Motions, moment: Option<Moment>) -> Option<Self> {
         let (stock, basis) = simulation.resolved_setup().stock()?;
         let part = match moment {
@@ -109,7 +109,7 @@ impl Work {
         })
     }
 
-    /// An end face of a radius, mm, at a moment: the points have C in `x` and X in `z`.
+    /// An end face with a radius, mm, at a moment. Points have C in `x` and X in `z`.
     pub fn on_face(
         blank: &Region,
         part: &Region,
@@ -132,7 +132,7 @@ impl Work {
         }
     }
 
-    /// The side of the work, within a box: the points have the way around it in `x`.
+    /// The side of the workpiece, within a box. Points have the distance around it in `x`.
     pub fn on_side(
         blank: &Region,
         part: &Region,
@@ -143,22 +143,23 @@ impl Work {
         Self { bounds, ..Self::on_face(blank, part, basis, tool, 0.0) }
     }
 
-    /// The same with lines along which it was cut open to be unrolled, which are no edges of it.
+    /// Adds the seams along which it was cut open to be unrolled; they are not drawn as edges.
     pub fn with_seams(self, seams: Vec<Vec<Point>>) -> Self {
         Self { seams, ..self }
     }
 
-    /// The same with something else left of the blank.
+    /// Replaces the part.
     pub fn with_part(self, part: &Region) -> Self {
         Self { id: next_id(), part: outlines(part), ..self }
     }
 
-    /// The same with what cutters reach across the section.
+    /// Sets the extent of milling in the section.
     pub fn with_milled(self, milled: Option<Bounds>) -> Self {
         Self { id: next_id(), milled, ..self }
     }
 
-    /// What is milled, as drawings mark a flat on a turned part: its frame, and thin lines across (ISO 128).
+    /// The marks of a milled area, like those of a flat on a turned part: its frame, and thin diagonal lines
+    /// (ISO 128).
     pub fn milled_lines(&self) -> Vec<Vec<Point>> {
         let Some(Bounds { min, max }) = self.milled else { return Vec::new() };
         let [a, b, c, d] =
@@ -166,7 +167,7 @@ impl Work {
         vec![vec![a, b, c, d, a], vec![a, c], vec![b, d]]
     }
 
-    /// The same with the differences of two parts marked.
+    /// Marks the differences of two parts.
     pub fn compared_with(self, comparison: &Comparison) -> Self {
         let only = |side: Side| {
             let pieces = comparison.only(side).map(|difference| &difference.piece);
@@ -175,8 +176,7 @@ impl Work {
         Self { id: next_id(), compared: Some([only(Side::First), only(Side::Second)]), ..self }
     }
 
-    /// Lines along the edges of what is left: those that were cut, and those of a
-    /// blank that is only inferred.
+    /// The edges of the part: those that were cut, and those of a blank that is only inferred.
     pub fn part_edges(&self, plane: Plane) -> [Vec<Vec<Point>>; 2] {
         let lines = match plane {
             Plane::Section => edges(&self.part),
@@ -192,12 +192,12 @@ impl Work {
         }
     }
 
-    /// A number that no other work has.
+    /// A unique id.
     pub fn id(&self) -> u64 {
         self.id
     }
 
-    /// The box of the blank above the axis.
+    /// The bounding box of the blank above the axis.
     pub fn bounds(&self) -> Bounds {
         self.bounds
     }
@@ -208,18 +208,18 @@ fn next_id() -> u64 {
     NEXT.fetch_add(1, Ordering::Relaxed)
 }
 
-/// The lines all around outlines.
+/// Closed lines around outlines.
 pub fn closed(outlines: &Outlines) -> Vec<Vec<Point>> {
     outlines.iter().map(|outline| outline.iter().chain(outline.first()).copied().collect()).collect()
 }
 
-/// The lines along the edges of outlines: those on the spindle axis are no edges of the work, and would fill
-/// the gaps of the centre line.
+/// The lines along the edges of outlines. Those on the spindle axis are omitted: they are not edges of the
+/// workpiece, and would fill the gaps of the centre line.
 pub fn edges(outlines: &Outlines) -> Vec<Vec<Point>> {
     let mut lines: Vec<Vec<Point>> = Vec::new();
     for outline in outlines {
         let on_axis = |point: &Point| point.x.abs() <= SAME;
-        // From a corner on the axis on, so that no line is broken at its first corner.
+        // Start at a corner on the axis, so that no line is split at its first corner.
         let first = outline.iter().position(on_axis).unwrap_or(0);
         let corners = outline.iter().cycle().skip(first).take(outline.len() + 1);
         let mut line: Vec<Point> = Vec::new();
@@ -234,7 +234,7 @@ pub fn edges(outlines: &Outlines) -> Vec<Vec<Point>> {
     lines
 }
 
-/// What of some lines runs beside others, and what on them.
+/// Splits lines into the parts beside and on other lines.
 fn without(lines: &[Vec<Point>], others: &[Vec<Point>]) -> [Vec<Vec<Point>>; 2] {
     let is_on = |a: Point, b: Point| {
         let mut edges = others.iter().flat_map(|line| line.windows(2));
@@ -288,7 +288,7 @@ mod tests {
         };
         let [cut, blank] = grooved(Basis::Inferred).part_edges(Plane::Section);
         assert_eq!(cut.len(), 1, "{cut:?}");
-        // Two flanks of 4 mm and a bottom of 5; both ends of the bar and what is left of its outside.
+        // Two flanks of 4 mm and a bottom of 5 mm; both ends of the bar and the rest of its outside.
         assert!(
             (length(&cut) - 13.0).abs() < 1e-3 && (length(&blank) - 35.0).abs() < 1e-3,
             "{cut:?} {blank:?}"

@@ -3,6 +3,7 @@
 
 use super::{LANGUAGES, Mistake, Mistakes};
 
+/// The texts and examples of a rule.
 #[derive(Clone, Debug)]
 pub struct Page {
     /// The setup of both programs, JSON.

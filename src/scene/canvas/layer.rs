@@ -1,9 +1,9 @@
-//! The strokes of a scene as an image that is made anew when they or the camera change, and moved until then.
+//! The strokes of a scene as an image, which is redrawn when they or the camera change, and moved until then.
 //!
-//! In: a scene and a view. Out: the strokes on a canvas of their own. Few strokes are drawn at once, with
-//! their widths and dashes. Many are plotted in slices, so that whoever draws is free again soon; meanwhile
-//! the last image is moved to where the camera is. While the tool goes on, only what it has done since is
-//! added. Knows nothing of what lies under or over the strokes.
+//! In: a scene and a view. Out: the strokes on a separate canvas. Few strokes are drawn immediately, with
+//! their widths and dashes. Many are plotted in slices, so that the caller is not blocked; meanwhile the last
+//! image is moved to match the camera. While the tool moves forward, only the new strokes are added. Knows
+//! nothing of the layers under and over the strokes.
 
 use std::ops::Range;
 
@@ -27,26 +27,26 @@ use super::sheet;
 use crate::parts::late;
 use crate::playback::clock::Playhead;
 
-/// Opacity of what has not run yet, while there is a playhead.
+/// Opacity of the motions ahead of the playhead.
 const AHEAD: f64 = 0.22;
-/// Motions in view from which on nobody could distinguish widths and dashes.
+/// Number of visible motions above which widths and dashes cannot be distinguished.
 const CROWDED: usize = 40_000;
-/// Motions in view that are drawn in a few milliseconds, widths and dashes included.
+/// Number of visible motions that can be drawn in a few milliseconds, including widths and dashes.
 const QUICK: usize = 4_000;
-/// More motions at once than this are drawn with all others.
+/// Above this number of new motions, everything is redrawn.
 const FEW: usize = 400;
-/// Frames that the tool stands before the strokes that were added one by one are drawn all together: a frame
-/// that came late must not make the next ones late.
+/// Number of frames without tool movement before strokes that were added one by one are redrawn together.
+/// With a delay, one late frame does not make the next ones late.
 const STANDING: u32 = 12;
-/// How long plotting goes on before others have their turn, ms.
+/// Maximum time for one slice of plotting, ms.
 const SLICE: f64 = 8.0;
-/// The pictures of a plot: what is ahead of the tool, what is done (both by ink), and the programmed path.
+/// The layers of a plot: motions ahead of the tool and finished ones (both by ink), and the programmed path.
 const DONE: usize = Ink::ALL.len();
 const PROGRAMMED: usize = 2 * Ink::ALL.len();
 
 #[wasm_bindgen]
 extern "C" {
-    /// Milliseconds since the worker began.
+    /// Milliseconds since the worker started.
     #[wasm_bindgen(js_namespace = performance)]
     fn now() -> f64;
 }
@@ -80,7 +80,7 @@ late! {
     }
 }
 
-/// Where the tool is, as far as it is shown.
+/// The playhead, if it is shown.
 fn tool_of(view: &View) -> Option<Playhead> {
     view.playhead.filter(|_| OVER.is_loaded())
 }
@@ -88,36 +88,36 @@ fn tool_of(view: &View) -> Option<Playhead> {
 /// Whether there is more to draw.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Progress {
-    /// What is shown is what it should be.
+    /// The image is up to date.
     Done,
-    /// The last image is shown in place of the one under way, which the next call goes on with.
+    /// The last image is shown; the next call continues the new one.
     UnderWay,
-    /// The last image is shown in place of one that is drawn once the camera has stood for a frame.
+    /// The last image is shown; the new one is drawn once the camera has not moved for a frame.
     Waiting,
 }
 
 /// Red, green and blue of each ink, by [`Ink::index`], and of the programmed path.
 type Colours = [[u8; 3]; Ink::ALL.len() + 1];
 
-/// What the strokes are drawn from.
+/// The state from which the strokes are drawn.
 #[derive(Clone, Debug, PartialEq)]
 struct Target {
-    /// With nothing picked out, and the tool before a motion: what is done of that is drawn over the image.
+    /// Without a selection, and with the tool at the start of a motion: the finished part of this motion is
+    /// drawn over the image.
     view: View,
     path_index: u64,
 }
 
-/// How an image came about.
+/// How an image was drawn.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Made {
-    /// Of all strokes together.
+    /// All strokes together.
     AtOnce,
-    /// Strokes were added one after the other as the tool went on: where they lie on one another
-    /// they are a little darker.
+    /// Strokes were added one by one as the tool moved forward; overlapping ones are slightly darker.
     Added {
-        /// Where the tool was seen last.
+        /// The last position of the tool.
         tool: Playhead,
-        /// Frames it has been there.
+        /// Number of frames the tool has been there.
         frames: u32,
     },
 }
@@ -126,20 +126,20 @@ enum Made {
 #[derive(Debug)]
 pub struct StrokeLayer {
     image: Pen,
-    /// What the image shows.
+    /// The state that the image shows.
     shown: Option<Target>,
-    /// Counts the images.
+    /// Version of the image.
     version: u32,
-    /// Strokes as paths, one entry for each stretch that has been in view lately.
+    /// Strokes as paths, one entry for each stretch that has recently been visible.
     paths: Vec<(StretchKey, Paths)>,
-    /// The colours of a plot, and the palette they are of.
+    /// The colours of a plot, with their palette.
     colours: Option<(Palette, Colours)>,
-    /// The image under way and the stretch that comes next.
+    /// The image in progress, and the index of the next stretch.
     plot: Option<(Target, Plot, usize)>,
-    /// The camera as it was when the last image was moved instead of being made anew.
+    /// The camera at the last time that the image was moved instead of redrawn.
     moved: Option<Camera>,
     made: Made,
-    /// Arrow heads of the image: on cuts, and on threads.
+    /// The arrow heads of the image: on cuts, and on threads.
     heads: [Vec<[Pixel; 3]>; 2],
 }
 
@@ -161,18 +161,18 @@ impl StrokeLayer {
         })
     }
 
-    /// Gives back the memory of the image, which is made anew when it is wanted.
+    /// Releases the memory of the image, which is redrawn when it is needed.
     pub fn release(&mut self) {
         self.image.release();
         (self.shown, self.plot, self.paths) = (None, None, Vec::new());
     }
 
-    /// A number that distinguishes this image from the others of this layer.
+    /// A number that identifies this image among those of the layer.
     pub fn version(&self) -> u32 {
         self.version
     }
 
-    /// Brings the image up to date, or a part of the way.
+    /// Updates the image, completely or in part.
     pub fn update(&mut self, scene: &Scene, view: &View) -> Result<Progress, JsValue> {
         let path_index = scene.path_index().id();
         let tool = tool_of(view);
@@ -190,7 +190,7 @@ impl StrokeLayer {
                 (Made::AtOnce, _) => return Ok(Progress::Done),
             }
         }
-        // An image with X the other way cannot be moved into place.
+        // An image with the opposite direction of X cannot be reused by moving it.
         let turned = |shown: &Target| shown.view.camera().x_plus() != view.camera().x_plus();
         if self.shown.as_ref().is_some_and(turned) {
             self.shown = None;
@@ -210,8 +210,8 @@ impl StrokeLayer {
             self.made = Made::Added { tool, frames: 0 };
             return Ok(Progress::Waiting);
         }
-        // While the camera moves, what takes long is only moved; it is drawn once the
-        // camera has stood for a frame.
+        // While the camera moves, an image that takes long is only moved; it is redrawn once the camera has
+        // not moved for a frame.
         let camera = Some(*view.camera());
         if motions > QUICK && self.shown.is_some() && self.moved != camera && !self.shows_same_camera(view) {
             self.moved = camera;
@@ -222,7 +222,7 @@ impl StrokeLayer {
         Ok(Progress::Done)
     }
 
-    /// Copies the image to where the camera is, and draws what is done of the motion under way.
+    /// Copies the image, moved to match the camera, and draws the finished part of the current motion.
     pub fn copy_to(&self, pen: &Pen, scene: &Scene, view: &View) -> Result<(), JsValue> {
         if let Some(shown) = &self.shown {
             pen.copy_moved(&self.image, &shown.view, view)?;
@@ -233,8 +233,8 @@ impl StrokeLayer {
         }
     }
 
-    /// The motions that the image lacks, if it shows what it should but for a few
-    /// that the tool has made since.
+    /// The motions that are missing in the image, if it is up to date except for a few new motions of the
+    /// tool.
     fn done_since(&self, target: &Target) -> Option<Range<usize>> {
         let shown = self.shown.as_ref()?;
         let (from, to) = (shown.view.playhead?.motion, target.view.playhead?.motion);
@@ -256,8 +256,8 @@ impl StrokeLayer {
 
     fn plot(&mut self, scene: &Scene, target: Target, in_view: &[&Stretch]) -> Result<Progress, JsValue> {
         let view = &target.view;
-        // An image for another place of the tool is finished all the same: while it moves, there
-        // is a newer one each time.
+        // Finish an image even if the tool has moved since: while the tool moves, no image would ever be
+        // finished otherwise.
         let goes_on = |of: &Target| {
             of.path_index == target.path_index
                 && of.view.camera() == view.camera()
@@ -296,7 +296,7 @@ impl StrokeLayer {
         Ok(if same { Progress::Done } else { Progress::UnderWay })
     }
 
-    /// The colours of a plot; the browser is asked for those of a new palette only.
+    /// The colours of a plot; only those of a new palette are read from the browser.
     fn colours(&mut self, palette: &Palette) -> Result<Colours, JsValue> {
         if let Some((_, colours)) = self.colours.as_ref().filter(|(of, _)| of == palette) {
             return Ok(*colours);
@@ -312,7 +312,7 @@ impl StrokeLayer {
 
     // ---- few strokes --------------------------------------------------------------------------------
 
-    /// Draws the strokes of the stretches in view, which have so many motions.
+    /// Draws the strokes of the visible stretches, which have `motions` motions.
     fn stroke(
         &mut self,
         scene: &Scene,
@@ -351,7 +351,7 @@ impl StrokeLayer {
         Ok(())
     }
 
-    /// Adds what the tool has done since, to an image of so many motions.
+    /// Adds the strokes of new motions to an image of `motions` motions.
     fn add(&mut self, scene: &Scene, view: &View, done: Range<usize>, motions: usize) -> Result<(), JsValue> {
         self.image.begin(view)?;
         self.image.clip(view)?;
@@ -363,7 +363,7 @@ impl StrokeLayer {
         Ok(())
     }
 
-    /// Strokes what is ahead of the tool faintly.
+    /// Draws the strokes before `until`, and those after it faintly.
     fn stroke_until(
         &self,
         scene: &Scene,
@@ -385,7 +385,7 @@ impl StrokeLayer {
         self.paths.iter().find(|(key, _)| *key == stretch.key).map(|(_, paths)| paths)
     }
 
-    /// Arrow heads on what has run of some motions.
+    /// Draws arrow heads on motions.
     fn arrows(&mut self, scene: &Scene, view: &View, run: &[Range<usize>]) {
         for (style, heads) in [StrokeStyle::Feed, StrokeStyle::Thread].into_iter().zip(&mut self.heads) {
             let before = heads.len();
@@ -398,12 +398,12 @@ impl StrokeLayer {
     }
 }
 
-/// Before the motion under way: what is done of it is left out.
+/// The playhead at the start of the current motion, so that its finished part is omitted.
 fn before(playhead: Playhead) -> Playhead {
     Playhead { motion: playhead.motion + usize::from(playhead.share >= 1.0), share: 0.0 }
 }
 
-/// Strokes paths in their own styles.
+/// Draws paths, each in the style of its ink.
 fn ink(pen: &Pen, view: &View, paths: &mut dyn Iterator<Item = &Paths>) -> Result<(), JsValue> {
     let paths: Vec<&Paths> = paths.collect();
     for ink in Ink::ALL {
@@ -420,7 +420,7 @@ fn ink(pen: &Pen, view: &View, paths: &mut dyn Iterator<Item = &Paths>) -> Resul
     Ok(())
 }
 
-/// Plots a stretch, faint from where the tool is.
+/// Plots a stretch; motions ahead of the tool are faint.
 fn plot_stretch(plot: &mut Plot, scene: &Scene, stretch: &Stretch, done: Option<usize>) {
     for shape in scene.programmed_in(stretch) {
         plot.draw(PROGRAMMED, &shape);
@@ -438,8 +438,8 @@ fn plot_stretch(plot: &mut Plot, scene: &Scene, stretch: &Stretch, done: Option<
     plot.lift();
 }
 
-/// Rows of the pictures of a plot, one over the other in their colours: red, green, blue
-/// and opacity of each pixel.
+/// Combines rows of the layers of a plot in their colours; returns red, green, blue and opacity of each
+/// pixel.
 fn coloured(plot: &Plot, rows: Range<usize>, colours: &Colours) -> Vec<u8> {
     let (width, _) = plot.size();
     let part = rows.start * width..rows.end * width;
@@ -458,7 +458,7 @@ fn coloured(plot: &Plot, rows: Range<usize>, colours: &Colours) -> Vec<u8> {
     pixels
 }
 
-/// Lays a colour over pixels where it covers them, and as much of it.
+/// Blends a colour over pixels, in proportion to how much of each is covered.
 fn lay_over(pixels: &mut [u8], cover: &[u8], colour: [u8; 3], opacity: u32) {
     for (pixel, &cover) in pixels.chunks_exact_mut(4).zip(cover) {
         if cover == 0 {

@@ -1,7 +1,8 @@
 //! Strokes as paths of the browser, in mm.
 //!
-//! In: strokes. Out: one `Path2d` for each way of drawing them. World coordinates: Z is the first, the radius
-//! the second; the transform under which they are stroked turns X up, and the sense of arcs with it.
+//! In: strokes. Out: one `Path2d` for each ink. World coordinates: Z is the first axis, the radius the
+//! second. The transform under which the paths are drawn turns X up, which also reverses the direction of
+//! arcs.
 
 use wasm_bindgen::JsValue;
 use web_sys::Path2d;
@@ -11,9 +12,9 @@ use crate::geometry::{Arc, Point, Turn};
 use super::super::ink::Ink;
 use super::super::{Place, Scene, Stroke, StrokeShape, StrokeStyle};
 
-/// Ends of an arc whose radii differ by more than this, mm, are joined by a spiral.
+/// If the radii of the two ends of an arc differ by more than this, mm, they are joined by a spiral.
 const ROUND: f64 = 1e-3;
-/// Straight pieces of such a spiral.
+/// Number of line segments in such a spiral.
 const PIECES: u32 = 64;
 
 /// Some strokes as paths.
@@ -23,7 +24,7 @@ pub struct Paths {
     dots: [Vec<Point>; 8],
 }
 
-/// A path and where it has come to.
+/// A path and its current end.
 #[derive(Debug)]
 struct Line {
     path: Path2d,
@@ -53,7 +54,7 @@ impl Paths {
             empty => empty.insert(Line { path: Path2d::new()?, end: None }),
         };
         let start = shape.start();
-        // Dashes begin anew with each rapid, see `drawn_shape`.
+        // Each rapid starts its own dash pattern, see `drawn_shape`.
         if line.end != Some(start) || stroke.style == StrokeStyle::Rapid {
             line.path.move_to(start.z, start.x);
         }
@@ -67,18 +68,19 @@ impl Paths {
         Ok(())
     }
 
-    /// The path of a way of drawing, if there is anything in it.
+    /// The path of an ink, if it has one.
     pub fn get(&self, ink: Ink) -> Option<&Path2d> {
         self.lines[ink.index()].as_ref().map(|line| &line.path)
     }
 
-    /// Where the tool waits.
+    /// The points where the tool waits.
     pub fn dots(&self, ink: Ink) -> &[Point] {
         &self.dots[ink.index()]
     }
 }
 
-/// The paths of the stretch that the tool is in: of the motions before `until`, and of those from it on.
+/// The paths of the stretch that contains the tool: of the motions before `until`, and of the motions from
+/// `until` on.
 pub fn halves(scene: &Scene, until: usize) -> Result<(Paths, Paths), JsValue> {
     let Some(stretch) = scene.path_index().stretch_of(until) else {
         return Ok((Paths::default(), Paths::default()));
@@ -87,13 +89,13 @@ pub fn halves(scene: &Scene, until: usize) -> Result<(Paths, Paths), JsValue> {
     Ok((before, Paths::of(scene.strokes_of(until..stretch.motions.end))?))
 }
 
-/// The part of the motion under way that is done.
+/// The finished part of the current motion.
 pub fn under_way(scene: &Scene, place: Place) -> Result<Paths, JsValue> {
     let done = |stroke: Stroke| Stroke { shape: stroke.shape.split(place.fraction).0, ..stroke };
     Paths::of(scene.stroke(place.motion).map(done).into_iter())
 }
 
-/// Shapes as one path, whatever their style.
+/// Shapes as one path, regardless of their style.
 pub fn path_of(shapes: impl Iterator<Item = StrokeShape>) -> Result<Path2d, JsValue> {
     let path = Path2d::new()?;
     for shape in shapes {
@@ -109,14 +111,14 @@ pub fn path_of(shapes: impl Iterator<Item = StrokeShape>) -> Result<Path2d, JsVa
     Ok(path)
 }
 
-/// Draws a line on through points.
+/// Adds lines through the points.
 fn follow(path: &Path2d, points: &[Point]) {
     for point in points {
         path.line_to(point.z, point.x);
     }
 }
 
-/// Draws an arc on from its start.
+/// Adds an arc from its start point.
 fn trace(path: &Path2d, arc: &Arc) -> Result<(), JsValue> {
     let radius = arc.radius();
     if (radius - arc.end.distance(arc.center)).abs() > ROUND {
@@ -127,8 +129,8 @@ fn trace(path: &Path2d, arc: &Arc) -> Result<(), JsValue> {
         return Ok(());
     }
     let start = arc.start_angle();
-    // The canvas counts angles from its first axis towards its second: here from +Z towards +X, which is
-    // counter-clockwise for us and what it calls clockwise.
+    // The canvas measures angles from its first axis to its second, here from +Z to +X. This direction is our
+    // counter-clockwise, and is called clockwise by the canvas.
     let against = arc.turn == Turn::Clockwise;
     let end = start + arc.sweep();
     path.arc_with_anticlockwise(arc.center.z, arc.center.x, radius, start, end, against)

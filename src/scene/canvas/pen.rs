@@ -1,6 +1,7 @@
 //! A canvas and its context.
 //!
-//! In: places, colours and widths in CSS pixels, or paths in mm. Out: device pixels. Knows nothing of scenes.
+//! In: positions, colours and widths in CSS pixels, or paths in mm. Out: device pixels. Knows nothing of
+//! scenes.
 
 use js_sys::Array;
 use wasm_bindgen::{Clamped, JsCast, JsValue};
@@ -10,10 +11,10 @@ use super::super::camera::{BOTTOM_RULER, LEFT_RULER, Pixel};
 use super::super::clip::Piece;
 use super::super::view::View;
 
-/// How a line is broken.
+/// The dash pattern of a line.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Dash {
-    /// It is not.
+    /// Without gaps.
     Solid,
     /// A dash and a gap, CSS pixels.
     Broken(f64, f64),
@@ -36,7 +37,7 @@ impl Pen {
         Ok(Self { canvas, context: context.unchecked_into() })
     }
 
-    /// Gives the canvas the size of the view, and resets the state of the context.
+    /// Sets the size of the canvas to that of the view, and resets the state of the context.
     pub fn begin(&self, view: &View) -> Result<(), JsValue> {
         let (width, height) = view.device_size();
         if (self.canvas.width(), self.canvas.height()) != (width, height) {
@@ -48,25 +49,25 @@ impl Pen {
         self.page(view)
     }
 
-    /// Gives back the memory of the canvas, which is blank then.
+    /// Releases the memory of the canvas, which is then blank.
     pub fn release(&self) {
         self.canvas.set_width(1);
         self.canvas.set_height(1);
     }
 
-    /// Takes the picture off the canvas, which is blank then.
+    /// Takes the image off the canvas, which is then blank.
     pub fn take_image(&self) -> Result<ImageBitmap, JsValue> {
         self.canvas.transfer_to_image_bitmap()
     }
 
-    /// From here on, places are CSS pixels.
+    /// Sets the coordinates to CSS pixels.
     pub fn page(&self, view: &View) -> Result<(), JsValue> {
         let ratio = view.pixel_ratio();
         self.context.set_transform(ratio, 0.0, 0.0, ratio, 0.0, 0.0)
     }
 
-    /// From here on, paths are in mm, with Z to the right and X up (down for a front turret); `width` and
-    /// `dash` stay in CSS pixels.
+    /// Sets the coordinates to mm, with Z to the right and X up (down for a front turret). `width` and `dash`
+    /// stay in CSS pixels.
     pub fn world(&self, view: &View, width: f64, dash: Dash, colour: &str) -> Result<(), JsValue> {
         let (camera, ratio) = (view.camera(), view.pixel_ratio());
         let zero = camera.to_screen(Default::default());
@@ -77,17 +78,17 @@ impl Pen {
         self.dash(dash, 1.0 / camera.scale())
     }
 
-    /// Strokes a path.
+    /// Strokes a path with the current line style.
     pub fn stroke(&self, path: &Path2d) {
         self.context.stroke_with_path(path);
     }
 
-    /// How much what follows covers what is there: 0 not at all, 1 fully.
+    /// Sets the opacity for the following operations: 0 transparent, 1 opaque.
     pub fn opacity(&self, opacity: f64) {
         self.context.set_global_alpha(opacity);
     }
 
-    /// Keeps what follows inside the rulers.
+    /// Clips the following operations to the area inside the rulers.
     pub fn clip(&self, view: &View) -> Result<(), JsValue> {
         let size = view.camera().size();
         self.context.save();
@@ -98,26 +99,26 @@ impl Pen {
         Ok(())
     }
 
-    /// Ends what [`Pen::clip`] began, and takes back the state of then.
+    /// Ends the clipping of [`Pen::clip`] and restores the state before it.
     pub fn unclip(&self) {
         self.context.restore();
     }
 
-    /// Takes away all there is.
+    /// Clears the canvas.
     pub fn clear(&self) -> Result<(), JsValue> {
         self.context.set_transform(1.0, 0.0, 0.0, 1.0, 0.0, 0.0)?;
         self.context.clear_rect(0.0, 0.0, self.canvas.width().into(), self.canvas.height().into());
         Ok(())
     }
 
-    /// Sets the pixels of rows `width` device pixels wide, from the row `top` on: red, green,
-    /// blue and opacity of each.
+    /// Sets the pixels of rows `width` device pixels wide, from the row `top` on: red, green, blue and
+    /// opacity of each.
     pub fn put(&self, pixels: &[u8], width: usize, top: usize) -> Result<(), JsValue> {
         let image = ImageData::new_with_u8_clamped_array(Clamped(pixels), width as u32)?;
         self.context.put_image_data(&image, 0.0, top as f64)
     }
 
-    /// Copies a picture that was drawn for the view `then` to where its places are `now`.
+    /// Copies an image that was drawn for the view `then`, transformed to the view `now`.
     pub fn copy_moved(&self, from: &Pen, then: &View, now: &View) -> Result<(), JsValue> {
         let place = |view: &View| {
             let zero = view.camera().to_screen(Default::default());
@@ -133,13 +134,13 @@ impl Pen {
         self.context.draw_image_with_offscreen_canvas(&from.canvas, 0.0, 0.0)
     }
 
-    /// Copies a picture of the same size.
+    /// Copies an image of the same size.
     pub fn copy(&self, from: &Pen) -> Result<(), JsValue> {
         self.context.set_transform(1.0, 0.0, 0.0, 1.0, 0.0, 0.0)?;
         self.context.draw_image_with_offscreen_canvas(&from.canvas, 0.0, 0.0)
     }
 
-    /// Fills a box between two corners, CSS pixels.
+    /// Fills a rectangle between two corners, CSS pixels.
     pub fn block(&self, colour: &str, from: Pixel, to: Pixel) {
         self.context.set_fill_style_str(colour);
         self.context.fill_rect(from.x, from.y, to.x - from.x, to.y - from.y);
@@ -155,7 +156,7 @@ impl Pen {
         self.context.fill();
     }
 
-    /// Strokes the outline of a polygon, corners and width in CSS pixels.
+    /// Draws the outline of a polygon, corners and width in CSS pixels.
     pub fn outline(&self, colour: &str, corners: &[Pixel], width: f64) {
         self.context.set_stroke_style_str(colour);
         self.context.set_line_width(width);
@@ -182,7 +183,7 @@ impl Pen {
         Ok(())
     }
 
-    /// Strokes a ring of a radius and a width, CSS pixels.
+    /// Draws a ring of a radius and a width, CSS pixels.
     pub fn ring(&self, colour: &str, at: Pixel, radius: f64, width: f64) -> Result<(), JsValue> {
         self.context.set_stroke_style_str(colour);
         self.context.set_line_width(width);
@@ -193,7 +194,7 @@ impl Pen {
         Ok(())
     }
 
-    /// Strokes straight lines of a width, CSS pixels.
+    /// Draws straight lines of a width, CSS pixels.
     pub fn lines(&self, colour: &str, width: f64, lines: impl Iterator<Item = [Pixel; 2]>) {
         self.context.set_stroke_style_str(colour);
         self.context.set_line_width(width);
@@ -206,7 +207,8 @@ impl Pen {
         self.context.stroke();
     }
 
-    /// Strokes pieces of lines, corners and width in CSS pixels. Dashes are at the same places as on the whole line.
+    /// Draws pieces of lines, corners and width in CSS pixels. The dashes are at the same positions as on the
+    /// whole line.
     pub fn polylines(&self, colour: &str, pieces: &[Piece], width: f64, dash: Dash) -> Result<(), JsValue> {
         self.context.set_stroke_style_str(colour);
         self.context.set_line_width(width);
@@ -234,7 +236,7 @@ impl Pen {
         Ok(())
     }
 
-    /// Draws upright and level lines that fill whole device pixels, about one CSS pixel wide.
+    /// Draws vertical and horizontal lines that fill whole device pixels, about one CSS pixel wide.
     pub fn hairlines(
         &self,
         view: &View,
@@ -258,7 +260,7 @@ impl Pen {
         self.page(view)
     }
 
-    /// Writes at a place: `align` and `baseline` as the canvas names them.
+    /// Writes a text at a position.
     pub fn write(&self, text: &Text, at: Pixel, colour: &str) -> Result<(), JsValue> {
         self.context.set_font(text.font);
         self.context.set_text_align(text.align);
@@ -277,7 +279,7 @@ impl Pen {
         self.context.close_path();
     }
 
-    /// Sets the dashes, of lengths times `unit`.
+    /// Sets the dash pattern, with lengths in multiples of `unit`.
     fn dash(&self, dash: Dash, unit: f64) -> Result<(), JsValue> {
         let lengths: &[f64] = match &dash {
             Dash::Solid => &[],
@@ -292,7 +294,7 @@ impl Pen {
     }
 }
 
-/// Red, green and blue of CSS colours: a pixel is filled with each.
+/// Red, green and blue of CSS colours, determined by drawing a pixel in each.
 pub fn rgb<const COUNT: usize>(colours: [&str; COUNT]) -> Result<[[u8; 3]; COUNT], JsValue> {
     let probe = Pen::new(OffscreenCanvas::new(COUNT as u32, 1)?)?;
     for (at, colour) in colours.into_iter().enumerate() {
@@ -302,15 +304,15 @@ pub fn rgb<const COUNT: usize>(colours: [&str; COUNT]) -> Result<[[u8; 3]; COUNT
     Ok(std::array::from_fn(|at| [pixels[4 * at], pixels[4 * at + 1], pixels[4 * at + 2]]))
 }
 
-/// A word on the sheet.
+/// A text on the canvas.
 #[derive(Clone, Copy, Debug)]
 pub struct Text<'a> {
-    /// What it says.
+    /// The text itself.
     pub text: &'a str,
     /// A CSS font.
     pub font: &'a str,
-    /// Where the place is along it, as the canvas names that.
+    /// Horizontal alignment, a value of `textAlign`.
     pub align: &'a str,
-    /// Where the place is across it, as the canvas names that.
+    /// Vertical alignment, a value of `textBaseline`.
     pub baseline: &'a str,
 }

@@ -1,7 +1,8 @@
-//! The sheet the strokes are drawn on: paper, grid, the work, centre line and rulers; and how strokes look.
+//! The layers under the strokes: background, grid, workpiece, centre line and rulers; and the style of
+//! strokes.
 //!
-//! In: a scene and a view. Out: pixels. Line weights are those of a technical drawing:
-//! cuts heavy, the rest thin.
+//! In: a scene and a view. Out: pixels. Line weights follow technical drawings: cuts heavy, everything else
+//! thin.
 
 use wasm_bindgen::JsValue;
 
@@ -22,7 +23,7 @@ use crate::parts::{Part, late};
 const FONT: &str = "12px system-ui, sans-serif";
 const NAME_FONT: &str = "600 12px system-ui, sans-serif";
 
-/// The colour of a way of drawing.
+/// The colour of an ink.
 pub fn colour(palette: &Palette, ink: Ink) -> &str {
     match ink {
         Ink::Uncertain(_) => &palette.uncertain,
@@ -32,10 +33,10 @@ pub fn colour(palette: &Palette, ink: Ink) -> &str {
     }
 }
 
-/// No line is wider, CSS pixels.
+/// Maximum line width, CSS pixels.
 pub const WIDEST: f64 = 1.75;
 
-/// Its line width, CSS pixels.
+/// The line width of an ink, CSS pixels.
 pub fn width(ink: Ink) -> f64 {
     match ink.style() {
         StrokeStyle::Rapid => 1.0,
@@ -44,7 +45,7 @@ pub fn width(ink: Ink) -> f64 {
     }
 }
 
-/// Its dashes.
+/// The dash pattern of an ink.
 pub fn dash(ink: Ink) -> Dash {
     match ink.style() {
         StrokeStyle::Rapid => Dash::Broken(5.0, 4.0),
@@ -58,7 +59,7 @@ late! {
     }
 }
 
-/// Draws what lies under the strokes.
+/// Draws the layers under the strokes.
 pub fn paper(pen: &Pen, scene: &Scene, view: &View) -> Result<(), JsValue> {
     let (camera, palette) = (view.camera(), &view.palette);
     let Size { width, height } = camera.size();
@@ -72,7 +73,7 @@ pub fn paper(pen: &Pen, scene: &Scene, view: &View) -> Result<(), JsValue> {
     let level =
         across.iter().filter(|tick| major(tick)).map(|tick| from_to((0.0, tick.pixel), (width, tick.pixel)));
     pen.hairlines(view, &palette.grid, Dash::Solid, level)?;
-    // The work comes from that part.
+    // The functions that compute the workpiece are in this part.
     if Part::Late.is_loaded() {
         draw_work(pen, scene, view)?;
     }
@@ -81,7 +82,7 @@ pub fn paper(pen: &Pen, scene: &Scene, view: &View) -> Result<(), JsValue> {
     Ok(())
 }
 
-/// The blank, what is left of it, and what stands around it: above the axis, and below.
+/// Draws the blank, the part, and the obstacles around them, above and below the axis.
 fn work(pen: &Pen, scene: &Scene, view: &View) -> Result<(), JsValue> {
     let Some(work) = scene.work() else { return Ok(()) };
     let (camera, palette) = (view.camera(), &view.palette);
@@ -106,7 +107,7 @@ fn work(pen: &Pen, scene: &Scene, view: &View) -> Result<(), JsValue> {
         pen.fill(&palette.stock, blank.iter().map(Vec::as_slice));
         pen.polylines(&palette.stock_edge, &blank_edges, 1.0, blank_dash(work.basis))?;
         pen.fill(&palette.part, part.iter().map(Vec::as_slice));
-        // What is looked at from outside is not cut through.
+        // Only the section is hatched; the other pictures are views from outside.
         if scene.plane() == Plane::Section {
             pen.opacity(0.35);
             let hatching = hatch(&part, camera.to_screen(Point::default()), camera.size());
@@ -115,7 +116,7 @@ fn work(pen: &Pen, scene: &Scene, view: &View) -> Result<(), JsValue> {
         pen.opacity(0.25);
         pen.fill(&palette.axis, obstacles.iter().map(Vec::as_slice));
         if scene.plane() == Plane::Section {
-            // Jaws, chuck and tailstock are cut through as well.
+            // Jaws, chuck and tailstock are in section too.
             pen.opacity(0.45);
             let hatching = hatch(&obstacles, camera.to_screen(Point::default()), camera.size());
             pen.lines(&palette.axis, 1.0, hatching.into_iter());
@@ -144,7 +145,7 @@ fn work(pen: &Pen, scene: &Scene, view: &View) -> Result<(), JsValue> {
     Ok(())
 }
 
-/// A blank that is only inferred has a broken outline.
+/// The dash pattern of the blank's outline: dashed if the blank is only inferred.
 fn blank_dash(basis: Basis) -> Dash {
     match basis {
         Basis::Given => Dash::Solid,
@@ -189,7 +190,7 @@ pub fn rulers(pen: &Pen, axes: [Axis; 2], view: &View) -> Result<(), JsValue> {
         pen.write(&Text { text, font: NAME_FONT, align, baseline: "middle" }, at, &palette.text)
     };
     name(upright, "left", Pixel::new(left + 7.0, 12.0))?;
-    // In the corner of the rulers it takes the place of no label.
+    // In the corner of the rulers it hides no label.
     name(level, "right", Pixel::new(left - 4.0, height - 10.0))
 }
 

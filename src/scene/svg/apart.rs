@@ -1,7 +1,7 @@
-//! Passes that lie on one another, drawn apart as manuals do: the passes of G76, and pecks along one line.
+//! Draws overlapping passes apart, as manuals do: the passes of G76, and pecks along one line.
 //!
-//! In: the motions of a scene, how large a pixel is. Out: where a stroke is drawn. The way of the tool stays one line: where a
-//! pass leaves its place, the strokes before and after it lead there.
+//! In: the motions of a scene, the size of a pixel. Out: the displaced strokes. The path of the tool stays
+//! connected: the strokes before and after a displaced pass lead to it.
 
 use std::ops::Range;
 
@@ -9,21 +9,21 @@ use super::super::{Scene, Stroke, StrokeShape};
 use crate::geometry::Point;
 use crate::motion::{Cycle, CycleFamily, Motions, Step};
 
-/// From one pass to the next, and from one peck to the next, CSS pixels, while there is room.
+/// Distance between two passes, and between two pecks, CSS pixels, if there is room.
 const GAP: f64 = 3.0;
 const PECK_GAP: f64 = 5.0;
 
-/// All passes of a cycle are within this, CSS pixels.
+/// Maximum displacement of the passes of a cycle, CSS pixels.
 const ROOM: f64 = 36.0;
 
-/// How far the start and the end of each motion are from their places, mm; nothing where all are in their places.
+/// Displacement of the start and the end of each motion, mm; empty if there is none.
 #[derive(Default)]
 pub(super) struct Apart(Vec<[Point; 2]>);
 
 const IN_PLACE: Point = Point { x: 0.0, z: 0.0 };
 
 impl Apart {
-    /// Of a scene, where a CSS pixel is so many mm.
+    /// The displacements in a scene, with `pixel` mm per CSS pixel.
     pub(super) fn of(scene: &Scene, pixel: f64) -> Self {
         let motions = scene.motions;
         let mut places = Vec::new();
@@ -51,18 +51,18 @@ impl Apart {
         Self(places)
     }
 
-    /// Whether any pass is drawn beside its place.
+    /// Whether any pass is displaced.
     pub(super) fn is_any(&self) -> bool {
         !self.0.is_empty()
     }
 
-    /// Where a stroke is drawn.
+    /// The displaced shape of a stroke.
     pub(super) fn shape(&self, stroke: &Stroke) -> StrokeShape {
         let shape = stroke.drawn_shape();
         let Some([start, end]) = self.0.get(stroke.motion) else { return shape };
         match shape {
             StrokeShape::Line { from, to } => {
-                // Rapids may be drawn the other way round.
+                // Rapids may be drawn in the opposite direction.
                 let turned = stroke.shape.start() != from;
                 let (first, last) = if turned { (end, start) } else { (start, end) };
                 StrokeShape::Line { from: from.moved(*first), to: to.moved(*last) }
@@ -73,7 +73,7 @@ impl Apart {
     }
 }
 
-/// Says where a motion is drawn.
+/// Sets the displacement of a motion.
 fn put(places: &mut Vec<[Point; 2]>, motion: usize, start: Point, end: Point) {
     if places.len() <= motion {
         places.resize(motion + 1, [IN_PLACE; 2]);
@@ -81,7 +81,7 @@ fn put(places: &mut Vec<[Point; 2]>, motion: usize, start: Point, end: Point) {
     places[motion] = [start, end];
 }
 
-/// The last pass of a thread is in its place, those before it farther out of the work.
+/// The last pass of a thread is in place; the earlier passes are displaced away from the part.
 fn thread(motions: &Motions, call: Range<usize>, pixel: f64, places: &mut Vec<[Point; 2]>) {
     let home = motions.get_on_workpiece(call.start).from.x;
     let mut last = 0;
@@ -103,7 +103,7 @@ fn thread(motions: &Motions, call: Range<usize>, pixel: f64, places: &mut Vec<[P
     }
 }
 
-/// Pecks on one line go to and fro beside one another; what leads to the next line ends in its place.
+/// Pecks on one line are drawn side by side; the move to the next line ends in place.
 fn pecks(motions: &Motions, call: Range<usize>, pixel: f64, places: &mut Vec<[Point; 2]>) {
     let along = |motion: usize| {
         let step = motions.get(motion).cycle.map(|step| step.step);
@@ -115,7 +115,7 @@ fn pecks(motions: &Motions, call: Range<usize>, pixel: f64, places: &mut Vec<[Po
         while end < call.end && along(end) {
             end += 1;
         }
-        // A cut and the way back are two lines at most: nothing lies on them.
+        // A cut and the way back are at most two lines, which do not overlap with others.
         let column = end - first;
         if column > 2 {
             let gap = PECK_GAP.min(ROOM / column as f64) * pixel;

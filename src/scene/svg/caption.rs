@@ -1,4 +1,4 @@
-//! Under the drawing: its title, and what its lines and areas are.
+//! The caption under the drawing: its title, and a legend of its lines and areas.
 //!
 //! In: a scene and the words. Out: rows of text with samples, as wide as the drawing. Knows no language.
 
@@ -6,28 +6,28 @@ use super::super::{Scene, StrokeStyle};
 use super::{Drawing, number};
 use crate::source::is_unprintable;
 
-/// From one row to the next, CSS pixels.
+/// Distance between rows, CSS pixels.
 const LEADING: f64 = 20.0;
-/// A sample and the space after it, CSS pixels.
+/// Width of a sample and the space after it, CSS pixels.
 const SAMPLE: f64 = 30.0;
-/// Between two entries, CSS pixels.
+/// Space between two entries, CSS pixels.
 const BETWEEN: f64 = 18.0;
-/// Of the rows, CSS pixels.
+/// Margin of the rows, CSS pixels.
 const MARGIN: f64 = 12.0;
 
-/// What stands under a drawing, in its language.
+/// The caption of a drawing, in its language.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Caption {
-    /// What the drawing shows, such as the number and the name of the program.
+    /// The title, such as the number and the name of the program.
     pub title: String,
-    /// What each entry is called, in the order of [`LEGEND`].
+    /// The names of the entries, in the order of [`LEGEND`].
     pub legend: [&'static str; LEGEND.len()],
 }
 
-/// The entries of a legend: how the sample begins, and how it goes on from its middle at the left.
+/// The samples of a legend, each as the text before and after the coordinates of its left middle.
 ///
-/// Rapids, cuts, threads; the blank, where material is gone from it, what is left of it, chuck and tailstock, a
-/// collision, what is milled under G12.1; that passes are drawn beside their places.
+/// Rapids, cuts, threads; the blank where material was removed, the part, chuck and tailstock, a collision,
+/// milling under G12.1; a note that passes are displaced.
 pub const LEGEND: [[&str; 2]; 9] = [
     [r#"<g><path class="rapid" d="M"#, r#"h24"/></g>"#],
     [r#"<g><path class="feed" d="M"#, r#"h24"/></g>"#],
@@ -41,7 +41,7 @@ pub const LEGEND: [[&str; 2]; 9] = [
 ];
 
 impl Drawing {
-    /// The rows, from `top` down; the answer is their height.
+    /// Writes the rows from `top` down; returns their height.
     pub(super) fn caption(&mut self, scene: &Scene, caption: &Caption, top: f64) -> f64 {
         let right = self.camera.size().width - MARGIN;
         let (mut x, mut y) = (MARGIN, top + LEADING - 4.0);
@@ -77,7 +77,7 @@ impl Drawing {
         self.line(&line);
     }
 
-    /// What is in the drawing.
+    /// Which entries occur in the drawing.
     fn there(&self, scene: &Scene) -> [bool; LEGEND.len()] {
         let mut there = [false; LEGEND.len()];
         for stroke in scene.strokes() {
@@ -100,12 +100,12 @@ impl Drawing {
     }
 }
 
-/// About how wide a text is, CSS pixels: Chinese characters are twice as wide as others.
+/// Approximate width of a text, CSS pixels: Chinese characters are twice as wide as others.
 fn wide(text: &str) -> f64 {
     text.chars().map(|c| if c > '\u{2e80}' { 12.0 } else { 6.8 }).sum()
 }
 
-/// A text as XML has it.
+/// Escapes a text for XML.
 pub(super) fn escaped(text: &str) -> String {
     let mut escaped = String::new();
     for c in text.chars() {

@@ -1,4 +1,4 @@
-//! The differences of two parts in the file: each in its colour, hatched its own way, with a legend.
+//! Draws the differences of two parts: each in its colour and with its own hatching, with a legend.
 
 use crate::geometry::Point;
 use crate::machine::compare::Side;
@@ -9,11 +9,11 @@ use super::super::hatch::{Slant, hatch_slanted};
 use super::caption::escaped;
 use super::{Drawing, number, pixel, polylines};
 
-/// From one line of the legend to the next, CSS pixels.
+/// Distance between lines of the legend, CSS pixels.
 const LEADING: f64 = 20.0;
 
 impl Drawing {
-    /// What only one of two parts has.
+    /// Draws the areas that only one of two parts has.
     pub(super) fn compared(&mut self, scene: &Scene) {
         let Some(compared) = scene.work().and_then(|work| work.compared.as_ref()) else { return };
         for (outlines, side) in compared.iter().zip([Side::First, Side::Second]) {
@@ -35,7 +35,7 @@ impl Drawing {
         }
     }
 
-    /// What the colours mean, in the upper right corner.
+    /// Draws the legend of the colours, in the upper right corner.
     pub(super) fn legend(&mut self, entries: &[(Side, String)]) {
         let right = self.camera.size().width - 12.0;
         for (index, (side, text)) in entries.iter().enumerate() {
@@ -52,7 +52,7 @@ impl Drawing {
     }
 }
 
-/// The class of a side, and how it is hatched.
+/// The class of a side, and the direction of its hatching.
 fn look(side: Side) -> (&'static str, Slant) {
     match side {
         Side::First => ("first", Slant::Falling),

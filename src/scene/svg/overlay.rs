@@ -1,7 +1,8 @@
-//! The tool paths of two programs in one file: what only the first makes, what only the second makes, what both make.
+//! The tool paths of two programs in one file, marked by whether the first, the second or both make them.
 //!
-//! In: the motions of both. Out: an SVG file with a legend. The three kinds of stroke differ in colour, in width and in
-//! their dashes. Strokes are the same where kind, ends and centre are, wherever they stand in the programs.
+//! In: the motions of both. Out: an SVG file with a legend. The three kinds of stroke differ in colour, width
+//! and dashes. Strokes are equal if their kind, ends and centre are, regardless of their place in the
+//! programs.
 
 use std::collections::HashSet;
 use std::fmt::Write;
@@ -18,13 +19,14 @@ use super::apart::Apart;
 use super::caption::escaped;
 use super::{BOTTOM_RULER, Drawing, Ground, HEIGHTS, LEFT_RULER, SHAPES, SvgOptions, colours, number};
 
-/// Strokes that are drawn of each program, at most; a picture of more would be all ink, and a file that no browser shows.
+/// Maximum number of strokes that are drawn of each program; with more, the picture would be unreadable and
+/// the file too large for a browser.
 pub const MOST_STROKES: usize = 20_000;
 
-/// From one line of the legend to the next, CSS pixels.
+/// Distance between lines of the legend, CSS pixels.
 const LEADING: f64 = 20.0;
 
-/// The three kinds of stroke, in the order in which they are drawn.
+/// The three kinds of stroke, in drawing order.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Owner {
     Both,
@@ -44,10 +46,10 @@ impl Owner {
     }
 }
 
-/// What makes two strokes the same, in thousandths of a millimetre.
+/// The key by which strokes are compared, in thousandths of a millimetre.
 type Key = (u8, [i64; 6]);
 
-/// The drawing. `legend` says what is of the first alone, of the second alone, and of both.
+/// The drawing. `legend` names the strokes of the first only, of the second only, and of both.
 pub fn overlay(programs: [&Motions; 2], legend: &[String; 3], options: &SvgOptions) -> String {
     let indices = programs.map(PathIndex::of);
     let scenes = [0, 1].map(|side| Scene::new(programs[side], &indices[side], None));
@@ -107,7 +109,7 @@ impl Drawing {
         self.line("</svg>");
     }
 
-    /// The strokes of one kind, a path for cuts and one for rapids.
+    /// Draws the strokes of one kind: one path for cuts and one for rapids.
     fn owned(&mut self, scene: &Scene, owner: Owner, own: impl Fn(&Stroke) -> bool) {
         for is_rapid in [true, false] {
             let mut d = String::new();
@@ -126,7 +128,7 @@ impl Drawing {
         }
     }
 
-    /// The legend in the upper right corner: a piece of each stroke beside its words.
+    /// Draws the legend in the upper right corner: a sample of each kind beside its name.
     fn explain(&mut self, [first, second, both]: &[String; 3]) {
         let right = self.camera.size().width - 12.0;
         let entries = [(Owner::First, first), (Owner::Second, second), (Owner::Both, both)];
