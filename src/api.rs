@@ -698,7 +698,7 @@ pub struct CodeColumn {
     pub name: &'static str,
 }
 
-/// A row of the table of supported codes: what the codes do, and how the controls write them.
+/// A row of the table of supported codes: the effect of the codes, and how the controls write them.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[cfg_attr(target_arch = "wasm32", derive(Tsify))]
 pub struct CodeRow {

@@ -299,7 +299,7 @@ impl Current {
         self.run.advance_replay(replay, blocks)
     }
 
-    /// The motions so far.
+    /// The motions of the run.
     pub fn motions(&self) -> &Motions {
         self.run.motions()
     }

@@ -5,10 +5,10 @@
 //! under G40, at the same feed and speed. It is written in execution order: a subprogram appears where it was
 //! called, a loop as often as it ran. Plain blocks stay as they were typed, except that their lengths get a
 //! decimal point if other moves are expanded with one. Other words of a cycle block (S, T, M, other G codes)
-//! are kept on a separate line, and so are those of the blocks of its contour. Blocks between G12.1 and G13.1
-//! stay as they are. An ignored contour is omitted; a cycle that could not run stays as it is. So do all
-//! blocks that depend on a block that was not executed, or that such a block depends on: their motions remain
-//! uncertain.
+//! are kept on a separate line, as are such words in the blocks of its contour. Blocks between G12.1 and
+//! G13.1 stay as they are. An ignored contour is omitted; a cycle that could not run stays as it is. All
+//! blocks that depend on a block that was not executed, or that such a block depends on, stay as they are
+//! too: their motions remain uncertain.
 //!
 //! The expanded program is run once. If its motions still differ, there is no expansion.
 
@@ -80,7 +80,7 @@ fn unchecked(text: &[u8], analysis: &Analysis, uncertain: Uncertain) -> String {
         out.insert_str(end_of_head(&out), "(DIALECT UNIT=INCH)\n");
     }
     if analysis.decides_decimal && provenance::numbers(out.as_bytes()).rule() != rule {
-        // The numbers that showed the rule have been expanded.
+        // The numbers that showed the rule have been expanded, so state the rule in a comment.
         let name = match rule {
             DecimalRule::LeastIncrement => "LEASTINCREMENT",
             DecimalRule::Calculator => "CALCULATOR",
@@ -226,7 +226,7 @@ fn write_with<'a>(
     let jumps = trace.iter().any(|executed| executed.steers);
     let kept = writer.kept_blocks(trace, &own, uncertain);
     let mut block = Block::default();
-    // The text before the first block.
+    // Copy the text before the first block.
     if !jumps {
         writer.out.push_str(&String::from_utf8_lossy(&text[..first.at.byte as usize]));
     }
@@ -250,7 +250,7 @@ fn write_with<'a>(
         }
         writer.follow(&executed.before, Units::OfProgram);
         let leaves = trace.get(index + 1).map_or(*executed.ready, |next| *next.before);
-        // A program number inside a program would end it, so those of subprograms become comments.
+        // A program number inside a program would end it, so the numbers of subprograms become comments.
         let is_called = jumps && index > 0 && block.program.is_some();
         let refused = kept[index] && executed.failed && range.is_empty();
         let mut is_copied = false;
@@ -704,8 +704,9 @@ impl Writer<'_> {
         out
     }
 
-    /// Writes the changes from the feed, spindle and tool of the written text to those of the program, each
-    /// on a separate line. They come from blocks of a contour, or from the reversal after tapping.
+    /// Writes the commands that change feed, spindle and tool from their values in the written text to their
+    /// values in the program, each on a separate line. Such changes come from blocks of a contour, or from
+    /// the reversal after tapping.
     fn follow(&mut self, process: &Process, units: Units) {
         let Some(now) = self.process.replace(*process) else { return };
         let unit = if self.inch { Unit::Inch } else { Unit::Millimetre };

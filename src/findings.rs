@@ -25,7 +25,7 @@ const RUN_OUT_INSIDE: f64 = 15.0;
 /// How many findings are checked for being about the next part; each check scans all motions.
 const COMPARED: usize = 50;
 
-/// The messages of all findings, of a limit that was reached, and of what was not checked. `run`: the
+/// The messages about all findings, about a limit that was reached, and about skipped checks. `run`: the
 /// messages already reported by the run.
 pub fn diagnostics(
     simulation: &SimulationResult,
@@ -89,7 +89,8 @@ pub fn diagnostics(
         if follows || is_meant(unusual, simulation.resolved_setup(), motions) || is_of_next_part() {
             continue;
         }
-        // If a message about the block was reported, the unusual removal is a consequence of that fault.
+        // If a message about the block is already reported, the unusual removal is a consequence of that
+        // fault.
         let is_known = |other: &Diagnostic| {
             other.severity > Severity::Info && (span.contains(other.span) || other.span.contains(span))
         };
@@ -137,8 +138,8 @@ fn feed_per_turn(process: &Process) -> Option<f64> {
     }
 }
 
-/// The message that material is not removed and not checked after a block that was not executed, at the first
-/// motion after it.
+/// The message that after a block that was not executed, material is neither removed nor checked. Its place
+/// is the first motion after this block.
 fn behind_left_out(simulation: &SimulationResult, motions: &Motions) -> Option<Diagnostic> {
     let first = motions.first_incomplete().filter(|_| simulation.limit().is_none())?;
     let cuts = motions.uncertain_cuts();
@@ -162,7 +163,7 @@ pub fn without_simulation(resolved: &ResolvedSetup, motions: &Motions, most: usi
 
 /// Messages about what the part does not include: cuts in a work frame with an unknown zero, reported at the
 /// first one; each unknown tool and each drill with an unknown diameter, at its first cut; and the first hole
-/// across the axis. None if no part could be shown anyway.
+/// across the axis. Empty if no part could be shown anyway.
 fn not_shown(resolved: &ResolvedSetup, motions: &Motions) -> impl Iterator<Item = Diagnostic> {
     let has_part = resolved.stock().is_some();
     let elsewhere = motions.cuts_elsewhere().filter(|_| has_part);

@@ -7,9 +7,9 @@
 //!
 //! # Three calls
 //!
-//! [`check`] reports the faults of a program, [`motions`] returns its motions, and [`repair`](crate::repair())
-//! applies all safe repairs. Inside the crate X is a radius. The rows of [`api`], which these calls return,
-//! have diameters, as in programs and on screen.
+//! [`check`] reports the faults of a program, [`motions`] returns its motions, and
+//! [`repair`](crate::repair()) applies all safe repairs. Inside the crate X is a radius. The rows of [`api`],
+//! which these calls return, have diameters, as in programs and on screen.
 //!
 //! ```
 //! use gcode_playground::{check, motions, repair, sentences::Language, setup::Setup};

@@ -79,7 +79,7 @@ impl Limits {
             ("text", self.text, 256 << 20),
             ("motions", self.motions, 20_000_000),
             ("movesPerCycle", self.moves_per_cycle, 2_000_000),
-            // Above these values, only the run time matters.
+            // These limits only bound the run time.
             ("cycleWork", self.cycle_work, 1_000_000_000),
             ("repeatedBlocks", self.repeated_blocks, 1_000_000_000),
             ("repeatedText", self.repeated_text, 1_000_000_000),
@@ -94,7 +94,7 @@ impl Limits {
         ]
     }
 
-    /// Checks that no limit exceeds its maximum. The error names the one that does.
+    /// Checks that no limit exceeds its maximum. The error names the first limit that does.
     pub fn check(&self) -> Result<(), String> {
         match self.settings().into_iter().find(|(_, set, most)| set > most) {
             Some((name, set, most)) => Err(format!("limits.{name} is {set}; it can be {most} at most")),
@@ -118,7 +118,7 @@ pub const DIGITS: u8 = 8;
 /// Largest value of a variable.
 pub const LARGEST_VARIABLE: f64 = 1e47;
 
-/// Maximum nesting of brackets, including those of functions and of `#[…]` (PS0118).
+/// Maximum nesting of brackets, including brackets of functions and of `#[…]` (PS0118).
 pub const BRACKETS: u8 = 5;
 
 /// Maximum nesting of loops (`DO`) in a program; a control accepts three.

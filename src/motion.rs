@@ -1,4 +1,4 @@
-//! The motion list: what the tool tip does, in order, as a structure of arrays.
+//! The motion list: the moves of the tool tip, in order, as a structure of arrays.
 //!
 //! In: motions pushed one by one by the interpreter. Out: columns that can be handed over without copying.
 //! Motions live in [`Chunk`]s. Every place in the source is relative to the first block of its chunk, so text
@@ -183,11 +183,11 @@ impl Cycle {
 pub enum Step {
     /// From the start point to the depth of the pass.
     Infeed = 1,
-    /// Along the work.
+    /// Along the workpiece.
     Cut = 2,
     /// Leaving the thread at 45° before its end.
     PullOut = 3,
-    /// Away from the work.
+    /// Away from the workpiece.
     Retract = 4,
     /// Back to the start point of the cycle, or of the next pass.
     Return = 5,
@@ -268,7 +268,7 @@ impl Feed {
 pub enum SpindleSpeed {
     /// Spindle speed, rpm (G97); 0 while no S was given.
     Constant(f64),
-    /// Cutting speed held (G96), metres a minute, between the lowest and highest speed of G50.
+    /// Constant cutting speed (G96), between the minimum and maximum spindle speed of G50.
     Surface {
         /// Cutting speed, m/min.
         speed: f64,
@@ -301,7 +301,7 @@ impl SpindleTurn {
 /// 002).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Quill {
-    /// Not set so far.
+    /// Not set yet.
     Unsaid,
     /// Extended (M25).
     Forward,
@@ -944,7 +944,7 @@ impl Chunk {
         self.get(index).on_workpiece()
     }
 
-    /// The [`Glance`] at the motion at `index`.
+    /// The most frequently used properties of the motion at `index`.
     #[inline]
     pub fn glance(&self, index: usize) -> Glance {
         let process = self.own_process(index);
@@ -1127,7 +1127,7 @@ impl Motions {
         self.get(index).on_workpiece()
     }
 
-    /// The [`Glance`] at the motion at `index`.
+    /// The most frequently used properties of the motion at `index`.
     pub fn glance(&self, index: usize) -> Glance {
         let (chunk, at) = self.locate(index);
         chunk.glance(at)

@@ -38,7 +38,7 @@ use crate::units::Unit;
 use edit::{Checkpoint, PreviousRun};
 use repeated::FaultyBlocks;
 
-/// The result of a run: what the program does, and the messages about it.
+/// The result of a run: motions, messages and the setup that applied.
 #[derive(Clone, Debug, Default)]
 pub struct Analysis {
     /// All motions in order.
@@ -142,7 +142,7 @@ pub struct Run {
     block: Arc<Block>,
     at: Resume,
     blocks: usize,
-    /// First byte of each O program read so far, by number.
+    /// First byte of each O program that has been read, by number.
     programs: BTreeMap<u32, u32>,
     recognised: Recognised,
     /// The setup from the caller; the text may add to it.
@@ -468,7 +468,7 @@ impl Run {
         }
     }
 
-    /// The block to read into. Its storage is reused unless someone else still holds the block.
+    /// The block to read into. Its storage is reused unless there is another reference to the block.
     fn block_to_read(&mut self) -> &mut Block {
         if Arc::get_mut(&mut self.block).is_none() {
             self.block = Arc::default();
@@ -719,7 +719,7 @@ impl Run {
         if self.interpreter.has_wandered() { Flow::End } else { Flow::Next }
     }
 
-    /// Reports that the program ends at `span` without M02 or M30, and offers M30 before the byte `next` of the
+    /// Reports that the program ends at `span` without M02 or M30. Offers M30 before the byte `next` of the
     /// next program or, without one, at the end of the tape.
     fn report_no_end(&mut self, text: &[u8], span: Span, next: Option<u32>) {
         let mut diagnostic = Diagnostic::new(said::NoEnd, span);
@@ -838,8 +838,8 @@ fn at_machine(setup: &Setup, text: &[u8], unit: Unit) -> Setup {
     Setup { described_tools: tool_words::read(text, unit), described_stock, ..setup.clone() }
 }
 
-/// A control at power-on. Once the part is loaded, it records the chronicle and, unless the setup switches
-/// them off, has the lints as observer.
+/// A control at power-on. Once the lints are loaded, it records a chronicle and, unless the setup switches
+/// them off, reports its events to the lints.
 fn observed(setup: Setup) -> Interpreter {
     let listens = setup.lints == Lints::On && LINTS.is_loaded();
     let mut interpreter = Interpreter::new(setup);

@@ -102,7 +102,7 @@ impl Playground {
         self.begin(bytes);
     }
 
-    /// Sets the program from bytes, such as those of a file.
+    /// Sets the program from bytes, such as the contents of a file.
     #[wasm_bindgen(js_name = setBytes)]
     pub fn set_bytes(&mut self, bytes: Vec<u8>) {
         self.begin(bytes);
@@ -219,8 +219,8 @@ impl Playground {
         self.current.stop(seconds);
     }
 
-    /// Counts for the run so far. They count the messages of [`Self::diagnostics`]; if the part with the
-    /// simulation is not loaded, only the messages about the path.
+    /// Counts of the run. They count the messages of [`Self::diagnostics`]; if the part with the simulation
+    /// is not loaded, only the messages about the path.
     #[wasm_bindgen(unchecked_return_type = "Summary")]
     pub fn summary(&self) -> Result<JsValue, JsValue> {
         let mut summary = Summary {
@@ -241,14 +241,14 @@ impl Playground {
         Ok(row.into())
     }
 
-    /// The number of motions so far, and of errors in the path.
+    /// The number of motions, and the number of errors in the path.
     #[wasm_bindgen(js_name = motionsAndErrors)]
     pub fn motions_and_errors(&self) -> Vec<u32> {
         let errors = self.current.run().diagnostics().iter().filter(|told| told.is_error()).count();
         vec![self.current.motions().len() as u32, errors as u32]
     }
 
-    /// The messages so far.
+    /// The messages of the run.
     #[wasm_bindgen(unchecked_return_type = "Diagnostic[]")]
     pub fn diagnostics(&self) -> Result<JsValue, JsValue> {
         diagnostics(self)

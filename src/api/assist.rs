@@ -66,15 +66,14 @@ pub struct HelpLine {
 pub struct StateHelp {
     /// Line of the block, from 1.
     pub line: u32,
-    /// Which execution of the block this is, from 1. 0 if the block is never executed; all lists are then
-    /// empty.
+    /// Which visit to the block this is, from 1: an execution, or a reading by a contour cycle. 0 if the
+    /// block is never visited; all lists are then empty.
     pub number: u32,
-    /// How often the block is executed.
+    /// Number of visits to the block.
     pub times: u32,
     /// UTF-16 offset of the block.
     pub block: u32,
-    /// Which execution of the block this is, from 1, for trying a value there. 0 if a cycle only reads the
-    /// block.
+    /// The number of this execution, from 1, for trying a value there. 0 if a cycle only reads the block.
     pub execution: u32,
     /// What the block does, in sentences with calculated numbers; may be empty.
     pub explanation: String,
@@ -527,7 +526,7 @@ fn shortened(text: &str) -> String {
     }
 }
 
-/// A description of what a block without motions sets.
+/// Describes the settings made by a block without motions.
 fn sets(help: &StateHelp, speaker: &Speaker) -> String {
     let changed = |row: &&StateRow| row.changed;
     let rows = help.rows.iter().filter(changed).map(|row| speaker.named(&row.name, &row.after));

@@ -25,7 +25,7 @@ pub struct FoundPrograms {
     pub programs: Vec<FoundProgram>,
     /// Number of programs that are not listed.
     pub more: u32,
-    /// Whether the text is longer than what was searched.
+    /// Whether the text was too long to be searched completely.
     pub too_long: bool,
     /// What the user has to review: nothing, a few stray characters, or the programs.
     #[cfg_attr(target_arch = "wasm32", tsify(type = "\"nothing\" | \"few-characters\" | \"programs\""))]

@@ -17,7 +17,7 @@ pub fn fixes(message: &Message, language: Language) -> Vec<Fix> {
     {
         return vec![fix("recognise", Some("false"))];
     }
-    // There is no setting for the A and B axes.
+    // Only the Y axis has a setting; the A and B axes have none.
     if message.is::<said::AxisNotHere>() || message.is::<said::PlaneNotHere>() {
         let field = fields::MACHINE.iter().find(|field| field.key == "yAxis");
         return vec![written(field, "machine.yAxis", Some("true"), language)];

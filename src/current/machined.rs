@@ -57,7 +57,7 @@ impl Machined {
         Self { simulation, part, threads, face, side, comparison: None, shown: None }
     }
 
-    /// Compares the part with the one that was kept; without one, ends the comparison.
+    /// Compares the part with the kept one; without a kept part, ends the comparison.
     pub(super) fn compare(&mut self, run: &Run, kept: Option<&Kept>) {
         compare(self, run, kept);
     }

@@ -44,7 +44,8 @@ pub struct Visit {
     pub after: Moment,
     /// The words of the block with values in place of expressions, if it has any and is executed.
     pub values: Option<String>,
-    /// The motions made during the visit; those of a corner or of compensation may be made by a later block.
+    /// The motions made during the visit. Motions of a corner or of compensation may be made by a later
+    /// block.
     pub motions: Range<usize>,
 }
 

@@ -85,8 +85,7 @@ impl Face {
     }
 }
 
-/// Whether a motion is seen from the direction of its cutter on the end face; under G19 the cutter points at
-/// the side.
+/// Whether the cutter of a motion points at the end face; under G19 it points at the side.
 fn is_seen_from_above(motion: &Motion) -> bool {
     motion.virtual_move().is_none_or(|moved| matches!(moved.surface, Surface::Face | Surface::Flat(Flat::Xy)))
 }

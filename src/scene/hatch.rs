@@ -52,7 +52,7 @@ pub fn hatch(outlines: &[Vec<Pixel>], zero: Pixel, size: Size) -> Vec<[Pixel; 2]
             let (from, to) = (across(a), across(b));
             let (low, high) = (from.min(to).max(seen[0]), from.max(to).min(seen[1]));
             let mut line = low.ceil();
-            // An edge end on a line counts for the edge that begins below it.
+            // An end point on a line belongs to the edge that begins below it.
             while line < high && count < 2 * MOST && (line - first) < crossings.len() as f64 {
                 let share = (line - from) / (to - from);
                 let along = (a.x - a.y) + share * ((b.x - b.y) - (a.x - a.y));

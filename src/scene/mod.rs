@@ -162,7 +162,7 @@ impl StrokeShape {
     /// Length along it, mm.
     pub fn length(&self) -> f64 {
         match self {
-            // Faster than `Point::distance`, which also handles values beyond those of any machine.
+            // Faster than `Point::distance`, which also handles values beyond the range of any machine.
             Self::Line { from, to } => ((from.x - to.x).powi(2) + (from.z - to.z).powi(2)).sqrt(),
             Self::Arc(arc) => arc.length(),
             Self::Virtual(own) => own.length(),

@@ -1,7 +1,7 @@
 //! The colours of the picture.
 //!
-//! In: nothing, or the colours of the surrounding page. Out: [`Palette`], read by every exporter. The default
-//! colours are those of the page (`www/src/colours.css`), on white paper.
+//! In: nothing, or the colours of the surrounding page. Out: [`Palette`], read by every exporter. The
+//! defaults are the colours of the page (`www/src/colours.css`), on white paper.
 
 use std::borrow::Cow;
 

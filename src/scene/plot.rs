@@ -171,8 +171,8 @@ impl Layer {
     /// Covers the pixels along a line, the ones at its ends partially.
     fn ink(&mut self, frame: Frame, from: Pixel, to: Pixel) {
         let steep = (to.y - from.y).abs() > (to.x - from.x).abs();
-        // `along` is the longer direction, in which the line advances pixel by pixel; `across` it lies
-        // between two pixels.
+        // The line advances pixel by pixel in its longer direction; in the other direction it lies between
+        // two pixels.
         let (mut a, mut b, length, breadth, along, across) = if steep {
             ((from.y, from.x), (to.y, to.x), frame.height, frame.width, frame.width, 1)
         } else {

@@ -1,7 +1,7 @@
 //! The origin of a picture.
 //!
-//! In: a run and its progress. Out: [`Source`], which distinguishes a picture from those of other runs and of
-//! other stages of the same run; [`Picture`], the input of a painter.
+//! In: a run and its progress. Out: [`Source`], which distinguishes a picture from pictures of other runs and
+//! of other stages of the same run; [`Picture`], the input of a painter.
 
 use super::Scene;
 use super::view::View;

@@ -23,7 +23,7 @@ pub struct StepLabel {
     pub text: &'static str,
     from: Point,
     to: Point,
-    /// The middle of the pass; labels are on the opposite side of their strokes.
+    /// The middle of the pass; each label is on the side of its stroke that faces away from it.
     middle: Point,
 }
 

@@ -1,4 +1,4 @@
-//! Writes the picture as a stand-alone SVG file.
+//! Writes the picture as a self-contained SVG file.
 //!
 //! In: a scene. Out: text that any browser, manual or drawing program shows: no scripts, no identifiers that
 //! could clash in a page, light and dark colours. Every stroke has the line of its block (`data-line`, from
@@ -52,7 +52,7 @@ pub struct SvgOptions {
     pub passes: Passes,
 }
 
-/// How overlapping passes are drawn: those of G76, and pecks along one line.
+/// How overlapping passes are drawn (passes of G76, and pecks along one line).
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Passes {
     /// At their true positions.

@@ -17,7 +17,7 @@ use crate::motion::Motions;
 /// A point is on an edge if the detour over it is longer than the edge by at most this, mm.
 const ON_EDGE: f64 = 1e-6;
 
-/// Closed outlines, including those of holes, with the material on the left.
+/// Closed outlines, including outlines of holes, with the material on the left.
 pub type Outlines = Vec<Vec<Point>>;
 
 /// The workpiece at a moment.
@@ -38,7 +38,7 @@ pub struct Work {
     pub dangers: Vec<Point>,
     /// The extent of milling in the section, which shows the part as turned.
     pub milled: Option<Bounds>,
-    /// The areas that only the first and only the second of two compared parts has.
+    /// The areas that only the first of two compared parts has, and those that only the second has.
     pub compared: Option<[Outlines; 2]>,
     /// The lines along which it was cut open to be unrolled.
     seams: Vec<Vec<Point>>,
@@ -158,8 +158,8 @@ impl Work {
         Self { id: next_id(), milled, ..self }
     }
 
-    /// The marks of a milled area, like those of a flat on a turned part: its frame, and thin diagonal lines
-    /// (ISO 128).
+    /// The marks of a milled area, as for a flat on a turned part: its frame, and thin diagonal lines (ISO
+    /// 128).
     pub fn milled_lines(&self) -> Vec<Vec<Point>> {
         let Some(Bounds { min, max }) = self.milled else { return Vec::new() };
         let [a, b, c, d] =
@@ -176,7 +176,7 @@ impl Work {
         Self { id: next_id(), compared: Some([only(Side::First), only(Side::Second)]), ..self }
     }
 
-    /// The edges of the part: those that were cut, and those of a blank that is only inferred.
+    /// The edges of the part, in two lists: cut edges, and edges of a blank that is only inferred.
     pub fn part_edges(&self, plane: Plane) -> [Vec<Vec<Point>>; 2] {
         let lines = match plane {
             Plane::Section => edges(&self.part),

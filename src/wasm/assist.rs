@@ -1,7 +1,7 @@
 //! Help at a place of the program: the word there, and the state of the control.
 //!
-//! In: a place, and the execution of its block. Out: rows. The run is replayed in slices; the result is
-//! cached until the question is about another block, or the run changes.
+//! In: a place, and which visit to its block. Out: rows. The run is replayed in slices; the result is cached
+//! until the question is about another block, or the run changes.
 
 use wasm_bindgen::prelude::*;
 
@@ -24,15 +24,15 @@ pub(super) struct Question {
 
 #[wasm_bindgen]
 impl Playground {
-    /// Asks about the block at an offset: about the execution with the number `time`, from 1, or the usual
-    /// one. The run must have ended. Returns whether the answer is already available.
+    /// Asks about the block at an offset: about the visit with the number `time`, from 1, or the usual one.
+    /// The run must have ended. Returns whether the answer is already available.
     #[wasm_bindgen(js_name = askBlock)]
     pub fn ask_block(&mut self, offset: u32, time: Option<u32>) -> bool {
         ask(self, offset, time)
     }
 
-    /// Asks about the block of a motion, in the execution that makes the motion. The run must have ended.
-    /// Returns whether the answer is already available.
+    /// Asks about the block of a motion, in the visit that makes the motion. The run must have ended. Returns
+    /// whether the answer is already available.
     #[wasm_bindgen(js_name = askMotion)]
     pub fn ask_motion(&mut self, motion: u32) -> bool {
         ask_motion(self, motion)

@@ -208,7 +208,7 @@ impl Playground {
         self.current.end_comparison();
     }
 
-    /// The differences between the part and the one that was kept (`first`); `undefined` if there is none.
+    /// The differences between the part and the kept one (`first`); `undefined` if no part is kept.
     #[wasm_bindgen(unchecked_return_type = "Comparison | undefined")]
     pub fn comparison(&self) -> Result<JsValue, JsValue> {
         self.current.comparison().map_or(Ok(JsValue::UNDEFINED), comparison)

@@ -2,7 +2,7 @@
 //!
 //! In: the text of the file. Out: its parts, or all its errors with their lines. `src/rules/README.md`
 //! describes the format. Shared by the build script, the rule pages and their tests, so it uses only the
-//! standard library and must not know what a program does or what the parts are used for.
+//! standard library and must not know the effect of programs or the use of the parts.
 
 pub mod message;
 pub mod page;
@@ -64,7 +64,7 @@ impl std::fmt::Display for Mistake {
     }
 }
 
-/// The errors found so far, and the current line.
+/// The collected errors, and the current line.
 #[derive(Default)]
 struct Mistakes {
     line: usize,

@@ -167,7 +167,7 @@ impl StrokeLayer {
         (self.shown, self.plot, self.paths) = (None, None, Vec::new());
     }
 
-    /// A number that identifies this image among those of the layer.
+    /// A number that identifies this image within the layer.
     pub fn version(&self) -> u32 {
         self.version
     }
@@ -296,7 +296,7 @@ impl StrokeLayer {
         Ok(if same { Progress::Done } else { Progress::UnderWay })
     }
 
-    /// The colours of a plot; only those of a new palette are read from the browser.
+    /// The colours of a plot; they are read from the browser only when the palette has changed.
     fn colours(&mut self, palette: &Palette) -> Result<Colours, JsValue> {
         if let Some((_, colours)) = self.colours.as_ref().filter(|(of, _)| of == palette) {
             return Ok(*colours);
