@@ -39,7 +39,7 @@
 //! [`analyze`] runs all stages in one call; [`run::Run`] does the same in slices, for a page that must not
 //! block. Every stage adds its messages to one list. Every motion has the span of its source.
 //!
-//! The default feature `cli` contains the command line.
+//! The default feature `cli` contains the command line; `default-features = false` leaves it out.
 
 pub mod api;
 pub mod assist;

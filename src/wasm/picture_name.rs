@@ -13,7 +13,7 @@ pub enum PictureName {
     Section = "section",
     /// The end face, seen from the tailstock.
     Face = "face",
-    /// The side, seen from outside and mostly unrolled.
+    /// The side, seen from outside and usually unrolled.
     Side = "side",
 }
 
