@@ -1,7 +1,7 @@
-// At the cursor: what the word there is, and the state of the control before and after its block.
+// Help at the cursor: what the word means, and the state of the control before and after its block.
 //
-// In: answers of the interpreter about the block at the cursor, once the reader has been in the text. Out: the block that
-// the reader wants to see. Must not know: what a word or a row means.
+// In: answers of the interpreter about the block at the cursor, once the user has focused the text. Out: the block that
+// the user selects. Must not know: what a word or a row means.
 
 import { arrange, icon, make, name, showText } from '../dom/dom';
 import type { Language } from '../dom/language';
@@ -13,7 +13,7 @@ import type { Heard } from '../worker/core-client';
 import { isInProgram, type Key, type NewestQuestion, type Panel, type PanelKind, type Shell } from './panel';
 import atCursorStyles from './at-cursor.css?inline';
 
-/** An answer that takes longer is on its way: the program is gone through once more, ms. */
+/** If an answer takes longer than this, ms, show that it is pending: the program is interpreted again. */
 const SOON_MS = 250;
 
 export const atCursor: PanelKind = { control: 'help', styles: atCursorStyles, make: (shell) => new AtCursor(shell) };
@@ -60,20 +60,20 @@ class AtCursor implements Panel {
     this.#header,
     this.#body,
   );
-  /** The reader has been in the text: until then nothing is asked, and nothing is loaded for it. */
+  /** Whether the user has focused the text. Until then no question is asked, and nothing is loaded. */
   #wanted = false;
-  /** The next answer is read out. */
+  /** Whether to announce the next answer to screen readers. */
   #speaks = false;
-  /** It was opened, and has not its whole height yet: the cursor may have to be looked for then. */
+  /** Just opened, and not yet at its full height: the cursor may have to be scrolled into view. */
   #opened = false;
-  /** Which of the times the block is carried out; the usual one where nothing is chosen. */
+  /** Which execution of the block is shown; undefined: the default one. */
   #chosen: number | undefined;
   #shown: Help | undefined;
-  /** What each part shows, and in which language, as text; nothing where it shows something else. */
+  /** The content of each part with its language, as text, to compare; no entry if the part shows something else. */
   readonly #shownAs = new Map<HTMLElement, string>();
-  /** Until the answer is there. */
+  /** Timer until the pending answer is shown as pending. */
   #waiting: ReturnType<typeof setTimeout> | undefined;
-  /** The worker answers no question now. */
+  /** The worker cannot answer questions now. */
   #isIdle = false;
   #hasNavigation = false;
   #marks = false;
@@ -109,7 +109,7 @@ class AtCursor implements Panel {
       showText(button, text);
       button.title = `${text} (${key})`;
     }
-    // Not earlier: all panels are made by then.
+    // Not earlier: the other panels do not exist before.
     if (!this.#hasNavigation) {
       this.#header.append(this.#shell.service('outlineButton')());
       this.#state.after(this.#shell.service('usesSection')());
@@ -184,14 +184,14 @@ class AtCursor implements Panel {
     );
   }
 
-  /** Where the cursor is, or what is selected begins. */
+  /** The offset of the cursor, or of the start of the selection. */
   get #place(): number {
     const { editor } = this.#shell;
     const { from, to } = editor.selection;
     return from === to ? editor.cursor : from;
   }
 
-  /** Another of the times the block is carried out. */
+  /** Shows the previous or next execution of the block. */
   #choose(step: -1 | 1): void {
     const state = this.#shown?.state;
     if (state === undefined) return;
@@ -199,7 +199,7 @@ class AtCursor implements Panel {
     this.#ask();
   }
 
-  /** What is shown is of another place, or of another time. */
+  /** Shows that the content is for another place or another execution, and that the answer is pending. */
   #showThatItComes(): void {
     this.#element.setAttribute('aria-busy', 'true');
     showText(this.#line, WORDS[this.#shell.language].onItsWay);
@@ -218,7 +218,7 @@ class AtCursor implements Panel {
     this.#shown = help;
     const texts = WORDS[this.#shell.language];
     const { word, form, state } = help;
-    // What a run leaves as it was stays: no button goes from under the pointer, and no field from a reader who types.
+    // Re-render only changed sections, so that focus and hover survive a re-run.
     const isOther = (what: HTMLElement, of: unknown): boolean => {
       const as = JSON.stringify([this.#shell.language, of]);
       const before = this.#shownAs.get(what);
@@ -235,7 +235,7 @@ class AtCursor implements Panel {
       this.#opened = false;
       this.#shell.editor.keepCursorInSight();
     }
-    // An answer to an earlier question is shown, but not read out.
+    // An answer to an earlier question is shown, but not announced.
     if (!this.#speaks || help.asked.about === 'motion' || help.asked.offset !== this.#place) return;
     this.#speaks = false;
     const said =
@@ -245,7 +245,7 @@ class AtCursor implements Panel {
     this.#shell.editor.announce([...said, state?.explanation ?? ''].join(' ').trim());
   }
 
-  /** Nothing is known: the line says what can stand here. */
+  /** No answer: the line shows a hint. */
   #clear(): void {
     this.#shownAs.clear();
     showText(this.#line, WORDS[this.#shell.language].empty);
@@ -255,7 +255,7 @@ class AtCursor implements Panel {
     this.#state.replaceChildren();
   }
 
-  /** The form of the block: its words in a row, and under it what is missing or left out. */
+  /** The form of the block: its words in a row, and under it the missing and the omitted ones. */
   #forms(form: FormHelp): HTMLElement[] {
     const texts = WORDS[this.#shell.language];
     const rows = form.lines.map((line) =>
@@ -344,14 +344,14 @@ class AtCursor implements Panel {
     const cells = changed
       ? [make('td', {}, before), make('td', { className: 'changed' }, make('strong', {}, after))]
       : [make('td', { colSpan: 2 }, after)];
-    // What a cycle only reads is not carried out: nothing can be set before it.
+    // A block that a cycle only reads is not executed, so no variable can be set before it.
     const state = this.#shown?.state;
     if (variable !== undefined && state !== undefined && state.execution > 0)
       cells.at(-1)?.append(' ', this.#tryButton(name, variable, state));
     return make('tr', { className: changed ? 'changed' : '' }, make('th', { scope: 'row' }, name), ...cells, where);
   }
 
-  /** The way to another value of a variable: a field takes the place of the button. */
+  /** The button to try another value of a variable: a field replaces it. */
   #tryButton(name: string, variable: number, { block, execution }: StateHelp): HTMLElement {
     const texts = WORDS[this.#shell.language];
     const button = make(
@@ -381,7 +381,7 @@ class AtCursor implements Panel {
           field.setAttribute('aria-invalid', String(value === undefined));
           if (value === undefined) return;
           end();
-          // The table is most often another one in a moment, and the button with it.
+          // The table is usually rendered again soon, and its buttons are replaced.
           this.#toggle.focus({ preventScroll: true });
           this.#shell.editor.tryValue({ at: block, time: execution, variable, value });
         } else return;
@@ -398,13 +398,13 @@ class AtCursor implements Panel {
     return factList(frames, (offset) => this.#go(offset));
   }
 
-  /** The reader wants to see the block at an offset. */
+  /** Selects the block at an offset. */
   #go(offset: number): void {
     this.#shell.goTo({ from: offset, to: this.#shell.editor.endOfLine(offset) });
   }
 }
 
-/** A number as a reader types it, with a point or a comma. */
+/** A number as the user types it, with a point or a comma. */
 function numberIn(text: string): number | undefined {
   const typed = text.trim().replace(',', '.');
   return /^[+-]?(\d+\.?\d*|\.\d+)$/.test(typed) ? Number(typed) : undefined;

@@ -1,4 +1,4 @@
-// The dialog with the table of supported codes, the chosen control's first, and a field to find one.
+// The dialog with the table of supported codes, the selected control's column first, and a filter field.
 //
 // In: the rows, as the interpreter answers them. Must not know: what a code means.
 
@@ -11,7 +11,7 @@ import type { CodeRow, Codes } from '../protocol/protocol';
 import type { Panel, PanelKind, Services, Shell } from './panel';
 import codesStyles from './codes.css?inline';
 
-/** A row that is shown, and what is looked through for it, in small letters. */
+/** A row of the table, with the lower-case text that the filter searches. */
 interface Shown {
   readonly element: HTMLElement;
   readonly body: HTMLElement;
@@ -84,8 +84,7 @@ class CodesPanel implements Panel {
         bodies.set(row.section, body);
       }
       const own = row[first.key];
-      // Where there is no room for the other columns, the others' codes stand after
-      // the words, if they differ.
+      // If there is no room for the other columns, their codes are shown after the description if they differ.
       const differing = others.filter(({ key }) => row[key] !== '' && row[key] !== own);
       const what = make('td', {}, ...prose(row.does));
       if (row.note !== '') what.append(make('span', { className: 'note' }, row.note));
@@ -120,7 +119,7 @@ class CodesPanel implements Panel {
     this.#find();
   }
 
-  /** A code that begins with what is typed, or else words that hold all of it. */
+  /** Shows codes that begin with the filter text; otherwise rows whose description contains all of its words. */
   #find(): void {
     const asked = this.#filter.value.trim().toLowerCase();
     const words = asked.split(/\s+/);
@@ -135,7 +134,7 @@ class CodesPanel implements Panel {
   }
 }
 
-/** As it may also be typed: G1 for G01. */
+/** The code without leading zeros, as it may also be typed: G1 for G01. */
 function short(code: string): string {
   return code.replace(/^([a-z])0+(?=\d)/, '$1');
 }

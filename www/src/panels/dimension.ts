@@ -1,4 +1,4 @@
-// The dimensions of an edge of the part in texts.
+// Formats the dimensions of an edge of the part.
 //
 // In: numbers from the interpreter. Out: one line of text. Must not know: where it is shown.
 

@@ -1,7 +1,8 @@
-// The divider between program and drawing, where they stand beside each other.
+// The divider between program and drawing when they are side by side.
 //
-// In: a pointer or keys; the attribute `split` of the element, in percent of its width. Out: the attribute as it is to be, and the
-// event `gcode-split`, so that the page can remember it. Must not know: what stands on its sides, or where it is remembered.
+// In: a pointer or keys; the attribute `split` of the element, in percent of its width. Out: the new value of the
+// attribute, and the event `gcode-split`, so that the page can store it. Must not know: what is on its sides, or where
+// the value is stored.
 
 import { make } from '../dom/dom';
 import type { Language } from '../dom/language';
@@ -9,9 +10,9 @@ import { words } from '../dom/words';
 import type { Panel, PanelKind, Shell } from './panel';
 import dividerStyles from './divider.css?inline';
 
-/** Percent for the program: where nobody has said, and at least and at most. */
+/** Width of the program, percent: default, minimum and maximum. */
 const SHARE = { unsaid: 40, least: 20, most: 75 } as const;
-/** Percent for a key. */
+/** Percent for each key press. */
 const STEP = 2;
 
 export const divider: PanelKind = { styles: dividerStyles, make: (shell) => new Divider(shell) };

@@ -1,7 +1,7 @@
-// The drawing: its canvas, what hand and keyboard do to it, the legend and the tooltip.
+// The drawing: its canvas, pointer and keyboard input, the legend and the tooltip.
 //
 // In: the stroke under the pointer (as an answer), the counts for the legend. Out: the events below.
-// The pictures are painted in the worker, and come as images.
+// The pictures are painted in the worker and arrive as images.
 // Must not know: how a stroke is found, or what it means.
 
 import { icon, make, name, perFrame, unbroken } from '../dom/dom';
@@ -10,27 +10,27 @@ import { COMMON, words } from '../dom/words';
 import type { Palette, Size, Stroke, Summary, WorkShown } from '../protocol/protocol';
 import { PictureCanvas } from './picture-canvas';
 
-/** A pointer that moved less than this, in CSS pixels, has clicked. */
+/** A pointer that moved less than this between press and release, CSS pixels, has clicked. */
 const CLICK_SLOP = { mouse: 4, touch: 10 };
 const KEY_PAN = 40;
 const KEY_ZOOM = 1.25;
-/** CSS pixels of the type's size for which the picture is as it is drawn. */
+/** Font size of the page at which the picture has its natural scale, CSS pixels. */
 const TYPE_AS_USUAL = 16;
 
 export interface DrawingEvents {
   resized(size: Size): void;
-  /** The picture is to be painted once more as it is. */
+  /** Asks for the picture again, unchanged. */
   wanted(): void;
   fit(): void;
   pan(dx: number, dy: number): void;
   zoom(factor: number, x: number, y: number): void;
   pointed(x: number, y: number): void;
   left(): void;
-  /** `keepFocus`: a finger tapped, and an on-screen keyboard must not come up. */
+  /** `keepFocus`: a finger tapped, and an on-screen keyboard must not open. */
   clicked(x: number, y: number, keepFocus: boolean): void;
-  /** The colours of the page around are others. */
+  /** The colours of the host page have changed. */
   recoloured?(): void;
-  /** The buttons act on these pictures too. */
+  /** Other pictures that the buttons act on too. */
   companions?(): readonly Drawing[];
 }
 
@@ -62,24 +62,21 @@ export class Drawing {
   readonly #fit = make('button', { type: 'button' }, icon('fit'));
   readonly #zoomIn = make('button', { type: 'button' }, icon('plus'));
   readonly #zoomOut = make('button', { type: 'button' }, icon('minus'));
-  /**
-   * What the kinds of strokes look like, and the buttons to fit and zoom: the element
-   * decides where they stand.
-   */
+  /** The kinds of strokes, and the buttons to fit and zoom. The element decides where they are placed. */
   readonly legend = make('ul', { className: 'legend', part: 'legend' });
   readonly viewButtons = make('div', { className: 'view-buttons' });
   readonly #empty = make('p', { className: 'empty', hidden: true });
   readonly #tip = make('div', { className: 'tip', part: 'tooltip', role: 'tooltip', hidden: true });
   readonly #pointers = new Map<number, { x: number; y: number }>();
-  /** As wide as the page's type is large. */
+  /** A box as wide as the font size of the page, to observe it. */
   readonly #type = make('div', { className: 'type-size' });
   #scale = 1;
   readonly #sizes = new ResizeObserver(() => {
     const { width, height } = this.#holder.getBoundingClientRect();
-    // A page that is being laid out may have no width for a moment; one that is hidden has neither.
+    // During layout a page may have no width for a moment; a hidden page has neither width nor height.
     if (width > 0 === height > 0) this.#events.resized(this.size);
   });
-  /** Says whether the page around scrolls. */
+  /** Watches whether the host page scrolls. */
   readonly #page = new ResizeObserver(() => this.#canvas.classList.toggle('of-a-page', pageScrolls()));
   readonly #picture = new PictureCanvas(() => this.#events.wanted());
   readonly #canvas = this.#picture.element;
@@ -95,7 +92,7 @@ export class Drawing {
   #travel = 0;
   #panning = { dx: 0, dy: 0 };
   #at = { x: 0, y: 0 };
-  /** The pointer is over the picture, and nothing is dragged. */
+  /** Whether the pointer is over the picture and nothing is dragged. */
   #pointing = false;
 
   constructor(language: Language, events: DrawingEvents) {
@@ -111,7 +108,7 @@ export class Drawing {
       'section',
       { className: 'drawing', part: 'drawing' },
       this.#holder,
-      // Shown once, where there are several pictures.
+      // With several pictures, this is shown only once.
       ...(events.companions === undefined ? [] : [this.#empty]),
       this.#tip,
     );
@@ -129,7 +126,7 @@ export class Drawing {
     this.#type.addEventListener('transitionend', () => events.recoloured?.());
   }
 
-  /** `label` is what it is for a reader who does not see it. */
+  /** `label` is the text for screen readers. */
   speak(language: Language, label: (motions: number) => string): void {
     const texts = WORDS[language];
     this.#language = language;
@@ -146,7 +143,7 @@ export class Drawing {
     this.#showSummary();
   }
 
-  /** What the picture shows beside strokes. */
+  /** What the picture shows besides strokes. */
   set work(work: readonly WorkShown[]) {
     this.#work = work;
     this.#showSummary();
@@ -163,7 +160,7 @@ export class Drawing {
     };
   }
 
-  /** CSS pixels for one of the picture's: its words and strokes grow with the reader's type. */
+  /** CSS pixels for one pixel of the picture: texts and strokes scale with the font size of the page. */
   get scale(): number {
     return this.#scale;
   }
@@ -171,7 +168,7 @@ export class Drawing {
   /** The colours as the style sheet resolves them now. */
   get palette(): Palette {
     const probe = make('span', { hidden: true });
-    // Colours of the system are named by the style sheet, not put in the place of these.
+    // Keep the colour names of the style sheet: forced colours must not replace them.
     probe.style.setProperty('forced-color-adjust', 'none');
     this.element.append(probe);
     const style = getComputedStyle(probe);
@@ -185,31 +182,31 @@ export class Drawing {
     return colours;
   }
 
-  /** Shows a picture in place of the one before. */
+  /** Shows a picture in place of the previous one. */
   show(image: ImageBitmap): void {
     this.#picture.show(image);
   }
 
-  /** CSS pixels of the canvas's top left corner in the window. */
+  /** The top left corner of the canvas in the window, CSS pixels. */
   get origin(): { x: number; y: number } {
     const { left, top } = this.#canvas.getBoundingClientRect();
     return { x: left, y: top };
   }
 
-  /** What lies under the pointer, or nothing. */
+  /** Shows the stroke under the pointer, if any. */
   showTip(stroke: Stroke | undefined): void {
     this.#stroke = stroke;
     this.#canvas.classList.toggle('on-stroke', stroke !== undefined);
     this.#fillTip();
   }
 
-  /** What the block of a motion does: it stands under the words of its stroke. */
+  /** Shows what the block of a motion does, under the text of its stroke. */
   explain(motion: number, text: string): void {
     this.#explained = { motion, text };
     this.#fillTip();
   }
 
-  /** The dimensions of the edge under the pointer, or nothing. */
+  /** Shows the dimensions of the edge under the pointer, if any. */
   showEdge(text: string | undefined): void {
     this.#edge = text;
     this.#fillTip();
@@ -243,7 +240,7 @@ export class Drawing {
     this.#tip.style.transform = `translate(${Math.round(x)}px, ${Math.round(y)}px)`;
   }
 
-  /** Asks again what lies under a pointer that rests on the drawing: another picture is shown. */
+  /** Asks again for the stroke under a resting pointer, because another picture is shown. */
   lookAgain(): void {
     this.#point();
   }
@@ -314,7 +311,7 @@ export class Drawing {
         Math.hypot(now.x - other.x, now.y - other.y) / Math.max(Math.hypot(before.x - other.x, before.y - other.y), 1);
       this.#events.zoom(apart, (now.x + other.x) / 2, (now.y + other.y) / 2);
     }
-    // With two fingers the middle between them moves by half of what one of them does.
+    // With two fingers, the midpoint moves by half the distance that one finger moves.
     const share = other === undefined ? 1 : 0.5;
     const dx = (now.x - before.x) * share;
     const dy = (now.y - before.y) * share;
@@ -327,7 +324,7 @@ export class Drawing {
     this.#pan();
   }
 
-  /** A finger that scrolls the page. */
+  /** Whether a finger scrolls the page, not the picture. */
   #isOfThePage(event: PointerEvent): boolean {
     return event.pointerType === 'touch' && this.#canvas.matches('.of-a-page:not(:focus)');
   }
@@ -351,7 +348,7 @@ export class Drawing {
   }
 
   readonly #point = perFrame(() => {
-    // It may have left again since.
+    // The pointer may have left since.
     if (this.#pointing) this.#events.pointed(this.#at.x, this.#at.y);
   });
   readonly #pan = perFrame(() => {
@@ -359,7 +356,7 @@ export class Drawing {
     this.#panning = { dx: 0, dy: 0 };
   });
 
-  /** In a page that scrolls, the wheel is the page's until the drawing has the focus (or Ctrl is held). */
+  /** In a page that scrolls, the wheel scrolls the page until the drawing has the focus (or Ctrl is held). */
   #wheel(event: WheelEvent): void {
     if (pageScrolls() && !event.ctrlKey && !this.#canvas.matches(':focus')) return;
     event.preventDefault();
@@ -410,7 +407,7 @@ function pageScrolls(): boolean {
   return page !== null && page.scrollHeight > page.clientHeight + 1;
 }
 
-/** Of a colour as the browser writes it, `rgb(20, 25, 31)`. */
+/** `colour` is in the browser's notation, `rgb(20, 25, 31)`. */
 function isDark(colour: string): boolean {
   const [red = 255, green = 255, blue = 255] = (colour.match(/[\d.]+/g) ?? []).map(Number);
   return 0.3 * red + 0.6 * green + 0.1 * blue < 128;

@@ -1,4 +1,4 @@
-// Times as people read them, and what of a time is not known.
+// Formats durations, with counts of the motions whose time is unknown.
 //
 // In: seconds and counts. Out: texts. Must not know: where they come from.
 
@@ -6,7 +6,7 @@ import type { Language } from '../dom/language';
 import { counter } from '../dom/plural';
 import { words } from '../dom/words';
 
-/** A time as far as it is known. */
+/** The known time, and the number of motions of unknown time. */
 export interface Duration {
   readonly seconds: number;
   readonly unknownCuts: number;
@@ -21,7 +21,7 @@ export function clock(seconds: number): string {
   return hours > 0 ? `${hours}:${two(minutes)}:${two(whole % 60)}` : `${minutes}:${two(whole % 60)}`;
 }
 
-/** " + 102 rapids": what is not in the time; empty where all is. */
+/** " + 102 rapids": the motions that the time does not include; empty if it includes all. */
 export function countsOfUnknown({ unknownCuts, unknownRapids }: Duration, language: Language): string {
   const texts = WORDS[language];
   const rapids = unknownRapids > 0 ? ` + ${texts.rapids(unknownRapids)}` : '';

@@ -1,8 +1,8 @@
-// The button "Export" and its menu: what can be saved as a file, beside the program itself.
+// The button "Export" and its menu: the files that can be saved, besides the program itself.
 //
-// In: whether there is a run to export. Out: a file, handed to the browser. A menu button as ARIA describes
-// it: Enter, Space and the arrow up open it, arrows, Home, End and first letters move in it, Escape closes
-// it. Must not know: how a file is made.
+// In: whether there is a run to export. Out: a file, passed to the browser. A menu button as in the ARIA pattern:
+// Enter, Space and arrow up open it; arrows, Home, End and first letters move in it; Escape closes it. Must not know:
+// how a file is made.
 
 import { make } from '../dom/dom';
 import type { Language } from '../dom/language';
@@ -65,7 +65,7 @@ class Exports implements Panel {
     for (const { format, button } of this.#items) button.textContent = strings.exportOf[format];
   }
 
-  /** Whether there is a finished run to make files of. */
+  /** Whether there is a finished run to export. */
   set available(available: boolean) {
     this.#button.disabled = !available;
     if (!available && this.#element.matches(':popover-open')) this.#element.hidePopover();
@@ -75,7 +75,7 @@ class Exports implements Panel {
     const { editor, language } = this.#shell;
     this.#shell.flush();
     const exported = await this.#shell.ask('export', { format });
-    // Without a worker the page reports that itself.
+    // Without a worker, the shell has already shown an error.
     if (exported === undefined) return;
     if (exported.kind === 'no-part') {
       this.#shell.service('notice')(WORDS[language].noPartToExport);
@@ -84,7 +84,7 @@ class Exports implements Panel {
     const { content, ending } = exported;
     const { file } = editor;
     const name = exportName(file?.name, format, ending);
-    // A program is written in the encoding of its file, as "Save file" does.
+    // A program is saved in the encoding of its file, as "Save file" does.
     const asProgram = file !== undefined && format === 'program';
     download(name, asProgram ? bytesToSave(new TextDecoder().decode(content), { ...file, name }).bytes : content);
   }
@@ -93,7 +93,7 @@ class Exports implements Panel {
     return (this.#element.getRootNode() as ShadowRoot).activeElement;
   }
 
-  /** Above the button, its right edge under that of the menu, as far as the window has room. */
+  /** Places the menu above the button, right-aligned with it, within the window. */
   #place(): void {
     const { right, top } = this.#button.getBoundingClientRect();
     const { offsetWidth: width, offsetHeight: height } = this.#element;
@@ -122,13 +122,13 @@ class Exports implements Panel {
     event.stopPropagation();
   }
 
-  /** Round and round. */
+  /** Focuses an item of the menu; the index wraps around. */
   #focus(index: number): void {
     this.#items.at(index % this.#items.length)?.button.focus();
   }
 }
 
-/** The name of an exported file, after that of the program. */
+/** The file name of an export, made from the name of the program. */
 function exportName(program: string | undefined, format: ExportFormat, ending: string): string {
   const stem = (program ?? '').replace(/\.[^.]*$/, '');
   if (stem === '' && format === 'card') return 'setup-sheet.html';
@@ -177,5 +177,4 @@ const WORDS = words({
   },
 });
 
-/** All formats, in the order of the menu. */
 const FORMATS = Object.keys(WORDS.en.exportOf) as ExportFormat[];

@@ -1,7 +1,7 @@
 // The open file: its name and encoding, opening and saving.
 //
-// In: files that are chosen or dropped on the element, the encoding the reader names. Out: the program, the
-// bytes to save. Must not know: how bytes become text.
+// In: files that are chosen or dropped on the element, the encoding that the user selects. Out: the program, the bytes
+// to save. Must not know: how bytes become text.
 
 import { make } from '../dom/dom';
 import { acceptFiles } from '../dom/drop';
@@ -35,12 +35,12 @@ class FileBar implements Panel {
     this.#encoding.disabled = shell.readonly;
     this.#encoding.addEventListener('change', () => {
       const chosen = this.#encoding.value as Encoding;
-      // It stands where the file is, which may become another one.
+      // Show the current encoding until the file is decoded again: that may open another file.
       this.fileChanged(this.#file);
       this.#choose(chosen);
     });
     this.#element.append(this.#name, this.#encoding);
-    // Over the drawing, too, where the browser would leave the page for the file.
+    // Also over the drawing, where the browser would otherwise navigate to the file.
     acceptFiles(shell.root.host as HTMLElement, {
       hint: () => COMMON[shell.language].dropHere,
       dropped: (file) => void (shell.readonly ? undefined : this.#open(file)),
@@ -53,7 +53,7 @@ class FileBar implements Panel {
   }
 
   fileChanged(file: ProgramFile | undefined): void {
-    // What was said of a file goes with it.
+    // A notice about the previous file is hidden.
     if (file?.name !== this.#file?.name) this.#shell.service('hideNotice')('file');
     this.#file = file;
     this.#element.hidden = file === undefined;
@@ -72,12 +72,12 @@ class FileBar implements Panel {
     return WORDS[this.#shell.language];
   }
 
-  /** Opens a file as the program; what it replaces can be brought back with undo. */
+  /** Opens a file as the program; undo restores the previous one. */
   async #open(file: File): Promise<void> {
     const opening = this.#read(file);
     this.#opening = opening;
     const opened = await opening;
-    // The reader has opened another one since.
+    // The user has opened another file since.
     if (this.#opening !== opening || opened === undefined) return;
     const [say, texts] = [this.#shell.service('notice'), this.#words];
     if (opened.kind === 'too-large') say(texts.fileTooLarge(opened.name));
@@ -91,7 +91,7 @@ class FileBar implements Panel {
     }
   }
 
-  /** What it takes to read one is loaded first; nothing where that is missing, which is said. */
+  /** Loads the reader and reads the file. Undefined if the reader could not be loaded; a notice says so. */
   async #read(file: File): Promise<Opened | undefined> {
     const part = await late(
       this.#shell,
@@ -101,7 +101,7 @@ class FileBar implements Panel {
     return part?.readProgram(file).catch(() => ({ kind: 'unreadable', name: file.name }) as const);
   }
 
-  /** Saves the program as a file, in the encoding and with the line ends it was opened with. */
+  /** Saves the program as a file, with the encoding and line ends that it was opened with. */
   #save(): void {
     const { editor } = this.#shell;
     const before = editor.file;

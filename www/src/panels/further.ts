@@ -1,5 +1,5 @@
-// The panels around the picture: in each region they stand in this order, before those of `index.ts`. Loaded
-// only where they are shown, while the interpreter is on its way.
+// The panels around the picture. In each region they come in this order, before those of `index.ts`. Loaded only if
+// they are shown, in parallel with the interpreter.
 
 import { atCursor } from './at-cursor';
 import { codes } from './codes';
@@ -61,5 +61,5 @@ export const FURTHER: readonly PanelKind[] = [
   print,
 ];
 
-/** Of what stands beside them. */
+/** Style sheets of the components that are not panels. */
 export const SHARED_STYLES: readonly string[] = [editorStyles];

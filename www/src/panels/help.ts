@@ -1,7 +1,6 @@
-// The popover with keys and gestures, and the ways to the table of codes, to the pages of the
-// rules and to the reference.
+// The popover with keys and gestures, and links to the table of codes, the pages of the rules and the reference.
 //
-// Must not know: who answers to the keys.
+// Must not know: which part handles a key.
 
 import { make, name } from '../dom/dom';
 import type { Language } from '../dom/language';
@@ -39,7 +38,7 @@ class Help implements Panel {
     const codes = make('button', { type: 'button', className: 'framed', 'aria-haspopup': 'dialog' }, strings.codes);
     codes.addEventListener('click', () => {
       this.#element.hidePopover();
-      // The dialog gives the focus back to where it was.
+      // When the dialog closes, it returns the focus to this button.
       this.#button.focus();
       this.#shell.service('openCodes')();
     });

@@ -25,7 +25,7 @@ class Hints implements Panel {
     this.#host = shell.root.host;
     this.#shown = { edit: this.#hint('edit'), play: this.#hint('play'), pick: this.#hint('pick') };
     const { edit, play, pick } = this.#shown;
-    // It takes no room from the pictures.
+    // These hints float over the pictures, so the pictures keep their size.
     const overPictures = make('div', { className: 'over-pictures' }, pick.element, play.element);
     this.places = { notices: [edit.element], pictures: [overPictures] };
     this.#host.addEventListener('gcode-change', () => this.#done('edit'));
@@ -59,7 +59,7 @@ class Hints implements Panel {
     this.#show();
   }
 
-  /** The next one. */
+  /** Shows the next remaining hint. */
   #show(): void {
     const [next] = this.#left;
     for (const name of NAMES) this.#shown[name].element.hidden = name !== next;

@@ -1,5 +1,5 @@
-// The panels that are there from the start: the picture is shown with these alone. All others: `further.ts`, or
-// `with-playback.ts` and `with-code.ts` where less is shown.
+// The panels that are loaded first, with which the picture is shown. All others: `further.ts`, or `with-playback.ts`
+// and `with-code.ts` in elements that show less.
 
 import { notice } from './notice';
 import type { PanelKind } from './panel';

@@ -1,9 +1,8 @@
-// The line that says that the stock is inferred and what was not checked because of it, and the
-// button that takes it over.
+// The line that says that the stock is inferred and what was not checked because of it, and the button that applies
+// that stock.
 //
-// In: what is given and what is inferred; the answers of the setup form. Out: `taken`: the form
-// with that stock filled in. Must not know: how a stock is inferred, or what a setup holds
-// beyond the group of the stock.
+// In: which parts of the setup are given and which are inferred; the answers of the setup form. Out: `taken`: the form
+// with the stock filled in. Must not know: how a stock is inferred, or what a setup contains besides the stock.
 
 import { make } from '../dom/dom';
 import type { SetupOverview, SetupAnswer, SetupForm, SetupPlace } from '../protocol/protocol';
@@ -42,7 +41,7 @@ export class InferredStock {
     this.element.hidden = overview.stock !== 'inferred';
   }
 
-  /** The stock that is inferred is filled into the form, which is kept where it would be kept by hand. */
+  /** Fills the inferred stock into the form and stores the setup in its usual place. */
   async #take(): Promise<void> {
     const form = await this.#events.form();
     if (form === undefined) return;

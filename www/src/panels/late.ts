@@ -1,16 +1,16 @@
-// A panel's part that is loaded when it is first needed, and may not be there: the network is missing, and nothing has been stored.
+// Loads a part of a panel on demand. Loading fails if the network is missing and the part is not cached.
 //
-// In: how it is loaded, and what is done with it. Out: that it was done, or a notice that says what is missing. The part is fetched
-// as soon as the network returns; then the reader says whether it is still wanted. Must not know: what is in it.
+// In: a function that loads the part. Out: the part, or a notice that it could not be loaded. The part is then loaded
+// when the network returns, and the notice offers to continue. Must not know: what the part contains.
 
 import { loaded, whenOnline } from '../dom/network';
 import { words } from '../dom/words';
 import type { Shell } from './panel';
 
-/** The newest part that is missing: a later one takes the place of its notice. */
+/** Stops waiting for the newest missing part: a later one replaces its notice. */
 let stopWaiting: (() => void) | undefined;
 
-/** The part, or nothing where it could not be had; `again`: what the reader wanted to do. */
+/** Returns the part, or undefined if it could not be loaded; `again` repeats the user's action. */
 export async function late<Part>(
   shell: Shell,
   load: () => Promise<Part>,

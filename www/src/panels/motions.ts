@@ -1,8 +1,9 @@
-// The button "Motions" and its table: all motions in words, what the drawing says to who does not see it.
+// The button "Motions" and its table: all motions as text, the accessible form of the drawing.
 //
-// In: motions in words, a page of them at a time, what the block of one does, and where the tool is. Out: the motion the reader wants the tool
-// at. It stays open while the program is played or edited, and its row follows the tool. Of a long program only
-// the rows around the tool are on the page; the keys go on beyond them. Must not know: what a motion means.
+// In: motions as text, one page at a time, what the block of a motion does, and where the tool is. Out: the motion to
+// move the tool to. The table stays open while the program is played or edited, and its marked row follows the tool. Of
+// a long program only the rows around the tool are in the document; the arrow keys load more. Must not know: what a
+// motion means.
 
 import { make, name, showText, unbroken } from '../dom/dom';
 import type { Language } from '../dom/language';
@@ -12,7 +13,7 @@ import type { Heard } from '../worker/core-client';
 import type { NewestQuestion, Panel, PanelKind, Shell } from './panel';
 import motionsStyles from './motions.css?inline';
 
-/** Rows on the page, at most; the next ones overlap them by half. */
+/** Most rows in the document; the next page overlaps them by half. */
 const ROWS = 60;
 const PAGE = 10;
 
@@ -31,7 +32,7 @@ class MotionsPanel implements Panel {
   readonly #title = make('h2');
   readonly #close = make('button', { type: 'button', className: 'quiet close' }, '×');
   readonly #keys = make('p', { className: 'keys', id: 'motions-keys' });
-  /** What the block of the marked row does, as a whole. */
+  /** What the block of the marked row does. */
   readonly #does = make('p', { className: 'does', 'aria-live': 'polite' });
   readonly #head = make('tr', { role: 'row' });
   readonly #body = make('tbody', { role: 'rowgroup' });
@@ -53,21 +54,21 @@ class MotionsPanel implements Panel {
     this.#scroller,
     this.#does,
   );
-  /** Motions of the newest run. */
+  /** Number of motions of the newest run. */
   #count = 0;
-  /** The first motion on the page, and those that follow. */
+  /** The first loaded motion, and the loaded rows. */
   #first = 0;
   #rows: readonly Stroke[] = [];
-  /** The rows of the table, as text. */
+  /** Content of the rows, as text, to compare. */
   #shownAs = '';
-  /** The motion the tool is on. */
+  /** The motion that the tool is on. */
   #at: number | undefined;
-  /** The motion whose row gets the keys, and whether it is to have them once it is there. */
+  /** The motion whose row can have the focus, and whether to focus it once it is rendered. */
   #active = 0;
   #focusing = false;
-  /** What had the focus when the row was to get it. */
+  /** The element that had the focus when the row was to be focused. */
   #keysWantedAt: Element | null = null;
-  /** What the drawing is described by: where its words are. */
+  /** Describes the drawing to screen readers: says where its text is. */
   readonly #about = make('span', { id: 'motions-about', hidden: true });
   readonly places = { foot: [this.#button], dialogs: [this.#element, this.#about] };
 
@@ -132,7 +133,7 @@ class MotionsPanel implements Panel {
     if (this.#open) this.#follow();
   }
 
-  /** The table has the keys once it is open, and the button once it is not. */
+  /** Opening moves the focus to the table, closing to the button. */
   #toggle(): void {
     if (this.#open) return this.#shut();
     this.#shell.flush();
@@ -174,33 +175,33 @@ class MotionsPanel implements Panel {
     event.stopPropagation();
   }
 
-  /** The row of the tool gets the keys once it is there, unless the reader has gone elsewhere by then. */
+  /** Focuses the row of the tool once it is rendered, unless the user has moved the focus by then. */
   #wantKeys(): void {
     this.#keysWantedAt = this.#shell.root.activeElement;
     this.#focusing = true;
   }
 
-  /** The tool goes to the end of a motion; its row has the keys. */
+  /** Moves the tool to the end of a motion and keeps the focus in its row. */
   #go(motion: number): void {
     this.#active = motion;
     void this.#shell.service('goTo')(motion);
   }
 
-  /** The row of the tool is on the page, and in view. */
+  /** Loads the row of the tool and scrolls it into view. */
   #follow(): void {
     const within = this.#active >= this.#first && this.#active < this.#first + this.#rows.length;
     if (within) this.#mark();
     else this.#show(this.#active - ROWS / 2);
   }
 
-  /** Asks for the rows from one on. */
+  /** Asks for the rows from `first`. */
   #show(first: number): void {
     this.#first = Math.max(0, Math.min(first, this.#count - ROWS));
     this.#question.ask({ first: this.#first, end: this.#first + ROWS });
   }
 
   #take(rows: readonly Stroke[] | undefined): void {
-    // Another run has begun since; its report asks anew.
+    // Another run has begun since; its report asks again.
     if (rows === undefined || !this.#open) return;
     this.#rows = rows;
     this.#first = rows[0]?.motion ?? 0;
@@ -208,7 +209,7 @@ class MotionsPanel implements Panel {
     this.#table.setAttribute('aria-rowcount', String(this.#count + 1));
     this.#earlier.hidden = this.#first === 0;
     this.#later.hidden = this.#first + rows.length >= this.#count;
-    // Rows that say the same stay: one may just be pressed.
+    // Unchanged rows are kept: the user may be pressing one.
     const shownAs = JSON.stringify(rows);
     if (shownAs !== this.#shownAs) {
       const hadFocus = this.#body.contains(this.#shell.root.activeElement);
@@ -229,7 +230,7 @@ class MotionsPanel implements Panel {
     return make('tr', { role: 'row', 'aria-rowindex': motion + 2, tabIndex: -1 }, ...cells, what);
   }
 
-  /** One row is that of the tool, and one gets the keys. */
+  /** Marks the row of the tool and the row that can have the focus. */
   #mark(): void {
     const focused = this.#shell.root.activeElement;
     const hasGone = focused !== null && focused !== this.#keysWantedAt && !this.#body.contains(focused);
@@ -246,7 +247,7 @@ class MotionsPanel implements Panel {
     this.#explanation.ask({ by: 'motions', about: 'motion', motion: this.#active });
   }
 
-  /** Changed only where it says something else: it is read out then. */
+  /** Changed only if the text differs, because a change is announced to screen readers. */
   #explain(help: Help | undefined): void {
     if (help?.asked.about === 'motion' && help.asked.motion === this.#active)
       showText(this.#does, help.explanation ?? '');

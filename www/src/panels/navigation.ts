@@ -1,7 +1,8 @@
-// Ways through the program: to all places of the number at the cursor, and by the outline; what of it can be folded.
+// Navigation in the program: to all uses of the number at the cursor, and by the outline; also the ranges that can be
+// folded.
 //
-// In: answers of the interpreter about the text, once the reader has been in it. Out: the place that the reader wants to
-// see. Must not know: what a number names, or what stands in the outline.
+// In: answers of the interpreter about the text, once the user has focused it. Out: the place to show. Must not know:
+// what a number names, or what the outline contains.
 
 import { icon, make, name } from '../dom/dom';
 import type { Language } from '../dom/language';
@@ -27,9 +28,9 @@ export const navigation: PanelKind = {
   make: (shell) => new Navigation(shell),
 };
 
-/** Most places that are listed; those beside the cursor are among them. */
+/** Most places that are listed, including those next to the cursor. */
 const LISTED = 12;
-/** What can be folded is asked once nothing was typed for so long. */
+/** Foldable ranges are asked for after this pause in typing. */
 const PAUSE_MS = 400;
 
 class Navigation implements Panel {
@@ -42,15 +43,15 @@ class Navigation implements Panel {
   readonly #section = make('div', { className: 'uses', hidden: true });
   readonly #question: NewestQuestion<'uses'>;
   readonly #folds: NewestQuestion<'outline'>;
-  /** Loaded once the reader is in the text, or wants it. */
+  /** Loaded once the user focuses the text, or opens the outline. */
   #dialog: OutlineDialog | undefined;
-  /** The reader has been in the text: until then nothing is asked. */
+  /** Whether the user has focused the text. Until then nothing is asked. */
   #wanted = false;
-  /** What is shown now. */
+  /** The uses that are shown now. */
   #uses: UsesHelp | undefined;
-  /** That, the place of the cursor and the language, as text. */
+  /** Those uses with the cursor and the language, as text, to compare. */
   #shownAs = '';
-  /** Where the reader came from, the newest last. */
+  /** Offsets that the user came from, the newest last. */
   #trail: number[] = [];
   #pause: ReturnType<typeof setTimeout> | undefined;
   readonly places = {};
@@ -61,7 +62,7 @@ class Navigation implements Panel {
     this.#button.addEventListener('click', () => void this.#open());
     this.#question = shell.newest('uses', (uses) => this.#show(uses));
     this.#folds = shell.newest('outline', (outline) => {
-      // Nothing where the text is another one by now: it is asked again.
+      // Undefined if the text has changed since: then it is asked again.
       if (outline !== undefined) shell.editor.foldable = outline.folds.map(([from, to]) => ({ from, to }));
     });
   }
@@ -79,7 +80,7 @@ class Navigation implements Panel {
   cursorMoved(): void {
     if (!this.#wanted) {
       this.#folds.ask(undefined);
-      // Where it fails it is tried again when it is wanted.
+      // If loading fails, it is tried again when the outline is opened.
       this.#load().catch(() => undefined);
     }
     this.#wanted = true;
@@ -126,7 +127,7 @@ class Navigation implements Panel {
     this.#question.ask({ offset: this.#shell.editor.selection.from });
   }
 
-  /** To the block that the number at the cursor names, or to the next place of it. */
+  /** Goes to the block that the number at the cursor names, or to the next use of the number. */
   async #follow(): Promise<void> {
     const { editor } = this.#shell;
     const [from, texts] = [editor.selection.from, WORDS[this.#shell.language]];
@@ -151,13 +152,13 @@ class Navigation implements Panel {
 
   #show(uses: UsesHelp | undefined): void {
     const isMarked = this.#uses !== undefined;
-    // A number that stands in one place leads nowhere.
+    // A number with a single use leads nowhere.
     this.#uses = uses = (uses?.places.length ?? 0) < 2 ? undefined : uses;
     const places = uses?.places ?? [];
     if (isMarked || places.length > 0) this.#shell.editor.uses = places;
     const here = this.#shell.editor.selection.from;
     const shownAs = uses === undefined ? '' : JSON.stringify([this.#shell.language, here, uses]);
-    // A run that changes nothing of it takes no button from under the pointer.
+    // If the content is unchanged, keep the buttons: the user may be pressing one.
     if (shownAs === this.#shownAs) return;
     this.#shownAs = shownAs;
     this.#section.hidden = uses === undefined;
@@ -182,10 +183,10 @@ class Navigation implements Panel {
     this.#section.replaceChildren(heading, make('ul', { className: 'uses-list' }, ...links), ...more);
   }
 
-  /** It is there at once where the reader has been in the text, so that what is typed next goes into it. */
+  /** If it is already loaded, it opens synchronously, so that the next key goes into it. */
   async #open(): Promise<void> {
     const shell = this.#shell;
-    // What was typed a moment ago is part of it.
+    // Pending edits must be part of the outline.
     shell.flush();
     const asked = shell.ask('outline', undefined);
     const cursor = shell.editor.selection.from;

@@ -25,7 +25,7 @@ class Notice implements Panel {
       this.#topic = topic;
       this.#news.show(text, remedy);
     },
-    // Another one stays.
+    // A notice of another topic remains.
     hideNotice: (topic) => {
       if (topic === 'missing') this.#missing.hide();
       else if (this.#topic === topic) this.#hide();

@@ -1,6 +1,6 @@
-// The outline of the program: a list of its programs, tools, operations and cycles, and a field to find one.
+// The outline of the program: a list of its programs, tools, operations and cycles, with a filter field.
 //
-// In: the entries, as the interpreter answers them, and where the cursor is. Out: the offset of the block that is chosen.
+// In: the entries, as the interpreter answers them, and the cursor. Out: the offset of the selected block.
 // Must not know: what an entry means.
 
 import { Dialog } from '../dom/dialog';
@@ -10,7 +10,7 @@ import { counter } from '../dom/plural';
 import { COMMON, words } from '../dom/words';
 import type { OutlineEntry, OutlineHelp } from '../protocol/protocol';
 
-/** An entry that is listed, and what is looked through for it, in small letters. */
+/** An entry of the list, with the lower-case text that the filter searches. */
 interface Listed {
   readonly element: HTMLElement;
   readonly from: number;
@@ -80,7 +80,7 @@ export class OutlineDialog {
     return this.#dialog.open;
   }
 
-  /** Opens it, with nothing in it yet. */
+  /** Opens the dialog with an empty list. */
   begin(): void {
     if (!this.#dialog.show()) return;
     this.#field.value = '';
@@ -89,7 +89,7 @@ export class OutlineDialog {
     this.#field.focus();
   }
 
-  /** Shows an outline; the entry that the cursor is in is chosen, where nothing is looked for yet. */
+  /** Shows an outline. If the filter is empty, selects the entry that contains the cursor. */
   show({ entries, cut }: OutlineHelp, cursor: number): void {
     this.#entries = entries.map((entry, at) => this.#listed(entry, at));
     this.#cut = cut;
@@ -120,7 +120,7 @@ export class OutlineDialog {
     return this.#entries.filter(({ element }) => !element.hidden);
   }
 
-  /** The entries that hold all words that are typed. */
+  /** Shows the entries that contain all words of the filter. */
   #find(): void {
     const asked = this.#field.value.trim().toLowerCase().split(/\s+/);
     for (const { element, words } of this.#entries) element.hidden = !asked.every((word) => words.includes(word));
@@ -153,7 +153,7 @@ export class OutlineDialog {
     const to = { ArrowDown: at + 1, ArrowUp: at - 1, PageDown: at + page, PageUp: at - page }[event.key];
     if (to !== undefined) this.#setActive(shown[Math.min(Math.max(to, 0), shown.length - 1)], 'nearest');
     else if (event.key === 'Enter') this.#choose(this.#active);
-    // Some browsers would only empty the field.
+    // In some browsers, Escape would only clear the field.
     else if (event.key === 'Escape') this.#dialog.close();
     else return;
     event.preventDefault();

@@ -1,10 +1,10 @@
-// What a panel is, and what it may ask of the shell around it.
+// The panel interface, and what a panel may ask of the shell.
 //
-// A panel is one thing on the page: a button with its dialog, a bar, the pictures. It is one file of this
-// folder, with its words in all languages at the end of the file, its styles beside it in a style sheet of
-// the same name, and one line in the list of `further.ts`. What is too large for one file, or is loaded when it
-// is first needed, is a component beside it, with its own words. A panel knows the shell by `Shell`, and
-// other panels by the services they offer. Must not know: where text and setup are kept, or how runs begin.
+// A panel is one part of the page, for example a button with its dialog, a bar, or the pictures. It is one file of this
+// folder, with its texts in all languages at the end, a style sheet of the same name, and one line in the list of
+// `further.ts`. Code that is too large for one file, or that is loaded on demand, is a separate component with its own
+// texts. A panel knows the shell through `Shell`, and other panels through their `Services`. Must not know: where text
+// and setup are stored, or how runs begin.
 
 import type { Language } from '../dom/language';
 import type { Span } from '../editor/holder';
@@ -30,7 +30,8 @@ import type {
 import type { Heard } from '../worker/core-client';
 
 /**
- * Where panels stand, in the order of the list: the tabs of an element with little room; over, beside and under the editor, between it and the pictures, around these, in the line at the foot.
+ * Where panels are placed, in this order: the tabs of a narrow element; over, beside and under the editor; between the
+ * editor and the pictures; around the pictures; in the line at the bottom; dialogs.
  */
 export const REGIONS = [
   'tabs',
@@ -47,151 +48,156 @@ export const REGIONS = [
 ] as const;
 export type Region = (typeof REGIONS)[number];
 
-/** What of the panels the page around can leave out. */
+/** Groups of panels that the host page can leave out. */
 export const CONTROLS = ['file', 'setup', 'problems', 'views', 'playback', 'status', 'tools', 'help', 'link'] as const;
 export type Control = (typeof CONTROLS)[number];
 
 export interface PanelKind {
-  /** It is shown only where these are; one without is always shown. */
+  /** Shown only if the host page includes this group; a panel without one is always shown. */
   readonly control?: Control;
-  /** It is there to change the program, and is not shown where that is only read. */
+  /** Changes the program, so it is not shown in a read-only element. */
   readonly edits?: true;
-  /** Its own style sheet. */
+  /** Its style sheet. */
   readonly styles?: string;
-  /** Called once for each element, when other panels may not be there. */
+  /** Called once for each element. Other panels may not exist yet. */
   make(shell: Shell): Panel;
 }
 
 export interface Panel {
-  /** What stands where. */
+  /** The elements of this panel, by region. */
   readonly places: { readonly [R in Region]?: readonly HTMLElement[] };
-  /** Shows its words in a language; set once all panels are made, then with each change. */
+  /** Sets the language of its texts: once after all panels are made, then with each change. */
   set language(language: Language);
-  /** Whether there is a finished run with motions; what needs one is out of reach until then. */
+  /** Whether there is a finished run with motions. Controls that need one are disabled until then. */
   available?: boolean;
-  /** A dialog of it is open that all keys belong to. */
+  /** Whether an open dialog of this panel receives all keys. */
   readonly takesKeys?: boolean;
   readonly services?: Partial<Services>;
 
-  /** A key that no dialog takes; says whether it was the panel's own. */
+  /** A key that no dialog handles. Returns whether the panel handled it. */
   pressed?(key: Key): 'own' | 'not-own';
-  /** What the worker reports of the newest run. */
+  /** An event of the newest run. */
   heard?(event: Heard): void;
-  /** Pictures of the newest run; the images are the panel's. */
+  /** Pictures of the newest run. The panel owns the images. */
   showPictures?(pictures: Pictures): void;
-  /** The reader has moved the cursor, or typed. */
+  /** The user has moved the cursor, or typed. */
   cursorMoved?(): void;
-  /** The reader tries other values of variables. */
+  /** The user has changed the values to try for variables. */
   triedChanged?(): void;
-  /** The tool is somewhere else, or nowhere. */
+  /** The tool has moved; undefined: it is hidden. */
   toolMoved?(place: Readout | undefined): void;
-  /** Another program is put in the place of the one that is there. */
+  /** Another program has replaced the current one. */
   programReplaced?(): void;
-  /** A text has come into the editor at once, between these offsets. */
+  /** Text was inserted into the editor in one piece (not typed), between these offsets. */
   textArrived?(from: number, to: number): void;
-  /** The reader is to see the program now: it gets the focus. */
+  /** Show the program: it is about to get the focus. */
   programWanted?(): void;
-  /** The text belongs to another file, or its file has another name or encoding. */
+  /** The text belongs to another file, or the file's name or encoding has changed. */
   fileChanged?(file: ProgramFile | undefined): void;
-  /** How the switches stand in attributes and setup. */
+  /** The state of the switches in attributes and setup has changed. */
   switched?(set: SwitchesSet): void;
-  /** The theme, or the colours of the system, are others. */
+  /** The theme or the system colours have changed. */
   coloursChanged?(): void;
-  /** Text or setup have changed: what is shown of the run before must not meet them. */
+  /** Text or setup has changed: results of the previous run must not be combined with them. */
   outdated?(): void;
-  /** The newest run is under way. */
+  /** The newest run has begun. */
   begun?(): void;
-  /** The newest run is neither reported nor under way: something that it needs could not be loaded, or has failed. */
+  /** The newest run failed, or something that it needs could not be loaded: there will be no report. */
   unreported?(): void;
-  /** There is a new worker, which knows nothing yet. */
+  /** A new worker is connected. It has no state yet. */
   connected?(send: (command: Command) => void): void;
-  /** The worker was lost, and with it all that was known of the run. */
+  /** The worker was lost, with all results of the run. */
   lost?(): void;
-  /** The element has left the document. */
+  /** The element was removed from the document. */
   left?(): void;
 }
 
-/** A key, and whether it was pressed where text is typed. */
+/** A key press, and whether the focus was in a text field. */
 export interface Key {
   readonly event: KeyboardEvent;
   readonly inside: 'text' | 'elsewhere';
 }
 
-/** How the switches of the operator's panel stand. */
+/** State of the switches of the operator's panel. */
 export interface SwitchesSet {
-  /** Levels that are on. */
+  /** Block skip levels that are on. */
   readonly blockSkip: readonly number[];
-  /** The program to run; the first of the text when undefined. */
+  /** The O number of the program to run; undefined: the first one of the text. */
   readonly program: number | undefined;
 }
 
-/** Whether a key was pressed in the program, be it one that is only read. */
+/** Whether the key was pressed in the program, including a read-only program. */
 export function isInProgram({ inside }: Key, { root }: Shell): boolean {
   return inside === 'text' || (root.activeElement?.closest('.editor') ?? null) !== null;
 }
 
-/** A place in the window, CSS pixels. */
+/** A point in the window, CSS pixels. */
 export interface ClientPlace {
   readonly clientX: number;
   readonly clientY: number;
 }
 
-/** Topics of notices. Another run hides `program`. `missing` has a separate line, which stays until everything works. */
+/**
+ * Topics of notices. The next run hides `program`. `missing` has a separate line, which remains until everything works.
+ */
 export type Topic = 'file' | 'program' | 'program-setup' | 'setup' | 'editor' | 'source' | 'late' | 'missing';
 
-/** A button of a notice: what can be done about it. */
+/** A button of a notice that fixes its cause. */
 export interface Remedy {
   readonly title: string;
   act(): void;
 }
 
-/** What one panel does for others, for the shell, or for the page around the element. */
+/** Functions that a panel offers to other panels, to the shell, or to the host page. */
 export interface Services {
   notice(text: string, topic?: Topic, remedy?: Remedy): void;
   hideNotice(topic: Topic): void;
   play(): void;
   pause(): void;
   playOrPause(): void;
-  /** The tool goes on, or back, by one of these. */
+  /** Moves the tool forward or back by one unit. */
   step(unit: StepUnit, direction: StepDirection): void;
-  /** Puts the tool at the end of a motion. */
+  /** Moves the tool to the end of a motion. */
   goTo(motion: number): Promise<void>;
-  /** Puts the tool at the start of the block at an offset, or of the next one that moves it. */
+  /** Moves the tool to the start of the block at an offset, or of the next block that moves it. */
   goToBlock(offset: number): Promise<void>;
-  /** The block of the cursor alone is played. */
+  /** Plays only the block at the cursor. */
   playBlock(): void;
-  /** Plays on to the block of the cursor. */
+  /** Plays from the current position to the block at the cursor. */
   playToCursor(): void;
-  /** The tool is held before the line of the cursor, or no longer. */
+  /** Sets or removes a breakpoint at the line of the cursor: the tool stops before it. */
   toggleBreakpoint(): void;
   openFile(file: File): Promise<void>;
   saveFile(): void;
-  /** A file as the menu "Export" makes it, without saving it; undefined where there is no worker. */
+  /** A file as the menu "Export" makes it, without saving it; undefined if there is no worker. */
   exported(format: ExportFormat): Promise<Exported | undefined>;
-  /** Where a place of a picture is, given as the question `locate` has it. */
+  /** Converts a place of a picture, as in the question `locate`, to a point in the window. */
   locate(picture: PictureName, ...place: readonly [number, number]): Promise<ClientPlace>;
-  /** Shows these pictures. */
+  /** Shows only these pictures. */
   showOnly(pictures: readonly PictureName[]): void;
-  /** Keeps the part, to lay later ones over it. */
+  /** Keeps the current part, to compare later ones with it. */
   keepPart(): void;
-  /** Ends the comparison that `keepPart` began, not one that the reader began. */
+  /** Ends the comparison that `keepPart` began, but not one that the user began. */
   endComparison(): void;
   openCodes(): void;
-  /** `group` and `key`: the group and the field the reader comes for. */
+  /** `group` and `key`: the group and the field to open. */
   openSetup(group?: SetupGroup['group'], key?: string): void;
   /** The button that opens the outline of the program. */
   outlineButton(): HTMLElement;
-  /** Where the number at the cursor is used: empty where none stands there. */
+  /** The list of uses of the number at the cursor; empty if there is no such number. */
   usesSection(): HTMLElement;
-  /** The button that says which machine the program is run on. */
+  /** The button that shows the machine of the program. */
   machineButton(): HTMLElement;
-  /** The setup that programs of the reader's own begin with, as JSON. */
+  /** The user's default setup for new programs, JSON. */
   ownSetup(): string | null;
-  /** Puts a setting in the setup, where it is kept now; what only the reader knows is entered in the form. */
+  /**
+   * Writes a setting to the place where the setup is stored now. If its value is missing, opens the form for the user
+   * to enter it.
+   */
   takeSetting(setting: Setting): void;
 }
 
-/** Asks with the newest value only, see `Newest`; goes on with the next worker when one is lost. */
+/** Sends only the newest value, see `Newest`. Continues with the next worker if one is lost. */
 export interface NewestQuestion<K extends QuestionKind> {
   ask(ask: Questions[K]['ask']): void;
   forget(): void;
@@ -199,51 +205,51 @@ export interface NewestQuestion<K extends QuestionKind> {
 
 export interface Shell {
   readonly root: ShadowRoot;
-  /** The program, and the editor it stands in. */
+  /** The program and its editor. */
   readonly editor: Program;
   readonly language: Language;
-  /** The reader cannot change the program. */
+  /** Whether the program is read-only. */
   readonly readonly: boolean;
-  /** The program is shown, not only what comes of it. */
+  /** Whether the program text is shown, not only its results. */
   readonly showsProgram: boolean;
-  /** What all regions stand in. */
+  /** The element that contains all regions. */
   readonly frame: HTMLElement;
-  /** What the panels of a region stand in. */
+  /** The element that contains the panels of a region. */
   region(region: Region): HTMLElement;
   service<S extends keyof Services>(name: S): Services[S];
 
-  // ---- the worker, which knows of all changes before it hears what is sent ----
+  // ---- the worker: it receives all pending changes before each message ----
   send(command: Command): void;
-  /** Undefined where there is no worker; stays open where the worker is lost. */
+  /** Resolves to undefined if there is no worker; never resolves if the worker is lost. */
   ask<K extends QuestionKind>(about: K, ask: Questions[K]['ask']): Promise<Answer<K> | undefined>;
   newest<K extends QuestionKind>(about: K, answered: (answer: Answer<K>) => void): NewestQuestion<K>;
 
   // ---- the program ----
-  /** What was typed a moment ago is run now. */
+  /** Runs pending edits now. */
   flush(): void;
-  /** A panel has edited the text: it is run now, and `gcode-change` is fired. */
+  /** A panel has edited the text: runs it now and fires `gcode-change`. */
   edited(): void;
-  /** The same program written differently: undo brings back what was there. */
+  /** Replaces the text with the same program in another notation. Undo restores the previous text. */
   rewrite(text: string): void;
-  /** A program takes the place of the one in the editor; the setup of the one before goes with `another`. */
+  /** Replaces the program in the editor. With `another`, also removes the setup of the previous program. */
   take(program: ProgramText, file: ProgramFile | undefined, as: 'another' | 'same'): void;
-  /** The program's file or encoding is another one: `gcode-change` is fired. */
+  /** The program's file or encoding has changed: fires `gcode-change`. */
   changed(): void;
-  /** The next change of the text is put in at once, not typed. */
+  /** Marks the next change of the text as inserted in one piece, not typed. */
   cameAtOnce(): void;
-  /** The reader wants to see a place of the program: it is selected, and has the focus. */
+  /** Selects a place of the program and focuses the editor. */
   goTo(span: Span): void;
-  /** The reader has chosen a stroke: its block is selected. */
+  /** The user has chosen a stroke: selects its block. */
   choose(stroke: Stroke, focus: 'focus' | 'keep-focus'): void;
-  /** The reader has chosen a problem: its word is selected, its block and its stroke are marked. */
+  /** The user has chosen a problem: selects its word, and marks its block and its stroke. */
   chooseProblem(problem: Diagnostic): void;
-  /** Lets all panels know where the tool is. */
+  /** Tells all panels where the tool is. */
   toolMoved(place: Readout | undefined): void;
 
   // ---- the setup ----
-  /** JSON, as the attribute has it. */
+  /** JSON, as in the attribute. */
   readonly setup: string | null;
   changeSetup(setup: string | null): void;
-  /** The reader has turned a switch: attributes as they are to be. */
+  /** The user has changed a switch; `switches` are the new attributes. */
   turn(switches: { readonly blockSkip?: string; readonly program?: string }): void;
 }

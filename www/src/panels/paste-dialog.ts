@@ -1,7 +1,7 @@
-// The programs found in a text: a list of them, and the chosen one cleaned, with every change marked and
-// questions where something cannot be known.
+// The programs found in a text: a list of them, and the chosen one cleaned. Every change is marked, and what cannot be
+// determined is asked.
 //
-// In: the list, and the pieces of a program when it is chosen. Out: `chosen` (show this one) and `taken` with
+// In: the list, and the pieces of the chosen program. Out: `chosen` (asks for the pieces of a program) and `taken` with
 // its text. Must not know: how programs are found, or where the text goes.
 
 import { Dialog } from '../dom/dialog';
@@ -31,7 +31,7 @@ export class PasteDialog {
   #how: 'arrived' | 'asked' = 'asked';
   #program = 0;
   #pieces: readonly FoundPiece[] = [];
-  /** For each piece that asks, which of its choices is taken. */
+  /** For each piece with a question, the number of the chosen answer. */
   readonly #answers = new Map<number, number>();
 
   constructor(language: Language, events: PasteDialogEvents) {
@@ -74,7 +74,7 @@ export class PasteDialog {
     return this.#dialog.open;
   }
 
-  /** `how`: the text has just come, or the reader asked for what is in it. */
+  /** `how`: the text has just arrived, or the user opened the dialog. */
   show(found: FoundPrograms, how: 'arrived' | 'asked'): void {
     this.#found = found;
     this.#how = how;
@@ -87,7 +87,7 @@ export class PasteDialog {
     this.#list.querySelector('input')?.focus();
   }
 
-  /** The pieces of a program, if it is still the one that is wanted. */
+  /** Shows the pieces of a program, unless another one was chosen since. */
   showPieces(program: number, pieces: readonly FoundPiece[]): void {
     if (program !== this.#program) return;
     this.#pieces = pieces;
@@ -144,7 +144,7 @@ export class PasteDialog {
     if (choices.length > 1) return [this.#question(choices, reason, at)];
     const marked: (Node | string)[] = [];
     if (was !== '') marked.push(make('del', { title: reason }, was));
-    // A new line says itself; what else is new is marked.
+    // A new line is visible without a mark; other additions are marked.
     if (now.trim() === '') marked.push(now);
     else marked.push(...(now.startsWith(' ') ? [' '] : []), make('ins', { title: reason }, now.trimStart()));
     return marked;
@@ -164,7 +164,7 @@ export class PasteDialog {
     return make('span', { className: 'question', role: 'radiogroup', 'aria-label': reason, title: reason }, ...rows);
   }
 
-  /** Pieces that ask whether a minus is lost, and which choice has it. */
+  /** Pieces that ask whether a minus sign is missing, and the choice that has it. */
   #minusAnswers(): { at: number; number: number }[] {
     return this.#pieces.flatMap(({ choices }, at) => {
       const number = choices.findIndex((choice) => choice.includes('-'));

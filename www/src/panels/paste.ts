@@ -1,9 +1,8 @@
-// What becomes of a text that may hold more than a program: it is searched, and where it does, a
-// dialog offers its programs. A few stray characters are worth a line, which leads to the dialog.
+// Searches a pasted, dropped or opened text for programs. If it contains more than a program, a dialog offers the
+// programs that were found. For a few stray characters, only a notice is shown, which leads to the dialog.
 //
-// In: a text that was pasted, dropped or opened. Out: questions to the interpreter; an edit when the
-// reader takes a program. The text itself is in the editor before, so nothing is lost. Must not
-// know: how programs are found.
+// In: a text that was pasted, dropped or opened. Out: questions to the interpreter; an edit if the user takes a
+// program. The text itself is already in the editor, so nothing is lost. Must not know: how programs are found.
 
 import { make } from '../dom/dom';
 import type { Language } from '../dom/language';
@@ -14,11 +13,11 @@ import type { PasteDialog } from './paste-dialog';
 import pasteStyles from './paste.css?inline';
 
 /**
- * UTF-16 units of a text that is searched without being asked to: longer ones are programs, as
- * a rule, and take a while.
+ * Longest text, UTF-16 units, that is searched automatically: a longer one is usually a program, and the search would
+ * take a while.
  */
 const SEARCHED = 1_000_000;
-/** A shorter text is a word or two. */
+/** Shortest text, UTF-16 units, that is searched: a shorter one is a word or two. */
 const WORTH_SEARCHING = 12;
 
 export const paste: PanelKind = {
@@ -37,7 +36,7 @@ class Paste implements Panel {
   });
   /** Loaded when a text with programs is first found. */
   #dialog: PasteDialog | undefined;
-  /** Where the text stands that is looked at. */
+  /** Range of the text that was searched. */
   #range: { readonly from: number; readonly to: number } | undefined;
 
   readonly places = { foot: [this.#button] };
@@ -67,12 +66,12 @@ class Paste implements Panel {
     const { editor } = this.#shell;
     const { revision } = editor;
     const found = await this.#shell.ask('programs-in', { text: editor.textBetween(from, to) });
-    // Something else has been typed since.
+    // The text was edited in the meantime.
     if (found === undefined || editor.revision !== revision || this.takesKeys) return;
     const texts = WORDS[this.#shell.language];
     if (how === 'arrived' && found.review === 'nothing') return;
     if (how === 'arrived' && found.review === 'few-characters') {
-      // The run that begins with the text would take the line away.
+      // The run of the new text would hide the notice, so begin it first.
       this.#shell.flush();
       const remedy = { title: texts.look, act: () => void this.#search(from, to, 'asked') };
       return this.#shell.service('notice')(texts.fewCharacters, 'program', remedy);
@@ -83,7 +82,7 @@ class Paste implements Panel {
       () => import('./paste-dialog'),
       () => void this.#search(0, editor.length, 'asked'),
     );
-    // The text has been changed, or searched once more, while the dialog was loaded.
+    // The text was edited, or searched again, while the dialog was loading.
     if (part === undefined || editor.revision !== revision || this.takesKeys) return;
     this.#range = { from, to };
     if (this.#dialog === undefined) {
@@ -119,7 +118,7 @@ class Paste implements Panel {
 const WORDS = words({
   en: {
     button: 'Programs…',
-    /** For who does not see the page around it. */
+    /** Accessible name, with the context that the page shows. */
     buttonName: 'Programs in a text…',
     buttonHint: 'Finds the programs in the text of the editor, such as a page of a book or a forum, and cleans them',
     none: 'No program was found in this text.',

@@ -1,14 +1,14 @@
-// The canvas that shows a picture, and what it takes of memory.
+// The canvas that shows a picture, with limited memory.
 //
-// In: images of the worker. Out: that an image is wanted again. Far from the view a canvas keeps a small copy of its
-// picture, so that a manual with thirty drawings takes little; it is whole again before the reader is there. On paper
-// the copy is what is printed of it. Must not know: what is in a picture.
+// In: images of the worker. Out: a request for the image again. A canvas far from the viewport keeps only a small copy
+// of its picture, so that a manual with thirty drawings needs little memory; the full image is restored before the user
+// scrolls to it. A print shows the copy. Must not know: what a picture contains.
 
 import { make } from '../dom/dom';
 
-/** How far from the view a picture is whole, in sizes of the window. */
+/** Margin of the viewport within which a picture keeps its full size, relative to the window. */
 const NEAR = '100%';
-/** The copy has one pixel for so many, in each direction. */
+/** Pixels of the picture for one pixel of the copy, in each direction. */
 const COARSER = 2;
 const REST_AFTER_MS = 1_000;
 
@@ -17,18 +17,18 @@ export class PictureCanvas {
   readonly #context = this.element.getContext('bitmaprenderer');
   readonly #wanted: () => void;
   #isFar = false;
-  /** The images shown so far: a copy of an earlier one is of no use. */
+  /** Number of images shown so far: a copy of an earlier image is discarded. */
   #shown = 0;
   #isCopy = false;
   #rest: ReturnType<typeof setTimeout> | undefined;
 
-  /** `wanted` is called when the picture is to be painted once more as it is. */
+  /** `wanted` is called to request the same picture again. */
   constructor(wanted: () => void) {
     this.#wanted = wanted;
     new IntersectionObserver((entries) => this.#moved(entries.at(-1)), { rootMargin: NEAR }).observe(this.element);
   }
 
-  /** Shows a picture in place of the one before. */
+  /** Shows a picture in place of the previous one. */
   show(image: ImageBitmap): void {
     this.#put(image);
     this.#isCopy = false;
@@ -44,7 +44,7 @@ export class PictureCanvas {
 
   #moved(entry: IntersectionObserverEntry | undefined): void {
     if (entry === undefined) return;
-    // What is hidden for a while, as on another tab, is not far.
+    // A hidden picture, for example on another tab, is not far.
     this.#isFar = !entry.isIntersecting && entry.boundingClientRect.width > 0;
     this.#restSoon();
     if (this.#isFar || !this.#isCopy) return;
@@ -62,7 +62,7 @@ export class PictureCanvas {
     const { element: canvas } = this;
     const size = (pixels: number): number => Math.max(Math.ceil(pixels / COARSER), 1);
     const before = this.#shown;
-    // Where an engine cannot make a copy, the picture stays as it is.
+    // If the browser cannot make a copy, the picture keeps its full size.
     const copy = await createImageBitmap(canvas, {
       resizeWidth: size(canvas.width),
       resizeHeight: size(canvas.height),

@@ -1,8 +1,8 @@
-// The pictures: the section and, beside it, the end face and the side; the legend and the buttons to fit and
-// zoom stand in the playback.
+// The pictures: the section and, beside it, the end face and the side. The legend and the buttons to fit and zoom are
+// in the playback bar.
 //
-// In: images, strokes and dimensions, as the worker answers. Out: how each picture is looked at, and the
-// stroke the reader chooses. Must not know: how a stroke is found, or what it means.
+// In: images, strokes and dimensions, as the worker answers. Out: the view of each picture, and the stroke that the
+// user chooses. Must not know: how a stroke is found, or what it means.
 
 import { make } from '../dom/dom';
 import type { Language } from '../dom/language';
@@ -24,7 +24,7 @@ import { Drawing, type DrawingEvents } from './drawing';
 import type { ClientPlace, NewestQuestion, Panel, PanelKind, Services, Shell } from './panel';
 import picturesStyles from './pictures.css?inline';
 
-/** So long a pointer rests before more is asked about what lies under it, ms. */
+/** The pointer must rest for this time, ms, before the page asks what its block does. */
 const REST = 150;
 
 export const pictures: PanelKind = { styles: picturesStyles, make: (shell) => new Pictures(shell) };
@@ -40,9 +40,9 @@ class Pictures implements Panel {
     },
     locate: (picture, ...place) => this.#locate(picture, place),
   };
-  /** Over a picture of an earlier run. */
+  /** A note over a picture of an earlier run. */
   readonly #old = make('p', { className: 'old-picture', part: 'old-picture', hidden: true });
-  /** The counts of the current run, until its picture is there. */
+  /** The counts of the newest run, until its picture arrives. */
   #coming: Summary | undefined;
   /** The run of the old picture. */
   #oldRun: number | undefined;
@@ -53,7 +53,7 @@ class Pictures implements Panel {
   #colours = '';
   /** The motion under the pointer. */
   #hovered: number | undefined;
-  /** What its block does: asked once the pointer rests on it. */
+  /** Asks what the block of that motion does, once the pointer rests on it. */
   readonly #explanation: NewestQuestion<'help'>;
   #resting: ReturnType<typeof setTimeout> | undefined;
 
@@ -99,7 +99,7 @@ class Pictures implements Panel {
 
   heard(event: Heard): void {
     if (event.kind === 'old-picture') this.#age(event.of);
-    // What is said of a picture is that of its own run.
+    // The text beside a picture belongs to the run of that picture.
     if (this.#oldRun !== undefined && event.kind === 'report') this.#coming = event.report.summary;
     if (this.#oldRun !== undefined) return;
     if (event.kind === 'path') this.#drawings.section.summary = event.summary;
@@ -141,7 +141,8 @@ class Pictures implements Panel {
   }
 
   coloursChanged(): void {
-    // On paper colours are light at once, and a picture painted anew would come too late: the style sheet turns the one that is there.
+    // A print has light colours immediately, and a newly painted picture would come too late: the style sheet inverts
+    // the current one.
     if (matchMedia('print').matches) return;
     const { palette } = this.#drawings.section;
     const colours = JSON.stringify(palette);
@@ -183,7 +184,7 @@ class Pictures implements Panel {
     this.#drawings.section.showTip(undefined);
   }
 
-  /** The events of each picture, the same for all of them. */
+  /** The events of each picture; all pictures use the same functions. */
   #events(picture: PictureName): DrawingEvents {
     const shell = this.#shell;
     const stroke = shell.newest('pick', (stroke) => this.#showHovered(picture, stroke));
@@ -225,7 +226,7 @@ class Pictures implements Panel {
     for (const drawing of Object.values(this.#drawings)) drawing.explain(help.asked.motion, help.explanation ?? '');
   }
 
-  /** Where a place is drawn, in the window's CSS pixels. */
+  /** Converts a place of a picture to CSS pixels of the window. */
   async #locate(picture: PictureName, of: readonly [number, number]): Promise<ClientPlace> {
     const place = await this.#shell.ask('locate', { picture, place: of });
     if (place === undefined) throw new Error('the playground is not in a document');

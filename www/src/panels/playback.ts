@@ -1,8 +1,8 @@
-// The bar under the drawing: play, step, scrub, speed, stops, and what is read off where the tool is.
+// The bar under the drawing: play, step, scrub, speed, stops, and the readout of the tool position.
 //
-// In: whether there is anything to play and, as answers, where the tool is. Out: where the tool is to be; the
-// block it is in is marked in the text. While it plays, each painted frame asks how far the tool has come;
-// while it is paused nothing runs. Must not know: how the path is drawn, or what a stroke means.
+// In: whether there is anything to play and, as answers, where the tool is. Out: where the tool is to be; the block it
+// is in is marked in the text. While it plays, each painted frame asks how far the tool has moved; while it is paused,
+// nothing runs. Must not know: how the path is drawn, or what a stroke means.
 
 import { icon, make, name, unbroken } from '../dom/dom';
 import type { Language } from '../dom/language';
@@ -24,24 +24,24 @@ import { place as shownPlace } from './lengths';
 import playbackStyles from './playback.css?inline';
 import { ReadoutBoard } from './readout';
 
-/** Seconds in which the whole program is shown, the first one unless another is chosen. */
+/** Durations in which the whole program can be played, s; the first is the default. */
 const WHOLE: readonly number[] = [20, 60];
-/** Times the pace of the machine. */
+/** Multiples of the machine's speed. */
 const SPEEDS: readonly number[] = [0.5, 1, 2, 5, 10, 50];
 const UNITS: readonly StepUnit[] = ['motion', 'block', 'pass'];
-/** A frame that took longer, s, was no frame: the page was hidden, or the computer slept. */
+/** A longer interval between two frames, s, is limited to this: the page was hidden, or the computer slept. */
 const LONGEST_FRAME = 0.5;
 
-/** What holds the tool in one take beside stops and marked lines: the end of its block, or a line, from 0. */
+/** Where one take stops, in addition to stops and breakpoints: at the end of its block, or before a line (from 0). */
 interface Until {
   readonly block?: true;
   readonly line?: number;
 }
 
-/** What the reader asked for before the path of the text was there. */
+/** An action of the user that waits for the path of the current text. */
 interface Wish {
   readonly act: () => void;
-  /** The tool is to move on by itself. */
+  /** Whether the action starts the playback. */
   readonly plays: boolean;
 }
 
@@ -74,20 +74,20 @@ class Playback implements Panel {
   readonly #doing = make('p', { className: 'doing', part: 'doing', 'aria-live': 'polite' });
   readonly #board: ReadoutBoard;
   readonly #wholeOptions = WHOLE.map((seconds) => make('option', { value: `whole ${seconds}` }));
-  /** Where the block begins that is marked as running. */
+  /** Start of the block that is marked as running. */
   #running: number | undefined;
   #place: Readout | undefined;
-  /** Painting: the next frame; asking: the tool is under way. */
+  /** `#frame`: the next animation frame; `#asking`: an answer about the tool is pending. */
   #frame: number | undefined;
   #asking = false;
   #lastFrame: number | undefined;
-  /** Seconds since the last answer was asked for. */
+  /** Seconds since the last question. */
   #elapsed = 0;
   #from: 'here' | 'start' = 'here';
-  /** Counts what has been played, so that an answer can be too late. */
+  /** Number of the take: an answer to an earlier take is ignored. */
   #take = 0;
   #until: Until = {};
-  /** Counts changes of the text and its setup, and says which of them the path that is there belongs to. */
+  /** Number of changes of text and setup; `#pathOf` is the change that the current path belongs to. */
   #changes = 0;
   #pathOf = -1;
   #wish: Wish | undefined;
@@ -171,7 +171,7 @@ class Playback implements Panel {
     if (event.kind !== 'report') return;
     const { stage, summary, units } = event.report;
     this.#lengths = this.#board.unit = units.shown;
-    // The path was there before, and the reader may be playing it.
+    // The path was shown before, and the user may be playing it.
     if (stage === 'whole' || stage === 'path') {
       const line = this.#place === undefined ? undefined : this.#shell.editor.runningLine;
       this.#program(summary.motions, summary.optionalStops);
@@ -213,7 +213,7 @@ class Playback implements Panel {
     return WORDS[this.#shell.language];
   }
 
-  /** Another path has been drawn, of so many motions, with so many optional stops. */
+  /** A new path was drawn: number of its motions and of its optional stops. */
   #program(motions: number, optionalStops: number): void {
     this.#halt();
     for (const control of [this.#play, this.#back, this.#forward, this.#here, this.#slider, this.#single])
@@ -222,8 +222,8 @@ class Playback implements Panel {
   }
 
   /**
-   * After an edit the tool stands at the block that it was in, also where the next edit comes before that is answered;
-   * then comes what the reader asked for meanwhile.
+   * After an edit, returns the tool to the block that it was in, also if the next edit comes before the answer. Then
+   * carries out the pending action of the user.
    */
   async #pathCame(line: number | undefined): Promise<void> {
     const changes = this.#changes;
@@ -237,7 +237,7 @@ class Playback implements Panel {
     this.#showPlaying();
   }
 
-  /** Does it as soon as the path of the text as it is now is there. */
+  /** Carries out an action as soon as the path of the current text exists. */
   #onceThere(wish: Wish): void {
     this.#shell.flush();
     if (this.#pathOf === this.#changes) return wish.act();
@@ -245,17 +245,17 @@ class Playback implements Panel {
     this.#showPlaying();
   }
 
-  /** Where the tool is now. */
+  /** Shows the tool position. */
   #show(place: Readout | undefined, held: HeldBy = 'nothing'): void {
     this.#place = place;
     this.#held = held;
-    // While it is dragged, the hand says where the slider is, not an answer to where it was.
+    // While the user drags the slider, an answer to an earlier position must not move it.
     if (!this.#slider.matches(':active')) this.#slider.value = String(place?.share ?? 0);
     this.#board.shown = place;
-    // It keeps its room: the drawing would jump with the first step.
+    // Hidden but not removed: otherwise the drawing would jump with the first step.
     this.#whole.classList.toggle('not-yet', place === undefined);
     this.#showDoing();
-    // What is read aloud while it plays would never come to an end.
+    // During playback the announcements would never end.
     if (this.#playing) return;
     const stroke = place?.stroke;
     const spoken =
@@ -290,7 +290,7 @@ class Playback implements Panel {
     this.#showPlaying();
   }
 
-  /** From the block that the cursor is in; with `block` only that one. */
+  /** Plays from the block at the cursor; with `block`, only that block. */
   #playFromHere(until: { readonly block?: true }): void {
     this.#stop();
     const act = async (): Promise<void> => {
@@ -301,7 +301,7 @@ class Playback implements Panel {
     this.#onceThere({ plays: true, act: () => void act() });
   }
 
-  /** On, or from the start, to the block that the cursor is in. */
+  /** Plays to the block at the cursor, from the tool position or from the start. */
   #playToCursor(): void {
     this.#stop();
     this.#start({ line: this.#shell.editor.lineOf(this.#shell.editor.cursor) });
@@ -318,7 +318,7 @@ class Playback implements Panel {
     const act = (): void => {
       if (this.#play.disabled) return;
       this.#shell.editor.follow();
-      // The block is shown even if it is the same one.
+      // Shows the block even if it is the same one as before.
       this.#running = undefined;
       void this.#shell.ask('step', { unit, direction }).then((place) => this.#showTool(place));
     };
@@ -343,7 +343,7 @@ class Playback implements Panel {
     this.#lastFrame = now;
     this.#elapsed += Math.min(elapsed, LONGEST_FRAME);
     this.#frame = requestAnimationFrame(this.#tick);
-    // One question at a time: where the interpreter is slow, the tool makes longer leaps.
+    // One question at a time: if the interpreter is slow, the tool moves in larger steps.
     if (this.#asking || this.#elapsed === 0) return;
     this.#asking = true;
     const take = this.#take;
@@ -358,7 +358,7 @@ class Playback implements Panel {
     });
   };
 
-  /** On for so many seconds; `start` begins the program anew. */
+  /** Plays this many seconds; `start` begins at the start of the program. */
   async #ask(from: 'here' | 'start', seconds: number): Promise<Played | undefined> {
     const played = await this.#shell.ask('play', { from, seconds, pace: this.#pace, holds: this.#holds });
     this.#shell.toolMoved(played?.place);
@@ -383,7 +383,7 @@ class Playback implements Panel {
     this.#markRunning(place);
   }
 
-  /** The block that runs, or that holds the tool, is marked in the text. */
+  /** Marks the block that runs, or that stops the tool. */
   #markRunning(place: Readout | undefined): void {
     const block = place?.stop ?? place?.stroke;
     if (block?.from === this.#running) return;
@@ -396,7 +396,7 @@ class Playback implements Panel {
     this.#seek.ask({ share: this.#slider.valueAsNumber });
   }
 
-  /** The tool stands, and nothing that the reader asked for is still to come. */
+  /** Stops the tool and drops the pending action. */
   #stop(): void {
     const waited = this.#wish !== undefined;
     this.#wish = undefined;

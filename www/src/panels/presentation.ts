@@ -1,7 +1,8 @@
-// The drawing on all of the screen, and the presentation: large type, program and drawing and nothing else, keys for who stands before a class.
+// Full screen for the drawing, and the presentation mode: large type, only program and drawing, and keys for a
+// presenter in front of a class.
 //
-// In: buttons and keys. Out: what is asked of the playback; `data-presenting` of the frame, the attribute `presenting` of the element. Must not
-// know: how anything is drawn or played.
+// In: buttons and keys. Out: commands to the playback; `data-presenting` of the frame, the attribute `presenting` of
+// the element. Must not know: how anything is drawn or played.
 
 import { icon, make, name } from '../dom/dom';
 import type { Language } from '../dom/language';
@@ -9,7 +10,7 @@ import { words } from '../dom/words';
 import type { Key, Panel, PanelKind, Shell } from './panel';
 import presentationStyles from './presentation.css?inline';
 
-/** How much larger everything is that is measured by the type of the page. */
+/** Scale of everything that is measured by the font size of the page. */
 const LARGER = '150%';
 
 export const presentation: PanelKind = {
@@ -28,7 +29,7 @@ class Presentation implements Panel {
     className: 'quiet outlined present-button',
     'aria-pressed': 'false',
   });
-  /** The size of the page's type as it was, while the presentation lasts. */
+  /** Font size of the page before the presentation; undefined if there is none now. */
   #typeBefore: string | undefined;
   readonly places = { views: [this.#whole], foot: [this.#present] };
 
@@ -38,7 +39,7 @@ class Presentation implements Panel {
     const shown = shell.frame.querySelector<HTMLElement>('#shown');
     if (shown === null) throw new Error('the frame has no #shown');
     this.#shown = shown;
-    // Where the browser shows no element on all of the screen, such a button would do nothing.
+    // Without full-screen support, the button would do nothing.
     this.#whole.hidden = !document.fullscreenEnabled;
     this.#whole.addEventListener('click', () => void this.#toggleWhole());
     this.#present.addEventListener('click', () => this.#toggle());
@@ -56,7 +57,7 @@ class Presentation implements Panel {
   pressed({ event, inside }: Key): 'own' | 'not-own' {
     if (!this.#isPresenting || event.ctrlKey || event.metaKey || event.altKey) return 'not-own';
     const step = this.#shell.service('step');
-    // A remote control sends these two, wherever the focus is.
+    // A presenter remote sends these two keys, regardless of the focus.
     if (event.key === 'PageDown') step('block', 'next');
     else if (event.key === 'PageUp') step('block', 'previous');
     else if (event.key === 'Escape') this.#end();
@@ -83,7 +84,7 @@ class Presentation implements Panel {
     style.fontSize = LARGER;
     this.#host.toggleAttribute('presenting', true);
     this.#shell.frame.dataset['presenting'] = '';
-    // Where it is refused, the element fills the window.
+    // If full screen is refused, the element fills the window.
     this.#host.requestFullscreen?.().catch(() => undefined);
     this.#name();
     this.#present.focus();
@@ -99,7 +100,7 @@ class Presentation implements Panel {
   }
 
   readonly #fullscreenChanged = (): void => {
-    // Escape is the browser's there.
+    // In full screen, the browser handles Escape.
     if (this.#isPresenting && document.fullscreenElement === null) this.#end();
     this.#name();
   };

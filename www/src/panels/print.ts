@@ -1,7 +1,8 @@
-// On paper: program, drawing, problems and setup, in light colours, one under the other. The page breaks between blocks, not in them.
+// Printing: program, drawing, problems and setup below each other, in light colours. Page breaks fall between blocks,
+// not inside them.
 //
-// In: the newest report; the command to print, by Ctrl P or the browser's menu. Out: a sheet that only a printer shows. Must not know: what
-// is in a program or a setup.
+// In: the newest report; the command to print (Ctrl P or the browser's menu). Out: a sheet that is visible only in
+// print. Must not know: what a program or a setup contains.
 
 import { make, prose } from '../dom/dom';
 import type { Language } from '../dom/language';
@@ -12,7 +13,7 @@ import type { Heard } from '../worker/core-client';
 import type { Key, Panel, PanelKind, Shell } from './panel';
 import printStyles from './print.css?inline';
 
-/** Lines of a program, and problems, on paper; more is for nobody. */
+/** Most lines of a program, and most problems, that are printed. */
 const MOST_LINES = 5_000;
 const MOST_PROBLEMS = 500;
 
@@ -23,7 +24,7 @@ class Print implements Panel {
   readonly #sheet = make('div', { className: 'sheet' });
   readonly #picture = make('img', { className: 'sheet-drawing', alt: '' });
   #diagnostics: readonly Diagnostic[] = [];
-  /** What was asked for before printing began. */
+  /** The answers that were requested before printing began. */
   #prepared: { readonly setup: SetupForm | undefined } | undefined;
   readonly places = { dialogs: [this.#sheet] };
 
@@ -39,7 +40,7 @@ class Print implements Panel {
   }
 
   set language(_: Language) {
-    // Its words are put in when it is printed.
+    // The texts are filled in when the sheet is printed.
   }
 
   heard(event: Heard): void {
@@ -58,7 +59,7 @@ class Print implements Panel {
     window.removeEventListener('afterprint', this.#after);
   }
 
-  /** Fetches what the printer gets beside the program, then prints. */
+  /** Requests the contents besides the program, then prints. */
   async #print(): Promise<void> {
     this.#shell.flush();
     const [setup, drawing] = await Promise.all([
@@ -127,7 +128,7 @@ class Print implements Panel {
     return [make('h2', {}, texts.problems), list, ...(more > 0 ? [make('p', {}, texts.more(more))] : [])];
   }
 
-  /** What is given; what is not, the sheet does not say. */
+  /** The given values only; fields that are not filled in are left out. */
   #setup(texts: (typeof WORDS)['en']): readonly HTMLElement[] {
     const groups = (this.#prepared?.setup?.groups ?? []).map(({ title, fields }) => ({
       title,

@@ -1,7 +1,7 @@
-// The problems of a run in the order and the groups of the list.
+// Sorts and groups the problems of a run for the list.
 //
-// In: the diagnostics, and which of them the reader wants to see. Out: groups: the problems of one rule with one
-// code and one severity. Must not know: what a rule is about, or how a group is shown.
+// In: the diagnostics, and the user's filter and order. Out: groups: the problems of one rule with one code and one
+// severity. Must not know: what a rule is about, or how a group is shown.
 
 import type { Diagnostic } from '../protocol/protocol';
 
@@ -11,16 +11,16 @@ export type Order = 'severity' | 'place';
 /** Worst first. */
 export const SEVERITIES: readonly Severity[] = ['error', 'warning', 'info'];
 
-/** What of the problems is shown. */
+/** Filter and order of the problems. */
 export interface Wanted {
   readonly order: Order;
-  /** Severities that are left out. */
+  /** Severities that are hidden. */
   readonly without: ReadonlySet<Severity>;
-  /** The slug of the only rule that is shown. */
+  /** Slug of the only rule that is shown; undefined: all rules. */
   readonly rule: string | undefined;
 }
 
-/** In the order of their places; at least one. */
+/** In source order; never empty. */
 export type Group = readonly [Diagnostic, ...Diagnostic[]];
 
 export function groups(diagnostics: readonly Diagnostic[], { order, without, rule }: Wanted): readonly Group[] {
@@ -33,13 +33,13 @@ export function groups(diagnostics: readonly Diagnostic[], { order, without, rul
     if (group === undefined) found.set(key, [diagnostic]);
     else group.push(diagnostic);
   }
-  // The first of each is the first in the text: the groups stand in the order of their places.
+  // The first problem of each group is its first in the text, so the groups are in source order.
   const all = [...found.values()];
   if (order === 'place') return all;
   return SEVERITIES.flatMap((severity) => all.filter(([first]) => first.severity === severity));
 }
 
-/** How many problems each rule has, in the order of their slugs. */
+/** Number of problems of each rule, sorted by slug. */
 export function countByRule(diagnostics: readonly Diagnostic[]): ReadonlyMap<string, number> {
   const counts = new Map<string, number>();
   for (const { slug } of diagnostics) counts.set(slug, (counts.get(slug) ?? 0) + 1);

@@ -1,6 +1,6 @@
-// What of the problems is shown, and in which order: the row of choices over the list.
+// Filter and order of the problems: the row of choices over the list.
 //
-// In: the diagnostics of the newest run. Out: what the reader wants to see. Must not know: how it is shown.
+// In: the diagnostics of the newest run. Out: the user's choices. Must not know: how the problems are shown.
 
 import { arrange, icon, make, name, showText } from '../dom/dom';
 import type { Language } from '../dom/language';
@@ -20,7 +20,7 @@ export class ProblemsView {
   readonly #severities = make('span', { className: 'severities', role: 'group' });
   readonly #without = new Set<Severity>();
   #chosenRule: string | undefined;
-  /** The options as they stand, so that an open list is not built anew under the reader's hand. */
+  /** The current options as text: an unchanged list is not rebuilt, because the user may have opened it. */
   #options = '';
   readonly element = make('div', { className: 'problems-view' }, this.#severities, this.#order, this.#rule);
 
@@ -64,7 +64,7 @@ export class ProblemsView {
     const counts = new Map<Severity, number>();
     for (const { severity } of diagnostics) counts.set(severity, (counts.get(severity) ?? 0) + 1);
     for (const severity of SEVERITIES) this.#show(severity, counts.get(severity) ?? 0, texts.count[severity]);
-    // One that is switched off stays, to be switched on again.
+    // A severity that is switched off remains, so that it can be switched on again.
     const present = SEVERITIES.filter((severity) => counts.has(severity));
     const offered =
       present.length > 1 || this.#without.size > 0

@@ -17,9 +17,9 @@ import { ProblemsView } from './problems-view';
 import { countSafe, safeEdits } from './safe-fixes';
 import problemsStyles from './problems.css?inline';
 
-/** A program can have any number of problems; nobody reads more than these. */
+/** Most rows of the list; a program can have any number of problems. */
 const SHOWN = 200;
-/** Places of a group that are shown; the others when the reader asks for them. */
+/** Places of a group that are shown until the user expands it. */
 const PLACES = 10;
 
 export const problems: PanelKind = {
@@ -28,7 +28,7 @@ export const problems: PanelKind = {
   make: (shell) => new Problems(shell),
 };
 
-/** A row of the list; an edit elsewhere moves its problems, and the row stays. */
+/** A row of the list. If an edit elsewhere moves its problems, the row is reused. */
 interface Row {
   readonly element: HTMLLIElement;
   group: Group;
@@ -44,14 +44,14 @@ class Problems implements Panel {
   readonly #more = make('li', { className: 'more' });
   /** Rules that the setup switches off. */
   readonly #off = make('li', { className: 'more rules-off' });
-  /** By what they show: many can show the same. */
+  /** Rows by their content; several rows can have the same content. */
   #rows = new Map<string, Row[]>();
-  /** The groups of which all places are shown, by severity, code and rule. */
+  /** Expanded groups, keyed by severity, code and rule. */
   readonly #whole = new Set<string>();
   readonly #list = make('ul', { className: 'problems-list', id: 'problems-list' });
   readonly #body = make('div', { className: 'problems-body' }, this.#view.element, this.#list);
   readonly #element = make(
-    // With the caption it differs from that of another element.
+    // The caption distinguishes the name from that of another element on the page.
     'section',
     { className: 'problems', part: 'problems', 'aria-labelledby': 'problems-name caption' },
     make('div', { className: 'problems-head' }, this.#toggle, this.#fixSafe),
@@ -69,7 +69,8 @@ class Problems implements Panel {
     this.#toggle.addEventListener('click', () => this.#setOpen(this.#body.hidden === true));
     this.#fixSafe.addEventListener('click', () => this.#fix(safeEdits(this.#diagnostics)));
     this.#element.addEventListener('mousedown', (event) => {
-      // The second press of a double click would give the focus to a button that goes with the first.
+      // The first click of a double click can remove its button; the second must not focus the button that takes its
+      // place.
       if (event.detail > 1 && event.target instanceof Element && event.target.closest('button') !== null)
         event.preventDefault();
     });
@@ -93,7 +94,7 @@ class Problems implements Panel {
     const focused = this.#shell.root.activeElement;
     const isHere = this.#element.contains(focused);
     this.#render();
-    // A button that had the focus may have gone with its problem.
+    // A focused button may have been removed with its problem.
     if (isHere && focused?.checkVisibility() === false) this.#shell.editor.focus();
   }
 
@@ -105,20 +106,20 @@ class Problems implements Panel {
 
   #fix(edits: Fix['edits']): void {
     this.#shell.editor.apply(edits);
-    // The button that was pressed goes with its problem.
+    // The clicked button is removed with its problem.
     this.#shell.editor.focus();
   }
 
-  /** A repair of the program, or a setting that answers the problem. */
+  /** Applies a fix: an edit of the program, or a setting. */
   #make(fix: Fix | undefined): void {
     if (fix?.setting !== undefined) this.#shell.service('takeSetting')(fix.setting);
     else this.#fix(fix?.edits ?? []);
   }
 
-  /** What a rule says is not said here, or is again. */
+  /** Hides or shows the messages of a rule. */
   #set(slug: string, level: 'off' | ''): void {
     this.#shell.service('takeSetting')({ key: `rules.${slug}`, value: level });
-    // The button that was pressed goes.
+    // The clicked button is removed.
     this.#toggle.focus();
   }
 
@@ -171,7 +172,7 @@ class Problems implements Panel {
     this.#off.replaceChildren(strings.rulesOff(this.#rulesOff.length), ' ', ...buttons);
   }
 
-  /** All that a row shows. */
+  /** Everything a row shows, as a key. */
   #shows(group: Group): string {
     const [{ severity, kind, code, slug, alarm, message, line, column, fixes }] = group;
     const whole = this.#whole.has(keyOf(group));
@@ -197,7 +198,7 @@ class Problems implements Panel {
     ]);
   }
 
-  /** The row that shows this already, or another one. */
+  /** Reuses the row with the same content, or makes a new one. */
   #row(group: Group): Row {
     const known = this.#rows.get(this.#shows(group))?.shift();
     if (known === undefined) return this.#made(group);
@@ -222,7 +223,7 @@ class Problems implements Panel {
     return row;
   }
 
-  /** The first problem of a group, which leads to its place. */
+  /** The first problem of a group; a click selects its place. */
   #problem(row: Row): HTMLButtonElement {
     const { language } = this.#shell;
     const [strings, said] = [WORDS[language], PROBLEM_WORDS[language]];
@@ -289,7 +290,7 @@ class Problems implements Panel {
     all.addEventListener('click', () => {
       this.#whole.add(key);
       this.#render();
-      // The row is another one now.
+      // The list was rendered again, so find the new row.
       const shown = this.#rows.get(this.#shows(row.group))?.[0];
       shown?.element.querySelectorAll<HTMLButtonElement>('.place')[PLACES - 1]?.focus();
     });
@@ -307,7 +308,7 @@ const WORDS = words({
     problems: 'Problems',
     someOf: (seen: number, all: number) => `${seen} of ${all}`,
     moreProblems: (n: number) => `… and ${n} more`,
-    /** All that a rule says is left out, as long as this setup is used. */
+    /** Hides all messages of a rule while this setup is used. */
     hideRule: (slug: string) => `Hide this rule here: ${slug}`,
     rulesOff: (n: number) => (n === 1 ? '1 rule is hidden here:' : `${n} rules are hidden here:`),
     showRule: (slug: string) => `Show ${slug}`,
@@ -316,7 +317,7 @@ const WORDS = words({
     also: 'also',
     morePlaces: (n: number) => `${n} more`,
     fix: (title: string) => `Fix: ${title}`,
-    /** All repairs that need no asking. */
+    /** Applies all fixes that need no decision. */
     fixSafe: (n: number) => (n === 1 ? 'Apply 1 safe fix' : `Apply ${n} safe fixes`),
     fixSafeHelp: 'Fixes that do not change what the program does. Ctrl Z undoes them.',
     place: (line: number, column: number) => `line ${line}, column ${column}`,

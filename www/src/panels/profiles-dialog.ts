@@ -1,7 +1,7 @@
-// The dialog in which machines and tables of tools are kept under names, taken, exported and imported. A file holds a
-// setup, as the command line reads it.
+// The dialog in which machines and tool tables are stored under names, applied, exported and imported. A file contains
+// a setup, as the command line reads it.
 //
-// In: the profiles of the run. Out: the one that the reader takes. Must not know: what a profile says.
+// In: the profiles of the run. Out: the profile that the user applies. Must not know: what a profile contains.
 
 import { Dialog } from '../dom/dialog';
 import { make } from '../dom/dom';
@@ -11,16 +11,16 @@ import { download } from '../editor/program-files';
 import type { ProfileKind, ProfilesRead, Profiles } from '../protocol/protocol';
 import { chosenMachine, forgetProfile, keepProfile, profile, profileNames } from './profiles-kept';
 
-/** A setup is short; what is longer is no setup. */
+/** A setup is short: a longer file is rejected. */
 const MOST_BYTES = 1 << 20;
 const KINDS = ['machine', 'tools'] as const;
 
 export interface ProfilesEvents {
-  /** No machine in particular without a name. */
+  /** `name` undefined: no particular machine. */
   taken(kind: ProfileKind, name: string | undefined): void;
-  /** Nothing where there is no worker. */
+  /** Undefined if there is no worker. */
   read(json: string): Promise<ProfilesRead | undefined>;
-  /** Others are kept now. */
+  /** The stored profiles have changed. */
   changed(): void;
 }
 
@@ -32,7 +32,7 @@ export class ProfilesDialog {
   readonly #news = make('p', { className: 'news', role: 'status' });
   readonly #dialog: Dialog;
   #language: Language;
-  /** What the program runs on, and the name it is kept under. */
+  /** The profiles of the program, and the name that its machine is stored under. */
   #own: Profiles = {};
   #machine: string | undefined;
 
@@ -118,7 +118,7 @@ export class ProfilesDialog {
     );
   }
 
-  /** The way back to no machine in particular. */
+  /** The button that returns to no particular machine. */
   #none(): HTMLElement {
     const texts = WORDS[this.#language];
     const button = make('button', { type: 'button', className: 'framed' }, texts.noMachine);
@@ -129,7 +129,7 @@ export class ProfilesDialog {
     return make('li', {}, button);
   }
 
-  /** Keeps what the program runs on now under a name. */
+  /** Stores the current profile of the program under a name. */
   #keeper(kind: ProfileKind): HTMLElement {
     const texts = WORDS[this.#language];
     const json = this.#own[kind];

@@ -1,14 +1,14 @@
-// The machines and tables of tools that this browser keeps under names.
+// The machines and tool tables that this browser stores under names.
 //
-// In and out: names, and setups as JSON. A browser that refuses to store (private mode, full) is no error: nothing is
-// kept. Must not know: what a setup says.
+// In and out: names, and setups as JSON. A failure to store (private mode, quota) is not an error: nothing is stored.
+// Must not know: what a setup contains.
 
 import type { ProfileKind } from '../protocol/protocol';
 
 interface Kept {
   readonly machine: Readonly<Record<string, string>>;
   readonly tools: Readonly<Record<string, string>>;
-  /** The machine that programs of the reader's own begin with. */
+  /** Name of the user's default machine for new programs. */
   readonly chosen?: string;
 }
 
@@ -37,7 +37,7 @@ export function forgetProfile(kind: ProfileKind, name: string): void {
   });
 }
 
-/** The machine that programs of the reader's own begin with. */
+/** The user's default machine for new programs. */
 export function chosenMachine(): { readonly name: string; readonly json: string } | undefined {
   const { machine, chosen } = kept();
   const json = chosen === undefined ? undefined : machine[chosen];
@@ -69,6 +69,6 @@ function keep(all: Kept): void {
   try {
     localStorage.setItem(KEY, JSON.stringify(all));
   } catch {
-    // The setup stays as it is; it is only not remembered.
+    // The current setup is not affected; it is only not stored.
   }
 }

@@ -1,7 +1,7 @@
-// The machine the program is run on: the button that says which, and the dialog in which machines and tables of tools
-// are kept under names.
+// The machine of the program: the button that shows it, and the dialog in which machines and tool tables are stored
+// under names.
 //
-// In: the profiles of the run. Out: the setup with another one. Must not know: what belongs to a machine.
+// In: the profiles of the run. Out: the setup with another profile. Must not know: what belongs to a machine.
 
 import { make } from '../dom/dom';
 import type { Language } from '../dom/language';
@@ -26,7 +26,7 @@ class Profiles implements Panel {
   readonly #button = make('button', { type: 'button', className: 'machine quiet', 'aria-haspopup': 'dialog' });
   /** Loaded when it is first opened. */
   #dialog: ProfilesDialog | undefined;
-  /** The chosen machine, while the program runs on it. */
+  /** Name of the chosen machine if the program runs on it. */
   #machine: string | undefined;
   readonly places = {};
   readonly services: Partial<Services> = {
@@ -52,7 +52,9 @@ class Profiles implements Panel {
     if (event.kind === 'report') void this.#compare();
   }
 
-  /** Whether the program runs on the chosen machine: an example has one of its own, and a comment may name another. */
+  /**
+   * Compares the machine of the program with the chosen one: an example has its own, and a comment may name another.
+   */
   async #compare(): Promise<void> {
     const chosen = chosenMachine();
     const own =
@@ -91,7 +93,7 @@ class Profiles implements Panel {
     this.#dialog.show(own ?? {}, this.#machine);
   }
 
-  /** Without a name the program is run on no machine in particular. */
+  /** Applies a profile; without a name, the program runs on no particular machine. */
   async #take(kind: ProfileKind, name: string | undefined): Promise<void> {
     if (kind === 'machine') chooseMachine(name);
     const json = name === undefined ? '{}' : (profile(kind, name) ?? '{}');

@@ -1,8 +1,7 @@
-// One line that is always there: how the program was read, and by what machine. Each fact that a setting decides leads
-// to its field in the setup form.
+// The line that says how the program was read, and for which machine. Each fact that a setting determines is a link to
+// its field in the setup form.
 //
-// In: the facts of the newest run, in words. Out: the field the reader wants to change. Must not know: what a
-// fact means.
+// In: the facts of the newest run, as text. Out: the field to open. Must not know: what a fact means.
 
 import { make } from '../dom/dom';
 import type { Language } from '../dom/language';
@@ -14,7 +13,7 @@ import readAsStyles from './read-as.css?inline';
 
 export const readAs: PanelKind = { control: 'setup', styles: readAsStyles, make: (shell) => new ReadAsLine(shell) };
 
-/** Where the reader begins who wants to change something, but says not what. */
+/** The field that is opened by "change". */
 const FIRST_FIELD = 'dialect.control';
 
 class ReadAsLine implements Panel {
@@ -25,7 +24,7 @@ class ReadAsLine implements Panel {
   #hasMachine = false;
   #read: ReadAs | undefined;
   #isBeingRead = true;
-  /** What is shown, so that a fact keeps the focus through runs that change nothing. */
+  /** The rendered facts as text: an unchanged line is not rebuilt, so that a fact keeps the focus. */
   #shown = '';
   readonly places = { bar: [this.#element] };
 
@@ -39,7 +38,7 @@ class ReadAsLine implements Panel {
     this.#element.setAttribute('aria-label', texts.name);
     this.#change.textContent = texts.change;
     this.#change.setAttribute('aria-label', texts.changeName);
-    // Not earlier: all panels are made by then.
+    // Not earlier: the other panels do not exist before.
     if (!this.#hasMachine) this.#element.append(this.#shell.service('machineButton')());
     this.#hasMachine = true;
     this.#render();
@@ -95,9 +94,9 @@ const WORDS = words({
     reading: 'Reading …',
     notRead: 'Not read',
     comma: ', ',
-    /** The program shows it. */
+    /** Recognised from the program. */
     recognised: (fact: string) => `${fact} (recognised)`,
-    /** The setup says it. */
+    /** Given by the setup. */
     set: (fact: string) => `${fact} (set)`,
     change: 'change',
     changeName: 'change how the program is read',

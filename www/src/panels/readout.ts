@@ -1,7 +1,7 @@
-// The read-out of the playback: place, feed, spindle, time and tool, as on a control's position screen.
+// The readout of the playback: position, feed, spindle, time and tool, as on the position screen of a control.
 //
-// In: what the interpreter reads off where the tool is. Out: an element. Must not know:
-// how the numbers come about.
+// In: the readout of the interpreter at the tool position. Out: an element. Must not know: how the numbers are
+// computed.
 
 import { make } from '../dom/dom';
 import type { Language } from '../dom/language';
@@ -13,7 +13,7 @@ import { inUnit, place, signed, symbol } from './lengths';
 const NOTHING = '–';
 const METRES_A_FOOT = 0.3048;
 
-/** A name and a value that stays where it is while its digits change. */
+/** A name and a value. The value does not move while its digits change. */
 class Cell {
   readonly #name = make('dt');
   readonly #value = make('dd');
@@ -28,7 +28,7 @@ class Cell {
   }
 
   set value(text: string) {
-    // Setting the same text again would make the browser lay the page out anew in each frame.
+    // Setting the same text would force a new layout in each frame.
     if (this.#value.textContent !== text) this.#value.textContent = text;
   }
 
@@ -73,7 +73,7 @@ export class ReadoutBoard {
     this.#language = language;
     const texts = WORDS[language];
     this.element.setAttribute('aria-label', texts.readout);
-    // Millimetres are what nobody has to be warned of.
+    // Millimetres are the default and need no label.
     const unit = this.#unit === 'mm' ? '' : `, ${symbol(this.#unit, language)}`;
     this.#x.name = `X ⌀${unit}`;
     this.#y.name = `Y${unit}`;
@@ -117,7 +117,7 @@ export class ReadoutBoard {
     return value === undefined ? NOTHING : `${value.toFixed(digits)} ${unit}`;
   }
 
-  /** Metres a minute, or feet as an inch program counts. */
+  /** m/min, or ft/min if lengths are in inches. */
   #surfaceText(metres: number | undefined): string {
     const { metres: metric, feet } = WORDS[this.#language];
     return this.#unit === 'mm'
@@ -125,7 +125,7 @@ export class ReadoutBoard {
       : this.#with(metres === undefined ? undefined : metres / METRES_A_FOOT, 0, feet);
   }
 
-  /** As it is programmed, then what comes of it. */
+  /** The programmed feed, then the resulting one. */
   #feedText(readout: Readout | undefined): string {
     const texts = WORDS[this.#language];
     if (readout?.stroke.kind === 'rapid') return COMMON[this.#language].rapid;
@@ -143,7 +143,7 @@ export class ReadoutBoard {
     return parts.join(' · ') || NOTHING;
   }
 
-  /** "0:12 / 1:38 + 102 rapids": what is not known is counted, never guessed. */
+  /** "0:12 / 1:38 + 102 rapids": rapids of unknown duration are counted, never guessed. */
   #timeText(readout: Readout | undefined): string {
     if (readout === undefined) return NOTHING;
     const { elapsed, total } = readout;

@@ -1,8 +1,8 @@
-// The button "Write as a cycle" and its dialog: which plain moves can be written as a cycle, each as
-// it is and as it would be.
+// The button "Write as a cycle" and its dialog: the plain moves that can be written as a cycle, each in its current
+// form and as a cycle.
 //
-// In: the offers, as an answer; those where the cursor stands come first. Out: the edits of the one that the
-// reader takes. Must not know: what a cycle is.
+// In: the offers, as an answer; those at the cursor come first. Out: the edits of the offer that the user applies. Must
+// not know: what a cycle is.
 
 import { Dialog } from '../dom/dialog';
 import { make } from '../dom/dom';
@@ -86,7 +86,7 @@ class Rewrite implements Panel {
     const ordered = [...rewritings.filter(({ here }) => here), ...rewritings.filter(({ here }) => !here)];
     this.#list.replaceChildren(...ordered.map((rewriting) => this.#item(rewriting)));
     this.#dialog.show();
-    // What the cursor is in can be taken with Enter.
+    // Enter applies the offer at the cursor.
     this.#list.querySelector('button')?.focus();
   }
 

@@ -1,18 +1,18 @@
-// The repairs that can be made without asking, all at once.
+// Collects all safe fixes, to apply them together.
 //
-// In: the diagnostics of a run. Out: the edits of the first safe repair of each; of those that touch the same
-// text the first is taken, as `src/repair.rs` does. Must not know: what a repair is about.
+// In: the diagnostics of a run. Out: the edits of the first safe fix of each. Of fixes that touch the same text, only
+// the first is applied, as in `src/repair.rs`. Must not know: what a fix is about.
 
 import type { Diagnostic, Fix } from '../protocol/protocol';
 
 type Edits = Fix['edits'];
 
-/** How many diagnostics have a safe repair. */
+/** Number of diagnostics with a safe fix. */
 export function countSafe(diagnostics: readonly Diagnostic[]): number {
   return diagnostics.filter(({ fixes }) => fixes.some(({ safe }) => safe)).length;
 }
 
-/** The edits in the order of their places. */
+/** The edits in source order. */
 export function safeEdits(diagnostics: readonly Diagnostic[]): Edits {
   const fixes = diagnostics.flatMap(({ fixes }) => fixes.find(({ safe, edits }) => safe && edits.length > 0) ?? []);
   const whole = fixes.map(({ edits }) => ({ from: edits[0]!.from, to: edits.at(-1)!.to, edits }));

@@ -1,8 +1,8 @@
-// The dialog in which stock, tools, start, machine and tailstock are said, and where that is kept.
+// The dialog for stock, tools, start, machine and tailstock, and for the place where the setup is stored.
 //
-// In: the groups of fields, and answers to what is entered: both the interpreter's, labels and messages in
-// words. Out: `read` and `another` (questions), `kept` (the reader has applied it). Must not know: what a
-// field is for, or which values it can have.
+// In: the groups of fields, and answers to the entries; both come from the interpreter, with labels and messages as
+// text. Out: `read` and `another` (questions), `kept` (the user has applied the setup). Must not know: what a field is
+// for, or which values it can have.
 
 import { Dialog } from '../dom/dialog';
 import { make } from '../dom/dom';
@@ -11,7 +11,7 @@ import { COMMON, words } from '../dom/words';
 import type { SetupAnswer, SetupForm, SetupGroup, SetupPlace } from '../protocol/protocol';
 import { SetupInput } from './setup-input';
 
-/** What is typed quickly is asked about together. */
+/** Entries typed within this time are sent in one question. */
 const ASK_AFTER_MS = 80;
 
 export interface SetupEntries {
@@ -26,7 +26,7 @@ export interface SetupFormEvents {
   kept(answer: SetupAnswer, place: SetupPlace): void;
 }
 
-/** Groups that are seldom filled in are folded. */
+/** Groups that are seldom filled in are collapsed. */
 const FOLDED: ReadonlySet<SetupGroup['group']> = new Set(['start', 'machine', 'tailstock', 'control', 'rules']);
 
 export class SetupDialog {
@@ -46,9 +46,9 @@ export class SetupDialog {
   readonly #dialog: Dialog;
   #language: Language;
   #shown: SetupForm | undefined;
-  /** What was filled in and not applied, by the key of its field, and instead of which value. */
+  /** Entries that were not applied, by the key of the field, with the field's value at that time (`instead`). */
   readonly #unapplied = new Map<string, { readonly instead: string; readonly text: string }>();
-  /** Groups of tools that the program does not name. */
+  /** Groups for tools that the program does not name. */
   #added: readonly SetupGroup[] = [];
   #placeChosen: SetupPlace | undefined;
   #inputs: SetupInput[] = [];
@@ -104,7 +104,7 @@ export class SetupDialog {
     return this.#dialog.open;
   }
 
-  /** `opened` and `key`: the group and the field the reader comes for. */
+  /** `opened` and `key`: the group and the field to open. */
   show(form: SetupForm, opened?: SetupGroup['group'], key?: string): void {
     this.#remember();
     const { groups, place } = form;
@@ -127,7 +127,7 @@ export class SetupDialog {
       this.#noTool,
     );
     const elements = groups.map((group) => this.#group(group, opened));
-    // After the last tool, or the stock.
+    // After the last tool or, without tools, after the stock.
     const last = groups.findLastIndex(({ group }) => group === 'tool' || group === 'stock');
     elements.splice(last + 1, 0, ...this.#added.map((group) => this.#group(group)), another);
     this.#groups.replaceChildren(...elements);
@@ -141,9 +141,9 @@ export class SetupDialog {
     void this.#ask();
   }
 
-  // ---- what was left ------------------------------------------------------------------------------
+  // ---- entries that were not applied --------------------------------------------------------------
 
-  /** Another program is there, or all is applied: what was filled in is of no use any more. */
+  /** Another program was loaded, or everything was applied: drops the entries that were not applied. */
   forget(): void {
     this.#unapplied.clear();
     this.#added = [];
@@ -152,7 +152,7 @@ export class SetupDialog {
     this.#word.value = '';
   }
 
-  /** Remembers what is filled in and not applied. */
+  /** Stores the entries that are not applied. */
   #remember(): void {
     for (const { key, value, text } of this.#inputs) {
       if (text === value) this.#unapplied.delete(key);
@@ -160,7 +160,7 @@ export class SetupDialog {
     }
   }
 
-  /** Fills in what was left, where the field still has the value that it had. */
+  /** Restores an entry if the field still has the value that it had then. */
   #fillIn(): void {
     const left = this.#inputs.flatMap((input) => {
       const { instead, text } = this.#unapplied.get(input.key) ?? {};
@@ -244,7 +244,7 @@ export class SetupDialog {
     this.#asking = setTimeout(() => void this.#ask(), ASK_AFTER_MS);
   }
 
-  /** Shows what becomes of the entries as they are; only the newest answer counts. */
+  /** Shows the result of the current entries; only the newest answer counts. */
   async #ask(): Promise<SetupAnswer | undefined> {
     clearTimeout(this.#asking);
     const asked = ++this.#asked;

@@ -1,6 +1,6 @@
-// One field of the setup form: its label, its unit, what is assumed where it is empty, what is wrong with it.
+// One field of the setup form: its label, unit, assumed value and error message.
 //
-// In: the field and how it stands. Out: `changed`. Must not know: what it is for.
+// In: the field and its state. Out: `changed`. Must not know: what the field is for.
 
 import { make } from '../dom/dom';
 import type { Language } from '../dom/language';
@@ -12,10 +12,10 @@ export class SetupInput {
   readonly element: HTMLElement;
   readonly #language: Language;
   readonly #input: HTMLInputElement | HTMLSelectElement;
-  /** The option of a choice that says nothing. */
+  /** The empty option of a choice. */
   readonly #none: HTMLOptionElement | undefined;
   readonly #error: HTMLElement;
-  /** As the field came. */
+  /** The initial value. */
   readonly value: string;
 
   constructor(field: SetupField, language: Language, changed: () => void) {
@@ -72,7 +72,7 @@ export class SetupInput {
     if (error !== undefined) this.unfold();
   }
 
-  /** Where it stands in a group that is folded, that is opened. */
+  /** Opens the collapsed group that contains the field, if any. */
   unfold(): void {
     const folded = this.element.closest('details');
     if (folded !== null) folded.open = true;
@@ -85,7 +85,7 @@ export class SetupInput {
 
 const WORDS = words({
   en: {
-    /** In a field that is empty: what counts there. */
+    /** Placeholder of an empty field: the value that is assumed. */
     placeholder: (value: string) => `${value} (assumed)`,
     nothing: '—',
   },

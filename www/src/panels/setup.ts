@@ -1,7 +1,7 @@
 // The setup: the button that opens its form, whether tools and stock are inferred, and the form itself.
 //
-// In: what is given and what is inferred; answers to what is entered. Out: the setup, kept in the program or
-// on the page. Must not know: what a setup may hold, or how anything is inferred.
+// In: which parts are given and which are inferred; answers to the entries. Out: the setup, stored in the program or in
+// the page. Must not know: what a setup may contain, or how anything is inferred.
 
 import { make } from '../dom/dom';
 import type { Language } from '../dom/language';
@@ -42,7 +42,7 @@ class Setup implements Panel {
       read: (entries) => this.#read(entries),
       taken: (answer, place) => {
         this.#keep(answer, place);
-        // The button that was pressed goes.
+        // The clicked button is removed.
         this.#button.focus();
       },
     });
@@ -99,13 +99,13 @@ class Setup implements Panel {
     this.#form.show(form, group, key);
   }
 
-  /** One field is filled in as the reader would do it, all others stay. */
+  /** Fills in one field as the user would; all other fields keep their values. */
   async #take({ key, value }: Setting): Promise<void> {
     if (value === undefined) return this.#open('control', key);
     const form = await this.#ask();
     if (form === undefined) return;
     const fields = form.groups.flatMap(({ fields }) => fields);
-    // Single rules have no field.
+    // A single rule has no field.
     const others = fields.filter((field) => field.key !== key);
     const keys = [...others.map((field) => field.key), key];
     const texts = [...others.map((field) => field.value), value];
@@ -134,9 +134,9 @@ class Setup implements Panel {
 const WORDS = words({
   en: {
     setup: 'Setup',
-    /** Beside the button of the form, where no tools are given. */
+    /** Next to the button of the form, if no tools are given. */
     toolsAssumed: 'Tools assumed',
-    /** The line above the drawing where no stock is given, and its button. */
+    /** The line above the drawing if no stock is given, and its button. */
     stockAssumed: 'Stock assumed: collisions not checked',
     useStock: 'use this stock',
     kept: {

@@ -1,8 +1,8 @@
-// The holes of live tools in the turned body, as plain numbers for whoever draws it.
+// The holes of live tools in the turned body, as plain numbers for the renderer.
 //
-// In: holes with mouth and bottom. Out: for each its two ends in space and its radius, and where the faces of the cut go through it.
-// The axes are those of `solid-shape`: the spindle axis first, up the second, the viewer at the far end of the third; C 0 is up, and
-// C turns towards the viewer. Must not know: how it is drawn.
+// In: holes with mouth and bottom. Out: for each hole, both ends in space, its radius, and its intersections with the
+// faces of the cut. The axes are those of `solid-shape`: the first is the spindle axis, the second points up, the third
+// towards the viewer; C 0 is up, and C turns towards the viewer. Must not know: how it is drawn.
 
 import type { DrilledHole } from '../protocol/protocol';
 
@@ -13,13 +13,13 @@ export interface Bore {
   readonly bottom: InSpace;
   /** mm. */
   readonly radius: number;
-  /** Rectangles in the faces of the cut: four corners each, in turn. */
+  /** Rectangles in the faces of the cut: four corners each, in order around it. */
   readonly cuts: readonly (readonly [InSpace, InSpace, InSpace, InSpace])[];
 }
 
-/** So far a hole stands out of the material, that it is seen; mm. */
+/** Extension of a hole beyond the surface, so that it is visible, mm. */
 export const OUT = 0.05;
-/** An axis whose angle differs less from that of a face of the cut lies in it, as a sine. */
+/** An axis whose angle to a face of the cut is smaller than this lies in the face; sine of the angle. */
 const IN_PLANE = 1e-6;
 
 export function boreOf({ mouth, bottom, diameter }: DrilledHole): Bore {
@@ -28,7 +28,7 @@ export function boreOf({ mouth, bottom, diameter }: DrilledHole): Bore {
   const at = (z: number, r: number): InSpace => [z, r * cos, r * sin];
   const radius = diameter / 2;
   const [inner, outer] = [bottom.x / 2, mouth.x / 2];
-  // Into the face it keeps its distance from the axis, into the side its Z.
+  // A hole into the face has a constant radius; a hole into the side has a constant Z.
   const intoFace = Math.abs(mouth.x - bottom.x) < Math.abs(mouth.z - bottom.z);
   const first = intoFace ? at(mouth.z + OUT, outer) : at(mouth.z, outer + OUT);
   const cuts: [InSpace, InSpace, InSpace, InSpace][] = [];
@@ -54,7 +54,7 @@ function span(middle: number, half: number, left: number, right: number): [numbe
   return [middle - half, middle + half, left, right];
 }
 
-/** Half of what a plane at a distance from the axis of a round hole cuts out of it. */
+/** Half of the chord in which a plane at this distance from the axis cuts a round hole. */
 function halfChord(radius: number, distance: number): number {
   return Math.sqrt(Math.max(radius * radius - distance * distance, 0));
 }

@@ -1,36 +1,36 @@
-// The body that is turned from a half-section, as plain numbers for whoever draws it.
+// The body that is turned from a half-section, as plain numbers for the renderer.
 //
-// In: the pieces of the section. Out: the turned surface with its normals, and its edges. A quarter is left
-// out: that between up and the viewer. The spindle axis is the first axis, up the second, the viewer is at
-// the far end of the third. Threads are rings, as the section shows them. Must not know: how it is drawn.
+// In: the pieces of the section. Out: the turned surface with its normals, and its edges. The quarter between up and
+// the viewer is left out. The first axis is the spindle axis, the second points up, the third towards the viewer.
+// Threads are rings, as in the section. Must not know: how it is drawn.
 
 import type { SectionPiece } from '../protocol/protocol';
 
-/** A corner of the half-section: along the spindle, and the radius; mm. */
+/** A corner of the half-section: position along the spindle, and radius; mm. */
 export interface Corner {
   readonly z: number;
   readonly r: number;
 }
 
 export interface Body {
-  /** Three numbers for each place, three places of `triangles` a triangle; mm. */
+  /** Three numbers for each point, mm; three indices in `triangles` for each triangle. */
   readonly places: Float32Array;
   readonly normals: Float32Array;
   readonly triangles: Uint32Array;
-  /** Six numbers for each line. */
+  /** Six numbers for each line, mm. */
   readonly edges: Float32Array;
 }
 
-/** Of a whole turn, from straight towards the viewer on; up is at both ends of it. */
+/** Start angle and sweep of the surface, radians: from the viewer, around the back, to up. */
 const FROM = Math.PI / 2;
 const TURN = (3 * Math.PI) / 2;
-/** Flats of the three quarters: a smooth outline, unless there are very many corners. */
+/** Flats in the three quarters: enough for a smooth outline, fewer if there are very many corners. */
 const FLATS = { least: 24, most: 144, places: 600_000 };
-/** Corners nearer to the axis are on it, mm. */
+/** A corner closer to the axis than this is on it, mm. */
 const ON_AXIS = 1e-4;
 /**
- * Arcs come as chords: a corner is one of those if it turns less than this, and stands
- * out of its neighbours less.
+ * Arcs arrive as chords: a corner belongs to an arc if it turns by less than this angle, radians, and protrudes from
+ * its neighbours by less than this height, mm.
  */
 const SMOOTH = { angle: Math.PI / 6, height: 0.006 };
 
@@ -72,7 +72,7 @@ interface Direction {
   readonly r: number;
 }
 
-/** How two edges meet. */
+/** How two edges meet at a corner. */
 function jointOf(a: Corner, b: Corner, c: Corner): Joint {
   const [before, after] = [normalOf(a, b), normalOf(b, c)];
   const angle = Math.abs(Math.atan2(before.z * after.r - before.r * after.z, before.z * after.z + before.r * after.r));
@@ -81,7 +81,7 @@ function jointOf(a: Corner, b: Corner, c: Corner): Joint {
   // An edge on the axis belongs to no surface.
   if (angle > SMOOTH.angle || height > SMOOTH.height || (onAxis(a) && onAxis(b)) || (onAxis(b) && onAxis(c)))
     return { kind: 'sharp' };
-  // A long straight edge that an arc runs into is tangent to it.
+  // A long straight edge that an arc joins is tangent to it.
   if (first > 8 * second) return { kind: 'smooth', normal: before };
   if (second > 8 * first) return { kind: 'smooth', normal: after };
   const sum = { z: before.z + after.z, r: before.r + after.r };
@@ -93,7 +93,7 @@ function normalAt(from: Corner, to: Corner, joint: Joint): Direction {
   return joint.kind === 'smooth' ? joint.normal : normalOf(from, to);
 }
 
-/** Away from the material, which is on the left of an edge. */
+/** The normal of an edge, away from the material on its left. */
 function normalOf(from: Corner, to: Corner): Direction {
   const size = length(from, to) || 1;
   return { z: (to.r - from.r) / size, r: (from.z - to.z) / size };
@@ -107,13 +107,13 @@ function onAxis({ r }: Corner): boolean {
   return r < ON_AXIS;
 }
 
-/** A direction across the axis: how far up, and how far towards the viewer. */
+/** A direction perpendicular to the axis: its components up and towards the viewer. */
 interface Across {
   readonly up: number;
   readonly near: number;
 }
 
-/** Collects the numbers of a body. */
+/** Collects the arrays of a body. */
 class Builder {
   readonly #around: readonly Across[];
   readonly #places: number[] = [];
@@ -125,7 +125,7 @@ class Builder {
     this.#around = around;
   }
 
-  /** The surface an edge passes over. */
+  /** Adds the surface that an edge sweeps. */
   addBand(from: Corner, to: Corner, normalFrom: Direction, normalTo: Direction): void {
     const first = this.#places.length / 3;
     for (const { up, near } of this.#around) {
@@ -145,7 +145,7 @@ class Builder {
     }
   }
 
-  /** The circle a corner passes along. */
+  /** Adds the circle that a corner sweeps. */
   addRing({ z, r }: Corner): void {
     for (const [index, next] of this.#around.slice(1).entries()) {
       const before = this.#around[index];
@@ -153,7 +153,7 @@ class Builder {
     }
   }
 
-  /** An edge of both faces of the cut. */
+  /** Adds an edge to both faces of the cut. */
   addSectionEdge(from: Corner, to: Corner): void {
     this.#edges.push(from.z, from.r, 0, to.z, to.r, 0, from.z, 0, from.r, to.z, 0, to.r);
   }

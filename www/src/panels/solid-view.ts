@@ -1,7 +1,7 @@
-// The turned body on a WebGL canvas: drawn only when something has moved.
+// The turned body on a WebGL canvas, drawn only if something has moved.
 //
-// In: a canvas with its context, the section. Out: pixels. Turned and zoomed by mouse, finger and keyboard.
-// Loaded when it is first wanted, and three.js with it. Must not know: where the section comes from.
+// In: a canvas with its context, the section. Out: pixels. Turned and zoomed by mouse, finger and keyboard. Loaded on
+// demand together with three.js. Must not know: where the section comes from.
 
 import {
   BufferAttribute,
@@ -32,23 +32,23 @@ import type { DrilledHole, SectionPiece } from '../protocol/protocol';
 import { boreOf, type Bore } from './solid-holes';
 import { outlinesOf, turnedBody, type Corner } from './solid-shape';
 
-/** Where the reset view is from: the right front, a little above. */
+/** Direction of the reset view: from the right front, a little above. */
 const FIRST_VIEW = new Vector3(0.62, 0.62, 1).normalize();
-/** Degrees; a narrow one, so that parallel edges stay nearly parallel. */
+/** Degrees. Narrow, so that parallel edges stay nearly parallel. */
 const FIELD_OF_VIEW = 24;
 const KEY_TURN = Math.PI / 24;
 const KEY_ZOOM = 1.15;
 /** Hatch lines across the longer side of a part. */
 const HATCH_LINES = 40;
-/** The centre line reaches out of the part by this share of its length. */
+/** The centre line extends beyond the part by this fraction of its length. */
 const CENTER_LINE_OVER = 0.08;
-/** A hole is as dark as this share of the light of the surface. */
+/** Brightness of a hole, as a fraction of that of the surface. */
 const HOLE_LIGHT = 0.22;
 const HOLE_FLATS = 32;
-/** What is cut away: up from the axis and towards the viewer. */
+/** The quarter that is cut away: above the axis and towards the viewer. */
 const CUT_AWAY = [new Plane(new Vector3(0, -1, 0)), new Plane(new Vector3(0, 0, -1))];
 
-/** Lines at 45° that stay sharp however near the viewer comes. */
+/** Lines at 45° that stay sharp at any zoom. */
 const HATCH = {
   vertexShader: `
     varying vec2 place;
@@ -108,7 +108,7 @@ export class SolidView {
     this.#want();
   };
   #frame: number | undefined;
-  /** What the reset view shows all of: middle, and half of the length and of the diameter; mm. */
+  /** The box that the reset view fits: middle, half of the length, and radius; mm. */
   #extents: { readonly middle: number; readonly half: number; readonly radius: number } | undefined;
 
   constructor(canvas: HTMLCanvasElement, context: WebGL2RenderingContext) {
@@ -140,7 +140,7 @@ export class SolidView {
     const corners = pieces.flatMap(outlinesOf).flat();
     if (corners.length > 0) {
       this.#build(pieces, corners);
-      // The view stays where the reader has turned it while the part changes.
+      // The view keeps the user's orientation while the part changes.
       if (this.#extents === undefined) {
         this.#extents = extentsOf(corners);
         this.reset();
@@ -149,7 +149,7 @@ export class SolidView {
     this.#want();
   }
 
-  /** Shows all of it from where it is first seen. */
+  /** Fits the whole part in the first view. */
   reset(): void {
     const extents = this.#extents;
     if (extents === undefined) return;
@@ -167,7 +167,7 @@ export class SolidView {
     this.#want();
   }
 
-  /** Lets go of everything the graphics card holds. */
+  /** Frees all resources of the graphics card. */
   free(): void {
     if (this.#frame !== undefined) cancelAnimationFrame(this.#frame);
     this.#sizes.disconnect();
@@ -203,7 +203,7 @@ export class SolidView {
     );
   }
 
-  /** Dashes in turn long and short, as drawings have them; each is a line of its own. */
+  /** Long and short dashes in turn, as in drawings; each is a separate line. */
   #centerLine(middle: number, half: number, size: number): LineSegments {
     const [long, short, gap] = [size / 14, size / 70, size / 70];
     const places: number[] = [];
@@ -219,7 +219,7 @@ export class SolidView {
 
   // ---- the view -----------------------------------------------------------------------------------
 
-  /** How far away a body of half that length and that radius, seen from the reset view, fills the picture. */
+  /** Distance at which a body of this half length and radius fills the picture of the reset view. */
   #distanceFor(half: number, radius: number): number {
     const right = new Vector3(0, 1, 0).cross(FIRST_VIEW).normalize();
     const up = FIRST_VIEW.clone().cross(right);
@@ -254,7 +254,7 @@ export class SolidView {
     event.stopPropagation();
   }
 
-  /** Turns the viewer about the part by radians, and brings him so many times as far away. */
+  /** Turns the camera about the part by radians, and multiplies its distance by `farther`. */
   #move(theta: number, phi: number, farther: number): void {
     const { target, minDistance, maxDistance } = this.#controls;
     const place = new Spherical().setFromVector3(this.#camera.position.clone().sub(target));
@@ -289,7 +289,7 @@ export class SolidView {
     this.#axis.color = colour('axis');
   }
 
-  /** At most one picture a frame, and none while nothing moves. */
+  /** Draws at most one picture per frame, and none while nothing moves. */
   #want(): void {
     this.#frame ??= requestAnimationFrame(() => {
       this.#frame = undefined;
@@ -307,13 +307,13 @@ function boreBody({ mouth, bottom, radius }: Bore): BufferGeometry {
   const [first, last] = [new Vector3(...mouth), new Vector3(...bottom)];
   const way = first.clone().sub(last);
   const geometry = new CylinderGeometry(radius, radius, way.length(), HOLE_FLATS);
-  // A cylinder stands along the second axis; what looks somewhere looks along the third.
+  // The axis of a cylinder is Y; `lookAt` turns Z.
   geometry.rotateX(Math.PI / 2);
   geometry.lookAt(way);
   return geometry.translate(...first.add(last).multiplyScalar(0.5).toArray());
 }
 
-/** Where the faces of the cut go through a hole. */
+/** Where the faces of the cut cross a hole. */
 function boreCuts({ cuts }: Bore): BufferGeometry {
   const geometry = new BufferGeometry();
   geometry.setAttribute('position', new BufferAttribute(new Float32Array(cuts.flat(2)), 3));
@@ -321,7 +321,7 @@ function boreCuts({ cuts }: Bore): BufferGeometry {
   return geometry;
 }
 
-/** Both faces of the cut: one upright, one lying. Their texture's places are those of the section. */
+/** Both faces of the cut, one vertical and one horizontal. Their texture coordinates are those of the section. */
 function cutFaces(pieces: readonly SectionPiece[]): BufferGeometry {
   const places: number[] = [];
   const section: number[] = [];
@@ -354,7 +354,7 @@ function extentsOf(corners: readonly Corner[]): { middle: number; half: number; 
   return { middle: (low + high) / 2, half: (high - low) / 2, radius };
 }
 
-/** A colour of the page as the style sheet has it now. */
+/** A colour of the page as the style sheet resolves it now. */
 function resolved(beside: HTMLElement, property: string): string {
   const probe = document.createElement('span');
   probe.style.color = `var(--playground-${property})`;

@@ -1,8 +1,8 @@
 // The button "3D" and its dialog: the part as a turned body with a quarter cut away.
 //
-// In: the half-section and the holes of live tools at the moment that is shown, again when that moves on.
-// What draws it is loaded when it is first opened, and let go of when it is closed.
-// Must not know: how the part came about, or how a body is drawn.
+// In: the half-section and the holes of live tools at the playback position, updated as it moves.
+// The view is loaded when the dialog is first opened, and freed when it is closed.
+// Must not know: how the part was computed, or how a body is drawn.
 
 import { Dialog } from '../dom/dialog';
 import { make, name } from '../dom/dom';
@@ -73,7 +73,7 @@ class Solid implements Panel {
     this.#tell(this.#missing);
   }
 
-  /** Whether there is a finished run that may have left a part. */
+  /** Whether there is a finished run that may have produced a part. */
   set available(available: boolean) {
     this.#button.disabled = !available;
   }
@@ -90,7 +90,7 @@ class Solid implements Panel {
     this.#dialog.close();
   }
 
-  /** Only while it is looked at. */
+  /** Asks only while the dialog is open. */
   #ask(): void {
     if (!this.#dialog.open) return;
     this.#pieces.ask(undefined);
@@ -103,7 +103,7 @@ class Solid implements Panel {
     await this.#draw();
   }
 
-  /** Again with the network, where that was missing. */
+  /** Draws the part. If the view could not be loaded, tries again when the network returns. */
   async #draw(): Promise<void> {
     this.#stopWaiting?.();
     this.#tell('loading');
@@ -113,7 +113,7 @@ class Solid implements Panel {
       this.#tell('no-webgl');
       return;
     }
-    // Half a megabyte that most readers never need.
+    // Half a megabyte that most users never need.
     const part = await loaded(() => import('./solid-view')).catch(() => undefined);
     // Closed meanwhile, or closed and opened again.
     if (!this.#dialog.open || this.#view !== undefined) return;
@@ -136,7 +136,7 @@ class Solid implements Panel {
     this.#tell(section.length === 0 ? 'no-part' : undefined);
   }
 
-  /** What is to be said in place of a picture. */
+  /** Shows a message in place of the picture, or the picture. */
   #tell(missing: Missing | undefined): void {
     this.#missing = missing;
     const { solidLoading, solidNoNetwork, solidNoPart, solidNoWebGl } = WORDS[this.#shell.language];
@@ -167,7 +167,7 @@ const WORDS = words({
     solidTitle: 'The part, a quarter cut away',
     solidAbout:
       'Drag or arrow keys turn it, wheel or + and − zoom, Home resets the view. Ctrl Enter plays the program, F9 steps.',
-    /** For who does not see it. */
+    /** For screen readers. */
     solidView: 'The turned part in three dimensions. Arrow keys turn it, plus and minus zoom, Home resets the view.',
     solidLoading: 'Loading …',
     solidNoNetwork: 'The view could not be loaded: the network is missing. It is loaded when the network is back.',

@@ -1,7 +1,8 @@
-// The slim line at the foot: "42 motions · 14 lines · no problems", and how numbers without a point are read.
+// The status line at the bottom: "42 motions · 14 lines · no problems", and how numbers without a decimal point are
+// read.
 //
-// In: the summary of the newest run, or how far a long one is. Out: the reader has seen enough of that, or
-// wants numbers without a point read otherwise. Must not know: how a program is run.
+// In: the summary of the newest run, or the progress of a long one. Out: requests to stop that run, or to read numbers
+// without a point differently. Must not know: how a program is run.
 
 import { make } from '../dom/dom';
 import type { Language } from '../dom/language';
@@ -22,7 +23,7 @@ type Shown =
   | { readonly kind: 'loading' }
   | { readonly kind: 'running'; readonly work: Work; readonly done: number }
   | { readonly kind: 'failed' }
-  /** The path is there; messages and part are not yet, or could not be loaded. */
+  /** The path is complete; messages and part are pending, or could not be loaded. */
   | { readonly kind: 'path'; readonly summary: Summary; readonly rest: 'coming' | 'failed' }
   | { readonly kind: 'summary'; readonly summary: Summary; readonly decimal: string | undefined };
 
@@ -33,7 +34,7 @@ class StatusLine implements Panel {
   readonly #stop = make('button', { type: 'button', className: 'framed', hidden: true });
   readonly #change = make('button', { type: 'button', className: 'change quiet' });
   #shown: Shown = { kind: 'loading' };
-  /** What is shown belongs to an earlier run. */
+  /** The content belongs to an earlier run. */
   #isOld = false;
   #said = '';
   readonly places = { foot: [this.#element, this.#stop] };
@@ -85,7 +86,7 @@ class StatusLine implements Panel {
     const texts = WORDS[this.#shell.language];
     this.#stop.textContent = texts.stopRun;
     this.#stop.hidden = this.#shown.kind !== 'running';
-    // On a narrow page the line breaks between facts, not inside them.
+    // On a narrow page, lines break between facts, not inside them.
     const written = this.#facts();
     const decimal = this.#shown.kind === 'summary' ? this.#shown.decimal : undefined;
     const said = JSON.stringify([this.#shell.language, ...written, decimal]);
@@ -134,7 +135,7 @@ const WORDS = words({
     noProblems: 'no problems',
     problemCount: counter('en', { one: 'problem', other: 'problems' }),
     running: (percent: number) => `Running … ${percent} %`,
-    /** The material is being taken off. */
+    /** Material removal is being computed. */
     part: (percent: number) => `Part … ${percent} %`,
     coming: 'part and messages are loading …',
     notComing: 'part and messages could not be loaded',

@@ -1,7 +1,6 @@
-// The switches of the operator's panel that the text has a use for: levels of block skip,
-// and which program is run.
+// The switches of the operator's panel that the text uses: levels of block skip, and the program to run.
 //
-// In: what is in the text, and how the switches stand. Out: the switch that the reader turns.
+// In: the switches that the text uses, and their state. Out: the switch that the user changes.
 // Must not know: what a skipped block is, or how a program is found.
 
 import { make } from '../dom/dom';
@@ -26,7 +25,7 @@ class Switches implements Panel {
   readonly #buttons = new Map<number, HTMLButtonElement>();
   #inText: SwitchesInText = { blockSkip: [], programs: [] };
   #set: SwitchesSet = { blockSkip: [], program: undefined };
-  /** The options as they stand, so that an open list is not built anew under the reader's hand. */
+  /** The current options as text: an unchanged list is not rebuilt, because the user may have opened it. */
   #options = '';
 
   readonly places = { bar: [this.#element] };
@@ -94,7 +93,7 @@ class Switches implements Panel {
     const { programs } = this.#inText;
     const wanted = this.#set.program;
     const options = programs.map(({ number, name }) => ({ number, name }));
-    // One that is wanted and not there can be seen, and left.
+    // A selected program that does not exist is listed, so that the user sees it and can select another one.
     if (wanted !== undefined && options.every(({ number }) => number !== wanted)) {
       options.push({ number: wanted, name: `O${String(wanted).padStart(4, '0')} ?` });
     }
@@ -110,7 +109,7 @@ class Switches implements Panel {
   }
 }
 
-/** As it is written in a program. */
+/** The slash as it is written in a program. */
 function mark(level: number): string {
   return level === 1 ? '/' : `/${level}`;
 }

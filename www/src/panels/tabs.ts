@@ -1,8 +1,8 @@
-// The tabs of an element with little room: drawing, program, problems, state. The drawing never goes; its tab gives it all the room. Where
-// there is room for everything the style sheet shows no tabs, and they mean nothing.
+// The tabs of a narrow element: drawing, program, problems, state. The drawing is always visible; its tab gives it the
+// whole element. If the element is wide enough, the style sheet hides the tabs, and they have no effect.
 //
-// In: how many problems there are; that the program is to be seen. Out: `data-tab` of the frame, which the style sheet follows. Must
-// not know: how much room there is, or what stands in a region.
+// In: the number of problems; the request to show the program. Out: `data-tab` of the frame, for the style sheet. Must
+// not know: the size of the element, or what a region contains.
 
 import { make, showText } from '../dom/dom';
 import type { Language } from '../dom/language';
@@ -28,7 +28,7 @@ class Tabs implements Panel {
     state: make('span'),
   };
   readonly #count = make('span', { className: 'count', hidden: true });
-  /** In place of the list of problems. */
+  /** Shown instead of an empty list of problems. */
   readonly #none = make('p', { className: 'no-problems', hidden: true });
   #tab: Tab = 'program';
   readonly places = { tabs: [this.#row], problems: [this.#none] };
@@ -52,7 +52,7 @@ class Tabs implements Panel {
     this.#tabs = { drawing: tab('drawing'), program: tab('program'), problems: tab('problems'), state: tab('state') };
     this.#row.append(...Object.values(this.#tabs));
     this.#choose('program');
-    // The style sheet says whether there are tabs.
+    // The style sheet decides whether there are tabs.
     new ResizeObserver(() => this.#showRoles()).observe(this.#row);
   }
 
@@ -92,7 +92,7 @@ class Tabs implements Panel {
     this.#showRoles();
   }
 
-  /** Drawing and the rest are panels of the tabs only where there are tabs. */
+  /** The regions are tab panels only if the tabs are visible. */
   #showRoles(): void {
     const areTabs = this.#row.checkVisibility();
     for (const [id, panel] of Object.entries(this.#panels)) {

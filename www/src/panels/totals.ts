@@ -1,6 +1,6 @@
-// The time of the program in the line at the foot, and the table of what each tool does: time, paths, extents.
+// The time of the program in the line at the bottom, and the table of each tool's time, paths and extents.
 //
-// In: the totals of the newest run, asked for once its path is there. Must not know: how they come about.
+// In: the totals of the newest run, requested once its path is complete. Must not know: how they are computed.
 
 import { make, name } from '../dom/dom';
 import type { Language } from '../dom/language';
@@ -12,7 +12,10 @@ import { inUnit, length, symbol } from './lengths';
 import type { Panel, PanelKind, Shell } from './panel';
 import totalsStyles from './totals.css?inline';
 
-/** Motions of a program that is added up with each change; a longer one when its table is opened. */
+/**
+ * Most motions of a program whose totals are computed after each change. For a longer one, they are computed when the
+ * table is opened.
+ */
 const ADDED_UP_AT_ONCE = 50_000;
 
 export const totals: PanelKind = { control: 'tools', styles: totalsStyles, make: (shell) => new TotalsPanel(shell) };
@@ -37,7 +40,7 @@ class TotalsPanel implements Panel {
     this.#body,
     this.#notes,
   );
-  /** One row for each tool, and the last for the whole program. */
+  /** One row for each tool, and the last row for the whole program. */
   #rows: readonly Totals[] = [];
   #unit: LengthUnit = 'mm';
   readonly places = { foot: [this.#button], dialogs: [this.#element] };
@@ -76,7 +79,7 @@ class TotalsPanel implements Panel {
 
   async #ask(): Promise<void> {
     const rows = await this.#shell.ask('totals', undefined);
-    // Another run has begun since, and asks for its own.
+    // Another run has begun since, and asks for its own totals.
     if (rows !== undefined) this.#set(rows);
   }
 
@@ -126,7 +129,7 @@ class TotalsPanel implements Panel {
   }
 }
 
-/** "1:38 + 12 rapids": what is not known is counted, never guessed. */
+/** "1:38 + 12 rapids": motions of unknown time are counted, never guessed. */
 function time({ seconds, unknownCuts, unknownRapids }: Totals, language: Language): string {
   const unknown = countsOfUnknown({ seconds, unknownCuts, unknownRapids }, language);
   return seconds === 0 && unknown !== '' ? unknown.replace(/^ \+ /, '') : `${clock(seconds)}${unknown}`;

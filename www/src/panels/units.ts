@@ -1,7 +1,7 @@
-// The button in the line at the foot that says in which unit lengths are shown, and takes the other one.
+// The button in the line at the bottom that shows the unit of lengths, and switches to the other one.
 //
-// In: the unit of the program and the one that is shown. Out: the one the reader chooses, which stays for other
-// programs; back at the unit of the program nothing is chosen. Must not know: what is measured.
+// In: the unit of the program and the unit that is shown. Out: the unit that the user chooses, which also applies to
+// other programs; choosing the unit of the program removes the choice. Must not know: what is measured.
 
 import { make } from '../dom/dom';
 import type { Language } from '../dom/language';

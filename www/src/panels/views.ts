@@ -1,7 +1,6 @@
-// The row over the pictures: which of them are shown, the turret's side, and the part that
-// later ones are compared with.
+// The row over the pictures: the choice of pictures, the side of the turret, and the part to compare with.
 //
-// In: what there is to see, and the width there is. Must not know: how anything is drawn or compared.
+// In: the pictures that exist, and the available width. Must not know: how anything is drawn or compared.
 
 import { make } from '../dom/dom';
 import type { Language } from '../dom/language';
@@ -19,7 +18,7 @@ import { length, symbol } from './lengths';
 import type { Panel, PanelKind, Services, Shell } from './panel';
 import viewsStyles from './views.css?inline';
 
-/** Narrower than this, CSS pixels, there is room for one picture only. */
+/** Below this width, CSS pixels, only one picture is shown. */
 const ROOM_FOR_ALL = 620;
 
 const CHOICES = [...PICTURES, 'all'] as const;
@@ -36,13 +35,13 @@ class Views implements Panel {
   readonly #end = make('button', { type: 'button', className: 'small', hidden: true });
   readonly #differences = make('div', { className: 'differences', 'aria-live': 'polite', hidden: true });
   #state: ViewsState = { pictures: ['section'], work: [], turret: 'rear', comparison: undefined };
-  /** The page ends a comparison of its own, not the reader's. */
+  /** Who began the comparison: the host page must not end one that the user began. */
   #keptBy: 'reader' | 'page' = 'reader';
   #wanted: PictureChoice = 'all';
   #chosen: PictureChoice = 'section';
   #shown = '';
   #unit: LengthUnit = 'mm';
-  /** Of the row, CSS pixels. */
+  /** Width of the row, CSS pixels. */
   #width = 0;
 
   readonly services: Partial<Services> = {
@@ -74,7 +73,7 @@ class Views implements Panel {
       this.#keep.focus();
     });
     new ResizeObserver(() => {
-      // What floats over the pictures stands below this row.
+      // Elements that float over the pictures are placed below this row.
       this.#width = this.#row.getBoundingClientRect().width;
       this.#row.parentElement?.style.setProperty('--views-size', `${this.#row.offsetHeight}px`);
       this.#show();
@@ -148,7 +147,10 @@ class Views implements Panel {
     this.#shell.service('showOnly')(shown);
   }
 
-  /** What is shown of the pictures there are: what the reader wants, if it is there and there is room; else what the section does not show. */
+  /**
+   * The choice among the existing pictures: the user's, if it exists and there is room; otherwise the one that shows
+   * what the section does not.
+   */
   #choiceOf(pictures: readonly PictureName[], wide: boolean): PictureChoice {
     if (pictures.length < 2) return 'section';
     const wanted = this.#wanted;

@@ -1,5 +1,5 @@
-// Over the picture, while the reader tries values of variables: that the picture is not that of the program as it is
-// written, and the way back.
+// The note over the picture while the user tries values of variables: the picture is not that of the program as
+// written. A button ends the trial.
 //
 // In: the values that are tried. Out: the end of the trial. Must not know: what the values change.
 
@@ -28,7 +28,7 @@ class WhatIf implements Panel {
     this.#back.addEventListener('click', () => {
       const isHere = shell.root.activeElement === this.#back;
       shell.editor.endTrial();
-      // The button is gone.
+      // The button is now hidden.
       if (isHere) shell.editor.focus();
     });
   }

@@ -1,4 +1,5 @@
-// The panels of the program without its picture. The setup has no button there; it takes what answers a problem.
+// The panels of an element that shows the program without its picture. The setup has no button there, but applies the
+// settings that fix a problem.
 
 import editorStyles from '../editor/editor.css?inline';
 import type { PanelKind } from './panel';

@@ -1,4 +1,4 @@
-// The panels of the picture that is played, without the program.
+// The panels of an element that plays the picture without the program.
 
 import type { PanelKind } from './panel';
 import { playback } from './playback';

@@ -1,8 +1,7 @@
-// The button "Expand cycles" and its dialog: the program with every cycle as plain moves,
-// to read, copy or take over.
+// The button "Expand cycles" and its dialog: the program with every cycle as plain moves, to read, copy or apply.
 //
-// In: the text to show, with its colours, as an answer. Out: that text as the program, when the reader takes
-// it over. Must not know: how a cycle is expanded.
+// In: the text to show, with its colours, as an answer. Out: that text as the program, if the user applies it. Must not
+// know: how a cycle is expanded.
 
 import { Dialog } from '../dom/dialog';
 import { make } from '../dom/dom';
@@ -34,7 +33,7 @@ class WrittenOutPanel implements Panel {
   readonly #take = make('button', { type: 'button', className: 'framed' });
   readonly #news = make('span', { className: 'unseen', role: 'log' });
   readonly #dialog = new Dialog('written-out', [this.#text], [this.#copy, this.#take, this.#news]);
-  /** Made anew each time it is opened; its code is loaded with the editor's. */
+  /** Made each time the dialog opens; its code is loaded with the editor's. */
   #view: CodeView | undefined;
   #copied: ReturnType<typeof setTimeout> | undefined;
 
@@ -85,7 +84,7 @@ class WrittenOutPanel implements Panel {
       this.#show(written, editor.text, part.CodeView);
   }
 
-  /** `before` is the program as it stands in the editor. */
+  /** `before` is the current text of the editor. */
   #show(written: WrittenOut, before: string, View: typeof CodeView): void {
     const changed = written.text.trimEnd() !== before.trimEnd();
     this.#dialog.about = changed ? this.#words.writtenOutAbout : this.#words.nothingToWriteOut;
@@ -113,7 +112,7 @@ class WrittenOutPanel implements Panel {
       this.#showCopy('copied');
       this.#copied = setTimeout(() => this.#showCopy('copy'), COPIED_FOR_MS);
     } catch {
-      // Not allowed here: what the reader's own Ctrl C needs is a selection.
+      // Copying is not allowed here: select the text for the user's own Ctrl C.
       view.selectAll();
       this.#news.textContent = '';
       this.#dialog.about = this.#words.copyYourself;
