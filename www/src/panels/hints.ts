@@ -1,8 +1,8 @@
-// The hints of the first minute, one after the other, each where there is something to do: in the program, at the
-// play button, over the picture. What the reader does, or waves away, is not hinted at again; then there is silence.
+// The hints for a first visit, one after the other, each where it applies: in the program, at the play button, over the
+// picture. A hint is not shown again once the user has done what it says or has dismissed it.
 //
-// In: the hints that are left, as the element's attribute `hints` (none without it). Out: the attribute as it is to be,
-// and the event `gcode-hint`, so that the page can remember it. Must not know: where that is remembered.
+// In: the remaining hints, from the element's attribute `hints` (no attribute: no hints). Out: the new value of the
+// attribute, and the event `gcode-hint`, so that the page can store it. Must not know: where it is stored.
 
 import { make } from '../dom/dom';
 import type { Language } from '../dom/language';

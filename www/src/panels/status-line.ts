@@ -30,7 +30,7 @@ type Shown =
 class StatusLine implements Panel {
   readonly #shell: Shell;
   readonly #element = make('p', { className: 'status', part: 'status', role: 'status' });
-  /** There while a run takes a noticeable time. */
+  /** Visible while a run takes a noticeable time. */
   readonly #stop = make('button', { type: 'button', className: 'framed', hidden: true });
   readonly #change = make('button', { type: 'button', className: 'change quiet' });
   #shown: Shown = { kind: 'loading' };
