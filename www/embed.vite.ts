@@ -1,12 +1,12 @@
-// Builds the element for other people's pages into www/dist/embed: the page's sources, without the page, under names that
-// stay. `cargo xtask site` adds what is no script: types, rule pages, documents, licences. Addresses are written as bundlers
-// read them, `new URL('core.wasm', import.meta.url)`, so that those who bundle the element find its files.
+// Builds the element for other sites into www/dist/embed: the sources of the page without the page itself, under stable
+// names. `cargo xtask site` adds everything that is not a script: types, rule pages, documents, licences. Addresses are
+// written in the form `new URL('core.wasm', import.meta.url)`, so that a bundler finds the files.
 import { existsSync, readdirSync, readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { defineConfig, type Plugin } from 'vite';
 import { compiledEarly } from './compiled-early';
 
-/** The names of the package, where the build has another one. */
+/** Names in the package that differ from those of the build. */
 const NAMES: Readonly<Record<string, string>> = {
   'gcode_playground_bg.wasm': 'core.wasm',
   further: 'panels',
@@ -16,7 +16,7 @@ const NAMES: Readonly<Record<string, string>> = {
 const assetFileNames = ({ names: [name = ''] }: { readonly names: readonly string[] }): string =>
   NAMES[name] ?? '[name][extname]';
 
-/** The licences of the packages whose code is in the element, as one file. */
+/** The licences of the bundled packages, in one file. */
 const licences: Plugin = {
   name: 'licences',
   generateBundle(_options, bundle) {
@@ -52,7 +52,7 @@ export default defineConfig({
     emptyOutDir: true,
     assetsInlineLimit: 0,
     cssTarget: 'chrome123',
-    // Who bundles the element preloads in a way of their own.
+    // A site's bundler has its own method of preloading.
     modulePreload: false,
     rollupOptions: {
       input: { element: 'src/shell/element.ts' },
@@ -61,7 +61,7 @@ export default defineConfig({
         chunkFileNames: ({ name }) => `${NAMES[name] ?? '[name]'}.js`,
         assetFileNames,
       },
-      // One file, and not one that only names another: the first picture waits for it.
+      // One file, not an entry that only imports another: the first picture waits for it.
       preserveEntrySignatures: 'allow-extension',
     },
   },

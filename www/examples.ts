@@ -1,9 +1,9 @@
-// The example programs as files beside the page, made of tests/programs when the page is built.
+// The example programs as files next to the page, made from tests/programs during the build.
 //
 // In: the folders of tests/programs, in the order of gallery.json. Out: `examples/<id>.json` for each program, and
-// `examples/<language>.json` with the list: subjects, titles, small pictures. No script contains them, so the page
-// loads the one program it shows. Must not know: what is in a program; pictures are made of the motions that
-// are committed beside it.
+// `examples/<language>.json` with the list: subjects, titles, small pictures. They are not part of a script, so the
+// page loads only the program that it shows. Must not know: what a program contains; the pictures are made from the
+// motions that are committed next to it.
 import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import type { Plugin } from 'vite';
@@ -61,7 +61,7 @@ function files(): Map<string, string> {
   return files;
 }
 
-/** What of `about.json` the page shows. */
+/** The fields of `about.json` that the page shows. */
 function example({ title, shows, added, compareWith }: About): object {
   return {
     title,
@@ -71,7 +71,7 @@ function example({ title, shows, added, compareWith }: About): object {
   };
 }
 
-/** The words that a program is searched by: each of G, M and T once. */
+/** The search terms of a program: each G, M and T word once. */
 function codes(program: string): string {
   const written =
     program

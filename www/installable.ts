@@ -1,14 +1,14 @@
-// What makes the page one that can be installed: a manifest in each language, icons, and the sentence for who opens
+// Makes the page installable: a manifest in each language and icons. Also writes the notice for users who open
 // `index.html` from a disk, where browsers load no modules.
 //
-// In: `icons`, the page's words. Out: files beside the page. Must not know: how the page is stored.
+// In: `icons`, the texts of the page. Out: files next to the page. Must not know: how the page is stored.
 import { readdirSync, readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import type { Plugin } from 'vite';
 
 const ICONS = join(import.meta.dirname, 'icons');
 
-/** As in `src/page/words.ts`, and the one word under an icon. */
+/** As in `src/page/words.ts`, with a short name for the icon. */
 const NAMES = {
   en: {
     name: 'G-code playground',
@@ -23,12 +23,12 @@ const NAMES = {
   },
 } as const;
 
-/** What the page's own button takes, without `.txt`: a text is not always a program. */
+/** The file types of the page's "Open" button, without `.txt`: a text is not always a program. */
 const PROGRAMS = ['.nc', '.cnc', '.tap', '.gcode', '.ngc', '.mpf', '.min', '.eia'];
 
 function manifest(lang: keyof typeof NAMES): string {
   return JSON.stringify({
-    // One and the same application, whatever it is called.
+    // Identifies the same application, regardless of its name.
     id: './',
     start_url: './',
     scope: './',

@@ -1,7 +1,7 @@
-// Builds what the page needs to work without a network, once all else is in www/dist: the service worker with the list of
-// the page's files, and beside it `offline/`: one file for each folder of many small pages. `cargo xtask site` runs it last.
+// Builds the offline support, once all else is in www/dist: the service worker with the list of the page's files, and
+// `offline/` with one pack for each folder of many small pages. `cargo xtask site` runs it last.
 //
-// Not listed: `embed`, which is for other people's pages, and `from-disk.js`, which no server's reader needs.
+// Not listed: `embed`, which is for other sites, and `from-disk.js`, which is needed only without a server.
 import { createHash } from 'node:crypto';
 import { readdirSync, readFileSync } from 'node:fs';
 import { join, relative, sep } from 'node:path';
@@ -19,7 +19,7 @@ function paths(): string[] {
 
 const hashOf = (content: string | Buffer): string => createHash('sha256').update(content).digest('hex').slice(0, 32);
 
-/** The list, and the files that are made for it. */
+/** The list, and the packs that are made for it. */
 function build(): { readonly listed: Listed; readonly packs: ReadonlyMap<string, string> } {
   const gathered = new Map<string, Record<string, string>>();
   const files: Record<string, string> = {};
@@ -54,7 +54,7 @@ export default defineConfig({
     outDir: 'dist',
     emptyOutDir: false,
     modulePreload: false,
-    // A module would not be taken by every browser as a service worker.
+    // Not every browser accepts a module as a service worker.
     rollupOptions: {
       input: 'src/offline/service-worker.ts',
       output: { format: 'iife', entryFileNames: 'service-worker.js' },

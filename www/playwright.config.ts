@@ -1,8 +1,8 @@
-// Browser tests: the built page in three engines, found by role and text. Run `cargo xtask site`
-// first. tests/browser/README.md says which tests run where, and how to run one of
-// them in one engine. PLAYGROUND_TEST_PORT is the port of the page, where 4317 is taken. PLAYGROUND_CHROMIUM
-// names an installed Chrome or Chromium; without it Playwright's own is used. PLAYGROUND_ALL_ENGINES=1 runs
-// every test in every engine that can run it. The variables of the other engines are in tests/browser/engines/programs.ts.
+// Browser tests of the built page in three engines; elements are found by role and text. Run `cargo xtask site` first.
+// tests/browser/README.md says which tests run in which engine, and how to run a single one. PLAYGROUND_TEST_PORT: the
+// port of the page if 4317 is in use. PLAYGROUND_CHROMIUM: an installed Chrome or Chromium; default: Playwright's own.
+// PLAYGROUND_ALL_ENGINES=1 runs every test in every engine that supports it. The variables of the other engines are in
+// tests/browser/engines/programs.ts.
 import { defineConfig } from '@playwright/test';
 import type { WorkerOptions } from '../tests/browser/engines/options';
 
@@ -10,10 +10,10 @@ const PORT = Number(process.env['PLAYGROUND_TEST_PORT'] ?? 4317);
 const SERVER = `http://127.0.0.1:${PORT}/`;
 const executablePath = process.env['PLAYGROUND_CHROMIUM'];
 
-/** The files of these tests. */
+/** Patterns of test files. */
 const files = (...names: string[]): string[] => names.map((name) => `**/${name}.spec.ts`);
 
-/** What does not run in every engine; tests/browser/README.md says why. */
+/** Tests that do not run in every engine; tests/browser/README.md gives the reasons. */
 const CHROMIUM_ONLY = files(
   'accessible',
   'devices',
@@ -34,7 +34,7 @@ const CHROMIUM_ONLY = files(
   'stored',
 );
 const NOT_IN_WEBKIT = files('encodings');
-/** Input, storage, canvas, clipboard, worker, layout: what engines differ in. */
+/** Areas in which engines differ: input, storage, canvas, clipboard, worker, layout. */
 const WHERE_ENGINES_DIFFER = files(
   'completion',
   'embedding',
@@ -48,10 +48,10 @@ const WHERE_ENGINES_DIFFER = files(
   'policy',
   'views',
 );
-/** Their product is built for `cargo xtask test --all` alone. */
+/** Their package is built only by `cargo xtask test --all`. */
 const OF_THE_PACKAGE = files('package');
 
-/** Tests that only `cargo xtask test --all` runs, and those that run in Chromium alone without it. */
+/** Tests that run only with `cargo xtask test --all`, and tests that otherwise run only in Chromium. */
 const [NIGHT, ONE_ENGINE] = [/@night\b/, /@one-engine\b/];
 
 const everywhere = process.env['PLAYGROUND_ALL_ENGINES'] === '1';

@@ -1,6 +1,6 @@
-// The Content-Security-Policy of the page, as a `meta` element, because a host of static files may send no headers.
+// The Content-Security-Policy of the page, as a `meta` element, because a static host may not be able to send headers.
 //
-// In: the built HTML. Out: the same with its policy, which names each inline script by its hash. The frame
+// In: the built HTML. Out: the HTML with its policy, which contains the hash of each inline script. The frame
 // (`embed/index.html`), the rule pages and the documents contain their own policies.
 import { createHash } from 'node:crypto';
 import type { Plugin } from 'vite';
@@ -29,7 +29,7 @@ export const policy: Plugin = {
     order: 'post',
     handler(html) {
       if (!html.includes(CHARSET)) throw new Error(`index.html does not contain ${CHARSET}`);
-      // The parser of HTML turns CRLF into LF before a script is hashed.
+      // The HTML parser turns CRLF into LF before a script is hashed.
       const text = html.replaceAll('\r\n', '\n');
       const hashes = [...text.matchAll(/<script>(.*?)<\/script>/gs)].map(
         ([, script = '']) => `'sha256-${createHash('sha256').update(script).digest('base64')}'`,

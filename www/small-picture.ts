@@ -1,12 +1,12 @@
-// The picture of a program in the gallery: its strokes, small.
+// The small picture of a program in the gallery.
 //
-// In: motions as rows, or as the command line prints them, one JSON object a line; X a diameter. Out: the strokes as paths of SVG,
-// in a box of `WIDTH` by `HEIGHT` whole units, X+ up. Must not know: how the page draws it.
+// In: motions as rows, or as the command line prints them, one JSON object per line; X is a diameter. Out: the strokes
+// as SVG paths in a box of `WIDTH` by `HEIGHT` whole units, X+ up. Must not know: how the page draws it.
 
 export const WIDTH = 240;
 export const HEIGHT = 144;
 const MARGIN = 8;
-/** More strokes say nothing at this size. */
+/** Most strokes; more would not be legible at this size. */
 const MOST_STROKES = 160;
 
 interface Place {
@@ -23,7 +23,7 @@ export interface Row {
   readonly mode?: string;
 }
 
-/** `d` of paths; `axis`: where the spindle axis lies, if it is in sight. */
+/** `d` of paths; `axis`: height of the spindle axis, if it is visible. */
 export interface SmallPicture {
   readonly rapid: string;
   readonly cut: string;
@@ -46,7 +46,7 @@ export function smallPicture(jsonLines: string): SmallPicture | undefined {
 }
 
 export function smallPictureOf(rows: readonly Row[]): SmallPicture | undefined {
-  // Messages follow the motions: their `to` is a place in the text.
+  // Messages follow the motions; their `to` is an offset in the text.
   const moving = rows.filter((row) => row.kind !== 'dwell' && typeof row.to === 'object');
   const isFace = moving.some(({ mode }) => mode === 'polar');
   const strokes = (isFace ? onTheFace(moving) : inSection(moving)).slice(0, MOST_STROKES);
@@ -81,7 +81,7 @@ function inSection(rows: readonly Row[]): Stroke[] {
   });
 }
 
-/** X to the right, C up, of what is milled there. */
+/** The strokes milled on the end face: X to the right, C up. */
 function onTheFace(rows: readonly Row[]): Stroke[] {
   const place = ({ x, c }: Place): readonly [number, number] => [x / 2, c ?? 0];
   return rows.slice(1).flatMap((row, before): Stroke[] => {
@@ -96,7 +96,7 @@ function inMm({ x, z }: Place): readonly [number, number] {
   return [z, x / 2];
 }
 
-/** An arc in chords of about ten degrees. */
+/** An arc as chords of about ten degrees. */
 function arc(from: Place, { to, center, dir }: Row): readonly (readonly [number, number])[] {
   if (to === undefined || center === undefined) return [];
   const [[ax, ay], [bx, by], [mx, my]] = [inMm(from), inMm(to), inMm(center)];
@@ -104,7 +104,7 @@ function arc(from: Place, { to, center, dir }: Row): readonly (readonly [number,
   const start = Math.atan2(ay - my, ax - mx);
   const turn = 2 * Math.PI;
   let sweep = Math.atan2(by - my, bx - mx) - start;
-  // Z+ to the right and X+ up, G02 runs clockwise.
+  // With Z+ to the right and X+ up, G02 is clockwise.
   sweep = dir === 'cw' ? -(((-sweep % turn) + turn) % turn) : ((sweep % turn) + turn) % turn;
   const chords = Math.max(Math.ceil(Math.abs(sweep) / 0.18), 1);
   return Array.from({ length: chords + 1 }, (_, i) => {
@@ -113,7 +113,7 @@ function arc(from: Place, { to, center, dir }: Row): readonly (readonly [number,
   });
 }
 
-/** What lies on a stroke before it is left out, and so is what lies far outside. */
+/** Leaves out strokes that repeat an earlier one, and strokes far outside the box. */
 function path(
   strokes: readonly Stroke[],
   kind: Stroke['kind'],

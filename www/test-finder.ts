@@ -1,5 +1,5 @@
-// Bundles what finds elements in the page in engines that Playwright does not drive, into one
-// script: test-build/finder.js.
+// Bundles the code that finds elements, for engines that Playwright does not drive, into one script:
+// test-build/finder.js.
 import { build } from 'vite';
 import { fileURLToPath } from 'node:url';
 

@@ -1,12 +1,12 @@
-// In: the tables of words in `src`. Out: what Chinese or Russian lacks of them, a line each; `words` shows it in English.
-// `cargo xtask translations` runs this.
+// Lists the texts that are missing in Chinese or Russian, one per line; `words` shows them in English. In: the tables
+// of texts in `src`. Run by `cargo xtask translations`.
 import { readdirSync, readFileSync } from 'node:fs';
 import { join, relative } from 'node:path';
 import { parseAst } from 'rollup/parseAst';
 import { transformWithEsbuild } from 'vite';
 
 const LANGUAGES = ['zh', 'ru'];
-/** The exit code where texts are missing; an error ends with 1. */
+/** Exit code if texts are missing; an error exits with 1. */
 const MISSING = 3;
 const ROOT = import.meta.dirname;
 
@@ -16,7 +16,7 @@ function properties(node) {
   return new Map(named.map(({ key, value }) => [key.name ?? key.value, value]));
 }
 
-/** What the English object has and another one lacks, with the names that lead there. */
+/** Paths of the properties that only the English object has. */
 export function missing(english, other, path = []) {
   if (other === undefined) return [path.join('.')];
   if (english.type !== 'ObjectExpression' || other.type !== 'ObjectExpression') return [];
@@ -59,6 +59,6 @@ for (const entry of readdirSync(join(ROOT, 'src'), { recursive: true, withFileTy
     }
   }
 }
-// A parser that finds nothing finds nothing missing.
+// Guards against a parser that finds no tables.
 if (count < 40) throw new Error(`only ${count} tables of words were found`);
 process.exitCode = lacking > 0 ? MISSING : 0;

@@ -1,4 +1,4 @@
-// Builds the static page into www/dist. Addresses are relative, so the folder works wherever it is put.
+// Builds the static page into www/dist. Addresses are relative, so the folder works at any location.
 import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { defineConfig, type HtmlTagDescriptor, type Plugin } from 'vite';
@@ -8,10 +8,9 @@ import { installable } from './installable';
 import { policy } from './policy';
 
 /**
- * What the first picture needs is asked for by the page itself, at once, and not by one script after the
- * other: the panels, which are imported when the element is made, and the module of the interpreter. The script of
- * the worker is not among them: no way of preloading it is the same request in all browsers, and it is there long
- * before the module.
+ * The page preloads everything that the first picture needs in parallel, instead of one script after another: the
+ * panels, which are imported when the element is made, and the module of the interpreter. The worker's script is not
+ * preloaded: no preload matches its request in all browsers, and it arrives long before the module.
  */
 const preloads: Plugin = {
   name: 'preloads',
@@ -40,7 +39,7 @@ const preloads: Plugin = {
   },
 };
 
-/** `vite preview` serves an empty page without a policy, for the browser tests: they write the pages of other sites into it. */
+/** `vite preview` serves an empty page without a policy. The browser tests write pages of other sites into it. */
 const foreignPage: Plugin = {
   name: 'foreign-page',
   configurePreviewServer({ middlewares }) {
@@ -54,14 +53,14 @@ const foreignPage: Plugin = {
 };
 
 /**
- * `cargo xtask play`: the rule pages and the reference are in another folder, and a new module of the interpreter reloads
- * the page.
+ * `cargo xtask play`: serves the rule pages and the reference from another folder, and reloads the page when there is a
+ * new interpreter module.
  */
 const atWork: Plugin = {
   name: 'at-work',
   configureServer({ middlewares, watcher, ws }) {
     const folder = process.env['PLAYGROUND_DOCUMENTS'];
-    // The server ends with the command that started it, which holds the other end.
+    // The server ends with the command that started it, which holds the other end of the pipe.
     if (folder !== undefined) process.stdin.resume().once('end', () => process.exit());
     middlewares.use((request, response, next) => {
       const path = /^\/((?:rules|docs)\/[\w./-]*)/.exec(request.url ?? '')?.[1];
@@ -75,18 +74,18 @@ const atWork: Plugin = {
         next();
       }
     });
-    // The stamp of the package, which is written last.
+    // The stamp file of the package is written last.
     const reload = (file: string): void => void (file.endsWith('.built-by-xtask') && ws.send({ type: 'full-reload' }));
     watcher.on('add', reload).on('change', reload);
   },
 };
 
-/** That of the crate: texts to copy name the folder of the element after it. */
+/** Version of the crate: the code that a user copies to embed the element names its folder after it. */
 const version = /^version = "(.*)"$/m.exec(readFileSync('../Cargo.toml', 'utf8'))?.[1] ?? '';
 
 /**
- * A script is imported at once: a preload of itself wins nothing, and one that fails is remembered by WebKit. Firefox remembers those of
- * what it imports as well, so what the page loads later, perhaps without a network, is not preloaded but for its styles.
+ * A script is imported immediately, so preloading it gains nothing, and WebKit caches a failed preload. Firefox also
+ * caches failed imports, so of the parts that the page loads later, perhaps offline, only the styles are preloaded.
  */
 function isPreloaded(file: string, host: string): boolean {
   return file.endsWith('.css') || !/(^|\/)index-/.test(host);
@@ -108,13 +107,13 @@ export default defineConfig({
     },
     rollupOptions: {
       input: { index: 'index.html', element: 'src/shell/element.ts' },
-      // The element has a name that stays, for other pages.
+      // Other sites use the element, so its name is stable.
       output: { entryFileNames: ({ name }) => (name === 'element' ? '[name].js' : 'assets/[name]-[hash].js') },
       preserveEntrySignatures: 'allow-extension',
     },
   },
-  // Classic: only such a worker starts from memory in a sandboxed frame.
+  // A classic worker: only that can start from memory in a sandboxed frame.
   worker: { format: 'iife' },
-  // The gallery's programs stand in tests/programs, one level above this folder.
+  // The gallery's programs are in tests/programs, outside of this folder.
   server: { fs: { allow: ['..'] } },
 });

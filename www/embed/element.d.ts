@@ -14,101 +14,108 @@ export type {
   SetupTravel,
 } from './node/setup.js';
 
-/** The file a program came from. */
+/** The file that a program came from. */
 export interface ProgramFile {
   readonly name: string;
   readonly encoding: 'utf-8' | 'utf-8-bom' | 'utf-16le' | 'utf-16be' | 'gb18030' | 'windows-1251' | 'windows-1252';
 }
 
-/** A program and its file; the text has its own line ends. */
+/** A program and its file. The text keeps its original line ends. */
 export interface OpenedProgram {
   readonly text: string;
   readonly file: ProgramFile | undefined;
 }
 
-/** A lathe program, its drawing, its problems, and the tool moving along it. `docs/element.html` of the site describes all of it. */
+/**
+ * A lathe program, its drawing, its problems, and the tool moving along it. Reference: `docs/element.html` of the site.
+ */
 export class GcodePlayground extends HTMLElement {
-  /** The program; each line end is `\n`. Setting it fires no event; the text it has already changes nothing. */
+  /** The program, with `\n` line ends. Setting it fires no event; setting the same text has no effect. */
   value: string;
-  /** The program as it was given, with its own line ends, and its file. Offsets in events count in this text. */
+  /** The program with its original line ends, and its file. Offsets in events refer to this text. */
   get opened(): OpenedProgram;
   set opened(opened: OpenedProgram);
-  /** The file the program came from. */
+  /** The file that the program came from. */
   readonly file: ProgramFile | undefined;
-  /** UTF-16 units of the program, every line end counted as one. */
+  /** Length of the program in UTF-16 code units; each line end counts as one. */
   readonly length: number;
-  /** The control; overrides `dialect.control` of the setup. */
+  /** The control. Overrides `dialect.control` of the setup. */
   control: string | null;
-  /** What is not in the program, as JSON; an object can be assigned. */
+  /** Everything that is not in the program: JSON, or an object when assigned. */
   get setup(): string | null;
   set setup(setup: Setup | string | null);
   /** The levels of block skip that are on: `1,2`. */
   blockSkip: string | null;
-  /** The O number that is run. */
+  /** The O number of the program to run. */
   program: string | null;
-  /** The file of the program. */
+  /** Address of the program file. */
   src: string | null;
-  /** When it starts: near the view, at once, or when the reader clicks. */
+  /** When the element starts: near the viewport, immediately, or on a click. */
   loading: 'lazy' | 'eager' | 'click';
   language: 'en' | 'zh' | 'ru';
   theme: string;
   view: 'all' | 'picture' | 'playback' | 'code';
-  /** Which groups of panels stand around program and drawing: names, or `none`; all of the view where it is null. */
+  /** Groups of panels around program and drawing: names, or `none`. Null: all groups of the view. */
   controls: string | null;
-  /** The reader cannot change the program. */
+  /** Whether the program is read-only. */
   readonly: boolean;
-  /** Where the tool stands at the start: `12` motions on, or before `line 8`. */
+  /** Initial tool position: after `12` motions, or before `line 8`. */
   step: string | null;
-  /** Lines that are marked, with their strokes: `6-8, 12`. */
+  /** Lines to mark, with their strokes: `6-8, 12`. */
   highlight: string | null;
-  /** Lines that are shown; the others are folded. */
+  /** Lines to show; the others are folded. */
   lines: string | null;
   fit: string | null;
   turret: string | null;
   caption: string | null;
-  /** The page that "Open in the playground" leads to; none where it is empty. */
+  /** The page that "Open in the playground" leads to; empty: no link. */
   playground: string | null;
-  /** The folder of the rule pages, `rules/` beside `element.js` where it is null; no links to them where it is empty. */
+  /** The folder of the rule pages. Null: `rules/` next to `element.js`; empty: no links to them. */
   rules: string | null;
-  /** The folder of the documents, `docs/` beside `element.js` where it is null; no link to them where it is empty. */
+  /** The folder of the documents. Null: `docs/` next to `element.js`; empty: no link to them. */
   docs: string | null;
-  /** Any text by which the page knows whose the program is. */
+  /** Any text with which the page identifies the program. */
   origin: string | null;
-  /** Resolved with the number of the run once all there is to show of it is shown. */
+  /** Resolves to the number of the run once everything of that run is shown. */
   readonly settled: Promise<number>;
   play(): void;
   pause(): void;
   openFile(file: File): Promise<void>;
   saveFile(): void;
-  /** Keeps the part, to lay those of later programs over it. */
+  /** Keeps the current part, to compare the parts of later programs with it. */
   keepPart(): void;
   endComparison(): void;
-  /** Where the tool stands, as `step` says it; null where all of the path is shown. */
+  /** The tool position, in the format of `step`; null if the whole path is shown. */
   currentStep(): Promise<string | null>;
   /** The line of the cursor, from 1. */
   readonly cursorLine: number;
-  /** Puts the cursor into a line, from 1, and marks it. */
+  /** Moves the cursor to a line, from 1, and marks it. */
   goToLine(line: number): void;
-  /** A file of the menu "Export"; nothing where there is none, such as the profile of a program without a part. */
+  /**
+   * A file of the menu "Export"; undefined if it cannot be made, for example the profile of a program without a part.
+   */
   exported(format: FileFormat | 'png'): Promise<Uint8Array | undefined>;
-  /** What differs between another version, the first, and the program, and the tool paths of both as SVG. */
+  /**
+   * The differences from another version to the program, and the tool paths of both as SVG. The other version is the
+   * old one.
+   */
   differenceFrom(other: {
     readonly text: string;
     readonly names: readonly [string, string];
   }): Promise<{ readonly rows: ProgramDifference; readonly drawing: string } | undefined>;
-  /** All of the setup the program is run with, as JSON; nothing where it cannot be read. */
+  /** The complete setup that the program is run with, JSON; undefined if it is invalid. */
   readonly wholeSetup: string | undefined;
   /** The drawing, or the picture as it is shown. */
   pictureFile(format: 'svg' | 'png'): Promise<Blob | undefined>;
-  /** Where the place X (a diameter), Z in mm is in the window. */
+  /** The point X (a diameter), Z in the section, both mm, as a point of the window. */
   locate(x: number, z: number): Promise<{ readonly clientX: number; readonly clientY: number }>;
-  /** The same of the end face: X a diameter, C in mm. */
+  /** A point of the end face as a point of the window: X a diameter, C in mm. */
   locateOnFace(x: number, c: number): Promise<{ readonly clientX: number; readonly clientY: number }>;
-  /** The same of the side: Z in mm, C in degrees; or Y in mm where its ruler shows Y. */
+  /** A point of the side as a point of the window: Z in mm, C in degrees; or Y in mm if its ruler shows Y. */
   locateOnSide(z: number, c: number): Promise<{ readonly clientX: number; readonly clientY: number }>;
 }
 
-/** Puts elements in the place of marked scripts and `pre`s that have come into the page after it was read. */
+/** Replaces marked `script` and `pre` elements that were added to the page after it was parsed. */
 export function upgrade(root?: ParentNode): void;
 
 export interface GcodePlaygroundEvents {
@@ -129,7 +136,10 @@ export interface GcodePlaygroundEvents {
   }>;
 }
 
-/** What JSX can give the element: its properties, and handlers of its events. React knows them with `import type {} from 'gcode-playground/react'`. */
+/**
+ * Attributes of the element in JSX: its properties, and handlers of its events. For React, use `import type {} from
+ * 'gcode-playground/react'`.
+ */
 export type GcodePlaygroundProps = Partial<
   Pick<
     GcodePlayground,

@@ -1,8 +1,9 @@
-// A page that is one element, for frames: its program and its attributes are in the address, after `#`, each percent-encoded.
-// `program` is the text of the program; which O number is run stands in `setup`. The program may also be a file, `src`.
+// A page for frames that contains a single element. The address has its program and attributes after `#`, each
+// percent-encoded. `program` is the text of the program; the O number to run is in `setup`. Instead, `src` may name a
+// program file.
 import { GcodePlayground } from './element.js';
 
-/** The page that the author of this copy names, in `<meta name="playground" content="…">`. */
+/** The playground of this copy's publisher, from `<meta name="playground" content="…">`. */
 const named = document.querySelector('meta[name="playground"]')?.content ?? '';
 /** Attributes that name a folder of pages. */
 const PAGES = ['rules', 'docs'];
@@ -10,7 +11,7 @@ const isFramed = window.top !== window;
 
 const element = document.createElement('gcode-playground');
 document.body.style.margin = '0';
-// As high as the frame, which has its height from the page around.
+// As high as the frame, whose height is set by the host page.
 element.style.setProperty('--playground-height', '100vh');
 
 function show() {
@@ -28,12 +29,15 @@ function show() {
     else element.setAttribute(name, value);
   }
   const text = said.get('program');
-  // What stands in the address counts, also after the reader has changed the program.
+  // The address takes precedence, even if the user has changed the program.
   if (text !== null || !said.has('src')) element.value = text ?? '';
   document.documentElement.lang = element.language;
 }
 
-/** Where "Open in the playground" leads. Anyone can write an address, so it names a page of this host or of the named one, or none. */
+/**
+ * The target of "Open in the playground". Anyone can write an address, so only this host and the host of `named` are
+ * allowed.
+ */
 function playground(said) {
   if (said === '' || (said !== null && isTrusted(said))) return said;
   if (said !== null)
@@ -44,7 +48,7 @@ function playground(said) {
   return isFramed ? named || null : '';
 }
 
-/** Where links to rule pages and documents lead: to this host or the named one, as `playground`. */
+/** The target of links to rule pages and documents, restricted in the same way. */
 function pages(name, said) {
   if (said === null || said === '' || isTrusted(said)) return said;
   console.warn(

@@ -1,6 +1,6 @@
-//! The pages as HTML.
+//! Renders the pages of the rules as HTML.
 //!
-//! In: pages. Out: files by their names: plain HTML without scripts, one style sheet with the colours of the
+//! In: pages. Out: files by name: plain HTML without scripts, one style sheet with the colours of the
 //! playground, and the pictures, which all languages share.
 
 use std::collections::BTreeMap;
@@ -15,24 +15,24 @@ use super::words::words;
 use crate::format::RuleFile;
 use crate::format::page::{Mark, Page, Text};
 
-/// Colours first, so that the page and the playground have the same.
+/// The colours come first, so that the pages and the playground share them.
 const STYLES: [&str; 2] = [include_str!("../../www/src/colours.css"), include_str!("rules.css")];
 
 /// The pages run no scripts; styles and pictures come from their own host.
 const POLICY: &str = include_str!("policy.html");
 
-/// A page with what its programs gave.
+/// A page with the results of its programs.
 struct Shown<'a> {
     page: &'a Page,
     rule: &'static Rule,
-    /// As the failing program has it, which may be milder than usual.
+    /// Severity in the failing program, which may be lower than the default.
     severity: Severity,
     told: Diagnostic,
-    /// Names of the pictures, where something moves, and what is marked in them: failing, corrected.
+    /// Name and marks of each picture, failing and corrected; `None` if nothing moves.
     pictures: [Option<(String, Marked)>; 2],
 }
 
-/// All files by name, or what is wrong with the pages.
+/// All files by name, or the errors in the pages.
 pub fn files(rules: &[RuleFile]) -> Result<BTreeMap<String, String>, String> {
     let mut files = BTreeMap::from([("rules.css".to_owned(), STYLES.concat())]);
     let (mut shown, mut slips) = (Vec::new(), Vec::new());
@@ -56,7 +56,7 @@ pub fn files(rules: &[RuleFile]) -> Result<BTreeMap<String, String>, String> {
 }
 
 impl<'a> Shown<'a> {
-    /// Runs the programs of a page, and draws them.
+    /// Runs the programs of a page and draws them.
     fn of(file: &'a RuleFile, files: &mut BTreeMap<String, String>) -> Result<Self, String> {
         let RuleFile { slug, page, .. } = file;
         let rule = RULES.iter().find(|rule| rule.slug == slug).ok_or("there is no such rule")?;
@@ -118,7 +118,7 @@ impl<'a> Shown<'a> {
         &self.page.texts[language as usize]
     }
 
-    /// Severity, codes, name, kind and alarms.
+    /// Writes severity, codes, name, kind and alarms.
     fn metadata(&self, out: &mut String, language: Language) {
         let words = words(language);
         let Rule { slug, codes, kind, alarms, .. } = self.rule;
@@ -136,7 +136,7 @@ impl<'a> Shown<'a> {
         put(out, format_args!("<p class=\"metadata\">{}</p>", metadata.join(" · ")));
     }
 
-    /// A program with its picture.
+    /// Writes a program with its picture.
     fn example(
         &self,
         out: &mut String,
@@ -164,7 +164,7 @@ impl<'a> Shown<'a> {
     }
 }
 
-/// The list of all rules, by kind, and then by title.
+/// The list of all rules, by kind and then by title.
 fn index(shown: &[Shown], language: Language) -> String {
     let words = words(language);
     let mut out = String::new();
@@ -195,7 +195,7 @@ fn index(shown: &[Shown], language: Language) -> String {
     out
 }
 
-/// All that stands before what a page is about.
+/// Writes the start of a page, before its content.
 fn head(out: &mut String, language: Language, title: &str, file: &str) {
     let (tag, words) = (language.tag(), words(language));
     put(out, format_args!("<!doctype html>\n<html lang=\"{tag}\">\n<head>\n<meta charset=\"utf-8\">"));
@@ -222,7 +222,7 @@ fn head(out: &mut String, language: Language, title: &str, file: &str) {
     put(out, "</nav>\n</header>\n<main>");
 }
 
-/// The lines of a program, with what is marked.
+/// The lines of a program, with the marks.
 fn listing(program: &str, marks: &[Mark], severity: Severity) -> String {
     let mut out = String::new();
     for (number, line) in program.lines().enumerate() {
@@ -233,7 +233,7 @@ fn listing(program: &str, marks: &[Mark], severity: Severity) -> String {
             escaped(&letters[from.min(to)..to].iter().collect::<String>())
         };
         let mut at = 0;
-        // Messages may stand on each other's places: what is marked stays marked.
+        // Marks may overlap: the earlier one wins.
         for mark in marks.iter().filter(|mark| mark.line == number) {
             let (from, to) = (mark.column.max(at), mark.column + mark.length);
             if from < to {
@@ -248,7 +248,7 @@ fn listing(program: &str, marks: &[Mark], severity: Severity) -> String {
     out
 }
 
-/// What stands after `#` in the address of the playground with a program.
+/// The part after `#` of the playground's address of a program.
 fn address(program: &str, setup: &str, language: Language) -> String {
     let encoded = |text: &str| {
         text.bytes().fold(String::new(), |mut out, byte| {
@@ -264,7 +264,7 @@ fn address(program: &str, setup: &str, language: Language) -> String {
     format!("program={program}{setup}&amp;language={}", language.tag())
 }
 
-/// A sentence; what stands in backticks is program text.
+/// A sentence as HTML; backticks enclose program text.
 fn prose(text: &str) -> String {
     let mut out = String::new();
     for (index, part) in text.split('`').enumerate() {

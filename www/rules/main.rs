@@ -1,8 +1,8 @@
 //! Writes the pages of all rules as HTML. Part of building the page:
 //! `cargo xtask site` and `cargo xtask test`.
 //!
-//! In: a folder. Out: in it `<lang>/<slug>.html`, `<lang>/index.html`, the pictures, the style sheet of all,
-//! and `<lang>/messages.json`: the templates of all messages in a language, by the names of the messages.
+//! In: a folder. Out: `<lang>/<slug>.html`, `<lang>/index.html`, the pictures, one style sheet, and
+//! `<lang>/messages.json`: the templates of all messages in a language, by message name.
 
 mod book;
 #[path = "../../src/rules/format/mod.rs"]
@@ -15,7 +15,7 @@ use std::path::Path;
 use std::process::ExitCode;
 use std::{env, fs, io};
 
-/// The folder of the project.
+/// Root folder of the project.
 const PROJECT: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../..");
 
 fn main() -> ExitCode {

@@ -1,4 +1,4 @@
-//! What a program of a page gives.
+//! Runs a program of a page.
 //!
 //! In: a program and its setup. Out: its messages, as `gcode-playground check` reports them, and its picture.
 
@@ -17,23 +17,24 @@ use gcode_playground::setup::Setup;
 
 use crate::format::page::Stop;
 
-/// CSS pixels of a picture: one of two side by side, or as wide as a phone.
+/// Width of a picture, CSS pixels: half of a page, or the width of a phone.
 const WIDTH: f64 = 520.0;
 
-/// Seconds after which the run of an example is stopped, as the message has them.
+/// Time after which the run of an example is stopped, s, as the message states it.
 const STOPPED_AFTER: f64 = 10.0;
 
-/// Blocks it has carried out by then.
+/// Blocks that were executed by then.
 const STOPPED_AFTER_BLOCKS: usize = 20;
 
-/// A difference of less than this share of the part is marked: a larger one is seen.
+/// A difference smaller than this fraction of the part's area is marked; a larger one is visible without
+/// marks.
 const HARDLY_SEEN: f64 = 0.2;
 
-/// A picture, and what of it needs a word.
+/// A picture and its marks.
 pub struct Picture {
-    /// The picture.
+    /// The picture as SVG.
     pub svg: String,
-    /// What is marked in it.
+    /// What is marked in the picture.
     pub marked: Marked,
 }
 
@@ -42,18 +43,18 @@ pub struct Picture {
 pub enum Marked {
     /// Nothing.
     Nothing,
-    /// Where the part differs from the corrected one.
+    /// The differences from the corrected part.
     Difference,
 }
 
 /// A program that was run.
 pub struct Outcome {
-    /// What it gave.
+    /// Its analysis.
     pub analysis: Analysis,
 }
 
 impl Outcome {
-    /// Runs a program; somebody may stop it on the way.
+    /// Runs a program; `stop` stops it early.
     pub fn of(text: &str, setup: &Setup, stop: Option<Stop>) -> Self {
         let mut run = Run::new(text.as_bytes().to_vec(), setup.clone());
         if stop == Some(Stop::Run) {
@@ -79,8 +80,8 @@ impl Outcome {
         self.analysis.diagnostics.iter().filter(move |found| found.message.slug() == slug)
     }
 
-    /// The half-section, or the end face where polar interpolation mills there; nothing where nothing moves. Where
-    /// the part is hardly another one than that of `corrected`, the difference is marked.
+    /// The half-section, or the end face if polar interpolation mills there; `None` if nothing moves. If the
+    /// part hardly differs from that of `corrected`, the difference is marked.
     pub fn picture(&self, corrected: Option<&Self>) -> Option<Picture> {
         let Analysis { motions, setup, .. } = &self.analysis;
         if motions.is_empty() {
@@ -108,7 +109,7 @@ impl Outcome {
         Some(Picture { svg: svg(&Scene::new(motions, &path_index, work.as_ref()), &options), marked })
     }
 
-    /// Where the part differs from another of the same blank, if that is little beside the part.
+    /// The difference from another part of the same blank, if it is small.
     fn small_difference(&self, other: &Self) -> Option<Comparison> {
         let programs = [self, other].map(|outcome| (&outcome.analysis.motions, &outcome.analysis.setup));
         if programs[0].1.stock.is_none() || programs[0].1.stock != programs[1].1.stock {

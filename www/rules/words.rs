@@ -1,9 +1,9 @@
-//! What stands on every page of a rule, in three languages.
+//! The fixed texts of the rule pages, in three languages.
 
 use gcode_playground::message::Kind;
 use gcode_playground::sentences::Language;
 
-/// The words of the pages.
+/// Fixed texts of the pages.
 pub struct Words {
     pub own_name: &'static str,
     pub playground: &'static str,
@@ -32,7 +32,7 @@ pub struct Words {
     pub kinds: [(Kind, &'static str); 3],
 }
 
-/// The words of a language.
+/// The texts of a language.
 pub fn words(language: Language) -> &'static Words {
     match language {
         Language::English => &ENGLISH,

@@ -1,7 +1,7 @@
 //! Writes the reference (`www/docs/*.md`) as HTML. Part of building the page:
 //! `cargo xtask site` and `cargo xtask test`.
 //!
-//! In: a folder. Out: in it one page per document, `README.md` as `index.html`, and the style sheet of all.
+//! In: a folder. Out: one page for each document (`README.md` becomes `index.html`), and one style sheet.
 
 mod site;
 

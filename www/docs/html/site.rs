@@ -1,11 +1,11 @@
-//! The pages of the reference as HTML.
+//! Renders the reference as HTML.
 //!
-//! In: the documents of `www/docs`. Out: files by name: plain HTML without scripts, and one style sheet, that
-//! of the rule pages with a few rules of its own. Must not know: what the documents are about.
+//! In: the documents of `www/docs`. Out: files by name: plain HTML without scripts, and one style sheet,
+//! which extends that of the rule pages. Must not know: what the documents are about.
 //!
 //! A link from one document to another (`setup.md#fields`) becomes a link between the pages
-//! (`setup.html#fields`), so links work in the repository and on the site. Headings get the anchors that
-//! they have in the repository.
+//! (`setup.html#fields`), so links work in the repository and on the site. Headings get the same anchors as
+//! in the repository.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write;
@@ -14,14 +14,14 @@ use std::{fs, io};
 
 use pulldown_cmark::{CowStr, Event, Options, Parser, Tag, TagEnd, html};
 
-/// Colours first, so that the pages and the playground have the same.
+/// The colours come first, so that the pages and the playground share them.
 const STYLES: [&str; 3] =
     [include_str!("../../src/colours.css"), include_str!("../../rules/rules.css"), include_str!("docs.css")];
 
-/// That of the rule pages: no scripts.
+/// Content-Security-Policy of the rule pages: no scripts.
 const POLICY: &str = include_str!("../../rules/policy.html");
 
-/// All files by name, or every mistake in the documents.
+/// All files by name, or all errors in the documents.
 pub fn files(folder: &Path) -> Result<BTreeMap<String, String>, String> {
     let documents = documents(folder).map_err(|error| format!("www/docs: {error}"))?;
     let mut mistakes = Vec::new();
@@ -46,7 +46,7 @@ pub fn files(folder: &Path) -> Result<BTreeMap<String, String>, String> {
     Ok(files)
 }
 
-/// Name without ending, and text, of each document.
+/// Each document: file stem and text.
 fn documents(folder: &Path) -> io::Result<BTreeMap<String, String>> {
     let mut found = BTreeMap::new();
     for entry in fs::read_dir(folder)? {
@@ -59,12 +59,12 @@ fn documents(folder: &Path) -> io::Result<BTreeMap<String, String>> {
     Ok(found)
 }
 
-/// The file of a document on the site.
+/// File name of a document on the site.
 fn file_name(document: &str) -> String {
     if document == "README" { "index.html".to_owned() } else { format!("{document}.html") }
 }
 
-/// Whether a link leads to the web, or to a document and an anchor that are there.
+/// Whether a link leads to the web, or to an existing document and anchor.
 fn leads_somewhere(from: &str, link: &str, anchors: &BTreeMap<&str, &BTreeSet<String>>) -> bool {
     if link.starts_with("https://") {
         return true;
@@ -75,19 +75,19 @@ fn leads_somewhere(from: &str, link: &str, anchors: &BTreeMap<&str, &BTreeSet<St
     there.is_some_and(|there| anchor.is_none_or(|anchor| there.contains(anchor)))
 }
 
-/// A document, read.
+/// A parsed document.
 struct Page<'a> {
     /// The text of its first heading.
     title: String,
     events: Vec<Event<'a>>,
     /// The anchors of its headings.
     anchors: BTreeSet<String>,
-    /// Where its links lead, as written.
+    /// Targets of its links, as written.
     links: Vec<String>,
 }
 
 impl<'a> Page<'a> {
-    /// Reads a document. HTML in it is an error, except for comments, which are left out.
+    /// Parses a document. HTML in it is an error, except comments, which are left out.
     fn new(text: &'a str) -> Result<Self, String> {
         let mut page =
             Page { title: String::new(), events: Vec::new(), anchors: BTreeSet::new(), links: Vec::new() };

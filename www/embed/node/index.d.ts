@@ -15,14 +15,17 @@ export type {
 } from './setup.js';
 
 export interface Options {
-  /** The language of messages and drawings; English if nothing is said. */
+  /** The language of messages and drawings; default: English. */
   readonly language?: 'en' | 'zh' | 'ru';
 }
 
 /**
- * What is wrong with a program, in the order of the text; collisions too, where the setup or the program names a blank.
- * `from` and `to` of a message and of the edits of its fixes are UTF-16 offsets into `text` as it was given: `text.slice(from, to)`.
- * `setup` is what is not in the program, as an object or as JSON. Bytes are UTF-8; offsets then count in the text as `TextDecoder` with `ignoreBOM: true` decodes it. Throws an `Error` that names what is wrong with the setup.
+ * The problems of a program, in source order, including collisions if the setup or the program defines a blank. `from`
+ * and `to` of a message and of the edits of its fixes are UTF-16 offsets into `text` as passed: `text.slice(from, to)`.
+ * `setup` contains everything that is not in the program, as an object or as JSON. Bytes must be UTF-8; offsets then
+ * refer to the text that `TextDecoder` with `ignoreBOM: true` returns.
+ *
+ * @throws `Error` that names what is wrong with the setup.
  */
 export function check(text: string | Uint8Array, setup?: Setup | string, options?: Options): Diagnostic[];
 

@@ -1,19 +1,19 @@
-// The interpreter in Node: three functions over a text, and nothing to set up.
+// The interpreter in Node: three functions of a text, without configuration.
 //
-// In: a program, a setup. Out: its messages, its motions, its drawing. The module and its parts are read from the package when
-// the first of them is called. Must not know: the page or the element.
+// In: a program, a setup. Out: its messages, its motions, its drawing. The module and its parts are read from the
+// package at the first call. Must not know: the page or the element.
 
 import { readFileSync } from 'node:fs';
 import { initSync, Playground } from './gcode_playground.js';
 import { PART_FILES } from './part-files.js';
 import { addPart, isText } from './parts.js';
 
-/** Blocks, and motions of material, in one go. */
+/** Blocks to run, and motions to simulate, in one call. */
 const AT_ONCE = 1_000_000;
 
 let isLoaded = false;
 
-/** Reads the module with all its parts; once. */
+/** Loads the module with all its parts, once. */
 function load() {
   if (isLoaded) return;
   const read = (address) =>
@@ -25,7 +25,7 @@ function load() {
 
 const LANGUAGES = ['en', 'zh', 'ru'];
 
-/** What was asked for; an error names what is not known. */
+/** The options with defaults. Throws if one is unknown. */
 function checked(options = {}) {
   if (typeof options !== 'object' || options === null) throw new TypeError('the options are an object');
   const { language = 'en', ...others } = options;
@@ -36,7 +36,7 @@ function checked(options = {}) {
   return { language };
 }
 
-/** Runs a program and hands it over; nothing of it stays. */
+/** Runs a program, passes it to `use`, and frees it. */
 function withRun(text, setup, options, use) {
   if (typeof text !== 'string' && !(text instanceof Uint8Array))
     throw new TypeError('the program is a string or a Uint8Array');

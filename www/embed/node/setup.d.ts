@@ -1,30 +1,31 @@
 /**
- * What is not in the program. Every key is optional, an unknown one is an error that names it. Lengths are mm, X values diameters.
- * `docs/setup.html` of the site describes all of it.
+ * Everything that is not in the program. Every key is optional; an unknown key is an error that names it. Lengths are
+ * mm, X values are diameters.
+ * Reference: `docs/setup.html` of the site.
  */
 export interface Setup {
   /** The control and its switches. */
   readonly dialect?: SetupDialect;
-  /** Where the tool tip is before the first block. */
+  /** Position of the tool tip before the first block. */
   readonly initial?: SetupPosition;
-  /** The tools by their T word in four digits: `T0101`. */
+  /** The tools by their T word with four digits: `T0101`. */
   readonly tools?: { readonly [tool: string]: SetupTool };
   /** The blank. */
   readonly stock?: SetupStock;
   readonly tailstock?: SetupTailstock;
   readonly machine?: SetupMachine;
-  /** The levels of block skip that are active: `/` is 1. */
+  /** The levels of block skip that are on: `/` is 1. */
   readonly blockSkip?: readonly number[];
-  /** The O number to run; the first of the text if it is not given. */
+  /** The O number to run; default: the first program of the text. */
   readonly program?: number;
   readonly limits?: SetupLimits;
-  /** The severity of rules by their slug, and of `classroom`, a group of rules. */
+  /** The severity of rules by slug, or of `classroom`, a group of rules. */
   readonly rules?: { readonly [rule: string]: 'off' | 'info' | 'warning' | 'error' };
-  /** Whether blocks that a control runs without an alarm are judged. */
+  /** Whether lints are reported: messages about blocks that a control runs without an alarm. */
   readonly lints?: 'on' | 'off';
 }
 
-/** A place, mm; X is a diameter. */
+/** A point, mm; X is a diameter. */
 export interface SetupPosition {
   readonly x: number;
   readonly z: number;
@@ -52,22 +53,22 @@ export interface SetupTool {
   readonly noseRadius?: number;
   /** Tool-tip direction, 0 to 9. */
   readonly tip?: number;
-  /** Main edge to the feed along Z, degrees. */
+  /** Angle between the main edge and the feed direction along Z, degrees. */
   readonly enteringAngle?: number;
-  /** Between the edges, degrees. */
+  /** Angle between the edges, degrees. */
   readonly pointAngle?: number;
   readonly edgeLength?: number;
-  /** Of a grooving insert. */
+  /** Width of a grooving insert. */
   readonly width?: number;
-  /** Of a drill, tap or milling cutter. */
+  /** Diameter of a drill, tap or milling cutter. */
   readonly diameter?: number;
   /** Overhang beyond the holder. */
   readonly reach?: number;
   /** Diameter of a boring bar. */
   readonly shank?: number;
-  /** Of the thread, or of the point of a drill, degrees. */
+  /** Angle of the thread, or point angle of a drill, degrees. */
   readonly angle?: number;
-  /** Of a live milling cutter. */
+  /** Radius of a live milling cutter. */
   readonly toolRadius?: number;
   /** R of the geometry offset. */
   readonly geometryR?: number;
@@ -76,7 +77,7 @@ export interface SetupTool {
 export interface SetupTailstock {
   /** Z of the tip of the centre. */
   readonly z: number;
-  /** Of the quill. */
+  /** Diameter of the quill. */
   readonly diameter: number;
 }
 
@@ -93,7 +94,7 @@ export interface SetupMachine {
   readonly yAxis?: boolean;
 }
 
-/** Where the tool tip can go, mm; X is a diameter. */
+/** Travel limits of the tool tip, mm; X is a diameter. */
 export interface SetupTravel {
   readonly xMin?: number;
   readonly xMax?: number;
@@ -101,21 +102,21 @@ export interface SetupTravel {
   readonly zMax?: number;
 }
 
-/** The control, and switches in which controls differ; those that are not given are the control's. */
+/** The control, and switches for the differences between controls; default: the value of the control. */
 export interface SetupDialect {
   readonly control?: 'fanuc' | 'gsk' | 'forum';
-  /** The G-code system; inferred from the program if it is not given. */
+  /** The G-code system; default: inferred from the program. */
   readonly gSystem?: 'A' | 'B' | 'C';
-  /** The unit until a G20 or G21; inferred from the program if it is not given. */
+  /** The unit until a G20 or G21; default: inferred from the program. */
   readonly unit?: 'mm' | 'inch';
   /** The unit of numbers without a decimal point. */
   readonly decimal?: 'auto' | 'calculator' | 'leastIncrement';
   /** The unit of P and Q in G74, G75 and G76. */
   readonly pqUnit?: 'auto' | 'um' | 'mm';
-  /** The same as `feedMode`. */
+  /** Same as `feedMode`. */
   readonly powerOnFeed?: 'G99' | 'G98';
   readonly feedMode?: 'G99' | 'G98';
-  /** Which of X and U in one block takes effect. */
+  /** Which word takes effect if a block contains both X and U. */
   readonly xuConflict?: 'last' | 'absolute';
   readonly negativeArcR?: 'over180' | 'alarm';
   readonly g71Retract?: 'rapid' | 'feed';
@@ -123,7 +124,7 @@ export interface SetupDialect {
   readonly g76Clamp?: 'prev' | 'sqrt';
   readonly reliefFirst?: boolean;
   readonly iInG92?: 'taper' | 'tpi';
-  /** In tenths of the lead, 0 to 99. */
+  /** Thread chamfer in tenths of the lead, 0 to 99. */
   readonly threadChamfer?: number;
   readonly typeII?: boolean;
   readonly strict?: boolean;
@@ -132,7 +133,7 @@ export interface SetupDialect {
   readonly recognise?: boolean;
 }
 
-/** What a run may use up; `docs/limits.html` of the site describes it. */
+/** Limits of a run. Reference: `docs/limits.html` of the site. */
 export interface SetupLimits {
   readonly text?: number;
   readonly motions?: number;

@@ -1,6 +1,6 @@
-// A dialog over the page: a heading, a line about it, what it is for, and buttons; Close is the last of them.
+// A modal dialog: a heading, a line that explains it, the contents, and buttons; the last button is Close.
 //
-// In: the parts between heading and buttons. Out: an element to put into the page. A click beside it closes
+// In: the contents between heading and buttons. Out: an element to put into the page. A click outside the dialog closes
 // it. Must not know: what it shows.
 
 import { make } from './dom';
@@ -11,7 +11,7 @@ export class Dialog {
   readonly #about = make('p', { className: 'about' });
   readonly #close = make('button', { type: 'button', className: 'framed' });
 
-  /** `name` is its class and part; `actions` stand before the button that closes it. */
+  /** `name` is its class and part; `actions` come before the Close button. */
   constructor(name: string, body: readonly Node[], actions: readonly Node[] = []) {
     this.#title = make('h2', { id: `${name}-title` });
     this.element = make(
@@ -23,7 +23,7 @@ export class Dialog {
       make('div', { className: 'actions' }, ...actions, this.#close),
     );
     this.#close.addEventListener('click', () => this.close());
-    // A click beside the dialog is a click on the dialog itself, outside its box.
+    // A click outside the dialog arrives at the dialog element, but outside its box.
     this.element.addEventListener('click', (event) => {
       if (event.target !== this.element) return;
       const { left, right, top, bottom } = this.element.getBoundingClientRect();
@@ -32,7 +32,7 @@ export class Dialog {
     });
   }
 
-  /** What it is called, and what its last button says. */
+  /** Sets the heading, and the text of the last button. */
   name(title: string, close: string): void {
     this.#title.textContent = title;
     this.#close.textContent = close;
@@ -46,7 +46,7 @@ export class Dialog {
     return this.element.open;
   }
 
-  /** Opens it; false where it was open already. */
+  /** Opens the dialog; returns false if it was already open. */
   show(): boolean {
     if (this.element.open) return false;
     this.element.showModal();

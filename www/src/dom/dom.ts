@@ -1,6 +1,6 @@
-// Making elements: the page has no UI framework.
+// Helpers that make elements; the page has no UI framework.
 //
-// In: a tag, properties, children. Out: the element. Must not know what it is for.
+// In: a tag, properties, children. Out: the element. Must not know: what it is for.
 
 type Child = Node | string;
 
@@ -19,12 +19,12 @@ export function make<K extends keyof HTMLElementTagNameMap>(
   return element;
 }
 
-/** Shows a text; what is shown already is left alone, since each change of the page is laid out again. */
+/** Shows a text. An unchanged text is not set again, because each change causes a new layout. */
 export function showText(element: HTMLElement, text: string): void {
   if (element.textContent !== text) element.textContent = text;
 }
 
-/** Shows these children in this order; those that stand right are left alone. */
+/** Shows these children in this order. Children that are already in place are not moved. */
 export function arrange(parent: HTMLElement, children: readonly HTMLElement[]): void {
   const wanted = new Set<Element>(children);
   for (const child of [...parent.children]) if (!wanted.has(child)) child.remove();
@@ -34,16 +34,16 @@ export function arrange(parent: HTMLElement, children: readonly HTMLElement[]): 
   }
 }
 
-/** A piece of an icon: an area where no width is given, a line of this width, or both. */
+/** A shape of an icon: filled if it has no width, otherwise a line of this width; `filled` makes it both. */
 interface IconPiece {
   readonly d: string;
   readonly width?: number;
   readonly filled?: boolean;
-  /** It stands over another piece. */
+  /** Drawn over another shape. */
   readonly over?: boolean;
 }
 
-/** The icons: 20 × 20, drawn with the text's colour. */
+/** The icons: 20 × 20, in the text colour. */
 const ICONS = {
   play: [{ d: 'M6 3.5v13l10.5-6.5z' }],
   screen: [{ d: 'M3 7.5V3h4.5M12.5 3H17v4.5M17 12.5V17h-4.5M7.5 17H3v-4.5', width: 1.7 }],
@@ -91,19 +91,19 @@ export function icon(name: IconName): HTMLElement {
   return make('span', { className: `icon icon-${name}`, 'aria-hidden': 'true' }, svg);
 }
 
-/** Not by way of HTML: a page may allow none that is made by a script. */
+/** Not from HTML: a page's policy may forbid setting HTML from a script. */
 function drawn(tag: string, attributes: Readonly<Record<string, string | number>>): SVGElement {
   const element = document.createElementNS('http://www.w3.org/2000/svg', tag);
   for (const [name, value] of Object.entries(attributes)) element.setAttribute(name, String(value));
   return element;
 }
 
-/** A message of the interpreter: what stands in backticks is program text. */
+/** A message of the interpreter; backticks enclose program text. */
 export function prose(text: string): (Node | string)[] {
   return text.split('`').map((part, i) => (i % 2 === 1 ? make('code', { lang: 'en' }, part) : part));
 }
 
-/** A sentence in which `Z-30` is never broken after its minus. */
+/** A sentence in which `Z-30` never wraps after its minus sign. */
 export function unbroken(text: string): (Node | string)[] {
   return text
     .split(/([!-~]*-\d[!-~]*)/)

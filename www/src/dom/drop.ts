@@ -1,15 +1,18 @@
-// Files dropped on a part of the page.
+// Accepts files dropped on a part of the page.
 //
-// In: the element they may be dropped on. Out: `dropped`, with the first of them. While one is over it, the
-// element's `data-drop` says so. Must not know: what is done with a file.
+// In: the element to drop on. Out: `dropped`, with the first file. While a file is over the element, its `data-drop`
+// has the hint. Must not know: what is done with a file.
 
 export interface DropEvents {
-  /** What to say while a file is held over the element. */
+  /** The hint while a file is over the element. */
   hint(): string;
   dropped(file: File): void;
 }
 
-/** Files of all that is inside, before anything inside takes them; or those that nothing inside has taken. */
+/**
+ * `all`: files dropped anywhere inside, before any inner element handles them; `left-over`: only files that no inner
+ * element has handled.
+ */
 export type DropsTaken = 'all' | 'left-over';
 
 export function acceptFiles(target: HTMLElement, events: DropEvents, taken: DropsTaken = 'all'): void {

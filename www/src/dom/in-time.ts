@@ -1,6 +1,6 @@
-// What may never come is waited for no longer than somebody has patience.
+// A promise with a timeout.
 
-/** What a promise gives, or that it has not come within so many milliseconds; one that fails fails here too. */
+/** Resolves to `late` if the promise has not settled within `ms` milliseconds. Rejects if the promise rejects. */
 export async function inTime<T>(promise: Promise<T>, ms: number): Promise<T | 'late'> {
   return Promise.race([promise, new Promise<'late'>((done) => setTimeout(() => done('late'), ms))]);
 }

@@ -1,29 +1,33 @@
-// Parts of the page that are loaded when they are needed, and what is done where the network is missing.
+// Loads parts of the page on demand, and tries again after a network failure.
 //
-// In: how a part is imported. Out: the part, now or with a later try. Must not know: what is in a part, or what is said of it.
+// In: a function that imports a part. Out: the part, immediately or on a later attempt. Must not know: what a part
+// contains, or which messages are shown.
 
 let tries = 0;
 
-/** Acts once the network is there again; the answer ends the waiting. */
+/** Calls `act` once the network is available again. The returned function cancels it. */
 export function whenOnline(act: () => void): () => void {
   const waiting = new AbortController();
   addEventListener('online', act, { once: true, signal: waiting.signal });
   return () => waiting.abort();
 }
 
-/** The browser knows that there is no network; where it says nothing there may be none all the same. */
+/** Whether the browser knows that there is no network. False does not mean that there is one. */
 export function isOffline(): boolean {
   return !navigator.onLine;
 }
 
-/** The browser keeps the failure of a file that the part imports, under an address that cannot be changed. */
+/**
+ * Thrown if the browser caches the failed import of a file, and its address cannot be changed because the part imports
+ * it.
+ */
 export class NeedsReload extends Error {}
 
 /**
- * Imports a part. One that could not be had can be had with a later call, also where the browser keeps the failure: all keep
- * that of a script with a fault, Firefox every failure.
+ * Imports a part. After a failure, a later call can succeed, even if the browser caches the failure: Firefox caches
+ * every failed import, all browsers cache that of a script with an error.
  *
- * @throws NeedsReload where that is so of a file that the part imports.
+ * @throws NeedsReload if the failure of a file that the part imports is cached.
  */
 export async function loaded<Part>(load: () => Promise<Part>): Promise<Part> {
   try {
@@ -31,7 +35,7 @@ export async function loaded<Part>(load: () => Promise<Part>): Promise<Part> {
   } catch (error) {
     const failed = addressIn(error);
     if (failed?.endsWith('.css') === true) {
-      // Its script is imported without it the next time.
+      // The next import of the script succeeds without the style sheet.
       styles(failed);
       throw error;
     }
@@ -49,19 +53,22 @@ export async function loaded<Part>(load: () => Promise<Part>): Promise<Part> {
     } catch (failure) {
       if (!(await isWhole(address, 'with-imports'))) throw failure;
     }
-    // The files can be had by now: the network may have returned after the import failed.
+    // The files are available by now: the network may have returned after the import failed.
     return again().catch(() => {
       throw new NeedsReload('the page has to be reloaded');
     });
   }
 }
 
-/** The file that an error names. */
+/** The address of the file that an error names. */
 function addressIn(error: unknown): string | undefined {
   return /\bhttps?:\S+?\.(?:js|css)\b/.exec(error instanceof Error ? error.message : '')?.[0];
 }
 
-/** What a function imports, as the build writes it: `import("./a.js")`, or `import("./a.js").then(n=>n.b)` where several parts share a file. */
+/**
+ * The file that a function imports, as the build writes it: `import("./a.js")`, or `import("./a.js").then(n=>n.b)` if
+ * several parts share a file.
+ */
 function importIn(load: () => unknown): { readonly file: string; readonly member: string | undefined } | undefined {
   const found =
     /import\(\s*["'`](?:[^"'`]*\/)?([^"'`/]+\.js)["'`]\s*\)(?:\.then\(\s*\(?([\w$]+)\)?\s*=>\s*\2\.([\w$]+))?/.exec(
@@ -70,21 +77,24 @@ function importIn(load: () => unknown): { readonly file: string; readonly member
   return found?.[1] === undefined ? undefined : { file: found[1], member: found[3] };
 }
 
-/** The address of a file. An error may name none, or that of a file which the part imports. */
+/** The address of a file. An error may name no file, or a file that the part imports. */
 function addressOf(file: string, failed: string | undefined): string | undefined {
   if (failed?.endsWith(`/${file}`) === true) return failed;
-  // A preload that fails is no entry in every browser.
+  // Not every browser lists a failed preload as a resource entry.
   const preload = document.querySelector<HTMLLinkElement>(`link[href$="/${file}"]`)?.href;
   return preload ?? performance.getEntriesByType('resource').find(({ name }) => name.endsWith(`/${file}`))?.name;
 }
 
-/** Whether a script can be had with all of its bytes, and the scripts it imports too. What the browser's cache has of them is replaced. */
+/**
+ * Whether a script, and optionally each script that it imports, can be loaded completely. Refreshes them in the HTTP
+ * cache.
+ */
 async function isWhole(address: string, which: 'with-imports' | 'alone'): Promise<boolean> {
   const text = await fetch(address, { cache: 'reload' }).then(
     (response) => (response.ok ? response.text() : ''),
     () => '',
   );
-  // So ends each script of the build.
+  // Every script of the build ends with its exports.
   if (!/\bexport\s*\{[^{}]*\};?\s*$/.test(text)) return false;
   if (which === 'alone') return true;
   const imports = [...text.matchAll(/\b(?:from|import)\s*["'](\.[^"']+\.js)["']/g)].map(
@@ -93,7 +103,7 @@ async function isWhole(address: string, which: 'with-imports' | 'alone'): Promis
   return (await Promise.all(imports.map((file) => isWhole(file, 'alone')))).every(Boolean);
 }
 
-/** A style sheet that could not be had comes with the network. */
+/** Loads a style sheet; after a failure, tries again when the network returns. */
 function styles(address: string): void {
   const link = Object.assign(document.createElement('link'), { rel: 'stylesheet', href: address });
   link.addEventListener('error', () => {

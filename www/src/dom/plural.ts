@@ -1,6 +1,6 @@
-// Numbers with the form of the word that they ask for.
+// Numbers with the plural form of a noun.
 //
-// In: a language and the forms of a word. Out: a function from a number to its text.
+// In: a language and the forms of a noun. Out: a function from a number to its text.
 
 type Forms = Partial<Record<Intl.LDMLPluralRule, string>> & { readonly other: string };
 
@@ -9,7 +9,10 @@ interface Writing {
   readonly numbers: Intl.NumberFormat;
 }
 
-/** By language. They take browsers some milliseconds each, and most readers see one language: made when a number is written. */
+/**
+ * Formatters by language. Each takes some milliseconds to create, and most users see one language, so they are created
+ * on first use.
+ */
 const writings = new Map<string, Writing>();
 
 function writingOf(language: string): Writing {
@@ -20,7 +23,7 @@ function writingOf(language: string): Writing {
   return made;
 }
 
-/** "42 motions": the number in the language's own writing, then the form that number asks for. */
+/** "42 motions": the number in the format of the language, then the plural form. */
 export function counter(language: string, forms: Forms): (n: number) => string {
   return (n) => {
     const { rules, numbers } = writingOf(language);

@@ -1,16 +1,16 @@
-// Whether the page is just being printed: what is made in the meantime has not heard of it.
+// Whether the page is being printed, for elements that are made after `beforeprint`.
 //
-// In: what the browser announces. Out: yes or no. Must not know: what is printed.
+// In: events of the browser. Out: true or false. Must not know: what is printed.
 
 let printing = false;
 
-// Where Node reads this, nothing is printed.
+// There is no window in Node.
 if (typeof window !== 'undefined') {
   window.addEventListener('beforeprint', () => (printing = true));
   window.addEventListener('afterprint', () => (printing = false));
 }
 
-/** Between the announcement that the page is printed and its end. */
+/** True between `beforeprint` and `afterprint`. */
 export function isPrinting(): boolean {
   return printing;
 }

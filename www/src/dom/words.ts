@@ -1,14 +1,13 @@
-// The words of the page in all its languages.
+// The texts of the page in all languages.
 //
-// Each panel has its own, in its file; here are those that several use. The messages about a
-// program come translated from the interpreter. Sentences with numbers are functions, so that each
-// language forms its own plurals.
+// Each panel has its texts in its own file; texts that several panels share are here. The interpreter translates the
+// messages about a program. A text with a number is a function, so that each language forms its own plurals.
 
 import type { Language } from './language';
 
 export type Words<W> = Readonly<Record<Language, W>>;
 
-/** Words of which some may be missing. */
+/** A table in which texts may be missing. */
 type Partly<W> = W extends readonly unknown[] | ((...given: never[]) => unknown)
   ? W
   : W extends object
@@ -16,8 +15,8 @@ type Partly<W> = W extends readonly unknown[] | ((...given: never[]) => unknown)
     : W;
 
 /**
- * A table of words, in the same form in each language. What another language lacks is shown in English, and `cargo xtask
- * translations` lists it.
+ * A table of texts, with the same keys in each language. A text that is missing in a language is shown in English, and
+ * `cargo xtask translations` lists it.
  */
 export function words<W>(
   all: { readonly en: W } & Readonly<Partial<Record<Exclude<Language, 'en'>, Partly<NoInfer<W>>>>>,

@@ -1,21 +1,20 @@
-// Which encoding a program file is in.
+// Guesses the encoding of a program file.
 //
-// In: bytes. Out: an encoding in which they are text that becomes the same bytes again. Files with a byte
-// order mark, UTF-16 with a zero in every other byte and valid UTF-8 are certain; otherwise what is not ASCII (comments, as a rule) is read as
-// Chinese, Russian and Western text, and the reading that surprises least is taken. src/cli/encoding.rs does
-// the same on the command line, with the same table; tests/encodings.json holds both to it. Must not know:
-// what stands in a program.
+// In: bytes. Out: an encoding that decodes them, and encodes the text to the same bytes again. A byte order mark, a
+// zero in every other byte (UTF-16) and valid UTF-8 are certain. Otherwise, text that is not ASCII (usually comments)
+// is read as Chinese, Russian and Western text, and the most probable reading wins. `src/cli/encoding.rs` does the same
+// on the command line, with the same table; `tests/encodings.json` tests both. Must not know: what a program contains.
 
 import plausible from '../../../src/cli/plausible.json';
 import { decode, type Encoding } from './encodings';
 
-/** More bytes beyond ASCII than these change no guess. */
+/** Most non-ASCII bytes that are examined; more do not change the guess. */
 const LOOKED_AT = 100_000;
 
 export interface Guess {
   readonly encoding: Encoding;
   readonly text: string;
-  /** The bytes are hardly those of a text. */
+  /** Whether the bytes are probably not text. */
   readonly binary: boolean;
 }
 
@@ -27,13 +26,13 @@ export function guess(bytes: Uint8Array): Guess {
     const text = decode(bytes, encoding);
     if (text !== undefined) return { encoding, text, binary: binary && !encoding.startsWith('utf-16') };
   }
-  // Not reached: every byte is a character of Windows-1252.
+  // Unreachable: Windows-1252 decodes every byte.
   return { encoding: 'windows-1252', text: new TextDecoder('windows-1252').decode(bytes), binary };
 }
 
 /**
- * UTF-16 without a byte order mark, if these are its bytes: ASCII characters, most of a program, have a zero as their
- * high byte, and none has one as its low byte. The feed of paper tape is zeros in a row, so both.
+ * UTF-16 without a byte order mark, if the bytes suggest it: ASCII characters, most of a program, have a zero high byte
+ * and never a zero low byte. The leader of paper tape is a run of zeros and fits both byte orders.
  */
 function unmarkedUtf16(bytes: Uint8Array): Encoding[] {
   const pairs = bytes.length >> 1;
@@ -46,8 +45,8 @@ function unmarkedUtf16(bytes: Uint8Array): Encoding[] {
 }
 
 /**
- * Control characters other than blanks, line ends, tape codes and the end of a file,
- * one in a hundred or more.
+ * Whether at least one byte in a hundred is a control character other than whitespace, line ends, tape codes and the
+ * end-of-file mark.
  */
 function isBinary(bytes: Uint8Array): boolean {
   let strange = 0;
@@ -59,8 +58,8 @@ function isBinary(bytes: Uint8Array): boolean {
 }
 
 /**
- * Whether what may be valid UTF-8 is so by chance, as short Chinese comments can be: letters of alphabets
- * nobody has in a program, in UTF-8, that are common characters in GB18030.
+ * Whether valid UTF-8 is probably GB18030, as short Chinese comments can be: in UTF-8 it has letters of alphabets that
+ * no program uses, and in GB18030 they are common characters.
  */
 function isRatherChinese(bytes: Uint8Array): boolean {
   let beyondAscii = 0;
@@ -92,13 +91,12 @@ function lookedAt(bytes: Uint8Array): { end: number; count: number } {
   return { end, count };
 }
 
-// ---- how much each reading surprises: natural logarithms of one over a rough
-// probability, added up ----------
+// ---- surprise of each reading: the sum of negative natural logarithms of a rough probability ----
 
-/** The most that characters of the first level of GB 2312 surprise. */
+/** Highest surprise of a character in level 1 of GB 2312. */
 const COMMON = 9.8;
 
-/** Surprise by byte when it is read as a letter or sign of a one-byte encoding. */
+/** Surprise of each byte as a letter or sign of a one-byte encoding. */
 interface ByteTable {
   readonly surprise: Float64Array;
   readonly upper: Uint8Array;
@@ -122,8 +120,8 @@ let westernTable: ByteTable | undefined;
 let commonHanzi: ReadonlySet<string> | undefined;
 
 /**
- * Words of Cyrillic letters, the frequent ones more likely; capitals after small letters and
- * Latin neighbours are not.
+ * Surprise as Russian: expects words of Cyrillic letters, frequent letters more than rare ones. Capitals after small
+ * letters, and Latin neighbours, are improbable.
  */
 function russian(bytes: Uint8Array): number {
   const { surprise, upper, lower } = (russianTable ??= byteTable('windows-1251', (character) => {
@@ -145,7 +143,7 @@ function russian(bytes: Uint8Array): number {
   return total;
 }
 
-/** Single accented letters among Latin ones, and signs beside numbers. */
+/** Surprise as a Western language: expects single accented letters among Latin ones, and signs next to numbers. */
 function western(bytes: Uint8Array): number {
   const { surprise, upper, lower } = (westernTable ??= byteTable('windows-1252', (character) => {
     if (plausible.western.includes(character)) return 3.4;
@@ -167,9 +165,7 @@ function western(bytes: Uint8Array): number {
   return total;
 }
 
-/**
- * Pairs of bytes, those of the characters of a workshop most likely; one that is no pair at all rules it out.
- */
+/** Surprise as Chinese: expects pairs of bytes, workshop characters more than others. An invalid pair excludes it. */
 function chinese(bytes: Uint8Array): number {
   commonHanzi ??= new Set(plausible.hanzi);
   const decoder = new TextDecoder('gb18030');

@@ -1,11 +1,13 @@
-// The encodings of program files: bytes to text and back, without loss.
+// Encodes and decodes program files without loss.
 //
-// In: bytes, or a text and the name of an encoding. Out: the other one, or why there is none. What is
-// decoded here is encoded to the very same bytes again, or it is not decoded at all. The way back is made
-// from the browser's own decoder, so there are no tables. Must not know: what a text is for, or which
-// encoding is the likely one.
+// In: bytes, or a text and the name of an encoding. Out: the other one, or the reason for a failure. A text is returned
+// only if it encodes to exactly the same bytes. The encoder is derived from the browser's decoder, so no tables are
+// included. Must not know: what a text is for, or which encoding is probable.
 
-/** The names say whether there is a byte order mark, so that it is written again: UTF-16 has one unless it says `no-bom`. */
+/**
+ * Each name says whether the file has a byte order mark, so that saving keeps it: UTF-16 has one unless the name says
+ * `no-bom`.
+ */
 export const ENCODINGS = [
   'utf-8',
   'utf-8-bom',
@@ -19,7 +21,7 @@ export const ENCODINGS = [
 ] as const;
 export type Encoding = (typeof ENCODINGS)[number];
 
-/** Their names, the same in every language. */
+/** Names for the user, the same in every language. */
 export const ENCODING_NAMES: Readonly<Record<Encoding, string>> = {
   'utf-8': 'UTF-8',
   'utf-8-bom': 'UTF-8 BOM',
@@ -34,10 +36,10 @@ export const ENCODING_NAMES: Readonly<Record<Encoding, string>> = {
 
 export type Encoded =
   | { readonly kind: 'bytes'; readonly bytes: Uint8Array<ArrayBuffer> }
-  /** The first character that has no place in the encoding. */
+  /** The first character that the encoding cannot represent. */
   | { readonly kind: 'no-place'; readonly character: string };
 
-/** Whether every character has a place in it. */
+/** Whether the encoding can represent every character. */
 export function isUnicode(encoding: Encoding): boolean {
   return encoding.startsWith('utf-');
 }
@@ -48,7 +50,7 @@ const MARKS: Readonly<Partial<Record<Encoding, readonly number[]>>> = {
   'utf-16be': [0xfe, 0xff],
 };
 
-/** The text of some bytes; undefined when it would not become the same bytes again. */
+/** Decodes bytes; undefined if the text would not encode to the same bytes. */
 export function decode(bytes: Uint8Array, encoding: Encoding): string | undefined {
   const mark = MARKS[encoding] ?? [];
   if (mark.some((byte, i) => bytes[i] !== byte)) return undefined;
@@ -60,13 +62,13 @@ export function decode(bytes: Uint8Array, encoding: Encoding): string | undefine
   } catch {
     return undefined;
   }
-  // What is UTF-8, or one byte a character, has only one way back.
+  // UTF-8 and one-byte encodings encode a text in only one way.
   if (label === 'utf-8') return text;
   const back = encode(text, encoding);
   return back.kind === 'bytes' && same(back.bytes, bytes) ? text : undefined;
 }
 
-/** The bytes of a text. */
+/** Encodes a text. */
 export function encode(text: string, encoding: Encoding): Encoded {
   switch (encoding) {
     case 'utf-8':
@@ -95,7 +97,7 @@ function utf16(text: string, littleEndian: boolean): Uint8Array<ArrayBuffer> {
 
 type Legacy = 'gb18030' | 'windows-1251' | 'windows-1252';
 
-/** The bytes of each UTF-16 unit as one number, the first byte highest; 0 when there are none. */
+/** Bytes of each UTF-16 unit as one number, the first byte highest; 0 if the encoding has none. */
 const tables = new Map<Legacy, Uint32Array>();
 
 function byTable(text: string, encoding: Legacy): Encoded {
@@ -125,7 +127,7 @@ function byTable(text: string, encoding: Legacy): Encoded {
     }
     for (let shift = 24; shift >= 0; shift -= 8) {
       const byte = (code >>> shift) & 0xff;
-      // No byte but the last may be a leading zero of the number; bytes above ASCII are never 0.
+      // Leading zeros of the number are not bytes, except for the last one; bytes of non-ASCII characters are never 0.
       if (byte !== 0 || shift === 0) bytes[length++] = byte;
     }
   }
@@ -139,9 +141,9 @@ function byteTable(encoding: Legacy): Uint32Array {
   return table;
 }
 
-/** Four-byte codes are numbered in order; this is the number of the first for a character above U+FFFF. */
+/** Four-byte codes are numbered in order; this is the number of the first one for a character above U+FFFF. */
 const FIRST_ABOVE_FFFF = 189_000;
-/** Four-byte codes for characters up to U+FFFF: 0x81308130 to 0x8431A439. */
+/** Number of four-byte codes for characters up to U+FFFF: 0x81308130 to 0x8431A439. */
 const FOUR_BYTES_BELOW = 39_420;
 
 function fourBytes(number: number): number {
@@ -152,7 +154,7 @@ function fourBytes(number: number): number {
   return ((first << 24) | (second << 16) | (third << 8) | last) >>> 0;
 }
 
-/** Every code of two and four bytes is shown to the decoder, each on a line of its own. */
+/** Decodes every code of two and four bytes, each on a separate line. */
 function gb18030Table(): Uint32Array {
   const codes: number[] = [];
   for (let lead = 0x81; lead <= 0xfe; lead++) {

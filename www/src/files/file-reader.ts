@@ -1,15 +1,14 @@
-// The thread a program file is read in: guessing the encoding of a long one takes longer
-// than a page may stand still.
+// The worker that reads a program file: guessing the encoding of a long file would block the page too long.
 //
-// In: a `File`. Out: its text in pieces, then how it was read; or that it cannot be read. Lives for one file.
-// Must not know: the page, or what the text is for.
+// In: a `File`. Out: its text in pieces, then its encoding and line ends; or an event that it cannot be read. Each
+// worker reads one file. Must not know: the page, or what the text is for.
 
 import { guess } from './encoding-guess';
 import type { Encoding } from './encodings';
 import { folded, inPieces, lineEndsOf, type LineEnds } from './line-ends';
 
 export type ReaderEvent =
-  /** Every line end is one unit; a piece ends with one. */
+  /** With folded line ends; a piece ends with a line end. */
   | { readonly kind: 'piece'; readonly text: string }
   | { readonly kind: 'read'; readonly ends: LineEnds; readonly encoding: Encoding; readonly binary: boolean }
   | { readonly kind: 'unreadable' };

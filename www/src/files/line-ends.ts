@@ -1,20 +1,20 @@
-// The line ends of a text, apart from the text.
+// Separates the line ends from a text.
 //
-// In: a text as it is in its file. Out: the same with every line end as one unit, in pieces; which line ends
-// they were. Must not know: bytes, the editor, or what the text is for.
+// In: the text of a file. Out: the text with folded line ends (each as `\n`), in pieces; and the original line ends.
+// Must not know: bytes, the editor, or what the text is for.
 
 export type LineEndText = '\n' | '\r\n' | '\r';
 
 export interface LineEnds {
   readonly most: LineEndText;
-  /** Those that are not as most are, in order; offsets into the folded text. */
+  /** Line ends that differ from `most`, in order, as offsets into the folded text. */
   readonly others: readonly (readonly [at: number, end: LineEndText])[];
 }
 
-/** About as long as is read in one go without anybody noticing. */
+/** UTF-16 units of a piece: short enough to be processed without a visible delay. */
 const PIECE = 1 << 18;
 
-/** The text with every line end as one unit. */
+/** The text with every line end as `\n`. */
 export function folded(text: string): string {
   return text.includes('\r') ? text.replace(/\r\n?/g, '\n') : text;
 }
@@ -41,7 +41,7 @@ export function lineEndsOf(text: string): LineEnds {
   return { most, others };
 }
 
-/** A folded text cut after line ends; a long line stays whole. */
+/** Splits a folded text after line ends; long lines are not split. */
 export function inPieces(text: string): string[] {
   const pieces: string[] = [];
   let from = 0;
@@ -54,11 +54,11 @@ export function inPieces(text: string): string[] {
   return pieces;
 }
 
-/** Offsets into the folded text as offsets into the text as it is in its file. */
+/** Returns a function that maps offsets in the folded text to offsets in the file's text. */
 export function offsetsInFile({ most, others }: LineEnds, text: () => string): (offset: number) => number {
   if (most !== '\r\n' && !others.some(([, end]) => end === '\r\n')) return (offset) => offset;
   const other = new Map(others);
-  /** Folded offsets of the line ends of two units, in order. */
+  /** Folded offsets of the CRLF line ends, in order. */
   const wide = [...text().matchAll(/\n/g)].map(({ index }) => index).filter((at) => (other.get(at) ?? most) === '\r\n');
   return (offset) => {
     let [low, high] = [0, wide.length];

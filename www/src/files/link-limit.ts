@@ -1,4 +1,4 @@
-// How long a link may be. A file of its own, since links in plain text are read without what packs and unpacks.
+// The length limit of links. In a separate file, so that plain-text links can be read without the code for packed ones.
 
-/** Characters of a link that are read at most, and that one has at most. */
+/** Most characters of a link, for reading and writing. */
 export const LINK_LIMIT = 1_000_000;

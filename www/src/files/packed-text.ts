@@ -1,29 +1,29 @@
-// A text as characters that any address can hold: compressed by the browser's own streams, then base64url.
+// Packs a text into characters that are valid in any address: compressed by the browser's streams, then base64url.
 //
-// In: a text, or such characters. Out: the other; unpacking stops at a limit, whatever it was made of. The characters
-// carry their number in front and a check at their end, so that a cut one is known from a changed one. Must not know:
-// what the text says.
+// In: a text, or its packed characters. Out: the other one. Unpacking stops at a limit, regardless of the contents. The
+// characters begin with their number and end with a checksum, which distinguishes a truncated text from a changed one.
+// Must not know: what the text contains.
 //
-//   <count>.<how><body><check>   `count` of all that follows the full stop; `how`: z compressed, b not; `check`: CRC-32 of
-//   what stands before it, 8 hexadecimal digits, so that the last character is one that no mail program leaves out.
+//   <count>.<how><body><check>   `count`: characters after the full stop; `how`: z compressed, b not; `check`: CRC-32
+//   of `<how><body>`, 8 hexadecimal digits, so that no mail program drops the last character.
 
-/** UTF-8 bytes that are unpacked at most. */
+/** Most UTF-8 bytes that are unpacked. */
 export const UNPACKED_LIMIT = 4_000_000;
 
 const CHECK_LENGTH = 8;
-/** `String.fromCharCode` takes no more arguments than this in any browser. */
+/** `String.fromCharCode` accepts this many arguments in all browsers. */
 const PIECE = 1 << 13;
 
 export type Unpacked =
   | { readonly kind: 'text'; readonly text: string }
-  /** Characters are missing at its end: so many, where their number is still there. */
+  /** Characters are missing at the end; `missing`: how many, if the count is readable. */
   | { readonly kind: 'cut'; readonly missing: number | undefined }
   | { readonly kind: 'damaged' }
   | { readonly kind: 'too-long'; readonly limit: number }
-  /** A browser without such streams. */
+  /** The browser has no decompression streams. */
   | { readonly kind: 'not-here' };
 
-/** Nothing where it is too long to be unpacked. */
+/** Undefined if the text is too long to be unpacked again. */
 export async function packed(text: string): Promise<string | undefined> {
   const bytes = new TextEncoder().encode(text);
   if (bytes.length > UNPACKED_LIMIT) return undefined;
@@ -36,7 +36,7 @@ export async function packed(text: string): Promise<string | undefined> {
   return `${body.length + CHECK_LENGTH}.${body}${checkOf(body)}`;
 }
 
-/** What stands after its last character is no part of it: mail programs take a full stop along. */
+/** Characters after the end are ignored: mail programs include a following full stop in a link. */
 export async function unpacked(characters: string): Promise<Unpacked> {
   const head = /^(\d{1,9})\./.exec(characters);
   if (head === null) return /^\d{0,9}$/.test(characters) ? { kind: 'cut', missing: undefined } : { kind: 'damaged' };
@@ -67,7 +67,7 @@ function decoded(bytes: Uint8Array): Unpacked {
   }
 }
 
-/** What a stream makes of bytes; a `RangeError` where it is more than the limit. */
+/** The output of a stream. Throws a `RangeError` if it exceeds the limit. */
 async function through(
   bytes: Uint8Array<ArrayBuffer>,
   stream: CompressionStream | DecompressionStream,

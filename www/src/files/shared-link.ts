@@ -1,36 +1,37 @@
-// What a link holds: a program with all that it is shown with, after the `#` of an address.
+// Reads and writes links: a program with its context, after the `#` of an address.
 //
-// In: a program with its context, or the part of an address from `#` on. Out: the other, or what is wrong with it. Links are
-// what other people have sent: every field is checked, nothing is believed. Must not know: what a program or a setup says.
+// In: a program with its context, or the part of an address from `#`. Out: the other one, or what is wrong with it.
+// Links come from other people, so every field is validated. Must not know: what a program or a setup contains.
 //
-//   #share=1.<packed>      version 1: `packed-text.ts` of a JSON object, whose keys are those of `KEYS`; what is not said is left out
+//   #share=1.<packed>      version 1: a JSON object with the keys of `KEYS`, packed by `packed-text.ts`; null values are omitted
 //   #program=…&setup=…     version 0, percent-encoded, as people and other programs write it; its other keys are the attributes of
 //                          the element: control, block-skip, language, view, step, readonly
-// Both are read for ever: a change makes another version. `tests/links.json` has links of each, with what they open.
+// Both versions must remain readable: a change needs a new version. `tests/links.json` has links of each, with their
+// contents.
 
 import { LINK_LIMIT } from './link-limit';
 import { packed, unpacked, UNPACKED_LIMIT } from './packed-text';
 
 const VERSION = 1;
 
-/** A program, and all it is shown with; null where nothing is said. */
+/** A program with its context; null: not given. */
 export interface Shared {
-  /** With its own line ends. */
+  /** With its original line ends. */
   readonly text: string;
   /** JSON */
   readonly setup: string | null;
   readonly control: string | null;
   readonly blockSkip: string | null;
-  /** The O number that is run. */
+  /** The O number of the program to run. */
   readonly program: string | null;
   readonly language: string | null;
   readonly view: string | null;
   readonly step: string | null;
   readonly readonly: boolean;
   readonly file: { readonly name: string; readonly encoding: string } | null;
-  /** The text is what somebody is to make a program of. */
+  /** A task: the text is the starting point for the student's program. */
   readonly task: { readonly sentence: string; readonly solution: string } | null;
-  /** Whose answer to a task it is. */
+  /** Name of the student whose answer to a task this is. */
   readonly name: string | null;
 }
 
@@ -56,7 +57,7 @@ export type LinkFault =
   | { readonly kind: 'cut'; readonly missing: number | undefined }
   | { readonly kind: 'damaged' }
   | { readonly kind: 'browser-too-old' }
-  /** It names nothing that a link of ours names. */
+  /** None of the keys is known. */
   | { readonly kind: 'unknown' };
 
 export type Opened =
@@ -81,17 +82,17 @@ const KEYS = {
   name: 'n',
 } as const;
 const KNOWN: ReadonlySet<string> = new Set(Object.values(KEYS));
-/** Texts that are no program, setup or sentence. */
+/** Most characters of a text that is not a program, setup or sentence. */
 const SHORT = 200;
-/** Of a name. */
+/** Most characters of a name. */
 export const NAME_LIMIT = 80;
 
 export type MadeLink =
   | { readonly kind: 'link'; readonly link: string }
-  /** Such a link would not be read. */
+  /** The link would be too long to be read. */
   | { readonly kind: 'too-long'; readonly length: number; readonly limit: number };
 
-/** The part of an address from `#` on. */
+/** Makes the part of an address from `#`. */
 export async function linkOf(shared: Shared): Promise<MadeLink> {
   const { text, setup, control, blockSkip, program, language, view, step, file, task, name } = shared;
   const said = [
@@ -149,7 +150,7 @@ function fault(fault: LinkFault): Opened {
   return { kind: 'fault', fault };
 }
 
-/** Nothing where a field is not what it has to be, or one is there that this version does not have. */
+/** Undefined if a field is invalid, or unknown in this version. */
 function sharedOf(json: string): Shared | undefined {
   let parsed: unknown;
   try {

@@ -1,7 +1,7 @@
-// A program in an address in plain text: `program=…&setup=…`, percent-encoded, as `shared-link.ts` describes version 0.
+// Writes a plain-text link: `program=…&setup=…`, percent-encoded, version 0 of `shared-link.ts`.
 //
-// In: a program with its context. Out: the part of an address after `#`, for the playground and for the page that is one
-// element. Must not know: which of them reads it.
+// In: a program with its context. Out: the part of an address after `#`, for the playground and for the page with a
+// single element. Must not know: which of them reads it.
 
 import type { Shared } from './shared-link';
 
@@ -25,14 +25,14 @@ export function writtenLink(shared: Written): string {
   return said.flatMap(([name, value]) => (value === null ? [] : [`${name}=${encoded(value)}`])).join('&');
 }
 
-/** Half of a pair, which no address can hold, becomes the sign for what cannot be shown. */
+/** Percent-encodes a text. A lone surrogate, which no address can contain, becomes U+FFFD. */
 function encoded(text: string): string {
   return encodeURIComponent(
     text.replace(/[\ud800-\udbff](?![\udc00-\udfff])|(?<![\ud800-\udbff])[\udc00-\udfff]/g, '\ufffd'),
   );
 }
 
-/** `program` is the text in an address: the O number stands in the setup. */
+/** Puts the O number into the setup: in an address, `program` is the text. */
 function setupWithProgram({ setup, program }: Written): string | null {
   if (program === null) return setup;
   try {
@@ -40,7 +40,7 @@ function setupWithProgram({ setup, program }: Written): string | null {
     if (typeof parsed === 'object' && parsed !== null && !Array.isArray(parsed))
       return JSON.stringify({ ...parsed, program: /^\d+$/.test(program) ? Number(program) : program });
   } catch {
-    // The interpreter says what is wrong with it.
+    // The interpreter reports what is wrong with it.
   }
   return setup;
 }

@@ -1,29 +1,30 @@
-// What the page consists of, as its build lists it (`offline.vite.ts`).
+// The files of the page, as listed by its build (`offline.vite.ts`).
 //
-// In: an address. Out: which file it means, of what kind, and what it is stored in. Must not know: how files are stored or answered with.
+// In: an address. Out: the path and type of its file, and the pack that contains it. Must not know: how files are
+// stored or served.
 
 /** One build of the page. */
 export interface Listed {
-  /** Made of all that is listed. */
+  /** Hash of the list. */
   readonly version: string;
-  /** Each file with the beginning of its SHA-256, hexadecimal. */
+  /** Each file with the first digits of its SHA-256, hexadecimal. */
   readonly files: Readonly<Record<string, string>>;
   /** The script of the page, which `index.html` names. */
   readonly entry: string;
 }
 
-/** Folders of which all files are stored as one: a thousand small pages would be a thousand requests. */
+/** Folders whose files are stored in one pack: a thousand small pages would be a thousand requests. */
 const PACKED = /^(docs|examples|rules\/(?:en|zh|ru|pictures))\//;
-/** Folders of files that another version may have had. */
+/** Folders of files that may belong to another version. */
 const OURS = /^(assets|docs|examples|icons|offline|rules)\//;
 
-/** The file that holds all of the folder of a file; nothing where it is stored by itself. */
+/** The pack that contains a file; undefined if the file is stored separately. */
 export function packOf(path: string): string | undefined {
   const folder = PACKED.exec(path)?.[1];
   return folder === undefined ? undefined : `offline/${folder.replace('/', '-')}.json`;
 }
 
-/** The path of a file of the page, by its address; nothing where it may not be one. */
+/** The path of a file of the page, by its address; undefined if it cannot be one. */
 export function pathOf(address: string, scope: string, files: Listed['files']): string | undefined {
   const { origin, pathname } = new URL(address);
   const folder = new URL(scope);
@@ -44,7 +45,7 @@ const TYPES: Readonly<Record<string, string>> = {
   webmanifest: 'application/manifest+json',
 };
 
-/** What a file is; servers that know less are not relied on. */
+/** The MIME type of a file, because not all servers send the right one. */
 export function typeOf(path: string): string {
   return TYPES[path.slice(path.lastIndexOf('.') + 1)] ?? 'text/plain; charset=utf-8';
 }

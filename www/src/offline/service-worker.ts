@@ -1,15 +1,15 @@
-// The service worker of the page: after the first visit all of it is there without a network.
+// The service worker of the page: after the first visit, the page works offline.
 //
-// In: requests of the page and of the pages that belong to it. Out: files of the version that a tab has begun with; what is not
-// listed is left to the network. A new version waits until the page says that the reader wants it. Only the page registers it,
-// never the element in somebody else's. Must not know: what is in a file.
+// In: requests of the page and its sub-pages. Out: files of the version that the tab began with; files that are not
+// listed come from the network. A new version waits until the user accepts it. Only the page registers the worker,
+// never the element in another site. Must not know: what a file contains.
 
 import { pathOf, type Listed } from './list';
 import { TAKE_OVER } from './take-over';
 import { adopt, begin, begunWith, fill, find, tidy } from './stores';
 
 declare const self: ServiceWorkerGlobalScope;
-/** Put in by the build. */
+/** Inserted by the build. */
 declare const LISTED_BY_THE_BUILD: Listed;
 
 const LISTED = LISTED_BY_THE_BUILD;
@@ -30,7 +30,7 @@ self.addEventListener('fetch', (event) => {
 });
 
 async function activate(): Promise<void> {
-  // The tab of the first visit has its parts from here on, too.
+  // From now on, the tab of the first visit is served by this worker, too.
   await self.clients.claim();
   await adopt(LISTED.version);
   await tidy(LISTED.version);
@@ -44,6 +44,6 @@ async function answer(event: FetchEvent, path: string): Promise<Response> {
     event.waitUntil(tidy(LISTED.version));
   }
   const version = opens || clientId === '' ? LISTED.version : ((await begunWith(clientId)) ?? LISTED.version);
-  // A browser that is short of room throws things away.
+  // A browser that is low on storage may have deleted files.
   return (await find(path, version)) ?? fetch(request);
 }

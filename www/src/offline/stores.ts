@@ -1,21 +1,21 @@
-// What is stored in the browser: a store for each version of the page, and which version each tab has begun with.
+// The caches of the service worker: one for each version of the page, and one with the version of each tab.
 //
-// In: the list of a build, the network. Out: whole stores, of files that are what the build has listed: what a server
-// answers in the middle of being updated, or a network that wants a password first, is not stored. A store goes once no tab
-// needs it. Must not know: who asks for a file.
+// In: the list of a build, the network. Out: complete caches of exactly the listed files. Responses of a server during
+// an update, or of a network with a login page, are rejected. A cache is deleted once no tab needs it. Must not know:
+// who requests a file.
 
 import { packOf, typeOf, type Listed } from './list';
 
 declare const self: ServiceWorkerGlobalScope;
 
-/** Other playgrounds may stand in other folders of the same origin. */
+/** Other playgrounds may exist in other folders of the same origin. */
 const OWN = `gcode-playground ${new URL(self.registration.scope).pathname} `;
 const TABS = `${OWN}tabs`;
-/** In a store: the list of its files, once all of them are there. */
+/** The list of files in a cache, stored once all of them are stored. */
 const WHOLE = 'offline-files.json';
-/** Requests at a time: the page has the line first. */
+/** Parallel requests, few, so that the page's own requests come first. */
 const AT_ONCE = 4;
-/** A tab that is just being opened is not among those the browser names. */
+/** For this time, ms, a tab that is being opened may be missing from the browser's list of clients. */
 const OPENS_WITHIN_MS = 60_000;
 
 type Files = Listed['files'];
@@ -29,14 +29,14 @@ interface Tab {
 const address = (path: string): string => new URL(path, self.registration.scope).href;
 const store = (version: string): Promise<Cache> => caches.open(OWN + version);
 
-/** The versions that are stored, the newest last. */
+/** The stored versions, the newest last. */
 async function versions(): Promise<string[]> {
   return (await caches.keys())
     .filter((name) => name.startsWith(OWN) && name !== TABS)
     .map((name) => name.slice(OWN.length));
 }
 
-/** Stores a build; what an earlier one has in common with it is not fetched again. */
+/** Stores a build. Unchanged files are copied from earlier versions, not fetched again. */
 export async function fill({ version, files, entry }: Listed): Promise<void> {
   const own = await store(version);
   const there = new Set((await own.keys()).map(({ url }) => url));
@@ -65,21 +65,21 @@ async function filesOf(version: string): Promise<Files> {
   return list === undefined ? {} : ((await list.json()) as Files);
 }
 
-/** A file as it was listed, and no other. */
+/** Fetches a file and verifies that it is the listed one. */
 async function fetched(path: string, hash: string, entry: string): Promise<Response> {
   const response = await fetch(address(path), { cache: 'no-cache', credentials: 'same-origin' });
   const bytes = await response.arrayBuffer();
-  // Some servers put a line of their own into a page: it is the right one if it names the right script.
+  // Some servers insert a line into a page: accept it if it names the right script.
   const isListed =
     response.ok &&
     ((await hashOf(bytes)).startsWith(hash) ||
       (path === 'index.html' && new TextDecoder().decode(bytes).includes(entry)));
   if (!isListed) throw new Error(`${path} is not what was listed (${response.status})`);
-  // Made anew, since one that was redirected is none for a page.
+  // A new response, because a redirected one cannot answer a navigation.
   return new Response(bytes, { headers: headers(response, path) });
 }
 
-/** Those of the server, its policies among them; how it sent the bytes is of no interest any more. */
+/** The server's headers, including its policies, without those about the transfer. */
 function headers(response: Response, path: string): Headers {
   const all = new Headers(response.headers);
   for (const name of ['content-encoding', 'content-length']) all.delete(name);
@@ -98,7 +98,10 @@ async function hashOf(bytes: ArrayBuffer): Promise<string> {
 /** Packs that were read, by version and name. */
 const packs = new Map<string, Promise<{ readonly pack: Pack; readonly response: Response } | undefined>>();
 
-/** A file of a version; of any other where that has none: names of scripts are made of what is in them. */
+/**
+ * A file of a version. A script that this version lacks comes from any other: its name contains the hash of its
+ * content.
+ */
 export async function find(path: string, version: string): Promise<Response | undefined> {
   const own = await findIn(path, version);
   if (own !== undefined || !path.startsWith('assets/')) return own;
@@ -136,25 +139,25 @@ function readPack(
 
 // ---- tabs -----------------------------------------------------------------------------------------
 
-/** A tab begins with a version, and keeps it. */
+/** Stores the version that a tab begins with; the tab keeps it. */
 export async function begin(tab: string, version: string): Promise<void> {
   const entry: Tab = { version, since: Date.now() };
   await (await caches.open(TABS)).put(address(`tabs/${tab}`), new Response(JSON.stringify(entry)));
 }
 
-/** The version that a tab has begun with, if that is known. */
+/** The version that a tab began with, if known. */
 export async function begunWith(tab: string): Promise<string | undefined> {
   const entry = await (await caches.open(TABS)).match(address(`tabs/${tab}`));
   return entry === undefined ? undefined : ((await entry.json()) as Tab).version;
 }
 
-/** Tabs that came from the network have what is the newest now. */
+/** Tabs that came from the network have the newest version. */
 export async function adopt(version: string): Promise<void> {
   for (const { id } of await self.clients.matchAll({ type: 'window' }))
     if ((await begunWith(id)) === undefined) await begin(id, version);
 }
 
-/** Removes the stores that no tab needs; `current` stays, and all while another version is on its way. */
+/** Deletes the caches that no tab needs, except `current`; deletes nothing while another version is being installed. */
 export async function tidy(current: string): Promise<void> {
   if (self.registration.installing !== null || self.registration.waiting !== null) return;
   const open = new Set(

@@ -1,2 +1,2 @@
-/** What the page says to a version that waits, once the reader wants it. */
+/** The message of the page to a waiting version, once the user accepts it. */
 export const TAKE_OVER = 'take-over';
