@@ -6,7 +6,7 @@ import { join } from 'node:path';
 import { defineConfig, type Plugin } from 'vite';
 import { compiledEarly } from './compiled-early';
 
-/** Names in the package that differ from those of the build. */
+/** Names that are different in the package and in the build. */
 const NAMES: Readonly<Record<string, string>> = {
   'gcode_playground_bg.wasm': 'core.wasm',
   further: 'panels',

@@ -1,7 +1,7 @@
 //! Renders the reference as HTML.
 //!
 //! In: the documents of `www/docs`. Out: files by name: plain HTML without scripts, and one style sheet,
-//! which extends that of the rule pages. Must not know: what the documents are about.
+//! based on the style sheet of the rule pages. Must not know: the contents of the documents.
 //!
 //! A link from one document to another (`setup.md#fields`) becomes a link between the pages
 //! (`setup.html#fields`), so links work in the repository and on the site. Headings get the same anchors as
@@ -121,7 +121,7 @@ impl<'a> Page<'a> {
                     let dest_url = on_site(dest_url);
                     page.events.push(Event::Start(Tag::Link { link_type, dest_url, title, id }));
                 }
-                // What is wide scrolls in a box of its own, which the keyboard can reach.
+                // Wide code scrolls in its own box, which can have the keyboard focus.
                 Event::Start(Tag::CodeBlock(_)) => {
                     page.events.push(Event::Html("<pre tabindex=\"0\"><code>".into()));
                 }
@@ -134,7 +134,7 @@ impl<'a> Page<'a> {
                     page.events.push(event.clone());
                     page.events.push(Event::Html("</div>\n".into()));
                 }
-                // Chinese and Russian terms are spoken, and drawn, as such.
+                // Mark Chinese and Russian terms, for screen readers and fonts.
                 Event::Text(text) if language(text).is_some() => {
                     let language = language(text).unwrap_or_default();
                     page.events.push(Event::InlineHtml(format!("<span lang=\"{language}\">").into()));
@@ -147,7 +147,7 @@ impl<'a> Page<'a> {
         if page.title.is_empty() { Err("no heading".to_owned()) } else { Ok(page) }
     }
 
-    /// The page, with a list of all pages.
+    /// The page as HTML, with a list of all pages.
     fn html(&self, own: &str, list: &[(String, &str)]) -> String {
         let mut out = String::from("<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n");
         out.push_str(POLICY);
@@ -168,7 +168,7 @@ impl<'a> Page<'a> {
         out.push_str("</nav>\n</header>\n<main>\n");
         let mut body = String::new();
         html::push_html(&mut body, self.events.iter().cloned());
-        // The policy allows no style attributes.
+        // The Content-Security-Policy forbids style attributes.
         for side in ["left", "center", "right"] {
             body = body.replace(&format!(" style=\"text-align: {side}\""), &format!(" class=\"{side}\""));
         }

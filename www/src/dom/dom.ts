@@ -1,6 +1,6 @@
 // Helpers that make elements; the page has no UI framework.
 //
-// In: a tag, properties, children. Out: the element. Must not know: what it is for.
+// In: a tag, properties, children. Out: the element. Must not know: its purpose.
 
 type Child = Node | string;
 

@@ -1,7 +1,7 @@
 // Accepts files dropped on a part of the page.
 //
 // In: the element to drop on. Out: `dropped`, with the first file. While a file is over the element, its `data-drop`
-// has the hint. Must not know: what is done with a file.
+// has the hint. Must not know: what happens to a file.
 
 export interface DropEvents {
   /** The hint while a file is over the element. */

@@ -1,7 +1,7 @@
 // Loads parts of the page on demand, and tries again after a network failure.
 //
-// In: a function that imports a part. Out: the part, immediately or on a later attempt. Must not know: what a part
-// contains, or which messages are shown.
+// In: a function that imports a part. Out: the part, immediately or on a later attempt. Must not know: the contents of
+// a part, or the messages about it.
 
 let tries = 0;
 

@@ -1,6 +1,6 @@
 // Whether the page is being printed, for elements that are made after `beforeprint`.
 //
-// In: events of the browser. Out: true or false. Must not know: what is printed.
+// In: events of the browser. Out: true or false. Must not know: the printed contents.
 
 let printing = false;
 

@@ -2,7 +2,7 @@
 //
 // In: bytes, or a text and the name of an encoding. Out: the other one, or the reason for a failure. A text is returned
 // only if it encodes to exactly the same bytes. The encoder is derived from the browser's decoder, so no tables are
-// included. Must not know: what a text is for, or which encoding is probable.
+// included. Must not know: the purpose of a text, or which encoding is probable.
 
 /**
  * Each name says whether the file has a byte order mark, so that saving keeps it: UTF-16 has one unless the name says

@@ -1,7 +1,7 @@
 // The worker that reads a program file: guessing the encoding of a long file would block the page too long.
 //
 // In: a `File`. Out: its text in pieces, then its encoding and line ends; or an event that it cannot be read. Each
-// worker reads one file. Must not know: the page, or what the text is for.
+// worker reads one file. Must not know: the page, or the purpose of the text.
 
 import { guess } from './encoding-guess';
 import type { Encoding } from './encodings';

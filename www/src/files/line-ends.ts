@@ -1,7 +1,7 @@
 // Separates the line ends from a text.
 //
 // In: the text of a file. Out: the text with folded line ends (each as `\n`), in pieces; and the original line ends.
-// Must not know: bytes, the editor, or what the text is for.
+// Must not know: bytes, the editor, or the purpose of the text.
 
 export type LineEndText = '\n' | '\r\n' | '\r';
 

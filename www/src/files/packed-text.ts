@@ -2,7 +2,7 @@
 //
 // In: a text, or its packed characters. Out: the other one. Unpacking stops at a limit, regardless of the contents. The
 // characters begin with their number and end with a checksum, which distinguishes a truncated text from a changed one.
-// Must not know: what the text contains.
+// Must not know: the contents of the text.
 //
 //   <count>.<how><body><check>   `count`: characters after the full stop; `how`: z compressed, b not; `check`: CRC-32
 //   of `<how><body>`, 8 hexadecimal digits, so that no mail program drops the last character.

@@ -1,7 +1,7 @@
 // Reads and writes links: a program with its context, after the `#` of an address.
 //
-// In: a program with its context, or the part of an address from `#`. Out: the other one, or what is wrong with it.
-// Links come from other people, so every field is validated. Must not know: what a program or a setup contains.
+// In: a program with its context, or the part of an address from `#`. Out: the other one, or a fault. Links come from
+// other people, so every field is validated. Must not know: the contents of a program or a setup.
 //
 //   #share=1.<packed>      version 1: a JSON object with the keys of `KEYS`, packed by `packed-text.ts`; null values are omitted
 //   #program=…&setup=…     version 0, percent-encoded, as people and other programs write it; its other keys are the attributes of

@@ -2,7 +2,7 @@
 //
 // In: requests of the page and its sub-pages. Out: files of the version that the tab began with; files that are not
 // listed come from the network. A new version waits until the user accepts it. Only the page registers the worker,
-// never the element in another site. Must not know: what a file contains.
+// never the element in another site. Must not know: the contents of a file.
 
 import { pathOf, type Listed } from './list';
 import { TAKE_OVER } from './take-over';

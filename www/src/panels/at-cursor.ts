@@ -1,7 +1,7 @@
-// Help at the cursor: what the word means, and the state of the control before and after its block.
+// Help at the cursor: the meaning of the word, and the state of the control before and after its block.
 //
 // In: answers of the interpreter about the block at the cursor, once the user has focused the text. Out: the block that
-// the user selects. Must not know: what a word or a row means.
+// the user selects. Must not know: the meaning of a word or a row.
 
 import { arrange, icon, make, name, showText } from '../dom/dom';
 import type { Language } from '../dom/language';
@@ -60,7 +60,7 @@ class AtCursor implements Panel {
     this.#header,
     this.#body,
   );
-  /** Whether the user has focused the text. Until then no question is asked, and nothing is loaded. */
+  /** Whether the user has focused the text. Until then the panel asks no question and loads nothing. */
   #wanted = false;
   /** Whether to announce the next answer to screen readers. */
   #speaks = false;

@@ -1,6 +1,6 @@
 // The dialog with the table of supported codes, the selected control's column first, and a filter field.
 //
-// In: the rows, as the interpreter answers them. Must not know: what a code means.
+// In: the rows, as the interpreter answers them. Must not know: the meaning of a code.
 
 import { Dialog } from '../dom/dialog';
 import { make, prose } from '../dom/dom';

@@ -1,8 +1,8 @@
 // The divider between program and drawing when they are side by side.
 //
 // In: a pointer or keys; the attribute `split` of the element, in percent of its width. Out: the new value of the
-// attribute, and the event `gcode-split`, so that the page can store it. Must not know: what is on its sides, or where
-// the value is stored.
+// attribute, and the event `gcode-split`, so that the page can store it. Must not know: the parts on its sides, or
+// where the value is stored.
 
 import { make } from '../dom/dom';
 import type { Language } from '../dom/language';

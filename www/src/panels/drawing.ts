@@ -1,8 +1,7 @@
 // The drawing: its canvas, pointer and keyboard input, the legend and the tooltip.
 //
-// In: the stroke under the pointer (as an answer), the counts for the legend. Out: the events below.
-// The pictures are painted in the worker and arrive as images.
-// Must not know: how a stroke is found, or what it means.
+// In: the stroke under the pointer (as an answer), the counts for the legend. Out: the events below. The pictures are
+// painted in the worker and arrive as images. Must not know: how a stroke is found, or its meaning.
 
 import { icon, make, name, perFrame, unbroken } from '../dom/dom';
 import type { Language } from '../dom/language';

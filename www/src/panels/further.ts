@@ -1,5 +1,5 @@
-// The panels around the picture. In each region they come in this order, before those of `index.ts`. Loaded only if
-// they are shown, in parallel with the interpreter.
+// The panels around the picture. In each region they come in this order, before the panels of `index.ts`. Loaded only
+// if they are shown, in parallel with the interpreter.
 
 import { atCursor } from './at-cursor';
 import { codes } from './codes';

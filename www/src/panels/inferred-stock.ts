@@ -1,8 +1,7 @@
-// The line that says that the stock is inferred and what was not checked because of it, and the button that applies
-// that stock.
+// The line that says that the stock is inferred and which checks were left out, and the button that applies that stock.
 //
 // In: which parts of the setup are given and which are inferred; the answers of the setup form. Out: `taken`: the form
-// with the stock filled in. Must not know: how a stock is inferred, or what a setup contains besides the stock.
+// with the stock filled in. Must not know: how a stock is inferred, or the contents of a setup besides the stock.
 
 import { make } from '../dom/dom';
 import type { SetupOverview, SetupAnswer, SetupForm, SetupPlace } from '../protocol/protocol';

@@ -1,7 +1,7 @@
 // Loads a part of a panel on demand. Loading fails if the network is missing and the part is not cached.
 //
 // In: a function that loads the part. Out: the part, or a notice that it could not be loaded. The part is then loaded
-// when the network returns, and the notice offers to continue. Must not know: what the part contains.
+// when the network returns, and the notice offers to continue. Must not know: the contents of the part.
 
 import { loaded, whenOnline } from '../dom/network';
 import { words } from '../dom/words';

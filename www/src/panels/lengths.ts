@@ -1,12 +1,12 @@
 // Formats lengths in mm or inches.
 //
-// In: mm, and the unit to show. Out: texts. Must not know: what is measured, or where it is shown.
+// In: mm, and the unit to show. Out: texts. Must not know: the measured quantity, or where it is shown.
 
 import type { Language } from '../dom/language';
 import type { LengthUnit } from '../protocol/protocol';
 
 const MILLIMETRES: Readonly<Record<LengthUnit, number>> = { mm: 1, inch: 25.4 };
-/** Decimals of the smallest increment of a program, and of what can be measured. */
+/** Decimals of the smallest increment of a program, and of common measuring tools. */
 const DECIMALS: Readonly<Record<LengthUnit, number>> = { mm: 3, inch: 4 };
 const SYMBOLS: Readonly<Record<LengthUnit, Readonly<Record<Language, string>>>> = {
   mm: { en: 'mm', zh: 'mm', ru: 'мм' },

@@ -1,9 +1,9 @@
 // The button "Motions" and its table: all motions as text, the accessible form of the drawing.
 //
-// In: motions as text, one page at a time, what the block of a motion does, and where the tool is. Out: the motion to
-// move the tool to. The table stays open while the program is played or edited, and its marked row follows the tool. Of
-// a long program only the rows around the tool are in the document; the arrow keys load more. Must not know: what a
-// motion means.
+// In: motions as text, one page at a time, an explanation of the block of a motion, and the tool position. Out: the
+// motion to move the tool to. The table stays open while the program is played or edited, and its marked row follows
+// the tool. Of a long program only the rows around the tool are in the document; the arrow keys load more. Must not
+// know: the meaning of a motion.
 
 import { make, name, showText, unbroken } from '../dom/dom';
 import type { Language } from '../dom/language';

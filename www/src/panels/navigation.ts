@@ -2,7 +2,7 @@
 // folded.
 //
 // In: answers of the interpreter about the text, once the user has focused it. Out: the place to show. Must not know:
-// what a number names, or what the outline contains.
+// the meaning of a number, or the contents of the outline.
 
 import { icon, make, name } from '../dom/dom';
 import type { Language } from '../dom/language';
@@ -30,7 +30,7 @@ export const navigation: PanelKind = {
 
 /** Most places that are listed, including those next to the cursor. */
 const LISTED = 12;
-/** Foldable ranges are asked for after this pause in typing. */
+/** Pause in typing, after which the panel asks for foldable ranges. */
 const PAUSE_MS = 400;
 
 class Navigation implements Panel {
@@ -45,7 +45,7 @@ class Navigation implements Panel {
   readonly #folds: NewestQuestion<'outline'>;
   /** Loaded once the user focuses the text, or opens the outline. */
   #dialog: OutlineDialog | undefined;
-  /** Whether the user has focused the text. Until then nothing is asked. */
+  /** Whether the user has focused the text. Until then the panel asks no question. */
   #wanted = false;
   /** The uses that are shown now. */
   #uses: UsesHelp | undefined;
@@ -62,7 +62,7 @@ class Navigation implements Panel {
     this.#button.addEventListener('click', () => void this.#open());
     this.#question = shell.newest('uses', (uses) => this.#show(uses));
     this.#folds = shell.newest('outline', (outline) => {
-      // Undefined if the text has changed since: then it is asked again.
+      // Undefined if the text has changed since. The panel then asks again.
       if (outline !== undefined) shell.editor.foldable = outline.folds.map(([from, to]) => ({ from, to }));
     });
   }

@@ -1,7 +1,7 @@
 // The outline of the program: a list of its programs, tools, operations and cycles, with a filter field.
 //
-// In: the entries, as the interpreter answers them, and the cursor. Out: the offset of the selected block.
-// Must not know: what an entry means.
+// In: the entries, as the interpreter answers them, and the cursor. Out: the offset of the selected block. Must not
+// know: the meaning of an entry.
 
 import { Dialog } from '../dom/dialog';
 import { make } from '../dom/dom';

@@ -1,4 +1,4 @@
-// The panel interface, and what a panel may ask of the shell.
+// The interfaces of panels, and of the shell that they use.
 //
 // A panel is one part of the page, for example a button with its dialog, a bar, or the pictures. It is one file of this
 // folder, with its texts in all languages at the end, a style sheet of the same name, and one line in the list of

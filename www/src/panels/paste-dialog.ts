@@ -1,5 +1,5 @@
-// The programs found in a text: a list of them, and the chosen one cleaned. Every change is marked, and what cannot be
-// determined is asked.
+// The programs found in a text: a list of them, and the chosen one cleaned. Every change is marked, and the dialog asks
+// about ambiguous ones.
 //
 // In: the list, and the pieces of the chosen program. Out: `chosen` (asks for the pieces of a program) and `taken` with
 // its text. Must not know: how programs are found, or where the text goes.

@@ -2,7 +2,7 @@
 //
 // In: images of the worker. Out: a request for the image again. A canvas far from the viewport keeps only a small copy
 // of its picture, so that a manual with thirty drawings needs little memory; the full image is restored before the user
-// scrolls to it. A print shows the copy. Must not know: what a picture contains.
+// scrolls to it. A print shows the copy. Must not know: the contents of a picture.
 
 import { make } from '../dom/dom';
 
@@ -17,7 +17,7 @@ export class PictureCanvas {
   readonly #context = this.element.getContext('bitmaprenderer');
   readonly #wanted: () => void;
   #isFar = false;
-  /** Number of images shown so far: a copy of an earlier image is discarded. */
+  /** Number of images shown. A copy of an earlier image is discarded. */
   #shown = 0;
   #isCopy = false;
   #rest: ReturnType<typeof setTimeout> | undefined;

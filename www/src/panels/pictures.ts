@@ -2,7 +2,7 @@
 // in the playback bar.
 //
 // In: images, strokes and dimensions, as the worker answers. Out: the view of each picture, and the stroke that the
-// user chooses. Must not know: how a stroke is found, or what it means.
+// user chooses. Must not know: how a stroke is found, or its meaning.
 
 import { make } from '../dom/dom';
 import type { Language } from '../dom/language';

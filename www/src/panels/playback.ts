@@ -2,7 +2,7 @@
 //
 // In: whether there is anything to play and, as answers, where the tool is. Out: where the tool is to be; the block it
 // is in is marked in the text. While it plays, each painted frame asks how far the tool has moved; while it is paused,
-// nothing runs. Must not know: how the path is drawn, or what a stroke means.
+// nothing runs. Must not know: how the path is drawn, or the meaning of a stroke.
 
 import { icon, make, name, unbroken } from '../dom/dom';
 import type { Language } from '../dom/language';

@@ -2,7 +2,7 @@
 // not inside them.
 //
 // In: the newest report; the command to print (Ctrl P or the browser's menu). Out: a sheet that is visible only in
-// print. Must not know: what a program or a setup contains.
+// print. Must not know: the contents of a program or a setup.
 
 import { make, prose } from '../dom/dom';
 import type { Language } from '../dom/language';

@@ -1,7 +1,7 @@
 // Sorts and groups the problems of a run for the list.
 //
 // In: the diagnostics, and the user's filter and order. Out: groups: the problems of one rule with one code and one
-// severity. Must not know: what a rule is about, or how a group is shown.
+// severity. Must not know: the subject of a rule, or how a group is shown.
 
 import type { Diagnostic } from '../protocol/protocol';
 

@@ -1,8 +1,8 @@
 // The list of problems under the editor.
 //
-// In: the diagnostics of the newest run, and which rules are off. Out: the place the reader wants to see, the repairs
-// the reader wants made, one, or all safe fixes at once; the rule that is to be off. Problems of one rule with one
-// code are one line with its places. Must not know: what a diagnostic is about.
+// In: the diagnostics of the newest run, and the rules that are off. Out: the place to show; the fixes to apply, one or
+// all safe ones; the rule to switch off. Problems of one rule with one code share a row, which lists their places. Must
+// not know: the meaning of a diagnostic.
 
 import { arrange, icon, make, name, prose, showText } from '../dom/dom';
 import type { Language } from '../dom/language';

@@ -1,7 +1,7 @@
 // The dialog in which machines and tool tables are stored under names, applied, exported and imported. A file contains
 // a setup, as the command line reads it.
 //
-// In: the profiles of the run. Out: the profile that the user applies. Must not know: what a profile contains.
+// In: the profiles of the run. Out: the profile that the user applies. Must not know: the contents of a profile.
 
 import { Dialog } from '../dom/dialog';
 import { make } from '../dom/dom';

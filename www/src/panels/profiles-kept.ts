@@ -1,7 +1,7 @@
 // The machines and tool tables that this browser stores under names.
 //
 // In and out: names, and setups as JSON. A failure to store (private mode, quota) is not an error: nothing is stored.
-// Must not know: what a setup contains.
+// Must not know: the contents of a setup.
 
 import type { ProfileKind } from '../protocol/protocol';
 

@@ -1,7 +1,7 @@
 // The line that says how the program was read, and for which machine. Each fact that a setting determines is a link to
 // its field in the setup form.
 //
-// In: the facts of the newest run, as text. Out: the field to open. Must not know: what a fact means.
+// In: the facts of the newest run, as text. Out: the field to open. Must not know: the meaning of a fact.
 
 import { make } from '../dom/dom';
 import type { Language } from '../dom/language';

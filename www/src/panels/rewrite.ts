@@ -2,7 +2,7 @@
 // form and as a cycle.
 //
 // In: the offers, as an answer; those at the cursor come first. Out: the edits of the offer that the user applies. Must
-// not know: what a cycle is.
+// not know: the definition of a cycle.
 
 import { Dialog } from '../dom/dialog';
 import { make } from '../dom/dom';

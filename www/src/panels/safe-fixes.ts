@@ -1,7 +1,7 @@
 // Collects all safe fixes, to apply them together.
 //
 // In: the diagnostics of a run. Out: the edits of the first safe fix of each. Of fixes that touch the same text, only
-// the first is applied, as in `src/repair.rs`. Must not know: what a fix is about.
+// the first is applied, as in `src/repair.rs`. Must not know: the purpose of a fix.
 
 import type { Diagnostic, Fix } from '../protocol/protocol';
 

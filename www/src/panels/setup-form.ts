@@ -1,8 +1,8 @@
 // The dialog for stock, tools, start, machine and tailstock, and for the place where the setup is stored.
 //
 // In: the groups of fields, and answers to the entries; both come from the interpreter, with labels and messages as
-// text. Out: `read` and `another` (questions), `kept` (the user has applied the setup). Must not know: what a field is
-// for, or which values it can have.
+// text. Out: `read` and `another` (questions), `kept` (the user has applied the setup). Must not know: the purpose of a
+// field, or its valid values.
 
 import { Dialog } from '../dom/dialog';
 import { make } from '../dom/dom';

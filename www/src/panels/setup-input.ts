@@ -1,6 +1,6 @@
 // One field of the setup form: its label, unit, assumed value and error message.
 //
-// In: the field and its state. Out: `changed`. Must not know: what the field is for.
+// In: the field and its state. Out: `changed`. Must not know: the purpose of the field.
 
 import { make } from '../dom/dom';
 import type { Language } from '../dom/language';

@@ -1,7 +1,7 @@
 // The setup: the button that opens its form, whether tools and stock are inferred, and the form itself.
 //
 // In: which parts are given and which are inferred; answers to the entries. Out: the setup, stored in the program or in
-// the page. Must not know: what a setup may contain, or how anything is inferred.
+// the page. Must not know: which fields a setup has, or how anything is inferred.
 
 import { make } from '../dom/dom';
 import type { Language } from '../dom/language';

@@ -1,7 +1,7 @@
 // The holes of live tools in the turned body, as plain numbers for the renderer.
 //
 // In: holes with mouth and bottom. Out: for each hole, both ends in space, its radius, and its intersections with the
-// faces of the cut. The axes are those of `solid-shape`: the first is the spindle axis, the second points up, the third
+// faces of the cut. The axes are as in `solid-shape`: the first is the spindle axis, the second points up, the third
 // towards the viewer; C 0 is up, and C turns towards the viewer. Must not know: how it is drawn.
 
 import type { DrilledHole } from '../protocol/protocol';

@@ -321,7 +321,7 @@ function boreCuts({ cuts }: Bore): BufferGeometry {
   return geometry;
 }
 
-/** Both faces of the cut, one vertical and one horizontal. Their texture coordinates are those of the section. */
+/** Both faces of the cut, one vertical and one horizontal. Their texture coordinates are section coordinates. */
 function cutFaces(pieces: readonly SectionPiece[]): BufferGeometry {
   const places: number[] = [];
   const section: number[] = [];

@@ -1,7 +1,7 @@
 // The switches of the operator's panel that the text uses: levels of block skip, and the program to run.
 //
-// In: the switches that the text uses, and their state. Out: the switch that the user changes.
-// Must not know: what a skipped block is, or how a program is found.
+// In: the switches that the text uses, and their state. Out: the switch that the user changes. Must not know: the
+// effect of block skip, or how a program is found.
 
 import { make } from '../dom/dom';
 import type { Language } from '../dom/language';

@@ -2,7 +2,7 @@
 // whole element. If the element is wide enough, the style sheet hides the tabs, and they have no effect.
 //
 // In: the number of problems; the request to show the program. Out: `data-tab` of the frame, for the style sheet. Must
-// not know: the size of the element, or what a region contains.
+// not know: the size of the element, or the contents of a region.
 
 import { make, showText } from '../dom/dom';
 import type { Language } from '../dom/language';

@@ -1,7 +1,7 @@
 // The button in the line at the bottom that shows the unit of lengths, and switches to the other one.
 //
 // In: the unit of the program and the unit that is shown. Out: the unit that the user chooses, which also applies to
-// other programs; choosing the unit of the program removes the choice. Must not know: what is measured.
+// other programs; choosing the unit of the program removes the choice. Must not know: the measured quantity.
 
 import { make } from '../dom/dom';
 import type { Language } from '../dom/language';

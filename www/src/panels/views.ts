@@ -148,8 +148,8 @@ class Views implements Panel {
   }
 
   /**
-   * The choice among the existing pictures: the user's, if it exists and there is room; otherwise the one that shows
-   * what the section does not.
+   * The picture to show: the user's choice, if it exists and there is room; otherwise all pictures or,
+   * without room for them, the one that is not the section.
    */
   #choiceOf(pictures: readonly PictureName[], wide: boolean): PictureChoice {
     if (pictures.length < 2) return 'section';

@@ -1,7 +1,7 @@
 // The note over the picture while the user tries values of variables: the picture is not that of the program as
 // written. A button ends the trial.
 //
-// In: the values that are tried. Out: the end of the trial. Must not know: what the values change.
+// In: the values that are tried. Out: the end of the trial. Must not know: the effect of the values.
 
 import { make, showText } from '../dom/dom';
 import type { Language } from '../dom/language';
