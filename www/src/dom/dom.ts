@@ -116,7 +116,7 @@ export function name(element: HTMLElement, text: string): void {
   element.title = text;
 }
 
-/** At most one call of `work` per painted frame. */
+/** Returns a function that schedules `work`, at most once per painted frame. */
 export function perFrame(work: () => void): () => void {
   let wanted = false;
   return () => {

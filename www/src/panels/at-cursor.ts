@@ -71,7 +71,7 @@ class AtCursor implements Panel {
   #shown: Help | undefined;
   /** The content of each part with its language, as text, to compare; no entry if the part shows something else. */
   readonly #shownAs = new Map<HTMLElement, string>();
-  /** Timer until the pending answer is shown as pending. */
+  /** Timer that shows that an answer is pending. */
   #waiting: ReturnType<typeof setTimeout> | undefined;
   /** The worker cannot answer questions now. */
   #isIdle = false;

@@ -85,7 +85,7 @@ export class Drawing {
   #work: readonly WorkShown[] = [];
   #stroke: Stroke | undefined;
   #edge: string | undefined;
-  /** What the block of a motion does. */
+  /** Explanation of the block of a motion. */
   #explained: { readonly motion: number; readonly text: string } | undefined;
   #legendShown = '';
   #travel = 0;

@@ -91,7 +91,7 @@ class FileBar implements Panel {
     }
   }
 
-  /** Loads the reader and reads the file. Undefined if the reader could not be loaded; a notice says so. */
+  /** Reads a file, after loading the code for it. Undefined if that could not be loaded; a notice says so. */
   async #read(file: File): Promise<Opened | undefined> {
     const part = await late(
       this.#shell,

@@ -1,5 +1,5 @@
 // Two lines above the program: one for missing files, one for the newest other notice, such as an opened file. The
-// reader can dismiss each.
+// user can dismiss each.
 //
 // In: a text and its topic. Must not know: the caller.
 

@@ -84,7 +84,7 @@ export interface Panel {
   cursorMoved?(): void;
   /** The user has changed the values to try for variables. */
   triedChanged?(): void;
-  /** The tool has moved; undefined: it is hidden. */
+  /** The tool has moved; undefined: no tool is shown. */
   toolMoved?(place: Readout | undefined): void;
   /** Another program has replaced the current one. */
   programReplaced?(): void;
@@ -191,8 +191,8 @@ export interface Services {
   /** The user's default setup for new programs, JSON. */
   ownSetup(): string | null;
   /**
-   * Writes a setting to the place where the setup is stored now. If its value is missing, opens the form for the user
-   * to enter it.
+   * Changes a setting in the program or in the page, depending on where the setup is stored. If the value is missing,
+   * opens the form for the user to enter it.
    */
   takeSetting(setting: Setting): void;
 }

@@ -49,7 +49,7 @@ class Pictures implements Panel {
   /** How the picture relates to the newest run; `old`: that run has failed. */
   #shown: 'none' | 'of-the-run' | 'of-an-earlier-run' | 'old' = 'none';
   #unit: LengthUnit = 'mm';
-  /** What the worker paints with. */
+  /** The palette that the worker paints with, as text. */
   #colours = '';
   /** The motion under the pointer. */
   #hovered: number | undefined;
