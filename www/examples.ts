@@ -3,7 +3,7 @@
 // In: the folders of tests/programs, in the order of gallery.json. Out: `examples/<id>.json` for each program, and
 // `examples/<language>.json` with the list: subjects, titles, small pictures. They are not part of a script, so the
 // page loads only the program that it shows. Must not know: the contents of a program. The pictures are made from the
-// motions that are committed next to it.
+// motions that are committed next to each program.
 import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import type { Plugin } from 'vite';

@@ -1,7 +1,7 @@
 // A modal dialog: a heading, a line that explains it, the contents, and buttons; the last button is Close.
 //
 // In: the contents between heading and buttons. Out: an element to put into the page. A click outside the dialog closes
-// it. Must not know: its contents.
+// it. Must not know: the purpose of its contents.
 
 import { make } from './dom';
 

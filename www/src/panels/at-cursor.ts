@@ -13,7 +13,7 @@ import type { Heard } from '../worker/core-client';
 import { isInProgram, type Key, type NewestQuestion, type Panel, type PanelKind, type Shell } from './panel';
 import atCursorStyles from './at-cursor.css?inline';
 
-/** If an answer takes longer than this, ms, show that it is pending: the program is interpreted again. */
+/** Delay until the panel shows that an answer is pending, ms: an answer may need another pass over the program. */
 const SOON_MS = 250;
 
 export const atCursor: PanelKind = { control: 'help', styles: atCursorStyles, make: (shell) => new AtCursor(shell) };
@@ -109,7 +109,7 @@ class AtCursor implements Panel {
       showText(button, text);
       button.title = `${text} (${key})`;
     }
-    // Not earlier: the other panels do not exist before.
+    // The language is first set after all panels are made, so the services of other panels exist.
     if (!this.#hasNavigation) {
       this.#header.append(this.#shell.service('outlineButton')());
       this.#state.after(this.#shell.service('usesSection')());

@@ -167,7 +167,7 @@ export class Drawing {
   /** The colours as the style sheet resolves them now. */
   get palette(): Palette {
     const probe = make('span', { hidden: true });
-    // Keep the colour names of the style sheet: forced colours must not replace them.
+    // The style sheet already uses the system colours: the browser must not force its own.
     probe.style.setProperty('forced-color-adjust', 'none');
     this.element.append(probe);
     const style = getComputedStyle(probe);

@@ -75,7 +75,7 @@ class Exports implements Panel {
     const { editor, language } = this.#shell;
     this.#shell.flush();
     const exported = await this.#shell.ask('export', { format });
-    // Without a worker, the shell has already shown an error.
+    // Without a worker, the page reports the error itself.
     if (exported === undefined) return;
     if (exported.kind === 'no-part') {
       this.#shell.service('notice')(WORDS[language].noPartToExport);

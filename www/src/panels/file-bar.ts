@@ -35,7 +35,7 @@ class FileBar implements Panel {
     this.#encoding.disabled = shell.readonly;
     this.#encoding.addEventListener('change', () => {
       const chosen = this.#encoding.value as Encoding;
-      // Show the current encoding until the file is decoded again: that may open another file.
+      // The field shows the encoding of the file, which changes only if `#choose` succeeds.
       this.fileChanged(this.#file);
       this.#choose(chosen);
     });

@@ -38,7 +38,7 @@ class ReadAsLine implements Panel {
     this.#element.setAttribute('aria-label', texts.name);
     this.#change.textContent = texts.change;
     this.#change.setAttribute('aria-label', texts.changeName);
-    // Not earlier: the other panels do not exist before.
+    // The language is first set after all panels are made, so the services of other panels exist.
     if (!this.#hasMachine) this.#element.append(this.#shell.service('machineButton')());
     this.#hasMachine = true;
     this.#render();
