@@ -1,6 +1,8 @@
-// The lines above the program: what its example shows, what has become of the program before, and what could not be loaded.
+// The lines above the program: a description of the example, an offer to restore the previous program, or a loading
+// error.
 //
-// In: which of these there is to say. Out: the lines, and a press on what they offer. Must not know: how a program is loaded or kept.
+// In: which of these to show. Out: the lines, and clicks on their buttons. Must not know: how a program is loaded or
+// saved.
 
 import { make } from '../dom/dom';
 import type { Language } from '../dom/language';
@@ -14,22 +16,22 @@ import { PAGE_WORDS } from './words';
 
 export type Above =
   | { readonly kind: 'example' | 'restored' }
-  /** The network is missing; what is tried again when it is there. */
+  /** The network failed; `again` retries once it is back. */
   | { readonly kind: 'not-loaded'; readonly again: () => void }
   | { readonly kind: 'kept'; readonly program: OwnProgram }
-  /** The reader has changed the program that the address held. */
+  /** The user has edited the program of the link in the address. */
   | { readonly kind: 'linked'; readonly address: string; readonly linked: LinkedProgram; readonly kept?: OwnProgram };
 
-/** What the page lends to the lines above the program. */
+/** What the page provides to the lines above the program. */
 interface AboveHost {
   readonly playground: GcodePlayground;
   readonly language: Language;
   readonly example: Example | undefined;
-  /** Counts what was asked to be shown. */
+  /** Number of requests to show a program so far. */
   readonly asked: number;
-  /** The example as it came, in place of what the reader has made of it; the first one where it was none. */
+  /** Shows the original example and discards the user's edits; shows the first example if the program is not one. */
   startAfresh(): void;
-  /** The program of a link as it came. */
+  /** Shows the original program of a link. */
   openAgain(address: string, linked: LinkedProgram): void;
   bringBack(program: OwnProgram): void;
 }
@@ -38,13 +40,13 @@ export class AboveProgram {
   readonly #host: AboveHost;
   readonly #element = find('intro');
   #now: Above = { kind: 'example' };
-  /** What the lines were made of. */
+  /** The values from which the current lines were rendered. */
   #shown: readonly unknown[] = [];
 
   constructor(host: AboveHost) {
     this.#host = host;
     host.playground.append(this.#element);
-    // Where there is little room it scrolls, by keys as well.
+    // When there is little room the element scrolls; make it scrollable by keyboard too.
     new ResizeObserver(() => {
       if (this.#element.scrollHeight > this.#element.clientHeight) this.#element.tabIndex = 0;
       else this.#element.removeAttribute('tabindex');
@@ -60,7 +62,7 @@ export class AboveProgram {
     const { playground, language, example } = this.#host;
     const isFile = playground.file !== undefined;
     const isTooLong = playground.length > LONGEST_KEPT;
-    // This follows each key, and all of the page would be laid out again.
+    // This runs after each key press; skip the re-render if nothing changed, because it would lay out the whole page.
     const shown = [what, language, example, isFile, isTooLong];
     if (shown.every((one, i) => one === this.#shown[i])) return;
     this.#shown = shown;
@@ -76,17 +78,17 @@ export class AboveProgram {
     this.#element.hidden = lines.length === 0;
   }
 
-  /** A program that gave way can be brought back, whatever else there is to say. */
+  /** Offers to restore a replaced program, in addition to what the lines already say. */
   offer(program: OwnProgram): void {
     this.show(this.#now.kind === 'linked' ? { ...this.#now, kept: program } : { kind: 'kept', program });
   }
 
-  /** After a change of the language, of the program, or of its length. */
+  /** Call after a change of the language, the program or its length. */
   showAgain(): void {
     this.show(this.#now);
   }
 
-  /** Once the network is back it is tried again, unless the reader has gone on to something else. */
+  /** Retries once the network is back, unless the user has opened something else meanwhile. */
   showNotLoaded(again: () => void): void {
     const said: Above = { kind: 'not-loaded', again };
     const { playground, asked } = this.#host;

@@ -1,7 +1,7 @@
-// What can be done with the program beyond writing it: buttons of the header, and a menu for what is done seldom.
+// The actions on a program besides editing: buttons in the header, and a menu for the less frequent ones.
 //
-// In: the table of actions, and what the page lends them. Out: their buttons; what an action does is loaded when it
-// is first asked for. Must not know: what that is.
+// In: the table of actions, and the `PageHost` passed to them. Out: their buttons. The code of an action is loaded on
+// first use. Must not know: what an action does.
 
 import { icon, make, name, type IconName } from '../dom/dom';
 import { loaded } from '../dom/network';
@@ -10,15 +10,15 @@ import type { PageHost } from './page-host';
 
 export interface Action {
   readonly id: string;
-  /** In the header, or in its menu for what is done seldom. */
+  /** In the header, or in its "more" menu. */
   readonly place: 'header' | 'more';
   readonly label: Words<string>;
-  /** What stands for the label in a narrow header. */
+  /** Replaces the label in a narrow header. */
   readonly icon?: IconName;
   readonly load: () => Promise<(host: PageHost) => void>;
 }
 
-/** In the order in which they stand. */
+/** In display order. */
 const ACTIONS: readonly Action[] = [
   {
     id: 'own-programs',
@@ -59,7 +59,7 @@ export class Actions {
   readonly #menu = make('div', { id: 'more-actions', hidden: true });
   readonly #failed = make('p', { id: 'action-failed', role: 'status' });
 
-  /** Puts the buttons into `into`. */
+  /** Appends the buttons to `into`. */
   constructor(into: HTMLElement, host: PageHost) {
     this.#host = host;
     for (const action of ACTIONS) this.#buttons.set(action, this.#button(action));
@@ -85,7 +85,7 @@ export class Actions {
     this.showLanguage();
   }
 
-  /** As a press on its button. */
+  /** Runs the action, as a click on its button does. */
   act(id: string): void {
     const action = ACTIONS.find((action) => action.id === id);
     if (action !== undefined) void this.#do(action);

@@ -1,4 +1,4 @@
-// How the page looks: light or dark, and the size of its type. Both are remembered.
+// Theme and text size of the page. Both are saved.
 
 import { make } from '../dom/dom';
 import type { Language } from '../dom/language';
@@ -8,7 +8,7 @@ import { choices, keepChoices } from './storage';
 import { PAGE_WORDS } from './words';
 
 const THEMES = ['auto', 'light', 'dark'] as const;
-/** Percent of the size that the browser is set to. */
+/** In percent of the browser's default size. */
 const TEXT_SIZES = ['87.5', '100', '125', '150', '200'] as const;
 
 export class Appearance {
@@ -47,7 +47,7 @@ export class Appearance {
     this.#playground.theme = theme;
   }
 
-  /** All of the page is measured by it, the drawing's words included. */
+  /** The root font size scales the whole page, including the text in the drawing. */
   #showTextSize(percent: string): void {
     this.#textSize.value = percent;
     document.documentElement.style.fontSize = percent === '100' ? '' : `${percent}%`;

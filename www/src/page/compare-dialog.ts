@@ -1,7 +1,8 @@
-// Another version of the program beside it: which blocks differ, what each changes in the motion, and both tool paths.
+// The dialog that compares the program with another version: differing blocks, changes of the motion, both tool paths.
 //
-// In: the host, and a text that the reader pastes, opens, links to, or chooses among own programs (`compare-own`); whoever has
-// a program already calls `compareWith`. Out: a dialog. The other version is the first, the program of the page the second. Must not know: how programs are compared.
+// In: the host, and a text that the user pastes, opens, links to or selects from saved programs (`compare-own`).
+// Callers that already have the other program use `compareWith`. Out: a dialog, in which the other version is the first
+// program and the one on the page the second. Must not know: how programs are compared.
 
 import './compare.css';
 import { Dialog } from '../dom/dialog';
@@ -18,13 +19,13 @@ import type { PageHost } from './page-host';
 
 let dialog: CompareDialog | undefined;
 
-/** Asks for the other version. */
+/** Opens the dialog and asks for the other version. */
 export function compare(host: PageHost): void {
   dialog ??= new CompareDialog();
   dialog.open(host);
 }
 
-/** Compares with a program that was chosen elsewhere. */
+/** Compares with a given program. */
 export function compareWith(host: PageHost, other: OtherProgram): void {
   compare(host);
   void dialog?.show(other);
@@ -49,7 +50,7 @@ class CompareDialog {
   );
   readonly #dialog = new Dialog('compare', [this.#body]);
   #host: PageHost | undefined;
-  /** A file is read, or two programs are compared: counts, since answers can come late. */
+  /** Number of requests (reading a file, comparing); a late answer to an earlier one is dropped. */
   #asked = 0;
 
   constructor() {
@@ -89,7 +90,7 @@ class CompareDialog {
     this.#text.focus();
   }
 
-  /** Compares with a version and shows what differs. */
+  /** Compares with `other` and shows the differences. */
   async show(other: OtherProgram): Promise<void> {
     const host = this.#host;
     if (host === undefined) return;
@@ -118,7 +119,7 @@ class CompareDialog {
     );
   }
 
-  /** What stands in the field: a program, or a link that holds one. */
+  /** The content of the text field: a program, or a link that contains one. */
   async #typed(): Promise<OtherProgram> {
     const text = this.#text.value;
     const { otherVersion } = COMPARE_WORDS[this.#language];
@@ -145,7 +146,7 @@ class CompareDialog {
     await this.show({ name: file.name, text: opened.program.pieces.join('') });
   }
 
-  /** A line of the program of the page, which lies under the dialog. */
+  /** Closes the dialog and goes to this line of the program on the page. */
   #goTo(line: number): void {
     this.#dialog.close();
     this.#host?.playground.goToLine(line);

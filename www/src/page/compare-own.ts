@@ -1,7 +1,7 @@
-// The reader's own programs and the earlier states of the one that is open, as a list of what can be compared with.
+// The list of the user's saved programs and of earlier states of the open one, to compare with.
 //
-// In: what the page lends, and the list of own programs. Out: `chosen` with a text and a name. Where nothing is kept, or the
-// browser keeps nothing, the list is not there. Must not know: how programs are kept, or compared.
+// In: the `PageHost` and the list of saved programs. Out: a call of `chosen` with text and name. The list is hidden if
+// nothing is saved or the browser has no storage. Must not know: how programs are saved or compared.
 
 import { make } from '../dom/dom';
 import type { Language } from '../dom/language';
@@ -10,10 +10,10 @@ import { listPrograms, programOf, programOfState, statesOf } from './own-program
 import type { PageHost } from './page-host';
 import type { KeptProgram } from './storage';
 
-/** More than this of each are in "My programs…" alone. */
+/** Maximum number of entries of each kind; the rest are in "My programs…" only. */
 const MOST_LISTED = 100;
 
-/** A version to compare with, and what it is called. */
+/** A version to compare with, and its display name. */
 export interface OtherProgram {
   readonly name: string;
   readonly text: string;
@@ -24,7 +24,7 @@ interface Choice {
   readonly load: () => Promise<KeptProgram | undefined>;
 }
 
-/** What can be chosen: earlier states of the program, then other programs. */
+/** The available choices: earlier states of the program, then other programs. */
 async function choices(
   { keeping: { id } }: PageHost,
   language: Language,
@@ -46,7 +46,7 @@ async function choices(
   ];
 }
 
-/** Fills `select`, which stays hidden where there is nothing to choose; then calls `chosen` for each choice. */
+/** Fills `select`, which stays hidden if there is no choice, and calls `chosen` for each selection. */
 export async function offerOwn(
   select: HTMLSelectElement,
   host: PageHost,

@@ -1,7 +1,7 @@
-// What differs between two versions, as elements.
+// Renders the differences between two versions.
 //
-// In: the answer of the interpreter, whose words are in the reader's language already. Out: one element: blocks side by side with
-// what they change, totals, messages, the drawing. Must not know: where it is shown.
+// In: the answer of the interpreter, with texts already in the user's language. Out: one element with blocks side by
+// side, their effects, totals, messages and the drawing. Must not know: where it is shown.
 
 import { make, prose } from '../dom/dom';
 import type { Language } from '../dom/language';
@@ -15,15 +15,15 @@ type Later = Hunk['later'];
 type Block = NonNullable<Row['first']>;
 type Names = readonly [string, string];
 
-/** What the result is shown with. */
+/** Options for rendering the result. */
 interface Shown {
   readonly names: Names;
   readonly language: Language;
-  /** The reader wants to see a line of the second version, from 1. */
+  /** Called when the user clicks a line of the second version, from 1. */
   readonly goTo: (line: number) => void;
 }
 
-/** More hunks than this are counted: a page of them all would stand still. */
+/** Further hunks are only counted: rendering them all would block the page. */
 const MOST_HUNKS = 200;
 
 export function result({ rows, drawing }: Differed, shownWith: Shown): HTMLElement {
@@ -89,7 +89,7 @@ function block(which: 'first' | 'second', own: Block | undefined, name: string, 
   return make('div', { className: `block ${tag}` }, line, make(tag, {}, make('code', { lang: 'en' }, own.text)));
 }
 
-/** The line of a version; one of the program of the page leads there. */
+/** The line of a version; lines of the program on the page are links. */
 function lineShown(which: 'first' | 'second', line: number, text: string, { goTo }: Shown): HTMLElement | string {
   if (which === 'first') return text;
   const button = make('button', { type: 'button', className: 'link' }, text);
@@ -155,7 +155,7 @@ function shortened(mm: number): string {
   return String(Number(mm.toFixed(4)));
 }
 
-/** What the strokes are, in the size of the page's words: the drawing may be small. */
+/** The legend, in the text size of the page, since the drawing may be small. */
 function legend(names: Names, language: Language): HTMLElement {
   const texts = COMPARE_WORDS[language];
   const entries = [
@@ -170,9 +170,9 @@ function legend(names: Names, language: Language): HTMLElement {
   );
 }
 
-/** The drawing with the colours of the page in place of its own, and without its legend. */
+/** The drawing in the colours of the page, without its own style sheet and legend. */
 function drawn(svg: string, label: string): Element | undefined {
-  // The policy of the page blocks the style sheet as soon as it is parsed.
+  // Remove the style sheet before parsing: the page's Content-Security-Policy would report it.
   const unstyled = svg.replace(/<style[^>]*>.*?<\/style>/gs, '');
   const parsed = new DOMParser().parseFromString(unstyled, 'image/svg+xml').documentElement;
   if (parsed.localName !== 'svg') return undefined;

@@ -1,6 +1,6 @@
-// The words of the comparison with another version, in all languages.
+// Texts of the comparison with another version, in all languages.
 //
-// What changes in the motion comes in words from the interpreter.
+// Descriptions of changes in the motion come from the interpreter.
 
 import { counter } from '../dom/plural';
 import { words } from '../dom/words';

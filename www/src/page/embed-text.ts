@@ -1,12 +1,12 @@
-// The HTML and Markdown in which a program stands in somebody else's page.
+// HTML and Markdown that embed a program in another web page.
 //
-// In: a program with its context, and addresses. Out: text to copy, in which nothing of the program can be taken for markup.
-// Must not know: what the text is copied into.
+// In: a program with its context, and addresses. Out: text to copy, with the program escaped. Must not know: where the
+// text is pasted.
 
 import type { Shared } from '../files/shared-link';
 import { writtenLink } from '../files/written-link';
 
-/** The element with its program in a `pre`: readable without JavaScript. */
+/** The element with its program in a `pre`, which is readable without JavaScript. */
 export function elementText(shared: Shared, script: string): string {
   const { text, control, setup, blockSkip, program, language, view, step, readonly } = shared;
   const said = [
@@ -19,16 +19,16 @@ export function elementText(shared: Shared, script: string): string {
     ['setup', setup],
   ] as const;
   const attributes = said.flatMap(([name, value]) => (value === null ? [] : [` ${name}="${escaped(value)}"`])).join('');
-  // A line end after the tag is none of the text.
+  // HTML ignores the line end after `<pre>`.
   return `<script type="module" src="${escaped(script)}"></script>\n<gcode-playground${attributes}${readonly ? ' readonly' : ''}><pre>\n${escaped(text)}\n</pre></gcode-playground>\n`;
 }
 
-/** A frame with the page that is one element; for platforms that allow no scripts. */
+/** An `iframe` with the page that contains one element, for platforms that allow no scripts. */
 export function frameText(shared: Shared, page: string, title: string): string {
   return `<iframe sandbox="allow-scripts allow-popups allow-popups-to-escape-sandbox" title="${escaped(title)}" width="100%" height="480"\n  src="${escaped(`${page}#${writtenLink(shared)}`)}"></iframe>\n`;
 }
 
-/** A link whose text cannot be taken for the end of it. */
+/** A Markdown link; the characters of `title` that could end it are escaped. */
 export function markdownText(title: string, link: string): string {
   return `[${title.replace(/\s+/g, ' ').replace(/[\\[\]<>*_`]/g, '\\$&')}](<${link}>)`;
 }

@@ -1,7 +1,7 @@
-// The list of examples in the header, and the gallery.
+// The list of examples in the header, and the button of the gallery.
 //
-// In: which example is shown. Out: the one that the reader has chosen. The list is loaded after the first picture, or when somebody
-// looks for it, the gallery's dialog when it is opened. Must not know: how an example is loaded.
+// In: the current example. Out: the example that the user selects. The list is loaded after the first picture, or when
+// the user opens it; the gallery's dialog when it is first opened. Must not know: how an example is loaded.
 
 import { icon, make, name } from '../dom/dom';
 import type { Language } from '../dom/language';
@@ -12,13 +12,13 @@ import { loadSubjects, type Example, type Subject } from './gallery';
 import type { GalleryDialog } from './gallery-dialog';
 import { PAGE_WORDS } from './words';
 
-/** What the page lends to the list of examples. */
+/** What the page provides to the list of examples. */
 interface ExamplesHost {
   readonly playground: GcodePlayground;
   readonly language: Language;
   readonly example: Example | undefined;
   choose(id: string): void;
-  /** The gallery could not be loaded, and how that is tried again; nothing: it is there. */
+  /** Reports that the gallery could not be loaded, with a function that retries; `undefined` once it is loaded. */
   missing(again: (() => void) | undefined): void;
 }
 
@@ -26,7 +26,7 @@ export class ExampleList {
   readonly #host: ExamplesHost;
   readonly #select = find<HTMLSelectElement>('example');
   readonly #button = find<HTMLButtonElement>('gallery');
-  /** In the language of the page, once they are there. */
+  /** In the language of the page; empty until loaded. */
   #subjects: readonly Subject[] = [];
   #dialog: GalleryDialog | undefined;
 
@@ -52,7 +52,7 @@ export class ExampleList {
     this.show();
   }
 
-  /** The list, once it is there; until then the example that is shown. */
+  /** Renders the list; only the current example until the list is loaded. */
   show(): void {
     const { example, language } = this.#host;
     const options = this.#subjects.map(({ subject, examples }) => {
@@ -69,7 +69,7 @@ export class ExampleList {
     this.#select.value = example?.id ?? '';
   }
 
-  /** Loads the list in the language of the page; the reader can go on without it. */
+  /** Loads the list in the language of the page; the page works without it. */
   async #load(): Promise<readonly Subject[]> {
     const { language } = this.#host;
     try {

@@ -1,6 +1,6 @@
-// Fields of a dialog with their captions, and a text that is copied from one.
+// Fields of a dialog with their captions, and copying of text to the clipboard.
 //
-// In: the field. Out: its label; whether its text was copied. Must not know: what it is for.
+// In: the field. Out: its label; whether its text was copied. Must not know: what the field is for.
 
 import { make } from '../dom/dom';
 
@@ -9,19 +9,19 @@ export interface Field {
   readonly caption: HTMLElement;
 }
 
-/** The caption stands over it. */
+/** A field with its caption above. */
 export function field(input: HTMLElement): Field {
   const caption = make('span');
   return { label: make('label', { className: 'field-of-dialog' }, caption, input), caption };
 }
 
-/** The caption stands beside it. */
+/** A checkbox with its caption beside it. */
 export function check(input: HTMLInputElement): Field {
   const caption = make('span');
   return { label: make('label', { className: 'check' }, input, caption), caption };
 }
 
-/** Selects all of a text, and copies it; `show` is called where the text has to be seen, to be copied by hand. */
+/** Selects and copies the text of `output`. `show` is called if the text must become visible, for copying by hand. */
 export async function copied(
   output: HTMLTextAreaElement,
   show = (): void => undefined,
@@ -31,7 +31,7 @@ export async function copied(
     await navigator.clipboard.writeText(output.value);
     return 'copied';
   } catch {
-    // Where a page may not write there, the old way may still work.
+    // If the page may not write to the clipboard, `execCommand` may still work.
     show();
     output.select();
     return document.execCommand('copy') ? 'copied' : 'not-copied';
@@ -39,8 +39,8 @@ export async function copied(
 }
 
 /**
- * Copies a text that is still being made at the press, to be called at the press itself: Safari refuses what a page writes
- * more than a second after it. False where the browser cannot, may not, or there is no text.
+ * Copies a text that is still being computed. Call it directly in the event handler: Safari rejects a clipboard write
+ * more than a second after the click. Returns false if the browser cannot or may not copy, or if there is no text.
  */
 export async function copiedOnceMade(text: Promise<string | undefined>): Promise<boolean> {
   try {
@@ -48,7 +48,7 @@ export async function copiedOnceMade(text: Promise<string | undefined>): Promise
       if (text === undefined) throw new Error('there is nothing to copy');
       return new Blob([text], { type: 'text/plain' });
     });
-    // Where the browser takes none, nobody else hears that it failed.
+    // If the browser rejects the item, nothing else handles a rejection of `made`.
     made.catch(() => undefined);
     await navigator.clipboard.write([new ClipboardItem({ 'text/plain': made })]);
     return true;

@@ -1,4 +1,4 @@
-// The elements that the page is written with, by their names in `index.html`.
+// Elements of `index.html`, by id.
 
 export function find<E extends HTMLElement = HTMLElement>(id: string): E {
   const element = document.getElementById(id);
@@ -6,7 +6,7 @@ export function find<E extends HTMLElement = HTMLElement>(id: string): E {
   return element as E;
 }
 
-/** The words in front of a list to choose from. */
+/** Sets the caption before a select element. */
 export function label(select: HTMLSelectElement, text: string): void {
   const caption = select.previousElementSibling;
   if (caption !== null) caption.textContent = text;

@@ -1,7 +1,7 @@
-// The gallery: all example programs by subject, each with a small picture, and a field to search them.
+// The gallery: all example programs by subject, each with a small picture, and a search field.
 //
-// In: the list in a language. Out: `chosen` with the name of an example. Loaded when it is first opened. Must not
-// know: how an example is loaded or shown.
+// In: the list in one language. Out: a call of `chosen` with the id of an example. Loaded when it is first opened. Must
+// not know: how an example is loaded or shown.
 
 import { Dialog } from '../dom/dialog';
 import { make } from '../dom/dom';
@@ -36,7 +36,7 @@ export class GalleryDialog {
     return this.#dialog.element;
   }
 
-  /** Opens it; `current` is the example that is shown. */
+  /** Opens the dialog; `current` is the id of the current example. */
   open(subjects: readonly Subject[], language: Language, current: string): void {
     this.#subjects = subjects;
     this.#language = language;

@@ -1,7 +1,7 @@
-// The example programs: the first one is part of the page, the others are files beside it.
+// The example programs: the first one is part of the page, the others are separate files.
 //
-// In: the name of an example, a language. Out: the example with its setup and what it shows; the list of all, by
-// subject, with small pictures. Must not know: what is in a program or a setup; both are passed on as they are.
+// In: the id of an example, or a language. Out: the example with its setup and description; or the list of all examples
+// by subject, with small pictures. Must not know: the content of a program or setup; both are passed on unchanged.
 
 import type { Language } from '../dom/language';
 import about from '../../../tests/programs/s000-o0002/about.json';
@@ -16,22 +16,22 @@ export interface Example {
   /** JSON */
   readonly setup: string;
   readonly title: Translated;
-  /** One sentence: what this program is here for. */
+  /** One sentence: what this example demonstrates. */
   readonly shows: Translated;
-  /** Words that the document it comes from does not have. */
+  /** Words that were added to the program of the source document. */
   readonly added?: string;
-  /** The example whose part is laid under its own. */
+  /** The example whose part is drawn under the part of this one. */
   readonly compareWith?: string;
 }
 
-/** An example as the gallery shows it, in one language. */
+/** An entry of the gallery, in one language. */
 export interface Listed {
   readonly id: string;
   readonly title: string;
   readonly shows: string;
   /** Its G, M and T words. */
   readonly codes: string;
-  /** Its strokes as paths of SVG; none where nothing is cut. */
+  /** Its strokes as SVG paths; missing if nothing is cut. */
   readonly picture?: { readonly rapid: string; readonly cut: string; readonly axis?: number };
 }
 
@@ -40,25 +40,24 @@ export interface Subject {
   readonly examples: readonly Listed[];
 }
 
-/** What a page without an address of its own begins with. */
+/** The program of a page whose address names no other. */
 export const FIRST_EXAMPLE: Example = { id: 's000-o0002', program, setup, title: about.title, shows: about.shows };
 
 const examples = new Map<string, Promise<Example>>([[FIRST_EXAMPLE.id, Promise.resolve(FIRST_EXAMPLE)]]);
 const lists = new Map<Language, Promise<readonly Subject[]>>();
 
-/** `unknown`: no example has this name. `not-loaded`: the network or its host failed. */
+/** `unknown`: no example has this id. `not-loaded`: the network or the server failed. */
 export type NoExample = 'unknown' | 'not-loaded';
 
-/** The example of this name. */
 export async function loadExample(id: string): Promise<Example | NoExample> {
-  // Any text can stand in an address.
+  // The id comes from the address and may be any text.
   if (!/^[a-z]\w*-[\w-]+$/.test(id)) return 'unknown';
   return kept(examples, id, async () => ({ ...(await file<Omit<Example, 'id'>>(id)), id })).catch((error: unknown) =>
     error instanceof Missing ? 'unknown' : 'not-loaded',
   );
 }
 
-/** All examples in their order; rejected where they could not be loaded. */
+/** All examples in order; rejected if they could not be loaded. */
 export function loadSubjects(language: Language): Promise<readonly Subject[]> {
   return kept(lists, language, () => file<readonly Subject[]>(language));
 }
@@ -66,17 +65,17 @@ export function loadSubjects(language: Language): Promise<readonly Subject[]> {
 async function file<Content>(name: string): Promise<Content> {
   const response = await fetch(new URL(`examples/${name}.json`, document.baseURI));
   const { ok, status, headers } = response;
-  // Some hosts answer with a page instead of 404.
+  // Some servers answer with an HTML page instead of 404.
   if ((status >= 400 && status < 500) || (ok && (headers.get('content-type') ?? '').startsWith('text/html')))
     throw new Missing(name);
   if (!ok) throw new Error(`examples/${name}.json: ${status}`);
   return (await response.json()) as Content;
 }
 
-/** The host has no such file. */
+/** The server has no such file. */
 class Missing extends Error {}
 
-/** What could not be loaded is asked for again the next time. */
+/** Caches the promise for `key`; a failed one is removed, so that the next call retries. */
 function kept<Key, Value>(all: Map<Key, Promise<Value>>, key: Key, load: () => Promise<Value>): Promise<Value> {
   const before = all.get(key);
   if (before !== undefined) return before;

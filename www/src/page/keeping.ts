@@ -1,10 +1,10 @@
-// Which of the reader's own programs is in this tab, and keeping it.
+// Tracks which saved program is in this tab, and saves it.
 //
-// In: the program, each time it is to be kept; which one takes its place. Out: an entry of the journal, at once, and
-// then a row of the list (`own-programs-session.ts`, loaded after the first picture). So what was typed is safe when
-// the tab is killed (the journal is written in the same turn) and when the browser is (the database is written a
-// moment later; browsers write the journal's store to the disk only after some seconds).
-// Must not know: the database, or what is shown of a program.
+// In: the program, each time it is to be saved; the program that replaces it. Out: an entry of the journal in the same
+// turn, then a row of the list (`own-programs-session.ts`, loaded after the first picture). So text survives when the
+// tab is killed (the journal is synchronous) and when the browser is killed (the database is written a moment later,
+// whereas browsers write the journal's store to disk only after some seconds). Must not know: the database, or how a
+// program is shown.
 
 import { inTime } from '../dom/in-time';
 import { loaded } from '../dom/network';
@@ -12,43 +12,46 @@ import type { Session } from './own-programs-session';
 import type { KeepingHost, ProgramOfTab } from './page-host';
 import { keepInJournal, LONGEST_IN_JOURNAL, newId, TAB, type Entry, type KeptProgram } from './storage';
 
-/** How long the list waits for the first picture. */
+/** Timeout for the first picture, after which the list is loaded anyway. */
 const LATEST_MS = 10_000;
-/** Undo brings back one of these at most. */
+/** Undo can restore at most this many earlier programs. */
 const MOST_REMEMBERED = 20;
 
 export class Keeping implements ProgramOfTab {
   readonly host: KeepingHost;
-  /** The newest revision of a program that this tab has seen. */
+  /** The newest revision that this tab has seen, for each program. */
   readonly known = new Map<string, number>();
-  /** The entry of the journal that the page began with, or the program of a task. */
+  /** The journal entry that the page started with, or the program of a task. */
   began: Entry | undefined;
   #id: string | undefined;
-  /** The programs this tab has had, as they were kept last. */
+  /** The programs of this tab, as last saved. */
   readonly #had = new Map<string, string>();
   #session: Promise<Session> | undefined;
   #lastTime = 0;
-  /** Of each program the newest entry that is too long for the journal, until the list has it. */
+  /** For each program, the time of its newest entry that is too long for the journal, until the list has it. */
   readonly #onlyHere = new Map<string, number>();
   #longComes = false;
-  /** The page is not left without a question as long as there is such an entry, or one comes. */
+  /** Asks before the page is left, while such an entry exists or is about to. */
   readonly #ask = (event: Event): void => event.preventDefault();
 
   constructor(host: KeepingHost) {
     this.host = host;
   }
 
-  /** The program of the list that is in the editor; none, where it is an example as it came. */
+  /** The id of the saved program in the editor; undefined for an unchanged example. */
   get id(): string | undefined {
     return this.#id;
   }
 
-  /** A program of the list is in the editor, or one that the list does not have. */
+  /** Sets the id of the program in the editor; undefined if the list does not contain it. */
   takes(id: string | undefined): void {
     this.#id = id;
   }
 
-  /** Another text has taken the place of the one before, or undo has brought back one; nothing: it is too long to be kept. */
+  /**
+   * Another text has replaced the current one, or undo has restored an earlier one; `undefined` if it is too long to be
+   * saved.
+   */
   replaced(text: string | undefined): void {
     // Two programs can have the same text.
     if (this.#id !== undefined && text !== undefined && this.#had.get(this.#id) === text) return;
@@ -77,7 +80,7 @@ export class Keeping implements ProgramOfTab {
     );
   }
 
-  /** A program that is too long for the journal waits to be kept, or no longer. */
+  /** Whether a program that is too long for the journal is about to be saved. */
   set longComes(comes: boolean) {
     this.#longComes = comes;
     this.#askOrNot();
@@ -88,7 +91,7 @@ export class Keeping implements ProgramOfTab {
     this.#askOrNot();
   }
 
-  /** Heard only where it is needed: a page that hears it is not put aside by every browser. */
+  /** Listens only while needed: some browsers do not put a page with this listener into the back/forward cache. */
   #askOrNot(): void {
     if (this.#longComes || this.#onlyHere.size > 0) addEventListener('beforeunload', this.#ask);
     else removeEventListener('beforeunload', this.#ask);
@@ -101,7 +104,7 @@ export class Keeping implements ProgramOfTab {
     if (this.#had.size > MOST_REMEMBERED && oldest !== undefined) this.#had.delete(oldest);
   }
 
-  /** The list, once the first picture is there, or does not come; what could not be loaded is asked for again the next time. */
+  /** The list, loaded after the first picture or its timeout. A failed load is retried by the next call. */
   session(): Promise<Session> {
     this.#session ??= this.#firstPicture()
       .then(() => loaded(() => import('./own-programs-session')))

@@ -1,8 +1,8 @@
-// The line under the header that says what a link has brought: a task with its solution and how to hand in, whose answer it is, a
-// program that is only shown, or that the link could not be read.
+// The bar under the header that describes an opened link: a task with its solution and a button to hand in, the name on
+// an answer, a read-only program, or an error in the link.
 //
-// In: what there is to say; the program, when it is handed in. Out: what the reader wants of it, and the link to hand in. Loaded only where there is something. Must not know: how
-// a program is shown, or what an address looks like.
+// In: what to show; the program to hand in. Out: clicks, and the link to hand in. Loaded only when needed. Must not
+// know: how a program is shown, or the format of an address.
 
 import { make } from '../dom/dom';
 import type { Language } from '../dom/language';
@@ -19,15 +19,15 @@ export type Fault = Extract<InAddress, { readonly kind: 'fault' }>['fault'];
 export type InBar =
   | { readonly kind: 'fault'; readonly fault: Fault }
   | { readonly kind: 'task'; readonly linked: Shared }
-  /** Somebody's answer to a task. */
+  /** An answer to a task, with the name that it was handed in under. */
   | { readonly kind: 'from'; readonly from: string }
   | { readonly kind: 'only-shown'; readonly from: string | undefined };
 
-/** What the page lends to the bar. */
+/** What the page provides to the bar. */
 interface BarHost {
-  /** All that the page has is wanted, and a program that can be changed. */
+  /** Switches to the full view with an editable program. */
   everything(): void;
-  /** The program as it is now. */
+  /** The current program. */
   program(): KeptProgram;
 }
 
@@ -35,7 +35,7 @@ export class LinkBar {
   readonly #said = make('p');
   readonly #buttons = make('div', { className: 'link-bar-actions' });
   readonly #solution = make('div', { id: 'solution', hidden: true });
-  /** Kept as long as the page is open, and nowhere else. */
+  /** Kept only while the page is open. */
   readonly #name = make('input', { type: 'text', id: 'hand-in-name', autocomplete: 'name', maxLength: NAME_LIMIT });
   readonly #nameCaption = make('span');
   readonly #copy = make('button', { type: 'button', id: 'hand-in' });
@@ -69,18 +69,18 @@ export class LinkBar {
   #language: Language = 'en';
   #made: { readonly of: string; readonly link: Promise<MadeLink> } | undefined;
 
-  /** Stands before `place`. */
+  /** Inserts the bar before `place`. */
   constructor(place: HTMLElement, host: BarHost) {
     this.#host = host;
     place.before(this.#element);
-    // So that the link most often is made at the press.
+    // Make the link early, so that it is usually ready at the click.
     for (const near of ['pointerenter', 'pointerdown', 'focus'])
       this.#copy.addEventListener(near, () => void this.#linkToHandIn());
     this.#copy.addEventListener('click', () => void this.#copied());
     this.#name.addEventListener('input', () => this.programChanged());
   }
 
-  /** Nothing says that it was copied once there is something else to hand in. */
+  /** Removes the "copied" message once the text to hand in differs from the copied link. */
   programChanged(): void {
     if (this.#news.textContent === '') return;
     const shared = this.#toHandIn();
@@ -97,7 +97,7 @@ export class LinkBar {
     this.#language = language;
     this.#element.hidden = shown === undefined;
     const texts = LINK_WORDS[language];
-    // It comes with the page where it is no fault.
+    // Only an error needs an alert; other bars appear with the page.
     if (shown?.kind === 'fault') this.#said.setAttribute('role', 'alert');
     else this.#said.removeAttribute('role');
     this.#element.setAttribute('aria-label', texts.bar);
@@ -138,7 +138,7 @@ export class LinkBar {
     this.show(this.#shown, language);
   }
 
-  /** A name is a text whatever it holds, and turns nothing beside it around. */
+  /** A name may contain any text; `bdi` isolates its direction. */
   #from(name: string): readonly (Node | string)[] {
     return [`${LINK_WORDS[this.#language].from} `, make('bdi', {}, name)];
   }
@@ -150,7 +150,7 @@ export class LinkBar {
     this.#solution.replaceChildren();
   }
 
-  /** The reader's own program stays where it is: a solution is a text under the task, and a link of its own. */
+  /** Shows the solution as text under the task, with a separate link, so that the user's program stays in place. */
   #solutionButton(linked: Shared, language: Language): HTMLElement {
     const texts = LINK_WORDS[language];
     const button = this.#button(texts.showSolution, () => {
@@ -176,7 +176,7 @@ export class LinkBar {
 
   // ---- handing in ------------------------------------------------------------------------------------
 
-  /** The program of the reader under the setup of the task; nothing of the task itself, and in no language. */
+  /** The user's program with the setup of the task, without the task itself and without a language. */
   #toHandIn(): Shared | undefined {
     if (this.#shown?.kind !== 'task') return undefined;
     const { setup, control, blockSkip, program } = this.#shown.linked;

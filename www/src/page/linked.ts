@@ -1,7 +1,7 @@
-// A program that an address holds: plain text (`#program=…&setup=…`), or packed (`#share=…`, `files/shared-link.ts`).
+// Reads a program from an address: plain text (`#program=…&setup=…`) or packed (`#share=…`, `files/shared-link.ts`).
 //
-// In: the part of an address from `#` on. Out: the program and what it is shown with, or what is wrong with the address; what
-// unpacks is loaded for such an address alone. Must not know: what a program says.
+// In: the part of an address from `#`. Out: the program and its options, or an error. The code that unpacks is loaded
+// on demand. Must not know: what a program means.
 
 import { loaded } from '../dom/network';
 import { LINK_LIMIT } from '../files/link-limit';
@@ -12,17 +12,17 @@ export type LinkedProgram = Shared;
 export type InAddress =
   | { readonly kind: 'linked'; readonly linked: LinkedProgram }
   | { readonly kind: 'fault'; readonly fault: LinkFault | { readonly kind: 'not-loaded' } }
-  /** The name of an example, or nothing. */
+  /** The id of an example, or no fragment. */
   | { readonly kind: 'other' };
 
 const EXAMPLE = /^#[a-z]\w*-[\w-]+$/;
 
-/** The address of the page itself, before its `#`. */
+/** The address of the page without its fragment. */
 export function pageAddress(): string {
   return location.href.replace(/#.*$/s, '');
 }
 
-/** A program in plain text. */
+/** Reads a program in plain text. */
 export function linkedProgram(hash: string): LinkedProgram | undefined {
   if (hash.length > LINK_LIMIT || hash.startsWith('#share=')) return undefined;
   const said = new URLSearchParams(hash.slice(1));

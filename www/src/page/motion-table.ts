@@ -1,14 +1,13 @@
-// The table of motions that the element exports, taken apart.
+// Parses the table of motions that the element exports.
 //
-// In: the table as CSV. Out: a row for each motion, cells by the names of their columns. Must not know: what the
-// motions are for.
+// In: the table as CSV. Out: a row for each motion, with cells by column name. Must not know: what the motions are for.
 
-/** UTF-16 units: the table of a longer program would cost more than it is worth. */
+/** In UTF-16 units; for a longer program the table is too expensive. */
 export const LONGEST_FOR_TABLE = 200_000;
 
 export type MotionRow = Readonly<Record<string, string>>;
 
-/** No cell of the table holds a comma or a line end. */
+/** Parses the rows. No cell contains a comma or a line end. */
 export function motionRows(table: Uint8Array): readonly MotionRow[] {
   const [head = '', ...lines] = new TextDecoder().decode(table).split('\r\n');
   const columns = head.split(',');

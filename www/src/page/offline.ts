@@ -1,9 +1,9 @@
-// The page without a network: it is stored in the browser once it has settled, and a newer version is announced, never put in the
-// place of the one that the reader has.
+// Offline use: stores the page in the browser once it has settled, and announces a newer version without replacing the
+// current one.
 //
-// In: what the service worker (`offline/service-worker`) has come to; whether the program is kept. Out: the service worker; the manifest
-// in the reader's language; "works offline" among the settings; a line about a newer version; files that the system opens with the
-// installed page. Must not know: which files there are, or how they are stored.
+// In: the state of the service worker (`offline/service-worker`); whether the program is saved. Out: the registered
+// service worker; the manifest in the user's language; "works offline" in the settings; a bar about a newer version;
+// files that the system opens with the installed page. Must not know: which files there are, or how they are stored.
 
 import { make } from '../dom/dom';
 import type { Language } from '../dom/language';
@@ -12,20 +12,20 @@ import { TAKE_OVER } from '../offline/take-over';
 import type { GcodePlayground } from '../shell/element';
 import './offline.css';
 
-/** A tab that is open for days looks for a newer version so often, at most. */
+/** Minimum interval between checks for a newer version, in a tab that stays open for days. */
 const LOOK_EVERY_MS = 3_600_000;
 
 export interface OfflineHost {
   readonly playground: GcodePlayground;
   readonly language: Language;
-  /** Keeps the program for the next visit. */
+  /** Saves the program for the next visit. */
   keep(): 'kept' | 'not-kept';
 }
 
 type State = 'unknown' | 'stored' | 'not-stored';
 type News = 'none' | 'newer' | 'not-kept';
 
-/** What is used of file handling, which the library of types does not have yet. */
+/** The used part of the File Handling API, which TypeScript's DOM types lack. */
 interface LaunchQueue {
   setConsumer(consumer: (launched: { readonly files?: readonly { getFile(): Promise<File> }[] }) => void): void;
 }
@@ -42,13 +42,13 @@ export class Offline {
   #registration: ServiceWorkerRegistration | undefined;
   #state: State = 'unknown';
   #saidNews: News = 'none';
-  /** The reader wants the newer version. */
+  /** The user has asked for the newer version. */
   #wanted = false;
   #lookedAt = performance.now();
 
   constructor(host: OfflineHost) {
     this.#host = host;
-    // Heard when it comes, since nobody waits for it.
+    // Announce the result, since it arrives later than the page.
     this.#status.setAttribute('aria-live', 'polite');
     document.getElementById('settings')?.append(this.#status);
     document.querySelector('header')?.after(this.#news);
@@ -57,7 +57,7 @@ export class Offline {
     this.#later.addEventListener('click', () => this.#say('none'));
     this.showLanguage();
     this.#openLaunched();
-    // Only here: http of another computer has no service workers, nor has a frame that may store nothing.
+    // Absent on pages served over plain HTTP from another host, and in frames without storage.
     if ('serviceWorker' in navigator) void this.#store(navigator.serviceWorker);
   }
 
@@ -80,7 +80,7 @@ export class Offline {
     container.addEventListener('controllerchange', () => {
       const had = controller;
       controller = container.controller;
-      // Another tab has taken the newer version; this one goes on with what it has begun with.
+      // Another tab has activated the newer version; this tab continues with its own.
       if (had !== null && !this.#wanted) this.#say('newer');
     });
     try {
@@ -108,7 +108,7 @@ export class Offline {
 
   #look(): void {
     this.#lookedAt = performance.now();
-    // Without a network there is nothing newer.
+    // Ignore a failure: without a network there is no newer version.
     this.#registration?.update().catch(() => undefined);
   }
 
@@ -148,7 +148,7 @@ export class Offline {
     this.showLanguage();
   }
 
-  /** Files that the reader opens from the system, where the page is installed. */
+  /** Opens files that the system passes to the installed page. */
   #openLaunched(): void {
     const queue = (window as { launchQueue?: LaunchQueue }).launchQueue;
     queue?.setConsumer(({ files = [] }) => {

@@ -1,7 +1,8 @@
-// The link that was opened last: its program and address, and what it says beside the program.
+// The link that was opened last: its program, its address and its options.
 //
-// In: a link that was unpacked, or what is wrong with one. Out: view, step and read-only as attributes of the element; the bar that
-// says so, and the title of the tab with the name of whose answer it is; the bar is loaded with the first link that has more to say than its program. Must not know: what becomes of the program.
+// In: an unpacked link, or an error. Out: view, step and read-only mode of the element; the bar that describes the
+// link; the name on an answer in the title of the tab. The bar is loaded with the first link that contains more than
+// its program. Must not know: what happens to the program.
 
 import type { Language } from '../dom/language';
 import { loaded } from '../dom/network';
@@ -12,17 +13,17 @@ import type { LinkedProgram } from './linked';
 import type { KeptProgram } from './storage';
 import { PAGE_WORDS } from './words';
 
-/** What the page lends to a link. */
+/** What the page provides to a link. */
 interface LinkHost {
   readonly playground: GcodePlayground;
   readonly language: Language;
-  /** The program as it is now, with its context. */
+  /** The current program with its context. */
   readonly program: KeptProgram;
 }
 
 export class OpenedLink {
   readonly #host: LinkHost;
-  /** Its program, and the address that holds it; stays when the program has gone. */
+  /** The program of the link and its address; kept after another program has replaced it. */
   #last: { readonly address: string; readonly linked: LinkedProgram } | undefined;
   #bar: LinkBar | undefined;
   #inBar: InBar | undefined;
@@ -31,7 +32,7 @@ export class OpenedLink {
     this.#host = host;
     const { playground } = host;
     playground.addEventListener('gcode-change', () => this.#bar?.programChanged());
-    // A name is said of no other program: not of a file that is opened, and not of what undo brings back.
+    // Remove the name when another program replaces the answer, by opening a file or by undo.
     playground.addEventListener('gcode-context', () => {
       if (this.#from !== undefined && host.program.text !== this.#last?.linked.text) this.#say(undefined);
     });
@@ -41,12 +42,12 @@ export class OpenedLink {
     return this.#last;
   }
 
-  /** The link whose program the address still holds. */
+  /** The last link, if the address still contains it. */
   get inAddress(): { readonly address: string; readonly linked: LinkedProgram } | undefined {
     return this.#last?.address === location.hash ? this.#last : undefined;
   }
 
-  /** Its program is there. */
+  /** Applies the options of a link after its program was loaded. */
   opened(linked: LinkedProgram): void {
     this.#last = { address: location.hash, linked };
     const { playground } = this.#host;
@@ -60,7 +61,7 @@ export class OpenedLink {
     else this.#say(from === undefined ? undefined : { kind: 'from', from });
   }
 
-  /** What a link has said beside its program does not reach the next one. */
+  /** Resets the options, so that they do not affect the next link. */
   end(): void {
     const { playground } = this.#host;
     playground.step = null;
@@ -78,19 +79,19 @@ export class OpenedLink {
     this.#showTitle();
   }
 
-  /** Whose answer is shown. */
+  /** The name on the answer that is shown. */
   get #from(): string | undefined {
     const said = this.#inBar;
     return said?.kind === 'from' || said?.kind === 'only-shown' ? said.from : undefined;
   }
 
-  /** Tabs with the answers of a class are found by their names. */
+  /** Puts the name into the title, so that a teacher finds the tabs with the answers of a class. */
   #showTitle(): void {
     const { title } = PAGE_WORDS[this.#host.language];
     document.title = this.#from === undefined ? title : `${this.#from} · ${title}`;
   }
 
-  /** All that the page has; whose answer it is stays. */
+  /** Switches to the full view; the name on the answer stays. */
   #everything(): void {
     const from = this.#from;
     this.end();
@@ -115,7 +116,7 @@ export class OpenedLink {
   }
 }
 
-/** One line, without signs that turn the text beside it around; nothing where no letter is left. */
+/** The name as one line without bidirectional control characters; undefined if it is empty. */
 function shownName(name: string | null): string | undefined {
   const line = (name ?? '')
     .replace(/[\u061c\u200e\u200f\u202a-\u202e\u2066-\u2069]/g, '')

@@ -1,8 +1,8 @@
-// The dialog "My programs": the list with names, times and small pictures, a field to search it, and what can be done
-// with each program; the earlier states of one; all programs as one file, out and in.
+// The dialog "My programs": the list with names, times and small pictures, a search field and actions; earlier states
+// of a program; export and import of all programs as one file.
 //
-// In: what the page lends (`PageHost`), the list. Out: a program that takes the place of the one in the editor;
-// changes of the list, of which other tabs hear. Loaded when it is first opened. Must not know: how programs are stored.
+// In: the `PageHost` and the list. Out: a program that replaces the one in the editor; changes of the list, which other
+// tabs are notified of. Loaded when it is first opened. Must not know: how programs are stored.
 
 import { Dialog } from '../dom/dialog';
 import { icon, make, name as nameButton } from '../dom/dom';
@@ -28,7 +28,7 @@ import { smallDrawing } from './small-drawing';
 import { forgetAllOf } from './storage';
 import './own-programs.css';
 
-/** As long as the database may think about it before the reader hears of it. */
+/** How long the database may take before the dialog reports that it does not answer. */
 const NO_ANSWER_MS = 5000;
 
 let dialog: OwnProgramsDialog | undefined;
@@ -61,7 +61,7 @@ class OwnProgramsDialog {
   #acting: { readonly id: string; readonly renaming: boolean } | undefined;
   /** The program whose earlier states are shown. */
   #statesOf: Listed | undefined;
-  /** When all that was asked for so far is done. */
+  /** Resolved when all requested actions have finished. */
   #asked: Promise<void> = Promise.resolve();
 
   constructor(host: PageHost) {
@@ -109,7 +109,7 @@ class OwnProgramsDialog {
     return LIST_WORDS[this.#host.language];
   }
 
-  /** What the list or the states have in common. */
+  /** Renders the parts that the list and the earlier states share. */
   #frame(): void {
     const texts = this.#texts;
     const of = this.#statesOf;
@@ -128,7 +128,7 @@ class OwnProgramsDialog {
     if (this.#statesOf === undefined) this.#showList();
   }
 
-  /** Something has changed; what the reader is at stays. */
+  /** Reloads after a change of the list and restores the focus. */
   async #refresh(): Promise<void> {
     if (!this.#dialog.open || this.#acting?.renaming === true) return;
     const focused = document.activeElement?.getAttribute('data-focus');
@@ -136,12 +136,12 @@ class OwnProgramsDialog {
     if (focused !== null && focused !== undefined) this.#focus(focused);
   }
 
-  /** What the reader asks for, each after what was asked for before: what is said last is of the last. */
+  /** Runs the actions one after the other, so that the last message is about the last action. */
   #inTurn(act: () => Promise<void>): void {
     this.#asked = this.#asked.then(() => this.#try(act));
   }
 
-  /** What could not be done is said. */
+  /** Runs an action and reports an error. */
   async #try(act: () => Promise<void>): Promise<void> {
     try {
       await act();
@@ -163,7 +163,7 @@ class OwnProgramsDialog {
     this.#found.textContent = this.#rows.length === 0 ? texts.none : found === 0 ? texts.noneFound : texts.count(found);
   }
 
-  /** The outcome of an act, or how many there are. */
+  /** Shows the result of an action, or the number of programs. */
   #say(outcome: string | undefined, undo?: () => Promise<void>): void {
     if (outcome === undefined) {
       delete this.#found.dataset['kind'];
@@ -254,7 +254,7 @@ class OwnProgramsDialog {
       await this.#load();
       this.#focus(`more:${row.id}`);
     };
-    // Escape leaves the field, not the dialog.
+    // Escape closes the field, not the dialog.
     input.addEventListener('keydown', (event) => {
       if (event.key !== 'Escape') return;
       event.preventDefault();
@@ -341,7 +341,7 @@ class OwnProgramsDialog {
     );
   }
 
-  /** What is there now becomes an earlier state itself. */
+  /** Restores an earlier state; the current text becomes an earlier state itself. */
   async #restore({ id }: Listed, state: State): Promise<void> {
     this.#host.keeping.host.keepNow();
     await this.#session?.written();
@@ -389,7 +389,7 @@ class OwnProgramsDialog {
 
   #date(time: number): string {
     const { language } = this.#host;
-    // A browser takes some milliseconds to make one.
+    // Cached: constructing one takes some milliseconds.
     if (this.#dates?.language !== language)
       this.#dates = {
         language,

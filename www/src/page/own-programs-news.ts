@@ -1,7 +1,7 @@
-// The line under the header that says what became of keeping the program.
+// The notice under the header about saving the program.
 //
-// In: a piece of news, the language, what can be done about it. Out: an element for the page, which is seen
-// whichever part of the program is; empty where there is nothing to say. Must not know: how programs are kept.
+// In: a notice, the language, and the handler of its buttons. Out: an element for the page, visible whichever part of
+// the program is shown; empty if there is no notice. Must not know: how programs are saved.
 
 import { make } from '../dom/dom';
 import type { Language } from '../dom/language';
@@ -11,7 +11,7 @@ import './own-programs-news.css';
 export type News =
   /** Another tab has changed the program that is shown here. */
   | { readonly kind: 'changed-elsewhere' }
-  /** Both tabs have changed it: this one goes on under a name of its own. */
+  /** Both tabs have changed it: this tab continues with a separate program of this name. */
   | { readonly kind: 'both-kept'; readonly name: string }
   | { readonly kind: 'deleted-elsewhere' }
   /** `last-only`: the journal still has the last program. */
@@ -19,7 +19,7 @@ export type News =
 
 export type NewsAct = 'show' | 'keep-both' | 'save-file' | 'open-list';
 
-/** What is offered with each. */
+/** The buttons of each notice. */
 const OFFERED: Readonly<Record<News['kind'], readonly NewsAct[]>> = {
   'changed-elsewhere': ['show', 'keep-both'],
   'both-kept': ['open-list'],

@@ -1,11 +1,10 @@
-// Asking the browser not to delete what it keeps when it needs room.
+// Asks the browser not to delete the stored programs when it needs space.
 //
-// In: nothing. Out: at most one question in the life of the page, since one browser puts it to the reader. Must not
-// know: what is kept.
+// In: nothing. Out: at most one request per browser, since some browsers ask the user. Must not know: what is stored.
 
 const ASKED = 'gcode-playground:asked-to-persist';
 
-/** Called when the reader looks at what is kept: a question that comes then can be understood. */
+/** Call it when the user looks at the stored programs, so that the browser's question makes sense. */
 export function askToPersist(): void {
   try {
     if (localStorage.getItem(ASKED) !== null) return;
@@ -13,7 +12,7 @@ export function askToPersist(): void {
   } catch {
     return;
   }
-  // Pages without a certificate have no `storage`.
+  // `storage` is missing on pages that are not served over HTTPS.
   const { storage } = navigator as { readonly storage?: StorageManager };
   void storage?.persist().catch(() => false);
 }
