@@ -27,7 +27,7 @@ interface AboveHost {
   readonly playground: GcodePlayground;
   readonly language: Language;
   readonly example: Example | undefined;
-  /** Number of requests to show a program so far. */
+  /** The number of requests to show a program. */
   readonly asked: number;
   /** Shows the original example and discards the user's edits; shows the first example if the program is not one. */
   startAfresh(): void;

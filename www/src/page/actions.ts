@@ -1,7 +1,7 @@
 // The actions on a program besides editing: buttons in the header, and a menu for the less frequent ones.
 //
 // In: the table of actions, and the `PageHost` passed to them. Out: their buttons. The code of an action is loaded on
-// first use. Must not know: what an action does.
+// first use. Must not know: the actions themselves.
 
 import { icon, make, name, type IconName } from '../dom/dom';
 import { loaded } from '../dom/network';

@@ -1,6 +1,6 @@
 // Fields of a dialog with their captions, and copying of text to the clipboard.
 //
-// In: the field. Out: its label; whether its text was copied. Must not know: what the field is for.
+// In: the field. Out: its label; whether its text was copied. Must not know: the purpose of the field.
 
 import { make } from '../dom/dom';
 

@@ -1,7 +1,7 @@
 // Reads a program from an address: plain text (`#program=…&setup=…`) or packed (`#share=…`, `files/shared-link.ts`).
 //
 // In: the part of an address from `#`. Out: the program and its options, or an error. The code that unpacks is loaded
-// on demand. Must not know: what a program means.
+// on demand. Must not know: the meaning of a program.
 
 import { loaded } from '../dom/network';
 import { LINK_LIMIT } from '../files/link-limit';

@@ -1,6 +1,6 @@
 // Parses the table of motions that the element exports.
 //
-// In: the table as CSV. Out: a row for each motion, with cells by column name. Must not know: what the motions are for.
+// In: the table as CSV. Out: a row for each motion, with cells by column name. Must not know: the use of the table.
 
 /** In UTF-16 units; for a longer program the table is too expensive. */
 export const LONGEST_FOR_TABLE = 200_000;

@@ -1,6 +1,6 @@
 // Asks the browser not to delete the stored programs when it needs space.
 //
-// In: nothing. Out: at most one request per browser, since some browsers ask the user. Must not know: what is stored.
+// In: nothing. Out: at most one request per browser, since some browsers ask the user. Must not know: the stored data.
 
 const ASKED = 'gcode-playground:asked-to-persist';
 

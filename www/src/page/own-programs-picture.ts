@@ -1,7 +1,7 @@
 // The small picture of a program in the list: its strokes, as in the gallery.
 //
 // In: the element, whose interpreter makes the table of motions. Out: the strokes as SVG paths; `undefined` if nothing
-// is cut or the program is too long. Must not know: what the motions are for.
+// is cut or the program is too long. Must not know: the use of the picture.
 
 import { smallPictureOf, type Row, type SmallPicture } from '../../small-picture';
 import type { GcodePlayground } from '../shell/element';

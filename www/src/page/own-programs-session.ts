@@ -1,9 +1,9 @@
-// What a tab does about the list of the reader's own programs: it writes what is to be kept, takes over what other
-// tabs have left in the journal, hears of what they change, and says under the header what became of it.
+// Synchronises a tab with the list of saved programs: writes entries, takes over what other tabs left in the journal,
+// follows their changes, and shows notices under the header.
 //
-// In: entries of the journal; news of other tabs and of the database. Out: rows of the list; the line of news. One
-// entry is written at a time, of a program only the newest. What could not be written waits and is tried again.
-// Must not know: what the dialog shows, or how the database is laid out.
+// In: entries of the journal; events of other tabs and of the database. Out: rows of the list; the notice. Writes one
+// entry at a time, only the newest of each program, and retries failed writes. Must not know: the dialog, or
+// the layout of the database.
 
 import type { KeptList, ProgramOfTab } from './page-host';
 import { pictureOf } from './own-programs-picture';
@@ -15,13 +15,13 @@ import { forgetWritten, journal, keepInJournal, knowsNoLast, TAB, type Entry, ty
 
 const TRY_AGAIN_MS = 5000;
 const NO_ANSWER_MS = 10_000;
-/** After an edit; the worker has better things to do while the reader types. */
+/** Delay after an edit, so that the picture does not occupy the worker while the user types. */
 const PICTURE_AFTER_MS = 1500;
 
 type Journal = 'kept' | 'refused';
-/** What goes with the program it is said of. */
+/** Notices about one program, removed when another one is opened. */
 const OF_A_PROGRAM: readonly News['kind'][] = ['changed-elsewhere', 'both-kept', 'deleted-elsewhere'];
-/** What says that something is not kept, until it is. */
+/** Notices that saving failed, removed when it succeeds. */
 const FAILURES: readonly News['kind'][] = ['full', 'refused', 'last-only', 'too-many'];
 
 export class Session implements KeptList {
@@ -30,7 +30,7 @@ export class Session implements KeptList {
   readonly #tabs: Tabs;
   readonly #ready: Promise<void>;
   readonly #waiting = new Map<string, Entry>();
-  /** Entries that the list has, and that the journal could not let go of yet. */
+  /** Entries that are in the list but could not be removed from the journal yet. */
   readonly #written = new Map<string, Entry>();
   readonly #heardBy = new Set<() => void>();
   readonly #pictured = new Map<string, number>();
@@ -112,7 +112,10 @@ export class Session implements KeptList {
     }
   }
 
-  /** Reports an answer that does not come: a database without one keeps nothing either. As long as the page is put aside, none is due. */
+  /**
+   * Reports a database that does not answer as a failure. The timeout starts again after the page was in the
+   * back/forward cache.
+   */
   async #reportIfLate<T>(answer: Promise<T>): Promise<T> {
     const wait = (): ReturnType<typeof setTimeout> => setTimeout(() => this.#failed(undefined), NO_ANSWER_MS);
     let late = wait();
@@ -132,7 +135,7 @@ export class Session implements KeptList {
   async #write(entry: Entry): Promise<'done' | 'waits'> {
     const { id } = entry;
     const base = this.#keeping.known.get(id) ?? entry.base;
-    // What was emptied and never was in the list is no program.
+    // An emptied program that was never in the list is not saved.
     if (base === 0 && entry.program.text.trim() === '') return this.#settle(entry);
     const outcome = await store.writeProgram({ ...entry, base, name: this.#nameOf(entry.program), state: 'in-time' });
     switch (outcome.kind) {
@@ -143,7 +146,7 @@ export class Session implements KeptList {
       case 'written': {
         this.#succeeded();
         this.#settle(entry);
-        // What is typed from here on becomes a program beside that of the other tab.
+        // Later edits become a separate program beside that of the other tab.
         if (outcome.was === 'overtaken') {
           if (id === this.#keeping.id && entry.tab === TAB) this.#say({ kind: 'changed-elsewhere' });
           return 'done';
@@ -157,7 +160,7 @@ export class Session implements KeptList {
     }
   }
 
-  /** Another tab has changed the same program: this text becomes one of its own. */
+  /** Another tab has changed the same program: saves this text as a separate program. */
   async #goOnBeside(entry: Entry): Promise<'done' | 'waits'> {
     const beside = await store.writeBeside(entry);
     if (beside === 'too-many') return this.#wait(entry);
@@ -168,7 +171,7 @@ export class Session implements KeptList {
       this.#keeping.takes(beside.id);
       const { program, time } = entry;
       keepInJournal({ id: beside.id, time, base: beside.revision, program });
-      // What was typed meanwhile goes on under the new name.
+      // Move a newer waiting entry to the new id.
       const typed = this.#waiting.get(entry.id);
       this.#waiting.delete(entry.id);
       if (typed !== undefined) this.#waiting.set(beside.id, { ...typed, id: beside.id, base: beside.revision });
@@ -179,14 +182,14 @@ export class Session implements KeptList {
     return 'done';
   }
 
-  /** The list is full: it waits, unless something newer does. */
+  /** The list is full: the entry waits, unless a newer one of the program already does. */
   #wait(entry: Entry): 'waits' {
     if (!this.#waiting.has(entry.id)) this.#waiting.set(entry.id, entry);
     this.#fail('too-many');
     return 'waits';
   }
 
-  /** The list has an entry: the journal lets go of it, now or when it is the last one no more. */
+  /** The entry is in the list: removes it from the journal, now or once it is no longer the last one. */
   #settle(entry: Entry): 'done' {
     this.#keeping.isInList(entry);
     this.#written.set(`${entry.id}:${entry.tab}`, entry);
@@ -214,23 +217,25 @@ export class Session implements KeptList {
     if (news !== undefined && FAILURES.includes(news)) this.#say(undefined);
   }
 
-  // ---- what was there before, and what others do --------------------------------------------------
+  // ---- at start, and other tabs --------------------------------------------------------------------
 
   async #begin(): Promise<void> {
     try {
       await this.#takeOver();
       await this.#compareWithList();
     } catch {
-      // Who has nothing to keep need not know; who has hears of it when it cannot be written.
+      // Ignored: if there is something to save, writing it reports the failure.
     }
   }
 
-  /** What stands in the journal: left by other tabs, or kept before there was a list. */
+  /** Moves the entries of the journal to the list: from other tabs, or from before the list existed. */
   async #takeOver(): Promise<void> {
     for (const entry of journal()) await this.#write(entry);
   }
 
-  /** The list can have something newer than the journal, of which a browser that was killed loses some seconds. */
+  /**
+   * Shows the program of the list if it is newer than the journal, which loses some seconds when the browser is killed.
+   */
   async #compareWithList(): Promise<void> {
     const { began, host } = this.#keeping;
     if (began === undefined) {
@@ -272,7 +277,7 @@ export class Session implements KeptList {
     }
   }
 
-  /** What other tabs did while the page was put aside, it has not heard. */
+  /** Catches up with other tabs' changes after the page was in the back/forward cache. */
   async #isShownAgain(): Promise<void> {
     const { id, known } = this.#keeping;
     if (id === undefined || !known.has(id)) return;
@@ -287,7 +292,7 @@ export class Session implements KeptList {
     if (this.#keeping.began?.id === id) this.#keeping.began = undefined;
   }
 
-  /** The browser has let go of the database: what was kept may be gone. */
+  /** The browser has closed the database: save the program again if it was deleted. */
   async #closed(): Promise<void> {
     const { id, host, known } = this.#keeping;
     if (id === undefined || !known.has(id)) return;
@@ -310,7 +315,7 @@ export class Session implements KeptList {
       case 'open-list':
         return host.openList();
       case 'show':
-        // What was typed last is a program of its own then.
+        // Save the latest edits first: they become a separate program.
         host.keepNow();
         await this.written();
         if (id === undefined || this.#keeping.id !== id) return;

@@ -1,10 +1,9 @@
-// The list of the reader's own programs in the browser's database.
+// The list of saved programs in IndexedDB (through `idb`, which makes promises of its events).
 //
-// In: programs with the revision they were made of. Out: what became of them; the list, texts, earlier states. Each
-// change is one transaction over all stores, in which the revision is compared: so tabs need no locks, and what
-// another tab has written is never overwritten (`conflict`). A page that a browser puts aside lets go of the database
-// and begins again when it is shown. `idb` makes promises of the database's events. Loaded after the first picture.
-// Must not know: the page, or what a program says.
+// In: programs with the revision they were made from. Out: the outcome; the list, texts, earlier states. Each change is
+// one transaction over all stores that compares the revision, so tabs need no locks and never overwrite each other's
+// text (`conflict`). A page in the back/forward cache closes the database and repeats its transactions afterwards.
+// Loaded after the first picture. Must not know: the page, or the meaning of a program.
 
 import { openDB, type DBSchema, type IDBPDatabase, type IDBPTransaction } from 'idb';
 import {
@@ -41,9 +40,9 @@ type Act<As extends Mode, Outcome> = (transaction: Transaction<As>) => Promise<O
 const NAME = `gcode-playground:programs:${location.pathname}`;
 const STORES: Stores = ['programs', 'texts', 'states'];
 
-/** What the database says by itself. */
+/** Events of the database. */
 export interface StoreEvents {
-  /** What was kept has been deleted, or the database was closed by the browser. */
+  /** The stored programs were deleted, or the browser has closed the database. */
   closed(): void;
 }
 
@@ -64,7 +63,7 @@ function database(): Promise<IDBPDatabase<Schema>> {
       db.createObjectStore('texts');
       db.createObjectStore('states');
     },
-    // Somebody wants to delete the database, or a newer page to change it: it is let go of, and asked for again.
+    // Another tab wants to delete or upgrade the database: close it, and open it again on the next use.
     blocking(_now, _wanted, event) {
       (event.target as IDBDatabase).close();
       closed();
@@ -83,10 +82,10 @@ function closed(): void {
   events.closed();
 }
 
-// A page that is put aside, to be shown again when the reader goes back, hears of its database no more (Firefox), and
-// its transactions make those of all other pages wait for ever (WebKit). So it lets go of all of them, and begins again
-// when it is shown. Meanwhile the journal has what was written; about what is too long for it the reader is asked
-// (`Keeping`). An act can be done again though the first one was committed: doing it twice is as doing it once.
+// A page in the back/forward cache receives no more database events (Firefox), and its open transactions block the ones in
+// all other pages (WebKit). So it aborts all of them and repeats them when it is shown again. Meanwhile the journal
+// contains the text; if it is too long for the journal, the user is asked before leaving (`Keeping`). Repeating a
+// committed transaction is harmless, because all of them are idempotent.
 
 const running = new Set<AbortController>();
 let away: Promise<void> | undefined;
@@ -147,13 +146,13 @@ async function transact<As extends Mode, Outcome>(
   signal.addEventListener('abort', () => abort(transaction));
   try {
     const outcome = await act(transaction);
-    // From here on it ends by itself, also where the page is put aside.
+    // Commit explicitly: it then completes even if the page is put into the back/forward cache.
     transaction.commit();
     await transaction.done;
     return { outcome };
   } catch (error) {
     abort(transaction);
-    // Both are about the same; only one of them may say that there is no room.
+    // Both errors have the same cause, but only one of them may be the `QuotaExceededError`.
     const why: unknown = await transaction.done.then(
       () => undefined,
       (reason: unknown) => reason,
@@ -166,18 +165,18 @@ function abort(transaction: { abort(): void }): void {
   try {
     transaction.abort();
   } catch {
-    // It has ended by itself.
+    // It has already finished.
   }
 }
 
-/** Whether the browser has no room left. */
+/** Whether the browser's storage quota is exceeded. */
 export function isFull(error: unknown): boolean {
   return error instanceof DOMException && error.name === 'QuotaExceededError';
 }
 
 // ---- reading --------------------------------------------------------------------------------------
 
-/** All programs, the one that was changed last at first. */
+/** All programs, the last changed one first. */
 export async function listPrograms(): Promise<readonly Listed[]> {
   const rows = await read((transaction) => transaction.objectStore('programs').getAll());
   return rows.flatMap((row) => listedIn(row) ?? []).sort((a, b) => b.changed - a.changed);
@@ -191,7 +190,7 @@ export async function programOf(id: string): Promise<KeptProgram | undefined> {
   return programIn(await read((transaction) => transaction.objectStore('texts').get(id)));
 }
 
-/** The earlier states of a program, the newest first. */
+/** The earlier states of a program, newest first. */
 export async function statesOf(id: string): Promise<readonly State[]> {
   const keys = await read((transaction) => transaction.objectStore('states').getAllKeys(allOf(id)));
   return keys.map(([, time, length]) => ({ time, length })).sort((a, b) => b.time - a.time);
@@ -201,13 +200,13 @@ export async function programOfState(id: string, state: State): Promise<KeptProg
   return programIn(await read((transaction) => transaction.objectStore('states').get(keyOf(id, state))));
 }
 
-/** All programs with their states, as a file has them. */
+/** All programs with their states, in the form of an exported file. */
 export async function everything(): Promise<readonly FiledProgram[]> {
   const all = await listPrograms();
   return (await Promise.all(all.map(({ id }) => filed(id)))).flatMap((one) => one ?? []);
 }
 
-/** One program with its states. */
+/** One program with its states, in the form of an exported file. */
 export function filed(id: string): Promise<FiledProgram | undefined> {
   return read(async (transaction) => {
     const row = listedIn(await transaction.objectStore('programs').get(id));
@@ -229,16 +228,18 @@ export function filed(id: string): Promise<FiledProgram | undefined> {
 // ---- changing -------------------------------------------------------------------------------------
 
 export type Written =
-  /** `overtaken`: the list has had it, and another tab has gone on from there. */
+  /** `overtaken`: the list already had this entry, and another tab has changed the program since. */
   | { readonly kind: 'written'; readonly row: Listed; readonly was: 'new' | 'there' | 'same' | 'overtaken' }
   /** Another tab has changed it since; nothing was written. */
   | { readonly kind: 'conflict'; readonly row: Listed }
   | { readonly kind: 'too-many' };
 
 export interface Wanted extends Entry {
-  /** What the program is called by itself. */
+  /** The name derived from the program. */
   readonly name: string;
-  /** The text that was there becomes an earlier state: when it is time, or now. */
+  /**
+   * Whether the replaced text becomes an earlier state: if the last one is old enough (`in-time`), or always (`now`).
+   */
   readonly state: 'in-time' | 'now';
 }
 
@@ -267,7 +268,7 @@ async function write(transaction: Writing, { id, tab, time, base, program, name,
     await Promise.all([programs.put(created), texts.put(program, id)]);
     return { kind: 'written', row: created, was: 'new' };
   }
-  // An entry of the journal that the list has had.
+  // The list already had this entry of the journal.
   if ((row.seen[tab] ?? 0) >= time)
     return { kind: 'written', row, was: row.tab === tab || isSame(before, program) ? 'same' : 'overtaken' };
   const seen = withSeen(row, tab, time);
@@ -276,9 +277,9 @@ async function write(transaction: Writing, { id, tab, time, base, program, name,
     return { kind: 'written', row, was: 'same' };
   }
   if (row.revision !== base && row.tab !== tab) return { kind: 'conflict', row };
-  // What another tab has written is no step on the way of this one.
+  // A text of another tab always becomes an earlier state, since this tab has not edited it.
   await keepState(transaction, row, before, time, row.tab === tab ? state : 'now');
-  // The picture stays until there is a new one.
+  // Keep the old picture until there is a new one.
   const changed: Listed = {
     ...row,
     name: row.namedBy === 'reader' ? row.name : name,
@@ -293,7 +294,9 @@ async function write(transaction: Writing, { id, tab, time, base, program, name,
   return { kind: 'written', row: changed, was: 'there' };
 }
 
-/** Puts an entry that another tab's text stands in the way of beside that: a program of its own, which the reader names. */
+/**
+ * Saves an entry that is in conflict with another tab's text as a separate program, with a name derived from the other.
+ */
 export function writeBeside({ id, tab, time, program }: Entry): Promise<Listed | 'too-many'> {
   const idBeside = newId();
   return change(async (transaction) => {
@@ -340,7 +343,7 @@ async function keepState(
   await Promise.all(gone.map((state) => states.delete(keyOf(id, state))));
 }
 
-/** An earlier state becomes the program; what it was until now is an earlier state from then on. */
+/** Restores an earlier state; the replaced text becomes an earlier state. */
 export async function restoreState(id: string, state: State): Promise<KeptProgram | undefined> {
   return change(async (transaction) => {
     const [row, then] = await Promise.all([
@@ -362,7 +365,7 @@ export async function restoreState(id: string, state: State): Promise<KeptProgra
   });
 }
 
-/** The reader names it; an empty name: as the program names itself. */
+/** Sets the name of a program; an empty `name` restores the name derived from the program. */
 export async function rename(id: string, name: string, byItself: (program: KeptProgram) => string): Promise<void> {
   await change(async (transaction) => {
     const programs = transaction.objectStore('programs');
@@ -375,7 +378,7 @@ export async function rename(id: string, name: string, byItself: (program: KeptP
   });
 }
 
-/** The picture of a revision, as long as that is the newest. */
+/** Stores the picture of a revision, if that is still the newest. */
 export async function keepPicture(id: string, revision: number, picture: SmallPicture | undefined): Promise<void> {
   await change(async (transaction) => {
     const programs = transaction.objectStore('programs');
@@ -386,7 +389,7 @@ export async function keepPicture(id: string, revision: number, picture: SmallPi
   });
 }
 
-/** A program of its own, with the same text. */
+/** Saves a copy as a separate program. */
 export async function duplicate(id: string): Promise<Listed | 'too-many' | undefined> {
   const idOfCopy = newId();
   return change(async (transaction) => {
@@ -418,7 +421,7 @@ export async function duplicate(id: string): Promise<Listed | 'too-many' | undef
   });
 }
 
-/** Deletes a program with its states, and answers with them, so that they can be put back. */
+/** Deletes a program with its states and returns them, for undo. */
 export async function deleteProgram(id: string): Promise<FiledProgram | undefined> {
   const whole = await filed(id);
   await change(async (transaction) => {
@@ -437,7 +440,7 @@ export interface Imported {
   readonly noRoom: number;
 }
 
-/** Adds programs; what is there already stays as it is. */
+/** Adds programs; existing ones are not changed. */
 export async function addPrograms(programs: readonly FiledProgram[]): Promise<Imported> {
   const given = programs.map((one) => ({ one, idBeside: newId() }));
   return change(async (transaction) => {

@@ -1,15 +1,15 @@
-// What the tabs of this page say to each other about the reader's own programs.
+// Messages between the tabs of this page about saved programs.
 //
-// In and out: which program was changed or deleted, by which tab. Whatever else arrives is no news. A browser without
-// channels says nothing: nothing is overwritten all the same, since the store compares revisions.
-// Must not know: what a tab does about it.
+// In and out: which program was changed or deleted, by which tab; unknown messages are ignored. Without
+// `BroadcastChannel` there are no messages; even so, nothing is overwritten, since the store compares revisions. Must
+// not know: how a tab reacts.
 
 import { isCount, isId, TAB } from './storage';
 
 export type TabNews =
   | { readonly kind: 'changed'; readonly id: string; readonly revision: number }
   | { readonly kind: 'deleted'; readonly id: string }
-  /** Many at once, or how they are listed. */
+  /** Several programs have changed, or their names. */
   | { readonly kind: 'list' };
 
 const NAME = `gcode-playground:programs:${location.pathname}`;

@@ -1,4 +1,4 @@
-// The words of the reader's own programs: the line of news under the header, and the dialog.
+// Texts of saved programs: the notices under the header, and the dialog.
 
 import { counter } from '../dom/plural';
 import { words } from '../dom/words';

@@ -1,41 +1,43 @@
-// The rules of the list of the reader's own programs: names, which earlier states stay, and what a file of programs
-// may say.
+// The rules for saved programs: names, which earlier states are kept, and the format of an exported file.
 //
-// In: plain values, those of a file or a store being anybody's. Out: plain values. Nothing here asks the browser for
-// anything. Must not know: how programs are stored or shown.
+// In: plain values; those from a file or a store are untrusted. Out: plain values. Uses no browser APIs. Must not know:
+// how programs are stored or shown.
 
 import type { SmallPicture } from '../../small-picture';
 import { isCount, isId, LONGEST_KEPT, newId, programIn, type KeptProgram } from './storage';
 
-/** What the list shows of a program; its text is stored beside it. */
+/** A row of the list; the text of the program is stored separately. */
 export interface Listed {
   readonly id: string;
-  /** Empty: nothing in the program names it. */
+  /** Empty if nothing in the program gives it a name. */
   readonly name: string;
   readonly namedBy: 'program' | 'reader';
   /** Times, ms since 1970. */
   readonly created: number;
   readonly changed: number;
-  /** Grows with each change, whichever tab makes it. */
+  /** Incremented by each change in any tab. */
   readonly revision: number;
   /** The tab that made the last change. */
   readonly tab: string;
-  /** Up to when the list has what each tab wrote into the journal: an older entry can come back when a browser is killed. */
+  /**
+   * For each tab, the time of its newest journal entry in the list. Older entries can reappear after a browser was
+   * killed.
+   */
   readonly seen: Readonly<Record<string, number>>;
-  /** UTF-16 units of the text. */
+  /** Length of the text in UTF-16 units. */
   readonly length: number;
-  /** Words that it is found by, beside its name. */
+  /** Words for the search, besides the name. */
   readonly words: string;
   readonly picture?: SmallPicture;
 }
 
-/** An earlier text of a program: when it came to be, and how long it is. */
+/** An earlier text of a program: its time and its length. */
 export interface State {
   readonly time: number;
   readonly length: number;
 }
 
-/** A program as a file has it. */
+/** A program in an exported file. */
 export interface FiledProgram {
   readonly id: string;
   readonly name: string;
@@ -48,36 +50,36 @@ export interface FiledProgram {
 
 export const LIMITS = {
   programs: 1000,
-  /** Units of the text of one program. */
+  /** UTF-16 units of the text of one program. */
   length: LONGEST_KEPT,
-  /** Earlier states of one program, and the units of all of them. */
+  /** Earlier states of one program, and the UTF-16 units of all of them. */
   states: 100,
   stateUnits: 20_000_000,
-  /** Bytes of a file of programs. */
+  /** Bytes of an exported file. */
   file: 100_000_000,
   name: 120,
-  /** Tabs whose entries are remembered, of one program. */
+  /** Number of tabs in `seen` of a program. */
   tabs: 50,
 } as const;
 
 const SECOND = 1000;
 const MINUTE = 60 * SECOND;
 const DAY = 24 * 60 * MINUTE;
-/** An earlier state is kept when the one before it is older than this. */
+/** Minimum interval between earlier states. */
 const BETWEEN_STATES = 15 * SECOND;
-/** How old states may be, and how far apart those are that stay. */
+/** The minimum distance between kept states, by their age. */
 const KEPT_APART = [
   { upTo: 10 * MINUTE, apart: 0 },
   { upTo: DAY, apart: 10 * MINUTE },
   { upTo: Infinity, apart: DAY },
 ] as const;
 
-/** Whether the text that is about to be replaced becomes an earlier state. */
+/** Whether the replaced text becomes an earlier state. */
 export function isWorthAState(states: readonly State[], now: number): boolean {
   return now - Math.max(0, ...states.map(({ time }) => time)) >= BETWEEN_STATES;
 }
 
-/** The states that go: of each stretch of time the last one stays, and of all the newest, up to the limits. */
+/** The states to delete: of each period the last one is kept, and the newest ones up to the limits. */
 export function superfluous(states: readonly State[], now: number): readonly State[] {
   const newestFirst = [...states].sort((a, b) => b.time - a.time);
   const taken = new Set<string>();
@@ -93,7 +95,7 @@ export function superfluous(states: readonly State[], now: number): readonly Sta
   });
 }
 
-/** What a program is called by itself: after its file, its example, or its first line. */
+/** The name derived from a program: from its file, its example or its first line. */
 export function nameOf({ text, file }: KeptProgram, exampleTitle: string | undefined): string {
   const numbered = /^[\s%]*[O:](\d{1,8})[^\S\n]*(?:\(([^)\n]*)\))?/.exec(text.slice(0, 1000));
   const [, number, comment = ''] = numbered ?? [];
@@ -107,13 +109,13 @@ export function nameOf({ text, file }: KeptProgram, exampleTitle: string | undef
   return cut(file?.name || exampleTitle || byNumber || firstLine);
 }
 
-/** A name as the list takes it. */
+/** A name in one line, truncated to the limit. */
 export function cut(name: string): string {
   const plain = name.replace(/\s+/g, ' ').trim();
   return [...plain].slice(0, LIMITS.name).join('');
 }
 
-/** A name that none of these has: "Shaft (2)". */
+/** A name that is not in `names`: "Shaft (2)". */
 export function nameBeside(name: string, names: readonly string[]): string {
   const stem = name.replace(/ \(\d{1,4}\)$/, '');
   for (let n = 2; ; n++) {
@@ -122,7 +124,7 @@ export function nameBeside(name: string, names: readonly string[]): string {
   }
 }
 
-/** The G, M and T words of a program, each once: it is found by them. */
+/** The G, M and T words of a program, without repetitions, for the search. */
 export function wordsOf(text: string): string {
   const written =
     text
@@ -141,7 +143,7 @@ export function matches(of: Pick<Listed, 'name' | 'words'>, search: string): boo
     .every((term) => text.includes(term));
 }
 
-/** The same text under the same conditions. */
+/** Whether the texts and their contexts are equal. */
 export function isSame(a: KeptProgram, b: KeptProgram): boolean {
   return a.text === b.text && JSON.stringify(contextOf(a)) === JSON.stringify(contextOf(b));
 }
@@ -150,7 +152,7 @@ function contextOf({ example, control, file, setup, blockSkip, program }: KeptPr
   return [example, control, file?.name, file?.encoding, setup ?? '', blockSkip, program];
 }
 
-/** A row of the list, of whatever was stored. */
+/** Validates a stored row. */
 export function listedIn(value: unknown): Listed | undefined {
   const { id, name, namedBy, created, changed, revision, tab, seen, length, words, picture } = Object(value) as Partial<
     Record<keyof Listed, unknown>
@@ -179,7 +181,7 @@ function seenIn(value: unknown): Listed['seen'] {
   );
 }
 
-/** With what the list has now of a tab, which is the newest of all. */
+/** Updates `seen` with the newest entry of a tab; removes the oldest tabs above the limit. */
 export function withSeen({ seen }: Pick<Listed, 'seen'>, tab: string, time: number): Listed['seen'] {
   const others = Object.entries(seen)
     .filter(([other]) => other !== tab)
@@ -193,7 +195,7 @@ function pictureIn(value: unknown): SmallPicture | undefined {
   return { rapid, cut: cutting, ...(typeof axis === 'number' ? { axis } : {}) };
 }
 
-/** Times that no date has would stop the list from being shown. */
+/** Times out of the range of `Date` would make formatting throw. */
 function timeIn(value: unknown): number {
   return isCount(value) && value < 8.64e15 ? value : 0;
 }
@@ -253,7 +255,7 @@ function filedIn(value: unknown): FiledProgram | undefined {
   };
 }
 
-/** What is done with each program of a file: nothing there is overwritten. */
+/** How to import a program of a file; existing programs are never overwritten. */
 export function importAs(filed: FiledProgram, there: KeptProgram | undefined): 'there-already' | 'new' | 'beside' {
   if (there === undefined) return 'new';
   return isSame(filed.program, there) ? 'there-already' : 'beside';

@@ -1,6 +1,6 @@
-// What the page lends to what can be done with the program, and to keeping it.
+// What the page provides to actions and to saving.
 //
-// In and out: types alone. Must not know: who borrows it.
+// In and out: types only. Must not know: who uses them.
 
 import type { Language } from '../dom/language';
 import type { GcodePlayground } from '../shell/element';
@@ -8,59 +8,59 @@ import type { Example } from './gallery';
 import type { TabNews } from './own-programs-tabs';
 import type { Entry, KeptProgram, OwnProgram } from './storage';
 
-/** What the page lends to keeping. */
+/** What the page provides to `Keeping`. */
 export interface KeepingHost {
   readonly playground: GcodePlayground;
   readonly language: Language;
-  /** The program as it is now, with its context. */
+  /** The current program with its context. */
   readonly program: KeptProgram;
-  /** What an example is called in the language of the page. */
+  /** The title of an example in the language of the page. */
   titleOf(example: string): string | undefined;
-  /** Puts a program in the place of the one that is there; undo brings it back. */
+  /** Replaces the current program; undo restores it. */
   show(program: OwnProgram): Promise<void>;
-  /** What waits to be kept is kept now. */
+  /** Saves pending changes immediately. */
   keepNow(): void;
   openList(): void;
 }
 
-/** Which of the reader's own programs is in this tab (`keeping.ts`). */
+/** The saved program in this tab (`keeping.ts`). */
 export interface ProgramOfTab {
   readonly host: KeepingHost;
-  /** The newest revision of a program that this tab has seen. */
+  /** The newest revision that this tab has seen, for each program. */
   readonly known: Map<string, number>;
-  /** The entry of the journal that the page began with. */
+  /** The journal entry that the page started with. */
   began: Entry | undefined;
-  /** The program of the list that is in the editor; none, where it is an example as it came. */
+  /** The id of the saved program in the editor; undefined for an unchanged example. */
   readonly id: string | undefined;
   takes(id: string | undefined): void;
   remember(id: string, text: string): void;
   keep(program: KeptProgram): void;
-  /** The list has this entry. */
+  /** The list contains this entry. */
   isInList(entry: Entry): void;
 }
 
-/** What a tab does about the list of the reader's own programs (`own-programs-session.ts`). */
+/** The connection of a tab to the list of saved programs (`own-programs-session.ts`). */
 export interface KeptList {
-  /** Calls `heard` after each change of the list, by whichever tab. */
+  /** Calls `heard` after each change of the list, in any tab. */
   follow(heard: () => void): void;
-  /** This tab has changed the list by other ways than by writing the program. */
+  /** Reports a change of the list that was not made by saving the program. */
   changed(news: TabNews): void;
-  /** A revision that this tab has made or shown. */
+  /** Records a revision that this tab has written or shown. */
   knows(row: { readonly id: string; readonly revision: number }): void;
-  /** Resolved once nothing waits to be written, or it cannot be. */
+  /** Resolved when no entry is waiting, or writing has failed. */
   written(): Promise<void>;
 }
 
-/** What the page lends to an action. */
+/** What the page provides to an action. */
 export interface PageHost {
   readonly playground: GcodePlayground;
   readonly language: Language;
-  /** The example that is shown, or that the program began as. */
+  /** The current example, or the example that the program started from. */
   readonly example: Example | undefined;
-  /** The program as it is now, with its context. */
+  /** The current program with its context. */
   readonly program: KeptProgram;
-  /** Puts another program in the place of the one that is there, which is kept before; undo brings it back. */
+  /** Saves the current program and replaces it; undo restores it. */
   readonly show: (program: OwnProgram) => Promise<void>;
-  /** Which of the reader's own programs it is, and the list of them. */
+  /** The saved program in this tab, and the list of all. */
   readonly keeping: ProgramOfTab & { session(): Promise<KeptList> };
 }

@@ -1,9 +1,8 @@
-// The page around the element: which program is shown, and when it is kept.
+// The page around the element: which program is shown, and when it is saved.
 //
-// In: the address (`#example`, or a program, see `linked.ts`), the browser's store, the header's controls, the
-// examples (`gallery.ts`), of which only the one that is shown is loaded before the first picture.
-// Out: attributes and the value of the element. Must not know: how the element works inside, or what a setup
-// holds beyond the name of its control.
+// In: the address (`#example`, or a program, see `linked.ts`), the browser's storage, the controls of the header, the
+// examples (`gallery.ts`), of which only the current one is loaded before the first picture. Out: attributes and value
+// of the element. Must not know: how the element works, or the content of a setup except for the name of its control.
 
 import '../shell/element';
 import './page.css';
@@ -45,21 +44,21 @@ const CONTROLS = [
   ['gsk', 'GSK'],
   ['forum', 'Forum'],
 ] as const;
-/** Whose the program of a link is; no example is called so. */
+/** The origin of the program of a link; no example has this id. */
 const OF_A_LINK = '#program';
-/** For who is here for the first time. */
+/** The hints for a first visit. */
 const HINTS = 'edit play pick';
-/** How long a change waits to be kept, with all that is typed meanwhile. */
+/** Delay before a change is saved, together with later ones. */
 const KEEP_AFTER_MS = 400;
-/** How long the reader must pause before a long program is kept: the page would stand still with each key. */
+/** How long the user must pause before a long program is saved: saving after each key would block the page. */
 const KEEP_LONG_AFTER_MS = 1500;
-/** Where a browser does not say when it has nothing to do. */
+/** The delay in browsers without `requestIdleCallback`. */
 const IDLE_AFTER_MS = 1000;
 
-/** It comes into the page with its first program, so that nothing else is run before. */
+/** Added to the document together with its first program, so that no other program is run before. */
 const playground = document.createElement('gcode-playground') as GcodePlayground;
 playground.loading = 'eager';
-// It is the playground.
+// This page is the playground itself, so the element needs no link to it.
 playground.playground = '';
 const controlSelect = find<HTMLSelectElement>('control');
 const languageSelect = find<HTMLSelectElement>('language');
@@ -71,23 +70,23 @@ const settings = find('settings');
 
 let language: Language = languageOf(linkedProgram(location.hash)?.language ?? choices().language ?? navigator.language);
 let example: Example | undefined;
-/** A part was kept for an example that is compared with it. */
+/** A part was stored for an example that is compared with it. */
 let isComparing = false;
-/** The examples that were shown: undo can bring each of them back. */
+/** The examples shown so far; undo can restore each of them. */
 const shown = new Map<string, Example>();
-/** Counts what was asked to be shown, so that what is loaded can come too late. */
+/** Number of requests to show a program, so that a late answer to an earlier one can be dropped. */
 let asked = 0;
-/** The page has looked at the address that it begins with. */
+/** Whether the initial address was read. */
 let begun = false;
-/** The link that each program of this tab began as: undo can bring back one of another link. */
+/** The link that each program of this tab started from; undo can restore a program of another link. */
 const beganAs = new Map<string, string>();
 let keepingSoon: ReturnType<typeof setTimeout> | undefined;
-/** The text as it was last loaded or kept. */
+/** The text as last loaded or saved. */
 let known = '';
-/** Once the page is settled. */
+/** Loaded once the page is settled. */
 let offline: Offline | undefined;
 
-/** What the page lends to its parts. */
+/** What the page provides to its parts. */
 const host = {
   playground,
   get language() {
@@ -133,7 +132,6 @@ const above = new AboveProgram(host);
 const examples = new ExampleList(host);
 const appearance = new Appearance(playground);
 const link = new OpenedLink(host);
-/** Which of the reader's own programs this is. */
 const ownPrograms = new Keeping(host);
 const actions = new Actions(find('actions'), host);
 
@@ -154,7 +152,7 @@ function start(): void {
   });
 }
 
-/** The program of the address, the kept one, the example of the address, or the first one. */
+/** Shows the program of a link in the address, the saved one, the example in the address, or the first one. */
 async function begin(): Promise<void> {
   const { found, work } = await lookUp('last-at-once');
   begun = true;
@@ -163,7 +161,7 @@ async function begin(): Promise<void> {
   if (found.kind === 'linked') {
     const { linked } = found;
     if (work.kind === 'work') return showWork(work.work, linked);
-    // The program of the link, perhaps under another setup.
+    // The same text as in the link, but possibly with a changed setup.
     if (kept !== undefined && entry !== undefined && kept.example === '' && folded(kept.text) === folded(linked.text))
       return showWork({ program: kept, entry }, linked);
     loadLinked(linked);
@@ -177,7 +175,7 @@ async function begin(): Promise<void> {
   else if (missing !== undefined && id !== '' && location.hash.slice(1) === id) showMissing(missing, id);
 }
 
-/** What the address holds, and what the reader has made of its task; the address can become another one meanwhile. */
+/** Reads the address and finds the user's work on its task; starts again if the address changes meanwhile. */
 async function lookUp(
   last: 'last-at-once' | 'as-listed',
 ): Promise<{ readonly found: InAddress; readonly work: FoundWork }> {
@@ -193,7 +191,10 @@ async function lookUp(
   }
 }
 
-/** The kept program, the example of the address, or the first one; why the example of the address is not shown. */
+/**
+ * Shows the saved program, the example in the address, or the first one. Returns why the example in the address is not
+ * shown.
+ */
 async function beginWithoutLink(
   id: string,
   entry: Entry | undefined,
@@ -218,14 +219,14 @@ function showMissing(reason: NoExample, id: string): void {
   else above.showNotLoaded(() => void choose(id));
 }
 
-/** The example a kept program began as. */
+/** The example that a saved program started from. */
 async function keptExample(kept: KeptProgram): Promise<Example | undefined> {
   if (kept.example === '') return undefined;
   const began = await loadExample(kept.example);
   return typeof began === 'string' ? FIRST_EXAMPLE : began;
 }
 
-/** Loads the example the reader has asked for, unless another one has been asked for since. */
+/** Loads an example that the user has selected, unless another one was requested since. */
 async function choose(id: string): Promise<void> {
   const own = ++asked;
   const chosen = await loadExample(id);
@@ -240,7 +241,10 @@ async function choose(id: string): Promise<void> {
   history.replaceState(null, '', `#${chosen.id}`);
 }
 
-/** Runs the program whose part an example is compared with, and keeps that part; something else may have been asked for since. */
+/**
+ * Runs the program that an example is compared with, and stores its part; `late` if another program was requested
+ * since.
+ */
 async function layUnder(chosen: Example | undefined, own: number): Promise<'in-time' | 'late'> {
   const other = chosen?.compareWith === undefined ? undefined : await loadExample(chosen.compareWith);
   if (own !== asked) return 'late';
@@ -254,7 +258,7 @@ async function layUnder(chosen: Example | undefined, own: number): Promise<'in-t
   return 'in-time';
 }
 
-/** A program of the reader's own choice is no example. */
+/** The program of a link has no example. */
 function loadLinked(linked: LinkedProgram): void {
   asked++;
   load(undefined);
@@ -268,7 +272,7 @@ function loadLinked(linked: LinkedProgram): void {
   above.show({ kind: 'example' });
 }
 
-/** What the reader has made of the program of the link in the address. */
+/** Shows the user's version of the program of the link in the address. */
 function showWork({ program, entry, revision }: Work, linked: LinkedProgram): void {
   const { id, text } = program;
   restore(program, undefined, OF_A_LINK);
@@ -279,7 +283,7 @@ function showWork({ program, entry, revision }: Work, linked: LinkedProgram): vo
   if (folded(text) !== folded(linked.text)) above.show({ kind: 'linked', address: location.hash, linked });
 }
 
-/** The program is there again, in place of the one that is kept: as the work on the task in the address, where it is that. */
+/** Restores a program and saves the current one; if it is the work on the task in the address, it is shown as such. */
 async function bringBack(program: OwnProgram): Promise<void> {
   const began = await keptExample(program);
   keepNow();
@@ -290,7 +294,10 @@ async function bringBack(program: OwnProgram): Promise<void> {
   else restore(program, began);
 }
 
-/** The task is shown as it came; the work on it is offered when it is found, unless the reader has gone on to something else. */
+/**
+ * Offers the user's work on the task once it is found, unless the user has opened something else. Until then the
+ * original task is shown.
+ */
 function offerLater(work: FoundWork): void {
   if (work.kind !== 'late') return;
   const own = asked;
@@ -299,7 +306,7 @@ function offerLater(work: FoundWork): void {
   });
 }
 
-/** Language, view and step of a link, and what it says beside its program. */
+/** Applies the language, view and step of a link, and shows its bar. */
 function showAsLinked(linked: LinkedProgram): void {
   if (linked.language !== null && languageOf(linked.language) !== language) {
     language = languageOf(linked.language);
@@ -313,7 +320,7 @@ function showFault(fault: Fault): void {
   link.showFault(fault);
 }
 
-/** A program with its context; the switches are as the setup has them. */
+/** Puts a program with its context into the element; by default the switches follow the setup. */
 function put(
   {
     control,
@@ -355,9 +362,9 @@ function load(chosen: Example | undefined): void {
   above.show({ kind: 'example' });
 }
 
-/** The address is another one; what it replaces is kept, and offered. */
+/** The address has changed: shows its program; the current one is saved and offered for restoring. */
 async function followAddress(): Promise<void> {
-  // The page looks at it before it begins.
+  // `begin` reads the initial address.
   if (!begun) return;
   const own = ++asked;
   keepNow('address-stays');
@@ -373,7 +380,7 @@ async function followAddress(): Promise<void> {
     const untouched = [linked.text, from?.linked.text, shown.get(before.example)?.program];
     const offered = untouched.includes(before.text) ? undefined : before;
     if (work.kind === 'work') {
-      // What was typed meanwhile is newer.
+      // The text in the editor is newer.
       const isHere = work.work.program.id === id;
       showWork(isHere ? { program: { ...before, id } } : work.work, linked);
       if (!isHere && offered !== undefined) above.offer(offered);
@@ -388,7 +395,7 @@ async function followAddress(): Promise<void> {
   if (id !== '' && id !== example?.id) void choose(id);
 }
 
-/** Another program has taken the place of the one before, or undo has brought it back. */
+/** Another program has replaced the current one, or undo has restored it. */
 function followOrigin(): void {
   showControl();
   const now = shown.get(playground.origin ?? '');
@@ -396,7 +403,7 @@ function followOrigin(): void {
   ownPrograms.replaced(playground.length > LONGEST_KEPT ? undefined : playground.opened.text);
   example = now;
   endComparisonUnlessOf(now);
-  // The address names the example as long as it is one.
+  // The address names the example while one is shown.
   history.replaceState(null, '', now === undefined ? location.pathname + location.search : `#${now.id}`);
   examples.show();
   above.show({ kind: 'example' });
@@ -412,7 +419,7 @@ function restore(kept: OwnProgram, began: Example | undefined, origin: string | 
   example = began;
   if (began !== undefined) shown.set(began.id, began);
   const { text, file, setup, blockSkip = null, program = null } = kept;
-  // A file that was kept before setups were is no example.
+  // A file that was saved before setups were saved is not an example.
   const unsaid = file === undefined ? (example?.setup ?? null) : null;
   put(
     {
@@ -442,7 +449,7 @@ function listen(): void {
   playground.addEventListener('gcode-split', (event) =>
     keepChoices({ split: (event as CustomEvent<{ readonly split: string }>).detail.split }),
   );
-  // The element takes what is dropped on it; beside it the browser would leave the page.
+  // The element handles what is dropped on it; elsewhere the browser would leave the page.
   acceptFiles(
     document.documentElement,
     {
@@ -463,7 +470,7 @@ function listen(): void {
     settingsToggle.setAttribute('aria-expanded', String(open));
   });
   playground.addEventListener('gcode-change', () => {
-    // What is said of the example is not said of the reader's own file.
+    // The description of the example is removed when a file is opened.
     above.showAgain();
     keepSoon();
   });
@@ -474,7 +481,7 @@ function listen(): void {
     ownPrograms.replaced(playground.length > LONGEST_KEPT ? undefined : playground.opened.text);
     followOrigin();
   });
-  // A program that something else has put in has its own context, too.
+  // A program put in by a script has its own context, too.
   playground.addEventListener('gcode-report', followOrigin);
   playground.addEventListener('gcode-switch', keepSoon);
   playground.addEventListener('gcode-setup', () => {
@@ -486,7 +493,7 @@ function listen(): void {
     if (document.visibilityState === 'hidden') keepNow();
   });
   playground.addEventListener('gcode-settled', () => void ownPrograms.session().catch(() => undefined), { once: true });
-  // Nothing of the first picture waits for it.
+  // After the first picture, so as not to delay it.
   playground.addEventListener('gcode-settled', () => void storePage(), { once: true });
 }
 
@@ -511,7 +518,7 @@ async function storePage(): Promise<void> {
 
 // ---- keeping --------------------------------------------------------------------------------------
 
-/** Nothing waits to be kept any more. */
+/** Cancels a pending save. */
 function waitNoLonger(): void {
   clearTimeout(keepingSoon);
   keepingSoon = undefined;
@@ -526,7 +533,7 @@ function keepSoon(): void {
   keepingSoon = setTimeout(() => keepNow(), isLong ? KEEP_LONG_AFTER_MS : KEEP_AFTER_MS);
 }
 
-/** Keeps what waits to be kept; a program that is the example again needs no keeping. */
+/** Saves pending changes; an unchanged example is not saved. */
 function keepNow(address: 'follows' | 'address-stays' = 'follows'): void {
   if (playground.length > LONGEST_KEPT) return waitNoLonger();
   const text = playground.value;
@@ -536,7 +543,7 @@ function keepNow(address: 'follows' | 'address-stays' = 'follows'): void {
   const { file, setup, blockSkip, program } = playground;
   const asItCame = file === undefined && setup === example?.setup && blockSkip === null && program === null;
   if (asItCame && text === example?.program && controlSelect.value === controlOf(example.setup)) {
-    // The list has what it was until now, and has it again where the reader has come back to it.
+    // Update the saved program in the list, if the user has returned to the unchanged example.
     if (ownPrograms.id !== undefined) ownPrograms.keep(programNow());
     forgetLast();
   } else {
@@ -546,14 +553,14 @@ function keepNow(address: 'follows' | 'address-stays' = 'follows'): void {
   }
 }
 
-/** Who opens the page again finds the program as it is. */
+/** Whether the current program is found again when the page is reopened. */
 function isKept(): boolean {
   const { text } = playground.opened;
   const came = example?.program ?? link.inAddress?.linked.text;
   return lastEntry()?.program.text === text || (came !== undefined && folded(came) === playground.value);
 }
 
-/** The program with its context, as it is kept. */
+/** The current program with its context, to be saved. */
 function programNow(): KeptProgram {
   const { file, setup, blockSkip, program } = playground;
   return {
@@ -567,25 +574,25 @@ function programNow(): KeptProgram {
   };
 }
 
-/** The address holds the program of a link until the text is another one: who comes back then finds what was kept. */
+/** Removes the link from the address once the text differs from it, so that a later visit shows the saved program. */
 function leaveLink(text: string): void {
   const before = above.now;
   if (before.kind === 'linked' && folded(before.linked.text) === text) {
-    // Another address may be on its way to be shown.
+    // The address may already have changed to another one that is about to be shown.
     if (location.hash === '') history.replaceState(null, '', before.address);
     above.show({ kind: 'example' });
   }
   const open = link.inAddress;
   if (open === undefined || folded(open.linked.text) === text) return;
   const isOfLink = playground.origin === OF_A_LINK;
-  // Who comes back finds the task, and the work on it.
+  // The link of a task stays in the address: a later visit finds the task and the work on it.
   if (!isOfLink || open.linked.task === null) history.replaceState(null, '', location.pathname + location.search);
   const { now } = above;
   if (isOfLink && now.kind !== 'linked')
     above.show({ kind: 'linked', ...open, ...(now.kind === 'kept' ? { kept: now.program } : {}) });
 }
 
-/** The link of a task finds the program that began as it. */
+/** Records the program as the work on the task it started from. */
 function keepAsWork(): void {
   const { id } = ownPrograms;
   const { last } = link;
@@ -617,7 +624,7 @@ function showLanguage(): void {
   above.showAgain();
 }
 
-/** Which control the program is run on; the setup decides where the reader has chosen none. */
+/** Selects the control that runs the program: the user's choice, or that of the setup. */
 function showControl(): void {
   controlSelect.value = playground.control ?? controlOf(playground.setup ?? '{}');
 }
@@ -627,7 +634,7 @@ function controlOf(setup: string): string {
     const parsed = Object(JSON.parse(setup)) as { readonly dialect?: { readonly control?: string } };
     return parsed.dialect?.control ?? 'fanuc';
   } catch {
-    // The interpreter says what is wrong with the setup of an address.
+    // The interpreter reports a faulty setup.
     return 'fanuc';
   }
 }

@@ -1,17 +1,17 @@
-// A link as a QR code: the smallest that holds it, with the errors it can have that paper and screens make.
+// Makes the QR code of a link: the smallest one of error correction level M that contains it.
 //
-// In: an address. Out: a drawing of it, or how much one holds. Loaded when somebody asks for one. Must not know: what the
-// address means.
+// In: an address. Out: a drawing of the code, and the maximum length. Loaded on demand. Must not know: the meaning of
+// the address.
 
 import { correction, generate } from 'lean-qr';
 
-/** Bytes in the largest code at level M, of which 15 % may be lost. */
+/** Bytes in the largest code at level M, which tolerates a loss of 15 %. */
 export const QR_LIMIT = 2331;
 const SVG = 'http://www.w3.org/2000/svg';
-/** Light modules around it, as readers need them. */
+/** The quiet zone around the code, in modules. */
 const MARGIN = 4;
 
-/** Nothing where it does not fit. */
+/** The code of `address`; undefined if it does not fit. */
 export function qrCode(address: string): SVGSVGElement | undefined {
   if (address.length > QR_LIMIT) return undefined;
   const code = generate(address, { minCorrectionLevel: correction.M });
@@ -25,7 +25,7 @@ export function qrCode(address: string): SVGSVGElement | undefined {
     const part = svg.appendChild(document.createElementNS(SVG, tag));
     for (const [name, value] of Object.entries(attributes)) part.setAttribute(name, value);
   };
-  // Dark on light in both themes: many readers know no other.
+  // Dark on light in both themes: many scanners do not recognise inverted codes.
   add('rect', { width: String(size), height: String(size), fill: '#fff' });
   add('path', { d: path, fill: '#000', 'shape-rendering': 'crispEdges' });
   return svg;

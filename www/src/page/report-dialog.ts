@@ -1,7 +1,7 @@
-// The dialog "My machine does otherwise": a report with the program, its setup, the block and what is drawn there.
+// The dialog to report a difference from a real machine: program, setup, block, and the drawn motions of the block.
 //
-// In: what the page lends to an action, and what the reader says. Out: a text to copy, and a zip with a folder for
-// `tests/programs`. Must not know: what a motion is.
+// In: the `PageHost`, and the user's description. Out: a text to copy, and a zip with a folder for `tests/programs`.
+// Must not know: the meaning of a motion.
 
 import { Dialog } from '../dom/dialog';
 import { make } from '../dom/dom';
@@ -20,15 +20,15 @@ import { REPORT_WORDS } from './report-words';
 import { sharedProgram } from './shared-program';
 import './share.css';
 
-/** Put in by the build. */
+/** Defined by the build. */
 declare const PLAYGROUND_VERSION: string;
 
-/** So long a report waits for its motions: where the interpreter was lost they never come. */
+/** Timeout for the motions; they never arrive if the interpreter has failed. */
 const LATEST_MS = 8000;
 
 let dialog: ReportDialog | undefined;
 
-/** Opens it for the program of now, at the block of the cursor. */
+/** Opens the dialog for the current program, at the block of the cursor. */
 export function report(host: PageHost): void {
   dialog ??= new ReportDialog();
   dialog.open(host);
@@ -68,13 +68,13 @@ class ReportDialog {
   #host: PageHost | undefined;
   #motions: readonly MotionRow[] | undefined;
   #link: string | undefined;
-  /** What is drawn, and the link, are still to come: the report is not whole. */
+  /** Motions and link are still being computed: the report is incomplete. */
   #waits = false;
-  /** Counts how often it was opened: what comes late is dropped. */
+  /** Number of times it was opened: late answers for an earlier one are dropped. */
   #opened = 0;
 
   constructor() {
-    // It looks like that dialog.
+    // Uses the styles of the dialog "Share".
     this.#dialog.element.classList.add('share');
     document.body.append(this.#dialog.element);
     for (const input of [this.#machine, this.#line, this.#did]) input.addEventListener('input', () => this.#show());
@@ -116,7 +116,7 @@ class ReportDialog {
     });
   }
 
-  /** What is drawn, and the link that opens it. */
+  /** Requests the drawn motions and the link to the program. */
   async #ask(host: PageHost): Promise<void> {
     const { playground } = host;
     const [table, made] = await Promise.all([

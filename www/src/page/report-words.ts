@@ -1,4 +1,4 @@
-// The words of a report that the machine does otherwise.
+// Texts of the report about a difference from a real machine.
 
 import { counter } from '../dom/plural';
 import { words } from '../dom/words';

@@ -1,32 +1,31 @@
-// A report that the machine does otherwise than the playground: as a text to send, and as a folder for
-// `tests/programs`.
+// The report about a difference from a real machine, as a text to send and as a folder for `tests/programs`.
 //
-// In: the program with its setup, the block, the motions that are drawn, and what the reader says. Out: Markdown, and
-// the files of the folder by name. Must not know: where they go.
+// In: the program with its setup, the block, the drawn motions, and the user's description. Out: Markdown, and the
+// files of the folder by name. Must not know: where they are sent.
 
 import { folded } from '../files/line-ends';
 import type { MotionRow } from './motion-table';
 import type { ReportWords } from './report-words';
 
 export interface Reported {
-  /** With its own line ends. */
+  /** With the original line ends. */
   readonly text: string;
-  /** All of the setup, JSON. */
+  /** The complete setup, JSON. */
   readonly setup: string;
   /** The line of the block, from 1. */
   readonly line: number;
-  /** The motions of all blocks; nothing where the program is too long for them, or they did not come. */
+  /** The motions of all blocks; undefined if the program is too long or they did not arrive in time. */
   readonly motions: readonly MotionRow[] | undefined;
   readonly machine: string;
   /** What the machine did. */
   readonly did: string;
-  /** Of the playground, and of the browser. */
+  /** Versions of the playground and of the browser. */
   readonly versions: string;
-  /** Opens all of it; nothing where it is too long for a link. */
+  /** A link to the program; undefined if it would be too long. */
   readonly link: string | undefined;
 }
 
-/** Motions of one block in the text; a cycle may have thousands. */
+/** Maximum number of motions of one block in the text; a cycle can have thousands. */
 const MOST_SHOWN = 40;
 const SHOWN = ['kind', 'x', 'z', 'c', 'r', 'dir', 'lead', 'feed', 'rpm'] as const;
 
@@ -71,13 +70,13 @@ export function fixture(reported: Reported): {
       'setup.json': json(JSON.parse(setup)),
       'about.json': json({ seed: 'machine', source }),
       'expect.json': json({}),
-      // As they are drawn: whoever adds the folder puts in what the machine did.
+      // The motions as drawn; the maintainer who adds the folder replaces them by the motions of the machine.
       'motions.jsonl': motions.map((row) => `${JSON.stringify(expected(row))}\n`).join(''),
     },
   };
 }
 
-/** A motion as `tests/programs` has it. */
+/** A motion in the format of `tests/programs`. */
 function expected(row: MotionRow): object {
   const number = (name: string): number | undefined =>
     row[name] === undefined || row[name] === '' ? undefined : Number(row[name]);
@@ -85,7 +84,7 @@ function expected(row: MotionRow): object {
     number(`${before}x`) === undefined
       ? undefined
       : { x: number(`${before}x`), z: number(`${before}z`), c: number(`${before}c`) };
-  // JSON leaves out what is undefined.
+  // `JSON.stringify` omits undefined values.
   return {
     kind: row['kind'],
     to: place(''),
@@ -109,7 +108,7 @@ function table(rows: readonly MotionRow[], words: ReportWords): string {
   return `${lines.join('\n')}${rows.length > MOST_SHOWN ? `\n\n${words.more(rows.length - MOST_SHOWN)}` : ''}`;
 }
 
-/** Program text may have backticks: what stands around it has more of them. */
+/** A Markdown code block. The fence has more backticks than any sequence in the text. */
 function fenced(kind: string, text: string): string {
   const fence = '`'.repeat(Math.max(3, longestTicks(text) + 1));
   return `${fence}${kind}\n${text.replace(/\n$/, '')}\n${fence}`;

@@ -1,7 +1,7 @@
-// The dialog "Share": a link that holds the program and all it is shown with, in the forms in which it is passed on.
+// The dialog "Share": a link that contains the program and its options, in several forms.
 //
-// In: what the page lends to an action. Out: texts to copy, a QR code, a picture. Nothing leaves the page but by the reader's
-// own hand. Must not know: how a link holds what it holds.
+// In: the `PageHost`. Out: texts to copy, a QR code, a picture. Nothing is sent without an action of the user. Must not
+// know: the format of a link.
 
 import { Dialog } from '../dom/dialog';
 import { make, showText } from '../dom/dom';
@@ -19,17 +19,17 @@ import { sharedProgram } from './shared-program';
 import { PAGE_WORDS } from './words';
 import './share.css';
 
-/** Above this, programs that pass links on are known to cut them off. */
+/** Some messaging programs are known to truncate links longer than this. */
 const LONG = 2000;
-/** The forms that hold a whole link of the page, and so a task. */
+/** The forms that contain a full link to the page, and so can contain a task. */
 const WITH_TASK: readonly Form[] = ['link', 'markdown', 'qr'];
 
-/** Put in by the build. */
+/** Defined by the build. */
 declare const PLAYGROUND_VERSION: string;
 
 let dialog: ShareDialog | undefined;
 
-/** Opens it for the program of now. */
+/** Opens the dialog for the current program. */
 export function share(host: PageHost): void {
   if (dialog === undefined) {
     dialog = new ShareDialog();
@@ -107,7 +107,7 @@ class ShareDialog {
   /** The solution that the task was written for. */
   #taskOf: string | undefined;
   #wasTask = false;
-  /** Counts what was asked for, so that what is made too late is dropped. */
+  /** Number of requests; a late result of an earlier one is dropped. */
   #asked = 0;
 
   constructor() {
@@ -163,7 +163,7 @@ class ShareDialog {
     this.#view.value = 'all';
     this.#step.checked = this.#readonly.checked = false;
     const { text } = host.program;
-    // What was written for this program is there again, until the program is another one.
+    // Keep the entered task, unless the program has changed.
     if (this.#taskOf !== text) {
       this.#taskOf = text;
       this.#task.checked = false;
@@ -192,20 +192,20 @@ class ShareDialog {
     return this.#task.checked && WITH_TASK.includes(this.#form.value as Form);
   }
 
-  /** A class reads a task in the language it has chosen, unless the teacher wants another. */
+  /** By default a task has no language, so that each pupil reads it in their own. */
   #followTask(): void {
     const isTask = this.#isTask;
     if (isTask !== this.#wasTask) this.#language.checked = !isTask;
     this.#wasTask = isTask;
   }
 
-  /** On a phone what is drawn comes after a screen of choices. */
+  /** Scrolls to the drawing, which on a phone is below a screen of options. */
   #showDrawn(): void {
     const { element } = this.#dialog;
     if (this.#drawn.childElementCount > 0) element.scrollTop = element.scrollHeight;
   }
 
-  /** What goes along. */
+  /** What to share, according to the options. */
   #shared(host: PageHost): Shared {
     const program = sharedProgram(host.program);
     const view = this.#view.value === 'all' ? null : this.#view.value;
@@ -242,7 +242,7 @@ class ShareDialog {
     this.#saveSvg.hidden = this.#savePng.hidden = !isPicture;
     this.#said.textContent = '';
     this.#dialog.element.dataset['form'] = form;
-    // What is copied is never that of the choices before.
+    // Clear the output, so that a result of earlier options cannot be copied.
     this.#output.value = '';
     this.#copy.disabled = this.#send.disabled = true;
     const made: Made = isPicture
@@ -258,7 +258,7 @@ class ShareDialog {
   async #made(form: Form, shared: Shared, host: PageHost, texts: ShareWords): Promise<Made> {
     const page = pageAddress();
     const title = host.example?.title[host.language] ?? host.program.file?.name ?? PAGE_WORDS[host.language].title;
-    // Files of a folder with the version in its name never change.
+    // Use the folder named after the version, whose files never change.
     const embedded = (file: string): string => new URL(`embed/${PLAYGROUND_VERSION}/${file}`, page).href;
     if (form === 'element' || form === 'frame') {
       const text =
@@ -310,14 +310,14 @@ class ShareDialog {
   }
 }
 
-/** A text to copy, what is said under it, and what is shown instead of it. */
+/** The result: a text to copy, the line under it, and a drawing that is shown instead of the text. */
 interface Made {
   readonly text: string;
   readonly length: string;
   readonly drawn?: Element;
 }
 
-/** As a field has it: each line end counts one; blank lines at the end are none of the program. */
+/** Normalises the text as a text field does: each line end is one character; trailing blank lines are removed. */
 function asField(text: string): string {
   return folded(text).trimEnd();
 }

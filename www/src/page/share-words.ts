@@ -1,4 +1,4 @@
-// The words of links: the dialog that makes them, and what is said of one that was opened.
+// Texts of links: the dialog that makes them, and the bar of an opened link.
 
 import type { Language } from '../dom/language';
 import { counter } from '../dom/plural';
@@ -17,7 +17,7 @@ const CHARACTERS: Words<(n: number) => string> = {
   zh: counter('zh', { other: '个字符' }),
   ru: counter('ru', { one: 'знак', few: 'знака', many: 'знаков', other: 'знака' }),
 };
-/** After «не более» and «не хватает». */
+/** The forms after «не более» and «не хватает». */
 const OF_CHARACTERS = counter('ru', { one: 'знака', other: 'знаков' });
 const OF_BYTES = counter('ru', { one: 'байта', other: 'байтов' });
 
@@ -25,7 +25,7 @@ function number(language: string, n: number): string {
   return new Intl.NumberFormat(language).format(n);
 }
 
-/** What is wrong with an address. */
+/** Errors in an address. */
 export const FAULTS: Words<(fault: Fault) => string> = {
   en: (fault) => {
     switch (fault.kind) {
@@ -89,7 +89,7 @@ export const FAULTS: Words<(fault: Fault) => string> = {
   },
 };
 
-/** What a link has brought. */
+/** The bar of an opened link. */
 export const LINK_WORDS = words({
   en: {
     bar: 'Link',

@@ -1,7 +1,6 @@
-// The program of the page as a link holds it.
+// Converts the program of the page to the content of a link.
 //
-// In: the program with its context. Out: what is shared of it, with nothing said of how it is shown. Must not know: how a
-// link holds it.
+// In: the program with its context. Out: a `Shared` without display options. Must not know: the format of a link.
 
 import { NOTHING_SAID, type Shared } from '../files/shared-link';
 import type { KeptProgram } from './storage';
@@ -18,7 +17,7 @@ export function sharedProgram({ text, setup, control, blockSkip, program, file }
   };
 }
 
-/** The page keeps nothing as an empty text. */
+/** A saved program has an empty text for a missing value. */
 function said(text: string | undefined): string | null {
   return text === undefined || text === '' ? null : text;
 }

@@ -1,11 +1,11 @@
-// A small picture of a program as an element, in the gallery and in the list of the reader's own programs.
+// Renders the small picture of a program, in the gallery and in the list of saved programs.
 //
-// In: strokes as paths of SVG. Out: the drawing; its colours come from the style sheet of the dialog. Must not know:
-// how the strokes were found.
+// In: strokes as SVG paths. Out: the drawing; its colours come from the style sheet of the dialog. Must not know: how
+// the strokes were computed.
 
 import type { SmallPicture } from '../../small-picture';
 
-/** As the small pictures are drawn (`small-picture.ts`). */
+/** The size for which `small-picture.ts` computes the paths. */
 const [WIDTH, HEIGHT] = [240, 144];
 const SVG = 'http://www.w3.org/2000/svg';
 

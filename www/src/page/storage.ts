@@ -1,27 +1,27 @@
-// What the browser keeps in its small, synchronous store: the journal of the reader's programs, which of them is the work on
-// a task, and the choices.
+// The data in `localStorage`: the journal of saved programs, the programs that are work on a task, and the user's
+// settings.
 //
-// In and out: plain values. The journal has an entry for each program and tab, written at once; the list of programs
-// (`own-programs-store.ts`) takes entries over and lets go of them. The last one stays: the page begins with it,
-// before the list is there. All that is read can have been written by anybody: what is of another type is not there.
-// A browser that refuses to store (private mode, full) is no error here: the caller hears of it. Must not know: what a
-// program is.
+// In and out: plain values. The journal has an entry for each program and tab, written synchronously; the list of
+// programs (`own-programs-store.ts`) takes the entries over and removes them from the journal. The last entry stays:
+// the page starts with it before the list is loaded. All stored data is untrusted: values of a wrong type are ignored.
+// A browser that refuses to store (private mode, quota exceeded) is not an error: the caller gets `refused`. Must not
+// know: the meaning of a program.
 
 export interface KeptProgram {
-  /** With the line ends of its file, if it is one's. */
+  /** With the line ends of its file, if it was opened from one. */
   readonly text: string;
-  /** The example it began as. */
+  /** The id of the example that it started from; empty if none. */
   readonly example: string;
   readonly control: string;
   readonly file?: { readonly name: string; readonly encoding: string };
-  /** The setup as the element's attribute; empty when it has none. */
+  /** The setup, as in the element's attribute; empty if it has none. */
   readonly setup?: string;
-  /** The switches, as the element's attributes. */
+  /** The switches, as in the element's attributes. */
   readonly blockSkip?: string;
   readonly program?: string;
 }
 
-/** A program of the list of the reader's own. */
+/** A saved program, with its id in the list. */
 export interface OwnProgram extends KeptProgram {
   readonly id?: string;
 }
@@ -29,11 +29,11 @@ export interface OwnProgram extends KeptProgram {
 /** A program in the journal. */
 export interface Entry {
   readonly id: string;
-  /** The tab that wrote it: two can have the same program. */
+  /** The tab that wrote it: two tabs can have the same program. */
   readonly tab: string;
   /** When it was written, ms since 1970. */
   readonly time: number;
-  /** The revision of the list that it was made of; 0: the list has not had it. */
+  /** The revision in the list that it was made from; 0 if it was never in the list. */
   readonly base: number;
   readonly program: KeptProgram;
 }
@@ -43,46 +43,49 @@ export interface Choices {
   readonly theme?: string;
   /** The hints that are still to be shown. */
   readonly hints?: string;
-  /** The share of the program in the width, percent. */
+  /** The width of the program, in percent of the element. */
   readonly split?: string;
-  /** The size of the type, percent. */
+  /** The text size, in percent. */
   readonly textSize?: string;
 }
 
-/** Where there was no list yet, the one program that was kept. */
+/** The only saved program, in versions of the page without a list. */
 const OF_BEFORE = `gcode-playground:program:${location.pathname}`;
 const JOURNAL = `gcode-playground:journal:${location.pathname}:`;
-/** Which entry the page begins with. */
+/** The key of the entry that the page starts with. */
 const LAST = `gcode-playground:last:${location.pathname}`;
-/** Which of the reader's programs is the work on a task. */
+/** The programs that are the work on a task. */
 const WORKS = `gcode-playground:task:${location.pathname}`;
 const CHOICES = 'gcode-playground:choices';
 const CHOSEN = ['language', 'theme', 'hints', 'split', 'textSize'] as const;
-/** As `newId` makes them. */
+/** The format of `newId`. */
 const ID = /^[\da-f]{16,32}$/;
 
-/** Units of a program that is kept at all, and of one that the journal has room for: browsers keep about five million there. */
+/**
+ * Maximum lengths of a program that is saved, and of one in the journal, in UTF-16 units: browsers store about five
+ * million there.
+ */
 export const LONGEST_KEPT = 10_000_000;
 export const LONGEST_IN_JOURNAL = 2_000_000;
 
-/** Tasks whose work is remembered. */
+/** Maximum number of tasks with remembered work. */
 const MOST_WORKS = 100;
 
-/** This tab, as long as the page is there. */
+/** The id of this tab, until it is reloaded. */
 export const TAB = newId();
 
-/** A name that nothing else has. Not `randomUUID`, which pages without a certificate do not have. */
+/** A random id. Not `randomUUID`, which is missing on pages that are not served over HTTPS. */
 export function newId(): string {
   return Array.from(crypto.getRandomValues(new Uint8Array(10)), (byte) => byte.toString(16).padStart(2, '0')).join('');
 }
 
-/** The entry the page begins with. */
+/** The entry that the page starts with. */
 export function lastEntry(): Entry | undefined {
   takeOver();
   return entry(unquoted(stored(LAST)));
 }
 
-/** All that waits in the journal, of this tab and of others, which may be gone. */
+/** All entries of the journal, of this tab and of others, which may be closed. */
 export function journal(): readonly Entry[] {
   try {
     return Object.keys(localStorage)
@@ -93,7 +96,10 @@ export function journal(): readonly Entry[] {
   }
 }
 
-/** Writes a program of this tab into the journal, as the last one. Where `before` gave way to it, that is let go of. */
+/**
+ * Writes a program of this tab into the journal, as the last entry. Removes `before`, the entry of another tab that it
+ * replaces.
+ */
 export function keepInJournal({ id, time, base, program }: Omit<Entry, 'tab'>, before?: Entry): 'kept' | 'refused' {
   const key = keyOf({ id, tab: TAB });
   const outcome = write(key, { time, base, ...program }) === 'kept' ? write(LAST, key) : 'refused';
@@ -101,24 +107,24 @@ export function keepInJournal({ id, time, base, program }: Omit<Entry, 'tab'>, b
   return outcome;
 }
 
-/** The list has this entry: it is let go of, unless it is the last one, or another has been written since. */
+/** The list contains this entry: removes it from the journal, unless it is the last one or was overwritten since. */
 export function forgetWritten(written: Pick<Entry, 'id' | 'tab' | 'time'>): 'gone' | 'stays' {
   if (isLast(written)) return 'stays';
   forgetEntry(written);
   return 'gone';
 }
 
-/** The page begins afresh; the entry stays until the list has it. */
+/** The next visit starts without a program; the entry stays until the list contains it. */
 export function forgetLast(): void {
   if (stored(LAST) !== null) write(LAST, '');
 }
 
-/** Nothing says what the page begins with: it is the first time, or the browser has lost it. */
+/** Whether the last entry was never set: a first visit, or the browser has lost its data. */
 export function knowsNoLast(): boolean {
   return stored(LAST) === null;
 }
 
-/** The reader has deleted this program. */
+/** Removes all entries of a deleted program. */
 export function forgetAllOf(id: string): void {
   for (const each of journal()) {
     if (each.id !== id) continue;
@@ -127,16 +133,16 @@ export function forgetAllOf(id: string): void {
   }
 }
 
-/** The program that is the reader's work on a task; whether it is still there, the list knows. */
+/** The id of the user's work on a task; the list knows whether the program still exists. */
 export function workOf(task: string): string | undefined {
   return works().get(task);
 }
 
-/** `task`: what no other task is called. */
+/** `task`: a unique name of the task. */
 export function keepWorkOf(task: string, id: string): void {
   const all = works();
   if (all.get(task) === id) return;
-  // The newest is the last one.
+  // The newest one is last.
   all.delete(task);
   write(WORKS, Object.fromEntries([...all, [task, id]].slice(-MOST_WORKS)));
 }
@@ -154,7 +160,7 @@ export function keepChoices(change: Choices): void {
   write(CHOICES, { ...choices(), ...change });
 }
 
-/** A program of whatever was stored, or stood in a file; nothing where it is none. */
+/** Validates a program from a store or a file; undefined if it is not one. */
 export function programIn(value: unknown): KeptProgram | undefined {
   const { text, example, control, file, setup, blockSkip, program } = Object(value) as Partial<
     Record<keyof KeptProgram, unknown>
@@ -172,7 +178,7 @@ export function programIn(value: unknown): KeptProgram | undefined {
   };
 }
 
-/** The program that was kept before there was a list becomes an entry, once. */
+/** Migrates the program that was saved before the list existed to an entry, once. */
 function takeOver(): void {
   const program = programIn(read(OF_BEFORE));
   if (program !== undefined && keepInJournal({ id: newId(), time: Date.now(), base: 0, program }) === 'kept')
@@ -183,7 +189,7 @@ function keyOf({ id, tab }: Pick<Entry, 'id' | 'tab'>): string {
   return `${JOURNAL}${id}:${tab}`;
 }
 
-/** The entry of a key, which may come from anywhere. */
+/** Validates the entry of a key, which may be from any source. */
 function entry(key: string): Entry | undefined {
   if (!key.startsWith(JOURNAL)) return undefined;
   const [id = '', tab = ''] = key.slice(JOURNAL.length).split(':');
@@ -248,6 +254,6 @@ function remove(key: string): void {
   try {
     localStorage.removeItem(key);
   } catch {
-    // Nothing was kept.
+    // Storage is not available.
   }
 }

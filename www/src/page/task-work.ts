@@ -1,8 +1,8 @@
-// What the reader has made of a task, found again by the link of the task.
+// Finds the user's work on a task by the link of the task.
 //
-// In: the address of a task; which program is the work on it. Out: that program, as it was kept last: of the journal, at once,
-// or of the list, for which the page waits a moment only. The list (`own-programs-store.ts`) is loaded for such an address alone. Must
-// not know: how a program is shown.
+// In: the address of a task; the id of the program that is the work on it. Out: that program as last saved, from the
+// journal immediately or from the list, with a short timeout. The list (`own-programs-store.ts`) is loaded only for
+// such an address. Must not know: how a program is shown.
 
 import { inTime } from '../dom/in-time';
 import { loaded } from '../dom/network';
@@ -10,20 +10,20 @@ import { journal, keepWorkOf, lastEntry, workOf, type Entry, type OwnProgram } f
 
 export interface Work {
   readonly program: OwnProgram & { readonly id: string };
-  /** Where it stood in the journal. */
+  /** The journal entry that it was read from. */
   readonly entry?: Entry;
-  /** The revision of the list that it is. */
+  /** Its revision in the list. */
   readonly revision?: number;
 }
 
 export type FoundWork =
   | { readonly kind: 'work'; readonly work: Work }
-  /** There is none, or it was deleted. */
+  /** There is no work, or it was deleted. */
   | { readonly kind: 'none' }
   /** The list has not answered yet. */
   | { readonly kind: 'late'; readonly coming: Promise<Work | undefined> };
 
-/** How long the first picture may wait for the list, of which a browser may never give an answer. */
+/** How long the first picture may wait for the list; a browser may never answer. */
 const LATEST_MS = 1500;
 
 export function keepWorkOn(address: string, id: string): void {
@@ -34,7 +34,10 @@ export function isWorkOn(address: string, id: string | undefined): boolean {
   return id !== undefined && workOf(nameOf(address)) === id;
 }
 
-/** The entry the page begins with is newer than the list, or the list says so later (`own-programs-session.ts`). */
+/**
+ * The last entry of the journal, if it is the work on this task. If the list is newer, `own-programs-session.ts` finds
+ * out later.
+ */
 export function lastWorkOn(address: string): Work | undefined {
   const entry = lastEntry();
   return entry !== undefined && isWorkOn(address, entry.id) ? workIn(entry) : undefined;
@@ -52,7 +55,7 @@ export async function workOn(address: string): Promise<FoundWork> {
   return newest === undefined ? { kind: 'late', coming } : { kind: 'work', work: workIn(newest) };
 }
 
-/** As the list has it, unless the list has not had yet what stands in the journal. */
+/** The program of the list, or the journal entry if the list does not contain it yet. */
 async function inList(id: string, newest: Entry | undefined): Promise<Work | undefined> {
   const store = await loaded(() => import('./own-programs-store'));
   const [row, program] = await Promise.all([store.listed(id), store.programOf(id)]);
@@ -65,7 +68,10 @@ function workIn(entry: Entry): Work {
   return { program: { ...entry.program, id: entry.id }, entry };
 }
 
-/** Its check, and what stands before it, which no other link has; what mail programs put into a link or after it makes no other one. */
+/**
+ * A unique key of the task: the checksum of the link and the characters before it. Spaces that mail programs insert and
+ * text that they append are ignored.
+ */
 function nameOf(address: string): string {
   const said = address.replace(/\s|%20|%0[AD]/gi, '');
   const head = /^#share=\d+\.(\d+)\./.exec(said);

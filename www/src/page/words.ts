@@ -1,4 +1,4 @@
-// The words of the page around the element.
+// Texts of the page around the element.
 
 import { words } from '../dom/words';
 
