@@ -78,7 +78,7 @@ export class AboveProgram {
     this.#element.hidden = lines.length === 0;
   }
 
-  /** Offers to restore a replaced program, in addition to what the lines already say. */
+  /** Offers to restore a replaced program, in addition to the current lines. */
   offer(program: OwnProgram): void {
     this.show(this.#now.kind === 'linked' ? { ...this.#now, kept: program } : { kind: 'kept', program });
   }

@@ -82,10 +82,10 @@ function closed(): void {
   events.closed();
 }
 
-// A page in the back/forward cache receives no more database events (Firefox), and its open transactions block the ones in
+// A page in the back/forward cache receives no more database events (Firefox), and its open transactions block those on
 // all other pages (WebKit). So it aborts all of them and repeats them when it is shown again. Meanwhile the journal
-// contains the text; if it is too long for the journal, the user is asked before leaving (`Keeping`). Repeating a
-// committed transaction is harmless, because all of them are idempotent.
+// contains the text; if it is too long for the journal, the page asks before it is left (`Keeping`). A committed
+// transaction can be repeated without harm, because all of them are idempotent.
 
 const running = new Set<AbortController>();
 let away: Promise<void> | undefined;

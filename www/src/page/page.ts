@@ -72,7 +72,7 @@ let language: Language = languageOf(linkedProgram(location.hash)?.language ?? ch
 let example: Example | undefined;
 /** A part was stored for an example that is compared with it. */
 let isComparing = false;
-/** The examples shown so far; undo can restore each of them. */
+/** The examples of this visit; undo can restore each of them. */
 const shown = new Map<string, Example>();
 /** Number of requests to show a program, so that a late answer to an earlier one can be dropped. */
 let asked = 0;

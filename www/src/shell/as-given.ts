@@ -1,7 +1,7 @@
-// What leaves the element with places of the text: offsets into the text as it was given.
+// Converts offsets that leave the element to offsets into the original text.
 //
-// In: rows with offsets that count every line end as one unit, as everywhere in this page; the text. Out: the same rows with
-// offsets into the text with its own line ends (`opened.text`). Must not know: who listens.
+// In: rows with internal offsets, which count each line end as one unit; the text. Out: the same rows with offsets into
+// the text with its own line ends (`opened.text`). Must not know: who receives the events.
 
 import type { Program } from '../editor/program';
 import { offsetsInFile } from '../files/line-ends';
@@ -9,7 +9,7 @@ import type { Diagnostic, Stroke } from '../protocol/protocol';
 
 type Place = { readonly from: number; readonly to: number };
 
-/** A block that was chosen, by its stroke. */
+/** A stroke that the user has clicked. */
 export function strokeAsGiven(stroke: Stroke, program: Program): Stroke {
   return placed(
     offsetsInFile(program.lineEnds, () => program.text),

@@ -1,15 +1,14 @@
-// What the author of a page says beyond program and setup: lines that are marked, lines that are shown, where the tool
-// stands at the start.
+// Parses the attributes by which the author of a page sets marked lines, shown lines and the initial tool position.
 //
-// In: texts of attributes. Out: what they mean; what is not understood counts as not said. Must not know: the program.
+// In: texts of attributes. Out: their values; an invalid text counts as missing. Must not know: the program.
 
-/** Lines of the program, counted from 1, both included. */
+/** A range of lines, from 1, both ends included. */
 export interface Lines {
   readonly first: number;
   readonly last: number;
 }
 
-/** `6-8, 12`. */
+/** For example `6-8, 12`. */
 export function linesOf(attribute: string | null): readonly Lines[] {
   const parts = (attribute ?? '').split(',').map((part) => /^\s*(\d{1,9})(?:\s*[-–]\s*(\d{1,9}))?\s*$/.exec(part));
   return parts.flatMap((part) => {
@@ -20,12 +19,12 @@ export function linesOf(attribute: string | null): readonly Lines[] {
   });
 }
 
-/** Where the tool stands: after so many motions, or before a line. */
+/** A tool position: after a number of motions, or before a line. */
 export type Step =
   | { readonly kind: 'motion'; readonly motion: number }
   | { readonly kind: 'line'; readonly line: number };
 
-/** `12`: after the twelfth motion; `line 8`: before what line 8 does. */
+/** `12`: after the twelfth motion; `line 8`: before the motions of line 8. */
 export function stepOf(attribute: string | null): Step | undefined {
   const found = /^\s*(line)?\s*(\d{1,9})\s*$/i.exec(attribute ?? '');
   const number = Number(found?.[2] ?? 0);
@@ -38,7 +37,7 @@ export type Frame = (typeof FRAMES)[number];
 export const SIDES = ['front', 'rear'] as const;
 export type Side = (typeof SIDES)[number];
 
-/** One of some words, or nothing. */
+/** The value of an attribute if it is one of `words`, or undefined. */
 export function oneOf<T extends string>(words: readonly T[], attribute: string | null): T | undefined {
   return words.find((word) => word === attribute);
 }

@@ -1,4 +1,4 @@
-// <gcode-playground>: a lathe program, its drawing, its problems, and the tool moving along it.
+// <gcode-playground>: a lathe program, its drawing, its messages, and the playback of the tool.
 //
 //   <script type="module" src="element.js"></script>
 //   <gcode-playground control="fanuc" setup='{"stock": {"diameter": 60, "length": 80}}'>
@@ -6,64 +6,70 @@
 //     G90 X50 Z-30 F0.2
 //   </gcode-playground>
 //
-// The program is at the address in `src`, or stands inside: in a script, in a `pre`, or as text (source.ts). Attributes
-// (each is a property too):
+// The program is loaded from the address in `src`, or is a child of the element: a script, a `pre`, or text
+// (source.ts).
+//
+// Attributes; each of them is a property too:
 //   src       the address of the program
 //   control   fanuc | gsk | forum      overrides `dialect.control` of the setup
-//   setup     JSON, the property also an object: start point, tools, stock, dialect switches
-//   language  en | zh | ru             of the page and of the messages
-//   theme     auto | light | dark     auto: as the page around
-//   block-skip  "1,2"              the levels of block skip that are on; overrides `blockSkip` of the setup
-//   program   2                    the O number that is run; overrides `program` of the setup
-//   view      all | picture | playback | code   the picture alone, with the bar that plays it, or the program alone; what is
-//                                  not shown is not loaded
-//   controls  "playback status"    the groups of panels that are shown (panels/panel.ts), or none
-//   readonly                       the reader cannot change the program
-//   step      12 | line 8          where the tool stands at the start
-//   highlight "6-8, 12"            lines that are marked, with their strokes
-//   lines     "3-20"               lines that are shown at first; the others are folded
-//   fit       part | path          what the picture shows
+//   setup     JSON (as a property also an object): start point, tools, stock, dialect switches
+//   language  en | zh | ru             language of the element and of the messages
+//   theme     auto | light | dark      auto: the theme of the page
+//   block-skip  "1,2"                  the active levels of block skip; overrides `blockSkip` of the setup
+//   program   2                        the O number of the program to run; overrides `program` of the setup
+//   view      all | picture | playback | code   picture: the drawing only; playback: with the playback bar; code: the
+//                                      program only. What is not shown is not loaded.
+//   controls  "playback status"        the groups of panels that are shown (panels/panel.ts), or none
+//   readonly                           the user cannot edit the program
+//   step      12 | line 8              initial position of the tool
+//   highlight "6-8, 12"                lines that are marked, together with their strokes
+//   lines     "3-20"                   lines that are shown initially; the others are folded
+//   fit       part | path              what the drawing is fitted to
 //   turret    front | rear
-//   caption   a line under the element, which names it
-//   playground https://…               the page that "Open in the playground" leads to; none where it is empty
-//   rules, docs https://…              the folders of the rule pages and of the documents; no links to them where they are empty
-//   loading   lazy | eager | click     when it starts: near the view, at once, or when the reader asks for it
-//   split     40                       percent of the width for the program, where it stands beside the drawing; follows the divider
-//   hints     "edit play pick"     the hints of the first minute that are still to be shown; none without it
-// `hints`, `block-skip` and `program` follow the reader, who finds a switch for each where the text has a use for it.
-// Other `view`, `controls` or `readonly`: it is made anew around the program, what could be undone is forgotten.
-// Properties: value (the program), length (of it, each line end counted as one), opened (its file, with the
-// text as it is in it), origin (any text by which the page knows whose the program is). Setting one, or an attribute, fires no event.
-// The text it has already changes nothing. A text of the reader's that replaces most of the one before is another program: the attributes of the program
-// are removed and `origin` becomes null; undo brings all of it back. A text that the page sets leaves them. Methods: play(), pause(),
-// openFile(file), saveFile(), exported(format): the bytes of a file of the menu "Export", focus(), keepPart() to lay the parts of later programs over this one's,
-// endComparison(), differenceFrom({text, names}) for the blocks and motions in which another version differs, currentStep() and pictureFile(format),
-// both promises, cursorLine, goToLine(line) and wholeSetup, and for automation
-//   settled: Promise<number>   a property: resolved once all there is to show of the program, setup, language,
-//                              size and colours of now is shown, the part with all its material off included;
-//                              with the number of the run. Numbers grow with every change of text or setup.
-//                              Nothing settles in a tab that nobody sees.
-//   locate(x, z): Promise<{clientX, clientY}>   where a place (X a diameter, mm) is in the window
-//   locateOnFace(x, c): the same of the face
-//   locateOnSide(z, c): the same of the side, C in degrees; Y in mm where its ruler shows Y
-// Events (bubbling, only for what the reader did, and `report` for each finished run):
-//   gcode-change   detail {value}
-//   gcode-select   detail {stroke}: `from` and `to` are UTF-16 offsets into the text as it was given, with its own line ends (`opened.text`)
-//   gcode-report   detail {summary, diagnostics}: offsets likewise, also of edits
-//   gcode-settled  detail {run}: as `settled`, each time
-//   gcode-switch   detail {blockSkip, program}
-//   gcode-setup    detail {setup}: the attribute follows the form
-//   gcode-hint     detail {left}: the hints that are left
-//   gcode-split    detail {split}: the reader has dragged the divider
-//   gcode-context  detail {control, setup, blockSkip, program, origin}: another program has taken the place of the
-//                  one before, or undo has brought one back; attributes and `origin` are as the detail says
-// Slots: `intro` above the program; `fallback`, what is shown until there is a picture.
-// CSS custom properties: --playground-height, --playground-type-size, --playground-font, --playground-code-font,
-// --playground-code-size and the colours of colours.css. Parts: frame intro bar file switches editor problems
-// drawing canvas old-picture what-if at-cursor legend tooltip setup views assumptions playback play readout doing status notice hint totals units
-// open-link motions written-out rewrite codes solid export-menu paste help read-as profiles caption fallback.
+//   caption   a line under the element, which is also its accessible name
+//   playground https://…               target of "Open in the playground"; empty: no link
+//   rules, docs https://…              the folders of the rule pages and of the documents; empty: no links to them
+//   loading   lazy | eager | click     start near the viewport, immediately, or on click
+//   split     40                       width of the program beside the drawing, percent; follows the divider
+//   hints     "edit play pick"         the introductory hints that are still to be shown; missing: none
+// The element updates `hints`, `block-skip` and `program` when the user dismisses a hint or uses a switch. A change of
+// `view`, `controls` or `readonly` renders the element again with the same program; the undo history is lost.
 //
-// What is inside is the shell's: see shell.ts, and panels/panel.ts for how to add to it.
+// Properties: value (the program), length (of the program, each line end counted as one), opened (the file of the
+// program, and the text with its own line ends), origin (any text by which the page identifies the program),
+// cursorLine, wholeSetup. Setting a property or an attribute fires no event; setting the current text has no effect. If
+// the user replaces most of the text, it counts as another program: the attributes of the program are removed and
+// `origin` becomes null; undo restores both. A text set by the page keeps the attributes.
+//
+// Methods: play(), pause(), openFile(file), saveFile(), exported(format) (a promise of the bytes of a file of the menu
+// "Export"), focus(), goToLine(line), keepPart() (to draw later programs over the part of this one), endComparison(),
+// differenceFrom({text, names}) (a promise of the blocks and motions in which another version differs), currentStep()
+// and pictureFile(format) (both return promises), and for tests:
+//   settled: Promise<number>   a property: resolved with the number of the run when everything is shown for the
+//                              current program, setup, language, size and colours, including the machined part.
+//                              Numbers increase with every change of text or setup. Nothing settles in a hidden tab.
+//   locate(x, z): Promise<{clientX, clientY}>   the position of a point (X a diameter, mm) in the window
+//   locateOnFace(x, c): the same for the end face
+//   locateOnSide(z, c): the same for the side, C in degrees; Y in mm if its ruler shows Y
+// Events (bubbling; only for actions of the user, and `report` for each finished run):
+//   gcode-change   detail {value}
+//   gcode-select   detail {stroke}: `from` and `to` are UTF-16 offsets into `opened.text`, which has its own line ends
+//   gcode-report   detail {summary, diagnostics}: offsets likewise, also in edits
+//   gcode-settled  detail {run}: each time that `settled` is resolved
+//   gcode-switch   detail {blockSkip, program}
+//   gcode-setup    detail {setup}: the form has changed the attribute
+//   gcode-hint     detail {left}: the remaining hints
+//   gcode-split    detail {split}: the user has dragged the divider
+//   gcode-context  detail {control, setup, blockSkip, program, origin}: another program has replaced the current one,
+//                  or undo has restored one; attributes and `origin` have the values of the detail
+// Slots: `intro` above the program; `fallback`, shown until there is a picture.
+// CSS custom properties: --playground-height, --playground-type-size, --playground-font, --playground-code-font,
+// --playground-code-size and the colours of colours.css.
+// Parts: frame intro bar file switches editor problems drawing canvas old-picture what-if at-cursor legend tooltip
+// setup views assumptions playback play readout doing status notice hint totals units open-link motions written-out
+// rewrite codes solid export-menu paste help read-as profiles caption fallback.
+//
+// The shadow DOM belongs to the shell: see shell.ts, and panels/panel.ts for how to add to it.
 
 import { make } from '../dom/dom';
 import { languageOf, type Language } from '../dom/language';
@@ -88,15 +94,15 @@ export interface OpenedProgram {
   readonly file: ProgramFile | undefined;
 }
 
-/** Attributes that say what is there at all. */
+/** A change of these attributes renders the element again. */
 const MAKES_ANEW: readonly string[] = ['view', 'controls', 'readonly'];
-/** What the author says of lines and picture. */
+/** The author's attributes for lines and picture. */
 const AUTHORS: readonly string[] = ['highlight', 'lines', 'fit', 'turret', 'caption', 'playground'];
 
-/** Read when the pointer or the focus reaches a link. */
+/** These need no update: they are read when the pointer or the focus reaches a link. */
 const PAGES: readonly string[] = ['rules', 'docs'];
 
-/** Where Node reads this, there are no elements, and nobody makes one. */
+/** Node has no `HTMLElement`; there the class is only imported, never instantiated. */
 const Base = (globalThis as { HTMLElement?: typeof HTMLElement }).HTMLElement ?? (class {} as typeof HTMLElement);
 
 export class GcodePlayground extends Base {
@@ -123,17 +129,17 @@ export class GcodePlayground extends Base {
     'docs',
   ];
 
-  /** Whose the program is: set by the page, which knows it by this; none after another program has taken its place. */
+  /** Set by the page to identify the program; null after another program has replaced it. */
   #origin: string | null = null;
-  /** Made when the element is first in a document. */
+  /** Created when the element is first inserted into a document. */
   #made: PlaygroundShell | undefined;
-  /** The view, and what else is there at all. */
+  /** The values of `view`, `controls` and `readonly` for which the shell was created. */
   #madeFor = '';
-  /** What was set before. */
+  /** A program that was set before the shell was created. */
   #early: OpenedProgram | undefined;
-  /** Where the program comes from as long as nobody sets one. */
+  /** The source of the program, until one is set. */
   #source: Source | undefined;
-  /** Ends the wait for the element to come near the view. */
+  /** Stops waiting for the element to come near the viewport. */
   #stopWaiting: (() => void) | undefined;
   readonly #settling = new Settling((run) => this.#fire('gcode-settled', { run }));
 
@@ -162,13 +168,16 @@ export class GcodePlayground extends Base {
     this.#made?.disconnect();
   }
 
-  /** What is typed inside is no command of the page around: manuals turn their pages with arrow keys and open a search with letters. */
+  /**
+   * Keys typed inside must not trigger commands of the page: manuals turn pages with arrow keys and open a search with
+   * letters.
+   */
   #keep(event: KeyboardEvent): void {
     const [origin] = event.composedPath();
     if (isTyped(event) && origin instanceof Node && origin.getRootNode() === this.shadowRoot) event.stopPropagation();
   }
 
-  /** A key that was pressed outside of the element, and is its own all the same. */
+  /** Handles a key that was pressed outside of the element. */
   pressed(event: KeyboardEvent): void {
     this.#made?.pressed(event);
   }
@@ -185,7 +194,7 @@ export class GcodePlayground extends Base {
     else this.#made?.setupChanged();
   }
 
-  /** Resolved with the number of the run once all there is to show of it is shown. Who asks does not wait for the reader to come near. */
+  /** Resolved with the number of the run when everything is shown. Reading it starts a lazy element. */
   get settled(): Promise<number> {
     if (this.#made === undefined) whenParsed(this, () => this.isConnected && this.#begin());
     return this.#settling.promise;
@@ -195,23 +204,23 @@ export class GcodePlayground extends Base {
     return this.#made?.editor.text ?? this.#early?.text ?? textInside(this);
   }
 
-  /** The text it has already changes nothing: a page that hands back each change keeps the cursor, the history and the file. */
+  /** Setting the current text has no effect: a page that writes back each change keeps cursor, history and file. */
   set value(text: string) {
     const { text: own } = this.opened;
     if (text !== own && text !== this.value) this.opened = { text, file: undefined };
   }
 
-  /** UTF-16 units of the program, every line end counted as one. */
+  /** Length of the program in UTF-16 units, each line end counted as one. */
   get length(): number {
     return this.#made?.editor.length ?? this.value.length;
   }
 
-  /** The file the program came from. */
+  /** The file that the program was opened from. */
   get file(): ProgramFile | undefined {
     return this.#made?.editor.file ?? this.#early?.file;
   }
 
-  /** The program and the file it came from; the text has the file's own line ends. */
+  /** The program with the line ends of its file, and the file. */
   get opened(): OpenedProgram {
     const editor = this.#made?.editor;
     if (editor === undefined) return this.#early ?? { text: textInside(this), file: undefined };
@@ -235,7 +244,6 @@ export class GcodePlayground extends Base {
     this.setAttribute('language', language);
   }
 
-  /** The address of the program. */
   get src(): string | null {
     return this.getAttribute('src');
   }
@@ -264,7 +272,7 @@ export class GcodePlayground extends Base {
     return this.getAttribute('setup');
   }
 
-  /** JSON, or what it says. */
+  /** JSON, or an object. */
   set setup(setup: string | object | null) {
     this.#setOrRemove('setup', typeof setup === 'object' && setup !== null ? JSON.stringify(setup) : setup);
   }
@@ -309,7 +317,7 @@ export class GcodePlayground extends Base {
     this.setAttribute('view', view);
   }
 
-  /** The panels that are shown: names of groups, or `none`; all where nothing is said. */
+  /** The groups of panels that are shown, or `none`; null: all. */
   get controls(): string | null {
     return this.getAttribute('controls');
   }
@@ -318,7 +326,7 @@ export class GcodePlayground extends Base {
     this.#setOrRemove('controls', names);
   }
 
-  /** The reader cannot change the program. */
+  /** Whether the user cannot edit the program. */
   get readonly(): boolean {
     return this.hasAttribute('readonly');
   }
@@ -327,7 +335,7 @@ export class GcodePlayground extends Base {
     this.toggleAttribute('readonly', readonly);
   }
 
-  /** Where the tool stands at the start: after so many motions, or before `line 8`. */
+  /** Initial position of the tool: after a number of motions, or before `line 8`. */
   get step(): string | null {
     return this.getAttribute('step');
   }
@@ -336,7 +344,7 @@ export class GcodePlayground extends Base {
     this.#setOrRemove('step', step);
   }
 
-  /** The lines that are marked, with their strokes: `6-8, 12`. */
+  /** The marked lines, for example `6-8, 12`; their strokes are marked as well. */
   get highlight(): string | null {
     return this.getAttribute('highlight');
   }
@@ -345,7 +353,7 @@ export class GcodePlayground extends Base {
     this.#setOrRemove('highlight', lines);
   }
 
-  /** The lines that are shown at first: `3-20`. */
+  /** The lines that are shown initially, for example `3-20`. */
   get lines(): string | null {
     return this.getAttribute('lines');
   }
@@ -354,7 +362,7 @@ export class GcodePlayground extends Base {
     this.#setOrRemove('lines', lines);
   }
 
-  /** What the picture shows: the `part`, or the whole `path`. */
+  /** What the drawing is fitted to: the `part`, or the whole `path`. */
   get fit(): string | null {
     return this.getAttribute('fit');
   }
@@ -363,7 +371,7 @@ export class GcodePlayground extends Base {
     this.#setOrRemove('fit', fit);
   }
 
-  /** Where the turret is drawn: `front` or `rear`. */
+  /** The side of the turret: `front` or `rear`. */
   get turret(): string | null {
     return this.getAttribute('turret');
   }
@@ -372,7 +380,7 @@ export class GcodePlayground extends Base {
     this.#setOrRemove('turret', side);
   }
 
-  /** The line under the element, which names it for screen readers. */
+  /** The line under the element, which is also its accessible name. */
   get caption(): string | null {
     return this.getAttribute('caption');
   }
@@ -381,7 +389,7 @@ export class GcodePlayground extends Base {
     this.#setOrRemove('caption', text);
   }
 
-  /** The page that "Open in the playground" leads to: an address; none where it is empty. */
+  /** The address that "Open in the playground" leads to; empty: no link. */
   get playground(): string | null {
     return this.getAttribute('playground');
   }
@@ -390,7 +398,7 @@ export class GcodePlayground extends Base {
     this.#setOrRemove('playground', address);
   }
 
-  /** The folder of the rule pages: an address; no links to them where it is empty. */
+  /** The address of the folder of the rule pages; empty: no links to them. */
   get rules(): string | null {
     return this.getAttribute('rules');
   }
@@ -399,7 +407,7 @@ export class GcodePlayground extends Base {
     this.#setOrRemove('rules', address);
   }
 
-  /** The folder of the documents: an address; no link to them where it is empty. */
+  /** The address of the folder of the documents; empty: no links to them. */
   get docs(): string | null {
     return this.getAttribute('docs');
   }
@@ -420,34 +428,34 @@ export class GcodePlayground extends Base {
     this.#made?.editor.focus();
   }
 
-  /** Where the place X (a diameter), Z in mm is drawn, in the window's CSS pixels. */
+  /** The position of the point X (a diameter), Z in mm, in CSS pixels of the window. */
   async locate(x: number, z: number): Promise<ClientPlace> {
     return this.#shell.service('locate')('section', x, z);
   }
 
-  /** The same of the end face: X a diameter, C in mm. */
+  /** The same for the end face: X a diameter, C in mm. */
   async locateOnFace(x: number, c: number): Promise<ClientPlace> {
     return this.#shell.service('locate')('face', x, c);
   }
 
-  /** The same of the side: Z in mm, C in degrees; or Y in mm where its ruler shows Y. */
+  /** The same for the side: Z in mm, C in degrees, or Y in mm if its ruler shows Y. */
   async locateOnSide(z: number, c: number): Promise<ClientPlace> {
     return this.#shell.service('locate')('side', z, c);
   }
 
-  /** Opens a file as the program; what it replaces can be brought back with undo. */
+  /** Opens a file as the program; undo restores the replaced one. */
   async openFile(file: File): Promise<void> {
     const shell = this.#shell;
     await shell.complete;
     return shell.service('openFile')(file);
   }
 
-  /** Saves the program as a file, in the encoding and with the line ends it was opened with. */
+  /** Saves the program as a file, in the encoding and with the line ends of the opened file. */
   saveFile(): void {
     this.#with('saveFile', (save) => save());
   }
 
-  /** A file as the menu "Export" makes it; nothing where there is no part, or no interpreter. */
+  /** The content of a file of the menu "Export"; undefined if there is no part or no interpreter. */
   async exported(format: ExportFormat): Promise<Uint8Array | undefined> {
     const shell = this.#shell;
     await shell.complete;
@@ -455,31 +463,33 @@ export class GcodePlayground extends Base {
     return exported?.kind === 'file' ? exported.content : undefined;
   }
 
-  /** Keeps the part, to lay those of later programs over it. */
+  /** Stores the part, so that later programs are drawn over it. */
   keepPart(): void {
     this.#with('keepPart', (keep) => keep());
   }
 
-  /** What differs between another version, the first, and the program; nothing where the program has changed meanwhile. */
+  /**
+   * The differences from another version, which counts as the first; undefined if the program has changed meanwhile.
+   */
   async differenceFrom(other: OtherVersion): Promise<Differed | undefined> {
     const shell = this.#shell;
     await shell.complete;
     return shell.ask('difference', other);
   }
 
-  /** Ends the comparison that `keepPart` began; one that the reader began goes on. */
+  /** Ends the comparison that `keepPart` started; one that the user started continues. */
   endComparison(): void {
     this.#with('endComparison', (end) => end());
   }
 
-  /** What is asked of an element that waits to be seen starts it. */
+  /** Creates the shell if the element is still waiting for the viewport. */
   get #shell(): PlaygroundShell {
     if (this.isConnected && this.#made === undefined) this.#begin();
     if (this.#made === undefined) throw new Error('the playground is not in a document');
     return this.#made;
   }
 
-  /** Begins when it is time. */
+  /** Starts according to `loading`. */
   #wait(): void {
     this.#stopWaiting?.();
     if (!this.isConnected || this.#made !== undefined) return;
@@ -507,21 +517,21 @@ export class GcodePlayground extends Base {
     this.#made.connect();
   }
 
-  /** The element's box is there with its styles before anything stands in it. */
+  /** Attaches the styles first, so that the element has its size before it has content. */
   #root(): ShadowRoot {
     const root = this.shadowRoot ?? this.attachShadow({ mode: 'open' });
     adopt(root, [colours, styles]);
     return root;
   }
 
-  /** Where the tool stands now, as `step` says it; null where all of the path is shown. */
+  /** The current position of the tool in the format of `step`; null if the whole path is shown. */
   async currentStep(): Promise<string | null> {
     const place = await this.#shell.ask('readout', undefined);
     if (place === undefined || place.share >= 1) return null;
     const { motion, x, z, atX, atZ } = place.stroke;
-    // On its way along a motion, or before one, the last place that has a number is the end of the one before.
+    // Within a motion, the last position with a number is the end of the previous motion.
     const isAtItsEnd = Math.abs(x - atX) < 1e-6 && Math.abs(z - atZ) < 1e-6;
-    // A dwell ends where it begins; at the end of the last motion all of the path would be shown.
+    // A dwell ends where it begins. The end of the last motion does not count: it would show the whole path.
     const isLast = (await this.#shell.ask('strokes', { first: motion + 1, end: motion + 2 }))?.length === 0;
     const done = isAtItsEnd && !isLast ? motion + 1 : motion;
     return done === 0 ? null : String(done);
@@ -533,7 +543,7 @@ export class GcodePlayground extends Base {
     return editor.lineOf(editor.cursor) + 1;
   }
 
-  /** Puts the cursor into a line, from 1, and marks it; where there is no such line nothing happens. */
+  /** Selects a line, from 1, and moves the cursor there; no effect if the line does not exist. */
   goToLine(line: number): void {
     const lines = this.value.split('\n');
     const text = lines[line - 1];
@@ -542,13 +552,15 @@ export class GcodePlayground extends Base {
     this.#shell.goTo({ from, to: from + text.length });
   }
 
-  /** All of the setup the program is run with, as JSON: that of `setup` and of the other attributes. Nothing where it cannot be read. */
+  /**
+   * The complete setup of the run as JSON, merged from `setup` and the other attributes; undefined if it is invalid.
+   */
   get wholeSetup(): string | undefined {
     const merged = mergedSetup(this.setup, this);
     return merged.kind === 'setup' && isJson(merged.json) ? merged.json : undefined;
   }
 
-  /** The drawing, or the picture as it is shown; nothing before there is one. */
+  /** The drawing as SVG, or the shown picture as PNG; undefined if there is none yet. */
   async pictureFile(format: 'svg' | 'png'): Promise<Blob | undefined> {
     const shell = this.#shell;
     shell.flush();
@@ -558,7 +570,7 @@ export class GcodePlayground extends Base {
       : undefined;
   }
 
-  /** At once where the view has what it takes; as soon as that is loaded where it is on its way. */
+  /** Calls a service of the view: immediately, or when its panel is loaded. */
   #with<S extends 'play' | 'pause' | 'saveFile' | 'keepPart' | 'endComparison'>(
     name: S,
     act: (service: Services[S]) => void,
@@ -571,7 +583,7 @@ export class GcodePlayground extends Base {
     );
   }
 
-  /** What is there at all is another: it is made anew, around the same program. */
+  /** `view`, `controls` or `readonly` has changed: creates another shell with the same program. */
   #lookChanged(): void {
     const made = this.#made;
     if (made === undefined || this.#look === this.#madeFor) return;
@@ -586,7 +598,7 @@ export class GcodePlayground extends Base {
     return JSON.stringify([this.view, controlsOf(this.view, this.controls), this.readonly]);
   }
 
-  /** What was set on the element before its class was there stands in the way of the properties. */
+  /** Properties that were set before the class was defined hide its accessors: set them again. */
   #takeEarlyProperties(): void {
     for (const name of Object.getOwnPropertyNames(this)) {
       if (Object.getOwnPropertyDescriptor(GcodePlayground.prototype, name)?.set === undefined) continue;
@@ -624,7 +636,7 @@ export class GcodePlayground extends Base {
 
   #changed(): void {
     const element = this;
-    // Made only for who asks: a program can be 20 MB long, and this follows each key.
+    // A getter, since this runs after each key and a program can be 20 MB long.
     this.#fire('gcode-change', {
       get value() {
         return element.value;
@@ -636,14 +648,14 @@ export class GcodePlayground extends Base {
     this.dispatchEvent(new CustomEvent<Detail>(type, { detail, bubbles: true, composed: true }));
   }
 
-  /** Frameworks take nothing away by `undefined`. */
+  /** Frameworks set a property to `undefined` to remove the attribute. */
   #setOrRemove(attribute: string, value: string | number | null | undefined): void {
     if (value === null || value === undefined) this.removeAttribute(attribute);
     else this.setAttribute(attribute, String(value));
   }
 }
 
-/** The elements of the page; the one that was used last is the last. */
+/** The elements of the page, the last used one last. */
 const inDocument = new Set<GcodePlayground>();
 
 function used(element: GcodePlayground): void {
@@ -660,12 +672,12 @@ function isJson(text: string): boolean {
   }
 }
 
-/** Keys of which pages make commands of one key, and that write or move in a text, a list or a picture. */
+/** Keys without a modifier, which pages use as commands, and which type or move in a text, list or drawing. */
 function isTyped({ key, ctrlKey, metaKey, altKey }: KeyboardEvent): boolean {
   return !ctrlKey && !metaKey && !altKey && key !== 'Escape' && key !== 'Tab' && !/^F\d+$/.test(key);
 }
 
-/** The keys of the playback work where nothing else has the focus that could want them. */
+/** The keys of the playback also work if the focus is outside, but not in a text field. */
 function playKeys(event: KeyboardEvent): void {
   const isOne = event.key === 'F9' || (event.key === 'Enter' && (event.ctrlKey || event.metaKey));
   if (!isOne || event.defaultPrevented) return;
@@ -678,8 +690,8 @@ function playKeys(event: KeyboardEvent): void {
 }
 
 /**
- * Puts elements around the marked programs of a part of a page that came after the page was read:
- * `<script type="text/x-gcode" data-gcode-playground>` and `<pre data-gcode-playground>`.
+ * Creates elements around the marked programs in a part of a page that was added after loading: `<script
+ * type="text/x-gcode" data-gcode-playground>` and `<pre data-gcode-playground>`.
  */
 export function upgrade(root: ParentNode = document): void {
   upgradeIn(root, GcodePlayground.observedAttributes);

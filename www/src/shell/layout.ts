@@ -1,12 +1,12 @@
-// Where the regions of the panels stand around the editor, or around the picture where less is shown.
+// The layout of the element: the regions of the panels around the editor or, in smaller views, around the picture.
 //
-// In: the view, the editor. Out: the frame, and for each region what its panels stand in; what each view shows, and
-// what a page can ask of it. Must not know: which panels there are.
+// In: the view, the editor. Out: the frame, and an element for each region; the content of each view, and the methods
+// it offers. Must not know: which panels exist.
 
 import { make } from '../dom/dom';
 import { CONTROLS, type Control, type Region, type Services } from '../panels/panel';
 
-/** What the element shows: all there is, the picture alone, the picture that is played, or the program and its problems. */
+/** Everything; the picture only; the picture with the playback bar; or the program with its messages. */
 export const VIEWS = ['all', 'picture', 'playback', 'code'] as const;
 export type View = (typeof VIEWS)[number];
 
@@ -14,7 +14,7 @@ export function viewOf(attribute: string | null): View {
   return VIEWS.find((view) => view === attribute) ?? 'all';
 }
 
-/** The methods of the element that not every view offers. */
+/** The methods of the element that are missing in some views. */
 export type Offered = Extract<
   keyof Services,
   'play' | 'pause' | 'openFile' | 'saveFile' | 'exported' | 'keepPart' | 'endComparison'
@@ -39,7 +39,7 @@ export const SHOWN: Readonly<Record<View, Shown>> = {
   code: { program: true, picture: false, controls: ['problems'], offers: [] },
 };
 
-/** What of the panels is shown in a view where the attribute `controls` is so. */
+/** The groups of panels that are shown in a view, filtered by the attribute `controls`. */
 export function controlsOf(view: View, attribute: string | null): readonly Control[] {
   const { controls } = SHOWN[view];
   if (attribute === null) return controls;
@@ -50,7 +50,7 @@ export function controlsOf(view: View, attribute: string | null): readonly Contr
 export interface Layout {
   readonly frame: HTMLElement;
   readonly regions: Readonly<Record<Region, HTMLElement>>;
-  /** Gone with the first picture. */
+  /** Hidden once there is a picture. */
   readonly fallback: HTMLElement;
   /** Under the frame. */
   readonly caption: HTMLElement;
@@ -73,15 +73,15 @@ export function layout(view: View, editor: HTMLElement): Layout {
     foot: make('div', { className: 'foot' }),
     dialogs: bare(),
   };
-  // What the page has for readers without scripts stands here until there is a picture.
+  // The content for users without scripts is shown here until there is a picture.
   const fallback = make('div', { className: 'fallback', part: 'fallback' }, make('slot', { name: 'fallback' }));
-  // What comes into it stands before this.
+  // Panels are inserted before it.
   regions.pictures.append(fallback);
   const frame = make('div', { className: 'frame', part: 'frame', 'data-view': view });
-  // Regions that a view does not show stand nowhere.
+  // Regions that a view does not show are not inserted.
   switch (view) {
     case 'all':
-      // Where room is short, `data-tab` says which of the tabs is shown.
+      // In a small element, `data-tab` is the selected tab.
       frame.dataset['tab'] = 'program';
       frame.append(
         regions.tabs,

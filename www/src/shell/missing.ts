@@ -1,30 +1,30 @@
-// What could not be loaded, or has failed: one notice with "Try again", which stays until all of it works.
+// One notice with "Try again" for everything that could not be loaded or has failed; it stays until all of it works.
 //
-// In: the missing files, why, and how to load them. Out: the notice. Everything that is missing is loaded again when the
-// reader presses the button or changes the program, and when the network returns. Each thing has one attempt at a time; a
-// change begins one no sooner than `PAUSE_MS` after the last failure. Must not know: how anything is loaded.
+// In: the missing parts, the reasons, and functions that load them again. Out: the notice. All missing parts are loaded
+// again when the user clicks the button or edits the program, and when the network returns. Each has one attempt at a
+// time; an edit starts one no sooner than `PAUSE_MS` after the last failure. Must not know: how a part is loaded.
 
 import type { Language } from '../dom/language';
 import { whenOnline } from '../dom/network';
 
-/** In the order in which the notice names them: only the first is named. */
+/** In order of importance: the notice names only the first one that is missing. */
 const KINDS = ['interpreter', 'parts', 'panels', 'editor', 'completion'] as const;
 export type MissingKind = (typeof KINDS)[number];
 
-/** Between a failure and the attempt that a change of the program begins. */
+/** Minimum delay between a failure and an attempt after an edit. */
 const PAUSE_MS = 2_000;
 
 interface Thing {
   readonly say: (language: Language) => string;
-  /** Only the user reloads the page. */
+  /** Retries; `'reload'` if only reloading the page helps. */
   readonly again: (() => void) | 'reload';
   isTried: boolean;
-  /** Another attempt was wanted since the current one began: the network may have returned meanwhile. */
+  /** Another attempt was requested during the current one: the network may have returned meanwhile. */
   isWanted: boolean;
 }
 
 export interface MissingEvents {
-  /** The text of the notice and its remedy; without a text there is none. */
+  /** Shows the text of the notice with its button; `undefined` hides the notice. */
   show(text: string | undefined, remedy: 'try-again' | 'reload'): void;
 }
 
@@ -32,10 +32,10 @@ export class Missing {
   readonly #events: MissingEvents;
   readonly #things = new Map<MissingKind, Thing>();
   #language: Language;
-  /** Nothing is tried earlier because of a change; a time of `performance.now`. */
+  /** Earliest time of an attempt after an edit (`performance.now`). */
   #notBefore = 0;
   #soon: ReturnType<typeof setTimeout> | undefined;
-  /** A run that an attempt begins is no change. */
+  /** Set during an attempt, so that the run it starts does not count as an edit. */
   #isTrying = false;
   #stopWaiting: (() => void) | undefined;
 
@@ -49,9 +49,9 @@ export class Missing {
     this.#show();
   }
 
-  /** `again` loads it; after that either `failed` or `works` is called. */
+  /** Reports a failure; `again` retries it, and then either `failed` or `works` is called. */
   failed(kind: MissingKind, say: (language: Language) => string, again: Thing['again']): void {
-    // What waits for it can report the same failure more than once.
+    // Several callers can report the same failure.
     const before = this.#things.get(kind);
     if (before?.isTried !== false) this.#notBefore = performance.now() + PAUSE_MS;
     this.#things.set(kind, { say, again, isTried: false, isWanted: false });
@@ -63,7 +63,7 @@ export class Missing {
     });
   }
 
-  /** An attempt is under way that was not begun here. */
+  /** Reports an attempt that was started elsewhere. */
   tried(kind: MissingKind): void {
     const thing = this.#things.get(kind);
     if (thing !== undefined) thing.isTried = true;
@@ -89,13 +89,13 @@ export class Missing {
     this.#isTrying = false;
   }
 
-  /** The reader has changed the program. */
+  /** The user has edited the program. */
   changed(): void {
     if (this.#things.size === 0 || this.#isTrying) return;
     this.#soon ??= setTimeout(
       () => {
         this.#soon = undefined;
-        // An attempt may have failed since.
+        // An attempt may have failed since the timer was set.
         if (performance.now() < this.#notBefore) this.changed();
         else this.tryAgain();
       },
@@ -103,7 +103,7 @@ export class Missing {
     );
   }
 
-  /** Nothing is tried any more. */
+  /** Cancels all retries. */
   leave(): void {
     clearTimeout(this.#soon);
     this.#soon = undefined;

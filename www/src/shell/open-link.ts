@@ -1,14 +1,14 @@
-// "Open in the playground": a link beside what an element of somebody's page shows, to all that the playground has.
+// The link "Open in the playground" of an element in another page.
 //
-// In: the element's attributes and its program. Out: an anchor whose address is made when somebody comes near it, since a program
-// can be long. Must not know: how the page reads it.
+// In: the element's attributes and its program. Out: an anchor, whose address is made when the pointer or the focus
+// reaches it, since a program can be long. Must not know: how the page reads the address.
 
 import { icon, make, name } from '../dom/dom';
 import type { Language } from '../dom/language';
 import { words } from '../dom/words';
 import { writtenLink } from '../files/written-link';
 
-/** What an element says of itself. */
+/** The properties of the element that the link uses. */
 export interface Opens {
   readonly language: Language;
   readonly playground: string | null;
@@ -26,23 +26,23 @@ export class OpenLink {
   readonly #host: Opens;
   readonly #beside: string | undefined;
 
-  /** `beside`: the page where the attribute names none. */
+  /** `beside`: the page to link to if the attribute `playground` is missing. */
   constructor(host: Opens, beside: string | undefined) {
     this.#host = host;
     this.#beside = beside;
-    // Before a click, a middle click or the menu of the right button.
+    // These come before a click, a middle click and the context menu.
     for (const near of ['pointerenter', 'pointerdown', 'focus', 'click'])
       this.element.addEventListener(near, () => this.#address());
     this.changed();
   }
 
-  /** An attribute or the language is another one. */
+  /** An attribute or the language has changed. */
   changed(): void {
     const { language, controls } = this.#host;
     name(this.element, WORDS[language].open);
     const page = this.#page;
     this.element.hidden = page === undefined || (controls !== null && !/\blink\b/.test(controls));
-    // It is a link, though nobody has come near it.
+    // Without an `href` it would not be a link.
     if (page !== undefined) this.element.href = page.href;
   }
 

@@ -1,11 +1,11 @@
-// The program on paper, in its own lines, where the element shows only its picture, or what else it shows has not come yet.
+// Prints the program as text, if the element shows only its picture or its panels are not loaded yet.
 //
-// In: that the page is printed. Out: an element that only a printer shows. Must not know: what is in a program.
+// In: the print events. Out: an element that is visible only in print. Must not know: the content of a program.
 
 import { make } from '../dom/dom';
 import { isPrinting } from '../dom/printing';
 
-/** UTF-16 units; more is for nobody. */
+/** UTF-16 units; the rest of a longer program is not printed. */
 const MOST = 200_000;
 
 export class Paper {
@@ -19,7 +19,7 @@ export class Paper {
 
   connect(): void {
     if (this.#isEnded) return;
-    // It was made to be printed: that has been announced.
+    // If printing has already started, the event `beforeprint` is over.
     if (isPrinting()) queueMicrotask(this.#before);
     window.addEventListener('beforeprint', this.#before);
     window.addEventListener('afterprint', this.#after);
@@ -30,7 +30,7 @@ export class Paper {
     window.removeEventListener('afterprint', this.#after);
   }
 
-  /** Something better has come. */
+  /** The panels are loaded; they have their own print layout. */
   end(): void {
     this.#isEnded = true;
     this.disconnect();

@@ -1,12 +1,12 @@
-// Whether all of an element has come: a page is read while it arrives, and a script that is there early meets
-// elements without their children.
+// Detects whether an element is parsed completely: a script that runs while the page is still loading can find elements
+// without their children.
 //
-// In: a node, what is to be done with it. Out: a call once it is whole. Must not know: what it is.
+// In: a node, and a callback. Out: the call once the node is complete. Must not know: the kind of node.
 
 const waiting = new Map<Node, () => void>();
 let observer: MutationObserver | undefined;
 
-/** Whether the page goes on after the node, or has come to its end. */
+/** Whether content follows the node, or the document is complete. */
 export function isParsed(node: Node): boolean {
   if (document.readyState !== 'loading') return true;
   for (let at: Node | null = node; at !== null; at = at instanceof ShadowRoot ? at.host : at.parentNode) {
@@ -15,7 +15,7 @@ export function isParsed(node: Node): boolean {
   return false;
 }
 
-/** Acts once the node is whole: now, where it is; of several acts for a node the last one counts. */
+/** Calls `act` once the node is complete, or immediately if it is; a later `act` for the same node replaces it. */
 export function whenParsed(node: Node, act: () => void): void {
   if (isParsed(node)) {
     waiting.delete(node);
@@ -31,7 +31,7 @@ export function whenParsed(node: Node, act: () => void): void {
 
 function look(): void {
   for (const [node, act] of [...waiting]) {
-    // One of those before may have taken it away.
+    // A previous callback may have removed it.
     if (waiting.get(node) !== act || !isParsed(node)) continue;
     waiting.delete(node);
     act();

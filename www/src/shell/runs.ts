@@ -1,37 +1,36 @@
-// The runs of the program: what has changed since the last one was begun, and the line to the worker.
+// Starts runs of the program and holds the connection to the worker.
 //
-// In: changes of text and setup. Out: what the worker reports of the newest run. What is changed in one go is
-// run in one go; what is typed quickly goes together. A worker that is lost is replaced. Must not know:
-// panels, attributes, or what a setup holds.
+// In: changes of text and setup. Out: the events of the newest run. Changes in one turn start one run; quick typing is
+// collected. A worker that has failed is replaced. Must not know: panels, attributes, or the content of a setup.
 
 import type { Program } from '../editor/program';
 import type { Answer, Came, Pictures, QuestionKind, Questions } from '../protocol/protocol';
 import { CoreClient, Newest, type CoreListener, type Heard, type Loss } from '../worker/core-client';
 import type { NewestQuestion } from '../panels/panel';
 
-/** A loss that the reader hears of: not that of a neighbour. */
+/** A failure that is reported to the user; one that another element caused is not. */
 export type OwnLoss = Exclude<Loss, { readonly kind: 'neighbour' }>;
 
 const SEND_AFTER_MS = 30;
 
 export interface RunsEvents {
-  /** The setup as JSON; nothing where it cannot be read. */
+  /** The setup as JSON; undefined if it is invalid. */
   setup(): string | undefined;
   heard(event: Heard): void;
   pictures(pictures: Pictures): void;
-  /** Text or setup have changed; the run before is outdated. */
+  /** Text or setup have changed; the last run is outdated. */
   outdated(): void;
-  /** A run of another text begins at the end of this turn. */
+  /** A run of a changed text starts at the end of this turn. */
   textChanged(): void;
-  /** A run is wanted, whether or not there is a worker. */
+  /** A run is requested, whether or not there is a worker. */
   wanted(): void;
-  /** The newest run is under way. */
+  /** The newest run has started. */
   begun(): void;
-  /** What was typed has been sent. */
+  /** Pending edits were sent. */
   sent(): void;
   /** The worker has loaded the interpreter. */
   ready(): void;
-  /** There is a worker that knows nothing yet. */
+  /** A new worker without any state is connected. */
   connected(client: CoreClient): void;
   lost(loss: OwnLoss): void;
   unsettled(): void;
@@ -42,23 +41,23 @@ export class Runs {
   readonly #editor: Program;
   readonly #events: RunsEvents;
   #client: CoreClient | undefined;
-  /** What follows a new worker: the questions of which only the newest counts. */
+  /** Called with each new client, to update the `NewestQuestion`s. */
   readonly #followers: ((client: CoreClient | undefined) => void)[] = [];
-  /** The worker was lost by a program of this element; it does not come between others again. */
+  /** A program of this element has made a worker fail; the element then does not share a worker again. */
   #hasFailed = false;
-  /** What was typed waits to be sent. */
+  /** Pending edits wait for this timer. */
   #sending: ReturnType<typeof setTimeout> | undefined;
-  /** What has changed since the last run was begun. */
+  /** The changes since the last run started. */
   #changes: { readonly framing: 'fit' | 'keep' } | undefined;
-  /** The worker before was lost by the program as it is, which only another change runs. */
+  /** The current program has made the last worker fail: only another change starts a run. */
   #waits = false;
-  /** The worker knows the setup as it is. */
+  /** The worker has the current setup. */
   #setupSent = false;
-  /** How the newest change of the text came. */
+  /** How the last change of the text was made. */
   #came: Came = 'typed';
-  /** The reader has put the cursor where it is. */
+  /** The user has placed the cursor. */
   #cursorKnown = false;
-  /** How the text that is sent next is looked at. */
+  /** The framing of the picture for the next sent text. */
   #framing: 'fit' | 'keep' = 'keep';
 
   constructor(editor: Program, events: RunsEvents) {
@@ -68,7 +67,7 @@ export class Runs {
 
   // ---- the worker ---------------------------------------------------------------------------------
 
-  /** The line to the worker, which then knows all that was changed before. */
+  /** The client of the worker, after pending changes were sent. */
   get client(): CoreClient | undefined {
     this.#begin();
     return this.#client;
@@ -91,7 +90,7 @@ export class Runs {
     events.connected(client);
   }
 
-  /** After a loss: the program is run in a new worker, unless a change has begun that already. */
+  /** After a failure: runs the program in a new worker, unless a change has already done so. */
   again(): void {
     if (this.#client === undefined) this.connect();
     else if (!this.#waits) return;
@@ -118,10 +117,10 @@ export class Runs {
     for (const follow of this.#followers) follow(undefined);
   }
 
-  /** A new worker waits for the reader's next change: the same text would only fail again. */
+  /** Replaces the worker. It waits for the user's next change, since the same text would only fail again. */
   #lost(loss: Loss): void {
     if (loss.kind === 'neighbour') {
-      // The fault was not here: the reader sees nothing of it but a new picture.
+      // The user notices nothing: another element caused the failure.
       this.connect();
       this.wanted('keep');
       return;
@@ -136,21 +135,21 @@ export class Runs {
 
   // ---- changes ------------------------------------------------------------------------------------
 
-  /** The reader has typed: a run begins soon. */
+  /** The user has typed: a run starts soon. */
   typed(): void {
     this.#cursorKnown = true;
-    // What comes of the text as it was is of no use from here on.
+    // Results for the old text are useless from now on.
     this.#outdate();
     clearTimeout(this.#sending);
     this.#sending = setTimeout(() => this.send(), SEND_AFTER_MS);
   }
 
-  /** What was typed a moment ago is run now. */
+  /** Runs pending edits now. */
   flush(): void {
     if (this.#sending !== undefined) this.send();
   }
 
-  /** The text as it is, is run now. */
+  /** Runs the current text now. */
   send(): void {
     const framing = this.#framing;
     this.#framing = 'keep';
@@ -159,7 +158,7 @@ export class Runs {
     this.#events.sent();
   }
 
-  /** The text is another one: at the end of this turn a run of it begins. */
+  /** The text has changed: a run starts at the end of this turn. */
   textChanged(framing: 'fit' | 'keep'): void {
     clearTimeout(this.#sending);
     this.#sending = undefined;
@@ -175,7 +174,7 @@ export class Runs {
   wanted(framing: 'fit' | 'keep'): void {
     this.#changes = { framing: this.#changes?.framing === 'fit' ? 'fit' : framing };
     this.#outdate();
-    // Also where changes wait already: there may have been no worker for them.
+    // Needed even if changes are pending: there may have been no worker for them.
     queueMicrotask(() => this.#begin());
     this.#events.wanted();
   }
@@ -184,13 +183,13 @@ export class Runs {
     this.#came = 'at-once';
   }
 
-  /** What is sent next is another program: nothing that was concluded of the one before holds for it. */
+  /** The next text is another program: no assumption about the last one applies to it. */
   anotherProgram(): void {
     this.#came = 'at-once';
     this.#framing = 'fit';
   }
 
-  /** Another text has taken the place of the one that the cursor was put into. */
+  /** The text in which the cursor was placed has been replaced. */
   forgetCursor(): void {
     this.#cursorKnown = false;
   }
@@ -200,13 +199,13 @@ export class Runs {
     if (this.#sending === undefined) this.client?.send({ kind: 'cursor', offset: this.#editor.cursor });
   }
 
-  /** The reader has chosen a place of the text by other means. */
+  /** The user has selected a position of the text by other means than the cursor. */
   cursorAt(offset: number): void {
     this.#cursorKnown = true;
     this.client?.send({ kind: 'cursor', offset });
   }
 
-  /** What belongs to the run that was shown must not meet the text or the setup of now. */
+  /** Results of the last run must not be combined with the current text or setup. */
   #outdate(): void {
     this.#client?.outdate();
     this.#events.outdated();
@@ -236,7 +235,7 @@ export class Runs {
 
   async askTokens(): Promise<void> {
     const [client, editor] = [this.#client, this.#editor];
-    // While an edit waits to be sent, the worker would colour older text.
+    // While an edit is pending, the worker would return tokens of an older text.
     if (client === undefined || this.#sending !== undefined) return;
     const lines = editor.linesInSight;
     if (lines === undefined) return;

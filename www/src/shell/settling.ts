@@ -1,16 +1,15 @@
-// Whether the page shows all there is to show.
+// Detects that everything is shown.
 //
-// In: that something is under way, and that the worker has nothing more to show. Out: a promise of the
-// number of the run, and a call each time. The layout may follow what was shown, and then the picture
-// the layout: so the page is settled once two frames have passed in which nothing else came. Must not
-// know: what was under way.
+// In: that something is in progress, and that the worker has nothing more to show. Out: a promise of the number of the
+// run, and a callback. The layout may still follow what was shown, and then the picture the layout: so two frames
+// without further events must pass. Must not know: the cause of an event.
 
 export class Settling {
   readonly #settled: (run: number) => void;
   #promise!: Promise<number>;
   #resolve!: (run: number) => void;
   #isSettled = true;
-  /** Counts what was under way. */
+  /** Incremented whenever something is in progress. */
   #turn = 0;
 
   constructor(settled: (run: number) => void) {
@@ -18,7 +17,7 @@ export class Settling {
     this.unsettle();
   }
 
-  /** The number of the newest run, once all of it is shown. */
+  /** Resolved with the number of the newest run when all of it is shown. */
   get promise(): Promise<number> {
     return this.#promise;
   }
@@ -40,7 +39,7 @@ export class Settling {
       this.#resolve(run);
       this.#settled(run);
     });
-    // Boxes are measured after the callbacks of a frame: the second one knows what came of the first.
+    // `ResizeObserver` callbacks run after the callbacks of a frame, so a second frame is needed to notice them.
     requestAnimationFrame(unless(() => requestAnimationFrame(unless(() => setTimeout(end)))));
   }
 }

@@ -1,9 +1,8 @@
-// The shell: the editor, the panels around it, and what they ask of each other, of the
-// worker and of the page around.
+// The shell: connects the editor, the panels, the worker and the page.
 //
-// In: what the reader does, what the worker reports. Out: the same to the panels; attributes and events of
-// the element, its host. Which panels there are, it knows from `panels/index.ts` and, where more than the
-// picture is shown, `panels/further.ts`, which is loaded then. Must not know: G-code. What is written and what it means is the interpreter's business, behind core-client.ts.
+// In: input of the user, events of the worker. Out: the same to the panels; attributes and events of the host element.
+// It knows the panels from `panels/index.ts` and, in views that show more than the picture, `panels/further.ts`, which
+// is loaded later. Must not know: G-code. The interpreter, behind core-client.ts, handles the meaning of a program.
 
 import type { Language } from '../dom/language';
 import { isOffline, loaded, NeedsReload } from '../dom/network';
@@ -49,7 +48,7 @@ import { Runs, type OwnLoss } from './runs';
 import { mergedSetup, switchesSet } from './start';
 import { adopt } from './style-sheets';
 
-/** The element, whose attributes say how the program is run. */
+/** The element, whose attributes set how the program is run. */
 export interface Host {
   readonly language: Language;
   readonly view: View;
@@ -71,30 +70,30 @@ export interface Host {
   origin: string | null;
 }
 
-/** Events for the page around. */
+/** Events for the page. */
 export interface ShellEvents {
   fire<Detail>(type: string, detail: Detail): void;
-  /** The reader has made another program, or another file, of it. */
+  /** The user has changed the program or its file. */
   changed(): void;
-  /** Something that may change what is shown is under way. */
+  /** Something that may change the display is in progress. */
   unsettled(): void;
-  /** There is nothing more to show of the run. */
+  /** Everything of this run is shown. */
   settled(run: number): void;
 }
 
-/** What the panels there are have heard, for those that come later. */
+/** The events that panels loaded later have missed. */
 interface Missed {
   readonly heard: Map<Heard['kind'], Heard>;
   switches?: SwitchesSet;
   isLost?: boolean;
 }
 
-/** Every copy of the element's folder has a page beside it; who bundles the element has another folder, and says where there is one. */
+/** Every deployed `element.js` has a page beside it. A bundled element has not: its page must set `playground`. */
 const BESIDE = import.meta.url.endsWith('/element.js')
   ? import.meta.url.replace(/element\.js$/, 'index.html')
   : undefined;
 
-/** How long the editor waits for the first picture of a run that has ended. */
+/** How long the editor waits for the first picture after a run has ended. */
 const EDITOR_AFTER_MS = 500;
 
 export class PlaygroundShell implements Shell {
@@ -103,37 +102,37 @@ export class PlaygroundShell implements Shell {
   readonly view: View;
   readonly readonly: boolean;
   readonly frame: HTMLElement;
-  /** All panels of the view are there; rejected where those of it could not be loaded. */
+  /** Resolved when all panels of the view are loaded; rejected if they could not be loaded. */
   complete: Promise<void>;
   readonly #host: Host;
   readonly #events: ShellEvents;
   readonly #regions: Readonly<Record<Region, HTMLElement>>;
-  /** What of the panels is shown. */
+  /** The groups of panels that are shown. */
   readonly #controls: readonly Control[];
   readonly #layout: Layout;
   readonly #paper: Paper;
   #openLink: OpenLink | undefined;
   #openLinkAsked = false;
   readonly #panels: Panel[] = [];
-  /** Those of them that are made for what they do for others alone. */
+  /** Panels that are not displayed and exist only for their services. */
   readonly #unseen = new Set<Panel>();
   readonly #services: Partial<Services> = {};
   readonly #runs: Runs;
   readonly #dark = matchMedia('(prefers-color-scheme: dark)');
   #language: Language;
-  /** What panels that come later have to hear of the newest run; nothing once all are there. */
+  /** Events of the newest run for panels that are loaded later; undefined once all are loaded. */
   #missed: Missed | undefined = { heard: new Map() };
-  /** What of the page is still to come, and the run that is shown but for that. */
+  /** The parts that are still being loaded, and the run that is settled apart from them. */
   readonly #coming: Set<'panels' | 'editor' | 'program' | 'step' | 'link'>;
   #settledRun: number | undefined;
   readonly #missing: Missing;
-  /** The newest run has been reported. */
+  /** Whether the newest run was reported. */
   #isReported = false;
-  /** Nothing works on a run that has not been reported. */
+  /** Whether no run is in progress that would report the current program. */
   #isIdle = false;
-  /** The editor is there, or is being loaded. */
+  /** Whether the editor is loaded or being loaded. */
   #editorAsked = false;
-  /** Why the setup could not even be sent. */
+  /** Why the setup could not be sent. */
   #setupUnreadable: string | undefined;
 
   constructor(root: ShadowRoot, host: Host, events: ShellEvents) {
@@ -205,7 +204,7 @@ export class PlaygroundShell implements Shell {
         if (said.kind === 'report') this.#reported(said.report);
         else if (event.kind === 'part-failed') this.#partFailed(event);
         else if (event.kind === 'parts-loaded') this.#missing.works('parts');
-        // The picture of a short program is there in a moment; where there is none, as in a tab that nobody sees, it is not waited for.
+        // A short program has its picture soon. In a hidden tab there is none, so do not wait for it.
         if (event.kind === 'path' || event.kind === 'report') setTimeout(() => this.#editIfShown(), EDITOR_AFTER_MS);
         else if (event.kind === 'progress' || event.kind === 'part-failed') this.#editIfShown();
       },
@@ -230,13 +229,13 @@ export class PlaygroundShell implements Shell {
       },
       sent: () => events.changed(),
       ready: () => {
-        // What brings the picture has the line for itself.
+        // In views with a picture, load the editor later, so that it does not compete for the network.
         if (!SHOWN[this.view].picture) this.#editIfShown();
       },
       connected: (client) => {
         this.#missing.works('parts');
         client.send({ kind: 'language', tag: this.#language });
-        // A worker that knows nothing shows nothing of it.
+        // A new worker has the defaults, so send only attributes that are set.
         const { highlight, fit, turret } = host;
         if (highlight !== null || fit !== null || turret !== null) this.#lookAsSaid((command) => client.send(command));
         this.#tell((panel) => panel.connected?.((command) => client.send(command)));
@@ -256,7 +255,7 @@ export class PlaygroundShell implements Shell {
     const made = (this.#layout = layout(this.view, this.editor.element));
     this.frame = made.frame;
     this.#regions = made.regions;
-    // Also before the editor has come.
+    // Before the editor is loaded, too.
     this.editor.element.addEventListener('keydown', () => this.#missing.changed());
     this.#add(SHOWN[this.view].picture ? PICTURES : ALWAYS);
     this.authorChanged();
@@ -292,13 +291,13 @@ export class PlaygroundShell implements Shell {
     this.#openLink?.changed();
     this.#showCaption();
     this.#missing.language = this.#language;
-    // What a panel asks then is answered in this language.
+    // Answers to questions that a panel asks from now on are in this language.
     this.send({ kind: 'language', tag: this.#language });
     for (const panel of this.#panels) panel.language = this.#language;
     this.editor.language = this.#language;
   }
 
-  /** What the page around says of lines, of the picture and of its caption. */
+  /** Applies the author's attributes for lines, picture and caption. */
   authorChanged(): void {
     this.editor.marked = linesOf(this.#host.highlight);
     this.editor.shownLines = linesOf(this.#host.lines);
@@ -325,7 +324,7 @@ export class PlaygroundShell implements Shell {
     whole.setAttribute('aria-label', text === '' ? WORDS[this.#language].playground : text);
   }
 
-  /** Where the tool stands is said anew. */
+  /** The attribute `step` has changed. */
   stepChanged(): void {
     if (stepOf(this.#host.step) === undefined) {
       if (this.#coming.has('step')) this.#arrived('step');
@@ -336,13 +335,13 @@ export class PlaygroundShell implements Shell {
     if (this.#settledRun !== undefined) void this.#takeStep();
   }
 
-  /** The tool goes to its place once the run is whole and all that shows it is there. */
+  /** Moves the tool to the `step`, once the run is complete and its panels are loaded. */
   async #takeStep(): Promise<void> {
     const step = stepOf(this.#host.step);
     const run = this.#settledRun;
     if (step === undefined || !this.#coming.has('step') || run === undefined) return;
     await this.complete.catch(() => undefined);
-    // The reader may have been faster.
+    // The user may have changed the program meanwhile.
     if (run !== this.#settledRun || !this.#coming.delete('step')) return;
     const { goTo, goToBlock } = this.#services;
     if (step.kind === 'motion') await (goTo?.(step.motion) ?? this.ask('go-to', { motion: step.motion }));
@@ -359,12 +358,12 @@ export class PlaygroundShell implements Shell {
     this.#runs.setupChanged();
   }
 
-  /** The program the element starts with. */
+  /** Sets the initial program. */
   start(text: string, file: ProgramFile | undefined): void {
     this.editor.setText(programText(text), file, 'final');
   }
 
-  /** The element's own program has come from its address, or is another one in the page. */
+  /** The program of the element was loaded from its address, or has changed in the page. */
   programCame(text: string, file: ProgramFile | undefined): void {
     this.editor.setText(programText(text), file, this.editor.length > 0 ? 'undoable' : 'final');
     this.service('hideNotice')('source');
@@ -374,7 +373,7 @@ export class PlaygroundShell implements Shell {
     this.#arrived('program');
   }
 
-  /** The program is on its way: nothing is settled before it is there. */
+  /** The program is being loaded: the element cannot settle before. */
   programComing(address: string, how: 'begun' | 'slow'): void {
     if (how === 'slow') return this.service('notice')(WORDS[this.#language].programComing(address), 'source');
     this.#coming.add('program');
@@ -387,12 +386,12 @@ export class PlaygroundShell implements Shell {
     this.#arrived('program');
   }
 
-  /** Another text from outside, with no word to the page around; how it is run stays as the page says. */
+  /** Sets another text without an event for the page; the attributes stay. */
   put(program: ProgramText, file: ProgramFile | undefined): void {
     const { editor } = this;
     editor.setText(program, file, editor.length > 0 ? 'undoable' : 'final', this.#context);
     this.#tell((panel) => panel.programReplaced?.());
-    // What was said of a file is not said of this program.
+    // A notice about a file does not apply to this program.
     this.service('hideNotice')('file');
     this.#runs.forgetCursor();
     this.#runs.textChanged('fit');
@@ -503,7 +502,7 @@ export class PlaygroundShell implements Shell {
   }
 
   async #wordAt(offset: number): Promise<WordHelp | undefined> {
-    // The pointer still rests on the word.
+    // Retry for longer: the pointer still rests on the word.
     return (await this.#helpAt({ by: 'pointer', about: 'word', offset }, 100))?.word;
   }
 
@@ -512,7 +511,7 @@ export class PlaygroundShell implements Shell {
     return (await this.#helpAt({ by: 'completion', about: 'completion', offset, askedFor }, 20))?.completion;
   }
 
-  /** A run that begins meanwhile takes an answer away: it is asked for again, while the text is the same. */
+  /** Asks for help; asks again if a new run discards the answer while the text is unchanged. */
   async #helpAt(ask: HelpWanted, pause: number): Promise<Help | undefined> {
     const { revision } = this.editor;
     for (let tries = 0; tries < 10 && this.editor.revision === revision; tries++) {
@@ -523,7 +522,7 @@ export class PlaygroundShell implements Shell {
     return undefined;
   }
 
-  /** The page has moved the cursor for the reader. */
+  /** The page has moved the cursor on behalf of the user. */
   #cursorPutAt(offset: number): void {
     this.#runs.cursorAt(offset);
     this.#tell((panel) => panel.cursorMoved?.());
@@ -537,7 +536,7 @@ export class PlaygroundShell implements Shell {
     const host = this.#host;
     if (host.setup === setup && host.control === null) return;
     host.setup = setup;
-    // The form has shown what the attribute says, and the setup says it now.
+    // The form contains the control of the attribute, so the setup contains it now.
     host.control = null;
     this.#events.fire('gcode-setup', { setup });
   }
@@ -551,7 +550,7 @@ export class PlaygroundShell implements Shell {
 
   // ---- between them -------------------------------------------------------------------------------
 
-  /** Panels stand before those that are there already. */
+  /** Adds panels before the existing ones. */
   #add(kinds: readonly PanelKind[]): readonly Panel[] {
     adopt(
       this.root,
@@ -578,11 +577,11 @@ export class PlaygroundShell implements Shell {
 
   #completeWith(further: () => Promise<Further>): void {
     this.complete = this.#addFurther(further);
-    // The panels have a better sheet. Whoever asks for them hears of a failure, and so does the reader.
+    // The panels have a better print layout. Callers of `complete` handle a rejection, and the user sees a notice.
     this.complete.then(() => this.#paper.end()).catch(() => undefined);
   }
 
-  /** The panels that the picture does not need; they hear what has been since. */
+  /** Loads the panels that the picture does not need, and replays the missed events to them. */
   async #addFurther(load: () => Promise<Further>): Promise<void> {
     try {
       const { FURTHER, SHARED_STYLES } = await loaded(load);
@@ -616,20 +615,20 @@ export class PlaygroundShell implements Shell {
     return { control, setup, blockSkip, program, origin };
   }
 
-  /** That of a program of which nothing is known but its text: it is run on the reader's own machine. */
+  /** The context of a program of which only the text is known: it runs on the user's own machine. */
   get #neutral(): ProgramContext {
     return { ...NEUTRAL, setup: this.#services.ownSetup?.() ?? null };
   }
 
   #runIn(context: ProgramContext): void {
     const before = this.#context;
-    // Another program can have the same context, too.
+    // Another program can have the same context: then only the notifications below are needed.
     if (CONTEXT_KEYS.some((key) => context[key] !== before[key])) Object.assign(this.#host, context);
     this.#tell((panel) => panel.programReplaced?.());
     this.#events.fire('gcode-context', context);
   }
 
-  /** The setup as the attributes have it; nothing where it cannot be read. */
+  /** The setup merged with the other attributes; undefined if it is invalid. */
   #mergedSetup(): string | undefined {
     const { control, setup, blockSkip, program } = this.#host;
     const merged = mergedSetup(setup, { control, blockSkip, program });
@@ -654,7 +653,7 @@ export class PlaygroundShell implements Shell {
     });
   }
 
-  /** There, or not to be had. */
+  /** A part is loaded, or has failed. */
   #arrived(part: 'panels' | 'editor' | 'program' | 'step' | 'link'): void {
     this.#coming.delete(part);
     this.#settle();
@@ -672,7 +671,7 @@ export class PlaygroundShell implements Shell {
     void this.#edit();
   }
 
-  /** Puts the editor in its place. */
+  /** Replaces the plain text with the editor. */
   async #edit(): Promise<void> {
     try {
       await this.editor.edit(this.root);
@@ -683,7 +682,7 @@ export class PlaygroundShell implements Shell {
     this.#arrived('editor');
   }
 
-  /** The link to the playground comes after the picture; the page that is the playground has none. */
+  /** Loads the link to the playground after the picture, except on the playground's own page. */
   async #offerToOpen(): Promise<void> {
     if (this.#openLinkAsked || !this.#coming.has('link')) return;
     this.#openLinkAsked = true;
@@ -692,7 +691,7 @@ export class PlaygroundShell implements Shell {
       this.#openLink = new OpenLink(this.#host, BESIDE);
       this.frame.append(this.#openLink.element);
     } catch {
-      // The picture is there without it.
+      // Ignored: the picture works without the link.
     }
     this.#arrived('link');
   }
@@ -702,7 +701,7 @@ export class PlaygroundShell implements Shell {
     if (neededFor === 'the-report') this.#unreported();
   }
 
-  /** Something could not be loaded; `again` loads it. */
+  /** Reports a part that could not be loaded; `again` retries. */
   #failed(kind: MissingKind, say: FailureText, error: unknown, again: () => void): void {
     const needsReload = error instanceof NeedsReload;
     const isWithoutNetwork = !needsReload && isOffline();
@@ -745,7 +744,7 @@ export class PlaygroundShell implements Shell {
   }
 }
 
-/** The panels of a view that come after the first picture. */
+/** The panels of a view that are loaded after the first picture. */
 interface Further {
   readonly FURTHER: readonly PanelKind[];
   readonly SHARED_STYLES: readonly string[];
@@ -758,13 +757,13 @@ const FURTHER: Readonly<Record<View, (() => Promise<Further>) | undefined>> = {
   code: () => import('../panels/with-code'),
 };
 
-/** Repairs are for whoever can make them. */
+/** Removes the fixes, which are useless if the program is read-only. */
 function withoutFixes(event: Extract<Heard, { readonly kind: 'report' }>): Heard {
   const diagnostics = event.report.diagnostics.map((diagnostic) => ({ ...diagnostic, fixes: [] }));
   return { ...event, report: { ...event.report, diagnostics } };
 }
 
-/** The context of a program of which nothing is known but its text. */
+/** The context of a program of which only the text is known. */
 const NEUTRAL: ProgramContext = { control: null, setup: null, blockSkip: null, program: null, origin: null };
 const CONTEXT_KEYS = Object.keys(NEUTRAL) as readonly (keyof ProgramContext)[];
 
@@ -772,7 +771,7 @@ function hasMotions({ summary }: Report): boolean {
   return summary.finished && summary.motions > 0;
 }
 
-/** The texts that say what could not be loaded, and why. */
+/** The texts that report what could not be loaded, and why. */
 type FailureText = 'loadFailed' | 'partFailed' | 'pageFailed' | 'editorFailed' | 'completionFailed';
 
 function describe(error: unknown): string {

@@ -1,40 +1,40 @@
-// Where the program of an element comes from: the address in `src`, a script or a `pre` inside, or the text of the
-// element itself; and the setup, where a script inside holds one.
+// The source of an element's program: the address in `src`, a script or `pre` inside, or the text of the element; and
+// of its setup, if a script inside contains one.
 //
-// In: the element, its children and how they change. Out: the program each time it is another one, as long as nobody
-// has put in one of their own; the setup as JSON. Must not know: what a program or a setup says, or how it is shown.
+// In: the element, its children and their changes. Out: the program whenever it changes, until the user or the page
+// replaces it; the setup as JSON. Must not know: the content of a program or setup, or how it is shown.
 
 import { loaded, whenOnline } from '../dom/network';
 import type { ProgramFile } from '../editor/program-text';
 import type { Encoding } from '../files/encodings';
 import { folded } from '../files/line-ends';
 
-/** An address that gives no answer for so long is reported. */
+/** A fetch that takes longer than this is reported as slow. */
 const PATIENCE_MS = 700;
 
 export const PROGRAM_SCRIPT = 'script[type="text/x-gcode"]';
 const SETUP_SCRIPT = 'script[type="application/json"]';
-/** What is in these is no text of a page. */
+/** The content of these is not text of the page. */
 const NO_TEXT = 'script, style, template, noscript';
 
 export interface SourceEvents {
-  /** The program of now, as whoever has changed it last wants it. */
+  /** The current program, with all changes by the user or the page. */
   current(): string;
   program(text: string, file: ProgramFile | undefined): void;
   setup(json: string): void;
-  /** A program is fetched from its address; `slow` after a while. */
+  /** A program is being fetched; reported again with `slow` after a while. */
   coming(address: string, how: 'begun' | 'slow'): void;
-  /** `again` fetches it once more. */
+  /** `again` retries the fetch. */
   failed(address: string, reason: string, again: () => void): void;
 }
 
 export class Source {
   readonly #element: HTMLElement;
   readonly #events: SourceEvents;
-  /** What the element was given last. */
+  /** The program that the element was given last. */
   #text: string | undefined;
   #setup: string | undefined;
-  /** The address whose program is on its way, or has come. */
+  /** The address whose program is being fetched or was loaded. */
   #address: string | undefined;
   #fetching: AbortController | undefined;
 
@@ -44,7 +44,7 @@ export class Source {
     new MutationObserver(() => this.#look()).observe(element, { childList: true, characterData: true, subtree: true });
   }
 
-  /** The program to start with; one that has to be fetched follows. */
+  /** The initial program; empty if it has to be fetched first. */
   begin(): string {
     this.#takeSetup();
     if (this.#address !== undefined || addressOf(this.#element) !== undefined) {
@@ -54,7 +54,7 @@ export class Source {
     return (this.#text = textInside(this.#element));
   }
 
-  /** The attribute `src` is another one: its program takes the place of any other. */
+  /** The attribute `src` has changed: its program replaces any other. */
   addressChanged(): void {
     const address = addressOf(this.#element);
     if (address === this.#address) return;
@@ -64,7 +64,7 @@ export class Source {
     else void this.#fetch(address);
   }
 
-  /** Something inside has changed. */
+  /** The children have changed. */
   #look(): void {
     this.#takeSetup();
     if (this.#address !== undefined || this.#text === undefined || this.#events.current() !== this.#text) return;
@@ -116,7 +116,7 @@ function addressOf(element: HTMLElement): string | undefined {
   return address === '' ? undefined : address;
 }
 
-/** Children that are not for a slot. */
+/** The children that are not in a slot. */
 function own(element: Element): ChildNode[] {
   return [...element.childNodes].filter((node) => !(node instanceof Element && node.hasAttribute('slot')));
 }
@@ -126,8 +126,8 @@ function child(element: HTMLElement, selector: string): Element | undefined {
 }
 
 /**
- * The program inside of an element: that of a script or of a `pre`, or else the text; without the blank first and
- * last line and the common indent.
+ * The program inside of an element: the content of a script or a `pre`, or else the text; without blank first and last
+ * lines, and without the common indent.
  */
 export function textInside(element: HTMLElement): string {
   const holder = child(element, PROGRAM_SCRIPT) ?? child(element, 'pre');
@@ -155,7 +155,7 @@ function setupInside(element: HTMLElement): string | undefined {
   return json === '' ? undefined : json;
 }
 
-/** The name of the file at an address. */
+/** The file name of an address. */
 function nameOf(address: string): string {
   const { pathname } = new URL(address, document.baseURI);
   const name = pathname.split('/').at(-1) ?? '';
@@ -166,7 +166,7 @@ function nameOf(address: string): string {
   }
 }
 
-/** Most programs are ASCII without the zeros of UTF-16; what recognises encodings is loaded only for others. */
+/** Most programs are ASCII without the zeros of UTF-16; the detection of encodings is loaded only for others. */
 async function decoded(bytes: Uint8Array): Promise<{ readonly text: string; readonly encoding: Encoding }> {
   if (bytes.every((byte) => byte > 0 && byte < 0x80))
     return { text: new TextDecoder().decode(bytes), encoding: 'utf-8' };

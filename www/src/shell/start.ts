@@ -1,25 +1,25 @@
-// The setup the element is run with.
+// Merges the attributes of the element into one setup.
 //
-// In: its attributes. Out: the setup as one JSON text.
-// Must not know: what a setup may hold beyond the keys that are attributes too.
+// In: the attributes. Out: the setup as JSON. Must not know: the content of a setup, except for the keys that are
+// attributes too.
 
 import type { SwitchesSet } from '../panels/panel';
 
-/** The control where a setup names none. */
+/** The default control. */
 const CONTROL_IF_UNSAID = 'fanuc';
 
 export type MergedSetup =
   | { readonly kind: 'setup'; readonly json: string }
   | { readonly kind: 'unreadable'; readonly reason: string };
 
-/** Attributes that stand for keys of the setup; null where the setup itself decides. */
+/** Attributes that override keys of the setup; null: the setup decides. */
 export interface SetupAttributes {
   readonly control: string | null;
   readonly blockSkip: string | null;
   readonly program: string | null;
 }
 
-/** The `setup` attribute with the other attributes put in their places. */
+/** The `setup` attribute with the values of the other attributes. */
 export function mergedSetup(json: string | null, { control, blockSkip, program }: SetupAttributes): MergedSetup {
   if (control === null && blockSkip === null && program === null) return { kind: 'setup', json: json ?? '{}' };
   let setup: unknown;
@@ -28,11 +28,11 @@ export function mergedSetup(json: string | null, { control, blockSkip, program }
   } catch (error) {
     return { kind: 'unreadable', reason: error instanceof Error ? error.message : String(error) };
   }
-  // Anything but an object is the interpreter's to refuse.
+  // The interpreter reports anything but an object.
   if (typeof setup !== 'object' || setup === null || Array.isArray(setup)) return { kind: 'setup', json: json ?? '{}' };
   const merged: Record<string, unknown> = { ...setup };
   const dialect = merged['dialect'];
-  // A setup that says nothing is read without the part of the interpreter that reads others.
+  // Without any settings, the part of the interpreter that parses setups is not needed.
   if (control !== null && (dialect !== undefined || control !== CONTROL_IF_UNSAID)) {
     merged['dialect'] = { ...(typeof dialect === 'object' ? dialect : {}), control };
   }
@@ -45,7 +45,7 @@ export function mergedSetup(json: string | null, { control, blockSkip, program }
   return { kind: 'setup', json: JSON.stringify(merged) };
 }
 
-/** What is no number is the interpreter's to refuse. */
+/** The interpreter reports a text that is not a number. */
 function numberOrText(text: string): number | string {
   return /^\d+$/.test(text) ? Number(text) : text;
 }

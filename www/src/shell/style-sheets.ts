@@ -1,7 +1,7 @@
-// The style sheets of the element: each is made once and shared by all elements of the page.
+// The style sheets of the elements: each is created once and shared by all elements of the page.
 //
-// In: texts of style sheets. Out: the shadow root adopts them, after those it has. `rem` in them is the size of type of
-// the element, not that of the page, which many set to 62.5 %.
+// In: texts of style sheets. Out: the shadow root adopts them, after its existing ones. `rem` is replaced by the
+// element's own text size, since many pages set the root size to 62.5 %.
 
 const made = new Map<string, CSSStyleSheet>();
 
@@ -20,15 +20,15 @@ function sheet(text: string): CSSStyleSheet {
   return sheet;
 }
 
-/** A container's conditions know no variables, but its own size of type, which is the same. */
+/** Container conditions cannot use variables, but `em` there is the text size of the container, which is the same. */
 function withOwnRem(text: string): string {
   const conditions = text.replace(/@container[^{]*/g, (condition) => condition.replace(/([\d.])rem\b/g, '$1em'));
   return conditions.replace(/(-?[\d.]+)rem\b/g, 'calc($1 * var(--playground-rem))');
 }
 
-// A length that is worked out where it is set, and inherited as such.
+// A registered length is computed where it is set and inherited as a computed value.
 try {
   CSS.registerProperty({ name: '--playground-rem', syntax: '<length>', inherits: true, initialValue: '16px' });
 } catch {
-  // Another copy of this file has done it.
+  // Already registered by another copy of this file.
 }

@@ -1,8 +1,8 @@
-// Programs of a page that are made elements in their places: `<script type="text/x-gcode" data-gcode-playground>` and
-// `<pre data-gcode-playground>`. Where Markdown is written, these are the tags that hold a program with blank lines.
+// Replaces programs in a page by elements: `<script type="text/x-gcode" data-gcode-playground>` and `<pre
+// data-gcode-playground>`. In Markdown, these are the tags whose content may have blank lines.
 //
-// In: a part of a page. Out: around each such program an element, with the attributes that are written as `data-…`.
-// Must not know: what an attribute means.
+// In: a part of a page. Out: an element around each such program, with the attributes that are written as `data-…`.
+// Must not know: the meaning of an attribute.
 
 import { whenParsed } from './parsed';
 import { PROGRAM_SCRIPT } from './source';
@@ -11,7 +11,7 @@ const TAG = 'gcode-playground';
 const MARK = 'data-gcode-playground';
 const MARKED = `${PROGRAM_SCRIPT}[${MARK}], pre[${MARK}]`;
 
-/** Those of the element and no others: `data-onclick` must stay what it is. */
+/** Only the attributes of the element are copied: `data-onclick` must not become `onclick`. */
 export type Attributes = readonly string[];
 
 export function upgradeIn(root: ParentNode, attributes: Attributes): void {
@@ -20,7 +20,7 @@ export function upgradeIn(root: ParentNode, attributes: Attributes): void {
   for (const marked of found) whenParsed(marked, () => putAround(marked, attributes));
 }
 
-/** Those of the page, and those that come while the page is read. */
+/** Upgrades all programs of the page, including those that are parsed later. */
 export function upgradeThePage(attributes: Attributes): void {
   const upgrade = (): void => upgradeIn(document, attributes);
   upgrade();
@@ -41,7 +41,7 @@ function putAround(marked: Element, attributes: Attributes): void {
     const value = marked.getAttribute(`data-${name}`);
     if (value !== null) element.setAttribute(name, value);
   }
-  // A picture for readers without scripts is one of the element.
+  // A picture for users without scripts moves into the slot of the element.
   element.append(...[...marked.children].filter((inside) => inside.hasAttribute('slot')), marked);
   parentNode.insertBefore(element, nextSibling);
 }

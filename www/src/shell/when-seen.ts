@@ -1,7 +1,7 @@
-// When an element starts: at once, when it comes near the view, or when the reader asks for it.
+// Decides when an element starts: immediately, near the viewport, or on click (`loading`).
 //
-// In: the element, and what it says of `loading`. Out: one call, when it is time. Until then its box is there with its height, and nothing
-// is loaded for it. Must not know: what is started.
+// In: the element, and its attribute `loading`. Out: one call of `start`. Until then the element has its size, and
+// nothing is loaded for it. Must not know: the shell.
 
 import { make } from '../dom/dom';
 import type { Language } from '../dom/language';
@@ -14,14 +14,17 @@ export function loadingOf(attribute: string | null): Loading {
   return LOADINGS.find((loading) => loading === attribute) ?? 'lazy';
 }
 
-/** How far from the view an element is started, in heights of the window: reading goes on while it is made. */
+/**
+ * Distance to the viewport at which an element starts, in viewport heights, so that it is ready when the user scrolls
+ * to it.
+ */
 const NEAR = 1;
 
-/** What waits to come near the view. */
+/** The elements waiting to come near the viewport. */
 const waiting = new Map<Element, () => void>();
 let observer: IntersectionObserver | undefined;
 
-/** Calls once the element is near the view, or is to be printed. What is returned ends the wait. */
+/** Calls `start` once the element is near the viewport or is printed. Returns a function that stops waiting. */
 export function whenNear(element: HTMLElement, start: () => void): () => void {
   if (isNear(element)) {
     start();
@@ -43,14 +46,14 @@ export function whenNear(element: HTMLElement, start: () => void): () => void {
   return () => forget(element);
 }
 
-/** The button over the box of an element that waits for it. */
+/** The button that starts the element. */
 export function startButton(language: Language, start: () => void): HTMLElement {
   const button = make('button', { type: 'button', className: 'framed start' }, WORDS[language].show);
   button.addEventListener('click', start, { once: true });
   return button;
 }
 
-/** Asked at once: the first picture of a page does not wait for the next frame. */
+/** Measured synchronously, so that the first picture does not wait for the next frame. */
 function isNear(element: HTMLElement): boolean {
   const { top, bottom, width, height } = element.getBoundingClientRect();
   return width > 0 && height > 0 && bottom > -NEAR * innerHeight && top < (1 + NEAR) * innerHeight;
