@@ -1,10 +1,9 @@
-// What the page and the worker say to each other: the only things that cross between the two threads.
+// The messages between the page and the worker: nothing else crosses between the two threads.
 //
-// Down go commands (state, no answer) and questions (each with an id and exactly one answer); up come events.
-// Every change of text or setup begins a run with a number of its own, and whatever comes up names the run it
-// belongs to: what belongs to an earlier one than the page has asked for is dropped by core-client.ts, the
-// one place where it arrives. The interpreter's own types are taken from its generated package, never written
-// again. Must not know: how either side does its work.
+// The page sends commands (no answer) and questions (each with an id and exactly one answer); the worker sends events.
+// Every change of text or setup starts a run with its own number, and every event contains the number of its run:
+// core-client.ts drops events of earlier runs than the page has requested. The interpreter's types are imported from
+// its generated package, never repeated. Must not know: the work of either side.
 
 import type { PartName } from '../../pkg/part-files.js';
 import type {
@@ -82,29 +81,29 @@ export type {
   SetupState,
 } from '../../pkg/gcode_playground.js';
 
-/** A size in CSS pixels and the device pixels each of them has. */
+/** A size in CSS pixels, with the device pixel ratio. */
 export interface Size {
   readonly width: number;
   readonly height: number;
   readonly pixelRatio: number;
 }
 
-/** On which side of the spindle the turret is drawn. */
+/** The side of the spindle on which the turret is drawn. */
 export type TurretSide = 'front' | 'rear';
 
-/** What happens to a picture; lengths and places in CSS pixels. */
+/** Commands for a picture; lengths and positions in CSS pixels. */
 export type CanvasCommand =
-  /** Pictures of this size are wanted from now on. */
+  /** Draw this picture from now on, in this size. */
   | { readonly kind: 'canvas'; readonly size: Size }
   | { readonly kind: 'resize'; readonly size: Size }
-  /** The page has no image of this picture any more. */
+  /** The page has lost the image of this picture. */
   | { readonly kind: 'paint-again' }
   | { readonly kind: 'fit' }
   | { readonly kind: 'pan'; readonly dx: number; readonly dy: number }
   | { readonly kind: 'zoom'; readonly factor: number; readonly x: number; readonly y: number };
 
 export type { PartName };
-/** The addresses of the files of each part. */
+/** The URLs of the files of each part. */
 export type PartFiles = Readonly<Record<PartName, readonly string[]>>;
 
 /** The compiled module of the interpreter. */
@@ -116,55 +115,58 @@ export interface Core {
 export type LengthUnit = Units['shown'];
 
 export type Command =
-  /** What happens to one of the pictures. */
+  /** A command for one of the pictures. */
   | { readonly kind: 'picture'; readonly picture: PictureName; readonly what: CanvasCommand }
   | { readonly kind: 'palette'; readonly palette: Palette }
   | { readonly kind: 'language'; readonly tag: Extract<PartName, 'en' | 'zh' | 'ru'> }
-  /** The unit in which lengths are shown; that of the program where nothing is said. */
+  /** The unit in which lengths are shown; undefined: that of the program. */
   | { readonly kind: 'unit'; readonly unit: LengthUnit | undefined }
   | BeginRun
-  /** The last picture is on the page, or was dropped as one of an earlier run: there is room for the next one. */
+  /** The last picture is shown, or was dropped as one of an earlier run: the next one can be sent. */
   | { readonly kind: 'shown'; readonly dropped: boolean }
-  /** Ends the run under way. */
+  /** Ends the current run. */
   | { readonly kind: 'stop' }
-  /** Tries again to load what could not be loaded. */
+  /** Retries to load the parts that have failed. */
   | { readonly kind: 'load-parts' }
   | { readonly kind: 'cursor'; readonly offset: number | undefined }
   | { readonly kind: 'hover'; readonly motion: number | undefined }
-  /** Lines, from 0, end exclusive, whose strokes are lit up as long as the reader has chosen no block. */
+  /** Lines, from 0, end exclusive, whose strokes are highlighted while no block is selected. */
   | { readonly kind: 'mark'; readonly lines: readonly { readonly firstLine: number; readonly endLine: number }[] }
-  /** What a fitted picture shows; without it, what is usual. */
+  /** What a picture is fitted to; undefined: the default. */
   | { readonly kind: 'frame'; readonly frame: 'part' | 'path' | undefined }
-  /** Without a side, that of the setup. */
+  /** Undefined: the side in the setup. */
   | { readonly kind: 'turret'; readonly side: TurretSide | undefined }
-  /** Keeps the part, to lay later ones over it. */
+  /** Stores the part, so that later ones are drawn over it. */
   | { readonly kind: 'keep' }
   | { readonly kind: 'end-comparison' }
-  /** The pointer has left the edge that is marked. */
+  /** The pointer has left the highlighted edge. */
   | { readonly kind: 'leave-edge' };
 
-/** How a change came: of what was put in at once the interpreter concludes anew how its numbers are meant. */
+/**
+ * How a change was made. After `at-once` (paste, open) the interpreter decides again how numbers without a point are
+ * read.
+ */
 export type Came = 'typed' | 'at-once';
 
-/** What of text and setup has changed since the run before; numbers of runs grow. */
+/** The changes of text and setup since the last run; run numbers increase. */
 export interface BeginRun extends RunChange {
   readonly kind: 'run';
   readonly run: number;
 }
 
 export interface RunChange {
-  /** JSON. */
+  /** The setup as JSON; undefined: unchanged. */
   readonly setup: string | undefined;
   readonly text: TextCommand | undefined;
-  /** All values of variables that the reader tries. */
+  /** All values of variables that the user tries. */
   readonly tried: readonly TriedValue[];
   readonly came: Came;
   readonly cursor: number | undefined;
-  /** Another program is shown whole, wherever the one before was looked at. */
+  /** `fit` shows another program completely; `keep` keeps pan and zoom. */
   readonly framing: 'fit' | 'keep';
 }
 
-/** What if a variable had another value: it gets it before the block at an offset, one of the times (from 1) that is carried out. */
+/** A tried value of a variable: set before the block at an offset, in one of the times (from 1) that it is executed. */
 export interface TriedValue {
   readonly at: number;
   readonly time: number;
@@ -172,112 +174,113 @@ export interface TriedValue {
   readonly value: number;
 }
 
-/** Offsets are those of the text before; of several changes the last in the text comes first. */
+/** Offsets refer to the old text; several changes are sorted from the end of the text. */
 export interface TextChange {
   readonly from: number;
   readonly to: number;
   readonly insert: string;
 }
 
-/** How the text of the worker becomes that of the editor. */
+/** Updates the text of the worker to that of the editor. */
 export type TextCommand =
-  /** All of it; a piece ends after a line end. */
+  /** The whole text; each piece ends after a line end. */
   | { readonly kind: 'text'; readonly pieces: readonly string[] }
   | { readonly kind: 'edit'; readonly changes: readonly TextChange[] };
 
-/** How fast it plays: so many times as fast as the machine, or the whole program in so many seconds. */
+/** The playback speed: a multiple of real time, or the duration of the whole program in seconds. */
 export type Pace =
   | { readonly kind: 'times'; readonly factor: number }
   | { readonly kind: 'whole'; readonly seconds: number };
 
-/** What holds the tool: stops of the program; after each block (`eachBlock`); before the blocks of lines, from 0, in order. */
+/**
+ * Where the playback pauses: at program stops; after each block (`eachBlock`); before the blocks of these lines, from
+ * 0, sorted.
+ */
 export interface Holds {
   readonly stops: StopSwitch;
   readonly eachBlock: boolean;
   readonly lines: readonly number[];
 }
 
-/** Where the tool is, and what holds it there. */
+/** The position of the tool, and why the playback paused there. */
 export interface Played {
   readonly place: Readout | undefined;
   readonly held: HeldBy;
 }
 
-/** The program with every cycle expanded; `tokens` as for `tokens`, none when the text is very long. */
+/** The program with every cycle expanded; `tokens` as in the question `tokens`, empty for a very long text. */
 export interface WrittenOut {
   readonly text: string;
   readonly tokens: Uint32Array;
 }
 
-/** The formats the page can export: those of the interpreter, and the picture as it is shown. */
+/** The export formats: the interpreter's, and the picture as shown. */
 export type ExportFormat = FileFormat | 'png';
 
-/** An exported file. `ending` follows the name of the program. */
+/** An exported file. `ending` is appended to the name of the program. */
 export type Exported =
   | { readonly kind: 'file'; readonly content: Uint8Array<ArrayBuffer>; readonly ending: string }
-  /** The format is about the part, and there is none. */
+  /** The format contains the part, and there is none. */
   | { readonly kind: 'no-part' };
 
-/** Every question with what it asks and what it is answered. */
+/** Every question, with its arguments and its answer. */
 export interface Questions {
   /** Lines from 0, end exclusive; the answer is triples `from, to, class`. */
   tokens: { ask: { readonly firstLine: number; readonly endLine: number }; answer: Uint32Array };
   pick: { ask: { readonly picture: PictureName; readonly x: number; readonly y: number }; answer: Stroke | undefined };
-  /** The edge of the part in the section. */
+  /** The edge of the part in the section at a position. */
   dimension: { ask: { readonly x: number; readonly y: number }; answer: Dimension | undefined };
-  /** The tool goes on for so many seconds, or to where it is held. */
+  /** Plays for a number of seconds, or until the playback pauses. */
   play: {
     ask: { readonly from: 'here' | 'start'; readonly seconds: number; readonly pace: Pace; readonly holds: Holds };
     answer: Played;
   };
-  /**
-   * The tool is put where so much of the animation has been shown, 0 to 1; without
-   * that, the whole path is shown.
-   */
+  /** Moves the tool to a fraction of the playback, 0 to 1; undefined shows the whole path. */
   seek: { ask: { readonly share: number | undefined }; answer: Readout | undefined };
-  /** The tool is put at the start of the block at this offset, or of the next one that moves it. */
+  /** Moves the tool to the start of the block at this offset, or of the next one with a motion. */
   'seek-block': { ask: { readonly offset: number }; answer: Readout | undefined };
   step: { ask: { readonly unit: StepUnit; readonly direction: StepDirection }; answer: Readout | undefined };
-  /** The tool is put at the end of a motion. */
+  /** Moves the tool to the end of a motion. */
   'go-to': { ask: { readonly motion: number }; answer: Readout | undefined };
-  /** Motions in words: from one, up to another. */
+  /** Descriptions of motions, `end` exclusive. */
   strokes: { ask: { readonly first: number; readonly end: number }; answer: readonly Stroke[] };
-  /** One row for each tool in the order in which they are first used, then one for the whole program. */
+  /** One row for each tool in the order of first use, then one for the whole program. */
   totals: { ask: undefined; answer: readonly Totals[] };
-  /** Where the tool is, in the language of now. */
+  /** The position of the tool, in the current language. */
   readout: { ask: undefined; answer: Readout | undefined };
   /**
-   * In the section X (a diameter) and Z, on the face X (a diameter) and C, on the side Z and C in degrees (or Y, where its ruler
-   * shows that); lengths in mm. The answer is CSS pixels from the picture's top left corner.
+   * The position of a point in a picture. In the section X (a diameter) and Z, on the face X (a diameter) and C, on the
+   * side Z and C in degrees (or Y, if its ruler shows Y); lengths in mm. The answer is in CSS pixels from the top left
+   * corner of the picture.
    */
   locate: {
     ask: { readonly picture: PictureName; readonly place: readonly [number, number] };
     answer: { readonly x: number; readonly y: number };
   };
   expand: { ask: undefined; answer: WrittenOut };
-  /** What can be written as a cycle; offsets of the reader's selection. */
+  /** Parts of the selected text that can be rewritten as a cycle. */
   rewritings: { ask: { readonly from: number; readonly to: number }; answer: readonly Rewriting[] };
   codes: { ask: undefined; answer: Codes };
-  /** Nothing where a newer question of the same asker has come meanwhile, or another run. */
+  /** Undefined if the same asker has sent a newer question meanwhile, or there is a newer run. */
   help: { ask: HelpWanted; answer: Help | undefined };
-  /** Where the number at an offset is used: a sequence number, a program, a variable. */
+  /** The uses of the number at an offset: a sequence number, a program, a variable. */
   uses: { ask: { readonly offset: number }; answer: UsesHelp | undefined };
-  /** The outline of the text, and what of it can be folded. */
+  /** The outline of the text, and its foldable ranges. */
   outline: { ask: undefined; answer: OutlineHelp };
   export: { ask: { readonly format: ExportFormat }; answer: Exported };
-  /** The half-section of the part at the moment that is shown. */
+  /** The half-section of the part at the current position of the playback. */
   section: { ask: undefined; answer: readonly SectionPiece[] };
-  /** The holes that live tools have drilled by then. */
+  /** The holes drilled by live tools up to that position. */
   holes: { ask: undefined; answer: readonly DrilledHole[] };
-  /** The programs found in a text, and one of them in pieces. */
+  /** The programs found in a text; then one of them in pieces. */
   'programs-in': { ask: { readonly text: string }; answer: FoundPrograms };
   'pieces-of': { ask: { readonly program: number; readonly language: string }; answer: readonly FoundPiece[] };
-  /** What differs between another version, the first, and the program. */
+  /** The differences between another version, which counts as the first, and the program. */
   difference: { ask: OtherVersion; answer: Differed };
   'setup-form': { ask: undefined; answer: SetupForm };
   'another-tool': { ask: { readonly word: string }; answer: SetupGroup | undefined };
   'read-setup': { ask: SetupTyped; answer: SetupAnswer };
-  /** Machine and tools of a setup, and of the program as it is run. */
+  /** The machine and the tools of a setup; then of the program as it is run. */
   'profiles-in': { ask: { readonly json: string }; answer: ProfilesRead };
   'profiles-of-run': { ask: { readonly json: string }; answer: Profiles };
   'with-profile': {
@@ -286,12 +289,12 @@ export interface Questions {
   };
 }
 
-/** Who asks for help: a newer question takes the place of the one before of the same asker. */
+/** The part of the page that asks for help: a newer question replaces its last one. */
 export type Asker = 'pointer' | 'cursor' | 'completion' | 'drawing' | 'motions';
 
 /**
- * What help is asked for: the word at an offset, all of its block (as it is carried out for one of its times, or
- * usually), what can be written there, or what the block of a motion does.
+ * The kind of help: for the word at an offset, for its block (at one of the times it is executed, or the usual one),
+ * for completion at an offset, or for the block of a motion.
  */
 export type HelpWanted = { readonly by: Asker } & (
   | { readonly about: 'word'; readonly offset: number }
@@ -300,35 +303,35 @@ export type HelpWanted = { readonly by: Asker } & (
   | { readonly about: 'motion'; readonly motion: number }
 );
 
-/** What is known of it; the other members are not there. */
+/** The answer; members that were not asked for are missing. */
 export interface Help {
   readonly asked: HelpWanted;
   readonly word?: WordHelp | undefined;
   readonly form?: FormHelp | undefined;
   readonly state?: StateHelp | undefined;
   readonly completion?: CompletionHelp | undefined;
-  /** What the block of a motion does; empty where nothing is to be said. */
+  /** A description of the block of a motion; empty if there is none. */
   readonly explanation?: string | undefined;
 }
 
-/** What of a setup can be kept under a name, or what is wrong with it. */
+/** The profiles contained in a setup, or why it is invalid. */
 export type ProfilesRead =
   | { readonly kind: 'profiles'; readonly profiles: Profiles }
   | { readonly kind: 'wrong'; readonly reason: string };
 
-/** Another version of the program; `names` are that of it and that of the program. */
+/** Another version of the program; `names` are the display names of that version and of the program. */
 export interface OtherVersion {
   readonly text: string;
   readonly names: readonly [string, string];
 }
 
-/** What differs between two versions, and the tool paths of both as SVG. */
+/** The differences between two versions, and the tool paths of both as SVG. */
 export interface Differed {
   readonly rows: ProgramDifference;
   readonly drawing: string;
 }
 
-/** The texts in the fields of the setup form; `json` is the setup of the page as it is. */
+/** The texts in the fields of the setup form; `json` is the current setup of the page. */
 export interface SetupTyped {
   readonly keys: readonly string[];
   readonly texts: readonly string[];
@@ -338,10 +341,7 @@ export interface SetupTyped {
 
 export type QuestionKind = keyof Questions;
 
-/**
- * Questions whose answers hold for a run: once there is another one, the answer is `undefined`. The
- * others' hold as they are.
- */
+/** Whether the answer to a question is about a run: then it is `undefined` once there is a newer run. */
 export const OF_THE_RUN = {
   tokens: true,
   pick: true,
@@ -388,77 +388,80 @@ export interface Question<K extends QuestionKind = QuestionKind> {
 
 export type WorkShown = 'blank' | 'chuck' | 'tailstock' | 'collision';
 
-/** What there is to see beside the section. */
+/** The contents of the views. */
 export interface ViewsState {
-  /** The pictures that show anything: the section, and each surface that something moves over. */
+  /** The pictures with content: the section, and each surface with motions on it. */
   readonly pictures: readonly PictureName[];
-  /** What the pictures show beside strokes. */
+  /** What the pictures show besides strokes. */
   readonly work: readonly WorkShown[];
   readonly turret: TurretSide;
-  /** While a part is kept. */
+  /** Undefined unless a part is stored. */
   readonly comparison: Comparison | undefined;
 }
 
 export interface ProgramHead {
   readonly number: number;
-  /** As it is written: `O0002`. */
+  /** As written in the program: `O0002`. */
   readonly name: string;
 }
 
 export interface SwitchesInText {
-  /** Levels in order, each once; a slash without a number is 1. */
+  /** Levels, sorted and without repetitions; a slash without a number is level 1. */
   readonly blockSkip: readonly number[];
-  /** In the order of the text, each once. */
+  /** In the order of the text, without repetitions. */
   readonly programs: readonly ProgramHead[];
 }
 
-/** What takes a noticeable time: the program is run, then the material taken off. */
+/** Tasks that can take a noticeable time: running the program, then removing the material. */
 export type Work = 'run' | 'part';
 
-/** What a run has found: all of it, so that nothing of an earlier report is needed. */
+/** The complete result of a run; no earlier report is needed. */
 export interface Report {
   readonly summary: Summary;
   readonly diagnostics: readonly Diagnostic[];
   readonly overview: SetupOverview;
   /** Control, system, units and switches. */
   readonly readAs: ReadAs;
-  /** The rules that the setup switches off one by one. */
+  /** The rules that the setup switches off individually. */
   readonly rulesOff: readonly string[];
-  /** All lengths that cross are mm; this is what they are shown in. */
+  /** The units for display; all lengths in messages are in mm. */
   readonly units: Units;
-  /** How numbers without a point are read, where the reader has to know. */
+  /** How numbers without a point are read, if the user should know. */
   readonly decimal: string | undefined;
   /**
-   * The whole report; or the path, as the part takes longer; or the part that belongs to the path reported
-   * before; or what was reported, in another language or unit.
+   * `whole`: everything; `path`: without the part, which takes longer; `part`: the part for a path reported before;
+   * `again`: the last report in another language or unit.
    */
   readonly stage: 'whole' | 'path' | 'part' | 'again';
-  /** Why the setup that was sent last is not the one it ran under. */
+  /** Why the last setup was rejected; the run then used the one before. */
   readonly setupRejected: string | undefined;
-  /** Known once all material is off. */
+  /** Undefined until all material is removed. */
   readonly views: ViewsState | undefined;
-  /** Known once all of the text was looked at; a long one is reported later. */
+  /** Undefined until the whole text was searched; for a long one they are reported later. */
   readonly switches: SwitchesInText | undefined;
 }
 
-/** All pictures, in the order in which they stand. */
+/** All pictures, in display order. */
 export const PICTURES = ['section', 'face', 'side'] as const satisfies readonly PictureName[];
 
-/** One of the pictures, or all that show anything. */
+/** One of the pictures, or all that have content. */
 export type PictureChoice = PictureName | 'all';
 
-/** What was painted; a picture that has not changed is left out. */
+/** The painted images; unchanged pictures are missing. */
 export type Pictures = { readonly [K in PictureName]?: ImageBitmap };
 
-/** What is reported of a run. */
+/** The events of a run. */
 export type RunEvent =
-  /** The run has ended and its path is drawn; messages and part follow once what makes them is loaded. */
+  /** The run has ended and its path is drawn; messages and part follow once the parts that compute them are loaded. */
   | { readonly kind: 'path'; readonly summary: Summary }
-  /** A part of the interpreter could not be loaded: the report of the run waits for it, or only something else does. */
+  /**
+   * A part of the interpreter could not be loaded, which is needed for the report of the run or only for something
+   * else.
+   */
   | { readonly kind: 'part-failed'; readonly reason: string; readonly neededFor: 'the-report' | 'something-else' }
-  /** All parts that could not be loaded have been loaded since. */
+  /** All parts that had failed are loaded. */
   | { readonly kind: 'parts-loaded' }
-  /** The picture on the page stays that of an earlier run: the block that is being typed is not whole yet. */
+  /** The page keeps the picture of an earlier run: the block that is being typed is incomplete. */
   | { readonly kind: 'old-picture'; readonly of: number }
   | { readonly kind: 'report'; readonly report: Report }
   /** `done` from 0 to 1; sent only for runs that take a noticeable time. */
@@ -467,20 +470,18 @@ export type RunEvent =
   | { readonly kind: 'switches'; readonly inText: SwitchesInText }
   | { readonly kind: 'pictures'; readonly pictures: Pictures }
   /**
-   * The run has ended, all material is off, and its last picture is shown; so many messages of
-   * the page were heard by then.
+   * The run has ended, all material is removed and its last picture is shown; `heard` is the number of messages of the
+   * page that were received by then.
    */
   | { readonly kind: 'settled'; readonly heard: number }
   | { readonly kind: 'answer'; readonly id: number; readonly answer: unknown };
 
-/** What is reported of a run, with its number. */
+/** An event with the number of its run. */
 export type SessionEvent = RunEvent & { readonly run: number };
 
-/**
- * To the worker. Each element of the page has a session there, which begins with what is first said in it.
- */
+/** Messages to the worker. Each element of the page has a session there, which is opened by its first message. */
 export type ToWorker =
-  /** The first thing a worker hears. */
+  /** The first message to a worker. */
   | { readonly kind: 'files'; readonly files: PartFiles }
   | Core
   | { readonly kind: 'say'; readonly session: number; readonly what: Command | Question }
@@ -490,16 +491,16 @@ export type ToWorker =
 export type FromWorker =
   | { readonly kind: 'ready' }
   | { readonly kind: 'load-failed'; readonly reason: string }
-  /** The interpreter threw while it was at work for this session: the worker is of no further use. */
+  /** The interpreter threw while processing this session: the worker is unusable. */
   | { readonly kind: 'crashed'; readonly session: number; readonly reason: string }
-  /** From here on until the next one, it is this session that the worker is at work for. */
+  /** The worker processes this session until the next such message. */
   | { readonly kind: 'at-work'; readonly session: number }
   | { readonly kind: 'pong' }
   | { readonly kind: 'event'; readonly session: number; readonly event: SessionEvent };
 
 /**
- * Whether a message may change what is shown: these are counted on both sides, so that the
- * page knows what was heard.
+ * Whether a message may change the display. Both sides count these, so that the page knows which messages were
+ * processed.
  */
 export function counts(message: Command | Question): boolean {
   return message.kind !== 'shown';

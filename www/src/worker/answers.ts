@@ -1,7 +1,7 @@
-// What the worker answers: one row for each question.
+// The questions that the worker answers: one row for each.
 //
-// In: the `Playground` and what is asked. Out: the answer, whether it changes what is drawn, and whether it
-// has to wait. Must not know: runs, or how answers reach the page.
+// In: the `Playground` and the question. Out: the answer, whether it changes the drawing, and whether it must wait.
+// Must not know: runs, or how answers reach the page.
 
 import { Playground } from '../../pkg/gcode_playground.js';
 import type { ProfilesRead, QuestionKind, Questions, WrittenOut } from '../protocol/protocol';
@@ -11,15 +11,15 @@ import { help } from './help';
 import { piecesOf, programsIn } from './paste';
 import { toolAnswers } from './tool';
 
-/** Longer texts are expanded without colours. */
+/** Longer expanded texts get no syntax colours. */
 const COLOUR_LIMIT = 200_000;
 
 export interface AnswerRow<K extends QuestionKind> {
-  /** A picture changes with it: drawn at once, or once the run is whole. */
+  /** A picture changes: redraw immediately, or when the run is complete. */
   readonly draws?: 'now' | 'when-whole';
-  /** It is answered once all material is off. */
+  /** Wait until all material is removed. */
   readonly waits?: 'for-the-part';
-  /** The parts of the interpreter that answer it, where it is not the first one. */
+  /** The parts of the interpreter that are needed besides the first one. */
   readonly needs?: readonly ('late' | 'language')[];
   answer(core: Playground, ask: Questions[K]['ask']): Questions[K]['answer'] | Promise<Questions[K]['answer']>;
 }
@@ -47,11 +47,11 @@ export const ANSWERS: { readonly [K in QuestionKind]: AnswerRow<K> } = {
   expand: { needs: IN_WORDS, answer: writtenOut },
   rewritings: { needs: IN_WORDS, answer: (core, { from, to }) => core.rewritings(from, to) },
   codes: { needs: IN_WORDS, answer: (core) => core.codes() },
-  // A run that has not ended knows nothing of the blocks to come.
+  // Before the run has ended, nothing is known about the remaining blocks.
   help: { needs: IN_WORDS, waits: 'for-the-part', answer: help },
   uses: { needs: IN_WORDS, answer: (core, { offset }) => core.usesAt(offset) },
   outline: { needs: IN_WORDS, answer: (core) => core.outline() },
-  // A file of a part of a program would pass for all of it.
+  // Wait, since a file of an incomplete program would be mistaken for all of it.
   export: { needs: IN_WORDS, waits: 'for-the-part', answer: (core, { format }) => exported(core, format) },
   section: { needs: IN_WORDS, answer: (core) => core.section() },
   holes: { needs: IN_WORDS, answer: (core) => core.holes() },
@@ -81,7 +81,7 @@ function profilesIn(core: Playground, json: string): ProfilesRead {
 function writtenOut(core: Playground): WrittenOut {
   const text = core.expand();
   if (text.length > COLOUR_LIMIT) return { text, tokens: new Uint32Array() };
-  // Colours belong to a text, so the new text needs an interpreter of its own for a moment.
+  // Tokens belong to a text, so the expanded text needs a temporary interpreter.
   const reader = new Playground();
   try {
     reader.setText(text);

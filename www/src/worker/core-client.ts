@@ -1,8 +1,8 @@
-// One element's line to the worker: its session there.
+// The client of the worker for one element, connected to its session there.
 //
-// In: commands and typed questions; changes of text and setup, each of which begins a run. Out: the session's
-// events, and promises of answers, of the newest run only: whatever belongs to an earlier one ends here.
-// Must not know: what the commands mean, what is on the page, or that others share the worker.
+// In: commands and typed questions; changes of text and setup, each of which starts a run. Out: the session's events,
+// and promises of answers, for the newest run only; everything about earlier runs is dropped here. Must not know: the
+// meaning of commands, the content of the page, or that elements share the worker.
 
 import { CoreThread, type Line, type Loss } from './core-thread';
 import {
@@ -21,31 +21,31 @@ import {
 
 export type { Loss };
 
-/** What reaches the page beside answers and pictures. */
+/** The events that are passed on, besides answers and pictures. */
 export type Heard = Exclude<RunEvent, { readonly kind: 'answer' | 'pictures' | 'settled' }>;
 
 export interface CoreListener {
   /** The interpreter is loaded. */
   ready(): void;
-  /** Of the newest run. */
+  /** An event of the newest run. */
   event(event: Heard): void;
-  /** Shows pictures of the newest run that the worker knows; the images are the listener's. */
+  /** Shows pictures of the newest run that the worker knows. The listener owns the images. */
   pictures(pictures: Pictures): void;
-  /** Something that may change what is shown is under way. */
+  /** Something that may change the display is in progress. */
   unsettled(): void;
-  /** The worker has heard all that was sent, and there is nothing more to show of the newest run. */
+  /** The worker has processed all messages, and everything of the newest run is shown. */
   settled(run: number): void;
-  /** The worker or the session is gone; nothing sent to this client is answered any more. */
+  /** The worker or the session has failed; nothing sent to this client is answered any more. */
   lost(loss: Loss): void;
 }
 
-/** A question under way. */
+/** A pending question. */
 interface Waiting {
   readonly about: QuestionKind;
   readonly resolve: (answer: never) => void;
 }
 
-/** Grows with every change of text or setup, whichever worker it goes to. */
+/** Incremented with every change of text or setup in any element. */
 let newestRun = 0;
 
 export class CoreClient {
@@ -54,13 +54,13 @@ export class CoreClient {
   readonly #waiting = new Map<number, Waiting>();
   #nextId = 1;
   #ended = false;
-  /** The run that the page wants, and the last one the worker has received. */
+  /** The run that the page wants; `#told` is the last one that was sent to the worker. */
   #run = ++newestRun;
   #told = 0;
-  /** Messages sent that may change what is shown. */
+  /** The number of sent messages that may change the display. */
   #sent = 0;
 
-  /** `where`: apart from the others where it has made them wait before. */
+  /** `where`: `apart` if this element has made a shared worker fail before. */
   constructor(listener: CoreListener, where: 'with-others' | 'apart') {
     this.#listener = listener;
     this.#line = CoreThread.join(where, {
@@ -76,15 +76,14 @@ export class CoreClient {
   }
 
   /**
-   * Text or setup have changed: what comes of earlier runs is not wanted any more, even if the worker
-   * hears of it a little later.
+   * Text or setup have changed: results of earlier runs are dropped from now on, even before the worker is notified.
    */
   outdate(): void {
     if (this.#run === this.#told) this.#run = ++newestRun;
     this.#listener.unsettled();
   }
 
-  /** Begins the run of what has changed. */
+  /** Starts a run of the changes. */
   begin(change: RunChange): void {
     this.outdate();
     this.#told = this.#run;
@@ -97,8 +96,8 @@ export class CoreClient {
   }
 
   /**
-   * The promise stays open for ever when the worker is lost: whoever waits hears of it by `lost`. What is
-   * asked about a run is answered with `undefined` once there is another one.
+   * The promise stays pending if the worker fails; `lost` reports that. A question about a run is answered with
+   * `undefined` once there is a newer run.
    */
   ask<K extends QuestionKind>(about: K, ask: Questions[K]['ask']): Promise<Answer<K>> {
     return new Promise((resolve) => {
@@ -138,7 +137,7 @@ export class CoreClient {
         return;
       }
       case 'pictures': {
-        // A change that the worker has not received yet leaves the last picture as it is.
+        // While a change was not sent yet, a picture of the last sent run is still shown.
         const dropped = event.run !== this.#told;
         if (dropped) close(event.pictures);
         else this.#listener.pictures(event.pictures);
@@ -148,7 +147,7 @@ export class CoreClient {
       case 'settled':
         if (event.run === this.#run && event.heard === this.#sent) this.#listener.settled(event.run);
         return;
-      // These are about the worker: they count whichever run was current.
+      // These are about the worker, so they are valid for any run.
       case 'part-failed':
         this.#listener.event(event.run === this.#run ? event : { ...event, neededFor: 'something-else' });
         return;
@@ -172,8 +171,8 @@ function close(pictures: Pictures): void {
 }
 
 /**
- * Asks with the newest value only: while one question is under way, later ones replace each other,
- * so a fast pointer never builds a queue.
+ * Asks with the newest value only: while a question is pending, later ones replace each other, so a fast pointer never
+ * fills a queue.
  */
 export class Newest<K extends QuestionKind> {
   readonly #client: CoreClient;
@@ -181,7 +180,7 @@ export class Newest<K extends QuestionKind> {
   readonly #answered: (answer: Answer<K>) => void;
   #busy = false;
   #next: { readonly ask: Questions[K]['ask'] } | undefined;
-  /** The answer under way is not wanted any more. */
+  /** The pending answer is to be dropped. */
   #forgotten = false;
 
   constructor(client: CoreClient, about: K, answered: (answer: Answer<K>) => void) {
@@ -202,13 +201,13 @@ export class Newest<K extends QuestionKind> {
       const next = this.#next;
       this.#busy = false;
       this.#next = undefined;
-      // An answer that a newer question has overtaken is still shown: better a little late than frozen.
+      // Show an answer even if a newer question is waiting: a late value is better than a frozen display.
       if (!this.#forgotten) this.#answered(answer);
       if (next !== undefined) this.ask(next.ask);
     });
   }
 
-  /** Drops what has not been sent yet, and the answer to what has. */
+  /** Drops the waiting question, and the answer to the pending one. */
   forget(): void {
     this.#next = undefined;
     this.#forgotten = true;

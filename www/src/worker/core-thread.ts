@@ -1,9 +1,9 @@
-// The worker that all elements of a page share, from the page's side.
+// The page's side of the worker that all elements of a page share.
 //
-// In: messages of the sessions. Out: events for each of them. A worker that fails, or gives no answer for 15 s
-// (30 s while it starts), is ended, and every session is reported as lost; the session that it worked for
-// is to blame, the others are only its neighbours. A session that is begun after that goes to a
-// worker apart, so there are never more than two. Must not know: what is said in a session.
+// In: messages of the sessions. Out: events for each of them. A worker that fails, or does not answer for 15 s (30 s
+// while it starts), is terminated, and every session is reported as lost: the session that was active has caused it,
+// the others are its neighbours. A session of an element that has caused a failure starts in a separate worker, so
+// there are never more than two. Must not know: the content of messages.
 
 import { PART_FILES } from '../../pkg/part-files.js';
 import { coreModule, forgetCoreModule } from './core-module';
@@ -12,29 +12,29 @@ import script from './worker.ts?worker&url';
 import type { Command, FromWorker, Question, SessionEvent, ToWorker } from '../protocol/protocol';
 
 const SILENCE_LIMIT_MS = 15_000;
-/** Its script may still be on its way. */
+/** Longer, since its script may still be loading. */
 const START_LIMIT_MS = 30_000;
-/** After the computer slept the timer may ring before the answer that is already there is read. */
+/** After the computer was suspended, the timer can fire before an answer that has already arrived is processed. */
 const GRACE_MS = 1_000;
-/** An element that is moved in the page, or replaced by another one, finds the worker where it was. */
+/** The worker is kept this long without a session, for an element that is moved in the page or replaced by another. */
 const END_AFTER_MS = 1_000;
 
 export type Loss =
   | { readonly kind: 'silent' }
-  /** Another session is to blame. */
+  /** Another session has caused the failure. */
   | { readonly kind: 'neighbour' }
   | { readonly kind: 'crashed' | 'load-failed'; readonly reason: string };
 
-/** What a session hears. */
+/** Events for a session. */
 export interface LineListener {
   /** The interpreter is loaded. */
   ready(): void;
   event(event: SessionEvent): void;
-  /** Nothing that was said is answered any more. */
+  /** The worker has failed; no message is answered any more. */
   lost(loss: Loss): void;
 }
 
-/** What a session has of its worker. */
+/** The connection of a session to its worker. */
 export interface Line {
   say(what: Command | Question): void;
   leave(): void;
@@ -49,7 +49,7 @@ export class CoreThread {
   readonly #worker: StartedWorker;
   readonly #sessions = new Map<number, LineListener>();
   #ready = false;
-  /** The session that the worker is at work for. */
+  /** The session that the worker is processing. */
   #atWork: number | undefined;
   #watch: ReturnType<typeof setTimeout> | undefined;
   #ending: ReturnType<typeof setTimeout> | undefined;
@@ -101,7 +101,7 @@ export class CoreThread {
     switch (event.kind) {
       case 'event':
         this.#sessions.get(event.session)?.event(event.event);
-        // A picture for nobody.
+        // The session is closed, so release the images.
         if (!this.#sessions.has(event.session) && event.event.kind === 'pictures')
           for (const image of Object.values(event.event.pictures)) image.close();
         return;
@@ -128,7 +128,7 @@ export class CoreThread {
     }
   }
 
-  /** One ping at a time, and only while there is something the worker has to do. */
+  /** Sends a ping, one at a time, and only while the worker has something to do. */
   #watchOver(): void {
     if (!this.#ready || this.#watch !== undefined) return;
     this.#watch = setTimeout(() => {
@@ -137,7 +137,7 @@ export class CoreThread {
     this.#post({ kind: 'ping' });
   }
 
-  /** An error that the worker has not caught, or that of its start. */
+  /** An uncaught error in the worker, or an error at its start. */
   #failed(reason: string): void {
     if (this.#ready) this.#lose({ kind: 'crashed', reason }, this.#atWork);
     else this.#loadFailed(reason);
@@ -148,7 +148,7 @@ export class CoreThread {
     for (const listener of listeners) listener.lost({ kind: 'load-failed', reason });
   }
 
-  /** `blamed`: the session that the worker was at work for. */
+  /** `blamed`: the session that the worker was processing. */
   #lose(loss: Loss, blamed: number | undefined): void {
     const guilty = blamed === undefined ? undefined : this.#sessions.get(blamed);
     const listeners = this.#end();
@@ -156,7 +156,7 @@ export class CoreThread {
       listener.lost(guilty === undefined || listener === guilty ? loss : { kind: 'neighbour' });
   }
 
-  /** The sessions there were. */
+  /** Terminates the worker; returns the listeners of its sessions. */
   #end(): readonly LineListener[] {
     clearTimeout(this.#watch);
     clearTimeout(this.#ending);

@@ -1,12 +1,13 @@
 // The worker's half of comparing the program with another version.
 //
-// In: the `Playground` and the other text. Out: what differs, and a drawing of both. The other one runs in an interpreter of its
-// own, which the thread has for a moment: within limits of time, so that the page never waits long. Must not know: what is shown of it.
+// In: the `Playground` and the other text. Out: the differences, and a drawing of both. The other version runs in a
+// temporary interpreter within time limits, so that the page never waits long. Must not know: how the differences are
+// shown.
 
 import type { Playground } from '../../pkg/gcode_playground.js';
 import type { Differed, OtherVersion } from '../protocol/protocol';
 
-/** A program that takes longer is compared as far as it has come; a message of it says so. */
+/** A program that takes longer is compared as far as it has run; a message reports that. */
 const RUN_LIMIT_MS = 4_000;
 const MACHINE_LIMIT_MS = 3_000;
 const BLOCKS = 20_000;

@@ -1,18 +1,18 @@
-// Help at a place of the program: the run is gone through once more up to the block there.
+// Help at a position in the program: replays the run up to the block there.
 //
-// In: what is asked of which place. Out: the answer, or nothing where a newer question of the same asker has come meanwhile,
-// or another run. Must not know: what is answered.
+// In: a question about a position. Out: the answer, or undefined if the same asker has sent a newer question meanwhile,
+// or there is a newer run. Must not know: the content of the answer.
 
 import type { Playground } from '../../pkg/gcode_playground.js';
 import type { Asker, Help, HelpWanted } from '../protocol/protocol';
 
-/** Blocks that are gone through before newer messages are looked at. */
+/** Blocks to replay before newer messages are processed. */
 const BLOCKS = 20_000;
 
-/** What is asked of one program. */
+/** The pending questions of one program. */
 interface Asked {
   readonly newest: Map<Asker, HelpWanted>;
-  /** The question that is being looked for; a program looks for one at a time. */
+  /** The question whose block is being searched for; one at a time for each program. */
   sought: HelpWanted | undefined;
 }
 
@@ -64,7 +64,7 @@ export function help(core: Playground, ask: HelpWanted): Help | undefined | Prom
   }
 }
 
-/** A program that is gone is not asked any more. */
+/** Drops the questions of a closed program. */
 export function forget(core: Playground): void {
   asked.delete(core);
 }

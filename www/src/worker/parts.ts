@@ -1,17 +1,19 @@
-// The parts of the interpreter, and the texts of languages, that are loaded after the first picture. `late` comes with `early`.
+// The parts of the interpreter, and the texts of languages, that are loaded after the first picture. `late` needs
+// `early`.
 //
-// In: which parts are wanted, and what waits for them. Out: whether they are there; what waited is done when they
-// come, and hears of it when they do not. Only `loadAll` loads a part that has failed once more (and `late`, which needs the files of `early`): the page decides when.
-// Must not know: what is in a part, or what waits for it.
+// In: the needed parts, and callbacks that wait for them. Out: whether they are loaded; the callbacks run when they
+// are, and waiters are notified of failures. Only `loadAll` retries a part that has failed, so the page decides when.
+// (Loading `late` also loads `early`, whose files it needs.) Must not know: the content of a part, or the purpose of a
+// callback.
 
 import { loadPart } from '../../pkg/parts.js';
 import type { PartFiles, PartName } from '../protocol/protocol';
 
 export type { PartName };
 
-/** Who waits for parts. */
+/** A session that waits for parts. */
 export interface Waiter {
-  /** What has waited is done. */
+  /** Runs a callback that has waited. */
   guarded(step: () => void): void;
   partFailed(reason: unknown): void;
   /** All parts that had failed are loaded. */
@@ -24,13 +26,13 @@ export class LateParts<W extends Waiter> {
   readonly #all: () => Iterable<W>;
   readonly #loaded = new Set<PartName>();
   readonly #loading = new Map<PartName, Promise<void>>();
-  /** Why parts could not be loaded; each until it is. */
+  /** The errors of parts that could not be loaded, until they are. */
   readonly #missing = new Map<PartName, unknown>();
   #waiting: { readonly waiter: W; readonly needs: readonly PartName[]; readonly act: () => void }[] = [];
-  /** Nothing is loaded that could delay the first picture of the page. */
+  /** Set until the first picture: loading parts could delay it. */
   #isHeld = true;
 
-  /** `exports`: of the module; `all` that may want parts. */
+  /** `exports`: of the module; `all`: the possible waiters. */
   constructor(exports: object, files: PartFiles, all: () => Iterable<W>) {
     this.#exports = exports;
     this.#files = files;
@@ -41,19 +43,19 @@ export class LateParts<W extends Waiter> {
     return parts.every((part) => this.#loaded.has(part));
   }
 
-  /** Parts could not be loaded, and are not being loaded. */
+  /** Whether some parts have failed and are not being retried. */
   get failed(): boolean {
     return [...this.#missing.keys()].some(
       (part) => !this.#loading.has(part) && !(part === 'early' && this.#loading.has('late')),
     );
   }
 
-  /** Loads what is not there yet, one after the other: what is wanted first is there first. Who may want it hears of a failure. */
+  /** Loads missing parts in the given order, one after the other. Failures are reported to the waiters. */
   load(...parts: readonly PartName[]): void {
     void this.#loadInTurn(parts);
   }
 
-  /** Does something as soon as the parts it needs are there. */
+  /** Calls `act` as soon as the parts it needs are loaded. */
   whenLoaded(waiter: W, needs: readonly PartName[], act: () => void): void {
     if (this.has(...needs)) return act();
     this.#waiting.push({ waiter, needs, act });
@@ -62,19 +64,19 @@ export class LateParts<W extends Waiter> {
     else if (!this.#isHeld) this.load(...needs);
   }
 
-  /** Loads what is waited for, and what could not be loaded before. */
+  /** Loads the parts that are waited for, and retries the failed ones. */
   loadAll(): void {
     this.#isHeld = false;
     for (const part of this.#missing.keys()) void this.#load(part, 'again').catch(() => undefined);
     for (const { needs } of this.#waiting) this.load(...needs);
   }
 
-  /** The first picture of the page is on its way: nothing is delayed by other parts any more. */
+  /** The first picture was sent: loading parts no longer delays it. */
   release(): void {
     if (this.#isHeld) this.loadAll();
   }
 
-  /** Nothing is waited for any more. */
+  /** Removes all callbacks of a waiter. */
   leave(waiter: W): void {
     this.#waiting = this.#waiting.filter((late) => late.waiter !== waiter);
   }
@@ -83,7 +85,7 @@ export class LateParts<W extends Waiter> {
     try {
       for (const part of parts) await this.#load(part);
     } catch {
-      // Heard where it was loaded.
+      // `#load` has reported it.
     }
   }
 
@@ -122,10 +124,10 @@ export class LateParts<W extends Waiter> {
     }
   }
 
-  /** Where nothing waits for it, it was to be there before it is needed: that is for all to know. */
+  /** Reports a failure to the waiters of the part, or to all if none waits: then it was loaded in advance. */
   #failed(part: PartName, reason: unknown): void {
     if (this.#isHeld) {
-      // What others wait for is not held back by a part that cannot be had.
+      // A failed part must not delay other parts.
       this.#isHeld = false;
       for (const { needs } of this.#waiting) this.load(...needs.filter((need) => !this.#missing.has(need)));
     }

@@ -1,7 +1,7 @@
-// The worker's half of the programs found in a text.
+// The worker's half of finding programs in a pasted text.
 //
-// In: a text, then the number of a program. Out: the list, and its pieces. Must not
-// know: what is done with them.
+// In: a text, then the number of a program in it. Out: the list, and the pieces of the program. Must not know: their
+// use.
 
 import { PastedText } from '../../pkg/gcode_playground.js';
 import type { FoundPiece, FoundPrograms } from '../protocol/protocol';

@@ -1,7 +1,7 @@
-// The worker's half of the pictures: the section, the end face and the side, each on a canvas of its own.
+// The worker's half of the pictures: the section, the end face and the side, each on a separate canvas.
 //
-// In: what happens to a picture. Out: images, and what there is to see beside the section. Must not
-// know: when things are drawn.
+// In: changes of a picture. Out: images, and the contents of the views besides the section. Must not know: when to
+// draw.
 
 import { Drawn, type PictureName, type Playground } from '../../pkg/gcode_playground.js';
 import { PICTURES, type CanvasCommand, type Pictures, type ViewsState } from '../protocol/protocol';
@@ -28,19 +28,17 @@ export function changePicture(core: Playground, picture: PictureName, what: Canv
   (ON_CANVAS[what.kind] as OnCanvas<typeof what.kind>)(core, picture, what);
 }
 
-/** Shows all of each picture. */
+/** Fits each picture to its content. */
 export function fitAll(core: Playground): void {
   for (const picture of PICTURES) core.fit(picture);
 }
 
-/**
- * Paints the pictures of the run that is current; the first that is not done says what is still to be done.
- */
+/** Paints the pictures of the current run; returns the state of the first one that is not finished. */
 export function drawAll(core: Playground): Drawn {
   return PICTURES.map((picture) => core.draw(picture)).find((drawn) => drawn !== Drawn.All) ?? Drawn.All;
 }
 
-/** Takes what was painted since the last time. */
+/** Takes the images painted since the last call. */
 export function takePictures(core: Playground): Pictures | undefined {
   const taken: Partial<Record<PictureName, ImageBitmap>> = {};
   for (const picture of PICTURES) {

@@ -1,10 +1,10 @@
-// One element's session in the interpreter's own thread: owns a `Playground`, its text and the canvas it draws on.
+// The session of one element in the worker: owns a `Playground`, its text and the canvas it draws on.
 //
-// In: commands and questions of protocol.ts. Out: its events, each with the number of the run it belongs to:
-// `#tell` is the only door. A program is run in slices, and between slices the messages that have come in are
-// read, so newer text ends an older run at once, and no session waits long for another. Pictures cross as images, one
-// at a time: the next one leaves when the page has shown the last, so that "settled" is what the page shows, not what
-// was painted here. Must not know: the page, other sessions, or anything of what the program means.
+// In: commands and questions of protocol.ts. Out: events, each with the number of its run; all are sent by `#tell`. A
+// program runs in slices, and messages are processed between them, so a newer text ends an older run immediately, and
+// no session waits long for another. Pictures are sent as images, one at a time: the next one is sent after the page
+// has shown the last, so "settled" refers to the pictures on the page. Must not know: the page, other sessions, or the
+// meaning of the program.
 
 import { Drawn, type Playground } from '../../pkg/gcode_playground.js';
 import { ANSWERS, type AnswerRow } from './answers';
@@ -30,76 +30,76 @@ import type { LateParts, PartName, Waiter } from './parts';
 import { handIn } from './text-in';
 import { changePicture, drawAll, fitAll, takePictures, viewsState } from './pictures';
 
-/** The only setup that is read without the part `early`. */
+/** The only setup that does not need the part `early`. */
 const NO_SETUP = '{}';
 const BLOCKS_PER_SLICE = 20_000;
-/** The reader can stop a run any time; this is for when nobody is there. */
+/** A limit in case the user is away; otherwise the user can stop a run at any time. */
 const RUN_LIMIT_MS = 60_000;
-/** Lines looked at for switches in one go. */
+/** Lines searched for switches in one slice. */
 const LINES_PER_LOOK = 20_000;
-/** Longer changes are not looked at for switches: all of the text is. */
+/** After a longer change, the whole text is searched for switches. */
 const LOOK_LIMIT = 100_000;
-/** Motions whose material is taken off in one go, and how long a report waits for the part. */
+/** Motions whose material is removed before the time is checked, and how long the first report waits for the part. */
 const MOTIONS_PER_SLICE = 20;
 const WAIT_FOR_PART_MS = 8;
-/** Longer than this nobody looks at the picture of the run before: the path is shown without the part. */
+/** After this delay the path replaces the picture of the previous run, without the part. */
 const SHOW_PATH_AFTER_MS = 300;
-/** Where no picture is drawn, as in a tab that nobody sees, the parts are loaded all the same. */
+/** Parts are loaded after this delay even if no picture is drawn, as in a hidden tab. */
 const LOAD_PARTS_AFTER_MS = 500;
-/** A session that heard nothing for so long gives back what it can make again at once: of no more motions than this. */
+/**
+ * After this idle time a session releases its images, if it has at most `MOST_TO_PAINT_AT_ONCE` motions, which are
+ * redrawn immediately.
+ */
 const REST_AFTER_MS = 3_000;
 const MOST_TO_PAINT_AT_ONCE = 4_000;
 const PROGRESS_AFTER_MS = 150;
 const PROGRESS_EVERY_MS = 100;
 
-/** Which run a picture is of, and what that run had. */
+/** The run of a picture, and its counts. */
 interface Pictured {
   readonly run: number;
   readonly motions: number;
   readonly errors: number;
 }
 
-/** How long something has been going on, and when that was reported last. */
+/** Start time of an activity, and of its last progress report. */
 interface Going {
   readonly startedAt: number;
   lastProgressAt: number;
 }
 
-/** How far the current run is. */
+/** The progress of the current run. */
 type Stage =
   | ({ readonly kind: 'running' } & Going)
-  /** It cannot go on without a part that is being loaded; nothing of it is drawn. */
+  /** The run needs a part that is being loaded; nothing is drawn. */
   | { readonly kind: 'lacking' }
-  /** The path is drawn; what takes material off and says what is wrong has not been loaded yet. */
+  /** The path is drawn; the parts that remove material and make messages are not loaded yet. */
   | { readonly kind: 'waiting' }
-  /**
-   * Material is being taken off; whether the path has been reported before the part is
-   * there, and its picture shown.
-   */
+  /** Material is being removed; whether the path was reported and drawn before the part is complete. */
   | ({ readonly kind: 'machining'; pathTold: boolean; pathShown: boolean } & Going)
   | { readonly kind: 'done' };
 
-/** Whether a picture is wanted: once there is one of the whole run, or of as much as there is. */
+/** Whether to draw a picture: when the run is complete, or immediately. */
 type Wanted = 'no' | 'when-whole' | 'now';
 
-/** What a session has of the thread around it. */
+/** What the worker provides to a session. */
 export interface Thread {
-  /** `nextSlice` is called after the messages that have come by then. */
+  /** Calls `nextSlice` after the messages that have arrived by then. */
   queue(): void;
   tell(event: SessionEvent, images: ImageBitmap[]): void;
-  /** Does something for the session; a failure is the session's. */
+  /** Runs a step; an exception is reported as a failure of this session. */
   guarded(step: () => void): void;
 }
 
 interface CommandRow<K extends Command['kind']> {
-  /** What was there stays until the run is whole, unless the reader moves it. */
+  /** `when-whole` keeps the old picture until the run is complete; moving the picture redraws it immediately. */
   readonly draws: Wanted;
   act(session: Session, command: Extract<Command, { readonly kind: K }>): void;
 }
 
 const OF_THE_PICTURE: ReadonlySet<QuestionKind> = new Set<QuestionKind>(['pick', 'dimension']);
 
-/** Whether a message contains a setup, which the part `early` reads. */
+/** Whether a message contains a setup, which the part `early` parses. */
 export function mayNeedSetup(message: Command | Question): boolean {
   return message.kind === 'run' && message.setup !== undefined && message.setup !== NO_SETUP;
 }
@@ -109,34 +109,37 @@ export class Session implements Waiter {
   readonly #parts: LateParts<Session>;
   readonly #thread: Thread;
   #language: PartName = 'en';
-  /** The number of the current run, as the page counts them. */
+  /** The number of the current run, as counted by the page. */
   #run = 0;
   #stage: Stage = { kind: 'done' };
-  /** Why the setup that was sent last was not taken. */
+  /** Why the last setup was rejected. */
   #setupRejected: string | undefined;
-  /** A setup whose reader has not been loaded yet. */
+  /** A setup that waits for the part `early`. */
   #unreadSetup: string | undefined;
-  /** Looks for switches in the text; undefined when all of it was looked at. */
+  /** The search for switches in the text; undefined once it is complete. */
   #looking: { readonly finder: SwitchFinder; nextLine: number } | undefined;
   #switches: SwitchesInText | undefined;
   #drawWanted: Wanted = 'no';
   #frameAsked = false;
-  /** A picture of very many strokes is under way. */
+  /** A picture with very many strokes is being drawn in slices. */
   #drawing = false;
   /** The page has not shown the last picture yet. */
   #onTheWay = false;
-  /** The last picture that was painted of a whole path. */
+  /** The last picture of a complete path. */
   #pictured: Pictured | undefined;
-  /** The line in which the current run was typed; undefined where its text came otherwise, or the reader has left the line. */
+  /**
+   * The line in which the current run was typed; undefined if its text changed otherwise, or the cursor has left the
+   * line.
+   */
   #typedLine: number | undefined;
-  /** The picture on the page is that of an earlier run, as long as the reader stays in this line. */
+  /** The page shows the picture of an earlier run, while the cursor stays in this line. */
   #keepsOld: { readonly line: number } | undefined;
-  /** A report waits for the sentences of a language. */
+  /** A report waits for the texts of a language. */
   #reportsLate = false;
-  /** Messages heard that may change what is shown, and how many of them the page knows to be settled. */
+  /** The number of received messages that may change the display, and its value when `settled` was last sent. */
   #heard = 0;
   #settledAt = -1;
-  /** What has to wait until there is all of the part. */
+  /** Callbacks that wait until the part is complete. */
   readonly #onceWhole: (() => void)[] = [];
   #sliceQueued = false;
   #closed = false;
@@ -152,13 +155,13 @@ export class Session implements Waiter {
     this.guarded(() => this.#receive(message));
   }
 
-  /** A slice of the work that `queue` was called for. */
+  /** Runs the slice that `queue` has requested. */
   nextSlice(): void {
     this.#sliceQueued = false;
     this.guarded(() => this.#slice());
   }
 
-  /** Once nothing is left to do, and the page has shown all there is, the page hears of it. */
+  /** Runs a step; sends `settled` if nothing is left to do afterwards. */
   guarded(step: () => void): void {
     this.#thread.guarded(() => {
       if (this.#closed) return;
@@ -180,7 +183,7 @@ export class Session implements Waiter {
     this.#tell({ kind: 'parts-loaded' });
   }
 
-  /** The element is gone. */
+  /** The element was removed. */
   close(): void {
     this.#closed = true;
     clearTimeout(this.#rest);
@@ -199,19 +202,22 @@ export class Session implements Waiter {
     }
     const row = Session.#COMMANDS[message.kind] as CommandRow<Command['kind']>;
     row.act(this, message);
-    // Who leaves the line while the run of it is under way has left it when that is done.
+    // The user may leave the line while its run is in progress.
     if (this.#typedLine !== undefined && this.#leaves(message, this.#typedLine)) this.#typedLine = undefined;
     if (this.#keepsOld !== undefined && this.#oldPictureStays(message, this.#keepsOld.line)) return;
     if (row.draws !== 'no') this.#wantDraw(row.draws);
   }
 
-  /** Whether the reader has left the line, or moved the picture. What is said of a new run takes room: that is no move. */
+  /**
+   * Whether the user has left the line or moved the picture. A resize is not a move: the messages of a new run can
+   * cause it.
+   */
   #leaves(message: Command, line: number): boolean {
     if (message.kind === 'cursor') return message.offset === undefined || this.#core.lineAt(message.offset) !== line;
     return message.kind === 'picture' && message.what.kind !== 'resize' && message.what.kind !== 'paint-again';
   }
 
-  /** Whether an old picture is still the one to show. */
+  /** Whether the old picture stays after this message. */
   #oldPictureStays(message: Command, line: number): boolean {
     switch (message.kind) {
       case 'cursor':
@@ -236,7 +242,7 @@ export class Session implements Waiter {
     }
   }
 
-  /** The picture of the current run takes the place of an old one. */
+  /** Replaces an old picture by that of the current run. */
   #showCurrent(): false {
     this.#keepsOld = undefined;
     this.#wantDraw('now');
@@ -244,8 +250,8 @@ export class Session implements Waiter {
   }
 
   /**
-   * A block that is being typed is half a word now and then, and a contour with a fault is not cut at all: the picture
-   * of before is of more use than an empty one, for as long as this run has more errors and fewer motions.
+   * A block that is being typed is often incomplete, and a faulty contour is not cut at all. Then the previous picture
+   * is more useful than an empty one: it stays while this run has more errors and fewer motions.
    */
   #mayKeepOldPicture(): void {
     this.#keepsOld = undefined;
@@ -280,7 +286,7 @@ export class Session implements Waiter {
       act(session, { dropped }) {
         session.#onTheWay = false;
         if (dropped) {
-          // It was of an earlier run, and nothing else may have changed since.
+          // It was of an earlier run; repaint, since the content may be unchanged.
           session.#core.paintAgain();
           if (session.#keepsOld === undefined) session.#wantDraw('when-whole');
         } else session.#present();
@@ -321,13 +327,13 @@ export class Session implements Waiter {
     'leave-edge': { draws: 'when-whole', act: (session) => session.#core.leaveEdge() },
   };
 
-  /** What was reported is reported in other words. */
+  /** Sends the last report again, in another language or unit. */
   #reportAgain(): void {
     if (this.#isTold()) this.#report('again');
   }
 
   #tellViews(): void {
-    // Before the first run there is nothing to see, and what reports it may not be loaded.
+    // Before the first run there is nothing to show, and the part that reports it may not be loaded.
     if (this.#stage.kind === 'done' && this.#run > 0) this.#tell({ kind: 'views', views: viewsState(this.#core) });
   }
 
@@ -335,7 +341,7 @@ export class Session implements Waiter {
     const row = ANSWERS[question.about] as AnswerRow<QuestionKind>;
     const needs = (): readonly PartName[] => {
       if (row.needs === undefined) return [];
-      // What is asked with parts is asked of a program that can run.
+      // These questions also need the parts that the run needs.
       const missing = this.#missingPart();
       return [
         ...(missing === undefined ? [] : [missing]),
@@ -344,7 +350,7 @@ export class Session implements Waiter {
     };
     const now = (): void => {
       if (!this.#isLoaded(needs())) return this.#whenLoaded(needs(), now);
-      // Nothing of this run lies under a pointer that is over the picture of an earlier one.
+      // The strokes of this run are not in the old picture, so the pointer is over none of them.
       if (this.#keepsOld !== undefined && OF_THE_PICTURE.has(question.about))
         return void this.#reply(question.id, undefined);
       if (this.#keepsOld !== undefined && row.draws !== undefined) this.#showCurrent();
@@ -368,7 +374,7 @@ export class Session implements Waiter {
     else this.#onceWhole.push(act);
   }
 
-  /** What is there at once is sent at once: answers keep the order of their questions. */
+  /** Sends an answer. A synchronous one is sent immediately, so that answers keep the order of their questions. */
   #reply(id: number, answer: unknown): void | Promise<void> {
     if (!(answer instanceof Promise)) return this.#tell({ kind: 'answer', id, answer });
     return answer.then((late: unknown) => this.#tell({ kind: 'answer', id, answer: late }));
@@ -378,7 +384,7 @@ export class Session implements Waiter {
 
   #begin(change: BeginRun): void {
     this.#run = change.run;
-    // A setup that is not taken leaves the run as it was, and so the tool in its place.
+    // Needed here, because a rejected setup does not start another run, and the tool would stay.
     this.#core.showWhole();
     if (change.framing === 'fit') fitAll(this.#core);
     this.#typedLine = undefined;
@@ -387,7 +393,7 @@ export class Session implements Waiter {
     this.#tryValues(change.tried);
     this.#core.setCursor(change.cursor);
     this.#typedLine = this.#lineTyped(change);
-    // Of a run under way there is only a part to draw: what was there stays until there is a whole one.
+    // A run in progress can only be drawn in part: keep the old picture until it is complete.
     this.#drawing = false;
     this.#drawWanted = 'no';
     const missing = this.#missingPart();
@@ -395,7 +401,7 @@ export class Session implements Waiter {
     else this.#waitFor(missing);
   }
 
-  /** The line of the reader's hand: one change of the text, with the cursor in it. */
+  /** The line that the user is typing in: one change of the text, which contains the cursor. */
   #lineTyped({ setup, text, came, framing, cursor }: BeginRun): number | undefined {
     if (
       setup !== undefined ||
@@ -411,13 +417,13 @@ export class Session implements Waiter {
     return change !== undefined && this.#core.lineAt(change.from) === line ? line : undefined;
   }
 
-  /** What the run cannot be carried out without, and is not there yet. */
+  /** The part that the run needs and that is not loaded yet, if any. */
   #missingPart(): PartName | undefined {
     const missing = this.#unreadSetup === undefined ? (this.#core.missingPart() as PartName | undefined) : 'early';
     return missing === undefined || this.#isLoaded([missing]) ? undefined : missing;
   }
 
-  /** Leaves the run until a part is there, which is loaded even before the first picture. */
+  /** Suspends the run until a part is loaded; it is loaded even before the first picture. */
   #waitFor(missing: PartName): void {
     this.#stage = { kind: 'lacking' };
     this.#whenLoaded([missing], () => {
@@ -448,7 +454,7 @@ export class Session implements Waiter {
     }
   }
 
-  /** Where nothing is tried, nor was, the run goes on as it is. */
+  /** Sets the tried values. Without any, now or before, the run continues unchanged. */
   #tryValues(tried: readonly TriedValue[]): void {
     const list = (of: (value: TriedValue) => number): Uint32Array => Uint32Array.from(tried, of);
     this.#core.tryValues(
@@ -470,7 +476,7 @@ export class Session implements Waiter {
   }
 
   #edit({ from, to, insert }: TextChange): void {
-    // Lines that are still to be looked at may stand elsewhere then.
+    // The edit may move lines that were not searched yet: then search the whole text again.
     const anew = this.#looking !== undefined || to - from > LOOK_LIMIT || insert.length > LOOK_LIMIT;
     const touched = (end: number): string =>
       this.#core.linesAsWritten(this.#core.lineAt(from), this.#core.lineAt(end) + 1);
@@ -484,7 +490,7 @@ export class Session implements Waiter {
     this.#looking = { finder: new SwitchFinder(), nextLine: 0 };
   }
 
-  /** Looks at some more lines; a short text is looked at in one go. */
+  /** Searches the next lines; a short text is searched in one go. */
   #lookOn(): void {
     if (this.#looking === undefined) return;
     const { finder, nextLine } = this.#looking;
@@ -494,7 +500,7 @@ export class Session implements Waiter {
     if (this.#core.linesAsWritten(this.#looking.nextLine, this.#looking.nextLine + 1) !== '') return;
     this.#looking = undefined;
     this.#switches = finder.found;
-    // A report that is still to come contains them.
+    // A pending report will contain them.
     if (this.#isTold()) this.#tell({ kind: 'switches', inText: this.#switches });
   }
 
@@ -560,7 +566,7 @@ export class Session implements Waiter {
     });
   }
 
-  /** Runs again with what has been loaded since; or, where nothing has, goes on with what comes after the path. */
+  /** Runs again if parts were loaded for it; otherwise continues after the path. */
   #goOn(): void {
     const setup = this.#unreadSetup;
     if (setup !== undefined) this.#changeSetup(setup);
@@ -582,7 +588,7 @@ export class Session implements Waiter {
     this.#removeMaterial(machining);
   }
 
-  /** Takes some more material off; the part, and what runs into what, are there when all of it is. */
+  /** Removes more material. Part and collisions are complete when all of it is removed. */
   #removeMaterial(machining: Stage & { kind: 'machining' }): void {
     const enough = performance.now() + WAIT_FOR_PART_MS;
     let done = false;
@@ -595,7 +601,7 @@ export class Session implements Waiter {
       if (this.#keepsOld === undefined) this.#wantDraw('now');
       return;
     }
-    // What takes longer than a blink is reported when it is there.
+    // If the part takes longer than `WAIT_FOR_PART_MS`, report the path first.
     if (!machining.pathTold) {
       machining.pathTold = true;
       this.#report('path');
@@ -610,12 +616,12 @@ export class Session implements Waiter {
     this.#queueSlice();
   }
 
-  /** The current run has been reported. */
+  /** Whether the current run was reported. */
   #isTold(): boolean {
     return this.#stage.kind === 'done' ? this.#run > 0 : this.#stage.kind === 'machining' && this.#stage.pathTold;
   }
 
-  /** Says how the run has come out, once the sentences of the language are there: it may have changed in the midst of the run. */
+  /** Reports the run once the texts of the language are loaded, which may have changed during the run. */
   #report(told: Report['stage']): void {
     const needs = ['late', this.#language] as const;
     if (this.#isLoaded(needs)) return this.#tellReport(told);
@@ -680,7 +686,7 @@ export class Session implements Waiter {
     this.#present();
   }
 
-  /** Hands what was painted to the page, unless it has not shown the last picture yet. */
+  /** Sends the painted images, unless the page has not shown the last ones yet. */
   #present(): void {
     if (this.#onTheWay) return;
     const pictures = takePictures(this.#core);
@@ -690,12 +696,12 @@ export class Session implements Waiter {
     this.#parts.release();
   }
 
-  /** Whatever is reported of a run names it. */
+  /** Sends an event with the number of the run. */
   #tell(event: RunEvent, images: ImageBitmap[] = []): void {
     if (!this.#closed) this.#thread.tell({ ...event, run: this.#run }, images);
   }
 
-  /** Once nothing is left to do, and the page has shown all there is. */
+  /** Sends `settled` if nothing is left to do and the page has shown all pictures. */
   #settle(): void {
     const waits = this.#stage.kind === 'waiting' || this.#stage.kind === 'lacking';
     const atWork = waits ? !this.#parts.failed : this.#stage.kind !== 'done';

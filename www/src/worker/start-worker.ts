@@ -1,28 +1,29 @@
-// Starts a worker, wherever the page around stands.
+// Starts a worker, whatever the origin of the page.
 //
-// In: the address of its script, which is a classic one. Out: what the worker says, or why it could not be started. A
-// script of another origin, or of any where the page is in a sandboxed frame, is fetched and started from memory: this needs
-// `worker-src blob:` where there is a policy, and is done only where the direct way is closed. Must not know: what the worker is for.
+// In: the address of its script, a classic one. Out: the messages of the worker, or why it could not be started. A
+// script of another origin, or any script in a sandboxed frame, is fetched and started from a blob URL: this needs
+// `worker-src blob:` if there is a Content-Security-Policy, and is done only if the direct way fails. Must not know:
+// the purpose of the worker.
 
 export interface StartedWorker {
-  /** Kept until the worker is there. */
+  /** Queued until the worker has started. */
   post(message: unknown): void;
   end(): void;
 }
 
-/** A policy that requires trusted types has to allow one by this name. */
+/** The name of the Trusted Types policy, which a page's Content-Security-Policy has to allow. */
 const POLICY = 'gcode-playground';
 let policy: ScriptPolicy | undefined;
 
-/** What is used of Trusted Types, which the library of types does not have yet. */
+/** The used part of Trusted Types, which TypeScript's DOM types lack. */
 interface ScriptPolicy {
   createScriptURL(address: string): unknown;
 }
 declare const trustedTypes: { createPolicy(name: string, rules: ScriptPolicy): ScriptPolicy } | undefined;
 
-/** Scripts that were fetched, as addresses in memory: one request for all workers of a page. */
+/** Blob URLs of fetched scripts: one request for all workers of a page. */
 const inMemory = new Map<string, Promise<string>>();
-/** Scripts that could not be started: the browser's cache may hold a copy with a fault. */
+/** Scripts that could not be started: the browser's cache may contain a faulty copy. */
 const failedBefore = new Set<string>();
 
 export function startWorker<Event>(
@@ -31,7 +32,7 @@ export function startWorker<Event>(
   failed: (reason: string) => void,
 ): StartedWorker {
   let worker: Worker | undefined;
-  /** What a worker that is begun again has to hear; nothing once one has answered. */
+  /** Messages to repeat if the worker is started again; undefined after its first answer. */
   let said: unknown[] | undefined = [];
   let ended = false;
   const fail = (reason: unknown): void => {
@@ -64,7 +65,7 @@ export function startWorker<Event>(
       .catch(notStarted);
   const direct = (): void => {
     try {
-      // Some browsers say at once that they do not take it, others later.
+      // Some browsers throw if they reject the script, others report it later.
       started(begin(script), () => {
         worker?.terminate();
         worker = undefined;
@@ -74,7 +75,7 @@ export function startWorker<Event>(
       fromMemory();
     }
   };
-  // A fetch that reloads the script puts it in the cache.
+  // Fetching the script again also updates the browser's cache.
   if (failedBefore.has(script)) void fetched(script).then(direct, notStarted);
   else direct();
   return {
@@ -90,14 +91,14 @@ export function startWorker<Event>(
 }
 
 function begin(address: string): Worker {
-  // Only where the script is not built are there imports in it.
+  // Imports exist only in the development server.
   return new Worker(trusted(address), import.meta.env.DEV ? { type: 'module' } : undefined);
 }
 
 function trusted(address: string): string {
   if (typeof trustedTypes === 'undefined') return address;
   policy ??= trustedTypes.createPolicy(POLICY, { createScriptURL: (own) => own });
-  // `Worker` takes it where it is wanted; the type of its first parameter does not say so.
+  // `Worker` accepts a `TrustedScriptURL`, but its type does not declare it.
   return policy.createScriptURL(address) as string;
 }
 

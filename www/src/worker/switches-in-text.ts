@@ -1,32 +1,34 @@
-// Which switches of the operator's panel a text gives something to do.
+// Finds the switches of the operator's panel that have an effect on a text.
 //
-// In: a text, a part at a time. Out: the levels of the blocks marked with a slash, and the programs that
-// begin in it. A quick look, not a reading: a switch shown in vain does nothing. Must not know: what is done
-// with a marked block or a chosen program.
+// In: a text, in parts. Out: the block skip levels in it, and the programs that start in it. A quick search, not a
+// parser: a switch that is shown needlessly does no harm. Must not know: the effect of a skipped block or a selected
+// program.
 
 import type { ProgramHead, SwitchesInText } from '../protocol/protocol';
 
-/** Nobody chooses among more. */
+/** Nobody would choose among more. */
 const PROGRAMS_LIMIT = 500;
-/** What stands further along a line is not looked at. */
+/** The rest of a longer line is not searched. */
 const LINE_LIMIT = 1_000;
 
 const INTERESTING = /\/|[Oo:][ \t]*\d|</;
 const COMMENT = /\([^)]*\)?/g;
 const HEAD = /^\s*(?:\/\d?\s*)*[O:]\s*(\d{1,8})/i;
-/** A program that has a name and no number (`src/text/program_name.rs`). */
+/** A program with a name instead of a number (`src/text/program_name.rs`). */
 const NAME = /^\s*(?:\/\d?\s*)*O?<([A-Z0-9+\-_. ]{1,32})>/i;
 const SLASH_AT_HEAD = /^\s*(?:N\s*\d+\s*)?\/([1-9])?/i;
 const SLASH = /\/([1-9])?/g;
-/** Where a slash is a division, unless it stands at the head. */
+/**
+ * A block with these characters contains an expression, where a slash is a division unless it is the first character.
+ */
 const EXPRESSION = /[#[=]/;
 
-/** Whether some lines may say anything at all about switches; most do not. */
+/** A quick test whether the lines can contain switches; most do not. */
 export function mayTellOfSwitches(lines: string): boolean {
   return INTERESTING.test(lines);
 }
 
-/** The number by which the interpreter knows a name: FNV-1a of its capital letters, beyond all O numbers. */
+/** The number that the interpreter gives to a name: FNV-1a of its capital letters, above all O numbers. */
 function numberOf(name: string): number {
   const hash =
     [...name.toUpperCase()].reduce((hash, sign) => Math.imul(hash ^ sign.charCodeAt(0), 0x01000193), 0x811c9dc5) >>> 0;
@@ -37,7 +39,7 @@ export class SwitchFinder {
   readonly #levels = new Set<number>();
   readonly #programs = new Map<number, ProgramHead>();
 
-  /** Looks at the next whole lines of the text. */
+  /** Searches the next complete lines of the text. */
   look(lines: string): void {
     if (!mayTellOfSwitches(lines)) return;
     for (let from = 0; from < lines.length; ) {
@@ -48,7 +50,7 @@ export class SwitchFinder {
     }
   }
 
-  /** What has been found so far. */
+  /** The switches found until now. */
   get found(): SwitchesInText {
     return { blockSkip: [...this.#levels].sort((a, b) => a - b), programs: [...this.#programs.values()] };
   }

@@ -1,12 +1,11 @@
-// How a whole text reaches the interpreter's memory.
+// Copies a text into the interpreter's memory.
 //
-// In: a text in pieces. Out: nothing; the `Playground` has it. A long text is encoded straight
-// into the memory of the module, which takes a tenth of the time of handing over a string. Must
-// not know: what the text is.
+// In: a text in pieces. Out: nothing; the `Playground` contains it. A long text is encoded directly into the memory of
+// the module, which takes a tenth of the time of passing a string. Must not know: the meaning of the text.
 
 import type { Playground } from '../../pkg/gcode_playground.js';
 
-/** A shorter text goes as a string: one call, no view to care for. */
+/** A shorter text is passed as a string, which is simpler. */
 const LARGE = 100_000;
 
 const encoder = new TextEncoder();
@@ -17,7 +16,7 @@ export function handIn(playground: Playground, pieces: readonly string[]): void 
     playground.setText(pieces.join(''));
     return;
   }
-  // As much as is needed when all of it is ASCII, which most of a program is.
+  // Enough if all of it is ASCII, as most programs are.
   let room = playground.textBuffer(left);
   let written = 0;
   for (const piece of pieces) {
@@ -27,7 +26,7 @@ export function handIn(playground: Playground, pieces: readonly string[]): void 
       left -= done.read;
       if (done.read === rest.length) break;
       rest = rest.slice(done.read);
-      // No character is more than three bytes a unit; the old view is dead once there is a longer one.
+      // A UTF-16 unit takes at most three bytes. The old view is invalid after the buffer has grown.
       room = playground.textBuffer(written + 3 * left);
     }
   }

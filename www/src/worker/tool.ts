@@ -1,6 +1,6 @@
-// What the worker answers about the tool: it is put somewhere, and read off there.
+// The worker's answers about the tool: moves it, and returns its position.
 //
-// In: the interpreter and a question. Out: the read-out. Must not know: how the tool gets there.
+// In: the interpreter and a question. Out: the readout. Must not know: how the tool moves.
 
 import type { Playground } from '../../pkg/gcode_playground.js';
 import type { Questions } from '../protocol/protocol';

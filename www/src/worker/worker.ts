@@ -1,8 +1,8 @@
-// The interpreter's own thread, shared by all elements of a page: the module, and a session for each element.
+// The worker, shared by all elements of a page: owns the module, and a session for each element.
 //
-// In: where the files of its parts are, the module of the interpreter, then what the page says in its sessions. Out: what they report, and which of
-// them the thread is at work for: one that hangs or fails takes the others down with it, and the page has to know which
-// it was. Must not know: what is done in a session.
+// In: the addresses of the part files, the module, then messages for the sessions. Out: their events, and which session
+// is being processed: if one hangs or fails, all are lost, and the page must know which one caused it. Must not know:
+// the work of a session.
 
 import init, { Playground } from '../../pkg/gcode_playground.js';
 import type { FromWorker, PartFiles, SessionEvent, ToWorker } from '../protocol/protocol';
@@ -10,15 +10,15 @@ import { fetchPart } from '../../pkg/parts.js';
 import { LateParts } from './parts';
 import { mayNeedSetup, Session } from './session';
 
-/** The first thing heard. This script may have an address from which no other is found. */
+/** The first message. The script cannot compute the addresses itself, since it may run from a blob URL. */
 let files: PartFiles | undefined;
 let parts: LateParts<Session> | undefined;
 const sessions = new Map<number, Session>();
-/** What came before the interpreter was loaded. */
+/** Messages that arrived before the interpreter was loaded. */
 const early: Exclude<ToWorker, { readonly kind: 'files' | 'core' | 'ping' }>[] = [];
-/** Sessions that go on after the messages that have come by then. */
+/** Schedules slices of sessions after the messages that have arrived by then. */
 const slices = new MessageChannel();
-/** The session that the page heard of last. */
+/** The session that was last reported to the page as active. */
 let atWork: number | undefined;
 let hasCrashed = false;
 
@@ -43,7 +43,7 @@ async function load(module: WebAssembly.Module): Promise<void> {
   for (const message of early.splice(0)) hear(message, parts);
 }
 
-/** What is said to need another part has it fetched together with the interpreter. */
+/** Queues a message; fetches the part `early` in parallel with the interpreter if the message needs it. */
 function hearEarly(message: (typeof early)[number]): void {
   early.push(message);
   if (message.kind === 'say' && files !== undefined && mayNeedSetup(message.what)) fetchPart(files.early);
@@ -73,7 +73,7 @@ function open(id: number, late: LateParts<Session>): Session {
       try {
         step();
       } catch (error) {
-        // A panic leaves the interpreter unusable: one report says so, and no further message is taken.
+        // A panic leaves the interpreter unusable: report it once, and ignore all further messages.
         hasCrashed = true;
         post({ kind: 'crashed', session: id, reason: describe(error) });
       }
