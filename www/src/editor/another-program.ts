@@ -1,15 +1,15 @@
-// Whether a change of the text makes it another program, which has nothing to do with the one before.
+// Decides whether a change of the text makes it another program.
 //
-// The rule: it is another one when less than half of the old text is left, and what is left is less than half
-// of the new text. Left is what the change does not touch, or the lines that stand in the new text as well,
-// whichever is more: a text that was edited elsewhere and is pasted over the old one is still the same program.
-// What is counted are characters without blanks. A change inside one line, of which something stays, makes no
-// other program, and nothing was there before a first text. Must not know: what is written.
+// The rule: it is another program if less than half of the old text remains, and the remaining text is less than half
+// of the new text. What remains is the text that the change does not touch, or the lines that both texts contain,
+// whichever is more: so a text that was edited in another application and pasted over the old one is still the same
+// program. Only non-blank characters count. A change inside one line, of which something remains, never makes another
+// program; nor does the first text in an empty editor. Must not know: G-code.
 
-/** The same number of units of both texts is looked at; a longer program shows early what it is. */
+/** Only this many UTF-16 units of both texts are compared. */
 const LOOKED_AT = 200_000;
 
-/** What a change takes out of the text before. */
+/** A range of the old text that the change removes. */
 export interface Removed {
   readonly from: number;
   readonly to: number;
@@ -26,7 +26,7 @@ export function isAnotherProgram(before: string, after: string, removed: readonl
   return 2 * left < all && (2 * left < weight(now) || weight(now) === 0);
 }
 
-/** How much stands in lines of both texts. */
+/** The number of characters in lines that both texts contain. */
 function weightInCommon(before: string, after: string): number {
   const lines = new Map<string, number>();
   for (const line of inLines(before)) lines.set(line, (lines.get(line) ?? 0) + 1);
@@ -40,7 +40,7 @@ function weightInCommon(before: string, after: string): number {
   return sum;
 }
 
-/** Blanks and small letters make no difference. */
+/** The lines without blanks and in upper case. */
 function inLines(text: string): readonly string[] {
   return text.split('\n').map((line) => line.replace(/\s+/g, '').toUpperCase());
 }

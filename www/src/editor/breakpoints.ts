@@ -1,7 +1,7 @@
-// Lines before which the tool is held while it plays: the reader marks them beside the text, or by a key.
+// Breakpoints: lines before which the playback pauses. The user sets them in the gutter or by a key.
 //
-// In: clicks on the line numbers; a line to mark. Out: the lines, which move with every change of the text and go with their
-// line; a mark on their numbers. Must not know: what is played.
+// In: clicks on line numbers; a line to toggle. Out: the breakpoints, which move with edits and are removed with their
+// line; marks on the line numbers. Must not know: the playback.
 
 import {
   MapMode,
@@ -15,10 +15,10 @@ import {
 } from '@codemirror/state';
 import { gutterLineClass, GutterMarker, lineNumbers, type EditorView } from '@codemirror/view';
 
-/** Most of them: each is looked for with every frame. */
+/** Maximum number; every frame of the playback searches them. */
 const MOST = 50;
 
-/** Marks the line that begins at an offset, or takes its mark away. */
+/** Toggles the breakpoint of the line that starts at an offset. */
 const toggle = StateEffect.define<number>();
 
 class Marked extends GutterMarker {
@@ -27,7 +27,7 @@ class Marked extends GutterMarker {
 
 const MARKED = new Marked();
 
-/** Where the marked lines begin, in order. */
+/** The start offsets of the lines with breakpoints, sorted. */
 const lines = StateField.define<readonly number[]>({
   create: () => [],
   update(before, { changes, docChanged, effects, newDoc }) {
@@ -47,13 +47,13 @@ function moved(before: readonly number[], changes: ChangeDesc, doc: Text): reado
   return [...new Set(places.map((at) => doc.lineAt(at).from))];
 }
 
-/** Line numbers that can be clicked. */
+/** Clickable line numbers. */
 export const breakpoints: Extension = [
   lines,
   lineNumbers({
     domEventHandlers: {
       mousedown(view, line, event) {
-        // The editor keeps the focus it has, or has not.
+        // Prevents a change of the focus.
         event.preventDefault();
         toggleBreakpoint(view, line.from);
         return true;
@@ -62,14 +62,14 @@ export const breakpoints: Extension = [
   }),
 ];
 
-/** Says whether the line of an offset is marked now. */
+/** Toggles the breakpoint of the line at an offset. Returns whether it is set now. */
 export function toggleBreakpoint(view: EditorView, offset: number): boolean {
   const { from } = view.state.doc.lineAt(offset);
   view.dispatch({ effects: toggle.of(from) });
   return view.state.field(lines).includes(from);
 }
 
-/** The marked lines, from 0, in order. */
+/** The lines with breakpoints, from 0, sorted. */
 export function breakpointsOf(state: EditorState): number[] {
   return state.field(lines).map((at) => state.doc.lineAt(at).number - 1);
 }

@@ -1,6 +1,6 @@
-// A program to read and to copy from, with the colours of the editor.
+// A read-only program with the colours of the editor, for reading and copying.
 //
-// In: a text and its tokens. Out: an element in its place. Must not know: where the text is from.
+// In: a text and its tokens. Out: an element. Must not know: the source of the text.
 
 import { defaultKeymap } from '@codemirror/commands';
 import { EditorState } from '@codemirror/state';
@@ -11,7 +11,7 @@ import { editorTheme } from './theme';
 export class CodeView {
   readonly #view: EditorView;
 
-  /** `tokens`: triples `from, to, class`, in order. `name` is for screen readers. */
+  /** `tokens`: triples `from, to, class`, sorted. `name`: the accessible name. */
   constructor(parent: HTMLElement, root: ShadowRoot, text: string, tokens: Uint32Array, name: string) {
     this.#view = new EditorView({
       parent,
@@ -37,7 +37,7 @@ export class CodeView {
     return this.#view.state.doc.toString();
   }
 
-  /** What it stands in has just come into sight. */
+  /** Call when the container has become visible. */
   opened(): void {
     this.#view.requestMeasure();
     this.#view.focus();

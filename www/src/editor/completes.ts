@@ -1,5 +1,5 @@
-// Whether words are proposed while the reader types. The reader's choice is kept in the browser; one that refuses to store
-// is no error.
+// The setting whether completion opens while the user types. It is stored in the browser; a failure to store is
+// ignored.
 
 const KEY = 'gcode-playground:completes';
 let chosen: boolean | undefined;
@@ -14,7 +14,7 @@ export function setCompletes(on: boolean): void {
   try {
     localStorage.setItem(KEY, on ? 'on' : 'off');
   } catch {
-    // It holds until the page is left.
+    // The setting is then valid until the page is closed.
   }
 }
 

@@ -1,6 +1,6 @@
-// What can be written at the cursor: a list under it while the reader types, or asks for it.
+// Completion: a list under the cursor, opened while the user types or on request.
 //
-// In: proposals of the interpreter, in their order. Out: what the reader takes of them. Must not know: what is proposed.
+// In: proposals of the interpreter, sorted. Out: the accepted proposal. Must not know: the meaning of a proposal.
 
 import {
   acceptCompletion,
@@ -31,21 +31,21 @@ import { completes } from './completes';
 import type { EditorEvents } from './holder';
 import { rem } from './theme';
 
-/** A list that has not caught up by then is closed, ms. */
+/** Timeout for an update of the list, ms; then it is closed. */
 const LONGEST_WAIT_MS = 1000;
 
 export function completion(events: EditorEvents): Extension {
   const source = async (context: CompletionContext): Promise<CompletionResult | null> => {
     if (!context.explicit && !completes()) return null;
     const found = await events.completionAt(context.pos, context.explicit);
-    // An answer that a newer letter has overtaken is an empty list: the editor then asks again. After `null` it would wait for
-    // the next letter.
+    // If the text has changed meanwhile, return an empty list, so that CodeMirror asks again. After `null` it would
+    // wait until the next character.
     if (context.view?.state.doc !== context.state.doc) return { from: context.pos, filter: false, options: [] };
     if (found === undefined || context.aborted || found.to !== context.pos) return null;
     return { from: found.from, filter: false, options: found.items.map(option) };
   };
   return [
-    // Nothing is chosen at first: Enter ends the block, unless the reader went into the list.
+    // Nothing is selected at first, so Enter inserts a line break unless the user has moved into the list.
     wishes,
     Prec.highest(keymap.of(LIST_KEYS)),
     autocompletion({
@@ -91,7 +91,7 @@ const look = EditorView.theme({
   },
   '[aria-selected] .cm-completionDetail': { color: 'inherit' },
   '.cm-snippetField': { backgroundColor: 'var(--playground-accent-soft)' },
-  // A finger is wider than a pointer.
+  // Larger targets for touch.
   '@media (pointer: coarse)': {
     '.cm-tooltip.cm-tooltip-autocomplete > [role=listbox]': { maxHeight: rem(11.5) },
     '.cm-tooltip.cm-tooltip-autocomplete [role=listbox] > [role=option]': {
@@ -101,13 +101,13 @@ const look = EditorView.theme({
   },
 });
 
-/** The list, as it would be open had it been there when the last word was typed; none where no word stands. */
+/** Opens the list for text that was typed before this file was loaded, if the cursor is after a word. */
 export function catchUp(view: EditorView): void {
   const { head } = view.state.selection.main;
   if (completes() && view.state.sliceDoc(Math.max(0, head - 1), head).trim() !== '') startCompletion(view);
 }
 
-/** Tab takes the first proposal, or the one that is chosen; where there is no list it leaves the editor, as ever. */
+/** Tab accepts the selected proposal, or the first one. Without a list it leaves the editor. */
 function take(view: EditorView): boolean {
   if (completionStatus(view.state) !== 'active') return false;
   const isChosen = selectedCompletionIndex(view.state) !== null;
@@ -120,17 +120,18 @@ function take(view: EditorView): boolean {
   return true;
 }
 
-/** What the reader asks of the list. */
+/** A key or click for the list, which waits for its update. */
 interface Wish {
-  /** Whether it could be done. */
+  /** Returns whether it was possible. */
   readonly run: Command;
-  /** What the key does where there is no list. */
+  /** The action of the key if the list is closed. */
   readonly otherwise: Command;
 }
 
 /**
- * Wishes that came while the list was still that of the letter before: it stands there, and the editor refuses them. They
- * are carried out when the list has caught up or has gone, and forgotten when the reader types on or leaves.
+ * Keys and clicks that arrive while the list still shows the proposals for the text before: CodeMirror ignores them in
+ * this state. They run when the list is updated or closed, and are dropped when the user continues typing or leaves the
+ * editor.
  */
 const wishes = ViewPlugin.fromClass(
   class {
@@ -148,7 +149,7 @@ const wishes = ViewPlugin.fromClass(
 
     add(wish: Wish): void {
       this.#waiting.push(wish);
-      // Nobody is kept in the list by an answer that does not come.
+      // An answer that never arrives must not block the keys.
       this.#limit ??= setTimeout(() => {
         this.forget();
         closeCompletion(this.#view);
@@ -167,7 +168,7 @@ const wishes = ViewPlugin.fromClass(
       if (completionStatus(state) === 'pending') return;
       const waiting = this.#waiting;
       this.forget();
-      // The editor takes no changes within an update.
+      // CodeMirror does not allow a dispatch during an update.
       queueMicrotask(() => {
         for (const { run, otherwise } of waiting) if (!run(view)) otherwise(view);
       });
@@ -179,7 +180,7 @@ const wishes = ViewPlugin.fromClass(
   },
 );
 
-/** Keeps a wish until the list that is shown has caught up with what was typed; false where it need not wait. */
+/** Delays a wish until the list is updated; returns false if that is not necessary. */
 function later(view: EditorView, wish: Wish): boolean {
   const isShown = view.contentDOM.getAttribute('aria-haspopup') === 'listbox';
   if (!isShown || completionStatus(view.state) !== 'pending') return false;
@@ -187,7 +188,7 @@ function later(view: EditorView, wish: Wish): boolean {
   return true;
 }
 
-/** A key of the list; while the list catches up, it waits. Otherwise the editor has it. */
+/** A key of the list, which waits while the list is being updated; otherwise CodeMirror handles it. */
 function listKey(key: string, run: Command, otherwise: Command): KeyBinding {
   return { key, run: (view) => later(view, { run, otherwise }) };
 }
@@ -195,7 +196,7 @@ function listKey(key: string, run: Command, otherwise: Command): KeyBinding {
 const LIST_KEYS: readonly KeyBinding[] = [
   {
     key: 'Tab',
-    // To the next place to fill there is no need to wait: nothing is chosen in a list that catches up.
+    // Moving to the next snippet field need not wait: nothing is selected in a list that is being updated.
     run: (view) =>
       take(view) ||
       ((isWaiting(view) || !hasNextSnippetField(view.state)) &&
@@ -205,7 +206,7 @@ const LIST_KEYS: readonly KeyBinding[] = [
   listKey('ArrowUp', moveCompletionSelection(false), cursorLineUp),
   listKey('PageDown', moveCompletionSelection(true, 'page'), cursorPageDown),
   listKey('PageUp', moveCompletionSelection(false, 'page'), cursorPageUp),
-  // Alone it ends the block.
+  // Without waiting keys, Enter inserts a line break.
   {
     key: 'Enter',
     run: (view) => isWaiting(view) && later(view, { run: acceptCompletion, otherwise: insertNewlineAndIndent }),
@@ -223,7 +224,7 @@ function isWaiting(view: EditorView): boolean {
   return view.plugin(wishes)?.isWaiting === true;
 }
 
-/** Takes the proposal with this label, where the list has it. */
+/** Accepts the proposal with this label, if the list contains it. */
 function takeLabel(label: string): Command {
   return (view) => {
     const at = currentCompletions(view.state).findIndex((each) => each.label === label);
@@ -233,7 +234,7 @@ function takeLabel(label: string): Command {
   };
 }
 
-/** What is pressed of a proposal: the editor hears nothing of it while the list catches up. */
+/** Covers a proposal: CodeMirror ignores clicks while the list is being updated, so they are delayed here. */
 function pressed({ label }: Completion, _state: unknown, view: EditorView): Node {
   const surface = document.createElement('span');
   surface.className = 'cm-pressed-proposal';
@@ -250,7 +251,7 @@ function option({ label, text, fills, detail, kind }: CompletionItem): Completio
   };
 }
 
-/** The text as a snippet of the editor: each place to fill a field of its own. */
+/** The text as a CodeMirror snippet, with a field for each place to fill in. */
 function template(text: string, fills: CompletionItem['fills']): string {
   let written = '';
   let at = 0;

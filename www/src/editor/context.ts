@@ -1,8 +1,8 @@
-// The context of the program in the editor: a program that takes the place of another one has its own, and
-// undo brings back the one before together with its text.
+// The context of the program in the editor: a program that replaces another one has its own context, and undo restores
+// the old one together with its text.
 //
-// In: what the reader does to the text; the context as it is. Out: effects beside the changes. Must not know:
-// what a context says.
+// In: edits of the user; the current context. Out: effects added to the changes. Must not know: the content of a
+// context.
 
 import { invertedEffects } from '@codemirror/commands';
 import { EditorState, StateEffect, type Extension, type Transaction, type TransactionSpec } from '@codemirror/state';
@@ -12,11 +12,11 @@ import type { ContextEvents, ProgramContext } from './holder';
 
 const setContext = StateEffect.define<ProgramContext>();
 
-/** How the page changes a program that stays what it is. */
+/** Events of changes by the page that never make another program. */
 const OF_THE_SAME = ['input.setup', 'input.fix'] as const;
 
 export function programContext(events: ContextEvents): Extension {
-  /** What stood in the editor before it was emptied: cut out and put back, it is the same program. */
+  /** The program before the editor was emptied: if it is cut out and pasted again, it keeps its context. */
   let emptied: { readonly text: string; readonly context: ProgramContext } | undefined;
   const withContext = (transaction: Transaction): Pick<TransactionSpec, 'effects'> | null => {
     if (!transaction.docChanged || !isByReader(transaction)) return null;
@@ -35,19 +35,19 @@ export function programContext(events: ContextEvents): Extension {
   };
   return [
     EditorState.transactionExtender.of(withContext),
-    // What is in force while a change is made is what its undo brings back.
+    // Undo restores the context from before the change.
     invertedEffects.of(({ effects }) =>
       effects.some((effect) => effect.is(setContext)) ? [setContext.of(events.context())] : [],
     ),
   ];
 }
 
-/** What to add to a change that puts in a text with a context of its own. */
+/** The effect that adds a context to a change. */
 export function contextEffect(context: ProgramContext): StateEffect<unknown> {
   return setContext.of(context);
 }
 
-/** The context that changes have brought; nothing where it stays as it is. */
+/** The context that the transactions have set; undefined if it is unchanged. */
 export function contextOf(transactions: readonly Transaction[]): ProgramContext | undefined {
   return lastOf(
     transactions.flatMap(({ effects }) => effects),
@@ -68,6 +68,6 @@ function isReplacement(transaction: Transaction): boolean {
     length += to - from;
   });
   const { doc } = transaction.startState;
-  // Each key passes here; only what takes out much is looked at.
+  // This runs for each key, so compare the texts only if much was removed.
   return 4 * length >= doc.length && isAnotherProgram(doc.toString(), transaction.newDoc.toString(), removed);
 }

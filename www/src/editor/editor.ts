@@ -1,9 +1,9 @@
-// The program editor: CodeMirror 6 with the core's own highlighting and messages.
+// The program editor: CodeMirror 6 with the interpreter's highlighting and messages.
 //
-// In: text, tokens, diagnostics, the blocks to mark. Out: `changed` and `cursorMoved` when the *reader* did
-// it (what the program does to the editor fires nothing), `contextChanged` when that is another program, `viewMoved` when other lines came into sight, and
-// `fileChanged` when the text is another file's, be it by undo. Loaded by `program.ts`, with all of CodeMirror.
-// Must not know: the language it edits.
+// In: text, tokens, diagnostics, blocks to mark. Out, only for actions of the user and not for changes by the page:
+// `changed`, `cursorMoved`, and `contextChanged` if it is another program. Also `viewMoved` when other lines become
+// visible, and `fileChanged` when the text belongs to another file, even by undo. Loaded by `program.ts`, together with
+// CodeMirror. Must not know: the language it edits.
 
 import { defaultKeymap, history, historyKeymap, isolateHistory } from '@codemirror/commands';
 import { bracketMatching } from '@codemirror/language';
@@ -54,16 +54,16 @@ import type { Diagnostic, Fix, TextCommand, TriedValue } from '../protocol/proto
 import { Unsent } from './unsent';
 
 /**
- * Lines above and below the visible ones whose tokens are asked for too, so that
- * slow scrolling asks for none.
+ * Tokens are also requested for this many lines above and below the visible ones, so that slow scrolling needs no new
+ * request.
  */
 const MARGIN_LINES = 60;
-/** Longer stretches (a file without line ends) stay without colours. */
+/** A longer range (a file without line ends) gets no colours. */
 const HIGHLIGHT_LIMIT = 200_000;
-/** Tokens and diagnostics of a run come within this time where the page is quick; the reader does not see it. */
+/** Tokens and diagnostics of a run usually arrive within this time of each other; the delay is not noticeable. */
 const TOGETHER_MS = 25;
 
-/** Marks a change that the page made, not the reader. */
+/** Marks a change that was made by the page, not by the user. */
 const byProgram = Annotation.define<true>();
 
 export class Editor implements TextHolder {
@@ -71,18 +71,18 @@ export class Editor implements TextHolder {
   readonly #follower: Follower;
   readonly #events: EditorEvents;
   readonly #language = new Compartment();
-  /** Empty until the reader is in the text. */
+  /** Empty until completion is loaded, when the user first enters the text. */
   readonly #completion = new Compartment();
   #completionIsComing = false;
   readonly #access: Access;
-  /** What of the text is shown; it is folded anew around each text of the page's. */
+  /** The lines that are not folded; folded again after each text that the page sets. */
   #shownLines: readonly LineRange[] = [];
   #shownLanguage: Language;
   #diagnostics: readonly Diagnostic[] = [];
-  /** What is to be shown over the text with the next update. */
+  /** Decorations for the next update. */
   #coming: { tokens?: Uint32Array; diagnostics?: readonly Diagnostic[] } = {};
   #timer: ReturnType<typeof setTimeout> | undefined;
-  /** Counts the versions of the text. */
+  /** Incremented with each change of the text. */
   #revision = 0;
   readonly #unsent: Unsent;
 
@@ -99,7 +99,7 @@ export class Editor implements TextHolder {
     this.#shownLanguage = language;
     this.#access = access;
     this.#unsent = new Unsent(unsent);
-    // Not at the window: WebKit would move it there after it was shown. Not in the frame, which would cut it off.
+    // Not on the window: WebKit would move tooltips there after showing them. Not in the frame, which would clip them.
     const aboveTheFrame = make('div', { className: 'own' });
     root.append(aboveTheFrame);
     this.#view = new EditorView({
@@ -132,7 +132,7 @@ export class Editor implements TextHolder {
           this.#completion.of([]),
           EditorState.readOnly.of(access === 'readonly'),
           EditorView.editable.of(access === 'editable'),
-          // Tab is not bound: it leaves the editor.
+          // Tab is not bound, so it leaves the editor.
           keymap.of([
             { key: 'F8', run: () => this.nextProblem('next'), shift: () => this.nextProblem('previous') },
             ...searchKeymap,
@@ -236,7 +236,7 @@ export class Editor implements TextHolder {
     this.#view.dom.classList.remove('cm-chosen');
   }
 
-  /** The lines in sight with a margin, from 0, end exclusive; undefined when they are too long to colour. */
+  /** The visible lines with a margin, from 0, end exclusive; undefined if they are too long to highlight. */
   get linesInSight(): { firstLine: number; endLine: number } | undefined {
     const { doc } = this.#view.state;
     const { from, to } = this.#view.viewport;
@@ -256,12 +256,12 @@ export class Editor implements TextHolder {
     this.#showSoon();
   }
 
-  /** Each update of the editor lays the page out, so what comes shortly one after the other is one update, and one task of its own. */
+  /** Collects changes of the decorations: each update of CodeMirror causes a layout, and should be a separate task. */
   #showSoon(): void {
     this.#timer ??= setTimeout(() => this.showNow(), TOGETHER_MS);
   }
 
-  /** No more is to come soon. */
+  /** Shows the collected changes; called when no more are expected. */
   showNow(): void {
     clearTimeout(this.#timer);
     this.#timer = undefined;
@@ -278,18 +278,18 @@ export class Editor implements TextHolder {
         () => this.#diagnostics,
         (setting) => this.#events.settingChosen(setting),
       );
-      // What stands there already costs a key nothing.
+      // Diagnostics that are already shown need no update.
       if (!areShown(state, shown)) updates.push(setDiagnostics(state, shown));
     }
     if (updates.length > 0) this.#view.dispatch(...updates);
   }
 
-  /** The block whose stroke the pointer is on. */
+  /** The block of the stroke under the pointer. */
   set hovered(span: Span | undefined) {
     this.#view.dispatch({ effects: showHovered.of(span) });
   }
 
-  /** The values of variables that the reader tries. */
+  /** The values of variables that the user tries. */
   get tried(): readonly TriedValue[] {
     return triedOf(this.#view.state);
   }
@@ -307,27 +307,27 @@ export class Editor implements TextHolder {
     return this.#view.state.doc.lineAt(offset).number - 1;
   }
 
-  /** Lines, from 0, before which the tool is held. */
+  /** The lines, from 0, before which the playback pauses. */
   get breakpoints(): readonly number[] {
     return breakpointsOf(this.#view.state);
   }
 
-  /** Marks the line of the cursor to hold the tool, or takes the mark away; says which. */
+  /** Toggles the breakpoint in the line of the cursor. Returns whether it is set now. */
   toggleBreakpoint(): boolean {
     return toggleBreakpoint(this.#view, this.cursor);
   }
 
-  /** Where the number at the cursor is used. */
+  /** The uses of the number at the cursor. */
   set uses(spans: readonly Span[]) {
     this.#view.dispatch({ effects: showUses.of(spans) });
   }
 
-  /** What the reader can fold: from the end of a line to the end of the last that belongs to it. */
+  /** The foldable ranges: from the end of a line to the end of the last line of the range. */
   set foldable(spans: readonly Span[]) {
     this.#view.dispatch({ effects: showFoldable.of(spans) });
   }
 
-  /** The lines that the page around marks. */
+  /** The lines that the page highlights. */
   set marked(lines: readonly LineRange[]) {
     this.#view.dispatch({ effects: showMarked.of(lines) });
   }
@@ -342,17 +342,17 @@ export class Editor implements TextHolder {
     if (effects.length > 0) this.#view.dispatch({ effects });
   }
 
-  /** The block that runs comes into sight, even if the reader has just looked elsewhere. */
+  /** Scrolls to the running block, even if the user has just scrolled elsewhere. */
   follow(): void {
     this.#follower.resume();
   }
 
-  /** Where the line of that block begins, also after edits; nothing when it is not marked, or gone. */
+  /** The start of the line marked as running, also after edits; undefined if no line is marked or it was removed. */
   get runningLine(): number | undefined {
     return runningLine(this.#view.state);
   }
 
-  /** The block the tool is in; it is kept in sight. */
+  /** The block of the current tool position; it is kept visible. */
   set running(span: Span | undefined) {
     this.#view.dispatch({ effects: showRunning.of(span) });
     if (span !== undefined && span.to <= this.length) this.#follower.show(span.from);
@@ -368,7 +368,7 @@ export class Editor implements TextHolder {
     this.#view.dom.classList.add('cm-chosen');
   }
 
-  /** Makes repairs; when the text has changed since they were offered, their places are no more. */
+  /** Applies fixes, unless the text has changed since they were offered. */
   apply(edits: Fix['edits']): void {
     if (this.#diagnostics.length > 0) applyFix(this.#view, edits);
   }
@@ -391,7 +391,7 @@ export class Editor implements TextHolder {
     return true;
   }
 
-  /** Scrolls to the cursor, once what stands around the text has the room it takes. */
+  /** Scrolls to the cursor, after the layout of the elements around the text. */
   keepCursorInSight(): void {
     requestAnimationFrame(() =>
       this.#view.dispatch({
@@ -456,7 +456,7 @@ export class Editor implements TextHolder {
       transaction.changes.iterChangedRanges((_from, _to, from, to) => this.#events.pasted(from, to));
     }
     if (fileOf(update.startState) !== fileOf(update.state)) this.#events.fileChanged();
-    // Where only their blocks have moved, the run of the changed text hears of it.
+    // If edits have only moved the blocks, the run of the changed text includes the new positions.
     const [before, now] = [triedOf(update.startState), triedOf(update.state)];
     if (update.docChanged ? before.length !== now.length : before !== now) this.#events.triedChanged();
     if (update.viewportChanged) this.#events.viewMoved();

@@ -1,8 +1,8 @@
-// What belongs to the text in the editor without being seen in it: the file it came from, and its line ends.
+// The file of the text in the editor, and its line ends, which are not visible in it.
 //
-// In: a text with its own line ends, and its file. Out: the same text again, edited or not, with each line
-// end as it was; new ones are as most are. Kept in the editor's state, so undo brings back the file along
-// with its text. Must not know: bytes, or how a file is opened or saved.
+// In: a text with its own line ends, and its file. Out: the same text, also after edits, with each old line end
+// unchanged; new ones are the most frequent kind. Part of the editor's state, so undo restores the file together with
+// the text. Must not know: bytes, or how a file is opened or saved.
 
 import { invertedEffects } from '@codemirror/commands';
 import {
@@ -25,12 +25,12 @@ export function docOf({ doc, pieces }: ProgramText): Text {
   return doc ?? pieces.reduce(append, Text.empty);
 }
 
-/** A document with one more piece of folded text at its end. */
+/** Appends a piece of normalised text to a document. */
 export function append(doc: Text, piece: string): Text {
   return doc.append(Text.of(piece.split('\n')));
 }
 
-/** A line end that is not as most are; it stands where the line break of the document stands. */
+/** A line end other than the most frequent kind, at the position of the line break in the document. */
 class OtherEnd extends RangeValue {
   override mapMode = MapMode.TrackAfter;
   override startSide = 1;
@@ -58,11 +58,11 @@ interface Origin {
 const moved = (origin: Origin, changes: ChangeDesc): Origin =>
   origin.otherEnds.size === 0 ? origin : { ...origin, otherEnds: origin.otherEnds.map(changes) };
 
-/** The text becomes another file's. */
+/** The text now belongs to another file. */
 const setOrigin = StateEffect.define<Origin>({ map: moved });
-/** The same file is called or encoded differently from now on. */
+/** The name or encoding of the file has changed. */
 const setFile = StateEffect.define<ProgramFile>();
-/** Line ends that an undone change had taken away are back. */
+/** Restores line ends that an undone change had removed. */
 const restoreEnds = StateEffect.define<RangeSet<OtherEnd>>({ map: (ends, changes) => ends.map(changes) });
 
 const field = StateField.define<Origin>({
@@ -85,7 +85,7 @@ const undone: Extension = invertedEffects.of((transaction) => {
   return after.otherEnds.size < before.otherEnds.size ? [restoreEnds.of(before.otherEnds)] : [];
 });
 
-/** Keeps file and line ends beside the text; those it begins with are these. */
+/** Stores file and line ends in the state, with initial values. */
 export function fileOfText(ends: LineEnds, file: ProgramFile | undefined): Extension {
   return [field.init(() => originOf(ends, file)), undone];
 }
@@ -116,7 +116,7 @@ export function lineEndsIn(state: EditorState): LineEnds {
   return { most: mostEnds, others };
 }
 
-/** What to add to the change that puts in a whole text, so that its file and its line ends are known. */
+/** The effect that sets file and line ends for a change that replaces the whole text. */
 export function origin(ends: LineEnds, file: ProgramFile | undefined): StateEffect<unknown> {
   return setOrigin.of(originOf(ends, file));
 }
@@ -127,7 +127,7 @@ function originOf({ most, others }: LineEnds, file: ProgramFile | undefined): Or
   return { file, mostEnds: most, otherEnds: builder.finish() };
 }
 
-/** Called when the file of the text is called or encoded differently. */
+/** The effect for a new name or encoding of the file. */
 export function renamed(file: ProgramFile): StateEffect<unknown> {
   return setFile.of(file);
 }

@@ -1,8 +1,7 @@
-// What the reader can fold: a program, a tool, a contour, a loop.
+// Folding of programs, tools, contours and loops by the user.
 //
-// In: ranges from the end of a line to the end of the last line that belongs to it, sent as an effect; they move with
-// every change of the text until newer ones come. Out: a sign in the gutter, and the keys of the editor. Must not know: what
-// a range is.
+// In: ranges from the end of a line to the end of the last line of the range, sent as an effect; they move with edits
+// until new ones arrive. Out: markers in the gutter, and CodeMirror's keys. Must not know: the meaning of a range.
 
 import { foldGutter, foldKeymap, foldService } from '@codemirror/language';
 import { StateEffect, StateField, type ChangeDesc, type Extension } from '@codemirror/state';
@@ -15,7 +14,7 @@ import type { Span } from './holder';
 
 export const showFoldable = StateEffect.define<readonly Span[]>();
 
-/** In the order of the text, the longest first where several begin in one line. */
+/** In the order of the text; of several that start in one line, the longest first. */
 const foldable = StateField.define<readonly Span[]>({
   create: () => [],
   update(before, transaction) {
@@ -31,12 +30,12 @@ function moved(spans: readonly Span[], changes: ChangeDesc): readonly Span[] {
     .filter(({ from, to }) => from < to);
 }
 
-/** `language` is asked each time a sign is made. */
+/** `language` is called for each marker. */
 export function folding(language: () => Language): Extension {
   const service = foldService.of((state, start, end) => {
     const spans = state.field(foldable, false) ?? [];
     const span = spans[firstFrom(spans, start)];
-    // From the end of the line: its blanks and comments stay.
+    // From the end of the line, so that its blanks and comments stay visible.
     return span !== undefined && span.from <= end && span.to > end ? { from: end, to: span.to } : null;
   });
   const gutter = foldGutter({
@@ -49,7 +48,7 @@ export function folding(language: () => Language): Extension {
   return [foldable, service, gutter, keymap.of(foldKeymap)];
 }
 
-/** Index of the first span that begins at an offset, or after it. */
+/** Index of the first span that starts at or after an offset. */
 function firstFrom(spans: readonly Span[], offset: number): number {
   let [low, high] = [0, spans.length];
   while (low < high) {

@@ -1,7 +1,7 @@
-// Lines of the program that are folded away at first; the reader can unfold them.
+// Lines of the program that are folded initially; the user can unfold them.
 //
-// In: the lines that are shown, by their numbers. Out: a button in the place of each stretch of others. Must not know:
-// why they are not shown.
+// In: the numbers of the lines to show. Out: a button in place of each range of other lines. Must not know: why they
+// are folded.
 
 import { codeFolding, foldEffect, foldedRanges, unfoldEffect } from '@codemirror/language';
 import type { EditorState, Extension, StateEffect, Text } from '@codemirror/state';
@@ -11,12 +11,12 @@ import type { Language } from '../dom/language';
 import { words } from '../dom/words';
 import type { LineRange } from './holder';
 
-/** `language` is asked each time a button is made. */
+/** `language` is called for each button. */
 export function folds(language: () => Language): Extension {
   return codeFolding({
     preparePlaceholder({ doc }, { from, to }) {
       const first = doc.lineAt(from);
-      // What the reader folds begins at the end of a line that stays.
+      // A range that the user has folded starts at the end of a visible line.
       return [first.from < from ? first.number + 1 : first.number, doc.lineAt(to).number];
     },
     placeholderDOM(_, unfold, prepared) {
@@ -28,7 +28,7 @@ export function folds(language: () => Language): Extension {
   });
 }
 
-/** Effects that fold all lines but these, and unfold what was folded before. */
+/** Effects that fold all lines except these, and unfold everything else. */
 export function foldOthers(state: EditorState, shown: readonly LineRange[]): StateEffect<unknown>[] {
   const effects: StateEffect<unknown>[] = [];
   foldedRanges(state).between(0, state.doc.length, (from, to) => void effects.push(unfoldEffect.of({ from, to })));
@@ -52,7 +52,7 @@ function others(doc: Text, shown: readonly LineRange[]): { readonly from: number
   return found;
 }
 
-/** What is unfolded when a place is to be seen. */
+/** Effects that unfold the ranges overlapping a position that must be visible. */
 export function unfoldAt(view: EditorView, from: number, to: number): StateEffect<unknown>[] {
   const effects: StateEffect<unknown>[] = [];
   foldedRanges(view.state).between(

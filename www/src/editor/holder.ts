@@ -1,7 +1,6 @@
-// What the page asks of whatever holds the program's text: a plain text at first, then the editor.
+// The interface of the text: implemented first by a plain text, then by the editor.
 //
-// Offsets count every line end as one unit, as everywhere in this page. What the page does to the text fires
-// no event; what the reader does, does.
+// Offsets count each line end as one unit. Only changes by the user fire events, not those by the page.
 
 import type { CompletionHelp, Fix, Setting, TextCommand, WordHelp } from '../protocol/protocol';
 import type { LineEnds } from '../files/line-ends';
@@ -12,16 +11,16 @@ export interface Span {
   readonly to: number;
 }
 
-/** A place of the text and what is to stand there. */
+/** A range of the text and its replacement. */
 export type Change = Pick<Fix['edits'][number], 'from' | 'to' | 'text'>;
 
-/** Lines counted from 1, both included. */
+/** Lines from 1, both included. */
 export interface LineRange {
   readonly first: number;
   readonly last: number;
 }
 
-/** Whether the reader can change the text. */
+/** Whether the user can edit the text. */
 export type Access = 'editable' | 'readonly';
 
 export interface TextEvents {
@@ -29,45 +28,45 @@ export interface TextEvents {
   fileChanged(): void;
 }
 
-/** How a program is run, and whose it is: what goes with it. */
+/** How the program is run, and its origin. */
 export interface ProgramContext {
   readonly control: string | null;
   /** JSON */
   readonly setup: string | null;
   readonly blockSkip: string | null;
   readonly program: string | null;
-  /** What the page around knows it by; nothing for a program of the reader's own. */
+  /** An identifier set by the page; null for a program of the user. */
   readonly origin: string | null;
 }
 
 export interface ContextEvents {
-  /** The context as it is. */
+  /** The current context. */
   context(): ProgramContext;
-  /** That of a program which has nothing to do with the one before. */
+  /** The context for a new, unrelated program. */
   neutral(): ProgramContext;
 }
 
 export interface EditorEvents extends TextEvents, ContextEvents {
-  /** The reader has put another program in the place of the one before, or brought one back, with its context. */
+  /** The user has replaced the program, or undo has restored one, with its context. */
   contextChanged(context: ProgramContext): void;
 
   cursorMoved(): void;
-  /** The reader tries other values of variables, or their blocks stand elsewhere. */
+  /** The tried values have changed, or their blocks have moved. */
   triedChanged(): void;
-  /** What the word at an offset is; nothing where there is none, or nobody knows yet. */
+  /** Help for the word at an offset; undefined if there is none, or it is not known yet. */
   wordAt(offset: number): Promise<WordHelp | undefined>;
-  /** What can be written at an offset; `askedFor`: the reader asks for it. */
+  /** The proposals at an offset; `askedFor`: the user has requested them. */
   completionAt(offset: number, askedFor: boolean): Promise<CompletionHelp | undefined>;
-  /** The proposals could not be loaded; `again` loads them. */
+  /** Completion could not be loaded; `again` retries. */
   completionFailed(reason: unknown, again: () => void): void;
   completionLoaded(): void;
-  /** The answer to a problem is a setting. */
+  /** The user has selected a setting as the fix of a problem. */
   settingChosen(setting: Setting): void;
-  /** The program is about to get the focus: the reader is to see it. */
+  /** The program is about to get the focus and must become visible. */
   wanted(): void;
-  /** Other lines are in sight. */
+  /** Other lines are visible. */
   viewMoved(): void;
-  /** A text was pasted or dropped; it stands there now. */
+  /** A text was pasted or dropped; the offsets are those after the change. */
   pasted(from: number, to: number): void;
 }
 
@@ -78,21 +77,21 @@ export interface TextHolder {
   readonly lineEnds: LineEnds;
   /** UTF-16 units. */
   readonly length: number;
-  /** Counts the versions of the text. */
+  /** Incremented with each change of the text. */
   readonly revision: number;
-  /** The file the text came from; once set, the same text is saved as that file. */
+  /** The file of the text; setting it changes the file that the text is saved as. */
   get file(): ProgramFile | undefined;
   set file(file: ProgramFile);
   readonly selection: Span;
   readonly cursor: number;
   textBetween(from: number, to: number): string;
-  /** What makes the worker's text this one; taken once. Nothing when it is already. */
+  /** The command that updates the worker's text; undefined if it is up to date. Clears the pending changes. */
   takeUnsent(): TextCommand | undefined;
-  /** There is a worker that knows nothing yet. */
+  /** A new worker has no text: send all of it again. */
   unsend(): void;
   /**
-   * Another text from outside; `undoable` when it takes the place of something the reader may want back, with
-   * the context as it is until now where it is given another one.
+   * Sets another text. `undoable`: undo restores the replaced text, and the current context if another `context` is
+   * given.
    */
   setText(
     program: ProgramText,
@@ -100,17 +99,17 @@ export interface TextHolder {
     undoable: 'undoable' | 'final',
     context?: ProgramContext,
   ): void;
-  /** The same program written differently. */
+  /** Replaces the text by another form of the same program. */
   rewrite(text: string): void;
-  /** Changes of the reader's that undo takes back in one. */
+  /** Edits by the user that are undone together. */
   change(edits: readonly Change[]): void;
   select(span: Span): void;
 }
 
-/** What an editor takes over from the plain text before it. */
+/** The state that an editor takes over from the plain text. */
 export interface Start {
   readonly program: ProgramText;
   readonly file: ProgramFile | undefined;
-  /** What of it the worker has not received. */
+  /** The part of the text that the worker has not received. */
   readonly unsent: 'all' | 'nothing';
 }

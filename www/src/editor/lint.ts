@@ -1,7 +1,7 @@
-// Problems inside the editor: squiggles, gutter marks, tooltips with the message and its repairs.
+// Problems in the editor: squiggles, gutter marks, tooltips with the message and its fixes.
 //
-// In: the diagnostics of the newest run. Out: CodeMirror's diagnostics. Applying a repair is an edit by the
-// reader like any other, so it can be undone. Must not know: what a diagnostic is about.
+// In: the diagnostics of the newest run. Out: CodeMirror's diagnostics. Applying a fix is an ordinary edit of the user,
+// so it can be undone. Must not know: the meaning of a diagnostic.
 
 import { isolateHistory } from '@codemirror/commands';
 import { forEachDiagnostic, type Diagnostic as LintDiagnostic } from '@codemirror/lint';
@@ -13,15 +13,15 @@ import type { Diagnostic, Fix, Setting } from '../protocol/protocol';
 import { PROBLEM_WORDS } from './problem-words';
 import { ruleLink } from './rule-link';
 
-/** More squiggles than this mean nothing and cost time on every key. */
+/** More squiggles would not be useful, and cost time on every key. */
 const SHOWN = 1000;
 
-/** A diagnostic of CodeMirror's, and all that is to be seen of it. */
+/** A diagnostic of CodeMirror, and a key of everything it displays. */
 export interface Shown extends LintDiagnostic {
   readonly shows: string;
 }
 
-/** `now`: the diagnostics of the newest run, when a repair is made: what is shown may be of one before. */
+/** `now`: returns the newest diagnostics when a fix is applied, since those on display may be older. */
 export function lintDiagnostics(
   diagnostics: readonly Diagnostic[],
   language: Language,
@@ -66,19 +66,19 @@ function shows({ severity, kind, code, slug, alarm, message, help, fixes }: Diag
   ]);
 }
 
-/** Whether the editor shows just these, each where it is to be: an edit has moved them along. */
+/** Whether the editor already shows exactly these diagnostics; edits move them. */
 export function areShown(state: EditorState, diagnostics: readonly Shown[]): boolean {
   const there: string[] = [];
   forEachDiagnostic(state, (diagnostic, from, to) => there.push(`${from} ${to} ${(diagnostic as Shown).shows}`));
   if (there.length !== diagnostics.length) return false;
   const wanted = diagnostics.map(({ from, to, shows }) => `${from} ${to} ${shows}`);
-  // Each stands once for each of its kind; which of two is under the other is not to be seen.
+  // Sort both: the order of diagnostics on top of each other is not visible.
   there.sort();
   wanted.sort();
   return there.every((one, at) => one === wanted[at]);
 }
 
-/** Makes the edits of a repair, or of several; one undo takes them back. */
+/** Applies the edits of one or several fixes as one undo step. */
 export function applyFix(view: EditorView, edits: Fix['edits']): void {
   const inside = edits.every((edit) => edit.from <= edit.to && edit.to <= view.state.doc.length);
   if (!inside || edits.length === 0) return;

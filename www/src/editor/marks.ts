@@ -1,15 +1,14 @@
-// What is painted over the program's text: the core's tokens, the block under the
-// pointer, the places of a number, the block being run.
+// Decorations of the text: tokens, the block under the pointer, the uses of a number, the running block.
 //
-// In: ranges of the document, sent as effects. Out: decorations, moved along with every change of the text
-// until newer ranges come. Must not know: where the ranges come from; a token class is a number and a colour.
+// In: ranges of the document, sent as effects. Out: decorations, which move with edits until new ranges arrive. Must
+// not know: the source of the ranges; a token class is a number with a colour.
 
 import { StateEffect, StateField, type EditorState, type Extension, type Range, type Text } from '@codemirror/state';
 import { Decoration, EditorView, type DecorationSet } from '@codemirror/view';
 import { lastOf } from './effects';
 import type { LineRange, Span } from './holder';
 
-/** The names the style sheet gives to the token classes 0, 1, 2 … */
+/** The CSS class suffixes of the token classes 0, 1, 2 … */
 const TOKEN_STYLES = [
   'comment',
   'g-word',
@@ -28,10 +27,10 @@ const USED = Decoration.mark({ class: 'cm-used-number' });
 const MARKED = Decoration.line({ class: 'cm-marked-line' });
 const RUNNING = Decoration.line({ class: 'cm-running-line' });
 
-/** Triples `from, to, class`, in order. */
+/** Triples `from, to, class`, sorted. */
 export const showTokens = StateEffect.define<Uint32Array>();
 export const showHovered = StateEffect.define<Span | undefined>();
-/** Where a number is used. */
+/** The uses of a number. */
 export const showUses = StateEffect.define<readonly Span[]>();
 export const showRunning = StateEffect.define<Span | undefined>();
 export const showMarked = StateEffect.define<readonly LineRange[]>();
@@ -59,7 +58,7 @@ function tokenMarks(triples: Uint32Array, length: number): DecorationSet {
   return Decoration.set(marks, true);
 }
 
-/** `after` a change of the text: the mark goes, or moves along with its block. */
+/** `after` an edit, the mark is removed, or moves with its block. */
 function blockField(
   effectType: typeof showHovered,
   mark: (span: Span, doc: Text) => Range<Decoration>,
@@ -97,7 +96,7 @@ const uses = StateField.define<DecorationSet>({
 
 const running = blockField(showRunning, (span, doc) => RUNNING.range(doc.lineAt(span.from).from), 'moves');
 
-/** Lines that the page around marks, by their numbers: another text has them, too. */
+/** Lines that the page highlights. They are line numbers, so they apply to another text as well. */
 const markedLines = StateField.define<{ readonly lines: readonly LineRange[]; readonly shown: DecorationSet }>({
   create: () => ({ lines: [], shown: Decoration.none }),
   update(before, transaction) {
@@ -125,7 +124,7 @@ export const marks: Extension = [
   running,
 ];
 
-/** Where the line of the block that runs begins now, if it is marked. */
+/** The current start of the line that is marked as running, if any. */
 export function runningLine(state: EditorState): number | undefined {
   return state.field(running, false)?.iter().value === null ? undefined : state.field(running, false)?.iter().from;
 }

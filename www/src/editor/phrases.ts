@@ -1,7 +1,7 @@
-// CodeMirror's own words (search, messages for screen readers) in Chinese and Russian.
+// CodeMirror's texts (search, messages for screen readers) in Chinese and Russian.
 //
-// In: a language. Out: CodeMirror's table of phrases; English is what CodeMirror says by itself.
-// `Phrase` lists them once, so a phrase missing in one language is a type error.
+// In: a language. Out: CodeMirror's table of phrases; English is its default. `Phrase` lists all of them, so a missing
+// translation is a type error.
 
 import { EditorState, type Extension } from '@codemirror/state';
 import type { Language } from '../dom/language';

@@ -1,7 +1,7 @@
-// The program's text where there is no editor, or none yet.
+// The program's text before the editor is loaded, or without an editor.
 //
-// In: texts, changes of the reader's made by a panel. Out: the text with its own line ends, and all of it for
-// the worker after each change. Must not know: who shows it.
+// In: texts, edits of the user made in a panel. Out: the text with its own line ends, and the whole text for the worker
+// after each change. Must not know: the elements that display it.
 
 import type { LineEnds } from '../files/line-ends';
 import { inPieces } from '../files/line-ends';
@@ -67,7 +67,7 @@ export class PlainProgram implements TextHolder {
     return this.#selection.to;
   }
 
-  /** What the editor that takes its place begins with. */
+  /** The state that the editor takes over. */
   get start(): Start {
     return { program: this.#program, file: this.#file, unsent: this.#unsent };
   }
@@ -95,14 +95,14 @@ export class PlainProgram implements TextHolder {
 
   rewrite(text: string): void {
     const { pieces } = programText(text);
-    // The lines are others; most line ends stay what they are.
+    // The lines have changed; most line ends keep their kind.
     this.#put({ pieces, ends: { most: this.#program.ends.most, others: [] } });
   }
 
   change(edits: readonly Change[]): void {
     if (edits.length === 0) return;
     let [text, ends] = [this.#text, this.#program.ends];
-    // The last in the text first: the others then still stand where they stood.
+    // From the end of the text, so that the offsets of the remaining edits stay valid.
     for (const edit of [...edits].sort((a, b) => b.from - a.from)) {
       text = text.slice(0, edit.from) + edit.text + text.slice(edit.to);
       ends = moved(ends, edit);

@@ -1,7 +1,7 @@
-// What a reader who does not see the editor hears of the problem that is selected there.
+// Announces the selected problem to screen readers.
 //
-// In: the diagnostics as they stand in the editor, and the selection. Out: a sentence in the live region of the
-// editor. Must not know: what a diagnostic is about.
+// In: the diagnostics in the editor, and the selection. Out: a sentence in the live region of the editor. Must not
+// know: the meaning of a diagnostic.
 
 import { forEachDiagnostic } from '@codemirror/lint';
 import { EditorView } from '@codemirror/view';

@@ -1,8 +1,8 @@
-// The dots beside the lines with problems, and what a dot shows when the pointer rests on it.
+// The dots beside lines with problems, and their tooltips.
 //
-// In: the diagnostics as they stand in the editor, moved along by edits. Out: a dot where one stands now: the
-// gutter of CodeMirror keeps its dots until the next diagnostics, even if their text is gone. What it shows stands
-// over the line, so that the lines that are read next stay in sight. Must not know: what a diagnostic is about.
+// In: the diagnostics in the editor, moved by edits. Out: a dot for each line with one: CodeMirror's own gutter would
+// keep its dots until the next diagnostics, even if their text was removed. The tooltip opens above the line, so that
+// the following lines stay visible. Must not know: the meaning of a diagnostic.
 
 import { forEachDiagnostic, setDiagnosticsEffect } from '@codemirror/lint';
 import { RangeSet, StateEffect, StateField, type EditorState, type Extension, type Range } from '@codemirror/state';
@@ -31,7 +31,7 @@ class Dot extends GutterMarker {
   }
 }
 
-/** Another number whenever the dots may stand elsewhere. */
+/** Incremented whenever the dots may have moved. */
 const version = StateField.define<number>({
   create: () => 0,
   update: (value, { docChanged, effects }) =>
@@ -66,7 +66,7 @@ const popUp = StateField.define<Tooltip | null>({
   provide: (field) => showTooltip.from(field),
 });
 
-/** All problems of a line, each with its repairs. */
+/** All problems of a line, each with its fixes. */
 function explained(
   view: EditorView,
   problems: readonly { readonly problem: Shown; readonly from: number; readonly to: number }[],

@@ -1,4 +1,4 @@
-// What is said beside each problem, in the editor and in the list below it.
+// Labels of a problem, in the editor and in the list below it.
 
 import { words } from '../dom/words';
 

@@ -1,17 +1,17 @@
-// Files the reader saves, or reads in another encoding: text to bytes and back.
+// Saves files, and converts text to another encoding.
 //
-// In: a text and its file. Out: the bytes to save, or the text in another encoding. What was opened
-// (`read-program.ts`) and is saved unchanged has the same bytes. Must not know: what the text is for.
+// In: a text and its file. Out: the bytes to save, or the text in another encoding. A file that was opened
+// (`read-program.ts`) and is saved unchanged has the same bytes. Must not know: the purpose of the text.
 
 import { decode, encode, isUnicode, type Encoding } from '../files/encodings';
 import type { ProgramFile } from './program-text';
 
-/** The name of a program that never was a file. */
+/** The name of a program that was not opened from a file. */
 const NEW_FILE: ProgramFile = { name: 'program.nc', encoding: 'utf-8' };
 
 export interface Saved {
   readonly bytes: Uint8Array<ArrayBuffer>;
-  /** As it is now: in UTF-8 when its own encoding has no place for a character. */
+  /** The file as saved: in UTF-8 if its own encoding cannot represent a character. */
   readonly file: ProgramFile;
   readonly noPlaceFor: string | undefined;
 }
@@ -24,17 +24,17 @@ export function bytesToSave(text: string, file: ProgramFile = NEW_FILE): Saved {
 }
 
 export type Reread =
-  /** The guess was wrong: the same bytes are this text. */
+  /** The guess was wrong: the same bytes mean this text. */
   | { readonly kind: 'text'; readonly text: string }
-  /** The text was right and stays; it is saved differently from now on. */
+  /** The text was right and stays; the next save uses the new encoding. */
   | { readonly kind: 'kept' }
   | { readonly kind: 'not-this-encoding' }
   | { readonly kind: 'no-place'; readonly character: string };
 
 /**
- * The text when another encoding is chosen. One that was guessed may be wrong: its bytes are read
- * again, with what was edited since. The characters stay as they are when it was certain, or becomes
- * Unicode and the bytes are none.
+ * The text when the user selects another encoding. The old encoding may have been a wrong guess: its bytes, including
+ * edits, are decoded again. The characters stay if the old encoding is a Unicode one, which is certain, or if the new
+ * one is and the bytes are not valid in it.
  */
 export function reread(text: string, from: Encoding, to: Encoding): Reread {
   const before = isUnicode(from) ? undefined : encode(text, from);
@@ -47,9 +47,9 @@ export function reread(text: string, from: Encoding, to: Encoding): Reread {
   return after.kind === 'bytes' ? { kind: 'kept' } : after;
 }
 
-/** Hands bytes to the browser to be saved. */
+/** Saves bytes as a download. */
 export function download(name: string, bytes: Uint8Array<ArrayBuffer>): void {
-  // With the type of a text, browsers would give some names another ending.
+  // With a text type, browsers would change the extension of some names.
   const address = URL.createObjectURL(new Blob([bytes], { type: 'application/octet-stream' }));
   const link = document.createElement('a');
   link.href = address;

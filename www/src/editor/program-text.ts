@@ -1,7 +1,7 @@
-// A whole program text, and the file it came from.
+// A whole program text, and its file.
 //
-// In: a text with its own line ends. Out: the same with every line end as one unit, in pieces. Must not know:
-// the editor, bytes, or how a file is opened or saved.
+// In: a text with its own line ends. Out: the text in pieces, with each line end as one unit. Must not know: the
+// editor, bytes, or how a file is opened or saved.
 
 import type { Text } from '@codemirror/state';
 import type { Encoding } from '../files/encodings';
@@ -9,16 +9,16 @@ import { folded, inPieces, lineEndsOf, type LineEnds } from '../files/line-ends'
 
 export interface ProgramFile {
   readonly name: string;
-  /** In which it is saved. */
+  /** The encoding for saving. */
   readonly encoding: Encoding;
 }
 
-/** A whole text, ready for the editor and for the worker. */
+/** A whole text, prepared for the editor and for the worker. */
 export interface ProgramText {
-  /** As the worker receives it. */
+  /** The pieces that the worker receives. */
   readonly pieces: readonly string[];
   readonly ends: LineEnds;
-  /** The same as the editor's document, where it has been made already. */
+  /** The document of the editor, if it was already created. */
   readonly doc?: Text;
 }
 

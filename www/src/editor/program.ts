@@ -1,9 +1,8 @@
-// The program: its text, and the editor around it once there is one.
+// The program: its text, and the editor once it is loaded.
 //
-// A plain text holds the program at first, so that it is run and drawn without the editor, which is larger than
-// all else of the page. An editor that comes later takes over the text, and all that is to be shown over it. In:
-// what is shown over the text; what panels do to it. Out: the events of the editor. Must not know: the worker,
-// or what the text means.
+// At first a plain text contains the program, so that it can run and be drawn without the editor, which is larger than
+// the rest of the page. The editor takes over the text and its decorations later. In: the decorations; edits by panels.
+// Out: the events of the editor. Must not know: the worker, or the meaning of the text.
 
 import { make } from '../dom/dom';
 import type { Language } from '../dom/language';
@@ -16,21 +15,21 @@ import type { Access, Change, EditorEvents, LineRange, ProgramContext, Span, Tex
 import { PlainProgram } from './plain-program';
 import type { ProgramFile, ProgramText } from './program-text';
 
-/** UTF-16 units that are shown until the editor is there: more than anybody sees. */
+/** UTF-16 units to show until the editor is loaded; the user can hardly see more. */
 const SHOWN = 20_000;
 
 export class Program implements TextHolder {
-  /** Where the editor stands. */
+  /** The container of the editor. */
   readonly element = make('div', { className: 'editor', part: 'editor' });
   readonly #events: EditorEvents;
   readonly #access: Access;
   readonly #waiting = make('pre', { className: 'waiting', tabIndex: 0, lang: 'en' });
   #holder: TextHolder;
   #editor: Editor | undefined;
-  /** Versions of the text before the editor came. */
+  /** The revision of the plain text when the editor took over. */
   #revisionsBefore = 0;
   #language: Language;
-  /** What an editor is to show that comes later. */
+  /** The state to pass to the editor once it is loaded. */
   #diagnostics: readonly Diagnostic[] = [];
   #hovered: Span | undefined;
   #running: Span | undefined;
@@ -53,11 +52,11 @@ export class Program implements TextHolder {
     this.#showWaiting();
   }
 
-  /** Loads the editor and puts it in its place; rejected where it cannot be had, after which it can be tried again. */
+  /** Loads the editor and replaces the plain text. Rejected if it cannot be loaded; the next call retries. */
   async edit(root: ShadowRoot): Promise<void> {
     const { Editor } = await loaded(() => import('./editor'));
     const plain = this.#holder;
-    // Another call was faster.
+    // A concurrent call has already done it.
     if (!(plain instanceof PlainProgram)) return;
     const focused = this.#focusWanted || root.activeElement === this.#waiting;
     const editor = new Editor(root, this.element, this.#language, this.#access, plain.start, this.#events);
@@ -149,7 +148,7 @@ export class Program implements TextHolder {
     this.#showWaiting();
   }
 
-  /** Makes repairs; when the text has changed since they were offered, their places are no more. */
+  /** Applies fixes, unless the text has changed since they were offered. */
   apply(edits: Fix['edits']): void {
     if (this.#access === 'readonly') return;
     if (this.#editor !== undefined) this.#editor.apply(edits);
@@ -160,7 +159,7 @@ export class Program implements TextHolder {
     this.#holder.select(span);
   }
 
-  // ---- what is shown over it ----------------------------------------------------------------------
+  // ---- decorations --------------------------------------------------------------------------------
 
   set language(language: Language) {
     this.#language = language;
@@ -168,12 +167,12 @@ export class Program implements TextHolder {
     this.#showWaiting();
   }
 
-  /** The lines in sight with a margin; none where nothing is coloured. */
+  /** The visible lines with a margin; undefined if nothing is highlighted. */
   get linesInSight(): { firstLine: number; endLine: number } | undefined {
     return this.#editor?.linesInSight;
   }
 
-  /** Triples `from, to, class`, in order. */
+  /** Triples `from, to, class`, sorted. */
   set tokens(triples: Uint32Array) {
     if (this.#editor !== undefined) this.#editor.tokens = triples;
   }
@@ -183,12 +182,12 @@ export class Program implements TextHolder {
     if (this.#editor !== undefined) this.#editor.diagnostics = diagnostics;
   }
 
-  /** No more is to come of this run. */
+  /** No further decorations of this run are expected. */
   showNow(): void {
     this.#editor?.showNow();
   }
 
-  /** The values of variables that the reader tries; the text stays as it is. */
+  /** The values of variables that the user tries; the text is not changed. */
   get tried(): readonly TriedValue[] {
     return this.#editor?.tried ?? [];
   }
@@ -197,7 +196,7 @@ export class Program implements TextHolder {
     this.#editor?.tryValue(value);
   }
 
-  /** Tries no value any more. */
+  /** Removes all tried values. */
   endTrial(): void {
     this.#editor?.endTrial();
   }
@@ -207,73 +206,73 @@ export class Program implements TextHolder {
     return this.#editor?.lineOf(offset) ?? this.textBetween(0, offset).split('\n').length - 1;
   }
 
-  /** Where the line of an offset ends. */
+  /** The end of the line at an offset. */
   endOfLine(offset: number): number {
     const rest = this.textBetween(offset, Math.min(offset + 1000, this.length));
     const end = rest.indexOf('\n');
     return offset + (end < 0 ? rest.length : end);
   }
 
-  /** Scrolls to the cursor, once what stands around the text has the room it takes. */
+  /** Scrolls to the cursor, after the layout of the elements around the text. */
   keepCursorInSight(): void {
     this.#editor?.keepCursorInSight();
   }
 
-  /** Read out to those who do not see the page. */
+  /** Announces a text to screen readers. */
   announce(text: string): void {
     this.#editor?.announce(text);
   }
 
-  /** The block whose stroke the pointer is on. */
+  /** The block of the stroke under the pointer. */
   set hovered(span: Span | undefined) {
     this.#hovered = span;
     if (this.#editor !== undefined) this.#editor.hovered = span;
   }
 
-  /** Lines, from 0, before which the tool is held; the reader marks them. */
+  /** The lines, from 0, before which the playback pauses. */
   get breakpoints(): readonly number[] {
     return this.#editor?.breakpoints ?? [];
   }
 
-  /** Marks the line of the cursor to hold the tool, or takes the mark away; says which. */
+  /** Toggles the breakpoint in the line of the cursor. Returns whether it is set now. */
   toggleBreakpoint(): boolean {
     return this.#editor?.toggleBreakpoint() ?? false;
   }
 
-  /** Where the number at the cursor is used. */
+  /** The uses of the number at the cursor. */
   set uses(spans: readonly Span[]) {
     if (this.#editor !== undefined) this.#editor.uses = spans;
   }
 
-  /** What the reader can fold: from the end of a line to the end of the last that belongs to it. */
+  /** The foldable ranges: from the end of a line to the end of the last line of the range. */
   set foldable(spans: readonly Span[]) {
     if (this.#editor !== undefined) this.#editor.foldable = spans;
   }
 
-  /** Where the line of that block begins, also after edits; nothing when it is not marked, or gone. */
+  /** The start of the line marked as running, also after edits; undefined if no line is marked or it was removed. */
   get runningLine(): number | undefined {
     return this.#editor?.runningLine;
   }
 
-  /** The block the tool is in; it is kept in sight. */
+  /** The block of the current tool position; it is kept visible. */
   set running(span: Span | undefined) {
     this.#running = span;
     if (this.#editor !== undefined) this.#editor.running = span;
   }
 
-  /** The lines that the page around marks. */
+  /** The lines that the page highlights. */
   set marked(lines: readonly LineRange[]) {
     this.#marked = lines;
     if (this.#editor !== undefined) this.#editor.marked = lines;
   }
 
-  /** The lines that are shown, the others are folded; all where there are none. */
+  /** The lines to show, the others are folded; all lines if empty. */
   set shownLines(lines: readonly LineRange[]) {
     this.#shownLines = lines;
     if (this.#editor !== undefined) this.#editor.shownLines = lines;
   }
 
-  /** Where a line (from 1) begins; nothing where the text has not so many. */
+  /** The start of a line (from 1); undefined if the text is shorter. */
   startOfLine(line: number): number | undefined {
     const text = this.text;
     let at = 0;
@@ -285,12 +284,12 @@ export class Program implements TextHolder {
     return at;
   }
 
-  /** The block that runs comes into sight, even if the reader has just looked elsewhere. */
+  /** Scrolls to the running block, even if the user has just scrolled elsewhere. */
   follow(): void {
     this.#editor?.follow();
   }
 
-  /** Sets the cursor down at the start of a problem and shows it. */
+  /** Selects a problem and focuses the program. */
   show(diagnostic: Diagnostic): void {
     this.select({ from: diagnostic.from, to: diagnostic.to });
     this.focus();

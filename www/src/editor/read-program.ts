@@ -1,7 +1,7 @@
-// Files the reader opens or drops: bytes to text, ready for the editor.
+// Reads files that the user opens or drops: bytes to text, prepared for the editor.
 //
-// In: a `File`. Out: the text and how it was read, or why there is none. Loaded when a file is first opened:
-// it makes the editor's document. Must not know: what the text is for.
+// In: a `File`. Out: the text and its encoding, or an error. Loaded when a file is first opened, since it creates
+// CodeMirror documents. Must not know: the purpose of the text.
 
 import { Text } from '@codemirror/state';
 import type { ReaderEvent } from '../files/file-reader';
@@ -10,7 +10,7 @@ import { startWorker } from '../worker/start-worker';
 import { append } from './file';
 import type { ProgramFile, ProgramText } from './program-text';
 
-/** Bytes; a longer text the interpreter would refuse. */
+/** Bytes; the interpreter would reject a longer text. */
 const SIZE_LIMIT = 64 * 1024 * 1024;
 
 export type Opened =
@@ -31,7 +31,7 @@ export function readProgram(file: File): Promise<Opened> {
     const heard = (event: ReaderEvent): void => {
       switch (event.kind) {
         case 'piece':
-          // Each piece is a task of its own, so that a long text does not make the page stand still.
+          // Each piece arrives in a separate task, so that a long text does not block the page.
           pieces.push(event.text);
           doc = append(doc, event.text);
           return;

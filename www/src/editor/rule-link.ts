@@ -1,15 +1,15 @@
 // Links to the pages of the rules and to the reference, which are built beside the page.
 //
-// In: a diagnostic. Out: a link to the page of its rule, in the reader's language. The pages are where this module came from, on
-// another site too, or where the attributes `rules` and `docs` of the element say: a bundler copies the module alone.
-// Must not know: the content of a rule.
+// In: a diagnostic. Out: a link to the page of its rule, in the user's language. The pages are beside the origin of
+// this module, even on another site, or in the folders named by the element's attributes `rules` and `docs`: a bundler
+// copies only the module. Must not know: the content of a rule.
 
 import { make } from '../dom/dom';
 import type { Language } from '../dom/language';
 import { words } from '../dom/words';
 import type { Diagnostic } from '../protocol/protocol';
 
-/** The folder of the playground: modules stand in it, or in its `assets` (built) or `src` (not built). */
+/** The folder of the playground: modules are in it, or in its subfolder `assets` (built) or `src` (development). */
 const HOME = import.meta.url.replace(/((assets|src(\/[^/]+)?)\/)?[^/]*$/, '');
 
 const WORDS = words({
@@ -38,7 +38,7 @@ export function allRulesLink(language: Language): HTMLAnchorElement {
   return linkTo('index', WORDS[language].all, language);
 }
 
-/** The reference is in English. */
+/** The reference exists in English only. */
 export function referenceLink(language: Language): HTMLAnchorElement {
   return link('docs', 'index.html', WORDS[language].reference, 'en');
 }
@@ -51,14 +51,15 @@ function link(folder: 'rules' | 'docs', page: string, text: string, hreflang: st
   const href = new URL(`${folder}/${page}`, HOME).href;
   const made = make('a', { className: 'rule-link', href, hreflang, target: '_blank', rel: 'noopener' }, text);
   made.dataset.pages = folder;
-  // Before a click, a middle click or the menu of the right button: only a link that is in an element has its attributes.
+  // These come before a click, a middle click and the context menu. Earlier, the link may not be in an element, whose
+  // attributes it needs.
   for (const near of ['pointerenter', 'pointerdown', 'focus', 'click']) {
     made.addEventListener(near, () => (made.href = addressIn(made, folder, page) ?? href));
   }
   return made;
 }
 
-/** Where the element names the folder. */
+/** The address in the folder that the element's attribute names, if any. */
 function addressIn(link: HTMLElement, folder: string, page: string): string | undefined {
   const root = link.getRootNode();
   const named = root instanceof ShadowRoot ? root.host.getAttribute(folder) : null;

@@ -1,6 +1,6 @@
-// How the editor looks: every colour and font is one of the element's CSS custom properties.
+// The styles of the editor: all colours and fonts are CSS custom properties of the element.
 //
-// In: nothing. Out: CodeMirror extensions. Must not know: what is edited.
+// In: nothing. Out: CodeMirror extensions. Must not know: the edited language.
 
 import type { Extension } from '@codemirror/state';
 import { EditorView } from '@codemirror/view';
@@ -20,7 +20,7 @@ const squiggles = Object.fromEntries(
   ]),
 );
 
-/** So many times the element's size of type; what stands in its style sheets as `rem`. */
+/** A multiple of the element's text size, as `rem` in its style sheets. */
 export function rem(times: number): string {
   return `calc(${times} * var(--playground-rem))`;
 }
@@ -108,14 +108,14 @@ export const editorTheme: Extension = EditorView.theme({
     border: '1px solid var(--playground-line)',
     borderRadius: '8px',
     boxShadow: 'var(--playground-shadow)',
-    // Its size does not depend on its place, which is worked out from it.
+    // The size must not depend on the position, which CodeMirror computes from it.
     width: 'max-content',
     maxWidth: `min(${rem(44)}, 92vw)`,
     overflow: 'hidden',
     fontFamily: 'var(--playground-font)',
     fontSize: rem(0.875),
   },
-  // Low, so that it finds room over the first lines as well: below it would cover the lines that are read next.
+  // Low, so that it also fits above the first lines: below, it would cover the following lines.
   '.cm-diagnostic': {
     display: 'flex',
     flexWrap: 'wrap',

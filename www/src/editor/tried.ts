@@ -1,7 +1,7 @@
-// What if a variable had another value? The values that the reader tries, each shown after the block before which it is given.
+// Values of variables that the user tries ("what if"), each displayed after its block.
 //
-// In: values to try, and to try no longer. Out: those that are tried now; they move with every change of the text, and go with
-// their block. The text stays as it is. Must not know: what a variable is for.
+// In: values to try, and to remove. Out: the current ones; they move with edits, and are removed with their block. The
+// text is not changed. Must not know: the purpose of a variable.
 
 import { MapMode, StateEffect, StateField, type ChangeDesc, type EditorState, type Extension } from '@codemirror/state';
 import { Decoration, EditorView, WidgetType, type DecorationSet } from '@codemirror/view';
@@ -11,10 +11,10 @@ import { words } from '../dom/words';
 import type { TriedValue } from '../protocol/protocol';
 import { lastOf } from './effects';
 
-/** Most values at a time. */
+/** Maximum number of values at a time. */
 const MOST = 20;
 
-/** All values that are tried from now on. */
+/** Replaces all tried values. */
 const setTried = StateEffect.define<readonly TriedValue[]>();
 
 const tried = StateField.define<readonly TriedValue[]>({
@@ -33,7 +33,7 @@ function moved(before: readonly TriedValue[], changes: ChangeDesc): readonly Tri
   });
 }
 
-/** A value after its block, which ends its trial when it is clicked. */
+/** The widget of a value after its block; a click removes the value. */
 class Note extends WidgetType {
   readonly #value: TriedValue;
   readonly #language: Language;
@@ -66,7 +66,7 @@ class Note extends WidgetType {
   }
 }
 
-/** `language` is asked each time a note is made. */
+/** `language` is called for each note. */
 export function triedValues(language: () => Language): Extension {
   const notes = (state: EditorState): DecorationSet => {
     const shown = state
@@ -79,24 +79,24 @@ export function triedValues(language: () => Language): Extension {
   return [tried, EditorView.decorations.compute([tried, 'doc'], notes)];
 }
 
-/** The values that are tried, in the order in which they were. */
+/** The tried values, in the order in which they were set. */
 export function triedOf(state: EditorState): readonly TriedValue[] {
   return state.field(tried);
 }
 
-/** Tries a value; one of the same variable at the same place is tried no longer. */
+/** Sets a value; replaces one of the same variable at the same position. */
 export function tryValue(view: EditorView, value: TriedValue): void {
   const others = view.state.field(tried).filter((one) => !isSame(one, value));
   view.dispatch({ effects: setTried.of([...others, value].slice(-MOST)) });
 }
 
-/** Tries a value no longer; all of them where none is named. */
+/** Removes a value, or all of them. */
 export function endTrial(view: EditorView, value?: TriedValue): void {
   const left = value === undefined ? [] : view.state.field(tried).filter((one) => !isSame(one, value));
   view.dispatch({ effects: setTried.of(left) });
 }
 
-/** Whether two values are of one variable, at one place, the same time. */
+/** Whether two values are for the same variable, position and repetition. */
 function isSame(one: TriedValue, other: TriedValue): boolean {
   return one.at === other.at && one.time === other.time && one.variable === other.variable;
 }

@@ -1,22 +1,22 @@
-// What of the text the worker has not received yet.
+// Tracks the part of the text that the worker has not received.
 //
-// In: the changes of the editor's document. Out: what brings the worker's text up to date soonest: what
-// changed, or all of it in pieces. Must not know: the worker, or what the text is for.
+// In: the changes of the editor's document. Out: the fastest update of the worker's text: the changes, or the whole
+// text in pieces. Must not know: the worker, or the purpose of the text.
 
 import type { ChangeSet, Text } from '@codemirror/state';
 import { inPieces } from '../files/line-ends';
 import type { TextChange, TextCommand } from '../protocol/protocol';
 
 /**
- * Longer documents are made text piece by piece. When more than this is put in at
- * once, all of the text is sent.
+ * Longer documents are converted to text piece by piece. If more than this is inserted in one go, the whole text is
+ * sent.
  */
 const LONG = 1 << 20;
-/** Each change costs the worker a walk over its text; of more than these all of the text is sent. */
+/** Each change costs the worker a pass over its text; for more changes than this the whole text is sent. */
 const MOST_CHANGES = 100;
 
 export class Unsent {
-  /** The text has to be sent: these pieces, or all there is in the document by then. */
+  /** The whole text must be sent: these pieces, or the content of the document at that time. */
   #whole: readonly string[] | 'all' | undefined;
   #changes: ChangeSet | undefined;
 
@@ -24,13 +24,13 @@ export class Unsent {
     this.#whole = unsent === 'all' ? 'all' : undefined;
   }
 
-  /** The whole text is needed, once more. */
+  /** Send the whole text again. */
   all(): void {
     this.#whole = 'all';
     this.#changes = undefined;
   }
 
-  /** Another text took the place of the whole. */
+  /** The whole text was replaced. */
   replaced(pieces: readonly string[]): void {
     this.#whole = pieces;
     this.#changes = undefined;
@@ -41,7 +41,7 @@ export class Unsent {
     else this.#changes = this.#changes?.compose(changes) ?? changes;
   }
 
-  /** What to send now; nothing when all was sent. */
+  /** The command to send; undefined if everything was sent. */
   take(doc: Text): TextCommand | undefined {
     const [whole, changes] = [this.#whole, this.#changes];
     this.#whole = this.#changes = undefined;
@@ -55,8 +55,7 @@ export class Unsent {
 }
 
 /**
- * The last in the text first: each then stands where the text was. Nothing when they
- * are too many or too long.
+ * From the end of the text, so that each offset stays valid. Undefined if there are too many changes, or too long ones.
  */
 function listed(changes: ChangeSet): TextChange[] | undefined {
   const list: TextChange[] = [];

@@ -1,12 +1,12 @@
-// Help at the word: what it is, its value, and what is known of it, as an element.
+// Renders the help for a word: its meaning, its value, and facts about it.
 //
-// In: an answer of the interpreter. Out: a line, or that with the facts; a fact that names another block is a button that
-// leads there. Must not know: what a word means.
+// In: an answer of the interpreter. Out: a line, or the line with the facts; a fact that refers to another block is a
+// button that leads there. Must not know: the meaning of a word.
 
 import { make } from '../dom/dom';
 import type { HelpLine, WordHelp } from '../protocol/protocol';
 
-/** The word, what it is, its value. */
+/** The word, its meaning and its value. */
 export function wordLine({ word, title, value }: WordHelp): HTMLElement {
   const line = make(
     'span',
@@ -19,7 +19,7 @@ export function wordLine({ word, title, value }: WordHelp): HTMLElement {
   return line;
 }
 
-/** What is known of it; `go`: the reader wants to see the block at an offset. */
+/** The facts about a word; `go` is called to show the block at an offset. */
 export function factList(facts: readonly HelpLine[], go: (offset: number) => void): HTMLElement {
   return make(
     'ul',
@@ -28,7 +28,7 @@ export function factList(facts: readonly HelpLine[], go: (offset: number) => voi
   );
 }
 
-/** All of it, for a tooltip. */
+/** The line and the facts, for a tooltip. */
 export function wordCard(help: WordHelp, go: (offset: number) => void): HTMLElement {
   return make(
     'div',

@@ -1,6 +1,7 @@
 // The tooltip of the word under the pointer.
 //
-// In: the place of the pointer. Out: what the word there is, as the interpreter answers. Must not know: what that is.
+// In: the position of the pointer. Out: the interpreter's help for the word there. Must not know: the content of the
+// help.
 
 import { forEachDiagnostic } from '@codemirror/lint';
 import type { EditorState, Extension } from '@codemirror/state';
@@ -8,17 +9,17 @@ import { EditorView, hoverTooltip, type Tooltip } from '@codemirror/view';
 import type { EditorEvents } from './holder';
 import { wordCard } from './word-help';
 
-/** The pointer rests so long before the word is asked about. */
+/** How long the pointer must rest before help is requested. */
 const REST_MS = 350;
 
 export function wordHover(events: EditorEvents): Extension {
   const source = async (view: EditorView, at: number): Promise<Tooltip | null> => {
-    // Between words there is nothing to ask about. What is wrong with a word comes first: both in one would move under the pointer.
+    // There is no help between words. A problem has priority: with both, the tooltip would move under the pointer.
     if (!/\S/.test(view.state.sliceDoc(at, at + 1)) || hasProblem(view.state, at)) return null;
     const { doc } = view.state;
     const help = await events.wordAt(at);
     if (help === undefined || view.state.doc !== doc || help.to > doc.length || hasProblem(view.state, at)) return null;
-    // Above, as the problems: the lines that follow stay in sight.
+    // Above, like the problems, so that the following lines stay visible.
     return {
       pos: help.from,
       end: help.to,
@@ -37,7 +38,7 @@ function hasProblem(state: EditorState, at: number): boolean {
   return found;
 }
 
-/** The cursor goes to a block, as if the reader had put it there. */
+/** Moves the cursor to a block, as if the user had placed it there. */
 function go(view: EditorView, offset: number): void {
   if (offset > view.state.doc.length) return;
   view.dispatch({
