@@ -12,7 +12,7 @@ import type { ContextEvents, ProgramContext } from './holder';
 
 const setContext = StateEffect.define<ProgramContext>();
 
-/** Events of changes by the page that never make another program. */
+/** User events of changes by the page, which never make another program. */
 const OF_THE_SAME = ['input.setup', 'input.fix'] as const;
 
 export function programContext(events: ContextEvents): Extension {

@@ -29,9 +29,9 @@ interface AboveHost {
   readonly example: Example | undefined;
   /** The number of requests to show a program. */
   readonly asked: number;
-  /** Shows the original example and discards the user's edits; shows the first example if the program is not one. */
+  /** Saves the current program and shows the original example; the first example if the program is not one. */
   startAfresh(): void;
-  /** Shows the original program of a link. */
+  /** Saves the current program and shows the original program of a link. */
   openAgain(address: string, linked: LinkedProgram): void;
   bringBack(program: OwnProgram): void;
 }

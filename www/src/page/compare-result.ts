@@ -172,7 +172,7 @@ function legend(names: Names, language: Language): HTMLElement {
 
 /** The drawing in the colours of the page, without its own style sheet and legend. */
 function drawn(svg: string, label: string): Element | undefined {
-  // Remove the style sheet before parsing: the page's Content-Security-Policy would report it.
+  // The page's Content-Security-Policy blocks a style sheet as soon as it is parsed, so remove it before.
   const unstyled = svg.replace(/<style[^>]*>.*?<\/style>/gs, '');
   const parsed = new DOMParser().parseFromString(unstyled, 'image/svg+xml').documentElement;
   if (parsed.localName !== 'svg') return undefined;

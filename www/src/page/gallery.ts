@@ -18,7 +18,7 @@ export interface Example {
   readonly title: Translated;
   /** One sentence: what this example demonstrates. */
   readonly shows: Translated;
-  /** Words that were added to the program of the source document. */
+  /** The words that the program in the source document does not have. */
   readonly added?: string;
   /** The example whose part is drawn under the part of this one. */
   readonly compareWith?: string;

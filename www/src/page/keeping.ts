@@ -14,7 +14,7 @@ import { keepInJournal, LONGEST_IN_JOURNAL, newId, TAB, type Entry, type KeptPro
 
 /** Timeout for the first picture, after which the list is loaded anyway. */
 const LATEST_MS = 10_000;
-/** Undo can restore at most this many earlier programs. */
+/** Number of earlier programs that are recognised when undo restores them. */
 const MOST_REMEMBERED = 20;
 
 export class Keeping implements ProgramOfTab {
@@ -24,14 +24,14 @@ export class Keeping implements ProgramOfTab {
   /** The journal entry that the page started with, or the program of a task. */
   began: Entry | undefined;
   #id: string | undefined;
-  /** The programs of this tab, as last saved. */
+  /** The texts of this tab's programs as last saved, by id. */
   readonly #had = new Map<string, string>();
   #session: Promise<Session> | undefined;
   #lastTime = 0;
   /** For each program, the time of its newest entry that is too long for the journal, until the list has it. */
   readonly #onlyHere = new Map<string, number>();
   #longComes = false;
-  /** Asks before the page is left, while such an entry exists or is about to. */
+  /** Asks before the page is left, while such an entry exists or is about to be made. */
   readonly #ask = (event: Event): void => event.preventDefault();
 
   constructor(host: KeepingHost) {

@@ -12,7 +12,7 @@ export type LinkedProgram = Shared;
 export type InAddress =
   | { readonly kind: 'linked'; readonly linked: LinkedProgram }
   | { readonly kind: 'fault'; readonly fault: LinkFault | { readonly kind: 'not-loaded' } }
-  /** The id of an example, or no fragment. */
+  /** The id of an example, or an empty fragment. */
   | { readonly kind: 'other' };
 
 const EXAMPLE = /^#[a-z]\w*-[\w-]+$/;

@@ -48,7 +48,7 @@ export class Offline {
 
   constructor(host: OfflineHost) {
     this.#host = host;
-    // Announce the result, since it arrives later than the page.
+    // Screen readers announce the result, since it arrives later than the page.
     this.#status.setAttribute('aria-live', 'polite');
     document.getElementById('settings')?.append(this.#status);
     document.querySelector('header')?.after(this.#news);

@@ -9,9 +9,9 @@ import { NEWS_WORDS } from './own-programs-words';
 import './own-programs-news.css';
 
 export type News =
-  /** Another tab has changed the program that is shown here. */
+  /** Another tab has changed the current program. */
   | { readonly kind: 'changed-elsewhere' }
-  /** Both tabs have changed it: this tab continues with a separate program of this name. */
+  /** Both tabs have changed the program: this tab continues with a separate one of this name. */
   | { readonly kind: 'both-kept'; readonly name: string }
   | { readonly kind: 'deleted-elsewhere' }
   /** `last-only`: the journal still has the last program. */

@@ -67,7 +67,7 @@ const MINUTE = 60 * SECOND;
 const DAY = 24 * 60 * MINUTE;
 /** Minimum interval between earlier states. */
 const BETWEEN_STATES = 15 * SECOND;
-/** The minimum distance between kept states, by their age. */
+/** The minimum interval between the states that are kept, by their age. */
 const KEPT_APART = [
   { upTo: 10 * MINUTE, apart: 0 },
   { upTo: DAY, apart: 10 * MINUTE },
@@ -79,7 +79,7 @@ export function isWorthAState(states: readonly State[], now: number): boolean {
   return now - Math.max(0, ...states.map(({ time }) => time)) >= BETWEEN_STATES;
 }
 
-/** The states to delete: of each period the last one is kept, and the newest ones up to the limits. */
+/** The states to delete. The last one of each period is kept, and of these the newest ones up to the limits. */
 export function superfluous(states: readonly State[], now: number): readonly State[] {
   const newestFirst = [...states].sort((a, b) => b.time - a.time);
   const taken = new Set<string>();

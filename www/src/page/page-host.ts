@@ -1,6 +1,6 @@
 // What the page provides to actions and to saving.
 //
-// In and out: types only. Must not know: who uses them.
+// In and out: types only. Must not know: their users.
 
 import type { Language } from '../dom/language';
 import type { GcodePlayground } from '../shell/element';

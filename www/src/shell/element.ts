@@ -690,8 +690,8 @@ function playKeys(event: KeyboardEvent): void {
 }
 
 /**
- * Creates elements around the marked programs in a part of a page that was added after loading: `<script
- * type="text/x-gcode" data-gcode-playground>` and `<pre data-gcode-playground>`.
+ * Creates elements around the marked programs in a part of a page that was added after loading:
+ * `<script type="text/x-gcode" data-gcode-playground>` and `<pre data-gcode-playground>`.
  */
 export function upgrade(root: ParentNode = document): void {
   upgradeIn(root, GcodePlayground.observedAttributes);

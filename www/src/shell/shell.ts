@@ -88,7 +88,7 @@ interface Missed {
   isLost?: boolean;
 }
 
-/** Every deployed `element.js` has a page beside it. A bundled element has not: its page must set `playground`. */
+/** Every deployed `element.js` has a page beside it. A bundled element has none: its page must set `playground`. */
 const BESIDE = import.meta.url.endsWith('/element.js')
   ? import.meta.url.replace(/element\.js$/, 'index.html')
   : undefined;
@@ -204,7 +204,7 @@ export class PlaygroundShell implements Shell {
         if (said.kind === 'report') this.#reported(said.report);
         else if (event.kind === 'part-failed') this.#partFailed(event);
         else if (event.kind === 'parts-loaded') this.#missing.works('parts');
-        // A short program has its picture soon. In a hidden tab there is none, so do not wait for it.
+        // Wait a moment for the first picture, which a short program has soon. In a hidden tab it never comes.
         if (event.kind === 'path' || event.kind === 'report') setTimeout(() => this.#editIfShown(), EDITOR_AFTER_MS);
         else if (event.kind === 'progress' || event.kind === 'part-failed') this.#editIfShown();
       },
@@ -536,7 +536,7 @@ export class PlaygroundShell implements Shell {
     const host = this.#host;
     if (host.setup === setup && host.control === null) return;
     host.setup = setup;
-    // The form contains the control of the attribute, so the setup contains it now.
+    // The form has shown the control of the attribute, and the new setup contains it.
     host.control = null;
     this.#events.fire('gcode-setup', { setup });
   }

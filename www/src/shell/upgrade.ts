@@ -1,5 +1,5 @@
-// Replaces programs in a page by elements: `<script type="text/x-gcode" data-gcode-playground>` and `<pre
-// data-gcode-playground>`. In Markdown, these are the tags whose content may have blank lines.
+// Replaces programs in a page by elements: `<script type="text/x-gcode" data-gcode-playground>` and
+// `<pre data-gcode-playground>`. In Markdown, these are the tags whose content may have blank lines.
 //
 // In: a part of a page. Out: an element around each such program, with the attributes that are written as `data-…`.
 // Must not know: the meaning of an attribute.

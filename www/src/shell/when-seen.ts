@@ -20,7 +20,7 @@ export function loadingOf(attribute: string | null): Loading {
  */
 const NEAR = 1;
 
-/** The elements waiting to come near the viewport. */
+/** The elements that wait to come near the viewport. */
 const waiting = new Map<Element, () => void>();
 let observer: IntersectionObserver | undefined;
 

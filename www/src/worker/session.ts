@@ -286,7 +286,7 @@ export class Session implements Waiter {
       act(session, { dropped }) {
         session.#onTheWay = false;
         if (dropped) {
-          // It was of an earlier run; repaint, since the content may be unchanged.
+          // Paint again: if nothing has changed since, no other picture would follow the dropped one.
           session.#core.paintAgain();
           if (session.#keepsOld === undefined) session.#wantDraw('when-whole');
         } else session.#present();
@@ -401,7 +401,7 @@ export class Session implements Waiter {
     else this.#waitFor(missing);
   }
 
-  /** The line that the user is typing in: one change of the text, which contains the cursor. */
+  /** The line that the user is typing in, if the run has a single typed change in the line of the cursor. */
   #lineTyped({ setup, text, came, framing, cursor }: BeginRun): number | undefined {
     if (
       setup !== undefined ||
