@@ -1,6 +1,6 @@
-//! In: what `rs274 -g` prints, a list of canonical functions. Out: the motions of each block.
+//! In: the output of `rs274 -g`, a list of canonical functions. Out: the motions of each block.
 //!
-//! Comments written by [`crate::translate`] say to which program and block the lines after them belong.
+//! Comments written by [`crate::translate`] name the program and block of the lines that follow.
 
 use std::collections::BTreeMap;
 
@@ -13,9 +13,9 @@ use crate::motion::{Feed, Motion, Motions, Origin, Shape};
 pub struct Run {
     /// Motions by block.
     pub motions: Motions,
-    /// The block it stopped at, and what it said.
+    /// The block at which it stopped, and its error message.
     pub refused: Option<(usize, String)>,
-    /// The lines of its output, for a person to read.
+    /// Its output lines, for reports.
     pub lines: Vec<String>,
 }
 
@@ -26,14 +26,14 @@ struct Machine {
     /// Offsets of the frame and of G92: radius and Z, mm.
     frame: Point,
     preset: Point,
-    /// Where the tool stands without any offset, mm.
+    /// Position of the tool without any offset, mm.
     at: Point,
     per_turn: bool,
     feed: f64,
     lead: Option<f64>,
 }
 
-/// All programs in an output, by name; the last one may have been cut short by an error.
+/// All programs in an output, by name. An error may have cut the last one short.
 pub fn read(output: &str) -> Result<BTreeMap<usize, Run>, String> {
     let mut runs: BTreeMap<usize, Run> = BTreeMap::new();
     let zero = Point::default();
@@ -77,8 +77,8 @@ fn call(line: &str) -> Option<(&str, &str)> {
 }
 
 impl Machine {
-    /// Carries out one function. `None`: it is not written as expected. Functions without
-    /// a meaning here do nothing.
+    /// Carries out one function. Returns `None` if it is malformed. Functions that do not matter here do
+    /// nothing.
     fn run(&mut self, name: &str, arguments: &str) -> Option<Option<Motion>> {
         let numbers: Vec<f64> = arguments.split([',', ' ']).filter_map(|word| word.parse().ok()).collect();
         let number = |index: usize| numbers.get(index).copied();
@@ -128,7 +128,7 @@ impl Machine {
         Motion { shape, from, to, feed: Some(feed), origin: Origin::Program }
     }
 
-    /// Where the tool stands, in the frame in force.
+    /// Position of the tool in the active frame.
     fn here(&self) -> Point {
         Point::new(self.at.x - self.frame.x - self.preset.x, self.at.z - self.frame.z - self.preset.z)
     }

@@ -1,5 +1,4 @@
-//! In: a program and what either side made of it. Out: whether they are one, up to the
-//! differences that are known.
+//! In: a program and both results. Out: whether the results agree, apart from known differences.
 
 use std::collections::BTreeMap;
 
@@ -14,30 +13,30 @@ use crate::motion::{Feed, Motion, Origin, Run, Shape};
 use crate::program::{Axis, Block, Count, Place, Program, places_of};
 use crate::translate::millimetres;
 
-/// Largest difference of two places, mm.
+/// Largest allowed distance between two points, mm.
 const TOLERANCE: f64 = 0.001;
-/// What the four decimals that `rs274` prints can hide, mm, in inches.
+/// Rounding error of the four decimals that `rs274` prints in inches, mm.
 const INCH_ROUNDING: f64 = 0.00005 * 25.4;
 
-/// What a comparison found.
+/// The result of a comparison.
 #[derive(Clone, Debug, Default)]
 pub struct Comparison {
-    /// Motions found the same.
+    /// Number of equal motions.
     pub same: usize,
-    /// Compensated elements found the same.
+    /// Number of equal compensated elements.
     pub compensated: usize,
-    /// Differences that are known.
+    /// Known differences.
     pub known: Vec<KnownDifference>,
-    /// Our name of what both refuse.
+    /// Our slug for an error that both report.
     pub both_refuse: Option<&'static str>,
-    /// The first difference that is not known.
+    /// The first unknown difference.
     pub failure: Option<Failure>,
 }
 
-/// A difference that is not known.
+/// An unknown difference.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Failure {
-    /// What differs, in words that are the same for all such failures.
+    /// What differs, worded the same for all such failures.
     pub what: String,
     /// The block.
     pub block: usize,
@@ -45,7 +44,7 @@ pub struct Failure {
     pub detail: String,
 }
 
-/// Compares what the two made of a program.
+/// Compares both results for a program.
 pub fn compare(program: &Program, ours: &Run, theirs: &canon::Run) -> Comparison {
     let mut comparison = Comparison::default();
     let checked = Check { program, ours, theirs, places: program.places() }.run(&mut comparison);
@@ -60,13 +59,13 @@ struct Check<'a> {
     places: Vec<Place>,
 }
 
-/// An element of a compensated contour, as both sides have it.
+/// An element of a compensated contour in both results.
 struct Element<'a> {
     block: usize,
     programmed: Way,
     ours: &'a Motion,
     theirs: &'a Motion,
-    /// Motions before it, around a corner.
+    /// The motions before it, around the corner.
     around: [&'a [Motion]; 2],
 }
 
@@ -88,14 +87,14 @@ impl Check<'_> {
             }
         }
         if let Some(first) = section {
-            // Compensation holds motions back: those before a refusal may be missing on one side.
+            // Compensation delays motions: those before a refusal may be missing on one side.
             let end = end.unwrap_or(self.program.blocks.len());
             self.contour(first, end.saturating_sub(2), false, comparison)?;
         }
         Ok(())
     }
 
-    /// Compares what is refused; the comparison ends at the block given back.
+    /// Compares the errors. Returns the block at which the comparison must end, if any.
     fn refusals(&self, comparison: &mut Comparison) -> Result<Option<usize>, Failure> {
         let (ours, theirs) = (&self.ours.refused, &self.theirs.refused);
         let compensated = |block: usize| {
@@ -149,7 +148,7 @@ impl Check<'_> {
         }
     }
 
-    /// Whether a code for the unit of F was the last to say anything of the feed, and said no F.
+    /// Whether the last feed setting was a code for the unit of F without an F word.
     fn feed_unsaid(&self, block: usize) -> bool {
         let before = self.program.blocks.iter().take(block + 1).rev();
         let mut said = before.filter_map(|block| match block {
@@ -160,13 +159,13 @@ impl Check<'_> {
         said.next().unwrap_or(false)
     }
 
-    /// Where a block stands in a contour under compensation.
+    /// Position of a block in a contour under compensation.
     fn in_contour(&self, block: usize) -> Option<InContour> {
         let is_nose = |block: &usize| matches!(self.program.blocks.get(*block), Some(Block::Nose { .. }));
         let first = (0..=block).rev().find(is_nose)?;
         let Some(&Place::Compensated(side, _)) = self.places.get(first) else { return None };
         let ways = self.ways(first);
-        // A block that does not move, as G40, counts as the one after the last element.
+        // A block that does not move, such as G40, counts as following the last element.
         let at = ways.iter().filter(|(at, _)| *at < block).count();
         let corner_at = |first: usize| Some(corner(&ways.get(first)?.1, &ways.get(first + 1)?.1, side));
         Some(InContour {
@@ -181,8 +180,8 @@ impl Check<'_> {
         })
     }
 
-    /// Whether our motions of two blocks meet in one direction, or in opposite ones; or
-    /// nothing is left of the first.
+    /// Whether our motions of two blocks meet in the same or in opposite directions, or nothing is left of
+    /// the first.
     fn fits_exactly(&self, first: usize, second: usize) -> bool {
         let (Some(first), Some(second)) = (self.ours_at(first).last(), self.ours_at(second).first()) else {
             return self.ours_at(first).is_empty();
@@ -199,8 +198,7 @@ impl Check<'_> {
         (z1 * x2 - x1 * z2).abs() < 1e-3
     }
 
-    /// The programmed elements of a contour whose compensation begins at a block, from
-    /// the words of their blocks.
+    /// The programmed elements, read from the words, of the contour whose compensation begins at `first`.
     fn ways(&self, first: usize) -> Vec<(usize, Way)> {
         let compensated = (first..self.places.len()).take_while(|&block| self.places[block] != Place::Plain);
         let blocks: Vec<usize> = compensated.filter(|&block| self.program.blocks[block].moves()).collect();
@@ -235,14 +233,14 @@ impl Check<'_> {
         blocks.into_iter().filter_map(way).collect()
     }
 
-    /// A block outside compensation: the same motions.
+    /// Compares a block outside of compensation: the motions must be equal.
     fn plain(&self, block: usize, comparison: &mut Comparison) -> Result<(), Failure> {
         let moving = |motions: &[Motion]| -> Vec<Motion> {
             motions.iter().filter(|motion| !motion.is_still()).copied().collect()
         };
         let (ours, mut theirs) = (moving(self.ours_at(block)), moving(self.theirs_at(block)));
         if ours.is_empty() {
-            // In inches a move to where the tool stands may look like a short one.
+            // In inches, rounding can turn a move to the current position into a short one.
             theirs.retain(|motion| {
                 motion.may_stay() || motion.from.distance(motion.to) > self.tolerance(block)
             });
@@ -315,8 +313,8 @@ impl Check<'_> {
         Err(Failure { what: what.into(), block, detail })
     }
 
-    /// Blocks under compensation, from the one that begins it up to `end`, and whether
-    /// it is known to end there.
+    /// Compares the blocks under compensation from `first` up to `end`. `whole` is whether the contour is
+    /// known to end there.
     fn contour(
         &self,
         first: usize,
@@ -334,7 +332,7 @@ impl Check<'_> {
             match self.element(block, way)? {
                 Some(element) => elements.push(element),
                 None if way.is_none() => {}
-                // The corners take the element away; what comes after it begins elsewhere.
+                // The corners remove the whole element, so the next one begins elsewhere.
                 None => {
                     whole = false;
                     break;
@@ -351,7 +349,7 @@ impl Check<'_> {
             let near = [before, after].iter().any(|corner| matches!(corner, Corner::Near | Corner::Back));
             let kind = |shape: Shape| std::mem::discriminant(&shape);
             if near && kind(element.ours.shape) == kind(element.theirs.shape) {
-                // Neither its direction nor its ends need be the same.
+                // Direction and end points may differ.
             } else {
                 self.same_shape(element.block, element.ours, element.theirs)?;
             }
@@ -392,7 +390,7 @@ impl Check<'_> {
         Ok(())
     }
 
-    /// The element of a block under compensation, if it moves; dwells are compared at once.
+    /// The element of a block under compensation, if it moves. Dwells are compared here.
     fn element(&self, block: usize, programmed: Option<Way>) -> Result<Option<Element<'_>>, Failure> {
         let (ours, theirs) = (self.ours_at(block), self.theirs_at(block));
         let Some(programmed) = programmed else {
@@ -423,7 +421,7 @@ impl Check<'_> {
         Ok(Some(Element { block, programmed, ours, theirs, around: [ours_around, theirs_around] }))
     }
 
-    /// Both motions lie on the programmed element moved by the nose radius.
+    /// Checks that both motions lie on the programmed element offset by the nose radius.
     fn on_offset_path(
         &self,
         element: &Element,
@@ -434,7 +432,7 @@ impl Check<'_> {
         let Way { from, to, arc } = element.programmed;
         let center = arc.map(|(center, _)| center);
         let tip = nose.vector();
-        // The centre of the nose, not its tip, lies beside the path.
+        // The path is offset for the centre of the nose, not for its tip.
         let at = |point: Point| Point::new(point.x + tip.x * nose.radius, point.z + tip.z * nose.radius);
         let left = if side == Side::Left { 1.0 } else { -1.0 };
         let off = |point: Point| match (center, motion.shape) {
@@ -449,7 +447,7 @@ impl Check<'_> {
             }
         };
         let (begin, end) = (off(motion.from), off(motion.to));
-        // Ends of arcs may be off their circle by the tolerance of arcs.
+        // Ends of arcs may be off the circle by the arc tolerance.
         let allowed = self.tolerance(element.block) + if center.is_some() { TOLERANCE } else { 0.0 };
         if begin.abs() <= allowed && end.abs() <= allowed {
             return Ok(());
@@ -458,15 +456,14 @@ impl Check<'_> {
         Err(Failure { what: "not on the offset path".into(), block: element.block, detail })
     }
 
-    /// What leads around the corner before an element.
+    /// Compares the motions around the corner before an element.
     fn around_corner(&self, element: &Element, corner: Corner, nose: Nose) -> Result<(), Failure> {
         let [ours, theirs] = element.around;
         let block = element.block;
         let tip = nose.vector();
         let from = element.programmed.from;
         let middle = Point::new(from.x - tip.x * nose.radius, from.z - tip.z * nose.radius);
-        // Where a joint is tangent but for the rounding of the program, ours may make a motion
-        // shorter than can be seen.
+        // Where a joint is tangent apart from rounding, our motion may be too short to see.
         let seen = |motion: &&Motion| motion.from.distance(motion.to) > TOLERANCE;
         let moves = |motions: &[Motion]| motions.iter().filter(seen).count();
         match corner {
@@ -507,8 +504,8 @@ impl Check<'_> {
         units.next().unwrap_or(Unit::Millimetre)
     }
 
-    /// Largest difference of two places in a block, mm. Places printed in inches are coarse, and so are those
-    /// that offsets printed in inches are added to.
+    /// Largest allowed distance between two points in a block, mm. Positions printed in inches are coarse,
+    /// and so are positions that include an offset printed in inches.
     fn tolerance(&self, block: usize) -> f64 {
         let blocks = &self.program.blocks[..=block.min(self.program.blocks.len() - 1)];
         match blocks.contains(&Block::Unit(Unit::Inch)) {
@@ -529,7 +526,7 @@ mod tests {
         Block::Straight { kind: Straight::Feed, x, z, feed: Some(100_000), code: Code::Written }
     }
 
-    /// Compares blocks with the lines that `rs274` prints for them; what differs, or what is known to.
+    /// Compares blocks with output of `rs274`. Returns the known differences, or the failure.
     fn check(blocks: Vec<Block>, printed: &str) -> Result<Vec<KnownDifference>, String> {
         let program = Program { start: (40_000, 0), nose: 1_000, blocks };
         let printed = format!(

@@ -1,20 +1,20 @@
-//! The programmed elements of a contour and the corners between them, worked out from
-//! the neutral program alone.
+//! The programmed elements of a contour and the corners between them, computed from the neutral program
+//! alone.
 
 use std::f64::consts::PI;
 
 use gcode_playground::control::compensation::Side;
 use gcode_playground::geometry::{Point, Turn};
 
-/// Turns smaller than this, radians, LinuxCNC takes as none.
+/// LinuxCNC ignores turns smaller than this, radians.
 const NEARLY_STRAIGHT: f64 = 0.05;
 
-/// An element as it is programmed.
+/// A programmed element.
 #[derive(Clone, Copy, Debug)]
 pub struct Way {
-    /// Where it begins.
+    /// Start point.
     pub from: Point,
-    /// Where it ends.
+    /// End point.
     pub to: Point,
     /// Centre and direction.
     pub arc: Option<(Point, Turn)>,
@@ -31,35 +31,34 @@ pub enum Corner {
     Near,
     /// Nearly straight back.
     Back,
-    /// The nose goes through on the inside.
+    /// The nose passes on the inside.
     Inner,
-    /// The nose goes around on the outside.
+    /// The nose passes around the outside.
     Outer,
 }
 
-/// Where a block stands in a contour.
+/// Position of a block in a contour.
 #[derive(Clone, Copy, Debug)]
 pub struct InContour {
-    /// How many elements stand before it; the entry move is the first.
+    /// Number of elements before it; the entry move is the first.
     pub index: usize,
-    /// The element before it is a full circle.
+    /// The previous element is a full circle.
     pub after_circle: bool,
-    /// Its offset path and that of the element before it only touch, or the element
-    /// before has no length left.
+    /// Its offset path only touches that of the previous element, or nothing is left of the previous element.
     pub fits_exactly: bool,
     /// No G40 ends the contour.
     pub unfinished: bool,
-    /// Between the entry move and the contour.
+    /// Corner between the entry move and the contour.
     pub entry: Corner,
-    /// Before the element before it.
+    /// Corner before the previous element.
     pub last_but_one: Corner,
-    /// Before it.
+    /// Corner before this element.
     pub before: Corner,
-    /// After it.
+    /// Corner after this element.
     pub after: Corner,
 }
 
-/// Direction of a straight way, length 1: X, Z.
+/// Direction of a straight line as a unit vector: X, Z.
 pub fn unit(from: Point, to: Point) -> (f64, f64) {
     let length = from.distance(to);
     ((to.x - from.x) / length, (to.z - from.z) / length)
@@ -74,7 +73,7 @@ impl Way {
     /// Direction of travel at one of its ends.
     pub fn direction(&self, at: Point) -> (f64, f64) {
         let Some((center, turn)) = self.arc else { return unit(self.from, self.to) };
-        // A quarter turn from the way out of the centre.
+        // Perpendicular to the radius.
         let (x, z) = unit(center, at);
         match turn {
             Turn::Counterclockwise => (z, -x),
@@ -83,7 +82,7 @@ impl Way {
     }
 }
 
-/// The corner between two elements, with the nose on a side of them.
+/// The corner between two elements, with the nose on the given side.
 pub fn corner(first: &Way, second: &Way, side: Side) -> Corner {
     let ((x1, z1), (x2, z2)) = (first.direction(first.to), second.direction(second.from));
     let angle = (z1 * x2 - x1 * z2).atan2(z1 * z2 + x1 * x2);

@@ -1,4 +1,4 @@
-//! In: random numbers. Out: a neutral program. Most of it is sound; some blocks are wrong on purpose.
+//! In: random numbers. Out: a neutral program. Most of it is correct; some blocks are wrong on purpose.
 
 use std::f64::consts::TAU;
 
@@ -11,10 +11,10 @@ use crate::program::{
 };
 use crate::random::Random;
 
-/// Which parts of the language are used.
+/// Optional parts of the language.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Language {
-    /// Frames with origins, set by G10 L2. Off until the playground carries it out.
+    /// Frames with origins, set by G10 L2. Off because the playground does not carry them out yet.
     pub frame_origins: bool,
 }
 
@@ -38,14 +38,14 @@ struct Maker<'r> {
     random: &'r mut Random,
     language: Language,
     unit: Unit,
-    /// Where the tool stands in the frame in force, in counts, as far as it is a whole number of them.
+    /// Tool position in the active frame, in counts, if it is a whole number of counts.
     at: Option<(Count, Count)>,
     nose: Count,
     blocks: Vec<Block>,
 }
 
 impl Maker<'_> {
-    /// The next block, or the next few that belong together.
+    /// Adds the next block, or a few that belong together.
     fn blocks(&mut self) {
         match self.random.within(0, 99) {
             0..38 => self.straight(),
@@ -89,7 +89,7 @@ impl Maker<'_> {
         self.blocks.push(Block::Straight { kind: Straight::Thread, x, z, feed, code });
     }
 
-    /// One or both axes, to random places.
+    /// Moves one or both axes to random positions.
     fn axes(&mut self) -> (Axis, Axis) {
         let (x, z) = (self.diameter(), self.length(-120.0, 60.0));
         match self.random.within(0, 4) {
@@ -99,7 +99,7 @@ impl Maker<'_> {
         }
     }
 
-    /// An axis that goes to a place: absolute, or by an increment where it is known. Index 0 is X.
+    /// The word of an axis for a target: absolute, or incremental if the position is known. Index 0 is X.
     fn axis(&mut self, to: Count, index: usize) -> Axis {
         let incremental = self.random.percent(30);
         match self.at.map(|at| [at.0, at.1][index]) {
@@ -109,7 +109,7 @@ impl Maker<'_> {
             }
             None if incremental => Axis::By(self.length(-20.0, 20.0)),
             known => {
-                // One axis alone does not make an unknown place known.
+                // A move of one axis alone does not make an unknown position known.
                 self.stand(index, known.and(Some(to)));
                 Axis::To(to)
             }
@@ -122,13 +122,13 @@ impl Maker<'_> {
         }
     }
 
-    /// An arc of any quadrant and size, sometimes one that is not quite right.
+    /// An arc of any quadrant and size, sometimes slightly wrong.
     fn arc(&mut self) {
         let turn = self.random.pick(&[Turn::Clockwise, Turn::Counterclockwise]);
         let radius = self.millimetres(0.2, 40.0);
         let (begin, end) = (self.random.fraction() * TAU, self.random.fraction() * TAU);
-        // Radius values, in counts: the centre is rounded first, the end is as near to the circle as it can
-        // be. Sometimes the centre lies straight across or along, and one of I and K is not written.
+        // Radius values, in counts: the centre is rounded first, then the end is put as near to the circle as
+        // possible. Sometimes the centre lies exactly along an axis, and one of I and K is not written.
         let (i, k) = match self.random.within(0, 9) {
             0 => (None, Some(-radius)),
             1 => (Some(radius), None),
@@ -143,7 +143,7 @@ impl Maker<'_> {
         match self.random.within(0, 99) {
             // A full circle.
             0..4 => (dx, dz) = (0, 0),
-            // An end off the circle: by what both allow, by what one of them does, by too much.
+            // An end off the circle: within both tolerances, within one of them, or outside both.
             4..7 => dz += self.random.pick(&[-100, -30, -20, -15, -5, 5, 15, 20, 30, 100]),
             7..8 => dz += self.millimetres(-5.0, 5.0) as Count,
             8..9 => center = Center::default(),
@@ -172,7 +172,7 @@ impl Maker<'_> {
         self.blocks.push(Block::Arc { turn, x, z, center, feed, code });
     }
 
-    /// An axis that moves by so much, written in any way.
+    /// The word of an axis for a distance, absolute or incremental.
     fn moved_by(&mut self, by: Count, index: usize) -> Axis {
         if by == 0 && self.random.percent(50) {
             return Axis::Stay;
@@ -191,7 +191,7 @@ impl Maker<'_> {
         self.blocks.push(Block::Feed { mode, feed });
     }
 
-    /// The other unit, and a move to a place that is a whole number of increments of it.
+    /// The other unit, and a move to a whole number of its increments.
     fn change_unit(&mut self) {
         self.unit = match self.unit {
             Unit::Millimetre => Unit::Inch,
@@ -258,7 +258,7 @@ impl Maker<'_> {
             contour.element(self);
         }
         let (first_heading, first) = contour.elements[0];
-        // Most often the entry goes on straight into the contour: there the two begin alike.
+        // The entry usually continues straight into the contour: there both interpreters begin alike.
         let entry_heading = if self.random.percent(60) { first_heading } else { self.turned(first_heading) };
         let entry = Element::line(entry_heading, self.scaled(1.0, 12.0));
         self.rapid_somewhere();
@@ -322,7 +322,7 @@ impl Maker<'_> {
         }
     }
 
-    /// A length between two bounds in mm, in counts: often a round one.
+    /// A length between two bounds in mm, in counts: often a round number.
     fn length(&mut self, low: f64, high: f64) -> Count {
         let exact = self.millimetres(low, high);
         let grain = self.random.pick(&[1.0, 10.0, 500.0, 1000.0]);
@@ -335,13 +335,13 @@ impl Maker<'_> {
         exact / self.unit.millimetres() * 10f64.powi(places_of(self.unit) as i32)
     }
 
-    /// Another direction, but not straight back: on such a corner no two controls agree.
+    /// Another direction, but not straight back: no two controls agree on such a corner.
     fn turned(&mut self, heading: (Count, Count)) -> (Count, Count) {
         let other = self.random.pick(&HEADINGS);
         if other == (-heading.0, -heading.1) { heading } else { other }
     }
 
-    /// A multiple of five counts, so that it can be laid along any of [`HEADINGS`] in whole counts.
+    /// A multiple of five counts, which is a whole number of counts along any of [`HEADINGS`].
     fn scaled(&mut self, low: f64, high: f64) -> Count {
         (self.millimetres(low, high) / 5.0).round().max(1.0) as Count
     }
@@ -363,7 +363,7 @@ const HEADINGS: [(Count, Count); 12] = [
     (-4, -3),
 ];
 
-/// One element of a contour: by how much it goes in X (radius) and Z; of an arc the centre from its start.
+/// One element of a contour: its increments in X (radius) and Z; for an arc also the centre from its start.
 #[derive(Clone, Copy, Debug)]
 struct Element {
     by: (Count, Count),
@@ -376,14 +376,14 @@ impl Element {
     }
 }
 
-/// A contour under way: its elements with the headings they begin in.
+/// A contour under construction: its elements and the heading of each at its start.
 struct Contour {
     heading: (Count, Count),
     elements: Vec<((Count, Count), Element)>,
 }
 
 impl Contour {
-    /// Adds an element: most often in a new direction, sometimes tangent to the one before.
+    /// Adds an element: usually in a new direction, sometimes tangent to the one before.
     fn element(&mut self, maker: &mut Maker) {
         if maker.random.percent(60) {
             self.heading = maker.turned(self.heading);
@@ -404,11 +404,10 @@ impl Contour {
             let turn = maker.random.pick(&[Turn::Clockwise, Turn::Counterclockwise]);
             let low = maker.nose as f64 / 1000.0;
             let fives = if short { maker.scaled(0.3 * low, low) } else { maker.scaled(2.0 * low, 15.0) };
-            // An arc of the very radius of the nose fits or not by binary rounding.
+            // Whether an arc with exactly the nose radius fits depends on binary rounding.
             let fives = if 5 * fives == maker.nose { fives + 1 } else { fives };
             let end = maker.random.pick(&HEADINGS);
-            // To the centre from a point of the circle: a quarter turn from the
-            // heading, to the left with G03.
+            // From a point of the circle to the centre: perpendicular to the heading, to the left with G03.
             let inwards = |heading: (Count, Count)| match turn {
                 Turn::Counterclockwise => (heading.1 * fives, -heading.0 * fives),
                 Turn::Clockwise => (-heading.1 * fives, heading.0 * fives),

@@ -1,5 +1,5 @@
-//! The differences between the playground and LinuxCNC that are meant: what they are, why, and how each is
-//! distinguished from a fault. Whatever is not here is a fault of one of the two.
+//! The intended differences between the playground and LinuxCNC: what they are, why, and how to distinguish
+//! each from a bug. Any other difference is a bug in one of the two.
 
 use gcode_playground::message::{Message, Value, said};
 
@@ -7,22 +7,22 @@ use crate::contour::{Corner, InContour};
 use crate::motion::Refusal;
 use crate::program::Block;
 
-/// A difference that is meant.
+/// An intended difference.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum KnownDifference {
-    /// An arc whose end is off the circle by a little.
+    /// An arc whose end is slightly off the circle.
     ArcEnd,
-    /// R too small by a little.
+    /// R slightly too small.
     ArcRadius,
-    /// R with start and end in one place.
+    /// R with the same start and end point.
     ArcNowhere,
     /// R with I or K.
     RadiusAndCenter,
-    /// F kept when its unit is named again.
+    /// F kept when its unit is programmed again.
     FeedKept,
     /// How compensation begins.
     StartUp,
-    /// The way around an outer corner.
+    /// The path around an outer corner.
     OuterCorner,
     /// A corner of less than 0.05 rad.
     NearlyStraight,
@@ -34,7 +34,7 @@ pub enum KnownDifference {
     CompensatedCircle,
     /// Offset paths that only touch, and elements of which nothing is left.
     ExactFit,
-    /// An element too short for the nose that LinuxCNC does not notice.
+    /// An element too short for the nose that LinuxCNC does not detect.
     OvercutUnseen,
 }
 
@@ -75,7 +75,7 @@ impl KnownDifference {
         }
     }
 
-    /// What either side does, and why.
+    /// What each side does, and why.
     pub fn explanation(self) -> &'static str {
         match self {
             Self::ArcEnd => {
@@ -125,21 +125,21 @@ impl KnownDifference {
     }
 }
 
-/// What is known of a refusal by one side alone.
+/// The facts about an error that only one side reports.
 pub struct Refused<'a> {
-    /// The block refused.
+    /// The block with the error.
     pub block: Block,
-    /// Where it stands in a contour under compensation.
+    /// Its position in a contour under compensation.
     pub contour: Option<InContour>,
-    /// Least tolerance of LinuxCNC for ends of arcs in the unit in force, mm.
+    /// Smallest tolerance of LinuxCNC for arc ends in the active unit, mm.
     pub arc_end_tolerance: f64,
-    /// G98 or G99 without F, and no F since.
+    /// Whether G98 or G99 came without F, and no F since.
     pub feed_unsaid: bool,
-    /// Names of our warnings at the block.
+    /// Slugs of our warnings at the block.
     pub remarks: &'a [&'static str],
 }
 
-/// Ours refuses, LinuxCNC does not.
+/// The known difference, if ours reports an error and LinuxCNC does not.
 pub fn refused_by_ours(refusal: &Refusal, refused: &Refused) -> Option<KnownDifference> {
     let message = &refusal.message;
     if message.is::<said::ArcEndOffCircle>() {
@@ -164,7 +164,7 @@ pub fn refused_by_ours(refusal: &Refusal, refused: &Refused) -> Option<KnownDiff
     (overcut && at.before == Corner::Inner && unseen).then_some(KnownDifference::OvercutUnseen)
 }
 
-/// A length among the arguments of a message, mm.
+/// A length argument of a message, mm.
 fn length(message: &Message, name: &str) -> Option<f64> {
     message.arguments().into_iter().find_map(|(own, value)| match value {
         Value::Length(length) | Value::Number(length) if own == name => Some(length),
@@ -172,7 +172,7 @@ fn length(message: &Message, name: &str) -> Option<f64> {
     })
 }
 
-/// LinuxCNC refuses, ours does not.
+/// The known difference, if LinuxCNC reports an error and ours does not.
 pub fn refused_by_linuxcnc(message: &str, refused: &Refused) -> Option<KnownDifference> {
     let center = match refused.block {
         Block::Arc { center, .. } => Some(center),
@@ -194,19 +194,19 @@ pub fn refused_by_linuxcnc(message: &str, refused: &Refused) -> Option<KnownDiff
     } else if center.r.is_some() && refused.remarks.contains(&"arc-without-way") {
         Some(KnownDifference::ArcNowhere)
     } else if says("radius too small") && center.r.is_some() {
-        // Too small by more than 0.01 mm ours refuses as well.
+        // If R is too small by more than 0.01 mm, ours reports an error as well.
         Some(KnownDifference::ArcRadius)
     } else {
         None
     }
 }
 
-/// LinuxCNC finds no room for the nose in a contour, ours does.
+/// The known difference, if only LinuxCNC finds no room for the nose.
 fn gouging(at: InContour) -> Option<KnownDifference> {
     let corners = [at.last_but_one, at.before];
     if at.index <= 2 && at.entry != Corner::Straight {
-        // The element after the entry begins elsewhere, and what is left of it may be too
-        // short for the next corner.
+        // The element after the entry begins at another point, and the rest of it may be too short for the
+        // next corner.
         Some(KnownDifference::StartUp)
     } else if at.after_circle {
         Some(KnownDifference::CompensatedCircle)
@@ -215,11 +215,11 @@ fn gouging(at: InContour) -> Option<KnownDifference> {
     } else if at.fits_exactly && matches!(at.before, Corner::Inner | Corner::Open) {
         Some(KnownDifference::ExactFit)
     } else if corners.contains(&Corner::Near) {
-        // Between its perpendicular points the element turns a little too far.
+        // The element turns slightly too far between its perpendicular points.
         Some(KnownDifference::NearlyStraight)
     } else if corners.contains(&Corner::Outer) && corners.contains(&Corner::Inner) {
-        // Ours makes the element before longer, for it reaches to where the offset paths meet at its outer
-        // corner; what the inner corner takes away then leaves enough of it.
+        // Ours extends the previous element to the intersection of the offset paths at its outer corner, so
+        // enough of it remains after the inner corner shortens it.
         Some(KnownDifference::OuterCorner)
     } else {
         None

@@ -1,9 +1,9 @@
-//! Random programs in the language that lathe controls and LinuxCNC share, run by the playground and by
-//! LinuxCNC's stand-alone interpreter, and their motions compared. `cargo xtask compare-linuxcnc` starts it.
+//! Runs random programs, in the language that lathe controls and LinuxCNC share, in the playground and in
+//! LinuxCNC's stand-alone interpreter, and compares the motions. Started by `cargo xtask compare-linuxcnc`.
 //!
-//! In: how many programs, and a seed. Out: what was compared, a table of the differences that are meant, and
-//! exit 0; or the smallest program that shows a difference that is not, both outputs, and exit 1; or 2 when
-//! the command line is not understood or LinuxCNC is missing.
+//! In: the number of programs, and a seed. Out: what was compared, a table of intended differences, and exit
+//! code 0; or the smallest program with an unintended difference, both outputs, and exit code 1; or exit code
+//! 2 if the command line is invalid or LinuxCNC is missing.
 //!
 //! Flow: `generate` → `translate` → `motion` (ours) and `rs274` → `canon` (theirs) → `compare`, with `known`.
 
@@ -39,10 +39,10 @@ cargo xtask compare-linuxcnc [--programs N] [--seed N] [--frame-origins]
   --frame-origins   with origins of G54 to G59 set by G10 L2, which the playground does not carry out yet
 ";
 
-/// Programs that are made, run and compared at a time.
+/// Number of programs in a batch.
 const AT_A_TIME: usize = 500;
 
-/// A command line, understood.
+/// The parsed command line.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 struct Options {
     programs: usize,
@@ -93,7 +93,7 @@ fn parse(words: &[&str]) -> Result<Options, String> {
     Ok(options)
 }
 
-/// What all comparisons found together.
+/// The results of all comparisons.
 #[derive(Default)]
 struct Tally {
     programs: usize,
@@ -158,7 +158,7 @@ impl Tally {
     }
 }
 
-/// The smallest program that fails as this one does, with both outputs.
+/// The smallest program with the same failure, with both outputs.
 fn failure(
     program: &Program,
     comparison: &Comparison,

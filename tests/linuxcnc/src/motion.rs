@@ -1,4 +1,4 @@
-//! A motion as both sides can say it, and how ours are brought into that form.
+//! Motions in a form that both sides share, and the conversion of ours into it.
 
 use std::collections::BTreeMap;
 
@@ -23,74 +23,74 @@ pub enum Shape {
     Line,
     /// Straight, locked to the spindle: mm/rev.
     Thread { lead: f64 },
-    /// Round at feed.
+    /// Arc at feed.
     Arc { center: Point, turn: Turn },
-    /// Waiting.
+    /// Dwell.
     Dwell { seconds: f64 },
 }
 
 /// Feed, mm.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Feed {
-    /// A minute.
+    /// Per minute.
     PerMinute(f64),
-    /// A spindle revolution.
+    /// Per spindle revolution.
     PerTurn(f64),
 }
 
-/// Where a motion comes from.
+/// The origin of a motion.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Origin {
-    /// The program.
+    /// Directly from the program.
     Program,
-    /// The program, led elsewhere by compensation.
+    /// From the program, offset by compensation.
     Compensated(Programmed),
 }
 
-/// One motion: points are radius and Z in the frame in force, mm.
+/// One motion. Points are radius and Z in the active frame, mm.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Motion {
-    /// What it is.
+    /// Kind of motion.
     pub shape: Shape,
-    /// Where it begins.
+    /// Start point.
     pub from: Point,
-    /// Where it ends.
+    /// End point.
     pub to: Point,
-    /// Feed in force; `None` where none was ever set.
+    /// Feed in force; `None` if it was never set.
     pub feed: Option<Feed>,
-    /// Where it comes from; LinuxCNC does not say.
+    /// Origin; LinuxCNC does not report it.
     pub origin: Origin,
 }
 
 impl Motion {
-    /// Whether it may end where it begins: an arc, a dwell.
+    /// Whether it may end at its start point: an arc or a dwell.
     pub fn may_stay(&self) -> bool {
         matches!(self.shape, Shape::Arc { .. } | Shape::Dwell { .. })
     }
 
-    /// A straight move to where the tool stands: ours makes no motion of it.
+    /// Whether it is a straight move to the current position: ours makes no motion of it.
     pub fn is_still(&self) -> bool {
         !self.may_stay() && self.from.distance(self.to) < 1e-6
     }
 }
 
-/// What the playground makes of a program.
+/// The playground's result for a program.
 #[derive(Clone, Debug, Default)]
 pub struct Run {
     /// Motions by block.
     pub motions: Motions,
-    /// The first block with an error, and its code, slug and message.
+    /// The first block with an error, and that error.
     pub refused: Option<(usize, Refusal)>,
-    /// Codes of the other messages, by block.
+    /// Slugs of the other messages, by block.
     pub remarks: Vec<(usize, &'static str)>,
 }
 
-/// Why the playground does not carry out a block.
+/// An error of the playground.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Refusal {
-    /// Stable name of the fault.
+    /// Stable slug of the error.
     pub slug: &'static str,
-    /// What is wrong, with its numbers.
+    /// The message with its arguments.
     pub message: gcode_playground::message::Message,
 }
 

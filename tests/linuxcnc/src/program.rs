@@ -1,8 +1,8 @@
-//! A program in the language that lathe controls and LinuxCNC share, before it is written in either.
+//! A program in the language that lathe controls and LinuxCNC share, independent of either syntax.
 //!
-//! Numbers are counts of the least increment of the unit in force: 0.001 mm, 0.0001 inch. X is a
-//! diameter, as it is written; I and R are radius values. Any list of blocks is a program, so that blocks
-//! can be deleted one by one.
+//! Numbers are counts of the least increment of the active unit: 0.001 mm, 0.0001 inch. X is a diameter, as
+//! written; I and R are radius values. Any list of blocks is a valid program, so blocks can be deleted one by
+//! one.
 
 use gcode_playground::control::compensation::Side;
 use gcode_playground::geometry::Turn;
@@ -14,15 +14,15 @@ pub type Count = i64;
 /// One program.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Program {
-    /// Where the tool stands at the start: diameter and length, 0.001 mm.
+    /// Tool position at the start: diameter and Z, 0.001 mm.
     pub start: (Count, Count),
     /// Nose radius of every tool, 0.001 mm.
     pub nose: Count,
-    /// What it does.
+    /// Its blocks.
     pub blocks: Vec<Block>,
 }
 
-/// How one axis is named.
+/// How one axis is programmed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Axis {
     /// Not at all.
@@ -33,25 +33,25 @@ pub enum Axis {
     By(Count),
 }
 
-/// Whether the code of group 01 is written where it is modal already.
+/// Whether the code of group 01 is written although it is modal.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Code {
-    /// It is.
+    /// It is written.
     Written,
-    /// It is left out.
+    /// It is omitted.
     Modal,
 }
 
-/// A block of its own, or in one block with the move that follows, where that is straight.
+/// Whether a code is in a separate block or in the block of the next move, if that move is straight.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Joined {
-    /// A block of its own.
+    /// A separate block.
     Alone,
-    /// With the next move; LinuxCNC always gets a block of its own.
+    /// With the next move; LinuxCNC always gets a separate block.
     WithMove,
 }
 
-/// What a straight move is.
+/// Kind of a straight move.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Straight {
     /// G00.
@@ -106,16 +106,16 @@ pub enum Block {
     Arc { turn: Turn, x: Axis, z: Axis, center: Center, feed: Option<Count>, code: Code },
     /// G04.
     Dwell { milliseconds: Count, word: DwellWord },
-    /// G28: over an intermediate point to the reference point, in the axes that are named.
+    /// G28: via an intermediate point to the reference point, in the programmed axes.
     Home { x: Axis, z: Axis },
-    /// G50 X Z or U W: the point where the tool stands gets other coordinates. G92 in LinuxCNC.
+    /// G50 X Z or U W: sets the coordinates of the current position. G92 in LinuxCNC.
     Preset { x: Axis, z: Axis },
-    /// G52: all frames are moved. Added to each frame by G10 L2 in LinuxCNC, whose G52
-    /// is a G92 of another kind.
+    /// G52: shifts all frames. For LinuxCNC the shift is added to each frame by G10 L2, because its G52 is a
+    /// variant of G92.
     Local { x: Option<Count>, z: Option<Count> },
-    /// G54 to G59, from 0.
+    /// G54 to G59, counted from 0.
     Frame(usize),
-    /// G10 L2: the origin of a frame, from 0.
+    /// G10 L2: the origin of a frame; frames are counted from 0.
     Origin { frame: usize, x: Count, z: Count },
     /// G41, G42 with a tool of this tip.
     Nose { side: Side, tip: u8, joined: Joined },
@@ -130,17 +130,17 @@ impl Block {
     }
 }
 
-/// Where a block stands as to compensation.
+/// Compensation state of a block.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Place {
     /// Compensation is off.
     Plain,
-    /// In compensation: the side, and the tip.
+    /// Compensation is on: side and tip.
     Compensated(Side, u8),
 }
 
 impl Program {
-    /// Where each block stands.
+    /// Compensation state of each block.
     pub fn places(&self) -> Vec<Place> {
         let mut place = Place::Plain;
         let step = |block: &Block| {
@@ -155,7 +155,7 @@ impl Program {
     }
 }
 
-/// Places after the decimal point of the least increment.
+/// Decimals of the least increment.
 pub fn places_of(unit: Unit) -> usize {
     match unit {
         Unit::Millimetre => 3,
@@ -163,7 +163,7 @@ pub fn places_of(unit: Unit) -> usize {
     }
 }
 
-/// A count as it is written, with a point and no needless zeros.
+/// A count with a decimal point and without trailing zeros.
 pub fn written(count: Count, places: usize) -> String {
     let scale = 10i64.pow(places as u32);
     let sign = if count < 0 { "-" } else { "" };

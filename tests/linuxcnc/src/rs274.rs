@@ -1,7 +1,7 @@
-//! Runs LinuxCNC's stand-alone interpreter. In: programs. Out: what it makes of each.
+//! Runs LinuxCNC's stand-alone interpreter. In: programs. Out: its result for each.
 //!
-//! Many programs go into one file. `rs274` stops at the first error; the programs after it are then run
-//! again, in a file of their own, so that an error ends one program only.
+//! Many programs go into one file. `rs274` stops at the first error; the remaining programs then run again in
+//! a new file, so an error ends only one program.
 
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
@@ -12,7 +12,7 @@ use crate::canon::{self, Run};
 use crate::program::Program;
 use crate::translate;
 
-/// Programs in one file: few enough that what is run again after an error is cheap.
+/// Programs per file: few enough that running the rest again after an error is cheap.
 const BATCH: usize = 25;
 
 /// The interpreter, and a folder for its files.
@@ -21,7 +21,7 @@ pub struct Rs274 {
 }
 
 impl Rs274 {
-    /// Finds it.
+    /// Finds the interpreter.
     pub fn find() -> Result<Self, String> {
         let there = Command::new("rs274").stdin(Stdio::null()).arg("-h").output().is_ok();
         if !there {
@@ -35,7 +35,7 @@ impl Rs274 {
         Ok(Self { folder })
     }
 
-    /// Runs programs, each on its own.
+    /// Runs each program separately.
     pub fn run(&self, programs: &[Program]) -> Result<Vec<Run>, String> {
         let texts: Vec<String> =
             programs.iter().enumerate().map(|(name, program)| translate::linuxcnc(program, name)).collect();
@@ -62,7 +62,7 @@ impl Rs274 {
             .arg("-g")
             .arg(&file)
             .current_dir(&self.folder)
-            // It keeps its tool table in a file there, which two runs at a time would share.
+            // It keeps its tool table in `HOME`; two simultaneous runs would share it.
             .env("HOME", &self.folder)
             .stdin(Stdio::null())
             .output()
@@ -85,7 +85,7 @@ impl Drop for Rs274 {
     }
 }
 
-/// The block and the message of an error: the message stands before the line, which begins with its N.
+/// The block and the message of an error. The message precedes the line, which begins with its N word.
 fn error(told: &str) -> Option<(usize, String)> {
     let lines: Vec<&str> = told.lines().collect();
     lines.windows(2).find_map(|pair| {

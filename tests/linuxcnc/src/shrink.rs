@@ -1,9 +1,8 @@
-//! In: a program that fails. Out: a smaller one that fails in the same way: blocks are left
-//! out, many at a time first.
+//! In: a program that fails. Out: a smaller one with the same failure. Removes blocks, many at a time first.
 
 use crate::program::Program;
 
-/// Leaves out what is not needed for `fails` to stay true.
+/// Removes blocks as long as `fails` stays true.
 pub fn shrink(program: &Program, mut fails: impl FnMut(&Program) -> bool) -> Program {
     let mut smallest = program.clone();
     let mut size = smallest.blocks.len().div_ceil(2).max(1);

@@ -1,7 +1,8 @@
 //! In: a neutral program. Out: its text for the playground (G-code system A) and for LinuxCNC.
 //!
-//! Line 1 of ours prepares; block `n` (from 0) is line `n + 2`. In LinuxCNC's text a comment `(Bn)` precedes
-//! the block: comments keep their order with the motions, even where compensation holds motions back.
+//! Line 1 of our text is the preamble; block `n` (from 0) is line `n + 2`. In LinuxCNC's text a comment
+//! `(Bn)` precedes each block: comments keep their order relative to the motions, even if compensation delays
+//! motions.
 
 use std::fmt::Write;
 
@@ -13,10 +14,10 @@ use crate::program::{
     Axis, Block, Center, Code, Count, DwellWord, FeedMode, Joined, Program, Straight, places_of, written,
 };
 
-/// Where the two count lines from: block 0 is this line of ours, from 0.
+/// Index of the line with block 0 in our text, counted from 0.
 pub const FIRST_LINE: u32 = 1;
 
-/// Where G28 goes, in machine coordinates: diameter and Z, mm.
+/// Target of G28 in machine coordinates: diameter and Z, mm.
 const REFERENCE: [f64; 2] = [300.0, 200.0];
 
 /// The program in G-code system A.
@@ -112,7 +113,7 @@ pub fn ours(program: &Program) -> String {
     text
 }
 
-/// The setup of the playground for a program: where the tool stands, and a tool of each tip.
+/// The playground's setup for a program: the start position, and one tool for each tip.
 pub fn setup(program: &Program) -> String {
     let (x, z, radius) =
         (millimetres(program.start.0), millimetres(program.start.1), millimetres(program.nose));
@@ -128,15 +129,15 @@ pub fn setup(program: &Program) -> String {
     )
 }
 
-/// The program for LinuxCNC, from a machine in any state back at the start. The comment `(Pn)` names it.
+/// The program for LinuxCNC. It first resets the machine to the start state. The comment `(Pn)` names it.
 pub fn linuxcnc(program: &Program, name: usize) -> String {
     let mut text = String::new();
     let mut line = |words: std::fmt::Arguments| {
         let _ = writeln!(text, "{words}");
     };
-    // A machine as at the start of ours: no offset, no feed, the tool at its place.
+    // The same initial state as ours: no offset, no feed, the tool at its start.
     line(format_args!("G40\nG21 G18 G7 G90 G94 G54\nG92.1\nF0\nM3 S500"));
-    // These are radius and inches whatever the modes are.
+    // These are radius and inches in every mode.
     line(format_args!("#5161={:.9}\n#5163={:.9}", REFERENCE[0] / 2.0 / 25.4, REFERENCE[1] / 25.4));
     for frame in 1..=6 {
         line(format_args!("G10 L2 P{frame} X0 Z0"));
@@ -153,23 +154,23 @@ pub fn linuxcnc(program: &Program, name: usize) -> String {
     text
 }
 
-/// What has to be known to say in LinuxCNC's language what ours says otherwise: where the tool stands (for U
-/// with Z, X with W and G50 U W, which have no like there), what G52 adds to a frame, the lead of a thread.
+/// The state that a translation to LinuxCNC needs: the tool position (for U with Z, X with W, and G50 U W,
+/// which LinuxCNC does not have), the local shift of G52, the lead of a thread.
 struct Account {
     unit: Unit,
     /// Feed or lead, mm.
     feed: Option<f64>,
     /// Machine coordinates: X a diameter, Z; mm.
     machine: [f64; 2],
-    /// What G50 has moved all frames by, mm.
+    /// Shift of all frames by G50, mm.
     shift: [f64; 2],
-    /// Frame in force.
+    /// Active frame.
     frame: usize,
     /// Origins of the frames (G10 L2), mm.
     origins: [[f64; 2]; 6],
     /// Local shift of all frames (G52), mm.
     local: [f64; 2],
-    /// Origins as LinuxCNC has them: those of frames that are not in force may lack the local shift.
+    /// Origins as LinuxCNC has them. Inactive frames may lack the local shift.
     known: [[f64; 2]; 6],
 }
 
@@ -200,7 +201,7 @@ impl Account {
                 vec![format!("{code}{}", self.feed_word(feed))]
             }
             Block::Straight { kind: Straight::Thread, x, z, feed, .. } => {
-                // G33 takes no F; ours keeps it as feed, too.
+                // G33 takes no F; ours keeps it as the feed, too.
                 let feed_word = self.feed_word(feed);
                 let axes = self.axes(x, z);
                 let lead = self.feed.map(|lead| format!(" K{}", self.in_unit(lead))).unwrap_or_default();
@@ -298,7 +299,7 @@ impl Account {
         }
     }
 
-    /// Coordinates in the frame in force, mm.
+    /// Coordinates in the active frame, mm.
     fn position(&self) -> [f64; 2] {
         let origin = self.origin(self.frame);
         [0, 1].map(|index| self.machine[index] - self.shift[index] - origin[index])
@@ -325,7 +326,7 @@ impl Account {
         count as f64 / 10f64.powi(places_of(self.unit) as i32) * self.unit.millimetres()
     }
 
-    /// A length in mm, as it is written in the unit in force.
+    /// A length in mm, written in the active unit.
     fn in_unit(&self, length: f64) -> String {
         format!("{:.9}", length / self.unit.millimetres())
     }
@@ -346,12 +347,12 @@ fn unit_code(unit: Unit) -> &'static str {
     }
 }
 
-/// The tool of a tip: T0101 has tip 0.
+/// The T word for a tip: T0101 has tip 0.
 fn tool_word(tip: u8) -> String {
     format!("T{0:02}{0:02}", tip + 1)
 }
 
-/// LinuxCNC numbers the tips for X downwards, so its numbers are ours mirrored in X.
+/// LinuxCNC counts the tips with X pointing down, so its numbers are ours mirrored in X.
 fn orientation(tip: u8) -> u8 {
     match tip {
         1 => 4,
@@ -364,7 +365,7 @@ fn orientation(tip: u8) -> u8 {
     }
 }
 
-/// A count of 0.001 mm.
+/// A count of 0.001 mm, in mm.
 pub fn millimetres(count: Count) -> f64 {
     count as f64 / 1000.0
 }
@@ -381,7 +382,7 @@ mod tests {
         Block::Straight { kind: Straight::Feed, x, z, feed: Some(100_000), code: Code::Modal }
     }
 
-    /// The blocks in both languages; LinuxCNC's without the reset and the comments.
+    /// Compares the blocks with their text in both languages; LinuxCNC's text is without reset and comments.
     fn check(blocks: Vec<Block>, in_ours: &str, in_linuxcnc: &str) {
         let program = program(blocks);
         let own = ours(&program);
