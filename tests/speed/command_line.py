@@ -17,7 +17,7 @@ IN_A_FOLDER = 200
 WHOLE = 200
 ROOT = Path(__file__).resolve().parents[2]
 
-# One statement of the Python files: code that ruff finds nothing wrong with, as most programs here are right.
+# One statement of the Python files. ruff reports nothing for it, as most G-code programs here are correct too.
 STATEMENT = "def area_{n}(diameter: float, length: float) -> float:\n    return 3.14159 * diameter * length\n\n\n"
 
 
@@ -28,7 +28,7 @@ def main() -> None:
     size = write_files(programs, python)
     long_python = folder / "long.py"
     with long_python.open("w", encoding="utf-8") as file:
-        # In pieces: a process that is started counts the memory of this one.
+        # Written in pieces: a started process counts the memory of this one.
         for n in range(Path(long_program).stat().st_size // len(STATEMENT)):
             file.write(STATEMENT.format(n=n))
     under_node = ["node", node, "check", "--no-config", "--quiet"]
@@ -72,7 +72,7 @@ def write_files(programs: Path, python: Path) -> int:
     for folder in (programs, python):
         shutil.rmtree(folder, ignore_errors=True)
     sources = [source.read_bytes() for source in sorted(ROOT.glob("tests/programs/*/*.nc"))]
-    # Fragments of a few blocks are no programs of a shop.
+    # Fragments of a few blocks are not realistic programs.
     sources = [source for source in sources if len(source) >= WHOLE]
     sources.append((python.parent / "shaft.nc").read_bytes())
     size = 0

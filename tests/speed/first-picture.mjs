@@ -1,10 +1,10 @@
-// What the first picture costs a reader with a slow line and a slow processor: 1.6 Mbit/s, 150 ms there and back,
-// four times slower, gzip, nothing cached. Run by `cargo xtask bench`, after the site has been built.
+// Measures the first picture for a reader with a slow line and a slow processor: 1.6 Mbit/s, a round trip of 150 ms,
+// four times slower, gzip, nothing cached. Run by `cargo xtask bench` after the site has been built.
 //
 //   node tests/speed/first-picture.mjs [--rounds N] [--report FILE] [--network]
 //
-// PLAYGROUND_CHROMIUM names the browser; without it Playwright's own is used. Each measurement is a new browser;
-// figures are medians. --network: only lists what is asked for, in order.
+// PLAYGROUND_CHROMIUM names the browser; without it Playwright's browser is used. Each measurement starts a new
+// browser; figures are medians. --network only lists the requests, in order.
 import { readFileSync, writeFileSync } from 'node:fs';
 import { createRequire } from 'node:module';
 import { join } from 'node:path';
@@ -15,11 +15,11 @@ import { slowProcessor } from './slow-processor.mjs';
 import { median } from './stopwatch.mjs';
 
 const SLOWER = 4;
-/** What (a) and (b) may cost. */
+/** Budgets until the first picture: one element, 30 elements, the whole page. */
 const AIMS = { picture: { kB: 220, s: 2.2 }, many: { kB: 220, s: 3.3 }, all: { kB: 400, s: 3.5 } };
 /** Memory above an empty page, MB. */
 const MOST_FOR_MANY = 63;
-/** What an element out of use takes to give back what it can make again. */
+/** Time after which an unused element frees what it can compute again. */
 const REST_MS = 5_000;
 const TYPING_AIMS = { task: 50, key: 60 };
 const TYPED_LINES = 3483;
@@ -89,7 +89,7 @@ async function measure(rounds) {
   if (options.report) writeFileSync(options.report, text);
 }
 
-/** Browsers report tasks from 50 ms on. */
+/** Browsers report tasks of 50 ms or more. */
 function longest(task) {
   return task === 0 ? 'under 50' : task.toFixed(0);
 }
@@ -127,7 +127,7 @@ async function firstPicture(path) {
   });
 }
 
-/** In the page: when the worker first reports a run, and when the canvas first shows strokes. */
+/** Runs in the page: records when the worker first reports a run, and when the canvas first shows strokes. */
 function watch() {
   const seen = { origin: performance.timeOrigin, report: undefined, picture: undefined };
   window.seen = seen;
@@ -164,7 +164,7 @@ function settled(page) {
   return page.locator('gcode-playground').first().evaluate((element) => element.settled);
 }
 
-/** Memory of the renderers with a page of which all elements are drawn, above that with an empty page, MB. */
+/** Memory of the renderers with all elements of a page drawn, minus that with an empty page, MB. */
 async function memoryOf(path) {
   return withBrowser(async (browser) => {
     const page = await browser.newPage();
@@ -188,7 +188,7 @@ async function memoryOf(path) {
   });
 }
 
-/** Keys in the middle of a long program: the longest task and the slowest key, ms. */
+/** Types in the middle of a long program: the longest task and the slowest key, ms. */
 async function typed() {
   return withBrowser(async (browser) => {
     const page = await browser.newPage();
@@ -210,8 +210,8 @@ async function typed() {
     await page.keyboard.press('Enter');
     await settled(page);
     await page.evaluate(() => Object.assign(window.worst, { task: 0, key: 0 }));
-    // Of keys the main thread counts alone, so the browser's own emulation is right: it stops that thread many times
-    // a millisecond, where a process that is stopped for 12 ms at a time makes any task up to 12 ms longer.
+    // Typing is measured on the main thread only, so the emulation of the browser fits: it stops that thread many times
+    // per millisecond. Stopping the process for 12 ms at a time would make any task up to 12 ms longer.
     const processor = await page.context().newCDPSession(page);
     await processor.send('Emulation.setCPUThrottlingRate', { rate: SLOWER });
     try {
@@ -227,7 +227,7 @@ async function typed() {
   });
 }
 
-/** A roughed shaft, pass after pass, with a fault in every eightieth line: each has its row in the list of problems. */
+/** A roughed shaft, pass by pass, with a fault in every eightieth line: each has its row in the list of problems. */
 function longProgram() {
   const lines = ['O0001', 'G50 S2000', 'T0101', 'G96 S150 M03', 'G00 X102.0 Z2.0'];
   for (let pass = 0; lines.length < TYPED_LINES - 2; pass++) {
@@ -238,7 +238,7 @@ function longProgram() {
   return [...lines.slice(0, TYPED_LINES - 2), 'M30', '%', ''].join('\n');
 }
 
-/** What is asked for, in order; an error where a file is asked for twice. */
+/** Prints the requests in order; fails if a file is requested twice. */
 async function listRequests() {
   for (const path of ['one.html', 'index.html']) {
     server.requests.length = 0;

@@ -1,10 +1,10 @@
-// The hostile programs in the shipped wasm, each in a fresh process, beside their native times: one
-// table, and an error when one takes too long or is not answered by its message. Run by
-// `cargo xtask test --all` and `cargo xtask bench`.
+// Runs the hostile programs in the shipped wasm, each in a fresh process, and prints one table beside their native
+// times. Fails if one takes too long or does not report its message. Run by `cargo xtask test --all` and `cargo xtask
+// bench`.
 //
 //   node tests/speed/hostile.mjs FOLDER [--show ROWS] [--report FILE]
 //
-// FOLDER has the programs and cases.json, as tests/speed/hostile.rs writes them.
+// FOLDER contains the programs and cases.json, written by tests/speed/hostile.rs.
 import { execFile } from 'node:child_process';
 import { readFileSync, writeFileSync } from 'node:fs';
 import { availableParallelism } from 'node:os';
@@ -12,11 +12,11 @@ import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { parseArgs, promisify } from 'node:util';
 
-/** In wasm an answer may take so many times as long as natively. */
+/** Allowed time in wasm, as a multiple of the native limit. */
 const WASM_FACTOR = 2;
-/** Most memory of the module, bytes. */
+/** Maximum memory of the module, bytes. */
 const MOST_MEMORY = 600e6;
-/** Rows of the report; all others are quick. */
+/** Rows of the report; all other programs are fast. */
 const REPORTED = 60;
 
 const here = fileURLToPath(import.meta.url);
@@ -26,7 +26,7 @@ const { values: options, positionals } = parseArgs({
 });
 const [folder] = positionals;
 const { mostSeconds, attempts, shownLines, cases } = JSON.parse(readFileSync(join(folder, 'cases.json'), 'utf8'));
-/** Longest times for an answer, ms. */
+/** Time limits for an answer, ms. */
 const MOST = { native: 1000 * mostSeconds, wasm: 1000 * WASM_FACTOR * mostSeconds };
 
 if (options.one !== undefined) console.log(JSON.stringify(await answer(JSON.parse(options.one))));
@@ -41,7 +41,10 @@ async function judge() {
   process.exitCode = problems.length > 0 ? 1 : 0;
 }
 
-/** Runs all programs in wasm, one on each processor. One that is late runs again with nothing beside it: V8 compiles on other processors. */
+/**
+ * Runs all programs in wasm, one per processor. A program that is too slow runs again alone: V8 compiles on other
+ * processors.
+ */
 async function allProblems() {
   const waiting = [...cases];
   const problems = [];
@@ -55,7 +58,7 @@ async function allProblems() {
   return [...problems, ...cases.flatMap(lateness)];
 }
 
-/** Runs a program in wasm: its time, if that is the shortest, and what else is wrong. */
+/** Runs a program in wasm. Records its time, if it is the shortest, and other problems. */
 async function run(one) {
   const argv = [here, folder, '--one', JSON.stringify(one)];
   const ended = await promisify(execFile)(process.execPath, argv, { timeout: 60_000 }).catch((error) => ({ error }));
@@ -95,7 +98,7 @@ function table(rows) {
   return lines.join('\n') + '\n';
 }
 
-/** Everything a page asks for at once, from a module that is new to this process. */
+/** Everything that a page requests at once, from a module that is new to this process. */
 async function answer(one) {
   const { Playground, wasm } = await import('./module.mjs');
   const bytes = readFileSync(join(folder, one.file));
@@ -109,7 +112,7 @@ async function answer(one) {
   const told = playground.diagnostics().some((row) => row.code === one.code && row.line === one.line);
   playground.tokens(0, Math.min(summary.lines, shownLines));
   playground.fit('section');
-  // On a busy machine the processor time, which counts what V8 compiles beside the run as well.
+  // On a busy machine the processor time is used; it includes what V8 compiles during the run.
   const { user, system } = process.cpuUsage(computed);
   const ms = Math.min(performance.now() - begun, (user + system) / 1000);
   return { ms, told, memory: memory.buffer.byteLength };

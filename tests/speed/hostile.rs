@@ -1,9 +1,9 @@
-//! Times of the hostile programs of `tests/endless`, natively. Part of
-//! `cargo xtask test --all` and `cargo xtask bench`.
+//! Measures the hostile programs of `tests/endless` natively. Part of `cargo xtask test --all` and `cargo
+//! xtask bench`.
 //!
-//! In: a folder. Out: the programs as files in that folder, and `cases.json`, which lists them with
-//! what is said of them, their times and how those were taken; `tests/speed/hostile.mjs` reads it, runs
-//! the same in wasm and judges.
+//! In: a folder. Out: the programs as files in that folder, and `cases.json`, which lists them with their
+//! messages, their times and how the times were measured. `tests/speed/hostile.mjs` reads it, runs the same
+//! programs in wasm and judges the times.
 
 #[path = "../endless/mod.rs"]
 #[allow(dead_code, unused_imports, reason = "the tests use the rest of it")]
@@ -26,28 +26,28 @@ use gcode_playground::source::LineIndex;
 use gcode_playground::text::highlight::highlight;
 use serde::Serialize;
 
-/// A program that is too slow runs again, so many times in all: the machine may have been busy.
+/// Total number of attempts for a program that is too slow: the machine may have been busy.
 const ATTEMPTS: usize = 3;
 
-/// Longest time for an answer, seconds. Half as much again as on a quiet machine: processors that many
-/// machines share were measured to be slower by that much.
+/// Time limit for an answer, seconds. Half as much again as on a quiet machine: measurements on shared
+/// processors were slower by that much.
 const LONGEST: f64 = 1.5 * MOST_SECONDS;
 
-/// Lines that a page shows at once.
+/// Number of lines that a page shows at once.
 const SHOWN_LINES: u32 = 60;
 
-/// What is written to `cases.json`: the programs, and by what they are measured.
+/// The contents of `cases.json`: the programs, and how they are measured.
 #[derive(Serialize)]
 #[serde(rename_all = "camelCase")]
 struct Cases {
-    /// Longest time for an answer, natively.
+    /// Native time limit for an answer.
     most_seconds: f64,
     attempts: usize,
     shown_lines: u32,
     cases: Vec<Case>,
 }
 
-/// A program and what its run gave.
+/// A program and its measured result.
 #[derive(Serialize)]
 struct Case {
     name: String,
@@ -57,15 +57,15 @@ struct Case {
     /// Code and line of the message that must be reported.
     code: &'static str,
     line: u32,
-    /// Whether it was.
+    /// Whether it was reported.
     told: bool,
     motions: u32,
-    /// Milliseconds until the messages are there, and what a page shows first.
+    /// Milliseconds until the messages and the first content of a page are ready.
     answer: f64,
 }
 
 fn main() -> io::Result<()> {
-    // cargo puts options of its own after ours.
+    // cargo appends its own options to ours.
     let folder = env::args().skip(1).find(|argument| !argument.starts_with('-'));
     let folder = PathBuf::from(folder.unwrap_or_else(|| "target/hostile".into()));
     fs::create_dir_all(&folder)?;
@@ -78,8 +78,8 @@ fn main() -> io::Result<()> {
     fs::write(folder.join("cases.json"), serde_json::to_string(&told)?)
 }
 
-/// Work of the command line that grew with the square of the text, or was slow: the setup sheet of 100,000 tools, and the
-/// search for programs in a line of 10 MB.
+/// Work of the command line that once took quadratic time or was slow: the setup sheet of 100,000 tools, and
+/// the search for programs in a line of 10 MB.
 fn quick_enough() -> io::Result<()> {
     let tools: String = (1..=100_000).map(|tool| format!("T{tool:04}\nG00 X50 Z2\nG01 Z-5 F0.2\n")).collect();
     within("a setup sheet", 2.0, || {
@@ -138,8 +138,8 @@ fn measured(case: &Hostile, index: usize, folder: &Path) -> io::Result<Case> {
     })
 }
 
-/// Everything a page asks for at once: milliseconds, whether the message was reported, and
-/// how many motions there are.
+/// Everything that a page requests at once: milliseconds, whether the message was reported, and the number of
+/// motions.
 fn answer(case: &Hostile, setup: &Setup) -> (f64, bool, u32) {
     let watch = Watch::start();
     let mut run = Run::new(case.text.clone(), setup.clone());
@@ -158,8 +158,8 @@ fn answer(case: &Hostile, setup: &Setup) -> (f64, bool, u32) {
     (taken, told.iter().any(|row| row.code == case.code && row.line == case.line), summary.motions)
 }
 
-/// Measures what a piece of work takes: on a busy machine the time it was given a processor,
-/// where the system reports it.
+/// Measures a piece of work: the processor time of the thread if the system reports it and it is shorter,
+/// otherwise the elapsed time.
 struct Watch {
     begun: Instant,
     computed: Option<f64>,
@@ -179,7 +179,7 @@ impl Watch {
     }
 }
 
-/// Milliseconds this thread has computed, as Linux reports it.
+/// Processor time of this thread as Linux reports it, ms.
 fn computed() -> Option<f64> {
     let told = fs::read_to_string("/proc/thread-self/schedstat").ok()?;
     told.split_whitespace().next()?.parse::<f64>().ok().map(|nanoseconds| nanoseconds / 1e6)

@@ -1,4 +1,5 @@
-//! Text to motions and messages, natively: `cargo bench`. The same programs in wasm: `cargo xtask bench`.
+//! Benchmarks text to motions and messages, natively: `cargo bench`. The same programs in wasm: `cargo xtask
+//! bench`.
 
 mod workload;
 

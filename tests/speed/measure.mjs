@@ -1,11 +1,10 @@
-// Everything that `cargo xtask bench` measures, round by round, and the tables of it. Each measurement is a
-// process of its own; in every round all take their turn, so that a slow minute of the machine meets them
-// all. Ratios are taken within a round. Figures are medians over the rounds.
+// Runs all measurements of `cargo xtask bench`, round by round, and prints their tables. Each measurement is a separate
+// process. Every round runs all of them in turn, so that a slow minute of the machine affects all. Ratios are taken
+// within a round. Figures are medians over the rounds.
 //
 //   node tests/speed/measure.mjs FOLDER --binaries DIR [--peers DIR] [--rounds N] [--own] [--report FILE]
 //
-// FOLDER has the programs, DIR the native binaries. With --own only the playground
-// and the floor are measured.
+// FOLDER contains the programs, DIR the native binaries. --own measures only the playground and the floor.
 import { spawnSync } from 'node:child_process';
 import { readdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
@@ -34,7 +33,7 @@ const add = (name, argv, more = {}) => jobs.set(name, { argv, runs: [], ...more 
 const FLOOR = 'floor, wasm';
 const OWN = 'gcode-playground, wasm';
 
-// The floor comes first in each round: what follows is held against it.
+// The floor runs first in each round: the others are compared with it.
 add(FLOOR, node('peers/crates.mjs', 'floor', 'fresh', program('plain')));
 add('floor, native', [join(options.peers, 'native'), 'floor', program('plain')]);
 add(OWN, node('own.mjs', 'fresh', program('plain')));
@@ -80,7 +79,7 @@ function measure(name, job) {
   if (job.problem !== undefined) console.error(`${name}: ${job.problem}`);
 }
 
-/** The runs of a job; an error where one of ours failed. */
+/** The runs of a job. Fails if one of ours failed. */
 function runsOf(name) {
   const { runs, problem } = jobs.get(name);
   if (problem !== undefined) throw new Error(`${name}: ${problem}`);
@@ -115,7 +114,7 @@ function settled() {
   return table('Settled: again and again in one process, wasm', ['program', 'ms', 'min–max', 'without lints', 'motions', 'ns for each motion and point read'], rows);
 }
 
-/** The time without lints, in percent of that with them. */
+/** The time without lints, in percent of the time with them. */
 function withoutLints(name) {
   const [with_, without] = [runsOf(`settled ${name}`), runsOf(`without lints ${name}`)];
   return `${(100 * median(without.map(({ ms }, round) => ms / with_[round].ms))).toFixed(0)} %`;
@@ -172,7 +171,7 @@ function browser() {
   return table('The same in headless Chromium, drawn by software', ['', 'ms', 'min–max'], rows);
 }
 
-/** The programs of a kind, such as `contour-100`, in the order of their numbers. */
+/** The programs of a kind, such as `contour-100`, ordered by number. */
 function programsOf(kind) {
   const names = readdirSync(folder).filter((name) => new RegExp(`^${kind}-\\d+\\.nc$`).test(name)).map((name) => name.slice(0, -3));
   return names.sort((a, b) => numberOf(a) - numberOf(b));
@@ -183,7 +182,7 @@ function table(title, head, rows) {
   return [`### ${title}`, '', line(head), `|---|${'---:|'.repeat(head.length - 1)}`, ...rows.map(line)].join('\n');
 }
 
-/** Points of the contour in a program `contour-N`. */
+/** Number of contour points in a program `contour-N`. */
 function numberOf(name) {
   return Number(/\d+$/.exec(name)?.[0]);
 }

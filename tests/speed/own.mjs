@@ -14,7 +14,7 @@ const HELPED = 60;
 const measures = { fresh, settled, 'without-lints': withoutLints, part, text, motions, edits, help };
 console.log(JSON.stringify(measures[what](bytes.toString('latin1'))));
 
-/** Text in, motions and messages there: the first time in a process. */
+/** From text to motions and messages, for the first time in a process. */
 function fresh(program) {
   const playground = new Playground();
   const ms = time(() => run(playground, program));
@@ -27,7 +27,7 @@ function withoutLints(program) {
   return settled(program, '{"lints": "off"}');
 }
 
-/** The same again and again; the first half warms up. */
+/** The same run repeated; the first half warms up. */
 function settled(program, setup = '{}') {
   const times = [];
   let rows = 0;
@@ -42,7 +42,7 @@ function settled(program, setup = '{}') {
   return { ms: median(times.slice(times.length >> 1)), rows };
 }
 
-/** The material taken off the blank, when the program has run; the first half warms up. */
+/** Simulates the material removal after the program has run; the first half warms up. */
 function part(program) {
   const times = [];
   let corners = 0;
@@ -59,7 +59,7 @@ function part(program) {
   return { ms: median(times.slice(times.length >> 1)), corners };
 }
 
-/** Ways in for a text. Nothing runs: the program is only handed over. */
+/** Ways to pass in a text. Nothing runs: the program is only handed over. */
 function text(program) {
   const ways = {
     'setText(string)': (playground) => playground.setText(program),
@@ -75,7 +75,7 @@ function text(program) {
   return Object.fromEntries(Object.entries(ways).map(([name, way]) => [name, median(repeated(7, timed(way)))]));
 }
 
-/** Ways out for the motions: all columns of all chunks, one of them read. */
+/** Ways to read the motions: all columns of all chunks; one column is summed. */
 function motions(program) {
   const playground = new Playground();
   run(playground, program);
@@ -93,7 +93,7 @@ function motions(program) {
   };
 }
 
-/** One digit after another changed somewhere, and everything run to its end again. */
+/** Changes one digit after another at random places; each time everything runs to its end. */
 function edits(program) {
   const playground = new Playground();
   run(playground, program);
@@ -113,7 +113,7 @@ function edits(program) {
   return spread(times);
 }
 
-/** Help asked for at places anywhere: the word there, the state before and after its block, and what can be written. */
+/** Requests help at random places: the word there, the state before and after its block, and the completions. */
 function help(program) {
   const playground = new Playground();
   run(playground, program);
@@ -132,13 +132,13 @@ function help(program) {
   return rows;
 }
 
-/** Median, 95th percentile and longest of some times. */
+/** Median, 95th percentile and maximum of the times. */
 function spread(times) {
   const sorted = times.toSorted((a, b) => a - b);
   return { median: median(sorted), p95: sorted[Math.floor(0.95 * sorted.length)], max: sorted.at(-1) };
 }
 
-/** The same numbers in each process. */
+/** The same pseudo-random numbers in each process. */
 function randomBelow() {
   let seed = 1;
   return (below) => (seed = (Math.imul(seed, 1664525) + 1013904223) >>> 0) % below;
@@ -149,7 +149,7 @@ function run(playground, program) {
   while (!playground.advance(1_000_000));
 }
 
-/** As the page does it; the programs are ASCII. */
+/** Hands over the text as the page does; the programs are ASCII. */
 function handOver(playground, program) {
   const { written } = encoder.encodeInto(program, playground.textBuffer(program.length));
   playground.setTextFromBuffer(written);

@@ -1,8 +1,8 @@
-// A server of the built page over a slow line: so many bits a second for all connections together, each
-// answer late by the time there and back, and by once more on a new connection.
+// Serves the built page over a slow line: a fixed bandwidth for all connections together. Each answer is delayed by the
+// round-trip time, the first one on a connection by twice that time.
 //
-// The line is slowed down here and not by the browser's own emulation, which leaves out what a worker asks for:
-// the parts of the interpreter.
+// The server limits the speed, because the emulation in the browser ignores requests of workers: the parts of the
+// interpreter.
 import { existsSync, readFileSync, statSync } from 'node:fs';
 import { createServer } from 'node:http';
 import { extname, join, normalize } from 'node:path';
@@ -10,16 +10,16 @@ import { gzipSync } from 'node:zlib';
 
 const BITS_A_SECOND = 1.6e6;
 const THERE_AND_BACK_MS = 150;
-/** What goes over the line in one go, bytes: about a packet. */
+/** Bytes sent at a time: about one packet. */
 const PACKET = 1400;
 const TICK_MS = 5;
 const TYPES = {
   '.html': 'text/html; charset=utf-8', '.js': 'text/javascript', '.css': 'text/css', '.wasm': 'application/wasm',
 };
 
-/** Serves a folder, and pages that are given as text by their path. */
+/** Serves a folder, and pages given as text by path. */
 export async function slowServer(folder, pages) {
-  /** When so many bytes were sent, of which file: `[ms since the epoch, bytes, path]`. */
+  /** What was sent: `[ms since the epoch, bytes, path]`. */
   const sent = [];
   const requests = [];
   const compressed = new Map();
@@ -32,7 +32,7 @@ export async function slowServer(folder, pages) {
     return compressed.get(path);
   };
 
-  /** Answers under way, one packet of each in turn. */
+  /** Answers in progress; each sends one packet in turn. */
   const line = [];
   let budget = 0;
   let before = performance.now();

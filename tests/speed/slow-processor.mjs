@@ -1,12 +1,13 @@
-// A processor that is so many times slower: the processes that run scripts are stopped most of the time.
+// Simulates a slower processor: stops the renderer processes most of the time.
 //
-// The browser's own emulation slows down the main thread alone, not the worker in which programs are run, nor the
-// threads that compile WebAssembly. Times of the page go on while it is stopped, so tasks take as much longer.
+// The emulation in the browser slows down only the main thread, not the worker that runs programs, nor the threads that
+// compile WebAssembly. The clock of the page continues while it is stopped, so tasks appear to take longer by the same
+// factor.
 
 const RUNNING_MS = 4;
 const LOOK_AGAIN_MS = 30;
 
-/** Slows down all renderers of a browser, those that are yet to come included; call what it answers to end that. */
+/** Slows down all current and later renderers of a browser. Call the returned function to stop. */
 export async function slowProcessor(browser, factor) {
   const session = await browser.newBrowserCDPSession();
   const processes = new Set();
@@ -32,7 +33,7 @@ export async function slowProcessor(browser, factor) {
     }
   };
   const slow = async () => {
-    // Timers are late: what ran too long is stopped for longer.
+    // Timers fire late: a longer run is followed by a longer stop.
     let owed = 0;
     while (!ended) {
       const begun = performance.now();

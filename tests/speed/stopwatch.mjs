@@ -1,4 +1,4 @@
-// What a measurement needs, in Node and in a page: the time of an action, and the middle of many.
+// Helpers for measurements, in Node and in a page: the time of an action, and the median.
 
 /** Milliseconds an action takes. */
 export function time(action) {
@@ -7,7 +7,7 @@ export function time(action) {
   return performance.now() - begun;
 }
 
-/** The middle one of some numbers. */
+/** The median of some numbers. */
 export function median(values) {
   return [...values].sort((a, b) => a - b)[values.length >> 1];
 }

@@ -1,4 +1,4 @@
-//! Programs to measure with: the same bytes on every machine, from a small seeded generator in whole
+//! Programs for measurements: the same bytes on every machine, from a small seeded generator in whole
 //! micrometres.
 
 use std::fmt::Write;
@@ -17,8 +17,8 @@ impl Random {
     }
 }
 
-/// A walk of `lines` lines of G0, G1, G2 and G3 as a turning program has them: one move in ten modal, an F
-/// word on three in a hundred, arcs by R.
+/// A random path of `lines` lines of G0, G1, G2 and G3, as in a turning program: one move in ten is modal,
+/// three in a hundred have an F word, arcs use R.
 pub fn plain(lines: usize) -> String {
     let mut random = Random(1);
     let mut text =
@@ -65,8 +65,8 @@ pub fn plain(lines: usize) -> String {
     text
 }
 
-/// A shaft of some sixty lines as a class writes it: facing, G71 and G70, a groove by G75, a
-/// bore by G74, a thread by G76.
+/// A shaft of some sixty lines as written in a class: facing, G71 and G70, a groove by G75, a bore by G74, a
+/// thread by G76.
 pub fn shaft() -> String {
     String::from(
         "%\nO0301 (SHAFT)\nG21 G40 G97 G99\nG28 U0 W0\nT0101 (ROUGHING)\nG50 S2500\nG96 S180 M3\nG0 X64.0 Z5.0 M8\n\
@@ -80,7 +80,7 @@ pub fn shaft() -> String {
     )
 }
 
-/// So many box cycles, G90, each by one modal line.
+/// `count` G90 cycles; each is one modal line.
 pub fn boxes(count: u32) -> String {
     let mut text = String::from("G21 G40 G97 G99\nS900 M3\nG0 X102. Z2. M8\nG90 X100. Z-50. F.2\n");
     for index in 1..count {
@@ -97,7 +97,8 @@ pub fn boxes(count: u32) -> String {
     text
 }
 
-/// So many lines, all but some of them in a loop of twenty rounds that calls a program as long as its body, five times.
+/// `lines` lines; all but some of them are in a loop of twenty rounds that calls, five times per round, a
+/// program as long as its body.
 pub fn rounds(lines: u32) -> String {
     let moves = |text: &mut String, first: u32| {
         for index in first..first + lines / 2 {
@@ -113,10 +114,10 @@ pub fn rounds(lines: u32) -> String {
     text
 }
 
-/// Points of the contours that are measured.
+/// Contour sizes to measure.
 pub const POINTS: [u32; 6] = [100, 300, 1_000, 2_000, 3_000, 10_000];
 
-/// G71 by 0.1 mm and G70 along a contour of so many points, which rises from 20 to 60 mm of diameter in
+/// G71 by 0.1 mm and G70 along a contour of `points` points, which rises from a diameter of 20 to 60 mm in
 /// waves: G71 cuts their hollows too.
 pub fn contour(points: u32) -> String {
     let mut text = String::from(
@@ -132,10 +133,10 @@ pub fn contour(points: u32) -> String {
     text
 }
 
-/// Passes of the roughing that is measured with its part.
+/// Numbers of roughing passes for which the part is measured.
 pub const PASSES: [u32; 5] = [10, 20, 40, 80, 160];
 
-/// G71 in so many passes and G70, from a bar of 60 mm to a contour with a taper and two fillets.
+/// G71 in `count` passes and G70, from a bar of 60 mm to a contour with a taper and two fillets.
 pub fn passes(count: u32) -> String {
     let depth = mm(20_000 / i64::from(count));
     format!(

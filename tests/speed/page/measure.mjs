@@ -1,5 +1,5 @@
-// One round in headless Chromium, as a line of JSON: `node tests/speed/page/measure.mjs FILE`.
-// PLAYGROUND_CHROMIUM names the browser; without it Playwright's own is used.
+// Runs one round in headless Chromium and prints a line of JSON: `node tests/speed/page/measure.mjs FILE`.
+// PLAYGROUND_CHROMIUM names the browser; without it Playwright's browser is used.
 import { createReadStream } from 'node:fs';
 import { createServer } from 'node:http';
 import { createRequire } from 'node:module';
@@ -8,7 +8,7 @@ import { fileURLToPath } from 'node:url';
 
 const root = fileURLToPath(new URL('../../../', import.meta.url));
 const file = resolve(process.argv[2]);
-// Playwright is a package of the page's.
+// Playwright is a dependency of the page.
 const { chromium } = createRequire(join(root, 'www', 'package.json'))('@playwright/test');
 const TYPES = { '.html': 'text/html', '.js': 'text/javascript', '.mjs': 'text/javascript', '.wasm': 'application/wasm' };
 

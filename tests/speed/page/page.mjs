@@ -1,16 +1,16 @@
-// What is measured in the page: `measure.mjs` calls `measure(program's address)`. It uses the
-// public wasm interface only.
+// The measurements in the page: `measure.mjs` calls `measure(address of the program)`. Uses the public wasm interface
+// only.
 import init, { Drawn, Playground } from '../../../www/pkg/gcode_playground.js';
 import { PART_FILES } from '../../../www/pkg/part-files.js';
 import { loadPart } from '../../../www/pkg/parts.js';
 import { median, time } from '../stopwatch.mjs';
 
 const SIZE = { width: 1200, height: 800 };
-/** Segments of a path of the plain painter. */
+/** Segments per path of the plain painter. */
 const PER_PATH = 1000;
 const FRAMES = 7;
 
-/** Interpreting and drawing a program: milliseconds by name. */
+/** Interprets and draws a program. Returns milliseconds by name. */
 window.measure = async (address) => {
   const [text, wasm] = await Promise.all([fetch(address).then((response) => response.text()), init()]);
   for (const [part, files] of Object.entries(PART_FILES)) await loadPart(part, wasm, files);
@@ -36,7 +36,7 @@ function interpreted(text) {
   return { playground, ms };
 }
 
-/** The whole picture until nothing is left to paint, and the longest time a page stands still for it. */
+/** Paints the whole picture in slices. Measures the total and the longest time that the page is blocked. */
 function ownPainter(playground) {
   const canvas = new OffscreenCanvas(SIZE.width, SIZE.height);
   const measured = time(() => playground.fit('section'));
@@ -61,7 +61,7 @@ function ownPainter(playground) {
   return { measured, picture: median(whole), slice: Math.max(...slices.slice(slices.length / FRAMES)) };
 }
 
-/** The same strokes as batches of Path2D, as one would write it by hand: nothing is left out or looked up. */
+/** The same strokes as batches of Path2D, as written by hand: nothing is skipped or looked up. */
 function plainPainter(playground) {
   const canvas = new OffscreenCanvas(SIZE.width, SIZE.height);
   const context = canvas.getContext('2d');
@@ -92,7 +92,7 @@ function plainPainter(playground) {
   return { building, plain: median(frames) };
 }
 
-/** Waits until what was drawn is there. */
+/** Waits until drawing has finished. */
 function flush(canvas) {
   canvas.getContext('2d').getImageData(0, 0, 1, 1);
 }

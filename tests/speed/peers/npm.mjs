@@ -1,6 +1,5 @@
-// One measurement of a peer from npm, used as its documentation shows:
-// `node tests/speed/peers/npm.mjs NAME FILE`. What it makes is kept until the clock has stopped. `rows` are
-// segments, or lines where a peer only reads.
+// One measurement of a peer from npm, used as its documentation shows: `node tests/speed/peers/npm.mjs NAME FILE`. The
+// result is kept until the clock has stopped. `rows` are segments, or lines if a peer only parses.
 import { readFileSync } from 'node:fs';
 
 const peers = { 'gcode-interpreter': interpreter, 'gcode-parser': parser, 'gcode-preview': preview, 'gcode-toolpath': toolpath, 'gcode-utils': utils, three };
@@ -25,7 +24,7 @@ async function interpreter() {
   };
 }
 
-/** Lines and their words. */
+/** Returns the lines and their words. */
 async function parser() {
   const { parseStringSync } = await import('gcode-parser');
   return (text) => {
@@ -35,8 +34,8 @@ async function parser() {
 }
 
 /**
- * A viewer of 3D prints. Its reading is not exported apart from its canvas, so the
- * object is made without one.
+ * A viewer of 3D prints. Its parser is not exported separately from its canvas, so the object is created without a
+ * canvas.
  */
 async function preview() {
   const { WebGLPreview } = await import('gcode-preview');
@@ -60,7 +59,7 @@ async function preview() {
   };
 }
 
-/** Calls back with the ends of each line and arc. */
+/** Calls a callback with the ends of each line and arc. */
 async function toolpath() {
   const { default: module } = await import('gcode-toolpath');
   const Toolpath = module.default ?? module;
@@ -72,7 +71,7 @@ async function toolpath() {
   };
 }
 
-/** Operations; 500 lines a call, since its time grows with the square of the length. */
+/** Operations; 500 lines per call, because its time grows with the square of the length. */
 async function utils() {
   const { GcodeInterpreter } = await import('gcode-utils/dist/bundle.esm.js');
   return (text) => {
@@ -85,7 +84,7 @@ async function utils() {
   };
 }
 
-/** three's loader of 3D prints: straight moves only. */
+/** The three.js loader of 3D prints: straight moves only. */
 async function three() {
   const { GCodeLoader } = await import('three/examples/jsm/loaders/GCodeLoader.js');
   return (text) => {

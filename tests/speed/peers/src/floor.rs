@@ -1,9 +1,9 @@
-//! The floor: what anything that makes motions of a text must at least do. It reads the decimals and keeps a
-//! row for each line that moves. No message, no cycle, no check of anything.
+//! The floor: the minimum work of a program that converts text to motions. It parses the decimals and stores
+//! a row for each line that moves. No messages, no cycles, no checks.
 
 /// A straight move or an arc.
 pub struct Segment {
-    /// 0 to 3, as G0 to G3.
+    /// 0 to 3, for G0 to G3.
     pub motion: u8,
     /// Line of the text, from 0.
     pub line: u32,
@@ -11,7 +11,7 @@ pub struct Segment {
     pub x: f64,
     /// Z as written.
     pub z: f64,
-    /// R as written; 0 without one.
+    /// R as written; 0 if absent.
     pub radius: f64,
     /// F in force.
     pub feed: f64,
@@ -54,7 +54,7 @@ pub fn segments(text: &[u8]) -> Vec<Segment> {
     found
 }
 
-/// The number that stands here, correctly rounded: one division of two numbers that are exact.
+/// Parses the number at `at`, correctly rounded: one division of two exact numbers.
 #[inline]
 fn decimal(text: &[u8], at: &mut usize) -> f64 {
     let negative = text.get(*at) == Some(&b'-');

@@ -1,7 +1,7 @@
-//! The floor and the peers behind one interface, for wasm and native alike.
+//! The floor and the peers behind one interface, for wasm and native.
 //!
-//! In: the bytes of a program and a name. Out: how many rows came of it, and the rows themselves, so that
-//! dropping them is not measured.
+//! In: the bytes of a program and a name. Out: the number of rows, and the rows themselves, so that dropping
+//! them is not measured.
 
 pub mod floor;
 #[cfg(feature = "peers")]
@@ -12,24 +12,24 @@ use std::hint::black_box;
 
 use wasm_bindgen::prelude::wasm_bindgen;
 
-/// What came of a program.
+/// The result for a program.
 #[wasm_bindgen]
 pub struct Outcome {
-    /// Rows: segments where a peer makes motions, else lines or words.
+    /// Number of rows: segments if a peer makes motions, otherwise lines or words.
     pub rows: usize,
-    /// Kept alive for as long as this is.
+    /// Keeps the rows alive as long as the outcome.
     _kept: Box<dyn Any>,
 }
 
 impl Outcome {
     fn new<T: 'static>(rows: Vec<T>) -> Self {
-        // Rows that nobody reads might else not be written.
+        // Otherwise the compiler could remove rows that are never read.
         let rows = black_box(rows);
         Self { rows: rows.len(), _kept: Box::new(rows) }
     }
 }
 
-/// Runs one of them by name; nothing if there is none of that name.
+/// Runs the named peer; `None` if the name is unknown.
 pub fn run(name: &str, text: Vec<u8>) -> Option<Outcome> {
     match name {
         "floor" => Some(Outcome::new(floor::segments(&text))),
@@ -40,24 +40,24 @@ pub fn run(name: &str, text: Vec<u8>) -> Option<Outcome> {
     }
 }
 
-/// A text on its way in: JavaScript writes it where it is wanted, without a copy.
+/// A buffer for the text, which JavaScript fills without a copy.
 #[wasm_bindgen]
 pub struct Input(Vec<u8>);
 
 #[wasm_bindgen]
 impl Input {
-    /// Room for so many bytes.
+    /// Allocates a buffer of `capacity` bytes.
     #[wasm_bindgen(constructor)]
     pub fn new(capacity: usize) -> Self {
         Self(vec![0; capacity])
     }
 
-    /// Where they are in the memory of the module.
+    /// Address of the buffer in the memory of the module.
     pub fn address(&mut self) -> usize {
         self.0.as_mut_ptr() as usize
     }
 
-    /// Runs one by name.
+    /// Runs the named peer.
     pub fn run(self, name: &str) -> Option<Outcome> {
         run(name, self.0)
     }

@@ -9,9 +9,9 @@ use gcode::core::{
 
 use crate::Outcome;
 
-/// Runs one of them by name.
+/// Runs the named peer.
 pub fn run(name: &str, text: Vec<u8>) -> Option<Outcome> {
-    // They take text, and some keep pieces of it.
+    // The peers take text, and some keep slices of it.
     let text: &'static str = String::from_utf8(text).ok()?.leak();
     Some(match name {
         "gcode" => motions(text),
@@ -28,7 +28,7 @@ pub fn run(name: &str, text: Vec<u8>) -> Option<Outcome> {
     })
 }
 
-/// `async-gcode`: a stream of words, driven to its end.
+/// `async-gcode`: a stream of words, polled to its end.
 fn words(text: &'static str) -> Outcome {
     let bytes = stream::iter(text.bytes().map(Ok::<u8, Error>));
     Outcome::new(futures_executor::block_on(async {
@@ -41,7 +41,7 @@ fn words(text: &'static str) -> Outcome {
     }))
 }
 
-/// `gcode`: its visitor, with the least a user adds to get motions.
+/// `gcode`: its visitor, with the minimum that a user adds to get motions.
 fn motions(text: &str) -> Outcome {
     let mut lathe = Lathe::default();
     gcode::core::parse(text, &mut lathe);
