@@ -1,13 +1,13 @@
-//! The faults people make, put into every correct program of `tests/programs` at every word they fit: does
-//! the first message stand where the fault is, does its repair bring the motions back, and does none of its
-//! repairs only lead to another message?
+//! Common faults, inserted into every correct program of `tests/programs` at every word where they apply.
+//! Checks that the first message is at the fault, that its fix restores the motions, and that not all of its
+//! fixes lead to another message.
 //!
-//! Some faults leave a program for another part, which only the drawing distinguishes from the right one: they are
-//! marked so in the table, and no rate is asked of them.
+//! Some faults result in a valid program for another part, which only the drawing can distinguish from the
+//! intended one. They are marked in the table, and no rate is required for them.
 //!
-//! `cargo test --test it mutations:: -- --nocapture` prints the table; with `CLASS=minus` of some classes
-//! only, and with `MISSES=file` every program whose message stands elsewhere or whose repair is
-//! another is written there.
+//! `cargo test --test it mutations:: -- --nocapture` prints the table. `CLASS=minus` runs only the classes
+//! whose names contain that word. `MISSES=file` writes every program whose message is misplaced, or whose
+//! fixes do not restore it, to that file.
 
 use crate::classes;
 use crate::fixtures;
@@ -24,10 +24,10 @@ use gcode_playground::sentences::Language;
 use gcode_playground::setup::Setup;
 use text::Words;
 
-/// Of so many faults of a class, per cent, the first message has to stand at the fault.
+/// Required share of faults of a class whose first message is at the fault, per cent.
 const ASKED: f64 = 95.0;
 
-/// Classes of which the program alone cannot know so much, with the share that is asked, and the reason.
+/// Classes that are harder to detect from the program alone, with the required share and the reason.
 const BELOW: [(&str, f64, &str); 14] = [
     ("dropped decimal point", 90.0, "a move out ten times as far is a place like any other"),
     ("lost minus", 79.0, "a retract to Z2 for Z-2 is a place like any other"),
@@ -63,7 +63,7 @@ fn run(text: &str, setup: &Setup) -> Ran {
     let mut run = Run::new(text.as_bytes().to_vec(), setup.clone());
     while !run.advance(usize::MAX) {}
     let state = run.state();
-    // What the machine does from here on; not what the text was.
+    // The state that affects later blocks, without positions in the text.
     let state = format!(
         "{:?}",
         (
@@ -74,7 +74,7 @@ fn run(text: &str, setup: &Setup) -> Ran {
     Ran { analysis: run.into_analysis(), state }
 }
 
-/// What can be seen of a motion.
+/// The visible properties of a motion.
 fn seen(motion: &Motion) -> Motion {
     Motion { process: Process { uncertain: false, incomplete: false, ..motion.process }, ..*motion }
 }
@@ -83,22 +83,22 @@ fn same_motions(a: &Motions, b: &Motions) -> bool {
     a.len() == b.len() && a.iter().zip(b.iter()).all(|(a, b)| seen(&a) == seen(&b))
 }
 
-/// The lines of a text before a byte.
+/// Number of the line that contains a byte, counted from 0.
 fn line(text: &str, at: usize) -> usize {
     text[..at.min(text.len())].matches('\n').count()
 }
 
-/// One correct program, its setup with a blank, and what it does.
+/// A correct program, its setup with a blank, and its run.
 struct Correct {
     id: String,
     text: String,
     setup: Setup,
     ran: Ran,
-    /// Messages of the program as it is, by slug and line.
+    /// Messages of the unchanged program, by slug and line.
     known: Vec<(&'static str, usize)>,
 }
 
-/// How often a message is among some.
+/// How often a message occurs.
 fn count(slug: &str, told: &[Diagnostic]) -> usize {
     told.iter().filter(|told| told.message.slug() == slug).count()
 }
@@ -107,8 +107,7 @@ impl Correct {
     fn new(id: String, text: String, setup: &str) -> Self {
         let mut setup = Setup::from_json(setup).expect(&id);
         let first = run(&text, &setup);
-        // A reader who wants to know of collisions gives the blank; what the program
-        // shows of it is given here.
+        // Users who check for collisions give the blank. Here the inferred blank is given.
         setup.stock = setup.stock.or(InferredSetup::of(&first.analysis.motions).stock);
         let mut ran = run(&text, &setup);
         ran.analysis.check_at_machine();
@@ -118,14 +117,14 @@ impl Correct {
         Self { id, text, setup, ran, known }
     }
 
-    /// The first message that the fault brings.
+    /// The first message that the fault causes.
     fn first_new<'a>(&self, text: &str, told: &'a [Diagnostic]) -> Option<&'a Diagnostic> {
         let told_all = told;
         told.iter().find(|told| {
             let key = (told.message.slug(), line(text, told.span.start as usize));
             let grows = text.matches('\n').count() - self.text.matches('\n').count();
             let before = (key.0, key.1.saturating_sub(grows));
-            // What is reported once in a program may have moved to another block.
+            // A message that is reported once per program may have moved to another block.
             let moved = count(key.0, told_all) <= self.known.iter().filter(|known| known.0 == key.0).count();
             told.severity > Severity::Info
                 && !moved
@@ -135,7 +134,7 @@ impl Correct {
     }
 }
 
-/// Whether a message stands where the fault is.
+/// Whether a message is at the fault.
 fn stands_at(mutant: &Mutant, correct: &Correct, told: &Diagnostic) -> bool {
     let (from, to) = (told.span.start as usize, told.span.end as usize);
     let touches =
@@ -146,7 +145,7 @@ fn stands_at(mutant: &Mutant, correct: &Correct, told: &Diagnostic) -> bool {
         Place::Needed(at, Need::Word(start, end)) => same_line(at) || same_line(start) || touches(start, end),
         Place::Needed(at, Need::End) => same_line(at) || to + 2 >= mutant.text.trim_end().len(),
         Place::Needed(at, Need::Cut) => {
-            // The first block from there on that cuts in the correct program.
+            // The first later block that cuts in the correct program.
             let here = line(&mutant.text, at);
             let cuts = |motion: &(usize, Motion)| {
                 !matches!(motion.1.kind, MotionKind::Rapid | MotionKind::Dwell)
@@ -160,7 +159,7 @@ fn stands_at(mutant: &Mutant, correct: &Correct, told: &Diagnostic) -> bool {
     }
 }
 
-/// The text with a repair carried out.
+/// The text with a fix applied.
 fn repaired(text: &str, fix: &Fix) -> Option<String> {
     let mut text = text.as_bytes().to_vec();
     for edit in fix.edits.iter().rev() {
@@ -169,7 +168,7 @@ fn repaired(text: &str, fix: &Fix) -> Option<String> {
     String::from_utf8(text).ok()
 }
 
-/// What a repair brings instead of its message: a message of a rule that neither the program nor the mutant had.
+/// A message that replaces the fixed one: of a rule that neither the program nor the mutant triggered.
 fn replaced_by(correct: &Correct, mutant: &Mutant, told: &[Diagnostic], fix: &Fix) -> Option<Diagnostic> {
     let text = repaired(&mutant.text, fix)?;
     let after = run(&text, &correct.setup).analysis.diagnostics;
@@ -180,7 +179,7 @@ fn replaced_by(correct: &Correct, mutant: &Mutant, told: &[Diagnostic], fix: &Fi
     after.iter().find(|one| one.severity > Severity::Info && !is_known(one)).cloned()
 }
 
-/// The line that a message stands at.
+/// The line of a message.
 fn row<'a>(text: &'a str, told: &Diagnostic) -> &'a str {
     text.lines().nth(line(text, told.span.start as usize)).unwrap_or("")
 }
@@ -190,7 +189,7 @@ struct Score {
     mutants: usize,
     at_place: usize,
     restored: usize,
-    /// First messages with repairs, and how many of them have none that leads to no other message.
+    /// Number of first messages with fixes, and of those whose fixes all lead to another message.
     advised: usize,
     dead_ends: usize,
 }
@@ -203,7 +202,7 @@ fn judge(class: &Class, correct: &Correct, mutant: &Mutant, score: &mut Score, m
         return;
     }
     score.mutants += 1;
-    // What happens at the machine is only asked where the writing shows nothing: it takes its time.
+    // The machine checks run only if the program alone shows nothing: they take long.
     let early = correct
         .first_new(&mutant.text, &ran.analysis.diagnostics)
         .is_some_and(|told| stands_at(mutant, correct, told));
@@ -214,7 +213,7 @@ fn judge(class: &Class, correct: &Correct, mutant: &Mutant, score: &mut Score, m
     let at_place = first.is_some_and(|told| stands_at(mutant, correct, told));
     score.at_place += usize::from(at_place);
     let restores = |told: &Diagnostic| {
-        // Where only the author can know, several are offered, and one of them has to be right.
+        // If only the author can know, several fixes are offered, and one of them must be right.
         told.fixes.iter().filter_map(|fix| repaired(&mutant.text, fix)).any(|text| {
             same_motions(&run(&text, &correct.setup).analysis.motions, &correct.ran.analysis.motions)
         })
@@ -226,7 +225,8 @@ fn judge(class: &Class, correct: &Correct, mutant: &Mutant, score: &mut Score, m
         let all = &ran.analysis.diagnostics;
         let next: Option<Vec<_>> =
             told.fixes.iter().map(|fix| Some((fix, replaced_by(correct, mutant, all, fix)?))).collect();
-        // Where only the author can know, several are offered, and one of them has to lead out.
+        // If only the author can know, several fixes are offered, and one of them must not lead to another
+        // message.
         for (fix, next) in next.iter().flatten() {
             misses.push(format!(
                 "leads on | {} | {} | {} `{}` | {} | {}",
@@ -269,8 +269,8 @@ fn the_first_message_stands_at_the_fault() {
     let only = std::env::var("CLASS").ok();
     let fixtures = fixtures::all().into_iter().filter(|program| !WRONG.contains(&program.id.as_str()));
     let programs = fixtures.map(|program| Correct::new(program.id, program.text, &program.setup));
-    // The corrected programs of the rule pages are fixtures as well; not those about
-    // bounds, which are set low there.
+    // The corrected programs of the rule pages are used as well, except those about limits, whose setups have
+    // low limits.
     let rules = format::all(env!("CARGO_MANIFEST_DIR")).into_iter().filter_map(|(_, rule)| rule.ok());
     let rules = rules.filter(|rule| !rule.page.setup.contains("limits"));
     let corrected = rules.map(|rule| Correct::new(rule.slug, rule.page.right, &rule.page.setup));
@@ -286,7 +286,7 @@ fn the_first_message_stands_at_the_fault() {
             if only.as_ref().is_some_and(|only| !class.name.contains(only.as_str())) {
                 continue;
             }
-            // The examples of the pages are no whole programs.
+            // The examples of the pages are not complete programs.
             if class.known == Known::Drawing && number >= whole_programs {
                 continue;
             }
@@ -330,7 +330,7 @@ fn the_first_message_stands_at_the_fault() {
         if only.is_none() && (score.mutants == 0 || place < asked) {
             low.push(format!("{}: {} programs, {place:.1} %", class.name, score.mutants));
         }
-        // Now and then the fault hides another one, which is worth its own message.
+        // Sometimes the fault hides another one, which deserves its own message.
         if only.is_none() && score.dead_ends > 4.max(score.advised / 100) {
             let (dead_ends, advised) = (score.dead_ends, score.advised);
             low.push(format!("{}: {dead_ends} of {advised} repairs lead to another message", class.name));

@@ -1,4 +1,4 @@
-//! How often messages are right: judged programs, and judged messages of real programs.
+//! Tests how often messages are right: on judged programs, and on judged messages of real programs.
 #[path = "precision/harmless.rs"]
 mod harmless;
 #[path = "precision/harmless_cuts.rs"]

@@ -1,25 +1,25 @@
-//! Whole blocks that are lost, written twice, or exchanged with the next one.
+//! Whole blocks that are lost, duplicated, or swapped with the next one.
 //!
-//! In: a correct program. Out: programs with one such fault each. What a block is for decides how much of it
-//! can be known from the rest of the program.
+//! In: a correct program. Out: programs with one such fault each. How much the rest of the program reveals
+//! depends on the role of the block.
 
 use crate::classes::{Mutant, Need, Place};
 use crate::text::Words;
 
-/// What a block is for.
+/// The role of a block.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Role {
-    /// It calls a cycle, or gives its amounts.
+    /// A call of a cycle, or a block with its parameters.
     Cycle,
-    /// A pass of a single cycle that goes on.
+    /// A further pass of a modal single cycle.
     Pass,
-    /// A move at rapid.
+    /// A rapid move.
     Rapid,
     /// A move at feed.
     Cut,
     /// A block without a move.
     Setting,
-    /// Nothing that can be lost: an O number, the end, nothing at all.
+    /// A block that cannot be lost: an O number, the end, an empty block.
     Other,
 }
 
@@ -55,7 +55,7 @@ fn roles(words: &Words) -> Vec<Role> {
     (0..words.blocks.len()).map(role).collect()
 }
 
-/// Each block of a role is lost; its line stays, empty.
+/// Removes each block of a role; its line stays, empty.
 fn lost(words: &Words, role: Role) -> Vec<Mutant> {
     let blocks = roles(words).into_iter().enumerate().filter(|own| own.1 == role);
     let mutants = blocks.map(|(block, _)| {
@@ -66,7 +66,7 @@ fn lost(words: &Words, role: Role) -> Vec<Mutant> {
     mutants.collect()
 }
 
-/// A block without the end of its line.
+/// A block without its line end.
 fn whole(words: &Words, block: usize) -> (usize, usize) {
     let (start, end) = words.blocks[block];
     (start, start + words.text[start..end].trim_end().len())
@@ -88,11 +88,12 @@ pub fn lost_cut(words: &Words) -> Vec<Mutant> {
     lost(words, Role::Cut)
 }
 
-/// The first block that starts the spindle of a program: with the next cut it stands still.
+/// The first block that starts the spindle of a program. Without it, the next cut is made with the spindle
+/// stopped.
 fn start_of_spindle(words: &Words) -> Option<usize> {
     let starts = |word: &&crate::text::Word| word.address == 'M' && [3.0, 4.0, 13.0].contains(&word.value);
     let first = words.words.iter().find(starts)?.block;
-    // With an axis it is a move as well.
+    // With an axis word it is also a move.
     (roles(words)[first] == Role::Setting).then_some(first)
 }
 
@@ -105,11 +106,11 @@ pub fn lost_spindle(words: &Words) -> Vec<Mutant> {
     made.into_iter().collect()
 }
 
-/// The spindle starts in a block after the first cut.
+/// The spindle starts only after the first cut.
 pub fn late_spindle(words: &Words) -> Vec<Mutant> {
     let Some(block) = start_of_spindle(words) else { return Vec::new() };
     let roles = roles(words);
-    // A multiple cycle has two blocks.
+    // Multiple repetitive cycles can have two blocks.
     let is_first =
         |cut: usize| roles.get(cut + 1) == Some(&Role::Cycle) && words.has_g(cut + 1, cycle(words, cut));
     let cuts = |&cut: &usize| match roles[cut] {
@@ -131,7 +132,7 @@ fn cycle(words: &Words, block: usize) -> f64 {
     CYCLES.into_iter().find(|&code| words.has_g(block, code)).unwrap_or_default()
 }
 
-/// The second block of a groove, or its only one, stands there twice.
+/// Duplicates the second block of a grooving cycle, or its only one.
 pub fn doubled_groove(words: &Words) -> Vec<Mutant> {
     doubled(words, |block, role| {
         role == Role::Cycle && words.has_g(block, 75.0) && words.find(block, 'X').is_some()
@@ -142,7 +143,7 @@ pub fn lost_setting(words: &Words) -> Vec<Mutant> {
     lost(words, Role::Setting)
 }
 
-/// The block stands there a second time; the message may stand at either.
+/// Duplicates a block; the message may be at either copy.
 fn doubled(words: &Words, is_meant: impl Fn(usize, Role) -> bool) -> Vec<Mutant> {
     let blocks = roles(words).into_iter().enumerate().filter(|&(block, role)| is_meant(block, role));
     let mutants = blocks.map(|(block, _)| {
@@ -157,7 +158,7 @@ pub fn doubled_cycle(words: &Words) -> Vec<Mutant> {
     doubled(words, |_, role| matches!(role, Role::Cycle | Role::Pass))
 }
 
-/// A move to a place is the same once more; one by an increment goes on.
+/// Repeating an absolute move changes nothing; an incremental one moves further.
 pub fn doubled_increment(words: &Words) -> Vec<Mutant> {
     doubled(words, |block, role| {
         matches!(role, Role::Rapid | Role::Cut)
@@ -165,7 +166,7 @@ pub fn doubled_increment(words: &Words) -> Vec<Mutant> {
     })
 }
 
-/// Two blocks that follow each other have each other's place.
+/// Swaps two consecutive blocks.
 fn swapped(words: &Words, is_meant: impl Fn(Role, Role) -> bool) -> Vec<Mutant> {
     let roles = roles(words);
     let pairs = (1..roles.len()).filter(|&block| is_meant(roles[block - 1], roles[block]));
@@ -204,7 +205,7 @@ pub fn swapped_settings(words: &Words) -> Vec<Mutant> {
     })
 }
 
-/// The two blocks of G71 or G72, or of G73, stand after the contour once more.
+/// Repeats the blocks of G71, G72 or G73 after the contour.
 pub fn roughed_twice(words: &Words) -> Vec<Mutant> {
     let mut made = Vec::new();
     for block in 1..words.blocks.len() {

@@ -1,21 +1,22 @@
-//! The faults people make, each at every word it fits.
+//! Common faults, each applied at every word where it fits.
 //!
-//! In: a correct program. Out: programs with one fault each, and where a message about it should stand.
-//! Lost, doubled and swapped blocks are in `blocks`.
+//! In: a correct program. Out: programs with one fault each, and the expected place of the message. Lost,
+//! duplicated and swapped blocks are in `blocks`.
 
 use crate::blocks;
 use crate::text::{Word, Words};
 
-/// Where the first message should stand.
+/// Expected place of the first message.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Place {
-    /// It touches these bytes of the changed text.
+    /// Overlaps these bytes of the changed text.
     At(usize, usize),
-    /// The word after this byte is missing: at the block it stood in, or at the first block that needs it.
+    /// The word after this byte is missing: at the block that contained it, or at the first block that needs
+    /// it.
     Needed(usize, Need),
 }
 
-/// What the missing word was for.
+/// What the missing word is needed for.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Need {
     /// Any cut.
@@ -40,12 +41,12 @@ impl Mutant {
 
 type Make = fn(&Words) -> Vec<Mutant>;
 
-/// Who can know of a fault.
+/// What is needed to detect a fault.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Known {
-    /// Who reads the program, with the blank and the tools.
+    /// The program with the blank and the tools.
     Program,
-    /// Often only who has the drawing: what is left is a program for another part.
+    /// Often the drawing: the result is a valid program for another part.
     Drawing,
 }
 
@@ -53,7 +54,7 @@ pub enum Known {
 pub struct Class {
     pub name: &'static str,
     pub make: Make,
-    /// A control stops there though the picture stays the same: a mutant counts even so.
+    /// Counts even if the motions stay the same: a control stops there.
     pub unseen: bool,
     pub known: Known,
 }
@@ -147,7 +148,7 @@ pub const CLASSES: &[Class] = &[
     drawing("swapped: move and setting", blocks::swapped_settings),
 ];
 
-/// One mutant for each word for which there is another spelling.
+/// One mutant for each word that `change` can spell differently.
 fn each(words: &Words, change: impl Fn(&Words, &Word) -> Option<String>) -> Vec<Mutant> {
     let changed = words.words.iter().filter_map(|word| {
         let with = change(words, word)?;
@@ -216,8 +217,8 @@ fn names_contour(words: &Words, word: &Word) -> bool {
     matches!(word.address, 'P' | 'Q') && CONTOUR_CYCLES.iter().any(|&code| words.has_g(word.block, code))
 }
 
-/// The N word that P or Q names is taken out: the message stands at the P or Q of the
-/// first cycle that names it.
+/// Removes the N word to which P or Q refers. The message is expected at the P or Q of the first cycle that
+/// refers to it.
 fn missing_n(words: &Words) -> Vec<Mutant> {
     let mut made = Vec::new();
     for n in words.words.iter().filter(|word| word.address == 'N') {
@@ -235,7 +236,7 @@ fn missing_n(words: &Words) -> Vec<Mutant> {
     made
 }
 
-/// P and Q of a block change places: their letters, so that the blank between words stays.
+/// Swaps P and Q of a block: only their letters, so that the blank between the words stays.
 fn exchanged(words: &Words) -> Vec<Mutant> {
     let mut made = Vec::new();
     for block in 0..words.blocks.len() {
@@ -255,7 +256,7 @@ fn exchanged(words: &Words) -> Vec<Mutant> {
     made
 }
 
-/// The depth of a cut: U of G71, W of G72, P and Q of G74 to G76, passes of G73.
+/// The depth of cut: U of G71, W of G72, P and Q of G74 to G76, the number of passes of G73.
 fn is_depth(words: &Words, word: &Word) -> bool {
     let has = |code| words.has_g(word.block, code);
     let names = words.find(word.block, 'P').is_some();
@@ -292,7 +293,7 @@ fn single_cycle(words: &Words, block: usize) -> Option<u32> {
     ((90..=94).contains(&code) && !has_setting).then_some(code)
 }
 
-/// R of a taper or an arc with the other sign.
+/// R of a taper or an arc with the opposite sign.
 fn wrong_r_sign(words: &Words) -> Vec<Mutant> {
     each(words, |words, word| {
         let arc = words.has_g(word.block, 2.0) || words.has_g(word.block, 3.0);
@@ -308,11 +309,11 @@ fn wrong_r_sign(words: &Words) -> Vec<Mutant> {
     })
 }
 
-/// R as the drawing has it, though the cut begins outside the blank: only where it was extended.
+/// R as in the drawing, although the cut begins outside of the blank. Only where R was extended.
 fn r_not_extended(words: &Words) -> Vec<Mutant> {
     each(words, |words, word| {
         let cycle = single_cycle(words, word.block)?;
-        // Where the tool stood before: the last X and Z outside the cycle.
+        // Previous tool position: the last X and Z outside the cycle.
         let place = |address: char| {
             let mut before = words.words.iter().filter(|other| {
                 other.address == address
@@ -325,7 +326,7 @@ fn r_not_extended(words: &Words) -> Vec<Mutant> {
             return None;
         }
         let share = match cycle {
-            // From the blank's surface instead of the start point, where a round number comes of it.
+            // From the surface of the blank instead of the start point, if that gives a round number.
             94 => {
                 let (start, end) = (place('X')?, words.find(word.block, 'X')?.value);
                 (2..=40).map(|step| start - f64::from(step) / 2.0).find_map(|surface| {
@@ -368,7 +369,7 @@ fn x_for_u(words: &Words) -> Vec<Mutant> {
     })
 }
 
-/// The same address once more, with a value a little larger.
+/// Duplicates a word with a slightly larger value.
 fn twice(words: &Words) -> Vec<Mutant> {
     each(words, |words, word| {
         let written = words.written(word);
@@ -419,7 +420,7 @@ fn other_feed_mode(words: &Words) -> Vec<Mutant> {
         ('G', 99.0) => Some("G98".to_owned()),
         _ => None,
     });
-    // The message stands at the code, or at the first feed or cut it changes.
+    // The message is at the code, or at the first feed or cut that it changes.
     for mutant in &mut made {
         if let Place::At(start, _) = mutant.place {
             mutant.place = Place::Needed(start, Need::Cut);
@@ -499,7 +500,7 @@ fn unclosed_comment(words: &Words) -> Vec<Mutant> {
     made
 }
 
-/// The first digit, point or minus after the letter as its full-width twin.
+/// The first digit, point or minus after the letter, replaced by its full-width form.
 fn full_width(words: &Words) -> Vec<Mutant> {
     each(words, |words, word| {
         let written = words.written(word);
@@ -569,7 +570,7 @@ fn forbidden_in_polar(words: &Words) -> Vec<Mutant> {
     made
 }
 
-/// The last X of a rapid before a cycle, half as large: far inside the blank.
+/// Halves the last X of a rapid before a cycle, so that it is far inside the blank.
 fn start_inside(words: &Words) -> Vec<Mutant> {
     let cycles = [71.0, 72.0, 73.0, 75.0, 90.0, 92.0, 94.0, 76.0];
     let mut made = Vec::new();
@@ -586,9 +587,9 @@ fn start_inside(words: &Words) -> Vec<Mutant> {
         }
         let half = (x.value / 2.0 * 10.0).round() / 10.0;
         let (text, start, stop) = words.rewritten(x, &format!("X{half}"));
-        // The rapid that goes in, or the cycle that starts there.
+        // The rapid that enters the blank, or the cycle that starts there.
         let shift = |at: usize| at + stop - start - (x.end - x.start);
-        // A multiple cycle has two blocks.
+        // Multiple repetitive cycles can have two blocks.
         let last = (block..words.blocks.len()).take_while(|&next| {
             cycles.iter().any(|&code| words.has_g(block, code) && words.has_g(next, code))
         });
@@ -630,7 +631,7 @@ fn missing_program(words: &Words) -> Vec<Mutant> {
     })
 }
 
-/// The blocks of each G92 and of the passes that go on with it.
+/// The blocks of each G92 and of its further passes.
 fn threads(words: &Words) -> Vec<Vec<usize>> {
     let mut threads: Vec<Vec<usize>> = Vec::new();
     let mut goes_on = false;
@@ -648,7 +649,7 @@ fn threads(words: &Words) -> Vec<Vec<usize>> {
     threads
 }
 
-/// A later pass has half the lead.
+/// Halves the lead of a later pass.
 fn another_lead(words: &Words) -> Vec<Mutant> {
     let passes = threads(words).into_iter().flat_map(|thread| {
         let lead = words.find(thread[0], 'F').map_or(1.0, |word| word.value);
@@ -662,7 +663,7 @@ fn another_lead(words: &Words) -> Vec<Mutant> {
     mutants.collect()
 }
 
-/// Two passes that follow each other have each other's diameter: the second removes nothing.
+/// Swaps the diameters of two consecutive passes: the second one removes nothing.
 fn passes_exchanged(words: &Words) -> Vec<Mutant> {
     let threads = threads(words);
     let pairs = threads.iter().flat_map(|thread| thread.windows(2));
@@ -680,7 +681,7 @@ fn passes_exchanged(words: &Words) -> Vec<Mutant> {
     mutants.collect()
 }
 
-/// Each F of a thread that one of these codes cuts, written in another way.
+/// Each F of a thread that one of these codes cuts, spelled differently.
 fn each_lead(words: &Words, codes: &[f64], change: impl Fn(f64) -> Option<String>) -> Vec<Mutant> {
     each(words, |words, word| {
         let is_thread = codes.iter().any(|&code| words.has_g(word.block, code));
@@ -688,12 +689,12 @@ fn each_lead(words: &Words, codes: &[f64], change: impl Fn(f64) -> Option<String
     })
 }
 
-/// Not of G32, which taps as well: there an expanded hole cycle has any lead.
+/// Not for G32, which is also used for tapping: expanded hole cycles have any lead.
 fn lead_too_small(words: &Words) -> Vec<Mutant> {
     each_lead(words, &[92.0, 76.0], |lead| (lead < 2.0).then(|| format!("F{}", lead / 10.0)))
 }
 
-/// The F of the cuts in mm/min.
+/// F in mm/min, as for turning, instead of the lead.
 fn feed_for_lead(words: &Words) -> Vec<Mutant> {
     each_lead(words, &[32.0, 92.0, 76.0], |_| Some("F600".to_owned()))
 }
@@ -706,7 +707,7 @@ fn angle_in_degrees(words: &Words) -> Vec<Mutant> {
     })
 }
 
-/// A tap comes out of its hole with half the lead it went in with.
+/// A tap leaves its hole with half the lead of its entry.
 fn tap_lead(words: &Words) -> Vec<Mutant> {
     let is_tap = |block: usize| {
         let on_axis = words.find(block, 'X').is_none() && words.find(block, 'U').is_none();
@@ -720,7 +721,7 @@ fn tap_lead(words: &Words) -> Vec<Mutant> {
     })
 }
 
-/// The centre of an arc on the end face with the letter of turning.
+/// The centre of an arc on the end face, with the letter used for turning.
 fn centre_letter(words: &Words) -> Vec<Mutant> {
     each(words, |words, word| {
         let is_arc = words.has_g(word.block, 2.0) || words.has_g(word.block, 3.0);
@@ -729,7 +730,7 @@ fn centre_letter(words: &Words) -> Vec<Mutant> {
     })
 }
 
-/// Letters of other blocks after a move.
+/// Adds letters of other blocks to a move.
 fn unread_word(words: &Words) -> Vec<Mutant> {
     let moves = (0..words.blocks.len()).filter(|&block| {
         let codes = || words.of_block(block).filter(|word| matches!(word.address, 'G' | 'M'));
@@ -743,11 +744,11 @@ fn unread_word(words: &Words) -> Vec<Mutant> {
     mutants.collect()
 }
 
-/// I or K of an arc, in the other direction.
+/// I or K of an arc with the opposite sign.
 fn center_sign(words: &Words) -> Vec<Mutant> {
     each(words, |words, word| {
         let arc = words.has_g(word.block, 2.0) || words.has_g(word.block, 3.0);
-        // A full circle has its end where it begins, whatever its centre.
+        // A full circle ends at its start, whatever its centre.
         let is_full = words.find(word.block, 'C').is_some();
         let is_center = matches!(word.address, 'I' | 'K') && arc && !is_full && word.value != 0.0;
         let number = &words.written(word)[1..];
@@ -758,7 +759,7 @@ fn center_sign(words: &Words) -> Vec<Mutant> {
     })
 }
 
-/// Seconds as milliseconds, and the reverse.
+/// Swaps seconds and milliseconds.
 fn other_dwell(words: &Words) -> Vec<Mutant> {
     each(words, |words, word| match word.address {
         _ if !words.has_g(word.block, 4.0) => None,
@@ -768,7 +769,7 @@ fn other_dwell(words: &Words) -> Vec<Mutant> {
     })
 }
 
-/// A tool with the next offset, where there are several tools.
+/// A tool with the next offset number, in programs with several tools.
 fn other_offset(words: &Words) -> Vec<Mutant> {
     let is_tool = |word: &&Word| word.address == 'T' && word.value >= 100.0 && word.value % 100.0 > 0.0;
     let mut tools: Vec<f64> = words.words.iter().filter(is_tool).map(|word| word.value).collect();
@@ -780,7 +781,7 @@ fn other_offset(words: &Words) -> Vec<Mutant> {
     each(words, |_, word| is_tool(&word).then(|| format!("T{:04}", word.value + 1.0)))
 }
 
-/// M30 before a block in the middle that moves.
+/// Inserts M30 before a moving block in the middle.
 fn early_end(words: &Words) -> Vec<Mutant> {
     let all = words.blocks.len();
     let moves = (all / 2..all).filter(|&block| {
@@ -808,7 +809,7 @@ fn turns_for_metres(words: &Words) -> Vec<Mutant> {
     })
 }
 
-/// F of cuts under G99.
+/// F of cuts under G99, too large.
 fn feed_too_large(words: &Words) -> Vec<Mutant> {
     let threads = [32.0, 33.0, 34.0, 76.0, 84.0, 92.0];
     each(words, |words, word| {
@@ -818,7 +819,7 @@ fn feed_too_large(words: &Words) -> Vec<Mutant> {
     })
 }
 
-/// A place that at least three blocks name, in one of them the other way round.
+/// A point that at least three blocks name; one of them has X and Z swapped.
 fn axes_exchanged(words: &Words) -> Vec<Mutant> {
     let place = |block: usize| {
         let plain = words.of_block(block).all(|word| "GXZMNST".contains(word.address));
@@ -842,7 +843,7 @@ fn axes_exchanged(words: &Words) -> Vec<Mutant> {
     mutants.collect()
 }
 
-/// A pass of a thread of several starts without its start angle.
+/// Removes the start angle from a pass of a multiple-start thread.
 fn angle_lost(words: &Words) -> Vec<Mutant> {
     let passes = threads(words).concat();
     let mut made = each(words, |_, word| {
@@ -856,7 +857,7 @@ fn angle_lost(words: &Words) -> Vec<Mutant> {
     made
 }
 
-/// The infeed of G71 and G72, U2 as U20.
+/// The infeed of G71 and G72 multiplied by ten: U2 as U20.
 fn depth_ten_times(words: &Words) -> Vec<Mutant> {
     let mut made = each(words, |words, word| {
         let is_infeed = is_depth(words, word) && matches!(word.address, 'U' | 'W');
@@ -870,7 +871,7 @@ fn depth_ten_times(words: &Words) -> Vec<Mutant> {
     made
 }
 
-/// A pass of G90 that takes all that is left to the axis: X46 as X4.6.
+/// A pass of G90 that cuts nearly to the axis: X46 as X4.6.
 fn pass_too_deep(words: &Words) -> Vec<Mutant> {
     each(words, |words, word| {
         let is_pass = single_cycle(words, word.block) == Some(90) && word.address == 'X';
@@ -878,7 +879,7 @@ fn pass_too_deep(words: &Words) -> Vec<Mutant> {
     })
 }
 
-/// The end of a pass of G90, of Z-30 at Z-300.
+/// The end of a pass of G90 multiplied by ten: Z-30 as Z-300.
 fn end_behind_blank(words: &Words) -> Vec<Mutant> {
     each(words, |words, word| {
         let is_pass = single_cycle(words, word.block) == Some(90) && word.address == 'Z';

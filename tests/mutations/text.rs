@@ -1,23 +1,23 @@
-//! The words of a program, and changes to single ones.
+//! The words of a program, and edits of single words.
 
 use gcode_playground::text::block::{Block, Value};
 use gcode_playground::text::parser::Parser;
 
-/// A word and where it stands.
+/// A word and its position.
 #[derive(Clone, Debug)]
 pub struct Word {
     /// The address, upper-cased; N and O too.
     pub address: char,
     /// The value, with its sign.
     pub value: f64,
-    /// First byte and one past the last.
+    /// First byte, and end (exclusive).
     pub start: usize,
     pub end: usize,
     /// The block, counted from 0.
     pub block: usize,
 }
 
-/// A program taken apart.
+/// A program split into words.
 pub struct Words<'a> {
     pub text: &'a str,
     pub words: Vec<Word>,
@@ -53,12 +53,12 @@ impl<'a> Words<'a> {
         Self { text, words, blocks }
     }
 
-    /// How a word is written.
+    /// The word as written.
     pub fn written(&self, word: &Word) -> &'a str {
         &self.text[word.start..word.end]
     }
 
-    /// All words of a block but its sequence number.
+    /// All words of a block except its sequence number.
     pub fn of_block(&self, block: usize) -> impl Iterator<Item = &Word> {
         self.words.iter().filter(move |word| word.block == block && word.address != 'N')
     }
@@ -68,23 +68,23 @@ impl<'a> Words<'a> {
         self.of_block(block).find(|word| word.address == address)
     }
 
-    /// Whether a block holds this G code.
+    /// Whether a block contains this G code.
     pub fn has_g(&self, block: usize, code: f64) -> bool {
         self.of_block(block).any(|word| word.address == 'G' && word.value == code)
     }
 
-    /// The program with other text in place of a range, and the range of that text.
+    /// The program with a range replaced, and the new range.
     pub fn replaced(&self, start: usize, end: usize, with: &str) -> (String, usize, usize) {
         let text = format!("{}{with}{}", &self.text[..start], &self.text[end..]);
         (text, start, start + with.len())
     }
 
-    /// The same for a word.
+    /// Replaces a word.
     pub fn rewritten(&self, word: &Word, with: &str) -> (String, usize, usize) {
         self.replaced(word.start, word.end, with)
     }
 
-    /// The first byte of the line at a byte, and its end.
+    /// Start and end of the line that contains a byte.
     pub fn line_at(&self, at: usize) -> (usize, usize) {
         let start = self.text[..at].rfind('\n').map_or(0, |found| found + 1);
         let end = self.text[at..].find('\n').map_or(self.text.len(), |found| at + found);

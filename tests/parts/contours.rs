@@ -1,6 +1,5 @@
-//! With tools that are only inferred the part has the contour that was programmed, or no part is
-//! shown: random contours, the programs of the tests, and ways of programming that a wrongly
-//! inferred tool would spoil.
+//! With inferred tools, the part has the programmed contour, or no part is shown: tested with random
+//! contours, with the test programs, and with programs that a wrongly inferred tool would spoil.
 
 use gcode_playground::analyze;
 use gcode_playground::geometry::Point;
@@ -17,10 +16,10 @@ use crate::fixtures::all;
 /// Largest difference in radius, mm.
 const TOLERANCE: f64 = 0.06;
 
-/// Stations this near to a wall, mm, may have the radius of either side.
+/// Stations this close to a wall, mm, may have the radius of either side.
 const BESIDE: f64 = 0.1;
 
-/// Straight pieces of an arc.
+/// Line segments per arc.
 const PIECES: u32 = 200;
 
 fn run(program: &str) -> (Analysis, SimulationResult) {
@@ -36,7 +35,7 @@ fn way(motion: &Motion) -> Vec<Point> {
     }
 }
 
-/// Least radius at which some motions cross a station.
+/// Smallest radius at which the motions cross a station.
 fn least<'a>(motions: impl Iterator<Item = &'a Motion>, z: f64) -> Option<f64> {
     let mut found: Option<f64> = None;
     for motion in motions {
@@ -51,7 +50,7 @@ fn least<'a>(motions: impl Iterator<Item = &'a Motion>, z: f64) -> Option<f64> {
     found
 }
 
-/// Holds the outside of a part against the way of the tip: each station where it is led along Z.
+/// Compares the outside of a part with the tool path at each station where the tool moves along Z.
 fn compare(part: &Region, cuts: &[Motion], stations: impl Iterator<Item = f64>) -> Result<(), String> {
     for z in stations {
         let near = [-BESIDE, -BESIDE / 2.0, 0.0, BESIDE / 2.0, BESIDE];
@@ -59,7 +58,7 @@ fn compare(part: &Region, cuts: &[Motion], stations: impl Iterator<Item = f64>) 
         if near.len() < 5 {
             continue;
         }
-        // Walls, the bottoms of plunges, and corners.
+        // Walls, bottoms of plunges, and corners.
         let ends = cuts.iter().flat_map(|cut| [cut.from, cut.to]);
         near.extend(ends.filter(|end| (end.z - z).abs() <= BESIDE).map(|end| end.x));
         let (low, high) =
@@ -76,7 +75,7 @@ fn cuts(motions: &Motions) -> Vec<Motion> {
     motions.iter().filter(|motion| motion.kind.cuts()).collect()
 }
 
-/// A contour from right to left: steps along Z and in diameter, and which are arcs.
+/// A contour from right to left: steps along Z and in diameter, and which of them are arcs.
 fn contour() -> impl Strategy<Value = Vec<(u32, i32, u32)>> {
     prop::collection::vec((0u32..12, -12i32..14, 0u32..4), 2..9)
 }
@@ -89,7 +88,7 @@ fn blocks(steps: &[(u32, i32, u32)]) -> (String, f64) {
         z -= dz;
         x = f64::max(x + dx, 6.0);
         let chord = dz.hypot(dx / 2.0);
-        // An arc that bulges enough to be seen, and turns by less than a quarter.
+        // An arc with a visible bulge that turns by less than a quarter.
         text += &match form {
             0 if chord > 2.0 && dz > 0.0 => format!("G02 X{x} Z{z} R{:.3}\n", 1.2 * chord),
             1 if chord > 2.0 && dz > 0.0 => format!("G03 X{x} Z{z} R{:.3}\n", 1.2 * chord),
@@ -99,8 +98,7 @@ fn blocks(steps: &[(u32, i32, u32)]) -> (String, f64) {
     (text, z)
 }
 
-/// How many random contours are looked at: those of the variable `PROPTEST_CASES`, or few enough
-/// for every run of the tests.
+/// Number of random contours: `PROPTEST_CASES`, or few enough for every test run.
 fn cases() -> u32 {
     match std::env::var("PROPTEST_CASES") {
         Ok(_) => ProptestConfig::default().cases,
@@ -120,7 +118,7 @@ proptest! {
     }
 }
 
-/// Runs one tool along a contour from the face to `end`, and compares the part at so many stations.
+/// Runs one tool along a contour from the face to `end`, and compares the part at `count` stations.
 fn contour_or_no_part(blocks: &str, end: f64, count: u32) -> Result<Option<Region>, String> {
     let program = format!(
         "(STOCK D=160 LENGTH=120)\nT0101\nG97 S500 M03\nG00 X30 Z2\nG01 Z0 F0.2\n{blocks}X170\nG00 Z5\n"
@@ -135,8 +133,7 @@ fn contour_or_no_part(blocks: &str, end: f64, count: u32) -> Result<Option<Regio
     Ok(Some(part))
 }
 
-/// Arcs that fall by a millimetre within a few tenths along Z: no tool that comes into
-/// question can follow them.
+/// Arcs that fall by a millimetre within a few tenths along Z: no possible tool can follow them.
 #[test]
 fn steep_arcs_are_not_gouged() {
     for (blocks, end) in [
@@ -163,7 +160,7 @@ fn arcs_that_a_tool_can_follow_are_cut_as_they_are_programmed() {
     assert!(matches!(found, Ok(Some(_))), "{found:?}");
 }
 
-/// Where G70 leads a tool last, and no other tool after it.
+/// Contours finished by G70 as the last tool there.
 #[test]
 fn finishing_passes_of_all_programs_are_there() {
     let mut seen = 0;
@@ -195,7 +192,7 @@ fn finishing_passes_of_all_programs_are_there() {
     assert!(seen > 3, "{seen} programs");
 }
 
-/// Kinds of the tools, in order; and diameters of the part at some Z.
+/// Checks the kinds of the tools, in order, and diameters of the part at some Z.
 fn check(program: &str, tools: &str, diameters: &[(f64, f64)]) {
     let (analysis, simulation) = run(program);
     let kinds: Vec<&str> = simulation
@@ -217,8 +214,8 @@ fn check(program: &str, tools: &str, diameters: &[(f64, f64)]) {
 
 const HEAD: &str = "G21 G99 G97 S500 M03\n";
 
-/// A grooving insert that roughs by plunges and is then led along all of the contour, hills and valleys, as
-/// some programming systems do.
+/// A grooving insert that roughs by plunges and then follows the whole contour, up and down, as some
+/// programming systems do.
 #[test]
 fn a_blade_led_along_a_contour_makes_the_contour() {
     let mut program = format!("{HEAD}(GROOVE2)\nT0101\nG00 X64 Z1\n");
@@ -229,7 +226,7 @@ fn a_blade_led_along_a_contour_makes_the_contour() {
     check(&program, "grooving", &[(-12.5, 45.0), (-17.0, 50.0), (-36.0, 24.0), (-45.0, 42.0)]);
 }
 
-/// The same tool plunges in cycles, then cuts the walls: a grooving insert as wide as its comment says.
+/// One grooving insert, as wide as its comment says, plunges in cycles and then cuts the walls.
 #[test]
 fn a_groove_is_finished_by_the_blade_that_made_it() {
     let program = format!(
@@ -243,25 +240,25 @@ fn a_groove_is_finished_by_the_blade_that_made_it() {
     );
 }
 
-/// A contour that narrows towards the chuck is outside all the same: the tool leaves it outwards.
+/// A contour that narrows towards the chuck is still outside: the tool retracts outwards.
 #[test]
 fn a_contour_that_falls_is_no_bore() {
     let program = format!("{HEAD}T0404\nG00 X66 Z2\nG01 X60 Z0 F0.2\nX56 Z-25\nX52 Z-45\nG00 X70 Z3\n");
     check(&program, "turning", &[(-12.5, 58.0), (-40.0, 53.0)]);
-    // To the face at feed, over the face, and away along Z.
+    // To the face at feed, across the face, and away along Z.
     let program = format!("{HEAD}T0101\nG00 X50 Z1\nG01 Z0 F0.2\nX-1\nG00 Z1\nX40\nG01 Z-20\nG00 Z1\nX60\n");
     check(&program, "turning", &[(-10.0, 40.0)]);
-    // Bare G28 moves nothing here: the next tool goes to the axis from where this one stood.
+    // G28 without axes moves nothing here: the next tool goes to the axis from the position of this one.
     let program = format!(
         "{HEAD}T0707\nG00 X43 Z1\nG01 X41 Z0 F0.2\nG03 X55 Z-7 R7\nG28\nT0808\nG00 X0 Z1\nG01 Z-5 F0.1\nG00 Z2\n"
     );
     check(&program, "turning drill", &[(-8.0, 55.0)]);
-    // It does not leave a bore by going deeper: that is a rapid into the work.
+    // A tool does not leave a bore by going deeper: that is a rapid into the work.
     let program = format!("{HEAD}T0101\nG00 X40 Z2\nG01 Z-20 F0.2\nX44\nG00 X30 Z-22\nX100 Z100\n");
     check(&program, "turning", &[(-10.0, 40.0)]);
 }
 
-/// What an insert named in a comment cannot do, another one does.
+/// If the insert named in a comment cannot make the cut, another one is used.
 #[test]
 fn words_do_not_spoil_the_part() {
     let falls = "G00 X40 Z2\nG01 Z-10 F0.2\nX30 Z-20\nZ-30\nX44\nG00 Z2\n";
@@ -299,12 +296,12 @@ fn where_no_tool_will_do_no_part_is_shown() {
     analysis.check_at_machine();
     let told: Vec<_> = analysis.diagnostics.iter().map(|told| told.message.slug()).collect();
     assert!(told.contains(&"tool-unknown"), "{told:?}");
-    // A tool that somebody names is believed.
+    // A tool named by the user is trusted.
     let named = format!("(TOOL T0303 TYPE=GROOVING WIDTH=3)\n{program}");
     assert!(run(&named).1.finished().is_some());
 }
 
-/// The sub spindle takes the part over: its frame has its zero at the other end, and its cuts go towards +Z.
+/// The sub spindle takes over the part: its frame has its zero at the other end, and its cuts go towards +Z.
 #[test]
 fn a_second_clamping_leaves_the_part_of_the_first() {
     let first = "G54 T0101\nG00 X52 Z2\nX40\nG01 Z-30 F0.2\nX52\nG00 X60 Z5\n";
@@ -319,7 +316,7 @@ fn a_second_clamping_leaves_the_part_of_the_first() {
         analysis.diagnostics.iter().filter(|told| told.message.slug() == "work-zero-unknown").count()
     };
     assert_eq!(told(&both), 1);
-    // Named tools and a named blank change nothing of it, nor is a rapid there held against the work here.
+    // Named tools and a named blank change nothing here, and rapids there are not checked against this work.
     let named = format!("(STOCK D=50 LENGTH=60)\n(TOOL T0101 TYPE=TURNING)\n{both}");
     let (mut analysis, simulation) = run(&named);
     let part = simulation.finished().expect("a part");
@@ -327,13 +324,13 @@ fn a_second_clamping_leaves_the_part_of_the_first() {
     analysis.check_at_machine();
     let slugs: Vec<_> = analysis.diagnostics.iter().map(|told| told.message.slug()).collect();
     assert_eq!(slugs.iter().filter(|slug| slug.contains("stock")).count(), 0, "{slugs:?}");
-    // Back in the first frame the cuts count again; one frame all through is the first, whichever it is.
+    // Back in the first frame the cuts count again. A frame used throughout is the first, whichever it is.
     let back = format!("{both}G54 T0101\nG00 X42 Z2\nX36\nG01 Z-10\nX42\nG00 X60 Z5\n");
     check(&back, "turning", &[(-5.0, 36.0), (-20.0, 40.0)]);
     let other = format!("{HEAD}{first}").replace("G54", "G56");
     check(&other, "turning", &kept);
     assert_eq!(told(&other), 0);
-    // Zeros that the program gives are known.
+    // Zeros given in the program are known.
     let given = format!(
         "G10 L2 P1 X0 Z0\nG10 L2 P2 X0 Z0\n{HEAD}{first}G55 T0101\nG00 X42 Z2\nX36\nG01 Z-10\nX42\nG00 X60 Z5\n"
     );
@@ -341,7 +338,7 @@ fn a_second_clamping_leaves_the_part_of_the_first() {
     assert_eq!(told(&given), 0);
 }
 
-/// Corners are rounded by arcs that are not quite tangent, as rounded figures give them.
+/// Corners are rounded by arcs that are not quite tangent, because of rounded numbers.
 #[test]
 fn a_groove_whose_corner_bulges_is_one_groove() {
     let program = format!(
@@ -351,8 +348,8 @@ fn a_groove_whose_corner_bulges_is_one_groove() {
     check(&program, "grooving", &[(-10.0, 50.0), (-20.0, 40.0)]);
 }
 
-/// A grooving insert takes the material off in steps, each a plunge, and makes one
-/// groove; an insert finishes.
+/// A grooving insert removes the material in plunges next to each other, which make one groove; a turning
+/// insert finishes.
 #[test]
 fn a_blade_that_roughs_for_an_insert_leaves_its_contour() {
     let mut program = format!("{HEAD}(GROOVE1)\nT0100\nG00 X64 Z1\n");
@@ -367,8 +364,7 @@ fn a_blade_that_roughs_for_an_insert_leaves_its_contour() {
     check(&program, "grooving turning", &[(-6.0, 36.0), (-18.0, 36.0), (-22.0, 32.0), (-20.0, 24.0)]);
 }
 
-/// The contour of a cycle turns back in X and ends deeper than anything before it:
-/// what is not asked for stays.
+/// The contour of a cycle reverses in X and ends deeper than before: the material beyond it stays.
 #[test]
 fn a_contour_that_ends_in_the_bar_is_cut_as_it_is_written() {
     let program = format!(

@@ -1,4 +1,5 @@
-//! Every turning program of the gallery: the radii of the part against intervals worked out motion by motion.
+//! Compares the part of every turning program of the gallery with intervals of radius, calculated motion by
+//! motion.
 
 use gcode_playground::analyze;
 use gcode_playground::machine::SimulationResult;
@@ -13,12 +14,12 @@ use crate::fixtures::{Program, all};
 /// Largest difference, mm.
 const TOLERANCE: f64 = 0.005;
 
-/// Chords stay so near to their arcs, twice: of the way, and of the nose, mm.
+/// Largest distance between chords and arcs, of the path and of the nose together, mm.
 const CHORDS: f64 = 0.004;
 
 const STATIONS: u32 = 20;
 
-/// The programs of the gallery that turn; a tap follows no outline that is worked out here.
+/// The turning programs of the gallery, without tapping: the outline of a tap is not modelled here.
 fn gallery() -> Vec<Program> {
     let list = crate::fixtures::gallery();
     all()
@@ -28,7 +29,7 @@ fn gallery() -> Vec<Program> {
         .collect()
 }
 
-/// The tool that was concluded, with its outline from the values of a tool maker's table.
+/// The inferred tool, with its outline from the table of a tool maker.
 fn as_resolved(tool: &Tool, basis: Basis, pitch: f64) -> Reach {
     let up = if tool.side == Some(Side::Inside) { -1.0 } else { 1.0 };
     match tool.kind.expect("a kind") {
@@ -63,12 +64,12 @@ fn intervals(motions: &[(Motion, Reach)], stock: &Stock, z: f64) -> Vec<Interval
     let mut before: Option<(Motion, &Reach)> = None;
     let mut taken = Vec::new();
     for (motion, reach) in motions {
-        // Where a thread ends between two turns, its insert stands for one turn before it comes out.
+        // Where a thread ends between two turns, its insert stays for one turn before it retracts.
         let ended = before.filter(|_| motion.kind != MotionKind::Thread);
         if let Some((thread, insert)) = ended.filter(|(_, insert)| insert.threads) {
             taken.extend(insert.groove(&thread, turned, z));
         }
-        // A thread that goes on where another ended goes on with the same spindle revolution.
+        // A thread that follows another one continues with the same spindle revolution.
         let goes_on = before.is_some_and(|before| before.0.kind == MotionKind::Thread);
         let lead = motion.lead.filter(|_| motion.kind == MotionKind::Thread);
         turned = if goes_on && lead.is_some() { turned } else { 0.0 };
@@ -79,7 +80,7 @@ fn intervals(motions: &[(Motion, Reach)], stock: &Stock, z: f64) -> Vec<Interval
     without_dust(&left(stock, &taken, z))
 }
 
-/// Compares 20 stations; the answer is how many had material.
+/// Compares 20 stations. Returns the number of stations with material.
 pub fn compare(
     id: &str,
     motions: &Motions,
@@ -95,17 +96,17 @@ pub fn compare(
     let mut full = 0;
     for station in 0..STATIONS {
         let mut z = stock.face - stock.length * (f64::from(station) + 0.437) / f64::from(STATIONS);
-        // A step makes the answer ambiguous: a little further on.
+        // A step makes the result ambiguous: try a little further.
         let stands = |z: f64| {
             let near = [z - 0.02, z, z + 0.02].map(|z| intervals(&all, stock, z));
             near.iter().all(|rest| rest.len() == near[1].len() && (total(rest) - total(&near[1])).abs() < 0.5)
         };
         let places = (0..20).map(|index| z - 0.05 * f64::from(index));
         z = places.into_iter().find(|&z| stands(z)).unwrap_or_else(|| panic!("{id}: steps only at Z{z}"));
-        // On a steep slope a difference at right angles to it is a larger one in radius.
+        // On a steep slope a normal deviation is a larger one in radius.
         let expected = [z - CHORDS, z, z + CHORDS].map(|z| intervals(&all, stock, z));
         let found = part.radii(z);
-        // Of what is thinner than the tolerances of both its ends nothing is left.
+        // Intervals thinner than the tolerances of both ends vanish.
         let opened = |rest: &[Interval]| moved(&moved(rest, -TOLERANCE), TOLERANCE);
         let most = moved(&union(&expected.concat()), TOLERANCE);
         let least = expected.iter().map(|rest| opened(rest));
@@ -117,8 +118,8 @@ pub fn compare(
     full
 }
 
-/// Runs a program with `tool` at each station that it uses; none leaves the stations to what is concluded.
-/// The blank is that of the program, or the one concluded; tools that the setup gives are left out.
+/// Runs a program with `tool` at each station that it uses; `None` uses the inferred tools. The blank is that
+/// of the program, or the inferred one; tools of the setup are ignored.
 fn check(program: &Program, tool: Option<fn(ToolKind) -> (Tool, Reach)>) {
     let mut setup = Setup::from_json(&program.setup).expect(&program.id);
     setup.tools.clear();
@@ -166,7 +167,7 @@ fn sharp_tools_as_concluded() {
     }
 }
 
-/// Its point is for the pitch of the program.
+/// A threading tool for the pitch of the program.
 fn threading() -> (Tool, Reach) {
     (Tool { kind: Some(ToolKind::Threading), ..Tool::default() }, Reach::thread(1.0, 0.0))
 }

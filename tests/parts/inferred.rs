@@ -1,4 +1,4 @@
-//! What is concluded of tools and blank that nobody has named, as a machinist would.
+//! Inference of tools and blank that the program does not name, as a machinist would conclude.
 
 use gcode_playground::analyze;
 use gcode_playground::machine::resolved_setup::ResolvedSetup;
@@ -6,7 +6,7 @@ use gcode_playground::setup::Setup;
 
 use crate::fixtures::all;
 
-/// Blank and tools in a line: `⌀50 bore 0, 0 to -60: T01 turning C95 tip 3`.
+/// Blank and tools in one line: `⌀50 bore 0, 0 to -60: T01 turning C95 tip 3`.
 fn guess(program: &str, setup: &str) -> String {
     let setup = Setup::from_json(setup).expect("a setup");
     let analysis = analyze(program.as_bytes(), &setup);
@@ -42,7 +42,7 @@ fn programs_of_the_tests() {
     assert_eq!(found, PROGRAMS);
 }
 
-/// Blanks of roughing cycles come out a few mm too large: their start point stands clear of the bar.
+/// Blanks inferred from roughing cycles are a few mm too large: their start point is clear of the bar.
 const PROGRAMS: &str = "\
 hand-01-g71-taper-arc-chamfer: ⌀53.4, 0 to -55.0: T01 turning C 95
 hand-02-g71-one-block-away: ⌀44.6, 0 to -55.0: T03 turning C 95 tip 4
@@ -140,20 +140,20 @@ fn blades() {
 
 #[test]
 fn grooves_have_two_flanks_and_part_offs_a_bar() {
-    // The back of the part is zero: the groove is at its front end.
+    // The back of the part is Z0: the groove is at its front end.
     check("T0303\nG00 X42 Z22\nG01 X30 F0.1\nG00 X42", "⌀42.0, 30 to -10.0: T03 grooving outside");
-    // Turned as far as that: the face is known.
+    // Turned up to there: the face is known.
     check(
         "T0101\nG00 X40 Z30\nG01 Z8 F0.2\nX42\nT0303\nG00 X42 Z22\nG01 X30 F0.1\nG00 X42",
         "⌀42.0, 30 to -10.0: T01 turning C 95, T03 grooving outside",
     );
-    // Faced with the grooving insert itself.
+    // Faced with the grooving insert.
     check(
         "T0303\nG00 X42 Z0\nG01 X-1 F0.1\nG00 X42\nZ-20\nG01 X30\nG00 X42",
         "⌀40.0, 0 to -30.0: T03 grooving outside",
     );
     check("T0303\nG00 X12 Z-9\nG01 X-1 F0.1\nG00 X12", "⌀12.0, 0 to -20.0: T03 grooving outside");
-    // In the face: an outer wall, unless somebody has turned the outside.
+    // In the face: an outer wall, unless the outside has been turned.
     let face = "T0505\nG00 X40 Z2\nG74 R1\nG74 X30 Z-6 P2000 Q2000 F0.1\nG00 Z50\n";
     check(face, "⌀56.0, 0 to -30.0: T05 grooving face");
     check(

@@ -1,4 +1,4 @@
-//! What holds of every program: random ones.
+//! Invariants of every program, tested with random ones.
 
 use gcode_playground::analyze;
 use gcode_playground::machine::region::Region;
@@ -50,12 +50,12 @@ fn run(program: &str) -> (Motions, Setup) {
     (analysis.motions, setup)
 }
 
-/// Material of one that the other does not have, mm².
+/// Area of `one` that is not in `other`, mm².
 fn more(one: &Region, other: &Region) -> f64 {
     one.without(other).area()
 }
 
-/// Below this an area is rounding, mm².
+/// Areas below this are rounding errors, mm².
 const ROUNDING: f64 = 0.002;
 
 fn same(one: &Region, other: &Region) -> bool {
@@ -113,7 +113,8 @@ fn only_what_is_passed_over_goes(program: &str) {
     compare(program, &motions, &setup, &stock, |_, motion| reach(motion.process.tool.0, pitch));
 }
 
-/// 3.3 µm are left on the bore where the arc ends, and 5.1 µm by chords: as thin as the tolerance of both ends.
+/// Exactly, 3.3 µm are left on the bore where the arc ends; by chords, 5.1 µm: as thin as the tolerance of
+/// both ends.
 #[test]
 fn a_sliver_thinner_than_the_tolerance_is_no_difference() {
     only_what_is_passed_over_goes(

@@ -1,4 +1,4 @@
-//! The part that a program makes, against geometry of the tests' own.
+//! The machined part, compared with independent geometry in the tests.
 mod contours;
 mod gallery;
 mod inferred;

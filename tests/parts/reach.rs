@@ -1,29 +1,29 @@
-//! What a tool takes off at one place along Z, worked out without areas.
+//! The material that a tool removes at one place along Z, calculated without areas.
 //!
-//! In: motions, and outlines of tools written down anew. Out: intervals of radius that are left of a blank
-//! at a Z. For each straight piece of a cut the nearest and the farthest radius the outline reaches at that
-//! Z is the least of a convex and the greatest of a concave function of the way, found by narrowing it down.
-//! Uses nothing of `machine`.
+//! In: motions, and separately defined outlines of tools. Out: the intervals of radius that are left of a
+//! blank at a Z. For each straight piece of a cut, the smallest radius that the outline reaches at that Z is
+//! the minimum of a convex function of the position on the path, and the largest is the maximum of a concave
+//! one; both are found by narrowing the interval. Uses nothing of `machine`.
 
 use gcode_playground::geometry::Point;
 use gcode_playground::motion::{Motion, MotionKind};
 use gcode_playground::setup::Stock;
 
-/// Radii from, to; mm.
+/// An interval of radius: from, to; mm.
 pub type Interval = (f64, f64);
 
-/// A convex outline about the tip: a polygon, and a disc that rounds its corner.
+/// A convex outline relative to the tip: a polygon, and a disc that rounds its corner.
 #[derive(Clone, Debug)]
 pub struct Reach {
     /// Corners in order: (z, x).
     pub corners: Vec<(f64, f64)>,
     /// Centre (z, x) and radius.
     pub disc: Option<((f64, f64), f64)>,
-    /// Whether it cuts a notch for each spindle revolution.
+    /// Whether it cuts one notch per spindle revolution.
     pub threads: bool,
 }
 
-/// How far a piece of an arc is from its chord, mm.
+/// Largest distance of an arc from its chord, mm.
 const SAGITTA: f64 = 1e-4;
 
 impl Reach {
@@ -31,9 +31,9 @@ impl Reach {
         Self { corners, disc: None, threads: false }
     }
 
-    /// A rhombus whose edges lie `trailing` and `trailing + point` degrees from +Z, set by the corner at the
-    /// lower left of its nose; turned over for other tips by `flip_z` and `flip_x` (±1). `tall` makes all
-    /// that stands over it cut as well.
+    /// A rhombus whose edges lie `trailing` and `trailing + point` degrees from +Z, positioned by the corner
+    /// at the lower left of its nose. `flip` (±1 for Z and X) mirrors it for other tip directions. With
+    /// `tall`, everything above it cuts as well.
     pub fn rhombus(trailing: f64, point: f64, edge: f64, nose: f64, flip: (f64, f64), tall: bool) -> Self {
         let (low, high) = (trailing.to_radians(), (trailing + point).to_radians());
         let bisector = (low + high) / 2.0;
@@ -52,7 +52,7 @@ impl Reach {
         };
         corners.extend([one, along(one, high, edge), other]);
         if tall {
-            // Nearest and farthest along Z, a long way up.
+            // The minimum and maximum along Z, extended far upwards.
             let (left, right) = extent(&corners, nose);
             corners = lower_chain(&corners, left, right);
         }
@@ -66,13 +66,13 @@ impl Reach {
         Self::new(vec![(0.0, 0.0), (width, 0.0), (width, 400.0 * up), (0.0, 400.0 * up)])
     }
 
-    /// A grooving insert for the end face: it takes `width` outwards from its lower corner.
+    /// A face grooving insert: it cuts `width` outwards from its lower corner.
     pub fn face_blade(width: f64) -> Self {
         Self::new(vec![(0.0, 0.0), (400.0, 0.0), (400.0, width), (0.0, width)])
     }
 
-    /// A thread point of 60° that is for a pitch: as wide as the insert stands beside it, and so
-    /// on for the insert's height.
+    /// A 60° thread profile for a pitch: it widens to the width for that pitch, and continues with that width
+    /// for the height of the insert.
     pub fn thread(up: f64, pitch: f64) -> Self {
         let half = 0.55 * pitch + 0.1;
         let shoulder = half * 3f64.sqrt();
@@ -112,7 +112,7 @@ impl Reach {
         found
     }
 
-    /// Minimum and maximum X of it at a Z.
+    /// Minimum and maximum X at a Z.
     fn column(&self, z: f64) -> Interval {
         let mut found = (f64::INFINITY, f64::NEG_INFINITY);
         let mut add = |x: f64| found = (found.0.min(x), found.1.max(x));
@@ -135,7 +135,7 @@ impl Reach {
         found
     }
 
-    /// What one straight way takes at a Z.
+    /// What one straight move removes at a Z.
     fn along(&self, from: Point, to: Point, z: f64) -> Option<Interval> {
         let (dx, dz) = (to.x - from.x, to.z - from.z);
         let (left, right) = self.support();
@@ -161,7 +161,8 @@ impl Reach {
         (low.is_finite() && high.is_finite()).then_some((low, high))
     }
 
-    /// What a motion takes at a Z; `turned` is how far the spindle has turned in the thread before it began.
+    /// What a motion removes at a Z. `turned` is how far the spindle has turned in the thread before the
+    /// motion.
     pub fn taken(&self, motion: &Motion, turned: f64, z: f64) -> Vec<Interval> {
         if !motion.kind.cuts() {
             return Vec::new();
@@ -195,7 +196,8 @@ impl Reach {
         }
     }
 
-    /// What the insert takes at a Z where a thread ends when it has `turned` so far: all around, one turn wide.
+    /// What the insert removes at a Z at the end of a thread after `turned` revolutions: all around, one turn
+    /// wide.
     pub fn groove(&self, thread: &Motion, turned: f64, z: f64) -> Option<Interval> {
         let lead = thread.lead.filter(|_| thread.kind == MotionKind::Thread)?;
         let between = (turned - turned.round()).abs() > 1e-6;
@@ -205,7 +207,7 @@ impl Reach {
     }
 }
 
-/// Spindle revolutions in a thread.
+/// Number of spindle revolutions in a thread.
 pub fn turns(motion: &Motion, lead: f64) -> f64 {
     (motion.to.x - motion.from.x).abs().max((motion.to.z - motion.from.z).abs()) / lead
 }
@@ -216,11 +218,11 @@ fn extent(corners: &[(f64, f64)], nose: f64) -> Interval {
     (left, corners.iter().map(|corner| corner.0).fold(f64::NEG_INFINITY, f64::max))
 }
 
-/// The corners with those on top moved a long way up.
+/// The corners, with the upper ones moved far up.
 fn lower_chain(corners: &[(f64, f64)], left: f64, right: f64) -> Vec<(f64, f64)> {
     let mut all: Vec<(f64, f64)> = corners.to_vec();
     all.extend([(right, 400.0), (left, 400.0)]);
-    // The hull from the left to the right below, by gift wrapping.
+    // The lower hull from left to right, by gift wrapping.
     let start = *all.iter().min_by(|a, b| a.0.total_cmp(&b.0).then(a.1.total_cmp(&b.1))).expect("corners");
     let mut hull = vec![start];
     loop {
@@ -234,7 +236,7 @@ fn lower_chain(corners: &[(f64, f64)], left: f64, right: f64) -> Vec<(f64, f64)>
     }
 }
 
-/// The least value of a convex function.
+/// The minimum of a convex function.
 fn least(mut low: f64, mut high: f64, of: impl Fn(f64) -> f64) -> f64 {
     let mut found = of(low).min(of(high));
     for _ in 0..45 {
@@ -246,7 +248,7 @@ fn least(mut low: f64, mut high: f64, of: impl Fn(f64) -> f64) -> f64 {
     found
 }
 
-/// What is left at a Z of a blank.
+/// What is left of a blank at a Z.
 pub fn left(stock: &Stock, taken: &[Interval], z: f64) -> Vec<Interval> {
     if z > stock.face || z < stock.face - stock.length {
         return Vec::new();
@@ -263,7 +265,7 @@ pub fn left(stock: &Stock, taken: &[Interval], z: f64) -> Vec<Interval> {
     rest
 }
 
-/// Without slits and slivers that are thinner than any tolerance.
+/// Removes slits and slivers that are thinner than any tolerance.
 pub fn without_dust(intervals: &[Interval]) -> Vec<Interval> {
     const DUST: f64 = 0.004;
     let mut kept: Vec<Interval> = Vec::new();
@@ -277,12 +279,13 @@ pub fn without_dust(intervals: &[Interval]) -> Vec<Interval> {
     kept
 }
 
-/// Each interval with both ends moved outwards by `by`, or inwards where it is negative; those that meet are one.
+/// Moves both ends of each interval outwards by `by`, or inwards if it is negative, and merges intervals that
+/// meet.
 pub fn moved(intervals: &[Interval], by: f64) -> Vec<Interval> {
     union(&intervals.iter().map(|(low, high)| (low - by, high + by)).collect::<Vec<_>>())
 }
 
-/// All that lies in one of them, in order; what turned inside out is nothing.
+/// The union of the intervals, in order. Inverted intervals are empty.
 pub fn union(intervals: &[Interval]) -> Vec<Interval> {
     let mut all: Vec<Interval> = intervals.iter().copied().filter(|(low, high)| low < high).collect();
     all.sort_by(|a, b| a.0.total_cmp(&b.0));
@@ -296,13 +299,13 @@ pub fn union(intervals: &[Interval]) -> Vec<Interval> {
     kept
 }
 
-/// What lies in both.
+/// The intersection of both.
 pub fn common(one: &[Interval], other: &[Interval]) -> Vec<Interval> {
     let pairs = one.iter().flat_map(|a| other.iter().map(move |b| (a.0.max(b.0), a.1.min(b.1))));
     union(&pairs.collect::<Vec<_>>())
 }
 
-/// Whether all of `inner` lies in `outer`, whose intervals do not meet.
+/// Whether `inner` lies completely in `outer`, whose intervals do not meet.
 pub fn within(inner: &[Interval], outer: &[Interval]) -> bool {
     inner.iter().all(|a| outer.iter().any(|b| b.0 <= a.0 && a.1 <= b.1))
 }

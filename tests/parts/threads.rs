@@ -1,6 +1,6 @@
-//! Where the grooves of threads lie, worked out by hand. Diameters, mm.
+//! The positions of thread grooves, calculated by hand. Diameters, mm.
 //!
-//! The insert is a V of 60°: a groove of ⌀28 in a bar of ⌀30 is as deep as 1 mm, and 1.155 mm wide at the crest.
+//! The insert is a V of 60°: a groove of ⌀28 in a bar of ⌀30 is 1 mm deep, and 1.155 mm wide at the crest.
 
 use gcode_playground::analyze;
 use gcode_playground::machine::SimulationResult;
@@ -19,12 +19,12 @@ fn cut(control: &str, blocks: &str) -> Region {
     SimulationResult::of(&analysis.motions, &setup).finished().expect("a blank")
 }
 
-/// Diameter at a place.
+/// Diameter at a Z.
 fn at(part: &Region, z: f64) -> f64 {
     part.radii(z).last().map_or(0.0, |radii| 2.0 * radii.1)
 }
 
-/// Where grooves of ⌀28 lie, from the face inwards; a hundredth of a millimetre of Z is looked at.
+/// Positions of grooves of ⌀28, from the face inwards, in steps of a hundredth of a millimetre.
 fn grooves(part: &Region) -> Vec<f64> {
     let places = (1..2900).map(|step| -f64::from(step) / 100.0);
     places.filter(|&z| at(part, z) < 28.005).collect()
@@ -49,12 +49,12 @@ fn every(first: f64, pitch: f64) -> Vec<f64> {
 fn a_start_angle_moves_the_grooves() {
     // From Z8 with lead 4: the spindle is at its mark at 8, 4, 0, -4.
     check("fanuc", "G00 X34 Z8\nG92 X28 Z-30 F4", &every(-4.0, 4.0));
-    // Half a turn later the tool is half a lead on its way when the mark passes.
+    // Half a turn later the tool has moved half a lead when the mark passes.
     check("fanuc", "G00 X34 Z8\nG92 X28 Z-30 F4 Q180000", &every(-2.0, 4.0));
     check("fanuc", "G00 X34 Z8\nG92 X28 Z-30 F4\nX28 Q180000", &every(-2.0, 2.0));
-    // A quarter of a turn before the mark passes it has made three quarters of a lead.
+    // With a start angle of 90° the tool has moved three quarters of a lead when the mark passes.
     check("fanuc", "G00 X34 Z8\nG92 X28 Z-30 F4 Q90000", &every(-3.0, 4.0));
-    // A full turn is none, and Q counts in its own block alone.
+    // A full turn counts as none, and Q applies only to its own block.
     check("fanuc", "G00 X34 Z8\nG92 X28 Z-30 F4 Q360000", &every(-4.0, 4.0));
     check("fanuc", "G00 X34 Z8\nG92 X29 Z-30 F4 Q180000\nX28", &every(-4.0, 4.0));
 }
@@ -66,7 +66,7 @@ fn starts_shifted_by_angle_or_by_z_make_one_part() {
     for z in (1..290).map(|step| -f64::from(step) / 10.0) {
         assert!((at(&by_angle, z) - at(&by_place, z)).abs() < 1e-6, "Z{z}");
     }
-    // A third of a turn is a third of the lead farther from the work.
+    // A third of a turn equals a third of the lead farther from the work.
     for (q, z) in [(120_000, 8.0), (240_000, 10.0)] {
         let by_angle = cut("fanuc", &format!("G00 X34 Z6\nG92 X28 Z-30 F6 Q{q}"));
         let by_place = cut("fanuc", &format!("G00 X34 Z{z:.1}\nG92 X28 Z-30 F6"));
@@ -83,7 +83,7 @@ fn three_starts_have_a_third_of_the_lead_as_pitch() {
     check("fanuc", &by_moves, &every(-2.0, 2.0));
 }
 
-/// Away from the chuck: a left-hand thread under M03. From Z-30 the mark passes at -26, -22 and so on.
+/// Away from the chuck: a left-hand thread with M03. From Z-30 the mark passes at -26, -22 and so on.
 #[test]
 fn starts_of_a_left_hand_thread() {
     let passes = |angles: &[&str]| -> String {
@@ -94,8 +94,8 @@ fn starts_of_a_left_hand_thread() {
     check("fanuc", &passes(&["", "Q180000"]), &every(-1.0, 2.0));
 }
 
-/// n turns with F2 K1 are 2n + n²/2 long: 0, 2.5, 6, 10.5, 16, 22.5, 30; half a turn later 1.125, 4.125, 8.125,
-/// 13.125, 19.125, 26.125.
+/// n turns with F2 K1 are 2n + n²/2 long: 0, 2.5, 6, 10.5, 16, 22.5, 30; half a turn later 1.125, 4.125,
+/// 8.125, 13.125, 19.125, 26.125.
 #[test]
 fn the_grooves_of_a_growing_lead_grow_apart() {
     let thread = |angle: &str| format!("G00 X34 Z4\nX28\nG34 Z-32 F2 K1 {angle}\nG00 X34");
@@ -103,7 +103,7 @@ fn the_grooves_of_a_growing_lead_grow_apart() {
     check("fanuc", &thread("Q180000").replace("Z4", "Z4.125"), &[-4.0, -9.0, -15.0, -22.0]);
 }
 
-/// A block that continues a thread keeps its turn; its Q has no effect.
+/// A block that continues a thread keeps its spindle angle; its Q has no effect.
 #[test]
 fn a_thread_goes_on_with_the_turn_of_the_block_before() {
     let thread =
@@ -112,7 +112,7 @@ fn a_thread_goes_on_with_the_turn_of_the_block_before() {
     check("fanuc", &thread("Q180000", ""), &every(-2.0, 4.0));
 }
 
-/// L is the number of starts on GSK; P and Q of G76 are depths, but Q of a G76 in one block is its start angle.
+/// On GSK, L is the number of starts. P and Q of G76 are depths, but Q of a one-block G76 is its start angle.
 #[test]
 fn cycles_cut_all_starts() {
     check("gsk", "G00 X34 Z8\nG92 X28 Z-30 F4 L2", &every(-2.0, 2.0));

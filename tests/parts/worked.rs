@@ -1,4 +1,4 @@
-//! Single cases worked out by hand. Diameters, mm.
+//! Single cases calculated by hand. Diameters, mm.
 
 use gcode_playground::analyze;
 use gcode_playground::machine::SimulationResult;
@@ -9,7 +9,7 @@ const TOOLS: &str = r#""T0101": {"type": "turning", "noseRadius": 0.8, "pointAng
     "T0202": {"type": "drill", "diameter": 10}, "T0303": {"type": "grooving", "width": 3},
     "T0404": {"type": "threading"}, "T0505": {"type": "threading", "side": "inside"}"#;
 
-/// The part of ⌀30 × 50 that a program makes; `chamfer` is the pull-out of threads in tenths of a lead.
+/// The part of ⌀30 × 50 that a program makes. `chamfer` is the pull-out of threads in tenths of a lead.
 fn part(chamfer: u32, program: &str) -> Region {
     let dialect = format!(r#""dialect": {{"threadChamfer": {chamfer}}}"#);
     let setup = format!(r#"{{{dialect}, "stock": {{"diameter": 30, "length": 50}}, "tools": {{{TOOLS}}}}}"#);
@@ -28,8 +28,8 @@ fn check(part: &Region, z: f64, expected: &[(f64, f64)]) {
 }
 
 /// The imaginary tip follows X10 Z0 to X30 Z-10, where x + z = 5 in radius. The centre of the nose is 0.8
-/// further in both: x + z = 6.6. The nose cuts 0.8 from it at right angles to the taper: x + z = 6.6 − 0.8·√2
-/// = 5.4686. So the diameter is larger by 2 × 0.4686 = 0.937 everywhere on it.
+/// further in both: x + z = 6.6. The nose cuts 0.8 from it perpendicular to the taper: x + z = 6.6 − 0.8·√2 =
+/// 5.4686. So the diameter is larger by 2 × 0.4686 = 0.937 everywhere on the taper.
 #[test]
 fn a_nose_leaves_a_taper_thicker() {
     let part = part(0, "T0101\nG00 X10 Z1\nG01 Z0 F1\nX30 Z-10\nG00 X40");
@@ -48,7 +48,7 @@ fn a_nose_leaves_a_corner_round() {
     check(&part, -20.01, &[(0.0, 30.0)]);
 }
 
-/// A grooving insert of 3 mm is set by its left corner: at Z-15 it takes Z-15 to Z-12.
+/// A grooving insert of 3 mm is measured at its left corner: at Z-15 it cuts Z-15 to Z-12.
 #[test]
 fn a_groove_is_as_wide_as_the_blade() {
     let part = part(0, "T0303\nG00 X32 Z-15\nG01 X20 F1\nG00 X32");
@@ -58,7 +58,7 @@ fn a_groove_is_as_wide_as_the_blade() {
     assert!((part.area() - 50.0 * 15.0 + 3.0 * 5.0).abs() < 1e-3);
 }
 
-/// Parting at Z-30 leaves 20 mm in the chuck and 27 mm of part.
+/// Parting off at Z-30 leaves 20 mm in the chuck and 27 mm of part.
 #[test]
 fn parting_off_leaves_two_pieces() {
     let part = part(0, "T0303\nG00 X32 Z-30\nG01 X0 F1\nG00 X32");
@@ -70,8 +70,8 @@ fn parting_off_leaves_two_pieces() {
     check(&part, -28.0, &[]);
 }
 
-/// The point of 118° is at Z-20: at Z-18 it is 2 × 2·tan 59° = 6.657 wide, and from 5 /
-/// tan 59° = 3.004 mm on 10.
+/// The point of 118° is at Z-20. At Z-18 it is 2 × 2·tan 59° = 6.657 wide; from 5 / tan 59° = 3.004 mm above
+/// the point on, it is 10 wide.
 #[test]
 fn a_drill_leaves_its_point() {
     let part = part(0, "T0202\nG00 X0 Z2\nG01 Z-20 F1\nG00 Z2");
@@ -80,8 +80,9 @@ fn a_drill_leaves_its_point() {
     check(&part, -16.9, &[(10.0, 30.0)]);
 }
 
-/// From Z4 with a lead of 2 the notches are at Z0, Z-2 … Z-20. Half a millimetre beside one the flank of 30°
-/// is 0.5 / tan 30° = 0.866 higher in radius; in the middle it would be 1.732 higher, which is in the air.
+/// From Z4 with a lead of 2 the notches are at Z0, Z-2 … Z-20. Half a millimetre beside one, the flank of 30°
+/// is 0.5 / tan 30° = 0.866 higher in radius; in the middle it would be 1.732 higher, which is outside of the
+/// bar.
 #[test]
 fn a_thread_has_a_notch_for_each_turn() {
     let part = part(0, "M03 S100\nT0404\nG00 X35 Z4\nG92 X27.6 Z-20 F2");
@@ -92,14 +93,14 @@ fn a_thread_has_a_notch_for_each_turn() {
         check(&part, z + 1.0, &[(0.0, 30.0)]);
     }
     check(&part, -22.0, &[(0.0, 30.0)]);
-    // A start that is 0.5 mm further on shifts all of them.
+    // A start shifted by 0.5 mm shifts all notches.
     let shifted = self::part(0, "M03 S100\nT0404\nG00 X35 Z3.5\nG92 X27.6 Z-20 F2");
     check(&shifted, -2.5, &[(0.0, 27.6)]);
     check(&shifted, -2.0, &[(0.0, 29.3321)]);
 }
 
-/// The pull-out of one lead begins at Z-17, half a turn after the notch at Z-16, and goes out at 45°: the
-/// next notch is at Z-18, one millimetre higher. None is where the pull-out begins.
+/// The pull-out of one lead begins at Z-17, half a turn after the notch at Z-16, and leaves at 45°: the next
+/// notch is at Z-18, one millimetre higher. There is no notch where the pull-out begins.
 #[test]
 fn notches_go_on_in_the_pull_out() {
     let part = part(10, "M03 S100\nT0404\nG00 X35 Z4\nG92 X27.6 Z-19 F2");
@@ -108,8 +109,8 @@ fn notches_go_on_in_the_pull_out() {
     check(&part, -18.0, &[(0.0, 29.6)]);
 }
 
-/// Two threads in a row: 15 mm are 7½ turns, so the notches of the second one are at Z-11,
-/// Z-13 … as those of the first.
+/// Two threads in a row: 15 mm are 7½ turns, so the notches of the second one continue at Z-11, Z-13 … as in
+/// the first.
 #[test]
 fn notches_go_on_from_thread_to_thread() {
     let part = part(0, "M03 S100\nT0404\nG00 X28 Z5\nG32 Z-10 F2\nG32 Z-21\nG00 X35");
@@ -117,13 +118,13 @@ fn notches_go_on_from_thread_to_thread() {
         check(&part, z, &[(0.0, 28.0)]);
     }
     check(&part, -10.0, &[(0.0, 30.0)]);
-    // After a rapid the spindle is waited for.
+    // After a rapid, the thread waits for the spindle mark.
     let part = self::part(0, "M03 S100\nT0404\nG00 X28 Z5\nG32 Z-10 F2\nG00 Z-10.5\nG32 Z-21 F2");
     check(&part, -10.5, &[(0.0, 28.0)]);
     check(&part, -11.0, &[(0.0, 29.732)]);
 }
 
-/// Halfway through a thread half of its turns are cut; an arc that is half done ends on the arc.
+/// Halfway through a thread half of its turns are cut; a half-done arc ends on the arc.
 #[test]
 fn motions_are_shown_half_done() {
     let setup = format!(
@@ -164,7 +165,7 @@ fn seed_004_begins_its_taper_in_the_air() {
     }
 }
 
-/// What cannot be machined changes nothing and stops nothing.
+/// Moves that cannot be machined change nothing and do not stop the simulation.
 #[test]
 fn strange_motions_are_survived() {
     for program in [

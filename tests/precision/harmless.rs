@@ -1,18 +1,18 @@
-//! What machinists write on purpose: none of it is worth a warning. Beside each stands a slip that
-//! looks like it and is reported.
+//! Constructs that machinists write on purpose, and that must not cause a warning. Each is paired with a
+//! similar mistake that is reported.
 
 use gcode_playground::analyze;
 use gcode_playground::message::{Severity, said};
 use gcode_playground::setup::Setup;
 
-/// The slugs of what is reported with at least this severity.
+/// The slugs of the messages with at least this severity.
 fn told(setup: &str, text: &str, least: Severity) -> Vec<&'static str> {
     let analysis = analyze(text.as_bytes(), &Setup::from_json(setup).expect("setup"));
     let grave = analysis.diagnostics.iter().filter(|told| told.severity >= least);
     grave.map(|told| told.message.slug()).collect()
 }
 
-/// The one door: a program and its warnings and errors.
+/// Checks the warnings and errors of a program.
 #[track_caller]
 fn check_with(setup: &str, text: &str, slugs: &[&str]) {
     assert_eq!(told(setup, text, Severity::Warning), slugs, "\n{text}");
@@ -23,14 +23,14 @@ fn check(text: &str, slugs: &[&str]) {
     check_with("{}", text, slugs);
 }
 
-/// The same program has only this note.
+/// Checks that the program has only this note.
 #[track_caller]
 fn check_note(text: &str, slug: &str) {
     check(text, &[]);
     assert!(told("{}", text, Severity::Info).contains(&slug), "no {slug}\n{text}");
 }
 
-/// A turned part, then what comes after it.
+/// A turned part, followed by `rest`.
 fn behind_turning(rest: &str) -> String {
     format!(
         "O0001\nG21 G40 G99\nT0101\nG97 S900 M03\nG00 X28 Z2 M08\nG01 Z-40 F0.2\nX34\nG00 X150 Z150 M09\nM05\n{rest}"
@@ -43,7 +43,7 @@ fn a_bar_is_pulled_with_the_spindle_stopped() {
         "T1010\nG98\nG00 X0 Z-10\nG01 Z-25 F300\nM11\nG04 X1\nG01 Z35 F1000\nM10\nG04 X1\nG00 Z150\nM30\n",
     );
     check(&puller, &[]);
-    // Opened before the tool goes anywhere.
+    // Opened before the tool moves.
     let feeder = behind_turning(
         "T1212\nG98\nG00 X0 Z40\nG01 Z2 F1000\nM69\nG04 X1.5\nG01 Z0 F200\nG04 X0.5\nM68\nG00 X150 Z150\nM30\n",
     );
@@ -98,7 +98,7 @@ fn the_percent_sign_may_stand_behind_the_last_block() {
     for end in ["\nM30%", "\nM30%\n", "\nM30 %\r\n", "\nM30;%\n\n", " M30%", "\nM02%\n%\n"] {
         check(&program(end), &[]);
     }
-    // In the middle of a program it is a slip.
+    // In the middle of a program it is a mistake.
     check(&program("%\nG00 Z90\nM30\n"), &["character-not-understood"]);
 }
 
@@ -111,7 +111,7 @@ fn threads_per_inch_are_a_whole_number() {
     let straight = "G99 T0303\nG97 S400 M03\nG00 X40.0 Z5.0 M08\nX32.5\nG32 Z-30.5 I11\nG00 X40.0\nZ5.0\nX31.5\n\
                     G32 Z-30.5 I11\nG00 X40.0\nZ5.0\nX100.0 Z100.0\nM30\n";
     check_with(gsk, straight, &[]);
-    // FANUC reads the same letter as a taper: that is worth a word.
+    // FANUC reads the same letter as a taper, so a warning is useful.
     check(&thread.replace("I8", "I-1.0 F3.0"), &["letter-i-in-g92"]);
 }
 
@@ -124,7 +124,7 @@ fn a_safe_line_with_g90_before_a_motion_code_starts_no_cycle() {
         check(&program(header, "G00 X46. Z2."), &[]);
     }
     check(&program("G21 G90 G99", "G01 X46. Z2. F1."), &[]);
-    // Here the cycle does begin.
+    // Here the cycle does start.
     check(&program("G21 G90 G99", "X46. Z2. F.2"), &["g90-is-a-cycle"]);
 }
 
@@ -164,9 +164,9 @@ fn a_cone_that_may_have_been_worked_out_is_a_note_without_a_repair() {
         let found = analysis.diagnostics.into_iter().find(|told| told.message.slug() == "taper-not-extended");
         found.map(|told| (told.severity, told.fixes.len()))
     };
-    // X44.1667 at the face is on no drawing, and the cone has no usual slope.
+    // X44.1667 at the face is not a drawing dimension, and the cone has no usual slope.
     assert_eq!(cone("-3.5"), Some((Severity::Warning, 1)));
-    // X40 at the face: worked out for the start point.
+    // X40 at the face: calculated for the start point.
     assert_eq!(cone("-6"), None);
     // X48.3333 at the face, but 2 mm in the diameter over 24 mm are 1:12.
     assert_eq!(cone("-1"), Some((Severity::Info, 0)));
@@ -256,7 +256,7 @@ fn an_arc_that_ends_elsewhere_along_y_goes_somewhere() {
 fn what_depends_on_the_control_is_said_once() {
     let text = "G99 T0101\nG97 S800 M03\nG00 X46 Z2 M08\nG01 Z-20 F0.2\nG28\nT0202\nG00 X44 Z2\nG01 Z-20\nG28\nM30\n";
     check(text, &["g28-without-axis"]);
-    // Two digits beside M06: a turret that takes no more.
+    // Two digits with M06: a turret that takes only two.
     check("G99\nM06 T01\nG97 S800 M03\nG00 X46 Z2 M08\nG01 Z-20 F0.2\nG00 X90 Z90\nM30\n", &[]);
     // Roughing with compensation on: old controls ignore it, newer ones apply it.
     let rough = "G99 T0101\nG97 S800 M03\nG42 G00 X52 Z2 M08\nG71 U2 R0.5\nG71 P10 Q20 U0.4 W0.1 F0.25\nN10 G00 X30\n\
@@ -269,7 +269,7 @@ fn a_spindle_with_its_face_turned_round_cuts_toward_positive_z() {
     let back = "O0001\nG21 G40 G99\nT0101 G54\nG97 S900 M03\nG00 X28 Z2\nG01 Z-40 F0.2\nX34\nG00 X150 Z150\n\
                 T0505 G55\nG97 S1200 M04 G00 X0 Z-3\nG01 Z16 F0.1\nG00 Z-3\nX150 Z-150\nM30\n";
     check(back, &[]);
-    // The same cut from in front of the face, in the one frame there is.
+    // The same cut from in front of the face, in the only frame.
     let lost = back.replace(" G55", "").replace("X0 Z-3", "X0 Z3");
     check(&lost, &["minus-missing"]);
 }
@@ -331,7 +331,7 @@ fn the_first_pass_of_a_pattern_cuts_what_stands_there() {
     };
     check(&part("G90 X55 Z-40 F0.25\nX50\nX46\n"), &[]);
     check(&part(""), &["pattern-first-pass-deep"]);
-    // What was turned is not what the contour needs.
+    // The turned shape is not the shape that the contour needs.
     check(&part("G90 X55 Z-12 F0.25\nX50\nX46\n"), &["pattern-first-pass-deep"]);
 }
 

@@ -1,10 +1,10 @@
-//! Cuts, speeds and ends of programs that look like slips and are right: none of them is worth a warning. Beside each
-//! stands a slip that looks like it and is reported.
+//! Cuts, speeds and program ends that look like mistakes but are right, and must not cause a warning. Each is
+//! paired with a similar mistake that is reported.
 
 use gcode_playground::analyze;
 use gcode_playground::setup::Setup;
 
-/// How often a rule is triggered by a program, notes and what happens at the machine included.
+/// How often a program triggers a rule, including notes and machine checks.
 fn times(setup: &str, text: &str, slug: &str) -> usize {
     let mut analysis = analyze(text.as_bytes(), &Setup::from_json(setup).expect("setup"));
     analysis.check_at_machine();
@@ -21,7 +21,7 @@ fn is_told(slug: &str, text: &str) {
     assert_eq!(times("{}", text, slug), 1, "{slug}\n{text}");
 }
 
-/// A contour is roughed, and again after some blocks.
+/// Roughs a contour, and again after some blocks.
 fn roughed_again(between: &str) -> String {
     let cycle = "G00 X52 Z2\nG71 U2 R0.5\nG71 P10 Q20 U0.4 W0.1 F0.2\n";
     format!(
@@ -41,7 +41,7 @@ fn the_next_part_is_roughed_like_the_one_before() {
     is_told("contour-roughed-twice", &roughed_again("M05\nM03\n"));
 }
 
-/// Three tools go to X200 Z150; a fourth goes elsewhere, and something follows.
+/// Three tools retract to X200 Z150; a fourth goes elsewhere, followed by more blocks.
 fn away(last: &str) -> String {
     let cut = |tool: u32, x: u32| format!("T0{tool}0{tool}\nG00 X52 Z2\nG01 X{x} F0.2\nZ-20\nX54\n");
     let three: String =
@@ -83,7 +83,7 @@ fn a_section_after_the_end_is_started_by_a_search() {
     let slug = "blocks-after-end";
     is_silent(slug, &format!("{head}M30\nN2 (FINISH ONLY)\n{finish}M30\n"));
     is_silent(slug, &format!("{head}M99\nN900 (RETRACT: RESTART HERE)\nG28 U0\nG28 W0\nM30\n"));
-    // No number to search for, no end of its own, and numbers at every block.
+    // No sequence number to search for, no separate end, and numbers at every block.
     is_told(slug, &format!("{head}M30\n{finish}M30\n"));
     is_told(slug, &format!("{head}M30\nN2\n{finish}"));
     is_told(slug, &format!("{head}M30\nN80 G00 X44 Z2\nN90 G01 Z-20\nN100 M30\n"));
@@ -116,11 +116,11 @@ fn tools_do_more_than_their_name_says() {
     };
     is_silent(slug, &drill("X15", "G90 X18 Z-15 F0.1\nX20\nX22"));
     is_told(slug, &drill("X42", "G90 X38 Z-15 F0.1\nX36"));
-    // Deeper than it has drilled.
+    // Deeper than the drilled hole.
     is_told(slug, &drill("X15", "G90 X18 Z-30 F0.1"));
 }
 
-/// The spindle starts while C is connected.
+/// Starts the spindle while the C axis is connected.
 fn started_with_c(blocks: &str) -> String {
     format!(
         "O0001 (STOCK D=50 LENGTH=80)\nM45\nG28 H0\nT0505\nG98 G97 S1500 M13\nG00 X60 Z-20 C90\nG01 X44 F100\nG00 X60\n\
@@ -136,7 +136,7 @@ fn another_spindle_may_start_while_c_is_connected() {
     is_silent(slug, &started_with_c(&format!("T0606\nS2000 M03\n{drilled}\nM05\nM46")));
     is_told(slug, &started_with_c("G97 S800 M3\nT0101"));
     is_told(slug, &started_with_c("G97 S800 M03\nT0101\nM46\nG00 X60 C0"));
-    // A comment chooses nothing.
+    // A comment does not select a spindle.
     is_told(slug, &started_with_c("G97 S800 M03 (P2)\nT0101"));
 }
 
@@ -225,7 +225,7 @@ fn a_tool_leaves_its_groove_or_shoulder_fast() {
     };
     is_silent(slug, &turned("G01 Z-30 F0.25\nX62 F1.5\nG00 Z2\nX50\nG98 G01 Z-30 F150\nX57 F1000"));
     is_told(slug, &turned("G01 Z-30 F1.5\nX62"));
-    // It faces.
+    // The cut is facing.
     is_told(slug, &turned("G01 Z-1 F0.25\nX-1 F1.5\nZ2"));
 }
 

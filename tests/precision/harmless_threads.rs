@@ -1,10 +1,10 @@
-//! Threads that machinists cut on purpose in ways that look strange: no rule of threads is triggered. Beside
-//! each stands a slip that looks like it and is reported.
+//! Threads that machinists cut on purpose in unusual ways: no thread rule is triggered. Each is paired with a
+//! similar mistake that is reported.
 
 use gcode_playground::run::Run;
 use gcode_playground::setup::Setup;
 
-/// How often a rule is triggered, at the machine too.
+/// How often a rule is triggered, including machine checks.
 fn count(slug: &str, text: &str) -> usize {
     let mut run = Run::new(text.as_bytes().to_vec(), Setup::default());
     while !run.advance(usize::MAX) {}
@@ -23,7 +23,7 @@ fn is_told(slug: &str, text: &str) {
     assert!(count(slug, text) > 0, "no {slug}\n{text}");
 }
 
-/// Passes in a bar, with a tool and the spindle turning.
+/// Passes in a bar, with a tool and the spindle running.
 fn thread(bar: &str, speed: u32, passes: &str) -> String {
     format!("O0001 (STOCK {bar})\nT0505\nG97 S{speed} M03\n{passes}\nG00 X200 Z200 M09\nM30\n")
 }
@@ -41,7 +41,7 @@ fn a_coarse_thread_is_fed_in_along_both_flanks() {
     let flanks_finished = "G00 X36 Z8 M08\nG92 X29.2 Z-40 F3\nX28.5\nX27.9\nX27.3\nX26.9\nG00 Z8.05\nG92 X26.9 Z-40 F3\n\
                            G00 Z7.95\nG92 X26.9 Z-40 F3";
     is_silent(RULE, &thread("D=30 LENGTH=100", 300, flanks_finished));
-    // Half a lead and a third of it cut the crests away.
+    // Shifts of a half and of a third of the lead remove the crests.
     is_told(RULE, &thread("D=30 LENGTH=100", 300, &flanks_finished.replace("Z8.05", "Z9.5")));
     is_told(RULE, &thread("D=30 LENGTH=100", 300, &flanks_finished.replace("Z8.05", "Z9")));
 }
@@ -55,7 +55,7 @@ fn an_insert_narrower_than_the_groove_cuts_left_middle_and_right() {
         )
     };
     is_silent("thread-start-moved", &thread("D=30 LENGTH=100", 100, &loop_of("6")));
-    // A third of the lead to each side leaves no crest.
+    // A shift by a third of the lead to each side leaves no crest.
     is_told("thread-start-moved", &thread("D=30 LENGTH=100", 100, &loop_of("2.5")));
 }
 
@@ -67,7 +67,7 @@ fn a_thread_has_many_starts() {
         let starts = vec![series; 24 / step].join(format!("\nG00 W{step}\n").as_str());
         is_silent(RULE, &thread("D=40 LENGTH=60", 40, &format!("G00 X46 Z30 M08\n{starts}")));
     }
-    // The series goes on elsewhere.
+    // The series continues at another place.
     let goes_on = "G00 X46 Z30 M08\nG92 X39.1 Z-23 F24\nX38.4\nG00 W12\nG92 X37.8 Z-23 F24";
     is_told(RULE, &thread("D=40 LENGTH=60", 40, goes_on));
     let last_again = "G00 X46 Z30 M08\nG92 X39.1 Z-23 F24\nX38.4\nG00 W8\nG92 X38.4 Z-23 F24";
@@ -95,7 +95,7 @@ fn a_scratch_shows_the_lead_before_the_passes() {
         "G00 X34 Z6 M08\nG92 X29.96 Z-30 F2\nX29.92\nM01\nG92 X29.2 Z-30 F2\nX28.6\nX28\nX27.6\nX27.4";
     is_silent(RULE, &thread("D=30 LENGTH=80", 480, stopped));
     is_silent(RULE, &thread("D=30 LENGTH=80", 480, &stopped.replace("M01\n", "")));
-    // Measured in between: what comes is what was missing.
+    // Measured in between: the next passes remove the rest.
     let measured = "G00 X34 Z6 M08\nG92 X29.6 Z-30 F2\nX29.3\nM00\nG92 X28.4 Z-30 F2\nX27.8\nX27.4";
     is_silent(RULE, &thread("D=30 LENGTH=80", 480, measured));
     is_told(RULE, &thread("D=30 LENGTH=80", 480, &measured.replace("M00\n", "")));
@@ -107,7 +107,7 @@ fn the_last_passes_of_a_thread_are_spring_passes() {
     let passes = "G00 X34 Z6 M08\nG92 X29.2 Z-30 F2\nX28.6\nX28\nX27.6\nX27.4";
     is_silent(RULE, &thread("D=30 LENGTH=80", 480, &format!("{passes}\nX27.4")));
     is_silent(RULE, &thread("D=30 LENGTH=80", 480, &format!("{passes}\nX27.4\nX27.4")));
-    // The next part of the bar after it.
+    // The next part from the bar.
     let twice = format!("{passes}\nX27.4\nG92 X29.2 Z-30 F2\nX28.6\nX28\nX27.6\nX27.4\nX27.4");
     is_silent(RULE, &thread("D=30 LENGTH=80", 480, &twice));
     is_told(RULE, &thread("D=30 LENGTH=80", 480, &passes.replace("X28\n", "X28.6\n")));

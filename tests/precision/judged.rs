@@ -1,13 +1,14 @@
-//! What a list of judged messages says of the rules: how many are true, in total and by rule.
+//! Evaluates a list of judged messages: how many are true, in total and per rule.
 //!
-//! In: lines of JSON, each with `file` (the first twelve digits of the SHA-256 of a real program), `line`,
-//! `rule`, `severity`, `verdict` (`true`, `defensible`, `false`, `unsure`) and `reason`. Out: the bounds that it breaks.
+//! In: JSON lines, each with `file` (the first twelve digits of the SHA-256 of a real program), `line`,
+//! `rule`, `severity`, `verdict` (`true`, `defensible`, `false`, `unsure`) and `reason`. Out: the bounds that
+//! the list violates.
 
 use std::collections::BTreeMap;
 
 use serde::Deserialize;
 
-/// One message of a real program, judged by somebody other than the author of its rule.
+/// One message of a real program, judged by a person other than the author of its rule.
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 struct Judged {
@@ -31,7 +32,7 @@ enum Severity {
 #[serde(rename_all = "lowercase")]
 enum Verdict {
     True,
-    /// Not what the author meant, but what a careful reader may say.
+    /// Not what the author of the program meant, but a reasonable reading.
     Defensible,
     False,
     Unsure,
@@ -43,15 +44,15 @@ impl Judged {
     }
 }
 
-/// So many messages have to be judged.
+/// Minimum number of judged messages.
 const ENOUGH: usize = 300;
-/// Least share of messages that are true or defensible, percent.
+/// Minimum share of messages that are true or defensible, percent.
 const SHARES: [(Severity, usize); 2] = [(Severity::Error, 97), (Severity::Warning, 95)];
 /// At least `SHARE` percent of the messages of a rule must be true or defensible if it has `MANY` of them.
 const MANY: usize = 5;
 const SHARE: usize = 80;
 
-/// Reads a list. The error names the row.
+/// Parses a list. The error names the row.
 fn read(list: &str) -> Result<Vec<Judged>, String> {
     let rows = list.lines().enumerate().filter(|(_, row)| !row.trim().is_empty());
     rows.map(|(at, row)| {
@@ -67,8 +68,8 @@ fn read(list: &str) -> Result<Vec<Judged>, String> {
     .collect()
 }
 
-/// The bounds that a list breaks, in words. What nobody could decide counts as a message, but not
-/// as a true one of its rule.
+/// The violated bounds, as text. Messages judged `unsure` count in the total, but not as true ones of their
+/// rule.
 fn broken_bounds(list: &[Judged], enough: usize) -> Vec<String> {
     let mut broken = Vec::new();
     if list.len() < enough {
@@ -140,7 +141,7 @@ fn a_rule_with_many_messages_is_mostly_right() {
     assert_eq!(broken_bounds(&list(&[("a", 4, 1, 0), ("b", 40, 0, 0)]), 0), [""; 0]);
     assert_eq!(broken_bounds(&list(&[("a", 3, 2, 0), ("b", 60, 0, 0)]), 0), ["a: 3 of 5 are true"]);
     assert_eq!(broken_bounds(&list(&[("a", 3, 0, 2), ("b", 60, 0, 0)]), 0), ["a: 3 of 5 are true"]);
-    // Too few to say anything.
+    // Too few to judge.
     assert_eq!(broken_bounds(&list(&[("a", 2, 2, 0), ("b", 40, 0, 0)]), 0), [""; 0]);
 }
 

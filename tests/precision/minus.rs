@@ -1,10 +1,10 @@
-//! `minus-missing` against programs judged by hand: no wrong alarm, and at least 95 % right.
+//! `minus-missing` on programs judged by hand: no false alarm, and at least 95 % right.
 
 use gcode_playground::analyze;
 use gcode_playground::message::Diagnostic;
 use gcode_playground::setup::Setup;
 
-/// A program and what a machinist says of it.
+/// A program and the verdict of a machinist.
 struct Case {
     title: String,
     /// The word that lost its minus.
@@ -27,7 +27,7 @@ fn cases() -> Vec<Case> {
     cases.split("\n## ").map(case).collect()
 }
 
-/// The words that are said to have lost a minus, each with its repair.
+/// The words reported to have lost a minus, each with its fix.
 fn told(text: &str) -> Vec<(String, String)> {
     let analysis = analyze(text.as_bytes(), &Setup::default());
     let minus = |told: &&Diagnostic| told.message.slug() == "minus-missing";
