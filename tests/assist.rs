@@ -1,7 +1,8 @@
-//! Help at the word and the state of the control, asked at places of fixtures that are marked with `$0`.
+//! Help at a word and control state, requested at positions of fixtures that are marked with `$0`.
 //!
-//! Each file `tests/assist/*.nc` is a program with marks; the file `.help` beside it is what is answered at each of them, in
-//! three languages. `UPDATE_EXPECT=1 cargo test --test it assist::` updates them; read the difference before you commit it.
+//! Each file `tests/assist/*.nc` is a program with marks. The file `.help` beside it contains the answers at
+//! each mark, in three languages. `UPDATE_EXPECT=1 cargo test --test it assist::` updates them; review the
+//! difference before you commit it.
 #[path = "assist/asking.rs"]
 mod asking;
 #[path = "assist/completion.rs"]
@@ -28,7 +29,7 @@ use gcode_playground::run::replay::Time;
 use gcode_playground::sentences::Language;
 use gcode_playground::setup::Setup;
 
-/// A text without its marks, and where they were.
+/// A text without its marks, and the positions of the marks.
 fn marked(text: &str) -> (String, Vec<u32>) {
     let mut pieces = text.split("$0");
     let mut plain = pieces.next().unwrap_or_default().to_owned();
@@ -40,7 +41,7 @@ fn marked(text: &str) -> (String, Vec<u32>) {
     (plain, marks)
 }
 
-/// What is answered at each mark.
+/// The answers at all marks.
 fn answers(text: &str) -> String {
     let (plain, marks) = marked(text);
     let mut asking = Asking::new(&plain, Setup::default());
@@ -107,7 +108,7 @@ fn write_state(out: &mut String, state: &StateHelp) {
     }
 }
 
-/// The form of a block: its words, and what of them is not written.
+/// The form of a block: its words, and those that are missing.
 fn write_form(out: &mut String, form: Option<FormHelp>) {
     for line in form.into_iter().flat_map(|form| form.lines) {
         let words = line.words.iter().map(|word| match word.state {
@@ -134,7 +135,7 @@ fn answers_at_the_marked_places_are_the_committed_ones() {
     }
 }
 
-/// Every word of every program of the gallery is explained, and none of the correct ones is said to have no meaning.
+/// Every word of every gallery program is explained, and no word of a correct one is reported as meaningless.
 #[test]
 fn every_word_of_every_program_is_explained() {
     for id in fixtures::gallery() {
@@ -185,7 +186,7 @@ fn the_state_shown_is_that_of_stepping() {
     }
 }
 
-/// Blocks with all the words of their form, and what has to stand before and after them.
+/// Blocks with all the words of their form, and the lines required before and after them.
 const FORMS: &[(&str, &str, &str)] = &[
     ("", "G00 X50 Z-10", ""),
     ("", "G01 X50 Z-10 F0.2", "G01 Z-20"),
@@ -215,13 +216,13 @@ const FORMS: &[(&str, &str, &str)] = &[
     ("", "G65 P9100 L1 A5", ""),
 ];
 
-/// The block of a form in a program.
+/// A program with the block of a form.
 fn with_form(head: &str, block: &str, rest: &str) -> Asking {
     let text = format!("{FORM_HEAD}{head}{block}\n{rest}\nG00 X100 Z100\nM30\nO9100\nM99\n");
     Asking::new(&text, Setup::default())
 }
 
-/// The rules of all messages that are more than a note.
+/// The rules of all messages above note severity.
 fn serious(head: &str, block: &str, rest: &str) -> Vec<String> {
     let asking = with_form(head, block, rest);
     let told = asking.run.diagnostics().iter().filter(|told| told.severity != Severity::Info);
@@ -230,7 +231,7 @@ fn serious(head: &str, block: &str, rest: &str) -> Vec<String> {
 
 const FORM_HEAD: &str = "O1\nT0101 M3 S800 G99\nG00 X62 Z2\nG01 F0.25 Z1\nG00 Z2\n";
 
-/// What a form calls necessary is missed by the control, and what it calls optional is not.
+/// The control reports a missing word exactly if the form calls it required.
 #[test]
 fn a_form_asks_for_what_the_control_asks_for() {
     let mut wrong = Vec::new();

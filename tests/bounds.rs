@@ -1,4 +1,4 @@
-//! Programs that would take for ever: each is answered within seconds, and says why.
+//! Programs that would run forever: each ends within seconds, with a message that says why.
 
 use crate::endless;
 use std::time::{Duration, Instant};
@@ -11,7 +11,7 @@ use gcode_playground::run::{Analysis, Run};
 use gcode_playground::setup::Setup;
 use gcode_playground::source::LineIndex;
 
-/// The one door: what a program gives under a setup, in time.
+/// Analyses a program under a setup and checks the time.
 #[track_caller]
 fn run_within(most: Duration, name: &str, setup: &str, text: &(impl AsRef<[u8]> + ?Sized)) -> Analysis {
     let setup = Setup::from_json(setup).expect("setup");
@@ -22,7 +22,7 @@ fn run_within(most: Duration, name: &str, setup: &str, text: &(impl AsRef<[u8]> 
     analysis
 }
 
-/// The same, for work that adds up: the longest time is what a slow build on a busy machine may take.
+/// The same with a generous time limit, enough for a slow build on a busy machine.
 #[track_caller]
 fn run(name: &str, setup: &str, text: &(impl AsRef<[u8]> + ?Sized)) -> Analysis {
     run_within(Duration::from_secs(10), name, setup, text)
@@ -44,7 +44,7 @@ fn cycles_of_far_too_many_passes_are_refused_at_once() {
             case.name,
             codes(&analysis)
         );
-        // Its contour at most is drawn, as uncertain.
+        // At most the contour of the cycle is drawn, as uncertain.
         assert!(analysis.motions.len() <= 10, "{}", case.name);
         let certain = analysis.motions.iter().filter(|motion| !motion.process.uncertain).count();
         assert_eq!(certain, 1, "{}", case.name);
@@ -69,7 +69,7 @@ fn ends_with_its_message(case: &Hostile) {
     assert!(found.len() <= Limits::default().messages + 3, "{}", case.name);
 }
 
-/// Each bound is met by a program that stays just within it, and reported for one that goes one step further.
+/// For each limit, a program just within it runs, and one that exceeds it by one is reported.
 #[test]
 fn every_bound_is_exact() {
     for bound in bounds() {
@@ -84,7 +84,7 @@ fn every_bound_is_exact() {
     }
 }
 
-/// A limit can be set as low as one likes, but only as high as there is room for.
+/// A limit can be set to any low value, but only up to a maximum.
 #[test]
 fn limits_are_set_by_name_and_within_reason() {
     let limits = |json: &str| Setup::from_json(json).map(|setup| setup.limits);
@@ -116,7 +116,7 @@ fn the_reference_lists_every_limit() {
     }
 }
 
-/// Why a run ends is reported even after as many messages as are kept.
+/// The reason for the end of a run is reported even if the limit of messages is reached.
 #[test]
 fn the_reason_for_the_end_is_always_told() {
     let limits = Limits { messages: 2, repeated_blocks: 99, motions: 2, ..Limits::default() };
@@ -133,7 +133,7 @@ fn the_reason_for_the_end_is_always_told() {
     }
 }
 
-/// A cycle that is refused after more steps than a run may make is one fault.
+/// A cycle that exceeds the work limit of a run is reported as one error.
 #[test]
 fn a_cycle_that_ends_the_run_is_told_of_once() {
     let limits = Limits { cycle_work: 10, moves_per_cycle: 50, ..Limits::default() };
@@ -147,7 +147,7 @@ fn a_cycle_that_ends_the_run_is_told_of_once() {
     }
 }
 
-/// M99 of a main program goes on for as long as something that the program asks for changes.
+/// M99 of a main program repeats it as long as a value that the program reads changes.
 #[test]
 fn rounds_of_the_main_program_end_by_what_they_ask_for() {
     let slugs = |text: &str| -> Vec<&'static str> {
@@ -169,7 +169,7 @@ fn rounds_of_the_main_program_end_by_what_they_ask_for() {
     }
 }
 
-/// Nearly as many moves as a cycle may have are made.
+/// A cycle with nearly the maximum number of moves runs.
 #[test]
 fn a_cycle_just_within_the_bound_runs() {
     let text =
@@ -179,7 +179,7 @@ fn a_cycle_just_within_the_bound_runs() {
     assert_eq!(codes(&analysis), Vec::<&str>::new());
 }
 
-/// A contour of `blocks` blocks that falls and rises, as a program prepared by another program has it.
+/// A contour of `blocks` blocks that falls and rises, as CAM systems write it.
 fn contour(blocks: usize) -> String {
     let mut text = String::from("N1 G0 X50\n");
     for block in 0..blocks {
@@ -208,7 +208,7 @@ fn a_long_contour_called_again_and_again_ends_with_a_message() {
     check("G70", &contour, "G70 P1 Q2");
     check("G71", &contour, "G71 P1 Q2 U1");
     check("G73", &contour, "G73 P1 Q2 U1 D2 I1 K1");
-    // Refused each time, so that no number of motions ends it.
+    // It fails each time, so no limit of motions ends the run.
     check("G70 with G28", &contour.replace("N2 ", "G28 U0\nN2 "), "G70 P1 Q2");
     check("G72 with a fault in each block", &contour.replace("G1 X", "G1 Q- X"), "G72 P1 Q2 U1");
 }
@@ -229,7 +229,7 @@ fn cycles_that_come_to_nothing_do_not_add_up() {
         let analysis = run(name, setup, &format!("{head}{contour}G0 X200 Z2\n{calls}M30\n"));
         assert!(codes(&analysis).iter().any(|found| found == code), "{name}: {:?}", codes(&analysis));
     }
-    // As many numbers as calls, and all calls to one number.
+    // As many sequence numbers as calls, and all calls to one number.
     let text: String = (1..=200_000).map(|number| format!("N{number}G70P{number}Q{number}\n")).collect();
     assert!(codes(&run("each names itself", "{}", &text)).iter().any(|found| found == "PS0325"));
     assert!(
@@ -271,8 +271,8 @@ fn loops_without_end_are_told() {
     }
 }
 
-/// G70 in a main program does not find the contour that a macro has roughed: it would go on in the middle of
-/// the macro, whose M99 would then look for the main program again and again.
+/// G70 in a main program does not find the contour that a macro has roughed: it would continue in the middle
+/// of the macro, whose M99 would search for the main program again and again.
 #[test]
 fn finishing_stays_in_its_own_program() {
     let macro_call = "M3 S500\nF.2\nG0 X50 Z2\nG65 P2\nG70 P1 Q2\nM30\n";

@@ -1,4 +1,5 @@
-//! `gcode-playground check` as a team runs it over its programs: paths, formats, selection, baseline, exit status.
+//! `gcode-playground check` as a team uses it on its programs: paths, formats, selection, baseline, exit
+//! status.
 use std::fs;
 use std::io::Write;
 use std::path::{Path, PathBuf};
@@ -9,7 +10,7 @@ use serde_json::{Value, json};
 const FAULTY: &str = "O1\nM3 S500\nG0 X\nM30\n";
 const RIGHT: &str = "O2\nM3 S500\nG0 X50 Z2\nM30\n";
 
-/// A folder of its own for a test.
+/// A separate folder for a test.
 struct Folder(PathBuf);
 
 impl Folder {
@@ -57,7 +58,7 @@ fn rows(output: &Output) -> Vec<Value> {
     out(output).lines().map(|line| serde_json::from_str(line).expect("one object a line")).collect()
 }
 
-/// The files that a check has looked into, in order.
+/// The files that a check has read, in order.
 fn files(folder: &Folder, arguments: &[&str]) -> Vec<String> {
     let arguments = [&["--format", "junit"], arguments].concat();
     let text = out(&folder.check(&arguments)).replace('\\', "/");
@@ -82,11 +83,11 @@ fn a_folder_stands_for_the_programs_in_it() {
     let folder = many("found");
     assert_eq!(files(&folder, &["."]), ["a.nc", "kept/old/d.nc", "sub/O0003", "sub/b.TAP"]);
     assert_eq!(files(&folder, &["sub", "sub/b.TAP", "a.nc"]), ["sub/O0003", "sub/b.TAP", "a.nc"]);
-    // What is named is meant, whatever it is called, and whatever is ignored.
+    // Files named explicitly are checked, whatever their extension and the ignore patterns.
     assert_eq!(files(&folder, &["old/c.nc", "sub/notes.txt"]), ["old/c.nc", "sub/notes.txt"]);
 }
 
-/// Endings of 106 programs found in public: more than half were none of the usual ones.
+/// Extensions of 106 public programs: more than half were not among the usual ones.
 #[test]
 fn a_folder_is_searched_for_programs_by_ending_and_by_text() {
     let mut folder =
@@ -107,7 +108,7 @@ fn a_folder_is_searched_for_programs_by_ending_and_by_text() {
     assert!(err(&folder.check(&[".", "--extension", "gc"])).contains("12 files left out"));
 }
 
-/// The beginning of a file shows whether it is a program. Where that ends within a line or a character, nothing is lost.
+/// The beginning of a file decides whether it is a program. It may end within a line or a character.
 #[test]
 fn of_a_long_file_only_the_beginning_shows_what_it_is() {
     let program =
@@ -121,7 +122,7 @@ fn of_a_long_file_only_the_beginning_shows_what_it_is() {
     assert_eq!(files(&folder, &["."]), ["a.txt", "b.txt", "c.txt"]);
 }
 
-/// A control has all programs in its memory; here each is a file.
+/// A control has all programs in its memory; here each is a separate file.
 #[test]
 fn subprograms_are_found_in_files_of_their_own() {
     let main = |call: &str| {
@@ -161,7 +162,7 @@ fn subprograms_are_found_in_files_of_their_own() {
         let told = out(&folder.check(&[file, "--format", "json"]));
         assert!(!told.contains("\"slug\""), "{file}: {told}");
     }
-    // A head before the sign `%`, in the program and in the subprogram.
+    // A header before the `%` sign, in the program and in the subprogram.
     assert_eq!((cuts(&["sign.nc"]), cuts(&["head.nc"])), (2, 1));
     for file in ["shelf.nc", "wrong.nc"] {
         assert_eq!(cuts(&[file]), 0, "{file}");
@@ -169,15 +170,15 @@ fn subprograms_are_found_in_files_of_their_own() {
     }
     assert_eq!(cuts(&["shelf.nc", "--library", "shelf"]), 1);
     assert!(!out(&folder.check(&["shelf.nc", "--library", "shelf"])).contains("is not in this file"));
-    // What is wrong in a subprogram is reported for its own file; the first error, which ends the check of collisions, at the
-    // call as well.
+    // Errors in a subprogram are reported for its own file. The first error, which ends the collision check,
+    // is reported at the call as well.
     assert!(out(&folder.check(&["O6000.nc"])).contains("G7.7"));
     for (file, call) in [("faulty.nc", "P6000"), ("deep.nc", "P6001")] {
         let told = out(&folder.check(&[file]));
         assert!(told.contains(&format!("{file}:5:5\n")) && told.contains(call), "{told}");
         assert_eq!((told.matches("error[").count(), told.contains("G7.8")), (1, false), "{told}");
     }
-    // Repairs do not write it into the program.
+    // Fixes do not write it into the program.
     let before = fs::read(folder.0.join("number.nc")).expect("a program");
     folder.check(&["number.nc", "--fix"]);
     assert_eq!(fs::read(folder.0.join("number.nc")).expect("a program"), before);
@@ -187,7 +188,7 @@ fn subprograms_are_found_in_files_of_their_own() {
     assert_eq!(out(&motions).matches("\"kind\":\"feed\"").count(), 1);
 }
 
-/// What a subprogram runs into depends on the blank and the tool of the program that calls it.
+/// Collisions of a subprogram depend on the blank and the tool of the calling program.
 #[test]
 fn dangers_in_a_subprogram_are_reported_at_the_call() {
     let main = "O0001 (STOCK D=50 LENGTH=80)\nG21 G99 G97 S500 M03 T0101\nG00 X60. Z2.\nM98 P2001\nG00 X100. Z100.\nM30\n";
@@ -234,13 +235,13 @@ fn a_file_that_cannot_be_read_hides_nothing() {
 fn a_file_beyond_the_limit_is_refused_before_it_is_read() {
     let folder =
         Folder::new("large").with("setup.json", r#"{"limits": {"text": 1048576}}"#).with("a.nc", FAULTY);
-    // A file with a hole: three gigabytes that take no room, and no memory if nobody reads them.
+    // A sparse file: three gigabytes that take no disk space, and no memory unless they are read.
     fs::File::create(folder.0.join("large.nc")).and_then(|file| file.set_len(3 << 30)).expect("a file");
     let output = folder.check(&["large.nc", "a.nc", "--setup", "setup.json"]);
     assert_eq!(output.status.code(), Some(2));
     assert!(err(&output).contains("large.nc: more than 1 MB"), "{}", err(&output));
     assert!(out(&output).contains("a.nc:3"));
-    // Standard input without an end is read no further than that.
+    // Endless standard input is read only up to the limit.
     let input = vec![b' '; 3 << 20];
     let output = folder.piped(&["-", "--setup", "setup.json"], &input);
     assert_eq!(output.status.code(), Some(2));
@@ -360,7 +361,7 @@ fn sarif_has_places_rules_and_repairs() {
     assert_eq!(results.len(), 2);
     let place = &results[0]["locations"][0]["physicalLocation"];
     assert_eq!(place["artifactLocation"]["uri"], "a%20b.nc");
-    // The emoji counts two UTF-16 units, which is what the report says of its columns.
+    // The emoji counts as two UTF-16 units, the unit that the report declares for its columns.
     assert_eq!(place["region"], json!({"startLine": 3, "startColumn": 6, "endLine": 3, "endColumn": 9}));
     assert_eq!(report["runs"][0]["columnKind"], "utf16CodeUnits");
     let repair = &results[0]["fixes"][0]["artifactChanges"][0]["replacements"][0];
@@ -369,7 +370,7 @@ fn sarif_has_places_rules_and_repairs() {
     let mut found: Vec<_> = results.iter().map(|result| result["ruleId"].as_str().unwrap()).collect();
     found.sort_unstable();
     assert_eq!(rules.iter().map(|rule| rule["id"].as_str().unwrap()).collect::<Vec<_>>(), found);
-    // Without a finding it is whole, too.
+    // Without findings the report is still complete.
     let none = Folder::new("sarif-none").with("a.nc", RIGHT).check(&["a.nc", "--format", "sarif"]);
     let none: Value = serde_json::from_str(&out(&none)).expect("JSON");
     assert_eq!(none["runs"][0]["results"], json!([]));
@@ -425,9 +426,9 @@ fn what_is_known_does_not_fail() {
         (rows(&output).len(), output.status.code())
     };
     assert_eq!(known(FAULTY), (0, Some(0)));
-    // Blocks may move, and be numbered anew.
+    // Blocks may move and be renumbered.
     assert_eq!(known("O1\n(REMARK)\nM3 S500\nN30 G0  X\nM30\n"), (0, Some(0)));
-    // Once more is one more than is known.
+    // One more occurrence than the baseline contains is new.
     assert_eq!(known("O1\nM3 S500\nG0 X\nG0 X\nM30\n"), (1, Some(1)));
     assert_eq!(known("O1\nM3 S500\nG0 Z\nM30\n"), (1, Some(1)));
     fs::write(folder.0.join("known.json"), "{}").expect("a file");
@@ -447,7 +448,7 @@ fn many_files_are_reported_in_their_order() {
     assert!(files.is_sorted(), "{files:?}");
 }
 
-/// `--select` and `select` of the configuration choose messages and fixes.
+/// `--select` and the `select` key of the configuration apply to messages and fixes.
 #[test]
 fn fixes_are_those_of_the_selected_rules() {
     let before = "O1\nGO1 X50 F0.1 M3 S500 (FACE\nM30\n";
@@ -462,7 +463,8 @@ fn fixes_are_those_of_the_selected_rules() {
     assert_eq!(out(&folder.check(&["--fix", "--dry-run", "a.nc"])), with_comment);
 }
 
-/// Offsets count in the text as it is decoded: the edits of a fix, applied by offset, repair it and nothing else.
+/// Offsets count in the decoded text: applying the edits of a fix by offset fixes it and changes nothing
+/// else.
 #[test]
 fn offsets_are_those_of_the_text_as_it_is_written() {
     let program = "O0001 (外圆 😀)\nT0101 (ROUGH\nGO1 X5 F0.1 M3 S500";
@@ -499,7 +501,7 @@ fn offsets_are_those_of_the_text_as_it_is_written() {
         assert!(repaired.contains("G01 X5") && repaired.contains("(ROUGH)"), "{repaired:?}");
         assert_eq!(repaired, out(&folder.check(&["a.nc", "--fix", "--dry-run"])), "as --fix writes it");
     }
-    // GBK: decoded, each character of the comment is one unit.
+    // GBK: each decoded character of the comment is one unit.
     let folder = Folder::new("offsets-gbk").with("a.nc", "");
     std::fs::write(folder.0.join("a.nc"), b"O0001 (\xb4\xd6\xb3\xb5)\r\nGO1 X5 F0.1 M3 S500\r\nM30\r\n")
         .expect("a file");
@@ -601,15 +603,15 @@ fn a_configuration_says_how_programs_are_checked() {
         "gsk/own/d.nc unknown-g-code error",
     ];
     assert_eq!(found(&["."]), (all.map(str::to_owned).to_vec(), Some(1)));
-    // Warnings alone fail where none is allowed.
+    // Warnings fail the check if none is allowed.
     assert_eq!(found(&["a.txt"]).1, Some(1));
     assert_eq!(found(&["a.txt", "--max-warnings", "1"]).1, Some(0));
-    // Options override it.
+    // Options override the configuration.
     assert_eq!(found(&["a.txt", "--severity", "unknown-g-code=info"]).1, Some(0));
     let plain = found(&["a.txt", "--no-config"]).0;
     assert_eq!(plain, ["a.txt unknown-g-code error", "a.txt no-program-end warning"]);
     assert_eq!(found(&["a.txt", "--config", "gsk/own/gcode-playground.toml"]).0, plain);
-    // It is looked for upward of the program, wherever the check is started.
+    // The configuration is searched upward from the program, whatever the working directory.
     let output = Command::new(env!("CARGO_BIN_EXE_gcode-playground"))
         .args(["check", "--format", "json"])
         .arg(folder.0.join("gsk/c.nc"))
@@ -659,7 +661,7 @@ fn setups_are_json_or_toml() {
     };
     assert!(seconds(&["--setup", "tools.toml"]).is_null());
     assert!(seconds(&["--setup", "tools.toml", "--setup", "machine.json"]).is_number());
-    // A machine in the configuration holds for every command.
+    // A machine in the configuration applies to every command.
     fs::write(folder.0.join("gcode-playground.toml"), "setup = [\"machine.json\"]\n").expect("a file");
     assert!(seconds(&["--setup", "tools.toml"]).is_number());
     assert!(seconds(&["--no-config"]).is_null());
@@ -698,7 +700,7 @@ fn config_shows_what_holds_and_who_says_so() {
     assert!(out(&config(&["--no-config"])).starts_with("no gcode-playground.toml\n"));
 }
 
-/// What a watching check writes, line by line.
+/// Reads the output of a watching check line by line.
 struct Watching {
     child: std::process::Child,
     lines: std::sync::mpsc::Receiver<String>,
@@ -742,7 +744,7 @@ fn a_watching_check_reports_after_each_change() {
     let write = |name: &str, text: &str| fs::write(folder.0.join(name), text).expect(name);
     write("a.nc", FAULTY);
     watching.until("1 error");
-    // A file that was not there, a configuration, one that cannot be read, and one that can.
+    // A new file, a new configuration, an invalid one, and a valid one.
     write("b.nc", FAULTY);
     watching.until("2 errors");
     write("gcode-playground.toml", "ignore = [\"number-missing\"]\n");
@@ -779,7 +781,7 @@ fn repairs_keep_the_line_ends_of_windows() {
 
 #[test]
 fn a_repair_is_shown_on_its_own_line() {
-    // The repair of a contour stands at its first block, the finding at the block that turns back.
+    // The fix of a contour is at its first block, the finding at the block that turns back.
     let pocket = "O1 (STOCK D=60 LENGTH=80)\nT0101\nG97 S500 M03\nG00 X62 Z2\nG71 U2 R1\nG71 P10 Q20 U0.4 W0.1 F0.2\n\
                   N10 G00 X20\nG01 Z-10\nX40\nX30 Z-20\nX50\nN20 X62\nG00 X100 Z100\nM30\n";
     let folder = Folder::new("shown-line").with("a.nc", pocket);
@@ -811,11 +813,11 @@ fn options_have_the_last_word() {
         .with("list.json", "[]");
     assert_eq!(folder.check(&["a.nc"]).status.code(), Some(0));
     assert_eq!(folder.check(&["a.nc", "--severity", "no-program-end=error"]).status.code(), Some(1));
-    // Groups are names of their rules.
+    // A group name stands for its rules.
     for option in [["--select", "classroom"], ["--ignore", "classroom"], ["--severity", "classroom=info"]] {
         assert_eq!(folder.check(&[&["a.nc"], &option[..]].concat()).status.code(), Some(0), "{option:?}");
     }
-    // The mark at the head of a file is none of its text; a list is no setup.
+    // A byte order mark at the start of the file is ignored; a JSON list is not a setup.
     assert_eq!(folder.check(&["a.nc", "--setup", "setup.json"]).status.code(), Some(0));
     let list = folder.check(&["a.nc", "--setup", "list.json"]);
     assert!(err(&list).contains("a setup is an object"), "{}", err(&list));
@@ -838,7 +840,7 @@ fn what_is_left_out_may_be_left_out_by_name() {
         .with("old/a.nc", FAULTY)
         .with("b.txt", FAULTY)
         .with("O0003", RIGHT);
-    // A list that the configuration names is made by the first check.
+    // The baseline named in the configuration is created by the first check.
     assert_eq!(folder.check(&["."]).status.code(), Some(2));
     assert_eq!(folder.check(&[".", "--write-baseline", "known.json"]).status.code(), Some(1));
     assert_eq!(folder.check(&["."]).status.code(), Some(0));
@@ -846,7 +848,7 @@ fn what_is_left_out_may_be_left_out_by_name() {
     assert_eq!(files(&folder, &["old/a.nc", "b.txt"]), ["old/a.nc", "b.txt"]);
     assert_eq!(files(&folder, &["old/a.nc", "b.txt", "--force-exclude"]), ["b.txt"]);
     assert_eq!(files(&folder, &["old/a.nc", "b.txt", "--force-exclude", "--exclude", "b.*"]), [""; 0]);
-    // Of what is not there nothing is said but that.
+    // A missing file is only reported as missing.
     let gone = folder.check(&["gone.nc"]);
     assert_eq!((out(&gone).as_str(), gone.status.code()), ("", Some(2)));
 }

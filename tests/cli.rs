@@ -1,4 +1,4 @@
-//! The command line as a manual's build script calls it: output, exit status, bad usage.
+//! The command line as the build script of a manual calls it: output, exit status, wrong usage.
 use std::io::Write;
 use std::path::PathBuf;
 use std::process::{Command, Output, Stdio};
@@ -78,7 +78,7 @@ fn check_prints_one_object_a_line() {
     assert_eq!(rows.len(), 1);
     let row = &rows[0];
     assert_eq!((&row["file"], &row["line"], &row["endLine"]), (&json!("<stdin>"), &json!(2), &json!(2)));
-    // The emoji counts two UTF-16 units.
+    // The emoji counts as two UTF-16 units.
     assert_eq!((&row["column"], &row["endColumn"]), (&json!(6), &json!(9)));
     assert_eq!(
         (&row["severity"], &row["code"], &row["alarm"]),
@@ -199,7 +199,7 @@ fn svg_goes_to_a_file_or_to_standard_output() {
     assert!(std::fs::read_to_string(path).expect("out.svg").contains("</svg>"));
 }
 
-/// A program of `tests/encodings.json`: the page is held to the same ones.
+/// A program of `tests/encodings.json`. The page is tested with the same ones.
 struct Encoded {
     encoding: String,
     text: String,
@@ -245,7 +245,7 @@ fn rewrite_tells_what_it_wrote_as_a_cycle() {
     assert_eq!(output.status.code(), Some(0));
     let written = "G00 X62 Z2\nG90 X56 Z-30 F0.1\nX50\nG94 X20 Z-2\nT0202\nG90 X40 Z-30 F0.1\nM30\n";
     assert_eq!(String::from_utf8_lossy(&output.stdout), written);
-    // The lines are those of the file, whatever was changed before them.
+    // The line numbers are those of the file, whatever was changed before them.
     let told = [
         "<stdin>:2-9: Записать эти проходы (2) циклом G90",
         "<stdin>:10-13: Записать эти четыре перемещения циклом G94",
@@ -256,7 +256,7 @@ fn rewrite_tells_what_it_wrote_as_a_cycle() {
 
 #[test]
 fn fix_writes_the_files_back() {
-    // (粗车) in GB18030, and line ends of Windows: only what is wrong changes.
+    // (粗车) in GB18030, and Windows line ends: only the faults change.
     let path = file("fix.nc", "");
     let before = b"O0001 (\xb4\xd6\xb3\xb5)\r\nGO1 X5O F0.1 M3 S500\r\nG00 X60 Z2 T1\r\nG7.7\r\nM30\r\n";
     let after = b"O0001 (\xb4\xd6\xb3\xb5)\r\nG01 X50 F0.1 M3 S500\r\nG00 X60 Z2 T1\r\nG7.7\r\nM30\r\n";
@@ -270,17 +270,17 @@ fn fix_writes_the_files_back() {
     assert_eq!(std::fs::read(&path).expect("fix.nc"), after);
     let told = String::from_utf8_lossy(&output.stderr).into_owned();
     assert!(told.lines().count() == 2 && told.starts_with(&format!("{name}:2: ")), "{told}");
-    // What has to be asked for is left, and reported.
+    // Faults without a safe fix remain, and are reported.
     let left = rows(&output);
     let left: Vec<_> = left.iter().filter_map(|row| row["slug"].as_str()).collect();
     assert_eq!(left, ["short-tool-word", "unknown-g-code"]);
     assert_eq!(output.status.code(), Some(1));
-    // Nothing is left to do, and the file is not written again.
+    // Nothing is left to fix, and the file is not written again.
     let written = std::fs::metadata(&path).and_then(|facts| facts.modified()).expect("a time");
     let again = run(&["check", "--fix", name], b"");
     assert_eq!((again.stderr.len(), again.status.code()), (0, Some(1)));
     assert_eq!(std::fs::metadata(&path).and_then(|facts| facts.modified()).expect("a time"), written);
-    // Standard input goes to standard output.
+    // With standard input, the result goes to standard output.
     assert_eq!(run(&["check", "--fix", "-"], before).stdout, after);
     assert_eq!(run(&["check", "--dry-run", "-"], before).status.code(), Some(2));
 }
@@ -306,7 +306,7 @@ fn expand_keeps_the_encoding_and_every_comment() {
         assert_eq!(output.stdout, bytes, "{encoding} {text}");
         assert!(output.stderr.is_empty());
     }
-    // A cycle is expanded; the comment of its block is not harmed. (粗车) in GB18030.
+    // A cycle is expanded; the comment of its block is unchanged. (粗车) in GB18030.
     let cycle = b"M3 S1\r\nG0 X50 Z2 (\xb4\xd6\xb3\xb5)\r\nG90 X40 Z-9 F0.2 (\xb4\xd6\xb3\xb5)\r\nM30\r\n";
     let expanded = run(&["expand", "-"], cycle).stdout;
     let comments = expanded.windows(6).filter(|six| six == b"(\xb4\xd6\xb3\xb5)").count();
@@ -357,7 +357,7 @@ fn export_writes_files_for_other_programs() {
     assert!(export("stl", &[]).len() > 84 + 50 * 100);
     assert_eq!(export("program", &[]), run(&["expand", "-"], program).stdout);
     assert_eq!(run(&["export", "png", "-"], program).status.code(), Some(2));
-    // These files contain no texts in a language; `expand` has no `--lang` either.
+    // These files contain no translated text; `expand` has no `--lang` either.
     for format in ["csv", "dxf", "stl", "program"] {
         let refused = run(&["export", format, "-", "--language", "ru"], program);
         assert_eq!(refused.status.code(), Some(2), "{format}");
@@ -402,7 +402,7 @@ fn the_face_and_the_front_turret_are_drawn() {
     assert_eq!(run(&["svg", "-", "--view", "face"], b"G00 X50 Z2").status.code(), Some(2));
     let drilled = b"(STOCK D=60 LENGTH=60)\n(TOOL T0303 TYPE=DRILL D=8)\nM45\nT0303\nG97 S900 M13\nG00 X66 Z-30 C0\nG98 G87 Z-30 C0 X30 R-1 F80\nC90\nG80\n";
     let side = String::from_utf8(run(&["svg", "-", "--view", "side"], drilled).stdout).expect("UTF-8");
-    // The ruler counts the degrees that the program has.
+    // The ruler shows the degrees of the program.
     assert!(side.contains(">C °<") && side.contains(">90<") && side.contains(r#"data-line="8""#), "{side}");
     assert_eq!(run(&["svg", "-", "--view", "side"], b"G00 X50 Z2").status.code(), Some(2));
     let turned = |turret: &str| run(&["svg", "-", "--turret", turret], b"G00 X50 Z2\nG01 Z-30 F0.2").stdout;
@@ -417,7 +417,7 @@ fn the_face_and_the_front_turret_are_drawn() {
 #[test]
 fn an_assumed_stock_is_told_and_that_collisions_were_not_checked() {
     let program = b"O0001\nT0101\nG97 S800 M3\nG0 X40 Z2\nG1 Z-20 F0.2\nX44\nG0 X100 Z100\nM30\n";
-    // What `check` says last sums up.
+    // The last line of `check` is a summary.
     for (command, last) in [("check", "nothing found in 1 file\n"), ("summary", "")] {
         let text = String::from_utf8(run(&[command, "-"], program).stdout).expect("UTF-8");
         let note = "<stdin>: stock assumed, collisions not checked; to check them, add this comment to the program: (STOCK D=44 LENGTH=25)\n";
@@ -437,20 +437,20 @@ fn an_assumed_stock_is_told_and_that_collisions_were_not_checked() {
     };
     assert!(said("zh").contains("毛坯为假定，未检查碰撞"), "{}", said("zh"));
     assert!(said("ru").contains("заготовка по умолчанию, столкновения не проверялись"), "{}", said("ru"));
-    // With the comment it is held against the work: nothing is left to report.
+    // With the comment, collisions are checked: nothing remains to report.
     let named = String::from_utf8_lossy(program).replace("T0101", "(STOCK D=44 LENGTH=25)\nT0101");
     assert_eq!(run(&["check", "-", "--quiet"], named.as_bytes()).stdout, b"");
     assert_eq!(run(&["check", "-"], named.as_bytes()).stdout, b"nothing found in 1 file\n");
     let crash = named.replace("G0 X100 Z100", "G0 Z-22 X30\nG0 X100 Z100");
     let rows = rows(&run(&["check", "--format", "json", "-"], crash.as_bytes()));
-    // In, and out again.
+    // Into the stock, and out again.
     let slugs: Vec<_> = rows.iter().map(|row| &row["slug"]).collect();
     assert_eq!(slugs, ["rapid-through-stock", "rapid-through-stock"]);
-    // Nothing is cut: nothing is assumed.
+    // Nothing is cut, so nothing is assumed.
     assert_eq!(run(&["check", "--quiet", "-"], b"G0 X1\nM30").stdout, b"");
 }
 
-/// Every control character but the ends of lines and tabs, and those that change the direction of the text.
+/// All control characters except line ends and tabs, and those that change the text direction.
 fn control_characters() -> String {
     let controls = (1..=0x9fu32).filter_map(char::from_u32).filter(|letter| letter.is_control());
     let controls = controls.filter(|letter| !matches!(letter, '\t' | '\n' | '\r'));
@@ -459,7 +459,7 @@ fn control_characters() -> String {
         .collect()
 }
 
-/// Whatever is written about a program has none of its control characters, on both streams. `with_cr`: a table whose
+/// Output about a program contains none of its control characters, on both streams. `with_cr`: a table whose
 /// lines end with CR LF.
 #[track_caller]
 fn has_no_commands(arguments: &[&str], input: &[u8], with_cr: bool) -> usize {
@@ -487,7 +487,7 @@ fn no_output_has_a_control_character_of_a_program() {
              G00 X200 \x1b]0;title\x07 Z200\n\x1b[31mX1\nN10 #3000=1 (STOP {controls})\nM30\n"
         )
     };
-    // The title of a program in prose.
+    // The title of a program in Markdown text.
     let text =
         format!("The {controls} part\nG00 X46 Z2\nG01 Z-5 F0.2 {controls} and \x1b[31mwords\nX50\nG00 X60\n");
     let folder = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join("controls");
@@ -497,7 +497,7 @@ fn no_output_has_a_control_character_of_a_program() {
         std::fs::write(&path, content).expect("a file");
         path.to_str().expect("UTF-8").to_owned()
     };
-    // Files whose names are commands, where a file can be called so.
+    // Files whose names contain control characters, if the system allows such names.
     let names = if cfg!(windows) {
         ["one.nc", "other.nc"]
     } else {
@@ -547,19 +547,19 @@ fn no_output_has_a_control_character_of_a_program() {
         has_no_commands(arguments, b"", false);
     }
     assert!(has_no_commands(&["clean", "-", "--list"], text.as_bytes(), false) > 0);
-    // A program that is written is no report: it keeps its bytes.
+    // A written program is not a report: its bytes stay.
     let kept = run(&["expand", "-"], b"(A\x07)\nG00 X1\nM30\n");
     assert_eq!(kept.stdout, b"(A\x07)\nG00 X1\nM30\n");
 }
 
-/// The only escape sequences of a coloured report are its colours.
+/// The only escape sequences in a coloured report are its own colours.
 #[test]
 fn a_coloured_report_has_no_command_of_a_program() {
     let program = "O1\nG00 X1 Z2 \x1b[31mred\x07 text\nM30\n";
     let output = run(&["check", "-", "--color", "always"], program.as_bytes());
     let text = String::from_utf8(output.stdout).expect("UTF-8");
     assert!(text.contains("\x1b["), "{text}");
-    // Sequences that set a colour, each ended by `m`, and nothing of the program's.
+    // Sequences that set a colour, each ended by `m`, and none from the program.
     let rest = text.split('\x1b').skip(1).all(|part| part.starts_with('[') && part.contains('m'));
     assert!(rest && !text.contains('\x07') && !text.contains("\x1b[31mred"), "{text:?}");
 }

@@ -1,6 +1,6 @@
-//! The table of supported codes: the one in the reference is the registry's, every row has its words in every
-//! language, and the interpreter recognises what stands in it and nothing else.
-//! `UPDATE_EXPECT=1 cargo test --test it codes::` writes it.
+//! The table of supported codes: the one in the reference equals the registry, every row has its texts in
+//! every language, and the interpreter recognises exactly the codes of the table. `UPDATE_EXPECT=1 cargo test
+//! --test it codes::` writes it.
 use std::collections::HashSet;
 use std::fmt::Write;
 
@@ -29,7 +29,7 @@ fn setup(list: CodeList) -> Setup {
     Setup::from_json(&format!(r#"{{"dialect": {{{dialect}, "recognise": false}}}}"#)).expect("setup")
 }
 
-/// The codes of the messages about a program.
+/// The codes of the messages for a program.
 fn told(program: &str, list: CodeList) -> Vec<String> {
     let analysis = analyze(program.as_bytes(), &setup(list));
     analysis.diagnostics.iter().map(|found| found.message.code().to_owned()).collect()
@@ -101,7 +101,7 @@ fn a_code_is_recognised_if_and_only_if_it_has_a_row() {
         }
         for number in 0..1_000 {
             let code = format!("M{number:02}");
-            // Without P it is a code of the machine.
+            // Without P it is a code of the machine builder.
             let block = if number == 97 { "M97 P1".to_owned() } else { code.clone() };
             let unknown = told(&block, list).iter().any(|found| found == "W-M-UNKNOWN");
             assert_eq!(!unknown, written.contains(&code), "{code}");
@@ -151,7 +151,7 @@ fn words_that_are_no_codes_are_understood() {
         let errors: Vec<_> = analysis.diagnostics.iter().filter(|found| found.is_error()).collect();
         assert!(errors.is_empty(), "{program} in {}: {errors:?}", list.name());
     }
-    // Every word of the table is in one of them.
+    // Each word of the table appears in one of these programs.
     let all = [&everywhere[..], &gsk].concat().join("\n");
     for row in codes::rows().filter(|row| row.group.is_none()) {
         for word in row.codes[3].split(' ').filter(|word| !word.starts_with('M')) {

@@ -1,4 +1,4 @@
-//! Two parts laid over each other: the figures of seed 004.
+//! Comparison of two parts, with the figures of seed 004.
 use gcode_playground::analyze;
 use gcode_playground::machine::compare::{Comparison, Side, parts};
 use gcode_playground::machine::region::Region;
@@ -21,8 +21,8 @@ fn near(found: f64, expected: f64) {
     assert!((found - expected).abs() < 0.002, "{found}, not {expected}");
 }
 
-/// Seed 004: with R-20 from X54 the cone goes from X54 Z-20 to X30 Z0, so that at X50 the face stands at
-/// −20 × (50 − 30) / (54 − 30) = −16.667; with R-24 it stands at −24 × 20 / 24 = −20.
+/// Seed 004: with R-20 from X54 the cone goes from X54 Z-20 to X30 Z0, so the face at X50 is at −20 × (50 −
+/// 30) / (54 − 30) = −16.667; with R-24 it is at −24 × 20 / 24 = −20.
 #[test]
 fn a_taper_that_was_not_extended_leaves_material_at_the_face() {
     let (comparison, [wrong, right]) = compared("s004-g94-wrong", "s004-g94-right");

@@ -1,11 +1,11 @@
-//! What blocks do, one rule a test, in a short notation: `R(x,z)` rapid, `F` feed, `T` thread,
-//! `A+`/`A-` arc counter-clockwise and clockwise with its centre, `D` dwell; X a diameter.
+//! The effect of blocks, one rule per test, in a short notation: `R(x,z)` rapid, `F` feed, `T` thread,
+//! `A+`/`A-` arc counter-clockwise and clockwise with its centre, `D` dwell; X is a diameter.
 use gcode_playground::analyze;
 use gcode_playground::api;
 use gcode_playground::setup::Setup;
 use gcode_playground::units::number;
 
-/// The one door: a program under a setup gives these motions.
+/// Checks the motions of a program under a setup.
 #[track_caller]
 fn check_with(setup: &str, program: &str, expected: &str) {
     let setup = Setup::from_json(setup).expect("setup");
@@ -55,7 +55,7 @@ fn nothing_is_inserted_between_moves_less_than_1_degree_apart() {
         "M3 S500\nG98 G1 X40 Z0 F100\nZ-20 ,A180 ,R2\nZ-40 ,A179.5\nX60",
         "F(40,0) F(40,-20) F(40.3491,-40) F(60,-40)",
     );
-    // Round into a line without a bend: L and D of GSK.
+    // An arc with a tangent transition to a line: L and D of GSK.
     check_with(
         r#"{"initial": {"x": 100, "z": 50}, "dialect": {"control": "gsk", "feedMode": "G98"}}"#,
         "M3 S500\nG1 X40 Z0 F100\nZ-20 D2\nG2 X60 Z-30 R10\nG1 X70",
@@ -123,7 +123,7 @@ fn arcs_by_radius_and_by_centre() {
     check(&format!("{start}G2 X40 Z-10 R10"), "R(20,0) A-(40,-10)c(40,0)");
     check(&format!("{start}G3 X40 Z-10 I0 K-10"), "R(20,0) A+(40,-10)c(20,-10)");
     check(&format!("{start}G2 X40 Z-10 R-10"), "R(20,0) A-(40,-10)c(20,-10)");
-    // R wins over I and K; a full circle needs I or K.
+    // R takes priority over I and K; a full circle needs I or K.
     check(&format!("{start}G3 X40 Z-10 R10 I5 K5"), "R(20,0) A+(40,-10)c(20,-10)");
     check(&format!("{start}G2 K-5"), "R(20,0) A-(20,0)c(20,-5)");
     check(&format!("{start}G2 X20 Z0 R5"), "R(20,0)");
@@ -152,14 +152,14 @@ fn g28_goes_over_the_intermediate_point() {
 fn g50_sets_and_shifts_the_frame() {
     check("G50 X200 Z100\nG0 X150\nW-10", "R(150,100) R(150,90)");
     check("G50 U50 W-5\nG0 U-10", "R(140,45)");
-    // A limit of speed alone sets no coordinates.
+    // A speed limit alone sets no coordinates.
     check("G50 S2000\nG0 U-10", "R(90,50)");
 }
 
 #[test]
 fn g52_shifts_all_frames() {
     check("G52 X10 Z5\nG0 U2\nG52 X0 Z0\nG0 U2", "R(92,45) R(104,50)");
-    // It holds in every frame, until it is taken away.
+    // It applies in every frame until it is cancelled.
     check("G54 G52 X10\nG55 G0 U2\nG54 U2", "R(92,50) R(94,50)");
     check("G10 L2 P2 X40\nG52 X10\nG55 G0 U2\nG52 X0 Z0\nG54 G0 U2", "R(52,50) R(104,50)");
     check("G55 G52 Z5\nG54.1 P1 G0 W-5\nG54 G52 Z0\nG0 W-5", "R(100,40) R(100,40)");
@@ -172,23 +172,23 @@ fn g90_remembers_until_another_motion_code() {
         &format!("{start}G90 X50 Z-30\nX40\nG0 X70"),
         "R(60,2) R(50,2) F(50,-30) F(60,-30) R(60,2) R(40,2) F(40,-30) F(60,-30) R(60,2) R(70,2)",
     );
-    // U counts from the start point each time; M, S and T alone do not repeat the cycle.
+    // U counts from the start point each time; blocks with only M, S or T do not repeat the cycle.
     check(
         &format!("{start}G90 U-10 W-32\nM8\nS500\nU-20"),
         "R(60,2) R(50,2) F(50,-30) F(60,-30) R(60,2) R(40,2) F(40,-30) F(60,-30) R(60,2)",
     );
-    // Spelled again without R, the taper is gone; without G code it stays.
+    // If the code is repeated without R, the taper is cancelled; without a G code it stays.
     check(
         &format!("{start}G90 X50 Z-30 R-5\nX40\nG90 X40"),
         "R(60,2) R(40,2) F(50,-30) F(60,-30) R(60,2) R(30,2) F(40,-30) F(60,-30) R(60,2) \
          R(40,2) F(40,-30) F(60,-30) R(60,2)",
     );
-    // A bare R is remembered and moves nothing.
+    // R alone is stored and moves nothing.
     check(
         &format!("{start}G90 X50 Z-30\nR-5\nX40"),
         "R(60,2) R(50,2) F(50,-30) F(60,-30) R(60,2) R(30,2) F(40,-30) F(60,-30) R(60,2)",
     );
-    // A dwell leaves the memory alone, another one-shot code clears it.
+    // A dwell keeps the stored values; another one-shot code clears them.
     check(
         &format!("{start}G90 X50 Z-30\nG4 X1\nX40"),
         "R(60,2) R(50,2) F(50,-30) F(60,-30) R(60,2) D1 R(40,2) F(40,-30) F(60,-30) R(60,2)",
@@ -197,7 +197,7 @@ fn g90_remembers_until_another_motion_code() {
         &format!("{start}G90 X50 Z-30\nG50 S100\nX40"),
         "R(60,2) R(50,2) F(50,-30) F(60,-30) R(60,2) R(40,2) F(60,2)",
     );
-    // Another of the three keeps X and Z.
+    // Another of the three codes keeps X and Z.
     check(
         &format!("{start}G90 X50 Z-30\nG94 X20"),
         "R(60,2) R(50,2) F(50,-30) F(60,-30) R(60,2) R(60,-30) F(20,-30) F(20,2) R(60,2)",
@@ -283,7 +283,7 @@ fn a_retreat_at_the_end_of_a_contour_is_no_part_of_it() {
             .collect()
     };
     assert_eq!(codes("N20 G00 Z2"), [] as [&str; 0]);
-    // A control that holds contours to the rule refuses it; others leave the way back out of the passes.
+    // A control with strict contour rules reports it as an error; others omit the way back from the passes.
     assert_eq!(codes("N20 G01 Z2"), [] as [&str; 0]);
     let strict = Setup::from_json(r#"{"dialect": {"strict": true}}"#).expect("setup");
     let refused = analyze(program("N20 G01 Z2").as_bytes(), &strict);

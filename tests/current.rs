@@ -1,4 +1,4 @@
-//! The run that is current: nothing of an earlier run, and nothing half done, reaches a picture.
+//! The current run: neither results of an earlier run nor partial results reach a picture.
 use gcode_playground::current::Current;
 use gcode_playground::machine::SimulationResult;
 use gcode_playground::playback::clock::Playhead;
@@ -34,7 +34,7 @@ fn section(current: &mut Current) -> Picture<'_> {
     current.picture(Plane::Section).expect("there is always a section")
 }
 
-/// All that a painter draws: strokes, blank, part, dangers, and how it is looked at.
+/// Everything that is drawn: strokes, blank, part, collisions, and the view.
 fn seen(current: &mut Current) -> (String, View, Vec<Option<(String, View)>>) {
     let surfaces = Plane::SURFACES.map(|plane| {
         current.picture(plane).map(|picture| {
@@ -51,7 +51,7 @@ fn seen(current: &mut Current) -> (String, View, Vec<Option<(String, View)>>) {
     (format!("{strokes:?} {work:?}"), picture.view.clone(), surfaces.into())
 }
 
-/// A picture that is asked for while material is taken off shows no half-cut part, neither then nor later.
+/// A picture requested during the material removal shows no partly cut part, neither then nor later.
 #[test]
 fn a_half_cut_part_is_never_shown() {
     let (text, setup) = program("s003-g71");
@@ -76,7 +76,7 @@ fn a_half_cut_part_is_never_shown() {
     assert!(picture.source.stage == Stage::Whole && picture.scene.work().is_some());
 }
 
-/// Whatever begins another run takes all that was known of the last one away, and gives the run another name.
+/// Every start of a new run discards the results of the last one and assigns a new run identifier.
 #[test]
 fn nothing_of_a_run_outlives_it() {
     type Change = fn(&mut Current);
@@ -114,7 +114,7 @@ fn nothing_of_a_run_outlives_it() {
     }
 }
 
-/// The rulers name the unit in the reader's language, whatever runs.
+/// An edited comment gives the tool a new description.
 #[test]
 fn an_edited_comment_describes_another_tool() {
     let text = "O1\nG21 G99\nT0303 (GROOVE W=3)\nG0 X50 Z-10\nG1 X30 F.1\nG0 X50\nM30\n";
@@ -144,7 +144,7 @@ fn the_unit_symbol_stays_from_run_to_run() {
     assert_eq!(current.view(Plane::Face).scale.symbol, "mm");
 }
 
-/// An inch program has rulers in inches, until the reader chooses another unit; that choice stays.
+/// An inch program has rulers in inches until the user selects another unit; that selection stays.
 #[test]
 fn the_rulers_count_in_the_unit_of_the_program_or_the_chosen_one() {
     let inches = "O1\nG20 G99 G97 S800 M3\nT0101\nG0 X2. Z.1\nG1 Z-1. F.01\nM30\n";
@@ -168,7 +168,7 @@ fn the_rulers_count_in_the_unit_of_the_program_or_the_chosen_one() {
     assert_eq!((current.unit(), scale(&mut current)), (Unit::Millimetre, (Unit::Millimetre, "mm")));
 }
 
-/// A program whose run was stopped has a clock of all motions that it has.
+/// After a stopped run, the clock knows all motions made so far.
 #[test]
 fn the_clock_of_a_stopped_run_knows_all_its_motions() {
     let text = "G99 M3 S500\n".to_owned() + &"G1 X50 Z-1 F0.2\nX60 Z0\n".repeat(3000);
@@ -182,7 +182,7 @@ fn the_clock_of_a_stopped_run_knows_all_its_motions() {
     assert!((whole - fresh.whole().pace).abs() < 1e-9, "{whole}, not {}", fresh.whole().pace);
 }
 
-/// What may happen between one run and the next, and between two slices of one.
+/// Actions between two runs, and between two slices of a run.
 #[derive(Clone, Debug)]
 enum Act {
     Program(usize),
@@ -224,7 +224,7 @@ fn act() -> impl Strategy<Value = Act> {
 proptest! {
     #![proptest_config(ProptestConfig { cases: 48, failure_persistence: None, ..ProptestConfig::default() })]
 
-    /// However it was come by, a state looks as if it had been begun afresh.
+    /// Whatever actions came before, the state equals that of a fresh run.
     #[test]
     fn whatever_was_there_before_a_run_looks_as_if_begun_afresh(acts in prop::collection::vec(act(), 1..40)) {
         let all: Vec<_> = PROGRAMS.iter().map(|id| program(id)).collect();
@@ -248,7 +248,7 @@ proptest! {
                 }
                 Act::Advance(blocks) => { current.advance(blocks); }
                 Act::Machine(motions) => { current.remove_material(motions); }
-                // A part that was given up stays so until the next run.
+                // A cancelled part stays cancelled until the next run.
                 Act::StopMachining => {
                     if current.simulation().is_none() {
                         current.stop_machining();
@@ -290,7 +290,8 @@ proptest! {
     }
 }
 
-/// The page around can mark lines: their strokes are lit up until the reader chooses a block, and after an edit again.
+/// The host page can mark lines: their strokes are highlighted until the user selects a block, and again
+/// after an edit.
 #[test]
 fn marked_lines_are_lit_up_until_a_block_is_chosen() {
     let text = "G00 X50 Z2\nG01 Z-10 F0.2\nX60\n(NO MOTION)\nG00 X70\n";
@@ -306,7 +307,7 @@ fn marked_lines_are_lit_up_until_a_block_is_chosen() {
     assert_eq!(lit(&mut current), [0..2, 3..4]);
 }
 
-/// A picture can be fitted to the part, or to the whole path with the place of the tool change.
+/// A picture can be fitted to the part, or to the whole path including the tool change position.
 #[test]
 fn a_picture_is_fitted_to_the_part_or_to_the_path() {
     let text = "G00 X300 Z400\nX50 Z2\nG01 Z-10 F0.2\nG00 X300 Z400\n";
@@ -322,11 +323,11 @@ fn a_picture_is_fitted_to_the_part_or_to_the_path() {
 
 const OF_THE_SIDE: &str =
     r#"{"stock": {"diameter": 60, "length": 60}, "tools": {"T0101": {"type": "endmill", "toolRadius": 5}}}"#;
-/// Lines 8 to 10 are moves over the side; the last of them goes over the seam.
+/// Lines 8 to 10 are moves on the cylinder surface; the last one crosses the seam.
 const GROOVE: &str = "M45\nT0101\nG98 G97 S1000 M13\nG00 X70 Z-20 C0\nG01 X50 F100\nG07.1 C30\n\nG01 C300\nZ-40\nC400\nG07.1 C0\nG00 X70\n";
 
-/// The side is a picture like the others: strokes are found where Z and C say, the tool is where it is in the section, and what is
-/// picked out there is picked out here, in all its pieces.
+/// The developed surface is a picture like the others: strokes are found by Z and C, the tool is at the same
+/// place as in the section, and a selection in the section is also shown here, in all its pieces.
 #[test]
 fn the_side_is_picked_in_and_follows_the_section() {
     let mut current = fresh(GROOVE, &Setup::from_json(OF_THE_SIDE).expect("a setup"));

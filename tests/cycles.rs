@@ -1,9 +1,8 @@
-//! The cycles over random contours, program text in and motions out, judged by plain
-//! geometry of this file's own.
+//! The cycles on random contours, from program text to motions, checked with independent plain geometry.
 //!
-//! Programs are written in the plane of one quadrant and rendered in any: `P` is the axis the depth is
-//! measured along, `L` the axis of the cut, both radius values in micrometres. As they stand, P is X
-//! and L is Z, the work lies towards -P and the cut goes towards -L. A [`Frame`] exchanges the axes,
+//! Programs are defined in the plane of one quadrant and rendered in any: `P` is the axis along which the
+//! depth is measured, `L` the axis of the cut, both as radius values in micrometres. Without a transformation
+//! P is X and L is Z, the work lies towards -P and the cut goes towards -L. A [`Frame`] swaps the axes,
 //! mirrors them and moves the zero.
 use std::f64::consts::TAU;
 
@@ -26,7 +25,7 @@ enum Axis {
 }
 use Axis::{L, P};
 
-/// Where the plane of a program lies in the lathe.
+/// The placement of the plane of a program on the lathe.
 #[derive(Clone, Copy, Debug)]
 struct Frame {
     /// P is Z and L is X.
@@ -45,12 +44,12 @@ impl Frame {
         usize::from((axis == L) != self.swap)
     }
 
-    /// Whether clockwise is counter-clockwise here.
+    /// Whether clockwise and counter-clockwise are swapped.
     fn reflects(self) -> bool {
         self.swap != (self.sign[0] * self.sign[1] < 0)
     }
 
-    /// A place of the lathe in the plane of the program, mm.
+    /// A lathe position in the plane of the program, mm.
     fn back(self, point: Point) -> [f64; 2] {
         let [x, z] = [(point.x, 0), (point.z, 1)]
             .map(|(value, at)| (value - mm(self.shift[at])) * self.sign[at] as f64);
@@ -100,19 +99,19 @@ fn decimal(value: i64) -> String {
 #[derive(Clone, Debug)]
 enum Word {
     Text(String),
-    /// A code as it is, and with the axes exchanged.
+    /// A code, and its counterpart with the axes swapped.
     Code(&'static str, &'static str),
-    /// G02 where `true`.
+    /// G02 if `true`, otherwise G03.
     Clockwise(bool),
-    /// G41 where `true`.
+    /// G41 if `true`, otherwise G42.
     Left(bool),
     /// X or Z.
     To(Axis, i64),
     /// U or W.
     By(Axis, i64),
-    /// A signed length along an axis, a radius value: its letter for X and for Z.
+    /// A signed radius value along an axis, with its letters for X and for Z.
     Part([&'static str; 2], Axis, i64),
-    /// A length without sign.
+    /// An unsigned length.
     Size([&'static str; 2], Axis, i64),
     /// The same in micrometres.
     Micro([&'static str; 2], Axis, i64),
@@ -128,7 +127,7 @@ fn word(text: impl Into<String>) -> Word {
     Word::Text(text.into())
 }
 
-/// `R1.5` and the like.
+/// A word such as `R1.5`.
 fn plain(letter: &str, value: i64) -> Word {
     word(format!("{letter}{}", decimal(value)))
 }
@@ -160,7 +159,7 @@ impl Word {
     }
 }
 
-/// A program: an approach to the start point, some blocks, a last move from there.
+/// A program: an approach to the start point, some blocks, a last move from the start point.
 #[derive(Clone, Debug)]
 struct Program {
     start: [i64; 2],
@@ -169,7 +168,7 @@ struct Program {
     nose: i64,
     /// Pull-out of G92 in tenths of the lead.
     chamfer: i64,
-    /// Further switches of the dialect.
+    /// Further dialect settings.
     switches: &'static str,
     /// Every deviation is an alarm.
     strict: bool,
@@ -219,7 +218,7 @@ impl Program {
         motions[1..].to_vec()
     }
 
-    /// The same where nothing may be refused.
+    /// The same, but checks that there are no errors.
     #[track_caller]
     fn run_whole(&self, frame: Frame) -> Vec<Motion> {
         let motions = self.run(frame);
@@ -238,11 +237,11 @@ impl Program {
 #[derive(Clone, Debug)]
 struct Leg {
     by: [i64; 2],
-    /// Radius, and whether clockwise.
+    /// Radius, and whether it is clockwise.
     arc: Option<(i64, bool)>,
-    /// A quarter circle: its centre, from the start.
+    /// For a quarter circle: its centre relative to the start.
     center: Option<[i64; 2]>,
-    /// Rounding where `true`, chamfer where not; the value of its word.
+    /// Corner rounding if `true`, otherwise a chamfer; and the value of its word.
     corner: Option<(bool, i64)>,
     incremental: bool,
 }
@@ -257,20 +256,20 @@ impl Leg {
     }
 }
 
-/// What the first block of the contour says of the axis of the cut.
+/// How the first block of the contour programs the axis of the cut.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Along {
-    /// Nothing: type I.
+    /// Not at all: type I.
     Silent,
     /// `W0`.
     Zero,
     /// Its word, without a move.
     Same,
-    /// A move by so much.
+    /// A move by this distance.
     Move(i64),
 }
 
-/// A contour: from B on its blocks, ending level with the start point A.
+/// A contour: from B along its blocks, ending at the same P as the start point A.
 #[derive(Clone, Debug)]
 struct Shape {
     rapid: bool,
@@ -283,7 +282,7 @@ struct Shape {
 const BAR: i64 = 100_000;
 
 impl Shape {
-    /// A.
+    /// The start point A.
     fn start(&self) -> [i64; 2] {
         let lead = if let Along::Move(lead) = self.along { lead } else { 0 };
         [BAR, self.first[1] + lead]
@@ -330,11 +329,11 @@ impl Shape {
         blocks
     }
 
-    /// The finished contour, corners and all, mm.
+    /// The finished contour including its corners, mm.
     fn pieces(&self) -> Vec<Path> {
         let mut pieces: Vec<Path> = Vec::new();
         let mut at = self.first.map(mm);
-        // What the corner before takes from the leg.
+        // The length that the previous corner takes from this leg.
         let mut from = at;
         for (index, leg) in self.legs.iter().enumerate() {
             let to = [at[0] + mm(leg.by[0]), at[1] + mm(leg.by[1])];
@@ -353,7 +352,7 @@ impl Shape {
             let next = self.legs[index + 1].by.map(mm);
             let (u1, u2) = (unit([to[0] - at[0], to[1] - at[1]]), unit(next));
             let cosine = u1[0] * u2[0] + u1[1] * u2[1];
-            // L to the right and P up: positive to the left.
+            // With L to the right and P up, positive is to the left.
             let left = u1[1] * u2[0] - u1[0] * u2[1];
             let trim = if round { mm(value) * (cosine.acos() / 2.0).tan() } else { mm(value) };
             let begin = [to[0] - trim * u1[0], to[1] - trim * u1[1]];
@@ -372,7 +371,7 @@ fn unit(vector: [f64; 2]) -> [f64; 2] {
     [vector[0] / length, vector[1] / length]
 }
 
-/// The centre of the shorter arc: to the right of the way for a clockwise one.
+/// The centre of the shorter arc: to the right of the path for a clockwise one.
 fn arc_center(from: [f64; 2], to: [f64; 2], radius: f64, clockwise: bool) -> [f64; 2] {
     let (dp, dl) = (to[0] - from[0], to[1] - from[1]);
     let chord = dp.hypot(dl);
@@ -382,7 +381,7 @@ fn arc_center(from: [f64; 2], to: [f64; 2], radius: f64, clockwise: bool) -> [f6
     [(from[0] + to[0]) / 2.0 + side * right[0], (from[1] + to[1]) / 2.0 + side * right[1]]
 }
 
-/// Random legs: falling ones too where `pockets`; always on towards -L.
+/// Random legs that always continue towards -L; with `pockets` some of them fall.
 fn legs(pockets: bool) -> impl Strategy<Value = Vec<Leg>> {
     let leg = (0..6, 100i64..5000, 100i64..8000, 0..6, 10i64..100, any::<[bool; 3]>());
     prop::collection::vec(leg, 1..8).prop_map(move |numbers| {
@@ -400,7 +399,7 @@ fn legs(pockets: bool) -> impl Strategy<Value = Vec<Leg>> {
             leg.incremental = incremental;
             if kind == 5 {
                 leg.arc = Some((p.abs(), clockwise));
-                // Upwards, a counter-clockwise quarter begins along P.
+                // Going up, a counter-clockwise quarter begins along P.
                 let along_p = clockwise != (p > 0);
                 leg.center = Some(if along_p { [0, -p.abs()] } else { [p, 0] });
             } else if kind >= 3 {
@@ -427,7 +426,7 @@ fn legs(pockets: bool) -> impl Strategy<Value = Vec<Leg>> {
     })
 }
 
-/// A contour that ends level with A.
+/// A contour that ends at the P of A.
 fn shape(pockets: bool, along: impl Strategy<Value = Along>) -> impl Strategy<Value = Shape> {
     (legs(pockets), along, any::<bool>()).prop_map(move |(mut legs, along, rapid)| {
         if legs.iter().all(|leg| leg.by[1] == 0) {
@@ -512,8 +511,8 @@ fn rough_program(shape: &Shape, roughing: Roughing) -> Program {
     program
 }
 
-/// Some of the contours end below A. The way home from there leads through what an allowance along L leaves
-/// after the contour, so there is none.
+/// Lowers some contours so that they end below A. The return from there leads through the material that an
+/// allowance along L leaves after the contour, so that allowance is removed.
 fn lowered(mut shape: Shape, mut roughing: Roughing, below: i64) -> (Shape, Roughing) {
     if below >= 3000 {
         shape.first[0] -= below;
@@ -557,13 +556,13 @@ fn pattern_program(shape: &Shape, pattern: Pattern) -> Program {
     Program::new(shape.start(), blocks)
 }
 
-/// G74: pecks along L, columns along P; G75 with the axes exchanged.
+/// G74: pecks along L, columns along P; G75 with the axes swapped.
 #[derive(Clone, Copy, Debug)]
 struct Pecking {
     depth: i64,
     peck: i64,
     retract: i64,
-    /// Way to the last column and step.
+    /// Distance to the last column, and step.
     columns: Option<(i64, i64)>,
     relief: i64,
     incremental: bool,
@@ -581,7 +580,7 @@ fn pecking(columns: bool) -> impl Strategy<Value = Pecking> {
     )
         .prop_map(move |(depth, peck, share, column, relief, incremental)| {
             let columns = column.filter(|_| columns);
-            // Signed only where no step gives the direction.
+            // Signed only if no step gives the direction.
             let relief = if columns.is_some() { relief.abs() } else { relief };
             Pecking { depth, peck, retract: (share * peck as f64) as i64, columns, relief, incremental }
         })
@@ -609,7 +608,7 @@ fn pecking_program(pecking: Pecking) -> Program {
     Program::new(HOLE, vec![vec![code(), plain("R", pecking.retract)], second])
 }
 
-/// What §7.5 says.
+/// The moves according to §7.5.
 fn pecks_expected(pecking: Pecking) -> Vec<(bool, [f64; 2])> {
     let mut moves: Vec<(bool, [i64; 2])> = Vec::new();
     let end = HOLE[1] - pecking.depth;
@@ -638,7 +637,7 @@ fn pecks_expected(pecking: Pecking) -> Vec<(bool, [f64; 2])> {
     without_rests(HOLE.map(mm), moves.into_iter().map(|(rapid, to)| (rapid, to.map(mm))))
 }
 
-/// Moves of no length make no motion.
+/// Removes moves without length: they make no motion.
 fn without_rests(start: [f64; 2], moves: impl Iterator<Item = (bool, [f64; 2])>) -> Vec<(bool, [f64; 2])> {
     let mut at = start;
     moves.filter(|&(_, to)| std::mem::replace(&mut at, to) != to).collect()
@@ -721,7 +720,7 @@ fn thread_depths(thread: Threading) -> Vec<f64> {
     depths
 }
 
-/// G90 (G94) and G92, repeated while they stay in force.
+/// G90 (G94) and G92, repeated while they are modal.
 fn single_program() -> impl Strategy<Value = Program> {
     (
         select(vec![("G90", "G94"), ("G94", "G90"), ("G92", "G92")]),
@@ -765,11 +764,11 @@ fn single_program() -> impl Strategy<Value = Program> {
 
 fn roughing_programs() -> impl Strategy<Value = Program> {
     (any_shape(), roughing(), 0i64..600).prop_map(|(mut shape, roughing, nose)| {
-        // An arc may not start the compensation.
+        // Compensation must not start with an arc.
         shape.legs.insert(0, Leg::line(0, -2000));
         let mut program = rough_program(&shape, roughing);
         if nose > 300 {
-            // The nose counts in G70 only.
+            // The nose radius applies to G70 only.
             program.nose = nose;
             for block in &mut program.blocks {
                 match &block[..] {
@@ -795,13 +794,13 @@ fn threading_programs() -> impl Strategy<Value = Program> {
     threading().prop_map(threading_program)
 }
 
-/// The door of the first property: the program in a frame makes the motions of the plain one in that frame.
+/// First property: the program in a frame makes the plain motions, transformed to that frame.
 #[track_caller]
 fn check_turned(program: &Program, frame: Frame) {
     let (plain, turned) = if program.nose == 0 {
         (program.run_whole(Frame::PLAIN), program.run_whole(frame))
     } else {
-        // The nose may find no room in a contour: in no frame, then.
+        // The nose may not fit into a contour: then it fits in no frame.
         (program.run(Frame::PLAIN), program.run(frame))
     };
     let both = || format!("{}{}", program.text(Frame::PLAIN), program.text(frame));
@@ -834,15 +833,15 @@ fn check_turned(program: &Program, frame: Frame) {
     assert_eq!(plain.len(), turned.len(), "\n{}", both());
 }
 
-/// The door of `expand`: what it writes makes the same motions to 0.001 mm, and no cycle.
+/// Property of `expand`: its output makes the same motions to 0.001 mm, and contains no cycle.
 #[track_caller]
 fn check_expanded(program: &Program, frame: Frame) {
-    /// Shorter moves may be lost in the rounding.
+    /// Shorter moves may vanish by rounding.
     const SHORT: f64 = 2.5e-3;
     let (text, setup) = (program.text(frame), program.setup(frame));
     let written = expand(text.as_bytes(), &setup);
     let analysis = analyze(text.as_bytes(), &setup);
-    // A finishing cycle that cannot run stays as it is, with the contour and the other cycles that read it.
+    // A finishing cycle that cannot run stays unchanged, with the contour and the other cycles that use it.
     let is_faulty = analysis.diagnostics.iter().any(|found| found.severity == Severity::Error);
     let whole: Vec<Motion> = analysis.motions.iter().collect();
     let again: Vec<Motion> = analyze(written.as_bytes(), &setup).motions.iter().collect();
@@ -888,7 +887,7 @@ struct Path {
     rapid: bool,
     from: [f64; 2],
     to: [f64; 2],
-    /// Centre, and whether clockwise.
+    /// Centre, and whether it is clockwise.
     arc: Option<([f64; 2], bool)>,
     cycle: Option<Cycle>,
 }
@@ -905,7 +904,7 @@ impl Path {
         }
     }
 
-    /// The lowest P at `l`, if it goes there.
+    /// The lowest P at `l`, if the path reaches it.
     fn lowest(&self, l: f64) -> Option<f64> {
         let Some((center, clockwise)) = self.arc else {
             let share = (l - self.from[1]) / (self.to[1] - self.from[1]);
@@ -924,9 +923,8 @@ impl Path {
     }
 }
 
-/// The door of the second property: after roughing the contour stands off by the allowance and
-/// nothing is left on it, after finishing the contour itself; no rapid goes through the stock, a
-/// bar that ends level with A.
+/// Second property: after roughing exactly the allowance is left on the contour, and after finishing nothing.
+/// No rapid goes through the stock, a bar that ends at the P of A.
 #[track_caller]
 fn check_cleared(shape: &Shape, allowance: [i64; 2], program: &Program, frame: Frame) {
     let text = program.text(frame);
@@ -981,7 +979,7 @@ fn check_cleared(shape: &Shape, allowance: [i64; 2], program: &Program, frame: F
             stock[spot] = stock[spot].min(p);
             lowest[spot] = lowest[spot].min(p);
         }
-        // A rapid straight along P meets no spot: it must not go below the stock on both sides.
+        // A rapid parallel to P meets no sample position: it must not go below the stock on both sides.
         if path.rapid && (path.from[1] - path.to[1]).abs() < 1e-9 {
             let beside = |l: f64| {
                 let cuts = paths[..index].iter().filter(|path| !path.rapid);
@@ -998,13 +996,13 @@ fn check_cleared(shape: &Shape, allowance: [i64; 2], program: &Program, frame: F
     } else {
         compare(&lowest, up, off, "roughing");
     }
-    // The last motion is the one after the cycles; they left the tool at A.
+    // The last motion comes after the cycles, which left the tool at A.
     let start = shape.start().map(mm);
     let left = paths[paths.len() - 1].from;
     assert!((left[0] - start[0]).hypot(left[1] - start[1]) < 1e-9, "left at {left:?}\n{text}");
 }
 
-/// The motions of a cycle are these strokes.
+/// Checks that the motions of a cycle are these strokes.
 #[track_caller]
 fn check_strokes(program: &Program, frame: Frame, expected: &[(bool, [f64; 2])]) -> Vec<Path> {
     let text = program.text(frame);
@@ -1075,7 +1073,7 @@ proptest! {
         shape in pocketed(), roughing in roughing(), frame in frame(true), below in 0i64..5000,
     ) {
         let roughing = Roughing { allowance: [roughing.allowance[0], 0], ..roughing };
-        // G70 goes straight home, through the part where a contour ends below its own height.
+        // G70 returns straight to the start, through the part if a contour ends below its own height.
         let (shape, roughing) = lowered(shape, roughing, if roughing.finish { 0 } else { below });
         check_cleared(&shape, roughing.allowance, &rough_program(&shape, roughing), frame);
     }
@@ -1096,7 +1094,8 @@ proptest! {
         check_cleared(&shape, allowance, &pattern_program(&shape, pattern), frame);
     }
 
-    /// Drilled in pecks, the hole ends where it ends drilled in one; each feed sets out from the retract.
+    /// A hole drilled in pecks ends where the same hole drilled in one cut ends; each feed starts from the
+    /// retract.
     #[test]
     fn pecked_drilling_ends_where_straight_drilling_ends(pecking in pecking(false), frame in frame(true)) {
         let pecked = check_strokes(&pecking_program(pecking), frame, &pecks_expected(pecking));
@@ -1148,19 +1147,19 @@ proptest! {
         prop_assert_eq!(passes, Some(depths.len() as u32));
     }
 
-    /// A cycle that cannot run makes no motion, or uncertain ones along a contour with an error.
+    /// A cycle that cannot run makes no motions, or uncertain ones along a contour with an error.
     #[test]
     fn a_cycle_that_cannot_run_makes_no_certain_motion(
         shape in monotone(), fault in 0..FAULTS, frame in frame(false), roughing in roughing(),
     ) {
-        // Where a control is lenient, a contour may run in spite of its fault.
+        // A lenient control may run a contour in spite of its fault.
         let mut program = faulty(shape, fault, roughing);
         program.strict = true;
         check_refused(&program, frame);
     }
 }
 
-/// How many faults [`faulty`] knows.
+/// Number of faults in [`faulty`].
 const FAULTS: usize = 24;
 
 /// A program whose cycle cannot run.
@@ -1175,7 +1174,7 @@ fn faulty(mut shape: Shape, fault: usize, roughing: Roughing) -> Program {
     let two = |first: &str, second: &str| Program::new(HOLE, vec![vec![word(first)], vec![word(second)]]);
     let whole = Roughing { one_block: false, finish: false, ..roughing };
     match fault {
-        // Not monotone: P falls, under both types L turns back.
+        // Not monotone: P falls; under both types L reverses.
         0 => {
             shape.legs.insert(0, Leg::line(-1000, -1000));
             rough_program(&shape, whole)
@@ -1192,7 +1191,7 @@ fn faulty(mut shape: Shape, fault: usize, roughing: Roughing) -> Program {
             shape.first[0] -= 100;
             rough_program(&shape, whole)
         }
-        // Blocks that are missing, or asked for the wrong way round.
+        // Blocks that are missing, or referenced in the wrong order.
         3 => rough(&shape, "G71 U2. R1.", "G71 P10 Q99"),
         4 => rough(&shape, "G71 U2. R1.", "G71 P11 Q20"),
         5 => rough(&shape, "G71 U2. R1.", "G71 Q20"),
@@ -1236,7 +1235,7 @@ fn faulty(mut shape: Shape, fault: usize, roughing: Roughing) -> Program {
     }
 }
 
-/// The door of the last property.
+/// Last property: no certain motions of the cycle.
 #[track_caller]
 fn check_refused(program: &Program, frame: Frame) {
     let text = program.text(frame);
@@ -1246,7 +1245,7 @@ fn check_refused(program: &Program, frame: Frame) {
     }
     for motion in motions.iter().filter(|motion| motion.cycle.is_none()) {
         assert!(motion.process.incomplete, "{motion:?} hides that something was left out\n{text}");
-        // The tool stands where the cycle would have left it.
+        // The tool is where the cycle would have left it.
         assert!(!motion.process.uncertain, "{motion:?} is uncertain\n{text}");
     }
     let [p, l] = frame.back(motions[0].from);

@@ -1,4 +1,4 @@
-//! `gcode-playground diff`: cases worked by hand.
+//! `gcode-playground diff`: cases calculated by hand.
 use std::fmt::Write as _;
 use std::fs;
 use std::path::PathBuf;
@@ -10,7 +10,7 @@ use serde_json::{Value, json};
 /// Turned in four moves at 0.2 mm/rev and 800 rpm, 160 mm/min.
 const BASE: &str = "O0001 (STOCK D=60 LENGTH=80)\nT0101\nG97 S800 M03\nG00 X62 Z2\nG00 X50\nG01 Z-20 F0.2\nX56 Z-30\nG00 X100 Z100\nM30\n";
 
-/// A shaft of 40 mm diameter roughed from 60 mm.
+/// A shaft with a diameter of 40 mm, roughed from 60 mm.
 const ROUGHED: &str = "O0002 (STOCK D=60 LENGTH=80)\nT0101\nG97 S800 M03\nG00 X60 Z2\nG71 U5 R1\nG71 P10 Q20 U0 W0 F0.2\nN10 G00 X40\nN20 G01 Z-30\nG00 X100 Z100\nM30\n";
 
 fn folder(name: &str) -> PathBuf {
@@ -19,7 +19,7 @@ fn folder(name: &str) -> PathBuf {
     folder
 }
 
-/// Calls `diff` on two texts, in files of a folder of this name.
+/// Runs `diff` on two texts, in files of a folder with this name.
 fn run(name: &str, first: &str, second: &str, options: &[&str]) -> Output {
     let folder = folder(name);
     let [a, b] = [("a.nc", first), ("b.nc", second)].map(|(file, text)| {
@@ -54,7 +54,7 @@ fn total(found: &Value, what: &str) -> [String; 2] {
     [&row["first"], &row["second"]].map(|value| value.as_str().expect("text").to_owned())
 }
 
-/// The lines of a hunk: those of the first version, those of the second.
+/// The line numbers of a hunk: those of the first and of the second version.
 fn lines(hunk: &Value) -> [Vec<u64>; 2] {
     let rows = hunk["rows"].as_array().expect("rows");
     ["first", "second"].map(|side| rows.iter().filter_map(|row| row[side]["line"].as_u64()).collect())
@@ -69,7 +69,7 @@ fn a_diameter_is_changed() {
     let hunk = &found["hunks"][0];
     assert_eq!(lines(hunk), [vec![5], vec![5]]);
     assert_eq!(changes(&hunk["rows"][0]), ["end: X50 Z2 → X49.96 Z2"]);
-    // X is in force in the next block; the one after it names both axes.
+    // X stays in force in the next block; the one after it names both axes.
     assert_eq!(hunk["later"]["blocks"], 1);
     assert_eq!(hunk["later"]["rows"][0]["second"]["line"], 6);
     assert_eq!(changes(&hunk["later"]["rows"][0]), ["end: X50 Z-20 → X49.96 Z-20"]);
@@ -80,7 +80,8 @@ fn a_diameter_is_changed() {
     assert_eq!((&found["gone"], &found["new"]), (&json!([]), &json!([])));
 }
 
-/// From X60 to X40 there are 10 mm of depth: two passes of 5 mm, four of 2.5 mm; the last of them lies on the contour.
+/// From X60 to X40 the depth is 10 mm: two passes of 5 mm, four of 2.5 mm; the last of them lies on the
+/// contour.
 #[test]
 fn a_cycle_takes_more_passes() {
     let (found, status) = diff("passes", ROUGHED, &ROUGHED.replace("G71 U5", "G71 U2.5"));
@@ -158,7 +159,7 @@ fn a_block_is_lost() {
     assert_eq!(lines(&found["hunks"][0]), [vec![7], vec![]]);
     let own = changes(&found["hunks"][0]["rows"][0]);
     assert_eq!(own[0], "moves: feed to X56 Z-30 → –");
-    // √(3² + 10²) = 10.44 mm at 160 mm/min are 3.9 s.
+    // √(3² + 10²) = 10.44 mm at 160 mm/min take 3.9 s.
     assert_eq!(own[1], "time: 0:03.9 → 0:00.0");
     assert_eq!(found["hunks"][0]["later"]["blocks"], 0);
 }
@@ -203,7 +204,7 @@ fn constant_surface_speed_is_a_change_of_the_cuts() {
 
 #[test]
 fn a_feed_that_stays_in_force_is_followed() {
-    // 22 mm at 160 mm/min are 8.25 s, at 200 mm/min 6.6 s.
+    // 22 mm take 8.25 s at 160 mm/min, and 6.6 s at 200 mm/min.
     let (found, _) = diff("feed", BASE, &BASE.replace("F0.2", "F0.25"));
     let hunk = &found["hunks"][0];
     assert_eq!(changes(&hunk["rows"][0]), ["feed: 0.2 mm/rev → 0.25 mm/rev", "time: 0:08.3 → 0:06.6"]);
@@ -211,7 +212,7 @@ fn a_feed_that_stays_in_force_is_followed() {
     assert_eq!(changes(&hunk["later"]["rows"][0]), ["feed: 0.2 mm/rev → 0.25 mm/rev"]);
 }
 
-/// Two changes that hold on: each later change goes to the one that writes its address.
+/// Two modal changes: each later change is attributed to the one that writes its address.
 #[test]
 fn later_blocks_are_attributed_to_the_change_that_writes_their_address() {
     let other = BASE.replace("S800", "S900").replace("G00 X50\n", "G00 X48\n");
@@ -242,7 +243,7 @@ fn the_same_text_read_otherwise_is_a_difference_of_motion() {
     assert_eq!(found["readAs"][0]["what"], "decimal");
     assert_eq!(found["unexplained"]["blocks"], 3);
     assert_eq!(changes(&found["unexplained"]["rows"][0]), ["end: X62 Z2 → X0.062 Z0.002"]);
-    // A point counts where a number without one is a thousandth.
+    // A decimal point matters if a number without one counts thousandths.
     let setup = folder("least").join("setup.json");
     let points =
         run("points", text, &text.replace("Z-20", "Z-20."), &["--setup", setup.to_str().expect("a path")]);
@@ -256,7 +257,7 @@ fn an_error_of_the_second_version_is_new() {
     assert_eq!(found["gone"], json!([]));
     assert_eq!(found["new"][0]["slug"], "number-missing");
     assert_eq!(found["new"][0]["line"], 7);
-    // What moves along with its block is the same, and errors of both are no difference.
+    // A message that moves with its block is the same, and errors in both versions are no difference.
     let faulty = BASE.replace("X56 Z-30", "X Z-30");
     let (found, status) = diff("moved-error", &faulty, &format!("(MORE)\n{faulty}"));
     assert_eq!((&found["gone"], &found["new"], status), (&json!([]), &json!([]), 1));
@@ -339,7 +340,7 @@ fn bad_usage_and_missing_files_are_told_apart_from_differences() {
     }
 }
 
-/// A program of so many lines, all of them different.
+/// A program with this number of lines, all of them different.
 fn long(lines: usize) -> String {
     let mut text = "O0001\nG97 S800 M03\nG00 X50 Z2\nF0.2\n".to_owned();
     (0..lines).for_each(|line| {
@@ -358,8 +359,8 @@ fn one_change_in_a_long_program_is_found_soon() {
     assert_eq!(lines(&found["hunks"][0]), [vec![50_005], vec![50_005]]);
 }
 
-/// Nothing in common, the same in another order, and two kinds of line in no order: no program makes the search long, and a
-/// list is cut with a remark.
+/// Nothing in common, the same lines in another order, and two kinds of line in random order: no program
+/// makes the search slow, and a truncated list ends with a remark.
 #[test]
 fn hostile_programs_are_compared_in_bounded_time() {
     let lines = 20_000u64;
@@ -386,7 +387,7 @@ fn hostile_programs_are_compared_in_bounded_time() {
     }
 }
 
-/// The cuts after a shift are elsewhere on the workpiece, though their words are the same.
+/// The cuts after a shift are at another place of the workpiece, although their words are the same.
 #[test]
 fn another_shift_of_the_work_zero_is_another_motion() {
     let version = |shift: &str| {
