@@ -1,5 +1,5 @@
-//! The documents keep what they promise: every command is called, every snippet read, every file, key,
-//! attribute and figure found where it should be. What no test can run stands in [`NOT_RUN`] with the reason.
+//! Checks the documents: every command is run, every snippet parsed, and every file, key, attribute and
+//! figure compared with the sources. [`NOT_RUN`] lists what no test can run, with the reason.
 #[path = "documentation/arguments.rs"]
 mod arguments;
 #[path = "documentation/calls.rs"]
@@ -32,8 +32,8 @@ use markdown::Document;
 use project::{ROOT, files, source};
 use serde_json::Value;
 
-/// Commands and snippets that no test runs, and why. `cargo xtask …` is held by a test of xtask, which
-/// reads the same documents.
+/// Commands and snippets that no test runs, and the reason. `cargo xtask …` is checked by a test of xtask,
+/// which reads the same documents.
 const NOT_RUN: [(&str, &str); 18] = [
     ("python3 -m zipfile", "`tests/browser/stored.spec.ts` runs it, and unpacks it elsewhere"),
     ("python3 -m http.server", "the same test serves the page with it"),
@@ -64,7 +64,7 @@ const NOT_RUN: [(&str, &str); 18] = [
     ("geometry  ", "the order of the rooms, which `tests/rooms.rs` reads"),
 ];
 
-/// What the documents name and only a build makes.
+/// Files that the documents name and that only a build creates.
 const BUILT: [(&str, &str); 10] = [
     (
         "service-worker.js",
@@ -101,7 +101,7 @@ fn not_run(text: &str) -> bool {
 // ---- files ----------------------------------------------------------------------------------------
 
 /// Whether a name such as `sentences/labels.rs`, `interpreter/path`, `src/cycles/` or `pages/<slug>.md` is
-/// that of a file or a folder. A name may begin at any folder, and leave out the ending of a module.
+/// that of a file or a folder. A name may begin at any folder, and omit the extension of a module.
 fn is_there(name: &str, files: &[String]) -> bool {
     let name = name.split('#').next().unwrap_or_default().trim_end_matches('/');
     let wanted: Vec<&str> = name.split('/').collect();
@@ -114,7 +114,7 @@ fn is_there(name: &str, files: &[String]) -> bool {
     })
 }
 
-/// One part of a path against what is wanted of it, where `<slug>` stands for any characters.
+/// Whether a part of a path matches a pattern, in which `<slug>` stands for any characters.
 fn fits(part: &str, wanted: &str) -> bool {
     match (wanted.find('<'), wanted.find('>')) {
         (Some(open), Some(close)) if open < close => {
@@ -140,7 +140,7 @@ fn every_file_that_is_named_exists() {
     let mut missing = Vec::new();
     for (document, parts) in documents() {
         for span in parts.spans.iter().filter(|span| is_path(span)) {
-            // Files of the reader's manual.
+            // Files of the manual of the reader.
             let of_the_reader = document == RECIPES && !span.starts_with("www/");
             if !is_there(span, &files) && !of_the_reader && !BUILT.iter().any(|(built, _)| built == span) {
                 missing.push(format!("{document}: `{span}`"));
@@ -168,7 +168,7 @@ fn every_document_is_in_the_list() {
     assert_eq!(found, DOCUMENTS.into_iter().collect());
 }
 
-/// Tables and details are in the reference; README says where.
+/// Tables and details belong to the reference; the README links to it.
 #[test]
 fn readme_is_a_front_page() {
     let readme = source("README.md");
@@ -190,7 +190,7 @@ fn a_missing_file_would_be_found() {
 
 // ---- commands -------------------------------------------------------------------------------------
 
-/// A command as the documents write it, without what is set for it (`RULE_PAGES=slug,slug cargo …`).
+/// A command as written in the documents, without environment variables (`RULE_PAGES=slug,slug cargo …`).
 fn command(text: &str) -> Option<&str> {
     let text = text.trim().trim_start_matches("$ ");
     let mut rest = text;
@@ -209,25 +209,27 @@ fn is_assignment(word: &str) -> bool {
     word.split_once('=').is_some_and(|(name, _)| !name.is_empty() && name.chars().all(capital))
 }
 
-/// The blocks of this document are files and commands that `tests/manuals/recipes.py` uses with the tools they are for.
+/// The blocks of this document are files and commands that `tests/manuals/recipes.py` runs with the tools
+/// they are for.
 const RECIPES: &str = "www/docs/manuals.md";
 
-/// The blocks of this document are files and commands of `tests/example-repository`: `tests/teams.rs` holds them.
+/// The blocks of this document are files and commands of `tests/example-repository`, checked by
+/// `tests/teams.rs`.
 const TEAMS: &str = "www/docs/teams.md";
 
-/// What the recipes and the ways into a repository name of other tools.
+/// Names of other tools in these two documents.
 const OF_OTHER_TOOLS: [&str; 7] = [
     "add_header",
     "additional-js",
     "conf",
     "docusaurus",
-    // A setting of the extension for Sphinx.
+    // A setting of the Sphinx extension.
     "gcode_playground_command",
     "hbs",
     "python3",
 ];
 
-/// The commands of all documents: code spans, and lines of blocks without what explains them.
+/// The commands of all documents: code spans, and lines of blocks without the explanations beside them.
 fn commands() -> BTreeSet<(&'static str, String)> {
     let mut found = BTreeSet::new();
     for (document, parts) in documents() {
@@ -241,8 +243,7 @@ fn commands() -> BTreeSet<(&'static str, String)> {
     found
 }
 
-/// Whether the words of a call of Playwright name an engine and a file of browser tests,
-/// which `cargo xtask test` runs.
+/// Whether a call of Playwright names a browser and a file of browser tests, which `cargo xtask test` runs.
 fn names_browser_tests(words: &[&str]) -> bool {
     let config = source("www/playwright.config.ts");
     let is_engine = |word: &&str| {
@@ -258,17 +259,17 @@ fn every_command_is_held_by_something() {
     for (document, command) in commands() {
         let words: Vec<&str> = command.split_whitespace().collect();
         let held = match words.as_slice() {
-            // xtask reads the same documents, and runs their calls of wasm-pack.
+            // xtask reads the same documents, and runs their wasm-pack commands.
             ["gcode-playground", ..] | ["cargo", "xtask", ..] | ["wasm-pack", "build", ..] => true,
             ["cargo", "test", "--test", name, subject, ..] => {
                 let is_subject = |subject: &str| root().join(format!("tests/{subject}.rs")).is_file();
                 is_subject(name) && subject.strip_suffix("::").is_some_and(is_subject)
             }
             ["cargo", "test", "--test", name] => root().join(format!("tests/{name}.rs")).is_file(),
-            // Run as the native command below, and under Node by tests/npx/compare.rs.
+            // Run as the native command below, and under Node by `tests/npx/compare.rs`.
             ["npx", "gcode-playground", ..] => true,
             ["npx", "playwright", "test", rest @ ..] => names_browser_tests(rest),
-            // `cargo xtask test` contains both.
+            // `cargo xtask test` includes both.
             ["cargo", "fmt", "--all"] | ["cargo", "test", "--lib"] => true,
             ["npm", "run", script] => source("www/package.json").contains(&format!("\"{script}\": ")),
             _ => not_run(&command),
@@ -288,14 +289,14 @@ fn what_is_not_run_is_still_in_the_documents() {
     }
 }
 
-/// A call of the command line with files in place of `FILE` and the like.
+/// A command line with real files in place of `FILE` and similar placeholders.
 fn call(words: &[String], folder: &Path) -> Command {
     let mut command = Command::new(env!("CARGO_BIN_EXE_gcode-playground"));
     command.args(calls::arguments(words, folder));
     command
 }
 
-/// A command that ends with the process: it says that it waits.
+/// Checks that a long-running command prints that it waits.
 fn waits(command: &mut Command) {
     let mut child = command.stdout(Stdio::null()).stderr(Stdio::piped()).spawn().expect("it starts");
     let said = BufReader::new(child.stderr.take().expect("standard error"));
@@ -317,7 +318,7 @@ fn every_call_of_the_command_line_works() {
     for (document, line) in commands() {
         let line = line.strip_prefix("npx ").unwrap_or(&line);
         let Some(line) = line.strip_prefix("gcode-playground ") else { continue };
-        // A command that is only named, or one of its options.
+        // A command that is only mentioned, or one of its options.
         let mut words = line.split(' ');
         let named =
             words.next().is_some_and(|name| usage.contains(name)) && words.all(|word| word.starts_with('-'));
@@ -329,7 +330,8 @@ fn every_call_of_the_command_line_works() {
                 continue;
             }
             let output = command.output().expect("the command line starts");
-            // 1 is for programs with errors, and these have none; or for `diff`, whose two programs differ.
+            // Status 1 means errors in a program, and these have none, or differences between the two
+            // programs of `diff`.
             let differ = words[0] == "diff" && !words.iter().any(|word| word == "--help");
             if output.status.code() != Some(i32::from(differ)) {
                 let said = String::from_utf8_lossy(&output.stderr);
@@ -342,10 +344,10 @@ fn every_call_of_the_command_line_works() {
 
 // ---- snippets -------------------------------------------------------------------------------------
 
-/// What a page loads the element with.
+/// The script that loads the element.
 const SCRIPT: &str = "<script type=\"module\" src=\"embed/element.js\"></script>";
 
-/// The address in README.md is of a host that stands for any.
+/// Removes the script. Its address in the README is that of an example host.
 fn without_script(block: &str) -> &str {
     let rest = block.strip_prefix(SCRIPT.trim_end_matches("embed/element.js\"></script>"));
     let loads = rest.and_then(|rest| rest.split_once("element.js\"></script>"));
@@ -360,9 +362,9 @@ fn every_snippet_is_what_it_seems() {
     {
         for block in parts.blocks {
             let is_commands = block.lines().all(|line| line.is_empty() || command(line).is_some());
-            // xtask runs it with the package it is for.
+            // xtask runs it with its package.
             let is_script = block.starts_with("import ");
-            // An example of the crate's documentation, which is a test.
+            // An example of the crate documentation, which is a doc test.
             let is_example = block.starts_with("use ") && is_example_of_the_crate(&block);
             if is_commands || is_script || is_example || not_run(&block) {
             } else if block.starts_with('{') {
@@ -377,7 +379,7 @@ fn every_snippet_is_what_it_seems() {
                     .iter()
                     .any(|tag| element.starts_with(tag))
             {
-                // `tests/browser/sources.spec.ts` shows it.
+                // `tests/browser/sources.spec.ts` tests it.
                 holds_element(element);
             } else {
                 unknown.push(format!("{document}:\n{block}"));
@@ -394,7 +396,7 @@ fn is_example_of_the_crate(block: &str) -> bool {
     documentation.join("\n").contains(&format!("\n```\n{block}\n```\n"))
 }
 
-/// A configuration beside the files that it names.
+/// Reads a configuration beside the files that it names.
 fn configures(document: &str, text: &str) {
     let folder = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join("configured");
     fs::create_dir_all(&folder).expect("a folder");
@@ -409,7 +411,7 @@ fn configures(document: &str, text: &str) {
     assert!(output.status.success(), "{document}: {said}\n{text}");
 }
 
-/// The attributes that the element looks at.
+/// The attributes that the element observes.
 fn observed() -> Vec<String> {
     let element = source("www/src/shell/element.ts");
     let list = element.split("observedAttributes = [").nth(1).and_then(|rest| rest.split(']').next());
@@ -425,14 +427,14 @@ fn holds_element(snippet: &str) {
     let is_element = tag.starts_with("gcode-playground");
     let words = tag.split_whitespace().skip(1).filter(|word| word.contains('=') || *word == "readonly");
     for name in words.filter_map(|word| word.split('=').next()) {
-        // Elsewhere the attributes of the element have `data-` before them.
+        // On other tags, the attributes of the element have the prefix `data-`.
         let attribute = if is_element { Some(name) } else { name.strip_prefix("data-") };
         let Some(attribute) = attribute.filter(|name| *name != "gcode-playground") else { continue };
         assert!(observed().iter().any(|known| known == attribute), "no attribute `{attribute}`");
     }
 }
 
-/// The first cells of the table whose head begins so, as the spans in them.
+/// The first cells of the table whose header begins with `head`, as their code spans.
 fn first_cells(document: &str, head: &str) -> Vec<Vec<String>> {
     let text = source(document);
     let rows = text.lines().skip_while(|line| !line.starts_with(head)).skip(2);
@@ -475,7 +477,7 @@ fn every_value_of_every_switch_is_taken() {
 
 // ---- words and figures ----------------------------------------------------------------------------
 
-/// A word as it is the same in Rust, TypeScript and JSON.
+/// A word in the form that is common to Rust, TypeScript and JSON.
 fn folded(word: &str) -> String {
     word.chars().filter(|letter| letter.is_alphanumeric()).flat_map(char::to_lowercase).collect()
 }
@@ -491,7 +493,7 @@ fn words_of_the_sources() -> HashSet<String> {
         let named = Path::new(&file).iter().map(|part| part.to_string_lossy());
         words.extend(named.map(|part| folded(part.split('.').next().unwrap_or_default())));
         let inside = sources.iter().any(|folder| file.starts_with(folder)) || !file.contains('/');
-        // The documents' own test names what it looks for.
+        // The tests of the documents contain the words that they look for.
         if !code || !inside || file.contains("documentation") {
             continue;
         }
@@ -531,10 +533,10 @@ fn every_name_in_the_documents_is_one_of_the_sources() {
     );
 }
 
-/// The figures of a line of prose: numbers that stand alone, not those of names (G12.1, UTF-16, GSK 980TD).
+/// The figures of a line of prose: separate numbers, not those within names (G12.1, UTF-16, GSK 980TD).
 fn figures_of(line: &str) -> Vec<&str> {
     let line = line.trim_start();
-    // The number of a list's line.
+    // Skip the number of a list item.
     let line = line
         .split_once(". ")
         .filter(|(number, _)| number.parse::<u32>().is_ok())
@@ -560,7 +562,7 @@ fn prose(document: &Document) -> String {
     lines.filter(|line| !line.starts_with(['|', '#'])).collect::<Vec<_>>().join("\n")
 }
 
-/// Words as they may stand in a text: in one line, or with one line end among them.
+/// Words as they may appear in a text: on one line, or with one line break between them.
 fn in_lines(words: &str) -> Vec<String> {
     let blanks = words.match_indices(' ').map(|(at, _)| format!("{}\n{}", &words[..at], &words[at + 1..]));
     std::iter::once(words.to_owned()).chain(blanks).collect()
@@ -570,8 +572,8 @@ fn in_lines(words: &str) -> Vec<String> {
 fn every_figure_is_held_by_something() {
     let mut unheld = Vec::new();
     for (document, parts) in documents() {
-        // Of the past; of measurements, whose table is made in the same run; of
-        // sources that are no files here.
+        // These describe the past, measurements whose table is generated in the same run, and sources that
+        // are not in this repository.
         if ["CHANGELOG.md", "tests/programs/README.md", "tests/speed/README.md"].contains(&document) {
             continue;
         }

@@ -1,5 +1,4 @@
-//! After a change of the text only a part of the program runs again; motions and messages
-//! are those of a whole run.
+//! After an edit only a part of the program runs again; motions and messages equal those of a full run.
 #[allow(dead_code, reason = "one of its programs is enough here")]
 #[path = "speed/workload.rs"]
 mod workload;
@@ -15,7 +14,7 @@ use gcode_playground::setup::dialect::DecimalRule;
 use proptest::prelude::*;
 use proptest::test_runner::RngSeed;
 
-/// Everything that a run gives, down to the sign of a zero.
+/// The full result of a run, including the sign of zeros.
 fn outcome(run: &Run) -> Vec<String> {
     let motions = run.motions();
     let rows = (0..motions.len())
@@ -28,7 +27,7 @@ fn finish(run: &mut Run) {
     while !run.advance(1_000) {}
 }
 
-/// Checks that a changed run gives what a new one gives under the decimal rule that was decided for it.
+/// Checks that an edited run equals a new one under the same decimal rule.
 #[track_caller]
 fn check(changed: &Run, setup: &Setup) {
     let (text, setup) = (changed.text().to_vec(), setup.clone());
@@ -45,22 +44,22 @@ fn check(changed: &Run, setup: &Setup) {
     }
 }
 
-/// Something that people do to a text.
+/// A typical edit of a text.
 #[derive(Clone, Debug)]
 enum Change {
     /// Types some text.
     Type(usize, String),
-    /// Takes out so many bytes.
+    /// Deletes this number of bytes.
     Delete(usize, usize),
-    /// Takes out so many lines.
+    /// Deletes this number of lines.
     DeleteLines(usize, usize),
-    /// Puts a copy of so many lines before another.
+    /// Copies this number of lines to before another line.
     CopyLines(usize, usize, usize),
-    /// Puts another digit in place of the next one.
+    /// Replaces the next digit.
     Digit(usize, u8),
-    /// Takes back the last change.
+    /// Undoes the last change.
     Undo,
-    /// Puts all the text in place of itself.
+    /// Replaces the whole text by itself.
     All,
 }
 
@@ -121,8 +120,8 @@ impl Change {
     }
 }
 
-/// Makes changes one after the other; with `patience` the run goes on for so many
-/// blocks only before the next.
+/// Applies changes one after the other. With `patience` the run advances only by that number of blocks before
+/// the next change.
 fn change_again_and_again(text: Vec<u8>, setup: &Setup, stride: usize, changes: &[(Change, Option<usize>)]) {
     let limits = Limits { stride, messages: 40, motions: 20_000, ..Limits::default() };
     let setup = &Setup { limits, ..setup.clone() };
@@ -156,7 +155,7 @@ static PROGRAMS: LazyLock<Vec<(String, Setup)>> = LazyLock::new(|| {
     found
 });
 
-/// A program of many short blocks of all kinds that do not look elsewhere in the text.
+/// A program of many short blocks of all kinds, none of which refers to another place of the text.
 fn generated(seed: u32) -> String {
     let mut number = seed;
     let mut next = |below: u32| {
@@ -217,7 +216,7 @@ fn changes(most: usize) -> impl Strategy<Value = Vec<(Change, Option<usize>)>> {
 }
 
 proptest! {
-    // The same cases on every machine: this many are a matter of seconds, and more can be asked for.
+    // The same cases on every machine. This number takes seconds; `PROPTEST_CASES` can request more.
     #![proptest_config(ProptestConfig {
         rng_seed: RngSeed::Fixed(5), max_shrink_iters: 2_000, failure_persistence: None,
         ..ProptestConfig::default()
@@ -255,7 +254,8 @@ proptest! {
     }
 }
 
-/// The messages of rules change with their comment, after snapshots that were made under another one.
+/// The messages of rules follow an edit of the rules comment, even with snapshots made under the earlier
+/// comment.
 #[test]
 fn a_changed_comment_of_rules_counts_for_the_whole_program() {
     let limits = Limits { stride: 20, ..Limits::default() };
@@ -286,8 +286,7 @@ fn a_changed_comment_of_rules_counts_for_the_whole_program() {
     }
 }
 
-/// What numbers without a point count is decided for a text that is handed in, and
-/// stays while somebody types.
+/// The decimal rule is decided when a text is loaded, and stays while the user types.
 #[test]
 fn the_decimal_rule_is_not_decided_anew_while_typing() {
     let program = "G20 M3 S500 F.01\nG0 X2. Z.1\nG1 X1. F.016\nZ-1.\nX2.\n";
@@ -303,13 +302,13 @@ fn the_decimal_rule_is_not_decided_anew_while_typing() {
     assert_eq!((run.decided_rule(), last(&run)), (Some(DecimalRule::Calculator), -8000.0 * 25.4));
     let told = |run: &Run, slug: &str| run.diagnostics().iter().any(|found| found.message.slug() == slug);
     assert!(!told(&run, "least-increments-concluded"));
-    // A click.
+    // The user requests a new decision.
     assert!(run.decide_again());
     finish(&mut run);
     assert_eq!((run.decided_rule(), last(&run)), (Some(DecimalRule::LeastIncrement), -0.8 * 25.4));
     assert!(told(&run, "least-increments-concluded"));
     assert!(!run.decide_again());
-    // What showed it goes again.
+    // The number that showed the rule is deleted; the rule stays.
     run.edit(out("Z-8000\n".len()));
     run.edit(typed("Z-9\n"));
     finish(&mut run);
@@ -323,8 +322,8 @@ fn the_decimal_rule_is_not_decided_anew_while_typing() {
     assert_eq!(last(&run), -8000.0 * 25.4);
 }
 
-/// A keystroke in a long program runs two stretches of it at most, wherever it is, and
-/// even if it makes an error.
+/// A keystroke in a long program runs at most two stretches of it, at any place and even if it causes an
+/// error.
 #[test]
 fn a_change_costs_no_more_than_its_surroundings() {
     let setup = Setup { limits: Limits { stride: 512, ..Limits::default() }, ..Setup::default() };
@@ -348,8 +347,8 @@ fn a_change_costs_no_more_than_its_surroundings() {
     check(&run, &setup);
 }
 
-/// The same while a message depends on later blocks (the spindle is stopped, and no block starts it), and for text
-/// before the first block.
+/// The same while a message depends on later blocks (the spindle is stopped, and no block starts it), and for
+/// text before the first block.
 #[test]
 fn a_change_costs_no_more_than_its_surroundings_while_a_message_waits() {
     let setup = Setup { limits: Limits { stride: 512, ..Limits::default() }, ..Setup::default() };
@@ -377,7 +376,7 @@ fn a_change_costs_no_more_than_its_surroundings_while_a_message_waits() {
     }
 }
 
-/// Once a run that was stopped has gone on to the end, the stop is forgotten.
+/// Once a stopped run has continued to the end, the stop no longer matters.
 #[test]
 fn a_change_costs_no_more_than_its_surroundings_after_a_stop_too() {
     let setup = Setup { limits: Limits { stride: 512, ..Limits::default() }, ..Setup::default() };
@@ -395,8 +394,8 @@ fn a_change_costs_no_more_than_its_surroundings_after_a_stop_too() {
     check(&run, &setup);
 }
 
-/// What repeats a run (a program expanded, moves offered as cycles) reads its numbers as the run does, also after what
-/// decided that was deleted.
+/// Functions that repeat a run (expansion, offers of cycles) read numbers as the run does, even if the
+/// evidence for its decision was deleted.
 #[test]
 fn a_run_repeated_reads_numbers_as_the_run_does() {
     let text = b"G20\nG00 X20000 Z1000\nG71 U800 R500\nG01 Z-5000 F100\nX25000\nM30\n";

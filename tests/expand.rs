@@ -1,5 +1,5 @@
-//! What `expand` writes does what the program does: the same motions at the same feed and speed, by the same
-//! tool, the spindle turning the same way; and nothing more is reported.
+//! The output of `expand` does the same as the program: the same motions at the same feed and speed, with the
+//! same tool and spindle direction, and without additional messages.
 #[path = "random_programs/shop.rs"]
 mod shop;
 
@@ -22,15 +22,15 @@ use random_programs::{any_setup, program};
 use serde_json::{Map, Value};
 use shop::{mistyped, shop_program};
 
-/// Rows of the motions as they leave the crate, without what shows where they come from.
+/// Rows of the motions as the API returns them, without their origin.
 fn rows(analysis: &Analysis) -> Vec<Map<String, Value>> {
     let row = |row| match serde_json::to_value(row).expect("row") {
         Value::Object(mut row) => {
-            // Beside the cuts of a thread, the lead is that of the cycle.
+            // For moves other than thread cuts, the lead is that of the cycle.
             if row.get("kind").is_none_or(|kind| kind != "thread") {
                 row.remove("lead");
             }
-            // These follow from the ends, the feed and the speed, which are compared.
+            // These follow from end points, feed and speed, which are compared.
             if row.get("kind").is_none_or(|kind| kind != "dwell") {
                 for key in ["seconds", "rpm", "feed"] {
                     row.remove(key);
@@ -46,7 +46,7 @@ fn rows(analysis: &Analysis) -> Vec<Map<String, Value>> {
     api::motions(&analysis.motions, &analysis.setup.machine).map(row).collect()
 }
 
-/// Whether two values are alike, lengths to the thousandth that is written.
+/// Whether two values are equal, lengths within the three decimals that are written.
 fn alike(one: &Value, other: &Value) -> bool {
     match (one, other) {
         (Value::Object(one), Value::Object(other)) => {
@@ -61,7 +61,7 @@ fn alike(one: &Value, other: &Value) -> bool {
     }
 }
 
-/// The one door: what is different once a program is expanded. Nothing, that is.
+/// The first difference between a program and its expansion, if any.
 fn difference(program: &str, setup: &Setup) -> Option<String> {
     let plain = expand(program.as_bytes(), setup);
     let (before, after) = (analyze(program.as_bytes(), setup), analyze(plain.as_bytes(), setup));
@@ -69,7 +69,8 @@ fn difference(program: &str, setup: &Setup) -> Option<String> {
     Some(format!("{what}\n{program}\n-- written out:\n{plain}"))
 }
 
-/// What the motions of two runs differ in. A move that rounding leaves nothing of may be in one of them alone.
+/// The first difference between the motions of two runs. A move that vanishes by rounding may be missing in
+/// one of them.
 fn other_motions(before: &Analysis, after: &Analysis) -> Option<String> {
     let (own, written) = (rows(before), rows(after));
     let (mut at, mut at_other) = (0, 0);
@@ -96,12 +97,12 @@ fn other_motions(before: &Analysis, after: &Analysis) -> Option<String> {
     }
 }
 
-/// Whether rounding to 0.001 mm may leave nothing of a move.
+/// Whether a move may vanish by rounding to 0.001 mm.
 fn may_be_lost(motion: &Motion) -> bool {
     motion.kind != MotionKind::Dwell && motion.rotary.is_none() && motion.length() < 2.5e-3
 }
 
-/// What two motions, and their rows, differ in.
+/// The difference between two motions and their rows, if any.
 fn other_motion([row, other_row]: [&Map<String, Value>; 2], [motion, other]: &[Motion; 2]) -> Option<String> {
     let (row, other_row) = (Value::Object(row.clone()), Value::Object(other_row.clone()));
     if !alike(&row, &other_row) {
@@ -121,9 +122,9 @@ fn other_motion([row, other_row]: [&Map<String, Value>; 2], [motion, other]: &[M
     (!same_feed && is_fed).then(|| format!("{:?} not {:?}", b.feed, a.feed))
 }
 
-/// What is reported after a program is expanded, and was not before.
+/// An error or warning that appears only in the expanded program.
 fn more_reported(before: &Analysis, after: &Analysis) -> Option<String> {
-    // A cycle that comes back at feed is not asked for its sign; its expanded moves are.
+    // The sign is not checked for a cycle that returns at feed, but for its expanded moves.
     let returns = before.motions.iter().any(|motion| {
         motion.kind == MotionKind::Feed && motion.cycle.is_some_and(|step| step.step == Step::Retract)
     });
@@ -150,7 +151,7 @@ fn check(program: &str) {
     check_with("{}", program);
 }
 
-/// All that is different at once.
+/// Reports all differences together.
 #[track_caller]
 fn assert_none(slips: &[String]) {
     assert!(slips.is_empty(), "{} programs change:\n{}", slips.len(), slips.join("\n\n"));
@@ -209,9 +210,9 @@ fn a_tap_is_turned_out_again() {
         check(&program(start, "\nZ-25"));
         check(&program(start, " P500"));
     }
-    // Rigid tapping starts the spindle itself.
+    // Rigid tapping starts the spindle.
     check(&program("S500", "").replace("G84", "M29 S500\nG84"));
-    // At a constant surface speed, it is said of both.
+    // With constant surface speed, both programs get the message.
     check(&program("S500 M03", "").replace("G97", "G50 S2000\nG96"));
 }
 
@@ -256,7 +257,7 @@ fn flank_infeed_of_a_taper_thread_is_no_moved_start() {
     );
 }
 
-/// The same number of F is another feed rate after G98 and G99.
+/// The same F value is another feed rate after G98 and G99.
 #[test]
 fn a_cycle_that_changes_how_f_counts_names_its_feed_rate_again() {
     for (before, after, feed) in [("G98", "G99", "F0.25"), ("G99", "G98", "F80")] {
@@ -294,7 +295,7 @@ fn what_a_cycle_ignores_is_a_remark() {
     );
 }
 
-/// A block without a code of group 01 keeps the code it was read under.
+/// A block without a code of group 01 keeps the code that was active when it was read.
 #[test]
 fn a_block_goes_by_the_code_of_the_program() {
     let program = |middle: &str| {
@@ -317,7 +318,7 @@ fn a_block_goes_by_the_code_of_the_program() {
     assert!(expand(program("G28 U0\nC5").as_bytes(), &Setup::default()).contains("\nC5\n"));
 }
 
-/// What depends on a block that is not carried out stays as it was typed, and uncertain.
+/// Code that depends on an unsupported block stays as written, and uncertain.
 #[test]
 fn what_is_uncertain_stays_uncertain() {
     let corner = "G01 X40 Z0 ,R1 F0.1\nZ-21.42 ,R3.5\nX43.8 Z-23.36 ,A-146\nA89\nZ-30\nX60";
@@ -340,13 +341,13 @@ fn what_is_uncertain_stays_uncertain() {
     }
 }
 
-/// A contour at the end of the text is left out like any other.
+/// A contour at the end of the text is removed like any other.
 #[test]
 fn a_contour_at_the_end_is_left_out() {
     check("O1\nT0101\nM03 S500\nG00 X30 Z2\nG72 W1 R.5\nG72 P1 Q2 F0.2\nN1 G00 Z-9\nG01 X20\nN2 Z2\n");
 }
 
-/// Empty blocks cost nothing, and other blocks little.
+/// Empty blocks need no memory, and other blocks little.
 #[test]
 fn blocks_of_a_long_text_need_little_memory() {
     let run = |text: String| {
@@ -410,14 +411,14 @@ proptest! {
             program += &format!("{between}\n{operation}G00 X80 Z20\n");
         }
         program += "M05\nM30\n";
-        // In inches the numbers are too large to be meant as such.
+        // In inches the numbers would be unusually large, so the notation is fixed.
         let setup = Setup::from_json(r#"{"dialect": {"decimal": "calculator"}}"#).expect("setup");
         let why = difference(&program, &setup);
         prop_assert!(why.is_none(), "{}", why.unwrap_or_default());
     }
 }
 
-/// Programs of every kind, right and wrong ones, each with a setup.
+/// Valid and invalid programs of every kind, each with a setup.
 fn any_program() -> impl Strategy<Value = (String, Setup)> {
     let shop = prop_oneof![shop_program(), mistyped(shop_program())];
     prop_oneof![
@@ -427,10 +428,10 @@ fn any_program() -> impl Strategy<Value = (String, Setup)> {
 }
 
 proptest! {
-    // The variable PROPTEST_CASES asks for more.
+    // `PROPTEST_CASES` can request more.
     #![proptest_config(ProptestConfig { cases: ProptestConfig::default().cases.max(2000), ..ProptestConfig::default() })]
 
-    /// The same motions, those that are uncertain marked alike, whatever is wrong in a program.
+    /// The same motions, with the same uncertain marks, for any faulty program.
     #[test]
     fn any_program_does_the_same((text, setup) in any_program()) {
         let limits = Limits { motions: 3000, repeated_blocks: 2000, rounds: 500, macro_steps: 2000, ..setup.limits };
@@ -441,7 +442,7 @@ proptest! {
     }
 }
 
-/// A lead by E holds until an F is given; an expanded thread gives its lead by F.
+/// Codes in the block of the program number of a subprogram stay in force.
 #[test]
 fn codes_beside_the_number_of_a_subprogram_hold() {
     for head in ["O2 G55", "O2RG55", "O2 G98 F100.", "O2 G01 X40."] {
@@ -456,10 +457,10 @@ fn a_lead_by_e_holds_after_an_expanded_thread() {
     let head = "O1\nT0303\nG99 G97 S300 M03\nG00 X34 Z8\nG01 X33 F0.2\nG00 X34\n";
     let setup = Setup::default();
     for body in [
-        // The cut between them has the F of before, the thread after it the lead of E.
+        // The cut between the threads has the earlier F, the thread after it the lead by E.
         "G92 X29.2 Z-20 E1.5\nX28.6\nG00 X34\nG01 Z5\nG00 X28\nG32 Z-20\nG00 X34",
         "G92 X29.2 Z-20 E1.5\nG00 X34\nG32 Z-20\nG01 Z5\nG00 X34\nG32 Z-20\nG00 X34",
-        // E of a thread that is copied, and another one of an expanded thread.
+        // The E of a copied thread, and another one of an expanded thread.
         "G32 Z-20 E2\nG00 X34\nG01 Z5\nG92 X29.2 Z-20 E1.5\nG00 X34\nG32 Z-20 E2\nG01 Z5\nG32 Z-20\nG00 X34",
         "G32 Z-20 E2\nG00 X34\nZ5\nG32 Z-20\nG92 X29.2 Z-20\nG00 X34\nG32 Z-25\nG01 Z5\nG32 Z-25\nG00 X34",
     ] {
@@ -478,7 +479,7 @@ fn a_lead_by_e_holds_after_an_expanded_thread() {
     }
 }
 
-/// Each pass is written with its start angle: Q, and L of GSK.
+/// Each pass is written with its start angle: Q, and L on GSK.
 #[test]
 fn starts_of_a_thread_have_their_angle() {
     let program = "O1\nT0303\nG97 S300 M03\nG00 X34 Z8\nG92 X29.2 Z-20 F4 L2\nX29.2 Q90000\nG00 X34\nM30\n";

@@ -1,4 +1,4 @@
-//! Files for other programs, read back: every part of the gallery as a drawing and as a solid.
+//! Exported files, read back: every part of the gallery as a drawing and as a solid.
 use crate::fixtures;
 use std::collections::HashMap;
 use std::f64::consts::{PI, TAU};
@@ -15,7 +15,7 @@ use gcode_playground::scene::svg::{Passes, SvgOptions, section};
 use gcode_playground::sentences::Language;
 use gcode_playground::setup::Setup;
 
-/// What is left of each program's blank, and solid pieces that end on the spindle axis.
+/// The finished part of each program, and solid parts that end on the spindle axis.
 static PARTS: LazyLock<Vec<(String, Region)>> = LazyLock::new(parts);
 
 fn parts() -> Vec<(String, Region)> {
@@ -31,8 +31,8 @@ fn parts() -> Vec<(String, Region)> {
     parts
 }
 
-/// Parted off with grooving inserts whose corners are round, ball ends and points: each ends
-/// on the axis or beside it.
+/// Parting with round-cornered grooving inserts, ball ends and points: each part ends on the axis or close to
+/// it.
 fn at_the_axis() -> Vec<(String, String, String)> {
     let tool = |tool: &str| {
         format!(r#"{{"stock": {{"diameter": 30, "length": 60}}, "tools": {{"T0101": {{{tool}}}}}}}"#)
@@ -74,7 +74,7 @@ impl Entity {
         Point::new(self.numbers[&(code + 10)], self.numbers[&code])
     }
 
-    /// Where an arc or a line begins and ends.
+    /// The two ends of an arc or a line.
     fn ends(&self) -> [Point; 2] {
         if self.kind == "LINE" {
             return [self.at(10), self.at(11)];
@@ -96,7 +96,7 @@ impl Entity {
     }
 }
 
-/// Reads the entities of a DXF file: pairs of lines, a group code and a value.
+/// Parses the entities of a DXF file: pairs of lines, a group code and a value.
 fn read(text: &str) -> Vec<Entity> {
     let lines: Vec<&str> = text.split_terminator("\r\n").collect();
     assert_eq!(lines.len() % 2, 0);
@@ -132,7 +132,7 @@ fn a_drawing_has_the_area_of_the_part_and_closes() {
         let entities = read(&dxf::dxf(part).expect(id));
         let profile: Vec<&Entity> = entities.iter().filter(|entity| entity.layer == "PROFILE").collect();
         assert_eq!(entities.iter().filter(|entity| entity.layer == "CENTER").count(), 1, "{id}");
-        // Every end is one of two: the outline of a solid part runs along the axis.
+        // Every end point belongs to two entities: the outline of a solid part runs along the axis.
         let mut ends: HashMap<(i64, i64), u32> = HashMap::new();
         let key = |at: Point| ((at.x * 1e3).round() as i64, (at.z * 1e3).round() as i64);
         for at in profile.iter().flat_map(|entity| entity.ends()) {
@@ -144,14 +144,13 @@ fn a_drawing_has_the_area_of_the_part_and_closes() {
             around.filter_map(|(x, z)| ends.get(&(at.0 + x, at.1 + z))).sum()
         };
         assert!(ends.keys().all(|at| near(at) % 2 == 0), "{id}: an end hangs loose");
-        // Area over the axis: below chains that run to -Z, less what is below those that run back. An arc's
-        // direction in the file says nothing of that; the side of the material does.
+        // Signed area above the axis: positive below chains towards -Z, negative below those that return. The
+        // arc direction in the file does not show it, but the side of the material does.
         let length: f64 = part.edges().map(|(a, b)| a.distance(b)).sum();
         let mut area = 0.0;
         for entity in &profile {
             let [a, b] = entity.ends();
-            // The file turns all arcs counter-clockwise; a clockwise one runs the
-            // other way round the material.
+            // In the file all arcs are counter-clockwise; a clockwise one has the material on the other side.
             let middle = Point::new((a.x + b.x) / 2.0, (a.z + b.z) / 2.0);
             let (dx, dz) = ((b.x - a.x) / a.distance(b), (b.z - a.z) / a.distance(b));
             let on_arc = match entity.kind.as_str() {
@@ -174,7 +173,7 @@ fn a_drawing_has_the_area_of_the_part_and_closes() {
             let direction = match (part.holds(beside(0.006)), part.holds(beside(-0.006))) {
                 (true, false) => 1.0,
                 (false, true) => -1.0,
-                // A sliver: it has next to no area.
+                // A sliver with almost no area.
                 _ => 0.0,
             };
             let under = (a.z * b.x - b.z * a.x) / 2.0 + entity.bulge();
@@ -226,7 +225,7 @@ fn a_solid_is_closed_and_has_the_volume_of_pappus() {
                 f32::from_le_bytes(file[at + 4 * axis..at + 4 * axis + 4].try_into().unwrap())
             })
         };
-        // Each edge is run through once either way, and no place of a triangle is another one's.
+        // Each edge is used once in each direction, and no two corners of a triangle coincide.
         let mut edges: HashMap<[[u32; 3]; 2], i32> = HashMap::new();
         let mut volume = 0.0;
         for triangle in 0..count {
@@ -245,7 +244,7 @@ fn a_solid_is_closed_and_has_the_volume_of_pappus() {
         for ([from, to], times) in &edges {
             assert_eq!((*times, edges.get(&[*to, *from])), (1, Some(&1)), "{id}");
         }
-        // Pappus: the area times the way of its centroid.
+        // Pappus: the area times the path of its centroid.
         let moment: f64 = part.edges().map(|(a, b)| (a.z * b.x - b.z * a.x) * (a.x + b.x) / 6.0).sum();
         let round = TAU * moment;
         assert!((volume - round).abs() < 1e-4 * round, "{id}: {volume} for {round}");
@@ -267,7 +266,7 @@ fn flats_follow_the_size_of_the_part() {
     assert_eq!((flats(1.0), flats(1000.0)), (24, 360));
 }
 
-/// A file looks as the page does, but for its paper, which is white.
+/// A file has the colours of the page, except for its white background.
 #[test]
 fn the_colours_of_files_are_those_of_the_page() {
     let sheet = std::fs::read_to_string("www/src/colours.css").expect("the style sheet");
@@ -317,7 +316,7 @@ fn a_drawing_has_its_title_and_a_legend_of_what_is_in_it() {
     assert!(drawing("s002-g121-square", Language::English).contains(">milled, see the end face</text>"));
 }
 
-/// Every pass of a thread and every peck is a line of its own, 2 pixels or more from the next one.
+/// Every thread pass and every peck is drawn as a separate line, at least 2 pixels from the next one.
 #[test]
 fn passes_that_lie_on_one_another_are_drawn_apart() {
     for (id, class) in [("s003-g76", "thread"), ("s003-g74", "feed")] {
@@ -327,7 +326,7 @@ fn passes_that_lie_on_one_another_are_drawn_apart() {
             .lines()
             .find(|line| line.contains(&format!(r#"class="{class}" d="#)) && line.contains("data-line"));
         let d = path.and_then(|path| path.split(" d=\"").nth(1)).expect("the passes");
-        // The heights at which the passes begin; pecks go on where the one before ends.
+        // The levels at which the passes begin; each peck continues where the one before ends.
         let begins: &[char] = if class == "thread" { &['M'] } else { &['M', 'L'] };
         let places = d.split(begins).filter_map(|place| place.split([' ', '"', 'L']).nth(1)?.parse().ok());
         let heights: Vec<f64> = places.collect();

@@ -1,5 +1,6 @@
-//! The command line loses no file when it writes one or fails to. `tests/npx/compare.rs` runs the same cases under Node.
-// The cases use `/dev/full`, `setpriv`, `unshare` and `mount`, which only Linux has.
+//! The command line loses no file when it writes one or fails to. `tests/npx/compare.rs` runs the same cases
+//! under Node.
+// The cases use `/dev/full`, `setpriv`, `unshare` and `mount`, which exist only on Linux.
 #![cfg(target_os = "linux")]
 
 #[path = "files/cases.rs"]

@@ -10,7 +10,7 @@ use std::collections::BTreeMap;
 use phrase::{Language, Phrase};
 use texts::Text;
 
-/// The rows of the tables of terms, by cells.
+/// The cells of all rows of the tables of terms.
 fn rows() -> Vec<Vec<String>> {
     let text = project::source("www/docs/glossary.md");
     let rows = text.lines().filter(|line| line.starts_with("| ") && line.matches('|').count() == 8);
@@ -18,7 +18,7 @@ fn rows() -> Vec<Vec<String>> {
     rows.map(cells).filter(|row: &Vec<String>| row[0] != "en").collect()
 }
 
-/// The words not to be used.
+/// The forbidden words.
 fn forbidden() -> Vec<Phrase> {
     let mut found = Vec::new();
     for row in rows() {
@@ -30,7 +30,7 @@ fn forbidden() -> Vec<Phrase> {
     found
 }
 
-/// Files that are not searched, and why.
+/// Files that are not searched, with the reason.
 const LEFT_OUT: [(&str, &str); 2] =
     [("www/docs/glossary.md", "it lists the words"), ("tests/glossary", "its tests use the words")];
 
@@ -46,7 +46,7 @@ fn searched() -> Vec<(Text, String)> {
     texts.into_iter().map(lower_case).collect()
 }
 
-/// Where a phrase is found: `file:line: the line`.
+/// The matches of a phrase, as `file:line: the line`.
 fn places(phrase: &Phrase, texts: &[(Text, String)]) -> Vec<String> {
     let mut places = Vec::new();
     for (text, lower_case) in texts {

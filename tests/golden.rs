@@ -1,5 +1,5 @@
-//! The pictures of the gallery as they were last looked at. `UPDATE_EXPECT=1 cargo test --test it golden::` writes them
-//! anew; look at each that has changed before it is committed.
+//! The reviewed pictures of the gallery. `UPDATE_EXPECT=1 cargo test --test it golden::` writes them again;
+//! look at each changed one before you commit it.
 
 use crate::fixtures;
 
@@ -12,7 +12,7 @@ use gcode_playground::scene::face::Face;
 use gcode_playground::scene::svg::{SvgOptions, section as section_of, svg};
 use gcode_playground::setup::Setup;
 
-/// No picture of the gallery is larger, bytes.
+/// Maximum size of a picture, bytes.
 const LARGEST: usize = 40_000;
 
 fn read(path: &str) -> String {

@@ -1,6 +1,7 @@
-//! The integration tests, one module for each subject: `cargo test --test it`, and `cargo test --test it codes::` for one of them.
+//! The integration tests, one module per subject: `cargo test --test it`, and `cargo test --test it codes::`
+//! for one of them.
 //!
-//! One program instead of fifty: it is linked once, and its tests keep all processors busy.
+//! One binary instead of fifty: it is linked once, and its tests keep all processors busy.
 #![cfg(not(target_arch = "wasm32"))]
 
 #[path = "mutations/blocks.rs"]

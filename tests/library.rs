@@ -1,4 +1,4 @@
-//! The three calls of the crate do what the command line does, for all programs of the tests.
+//! The three functions of the crate give the same results as the command line, for all test programs.
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::Command;
@@ -8,7 +8,7 @@ use gcode_playground::setup::Setup;
 use gcode_playground::{check, motions, repair};
 use serde_json::Value;
 
-/// The program, the file of its setup and the setup, for each program.
+/// For each program: its file, the file of its setup, and the setup.
 fn programs() -> Vec<(PathBuf, Option<PathBuf>, Setup)> {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/programs");
     let mut found = Vec::new();
@@ -24,7 +24,7 @@ fn programs() -> Vec<(PathBuf, Option<PathBuf>, Setup)> {
     found
 }
 
-/// What a command prints, without the notes of `check`.
+/// The output of a command, without the notes of `check`.
 fn rows(words: &[&str], program: &Path, setup: Option<&PathBuf>) -> Vec<Value> {
     let mut command = Command::new(env!("CARGO_BIN_EXE_gcode-playground"));
     command.args(words).arg(program).args(setup.iter().flat_map(|file| [Path::new("--setup"), file]));
@@ -37,7 +37,7 @@ fn rows(words: &[&str], program: &Path, setup: Option<&PathBuf>) -> Vec<Value> {
     without_file.filter(|row| row.get("note").is_none()).collect()
 }
 
-/// Rows as they are written: keys without a value are left out.
+/// Rows as serialised: keys without a value are omitted.
 fn written<T: serde::Serialize>(rows: &[T]) -> Vec<Value> {
     let line = |row| serde_json::to_string(row).expect("JSON");
     rows.iter().map(|row| serde_json::from_str(&line(row)).expect("JSON")).collect()
@@ -70,7 +70,7 @@ fn repair_is_what_the_command_line_writes() {
         command.args(["check", "--fix", "--quiet"]).arg(&file).output().expect("it runs");
         let repaired = repair(text.as_bytes(), &Setup::default());
         assert_eq!(fs::read(&file).expect("a file"), repaired.text, "{text}");
-        // What is repaired needs no further repair.
+        // The fixed text needs no further fixes.
         assert!(repair(&repaired.text, &Setup::default()).taken.is_empty(), "{text}");
     }
 }

@@ -1,5 +1,5 @@
-//! A program is the same with every line end (LF, CR LF, CR, `;`) and in lower-case letters: motions, tools, part and
-//! messages, each at its block.
+//! A program gives the same result with every line end (LF, CR LF, CR, `;`) and in lower case: motions,
+//! tools, part and messages, each at its block.
 
 use crate::fixtures;
 use gcode_playground::api;
@@ -12,7 +12,7 @@ use gcode_playground::text::block::Block;
 use gcode_playground::text::parser::Parser;
 use gcode_playground::{analyze, run::Run};
 
-/// What a program gives, with numbers of blocks for places.
+/// The result of a program, with block numbers as positions.
 #[derive(Debug, PartialEq)]
 struct Outcome {
     motions: Vec<(usize, Motion)>,
@@ -21,7 +21,7 @@ struct Outcome {
     part: String,
 }
 
-/// Which block of a text holds a byte; empty blocks and bare line ends do not count.
+/// The block that contains a byte; empty blocks and line ends do not count.
 fn block_of(starts: &[u32], byte: u32) -> usize {
     starts.partition_point(|&start| start <= byte)
 }
@@ -60,7 +60,7 @@ fn outcome(text: &str, setup: &Setup, has_sentences: bool) -> (Outcome, Analysis
     (outcome, analysis)
 }
 
-/// A text with small letters outside of comments.
+/// A text in lower case, except for its comments.
 fn in_lower_case(text: &str) -> String {
     let mut depth = 0;
     let small = text.chars().map(|letter| {
@@ -84,7 +84,7 @@ fn same(name: &str, expected: &Outcome, text: &str, setup: &Setup, has_sentences
     assert_eq!(found.part, expected.part, "part of {name}");
 }
 
-/// A program whose grooving insert is 5 mm wide, as only a comment says.
+/// A program whose grooving insert is 5 mm wide; only a comment states it.
 const GROOVE: &str = "O1\nT0101 (TURNING R0.8)\nG97 S500 M03\nG00 X38 Z2\nG01 Z-5 F0.1\nG00 X100 Z100\nT0303 (GROOVE W=5)\nG00 X40 Z-10\nG01 X25 F0.1\nX40\nG00 X100\nM30\n";
 
 #[test]
@@ -99,7 +99,7 @@ fn a_program_does_not_depend_on_its_line_ends() {
         for (name, end) in [("CR LF", "\r\n"), ("CR", "\r")] {
             same(&format!("{id} with {name}"), &expected, &text.replace('\n', end), &setup, true);
         }
-        // A `;` ends neither a comment nor a line with `%`, and plain text after it is a remark.
+        // A `;` ends neither a comment nor a line with `%`, and text after it is reported as a remark.
         let is_plain =
             !text.contains([';', '%']) && !analysis.diagnostics.iter().any(|found| found.is_error());
         if is_plain {
@@ -121,7 +121,8 @@ fn a_program_does_not_depend_on_the_case_of_its_letters() {
     }
 }
 
-/// The groove is as wide as the comment says, whatever ends the lines: without it an insert of 3 mm is assumed.
+/// The groove is as wide as the comment states, with any line end. Without the comment, a 3 mm insert is
+/// assumed.
 #[test]
 fn a_comment_names_the_tool_of_its_own_line() {
     for end in ["\n", "\r\n", "\r", ";"] {

@@ -1,4 +1,4 @@
-//! Lints only listen: without them a run makes the same motions and reports what the control itself does.
+//! Lints only observe: without them a run makes the same motions and reports the errors of the control.
 
 use crate::fixtures;
 use crate::format;
@@ -12,7 +12,8 @@ fn run(text: &[u8], setup: &Setup, lints: Lints) -> Analysis {
     run.into_analysis()
 }
 
-/// Runs a program with lints and without, and compares the motions: what both report.
+/// Runs a program with and without lints, checks that the motions are equal, and returns both lists of
+/// messages.
 fn compared(name: &str, text: &[u8], setup: &Setup) -> [Vec<Diagnostic>; 2] {
     let (with, without) = (run(text, setup, Lints::On), run(text, setup, Lints::Off));
     assert_eq!(with.motions.len(), without.motions.len(), "{name}");
@@ -33,8 +34,8 @@ fn motions_and_errors_of_the_programs_are_the_same_without_lints() {
     }
 }
 
-/// The examples of each rule show whose it is: without lints those of the lints are silent,
-/// those of the control are not.
+/// The examples show whether a rule is a lint: without lints, the lints report nothing and the control still
+/// reports its errors.
 #[test]
 fn without_lints_the_control_reports_its_own_faults() {
     let mut of_lints = Vec::new();
@@ -59,7 +60,7 @@ fn without_lints_the_control_reports_its_own_faults() {
     }
 }
 
-/// The slugs of what is reported for a program under a G-code system.
+/// The slugs of the messages for a program in a G-code system.
 fn reported(system: &str, text: &str) -> Vec<&'static str> {
     let setup =
         format!(r#"{{"dialect": {{"gSystem": "{system}"}}, "stock": {{"diameter": 60, "length": 80}}}}"#);

@@ -1,4 +1,4 @@
-//! The part that a program makes.
+//! The part and the collisions of worked programs.
 
 use gcode_playground::analyze;
 use gcode_playground::machine::SimulationResult;
@@ -31,9 +31,9 @@ fn check_diameters(part: &Region, z: f64, expected: &[(f64, f64)]) {
     );
 }
 
-/// Seed 001, case 6.3, with sharp tools. Outside, N240 goes from X45.4 Z3 to X50 Z-20: at Z-10 it is at
-/// 45.4 + 4.6 × 13 / 23 = 48. Inside, N320 goes from X31 Z3 to X20 Z-30: at Z-10 it is at
-/// 31 − 11 × 13 / 33 = 26.667.
+/// Seed 001, case 6.3, with sharp tools. Outside, N240 goes from X45.4 Z3 to X50 Z-20: at Z-10 it is at 45.4
+/// + 4.6 × 13 / 23 = 48. Inside, N320 goes from X31 Z3 to X20 Z-30: at Z-10 it is at 31 − 11 × 13 / 33 =
+/// 26.667.
 #[test]
 fn o6003_has_the_diameters_of_its_drawing() {
     let (program, setup) = folder("s001-o6003");
@@ -55,12 +55,12 @@ fn o6003_has_the_diameters_of_its_drawing() {
 const STOCK: &str = r#""stock": {"diameter": 60, "bore": 20, "length": 100, "grip": 20}"#;
 const TOOLS: &str = r#""T0101": {"type": "turning"}, "T0202": {"type": "boring", "shank": 10}, "T0303": {"type": "grooving", "width": 3, "reach": 8}, "T0404": {"type": "turning", "insert": "VNMG160404", "enteringAngle": 93}"#;
 
-/// What runs into what: the names of the dangers, with the line (from 1) of each.
+/// Checks the names of the collisions, with the line of each, counted from 1.
 fn check_danger(program: &str, expected: &[(&str, u32)]) {
     check_danger_with("", program, expected);
 }
 
-/// The same with more in the setup.
+/// The same with additional setup fields.
 fn check_danger_with(more: &str, program: &str, expected: &[(&str, u32)]) {
     let travel = r#""travel": {"xMin": -20, "xMax": 300, "zMin": -95, "zMax": 310}"#;
     let setup = format!(r#"{{{more} {STOCK}, "tools": {{{TOOLS}}}, "machine": {{{travel}}}}}"#);
@@ -84,9 +84,9 @@ fn a_rapid_into_the_work_is_found_and_a_near_miss_is_not() {
     check_danger("T0101\nG00 X62 Z2\nG00 X40 Z2\nG00 Z-10", &[("RapidThroughStock", 4)]);
     check_danger("T0101\nG00 X62 Z2\nG00 X40 Z0.02", &[]);
     check_danger("T0101\nG00 X61 Z2\nG00 Z-50", &[]);
-    // Where the bar is turned off already, nothing is left to rub along.
+    // Where the bar is already turned down, there is nothing to rub against.
     check_danger("M3 S500 T0101\nG00 X56 Z2\nG01 Z-30 F.2\nX60\nG00 Z2", &[]);
-    // A hundredth of a millimetre is no touch.
+    // A distance of a hundredth of a millimetre is not a contact.
     check_danger("T0101\nG00 X62 Z2\nG00 X60.02\nZ-50\nX62", &[]);
     check_danger("T0101\nG00 X62 Z2\nG00 X60\nZ-50\nX62", &[("RapidAlongStock", 4)]);
     check_danger("T0101\nG00 X62 Z2\nG00 X59.9\nZ-50\nX62", &[("RapidThroughStock", 4)]);
@@ -98,10 +98,10 @@ fn what_is_cut_is_free_for_rapids() {
         "T0101\nG00 X62 Z2\nG01 X50 F1\nG01 Z-30\nG00 X51 Z-29\nG00 Z2\nG00 X50\nG01 Z-30\nX62\nG00 Z2",
         &[],
     );
-    // The wedge that 95° leave at a shoulder of 2 mm is scraped off; a shoulder of 10 mm is more than that.
+    // The wedge that a 95° tool leaves at a shoulder of 2 mm is scraped off; a shoulder of 10 mm is too much.
     check_danger("T0101\nG00 X62 Z2\nG01 X56 F1\nZ-20\nG00 X62", &[]);
     check_danger("T0101\nG00 X62 Z2\nG01 X40 F1\nZ-20\nG00 X62", &[("RapidThroughStock", 5)]);
-    // Half a millimetre too deep on the way back.
+    // Half a millimetre too deep on the return.
     check_danger(
         "T0101\nG00 X62 Z2\nG01 X50 F1\nG01 Z-30\nG00 X49\nG00 Z2",
         &[("RapidThroughStock", 5), ("RapidThroughStock", 6)],
@@ -117,7 +117,7 @@ fn what_is_cut_is_free_for_rapids() {
 fn a_dogleg_is_held_against_the_work_too() {
     check_danger("T0101\nG00 X100 Z2\nG00 X40 Z1", &[]);
     check_danger("T0101\nG00 X62 Z-50\nG01 X61.9 F1\nG00 X80 Z2", &[]);
-    // The straight way keeps clear of the corner of the blank, the first leg does not.
+    // The direct path clears the corner of the blank, the first leg does not.
     check_danger("T0101\nG00 X100 Z-40\nG00 X58 Z10\nG00 X100 Z-40", &[("DoglegThroughStock", 3)]);
 }
 
@@ -138,10 +138,10 @@ fn jaws_and_travel() {
 
 #[test]
 fn holders_slopes_and_the_axis() {
-    // A grooving insert that reaches 8 mm.
+    // A grooving insert with a reach of 8 mm.
     check_danger("T0303\nG00 X62 Z-30\nG01 X46 F1\nX62", &[]);
     check_danger("T0303\nG00 X62 Z-30\nG01 X42 F1\nX62", &[("HolderInStock", 3), ("HolderInStock", 4)]);
-    // 45° behind the tip: no rhombus of 80°, but one of 35° follows.
+    // A slope of 45° behind the tip: an 80° rhombus cannot follow it, one of 35° can.
     check_danger("T0101\nG00 X62 Z2\nG01 X58 F1\nZ-20\nX50 Z-24\nZ-30\nX62", &[("SlopeTooSteep", 5)]);
     check_danger("T0404\nG00 X62 Z2\nG01 X58 F1\nZ-20\nX50 Z-24\nZ-30\nX62", &[]);
     check_danger("T0101\nG00 X62 Z0\nG01 X-0.8 F1\nG00 Z2", &[]);
@@ -156,8 +156,8 @@ fn the_tailstock_stands_in_front_of_the_face() {
     check_danger_with(tailstock, "T0101\nG00 X6 Z5", &[("IntoTailstock", 2)]);
 }
 
-/// Real programs change tools after a bare G28, which moves nothing here, and are cut with
-/// inserts that nobody has named.
+/// Real programs change tools after a G28 without axes, which moves nothing here, and cut with unnamed
+/// inserts.
 #[test]
 fn what_nobody_knows_is_no_danger() {
     let changed = "T0101\nG00 X62 Z2\nG01 X58 F1\nZ-20\nG00 X62\nZ2\nX10\nT0404\nG00 X64 Z-30\nX62";
@@ -168,14 +168,14 @@ fn what_nobody_knows_is_no_danger() {
         let analysis = analyze(program.as_bytes(), &stock);
         SimulationResult::of(&analysis.motions, &stock).findings().len()
     };
-    // What an inferred insert leaves at its trailing edge.
+    // Material that an inferred insert leaves at its trailing edge.
     assert_eq!(findings("G00 X64 Z-2\nG01 X28 F1\nG00 X64\nZ-5\nG01 X28\nG00 Z2"), 0);
     assert_eq!(findings("G00 X64 Z2\nG00 X59.5\nG00 Z-5"), 0);
     assert_eq!(findings("G00 X64 Z2\nG00 X57\nG00 Z-5"), 1);
 }
 
-/// M20×2.5 with a relief groove from Z-22 to Z-25 in front of a shoulder of ⌀42;
-/// thread core 20 − 1.2269 × 2.5.
+/// M20×2.5 with a relief groove from Z-22 to Z-25 in front of a shoulder of ⌀42; thread core 20 − 1.2269 ×
+/// 2.5.
 const TO_A_SHOULDER: &str = "O0020
 T0101
 G97 S800 M03
@@ -222,7 +222,7 @@ fn a_threading_tool_reaches_a_shoulder_behind_its_relief_groove() {
         let part = simulation.finished().expect("a blank");
         check_diameters(&part, -25.01, &[(0.0, 42.0)]);
         check_diameters(&part, -24.99, &[(0.0, 16.4)]);
-        // From Z6 on a notch each 2.5 mm, and a crest between two.
+        // A notch every 2.5 mm from Z6 on, and a crest between two notches.
         check_diameters(&part, -14.0, &[(0.0, 16.93)]);
         check_diameters(&part, -15.25, &[(0.0, 20.0)]);
     }
@@ -237,7 +237,7 @@ fn a_threading_tool_with_long_edges_cuts_a_shoulder_away() {
     assert!(simulation.finished().expect("a blank").radii(-25.01)[0].1 < 21.0);
 }
 
-/// The holder of a tool that stands out by 8 mm meets a shoulder that is 11 mm high.
+/// The holder of a tool with an overhang of 8 mm hits a shoulder that is 11 mm high.
 #[test]
 fn the_holder_of_a_threading_tool_meets_a_high_shoulder() {
     let stock = r#""stock": {"diameter": 42, "length": 60}, "dialect": {"threadChamfer": 0}"#;
@@ -252,11 +252,11 @@ fn the_holder_of_a_threading_tool_meets_a_high_shoulder() {
     };
     assert_eq!(dangers(TO_A_SHOULDER, "16ER", 8), []);
     assert!(dangers(&deep, "16ER", 8).contains(&Danger::HolderInStock));
-    // The holder of a left-hand tool lies towards the chuck.
+    // The holder of a left-hand tool is on the chuck side.
     assert!(dangers(TO_A_SHOULDER, "16EL", 8).contains(&Danger::HolderInStock));
 }
 
-/// The blank is ⌀60 with a bore of 20. Nobody has named the tool: where its tip goes is known all the same.
+/// The blank is ⌀60 with a bore of 20. The tool is unnamed, but the path of its tip is known.
 #[test]
 fn threads_that_start_within_the_work() {
     let check = |cycle: &str, start: &str, expected: &[&str]| {
@@ -295,7 +295,7 @@ fn threads_that_start_within_the_work() {
     }
 }
 
-/// A thread that begins in a relief has no work in its way.
+/// A thread that starts in a relief groove does not start in the work.
 #[test]
 fn threads_that_start_in_a_groove() {
     let program = "O1 (STOCK D=60 LENGTH=100)\n(TOOL T0303 TYPE=GROOVING WIDTH=6)\nG99 T0303\nG97 S300 M3\n\
@@ -306,7 +306,7 @@ fn threads_that_start_in_a_groove() {
     assert!(!slugs.contains(&"start-behind-face"), "{slugs:?}");
 }
 
-/// A thread that ends between two turns: the insert stands in its own groove there, and comes out of it.
+/// If a thread ends between two turns, the insert is in its own groove there, and retracts from it.
 #[test]
 fn a_thread_may_end_between_two_turns() {
     let slugs = |body: &str| {
@@ -321,7 +321,8 @@ fn a_thread_may_end_between_two_turns() {
     for end in ["-29", "-29.3", "-29.5", "-29.9", "-30"] {
         let passes = format!("G00 X34 Z6\nG92 X29.2 Z{end} F2\nX28.6\nX28\nX27.6\nX27.4\n");
         assert_eq!(slugs(&passes), [""; 0], "{end}");
-        // By hand, and as a cycle whose flank infeed moves the start, straight out and over a run-out.
+        // As single moves, and as a cycle whose flank infeed moves the start, with a straight retract and
+        // with a pull-out.
         let by_hand = format!("G00 X34 Z6\nX29\nG32 Z{end} F2\nG00 X34\nZ6\nX28.4\nG32 Z{end} F2\nG00 X34\n");
         assert_eq!(slugs(&by_hand), [""; 0], "{end}");
         for run_out in ["00", "05", "10"] {
@@ -329,6 +330,6 @@ fn a_thread_may_end_between_two_turns() {
             assert_eq!(slugs(&cycle), [""; 0], "{end} {run_out}");
         }
     }
-    // Into the work is still into the work.
+    // A rapid into the work is still reported.
     assert_eq!(slugs("G00 X34 Z6\nG92 X29.2 Z-29 F2\nG00 X28 Z-40\n")[0], "rapid-through-stock");
 }

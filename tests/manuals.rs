@@ -1,4 +1,4 @@
-//! Manuals: `embed`, `embed --check` and `check --markdown`, as the build of a manual calls them.
+//! Manuals: `embed`, `embed --check` and `check --markdown`, as the build of a manual uses them.
 use std::io::Write;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output, Stdio};
@@ -35,7 +35,7 @@ fn fixture(name: &str) -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/manuals").join(name)
 }
 
-/// A file of a test.
+/// Writes a file for a test.
 fn scratch(name: &str, content: &[u8]) -> String {
     let folder = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join("manuals");
     fs::create_dir_all(&folder).expect("a folder");
@@ -44,7 +44,7 @@ fn scratch(name: &str, content: &[u8]) -> String {
     path.to_string_lossy().into_owned()
 }
 
-/// Line, column and slug, or note, of all messages.
+/// Line, column and slug, or the note, of all messages.
 fn told(file: &str) -> Vec<String> {
     let output = run(&["check", "--markdown", "--format", "json", file], b"");
     let name = |row: &Value| row.get("slug").or(row.get("note")).and_then(Value::as_str).map(str::to_owned);
@@ -98,7 +98,7 @@ fn pages_are_read_by_their_endings() {
     assert_eq!(run(&["check", "--markdown", "--fix", "-"], b"").status.code(), Some(2));
 }
 
-/// The edits of a fix are edits of the page: with the margin of a quotation, and as HTML writes them.
+/// The edits of a fix apply to the page: with the margin of a quotation, and with the escapes of HTML.
 #[test]
 fn fixes_are_edits_of_the_page() {
     let page =
@@ -151,7 +151,7 @@ fn options_hold_where_an_example_says_nothing_else() {
     assert_eq!(severities, ["\"error\"", "\"warning\""]);
 }
 
-/// What would take a careless reader a long time takes none.
+/// Input that would make a careless parser slow is parsed quickly.
 #[test]
 fn pages_of_any_kind_are_read_in_time() {
     let many = |text: &str| text.repeat(40_000);
@@ -237,7 +237,8 @@ fn embed_writes_an_element_with_its_program_and_its_picture() {
     assert!(!text(&code.stdout).contains("<svg"));
 }
 
-/// What `tests/browser/manuals.spec.ts` shows to browsers is what `embed` writes; `UPDATE_EXPECT=1` writes it.
+/// The pages shown by `tests/browser/manuals.spec.ts` are the output of `embed`; `UPDATE_EXPECT=1` writes
+/// them.
 #[test]
 fn the_pages_of_the_browser_tests_are_those_of_embed() {
     for (name, format) in [("hard.html", "html"), ("hard.markdown", "markdown")] {
@@ -246,7 +247,7 @@ fn the_pages_of_the_browser_tests_are_those_of_embed() {
             &["embed", &program, "--view", "picture", "--caption", "a \"b\" <c>", "--format", format],
             b"",
         );
-        // Of what is hard for a page not all is a program.
+        // The hard page contains some blocks that are not programs.
         assert_eq!(output.status.code(), Some(1), "{}", text(&output.stderr));
         expect_file![fixture(name)].assert_eq(text(&output.stdout));
     }
@@ -297,7 +298,7 @@ fn a_picture_that_its_program_does_not_draw_is_told_and_drawn_anew() {
         assert_eq!(fresh.status.code(), Some(0), "{}{}", text(&fresh.stdout), text(&fresh.stderr));
         assert!(text(&fresh.stderr).contains(", 0 out of date"), "{}", text(&fresh.stderr));
 
-        // The program is another one; the picture is the old one.
+        // The program has changed, but the picture is the old one.
         let changed = page.replace("X32 (A", "X30 (A");
         assert_ne!(changed, page);
         fs::write(&file, &changed).expect("a page");
@@ -311,7 +312,7 @@ fn a_picture_that_its_program_does_not_draw_is_told_and_drawn_anew() {
         let output = run(&["embed", "--fix", &file], b"");
         assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
         let fixed = fs::read_to_string(&file).expect("a page");
-        // What is around the pictures has stayed.
+        // The text around the pictures is unchanged.
         let around = |page: &str| -> String {
             let parts = page.split("<svg slot=").enumerate();
             parts
@@ -321,7 +322,7 @@ fn a_picture_that_its_program_does_not_draw_is_told_and_drawn_anew() {
         assert_eq!(around(&fixed), around(&changed));
         assert_ne!(fixed, changed);
         assert_eq!(run(&["embed", "--check", &file], b"").status.code(), Some(0));
-        // The same as of a page that is written now.
+        // The same as for a page that is written now.
         assert_eq!(fixed, page.replace("X32 (A", "X30 (A").replace(&picture(&page), &picture(&fixed)));
     }
 }

@@ -1,4 +1,4 @@
-//! Messages at their exact place: the carets under a line mark the span, the code stands after them.
+//! Messages at their exact position: the carets under a line mark the span, followed by the code.
 use gcode_playground::analyze;
 use gcode_playground::findings;
 use gcode_playground::machine::SimulationResult;
@@ -7,7 +7,7 @@ use gcode_playground::sentences::{Language, labels};
 use gcode_playground::setup::Setup;
 use gcode_playground::source::LineIndex;
 
-/// The one door: a program whose annotated lines (`//  ^^^ CODE`) are all its messages but hints.
+/// Checks that the annotated lines (`//  ^^^ CODE`) are all messages of a program, except `W-NO-END`.
 #[track_caller]
 fn check_with(setup: &str, annotated: &str) {
     let (mut program, mut expected) = (Vec::new(), Vec::new());
@@ -38,7 +38,7 @@ fn check(annotated: &str) {
     check_with(r#"{"dialect": {"feedMode": "G98"}}"#, annotated);
 }
 
-/// The one door of repairs: applied, they give the other text.
+/// Checks that all fixes together turn one text into the other.
 #[track_caller]
 fn check_fix(before: &str, after: &str) {
     let analysis = analyze(before.as_bytes(), &Setup::default());
@@ -57,13 +57,13 @@ fn check_fix(before: &str, after: &str) {
     assert_eq!(text, after);
 }
 
-/// Two balls side by side touch in a valley of 180°: no nose reaches its bottom, whichever way it comes and
-/// wherever the turret stands.
+/// Two adjacent balls touch in a valley of 180°: no nose reaches its bottom, from any direction and with any
+/// turret position.
 #[test]
 fn a_nose_does_not_fit_between_two_arcs_that_touch() {
     let there = "G42 G0 X32 Z2\nG1 Z0 F100\nG3 X28 Z-2 R2\n   G3 X34 Z-5 R3\n// ^^^^^^^^^^^^^ PS0041\nG1 Z-9\nG40 G0 X50";
     let back = "G41 G0 X34 Z-9\nG1 Z-5 F100\nG2 X28 Z-2 R3\n   G2 X32 Z0 R2\n// ^^^^^^^^^^^^ PS0041\nG1 Z2\nG40 G0 X50";
-    // A bore that narrows in two steps, each of them a quarter of a ring.
+    // A bore that narrows in two steps, each a quarter of a ring.
     let inside = "G41 G0 X32 Z2\nG1 Z0 F100\nG2 X36 Z-2 R2\n   G2 X30 Z-5 R3\n// ^^^^^^^^^^^^^ PS0041\nG1 Z-9\nG40 G0 X20";
     for turret in ["rear", "front"] {
         for (program, tip) in [(there, 3), (back, 3), (inside, 2)] {
@@ -125,7 +125,7 @@ fn a_feed_that_is_missing_after_a_broken_one_is_the_same_fault() {
         check_with("{}", &format!("{start}G01 Z-5 {word}\n//      {marks} {code}\nX52\nG00 Z2"));
         check_with("{}", &format!("{start}   {word}\n// {marks} {code}\nG01 Z-5\nX52\nG00 Z2"));
     }
-    // Another broken word says nothing of the feed.
+    // An unreadable word does not make the feed unknown.
     check_with("{}", &format!("{start}G01 Z-5.5.\n//  ^^^^^^ PS0007\n   X52\n// ^^^ PS0011\nG00 Z2"));
 }
 
@@ -157,12 +157,12 @@ fn the_first_block_of_a_contour_with_a_pocket_keeps_both_axes() {
         let analysis = analyze(text.as_bytes(), &Setup::default());
         analysis.diagnostics.iter().map(|found| found.message.slug()).collect()
     };
-    // With a pocket the word selects type II: nothing to leave out.
+    // With a pocket the word selects type II, so it must stay.
     assert_eq!(told(&program("X16 Z2", pocket)), [] as [&str; 0]);
     assert_eq!(told(&program("X16", pocket)), ["contour-turns-back"]);
     check_fix(&program("X16", pocket), &program("X16 W0", pocket));
     assert_eq!(told(&program("X16 W0", pocket)), [] as [&str; 0]);
-    // Without one it is needless, and goes.
+    // Without a pocket it is unnecessary, and the fix removes it.
     assert_eq!(told(&program("X16 Z2", "")), ["contour-names-both-axes"]);
     check_fix(&program("X16 Z2", ""), &program("X16", ""));
     assert_eq!(told(&program("X16", "")), [] as [&str; 0]);
@@ -205,14 +205,14 @@ fn feed_and_spindle() {
     check("M3 S500\nG01 X50 F0.2\n//      ^^^^ W-FEED-MODE");
     check_with("{}", "M3 S500\nG01 X50 F10\n//      ^^^ W-FEED-MODE");
     check_with("{}", "M3 S500\nG01 X50 F10\n//      ^^^ W-FEED-MODE\nG01 X40 F6\nG98 X30 F100");
-    // A fast approach: the feed that follows fits the unit.
+    // A fast approach: the next feed fits the unit.
     check_with("{}", "M3 S500\nG01 X50 F5\nX40 F0.2");
     check("M3 S500\nG01 X50 F100\n   G99 X40\n// ^^^^^^^ W-FEED-KEPT");
     check("   G01 X50 F100\n// ^^^^^^^^^^^^ W-NO-SPINDLE\nX40");
     check("G96 S120 M3\n//  ^^^^ W-CSS-NOCLAMP");
     check("G50 S1000 Q2000\n//        ^^^^^ W-CSS-UNSET");
     check("G50 S1000\nG96 S100 M3\n   G32 Z5 F2\n// ^^^^^^^^^ W-THREAD-CSS");
-    // The nearest cases that are right.
+    // The closest correct cases.
     check("G50 S2000\nG96 S120 M3\nG97 S500\nG32 Z5 F2");
     check("M3 S500\nG99 G01 X50 F0.2");
 }
@@ -273,7 +273,7 @@ fn repairs() {
     both("G71 X2 R.5", "G71 U2 R.5");
     both("G71 U-2 R.5", "G71 U2 R.5");
     both("G73 X6 W2 R3", "G73 U6 W2 R3");
-    // Sequence numbers that are missing, and written with a point.
+    // Sequence numbers that are missing, or written with a point.
     let contour = |p: &str, first: &str, last: &str| {
         format!("G71 U2 R.5\nG71 {p} Q2 U.4 W.1\n{first}G0 X30\nG1 Z-20\n{last}X50\nG0 X80 Z9")
     };
@@ -287,14 +287,14 @@ fn repairs() {
         "G50 S900\nG96 S100 M3\nG0 X40 Z4\nG32 Z-9 F2",
         "G50 S900\nG96 S100 M3\nG0 X40 Z4\nG97 S790\nG32 Z-9 F2",
     );
-    // What is missing before a cut, and at the end.
+    // Missing codes before a cut, and at the end.
     check_fix("G97 S500\nG99 G1 Z-5 F.1", "G97 S500\nM03\nG99 G1 Z-5 F.1");
     check_fix("G96 S100 M3\nG0 X40", "G50 S2000\nG96 S100 M3\nG0 X40");
     check_end("G0 X40", "G0 X40\nM30");
     check_end("%\nO1\nG0 X40\n%\n", "%\nO1\nG0 X40\nM30\n%\n");
 }
 
-/// The one repair that stands at the end of the text.
+/// Checks the fix at the end of the text.
 #[track_caller]
 fn check_end(before: &str, after: &str) {
     let repaired = gcode_playground::repair::repaired(before.as_bytes(), &Setup::default());
@@ -320,12 +320,12 @@ fn cycles_and_corners() {
     check(&format!("{start}G1 Z-20 ,C30\n//      ^^^^ PS0055\nX60"));
     check(&format!("{start}G1 Z-20 ,C2\n//      ^^^ PS0052\nG0 X60"));
     check(&format!("{start}G1 Z-20 I-2\n//      ^^^ PS0051\nX60"));
-    // An arc forms no corner, but with a comma, or with L and D of GSK.
+    // An arc forms no corner, except with a comma, or with L and D on GSK.
     for word in ["C2", "R2", "I2"] {
         let carets = "^".repeat(word.len());
         check(&format!("{start}G1 Z-20 {word}\n//      {carets} PS0052\nG2 X60 Z-25 R5"));
     }
-    // Straight on, and less than 1° to the side.
+    // Straight, and less than 1° to the side.
     for next in ["Z-30", "X50.3 Z-30", "X49.7 Z-30"] {
         for word in [",C2", ",R2", "C2", "R2"] {
             let carets = "^".repeat(word.len());
@@ -378,7 +378,7 @@ fn hole_cycles() {
     check(&format!("{head}G83 Z-20 Q0\n//       ^^ PS0045"));
     check(&format!("{head}G83 Z-20\n   G28 U0\n// ^^^ PS0044\nG0 X5"));
     check(&format!("{head}G83 Z-20\n   G71 U1 R1\n// ^^^ PS0327"));
-    // A code of group 01 ends it, even in a block that cannot be carried out.
+    // A code of group 01 cancels it, even in a block with an error.
     check(&format!("{head}G83 Z-20\nG0 X5 S1.5\n//    ^^^^ PS0007\nX10"));
 }
 
@@ -398,7 +398,7 @@ fn a_macro_statement_is_marked_without_its_number_and_remark() {
     check("N1 WHILE[1EQ1]DO1  (ROUND)\n// ^^^^^^^^^^^^^^ PS0124\nG0 X1");
     check("N1 END2 (ALONE)\n// ^^^^ PS0126\nG0 X1");
     check("G0 X1\n  #3000=1(NO TOOL)  (REMARK)\n//^^^^^^^^^^^^^^^^ E-MACRO-ALARM");
-    // One END that fits no DO.
+    // An END that matches no DO.
     check("  DO1 (A)\n//^^^ PS0124\nG0 X1\nEND2");
 }
 
@@ -525,7 +525,7 @@ fn codes_that_exclude_each_other() {
     check("G50 S900\nG96 G97 S500\n//  ^^^ W-SAME-GROUP");
     check("G41 G40\n//  ^^^ W-SAME-GROUP");
     check("S500 M03 M04\n//       ^^^ W-SAME-GROUP");
-    // The nearest cases that are right.
+    // The closest correct cases.
     check("G1 G01 G28 U0 F100");
     check("G97 G98 G40 M3 S500 M8");
     let analysis = analyze(b"M05 M03 S500", &Setup::default());
@@ -586,7 +586,7 @@ fn repairs_of_what_was_likely_meant() {
     check_fix("GOTO #10\nN10 M30", "GOTO 10\nN10 M30");
 }
 
-/// The one door of levels: slug and severity of all messages, those of the machine among them.
+/// Checks slug and severity of all messages, including those of the machine.
 #[track_caller]
 fn check_levels(setup: &str, program: &str, expected: &[(&str, Severity)]) {
     let mut analysis = analyze(program.as_bytes(), &Setup::from_json(setup).expect("setup"));
@@ -609,12 +609,12 @@ fn a_setup_and_a_comment_say_how_grave_a_rule_is() {
         program,
         &[(end.0, Error)],
     );
-    // A comment overrides the setup, rule by rule, wherever other comments of the setup stand.
+    // A comment overrides the setup, rule by rule, wherever other setup comments are.
     let noted = format!("O0001\n(Rules unknown-g-code=Warning)\n{program}");
     check_levels(lower, &noted, &[("unknown-g-code", Warning), end]);
     check_levels(r#"{"rules": {"no-program-end": "off"}}"#, &noted, &[("unknown-g-code", Warning)]);
     check_levels("{}", "(RULES UNKNOWN-G-CODE=OFF NO-PROGRAM-END=OFF)\nG7.7", &[]);
-    // What is reported for the setup itself, and about where a program comes from, has levels as well.
+    // Messages about the setup, and about the origin of a program, have severities as well.
     check_levels("{}", "(RULES SETUP-COMMENT=ERROR QQQ=1)\nM30", &[("setup-comment", Error)]);
     check_levels(
         r#"{"rules": {"program-for-another-control": "warning"}}"#,
@@ -653,7 +653,7 @@ fn a_level_changes_no_motion() {
     assert_eq!(ends(&quiet), ends(&usual));
 }
 
-/// Rules that are off do not count against the limit of messages.
+/// Disabled rules do not count towards the message limit.
 #[test]
 fn what_is_off_is_not_counted() {
     let program = "G7.7\n".repeat(50) + "Z1..2\nM30";
@@ -667,7 +667,7 @@ fn what_is_off_is_not_counted() {
     assert_eq!(told(r#"{"unknown-g-code": "off"}"#), ["second-decimal-point"]);
 }
 
-/// A control clears the offset on the way to a place of the machine and takes it up again after it.
+/// A control cancels the offset for a move to a machine position and restores it afterwards.
 #[test]
 fn compensation_left_on_is_told_where_the_tool_goes_home() {
     let told = |end: &str| -> Vec<String> {
@@ -681,7 +681,7 @@ fn compensation_left_on_is_told_where_the_tool_goes_home() {
     for home in ["G28", "G30", "G53", "G27"] {
         let words = if home == "G53" { "X300 Z300" } else { "U0 W0" };
         assert_eq!(told(&format!("{home} {words}")), [home]);
-        // Once: what is reported there is not reported at the end as well.
+        // Only once: not at the end as well.
         assert_eq!(told(&format!("{home} {words}\nT0202")), [home]);
         assert_eq!(told(&format!("G40 G0 X70\n{home} {words}")), [""; 0]);
         assert_eq!(told(&format!("G40 {home} {words}")), [""; 0]);
@@ -697,10 +697,10 @@ fn a_block_of_a_cycle_without_an_axis_makes_no_pass() {
     check_fix(&format!("{start}R-8\nG0 X100\nM30"), &format!("{start}Z0 R-8\nG0 X100\nM30"));
     let incremental = "M3 S500\nG0 X54 Z5\nG90 W-30 U-4 R-1 F100\n";
     check_fix(&format!("{incremental}R-2\nG0 X100\nM30"), &format!("{incremental}U-4 R-2\nG0 X100\nM30"));
-    // The code spelled again makes no pass either; its own first block may only set the taper.
+    // Repeating the code makes no pass either; the first block with the code may only set the taper.
     check(&format!("{start}G94 R-8\n//  ^^^ W-CYCLE-NO-AXIS\nG0 X100"));
     check("M3 S500\nG0 X54 Z5\nG94 R-4 F100\nX30 Z0\nG0 X100");
-    // An F that a later cut uses has its effect; one that is replaced before any cut has none.
+    // An F that a later cut uses has an effect; one that is replaced before any cut does not.
     check(&format!("{start}F80\nZ-1\nG0 X100"));
     check(&format!("{start}F80\nG0 X100\nG1 X90"));
     check(&format!("{start}  F80\n//^^^ W-CYCLE-NO-AXIS\nG0 X100\nG1 X90 F50"));
@@ -708,7 +708,7 @@ fn a_block_of_a_cycle_without_an_axis_makes_no_pass() {
     check(&format!("{start}M8\nG4 X1\nG0 X100"));
 }
 
-/// The page translates severity and category itself: its table and that of the command line must agree.
+/// The page translates severity and category itself: its table must match the command line.
 #[test]
 fn the_page_names_severities_and_categories_as_the_command_line_does() {
     let table = std::fs::read_to_string("www/src/editor/problem-words.ts").expect("the table of the page");
@@ -720,7 +720,7 @@ fn the_page_names_severities_and_categories_as_the_command_line_does() {
         };
         let severities = [Severity::Error, Severity::Warning, Severity::Info];
         assert_eq!(words("severity"), severities.map(|own| labels::severity(own, language)));
-        // That the program is wrong goes without saying beside a message.
+        // Beside a message, the category `wrong` is not shown.
         let categories = [Kind::Unsupported, Kind::Machine].map(|own| labels::category(own, language));
         assert_eq!(words("kind"), ["", categories[0], categories[1]]);
     }

@@ -1,8 +1,8 @@
-//! The crate as others take it: what a library brings with it, and what is in the package.
+//! The published crate: the dependencies of the library, and the files of the package.
 use std::collections::BTreeSet;
 use std::process::Command;
 
-/// The lines that a command of cargo prints.
+/// The output lines of a cargo command.
 fn cargo(arguments: &[&str]) -> Vec<String> {
     let output = Command::new(env!("CARGO"))
         .current_dir(env!("CARGO_MANIFEST_DIR"))
@@ -13,7 +13,7 @@ fn cargo(arguments: &[&str]) -> Vec<String> {
     String::from_utf8(output.stdout).expect("UTF-8").lines().map(str::to_owned).collect()
 }
 
-/// The crates that are compiled with a package, by name.
+/// The names of the crates that are compiled with a package.
 fn dependencies(package: &str, edges: &str, features: &[&str]) -> BTreeSet<String> {
     let mut arguments = vec!["tree", "--package", package, "--edges", edges, "--prefix", "none"];
     arguments.extend(["--format", "{p}", "--locked"]);
@@ -22,7 +22,7 @@ fn dependencies(package: &str, edges: &str, features: &[&str]) -> BTreeSet<Strin
     cargo(&arguments).iter().filter_map(name).collect()
 }
 
-/// What only the command line needs.
+/// Dependencies of the command line only.
 const OF_THE_COMMAND_LINE: [&str; 4] = ["annotate-snippets", "clap", "encoding_rs", "pulldown-cmark"];
 
 #[test]
@@ -48,7 +48,7 @@ fn the_writers_of_pages_bring_nothing_of_the_tests() {
     }
 }
 
-/// What a user of the crate needs: sources, the rules that the build script reads, the reference, the licences.
+/// The package contains the sources, the rules for the build script, the reference and the licences.
 #[test]
 fn the_package_has_what_a_user_needs_and_no_more() {
     let files = cargo(&["package", "--package", "gcode-playground", "--list", "--allow-dirty"]);
@@ -92,6 +92,6 @@ fn the_package_has_what_a_user_needs_and_no_more() {
     let rules =
         rules.flatten().filter(|entry| entry.path().extension().is_some_and(|kind| kind == "md")).count();
     let packed = files.iter().filter(|file| file.starts_with("src/rules/") && file.ends_with(".md")).count();
-    // All but the description of their format.
+    // All except the description of their format.
     assert_eq!(packed, rules - 1);
 }

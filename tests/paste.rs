@@ -1,4 +1,5 @@
-//! Programs inside other text: what is found, what becomes of it, what is asked; and that nothing is lost.
+//! Programs inside other text: which are found, how they are cleaned, which questions are asked; and that
+//! nothing is lost.
 use gcode_playground::api::paste::{FoundPrograms, pieces, shortened};
 use gcode_playground::control::codes::{self, Section};
 use gcode_playground::limits::{FOUND_PROGRAMS, PASTED_TEXT};
@@ -7,12 +8,12 @@ use gcode_playground::sentences::Language;
 use gcode_playground::setup::Setup;
 use proptest::prelude::*;
 
-/// The cleaned programs of a text, questions as printed.
+/// The cleaned programs of a text, with questions as printed.
 fn cleaned(text: &str) -> Vec<String> {
     checked(text).programs.iter().map(Program::text).collect()
 }
 
-/// What is found, once it is certain that nothing was lost.
+/// Finds programs, and checks that no text is lost.
 fn checked(text: &str) -> Found {
     let found = find(text);
     let mut end = 0;
@@ -23,7 +24,7 @@ fn checked(text: &str) -> Found {
             assert_eq!(piece.span.start, at, "a gap in {text:?}");
             at = piece.span.end;
             let was = &text[piece.span.start as usize..piece.span.end as usize];
-            // What has no reason differs in blanks alone.
+            // Without a reason, a piece may differ only in whitespace.
             if piece.reason.is_none() {
                 let solid = |text: &str| {
                     text.chars().filter(|c| !c.is_whitespace() && !c.is_control()).collect::<String>()
@@ -151,8 +152,8 @@ fn a_lost_minus_is_asked_for_and_never_guessed() {
     assert_eq!(asked[0].choices, ["Z?20.0", "Z-20.0", "Z20.0"]);
 }
 
-/// A setup sheet that was read column by column: the numbers in a column of their own, descriptions between
-/// the blocks, the head again where the table goes on, and no minus left anywhere.
+/// A setup sheet that was read column by column: the block numbers are in a separate column, descriptions
+/// between the blocks, a repeated header where the table continues, and all minus signs are lost.
 const CARD: &str = "表 6-9 程序号 N010 N020 N030 N040 编程原点 实训车间 O6003 FANUC 编程系统 程序 简要说明 G50 X200 Z200 建立工件坐标系 \
 M03 S475 T0101 选择 1 号外圆刀 G99 设定 mm/r G00 X70 Z3 距端面 3 mm G94 X0 Z0.5 F0.1 加工端面 Z0 G90 X62 Z43 F0.3 粗加工 X60.4 \
 G90 X58.4 Z20 R2.3 粗加工外锥面 G00 X13 Z3 定位\n续 表\n数控车床的程序卡在下一页上继续,请注意\n说明文字很长的一行说明文字很长的一行\n刀具 T01\n\
@@ -172,7 +173,7 @@ fn a_table_ends_before_another_program() {
     let programs = cleaned(&CARD.replace("刀具 T01\n", other));
     let heads: Vec<_> = programs.iter().map(|program| program.lines().next().unwrap_or_default()).collect();
     assert_eq!(heads, ["O6003", "T01", "O6003"], "{programs:#?}");
-    // A block of no program between them changes nothing.
+    // A single block between them changes nothing.
     let block =
         "\n\n说明文字很长的一行说明文字很长的一行\nG00 X9\n说明文字很长的一行说明文字很长的一行\n续表 1";
     let programs = cleaned(&CARD.replace("刀具 T01\n", other).replace("\n续表 1", block));
@@ -185,7 +186,7 @@ fn a_program_without_any_minus_is_asked_about() {
     let found = checked(CARD);
     let asked: Vec<_> = found.programs[0].questions().map(|piece| piece.choices[1].clone()).collect();
     assert_eq!(asked, ["Z-43", "Z-20", "R-2.3", "Z-20", "Z-43"]);
-    // Zero at the chuck: cuts lead to smaller Z.
+    // With the zero at the chuck, cuts go towards smaller Z.
     assert_eq!(
         checked("O1\nG00 X50 Z54\nG90 X46 Z25.9 F0.2\nX40 Z20\nM30\n").programs[0].questions().count(),
         0
@@ -201,13 +202,13 @@ N130 G70 P50 Q120 F30 r, C1 Y( o8 q6 R* n\n\nK1 }8 }9 h! I8\n2. 端面(G72) ( Q'
     assert!(reasons(text).iter().all(|reason| *reason == Reason::Noise));
 }
 
-/// Lines of noise before a program begin with words in small letters, and noise has brackets.
+/// Noise before a program may begin with lower-case words, and may contain brackets.
 #[test]
 fn noise_before_a_program_is_no_block() {
     let text = "8 d6 w, |2 R/ H2 P\n\nm8 k/ h( y9 I& ]$ C1 V! K\n\nG50 X60 Z40 0 y1 l\" d o q( W0 o+ q, r\n\n\
 G00 X0 Z2 ( i: c' ?2 `, D2 ~) {/ H\n\nG74 R1 ' c\" b! E3 o- X. ?8 w\n\nG74 Z-12 Q5 F30 S250 : K% L2 T( B; _6 J2\n";
     assert_eq!(only(text), "G50 X60 Z40\nG00 X0 Z2\nG74 R1\nG74 Z-12 Q5 F30 S250\n");
-    // A program in small letters has small words alone on a line, and remarks may have signs.
+    // A lower-case program may have lines of short words, and remarks with signs.
     let small = "g00 x50 z2\ng01 z-20 f0.2\nm9 q( W0 o+ q, r: {\nm30 l\" d' o: q(\n";
     assert!(only(small).contains("m9\nm30"), "{}", only(small));
     assert_eq!(
@@ -281,11 +282,11 @@ fn a_few_stray_characters_are_worth_a_line_not_a_dialog() {
     let found = checked(text);
     assert_eq!(found.review, Review::FewCharacters, "{found:#?}");
     assert_eq!(found.programs[0].text(), text.replace('，', ""));
-    // Full-width letters, signs of no width.
+    // Full-width letters, zero-width characters.
     assert_eq!(checked("O1\nG00 Ｘ32 Z2\nG01\u{200b} Z-5 F0.2\nM30\n").review, Review::FewCharacters);
     let many = "O1\nG00 X32， Z2，\nG01 X30， Z-30， F0.2，\nM30\n";
     assert_eq!(checked(many).review, Review::Programs);
-    // Prose around it, or a question in it, is more.
+    // Text around it, or a question in it, needs the full review.
     assert_eq!(checked("Example\nO1\nG00 X32， Z2\nM30\n").review, Review::Programs);
     assert_eq!(checked("O1\nG00 X32， Z2\nG01 Z?30.0 F0.2\nM30\n").review, Review::Programs);
 }
@@ -357,7 +358,7 @@ fn every_reason_is_said_in_every_language() {
     }
 }
 
-/// Bits of programs and of what stands around them.
+/// Fragments of programs and of surrounding text.
 fn bit() -> impl Strategy<Value = String> {
     let bits = [
         "G01 ",
@@ -411,7 +412,7 @@ proptest! {
         let text: String = bits.concat();
         let found = checked(&text);
         for program in &found.programs {
-            // A cleaned program is a program.
+            // A cleaned program is still a program.
             checked(&program.text());
             for language in Language::ALL {
                 pieces(&text, program, language);
