@@ -1,5 +1,5 @@
-//! What users of other viewers and controls complained about, one complaint a test. Each is cited by the
-//! project and the number of its thread.
+//! Complaints of users of other viewers and controls, one per test. Each cites the project and the number of
+//! its thread.
 use std::time::{Duration, Instant};
 
 use gcode_playground::analyze;
@@ -11,10 +11,10 @@ use gcode_playground::scene::path_index::PathIndex;
 use gcode_playground::scene::svg::{SvgOptions, svg};
 use gcode_playground::setup::Setup;
 
-/// Every program begins with this: spindle on, feed a turn, first tool.
+/// The head of every program: spindle on, feed per revolution, first tool.
 const HEAD: &str = "M3 S500\nG99 F0.2\nT0101\n";
 
-/// The one door: a program gives motions and messages within a second.
+/// Runs a program and checks that it ends within a second.
 #[track_caller]
 fn run_with(setup: &str, program: &str) -> Analysis {
     let setup = Setup::from_json(setup).expect("setup");
@@ -25,7 +25,7 @@ fn run_with(setup: &str, program: &str) -> Analysis {
     analysis
 }
 
-/// The same, for programs with nothing wrong.
+/// The same for programs without errors and warnings.
 #[track_caller]
 fn motions_with(setup: &str, program: &str) -> Vec<Motion> {
     let analysis = run_with(setup, program);
@@ -42,7 +42,7 @@ fn codes(analysis: &Analysis) -> Vec<&'static str> {
     analysis.diagnostics.iter().map(|found| found.message.code()).collect()
 }
 
-/// The end of the first motion that plays a part.
+/// The end of the first motion that belongs to a step.
 #[track_caller]
 fn first(motions: &[Motion], step: Step) -> Point {
     let of_step = |motion: &&Motion| motion.cycle.is_some_and(|cycle| cycle.step == step);
@@ -56,8 +56,8 @@ fn assert_near(found: f64, expected: f64, what: &str) {
 
 // linuxcnc#2948: cycle R word ignores diameter mode.
 
-/// R is a radius: the cut begins 2·R from the diameter where it ends, wherever that is
-/// and however X is written.
+/// R is a radius: the cut begins at a diameter 2·R away from its end, at any diameter and with any notation
+/// of X.
 #[test]
 fn linuxcnc_2948_r_of_g90_and_g92_is_a_radius_whatever_x_is() {
     for end in [20.0, 50.0, 200.0] {
@@ -97,7 +97,7 @@ fn linuxcnc_2948_r_of_g76_is_a_radius_whatever_x_is() {
         let start = end + 20.0;
         for x in [format!("X{end}"), "U-20".to_owned()] {
             let program = format!("G0 X{start} Z5\nG76 P010000 Q50 R0.05\nG76 {x} Z-30 R-2 P1300 Q400 F2");
-            // At an angle of 0 the tool goes in along X, so that the last pass begins at the Z of the start.
+            // With an angle of 0 the infeed is along X, so the last pass begins at the Z of the start point.
             let motions = motions(&program);
             let last = motions.iter().rfind(|motion| {
                 motion
@@ -111,7 +111,7 @@ fn linuxcnc_2948_r_of_g76_is_a_radius_whatever_x_is() {
     }
 }
 
-// linuxcnc#1146, linuxcnc PR#1869 and PR#2907: G71 runs for ever or eats all memory.
+// linuxcnc#1146, linuxcnc PR#1869 and PR#2907: G71 never ends or uses all memory.
 
 #[test]
 fn linuxcnc_1146_no_g71_runs_for_ever() {
@@ -124,15 +124,15 @@ fn linuxcnc_1146_no_g71_runs_for_ever() {
         (depth("U0 R0.5"), "E-G71-U-SIGN"),
         (depth("U-2 R0.5"), "E-G71-U-SIGN"),
         (depth("R0.5"), "E-G71-U-ROLE"),
-        // The contour goes back on itself, in Z and in both.
+        // The contour reverses, in Z and in both axes.
         (cycle("N1 G0 X20\nG1 Z-20\nZ-10\nN2 X60 Z-30"), "E-NOT-MONOTONE"),
         (cycle("N1 G0 X20\nG1 Z-20\nX40\nX20\nN2 Z2"), "E-NOT-MONOTONE"),
         (cycle("N1 G0 X20\nG1 Z-20\nX30\nX20\nX30\nN2 X20"), "E-NOT-MONOTONE"),
-        // It leads nowhere.
+        // A contour without length.
         (cycle("N1 G0 X60\nN2 X60"), "PS0322"),
         (cycle("N1 G0 X20\nN2 X20"), "PS0322"),
         (cycle("N1 G0 X70\nN2 G1 Z-20"), "W-ALLOWANCE-SIGN"),
-        // Arcs nearly closed, closed, and of no size.
+        // Arcs almost closed, closed, and without size.
         (cycle("N1 G0 X20\nG1 Z-20\nG3 X20.002 Z-20.001 I5 K0\nN2 G1 X60 Z-30"), "E-NOT-MONOTONE"),
         (cycle("N1 G0 X20\nG1 Z-20\nG2 I5 K0\nN2 G1 X60 Z-30"), "E-NOT-MONOTONE"),
         (cycle("N1 G0 X20\nG1 Z-20\nG2 X20 Z-20 R0\nN2 G1 X60 Z-30"), "W-ARC-NOWHERE"),
@@ -165,7 +165,7 @@ fn linuxcnc_1146_no_g71_runs_for_ever() {
     }
     // One fault, one message.
     assert_eq!(codes(&run_with("{}", "N1 G71 P1 Q1")), ["PS0325"]);
-    // The short way round an arc is as short as it looks.
+    // The shorter arc is as short as it looks.
     let short =
         motions(&format!("G0 X60 Z2\n{}", cycle("N1 G0 X20\nG1 Z-20\nG3 X20.002 Z-20 R5\nN2 G1 X60 Z-30")));
     assert!(
@@ -175,10 +175,10 @@ fn linuxcnc_1146_no_g71_runs_for_ever() {
 
 // linuxcnc#2939: G71 stock allowance adds a bogus half circle.
 
-/// A ball, a neck and a fillet: P and Q.
+/// A ball, a neck and a fillet, as the contour from P to Q.
 const ROUND: &str = "N1 G0 X0\nG1 Z0\nG3 X22 Z-11 R11\nG1 Z-30\nG2 X32 Z-35 R5\nN2 G1 X50";
 
-/// Every arc is one of the contour, of its radius, moved by the allowance.
+/// Every arc is one of the contour, with the same radius, shifted by the allowance.
 #[test]
 fn linuxcnc_2939_an_allowance_adds_no_half_circle() {
     let contour = [(11.0, Point::new(0.0, -11.0)), (5.0, Point::new(16.0, -30.0))];
@@ -223,7 +223,7 @@ fn linuxcnc_707_g72_to_z_40_is_as_good_as_to_z_39_999() {
 
 // linuxcnc#1120: G70 return move digs into the part. linuxcnc#1785: G42 with G70 goes through the profile.
 
-/// Points of a polygon's sides, close together.
+/// Closely spaced points along the side of a polygon.
 fn side(from: (f64, f64), to: (f64, f64)) -> impl Iterator<Item = (f64, f64)> {
     let mix = move |a: f64, b: f64, t: f64| a + t * (b - a);
     (0..=1000).map(move |n| f64::from(n) / 1000.0).map(move |t| (mix(from.0, to.0, t), mix(from.1, to.1, t)))
@@ -244,7 +244,7 @@ fn profile() -> Vec<(f64, f64)> {
     points
 }
 
-/// Radius of the part at a place along it; nothing before its face.
+/// Radius of the part at a Z; zero in front of its face.
 fn radius_at(z: f64) -> f64 {
     match z {
         z if z > 0.0 => 0.0,
@@ -256,7 +256,7 @@ fn radius_at(z: f64) -> f64 {
     }
 }
 
-/// Where the tip is along a motion.
+/// Positions of the tip along a motion.
 fn places(motion: &Motion) -> impl Iterator<Item = Point> {
     let (motion, steps) = (*motion, 400);
     (0..=steps).map(move |n| f64::from(n) / f64::from(steps)).map(move |t| match motion.arc() {
@@ -268,7 +268,7 @@ fn places(motion: &Motion) -> impl Iterator<Item = Point> {
     })
 }
 
-/// The part as blocks, with a word in the first one.
+/// The contour of the part as blocks, with an extra word in the first one.
 fn part(word: &str) -> String {
     format!("N1 {word} G0 X20\nG1 Z-20\nX30 Z-30\nZ-40\nG2 X40 Z-45 R5\nN2 G1 X60")
 }
@@ -314,12 +314,12 @@ fn linuxcnc_1785_g42_with_g70_stays_outside_the_profile() {
     for motion in finishing {
         let cuts = motion.cycle.is_some_and(|cycle| cycle.step == Step::Contour);
         for tip in places(motion) {
-            // The nose of tip 3 lies a radius out and a radius to the right of the programmed point.
+            // The nose centre of tip 3 is a radius out and a radius to the right of the programmed point.
             let (z, x) = (tip.z + NOSE, tip.x + NOSE);
             let apart = profile.iter().map(|place| (z - place.0).hypot(x - place.1)).fold(f64::MAX, f64::min);
             assert!(x > radius_at(z), "{motion:?} is inside at {tip:?}");
             assert!(apart >= NOSE - 0.001, "{motion:?} cuts {} mm too deep at {tip:?}", NOSE - apart);
-            // Around the outer corner after the cone the offset lines meet a little farther out.
+            // At the outer corner after the cone the offset lines meet slightly farther out.
             let at_corner = (z + 30.0).hypot(x - 15.0) < 1.04 * NOSE;
             if cuts && z < 0.0 && !at_corner {
                 assert!(apart <= NOSE + 0.001, "{motion:?} leaves {} mm at {tip:?}", apart - NOSE);
@@ -328,11 +328,10 @@ fn linuxcnc_1785_g42_with_g70_stays_outside_the_profile() {
     }
 }
 
-// TinyG#120, bCNC#241, webgcode#19: G18 arcs turn the wrong way round. Candle#9:
-// arcs drawn as straight lines.
+// TinyG#120, bCNC#241, webgcode#19: G18 arcs in the wrong direction. Candle#9: arcs drawn as straight lines.
 
-/// Signed area that a motion sweeps around its centre in the picture of a rear turret (Z to the right, X up):
-/// positive for counter-clockwise.
+/// Signed area that a motion sweeps around its centre, in the picture of a rear turret (Z to the right, X
+/// up): positive for counter-clockwise.
 fn swept(motion: &Motion) -> f64 {
     let center = motion.center.expect("a centre");
     let places: Vec<Point> = places(motion).collect();
@@ -357,7 +356,7 @@ fn tinyg_120_g2_turns_clockwise_with_z_to_the_right_and_x_up() {
             }
         }
     }
-    // The worked case: outward to the left by G03 goes round the outside of the corner's centre.
+    // The calculated case: G03 outwards and to the left goes around the outside of the corner's centre.
     let motions = motions("G0 X20 Z0\nG3 X40 Z-10 R10");
     assert!(motions[1].center.is_some_and(|center| center.is_same(Point::new(10.0, -10.0))));
 }
@@ -372,7 +371,7 @@ fn candle_9_arcs_are_never_drawn_straight() {
             let analysis = run_with("{}", &program);
             let path_index = PathIndex::of(&analysis.motions);
             let picture = svg(&Scene::new(&analysis.motions, &path_index, None), &SvgOptions::default());
-            // The arc stands in the fifth line, after three lines of the head.
+            // The arc is in the fifth line, after three lines of the head.
             let mark = r#"<path data-line="5" class="feed" d=""#;
             let d = picture.split(mark).nth(1).and_then(|rest| rest.split('"').next()).expect("a path");
             assert!(d.contains('A') && !d.contains(['L', 'H', 'V']), "{program}: {d}");

@@ -1,5 +1,5 @@
 //! Every program of `tests/programs`, natively: motions, final point, messages, spindle, and the committed
-//! output, which the wasm tests compare with as well.
+//! output, which the wasm tests use as well.
 
 use crate::fixtures;
 use expect_test::expect_file;
@@ -54,7 +54,7 @@ fn messages_are_the_expected_ones() {
     }
 }
 
-/// A program expanded without cycles makes the same motions.
+/// A program with expanded cycles makes the same motions.
 #[test]
 fn expanded_programs_make_the_same_motions() {
     for program in all() {
@@ -67,7 +67,7 @@ fn expanded_programs_make_the_same_motions() {
             assert_eq!(a.kind, b.kind, "{id}:\n{plain}");
             let apart = a.to.distance(b.to).max(a.from.distance(b.from));
             assert!(apart <= 0.001, "{id}: {apart} mm apart at {:?}\n{plain}", a.to);
-            // What lies between G12.1 and G13.1 stays as it is.
+            // Blocks between G12.1 and G13.1 are not expanded.
             let plain = b.cycle.is_none() && (b.programmed.is_none() || b.virtual_move().is_some());
             assert!(plain, "{id}: not plain");
         }
@@ -89,7 +89,7 @@ fn the_spindle_is_as_commanded() {
             }
             if let Some(speed) = expected["v"].as_f64() {
                 assert!(spindle.surface && spindle.cutting_speed == speed, "{}", program.id);
-                // n = 1000·v / (π·D), held by the clamp.
+                // n = 1000·v / (π·D), limited by the maximum speed.
                 let free = 1000.0 * speed / (std::f64::consts::PI * 80.0);
                 assert_eq!(spindle.speed_at(40.0), Some(free.min(1500.0)));
             }
@@ -99,8 +99,8 @@ fn the_spindle_is_as_commanded() {
     assert_eq!(checked, 6);
 }
 
-/// The whole output, as committed next to each program. `UPDATE_EXPECT=1 cargo test` updates it; the difference
-/// is then read in the version control.
+/// The whole output, committed next to each program. `UPDATE_EXPECT=1 cargo test` updates it; review the
+/// difference before you commit it.
 #[test]
 fn output_is_the_committed_one() {
     for program in all() {
@@ -125,7 +125,7 @@ fn the_gallery_lists_each_of_its_programs_once() {
             let said = |text: &Value| text[tongue].as_str().is_some_and(|text| !text.is_empty());
             assert!(said(&about["title"]) && said(&about["shows"]), "{}", program.id);
         }
-        // What was added stands in the program.
+        // The program contains each added word.
         for added in about["added"].as_str().unwrap_or_default().split([',', ' ']) {
             assert!(program.text.contains(added), "{}: {added:?} is not there", program.id);
         }
@@ -140,8 +140,7 @@ fn the_gallery_lists_each_of_its_programs_once() {
     assert_eq!(sorted, shown);
 }
 
-/// Who opens an example finds no warning but the one it is about: a program is complete where completeness is
-/// not the lesson.
+/// An example shows only the warnings of its lesson: a program is complete unless completeness is the lesson.
 #[test]
 fn a_program_of_the_gallery_greets_with_the_messages_of_its_lesson_alone() {
     let listed = gallery();

@@ -1,5 +1,5 @@
-//! The way of a program through its text: calls, jumps, loops and conditions; values from variables; and what
-//! is expanded from it. Motions: `R(x,z)` rapid, `F` feed, `T` thread, `D` dwell; X a diameter.
+//! Control flow of programs: calls, jumps, loops and conditions; values from variables; and the expansion of
+//! such programs. Motions: `R(x,z)` rapid, `F` feed, `T` thread, `D` dwell; X is a diameter.
 use gcode_playground::api;
 use gcode_playground::run::Analysis;
 use gcode_playground::setup::Setup;
@@ -10,7 +10,7 @@ fn run(setup: &str, program: &str) -> Analysis {
     analyze(program.as_bytes(), &Setup::from_json(setup).expect("setup"))
 }
 
-/// Motions, with the angle of C where it turns.
+/// The motions, with the angle of C if it turns.
 fn listing(analysis: &Analysis) -> String {
     let rows = api::motions(&analysis.motions, &analysis.setup.machine).map(|row| {
         let c = row.to.c.map_or_else(String::new, |c| format!(",C{}", number(c)));
@@ -26,7 +26,7 @@ fn listing(analysis: &Analysis) -> String {
     rows.collect::<Vec<_>>().join(" ")
 }
 
-/// The one door: a program gives these motions, its expansion the same, and no message names a fault.
+/// Checks the motions of a program and of its expansion, and that there are no errors.
 #[track_caller]
 fn check_with(setup: &str, program: &str, expected: &str) {
     let analysis = run(setup, program);
@@ -48,7 +48,7 @@ fn a_block_behind_then_is_a_block_like_any_other() {
     check("IF[1EQ1]THEN G98 G0 X5\nIF[1EQ1]THEN M98 P2\nM30\nO2\nW-1\nM99", "R(5,50) R(5,49)");
 }
 
-/// M99 of a main program begins another pass only where a value that the pass reads before it assigns it has changed.
+/// M99 of a main program starts another pass only if the pass reads a changed value before assigning it.
 #[test]
 fn a_pass_of_the_main_program_is_made_again_only_where_it_reads_another_value() {
     // Assigned before it is read, or not read at all.
@@ -60,11 +60,11 @@ fn a_pass_of_the_main_program_is_made_again_only_where_it_reads_another_value() 
     check("O1\n#1=5\nIF[#1EQ5]GOTO 3\nG0 X1\nN3 G0 X9\n#1=6\nM99", "R(9,50)");
     check("O1\n#1=4\nM98 P2\n#1=3\nM99\nO2\nG0 X#1\nM99", "R(4,50)");
     check("O1\n#1=4\nG65 P2 A#1\n#1=3\nM99\nO2\nG0 X#1\n#1=9\nM99", "R(4,50)");
-    // The pass that M99 P begins.
+    // The pass that starts at M99 P.
     check("O1\n#1=5\nN10 G0 X#1\nM99 P10", "R(5,50)");
     check("O1\n#1=5\n#2=1\nN10 #2=3\nG0 X#2\n#2=7\nM99 P10", "R(3,50)");
     check("O1\n#1=5\nN10 G0 X#1\n#1=#1-1\nIF[#1LT3]GOTO 20\nM99 P10\nN20 M30", "R(5,50) R(4,50) R(3,50)");
-    // Read before it is assigned: once more, until nothing changes or the program ends.
+    // Read before assigned: another pass, until nothing changes or the program ends.
     check("O1\nG0 X[10+#500]\n#500=3\nM99", "R(10,50) R(13,50)");
     check("O1\n#501=#501+1\nG0 X#501\nIF[#501GT2]GOTO 9\nM99\nN9 M30", "R(1,50) R(2,50) R(3,50)");
     check(
@@ -80,7 +80,7 @@ fn a_pass_of_the_main_program_is_made_again_only_where_it_reads_another_value() 
         "R(50,50) R(25,50) R(12.5,50) R(6.25,50)",
     );
     check("O1\nG0 U-40\nIF[#5041LT30]GOTO 9\nM99\nN9 M30", "R(60,50) R(20,50)");
-    // A block that is left out assigns nothing.
+    // A skipped block assigns nothing.
     let skip = r#"{"initial": {"x": 100, "z": 50}, "blockSkip": [1]}"#;
     check_with(skip, "O1\n/#500=#500+1\nG0 X5\nM99", "R(5,50)");
 }

@@ -1,5 +1,5 @@
-//! What holds for any input at all: no panic, no hang, spans in bounds, nothing lost; and invariants of the
-//! cycles over random numbers.
+//! Invariants for any input: no panic, no hang, spans in bounds, no byte lost; and invariants of the cycles
+//! with random numbers.
 
 use crate::random_programs;
 use std::time::{Duration, Instant};
@@ -27,7 +27,7 @@ use gcode_playground::text::lexer::Lexer;
 use proptest::prelude::*;
 use random_programs::{any_setup, piece, program};
 
-/// Runs some bytes through everything and checks what must always hold.
+/// Processes any bytes with all stages and checks the invariants.
 fn check(text: &[u8]) {
     let mut at = 0;
     for token in Lexer::new(text, 0) {
@@ -43,7 +43,7 @@ fn check(text: &[u8]) {
     check_analysis(text, &analyze(text, &Setup::default()));
 }
 
-/// Checks what must always hold of what a program gives.
+/// Checks the invariants of the result of a program.
 fn check_analysis(text: &[u8], analysis: &Analysis) {
     let lines = LineIndex::new(text);
     let places = Places { text, lines: &lines };
@@ -72,11 +72,11 @@ fn check_analysis(text: &[u8], analysis: &Analysis) {
     let path_index = PathIndex::of(&analysis.motions);
     let picture = svg(&Scene::new(&analysis.motions, &path_index, None), &SvgOptions::default());
     assert!(picture.contains("<svg"));
-    // One of them for each program: there are enough programs.
+    // One setup per program: there are enough programs.
     check_machine(analysis, &at_machine()[text.len() % 3]);
 }
 
-/// Nothing that a program does at the machine breaks the simulation, and no part is more than its blank.
+/// No program breaks the simulation, and no part is larger than its blank.
 fn check_machine(analysis: &Analysis, setup: &Setup) {
     let motions = &analysis.motions;
     let simulation = SimulationResult::of(motions, setup);
@@ -99,7 +99,7 @@ fn check_machine(analysis: &Analysis, setup: &Setup) {
     }
 }
 
-/// Setups to hold programs against: nothing named, a blank alone, everything.
+/// Setups for the machine checks: no fields, only a blank, all fields.
 fn at_machine() -> [Setup; 3] {
     [
         "{}",
@@ -112,7 +112,7 @@ fn at_machine() -> [Setup; 3] {
     .map(|json| Setup::from_json(json).expect("a setup"))
 }
 
-/// Bounds that are soon met.
+/// Low limits that are reached quickly.
 const SMALL: Limits = Limits {
     text: 10_000,
     motions: 600,
@@ -131,7 +131,7 @@ const SMALL: Limits = Limits {
     stride: 7,
 };
 
-/// Runs a program within small bounds, `slice` blocks at a time, and checks that it ends.
+/// Runs a program with low limits, `slice` blocks at a time, and checks that it ends.
 fn run_small(text: &str, setup: &Setup, slice: usize) -> Run {
     to_its_end(begin_small(text, setup), text, slice)
 }
@@ -141,8 +141,8 @@ fn begin_small(text: &str, setup: &Setup) -> Run {
 }
 
 fn to_its_end(mut run: Run, text: &str, slice: usize) -> Run {
-    // Each block is read straight through, and once more for the mistakes of what was jumped over; both again
-    // when the program that was begun turns out to be a subprogram.
+    // Each block is read once in order, and once more to report the faults in skipped text; both again if the
+    // first program turns out to be a subprogram.
     let most = 2 * (SMALL.repeated_blocks + 2 * text.len() + 4);
     let mut slices = most / slice + 1;
     while !run.advance(slice) {
@@ -160,9 +160,9 @@ proptest! {
         let whole = run_small(&text, &setup, usize::MAX);
         let state = whole.state();
         prop_assert!([state.position.x, state.position.z, state.c].iter().all(|place| place.is_finite()));
-        // Where each block is kept, lines are not carried out together.
+        // If every block is recorded, lines are not executed in batches.
         let kept = to_its_end(begin_small(&text, &setup).traced(), &text, usize::MAX);
-        // Nor are snapshots made, from which on errors are counted anew.
+        // There are no snapshots either, after which the count of errors restarts.
         let incomplete = kept.state().incomplete;
         prop_assert_eq!(&State { incomplete, ..state.clone() }, kept.state());
         prop_assert_eq!(whole.blocks(), kept.blocks());
@@ -177,11 +177,11 @@ proptest! {
         prop_assert_eq!(&whole.diagnostics, &kept.diagnostics);
         prop_assert_eq!(&whole.motions, &sliced.motions);
         prop_assert_eq!(&whole.diagnostics, &sliced.diagnostics);
-        // Without its middle, and then with it again, it is the same program.
+        // Without its middle part, and then with it inserted again, it is the same program.
         let (start, end) = (text.len() / 3, text.len() / 2);
         let without = [&text.as_bytes()[..start], &text.as_bytes()[end..]].concat();
         let small = Setup { limits: SMALL, ..setup.clone() };
-        // An edit decides nothing anew.
+        // An edit does not decide the rule again.
         let mut changed = match rule {
             Some(rule) => Run::with_decimal_rule(without, small, rule),
             None => Run::new(without, small),
@@ -195,7 +195,7 @@ proptest! {
         prop_assert!(whole.motions.len() <= SMALL.motions);
         prop_assert!(whole.diagnostics.len() <= SMALL.messages + 3);
         check_analysis(text.as_bytes(), &whole);
-        // Expanded, it can be read and run again.
+        // The expansion can be parsed and run again.
         let plain = expand(text.as_bytes(), &Setup { limits: SMALL, ..setup.clone() });
         let _ = run_small(&plain, &setup, usize::MAX);
     }
@@ -210,7 +210,7 @@ proptest! {
         check(pieces.concat().as_bytes());
     }
 
-    /// Slices of a run make no difference.
+    /// A run in slices gives the same result.
     #[test]
     fn a_run_in_slices_is_the_same_run(pieces in prop::collection::vec(piece(), 0..60), slice in 1usize..5) {
         let text = pieces.concat().into_bytes();
@@ -222,7 +222,7 @@ proptest! {
         prop_assert_eq!(whole.diagnostics, sliced.diagnostics);
     }
 
-    /// G90, G92 and G94 end where they began, and turn over with their program.
+    /// G90, G92 and G94 end where they began, and are mirrored with their program.
     #[test]
     fn mirrored_cycles_make_mirrored_motions(
         code in prop::sample::select(vec![90, 92, 94]),
@@ -241,7 +241,7 @@ proptest! {
         let run = |text: String| -> Vec<Motion> { analyze(text.as_bytes(), &setup).motions.iter().collect() };
         let (plain, mirrored) = (run(program(1)), run(program(-1)));
         prop_assert_eq!(plain.len(), mirrored.len());
-        // The first motion comes from the start point of the setup, which is not mirrored.
+        // The first motion starts at the start point of the setup, which is not mirrored.
         for (plain, mirrored) in plain.iter().zip(&mirrored).skip(1) {
             prop_assert_eq!(plain.kind, mirrored.kind);
             prop_assert!((plain.to.x - mirrored.to.x).abs() < 1e-9 && (plain.to.z + mirrored.to.z).abs() < 1e-9);
@@ -253,7 +253,7 @@ proptest! {
         }
     }
 
-    /// The arc drawn meets the programmed end, whichever way its centre is given.
+    /// A drawn arc meets the programmed end, with any notation of its centre.
     #[test]
     fn arcs_meet_their_end(end in (10i32..100, -50i32..50), radius in 60i32..200, turn in 2..=3) {
         let text = format!("M3 S1\nG0 X40 Z0\nG{turn} X{} Z{} R{radius} F0.1", end.0, end.1);
@@ -269,10 +269,10 @@ proptest! {
     }
 }
 
-/// Bad input is answered at once.
+/// Hostile input is processed quickly.
 #[test]
 fn hostile_texts_are_answered_at_once() {
-    // Every byte at a length that shows a square law; some at the full 5 MB.
+    // Every byte value at a length that shows quadratic time; some at the full 5 MB.
     let (short, five) = (50 << 10, 5 << 20);
     let mut texts: Vec<(String, Vec<u8>)> =
         (0..=255u8).map(|byte| (format!("50 kB of {byte:#04x}"), vec![byte; short])).collect();

@@ -1,12 +1,11 @@
-//! What real programs contain: each construct met in several hundred of them, written anew, with the answer a
-//! machinist would expect: the motions all the same where a machine would run it, and
-//! one message at the place.
+//! Constructs of several hundred real programs, rewritten, with the result that a machinist would expect:
+//! motions wherever a machine would run the program, and one message at the right position.
 use gcode_playground::analyze;
 use gcode_playground::message::Severity;
 use gcode_playground::sentences::Language;
 use gcode_playground::setup::Setup;
 
-/// The one door: a program gives these messages (hints left out), and ends at this X (diameter) and Z.
+/// Checks the errors and warnings of a program, without `W-NO-END`, and its end point: X (diameter) and Z.
 #[track_caller]
 fn check_with(setup: &str, program: &str, codes: &[&str], end: (f64, f64)) {
     let analysis = analyze(program.as_bytes(), &Setup::from_json(setup).expect("setup"));
@@ -29,11 +28,11 @@ fn integers_in_inch_programs_count_ten_thousandths() {
     let text = "G20 M3 S500\nG0 X20000 Z1000\nG71 U450 R500\nG71 P1 Q2 U100 W50 F80\n\
                 N1 G0 X10000\nG1 Z-5000\nN2 X20000\n";
     check_with(least, text, &[], (50.8, 2.54));
-    // A number without a point beside numbers with one.
+    // A number without a point among numbers with one.
     check_with(least, "G20 M3 S500\nG0 X1. Z0\nG75 R10\nG75 X.5 P250 F.004\nG0 X2. Z1.", &[], (50.8, 25.4));
 }
 
-/// What is said of a program under the usual setup, without the hints.
+/// The messages of a program under the default setup, except `W-NO-END`.
 fn said(program: &str) -> Vec<String> {
     let analysis = analyze(program.as_bytes(), &Setup::default());
     let told = analysis.diagnostics.iter().filter(|found| found.message.code() != "W-NO-END");
@@ -55,7 +54,7 @@ fn programs_show_by_themselves_that_their_integers_are_least_increments() {
     let metric = "G21 G99 M3 S500 F.2\nG0 X50000 Z2000\nG1 Z-30000\nX52000\nG0 X60000 Z5000\n";
     check(metric, &[], (60.0, 5.0));
     assert_eq!(said(metric), ["least-increments-concluded: No point = 0.001 mm: `X50000` is 50 mm."]);
-    // Who says nothing of it writes units.
+    // Without evidence, numbers count whole units.
     assert_eq!(said("G21 G99 M3 S500 F.2\nG0 X50 Z2\nG71 U2 R1\n"), [""; 0]);
 }
 
@@ -72,7 +71,7 @@ fn a_setup_that_says_otherwise_is_followed_and_the_number_told() {
     assert!(analysis.diagnostics.iter().all(|found| found.message.code() == "W-NO-END"));
 }
 
-/// Words stand in messages as they are written, and lengths in the unit of the program.
+/// Messages quote words as written, and lengths in the unit of the program.
 #[test]
 fn inch_programs_are_told_of_in_inches() {
     let head = "G20 G99 M3 S500\nG0 X2. Z.1\n";
@@ -131,7 +130,7 @@ fn slips_of_the_hand_are_told_at_their_word_and_nothing_else_is_lost() {
     ] {
         check(&program(slip), &[code], (60.0, 9.0));
     }
-    // A control joins what blanks tear apart: this is no G00, and no such code exists.
+    // A control joins digits separated by blanks: this is not G00, and such a code does not exist.
     check(&program("G00 3.7347"), &["W-BLANK-IN-NUMBER", "PS0010"], (60.0, 9.0));
     check("01000\nM3 S500\nG0 X20 Z2", &["W-OCR"], (20.0, 2.0));
 }
@@ -150,7 +149,7 @@ fn block_skip_and_calls_are_packed_tightly() {
 #[test]
 fn a_header_with_g90_does_not_cut() {
     check("G18G20G40G80G90G99\nM3 S500\nG0 X2. Z.1", &[], (50.8, 2.54));
-    // Not even with axis words that go nowhere.
+    // Even with axis words that move nothing.
     check("G21 G40 G90 G99\nU0.W0.\nM3 S500\nG0 X50 Z5", &[], (50.0, 5.0));
 }
 
@@ -171,17 +170,17 @@ fn sequence_numbers_may_be_bare_twice_or_out_of_order() {
     let contour = "N1 G0 X20\nG1 Z-20\nX40\nN2 X60";
     let head = "M3 S500 F.2\nG0 X60 Z2\nG71 U2 R1\n";
     check(&format!("{head}G71 P1 Q9\n{contour}\nG0 X90"), &["E-NS-NOT-FOUND"], (90.0, -20.0));
-    // The profile before its cycle was run on its own already; then the cycle.
+    // The contour precedes its cycle, so it runs once by itself; then the cycle runs.
     check(
         &format!("M3 S500 F.2\nG0 X60 Z2\n{contour}\nG0 X60 Z2\nG71 U2 R1\nG71 P1 Q2\nG0 X90"),
         &[],
         (90.0, 2.0),
     );
-    // One cycle in the profile of another.
+    // One cycle within the contour of another.
     let reaches = format!("{head}G71 P1 Q4 U.4\n{contour}\nG0 X60 Z2\nN3 G71 P1 Q2\nN4 G0 X90");
     check(&reaches, &["PS0325"], (90.0, 2.0));
     check(&format!("{head}G71 P1 Q2\n{contour}\nG70 P1 Q5\nG0 X90"), &["E-NS-NOT-FOUND"], (90.0, 2.0));
-    // A number that appears twice: G70 follows what roughing found.
+    // A duplicate sequence number: G70 uses the contour that roughing found.
     check(&format!("N1 T0101\n{head}G71 P1 Q2\n{contour}\nG70 P1 Q2"), &[], (60.0, 2.0));
 }
 
@@ -194,12 +193,12 @@ fn real_profiles_run() {
     check(&program("N1 G1 X20\nZ-20\nN2 X60 Z-30"), &[], ends);
     check(&program("N1 G0 G42 X20\nG1 Z-20\nG0 X40\nG1 Z-25\nN2 G40 X60 Z-30"), &[], ends);
     check(&program("(FINISH PASS)\n\nN1 G0 X20\n(STEP)\nG1 Z-20\nN2 X60 Z-30"), &[], ends);
-    // X turns back in a relief groove: many machines run it, some raise an alarm.
+    // X reverses in a relief groove: many machines run it, some raise an alarm.
     check(&program("N1 G0 X20\nG1 Z-10\nX18\nZ-14\nX30\nZ-20\nN2 X60 Z-30"), &["E-NOT-MONOTONE"], ends);
-    // The last block goes back to the face.
+    // The last block returns to the face.
     check(&program("N1 G0 X20\nG1 Z-20\nX58\nN2 G1 X59 Z2"), &["E-NOT-MONOTONE"], ends);
     check(&program("N1 G0 X20\nG1 Z-20\nX58\nN2 G0 Z2"), &[], ends);
-    // The end lies a little beyond the start point.
+    // The end is slightly beyond the start point.
     check(&program("N1 G0 X20\nG1 Z-20\nN2 X61"), &["PS0322"], ends);
 }
 
@@ -239,7 +238,7 @@ fn macros_as_people_write_them() {
     let text = "#7=6\nM3 S500 F.2\nG0 X60 Z2\nG71 U[#7/3] R[#7/3]\nG71 P1 Q2 U.4\nN1 G0 X20\nG1 Z-20\nN2 X60";
     check(text, &[], (60.0, 2.0));
     check("G0 X50 Z5\nIF [1 EQ 1] THEN #3000=10 (TOOL MISSING)\nG0 X90", &["E-MACRO-ALARM"], (50.0, 5.0));
-    // A switch of the machine maker's: reported as a hint, and ignored.
+    // A switch of the machine builder: reported as a note, and ignored.
     check("#[#10036+1400]=1\nG0 X50 Z5", &[], (50.0, 5.0));
 }
 

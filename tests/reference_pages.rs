@@ -1,5 +1,4 @@
-//! The pages of the reference: every document of `www/docs` becomes one, and all links
-//! between them lead somewhere.
+//! The pages of the reference: each document of `www/docs` becomes one, and all links between them are valid.
 #[path = "../www/docs/html/site.rs"]
 mod site;
 

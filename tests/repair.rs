@@ -1,7 +1,8 @@
-//! A safe fix never hides a fault: it restores the original program, or an error remains at the
-//! faulty block and the motions after it are uncertain.
+//! A safe fix never hides a fault: either it restores the original program, or an error remains at the faulty
+//! block and the motions after it are uncertain.
 //!
-//! `cargo test --test it repair:: -- --nocapture` prints how many faults were cured, and how many left with an error.
+//! `cargo test --test it repair:: -- --nocapture` prints how many faults were fixed, and how many still have
+//! an error.
 #[path = "repair/invariants.rs"]
 mod invariants;
 #[path = "repair/misread.rs"]
@@ -32,7 +33,7 @@ fn errors(analysis: &Analysis) -> Vec<String> {
 
 const HEAD: &str = "O0001\nT0101\nG97 G99 S800 M03\nG00 X66 Z2\n";
 
-/// What safe fixes make of a block of a program, and whether an error remains.
+/// Checks the result of the safe fixes of a block, and whether an error remains.
 #[track_caller]
 fn check(block: &str, expected: &str, remains: bool) {
     let text = format!("{HEAD}{block}\nG01 Z-5 F0.2\nG00 X100\nM30\n");
@@ -97,7 +98,7 @@ fn what_cannot_be_read_stays_an_error() {
     }
 }
 
-/// Whether a motion after the block is uncertain, in order.
+/// For each motion after the block, whether it is uncertain.
 fn uncertain(block: &str) -> Vec<bool> {
     let text = format!("{HEAD}{block}\nG01 Z-5 F0.2\nG00 X100 Z9\nX90\nM30\n");
     let motions = analyze(text.as_bytes(), &Setup::default()).motions;
@@ -118,7 +119,7 @@ fn what_follows_is_uncertain() {
     ] {
         assert_eq!(uncertain(block), [true, true, false], "{block}");
     }
-    // Text moves nothing.
+    // Text makes no motion.
     assert_eq!(uncertain("turning the outside"), [false; 3]);
     assert_eq!(uncertain("N10 turning the outside"), [false; 3]);
 }
@@ -172,7 +173,7 @@ fn one_m30_comes_before_the_sign_that_ends_the_tape() {
     ] {
         assert_eq!(fixed(&format!("{program}{end}")), format!("{program}{expected}"), "{end:?}");
     }
-    // M30 would be data here.
+    // Here M30 would be data.
     let data = format!("{program}\nG10 L50\nN1 R5\n");
     assert_eq!(fixed(&data), data);
 }
@@ -216,7 +217,7 @@ fn a_word_that_is_too_long_is_the_same_error_before_and_after() {
         assert_eq!(of(&wide), of(&text), "{wide}");
         assert_eq!(fixed(&wide), text);
     }
-    // A program number has eight digits at most: with more, the first zero is no misread letter.
+    // A program number has at most eight digits: with more, the first zero is not a misread letter.
     assert_eq!(fixed("012345678\nM30\n"), "O12345678\nM30\n");
     for text in ["0123456789\nM30\n", "002126021260\nM30\n"] {
         assert_eq!(fixed(text), text);
@@ -235,7 +236,7 @@ fn commas_that_cannot_all_be_points_stay() {
     check("G01 X20,5,C1 F0.2", "G01 X20.5,C1 F0.2", false);
     check("G01 X10,5, Z2", "G01 X10.5, Z2", true);
     check("G01 Z20，5", "G01 Z20.5", false);
-    // The words before it are not lost.
+    // The words before it are kept.
     let words = |block: &str| {
         let (mut read, text) = (Block::default(), format!("{block}\n"));
         assert!(Parser::new(text.as_bytes()).next_block(&mut read));
@@ -252,7 +253,7 @@ fn a_letter_before_a_number_stays() {
     }
     check("G01 XO Z-8", "G01 X0 Z-8", false);
     check("YN![gCO2", "YN![gCO2", true);
-    // The number after the end of the line is none of its.
+    // The number on the next line is not part of this word.
     let text = "10 G00 XO\n20 G01 Z-5 F0.2\n";
     assert!(fixed(text).starts_with("10 G00 X0\n"), "{}", fixed(text));
 }
@@ -264,7 +265,7 @@ fn words_in_an_expression_stay() {
     {
         check(block, block, true);
     }
-    // After it they are plain words.
+    // After the expression they are plain words.
     check("G01 X[10+5] retract F0.2", "G01 X[10+5] (retract) F0.2", false);
 }
 
@@ -296,7 +297,7 @@ fn programs() -> Vec<Correct> {
     programs.filter(|program| errors(&program.analysis).is_empty()).collect()
 }
 
-/// A motion without its marks.
+/// A motion without the uncertain and incomplete marks.
 fn seen(motion: &Motion) -> Motion {
     Motion { process: Process { uncertain: false, incomplete: false, ..motion.process }, ..*motion }
 }
@@ -316,23 +317,23 @@ fn technology(text: &str) -> Vec<String> {
     found
 }
 
-/// Where a motion goes, in words that can be compared.
+/// The geometry of a motion, as comparable text.
 fn way(motion: &Motion) -> String {
     format!("{:?} {:?} {:?} {:?}", motion.kind, motion.from, motion.to, motion.center)
 }
 
-/// What became of a fault.
+/// The result of a fault.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Outcome {
-    /// The original program.
+    /// The original program was restored.
     Restored,
     /// An error remains at the faulty block.
     LeftWithError,
-    /// No safe fix changes the line, and no error is reported: it is another valid program.
+    /// No safe fix changes the line, and no error is reported: it is a different valid program.
     AnotherProgram,
 }
 
-/// Judges a text with one fault on a line.
+/// Judges a text with a fault on one line.
 fn judge(correct: &Correct, faulty: &str, line: usize) -> Result<Outcome, String> {
     let fixed = invariants::repair(faulty.as_bytes(), &correct.setup);
     let text = String::from_utf8_lossy(&fixed.text).into_owned();
@@ -351,11 +352,11 @@ fn judge(correct: &Correct, faulty: &str, line: usize) -> Result<Outcome, String
         Err(format!("{what} | {} | line {} | {was:?} | {old:?} | {new:?}", correct.id, line + 1))
     };
     if !remains {
-        // No fix changes the faulty line.
+        // A fix must not change the faulty line.
         let is_left = text.lines().nth(line) == faulty.lines().nth(line);
         return if is_left { Ok(Outcome::AnotherProgram) } else { shown("hidden") };
     }
-    // A block that cannot be read makes no motion: the next motion is uncertain, or equal to one of the original.
+    // An unreadable block makes no motion: the next motion is uncertain, or equals one of the original.
     let ways: HashSet<String> = before.iter().map(|motion| way(&motion)).collect();
     let next =
         (0..motions.len()).find(|index| motions.line(*index) as usize > line).map(|index| motions.get(index));
@@ -369,7 +370,7 @@ fn judge(correct: &Correct, faulty: &str, line: usize) -> Result<Outcome, String
     }
 }
 
-/// Whether an error is in the writing of a line.
+/// Whether a line has a syntax error.
 fn is_unreadable(text: &str, line: usize) -> bool {
     let (mut parser, mut block) = (Parser::new(text.as_bytes()), Block::default());
     while parser.next_block(&mut block) {
@@ -380,7 +381,7 @@ fn is_unreadable(text: &str, line: usize) -> bool {
     false
 }
 
-/// Judges many faults, prints how many had which outcome, and fails with those that a fix hides.
+/// Judges many faults, prints the number of each outcome, and fails if a fix hides a fault.
 fn judge_all(faults: impl Iterator<Item = (&'static str, usize, String, usize)>, programs: &[Correct]) {
     let mut counts: BTreeMap<&str, [usize; 3]> = BTreeMap::new();
     let mut wrong = Vec::new();

@@ -1,5 +1,5 @@
-//! Plain moves written as a cycle: what becomes of each shape, the nearest cases that must stay as they are,
-//! and that no motion changes.
+//! Plain moves rewritten as cycles: the result for each shape, similar cases that must not change, and that
+//! no motion changes.
 
 use crate::fixtures;
 use gcode_playground::analyze;
@@ -12,7 +12,7 @@ use proptest::prelude::*;
 
 const SETUP: &str = r#"{"initial": {"x": 100, "z": 50}, "dialect": {"gSystem": "A"}}"#;
 
-/// The one door: a program under a setup, with all offers taken.
+/// Checks a program under a setup after all offers are applied.
 #[track_caller]
 fn check_with(setup: &str, before: &str, after: &str) -> Vec<Offer> {
     let setup = Setup::from_json(setup).expect("setup");
@@ -28,7 +28,7 @@ fn check(before: &str, after: &str) {
     assert!(!taken.is_empty(), "nothing was written as a cycle");
 }
 
-/// The program stays as it is.
+/// Checks that there is no offer.
 #[track_caller]
 fn check_none(program: &str) {
     check_none_with(SETUP, program);
@@ -41,8 +41,8 @@ fn check_none_with(setup: &str, program: &str) {
     assert_eq!(offers(program.as_bytes(), &setup, None), [], "\n{program}");
 }
 
-/// What a machine does, apart from how it was asked to: kind, ends, centre, feed or lead, speed and tool of
-/// each motion. Worked out again here, so that the comparison in the crate is held against another one.
+/// Compares the motions of both texts apart from their code: kind, ends, centre, feed or lead, speed and
+/// tool. Calculated here independently of the comparison in the crate.
 #[track_caller]
 fn same(before: &str, after: &str, setup: &Setup) {
     let rows = |text: &str| -> Vec<(MotionKind, Vec<i64>, String)> {
@@ -101,7 +101,7 @@ fn a_cone_gets_its_r() {
         "G0 X62 Z0\nX40\nG1 X50 Z-30 F0.2\nX62\nG0 Z0\nX36\nG1 X46 Z-30\nX62\nG0 Z0\nX36\nG1 Z-30\nX62\nG0 Z0\nM30\n",
         "G0 X62 Z0\nG90 X50 Z-30 R-5 F0.2\nX46\nX36 R0\nM30\n",
     );
-    // Falling from a point left of the end.
+    // Falling from a point to the left of the end.
     check(
         "G00 X62. Z0.\nX56.\nG01 X50. Z-30. F.2\nX62.\nG00 Z0.\nM30\n",
         "G00 X62. Z0.\nG90 X50. Z-30. R3. F.2\nM30\n",
@@ -134,7 +134,7 @@ fn a_thread_becomes_g92() {
         "G97 S500 M03\nG00 X32 Z3\nX29.4\nG32 Z-23 F2\nG00 X32\nZ3\nX29\nG32 Z-23\nG00 X32\nZ3\nX100\nM30\n",
         "G97 S500 M03\nG00 X32 Z3\nG92 X29.4 Z-23 F2\nX29\nG00 X100\nM30\n",
     );
-    // The last depth once more.
+    // The last depth repeated.
     check(
         "G97 S500 M03\nG00 X32 Z3\nX29\nG32 Z-23 F2\nG00 X32\nZ3\nX29\nG32 Z-23\nG00 X32\nZ3\nM30\n",
         "G97 S500 M03\nG00 X32 Z3\nG92 X29 Z-23 F2\nX29\nM30\n",
@@ -151,7 +151,7 @@ fn incremental_words_count_from_the_start_point() {
         "G00 X32 Z2\nU-6\nG01 W-32 F0.1\nU6\nG00 W32\nU-8\nG01 W-32\nU8\nG00 W32\nU10\nM30\n",
         "G00 X32 Z2\nG90 U-6 W-32 F0.1\nU-8\nG00 U10\nM30\n",
     );
-    // The cut's own U counts from where it begins, that of the cycle from the start point.
+    // U of the cut counts from its own start, U of the cycle from the start point.
     check(
         "G00 X62 Z0\nU-22\nG01 U10 W-30 F0.2\nX62\nG00 Z0\nM30\n",
         "G00 X62 Z0\nG90 U-12 W-30 R-5 F0.2\nM30\n",
@@ -218,7 +218,7 @@ fn what_relied_on_g00_gets_it() {
     behind("T0202\nM08\nX50 S300\nM30\n", "T0202\nM08\nG00 X50 S300\nM30\n");
     behind("G04 X1\nG28 U0 W0\nX50\nM30\n", "G04 X1\nG28 U0 W0\nG00 X50\nM30\n");
     behind("G01 X50\nX52\nM30\n", "G01 X50\nX52\nM30\n");
-    // Who comes there from elsewhere, or not at all, finds G00 in force as before.
+    // After a jump or a skipped block, G00 must be in force as before.
     behind("/X50\nX60\nM30\n", "G00\n/X50\nX60\nM30\n");
     behind("IF[#1EQ1]GOTO5\nX50\nN5 X60\nM30\n", "G00\nIF[#1EQ1]GOTO5\nX50\nN5 X60\nM30\n");
     behind("N5 X60\n#1=#1+1\nIF[#1LT3]GOTO5\nM30\n", "G00\nN5 X60\n#1=#1+1\nIF[#1LT3]GOTO5\nM30\n");
@@ -242,14 +242,14 @@ fn moves_that_are_nearly_a_cycle_stay() {
     check_none(&program("X26", "G01 Z-30 F0.1", "G00 X32", "Z2"));
     check_none(&program("G01 X26 F0.1", "Z-30", "X32", "G00 Z2"));
     check_none(&program("X26", "G01 Z-30 F0.1", "X32", "Z2"));
-    // Not back at the start.
+    // The end is not the start point.
     check_none(&program("X26", "G01 Z-30 F0.1", "X32", "G00 Z2.001"));
     check_none(&program("X26", "G01 Z-30 F0.1", "X33", "G00 Z2"));
     check_none(&program("X26 Z1", "G01 Z-30 F0.1", "X32", "G00 Z2"));
-    // Another feed to retract with, or a feed set at the end.
+    // Another feed for the retract, or a feed set at the end.
     check_none(&program("X26", "G01 Z-30 F0.1", "X32 F0.5", "G00 Z2"));
     check_none(&program("X26", "G01 Z-30 F0.1", "X32", "G00 Z2 F0.5"));
-    // More than moves.
+    // Blocks with more than moves.
     check_none(&program("X26 M08", "G01 Z-30 F0.1", "X32", "G00 Z2"));
     check_none(&program("X26", "G01 Z-30 F0.1 S500", "X32", "G00 Z2"));
     check_none(&program("X26", "G01 Z-30 F0.1", "T0202 X32", "G00 Z2"));
@@ -261,14 +261,14 @@ fn moves_that_are_nearly_a_cycle_stay() {
     check_none(&program("X[20+6]", "G01 Z-30 F0.1", "X32", "G00 Z2"));
     // An arc instead of a cut.
     check_none(&program("X26", "G02 X28 Z-30 R60 F0.1", "G01 X32", "G00 Z2"));
-    // A taper finer than R can say.
+    // A taper that R cannot express exactly.
     check_none(&program("X26.001", "G01 X28 Z-30 F0.1", "X32", "G00 Z2"));
 }
 
 #[test]
 fn threads_that_g92_would_cut_otherwise_stay() {
     let thread = "G97 S500 M03\nG00 X32 Z3\nX29.4\nG32 Z-23 F2\nG00 X32\nZ3\nM30\n";
-    // The control pulls G92 out early.
+    // The control ends G92 with a pull-out.
     check_none_with(
         r#"{"initial": {"x": 100, "z": 50}, "dialect": {"gSystem": "A", "threadChamfer": 10}}"#,
         thread,
@@ -320,7 +320,7 @@ fn an_offer_says_what_it_does() {
     assert_eq!(offer.written(text.as_bytes()), "G90 X26 Z-30 F0.1\nX24");
 }
 
-/// Whatever the program, an offer changes no motion; an expanded program gives its cycles back.
+/// For every program, an offer changes no motion, and an expanded program gets its cycles back.
 #[test]
 fn no_offer_changes_a_motion() {
     let (mut tried, mut back) = (0, 0);
@@ -341,7 +341,7 @@ fn no_offer_changes_a_motion() {
     assert!(tried >= 10 && back >= 8, "only {tried} offers, {back} of written out programs");
 }
 
-/// Pieces of programs that are often, but not always, a cycle; with what may stand between and after them.
+/// Fragments that often, but not always, form a cycle, with code that may come between and after them.
 fn piece() -> impl Strategy<Value = String> {
     let depth = prop::sample::select(vec![
         "G0 X50",
@@ -398,7 +398,7 @@ fn piece() -> impl Strategy<Value = String> {
 proptest! {
     #![proptest_config(ProptestConfig { cases: 400, failure_persistence: None, ..ProptestConfig::default() })]
 
-    /// Whatever is offered for whatever program changes no motion, and is done once it is done.
+    /// For random programs, an offer changes no motion, and there are no further offers after it.
     #[test]
     fn no_program_moves_otherwise(pieces in prop::collection::vec(piece(), 0..12), ends in prop::sample::select(vec!["\n", ";\n", "\r\n", ";"])) {
         let text = format!("G0 X60 Z2\n{}\nM30\nO7\nX60\nM99\n", pieces.join("\n")).replace('\n', ends);
@@ -412,7 +412,7 @@ proptest! {
         prop_assert_eq!(rewritten(&all, &setup).1, []);
     }
 
-    /// No bytes break it.
+    /// No input bytes cause a panic.
     #[test]
     fn no_bytes_break_it(bytes in prop::collection::vec(prop::sample::select(b"GXZUWFNPQ0123. -\n;()/#=[]IFDOEND\r\xff".to_vec()), 0..300)) {
         rewritten(&bytes, &Setup::default());

@@ -1,9 +1,9 @@
-//! The rooms of `src` stand in one order, which is the picture in ARCHITECTURE.md: no file imports from a
-//! room above its own, and no files of a room import each other in a circle.
+//! The rooms of `src` have one order, listed in ARCHITECTURE.md: no file imports from a higher room, and no
+//! files of a room import each other in a circle.
 //!
-//! A path counts for the file that defines what it names; re-exports are followed, and tests are left
-//! out. The paths of a parent module to the modules below it do not count: a parent declares,
-//! re-exports and calls its children.
+//! A path counts as an import of the file that defines its target. Re-exports are followed, and tests are
+//! left out. Paths from a parent module to its child modules do not count: a parent declares, re-exports and
+//! calls its children.
 #[path = "rooms/house.rs"]
 mod house;
 #[path = "rooms/paths.rs"]
@@ -15,8 +15,8 @@ use std::collections::BTreeMap;
 
 use house::{House, Module};
 
-/// The rooms in the picture of ARCHITECTURE.md, the lowest first: the first words of the lines of the first
-/// drawing under the heading.
+/// The rooms listed in ARCHITECTURE.md, lowest first: the first words of the lines of the first code block
+/// under the heading.
 fn rooms(document: &str) -> Vec<&str> {
     let section = document.split("\n## ").find(|part| part.starts_with("The rooms\n")).expect("a section");
     let picture = section.lines().skip_while(|line| !line.starts_with("    "));
@@ -24,7 +24,8 @@ fn rooms(document: &str) -> Vec<&str> {
     picture.filter_map(|line| line.split_whitespace().next()).collect()
 }
 
-/// All modules of `src` with their texts. `main.rs` only calls the command line; `rules` is the build script.
+/// All modules of `src` with their texts. `main.rs` only calls the command line; `rules` belongs to the build
+/// script.
 fn sources() -> BTreeMap<Module, String> {
     let mut found = modules("src/");
     found.retain(|module, _| module.first().is_none_or(|room| room != "main" && room != "rules"));
@@ -73,7 +74,7 @@ fn no_files_of_xtask_import_each_other_in_a_circle() {
     assert!(circles.is_empty(), "{circles:#?}");
 }
 
-/// Whoever reads a file sees where its names come from; only tests take all of their parent.
+/// Each file shows where its names come from; only tests use a glob import of their parent.
 #[test]
 fn files_name_what_they_import() {
     let found: Vec<_> = sources()
@@ -87,7 +88,7 @@ fn files_name_what_they_import() {
     assert!(found.is_empty(), "`use super::*` in {found:?}");
 }
 
-/// Whether a text derives or implements `Serialize` (`Deserialize` is another word).
+/// Whether a text derives or implements `Serialize` (not `Deserialize`).
 fn serialises(text: &str) -> bool {
     let code = text.lines().map(|line| line.trim_start()).filter(|line| !line.starts_with("//"));
     let code: String = code.collect::<Vec<_>>().join(" ");
@@ -97,8 +98,8 @@ fn serialises(text: &str) -> bool {
     derives || code.contains("Serialize for ")
 }
 
-/// Whatever leaves the crate as JSON or as an object is a row of `api`; only a diameter, which stands
-/// in the rows, is below it.
+/// Everything that leaves the crate as JSON or as an object is a row of `api`. Only `Diameter`, which the
+/// rows contain, is in a lower room.
 #[test]
 fn only_the_rows_of_api_are_serialised() {
     let found: Vec<String> = sources()
@@ -117,7 +118,7 @@ fn what_serialises_would_be_found() {
     assert!(!serialises("// derive(Serialize)\n#[derive(Deserialize)] fn f(row: &impl Serialize) {}"));
 }
 
-/// A small house: module and text of each file.
+/// A small house for tests: module and text of each file.
 fn house(files: &[(&str, &str)], rooms: &[&str]) -> House {
     let split = |path: &str| path.split('/').filter(|name| !name.is_empty()).map(str::to_owned).collect();
     let sources = files.iter().map(|(path, text)| (split(path), (*text).to_owned())).collect();
@@ -138,11 +139,11 @@ fn an_arrow_up_would_be_found() {
         ["low/part high"]
     );
     assert_eq!(upward(&[("low", "mod roof; use roof::Tile;"), ("low/roof", "")]), ["low low/roof"]);
-    // By way of the root of the crate.
+    // Via the root of the crate.
     let root = ("", "pub use high::Other; pub fn own() {}");
     assert_eq!(upward(&[("low", "use crate::Other;"), high, root]), ["low high"]);
     assert_eq!(upward(&[("low", "use crate::own;"), high, root]), ["low lib.rs"]);
-    // Tests may use what is above.
+    // Tests may use higher rooms.
     let tested = "#[cfg(test)] mod tests; #[cfg(test)] mod more { use crate::high::Other; }";
     assert!(upward(&[("low", tested), ("low/tests", "use crate::high::Other;"), high]).is_empty());
 }
@@ -154,7 +155,7 @@ fn a_circle_would_be_found() {
     let child = ("low/b", "use super::One; pub struct Two;");
     assert!(circles(&[parent, ("low/a", "pub struct One;"), child]).is_empty());
     assert_eq!(circles(&[parent, ("low/a", "use super::Two;"), child]), ["low/a → low/b → low/a"]);
-    // A file that leads to a circle is none of it; and a child can close one for its parent.
+    // A file that leads to a circle is not part of it. A child can close a circle for its parent.
     let leads = ("low/0", "use super::a::One;");
     assert_eq!(circles(&[parent, leads, ("low/a", "use super::Two;"), child]), ["low/a → low/b → low/a"]);
     let inner = ("low/a/inner", "use super::One;");

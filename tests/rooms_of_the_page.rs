@@ -1,8 +1,8 @@
-//! The layers of the page's TypeScript, as ARCHITECTURE.md lists them: no import leads to a higher
-//! layer, none forms a circle.
+//! The layers of the TypeScript of the page, as listed in ARCHITECTURE.md: no import leads to a higher layer,
+//! and imports form no circle.
 //!
-//! In: the list in ARCHITECTURE.md and the relative imports of every file of `www/src`,
-//! scripts of workers included.
+//! In: the list in ARCHITECTURE.md and the relative imports of every file of `www/src`, including worker
+//! scripts.
 
 use crate::circle;
 use crate::project;
@@ -10,7 +10,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use circle::leading_into_circles;
 
-/// The imports of each file; both without `.ts`, as `layer/name`.
+/// The imports of each file. All paths are `layer/name`, without `.ts`.
 type Imports = BTreeMap<String, BTreeSet<String>>;
 
 /// The layers in the order of ARCHITECTURE.md, lowest first.
@@ -21,8 +21,8 @@ fn layers(architecture: &str) -> Vec<String> {
     rows.filter_map(|row| row.split('`').nth(1)).map(str::to_owned).collect()
 }
 
-/// What a file imports from other files of the page: `from '…'`, `import '…'`, `import('…')`; scripts of
-/// workers are imported, too.
+/// The imports of a file from other files of the page: `from '…'`, `import '…'`, `import('…')`, including
+/// worker scripts.
 fn imports(file: &str, text: &str) -> BTreeSet<String> {
     let before = ["from '", "import '", "import('"];
     let quoted = before.iter().flat_map(|before| text.split(before).skip(1));
@@ -33,7 +33,7 @@ fn imports(file: &str, text: &str) -> BTreeSet<String> {
         .collect()
 }
 
-/// A relative path as `layer/name`; nothing where it leads to no TypeScript of the page.
+/// A relative path as `layer/name`; `None` if it is not a TypeScript file of the page.
 fn resolved(file: &str, path: &str) -> Option<String> {
     let mut parts: Vec<&str> = file.split('/').collect();
     parts.pop();
@@ -51,7 +51,7 @@ fn resolved(file: &str, path: &str) -> Option<String> {
     (!other).then(|| joined.trim_end_matches("?worker&url").trim_end_matches(".ts").to_owned())
 }
 
-/// What is wrong with the order of the imports.
+/// The violations of the import order.
 fn faults(layers: &[String], files: &Imports) -> Vec<String> {
     let rank = |file: &str| {
         let layer = file.split_once('/').map_or("", |(layer, _)| layer);
@@ -96,8 +96,8 @@ fn imports_of_the_page_lead_to_lower_layers_and_form_no_circle() {
     assert!(faults.is_empty(), "{}", faults.join("\n"));
 }
 
-/// A dialog is one file and one line: the shell knows the panels by their lists, of those that are there from
-/// the start and of those that a view loads after them, and no panel imports another.
+/// A dialog is one file and one line: the shell knows the panels only by their lists, one for initial and one
+/// for later loading, and no panel imports another.
 #[test]
 fn panels_are_known_by_their_list_alone() {
     let files = files_of_the_page();

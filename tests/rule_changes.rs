@@ -1,5 +1,6 @@
-//! The list of changes of rules, `www/docs/rule-changes.md`: read from the first version to the last it ends with the rules as they are.
-//! `UPDATE_EXPECT=1 cargo test --test it rule_changes::` adds what is missing to the version that is not released yet.
+//! The list of rule changes, `www/docs/rule-changes.md`: applying all versions in order results in the
+//! current rules. `UPDATE_EXPECT=1 cargo test --test it rule_changes::` adds missing changes to the
+//! unreleased version.
 use std::collections::BTreeMap;
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -24,7 +25,7 @@ fn source(file: &str) -> String {
     fs::read_to_string(path(file)).expect(file)
 }
 
-/// Heading and rows of each version, the newest first.
+/// Heading and rows of each version, newest first.
 fn versions(list: &str) -> Vec<(String, Vec<(String, String)>)> {
     let sections = list.split("\n## ").skip(1);
     let row = |line: &str| {
@@ -39,7 +40,7 @@ fn versions(list: &str) -> Vec<(String, Vec<(String, String)>)> {
         .collect()
 }
 
-/// The severities after all changes; the error names a change that does not fit what is there before it.
+/// The severities after all changes. The error names a change that does not fit the state before it.
 fn after_all(list: &str) -> Result<Severities, String> {
     let mut severities = Severities::new();
     for (version, rows) in versions(list).iter().rev() {
@@ -66,7 +67,7 @@ fn as_they_are() -> Severities {
     RULES.iter().map(|rule| (rule.slug.to_owned(), name(rule.severity))).collect()
 }
 
-/// What leads from one to the other, in the order of the slugs.
+/// The changes from one state to the other, sorted by slug.
 fn changes(from: &Severities, to: &Severities) -> Vec<(String, String)> {
     let mut found = Vec::new();
     for (slug, severity) in to {
@@ -85,7 +86,7 @@ fn changes(from: &Severities, to: &Severities) -> Vec<(String, String)> {
     found
 }
 
-/// The list with its newest section written anew: from what was before it to the rules as they are.
+/// The list with its newest section replaced by the changes up to the current rules.
 fn updated(list: &str, rules: &Severities) -> String {
     let (before, rest) =
         list.split_once(&format!("\n## {UNRELEASED}\n")).expect("a section for what is not released");
@@ -125,7 +126,7 @@ fn a_change_that_nobody_wrote_down_is_found() {
     let later = rules(&[("a", "warning"), ("b", "warning"), ("d", "error")]);
     let expected = [("a", "info → warning"), ("d", "added: error")];
     assert_eq!(changes(&now, &later), expected.map(|(slug, change)| (slug.to_owned(), change.to_owned())));
-    // What is written for it fits, and older versions stay as they are.
+    // The updated list is consistent, and older versions stay unchanged.
     let written = updated(&list, &later);
     assert_eq!(after_all(&written), Ok(later.clone()));
     assert!(
@@ -133,7 +134,7 @@ fn a_change_that_nobody_wrote_down_is_found() {
             && written.contains("| `b` | error → warning |\n")
     );
     assert_eq!(updated(&written, &later), written);
-    // Changes of what is not there, or is something else.
+    // Changes of rules that do not exist or have another severity.
     for wrong in [
         "| `x` | error → warning |",
         "| `a` | error → warning |",

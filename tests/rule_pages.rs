@@ -1,7 +1,7 @@
-//! The pages of the rules: every rule has one, its examples do what it says, and the HTML
-//! made of them holds together.
+//! The pages of the rules: every rule has one, its examples match its message, and the generated HTML is
+//! consistent.
 //!
-//! All errors of all pages are reported together. `RULE_PAGES=slug,slug` looks at these only.
+//! All errors of all pages are reported together. `RULE_PAGES=slug,slug` checks only these pages.
 #[path = "../www/rules/book.rs"]
 mod book;
 #[path = "../www/rules/outcome.rs"]
@@ -21,7 +21,7 @@ use format::RuleFile;
 use format::page::{INDENT, Mark};
 use outcome::{Marked, Outcome};
 
-/// All rule files that can be read.
+/// All rule files that can be parsed.
 fn rules() -> Vec<RuleFile> {
     format::all(env!("CARGO_MANIFEST_DIR")).into_iter().filter_map(|(_, rule)| rule.ok()).collect()
 }
@@ -48,7 +48,7 @@ fn pages_do_what_they_say() {
     assert!(all.is_empty(), "{} slips in the pages:\n{}", all.len(), all.join("\n"));
 }
 
-/// What is wrong with the programs of a page.
+/// The faults in the programs of a page.
 fn slips(rule: &RuleFile) -> Vec<String> {
     let RuleFile { slug: own, page, .. } = rule;
     let setup = match Setup::from_json(&page.setup) {
@@ -81,7 +81,7 @@ fn slips(rule: &RuleFile) -> Vec<String> {
         slips.push(format!("`right` is not: {}", told(&page.right, other)));
     }
     if page.is_fixed {
-        // Where only the author can know, several are offered: one of them is right.
+        // If only the author can know, several fixes are offered: one of them is right.
         let offered = wrong.told(own).map(|told| told.fixes.len()).max().unwrap_or_default();
         let mut made = (0..offered.max(1)).map(|choice| repaired(&page.wrong, wrong.told(own), choice));
         if !made.any(|made| made == page.right) {
@@ -92,7 +92,7 @@ fn slips(rule: &RuleFile) -> Vec<String> {
     slips
 }
 
-/// The characters a message is about, as far as they stand on its first line, without blanks around them.
+/// The characters that a message marks, limited to its first line, without surrounding blanks.
 fn mark(text: &str, found: &Diagnostic) -> Mark {
     let text = text.as_bytes();
     let lines = LineIndex::new(text);
@@ -105,7 +105,7 @@ fn mark(text: &str, found: &Diagnostic) -> Mark {
     Mark { line: line as usize, column: before + blanks, length: spanned.trim().chars().count() }
 }
 
-/// A program with the repair of that number of each of these messages.
+/// A program after the fix with this index of each of these messages.
 fn repaired<'a>(text: &str, told: impl Iterator<Item = &'a Diagnostic>, choice: usize) -> String {
     let fixes = told.filter_map(|found| found.fixes.get(choice));
     let mut edits: Vec<_> = fixes.flat_map(|fix| fix.edits.clone()).collect();
@@ -123,7 +123,7 @@ fn told(text: &str, found: &Diagnostic) -> String {
     format!("{}:{} {slug}: {}", line + 1, column + 1, found.message.sentence(Language::English).message)
 }
 
-/// A program with carets, as a page has it.
+/// A program with carets, as shown on a page.
 fn shown(program: &str, marks: &[Mark]) -> String {
     let mut out = String::new();
     for (number, line) in program.lines().enumerate() {
@@ -138,7 +138,7 @@ fn shown(program: &str, marks: &[Mark]) -> String {
     out
 }
 
-/// What is wrong with a rule file, a mistake a line.
+/// The mistakes in a rule file, one per line.
 fn mistakes(text: &str) -> String {
     let mistakes = RuleFile::read(text).expect_err("not well formed");
     mistakes.iter().map(|mistake| format!("{mistake}\n")).collect()
@@ -162,7 +162,7 @@ fn a_page_that_is_not_well_formed_is_told_in_full() {
     }
 }
 
-/// A rule file from its name to its examples.
+/// A rule file from its name up to its examples.
 const HEAD: &str = "\nseverity: error\nkind: wrong\nalarm: PS0005\n\n## message NumberMissing\n\nAn address without its number.\n\n* address: letter `X`. The address.\n\nen: {address}\nzh: {address}\nru: {address}\n\n## examples\n";
 
 #[test]
@@ -238,7 +238,7 @@ fn what_a_page_says_is_held_against_what_happens() {
     assert!(read("G00 X50 Z\nM30", "G00 X50 Z5\nM30", "placeless: yes").contains("at a place"));
 }
 
-/// Two pictures that hardly differ leave a reader with nothing to see.
+/// Two almost equal pictures would show the reader no difference.
 #[test]
 fn a_small_difference_from_the_corrected_part_is_marked() {
     let rules = rules();
@@ -249,7 +249,7 @@ fn a_small_difference_from_the_corrected_part_is_marked() {
     assert_eq!(picture.marked, Marked::Difference);
     let marks = |svg: &str| svg.matches(r#"class="only first""#).count();
     assert!(marks(&picture.svg) > 0, "{}", picture.svg);
-    // The corrected part has nothing to mark, nor has a part beside itself.
+    // The corrected part has nothing to mark, and neither has a part compared with itself.
     assert_eq!(right.picture(None).expect("a picture").marked, Marked::Nothing);
     let itself = wrong.picture(Some(&wrong)).expect("a picture");
     assert_eq!((itself.marked, marks(&itself.svg)), (Marked::Nothing, 0));
@@ -270,7 +270,7 @@ fn links_between_the_pages_lead_somewhere() {
         for link in found {
             let path = link.split('#').next().unwrap_or_default();
             let target = resolved(Path::new(name).parent().unwrap_or(Path::new("")), path);
-            // The playground stands beside the folder of the pages.
+            // The playground is next to the folder of the pages.
             let is_there = match &target {
                 Some(target) => files.contains_key(&target.to_string_lossy().replace('\\', "/")),
                 None => path == "../../index.html",
@@ -283,7 +283,7 @@ fn links_between_the_pages_lead_somewhere() {
     assert!(dead.is_empty(), "{}", dead.join("\n"));
 }
 
-/// Where a relative link leads; nothing outside the folder.
+/// The target of a relative link; `None` if it is outside of the folder.
 fn resolved(from: &Path, link: &str) -> Option<PathBuf> {
     let mut path = from.to_path_buf();
     for part in Path::new(link).components() {

@@ -1,9 +1,9 @@
-//! What the seed documents say, statement by statement, and where each is shown: `tests/seed_statements/list.tsv`.
+//! The statements of the seed documents, and where each is shown: `tests/seed_statements/list.tsv`.
 //!
-//! In: the list, with a row for each statement, in words of our own. Out: what a row names and is not there. Targets:
-//! `program ID` (of `tests/programs`, held to its motions by `tests/programs.rs`), `rule SLUG`, `test FILE::NAME`,
-//! `fixture FILE`, `page FILE` (of the reference), `manual TOPIC` (for teaching alone: nothing a program could show),
-//! `open REASON` (not done).
+//! In: the list, with a row for each statement, paraphrased. Out: the targets that do not exist. Targets:
+//! `program ID` (of `tests/programs`, whose motions `tests/programs.rs` checks), `rule SLUG`, `test
+//! FILE::NAME`, `fixture FILE`, `page FILE` (of the reference), `manual TOPIC` (for teaching only: no program
+//! could show it), `open REASON` (not done).
 use std::collections::BTreeMap;
 use std::fs;
 use std::path::Path;
@@ -17,7 +17,7 @@ struct Row<'a> {
     targets: Vec<&'a str>,
 }
 
-/// The rows of a list; the error names a line that is not a row.
+/// The rows of a list. The error names an invalid line.
 fn rows(list: &str) -> Result<Vec<Row<'_>>, String> {
     let lines = list.lines().filter(|line| !line.starts_with('#') && !line.trim().is_empty());
     let row = |line| {
@@ -31,7 +31,7 @@ fn rows(list: &str) -> Result<Vec<Row<'_>>, String> {
     lines.map(row).collect()
 }
 
-/// Why a target does not show anything.
+/// The reason why a target is invalid, if it is.
 fn fault(target: &str) -> Option<String> {
     let (kind, name) = target.split_once(' ').unwrap_or((target, ""));
     let is_there = |path: String| Path::new(&path).is_file();
@@ -46,7 +46,7 @@ fn fault(target: &str) -> Option<String> {
     (!found).then(|| format!("`{target}` is not there"))
 }
 
-/// Whether a file has a test of a name: `FILE::NAME`.
+/// Whether a file contains the named test: `FILE::NAME`.
 fn is_test(name: &str) -> bool {
     let Some((file, function)) = name.split_once("::") else { return false };
     let Ok(text) = fs::read_to_string(file) else { return false };
@@ -60,7 +60,7 @@ fn is_test(name: &str) -> bool {
     })
 }
 
-/// What is wrong with a list.
+/// The faults in a list.
 fn faults(list: &str) -> Vec<String> {
     let rows = match rows(list) {
         Ok(rows) => rows,
@@ -93,7 +93,7 @@ fn every_statement_of_the_seeds_is_shown_somewhere() {
     }
 }
 
-/// Each program that is transcribed from a seed is named by the list.
+/// The list names each program that is transcribed from a seed.
 #[test]
 fn every_program_of_the_seeds_is_on_the_list() {
     let list = fs::read_to_string(LIST).expect(LIST);

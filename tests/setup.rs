@@ -1,4 +1,4 @@
-//! Setups: what is written as comments is read again, whatever is given leaves a picture, the
+//! Setups: written as comments they are read back unchanged, any setup results in a picture, and the
 //! reference lists every field.
 use gcode_playground::analyze;
 use gcode_playground::machine::SimulationResult;
@@ -19,7 +19,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 const PROGRAM: &str = "O0001\nT0101\nG97 S800 M3\nG0 X40 Z2\nG1 Z-20 F0.2\nX44\nG0 X100 Z100\nM30\n";
 
-/// Lengths as people write them: JSON numbers of more digits are read to the last but one.
+/// Lengths as users write them: JSON numbers with more digits may lose the last one.
 fn length() -> impl Strategy<Value = f64> {
     prop_oneof![
         (-90000i32..90000).prop_map(|thousandths| f64::from(thousandths) / 1000.0),
@@ -71,7 +71,7 @@ prop_compose! {
     }
 }
 
-/// Rules that these programs do not trigger are set to another severity.
+/// Another severity for rules that these programs do not trigger.
 fn rules() -> impl Strategy<Value = Levels> {
     let names =
         proptest::sample::select(vec!["classroom", "coolant-off", "arc-without-way", "rule-of-stock"]);
@@ -122,7 +122,7 @@ prop_compose! {
             machine,
             rules,
             dialect,
-            // A tool of which nothing is said is not written.
+            // A tool without any fields is not written.
             tools: tools.into_iter().filter(|(_, tool)| *tool != Tool::default()).collect(),
             ..Setup::default()
         }
@@ -132,8 +132,7 @@ prop_compose! {
 proptest! {
     #![proptest_config(ProptestConfig { failure_persistence: None, ..ProptestConfig::with_cases(200) })]
 
-    /// What is written as comments, or as JSON, is read as the same setup, and writing
-    /// it again changes nothing.
+    /// A setup written as comments or as JSON is read back unchanged, and writing it again changes nothing.
     #[test]
     fn written_and_read_again(setup in setup(), head in "(%\n)?(O[0-9]{1,4}( \\(PART\\))?\n)?(\\(STOCK D=1 L=2\\)\n)?") {
         let mut text = format!("{head}G0 X50 Z2\n").into_bytes();
@@ -149,7 +148,7 @@ proptest! {
         prop_assert_eq!(Setup::from_json(if json.is_empty() { "{}" } else { &json }), Ok(setup));
     }
 
-    /// No setup leaves nothing to see: there is a path and a part, and a message for what is wrong.
+    /// Any setup leaves a path and a part, and a message for each fault.
     #[test]
     fn whatever_is_given_leaves_a_part(setup in setup()) {
         let analysis = analyze(PROGRAM.as_bytes(), &setup);
@@ -162,7 +161,7 @@ proptest! {
     }
 }
 
-/// All checks of bad setups: the answer to a JSON, or what is reported for it.
+/// Checks the error for an invalid JSON setup, or the message reported for it.
 #[track_caller]
 fn refused(json: &str, words: &[&str]) {
     let told = match Setup::from_json(json) {
@@ -207,7 +206,7 @@ fn bad_setups_are_told_by_name() {
     refused(r#"{"rules": ["no-program-end"]}"#, &["an object of rules"]);
 }
 
-/// The beginning of each row of the reference's table.
+/// The beginning of each row of the table in the reference.
 fn rows<T>(json: &str, note: &str, fields: &[Field<T>]) -> Vec<String> {
     let rows = fields.iter().map(|field| {
         let unit = match field.entry {
@@ -253,7 +252,7 @@ fn the_reference_lists_every_field_of_a_setup() {
     assert!(!notes.rules.is_empty());
 }
 
-/// The words a message offers are those that can stand there.
+/// A message lists exactly the words that are valid there.
 #[test]
 fn messages_offer_every_word() {
     let missing = |words: &[&str], offered: &str| {
@@ -294,7 +293,7 @@ fn typed(name: &str) -> BTreeMap<String, String> {
     keys.map(|(key, of)| (key.trim_end_matches('?').to_owned(), of.to_owned())).collect()
 }
 
-/// The types of the npm package know the keys of a setup that are read, and the choices of its fields.
+/// The types of the npm package contain the setup keys that are read, and the choices of the fields.
 #[test]
 fn the_types_of_a_setup_are_what_is_read() {
     for (name, wrong) in [

@@ -1,8 +1,9 @@
-//! The spelling of the texts in English and Russian, by hunspell and its dictionaries `en_GB` and `ru_RU`.
+//! The spelling of the English and Russian texts, checked by hunspell with its dictionaries `en_GB` and
+//! `ru_RU`.
 //!
-//! `tests/spelling/en.txt` and `tests/spelling/ru.txt` contain the words that a dictionary lacks, sorted, one in
-//! a line: terms, abbreviations, names. A word in lower case there is right with any capital letters. Comments
-//! are not checked.
+//! `tests/spelling/en.txt` and `tests/spelling/ru.txt` contain the words that a dictionary lacks, sorted, one
+//! per line: terms, abbreviations, names. A lower-case word there is also accepted with capital letters.
+//! Comments are not checked.
 #[path = "spelling/hunspell.rs"]
 mod hunspell;
 #[path = "spelling/words.rs"]
@@ -27,7 +28,7 @@ const ENGLISH: Language =
 const RUSSIAN: Language =
     Language { dictionary: "ru_RU", script: Script::Cyrillic, list: "tests/spelling/ru.txt" };
 
-/// The words of a script in all texts, each with its first place.
+/// The words of a script in all texts, each with its first occurrence.
 fn used(script: Script) -> BTreeMap<String, String> {
     let mut found = BTreeMap::new();
     for text in texts::all() {

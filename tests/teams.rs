@@ -1,7 +1,8 @@
-//! The page "Checks in a repository": its files are those of the example, its commands do there what it says, its tables are those of
-//! `action.yml` and `templates/check.yml` (`UPDATE_EXPECT=1 cargo test --test it teams::` writes them), and all of them name this version.
+//! The page "Checks in a repository": its files equal those of the example, its commands work there as
+//! described, its tables match `action.yml` and `templates/check.yml` (`UPDATE_EXPECT=1 cargo test --test it
+//! teams::` writes them), and all of them name the current version.
 //!
-//! What the tools make of the files is followed by `tests/teams/run.py`, which `cargo xtask teams` calls.
+//! `tests/teams/run.py` runs the tools on these files; `cargo xtask teams` calls it.
 
 use crate::markdown;
 use crate::project;
@@ -18,7 +19,7 @@ use project::{ROOT, files, source};
 const PAGE: &str = "www/docs/teams.md";
 const EXAMPLE: &str = "tests/example-repository/";
 
-/// The files of the example, by their names in it.
+/// The files of the example, by relative path.
 fn example() -> Vec<(String, String)> {
     let names = files().into_iter().filter_map(|file| file.strip_prefix(EXAMPLE).map(str::to_owned));
     names.map(|name| (source(&format!("{EXAMPLE}{name}")), name)).map(|(text, name)| (name, text)).collect()
@@ -40,7 +41,7 @@ fn each_block_is_a_file_of_the_example_or_commands() {
         let (name, _) = file.unwrap_or_else(|| panic!("no file of {EXAMPLE} is\n{block}"));
         shown.push(name.as_str());
     }
-    // What a reader has to write is shown in full.
+    // Files that a reader has to write are shown in full.
     let of_the_ways = [
         "gcode-playground.toml",
         "setup.json",
@@ -85,7 +86,7 @@ fn its_commands_end_as_it_says() {
     let expected = [written, "check .", "check --markdown manual"];
     assert_eq!(calls, expected);
     let status = |words: &str| call(&folder, words).status.code();
-    // The list is written before the configuration names it.
+    // The baseline is written before the configuration names it.
     let file = folder.join("gcode-playground.toml");
     let configuration = fs::read_to_string(&file).expect("a configuration");
     let before = configuration.replace("baseline = \"known.json\"\n", "");
@@ -109,7 +110,8 @@ fn only_the_old_program_of_the_example_has_findings() {
     }
 }
 
-/// A table of inputs: those of a file of YAML, in which each input has its description and perhaps a default, a line each.
+/// A table of inputs, from a YAML file in which each input has a description and perhaps a default, one line
+/// each.
 fn table(file: &str) -> String {
     let text = source(file);
     let mut rows: Vec<(String, String, String)> = Vec::new();
@@ -161,7 +163,7 @@ fn all_of_them_name_this_version() {
             for (at, _) in text.match_indices(start) {
                 let rest = &text[at..];
                 let number = rest.find(|letter: char| letter.is_ascii_digit()).map(|from| &rest[from..]);
-                // The name of the package before a version that is an input.
+                // The package name before a version that is an input.
                 if number.is_none() || rest.starts_with("gcode-playground@$") {
                     continue;
                 }

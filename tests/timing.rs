@@ -1,4 +1,4 @@
-//! How long motions take, against sums over many small pieces of their way.
+//! Motion times, compared with sums over many small pieces of the path.
 use std::f64::consts::{PI, TAU};
 
 use gcode_playground::analyze;
@@ -30,7 +30,7 @@ fn turns_a_minute(motion: &Motion, machine: &Machine, radius: f64) -> f64 {
     }
 }
 
-/// Point of the way at a fraction.
+/// The point at a fraction of the path.
 fn place(motion: &Motion, t: f64) -> Point {
     let Motion { from, to, .. } = *motion;
     let Some(center) = motion.center else {
@@ -47,7 +47,7 @@ fn place(motion: &Motion, t: f64) -> Point {
     Point::new(center.x + radius * angle.sin(), center.z + radius * angle.cos())
 }
 
-/// Seconds of a cut, piece by piece.
+/// Time of a cut in seconds, summed over small pieces.
 fn summed(motion: &Motion, machine: &Machine) -> f64 {
     const PIECES: u32 = 40_000;
     let at = |piece: u32| place(motion, f64::from(piece) / f64::from(PIECES));
@@ -69,7 +69,7 @@ fn summed(motion: &Motion, machine: &Machine) -> f64 {
     pieces.sum()
 }
 
-/// All cuts of a program take as long as their pieces; the answer is the last one's seconds.
+/// Checks that all cuts of a program take as long as their pieces. Returns the seconds of the last one.
 fn check(machine: &str, program: &str) -> f64 {
     let (motions, machine) = run(machine, program);
     let mut last = None;
@@ -87,7 +87,7 @@ fn check_seconds(machine: &str, program: &str, expected: f64) {
     assert!((found - expected).abs() < 1e-4 * expected, "{program}: {found}, not {expected}");
 }
 
-/// The last motion's time is not known.
+/// Checks that the time of the last motion is unknown.
 fn check_unknown(machine: &str, program: &str) {
     let (motions, machine) = run(machine, program);
     assert_eq!(seconds(motions.last().expect(program), &machine), None, "{program}");
@@ -99,7 +99,7 @@ fn feed_a_minute() {
     check_seconds("", "G00 X40 Z0\nG98 G01 Z-60 F120", 30.0);
     check_seconds("", "G00 X40 Z0\nG98 G01 X100 Z-40 F100", 30.0);
     check_seconds("", "G00 X40 Z0\nG98 G03 X60 Z-10 R10 F60", 5.0 * PI);
-    // It needs no turning spindle.
+    // It does not need a running spindle.
     check_seconds("", "M05\nG00 X40 Z0\nG98 G01 Z-60 F120", 30.0);
 }
 
@@ -108,24 +108,25 @@ fn feed_a_turn() {
     // 60 mm / (0.2 mm × 500/min).
     check_seconds("", "G97 S500 M03\nG00 X40 Z0\nG99 G01 Z-60 F0.2", 36.0);
     check_seconds("\"maxSpeed\": 250", "G97 S500 M03\nG00 X40 Z0\nG99 G01 Z-60 F0.2", 72.0);
-    // G50 S holds nothing under G97.
+    // G50 S does not limit G97.
     check_seconds("", "G50 S100\nG97 S500 M03\nG00 X40 Z0\nG99 G01 Z-60 F0.2", 36.0);
     check("", "G97 S500 M04\nG00 X40 Z0\nG99 G02 X60 Z-10 R10 F0.1\nG03 X80 Z-20 R30\nG01 X20 Z0");
 }
 
 #[test]
 fn constant_cutting_speed() {
-    // At ⌀40 100 m/min are 795.77/min: 60 mm / (0.2 × 795.77).
+    // At ⌀40, 100 m/min are 795.77/min: 60 mm / (0.2 × 795.77).
     check_seconds("", "G96 S100 M03\nG00 X40 Z0\nG99 G01 Z-60 F0.2", 60.0 * 60.0 / (0.2 * 795.7747));
-    // Facing from ⌀100 to ⌀20: the mean diameter counts, 60. 40 mm / 0.2 = 200 turns at 530.5/min.
+    // Facing from ⌀100 to ⌀20: the mean diameter of 60 determines the time. 40 mm / 0.2 = 200 turns at
+    // 530.5/min.
     check_seconds("", "G96 S100 M03\nG00 X100 Z0\nG99 G01 X20 F0.2", 200.0 * 60.0 / 530.5165);
-    // Held to 1000/min below ⌀31.831; to the axis and through it.
+    // Limited to 1000/min below ⌀31.831; to the axis and across it.
     for end in ["X20", "X0", "X-10", "X-100", "X20 Z-30", "X0 Z-80"] {
         check("", &format!("G50 S1000\nG96 S100 M03\nG00 X100 Z0\nG99 G01 {end} F0.2"));
         check("\"maxSpeed\": 800", &format!("G96 S100 M03\nG00 X100 Z0\nG99 G01 {end} F0.2"));
         check("\"maxSpeed\": 800", &format!("G50 S1000\nG96 S100 M03\nG00 X100 Z0\nG99 G01 {end} F0.2"));
     }
-    // Outwards from the axis, all of it below the limit, all of it above.
+    // Outwards from the axis, completely below the limit, completely above it.
     check("", "G50 S1000\nG96 S100 M03\nG00 X0 Z0\nG99 G01 X100 F0.2");
     check_seconds("", "G50 S100\nG96 S100 M03\nG00 X50 Z0\nG99 G01 X30 F0.2", 30.0);
     check("", "G50 S3000\nG96 S100 M03\nG00 X100 Z0\nG99 G01 X80 Z-70 F0.2");
@@ -137,27 +138,27 @@ fn constant_cutting_speed_on_arcs() {
         check("", &format!("{clamp}G96 S100 M03\nG00 X20 Z0\nG99 G03 X60 Z-20 R20 F0.1\nG02 X80 Z-30 R60"));
         check("", &format!("{clamp}G96 S100 M03\nG00 X40 Z-20\nG99 G02 I20 K0 F0.1"));
     }
-    // A ball from the axis on.
+    // A ball starting at the axis.
     check("", "G50 S900\nG96 S100 M03\nG00 X0 Z0\nG99 G03 X40 Z-20 R20 F0.1");
 }
 
-/// Under G20 the S of G96 counts feet a minute: 12·S / (π·X) with X in inches.
+/// With G20, S of G96 is in feet per minute: 12·S / (π·X) with X in inches.
 #[test]
 fn cutting_speed_in_feet() {
     let facing = "G20 G99\nG50 S5000\nG96 S300 M3\nG0 X2. Z0\nG1 Z-1. F.01";
-    // 1 inch at 0.01 inch a turn and 573/min.
+    // 1 inch at 0.01 inch per revolution and 573/min.
     check_seconds("", facing, 100.0 * 60.0 * PI * 2.0 / (12.0 * 300.0));
     let speed_of = |program: &str, radius: f64| {
         let (motions, machine) = run("", program);
         speed_at(&motions.last().expect(program).process, &machine, radius).expect(program)
     };
     assert!((speed_of(facing, 25.4) - 572.958).abs() < 0.001);
-    // The limits are in rpm, whatever the unit.
+    // The limits are in rpm in every unit.
     assert!((speed_of(facing, 1.0) - 5000.0).abs() < 1e-9);
-    // S keeps what it meant when it was given.
+    // S keeps the meaning that it had when it was programmed.
     let after = "G20 G96 S300 M3\nG21 G0 X50.8 Z0\nG1 Z-10 F.2";
     assert!((speed_of(after, 25.4) - 572.958).abs() < 0.001);
-    // G97 without S keeps the turns, #4119 reads the feet.
+    // G97 without S keeps the speed; #4119 reads the feet.
     assert!((speed_of("G20 G96 S300 M3\nG0 X2. Z0\nG97\nG1 Z-1. F.01", 1.0) - 572.958).abs() < 0.001);
     assert!((speed_of("G20 G96 S300 M3\nG97 S#4119\nG0 X2. Z0\nG1 Z-1. F.01", 1.0) - 300.0).abs() < 1e-9);
     assert!((speed_of("G20 G97 S300 M3\nG0 X2. Z0\nG1 Z-1. F.01", 1.0) - 300.0).abs() < 1e-9);
@@ -166,22 +167,22 @@ fn cutting_speed_in_feet() {
 /// Q of G50 is the lowest speed of G96.
 #[test]
 fn lowest_speed() {
-    // Alone 100 m/min at ⌀100 are 318/min; Q keeps the spindle at 500.
+    // Without Q, 100 m/min at ⌀100 are 318/min; Q keeps the spindle at 500.
     check_seconds("", "G50 S3000 Q500\nG96 S100 M03\nG00 X100 Z0\nG99 G01 Z-50 F0.2", 30.0);
-    // Q alone, and above the machine's own limit.
+    // Q alone, and above the limit of the machine.
     check_seconds("", "G50 Q500\nG96 S100 M03\nG00 X100 Z0\nG99 G01 Z-50 F0.2", 30.0);
     check_seconds("\"maxSpeed\": 400", "G50 Q500\nG96 S100 M03\nG00 X100 Z0\nG99 G01 Z-50 F0.2", 37.5);
-    // Q holds nothing under G97.
+    // Q has no effect with G97.
     check_seconds("", "G50 Q500\nG97 S250 M03\nG00 X100 Z0\nG99 G01 Z-50 F0.2", 60.0);
-    // Where the limits are reversed the highest one counts.
+    // If the limits are reversed, the maximum applies.
     check_seconds("", "G50 S250 Q500\nG96 S100 M03\nG00 X100 Z0\nG99 G01 Z-50 F0.2", 60.0);
-    // Held to 500/min beyond ⌀63.66, to 1000/min below ⌀31.83.
+    // Limited to 500/min beyond ⌀63.66, to 1000/min below ⌀31.83.
     for end in ["X200", "X90", "X50", "X20", "X0", "X-10", "X-100", "X20 Z-30", "X0 Z-80"] {
         check("", &format!("G50 S1000 Q500\nG96 S100 M03\nG00 X100 Z0\nG99 G01 {end} F0.2"));
         check("\"maxSpeed\": 450", &format!("G50 Q500\nG96 S100 M03\nG00 X100 Z0\nG99 G01 {end} F0.2"));
     }
     check("", "G50 S900 Q600\nG96 S100 M03\nG00 X20 Z0\nG99 G03 X60 Z-20 R20 F0.1\nG02 X80 Z-30 R60");
-    // G97 without S keeps what the spindle had.
+    // G97 without S keeps the current speed.
     check_seconds("", "G50 Q500\nG96 S100 M03\nG00 X100 Z0\nG97\nG99 G01 Z-50 F0.2", 30.0);
 }
 
@@ -194,7 +195,7 @@ fn threads() {
     check_seconds("", "G97 S300 M03\nG00 X30 Z0\nG32 X110 Z-20 F2", 4.0);
     check("", "G97 S300 M03\nG00 X40 Z5\nG92 X30 Z-20 R-2 F3\nX29");
     check("", "G50 S1000\nG96 S100 M03\nG00 X20 Z0\nG32 X50 Z-40 F2");
-    // Feed a minute does not matter for a thread.
+    // The feed per minute does not matter for a thread.
     check_seconds("", "G98 G97 S300 M03\nG00 X30 Z0\nG32 Z-40 F2", 4.0);
 }
 
@@ -219,14 +220,14 @@ fn what_cannot_be_known() {
     check_unknown("", "G00 X40");
     check_unknown("\"rapidX\": 6000", "G00 X40 Z0");
     check_unknown("\"rapidZ\": 6000", "G00 X40");
-    // The spindle stands, or was never given a speed.
+    // The spindle is stopped, or never had a speed.
     check_unknown("", "G97 S500\nG00 X40 Z0\nG99 G01 Z-10 F0.2");
     check_unknown("", "G97 S500 M03\nM05\nG00 X40 Z0\nG99 G01 Z-10 F0.2");
     check_unknown("", "M03\nG00 X40 Z0\nG99 G01 Z-10 F0.2");
     check_unknown("", "M03\nG00 X40 Z0\nG32 Z-10 F2");
     check_unknown("", "G96 S0 M03\nG00 X40 Z0\nG99 G01 Z-10 F0.2");
     check_unknown("\"maxSpeed\": 3000", "G96 S0 M03\nG00 X40 Z0\nG99 G01 X0 F0.2");
-    // Without a limit there is no speed at the axis.
+    // Without a limit the speed at the axis is undefined.
     check_unknown("", "G96 S100 M03\nG00 X40 Z0\nG99 G01 X0 F0.2");
     check_unknown("", "G96 S100 M03\nG00 X40 Z0\nG99 G01 X-1 F0.2");
     check_unknown("", "G96 S100 M03\nG00 X0 Z0\nG99 G01 Z-10 F0.2");
@@ -245,7 +246,7 @@ fn speeds_and_feeds_at_a_place() {
     near(feed_at(cut, &machine, 30.0), 0.25 * 1000.0 * 150.0 / (PI * 60.0));
     near(Some(surface_speed(1000.0, 20.0)), 125.664);
     assert_eq!(feed_at(&motions[0], &machine, 30.0), None);
-    // No cutting speed, no speed: not even the highest at the axis.
+    // Without a cutting speed there is no speed, not even the maximum at the axis.
     let mut process = cut.process;
     process.speed = SpindleSpeed::Surface { speed: 0.0 };
     assert_eq!(speed_at(&process, &machine, 0.0), None);
@@ -253,8 +254,7 @@ fn speeds_and_feeds_at_a_place() {
     assert_eq!(speed_at(&process, &machine, 10.0), None);
 }
 
-/// Tool 1: 60 mm at 120 mm/min and 0.5 s; tool 2: a cut whose time is not known. Back
-/// to tool 1: 20 mm in 10 s.
+/// Tool 1: 60 mm at 120 mm/min and 0.5 s; tool 2: a cut with unknown time. Back to tool 1: 20 mm in 10 s.
 #[test]
 fn times_are_added_up_for_each_tool() {
     let program = "G98\nT0101\nG00 X40 Z0\nG01 Z-60 F120\nG04 X0.5\nT0202\nG00 X30 Z0\nG99 G01 Z-10 F0.1\nT0101\n\

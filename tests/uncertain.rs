@@ -1,5 +1,5 @@
-//! What is uncertain after something that was not carried out, and what makes it certain again: in a short
-//! notation, `R(x,z)` rapid, `F` feed, `T` thread, `A` arc; a `?` marks what is uncertain.
+//! Uncertain state after blocks that were not carried out, and what makes it certain again, in a short
+//! notation: `R(x,z)` rapid, `F` feed, `T` thread, `A` arc; a `?` marks uncertain motions.
 use gcode_playground::analyze;
 use gcode_playground::api;
 use gcode_playground::machine::SimulationResult;
@@ -33,7 +33,7 @@ fn check_with(setup: &str, program: &str, expected: &str) {
     assert_eq!(motions(&analysis), expected, "\n{program}\n{:?}", analysis.diagnostics);
 }
 
-/// From X100 Z50.
+/// Checks the motions of a program that starts at X100 Z50.
 #[track_caller]
 fn check(program: &str, expected: &str) {
     check_with(r#"{"initial": {"x": 100, "z": 50}}"#, program, expected);
@@ -76,20 +76,20 @@ fn beside_y0_everything_is_uncertain_until_y_is_0_again() {
 
 #[test]
 fn the_next_absolute_place_of_each_axis_ends_it() {
-    // X is known from its own word on, Z stays unknown until one names it.
+    // X is known after its own word, Z stays unknown until a word sets it.
     check("G0 X60 Z2\nM98 P9\nG0 X50\nW-5\nZ-4\nX40 Z1", "R(60,2) R?(50,2) R?(50,-3) R?(50,-4) R(40,1)");
     check("G0 X60 Z2\nM98 P9\nG0 X50 Z1\nU2\nW3", "R(60,2) R?(50,1) R(52,1) R(52,4)");
     check("G0 X60 Z2\nM98 P9\nG0 U5 W5\nU5\nX10 Z10\nU1", "R(60,2) R?(65,7) R?(70,7) R?(10,10) R(11,10)");
-    // A block that was refused puts only the axes it names in doubt.
+    // A block with an error makes only the programmed axes uncertain.
     check("M3 S1 F1\nG0 X60 Z2\nG1 Z-5 F-1\nX50\nZ-8\nX52", "R(60,2) F?(50,2) F?(50,-8) F(52,-8)");
     check("G0 X60 Z2\nG1 F-1\nG0 X50", "R(60,2) R(50,2)");
     check("G0 X60 Z2\nM3 S1 F1\nG1 X5X\nZ1\nX50\nZ0", "R(60,2) F?(60,1) F?(50,1) F(50,0)");
-    // Home is a place, and so is what G50 sets.
+    // The reference point is a known position, and G50 sets one.
     check("G0 X60 Z2\nM98 P9\nG28 U0 W0\nG0 X50", "R(60,2) R?(300,300) R(50,300)");
     check("G0 X60 Z2\nM98 P9\nG28 U0\nG0 X50\nZ3\nX40", "R(60,2) R?(300,2) R?(50,2) R?(50,3) R(40,3)");
     check("G0 X60 Z2\nM98 P9\nG50 X200 Z150\nG0 X150", "R(60,2) R(150,150)");
     check("G0 X60 Z2\nM98 P9\nG53 X200 Z150\nG0 X150", "R(60,2) R?(200,150) R(150,150)");
-    // In systems B and C G91 counts from what is not known.
+    // In systems B and C, G91 counts from an unknown position.
     check_with(
         r#"{"initial": {"x": 100, "z": 50}, "dialect": {"gSystem": "B"}}"#,
         "G90 G0 X60 Z2\nM98 P9\nG91 G0 X5\nG90 X50 Z1\nX40",
@@ -108,20 +108,21 @@ fn what_kind_of_move_comes_is_unknown_until_a_code_says_it() {
 fn an_unsupported_code_puts_its_own_axes_in_doubt() {
     check("M3 S1 F1\nG0 X60 Z2\nG31 Z-5\nG0 X50\nZ3\nX40", "R(60,2) R?(50,2) R?(50,3) R(40,3)");
     check("G0 X60 Z2\nG5.1 Q1\nX50", "R(60,2) R(50,2)");
-    // A mirror image lasts until it is switched off.
+    // A mirror image stays until it is switched off.
     check("G0 X60 Z2\nG68\nX50 Z1\nX40\nG69\nX30 Z0\nX20", "R(60,2) R?(50,1) R?(40,1) R?(30,0) R(20,0)");
 }
 
 #[test]
 fn cycles_come_back_to_where_they_started() {
-    // A refused block of a cycle leaves the tool where it is.
+    // A cycle block with an error leaves the tool where it is.
     check("M3 S1 F1\nG0 X60 Z2\nG71 P1 Q2 U1\nG0 X50\nZ1", "R(60,2) R(50,2) R(50,1)");
-    // Their own words are no place of the tool.
+    // The words of a cycle are not a position of the tool.
     check(
         "M3 S1 F1\nG0 X60 Z2\nM98 P9\nG90 X50 Z-5\nG0 X62 Z3\nX61",
         "R(60,2) R?(50,2) F?(50,-5) F?(60,-5) R?(60,2) R?(62,3) R(61,3)",
     );
-    // What a cycle keeps is in doubt after a refused block of it, until it is named whole or left.
+    // The stored words of a cycle are uncertain after a block with an error, until all are programmed again
+    // or the cycle is cancelled.
     check("M3 S1 F1\nG0 X60 Z2\nG90 X55 Z-5X\nX50\nG0 X58", "R(60,2) R?(50,2) F?(60,2) R(58,2)");
     check("M3 S1 F1\nG0 X60 Z2\nG90 X55 Z-5X\nG90 X50 Z-5", "R(60,2) R(50,2) F(50,-5) F(60,-5) R(60,2)");
 }
@@ -157,8 +158,8 @@ fn uncertain_cuts_are_not_taken_off_the_part() {
     assert!((with - without).abs() < 1e-6, "{with}, not {without}");
 }
 
-/// After a block that was left out it is not known what of the work still stands, but the chuck stands.
-/// One pass that cannot be read does not make a riddle of the tool, nor take the part away.
+/// After a skipped block the remaining material is uncertain, but the chuck is not. One unreadable pass makes
+/// neither the tool unknown nor the part disappear.
 #[test]
 fn a_pass_that_cannot_be_read_leaves_the_part() {
     let program = "M3 S300 G0 X130 Z3\nG90 X120 Z-110 F200\nX110 ZZ-30\nX100\nX90\nX80\nX70\nX60\nG0 X120 Z-30\n\
@@ -197,19 +198,20 @@ fn a_macro_without_its_call_does_not_know_its_arguments() {
     let unknown = |program: &str, expected: &str| {
         assert_eq!(only(program), (vec!["macro-arguments-unknown"], expected.into()), "{program}");
     };
-    // Neither a division by one of them, nor by what comes of them, is a fault.
+    // A division by an unknown argument, or by a value calculated from it, is not an error.
     unknown("#4=10/#3\n#100=[#1-#2]/[#1*2]\n#5=1/#100\nM99", "");
     unknown("G0 X[10/#3] Z5\nZ2\nM99", "R?(100,2)");
     unknown("G0 X#24 Z5\nM99", "R?(100,5)");
-    // A misread GOTO300 is no tool, so the program is still the body of a macro.
+    // A misread GOTO300 is not a tool word, so the program is still a macro body.
     unknown("#4=10/#3\nGOT0300\n#5=1/#3\nM99", "");
-    // Nor what a function has no value for, nor where a jump or a check leads, nor a loop without end.
+    // The same applies to function values, jump targets and checks that depend on it, and to a loop that
+    // might not end.
     unknown("#4=LN[#1]\nGOTO#2\nIF[#3EQ#0]GOTO 9\nM99\nN9 #3000=1(NO DEPTH)\nM99", "");
     unknown("IF[#3NE#0]GOTO 9\n#3000=1(NO DEPTH)\nN9 G0 X50\nM99", "R?(50,50)");
     unknown("#4=10\nWHILE[#4GT#1]DO1\nG0 X#4\n#4=#4-#2\nEND1\nM99", "R?(10,50)");
     unknown("#4=10\nN5 G0 X#4\n#4=#4-#2\nIF[#4GT#1]GOTO 5\nM99", "R(10,50)");
     unknown("IF[#1EQ#0]THEN #1=5\nIF[#2EQ1]THEN #3=1\n#4=1/#3+1/[#1-5]\nM99", "");
-    // What it hands on is not known either.
+    // Arguments passed on are unknown as well.
     unknown("O1\nG65 P2 A#1 B[#2*2]\nM99\nO2\n#3=1/#1+1/#2\nM99", "");
 }
 
@@ -219,8 +221,7 @@ fn what_is_no_argument_is_a_fault_in_a_macro_as_in_every_program() {
         let found = codes(&run(r#"{"initial": {"x": 100, "z": 50}}"#, program));
         assert!(found.contains(&"macro-division-by-zero"), "{program}\n{found:?}");
     };
-    // It sets the zero itself; no letter stands for the variable; it is a main program, which
-    // has its end or its tools.
+    // It assigns the zero itself; no address sets the variable; it is a main program with an end or tools.
     division("#1=0\n#4=5/#1\nM99");
     division("#5=#2\n#1=0\n#4=5/#1\nM99");
     division("#4=5/#10\nM99");
@@ -229,8 +230,8 @@ fn what_is_no_argument_is_a_fault_in_a_macro_as_in_every_program() {
     division("O1\n#1=0\nG65 P2 A#1\nM30\nO2\n#4=5/#1\nM99");
 }
 
-/// A contour with an error makes the motions of the contour without it, marked as uncertain. `cycle`: the
-/// blocks of the cycle at X44 Z2, `faulty` and `sound`: the contour from N10 to N20.
+/// A contour with an error makes the motions of the correct contour, marked as uncertain. `cycle`: the blocks
+/// of the cycle at X44 Z2, `faulty` and `sound`: the contour from N10 to N20.
 #[track_caller]
 fn check_faulty_contour(cycle: &str, faulty: &str, sound: &str, slug: &str) {
     let program = |contour: &str| format!("M3 S1 F1\nG0 X44 Z2\n{cycle}\nGOTO30\n{contour}\nN30 G0 X50");
@@ -240,7 +241,7 @@ fn check_faulty_contour(cycle: &str, faulty: &str, sound: &str, slug: &str) {
         found.map(|found| found.message.slug()).collect()
     };
     assert_eq!((errors(&faulty), errors(&sound)), (vec![slug], vec![]), "{cycle}");
-    // Neither the way to the start nor that after the cycle is in doubt.
+    // Neither the approach nor the motions after the cycle are uncertain.
     let expected = motions(&sound);
     let mut expected: Vec<_> = expected.split(' ').map(|own| own.replacen('(', "?(", 1)).collect();
     let last = expected.len() - 1;
@@ -249,7 +250,7 @@ fn check_faulty_contour(cycle: &str, faulty: &str, sound: &str, slug: &str) {
         expected[own] = expected[own].replace('?', "");
     }
     assert_eq!(motions(&faulty), expected.join(" "), "{cycle}");
-    // What is left of the material is not known.
+    // The remaining material is unknown.
     assert_eq!(faulty.motions.first_incomplete(), Some(1), "{cycle}");
 }
 
@@ -275,8 +276,8 @@ fn a_contour_with_an_error_is_drawn_in_doubt() {
     );
 }
 
-/// After an error in its own block a cycle makes what is known of it, uncertain: its passes, or the contour as it is
-/// written. The tool is back at the start point X44 Z2.
+/// With an error in its own block, a cycle makes uncertain motions of the known words: its passes, or the
+/// contour as written. The tool is back at the start point X44 Z2.
 #[test]
 fn a_cycle_with_an_error_is_drawn_in_doubt() {
     #[track_caller]
@@ -294,12 +295,12 @@ fn a_cycle_with_an_error_is_drawn_in_doubt() {
         ("G71 R1", "G71 P10 Q20 U0 W0", "depth-missing"),
         ("G73 U4 W0 R0", "G73 P10 Q20 U0 W0", "pattern-without-passes"),
         ("G73 U4 W0", "G73 P10 Q20 U0 W0", "pattern-without-passes"),
-        // A word that cannot be read.
+        // An unreadable word.
         ("G71 U2 R1", "G71 P10 Q20 U0 W", "number-missing"),
     ] {
         check("F1", &format!("{first}\n{second}\n{contour}"), slug, as_written);
     }
-    // The feed rate is missing, not the passes: 2 mm deep, on the radius.
+    // Only the feed rate is missing: the passes are 2 mm deep, on the radius.
     let passes = "R?(40,2) F?(40,-8) R?(42,-7) R?(42,2)";
     let roughing = "G71 U2 R1\nG71 P10 Q20 U0 W0\nN10 G0 X36\nN20 G1 Z-8";
     check("", roughing, "feed-missing", &format!("{passes} R?(36,2) F?(36,-8) R?(44,2)"));
@@ -312,13 +313,13 @@ fn a_cycle_with_an_error_is_drawn_in_doubt() {
     check("F1", thread, "thread-without-depth", "R?(40,2) T?(40,-5) R?(44,-5) R?(44,2)");
     check("F1", "G75 R1\nG75 X40 P-2000", "peck-negative", "F?(40,2) R?(44,2)");
     check("", "G75 R1\nG75 X40 P2000", "feed-missing", "F?(40,2) R?(44,2)");
-    // The distance of the columns is missing: the first and the last are known.
+    // The column step is missing: the first and the last column are known.
     let columns = "F?(40,2) R?(44,2) R?(44,-5) F?(40,-5) R?(44,-5) R?(44,2)";
     check("F1", "G75 R1\nG75 X40 Z-5 P2000", "peck-missing", columns);
     check("F1", "G75 R1\nG75 X40 Z-5 P2000 Q0", "peck-missing", columns);
 }
 
-/// What else a cycle lacks is reported once its contour is right.
+/// Other faults of a cycle are reported once its contour is correct.
 #[test]
 fn an_error_in_a_contour_is_the_only_one_of_its_cycle() {
     let contour = "N10\nG0 X30\nG1 Z-5\nN20 X44\nG0 X50";

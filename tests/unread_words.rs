@@ -1,5 +1,5 @@
-//! A word of a block is used, explained or reported. The expectations are worked out by hand from FANUC's formats of the
-//! codes (B-64304EN, B-64604EN), not from the output of the program.
+//! Each word of a block is used, explained or reported. The expected results are derived by hand from FANUC's
+//! formats of the codes (B-64304EN, B-64604EN), not from the output of the program.
 use gcode_playground::analyze;
 use gcode_playground::message::Severity;
 use gcode_playground::setup::Setup;
@@ -7,7 +7,7 @@ use gcode_playground::setup::Setup;
 const HEAD: &str = "O0001 (STOCK D=50 LENGTH=80)\nT0101\nG97 G99 S800 M03 F0.2\nG00 X52 Z2\n";
 const CONTOUR: &str = "N10 G00 X40\nG01 Z-20\nN20 X52\n";
 
-/// The messages at one word, which is put after a block.
+/// The messages at one word, which is appended to a block.
 #[track_caller]
 fn said_about(setup: &str, before: &str, block: &str, word: &str, after: &str) -> Vec<String> {
     let text = format!("{HEAD}{before}{block} {word}\n{after}G00 X200 Z200\nM30\n");
@@ -31,7 +31,7 @@ fn said_about(setup: &str, before: &str, block: &str, word: &str, after: &str) -
     found
 }
 
-/// Each letter beside a good block is reported at its place.
+/// Checks that each letter appended to a correct block is reported at its position.
 #[track_caller]
 fn all_are_reported(before: &str, block: &str, letters: &str, after: &str) {
     for letter in letters.chars() {
@@ -84,7 +84,7 @@ fn words_that_a_single_move_of_the_machine_does_not_read_are_reported() {
     all_are_reported("", "G50 S2000", "ABDEIJKLR", "");
 }
 
-/// Where X gives the time of a dwell, P is not read, and of C and H one takes effect.
+/// If X gives the time of a dwell, P is not read. Of C and H only one takes effect.
 #[test]
 fn a_word_beside_another_of_the_same_meaning_is_reported() {
     let text = |block: &str| format!("{HEAD}G28 H0\n{block}\nG00 X200 Z200\nM30\n");
@@ -101,7 +101,8 @@ fn a_word_beside_another_of_the_same_meaning_is_reported() {
     assert_eq!(turned, [(0.0, 10.0)]);
 }
 
-/// F in G00, S, T, D of G41, P beside M and S, arguments and data are read later, or by codes that are not known here.
+/// F in G00, S, T, D of G41, P beside M and S, arguments and data are read later, or by codes that are
+/// unknown here.
 #[test]
 fn words_that_are_read_elsewhere_are_not_reported() {
     for (block, word) in [
@@ -154,7 +155,7 @@ fn words_of_a_contour_are_reported_once() {
     assert_eq!(found.len(), 1, "{found:?}");
 }
 
-/// B of a sub-spindle and A of a rotary tool head: a note for each axis, and G28 and G30 contain an axis.
+/// B of a sub-spindle and A of a rotary tool head: one note per axis; G28 and G30 contain an axis.
 #[test]
 fn axes_that_are_not_shown_are_noted_once_each() {
     for block in ["G00 B-300", "G53 B-500", "G28 B0", "G28 A0", "G30 P2 B0", "G00 X60 B5", "G50 B0", "B90"] {
@@ -180,8 +181,8 @@ fn slugs(text: &str) -> Vec<&'static str> {
     analysis.diagnostics.iter().map(|told| told.message.slug()).collect()
 }
 
-/// Compensation without a radius shows the programmed path: a note for each offset, none if the
-/// radius is known.
+/// Compensation with an unknown radius shows the programmed path: one note per offset, none if the radius is
+/// known.
 #[test]
 fn an_unknown_nose_radius_is_noted_once_for_each_offset() {
     let program = |comment: &str| {
@@ -200,7 +201,7 @@ fn an_unknown_nose_radius_is_noted_once_for_each_offset() {
     assert_eq!(notes(&second), 2);
 }
 
-/// A floating holder takes up a difference of the leads: no control raises an alarm.
+/// A floating holder compensates a difference of the leads: no control raises an alarm.
 #[test]
 fn another_lead_of_a_tap_that_comes_out_is_a_warning() {
     let text = "O0001 (STOCK D=40 LENGTH=60)\nT0606 (M12)\nG97 S200 M03\nG00 X0 Z6\nG32 Z-20 F1.75\nM05\nM04\nG32 Z6 F1.5\nG00 X200 Z200\nM30\n";
@@ -209,7 +210,7 @@ fn another_lead_of_a_tap_that_comes_out_is_a_warning() {
     assert_eq!(found.map(|told| told.severity), Some(Severity::Warning));
 }
 
-/// Only Haas calls with M97, and with P; elsewhere it is a code of the machine (`G28 B0 M97`).
+/// M97 is a call only on Haas, and with P; elsewhere it is a code of the machine builder (`G28 B0 M97`).
 #[test]
 fn m97_without_p_is_a_code_of_the_machine() {
     let text = |block: &str| format!("{HEAD}{block}\nG00 X200 Z200\nM30\n");
@@ -218,7 +219,7 @@ fn m97_without_p_is_a_code_of_the_machine() {
     assert_eq!(slugs(&text("M97 P900")), ["sequence-number-not-found"]);
 }
 
-/// Where the zero point is another one, an arc toward +Z may cut toward its chuck.
+/// With another zero point, an arc towards +Z may cut towards its chuck.
 #[test]
 fn an_arc_in_another_work_coordinate_system_misses_no_minus() {
     let program = |frame: &str| {
@@ -229,7 +230,7 @@ fn an_arc_in_another_work_coordinate_system_misses_no_minus() {
     assert!(!slugs(&program("G55")).contains(&"minus-missing"));
 }
 
-/// A control ends a comment at the first bracket that closes: nothing is read as words where the comment ends there.
+/// A control ends a comment at the first closing bracket: the rest is not read as words.
 #[test]
 fn a_bracket_within_a_comment_is_reported_where_text_is_left_over() {
     let text = |comment: &str| format!("O0001\nT0101 {comment}\nG97 S800 M03\nG00 X60 Z5\nM30\n");
@@ -238,7 +239,7 @@ fn a_bracket_within_a_comment_is_reported_where_text_is_left_over() {
     assert_eq!(slugs(&text("; (TURN (LONG CUT) TO Z-20)")), ["comment-in-comment"]);
 }
 
-/// One message for a sentence after `;`, also with numbers in it; blocks there are read.
+/// One message for a sentence after `;`, even with numbers in it; blocks there are read.
 #[test]
 fn a_sentence_after_a_semicolon_is_one_fault() {
     let text = |rest: &str| format!("O0001\nT0101\nG97 S800 M03\nG00 X60 Z5 {rest}\nM30\n");
@@ -247,7 +248,7 @@ fn a_sentence_after_a_semicolon_is_one_fault() {
     assert_eq!(slugs(&text("; G00 X70")), [""; 0]);
 }
 
-/// The S of the next block is not too late, as long as nothing is cut between the two.
+/// An S in the next block is not too late if nothing is cut in between.
 #[test]
 fn a_speed_is_kept_where_a_cut_uses_it() {
     let program = |blocks: &str| {
@@ -261,7 +262,7 @@ fn a_speed_is_kept_where_a_cut_uses_it() {
     assert!(kept("G97\nG01 X30"));
 }
 
-/// A bore that gets narrower toward the chuck: U of the allowance is right, and the start point is wrong.
+/// A bore that narrows towards the chuck: U of the allowance is right, and the start point is wrong.
 #[test]
 fn no_other_sign_is_offered_for_an_allowance_whose_start_point_is_wrong() {
     let text = "O0001 (STOCK D=100 LENGTH=80)\nT0101\nG97 G99 S800 M03\nG00 X75 Z5\nG71 U1 R0.5\nG71 P10 Q20 U-1 W0.1 F0.2\nN10 G00 X66\nG01 Z-10\nX20 Z-30\nN20 G00 X18\nG00 X200 Z200\nM30\n";
@@ -271,7 +272,8 @@ fn no_other_sign_is_offered_for_an_allowance_whose_start_point_is_wrong() {
     }
 }
 
-/// Both blocks of a cycle in one: one message, and no thread with the R of the first block as its taper.
+/// Both blocks of a cycle in one: one message, and R of the first block does not become the taper of a
+/// thread.
 #[test]
 fn both_blocks_of_a_cycle_in_one_block_are_one_fault() {
     for block in [
@@ -286,7 +288,7 @@ fn both_blocks_of_a_cycle_in_one_block_are_one_fault() {
             slugs(&text).into_iter().filter(|slug| *slug != "not-checked-behind-fault").collect();
         assert_eq!(found, ["cycle-in-one-block"], "{block}");
     }
-    // The second block gets the code of the cycle, wherever it is.
+    // The second block gets the code of the cycle, wherever it is in the block.
     let text = format!("{HEAD}G71 G99 U2 R1 P10 Q20 U0.5 W0.1 F0.2\nN10 G00 X40\nG01 Z-20\nN20 X52\nM30\n");
     let analysis = analyze(text.as_bytes(), &Setup::default());
     let fixes: Vec<_> = analysis.diagnostics.iter().flat_map(|told| &told.fixes).collect();
@@ -295,8 +297,8 @@ fn both_blocks_of_a_cycle_in_one_block_are_one_fault() {
     assert!(!slugs(&format!("{HEAD}{one_block}\nM30\n")).contains(&"cycle-in-one-block"));
 }
 
-/// 30i, 31i and 32i round and chamfer between a line and an arc (B-64304EN, optional chamfering and corner R). Line and
-/// arc meet at X30 Z0 under 90°: the arc of R2 has its centre 2 mm from both.
+/// 30i, 31i and 32i allow corner rounding and chamfers between a line and an arc (B-64304EN, optional
+/// chamfering and corner R). Line and arc meet at X30 Z0 at 90°: the arc of R2 has its centre 2 mm from both.
 #[test]
 fn a_corner_between_a_line_and_an_arc_is_made() {
     let text =
@@ -311,7 +313,7 @@ fn a_corner_between_a_line_and_an_arc_is_made() {
     for end in [arcs[0].0, arcs[0].1] {
         assert!((end.distance(arcs[0].2) - 2.0).abs() < 1e-6);
     }
-    // It ends on the circle of the arc, which continues there.
+    // It ends on the circle of the arc, which continues from there.
     assert!((arcs[0].1.distance(arcs[1].2) - 25.0).abs() < 1e-6);
     assert_eq!(arcs[0].1, arcs[1].0);
     let strict = Setup::from_json(r#"{"dialect": {"strict": true}}"#).expect("a setup");
@@ -319,7 +321,7 @@ fn a_corner_between_a_line_and_an_arc_is_made() {
     assert!(found.diagnostics.iter().any(|told| told.message.slug() == "corner-without-next-move"));
 }
 
-/// Names of variables and PRM exist on controls: they are no mistakes.
+/// Controls support names of variables and PRM: they are not mistakes.
 #[test]
 fn names_of_variables_and_parameters_are_not_supported() {
     let text = "O0001\nSETVN 500[DIA,LEN]\n#500=40.\nT0101\nG97 G99 S500 M03\nG00 X52. Z2.\nG01 X[#DIA] F.2\n#1=PRM[3401,0]\nG00 X100. Z100.\nM30\n";
@@ -337,7 +339,7 @@ fn a_highest_speed_that_no_lathe_turns_is_reported() {
     }
 }
 
-/// Q180 of a thread may be 180°; Q400 is no angle, and may be the first depth of G76.
+/// Q180 of a thread may mean 180°. Q400 is not an angle, but may be the first depth of G76.
 #[test]
 fn a_start_angle_beyond_a_full_turn_is_not_offered() {
     for (word, offered) in [("Q180", 1), ("Q400", 0)] {

@@ -1,5 +1,5 @@
 //! Every program of `tests/programs` through the public wasm interface, under Node: the same motions and
-//! messages as the native run, whose output is committed next to each program.
+//! messages as in the native run, whose output is committed next to each program.
 #![cfg(target_arch = "wasm32")]
 
 #[allow(dead_code, reason = "the hostile programs run in the shipped module")]
@@ -32,7 +32,7 @@ fn all() -> Vec<Program> {
     ids.iter().map(|id| fixtures::program(id, &read)).collect()
 }
 
-/// What JavaScript gets, as JSON.
+/// The value returned to JavaScript, as JSON.
 fn rows(value: Result<JsValue, JsValue>) -> Vec<Value> {
     let text = js_sys::JSON::stringify(&value.expect("value")).expect("JSON");
     serde_json::from_str(&String::from(text)).expect("rows")
@@ -68,7 +68,7 @@ fn messages_are_the_expected_ones() {
     }
 }
 
-/// The same as natively, to the last digit.
+/// The same output as natively, to the last digit.
 #[wasm_bindgen_test]
 fn output_equals_the_native_one() {
     for program in all() {
@@ -84,7 +84,7 @@ fn output_equals_the_native_one() {
     }
 }
 
-/// The columns a page reads hold the same end points as the objects.
+/// The columns that a page reads contain the same end points as the objects.
 #[wasm_bindgen_test]
 fn chunks_hold_the_same_motions() {
     for program in all() {
@@ -94,7 +94,7 @@ fn chunks_hold_the_same_motions() {
         for chunk in (0..playground.chunk_count()).filter_map(|at| playground.chunk(at)) {
             let (xs, zs, lines) = (chunk.x.to_vec(), chunk.z.to_vec(), chunk.line.to_vec());
             for at in 0..xs.len() {
-                // In a virtual plane the program's X is another one than the machine's.
+                // In a virtual plane, X of the program differs from X of the machine.
                 let x = rows[index]["machine"]["x"].as_f64().or(rows[index]["to"]["x"].as_f64());
                 assert!((x.unwrap() - 2.0 * xs[at]).abs() < 1e-5, "{}", program.id);
                 assert!((rows[index]["to"]["z"].as_f64().unwrap() - zs[at]).abs() < 1e-5);
@@ -106,7 +106,7 @@ fn chunks_hold_the_same_motions() {
     }
 }
 
-/// The views of a chunk hold the numbers of its copy.
+/// The views of a chunk contain the same numbers as its copy.
 #[wasm_bindgen_test]
 fn views_of_chunks_hold_the_same_numbers() {
     for program in all() {
@@ -122,12 +122,12 @@ fn views_of_chunks_hold_the_same_numbers() {
     }
 }
 
-/// A text encoded into the memory of the module is the text.
+/// A text encoded into the memory of the module is read unchanged.
 #[wasm_bindgen_test]
 fn a_text_can_be_handed_in_through_the_buffer() {
     let text = "(外圆) G0 X50\nG1 Z-20 F0.2\nM30\n";
     let mut playground = Playground::new();
-    // Too small at first, as for a text that was thought to be ASCII.
+    // Too small at first, as for a text expected to be ASCII.
     playground.text_buffer(4).expect("room").copy_from(&text.as_bytes()[..4]);
     let room = playground.text_buffer(100).expect("room");
     room.subarray(4, text.len() as u32).copy_from(&text.as_bytes()[4..]);
@@ -137,7 +137,7 @@ fn a_text_can_be_handed_in_through_the_buffer() {
     assert_eq!(rows(playground.motions(0, u32::MAX)).len(), 2);
 }
 
-/// A text that was edited gives what the same text gives at once, whatever its line ends and characters.
+/// An edited text gives the same result as the same text set directly, with any line ends and characters.
 #[wasm_bindgen_test]
 fn an_edited_text_runs_as_the_text_it_became() {
     type Edits = &'static [(u32, u32, &'static str)];
@@ -165,7 +165,7 @@ fn an_edited_text_runs_as_the_text_it_became() {
     }
 }
 
-/// While a program runs, places stay where they were; when it has ended, what has run is fitted.
+/// While a program runs, the view stays; after the run it is fitted to the result.
 #[wasm_bindgen_test]
 fn the_picture_is_fitted_when_the_run_has_ended() {
     let mut playground = Playground::new();
@@ -178,7 +178,7 @@ fn the_picture_is_fitted_when_the_run_has_ended() {
     assert_ne!(playground.screen_of(PictureName::Section, 10.0, -5.0), before);
 }
 
-/// Whatever begins another run takes the tool off the path.
+/// Every start of a new run removes the tool from the path.
 #[wasm_bindgen_test]
 fn another_run_begins_without_the_tool() {
     type Change = fn(&mut Playground);
@@ -219,7 +219,7 @@ fn tokens_and_messages_are_in_utf16_offsets() {
     assert_eq!((&unknown["line"], &unknown["column"]), (&Value::from(3), &Value::from(1)));
 }
 
-/// Cycles with an amount that is far too small are refused within a second, and say so.
+/// Cycles with a far too small step are rejected within a second, with a message.
 #[wasm_bindgen_test]
 fn endless_cycles_are_refused_at_once() {
     for case in endless() {
@@ -232,7 +232,7 @@ fn endless_cycles_are_refused_at_once() {
         assert!(seconds < MOST_SECONDS, "{}: {seconds} s", case.name);
         let messages = rows(playground.diagnostics());
         assert!(messages.iter().any(|row| row["code"] == case.code), "{}: {messages:?}", case.name);
-        // Its contour at most is drawn, as uncertain.
+        // At most the contour of the cycle is drawn, as uncertain.
         let motions = rows(playground.motions(0, u32::MAX));
         assert!(motions.len() <= 10, "{}", case.name);
         let certain = motions.iter().filter(|row| row["uncertain"] != true).count();
@@ -240,7 +240,7 @@ fn endless_cycles_are_refused_at_once() {
     }
 }
 
-/// Each limit is a setting here as well, and is reported for a program that goes one step further.
+/// Each limit can be set here as well, and is reported for a program that exceeds it by one.
 #[wasm_bindgen_test]
 fn every_bound_is_exact() {
     for bound in bounds() {
@@ -257,7 +257,7 @@ fn every_bound_is_exact() {
     }
 }
 
-/// A contour that is read again and again ends with a message before the page seems to hang.
+/// A contour that is read repeatedly ends with a message before the page seems frozen.
 #[wasm_bindgen_test]
 fn a_long_contour_called_again_and_again_ends_with_a_message() {
     let blocks: String = (0..40_000).map(|block| format!("G1 X{} W-0.001\n", 50 + block % 2)).collect();
@@ -284,7 +284,7 @@ fn numbers_as_doubles(value: &Value) -> Value {
     }
 }
 
-/// The part is that of the text as it is now.
+/// The part belongs to the current text.
 #[wasm_bindgen_test]
 fn a_change_of_the_text_makes_another_part() {
     let mut playground = Playground::new();
@@ -301,8 +301,7 @@ fn a_change_of_the_text_makes_another_part() {
     assert!(first.contains("[0,50]") && second.contains("[0,40]"), "{first} {second}");
 }
 
-/// While material is taken off there is no part, and what is asked for meanwhile changes
-/// nothing of the part in the end.
+/// There is no part during the material removal, and requests in the meantime do not change the final part.
 #[wasm_bindgen_test]
 fn there_is_no_part_before_all_material_is_off() {
     let text = |value: Result<JsValue, JsValue>| {

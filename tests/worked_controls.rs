@@ -1,5 +1,5 @@
-//! What a control does with a block, worked out by hand from manuals and geometry, where it is easily taken otherwise.
-//! Each test names the line of the manual, or the sum.
+//! How a control carries out a block, calculated by hand from manuals and geometry, for cases that are easily
+//! misunderstood. Each test cites the manual or shows the calculation.
 use gcode_playground::analyze;
 use gcode_playground::geometry::Point;
 use gcode_playground::motion::{Cycle, Motion, MotionKind};
@@ -9,7 +9,7 @@ use gcode_playground::units::Diameter;
 
 struct Ran {
     motions: Vec<Motion>,
-    /// Slugs and lines, the first being 1.
+    /// Slugs and line numbers, counted from 1.
     told: Vec<String>,
     setup: Setup,
 }
@@ -52,7 +52,7 @@ fn the_lead_by_e_holds_for_the_passes_after_it() {
     let head = "G97 S500 M3\nG00 X34 Z8\nG01 X33 F0.254\nG00 Z8\n";
     let ran = run("{}", &format!("{head}G92 X29.2 Z-20 E1.5\nX28.6\nG92 X28.2\nG00 X40\nM30\n"));
     assert_eq!((ran.leads(), ran.told), (vec![1500; 3], vec![]));
-    // A new F ends it, a feed between the threads too.
+    // A new F cancels it, even if it is a feed between the threads.
     let ran = run("{}", &format!("{head}G92 X29.2 Z-20 E1.5\nX28.6 F2\nX28.2\nG00 X40\nM30\n"));
     assert_eq!(ran.leads(), [1500, 2000, 2000]);
     let ran =
@@ -60,7 +60,7 @@ fn the_lead_by_e_holds_for_the_passes_after_it() {
     assert_eq!((ran.leads(), ran.told), (vec![1500; 2], vec![]));
     let inch = "G20\nG97 S500 M3\nG00 X1.2 Z.3\nG92 X.95 Z-.5 E.0714286\nX.93\nX.92\nG00 X2.\nM30\n";
     assert_eq!(run("{}", inch).leads(), [1814; 3]);
-    // The feed is that of F: E is a lead alone.
+    // The feed is that of F: E is only a lead.
     let ran = run("{}", &format!("{head}G92 X29.2 Z-20 E1.5\nG00 X40\nG01 X39 F0.1\nZ-5\nM30\n"));
     assert_eq!(ran.seconds_of_last_cut(), Some(15.6), "13 mm at 0.1 mm and 500 turns a minute");
 }
@@ -69,15 +69,15 @@ fn the_lead_by_e_holds_for_the_passes_after_it() {
 #[test]
 fn degrees_of_c_count_as_millimetres_of_the_feed() {
     let head = "M45\nG28 H0\nG98\nG00 X40 Z5 C0\n";
-    // C alone: 90° at 360 degrees a minute.
+    // C alone: 90° at 360 degrees per minute.
     let ran = run("{}", &format!("{head}G01 C90 F360\nM46\nM30\n"));
     assert_eq!(ran.seconds_of_last_cut(), Some(15.0));
-    // 15 mm and 90°: √(15² + 90²) = 91.24 at 100 a minute are 54.7 s.
+    // 15 mm and 90°: √(15² + 90²) = 91.24 at 100 per minute are 54.7 s.
     let ran = run("{}", &format!("{head}G00 C90\nG01 Z-10 C180 F100\nM46\nM30\n"));
     assert_eq!(ran.seconds_of_last_cut(), Some(54.7));
     let ran = run("{}", &format!("{head}G01 H-45 F90\nM46\nM30\n"));
     assert_eq!(ran.seconds_of_last_cut(), Some(30.0));
-    // Under G99 a turn of 0.2 at 500 rpm is 100 a minute: 90° and 91.24.
+    // With G99, 0.2 per revolution at 500 rpm is 100 per minute: 90° and 91.24.
     let head = head.replace("G98", "G99 G97 S500 M03");
     let ran = run("{}", &format!("{head}G01 C90 F0.2\nM46\nM30\n"));
     assert_eq!(ran.seconds_of_last_cut(), Some(54.0));
@@ -85,7 +85,8 @@ fn degrees_of_c_count_as_millimetres_of_the_feed() {
     assert_eq!(ran.seconds_of_last_cut(), Some(54.7));
 }
 
-/// FANUC B-64304EN-1, boring cycles of systems B and C: G85 leaves the hole at feed, G86 at rapid with the spindle stopped.
+/// FANUC B-64304EN-1, boring cycles of systems B and C: G85 retracts at feed, G86 at rapid with the spindle
+/// stopped.
 #[test]
 fn g86_leaves_the_hole_at_rapid_and_g85_at_feed() {
     let hole = |code: &str| {
@@ -102,7 +103,7 @@ fn g86_leaves_the_hole_at_rapid_and_g85_at_feed() {
     );
 }
 
-/// FANUC B-64304EN-1: G81 and G82 drill in one cut; Q is a word of G83 (and G87) alone.
+/// FANUC B-64304EN-1: G81 and G82 drill in one cut; Q is only a word of G83 (and G87).
 #[test]
 fn a_peck_of_g83_is_none_of_g81() {
     let cuts = |blocks: &str| {
@@ -112,10 +113,10 @@ fn a_peck_of_g83_is_none_of_g81() {
     };
     // 22 mm in pecks of 5 mm: five cuts.
     assert_eq!(cuts("G83 Z-20 R2 Q5000 F0.1"), 5);
-    // From R2 to Z-30 in one.
+    // From R2 to Z-30 in one cut.
     assert_eq!(cuts("G83 Z-20 R2 Q5000 F0.1\nG81 Z-30"), 6);
     assert_eq!(cuts("G83 Z-20 R2 Q5000 F0.1\nG82 Z-30 P500"), 6);
-    // G83 has its Q again.
+    // G83 uses its Q again.
     assert_eq!(cuts("G83 Z-20 R2 Q5000 F0.1\nG81 Z-30\nG83 Z-20"), 11);
 }
 
@@ -132,7 +133,7 @@ fn the_time_of_g34_follows_the_changing_lead() {
     assert_eq!((time("K0.1"), time("K-0.04"), time("K0.5"), time("")), (3.155, 6.536, 1.971, 4.4));
 }
 
-/// K repeats a hole (FANUC B-64304EN-1, G83 to G89), also in a block after it: a count takes no decimal point.
+/// K repeats a hole (FANUC B-64304EN-1, G83 to G89), also in a later block: a count takes no decimal point.
 #[test]
 fn a_count_of_repeats_lacks_no_point() {
     let head = "M45\nG28 H0\nG98 G97 S500 M13\nG00 X60. Z-10. C0.\n";
@@ -143,7 +144,7 @@ fn a_count_of_repeats_lacks_no_point() {
         let ran = run("{}", &text);
         assert!(!ran.told.iter().any(|told| told.starts_with("point-missing")), "{repeat}: {:?}", ran.told);
     }
-    // A centre without a point, after G80, lacks one.
+    // A centre without a point, after G80, is reported.
     let text = format!(
         "{head}G87 X40. R-2. Q2000 F50.\nG80\nG00 X80. Z2.5\nG01 X50. F30.\nG01 Z-2.5\nG03 X60. Z-7.5 I0. K-5\nG01 Z-12.5\nX62.\nM46\nM30\n"
     );
@@ -151,8 +152,9 @@ fn a_count_of_repeats_lacks_no_point() {
     assert!(told.contains(&"point-missing 10".to_owned()), "{told:?}");
 }
 
-/// Such a code calls a macro of the machine builder (FANUC B-64304EN-1, G65 and codes that call macros): all words of its block
-/// are arguments. The cut after it names everything: 20 mm at 0.2 mm/rev and 500 rpm are 12 s.
+/// Such a code calls a macro of the machine builder (FANUC B-64304EN-1, G65 and codes that call macros): all
+/// words of its block are arguments. The cut after it programs everything: 20 mm at 0.2 mm/rev and 500 rpm
+/// are 12 s.
 #[test]
 fn words_beside_a_code_of_the_machine_are_arguments() {
     for code in ["G1461", "G114", "G200", "G333", "G399", "G411", "G600", "G900", "G103", "G110"] {
@@ -172,10 +174,10 @@ fn words_beside_a_code_of_the_machine_are_arguments() {
         let ran = run("{}", &text.replace("G01 X30. Z-20.", "X30. Z-20."));
         assert!(ran.motions[ran.motions.len() - 2].process.uncertain, "{code}");
     }
-    // G43 is a tool length offset: only its H is no move.
+    // G43 is a tool length offset: only its H word makes no move.
     let ran = run("{}", "T0101\nG97 G99 S500 M3\nG43 H1 G00 X30. Z2.\nG01 Z-20. F.2\nM30\n");
     assert_eq!(ran.moves()[0], (MotionKind::Rapid, 30.0, 2.0));
-    // Words beside an unknown M code act.
+    // Words beside an unknown M code take effect.
     let ran = run("{}", "G97 G99 S500 M3\nT01 M06\nG00 X30. Z2. M77\nG01 Z-20. F.2 T0202\nM30\n");
     assert_eq!(
         ran.motions.last().map(|cut| (cut.to, cut.process.tool)),
@@ -183,9 +185,9 @@ fn words_beside_a_code_of_the_machine_are_arguments() {
     );
 }
 
-/// I and K of a G40 block are the direction of a wall (FANUC 16-TC, 15.3.4): no corner. With a nose of 0.8 mm, whose tip 3 counts,
-/// the cut along X30 to Z-20 ends where the nose touches a wall that goes up there: its tip is at X30 Z-20. Without a wall the
-/// centre is beside the end, and the tip 0.8 mm further, at Z-20.8.
+/// I and K of a G40 block are the direction of a wall (FANUC 16-TC, 15.3.4), not a corner. With a nose of 0.8
+/// mm and tip 3, the cut along X30 to Z-20 ends where the nose touches a wall that rises there: its tip is at
+/// X30 Z-20. Without a wall the nose centre is beside the end, and the tip is 0.8 mm further, at Z-20.8.
 #[test]
 fn i_and_k_of_g40_name_a_wall() {
     let setup = r#"{"tools": {"T0101": {"type": "turning", "noseRadius": 0.8, "tip": 3}}}"#;
@@ -213,7 +215,7 @@ fn i_and_k_of_g40_name_a_wall() {
             "{none}"
         );
     }
-    // In a contour too: G71 ignores it with the compensation, and G70 ends at the wall.
+    // In a contour too: G71 ignores the wall together with the compensation, and G70 ends at the wall.
     let contour = |leave: &str| {
         let cycles = "G71 U2. R1.\nG71 P10 Q20 U0 W0 F.2";
         let text = format!(
@@ -237,8 +239,9 @@ fn i_and_k_of_g40_name_a_wall() {
     assert!((x - 15.0).abs() < 0.001 && (z - (-20.0 + r - 0.8)).abs() < 0.001, "{x} {z}");
 }
 
-/// Codes of FANUC's and GSK's lists that are not carried out are no errors. Where they change what coordinates mean, the path is
-/// uncertain until they are switched off. The codes that switch them off are accepted: many headers contain them.
+/// Codes of FANUC's and GSK's lists that are not supported are no errors. If they change the meaning of
+/// coordinates, the path is uncertain until they are switched off. The codes that switch them off are
+/// accepted: many headers contain them.
 #[test]
 fn codes_that_controls_have_are_never_denied() {
     let told = |code: &str| {
@@ -259,7 +262,7 @@ fn codes_that_controls_have_are_never_denied() {
     let last_cut = |text: &str| {
         told(text).motions.iter().rfind(|motion| motion.kind.cuts()).expect("a cut").process.uncertain
     };
-    // How the blocks after a modal code that is not carried out move is not known.
+    // The motions after an unsupported modal code are uncertain.
     let after_curve = told("G06.2 X30. Z0 R1. F.2\nX32. Z-5.\nX36. Z-10.").motions;
     let between = after_curve.iter().filter(|motion| (-11.0..-1.0).contains(&motion.to.z));
     assert_eq!(between.map(|motion| motion.process.uncertain).collect::<Vec<_>>(), [true, true]);
@@ -267,7 +270,8 @@ fn codes_that_controls_have_are_never_denied() {
     assert_eq!(told("G47").told, ["unknown-g-code 4"]);
 }
 
-/// A subprogram that comes first and ends in M99 P is no main program: the block of P is one of the caller.
+/// A subprogram at the beginning of the file that ends with M99 P is not a main program: P refers to a block
+/// of the caller.
 #[test]
 fn a_subprogram_that_comes_first_may_end_in_m99_p() {
     let caller = "O1001\nG21G40G99\nT0101\nG97S800M3\nG00X44.Z2.\nG01X40.F0.2\nZ-30.\nG00X44.\nM98P1000\nN300G00X100.Z100.\nM30\n";
@@ -283,7 +287,7 @@ fn a_subprogram_that_comes_first_may_end_in_m99_p() {
     );
 }
 
-/// A contour of G71 that begins in front of the start point goes beyond it in Z.
+/// A contour of G71 that begins in front of the start point exceeds it in Z.
 #[test]
 fn a_contour_in_front_of_the_start_point_goes_beyond_it_in_z() {
     let text = |first: &str| {

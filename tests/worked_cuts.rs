@@ -1,13 +1,13 @@
-//! Cuts worked out by hand: which of them take nothing off, are too deep or leave the blank, and which look
-//! strange but are right.
+//! Cuts calculated by hand: which of them remove nothing, are too deep or leave the blank, and which look
+//! unusual but are right.
 use gcode_playground::message::Severity;
 use gcode_playground::run::Run;
 use gcode_playground::setup::Setup;
 
 const HEAD: &str = "O0001 (STOCK D=60 LENGTH=100)\nT0101\nG97 S800 M03\n";
 
-/// What is said of blocks in a bar of 60 mm, with spindle and tool ready: slug and line, the first being 1.
-/// Notes stand with a question mark.
+/// Checks the messages of blocks in a bar of 60 mm, with spindle and tool ready: slug and line, counted from
+/// 1. Notes have a question mark.
 #[track_caller]
 fn says(blocks: &str, expected: &[&str]) {
     says_of(HEAD, blocks, expected);
@@ -34,30 +34,30 @@ const CONTOUR: &str = "N10 G00 X40\nG01 Z-20\nX50 Z-30\nN20 X62";
 fn a_cycle_takes_something_off() {
     says("G00 X62 Z2\nG90 X56 Z-30 F0.2\nX52", &[]);
     says("G00 X68 Z2\nG90 X66 Z-30 F0.2\nX62", &["cycle-cuts-air 2"]);
-    // The first pass is in air, the second is not: the work may be a casting.
+    // The first pass cuts nothing, the second does: the work may be a casting.
     says("G00 X68 Z2\nG90 X62 Z-30 F0.2\nX58", &[]);
-    // A pass at the diameter of the bar, and one that repeats the last: they clean and finish.
+    // A pass at the bar diameter, and one that repeats the last pass: they clean and finish.
     says("G00 X62 Z2\nG90 X60 Z-30 F0.2", &[]);
     says("G00 X62 Z2\nG90 X56 Z-30 F0.2\nG00 X62 Z1.5\nG90 X56 Z-30 F0.1", &[]);
-    // A whole contour outside.
+    // The whole contour is outside of the bar.
     says(
         "G00 X72 Z2\nG71 U2 R0.5\nG71 P10 Q20 U0.4 W0.1 F0.2\nN10 G00 X62\nG01 Z-20\nN20 X70 Z-30",
         &["cycle-cuts-air 3"],
     );
     says(&format!("G00 X62 Z2\nG71 U2 R0.5\nG71 P10 Q20 U0.4 W0.1 F0.2\n{CONTOUR}\nG70 P10 Q20 F0.1"), &[]);
-    // A groove in front of the face: the sign of Z was lost.
+    // A groove in front of the face: the minus of Z is missing.
     let groove = "O0001 (STOCK D=60 LENGTH=100)\nT0303 (GROOVING 3MM)\nG97 S800 M03\n";
     says_of(groove, "G00 X62 Z20\nG75 R0.5\nG75 X50 P2000 F0.08", &["cycle-cuts-air 3"]);
     says_of(groove, "G00 X62 Z-20\nG75 R0.5\nG75 X50 P2000 F0.08", &[]);
 }
 
-/// A pass that lies within an earlier one removes nothing; a repeated last pass is a spring pass (seed 000, O0002).
+/// A pass within an earlier one removes nothing; a repeated last pass is a spring pass (seed 000, O0002).
 #[test]
 fn a_pass_within_an_earlier_one_is_found() {
     says("G00 X62 Z2\nG90 X56 Z-30 F0.2\nX52\nX52\nX48", &["pass-not-deeper 4"]);
     says("G00 X62 Z2\nG90 X56 Z-30 F0.2\nX52\nX52", &[]);
     says("G00 X62 Z2\nG90 X56 Z-30 F0.2\nX52\nX52 Z-20\nX48 Z-30", &["pass-not-deeper 4"]);
-    // Further along, or deeper at one end, it takes something off.
+    // Further along, or deeper at one end, it removes material.
     says("G00 X62 Z2\nG90 X56 Z-20 F0.2\nX52\nX52 Z-30\nX48", &[]);
     // From Z0, radius 27.6 at the start and 29.6 at Z-32; then 28.1, and 29.6 at Z-26, where the cone has 29.225.
     says("G00 X62 Z0\nG90 X59.2 Z-32 R-2 F0.2\nZ-26 R-1.5", &["pass-not-deeper 3"]);
@@ -65,23 +65,23 @@ fn a_pass_within_an_earlier_one_is_found() {
     says("G00 X62 Z2\nG94 X20 Z-2 F0.1\nZ-4\nZ-4\nZ-6", &["pass-not-deeper 4"]);
 }
 
-/// The cone of a face ends at the face: the way to its start point counts all the same (seed 004).
+/// The cone of a face ends at the face, but the distance to its start point still counts (seed 004).
 #[test]
 fn a_taper_starts_near_the_work() {
     says("G00 X64 Z14\nG94 X40 Z0 R-12 F0.1", &["start-far-from-work? 2"]);
     says("G00 X64 Z2\nG94 X40 Z0 R-12 F0.1", &[]);
-    // Passes that come nearer with the same R: the start is in front of the first.
+    // Passes that approach with the same R: the start is in front of the first one.
     says("G00 X64 Z14\nG94 X40 Z10 R-12 F0.1\nZ5\nZ0", &[]);
 }
 
 #[test]
 fn a_rapid_through_the_work_is_found_with_tools_that_are_narrow() {
-    // Nobody names the tool, and what is left before Z-20 leaves only a needle that does all of it.
+    // The tool is unnamed, and the material left before Z-20 allows only a very slim tool.
     let shaft =
         "G00 X62 Z2\nG90 X36.4 Z-39.9 F0.2\nX32.4 Z-19.9\nX28.4\nG00 X20 Z2\nG00 Z-20\nX36\nG01 Z-40\nX66";
     says(shaft, &["cut-too-deep 2", "rapid-through-stock 6"]);
     says(&shaft.replace("G00 Z-20", "G01 Z-20"), &["cut-too-deep 2"]);
-    // A plunge of a narrow insert that lost its G01, and goes on at rapid beside the groove.
+    // A plunge of a narrow insert without its G01, which continues at rapid beside the groove.
     let groove = "G00 X62 Z-20\nG01 X40 F0.05\nG00 X62\nG00 Z-30\nG01 X40\nG00 Z-25\nX62";
     let head = "O0001 (STOCK D=60 LENGTH=100)\nT0303\nG97 S800 M03\n";
     says_of(head, groove, &["rapid-through-stock 6", "rapid-through-stock 7"]);
@@ -93,7 +93,7 @@ fn a_groove_is_cut_once() {
     let says = |blocks: &str, expected: &[&str]| says_of(head, blocks, expected);
     let groove = "G00 X62 Z-20\nG75 R0.5\nG75 X50 P2000 F0.08";
     says(&format!("{groove}\nG75 X50 P2000 F0.08"), &["cycle-cuts-air 4"]);
-    // Once to the diameter that was turned before: it cleans the corner.
+    // Once more to the turned diameter: it cleans the corner.
     says("G00 X62 Z-20\nG75 R0.5\nG75 X60 P2000 F0.08", &[]);
     // Deeper, and beside it.
     says(&format!("{groove}\nG75 X48 P2000 F0.08"), &[]);
@@ -115,7 +115,7 @@ fn a_tool_leaves_a_groove_the_way_it_came() {
 
 #[test]
 fn an_insert_and_a_drill_bear_no_more_than_a_millimetre_of_feed() {
-    // At the block that gives the feed, though it only comes near the work.
+    // At the block with the feed, although that block only approaches the work.
     says("G00 X62 Z2\nG01 X56 F1\nZ-30\nX62", &["feed-per-turn-high 2"]);
     says("G00 X62 Z2\nG01 X56 F0.9\nZ-30\nX62", &[]);
     let drill = "O0001 (STOCK D=60 LENGTH=100)\n(TOOL T0202 TYPE=DRILL D=10)\nT0202\nG97 S800 M03\n";
@@ -130,7 +130,7 @@ fn the_infeed_of_a_contour_cycle_is_no_whole_blank() {
     let of = |infeed: &str| {
         format!("G00 X62 Z2\nG71 {infeed} R0.5\nG71 P10 Q20 U0.4 W0.1 F0.2\nN10 G00 X52\nG01 Z-20\nN20 X62")
     };
-    // All is taken off in one pass of 4 mm: with a larger bar it would be 20 mm.
+    // All material is removed in one pass of 4 mm; with a larger bar it would be 20 mm.
     says(&of("U20"), &["cut-too-deep 3"]);
     says(&of("U4"), &[]);
 }
@@ -143,9 +143,9 @@ fn facing_in_front_of_a_sawn_bar_is_right() {
 
 #[test]
 fn the_same_blocks_may_cut_the_next_part_of_a_bar() {
-    // The second round of a loop finds what the first one has left.
+    // The second round of a loop starts with the material that the first one left.
     says("#1=0\nWHILE[#1LT2]DO1\nG00 X62 Z2\nG90 X56 Z-30 F0.2\n#1=#1+1\nEND1", &[]);
-    // After M00 the work may be turned round.
+    // After M00 the work may have been turned around.
     says("G00 X62 Z2\nG90 X56 Z-30 F0.2\nG00 X100 Z50\nM00\nM03\nG00 X68 Z2\nG90 X64 Z-30 F0.2", &[]);
 }
 
@@ -154,14 +154,14 @@ fn a_pass_is_no_deeper_than_an_insert_bears() {
     // 60 / 2 / 4 = 7.5 mm on the radius.
     says("G00 X62 Z2\nG90 X56 Z-30 F0.2\nX42", &[]);
     says("G00 X62 Z2\nG90 X56 Z-30 F0.2\nX40", &["cut-too-deep 3"]);
-    // The passes after it are not too deep as well.
+    // The next passes are not reported as too deep as well.
     says("G00 X62 Z2\nG90 X56 Z-30 F0.2\nX5.2\nX48\nX44", &["cut-too-deep 3"]);
     says("G00 X62 Z2\nG94 X20 Z-2 F0.2\nZ-10", &["cut-too-deep 3"]);
-    // The first pass of G90, and moves, against the work: from X60 to X44 are 8 mm.
+    // The first pass of G90, and single moves, relative to the work: from X60 to X44 are 8 mm.
     says("G00 X62 Z2\nG90 X44 Z-30 F0.2", &["cut-too-deep 2"]);
     says("G00 X44 Z2\nG01 Z-30 F0.2\nX62", &["cut-too-deep 2"]);
     says("G00 X46 Z2\nG01 Z-30 F0.2\nX62", &[]);
-    // Where the bar was turned before, there is little to take off.
+    // Where the bar is already turned, little is removed.
     says("G00 X62 Z2\nG90 X54 Z-30 F0.2\nX48\nX42\nG00 X40 Z2\nG01 Z-29 F0.1\nX62", &[]);
     says(&format!("G00 X62 Z2\nG71 U10 R0.5\nG71 P10 Q20 U0.4 W0.1 F0.2\n{CONTOUR}"), &["cut-too-deep 3"]);
 }
@@ -170,9 +170,9 @@ fn a_pass_is_no_deeper_than_an_insert_bears() {
 fn a_cut_ends_with_the_blank() {
     says("G00 X62 Z2\nG90 X56 Z-104 F0.2", &[]);
     says("G00 X62 Z2\nG90 X56 Z-110 F0.2", &["cut-beyond-blank 2"]);
-    // Z with a digit too many is at fault, not the height of the taper that does not fit it.
+    // Z with an extra digit is the fault, not the taper height that does not match it.
     says("G00 X72 Z2\nG90 X58 Z-300 R-1 F0.2", &["cut-beyond-blank 2"]);
-    // Beside the work, and by a drill, which has its point.
+    // Outside of the work, and with a drill, because of its point.
     says("G00 X62 Z2\nG01 Z-110 F0.2\nG00 X70", &[]);
     let drill = "O0001 (STOCK D=60 LENGTH=100)\n(TOOL T0202 TYPE=DRILL D=10)\nT0202\nG97 S800 M03\n";
     says_of(drill, "G00 X0 Z5\nG01 Z-110 F0.1\nG00 Z5", &[]);
@@ -184,7 +184,7 @@ fn a_contour_is_roughed_once() {
     let says = |more: &str, expected: &[&str]| says(&format!("{first}{more}"), expected);
     says("G71 P10 Q20 U0.4 W0.1 F0.2", &["contour-roughed-twice 8"]);
     says("G70 P10 Q20 F0.1", &[]);
-    // With another allowance, and once more after it was finished.
+    // With another allowance, and repeated after finishing.
     says("G71 P10 Q20 U0.2 W0.05 F0.2\nG70 P10 Q20 F0.1", &[]);
 }
 
@@ -198,7 +198,7 @@ fn the_depth_of_a_thread_fits_its_lead() {
     says("G00 X34 Z8\nG92 X29.2 Z-20 F1.5\nX28.4\nX27.6\nX26.8", &["thread-depth-unusual 5"]);
     // 30 to 29.2: 0.4 mm, in three passes.
     says("G00 X34 Z8\nG92 X29.6 Z-20 F1.5\nX29.4\nX29.2", &["thread-depth-unusual 4"]);
-    // Two passes are no whole thread, and two starts have half the pitch.
+    // Two passes are not a complete thread, and with two starts the pitch is half the lead.
     says("G00 X34 Z8\nG92 X29.6 Z-20 F1.5\nX29.4", &[]);
     says("G00 X34 Z8\nG92 X29.4 Z-20 F1.5\nX29.4 Q180000\nX29 Q0\nX29 Q180000\nX28.8 Q0\nX28.8 Q180000", &[]);
     // Turned down before: the thread begins at 26 mm.
@@ -222,8 +222,8 @@ fn a_thread_ends_before_a_shoulder() {
         "G00 X44 Z8\nG76 P010060 Q100 R0.05\nG76 X28.04 Z-29.7 P980 Q300 F1.5",
         &["thread-run-out-short? 3"],
     );
-    // At half of the speed half of the way is needed.
+    // At half the speed, half the run-out is needed.
     says(&format!("S300\n{}", thread("29.6")), &[]);
-    // Without a shoulder the thread runs out in the cylinder.
+    // Without a shoulder the thread ends on the cylinder.
     says("G00 X44 Z8\nG92 X29.2 Z-20 F1.5\nX28.6\nX28.2\nX28.04", &[]);
 }

@@ -1,5 +1,5 @@
-//! Shifts of the work zero that a program makes, worked out by hand: the part is that of the workpiece, coordinates are those
-//! of the program.
+//! Shifts of the work zero within a program, calculated by hand: the part is in coordinates of the workpiece,
+//! positions are in those of the program.
 use std::collections::BTreeSet;
 
 use gcode_playground::current::Current;
@@ -18,7 +18,7 @@ struct Ran {
     motions: Motions,
     part: Region,
     setup: Setup,
-    /// Slugs and lines, the first being 1.
+    /// Slugs and line numbers, counted from 1.
     told: BTreeSet<String>,
 }
 
@@ -46,7 +46,7 @@ impl Ran {
     }
 }
 
-/// X40 is turned to Z-30; 40 mm further the bar of 50 mm is whole, and X42 is inside of it.
+/// X40 is turned to Z-30; 40 mm further the bar still has 50 mm, and X42 is inside it.
 #[test]
 fn a_rapid_into_the_bar_is_found_wherever_the_zero_is() {
     let program = |before: &str, shift: &str, to: &str| {
@@ -76,10 +76,10 @@ fn a_rapid_into_the_bar_is_found_wherever_the_zero_is() {
         ("", "#5222=#5222-40.", "G00 X42. Z-20."),
         ("", "#5202=-40.", "G00 X42. Z-20."),
         ("#5222=0\n#5242=-40.\n", "G55", "G00 X42. Z-20."),
-        // Two shifts add up, and one is taken back.
+        // Two shifts add up, and one is cancelled.
         ("", "G52 Z-10.\nG10 P0 W-30.", "G00 X42. Z-20."),
         ("", "G52 Z-40.\nG52 Z0", "G00 X42. Z-60."),
-        // A shift of X: X32 is 42 mm of the bar.
+        // A shift of X: X32 is a diameter of 42 mm on the bar.
         ("", "G52 X10.", "G00 X32. Z-60."),
         // Relative to a zero that was shifted before the first cut.
         ("G52 Z-500.\n", "G52 Z-540.", "G00 X42. Z-20."),
@@ -92,19 +92,19 @@ fn a_rapid_into_the_bar_is_found_wherever_the_zero_is() {
         let is_taken = before.is_empty() && ["G10 L2 P1 Z-40.", "#5222=-40."].contains(&shift);
         assert_eq!(is_said, is_taken, "{before}{shift}: {told:?}");
     }
-    // In the turned seat there is room; G50 X Z is no shift.
+    // Where the bar is turned there is room; G50 X Z is not a shift.
     for (shift, to) in [("G52 Z-40.", "G00 X42. Z20."), ("G50 Z-38.", "G00 Z-20.\nX42.")] {
         assert!(!has_crash(&told("", shift, to)), "{shift}");
     }
-    // Nobody says where G56 is, or where G54 was.
+    // The position of G56, or the original one of G54, is unknown.
     for (before, shift) in
         [("G10 L2 P1 Z0\n", "G56"), ("G10 L2 P3 Z-40.\n", "G56"), ("G10 L2 P3 W-40.\n", "G56")]
     {
         let unknown = told(before, shift, "G01 X42. Z-20. F.1");
         assert!(unknown.contains("work-zero-unknown 10") && !has_crash(&unknown), "{before}: {unknown:?}");
     }
-    // A zero that is set after the first cut, and was not given before, is taken as 0, with a message: also while
-    // another one is in force, and by a system variable.
+    // A zero set after the first cut, and not given before, is assumed to be 0, with a message: also while
+    // another one is active, and if set by a system variable.
     assert!(told("", "G10 L2 P1 Z-40.", "G00 X42. Z-20.").contains("work-zero-unknown 8"));
     assert!(told("", "#5222=-40.", "G00 X42. Z-20.").contains("work-zero-unknown 8"));
     for zero in ["G10 L2 P1 Z-300.", "#5222=-300."] {
@@ -129,7 +129,7 @@ fn grooves_of_two_work_coordinate_systems_are_side_by_side() {
         (Point::new(22.0, -10.0), 1, Point::new(0.0, -30.0))
     );
     assert_eq!(second.on_workpiece().to, Point::new(22.0, -40.0));
-    // The rapid after the shift begins where the tool is: at Z-10 of G54, Z20 of G55.
+    // The rapid after the shift begins at the current position: Z-10 of G54, Z20 of G55.
     let ends: Vec<_> = ran.motions.on_workpiece().map(|motion| (motion.from, motion.to)).collect();
     for pair in ends.windows(2) {
         assert!(pair[0].1.is_same(pair[1].0), "{pair:?}");
@@ -139,8 +139,8 @@ fn grooves_of_two_work_coordinate_systems_are_side_by_side() {
     assert!(row.starts_with("10,feed,T0303,44,-40,") && row.contains(",G55,0,-30,"), "{row}");
 }
 
-/// Several parts out of one bar: the same subprogram, 30 mm farther each time. Each part has a groove to 30 mm, 10 mm
-/// from its face.
+/// Several parts from one bar: the same subprogram, 30 mm farther each time. Each part has a groove to 30 mm,
+/// 10 mm from its face.
 #[test]
 fn a_subprogram_in_shifted_coordinates_cuts_several_parts() {
     for (shift, back) in [
@@ -160,7 +160,7 @@ fn a_subprogram_in_shifted_coordinates_cuts_several_parts() {
     }
 }
 
-/// What is drawn, and where the tool is shown, is on the workpiece.
+/// Strokes and the displayed tool position are in coordinates of the workpiece.
 #[test]
 fn strokes_are_on_the_workpiece() {
     let text =
@@ -179,7 +179,7 @@ fn strokes_are_on_the_workpiece() {
     assert_eq!(arc, Some(Point::new(25.0, -25.0)));
 }
 
-/// Remarks that compare a place with the blank are the same whatever the coordinates are: G52 Z100 moves the zero to
+/// Notes that compare a position with the blank do not depend on the coordinates: G52 Z100 moves the zero to
 /// Z100 of the workpiece.
 #[test]
 fn remarks_on_places_go_by_the_workpiece() {
@@ -214,7 +214,7 @@ fn remarks_on_places_go_by_the_workpiece() {
     }
 }
 
-/// A cut from Z2 to Z-30, and one to Z-20 of coordinates that begin at Z-40.
+/// A cut from Z2 to Z-30, and one to Z-20 of a coordinate system with its zero at Z-40.
 #[test]
 fn the_box_around_the_cuts_is_on_the_workpiece() {
     let text =
@@ -224,8 +224,8 @@ fn the_box_around_the_cuts_is_on_the_workpiece() {
     assert_eq!((extents.min, extents.max), (Point::new(20.0, -60.0), Point::new(22.0, 2.0)));
 }
 
-/// What moves before the first cut is on the workpiece too: X42 at Z-20 of the second coordinates is 42 mm at Z-60 of a bar of
-/// 50 mm.
+/// Motions before the first cut are also placed on the workpiece: X42 at Z-20 of the second system is 42 mm
+/// at Z-60 of a bar of 50 mm.
 #[test]
 fn motions_before_the_first_cut_are_on_the_workpiece() {
     let program = |zeros: &str, one: &str, other: &str, to: &str| {
@@ -251,11 +251,11 @@ fn motions_before_the_first_cut_are_on_the_workpiece() {
             let expected = if index < 3 { (zero, !known) } else { (Point::default(), false) };
             assert_eq!((motion.process.zero, motion.process.elsewhere), expected, "{one}: {index}");
         }
-        // The same way in the coordinates of the first cut.
+        // The same path in the coordinates of the first cut.
         let moved = run(&program(&zeros, "(ONE)", "(OTHER)", "X42. Z-60."));
         assert!(moved.told.contains(&crash), "{:?}", moved.told);
     }
-    // G50 X Z names the place of the tip, which moves neither it nor the work.
+    // G50 X Z names the position of the tip, and moves neither the tip nor the work.
     let named =
         run(&program("(NO ZERO)", "G52 Z-40.", "G52 Z0\nG50 Z100.", "X42. Z20.")
             .replace("G00 Z2.", "G00 Z62."));
