@@ -1,11 +1,12 @@
-//! What is inferred of tools and blank where a program does not name them. The expected parts are worked out by hand from the
-//! drawing that each program makes; see `src/machine/inferred.rs` for the order of evidence.
+//! Inference of tools and blank that a program does not name. The expected parts are calculated by hand from
+//! the drawing of each program; see `src/machine/inferred.rs` for the order of evidence.
 use crate::ran::{run, run_under};
 use gcode_playground::geometry::Point;
 use gcode_playground::setup::{Stock, ToolKind};
 use gcode_playground::units::Diameter;
 
-/// The outside is turned to ⌀40 and ⌀48, a hole is drilled to Z-30, then a tool turns ⌀13.2 without a word: it bores.
+/// The outside is turned to ⌀40 and ⌀48, a hole is drilled to Z-30, then an unnamed tool turns ⌀13.2: it
+/// bores.
 #[test]
 fn a_bore_after_drilling_leaves_the_outside() {
     let outside = "T0404\nG97S900M3\nG0X40.Z2.\nG1Z-8.F0.2\nX48.\nG0X100.Z50.\n";
@@ -22,7 +23,7 @@ fn a_bore_after_drilling_leaves_the_outside() {
         let ran = run(&format!("O1\nG21G99\n{outside}{drill}{}", bore(way)));
         ran.check(&[(-4.0, &[(13.2, 40.0)]), (-20.0, &[(13.2, 48.0)])]);
     }
-    // Nothing else turns: a chamfer inwards opens a bore. The wall is inferred.
+    // Nothing else is turned: an inward chamfer opens a bore. The wall is inferred.
     let ran = run(&format!("O1\nG21G99\n{drill}{}", bore(ways[0])));
     let part = ran.simulation.finished().expect("a part");
     let material = part.radii(-10.0);
@@ -30,12 +31,12 @@ fn a_bore_after_drilling_leaves_the_outside() {
         material.len() == 1 && (material[0].0 - 6.6).abs() < 0.02 && material[0].1 > 10.0,
         "{material:?}"
     );
-    // A pin after a centre drill is turned from outside: pass by pass, and it is deeper than the hole.
+    // A pin after a centre drill is turned from outside, pass by pass, and is longer than the hole is deep.
     let pin = "T0101\nG97S700M3\nG0X0.Z3.\nG83Z-3.F0.1\nG80\nG0Z50.\nT0404\nG0X36.Z2.\nG1Z-20.F0.2\nG0U1.Z2.\nG0X32.\nG1Z-20.\nG0U1.Z2.\nM30\n";
     run(&format!("O1\nG21G99\nG97S900M3\n{pin}")).check(&[(-10.0, &[(0.0, 32.0)])]);
 }
 
-/// A plunge to the axis in two steps, or with the chip broken, parts off with an insert of 3 mm: Z-40 to Z-37.
+/// A plunge to the axis in two steps, or with chip breaking, parts off with an insert of 3 mm: Z-40 to Z-37.
 #[test]
 fn a_plunge_in_steps_is_one_of_a_grooving_tool() {
     let program =
@@ -70,10 +71,10 @@ fn nothing_is_cut_with_the_spindle_stopped() {
         ran.check(&[(-10.0, &[(0.0, 28.0)]), (-31.5, &[]), (-35.0, &[(0.0, 34.0)])]);
         assert!(!ran.told.contains(&"rapid-through-stock"), "{:?}", ran.told);
     }
-    // Before any M03 the spindle is only not named: a fragment is drawn.
+    // A fragment without any M03 before is drawn: its spindle is only not programmed.
     run("O1\nG21G99\nT0101\nG0X34.Z2.\nG1X28.F0.2\nZ-30.\nX36.\nG0Z2.\nM30\n")
         .check(&[(-10.0, &[(0.0, 28.0)])]);
-    // Rigid tapping with the spindle stopped before it drills.
+    // Rigid tapping with the spindle stopped, before a drill.
     let tap = run(
         "O1\n(STOCK D=40 LENGTH=50)\nG21G99\nT0101(DRILL 10)\nG97S800M3\nG0X0Z5.\nG1Z-20.F.1\nG0Z5.\nM5\n(TOOL T0202 TYPE=TAP D=12)\nT0202\nG0X0Z5.\nM29S300\nG84Z-15.F1.75\nG80\nM30\n",
     );
@@ -81,7 +82,8 @@ fn nothing_is_cut_with_the_spindle_stopped() {
     assert!(material.len() == 1 && material[0].0 > 5.5, "{material:?}");
 }
 
-/// After the first M05 a tool that comments name as a bar puller cuts nothing either, whichever codes open the chuck.
+/// After the first M05 a tool named as a bar puller in a comment cuts nothing either, with any codes for the
+/// chuck.
 #[test]
 fn a_bar_puller_drills_nothing() {
     for words in ["(BARPULLER)", "(BARPULER)", "(BAR STOP)"] {
@@ -94,7 +96,7 @@ fn a_bar_puller_drills_nothing() {
     }
 }
 
-/// On the side of -X a pin of ⌀1.3 and ⌀2 is turned; facing past the axis to X-1.6 turns none.
+/// On the side of -X a pin of ⌀1.3 and ⌀2 is turned; facing across the axis to X-1.6 turns none.
 #[test]
 fn a_pin_is_turned_on_the_negative_side() {
     for side in ["-", ""] {
@@ -105,26 +107,28 @@ fn a_pin_is_turned_on_the_negative_side() {
     }
     run("O1\nG21G99\nT0101\nG97S1200M3\nG0X32.Z0\nG1X-1.6F.1\nG0Z2.\nX28.\nG1Z-20.\nX32.\nG0Z50.\nM30\n")
         .check(&[(-0.1, &[(0.0, 28.0)]), (-10.0, &[(0.0, 28.0)])]);
-    // From beyond the axis back over it: a tip, ⌀1 at Z-2.
+    // From beyond the axis back across it: a tip, ⌀1 at Z-2.
     run("O1\nG21G99\nT0101\nG97S1200M3\nG0X32.Z-0.5\nG1X-2.F.1\nX1.Z-2.\nX30.Z-20.\nG0X32.\nZ50.\nM30\n")
         .check(&[(-1.2, &[]), (-2.0, &[(0.0, 1.0)])]);
 }
 
-/// A tool that ends where it came to the work from outside turns the outside, also if it goes to a smaller diameter next.
+/// A tool that returns to its start diameter outside of the work turns the outside, even if it continues to a
+/// smaller diameter.
 #[test]
 fn a_tool_that_returns_to_its_clearance_turns_outside() {
     run("O1\nG21G99\nT0505\nG97S750M3\nG0X25.1Z3.\nX17.88\nG1Z-14.7F.1\nX25.1\nG0X18.4Z10.\nZ.2\nG1X12.F.2\nG0Z30.\nM30\n")
         .check(&[(-7.0, &[(0.0, 17.88)]), (-14.0, &[(0.0, 17.88)]), (-16.0, &[(0.0, 25.1)])]);
 }
 
-/// G71 whose contour with its allowance ends beyond the start point: its pass begins outside of the cut all the same.
+/// G71 whose contour with its allowance ends beyond the start point: its pass still begins outside of the
+/// cut.
 #[test]
 fn a_pass_of_g71_that_goes_in_turns_outside() {
     run("O1\nG21G99\nT0505\nG97S750M3\nG0X25.1Z3.\nG71U4.5R.5\nG71P21Q22U6.W.2F.2\nN21G0X16.48\nG1Z-12.3F.08\nN22X25.1\nG70P21Q22\nG0Z30.\nM30\n")
         .check(&[(-6.0, &[(0.0, 16.48)]), (-12.0, &[(0.0, 16.48)])]);
 }
 
-/// The first full face with nothing cut before it is the front of the blank.
+/// The first full facing cut, with nothing cut before, is at the front of the blank.
 #[test]
 fn the_first_face_is_the_front_of_the_blank() {
     let ran = run(
@@ -166,29 +170,29 @@ fn short_tool_words_beside_m06_are_stations() {
         ran.check(groove);
         assert!(!ran.told.contains(&"tool-unknown"), "{:?}", ran.told);
     }
-    // Beside four-digit words, two digits are an offset.
+    // Among four-digit words, two digits are an offset.
     let ran = run(&program("T0101", "T03 M06"));
     assert!(ran.told.contains(&"short-tool-word"), "{:?}", ran.told);
 }
 
-/// Work on the second side, in the other direction: faced at Z0, turned to ⌀38 towards +Z.
+/// Work on the second side, in the opposite direction: faced at Z0, turned to ⌀38 towards +Z.
 #[test]
 fn work_towards_positive_z_has_its_blank_there() {
     let ran = run(
         "O1\nG21G99\nG55\nT0101(OD CNMG)\nG50S3000\nG97S700M4\nG0X46.Z-2.\nG1Z0F0.1\nX-1.\nG0X38.Z-2.\nG1Z15.F0.15\nX46.\nG0Z-5.\nM30\n",
     );
     ran.check(&[(-1.0, &[]), (1.0, &[(0.0, 38.0)]), (14.0, &[(0.0, 38.0)]), (16.0, &[(0.0, 46.0)])]);
-    // Facing goes back along +Z.
+    // Facing retracts along +Z.
     let faced = run("O1\nG21G99\nT0101\nG97S700M3\nG0X54.Z4.\nG94X20.Z0F0.15\nZ-2.\nZ-4.\nM30\n");
     faced.check(&[(-1.0, &[(0.0, 20.0)]), (-5.0, &[(0.0, 52.0)])]);
-    // With the zero at the chuck the work is at +Z, too, but the tool goes towards −Z.
+    // With the zero at the chuck the work is also at +Z, but the tool goes towards −Z.
     let usual = run(
         "O1\nG21G99\nT0101\nG97S700M3\nG0X46.Z50.\nG1X-1.F.1\nG0X38.Z52.\nG1Z30.F0.15\nX46.\nG0Z55.\nM30\n",
     );
     usual.check(&[(51.0, &[]), (40.0, &[(0.0, 38.0)]), (29.0, &[(0.0, 46.0)])]);
 }
 
-/// An insert that turns a hub within a recess of the face leaves the rim.
+/// An insert that turns a hub in a recess of the face leaves the rim.
 #[test]
 fn a_hub_in_a_recess_leaves_the_rim() {
     let recess = "T0101(FACE GROOVE W4)\nG97S400M3\nG0X40.Z2.\nG1Z-3.F0.1\nX68.\nZ-6.\nX40.\nG0Z50.\n";
@@ -201,7 +205,7 @@ fn a_hub_in_a_recess_leaves_the_rim() {
     ]);
 }
 
-/// A bar without a bore has none in a frame that is shifted along X.
+/// A bar without a bore stays solid in a frame that is shifted along X.
 #[test]
 fn a_solid_bar_stays_solid_in_a_shifted_frame() {
     let bar = Stock {
@@ -217,7 +221,7 @@ fn a_solid_bar_stays_solid_in_a_shifted_frame() {
     assert_eq!(tube.moved(Point::new(3.0, 0.0)).bore.mm(), 26.0);
 }
 
-/// A program without G20 whose numbers show inches is read in inches: X.95 is 24.13 mm.
+/// A program without G20 whose numbers look like inches is read in inches: X.95 is 24.13 mm.
 #[test]
 fn an_inch_program_without_g20_is_read_in_inches() {
     let way = "G0X.95Z.1\nG1Z0F.006\nX-.06\nG0X.87Z.1\nG1Z-1.125F.008\nX.95\nG28U0\nG28W0\nM30\n";
@@ -228,9 +232,9 @@ fn an_inch_program_without_g20_is_read_in_inches() {
         ("O0065", "(1/32R CNMG)", "{}", true),
         ("O0065(PIN .5\" DIA)", "", "{}", true),
         ("O0065(DIMENSIONS IN INCHES)", "", "{}", true),
-        // In metres 450 a minute would need 150,000 rpm; the limit is 3000.
+        // In metres per minute, 450 would need 150,000 rpm; the limit is 3000.
         ("O0065", "", "{}", true),
-        // Named by a code or the setup.
+        // Given by a code or the setup.
         ("O0065(PIN 1/2 IN)\nG21", "", "{}", false),
         ("O0065(PIN 1/2 IN)", "", r#"{"dialect": {"unit": "mm"}}"#, false),
         ("(DIALECT UNIT=MM)(PIN 1/2 IN)", "(1/32R CNMG)", "{}", false),
@@ -239,11 +243,11 @@ fn an_inch_program_without_g20_is_read_in_inches() {
         ran.check(&[if is_inch { inches } else { millimetres }]);
         assert_eq!(ran.told.contains(&"inches-concluded"), is_inch, "{head} {tool} {setup}: {:?}", ran.told);
     }
-    // The setup can say so: then nothing is concluded.
+    // If the setup gives the unit, nothing is concluded.
     let ran = run_under(&program("O0065", ""), r#"{"dialect": {"unit": "inch"}}"#);
     ran.check(&[inches]);
     assert!(!ran.told.contains(&"inches-concluded"));
-    // A feed per minute beside G01, and places of the machine, show no millimetres.
+    // A feed per minute with G01, and machine positions, are no evidence of millimetres.
     let pulled = run(
         "O3001(PAWN)\n(2.0IN STOCK STICKOUT)\nG10L2P1Z-25.\nG53X0Z-43.\nT0101\nG97S300M03\nG00X1.325Z.25\nX0.95\nG01Z-1.25F0.005\nX1.325\nG00Z.25\n\
          T0707(STOCK PULLER)\nG00Z2.\nX0\nG98G01Z1.F50.\nG99\nM30\n",
@@ -252,7 +256,7 @@ fn an_inch_program_without_g20_is_read_in_inches() {
     // Four decimals are usual in inches; a lead of 1/14 inch.
     let fine = run("O1\nT0101\nG97S800M3\nG0X1.0625Z.1\nG1Z-1.F.008\nX1.2\nG0Z.1\nM30\n");
     fine.check(&[(-10.0, &[(0.0, 1.0625 * 25.4)])]);
-    // Small work in millimetres: no sign of inches but its size and its feeds.
+    // Small work in millimetres: its size and its feeds alone would suggest inches.
     let fast = run("O1\nT0101\nG50S8000\nG96S200M3\nG0X3.995Z.5\nG1Z-6.F.02\nX5.\nG0Z1.\nM30\n");
     fast.check(&[(-3.0, &[(0.0, 3.995)])]);
     for small in ["(PIN 3MM)", "(2/3)", "(IN THE VICE)", "(DATE 1/12/26)"] {
@@ -260,7 +264,8 @@ fn an_inch_program_without_g20_is_read_in_inches() {
         run(&text).check(&[(-3.0, &[(0.0, 3.995)])]);
     }
 }
-/// G90 from X60 Z0 with U20 W30 R-5 bores a cone from ⌀70 at Z0 to ⌀80 at Z30: a tube with a bore of 60 at +Z (seed 000, case 3).
+/// G90 from X60 Z0 with U20 W30 R-5 bores a cone from ⌀70 at Z0 to ⌀80 at Z30: a tube with a bore of 60 at +Z
+/// (seed 000, case 3).
 #[test]
 fn a_cone_bored_towards_positive_z_is_in_a_tube() {
     let ran = run("G00 X60 Z0 M03 S500\nG90 U20 W30 R-5 F0.2\nM30\n");
@@ -273,7 +278,8 @@ fn a_cone_bored_towards_positive_z_is_in_a_tube() {
     assert!(part.radii(-0.1).is_empty(), "{:?}", ran.stock);
 }
 
-/// G75 with columns 3.5 mm apart is one groove, from Z-29 to the right corner of the insert: no ridges of 0.5 mm are left.
+/// G75 with columns 3.5 mm apart is one groove, from Z-29 to the right corner of the insert: no ridges of 0.5
+/// mm remain.
 #[test]
 fn columns_of_pecks_leave_no_ridges() {
     let program = |columns: &str| {
@@ -287,8 +293,8 @@ fn columns_of_pecks_leave_no_ridges() {
     run(&program("Q6000")).check(&[(-21.5, &[(0.0, 50.0)]), (-25.0, &[(0.0, 36.0)])]);
 }
 
-/// G73 with U18 takes a bar of ⌀36.5 down to a ball of R6 whose nose is at Z1: its first pass touches the bar where the
-/// contour is deepest, at X0 with 0.25 mm for finishing (seed 003).
+/// G73 with U18 machines a bar of ⌀36.5 to a ball of R6 whose nose is at Z1: its first pass touches the bar
+/// where the contour is deepest, at X0 with 0.25 mm for finishing (seed 003).
 #[test]
 fn the_first_pass_of_g73_touches_the_blank() {
     let ran = run(
@@ -299,25 +305,26 @@ fn the_first_pass_of_g73_touches_the_blank() {
     assert_eq!((ran.stock.diameter.mm(), ran.stock.face), (36.5, 1.0));
 }
 
-/// A blank shows what is turned: it is no smaller than the widest cut along Z, and wider than a single pass.
+/// The blank is consistent with the turning: no smaller than the widest cut along Z, and larger than a single
+/// pass.
 #[test]
 fn a_blank_is_no_smaller_than_what_is_turned() {
-    // One pass, to which the tool goes at feed from X50: a bar of 48.
+    // One pass, approached at feed from X50: a bar of 48.
     let one = run("O1\nG21G40G99\nT0101\nG97S1000M3\nG00X50.Z2.\nG01X45.F0.2\nZ-30.\nG00X60.\nZ2.\nM30\n");
     one.check(&[(-10.0, &[(0.0, 45.0)]), (-31.0, &[(0.0, 48.0)])]);
-    // The contour of G72 has a land of X50; rapids run along X51.
+    // The contour of G72 has a land at X50; rapids run along X51.
     let land = run(
         "O1\nG21G40G99\nT0101\nG97S1000M3\nG00X51.Z0.\nG01X0.F0.1\nG00Z1.\nX51.\nZ0.\nG72W1.5R0.5\nG72P1Q2U0.25W0.25\nN1G00Z-30.\nG01X50.F0.1\nZ-20.\nX30.\nZ0\nN2X0.\nG70P1Q2\nG00Z10.\nM30\n",
     );
     land.check(&[(-25.0, &[(0.0, 50.0)]), (-10.0, &[(0.0, 30.0)])]);
-    // In inches 2 mm are more than there is to spare.
+    // An inch program: 2 mm would be more than the usual clearance.
     let inch = run(
         "O1\nG20G40G99\nT0101\nG97S400M3\nG00X.777Z.1\nG01Z0F.006\nX-.1\nG00X.309\nG01Z-.12\nG00X.777Z-.75\nZ-.12\nX.735\nG01Z-1.075\nG00X.777\nX4.Z4.\nM30\n",
     );
     inch.check(&[(-10.0, &[(0.0, 0.735 * 25.4)])]);
 }
 
-/// A program may end in the bottom of a groove: that is no bore.
+/// A program may end at the bottom of a groove: that is not a bore.
 #[test]
 fn a_program_that_ends_in_a_groove_has_no_bore() {
     let turned = "O1\nG21G99\nT0101\nG97S800M3\nG0X24.Z2.\nG1Z-45.F.2\nG0X26.Z2.\nX18.\nG1Z-22.\nG0X30.Z50.\nT0202\nG0X26.Z-39.\n";
@@ -325,7 +332,7 @@ fn a_program_that_ends_in_a_groove_has_no_bore() {
     ran.check(&[(-10.0, &[(0.0, 18.0)]), (-30.0, &[(0.0, 24.0)])]);
 }
 
-/// A plunge with a dwell at its bottom is one of a grooving tool, also where the tool breaks an edge afterwards: 3 mm wide.
+/// A plunge with a dwell at its bottom is made by a grooving tool, even if it then breaks an edge: 3 mm wide.
 #[test]
 fn a_plunge_with_a_dwell_is_one_of_a_grooving_tool() {
     let turned = "O1\nG21G40G99\nT0101\nG97S600M3\nG00X46.Z2.\nX40.\nG01Z-60.F0.2\nX46.\nG00X50.Z60.\n";
@@ -337,7 +344,7 @@ fn a_plunge_with_a_dwell_is_one_of_a_grooving_tool() {
     ]);
 }
 
-/// The passes of G73 come nearer from outside, though its start point is within the largest diameter.
+/// The passes of G73 approach from outside, although its start point is within the largest diameter.
 #[test]
 fn a_pattern_from_outside_is_turned_outside() {
     let ran = run(
@@ -354,7 +361,8 @@ fn an_approach_along_the_outside_is_no_contour() {
     ran.check(&[(-81.0, &[(0.0, 45.0)]), (-78.5, &[(0.0, 33.0)]), (-76.0, &[(0.0, 45.0)])]);
 }
 
-/// The work turns: a cut at X-40 removes what one at X40 does. Facing a little past the axis is no such cut.
+/// The work rotates: a cut at X-40 removes the same as one at X40. Facing slightly past the axis is not such
+/// a cut.
 #[test]
 fn cuts_on_the_side_of_negative_x_are_removed() {
     let program = |sign: &str| {
@@ -376,7 +384,7 @@ fn cuts_on_the_side_of_negative_x_are_removed() {
     past.check(&[(-10.0, &[(0.0, 48.0)]), (-25.0, &[(0.0, 50.0)])]);
 }
 
-/// A lead of .0625 is 16 threads an inch: no thread is so fine in millimetres.
+/// A lead of .0625 is 16 threads per inch: in millimetres no thread is so fine.
 #[test]
 fn a_lead_too_fine_for_millimetres_shows_inches() {
     for head in ["(NAT#1 THREADING)\nG50S1500\n", "O0066(SCREW)\nG99G18\n"] {
@@ -389,14 +397,15 @@ fn a_lead_too_fine_for_millimetres_shows_inches() {
     assert!(!millimetres.told.contains(&"inches-concluded"));
 }
 
-/// A single pass to which the tool comes at rapid takes 1 mm off the bar.
+/// A single pass after a rapid approach removes 1 mm from the bar.
 #[test]
 fn a_single_pass_is_seen() {
     run("O1001\nG99G21G40\nT0202\nG97S220M03\nG00X80.0Z2.0\nG01Z-12.0F0.20\nG00X100.0\nM30\n")
         .check(&[(-5.0, &[(0.0, 80.0)]), (-13.0, &[(0.0, 82.0)])]);
 }
 
-/// The first of several passes takes something off as well: the tool came to ⌀35 from ⌀45, the blank is between the two.
+/// The first of several passes removes material as well: the tool came to ⌀35 from ⌀45, the blank is between
+/// the two.
 #[test]
 fn the_first_of_several_passes_is_seen() {
     let ran = run(
@@ -405,7 +414,8 @@ fn the_first_of_several_passes_is_seen() {
     ran.check(&[(-20.0, &[(0.0, 31.0)]), (-45.0, &[(0.0, 35.0)]), (-51.0, &[(0.0, 37.0)])]);
 }
 
-/// A bore of ⌀30 to Z-50 in a tube, the tool back at ⌀26: the hole of the tube is between the two, and the end of the cut is seen.
+/// A bore of ⌀30 to Z-50 in a tube, with the tool back at ⌀26: the hole of the tube is between the two, and
+/// the end of the cut is visible.
 #[test]
 fn the_end_of_a_bore_is_seen() {
     let ran =
@@ -414,7 +424,8 @@ fn the_end_of_a_bore_is_seen() {
     ran.check(&[(-20.0, &[(30.0, outside)]), (-51.0, &[(28.0, outside)])]);
 }
 
-/// The lead of a thread that grows without end makes no blank of a metre: the thread is in a bar of ⌀30, 30 long.
+/// A thread with an endlessly growing lead does not make a blank of a metre: the thread is in a bar of ⌀30,
+/// 30 long.
 #[test]
 fn a_lead_without_end_makes_no_large_blank() {
     let ran = run(
@@ -423,7 +434,7 @@ fn a_lead_without_end_makes_no_large_blank() {
     assert!((29.7..=32.0).contains(&ran.stock.diameter.mm()) && ran.stock.length <= 45.0, "{:?}", ran.stock);
 }
 
-/// The unit holds where the run begins again with the program that calls the first one.
+/// The unit stays when the run restarts with the program that calls the first one.
 #[test]
 fn the_unit_holds_where_a_run_begins_again() {
     let ran = run(
@@ -432,7 +443,7 @@ fn the_unit_holds_where_a_run_begins_again() {
     ran.check(&[(-5.0, &[(0.0, 0.6 * 25.4)])]);
 }
 
-/// Comments that name no size in inches: pages, operations, dates, prose. A long word costs no time.
+/// Comments without a size in inches: pages, operations, dates, prose. A long word takes no extra time.
 #[test]
 fn comments_without_inches() {
     let program =
@@ -450,7 +461,7 @@ fn comments_without_inches() {
     assert!(begun.elapsed().as_secs() < 10);
 }
 
-/// A facing cut to Z0 leaves nothing loose in front of the face, whatever the angle of its edge.
+/// A facing cut to Z0 leaves no loose piece in front of the face, for any entering angle.
 #[test]
 fn nothing_floats_in_front_of_the_face() {
     let ran = run(
@@ -458,7 +469,7 @@ fn nothing_floats_in_front_of_the_face() {
          G0X42.Z3.\nX30.\nG1Z-20.F0.2\nX42.\nG0Z50.\nM30\n",
     );
     ran.check(&[(0.5, &[]), (1.5, &[]), (-1.0, &[(0.0, 30.0)]), (-19.9, &[(0.0, 30.0)])]);
-    // What is parted off is no such piece.
+    // A piece that is parted off is not removed like that.
     let parted = run(
         "O1\nG21G99\nT0101\nG97S1000M3\nG0X42.Z2.\nG1X38.F0.2\nZ-20.\nX42.\nG0X60.Z50.\nT0202(PARTING W=3)\nG0X44.Z-5.\n\
          G1X-1.F0.1\nG0X60.\nZ50.\nM30\n",
@@ -466,7 +477,7 @@ fn nothing_floats_in_front_of_the_face() {
     assert_eq!(parted.simulation.finished().expect("a part").pieces().count(), 2);
 }
 
-/// T0303 plunges and turns as no usual insert can. The part is that of T0101, and a message states it.
+/// T0303 plunges and turns as no usual insert can. The part is that of T0101, and a message reports it.
 #[test]
 fn a_tool_that_is_not_known_leaves_the_cuts_of_the_others() {
     let unknown = "T0303\nG0X54.Z2.\nX42.Z-10.\nG1X40.F0.1\nX30.\nZ-20.\nX36.Z-30.\nX28.Z-38.\nX42.\nG0Z-24.\nG1X20.\nG0X54.\n";
@@ -474,13 +485,13 @@ fn a_tool_that_is_not_known_leaves_the_cuts_of_the_others() {
     let ran = run(&format!("O1\nG21G99\nG97S600M3\n{outside}{unknown}G0X80.Z50.\nM30\n"));
     assert_eq!(ran.told, ["tool-unknown"]);
     ran.check(&[(-5.0, &[(0.0, 46.0)]), (-24.0, &[(0.0, 46.0)]), (-46.0, &[(0.0, 54.0)])]);
-    // Where it is the only one there is nothing to show.
+    // If it is the only tool, there is no part to show.
     let alone = run(&format!("O1\nG21G99\nG97S600M3\n{unknown}G0X80.Z50.\nM30\n"));
     assert_eq!(alone.told, ["tool-unknown"]);
     assert!(alone.simulation.finished().is_none());
 }
 
-/// The rapid to X48 Z-1 goes into a bar of 50 mm, whatever its tool is.
+/// The rapid to X48 Z-1 enters a bar of 50 mm, with any tool.
 #[test]
 fn a_rapid_of_a_tool_that_is_not_known_runs_into_the_stock() {
     let cycle =
@@ -493,7 +504,8 @@ fn a_rapid_of_a_tool_that_is_not_known_runs_into_the_stock() {
     assert!(!run(&program(52.0)).told.contains(&"rapid-through-stock"));
 }
 
-/// The last block of the contour goes back slanting from X50 Z-60 to X55 Z2: where it passes Z0 is no size of a bar.
+/// The last block of the contour returns on a slope from X50 Z-60 to X55 Z2: its diameter at Z0 is not a bar
+/// size.
 #[test]
 fn a_blank_has_a_diameter_in_whole_millimetres() {
     let ran = run(
@@ -503,7 +515,7 @@ fn a_blank_has_a_diameter_in_whole_millimetres() {
     assert_eq!(ran.stock.diameter, Diameter::new(55.0));
 }
 
-/// What a comment says of the bar counts where it suits what is cut: ⌀44 is turned to Z-30 from an approach at X56.
+/// A bar size in a comment is used if it matches the cuts: ⌀44 is turned to Z-30 from an approach at X56.
 #[test]
 fn a_blank_in_words() {
     let program = |words: &str| {
@@ -518,7 +530,7 @@ fn a_blank_in_words() {
     let (inferred, length) = sizes("SHAFT");
     assert_eq!(sizes("BRUT PHI55 X 60MM"), (55.0, 60.0));
     assert_eq!(sizes("Ø55 bar stock"), (55.0, length));
-    // That is the part, or a slip.
+    // That size is the part, or a mistake.
     for words in ["BLANK D20", "BLANK D500", "毛坯 φ30×10"] {
         assert_eq!(sizes(words), (inferred, length), "{words}");
     }
@@ -536,13 +548,13 @@ fn a_drill_of_assumed_diameter_is_said() {
         |text: String| run(&text).told.iter().filter(|slug| **slug == "drill-diameter-assumed").count();
     assert_eq!(told(drill("") + "M30\n"), 1);
     assert_eq!(told(drill("(DRILL D12)") + "M30\n"), 0);
-    // A deeper drill makes the hole of a centre drill.
+    // A deeper drill removes the hole of a centre drill.
     let centre = "T0404\nG0X0Z5.\nG1Z-5.F0.1\nG0Z5.\nX80.Z50.\n";
     let before = |words: &str| drill(words).replacen("T0202", &format!("{centre}T0202"), 1);
     assert_eq!(told(before("(DRILL D12)") + "M30\n"), 0);
     assert_eq!(told(before("") + "M30\n"), 1);
     assert_eq!(told(drill("") + "T0303\nG0X18.Z2.\nG1Z-15.F0.1\nX16.\nG0Z2.\nZ50.\nM30\n"), 0);
-    // What holds or moves the work drills nothing.
+    // Devices that hold or move the work drill nothing.
     for words in ["(BAR STOP)", "(BAR PULLER)", "(TAILSTOCK CENTER)"] {
         assert_eq!(told(drill(words) + "M30\n"), 0, "{words}");
     }
@@ -554,7 +566,8 @@ fn a_drill_of_assumed_diameter_is_said() {
     }
 }
 
-/// A contour with a step inwards, ⌀20 from Z-30 to Z-32: no insert is known that makes it, and the step is as it is programmed.
+/// A contour with a step inwards, ⌀20 from Z-30 to Z-32: no known insert can make it, and the step is cut as
+/// programmed.
 #[test]
 fn a_contour_with_a_step_inwards_is_turned() {
     let ran = run(
@@ -583,7 +596,8 @@ fn a_facing_cycle_from_outside_has_an_outside_tool() {
     ran.check(&[(-17.0, &[(0.0, 70.0)]), (-11.5, &[(0.0, 55.0)])]);
 }
 
-/// The way back of G94 towards its start in the plane of the first pass is no cut of a left-hand tool. Each pass leaves its face.
+/// The return of G94 to its start in the plane of the first pass is not a cut of a left-hand tool. Each pass
+/// leaves its face.
 #[test]
 fn a_facing_cycle_from_the_plane_of_its_first_pass_faces() {
     let stock = "O1(STOCK D=44 LENGTH=80)\nG21G99\nT0101M3S800\n";
@@ -591,12 +605,12 @@ fn a_facing_cycle_from_the_plane_of_its_first_pass_faces() {
         let ran = run(&format!("{stock}{start}G94X-1.Z-2.F0.3\nZ-4.\nG0X100.Z100.\nM30\n"));
         ran.check(&[(-0.5, &[]), (-3.9, &[]), (-4.1, &[(0.0, 44.0)]), (-16.0, &[(0.0, 44.0)])]);
     }
-    // The same block by block.
+    // The same, as single moves.
     let ran = run(&format!(
         "{stock}G0X46.Z-1.\nG1X20.F0.2\nG0X46.\nZ-4.\nG1X20.\nZ-1.\nG0X46.\nZ-6.\nG1X20.\nZ-1.\nG0X100.Z50.\nM30\n"
     ));
     ran.check(&[(-0.5, &[(0.0, 20.0)]), (-5.9, &[(0.0, 20.0)]), (-6.1, &[(0.0, 44.0)])]);
-    // The contour of G72 turns back towards the face: 0.1 and 0.2 mm stay.
+    // The contour of G72 reverses towards the face: 0.1 and 0.2 mm remain.
     let ran = run(
         "O1\nG21G99\nT0101M3S800\nG0X85.Z2.\nG72W2.R1.\nG72P70Q100U0.2W0.1F0.25\nN70G0Z-10.\nN80G1X40.\nN90Z-5.\n\
          N100X80.\nG0X100.Z50.\nM30\n",
@@ -606,7 +620,7 @@ fn a_facing_cycle_from_the_plane_of_its_first_pass_faces() {
     assert!(part.radii(-22.0).first().is_some_and(|material| material.1 > 40.0), "{:?}", part.radii(-22.0));
 }
 
-/// A drill of 10 mm drills to Z-56 and goes 2.5 mm off the axis down to Z-28: a hole of 15 mm there.
+/// A drill of 10 mm drills to Z-56 and moves 2.5 mm off the axis down to Z-28: a hole of 15 mm there.
 #[test]
 fn a_drill_that_is_fed_off_the_axis_makes_a_larger_hole() {
     let ran = run(
@@ -616,7 +630,7 @@ fn a_drill_that_is_fed_off_the_axis_makes_a_larger_hole() {
     ran.check(&[(-10.0, &[(15.0, 60.0)]), (-40.0, &[(10.0, 60.0)]), (-57.0, &[(0.0, 60.0)])]);
 }
 
-/// A tool that cuts straight in, and again after C has turned by 180°, makes two holes, and no groove.
+/// A tool that cuts straight in, and again after C has turned by 180°, makes two holes, not a groove.
 #[test]
 fn cross_holes_are_no_groove() {
     let turned = "O1\nG21G99\nT0101\nG97S800M3\nG0X85.Z2.\nG1X80.F0.2\nZ-60.\nG0X90.Z50.\nM5\n";
@@ -642,7 +656,7 @@ fn cross_holes_are_no_groove() {
     assert!(!groove.told.contains(&"cross-holes-left-out"), "{:?}", groove.told);
 }
 
-/// An insert of 35° leaves a cone of 5.9 mm on the face at Z-3.24: nothing holds it.
+/// An insert of 35° leaves a cone of 5.9 mm on the face at Z-3.24, which is not connected to the part.
 #[test]
 fn a_cone_that_facing_leaves_falls_off() {
     let ran = run(
@@ -657,7 +671,7 @@ fn a_cone_that_facing_leaves_falls_off() {
     assert_eq!(ring.simulation.finished().expect("a part").pieces().count(), 2);
 }
 
-/// A groove from Z-31.5 to Z-28.5, to which the tool is fed along the work, just as with G00.
+/// A groove from Z-31.5 to Z-28.5, approached along the work at feed instead of G00.
 #[test]
 fn a_groove_approached_by_a_feed_is_one_of_a_grooving_tool() {
     let turned = "O1\nG21G99\nT0101M3S800\nG0X52.Z2.\nX40.\nG1Z-32.F0.2\nX45.\nZ-60.\nX52.\nG0X60.Z20.\n";
@@ -674,7 +688,7 @@ fn a_groove_approached_by_a_feed_is_one_of_a_grooving_tool() {
     }
 }
 
-/// The grooves of a tool go outwards, and so does its way out: it works in a bore.
+/// The grooves of a tool are cut outwards, and so is its retract: it works in a bore.
 #[test]
 fn a_tool_whose_grooves_go_outwards_bores() {
     let ran = run(
@@ -704,7 +718,7 @@ fn a_drill_is_led_by_its_edge() {
             run(&format!("{drilled}T0303(BORING BAR)\nG0X28.Z1.\nG1Z-15.F0.1\nX25.\nG0Z1.\nZ50.\nM30\n"));
         bored.check(&[(-10.0, &[(28.0, 50.0)]), (-16.0, &[(25.0, 50.0)]), (-20.1, &[(0.0, 50.0)])]);
     }
-    // Another diameter than that of the drill is not its edge.
+    // A diameter other than that of the drill is not its edge.
     let wrong = run(&format!("{turned}T0202(DRILL D10)\nG97S1400M3\nG0X40.Z1.\nG1Z-20.F0.1\nG0Z50.\nM30\n"));
     wrong.check(&[(-10.0, &[(0.0, 40.0)])]);
 }
@@ -724,8 +738,8 @@ fn no_assumed_drill_is_larger_than_the_bore_after_it() {
     }
 }
 
-/// Outside Ø9.65 to Z-13 on a bar of Ø25.1, in it a bore of Ø3.7 to Z-7.7 with an undercut of Ø4.6 to Z-9, made by a tool
-/// that comes back at Ø3.7: outside it would run into the undercut.
+/// Outside Ø9.65 to Z-13 on a bar of Ø25.1, in it a bore of Ø3.7 to Z-7.7 with an undercut of Ø4.6 to Z-9,
+/// made by a tool that returns at Ø3.7: outside it would hit the undercut.
 #[test]
 fn a_tool_that_comes_back_within_its_cuts_bores() {
     let pin = "O1\nG21G40G99\nT0505\nG97S750M3\nG0X25.1Z3.\nX9.65\nG1Z-13.F.1\nX25.1\nG0Z30.\n";
@@ -733,7 +747,7 @@ fn a_tool_that_comes_back_within_its_cuts_bores() {
         "{pin}T0707\nG97S300M3\nG0X3.7Z30.\nZ1.\nG1Z-7.7F2.5\nX4.1Z-7.9F.04\nZ-9.\nX4.6\nZ-8.55\nX3.7F.3\nZ1.F3.\nG0Z30.\nM30\n"
     ));
     undercut.check(&[(-5.0, &[(3.7, 9.65)]), (-8.8, &[(4.6, 9.65)]), (-12.0, &[(3.7, 9.65)])]);
-    // A drilled bore whose bottom the tool faces to Ø1.8, and through it back at rapid.
+    // A drilled bore whose bottom is faced to Ø1.8 by the tool, which then retracts through it at rapid.
     let bore = run(&format!(
         "{pin}T0909(2.0 DRILL)\nG97S800M3\nG0X0Z3.\nG1Z-9.5F.1\nG0Z30.\nT0606\nG97S350M3\nG0X4.897Z30.\nZ1.\nG1Z0F.1\n\
          X4.Z-1.673F.03\nZ-4.8F.1\nX1.8\nG0Z3.\nZ30.\nM30\n"
@@ -747,14 +761,15 @@ fn a_tool_that_comes_back_within_its_cuts_bores() {
     tube.check(&[(-10.0, &[(20.0, 40.0)]), (-20.0, &[(26.0, 40.0)]), (-22.5, &[(19.9, 40.0)])]);
 }
 
-/// An outside tool that forgets to leave the work before its rapid remains an outside tool.
+/// An outside tool that does not retract before its rapid is still an outside tool.
 #[test]
 fn a_tool_alone_that_runs_into_its_own_cuts_does_not_bore() {
     let ran = run("O1\nG21G99\nT0101\nG97S800M3\nG0X52.Z2.\nX40.\nG1Z-20.F0.2\nX30.Z-30.\nG0Z50.\nM30\n");
     ran.check(&[(-10.0, &[(0.0, 40.0)])]);
 }
 
-/// A boring bar centres the face: from X0.1 Z-1 at 45 degrees out to X5.1 Z1.5. At Z0 the countersink has Ø2.1.
+/// A boring bar centres the face: from X0.1 Z-1 at 45 degrees out to X5.1 Z1.5. At Z0 the countersink has
+/// Ø2.1.
 #[test]
 fn a_cut_from_the_axis_to_the_front_is_a_countersink() {
     let ran = run(
@@ -777,7 +792,8 @@ fn a_face_groove_is_one_by_its_comment() {
     ran.check(&[(-2.0, &[(0.0, 40.0), (46.0, 62.0)]), (-6.0, &[(0.0, 62.0)])]);
 }
 
-/// The only tool on the side of -X goes straight in and back, breaking chips: a drill led by its edge.
+/// The only tool on the side of -X only goes straight in and back, with chip breaking: a drill positioned by
+/// its edge.
 #[test]
 fn a_tool_alone_on_the_negative_side_that_only_goes_straight_in_drills() {
     let ran = run(
@@ -799,7 +815,8 @@ fn an_assumed_drill_leaves_something_for_the_bore() {
     assert!(hole[0].0 > 3.0 && hole[0].0 < 6.9, "{hole:?}");
 }
 
-/// A grooving insert of 4 mm whose right corner the program leads: the groove is from Z-15 to Z-11, the piece ends at Z-50.
+/// A grooving insert of 4 mm that the program positions by its right corner: the groove is from Z-15 to Z-11,
+/// the piece ends at Z-50.
 #[test]
 fn a_comment_names_the_right_corner_of_a_grooving_insert() {
     let turned =

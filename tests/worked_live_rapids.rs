@@ -1,4 +1,5 @@
-//! Rapids of live tools worked out by hand: which run into the work, and which go where a cutter has been.
+//! Rapids of live tools, calculated by hand: which of them enter the work, and which move where a cutter has
+//! already been.
 use gcode_playground::run::Run;
 use gcode_playground::setup::Setup;
 
@@ -9,7 +10,7 @@ const HEAD: &str = "O0001 (STOCK D=60 LENGTH=100)\n\
     (TOOL T0909 TYPE=ENDMILL D=8)\n\
     (TOOL T1111 TYPE=ENDMILL D=8)\n";
 
-/// What is said of the rapids in a program of live tools: slug and line, the first being 1.
+/// Checks the messages for the rapids in a program of live tools: slug and line, counted from 1.
 #[track_caller]
 fn says(blocks: &str, expected: &[&str]) {
     let text = format!("{HEAD}{blocks}\nG00 X200 Z200\nM30\n");
@@ -34,24 +35,25 @@ fn a_rapid_into_the_side_is_a_crash() {
     says(&format!("{MILL}G00 X64 Z-20 C0\nG01 X52 F200\nG00 X64"), &[]);
     // Down at rapid.
     says(&format!("{MILL}G00 X64 Z-20 C0\nG00 X52\nG01 C90 F200\nG00 X64"), &["rapid-through-stock 5"]);
-    // In front of the face there is nothing.
+    // There is nothing in front of the face.
     says(&format!("{MILL}G00 X64 Z20 C0\nG00 X20\nG01 X10 F200\nG00 X64"), &[]);
 }
 
 #[test]
 fn a_groove_is_free_where_it_was_milled() {
     let groove = format!("{MILL}G00 X64 Z-20 C0\nG01 X52 F200\nG01 C90\n");
-    // Out along X, back along the groove, and a second time down in it.
+    // Out along X, back along the groove, and down into it a second time.
     says(&format!("{groove}G00 X64"), &[]);
     says(&format!("{groove}G00 C0\nG00 X64"), &[]);
     says(&format!("{groove}G00 X64\nG00 C45\nG00 X53\nG01 X50\nG00 X64"), &[]);
-    // Aside out of it, on around beyond its end, and down beside it.
+    // Sideways out of it, beyond its end around the axis, and down beside it.
     says(&format!("{groove}G00 Z-40\nG00 X64"), &["rapid-through-stock 7"]);
     says(&format!("{groove}G00 C180\nG00 X64"), &["rapid-through-stock 7"]);
     says(&format!("{groove}G00 X64\nG00 C200\nG00 X53\nG01 X50\nG00 X64"), &["rapid-through-stock 9"]);
-    // Deeper than the groove, by more than the cutter reaches: by less, a cutter along Z would have been there.
+    // Deeper than the groove by more than the reach of the cutter. By less, a cutter along Z would already
+    // have been there.
     says(&format!("{groove}G00 X64\nG00 C45\nG00 X40\nG01 X38\nG00 X64"), &["rapid-through-stock 9"]);
-    // By less than the radius of the cutter aside it stays within what that has swept.
+    // Sideways by less than the cutter radius, it stays within the swept region.
     says(&format!("{groove}G00 Z-22\nG00 X64"), &[]);
 }
 

@@ -1,5 +1,6 @@
-//! Parts that the picture shows where the program alone says what is cut: finishing that starts inside the contour, drills beside
-//! the axis, holes of live tools, parts that are turned round. The expected parts are worked out by hand.
+//! Parts in the picture where the program alone determines what is cut: finishing that starts inside the
+//! contour, drills beside the axis, holes of live tools, parts that are turned around. The expected parts are
+//! calculated by hand.
 use crate::ran::run;
 
 const OUTSIDE: &str = "T0101\nG97S800M3\nG0X52.Z2.\nX40.\nG1Z-30.F.2\nX52.\nG0X100.Z100.\n";
@@ -21,7 +22,7 @@ fn finishing_is_on_the_side_of_roughing() {
             assert!(stock.bore.mm() == 0.0 && stock.diameter.mm() < 60.0, "{start}: {stock:?}");
         }
     }
-    // A bore stays one, though G70 starts at X60.
+    // A bore stays a bore, although G70 starts at X60.
     let bore = "G0X18.Z2.\nG71U1.R.5\nG71P10Q20U-.3W.1F.2\nN10G0X40.\nG1Z-20.\nX30.\nZ-40.\nN20X18.\n";
     for start in ["X18.Z2.", "X60.Z2."] {
         let ran = run(&format!(
@@ -31,7 +32,7 @@ fn finishing_is_on_the_side_of_roughing() {
     }
 }
 
-/// A drill of a hole cycle a little off the axis makes a hole on the axis, and the same tool bores it.
+/// A drill in a hole cycle slightly off the axis makes a hole on the axis, and the same tool bores it.
 #[test]
 fn an_indexable_drill_off_the_axis_makes_a_hole() {
     for hole in ["G83X1.8Z-25.R2.Q5000F.05\nG80\n", "G74R.5\nG74Z-25.Q5000F.05\n"] {
@@ -51,7 +52,8 @@ fn an_indexable_drill_off_the_axis_makes_a_hole() {
     assert!(beside.tells("live-tool-stopped"), "{:?}", beside.told);
 }
 
-/// A face groove beside the axis is a groove if the comment says so: an insert of 3 mm from X0 to X4 leaves ⌀10 with a flat bottom.
+/// A face groove beside the axis is a groove if the comment says so: an insert of 3 mm from X0 to X4 leaves
+/// ⌀10 with a flat bottom.
 #[test]
 fn a_face_groove_beside_the_axis_is_no_hole() {
     let program = |tool: &str| {
@@ -65,7 +67,7 @@ fn a_face_groove_beside_the_axis_is_no_hole() {
     assert!(drilled.len() == 1 && drilled[0].0 < 4.5, "{drilled:?}");
 }
 
-/// An indexable drill off the axis shows nothing of the bar.
+/// An indexable drill off the axis is no evidence of the bar size.
 #[test]
 fn a_hole_off_the_axis_defines_no_bar() {
     for start in ["0", "2."] {
@@ -77,7 +79,8 @@ fn a_hole_off_the_axis_defines_no_bar() {
     }
 }
 
-/// Holes that a live tool drills beside the axis leave no ring: with G01 along X or Z, named by words or shown by C.
+/// Holes drilled by a live tool beside the axis leave no ring: with G01 along X or Z, identified by a comment
+/// or by C.
 #[test]
 fn holes_of_live_tools_leave_no_ring() {
     let radial = "G0Z-20.X60.\nC0\nG1X30.F.1\nG0X60.\nC180.\nG1X30.F.1\nG0X60.\n";
@@ -97,13 +100,14 @@ fn holes_of_live_tools_leave_no_ring() {
         let ran = run(&format!("O1\nG21G99\n{OUTSIDE}M5\n{tool}\nG97S2500M13\n{way}G0X100.Z100.\nM5\nM30\n"));
         ran.check(&[(-5.0, &[(0.0, 40.0)]), (-18.5, &[(0.0, 40.0)]), (-20.5, &[(0.0, 40.0)])]);
     }
-    // The same way in a turning spindle, without C and words, is a groove of 3 mm.
+    // The same path with the turning spindle, without C and comment, is a groove of 3 mm.
     let groove =
         run(&format!("O1\nG21G99\n{OUTSIDE}T0606\nG97S500M3\nG0Z-20.X60.\nG1X30.F.1\nG0X60.\nG0Z50.\nM30\n"));
     groove.check(&[(-18.5, &[(0.0, 30.0)])]);
 }
 
-/// What follows a stop at which the part is turned round is the other end: said, and not cut into the first end.
+/// Blocks after a stop at which the part is turned around machine the other end: this is reported, and not
+/// cut into the first end.
 #[test]
 fn the_other_end_is_not_cut_into_the_first() {
     let second = "T0101\nG97S800M3\nG0X30.Z2.\nG1Z-12.F.2\nX52.\nG0X100.Z100.\nM30\n";
@@ -131,7 +135,7 @@ fn the_other_end_is_not_cut_into_the_first() {
         ran.check(first);
         assert!(ran.tells("work-zero-unknown"), "{stop}: {:?}", ran.told);
     }
-    // Another step on the same end.
+    // Another operation on the same end.
     for stop in [
         "M00\n",
         "M01 (OP2 FINISH)\n",
@@ -161,19 +165,19 @@ fn the_other_end_is_not_cut_into_the_first() {
         ran.check(&[(-6.0, &[(0.0, 30.0)]), (-20.0, &[(0.0, 40.0)])]);
         assert!(!ran.tells("work-zero-unknown"), "{stop}: {:?}", ran.told);
     }
-    // Before the first cut the comment names the side that is machined.
+    // Before the first cut, the comment names the side to machine.
     run(&format!("O1\nG21G99\nM00(SECOND SIDE)\n{OUTSIDE}M30\n")).check(&[(-20.0, &[(0.0, 40.0)])]);
 }
 
-/// A rapid into a surface that the program has turned is reported though the blank is inferred: ⌀44 is there from Z-50 to Z-70,
-/// whatever the bar was.
+/// A rapid into a turned surface is reported although the blank is inferred: ⌀44 remains from Z-50 to Z-70
+/// with any bar.
 #[test]
 fn a_rapid_into_a_turned_surface_is_reported() {
     let shaft =
         "O1\nG21G99\nT0101\nG97S800M3\nG0X52.Z2.\nX36.\nG1Z-50.F.2\nX44.\nZ-70.\nX52.\nG0X100.Z100.\n";
     let blade = "T0303\nG97S600M3\nG0X40.Z-40.\nG1X30.F.05\n";
     for (way, is_reported) in [
-        // Along the groove's side into the step.
+        // Along the wall of the groove into the step.
         ("G0X37.\nZ-56.\nX100.\n", true),
         // Straight in.
         ("G0X50.\nZ-60.\nX40.\nX100.\n", true),
@@ -183,7 +187,7 @@ fn a_rapid_into_a_turned_surface_is_reported() {
         ("G0X100.\nZ-56.\nX45.\n", false),
         // On the chuck side of all cuts the bar may be thinner.
         ("G0X60.\nZ-90.\nX40.\nX100.\n", false),
-        // Another part may be in the chuck.
+        // There may be another part in the chuck.
         ("G0X100.\nM00\nX37.Z-40.\nZ-56.\nX100.\n", false),
         // Into the groove that was cut, and out of it.
         ("G0X50.\nX31.\nX100.\n", false),
@@ -191,7 +195,7 @@ fn a_rapid_into_a_turned_surface_is_reported() {
         let ran = run(&format!("{shaft}{blade}{way}G0X100.Z100.\nM30\n"));
         assert_eq!(ran.tells("rapid-through-stock"), is_reported, "{way}: {:?}", ran.told);
     }
-    // Between two turned stretches, from the back one into the wall where the front one ends.
+    // Between two turned sections, from the rear one into the wall at the end of the front one.
     let between = |way: &str| {
         format!(
             "O1\nG21G99\nT0505\nG97S800M3\nG0X92.Z8.\nG1X78.F.2\nZ-18.\nX84.\nG0X96.\nZ-42.\nG1X74.\nZ-58.\n{way}M30\n"
@@ -207,7 +211,7 @@ fn a_rapid_into_a_turned_surface_is_reported() {
     };
     assert!(run(&fillet("-54.")).tells("rapid-through-stock"));
     assert!(!run(&fillet("-50.5")).tells("rapid-through-stock"));
-    // The first passes of G73 are outside of the bar: the wall at Z-36 is one from ⌀24 to ⌀30.
+    // The first passes of G73 are outside of the bar: the wall at Z-36 goes from ⌀24 to ⌀30.
     let pattern = "O1\nG21G40G98\nT0100\nM3S1000\nG0X60.Z100.\nG73U6.W0R3F100\nG73P10Q20U0.5W0\nN10G0X12.Z10.\nG1Z0\nX24.Z-10.\nZ-36.\nN20G0X30.\nG70P10Q20F50\nG0X60.Z100.\nT0303\nG0X27.Z-38.\nG1X2.F20\nG0X46.\nZ150.\nM30\n";
     assert!(!run(pattern).tells("rapid-through-stock"));
     // Through the wall at the end, 1 mm deep.

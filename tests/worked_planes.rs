@@ -1,5 +1,5 @@
-//! Functions of a turning centre (seed 002), worked out by hand: tailstock, clamps and stops of the spindle, centre words
-//! of arcs, tapping on the axis.
+//! Functions of a turning centre (seed 002), calculated by hand: tailstock, clamps and stops of the spindle,
+//! centre words of arcs, tapping on the axis.
 use gcode_playground::analyze;
 use gcode_playground::findings;
 use gcode_playground::geometry::virtual_plane::Way;
@@ -11,7 +11,8 @@ use gcode_playground::scene::work::{Moment, Work};
 use gcode_playground::setup::Setup;
 use gcode_playground::setup::notes::Notes;
 
-/// What is said of a program, collisions among it: slug and line, the first being 1. Notes stand with a question mark.
+/// The messages of a program, including collisions: slug and line, counted from 1. Notes have a question
+/// mark.
 fn said_of(text: &str) -> Vec<String> {
     let analysis = analyze(text.as_bytes(), &Setup::default());
     let setup = Notes::read(text.as_bytes()).applied_to(Setup::default());
@@ -41,16 +42,16 @@ fn with_centre(blocks: &str) -> String {
 #[test]
 fn the_centre_is_in_the_way_only_while_it_is_forward() {
     says(&with_centre("G00 X40 Z5\nX2"), &["tool-into-tailstock 6"]);
-    // Withdrawn before; in the block of the move itself; before the move goes away again.
+    // Withdrawn before; in the block of the move; before the next move away.
     says(&with_centre("G00 X40 Z5\nM26\nX2"), &[]);
     says(&with_centre("G00 X40 Z5\nX2 M26"), &[]);
     says(&with_centre("G00 X40 Z5\nM26\nX2\nX40\nM25\nX2"), &["tool-into-tailstock 10"]);
-    // A program that brings it forward found it withdrawn.
+    // In a program that advances it, it was withdrawn before.
     says(&with_centre("G00 X2 Z5\nX40\nM25\nX2"), &["tool-into-tailstock 8"]);
     says(&with_centre("G00 X2 Z5\nX40 M25\nX2"), &["tool-into-tailstock 7"]);
-    // The tool leaves while it comes.
+    // The tool leaves while the tailstock advances.
     says(&with_centre("G00 X2 Z5\nX40 M25\nX50"), &[]);
-    // The interlock neither moves it nor lets anything through.
+    // The interlock neither moves it nor permits a collision.
     says(&with_centre("G00 X40 Z5\nM712\nX2\nM713"), &["tool-into-tailstock 7"]);
     says(&with_centre("G00 X40 Z5\nM26\nM713\nX2"), &[]);
 }
@@ -62,7 +63,7 @@ fn a_subprogram_moves_the_centre_too() {
     says(called, &[]);
 }
 
-/// How many outlines stand around the work: at the start of each motion, and where nothing plays.
+/// The number of outlines around the work: at the start of each motion, and without playback.
 fn outlines(text: &str) -> (Vec<usize>, usize) {
     let analysis = analyze(text.as_bytes(), &Setup::default());
     let setup = Notes::read(text.as_bytes()).applied_to(Setup::default());
@@ -77,11 +78,11 @@ fn outlines(text: &str) -> (Vec<usize>, usize) {
 fn the_centre_is_drawn_while_it_is_forward() {
     assert_eq!(outlines(&with_centre("G00 X40 Z5\nM26\nX20\nM25\nX40")), (vec![1, 0, 1, 0], 1));
     assert_eq!(outlines(&with_centre("G00 X40 Z5\nM25\nX20\nM26\nX40")), (vec![0, 1, 0, 0], 1));
-    // Where it is never forward, it is not drawn at all.
+    // If it never advances, it is not drawn.
     assert_eq!(outlines(&with_centre("M26\nG00 X40 Z5")), (vec![0, 0], 0));
 }
 
-/// A part is turned, then these blocks.
+/// A part is turned, followed by these blocks.
 fn after_turning(blocks: &str) -> String {
     format!(
         "O0001 (STOCK D=50 LENGTH=80)\nG97 S800 M03 T0101\nG00 X46 Z2\nG01 Z-30 F0.2\nX54\nG00 X200 Z200\n{blocks}\nM30\n"
@@ -91,15 +92,15 @@ fn after_turning(blocks: &str) -> String {
 #[test]
 fn the_chuck_opens_when_the_spindle_stands() {
     says(&after_turning("M11"), &["chuck-opens-while-turning 7"]);
-    // Machines with two spindles hand the part over while both turn.
+    // Machines with two spindles transfer the part while both rotate.
     says(&after_turning("M69"), &[]);
     says(&after_turning("M05\nM11\nM10"), &[]);
     says(&after_turning("M05\nM69\nM68"), &[]);
-    // Both orientations stop the spindle, each at its own angle.
+    // Both orientations stop the spindle, each at a different angle.
     says(&after_turning("M19\nM11"), &[]);
     says(&after_turning("M20\nM11"), &[]);
     says(&after_turning("M19\nM03\nM11"), &["chuck-opens-while-turning 9"]);
-    // What closes it harms nothing.
+    // Closing it is harmless.
     says(&after_turning("M10"), &[]);
     says(&after_turning("M68"), &[]);
 }
@@ -119,7 +120,7 @@ fn the_spindle_turns_again_once_c_is_released() {
     let indexed = "M05\nM45\nG28 H0\nT0505 M13\nG00 X60 Z-10 C90\nG98 G01 X40 F100\nX60";
     says(&after_turning(&format!("{indexed}\nM46\nG97 S800 M03")), &[]);
     says(&after_turning(&format!("{indexed}\nG97 S800 M03")), &["c-axis-still-connected 14"]);
-    // C was connected, but nothing has used it: M45 is something else on this machine.
+    // C was connected but never used: M45 has another meaning on this machine.
     says(&after_turning("M05\nM45\nG97 S800 M03"), &[]);
 }
 
@@ -142,15 +143,15 @@ fn arcs(text: &str) -> usize {
 
 #[test]
 fn arcs_on_the_face_have_i_and_j_or_r() {
-    // A quarter about the centre of the face: from X50 C0 to X0 C25.
+    // A quarter circle about the centre of the face: from X50 C0 to X0 C25.
     for right in ["G03 X0 C25 I-25 J0", "G03 X0 C25 I-25", "G03 X0 C25 R25"] {
         says(&on_the_face(right), &[]);
         assert_eq!(arcs(&on_the_face(right)), 1, "{right}");
     }
-    // K belongs to no axis of the face: the arc is that of I alone.
+    // K does not belong to an axis of the face: the arc uses I alone.
     says(&on_the_face("G03 X0 C25 I-25 K5"), &["centre-word-outside-plane 10"]);
     assert_eq!(arcs(&on_the_face("G03 X0 C25 I-25 K5")), 1);
-    // R counts, and what stands beside it does not.
+    // R applies, and other centre words do not.
     says(&on_the_face("G03 X0 C25 R25 K5"), &["word-without-effect 10"]);
 }
 
@@ -162,7 +163,7 @@ fn arcs_of_turning_have_i_and_k_or_r() {
         )
     };
     says(&turned("G02 X50 Z-15 I5 K0"), &[]);
-    // J0 takes nothing away.
+    // J0 has no effect.
     says(&turned("G02 X50 Z-15 I5 J0"), &[]);
     says(&turned("G02 X50 Z-15 I5 J-3"), &["centre-word-outside-plane 6"]);
     // Without K there is no such arc: one message, an error.
@@ -185,12 +186,12 @@ fn a_tap_on_the_axis_stops_at_the_bottom_and_comes_back_reversed() {
     // Not reversed, or pulled out.
     says(&tapped("G32 Z-20 F1.75\nM05\nM03\nG32 Z6"), &["tap-not-reversed 8"]);
     says(&tapped("G32 Z-20 F1.75\nM05\nG00 Z6"), &["tap-not-reversed 7"]);
-    // Reversed while it still turns in.
+    // Reversed while it still rotates inwards.
     says(&tapped("G32 Z-20 F1.75\nM04\nG32 Z6"), &["tap-not-stopped? 6"]);
     says(&tapped("G32 Z-20 F1.75\nG04 X1\nM04\nG32 Z6"), &["tap-not-stopped? 7"]);
     // Out with another lead than in.
     says(&tapped("G32 Z-20 F1.75\nM05\nM04\nG32 Z6 F1.5"), &["tap-lead-changed 8"]);
-    // Still standing on the way out.
+    // Still stopped during the retract.
     says(&tapped("G32 Z-20 F1.75\nM05\nG32 Z6"), &["cut-with-spindle-stopped 7"]);
 }
 
@@ -241,11 +242,12 @@ fn holes_of_live_drills_take_nothing_off_all_around() {
     let analysis = analyze(LIVE_HOLES.as_bytes(), &Setup::default());
     let setup = Notes::read(LIVE_HOLES.as_bytes()).applied_to(Setup::default());
     let part = SimulationResult::of(&analysis.motions, &setup).finished().expect("a blank");
-    // The bar is what it was, in front of the holes and at each of them.
+    // The bar is unchanged, in front of the holes and at each of them.
     for z in [-5.0, -10.0, -30.0, -45.0] {
         assert_eq!(part.radii(z), [(0.0, 30.0)], "Z{z}");
     }
-    // Where they go in and how deep they are, for the picture of the body: two in the face, two in the side, a tap.
+    // Their entry points and depths, for the picture of the body: two in the face, two in the side, a tapped
+    // one.
     let simulation = SimulationResult::of(&analysis.motions, &setup);
     let holes = |until| live_holes(&analysis.motions, simulation.resolved_setup(), &part, until);
     let rows: Vec<_> = holes(None)

@@ -1,4 +1,5 @@
-//! What a file is read as, worked out by hand: control characters, programs of other controls, G-code systems, program names.
+//! How a file is read, calculated by hand: control characters, programs of other controls, G-code systems,
+//! program names.
 use gcode_playground::analyze;
 use gcode_playground::message::Severity;
 use gcode_playground::repair::repaired;
@@ -22,15 +23,16 @@ fn told(text: &str, setup: &str) -> Vec<String> {
     told.collect()
 }
 
-/// Where the moves of a program end: X as a diameter, Z.
+/// End points of the moves: X as a diameter, Z.
 fn ends(text: &str, setup: &str) -> Vec<(f64, f64)> {
     let analysis = analyze(text.as_bytes(), &Setup::from_json(setup).expect("a setup"));
     let round = |value: f64| (value * 1e4).round() / 1e4;
     analysis.motions.iter().map(|motion| (round(2.0 * motion.to.x), round(motion.to.z))).collect()
 }
 
-/// Remarks without brackets and comments that are not closed are a habit: each is reported once, at the first, with the number
-/// of the others, and its fix repairs all. A bracket before a word that may belong to the block is a separate error.
+/// Remarks without brackets and unclosed comments are a habit: each is reported once, at the first
+/// occurrence, with the number of the others, and its fix applies to all. A bracket before a word that may
+/// belong to the block is a separate error.
 #[test]
 fn a_habit_is_reported_once_and_repaired_everywhere() {
     let text = "O1\nG0 X50 Z2 M3 S500; approach\nG1 Z-5 F0.2; rough it\nX60 (shoulder\n(face X20\nG0 X100; retract\nZ50 (home\nM30\n";
@@ -47,8 +49,8 @@ fn a_habit_is_reported_once_and_repaired_everywhere() {
     assert_eq!(String::from_utf8_lossy(&repaired.text), right);
 }
 
-/// A control ignores everything from `(` to `)`. The lines of text between are part of the comment: one message, at the bracket.
-/// Further lines that are blocks are carried out, and reported as before.
+/// A control ignores everything from `(` to `)`. The lines of text in between are part of the comment: one
+/// message, at the bracket. Further lines that are blocks are executed, and reported as usual.
 #[test]
 fn a_comment_over_several_lines_is_one() {
     for (remark, after) in [
@@ -71,7 +73,7 @@ fn a_comment_over_several_lines_is_one() {
     assert!(far.len() > 1, "{far:?}");
 }
 
-/// A change of one bracket changes how the lines around it are read, as in a fresh run.
+/// Editing one bracket changes how the surrounding lines are read, as in a new run.
 #[test]
 fn the_brackets_of_a_long_comment_can_be_typed() {
     let cuts = |from: usize| (from..from + 3000).map(|z| format!("G1 Z-{z}. F0.2\n")).collect::<String>();
@@ -108,7 +110,8 @@ fn control_characters_are_passed_over_outside_comments() {
     }
 }
 
-/// B-64484EN, program components: what precedes the first `%` is the tape start section, and the control skips it.
+/// B-64484EN, program components: the text before the first `%` is the tape start section, and the control
+/// skips it.
 #[test]
 fn text_before_the_first_percent_sign_is_a_leader() {
     let program =
@@ -133,7 +136,7 @@ fn text_before_the_first_percent_sign_is_a_leader() {
     }
 }
 
-/// A program is no leader, whatever mistakes are in it: neither before a single `%` at its end, nor before another program.
+/// A faulty program is not a leader: neither before a single `%` at its end, nor before another program.
 #[test]
 fn a_program_before_a_percent_sign_is_read() {
     for (text, expected) in [
@@ -150,7 +153,8 @@ fn a_program_before_a_percent_sign_is_read() {
     assert_eq!(ends(text, "{}"), [(60.0, 2.0)]);
 }
 
-/// X20,5 can only be X20.5: the alarm stays, the block is carried out as with a point, in the blocks of cycles too.
+/// X20,5 can only mean X20.5: the alarm stays, but the block is executed as with a point, also in blocks of
+/// cycles.
 #[test]
 fn a_decimal_comma_is_read_as_a_point() {
     let head = "O0001\nG21 G99 G97 S500 M03 T0101\nG00 X62. Z2.\n";
@@ -188,14 +192,14 @@ fn a_decimal_comma_is_read_as_a_point() {
     }
     let turned = format!("{head}G01 X20,5 F0,2\nZ-20\nG00 X100. Z100.\nM30\n");
     assert_eq!(ends(&turned, "{}"), [(62.0, 2.0), (20.5, 2.0), (20.5, -20.0), (100.0, 100.0)]);
-    // Two commas in a number, or too many digits: nothing is read.
+    // Two commas in a number, or too many digits: the word is not read.
     for word in ["X1,2,3", "X20.5,5", "X12345678,5"] {
         let text = format!("{head}G01 {word} F.2\nG00 X100. Z100.\nM30\n");
         assert_eq!(ends(&text, "{}"), [(62.0, 2.0), (100.0, 100.0)], "{text}");
     }
 }
 
-/// A corner word needs a block that moves along a path; elsewhere nothing reads it.
+/// A corner word needs a block that moves along a path; elsewhere it is not read.
 #[test]
 fn corner_words_without_a_corner_are_reported() {
     for block in [
@@ -224,7 +228,7 @@ fn corner_words_without_a_corner_are_reported() {
     }
 }
 
-/// What a misread word is reported to mean is what everything after it sees: T0303 is station 3 with offset 3.
+/// The reported meaning of a misread word applies to everything after it: T0303 is station 3 with offset 3.
 #[test]
 fn a_misread_tool_word_has_a_station() {
     let text = |tool: &str| {
@@ -241,7 +245,8 @@ fn a_misread_tool_word_has_a_station() {
     }
 }
 
-/// System B of FANUC: G92 sets coordinates, G94 is feed a minute. Two cycles of system A without an axis are no cycles.
+/// System B of FANUC: G92 sets coordinates, G94 is feed per minute. Codes of two cycles of system A without
+/// an axis are not cycles.
 #[test]
 fn a_head_with_a_setting_of_coordinates_and_g94_g90_is_system_b() {
     let text = "N10 G92 X100 Z50\nN20 G94 G90\nN30 T0101\nN40 S1000 M03\nN50 G00 X32 Z2\nN60 G01 X28 F100\nN70 Z-20\nN80 G00 X100 Z50\nN90 M30\n";
@@ -297,7 +302,7 @@ fn programs_are_called_by_their_names() {
     assert!(told(&text("<SUB1>", "", "<SUB1>"), "{}").contains(&"duplicate-program-number! 8".to_owned()));
 }
 
-/// A name has its place at the head of a block and after the code of a call; elsewhere it is no word.
+/// A name is valid at the head of a block and after the code of a call; elsewhere it is not a word.
 #[test]
 fn a_name_without_a_place_is_reported() {
     for block in ["G00 X50. <NAME>", "M98 P1000 <", "N10 <NAME>", "M98 <NA*ME>", "IF[#1<2]GOTO5"] {
@@ -311,7 +316,7 @@ fn a_name_without_a_place_is_reported() {
 
 const GSK: &str = r#"{"dialect": {"control": "gsk"}}"#;
 
-/// GSK980TDi manual, macro command list: the loop turns X48, X46 and X44; the jump passes over `G0 X1`.
+/// GSK980TDi manual, macro command list: the loop turns X48, X46 and X44; the jump skips `G0 X1`.
 #[test]
 fn macro_a_assigns_and_jumps() {
     let text = "O0010\nG98 M3 S500 T0101\nG0 X50 Z2\nG65 H01 P#200 Q3\nN20 G0 U-2\nG1 W-5 F100\nG0 W5\nG65 H03 P#200 Q#200 R1\n\
@@ -323,7 +328,7 @@ fn macro_a_assigns_and_jumps() {
     assert_eq!(told(text, GSK), [""; 0]);
 }
 
-/// Each operation of the list, worked out by hand; X is a diameter in millimetres.
+/// Each operation of the list, calculated by hand; X is a diameter in millimetres.
 #[test]
 fn macro_a_has_the_operations_of_the_manual() {
     for (operation, expected) in [
@@ -388,15 +393,15 @@ fn macro_a_says_what_it_cannot_do() {
     assert_eq!(says("G65 H02 P#200 Q1", GSK), ["macro-format 3"]);
     assert_eq!(says("G65 H05 P#200 Q1 R0", GSK), ["macro-division-by-zero 3"]);
     assert_eq!(says("G65 H80 P77", GSK), ["sequence-number-not-found 3"]);
-    // FANUC 0 has macro A as well, but not these variables.
+    // FANUC 0 also has macro A, but without these variables.
     assert_eq!(says("G65 H01 P#100 Q3", "{}"), [""; 0]);
     assert_eq!(says("G65 H01 P#200 Q3", "{}"), ["macro-variable-number 3"]);
-    // H is an argument like any other where a program is called.
+    // In a program call, H is an ordinary argument.
     let text = "O1\nG99 M3 S500 T0101\nG65 H20 P9010\nM30\nO9010\nG0 X#11 Z2\nM99\n";
     assert_eq!(ends(text, "{}"), [(20.0, 2.0)]);
 }
 
-/// Read in the system it is written in, as if the setup named it.
+/// A program is read in the system in which it is written, as if the setup named it.
 #[test]
 fn programs_in_systems_b_and_c_are_read_in_them() {
     let emco = "O0078\nG54\nG92 S2000\nT0101\nG96 S180 M04\nG95\nG00 X52. Z2.\nG73 U2. R1.\nG73 P10 Q20 U.5 W.1 F.25\n\
@@ -435,7 +440,7 @@ fn y_is_the_second_axis_of_polar_interpolation() {
     assert_ne!(with_y.len(), told(&program("Y"), "{}").len());
 }
 
-/// LinuxCNC's G7: X is a diameter. The rest of the program is as a FANUC lathe in system B has it.
+/// G7 of LinuxCNC: X is a diameter. Otherwise the program reads as for a FANUC lathe in system B.
 #[test]
 fn a_plain_program_of_linuxcnc_is_read() {
     let program = |head: &str| {
@@ -445,12 +450,12 @@ fn a_plain_program_of_linuxcnc_is_read() {
     };
     assert_eq!(told(&program("G7"), "{}"), told(&program(""), "{}"));
     assert_eq!(ends(&program("G7"), "{}"), [(42.0, 2.0), (42.0, -20.0), (60.0, 60.0)]);
-    // FANUC's G07 names an axis.
+    // G07 of FANUC programs an axis.
     assert!(told("O1\nG07 Z0\nM30\n", "{}").contains(&"not-supported! 2".to_owned()));
 }
 
-/// A program that changes between G90 and G91 is in system B, where G92 S limits the speed. G50 S is one error, and the
-/// limit that it names is known.
+/// A program that switches between G90 and G91 is in system B, where G92 S limits the speed. G50 S is one
+/// error, and its limit is known.
 #[test]
 fn a_speed_limit_of_system_a_is_one_error_in_system_b() {
     let program = "O1\nG90 G18 G21\nG28 G91 Z0. X0.\nG90\nT0101 M03 S800\nG00 G90 X55. Z5.\nG96 S180 M03\nG50 S3000\nG00 X50.\nG01 Z-60. F0.2\nG00 X100. Z100.\nM30\n";
@@ -459,7 +464,8 @@ fn a_speed_limit_of_system_a_is_one_error_in_system_b() {
     assert_eq!(ends(program, "{}")[1..4], [(55.0, 5.0), (50.0, 5.0), (50.0, -60.0)]);
 }
 
-/// Blocks in front of the O number that move nothing are part of the program: a remark, a title, a code for the unit.
+/// Blocks before the O number that move nothing are part of the program: a remark, a title, a code for the
+/// unit.
 #[test]
 fn text_in_front_of_the_program_number_is_no_program() {
     let program = "O0010\nT0101\nG97 G99 S600 M03\nG0 X65. Z3.\nX20.\nG1 Z-15. F0.2\nM30\n";
@@ -476,13 +482,13 @@ fn text_in_front_of_the_program_number_is_no_program() {
         let text = format!("{head}\n{program}");
         assert_eq!((told(&text, "{}"), ends(&text, "{}")), (owned(expected), way.to_vec()), "{text}");
     }
-    // A program without a number, and one after it that nothing calls.
+    // A program without a number, followed by one that is never called.
     let text = format!("G0 X50. Z2.\nM30\n{program}");
     assert_eq!(told(&text, "{}"), ["program-not-run? 3"]);
     assert_eq!(ends(&text, "{}"), [(50.0, 2.0)]);
     let text = format!("G0 X50. Z2.\n{program}");
     assert_eq!(ends(&text, "{}"), [(50.0, 2.0)]);
-    // Text after `;` with a place in it is a block.
+    // Text after `;` that contains a position is a block.
     let text = format!("{program}; X20. roughing");
     assert!(!told(&text, "{}").contains(&"text-after-semicolon! 8".to_owned()));
 }
@@ -513,7 +519,8 @@ fn text_behind_an_arrow_is_a_remark() {
     // With numbers in it, only the author knows.
     let text = program(["", " <-- Tool 1", "", " <-- Length to Z-80 (finished)"]);
     assert_eq!((told(&text, "{}"), ends(&text, "{}")), (owned(&["text-after-semicolon! 3"]), way.to_vec()));
-    // The end of the program is read in front of the arrow; an arrow in a comment or without text after it is not one.
+    // The end of the program before an arrow is read. An arrow in a comment or without text after it is not
+    // one.
     assert_eq!(told("O1\nG0 X50. Z2. (a -> b)\nM30 <-- End\n", "{}"), ["text-after-semicolon! 3"]);
     for block in ["G0 X50. <-", "G0 X50. -> Z2.", "IF [#1 <- 5] GOTO 10", "#1 => 5 THEN"] {
         let told = told(&format!("O1\n{block}\nM30\n"), "{}");
@@ -524,8 +531,8 @@ fn text_behind_an_arrow_is_a_remark() {
     }
 }
 
-/// Coordinates with three decimals such as `Z1.000`, with feeds of less than 0.03, are inches. A metric program has the zero before its
-/// points, or feeds of 0.05 and more.
+/// Coordinates with three decimals such as `Z1.000`, with feeds below 0.03, are inches. A metric program has
+/// leading zeros, or feeds of 0.05 and more.
 #[test]
 fn coordinates_written_out_to_thousandths_show_inches() {
     let inches = |text: &str| told(text, "{}").iter().any(|told| told.starts_with("inches-concluded"));
@@ -546,7 +553,7 @@ fn coordinates_written_out_to_thousandths_show_inches() {
     }
 }
 
-/// From a start point at the end of the contour, the sign of W that is right for the contour is no error.
+/// With a start point at the end of the contour, a sign of W that is right for the contour is not an error.
 #[test]
 fn an_allowance_is_held_against_the_way_of_the_contour() {
     let program = |start: &str| {
@@ -563,7 +570,7 @@ fn an_allowance_is_held_against_the_way_of_the_contour() {
     assert!(told(&wrong, "{}").iter().any(|told| told.starts_with("allowance-into-part")));
 }
 
-/// In systems B and C a thread is G33: where G32 is refused, the blocks that follow it are no rapids.
+/// In systems B and C a thread is G33: if G32 is an error, the blocks that follow it are not rapids.
 #[test]
 fn a_thread_of_system_a_is_followed_by_no_rapid() {
     let text = "O1\nG90 G95 G21\nG92 S500\nT0505\nG97 S500 M3\nG0 X18. Z.2\nX11.6\nG32 Z-16.6 F1.\nX12. Z-16.8\nG0 X18.\nM30\n";
@@ -577,7 +584,8 @@ fn a_thread_of_system_a_is_followed_by_no_rapid() {
     assert_eq!(told(&fixed, "{}")[1..], [""; 0]);
 }
 
-/// A program with more motions than the part is calculated from says so in `check`, whether a blank is given or not.
+/// `check` reports a program with too many motions for the calculation of the part, with or without a given
+/// blank.
 #[test]
 fn a_part_with_too_many_motions_is_reported_without_a_blank() {
     let setup = Setup::from_json(r#"{"limits": {"partMotions": 5}}"#).expect("a setup");

@@ -1,10 +1,10 @@
-//! Words, speeds, tools and macros worked out by hand: what a control ignores or takes in another way than meant,
-//! and what looks strange but is right.
+//! Words, speeds, tools and macros, calculated by hand: what a control ignores or interprets differently than
+//! intended, and what looks unusual but is right.
 use gcode_playground::analyze;
 use gcode_playground::message::{Diagnostic, Severity};
 use gcode_playground::setup::Setup;
 
-/// What is said of a program: slug and line, the first being 1. Notes stand with a question mark.
+/// The messages of a program: slug and line, counted from 1. Notes have a question mark.
 fn told(text: &str, setup: &str) -> Vec<(String, Diagnostic)> {
     let analysis = analyze(text.as_bytes(), &Setup::from_json(setup).expect("a setup"));
     let told = analysis.diagnostics.into_iter().map(|told| {
@@ -21,7 +21,8 @@ fn program_says(text: &str, setup: &str, expected: &[&str]) {
     assert_eq!(found, expected, "{text}");
 }
 
-/// The same of blocks between a head that makes all ready and an end; lines count from the first of the blocks.
+/// Checks the messages of blocks between a head that prepares the machine and an end. Lines count from the
+/// first of the blocks.
 #[track_caller]
 fn says_with(setup: &str, blocks: &str, expected: &[&str]) {
     let head = "O0001 (STOCK D=50 LENGTH=80)\nT0101\nG97 G99 S800 M03\nG00 X52 Z2\n";
@@ -38,7 +39,7 @@ fn says(blocks: &str, expected: &[&str]) {
     says_with("{}", blocks, expected);
 }
 
-/// The text after a repair of the first message of a rule.
+/// The text after a fix of the first message of a rule.
 #[track_caller]
 fn repaired(text: &str, slug: &str, repair: usize) -> String {
     let found = told(text, "{}");
@@ -52,8 +53,8 @@ fn repaired(text: &str, slug: &str, repair: usize) -> String {
 
 const GSK: &str = r#"{"dialect": {"control": "gsk", "feedMode": "G99"}}"#;
 
-/// Table 1-2 of seed 000 is not part of the document. FANUC's range for lengths in steps of 0.001 mm is ±99999.999 mm, eight
-/// digits (B-64304EN, range of command values).
+/// Table 1-2 of seed 000 is not part of the document. FANUC's range for lengths in steps of 0.001 mm is
+/// ±99999.999 mm, eight digits (B-64304EN, range of command values).
 #[test]
 fn coordinates_and_r_take_eight_digits() {
     for letter in ["X", "U", "Z", "W", "R"] {
@@ -79,28 +80,28 @@ fn words_that_a_move_does_not_read_are_named() {
     says("G00 X46\nG01 Z-20 L1.5 F0.2\nX52", &["word-without-effect 2"]);
     says("G00 X46\nG01 Z-20 D2 F0.2\nX52", &["word-without-effect 2"]);
     says("G00 X46 P1 Q2\nG01 Z-20 F0.2\nX52", &["word-without-effect 1"]);
-    // A code of an arc was forgotten.
+    // A missing arc code.
     says("G00 X46 R3\nG01 Z-20 F0.2\nX52", &["word-without-effect 1"]);
     says("G00 X46 Z2\nG01 Z-20 F0.2\nG02 X50 Z-22 R2 Q3\nG01 X52", &["word-without-effect 3"]);
 }
 
 #[test]
 fn words_that_a_code_reads_are_right() {
-    // Corners with a comma and without, centres, and the words of other codes.
+    // Corners with and without a comma, centres, and words of other codes.
     says("G00 X40\nG01 Z-20 R2 F0.2\nX46 C1\nZ-30 ,R1\nX52", &[]);
     says("G00 X46 Z2\nG01 Z-20 F0.2\nG02 X50 Z-22 I2 K0\nG01 X52", &[]);
-    // J is the centre along Y, where nothing lies; some post-processors write it.
+    // J is the centre along Y, where there is nothing; some post-processors write it.
     says("G00 X46 Z2\nG01 Z-20 F0.2\nG02 X50 Z-22 I2 J0\nG01 X52", &[]);
     says("G00 X46\nG01 Z-20 F0.2\nG04 P500\nX52", &[]);
     says("G50 S2000 Q50\nG00 X46\nG01 Z-20 F0.2\nX52", &[]);
     says("G00 X46\nG01 Z-20 F0.2\nX52\nG10 P1 X0 Z0", &[]);
     says("G00 X46 S900 P1\nG01 Z-20 F0.2\nX52", &[]);
-    // On GSK L and D are a chamfer and a rounding.
+    // On GSK, L and D are a chamfer and a rounding.
     says_with(GSK, "G00 X46\nG01 Z-20 L1.5 F0.2\nX52", &[]);
     says_with(GSK, "G00 X46\nG01 Z-20 D2 F0.2\nX52", &[]);
 }
 
-/// Seed 002: under G12.1 with X as the linear axis I and J give the centre.
+/// Seed 002: with G12.1 and X as the linear axis, I and J give the centre.
 #[test]
 fn under_polar_interpolation_j_is_the_centre_along_c() {
     let program = |arc: &str| {
@@ -131,13 +132,13 @@ fn a_dwell_is_as_long_as_somebody_means() {
     for right in ["G04 X5", "G04 X60", "G04 X500.", "G04 U0.5", "G04 P50", "G04 P1500", "G04 P10"] {
         says(&cut(right), &[]);
     }
-    // A macro stops reading ahead by a dwell as short as can be.
+    // A macro stops the look-ahead by the shortest possible dwell.
     program_says(&format!("{HEAD}G65 P9 A1\nM30\nO0009\nG04 P1\nM99\n"), "{}", &[]);
-    // Where whole numbers count thousandths, 500 are half a second.
+    // If integers count thousandths, 500 is half a second.
     let thousandths = r#"{"dialect": {"decimal": "leastIncrement"}}"#;
     let text = "O1 (STOCK D=50 LENGTH=80)\nT0101\nG97 G99 S800 M03\nG00 X46. Z2.\nG01 Z-20. F0.2\nG04 X500\nX52.\nG00 X200. Z200.\nM30\n";
     program_says(text, thousandths, &[]);
-    // In a program that writes points it lacks one.
+    // In a program with decimal points, the point is missing.
     program_says(text, r#"{"dialect": {"decimal": "calculator"}}"#, &["too-large-without-point 6"]);
 }
 
@@ -156,18 +157,18 @@ fn moves_after_the_end_are_named() {
 #[test]
 fn moves_after_the_end_are_named_between_the_ends_of_the_tape() {
     program_says(&format!("%\n{HEAD}M30\nN5 G00 X44 Z2\n%\n"), "{}", &["blocks-after-end 9"]);
-    // What stands after the tape is not read.
+    // Text after the end of the tape is not read.
     program_says(&format!("%\n{HEAD}M30\n%\nG00 X44 Z2\n"), "{}", &[]);
 }
 
 #[test]
 fn what_something_leads_to_may_stand_after_the_end() {
-    // Subprograms, the end of the tape, a jump, an end that is switched or chosen.
+    // Subprograms, the end of the tape, a jump, a skippable or conditional end.
     program_says(&format!("{HEAD}M98 P2\nM30\nO0002\nG00 W2\nM99\n"), "{}", &[]);
     program_says(&format!("%\n{HEAD}M30\n%\n"), "{}", &[]);
     program_says(&format!("{HEAD}#1=1\nIF [#1 EQ 1] GOTO 90\nM30\nN90 G00 X200 Z200\nM30\n"), "{}", &[]);
     program_says(&format!("{HEAD}/M30\nG00 X200 Z200\nM30\n"), "{}", &[]);
-    // What moves nothing harms nobody.
+    // Blocks that move nothing are harmless.
     program_says(&format!("{HEAD}M30\nM99\n"), "{}", &[]);
 }
 
@@ -177,10 +178,10 @@ fn a_vacant_variable_takes_its_word_away() {
     says("G00 X46\nG01 Z#150 F0.2\nX52", &["vacant-variable 2"]);
     says("G00 X46\nG01 Z#501 F0.2\nX52", &["vacant-variable? 2"]);
     says("#2=-20\nG00 X46\nG01 Z#2 F0.2\nX52", &[]);
-    // In an expression it counts as 0; #0 is vacant on purpose.
+    // In an expression it counts as 0; #0 is deliberately vacant.
     says("G00 X46\nG01 Z[#2-20] F0.2\nX52", &[]);
     says("G00 X46\nG01 Z-20 X#0 F0.2\nX52", &[]);
-    // A call may leave an argument out; a variable that is no argument nobody has set.
+    // A call may omit an argument; a variable that is not an argument was never set.
     let macro_of = |block: &str| format!("{HEAD}G65 P9 A46\nG00 X200 Z200\nM30\nO0009\n{block}\nM99\n");
     program_says(&macro_of("G00 X#1 Z#2"), "{}", &[]);
     program_says(&macro_of("G00 X#1 Z#30"), "{}", &["vacant-variable 11"]);
@@ -193,7 +194,7 @@ fn a_loop_that_is_never_entered_is_noted() {
     };
     says(&turned("LT"), &["loop-not-entered? 2"]);
     says(&turned("GT"), &[]);
-    // Not the first time, but later.
+    // Not in the first round, but later.
     says(
         "#2=0\n#3=0\nWHILE [#2 LT 2] DO1\nWHILE [#3 GT 0] DO2\nG00 X46\nG01 Z-20 F0.2\nX52\nG00 Z2\n#3=#3-1\nEND2\n#3=1\n#2=#2+1\nEND1",
         &[],
@@ -212,10 +213,10 @@ fn a_tool_has_the_offset_of_its_station_where_all_others_have() {
     let at = |index: usize| format!("tool-offset-differs {}", 3 + 5 * index);
     program_says(&program(&["T0101", "T0203", "T0303", "T0404"]), "{}", &[&at(1)]);
     program_says(&program(&["T0101", "T0202", "T0303", "T0507"]), "{}", &[&at(3)]);
-    // A second offset of a station, unless it is that of another tool.
+    // A second offset of a station, unless it is the offset of another tool.
     program_says(&program(&["T0101", "T0111", "T0202", "T0303"]), "{}", &[]);
     program_says(&program(&["T0101", "T0103", "T0202", "T0303"]), "{}", &[&at(1)]);
-    // Too few others, two that differ, offsets that are switched off.
+    // Too few other tools, two deviations, offsets that are cancelled.
     program_says(&program(&["T0101", "T0203", "T0303"]), "{}", &[]);
     program_says(&program(&["T0111", "T0212", "T0303", "T0404", "T0505"]), "{}", &[]);
     program_says(&program(&["T0101", "T0202", "T0303", "T0404"]), "{}", &[]);
@@ -254,7 +255,7 @@ fn a_centre_with_the_other_sign_is_offered_where_that_alone_fits() {
     ] {
         assert_eq!(repaired(&program(wrong), "arc-end-off-circle", 0), program(right));
     }
-    // Half of I would fit: that is no sign.
+    // Half of I would fit: that is not a sign error.
     let found = told(&program("G02 X46 Z-18 I6 K0"), "{}");
     assert!(
         found.iter().any(|told| told.1.message.slug() == "arc-end-off-circle" && told.1.fixes.is_empty())
@@ -271,7 +272,7 @@ fn a_cut_in_material_has_a_feed_that_an_insert_takes() {
     let says = |blocks: &str, expected: &[&str]| machine_says(&program(blocks), expected);
     says("G00 X46\nG01 Z-30 F1.5\nX52", &["feed-per-turn-high 6"]);
     says("G00 X46\nG98 G01 Z-30 F2000\nX52", &["feed-per-turn-high 6"]);
-    // In the air, on the axis (a tap in a floating holder), and as the lead of a thread it may be.
+    // Allowed in the air, on the axis (a tap in a floating holder), and as the lead of a thread.
     says("G01 X46 F2\nZ-30 F0.2\nX52", &[]);
     says("G00 X46\nG01 Z-30 F0.6\nX52", &[]);
     says("G00 X0\nG01 Z-20 F1.5\nZ2\nG00 X60", &["drill-diameter-assumed 6"]);
@@ -295,11 +296,11 @@ fn a_tool_does_the_work_of_its_kind() {
     machine_says(&program("TYPE=TURNING INSERT=CNMG120408", turn), &[]);
     machine_says(&program("TYPE=THREADING", thread), &[]);
     machine_says(&program("TYPE=DRILL D=20", "G00 X0\nG74 R1\nG74 Z-30 Q5000 F0.1\nG00 Z5"), &[]);
-    // A threading tool may take off a burr or cut a small chamfer.
+    // A threading tool may remove a burr or cut a small chamfer.
     machine_says(&program("TYPE=THREADING", "G00 X40 Z10\nG01 X50 Z-2 F0.1\nX54"), &[]);
 }
 
-/// The rules of the machine alone, with the lines of their blocks.
+/// Checks the machine rules only, with the lines of their blocks.
 #[track_caller]
 fn machine_says(text: &str, expected: &[&str]) {
     let mut analysis = analyze(text.as_bytes(), &Setup::default());
@@ -323,7 +324,7 @@ fn a_place_is_named_as_often_as_the_other_way_round_is_not() {
     says(["X52 Z2", "X2 Z52", "X52 Z2"], &["axes-exchanged 9"]);
     says(["X52 Z2", "Z52 X2", "X52 Z2"], &["axes-exchanged 9"]);
     says(["X52 Z2", "X52 Z2", "X52 Z2"], &[]);
-    // Once each way, or each value in other blocks too, is no sign of it.
+    // Each order only once, or each value in other blocks too, is not enough evidence.
     says(["X52 Z2", "X2 Z52", "X54 Z2"], &[]);
     says(["X52 Z2", "X2 Z52", "X52 Z2 (ONCE MORE)\nX2"], &[]);
     let right = program(["X52 Z2", "X52 Z2", "X52 Z2"]);

@@ -1,5 +1,6 @@
-//! The planes of seed 002, section 7, on a machine with a Y axis, worked out by hand: arcs of G17 and G19, straight moves
-//! along Y, compensation of the cutter in these planes, and the messages of a lathe without that axis.
+//! The planes of seed 002, section 7, on a machine with a Y axis, calculated by hand: arcs of G17 and G19,
+//! straight moves along Y, cutter compensation in these planes, and the messages of a lathe without that
+//! axis.
 use gcode_playground::analyze;
 use gcode_playground::api;
 use gcode_playground::findings;
@@ -15,7 +16,7 @@ use gcode_playground::sentences::Language;
 use gcode_playground::setup::Setup;
 use gcode_playground::setup::notes::Notes;
 
-/// A cutter of ⌀10 that turns, with C connected and held.
+/// A rotating cutter of ⌀10, with C connected and held.
 const HEAD: &str = "O0001 (STOCK D=80 LENGTH=60)\n(MACHINE YAXIS=TRUE)\n(TOOL T0101 CUTTER=5 OFFSETR=5)\nM45\nG28 H0\nT0101\nG97 S1000 M13\n\
                     G98 G00 X100 Z5\n";
 
@@ -27,7 +28,8 @@ fn milled(blocks: &str) -> String {
     format!("{HEAD}{blocks}\nG18\nM46\nM30\n")
 }
 
-/// What is said of a program, collisions among it: slug and line of the blocks after the head, the first being 1.
+/// The messages of a program, including collisions: slug and line of the blocks after the head, counted from
+/// 1.
 fn said_of(text: &str) -> Vec<String> {
     let analysis = run(text);
     let setup = Notes::read(text.as_bytes()).applied_to(Setup::default());
@@ -81,7 +83,7 @@ fn arc(motion: &Motion) -> gcode_playground::geometry::Arc {
 
 #[test]
 fn g17_arcs_lie_in_x_and_y_seen_from_plus_z() {
-    // A quarter about the spindle axis, X to the right, Y up: from X40 Y0 counter-clockwise to X0 Y20.
+    // A quarter circle about the spindle axis, X to the right, Y up: from X40 Y0 counter-clockwise to X0 Y20.
     for right in ["G03 X0 Y20 I-20 J0", "G03 X0 Y20 I-20", "G03 X0 Y20 R20", "G03 U-40 V20 R20"] {
         let blocks = format!("G17\nG01 X40 F100\n{right}");
         let own = motions(&blocks);
@@ -91,11 +93,11 @@ fn g17_arcs_lie_in_x_and_y_seen_from_plus_z() {
         assert!(arc.center.is_same(Point::default()) && arc.turn == Turn::Counterclockwise, "{right}");
         says(&milled(&blocks), &[]);
     }
-    // The other way round from the same place, and the other way to the same place.
+    // The opposite direction from the same start, and the opposite direction to the same end.
     assert_eq!(ends(&motions("G17\nG01 X40 F100\nG02 X0 Y-20 R20")[1])[1], [0.0, -20.0, 5.0]);
     let far = arc(&motions("G17\nG01 X40 F100\nG02 X0 Y20 I-20")[1]);
     assert!((far.sweep() + 1.5 * std::f64::consts::PI).abs() < 1e-9);
-    // A full circle, and one that goes down on its way.
+    // A full circle, and one that also moves down.
     let circle = &motions("G17\nG01 X40 F100\nG03 I-20")[1];
     assert!((circle.length() - 40.0 * std::f64::consts::PI).abs() < 1e-9);
     assert_eq!(ends(&motions("G17\nG01 X40 F100\nG03 X0 Y20 R20 Z-5")[1])[1], [0.0, 20.0, -5.0]);
@@ -103,7 +105,8 @@ fn g17_arcs_lie_in_x_and_y_seen_from_plus_z() {
 
 #[test]
 fn g19_arcs_lie_in_y_and_z_seen_from_plus_x() {
-    // Y to the right, Z up. From Y0 Z-10 about Y0 Z-20: counter-clockwise to the left, clockwise to the right.
+    // Y to the right, Z up. From Y0 Z-10 about Y0 Z-20: counter-clockwise to the left, clockwise to the
+    // right.
     for (block, y) in
         [("G03 Y-10 Z-20 J0 K-10", -10.0), ("G02 Y10 Z-20 K-10", 10.0), ("G02 Y10 Z-20 R10", 10.0)]
     {
@@ -134,15 +137,15 @@ fn straight_moves_go_along_all_three_axes() {
     assert!((own[1].length() - 5.0).abs() < 1e-9);
     assert_eq!(ends(&own[2]), [[30.0, 6.0, -1.0], [15.0, 6.0, -1.0]]);
     assert_eq!(ends(&own[3])[1], [15.0, 0.0, 50.0]);
-    // Back in the plane of turning.
+    // Back in the turning plane.
     assert!(own[4].rotary.is_none() && own[4].to == Point::new(45.0, 50.0));
-    // C turns in the same block, and alone beside the axis.
+    // C turns in the same block, and alone while the tool is beside the axis.
     let own = motions("G00 X60 Y10 C90\nC180\nY0");
     assert_eq!(own[0].rotary.map(|own| (own.from, own.to)), Some((0.0, 90.0)));
     assert_eq!(ends(&own[0])[1], [30.0, 10.0, 5.0]);
     assert_eq!(own[1].rotary.map(|own| (own.from, own.to)), Some((90.0, 180.0)));
     assert_eq!(ends(&own[2]), [[30.0, 10.0, 5.0], [30.0, 0.0, 5.0]]);
-    // The rows say Y.
+    // The rows contain Y.
     let rows = motions("G17\nG01 X40 F100\nG03 X0 Y20 I-20")
         .iter()
         .map(|motion| api::motion(motion, 0, &Default::default()))
@@ -153,12 +156,12 @@ fn straight_moves_go_along_all_three_axes() {
 
 #[test]
 fn a_cutter_is_compensated_in_the_plane_in_force() {
-    // A square of 40 mm on the face from outside, clockwise, cutter of ⌀10 to the left of the way.
+    // A square of 40 mm on the face from outside, clockwise, with a cutter of ⌀10 to the left of the path.
     let blocks = "G17\nG01 Z-5 F100\nG41 X40 Y-30\nY20\nX-40\nY-20\nX60\nG40 X100 Y-20\nG00 Z50";
     let own = motions(blocks);
     let corners: Vec<[f64; 3]> =
         own.iter().filter(|motion| motion.virtual_move().is_some()).map(|motion| ends(motion)[1]).collect();
-    // Left of a way up at X20 (radius 20) is X15: this is a pocket milled from inside.
+    // To the left of a path up at X20 (radius 20) is X15: this is a pocket milled from inside.
     assert!(corners.contains(&[15.0, 15.0, -5.0]), "{corners:?}");
     assert!(corners.contains(&[-15.0, 15.0, -5.0]), "{corners:?}");
     assert!(corners.contains(&[-15.0, -15.0, -5.0]), "{corners:?}");
@@ -171,10 +174,10 @@ fn a_cutter_is_compensated_in_the_plane_in_force() {
         Some(Way::Arc(arc)) => Some(arc),
         _ => None,
     });
-    // Corner X40 Y20 rounded by 8: centre at radius 12 Y12, the cutter's centre on a radius of 13.
+    // Corner X40 Y20 rounded by 8: centre at radius 12 Y12, the path of the cutter centre has a radius of 13.
     let arc = arc.expect("a rounding");
     assert!(arc.center.is_same(Point::new(12.0, 12.0)) && (arc.radius() - 13.0).abs() < 1e-9, "{arc:?}");
-    // What follows in the plane of turning begins where the cutter's centre stands.
+    // Moves in the turning plane begin at the position of the cutter centre.
     says(&milled(blocks), &[]);
 }
 
@@ -204,7 +207,7 @@ fn a_lathe_without_a_y_axis_is_told() {
     says(&without("G01 Y5 F0.2"), &["axis-not-supported 5", "not-checked-behind-fault? 6"]);
     says(&without("G17\nG03 X80 Z3 R5 F0.2"), &["plane-not-supported 6", "not-checked-behind-fault? 7"]);
     says(&without("G28 U0 V0\nG01 Y0 F0.2"), &[]);
-    // With one, turning at Y0 is turning.
+    // With a Y axis, turning at Y0 is ordinary turning.
     let turned = |head: &str| {
         format!(
             "O0001 (STOCK D=80 LENGTH=60)\n{head}T0101\nG97 S1000 M03\nG00 X70 Z5 Y0\nG01 Z-30 F0.2\nX84\nG00 X200 Z200\nM30\n"
@@ -217,7 +220,7 @@ fn a_lathe_without_a_y_axis_is_told() {
 
 #[test]
 fn what_is_not_done_beside_the_axis_is_said() {
-    // Holes and cycles at a place beside the axis.
+    // Holes and cycles at a position beside the axis.
     says(
         &milled("G00 X40 Y10\nG83 X40 Z-12 R-3 F100\nG80\nG00 Z50\nY0"),
         &["not-supported 2", "not-checked-behind-fault? 2"],
@@ -226,19 +229,19 @@ fn what_is_not_done_beside_the_axis_is_said() {
         &milled("G83 X40 Y10 Z-12 R-3 F100\nG80\nG00 Z50\nY0"),
         &["not-supported 1", "not-checked-behind-fault? 1"],
     );
-    // So are turning cycles and threads.
+    // The same applies to turning cycles and threads.
     for cycle in ["G90 X50 Z-20 F0.2", "G32 Z-20 F1.5", "G94 X50 Z-20 F0.2"] {
         let blocks = format!("G99 G00 X60 Y10\n{cycle}\nG00 Z50\nY0");
         assert!(said_of(&milled(&blocks)).contains(&"not-supported 2".to_owned()), "{cycle}");
     }
-    // An arc of G18 with R that goes along Y alone: G17 or G19 is missing. The next Y is where it says.
+    // An arc of G18 with R that moves only along Y: G17 or G19 is missing. The next Y move is correct.
     let blocks = "G01 Y5 F100\nG03 X100 Y-5 R6\nG01 Y5\nX90";
     says(&milled(blocks), &["not-supported 2", "not-checked-behind-fault? 3"]);
     assert_eq!(
         motions(blocks).iter().map(|motion| motion.process.uncertain).collect::<Vec<_>>(),
         [false, true, false]
     );
-    // Under G12.1 Y is no axis of the plane.
+    // With G12.1, Y is not an axis of the plane.
     says(
         &milled("G01 Z3 F100\nG12.1\nG01 X40 Y3\nG13.1\nG00 X100 Y0"),
         &["not-supported 3", "not-checked-behind-fault? 3"],
@@ -265,12 +268,12 @@ fn a_slot_along_y_is_taken_off_the_face() {
     let area = |outlines: &[Vec<Point>]| {
         outlines.iter().map(|outline| Region::inside(outline).area().abs()).sum::<f64>()
     };
-    // Two pieces are left of the disc of ⌀80 beside a slot of 10 mm.
+    // A slot of 10 mm divides the disc of ⌀80 into two pieces.
     assert_eq!(work.part.len(), 2);
     let slot = 2.0 * (5.0f64 * (1600.0f64 - 25.0).sqrt() + 1600.0 * (5.0f64 / 40.0).asin());
     let taken = area(&work.blank) - area(&work.part);
     assert!((taken - slot).abs() < 2.0, "{taken} {slot}");
-    // The part in the section keeps its outline: what is milled is drawn as a frame.
+    // The part in the section keeps its outline: milled regions are drawn as a frame.
     assert_eq!(simulation.finished().expect("a blank").radii(-3.0), [(0.0, 40.0)]);
     assert!(face.milled(usize::MAX).is_some());
 }
