@@ -1,4 +1,4 @@
-//! A program that was run, and the questions about it.
+//! A completed run, and requests for help about it.
 
 use gcode_playground::api::Places;
 use gcode_playground::api::assist::{FormHelp, Reader, StateHelp, WordHelp};
@@ -11,7 +11,7 @@ use gcode_playground::source::{LineIndex, Span};
 use gcode_playground::text::block::Block;
 use gcode_playground::text::parser::Resume;
 
-/// A program that was run, and can be asked about.
+/// A completed run that answers requests for help.
 pub struct Asking {
     pub run: Run,
     pub lines: LineIndex,

@@ -1,4 +1,4 @@
-//! What can be written at a place.
+//! The completions at a position.
 
 use gcode_playground::api::assist::CompletionItem;
 use gcode_playground::message::Severity;
@@ -9,7 +9,7 @@ use gcode_playground::setup::Setup;
 use super::asking::Asking;
 
 impl Asking {
-    /// What can be written at a byte, for a reader who asks for it, or who types.
+    /// The completions at a byte, on explicit request or while the user types.
     pub fn completion(&mut self, byte: u32, language: Language, asked_for: bool) -> Vec<CompletionItem> {
         let end = self.run.state().clone();
         self.with(byte, Time::Usual, language, |asked, reader, _| {
@@ -18,7 +18,7 @@ impl Asking {
     }
 }
 
-/// What is proposed at the mark `$0` of a program.
+/// The completions at the mark `$0` of a program.
 fn proposed(program: &str, setup: &str, asked_for: bool) -> Vec<CompletionItem> {
     let byte = program.find("$0").expect("a mark");
     let setup = Setup::from_json(setup).expect("a setup");
@@ -98,7 +98,7 @@ fn numbers_that_exist_are_proposed_where_a_number_is_named() {
     assert!(proposed(&format!("{HEAD}(G$0\n"), "{}", true).is_empty(), "nothing in a comment");
 }
 
-/// Each snippet as it stands, after a head, runs without a warning: what is proposed must not be wrong.
+/// Each unmodified snippet runs after a head without a warning: completions must not be wrong.
 #[test]
 fn snippets_run_as_they_are() {
     let controls = [

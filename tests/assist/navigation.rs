@@ -1,4 +1,4 @@
-//! The outline of a text, what can be folded, and where a number is used.
+//! The outline of a text, foldable ranges, and the uses of a number.
 
 use gcode_playground::api::Places;
 use gcode_playground::api::assist::Reader;
@@ -76,7 +76,8 @@ fn programs_tools_contours_and_loops_can_be_folded() {
     assert_eq!(lines, [(1, 25), (5, 16), (9, 12), (17, 25), (19, 22), (26, 28)]);
 }
 
-/// The places of the number at a mark as `line:word`, the one that stands itself with a star; and where one goes next.
+/// The uses of the number at the mark as `line:word`, with a star at definitions; and the line to which
+/// navigation jumps.
 fn places(text: &str) -> Option<(String, Vec<String>, u32)> {
     let byte = text.find("$0").expect("a mark") as u32;
     let text = text.replace("$0", "");
@@ -105,7 +106,7 @@ fn a_number_leads_to_its_block_and_back() {
     let other = places(&at("N10 G01", 2)).expect("a number");
     assert_eq!(other.1, ["27:N10*"]);
     assert_eq!(places(&at("99\nN99", 1)), Some(("N99".into(), uses(&["24:99", "25:N99*"]), 25)));
-    // P32000 is three times O2000.
+    // P32000 calls O2000 three times.
     let called = uses(&["23:P32000", "26:O2000*"]);
     assert_eq!(places(&at("P32000", 3)), Some(("O2000".into(), called.clone(), 26)));
     assert_eq!(places(&at("O2000", 0)), Some(("O2000".into(), called, 23)));
@@ -126,7 +127,7 @@ fn the_name_of_a_program_leads_to_it() {
     assert_eq!(at("<SUB-1>", 2), Some((uses(["3:<SUB-1>", "6:<sub-1>*"]), 6)));
     assert_eq!(at("<sub-1>", 2), Some((uses(["3:<SUB-1>", "6:<sub-1>*"]), 3)));
     assert_eq!(at("P7", 1), Some((uses(["4:P7", "6:O0007*"]), 6)));
-    // A name begins a program: N10 of the other one is another block.
+    // A name begins a program: N10 of the other program is another block.
     assert_eq!(at("N10 M99", 0).map(|found| found.0), Some(vec!["7:N10*".to_owned()]));
 }
 
@@ -141,7 +142,7 @@ fn local_variables_are_those_of_their_program_and_a_return_goes_to_the_caller() 
     assert_eq!((back, next), (vec!["5:N50*".to_owned(), "9:P50".to_owned()], 5));
 }
 
-/// Every number of every seed and test program is found where it stands, and nothing panics.
+/// For every number of every seed and test program, its uses include its own position, and nothing panics.
 #[test]
 fn the_number_that_is_asked_about_is_among_its_uses() {
     let mut asked = 0;

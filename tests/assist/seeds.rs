@@ -1,4 +1,4 @@
-//! The first word of each kind in every program of the seeds, marked, and what is said of it.
+//! The first word of each kind in every program of the seeds, marked, and the help for it.
 
 use std::collections::BTreeSet;
 use std::fmt::Write;
@@ -14,7 +14,7 @@ use super::fixtures;
 
 const FILE: &str = "seeds.help";
 
-/// The marked words of a program: its letter and what it is make its kind.
+/// The marked words of a program. Letter and title define the kind of a word.
 fn words(id: &str) -> String {
     let read = |file: &str| fs::read_to_string(format!("tests/programs/{id}/{file}")).expect("a file");
     let setup = Setup::from_json(&read("setup.json")).expect("a setup");

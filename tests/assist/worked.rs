@@ -1,4 +1,5 @@
-//! Answers worked out by hand: each value from the block, a manual or geometry, none from an answer of the program.
+//! Answers calculated by hand: each value from the block, a manual or geometry, none from the output of the
+//! program.
 
 use gcode_playground::api::assist::{FormHelp, StateHelp};
 use gcode_playground::run::replay::Time;
@@ -68,7 +69,7 @@ impl Program {
     }
 }
 
-/// Seed 002's square under G12.1, with a cutter of radius 10.
+/// The square of seed 002 with G12.1 and a cutter of radius 10.
 const SQUARE: &str = "O1\nM45\nG28 H0\nG00 T0101\nG97 S100 M13\nG00 X80 Z30\nG98 G01 Z-20 F100\nG12.1\nG42 X50\nC25\nX-50\n\
                       C-25\nX50\nC0\nG40 X100\nG13.1\nM30\n";
 
@@ -77,7 +78,7 @@ fn square() -> Program {
     Program::with(SQUARE, Setup::from_json(setup).expect("a setup"))
 }
 
-/// X and C are the coordinates of the virtual plane, both in mm as the program counts them; Z stays.
+/// X and C are the coordinates of the virtual plane, both in mm as in the program; Z stays.
 #[test]
 fn the_state_under_g121_is_in_the_words_of_the_program() {
     let mut square = square();
@@ -91,8 +92,8 @@ fn the_state_under_g121_is_in_the_words_of_the_program() {
     assert!(square.word(9, "X50").1.contains(&"From Ø80 mm to Ø50 mm.".to_owned()));
 }
 
-/// The cutter goes 10 mm beside the square: from X80 to X70 (5 mm of radius, 3 s), then 35 mm up to its corner at 45°
-/// (21 s), 70 mm to the next one (42 s).
+/// The cutter passes 10 mm beside the square: from X80 to X70 (5 mm of radius, 3 s), then 35 mm up to its
+/// corner at 45° (21 s), 70 mm to the next one (42 s).
 #[test]
 fn the_sentence_under_g121_is_of_the_block_itself() {
     let mut square = square();
@@ -108,7 +109,7 @@ fn the_sentence_under_g121_is_of_the_block_itself() {
     assert_eq!(square.letters(10), ["X/U", "C/H", "F"]);
 }
 
-/// Haas names the second axis Y: it is explained as the C that it is read as.
+/// Haas names the second axis Y: the help describes it as C, as which it is read.
 #[test]
 fn y_under_g112_is_the_second_axis() {
     let mut program = Program::new(
@@ -124,7 +125,7 @@ fn y_under_g112_is_the_second_axis() {
     assert_eq!(program.word(12, "V-50").0, "-50 mm");
 }
 
-/// Q3 would be thousands of pecks of 0.003 mm: the control takes 3 mm, and so does the help.
+/// Q3 would mean thousands of pecks of 0.003 mm: the control uses 3 mm, and so does the help.
 #[test]
 fn the_peck_of_a_hole_counts_as_the_control_took_it() {
     let counts = |facts: &[String]| facts.iter().any(|fact| fact.contains("without a point"));
@@ -136,7 +137,7 @@ fn the_peck_of_a_hole_counts_as_the_control_took_it() {
     }
 }
 
-/// On the cylinder C is an angle: 90° of a radius of 20 mm is 31.42 mm.
+/// On the cylinder, C is an angle: 90° at a radius of 20 mm is 31.42 mm.
 #[test]
 fn the_state_and_the_sentence_under_g071() {
     let mut program = Program::new(
@@ -152,7 +153,7 @@ fn the_state_and_the_sentence_under_g071() {
     assert_eq!(program.letters(9), ["Z/W", "C/H", "F"]);
 }
 
-/// With C connected, a move can name it; a rapid of X and C does both.
+/// With C connected, a move can program it; a rapid with X and C moves both.
 #[test]
 fn c_beside_x_and_z() {
     let mut program = Program::new("O1\nM45\nG28 H0\nG00 X50 Z2\nG00 X40 C90\nG98 G01 C180 F360\nM30\n");
@@ -171,7 +172,8 @@ fn compensated(text: &'static str) -> Program {
     Program::with(text, Setup::from_json(setup).expect("a setup"))
 }
 
-/// Under G42 each move is made while a later block is read; the sentence names the programmed places of the block.
+/// With G42 each move is made while a later block is read; the sentence uses the programmed positions of the
+/// block.
 #[test]
 fn the_sentence_under_g42_is_of_the_block_itself() {
     let mut program = compensated(COMPENSATED);
@@ -184,7 +186,7 @@ fn the_sentence_under_g42_is_of_the_block_itself() {
     begins(program.explanation(8), "Rapid from X50 Z-40 to X60 Z-40.");
 }
 
-/// A move that waits for its corner is explained with the corner, the block after it without.
+/// A move that waits for its corner is explained with the corner, the next block without it.
 #[test]
 fn the_sentence_of_a_block_with_a_corner_is_of_the_block_itself() {
     let mut program =
@@ -209,7 +211,7 @@ fn each_time_of_a_compensated_loop_has_its_own_sentence() {
     }
 }
 
-/// R of a taper stays in force while the code does: without the word the pass has the taper of the one before.
+/// R of a taper is modal with its code: without the word, the pass has the taper of the previous one.
 #[test]
 fn r_of_a_modal_taper_stays_in_force() {
     let mut program = Program::new(
@@ -218,11 +220,11 @@ fn r_of_a_modal_taper_stays_in_force() {
     assert_eq!(program.otherwise(5, "R"), "Without it: -5 mm, as set before.");
     assert_eq!(program.otherwise(8, "R"), "Without it: -3 mm, as set before.");
     assert_eq!(program.otherwise(10, "R"), "Without it: -1 mm, as set before.");
-    // Spelled again, the code forgets its taper (seed 000).
+    // Repeating the code resets the taper (seed 000).
     assert_eq!(program.otherwise(6, "R"), "Without it: 0.");
 }
 
-/// The pull-out of a pass ends farther out than the thread it cuts.
+/// The pull-out of a pass ends farther out than the thread.
 #[test]
 fn the_last_pass_of_g76_is_its_last_cut() {
     let mut program = Program::new(
@@ -233,7 +235,7 @@ fn the_last_pass_of_g76_is_its_last_cut() {
     assert!(program.explanation(5).contains("the last cuts at Ø33.8 mm"));
 }
 
-/// P and Q count millimetres where the setup says so (seed 003).
+/// P and Q count millimetres if the setup says so (seed 003).
 #[test]
 fn p_and_q_in_millimetres() {
     let millimetres =
@@ -266,7 +268,7 @@ fn p_and_q_in_millimetres() {
     assert!(facts.iter().any(|fact| fact.contains("0.001 mm")), "{facts:?}");
 }
 
-/// A pass of a taper cuts at no one diameter or Z.
+/// A tapered pass has no single diameter or Z.
 #[test]
 fn the_sentence_of_a_tapered_pass() {
     let mut program = Program::new(
@@ -295,7 +297,7 @@ fn the_sentence_of_a_tapered_pass() {
     );
 }
 
-/// A block that names neither a code of a move nor an axis has no form.
+/// A block without a motion code and without an axis has no form.
 #[test]
 fn a_block_that_moves_nothing_has_no_form() {
     let mut program = Program::new(

@@ -1,13 +1,12 @@
-//! In: the help of a command, and the lines of the reference that show it. Out: the values that each argument
-//! takes, by the one and by the other.
+//! In: the help of a command, and its usage lines in the reference. Out: the values of each argument in both.
 
 use std::collections::{BTreeMap, BTreeSet};
 
-/// The values of each argument that takes only some: of an option by its long name, of arguments
-/// without a name under `""`.
+/// The values of each argument that accepts only certain values: options by their long names, positional
+/// arguments under `""`.
 pub type Values = BTreeMap<String, BTreeSet<String>>;
 
-/// What the long help of a command names.
+/// The values in the long help of a command.
 pub fn of_help(help: &str) -> Values {
     let mut found = Values::new();
     let mut argument = String::new();
@@ -33,8 +32,8 @@ pub fn of_help(help: &str) -> Values {
     found
 }
 
-/// What the lines of usage of a command name: `a|b` in place of a positional, or after an option. Options
-/// that show a placeholder have the values of `table`.
+/// The values in the usage lines of a command: `a|b` as a positional argument, or after an option. Options
+/// with a placeholder have the values of `table`.
 pub fn of_usage(lines: &[&str], table: &Values) -> Values {
     let mut found = Values::new();
     for line in lines {

@@ -1,15 +1,15 @@
-//! In: a call of the command line as the reference shows it, such as `check PATH… --setup S.json`. Out: the arguments of a call that works, with
-//! the files that it needs.
+//! In: a command line as the reference shows it, such as `check PATH… --setup S.json`. Out: the arguments of
+//! a working call, with the files that it needs.
 
 use std::fs;
 use std::path::Path;
 
-/// A program without a fault, one that mills the end face, and one that drills the side.
+/// A correct program, one that mills the end face, and one that drills the side.
 pub const PROGRAM: &str = "O0001 (STOCK D=40 LENGTH=60)\nT0101\nG97 S800 M03\nG00 X42 Z2\nG90 X36 Z-20 F0.2\nX32\nG00 X100 Z100\nM30\n";
 const FACE: &str = "O0002 (STOCK D=80 LENGTH=60)\nT0101\nG98 G97 S800 M13\nM45\nG00 X100 Z2\nG12.1\nG01 X50 F100\nC20\nG13.1\nG00 X150 Z100\nM46\nM30\n";
 const SIDE: &str = "O0003 (STOCK D=60 LENGTH=60)\n(TOOL T0303 TYPE=DRILL D=8)\nM45\nG28 H0\nT0303\nG97 S900 M13\nG00 X66 Z-30 C0\nG98 G87 Z-30 C0 X30 R-1 F80\nC90\nG80\nG00 X150 Z100\nM46\nM30\n";
 
-/// The arguments of a call, with files in place of `FILE` and the like: they are written into a folder.
+/// The arguments of a call. Files are written into a folder and replace `FILE` and similar placeholders.
 pub fn arguments(words: &[String], folder: &Path) -> Vec<String> {
     let names = |view: &str| words.iter().any(|word| word == view);
     let program = match (names("face"), names("side")) {

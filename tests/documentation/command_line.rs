@@ -1,5 +1,5 @@
-//! The reference of the command line (`www/docs/command-line.md`) against the help of the
-//! commands and what they write.
+//! Compares the reference of the command line (`www/docs/command-line.md`) with the help and the output of
+//! the commands.
 
 use std::collections::BTreeSet;
 use std::process::Command;
@@ -9,7 +9,7 @@ use gcode_playground::analyze;
 use gcode_playground::export::csv::csv;
 use gcode_playground::setup::Setup;
 
-/// The lines of usage in the reference, without the name of the program.
+/// The usage lines in the reference, without the name of the program.
 fn usage_of_the_reference() -> Vec<String> {
     let lines = commands().into_iter().filter(|(document, _)| *document == "www/docs/command-line.md");
     lines.filter_map(|(_, line)| Some(line.strip_prefix("gcode-playground ")?.to_owned())).collect()
@@ -57,12 +57,12 @@ fn the_reference_lists_every_option_of_the_command_line() {
     assert!(lacking.is_empty(), "options that the reference does not show:\n{}", lacking.join("\n"));
 }
 
-/// The values that arguments with and without a name take, in both directions.
+/// The values of options and positional arguments, in both directions.
 #[test]
 fn the_reference_lists_the_values_of_every_argument() {
     let values = |cell: &str| -> BTreeSet<String> { cell.split_whitespace().map(str::to_owned).collect() };
     let rows = first_cells("www/docs/command-line.md", "| option |");
-    // What an option such as `--setup` takes is "a … file", or "a folder".
+    // The value of an option such as `--setup` is "a … file", or "a folder".
     let rows = rows.iter().map(|cells| (cells[1].clone(), values(&cells[2])));
     let table: arguments::Values =
         rows.filter(|(_, own)| !own.contains("file") && !own.contains("folder")).collect();

@@ -1,14 +1,14 @@
-//! Diameters and radii: ARCHITECTURE, "What must stay true", says that only
-//! `units::Diameter` makes one of the other.
+//! Diameters and radii: according to ARCHITECTURE, "What must stay true", only `units::Diameter` converts
+//! between them.
 //!
 //! In: the source. Out: the lines that double or halve an X by hand.
 
 use super::project;
 
-/// Where a conversion by hand is right: what defines it, and the reader of what is programmed.
+/// Files that may convert by hand: the definition, and the reader of programmed values.
 const RIGHT: [&str; 1] = ["src/units.rs"];
 
-/// Whether a path is an X or a diameter: its last name says so.
+/// Whether a path is an X or a diameter, judged by its last name.
 fn is_across(path: &str) -> bool {
     matches!(path.rsplit('.').next(), Some("x" | "diameter" | "bore" | "x_min" | "x_max"))
 }
@@ -17,7 +17,7 @@ fn is_of_path(sign: char) -> bool {
     sign.is_ascii_alphanumeric() || matches!(sign, '_' | '.')
 }
 
-/// How many values across the axis a line doubles or halves.
+/// The number of values across the axis that a line doubles or halves.
 fn conversions(line: &str) -> usize {
     let code = line.split("//").next().unwrap_or_default();
     let doubled = code.match_indices("2.0 * ").filter(|&(at, factor)| {

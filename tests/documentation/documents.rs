@@ -1,8 +1,8 @@
-//! The documents of the project, whose commands, files, names and figures tests hold against the code.
+//! The documents of the project. Tests compare their commands, files, names and figures with the code.
 //!
-//! This list is shared by `tests/documentation.rs` and the tests of `xtask`.
+//! `tests/documentation.rs` and the tests of `xtask` share this list.
 
-/// The documents. The change log describes the past, and only its commands and files are checked.
+/// The documents. The changelog describes the past, so only its commands and files are checked.
 pub const DOCUMENTS: [&str; 24] = [
     "README.md",
     "CONTRIBUTING.md",

@@ -1,5 +1,5 @@
-//! Every figure that stands in the documents' prose, with what holds it. A figure that is not listed fails
-//! the test, so does a listed one that the documents no longer state.
+//! Every figure in the prose of the documents, with its evidence. The test fails for a figure that is not
+//! listed, and for a listed one that the documents no longer contain.
 
 use gcode_playground::analyze;
 use gcode_playground::limits;
@@ -10,25 +10,25 @@ use gcode_playground::units::Unit;
 
 use super::{analyze_codes, source};
 
-/// What holds a figure.
+/// The evidence for a figure.
 pub enum Held {
     /// A test of this name, in this file.
     By(&'static str, &'static str),
     /// This text in this file.
     Stated(&'static str, &'static str),
-    /// Shown here.
+    /// A check in this file.
     Shown(fn()),
-    /// Nothing can be run for it; the reason.
+    /// No test can run it; the reason.
     NotRun(&'static str),
 }
 
-/// A part of a sentence with its figures, as the document states it (a code span is `□`), and what holds it.
+/// A part of a sentence with its figures, as in the document (a code span is `□`), and the evidence.
 pub struct Figure {
     /// The document.
     pub document: &'static str,
     /// A part of one line of its prose.
     pub words: &'static str,
-    /// What holds it.
+    /// The evidence.
     pub held: Held,
 }
 
@@ -222,7 +222,7 @@ pub const FIGURES: &[Figure] = &[
     ),
 ];
 
-/// The figures of the line of a table of `tests/speed/README.md` that begins with these words.
+/// The figures in the row of a table of `tests/speed/README.md` that begins with this cell.
 fn measured(first_cell: &str) -> Vec<f64> {
     let table = source("tests/speed/README.md");
     let line = table.lines().find(|line| line.starts_with(&format!("| {first_cell} |")));

@@ -1,23 +1,23 @@
-//! In: a line of usage such as `check FILE… [--fix [--dry-run]] [--format text|json]`. Out: the calls it
-//! promises: the plain one, each option alone, each of its values.
+//! In: a usage line such as `check FILE… [--fix [--dry-run]] [--format text|json]`. Out: the calls that it
+//! allows: the plain one, each option alone, and each of its values.
 
-/// One part of a line of usage.
+/// A part of a usage line.
 #[derive(Clone, Debug, PartialEq, Eq)]
 enum Part {
     /// A word, or one of several.
     Word(Vec<String>),
-    /// What may be left out.
+    /// An optional part.
     Optional(Vec<Part>),
 }
 
-/// All calls that a line of usage promises, as words.
+/// All calls that a usage line allows, as words.
 pub fn calls(line: &str) -> Vec<Vec<String>> {
     let mut tokens = tokens(line).into_iter();
     let parts = parts(&mut tokens);
     expand(&parts)
 }
 
-/// Brackets stand alone, everything else by words.
+/// Brackets are separate tokens, everything else is split into words.
 fn tokens(line: &str) -> Vec<String> {
     line.replace('[', " [ ").replace(']', " ] ").split_whitespace().map(str::to_owned).collect()
 }
@@ -34,8 +34,7 @@ fn parts(tokens: &mut impl Iterator<Item = String>) -> Vec<Part> {
     parts
 }
 
-/// The plain call first; then, for each part that gives a choice, a call for every
-/// choice, the others left plain.
+/// The plain call first; then, for each part with a choice, one call per choice, with the other parts plain.
 fn expand(parts: &[Part]) -> Vec<Vec<String>> {
     let plain = |part: &Part| match part {
         Part::Word(choices) => vec![choices[0].clone()],

@@ -1,20 +1,20 @@
-//! Every limit of a run, with a program that stays just within it and one that goes a step further.
+//! Every limit of a run, with a program just within it and one that exceeds it by one.
 
 use gcode_playground::limits::{Limits, WORDS_PER_BLOCK};
 
 /// A limit and two programs.
 pub struct Bound {
-    /// Name of its message.
+    /// Slug of its message.
     pub slug: &'static str,
     /// The setup that sets it.
     pub setup: String,
-    /// Is not reported.
+    /// A program without the message.
     pub within: String,
-    /// Is reported.
+    /// A program with the message.
     pub beyond: String,
 }
 
-/// All of them.
+/// All limits.
 pub fn bounds() -> Vec<Bound> {
     let bound = |slug, setup: &str, within: &str, beyond: &str| Bound {
         slug,
@@ -24,15 +24,15 @@ pub fn bounds() -> Vec<Bound> {
     };
     // A peck of 1 mm takes three moves.
     let hole = |depth: u32| format!("M3 S1 F1 M45\nX0 Z0\nG83 X0 Z-{depth} Q1000\nM30");
-    // Three blocks a round: `O2`, `G0 X1` and `M99` are ten characters.
+    // Three blocks per round: `O2`, `G0 X1` and `M99` have ten characters.
     let calls = |rounds: u32| format!("O1\nM98 P2 L{rounds}\nM30\nO2\nG0 X1\nM99\n");
     // G70 reads its contour of two blocks each time.
     let finishing =
         |times: usize| format!("M3 S1 F1\nX9 Z0\n{}M30\nN1 G0 X1\nN2 G1 Z-1\n", "G70 P1 Q2\n".repeat(times));
-    // WHILE, two expressions in X and Z, one statement and END a round, and WHILE once more at the end; what
-    // is done before the first jump does not count.
+    // WHILE, two expressions in X and Z, one statement and END per round, and WHILE once more at the end.
+    // Work before the first jump does not count.
     let sums = |rounds: u32| format!("#1=0\nWHILE[#1 LT {rounds}]DO1\nG0 X[#1] Z[#1]\n#1=#1+1\nEND1\nM30\n");
-    // A plunge leaves a groove of four corners in the four of the bar.
+    // The bar has four corners, and a plunge adds a groove of four.
     let grooves = |count: u32| {
         let plunge = |index: u32| format!("G0 X22 Z-{}\nG1 X10\nG0 X22\n", 10 * index);
         format!("M3 S1 F1\n{}", (1..=count).map(plunge).collect::<String>())

@@ -1,8 +1,8 @@
-//! Cycles with an amount that is far too small: each is refused at once.
+//! Cycles with a far too small step: each is rejected immediately.
 
-/// A program with one move before its cycle, which is not carried out, and what must be said of it.
+/// A program with one move before a cycle that is not carried out, and the expected message.
 pub struct Endless {
-    /// What it is.
+    /// Its description.
     pub name: &'static str,
     /// Its setup.
     pub setup: &'static str,

@@ -1,8 +1,8 @@
-//! Cycles that are dear to work out, a megabyte of calls of each.
+//! Cycles that are expensive to calculate; about a megabyte of calls of each.
 
 use super::{Hostile, called, case};
 
-/// The head of a program, then a contour of zigzags that each pass crosses again and again.
+/// The head of a program, and a contour of zigzags that each pass crosses repeatedly.
 fn zigzags(count: usize) -> String {
     let mut text = String::from("M3 S500\nG99 F.2\nG0 X200 Z2\nG71 U2 R.5\nG72 W2 R.5\nN1 G0 X100 W0\n");
     for _ in 0..count {
@@ -11,7 +11,7 @@ fn zigzags(count: usize) -> String {
     text + "N2 X200\nG0 X200 Z2\n"
 }
 
-/// The head of a program, then a contour that only rises.
+/// The head of a program, and a contour that only rises.
 fn rising(blocks: usize) -> String {
     let mut text = String::from("M3 S500\nG99 F.2\nG0 X200 Z2\nG71 U.1 R.1\nG72 W.1 R.1\nN1 G0 X10\n");
     for _ in 0..blocks {

@@ -1,8 +1,8 @@
-//! Jumps, loops and calls without an end.
+//! Endless jumps, loops and calls.
 
 use super::{Hostile, case};
 
-/// Jumps, loops and calls without an end.
+/// Endless jumps, loops and calls.
 pub fn never_ending() -> Vec<Hostile> {
     const REPEATS: &str = "E-ENDLESS";
     const FAULTY: &str = "G0 X1,5 Z1,5 F1,2 S1,2 U1,3 W1,2 R1,2\n";

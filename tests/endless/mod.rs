@@ -1,7 +1,6 @@
-//! Programs that would take for ever, for the native tests, the wasm tests and the table of
-//! `cargo xtask bench`: cycles with an amount that is far too small, loops and calls without an end, dear
-//! work called again and again, and texts that are long and of no sense. And each limit with programs
-//! just within it and beyond.
+//! Programs that would run forever, for the native tests, the wasm tests and the table of `cargo xtask
+//! bench`: cycles with a far too small step, endless loops and calls, expensive work called repeatedly, and
+//! long texts without meaning. Also programs just within and just beyond each limit.
 
 mod bounds;
 mod cycles;
@@ -16,20 +15,20 @@ mod work;
 pub use bounds::bounds;
 pub use cycles::endless;
 
-/// Longest time a page may stand still, seconds.
+/// Longest time that a page may be blocked, seconds.
 pub const MOST_SECONDS: f64 = 1.0;
 
-/// A program that never ends or is of no sense, and what must be said of it.
+/// A program that never ends or has no meaning, and the expected message.
 pub struct Hostile {
-    /// What it is.
+    /// Its description.
     pub name: String,
     /// Its setup.
     pub setup: &'static str,
-    /// Its text, of about a megabyte at most.
+    /// Its text, about a megabyte at most.
     pub text: Vec<u8>,
     /// Code of the message.
     pub code: &'static str,
-    /// Line of the message, from 1.
+    /// Line of the message, counted from 1.
     pub line: u32,
 }
 
@@ -49,12 +48,12 @@ fn case(name: impl Into<String>, text: impl Into<Vec<u8>>, code: &'static str, l
     Hostile { name: name.into(), setup: "{}", text: text.into(), code, line }
 }
 
-/// About a megabyte of a text again and again.
+/// A text repeated to about a megabyte.
 fn megabyte(of: &str) -> String {
     of.repeat((1 << 20) / of.len())
 }
 
-/// A text for each of the numbers from 1 until it is about a megabyte.
+/// A text for each number from 1 up, until the total is about a megabyte.
 fn numbered(of: impl Fn(usize) -> String) -> String {
     let mut text = String::new();
     for number in 1.. {
@@ -66,7 +65,7 @@ fn numbered(of: impl Fn(usize) -> String) -> String {
     text
 }
 
-/// Calls of a cycle after its head until the text is about a megabyte.
+/// A head, and calls of a cycle until the text is about a megabyte.
 fn called(head: &str, call: &str) -> String {
     let mut text = head.to_owned();
     while text.len() < 1 << 20 {

@@ -1,5 +1,5 @@
-//! Long paths of what waits for a next move: corners, open angles, compensation, the planes of G12.1 and
-//! G07.1; and places that run out of all measure.
+//! Long paths of blocks that wait for the next move: corners, open angles, compensation, the planes of G12.1
+//! and G07.1; and positions that exceed all bounds.
 
 use super::{Hostile, case, megabyte, numbered};
 

@@ -1,4 +1,4 @@
-//! A megabyte of one sign, and of signs that no program has.
+//! A megabyte of a single character, also of characters that no program contains.
 
 use super::{Hostile, case, megabyte};
 

@@ -1,8 +1,8 @@
-//! Blocks of no sense, a megabyte of them.
+//! A megabyte of meaningless blocks.
 
 use super::{Hostile, case, megabyte, numbered};
 
-/// Blocks of no sense, a megabyte of them.
+/// A megabyte of meaningless blocks.
 pub fn long_texts() -> Vec<Hostile> {
     let half = |of: &str| of.repeat(100_000);
     let text = |of: &str| format!("O1\n{}", megabyte(of));
@@ -46,7 +46,7 @@ pub fn long_texts() -> Vec<Hostile> {
         case("O1 X1 O2 X1", numbered(|n| format!("O{n}\nX1\n")), "I-NOT-RUN", 3),
         case("O1 M98P1 O2 M98P1", numbered(|n| format!("O{n} M98 P1\n")), "PS0077", 1),
         case("O1 M98P2 O2 M98P3", numbered(|n| format!("O{n} M98 P{}\n", n + 1)), "PS0077", 11),
-        // P is that of M99: O1 is a subprogram that comes first, and O2 is run instead of it.
+        // P belongs to M99: O1 is a subprogram that comes first, and O2 is run instead.
         case("O1 M99 O2 M98P1", numbered(|n| format!("O{n} M98 P1 M99\n")), "I-NOT-RUN", 3),
         case(
             "O1 M99 and many that call it",
@@ -86,7 +86,7 @@ pub fn long_texts() -> Vec<Hostile> {
         case("slash lines", text("/M98P1\n"), "PS0077", 2),
         case("X1;", text("X1;"), "W-NO-END", 2),
         case(";text", text(";text"), "W-TEXT-AFTER-EOB", 2),
-        // It may be A44.
+        // It may mean A44.
         case(";A", text(";AAA"), "E-PLAIN-TEXT", 2),
         case("M99", text("M99\n"), "W-ENDLESS", 2),
         case("M99P1", text("M99P1\n"), "PS0128", 2),

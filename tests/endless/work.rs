@@ -1,8 +1,8 @@
-//! Much work for each of many rounds.
+//! Expensive work in each of many rounds.
 
 use super::{Hostile, case, megabyte};
 
-/// Much work for each of many rounds.
+/// Expensive work in each of many rounds.
 pub fn repeated_work() -> Vec<Hostile> {
     let repeats = "E-ENDLESS";
     let motions = "E-TOO-MANY-MOTIONS";

@@ -1,7 +1,9 @@
-//! Files after the command line has written them, or has failed to: size limit, closed folder, full file system, links, pipes, devices,
-//! concurrent processes. Natively `tests/files.rs` runs the cases, under Node `tests/npx/compare.rs`.
+//! Files after the command line has written them, or has failed to: size limit, read-only folder, full file
+//! system, links, pipes, devices, concurrent processes. `tests/files.rs` runs the cases natively,
+//! `tests/npx/compare.rs` under Node.
 //!
-//! In: the program to try and a folder to try it in. A case that fails panics. Linux only: they use `/dev/full`, `setpriv`, `unshare` and `mount`.
+//! In: the program to test and a folder. A failing case panics. Linux only: the cases use `/dev/full`,
+//! `setpriv`, `unshare` and `mount`.
 
 use std::fs::{self, File, OpenOptions};
 use std::io::{Read, Write};
@@ -11,10 +13,10 @@ use std::process::{Child, Command, Output, Stdio};
 use std::thread;
 use std::time::Duration;
 
-/// A case, which panics where it fails.
+/// A case; it panics on failure.
 pub type Case = fn(&Bench);
 
-/// Each case by its name.
+/// All cases by name.
 pub const CASES: [(&str, Case); 18] = [
     ("size limit", size_limit),
     ("size limit and hard link", size_limit_and_hard_link),
@@ -36,11 +38,12 @@ pub const CASES: [(&str, Case); 18] = [
     ("output in place of an input", output_in_place_of_input),
 ];
 
-/// A block with a fault whose fix is safe, and the block fixed. A comment makes it long: the fixes of one program are limited in number.
+/// A block with a fault that has a safe fix, and the fixed block. A comment makes it long, because the number
+/// of fixes per program is limited.
 const FAULTY: &str = "G01 X5O F0.1 (TURN THE DIAMETER, FACE THE SHOULDER AND CLEAR THE WORK)\n";
 const FIXED: &str = "G01 X50 F0.1 (TURN THE DIAMETER, FACE THE SHOULDER AND CLEAR THE WORK)\n";
 
-/// What a shell needs to have no more than a file of 100 blocks, each at most 1,024 bytes.
+/// Limits the file size to 100 blocks of at most 1,024 bytes each.
 const LIMITED: &str = "ulimit -f 100; exec \"$@\"";
 
 /// The tested program, and the folder of one case.
@@ -72,7 +75,7 @@ impl Bench {
         fs::read_to_string(self.path(name)).expect(name)
     }
 
-    /// The names in the folder: no temporary file is among them.
+    /// The names in the folder, which must not include a temporary file.
     fn names(&self) -> Vec<String> {
         let name = |entry: std::io::Result<fs::DirEntry>| entry.expect("an entry").file_name();
         let entries = fs::read_dir(&self.folder).expect("the folder");
@@ -81,7 +84,7 @@ impl Bench {
         names
     }
 
-    /// The program in the folder of the case.
+    /// The program, started in the folder of the case.
     fn command(&self, arguments: &[&str]) -> Command {
         let mut command = Command::new(&self.program);
         command.args(arguments).current_dir(&self.folder).stdin(Stdio::null());
@@ -92,19 +95,19 @@ impl Bench {
         self.command(arguments).output().expect("the command line starts")
     }
 
-    /// The program as the arguments of a script: `"$@"`.
+    /// Runs the program as the arguments `"$@"` of a script.
     fn script(&self, script: &str, arguments: &[&str]) -> Output {
         self.under(&["sh", "-c", script, "sh"], arguments)
     }
 
-    /// The program by another one, such as a shell.
+    /// Starts the program via another one, such as a shell.
     fn under(&self, starter: &[&str], arguments: &[&str]) -> Output {
         let mut command = Command::new(starter[0]);
         command.args(&starter[1..]).arg(&self.program).args(arguments).current_dir(&self.folder);
         command.stdin(Stdio::null()).output().expect(starter[0])
     }
 
-    /// The same without the right of root to write everywhere.
+    /// The same without the permission of root to write everywhere.
     fn unprivileged(&self, arguments: &[&str]) -> Output {
         match is_root() {
             true => self.under(&["setpriv", "--bounding-set=-all", "--inh-caps=-all"], arguments),
@@ -112,7 +115,7 @@ impl Bench {
         }
     }
 
-    /// A script in a namespace where it may mount file systems. It ends with the status of the program.
+    /// Runs a script in a namespace where it may mount file systems. It exits with the status of the program.
     fn mounting(&self, script: &str, arguments: &[&str]) -> Output {
         let unshare = if is_root() { "-m" } else { "-Urm" };
         let may_mount = Command::new("unshare")
@@ -136,7 +139,7 @@ fn text(bytes: &[u8]) -> String {
     String::from_utf8_lossy(bytes).into_owned()
 }
 
-/// A call failed, and said this.
+/// Checks that a call failed with this message.
 #[track_caller]
 fn assert_refused(output: &Output, said: &str) {
     let error = text(&output.stderr);
@@ -145,18 +148,18 @@ fn assert_refused(output: &Output, said: &str) {
     assert_eq!(output.status.code(), Some(2), "{shown}");
 }
 
-/// A call has written what it was to write.
+/// Checks that a call succeeded.
 #[track_caller]
 fn assert_done(output: &Output) {
     assert!(matches!(output.status.code(), Some(0 | 1)), "{:?}: {}", output.status, text(&output.stderr));
 }
 
-/// A program of about 150,000 bytes, of such blocks.
+/// A program of about 150,000 bytes that repeats a block.
 fn long(block: &str) -> String {
     format!("M03 S500\n{}M30\n", block.repeat(150_000 / block.len()))
 }
 
-/// One of a few bytes.
+/// A program with a single such block.
 fn short(block: &str) -> String {
     format!("M03 S500\n{block}M30\n")
 }
@@ -182,7 +185,7 @@ fn size_limit(bench: &Bench) {
     }
 }
 
-/// The backup can be written and the new content cannot: the first half of it is already in the file.
+/// The backup can be written, but the new content cannot: half of it is already in the file.
 fn size_limit_and_hard_link(bench: &Bench) {
     bench.write("part.nc", long(FIXED));
     let old = short(FAULTY);
@@ -210,7 +213,7 @@ fn closed_folder(bench: &Bench) {
     assert_eq!((fs::read_to_string(part).expect("part.nc"), names), (program, 1));
 }
 
-/// A file that is closed to writers is not replaced in an open folder.
+/// A read-only file in a writable folder is not replaced.
 fn closed_file(bench: &Bench) {
     let program = short(FAULTY);
     let part = bench.write("part.nc", &program);
@@ -243,7 +246,7 @@ fn full_file_system(bench: &Bench) {
         names.sort();
         names
     };
-    // A file of 150,000 bytes beside another one.
+    // A file of 150,000 bytes next to another one.
     let output = bench.mounting(&script(":"), &["check", "--quiet", "--fix", "disk/part.nc"]);
     assert_refused(&output, "disk/part.nc: the disk is full");
     assert!(after("part.nc") == program);
@@ -253,7 +256,7 @@ fn full_file_system(bench: &Bench) {
     assert_refused(&output, "disk/new.nc: the disk is full");
     assert_eq!(clear(), ["part.nc"]);
 
-    // There is room for the backup, and not for the new content.
+    // There is room for the backup, but not for the new content.
     let linked = script("cp old.nc disk && ln disk/old.nc disk/link.nc");
     let output = bench.mounting(&linked, &["expand", "fixed.nc", "-o", "disk/link.nc"]);
     assert_refused(&output, "disk/link.nc: the disk is full");
@@ -281,7 +284,7 @@ fn full_file_system(bench: &Bench) {
     assert_refused(&output, "standard output: the disk is full");
 }
 
-/// As in a container that has one file of its host: it cannot be renamed over.
+/// As in a container that mounts one file of its host: it cannot be replaced by a rename.
 fn mounted_file(bench: &Bench) {
     let part = bench.write("part.nc", short(FAULTY));
     bench.write("mounted.nc", "");
@@ -353,7 +356,8 @@ fn hard_link(bench: &Bench) {
     assert_eq!((bench.text("part.nc"), bench.text("link.nc")), (short(FIXED), short(FIXED)));
     assert_eq!((inode(&part), inode(&bench.path("link.nc"))), (before, before));
     assert_eq!(fs::metadata(&part).expect("part.nc").mode() & 0o7777, 0o640);
-    // A shorter content leaves nothing of the longer one. Both names in one call are fixed once.
+    // Shorter content leaves nothing of the longer content. If one call names the file twice, it is fixed
+    // once.
     fs::write(&part, long(FAULTY)).expect("part.nc");
     let fixed = bench.write("fixed.nc", short(FIXED));
     assert_done(&bench.run(&["expand", "fixed.nc", "-o", "link.nc"]));
@@ -385,7 +389,7 @@ fn pipes_and_devices(bench: &Bench) {
     }
     use std::os::unix::fs::FileTypeExt;
     assert!(fs::symlink_metadata(&path).expect("the pipe").file_type().is_fifo());
-    // A reader that goes away.
+    // A reader that closes the pipe.
     let reader = thread::spawn(move || drop(File::open(path).expect("the pipe").read(&mut [0; 10])));
     assert_refused(&bench.run(&["expand", "part.nc", "-o", "pipe"]), "pipe: the reader has closed the pipe");
     reader.join().expect("a reader");
@@ -415,7 +419,7 @@ fn standard_output_by_path(bench: &Bench) {
     assert_eq!(bench.names(), ["all.txt", "link", "part.nc", "third.txt"]);
 }
 
-/// Readers meanwhile see the old content or the new one, whole.
+/// Concurrent readers see either the whole old content or the whole new one.
 fn two_processes(bench: &Bench) {
     let [old, new] = [FAULTY, FIXED].map(long);
     let part = bench.write("part.nc", &old);
@@ -429,7 +433,7 @@ fn two_processes(bench: &Bench) {
         let now = fs::read_to_string(&part).expect("part.nc");
         assert!(now == old || now == new);
         thread::sleep(Duration::from_micros(500));
-        // A full pipe would keep it from ending.
+        // A full pipe would prevent it from ending.
         for child in &mut running {
             if let Some(mut error) = child.stderr.take() {
                 thread::spawn(move || error.read_to_end(&mut Vec::new()));
@@ -445,14 +449,14 @@ fn two_processes(bench: &Bench) {
 
 const CHANGED: &str = "changed on disk after it was read, so it is not overwritten; run the command again";
 
-/// Changes a file between the read and the write of a command. The command blocks there: its messages fill the pipe, and the test reads
-/// only their first byte.
+/// Changes a file between the read and the write of a command. The command blocks at that point: its messages
+/// fill the pipe, and the test reads only the first byte.
 fn changed_meanwhile(bench: &Bench, arguments: &[&str], name: &str) {
     let mut command = bench.command(arguments);
     let (mut reader, writer) = std::io::pipe().expect("a pipe");
     command.stdout(writer.try_clone().expect("a pipe")).stderr(writer);
     let mut child = command.spawn().expect("the command line");
-    // Its ends of the pipe.
+    // Close our copies of the write end.
     drop(command);
     reader.read_exact(&mut [0]).expect("the command says something");
     assert!(child.try_wait().expect("a process").is_none());
@@ -480,7 +484,7 @@ fn changed_before_embed(bench: &Bench) {
     changed_meanwhile(bench, &["embed", "--fix", "page.md"], "page.md");
 }
 
-/// The program is a pipe: it is opened after the list has been read.
+/// The program is a pipe, which is opened after the baseline has been read.
 fn changed_baseline(bench: &Bench) {
     bench.write("known.json", "[]\n");
     let path = bench.path("part.nc");
@@ -525,7 +529,7 @@ fn mode_and_owner(bench: &Bench) {
         for mode in [0o600, 0o6755] {
             assert!(!is_kept(Some((1234, 4321)), mode, &fix));
         }
-        // The owner cannot be given to a new file: the old one is written.
+        // A new file cannot get the same owner, so the old file is overwritten.
         let unprivileged = || bench.unprivileged(&["check", "--fix", "part.nc"]);
         assert!(is_kept(Some((1234, 4321)), 0o666, &unprivileged));
     }
@@ -534,7 +538,7 @@ fn mode_and_owner(bench: &Bench) {
     assert_eq!(fs::metadata(bench.path("new.nc")).expect("new.nc").mode() & 0o7777, 0o640);
 }
 
-/// The name of the temporary file does not depend on the target's.
+/// The name of the temporary file does not depend on that of the target.
 fn long_name(bench: &Bench) {
     let name = format!("{}.nc", "x".repeat(252));
     bench.write(&name, short(FAULTY));
@@ -544,7 +548,7 @@ fn long_name(bench: &Bench) {
     assert_refused(&output, "the name is too long or not allowed");
 }
 
-/// A program may be written in its own place; a picture or a report may not.
+/// A program may replace itself; a picture or a report may not replace it.
 fn output_in_place_of_input(bench: &Bench) {
     let cycle = "M03 S500\nG00 X30 Z2\nG90 X20 Z-20 F0.2\nM30\n";
     bench.write("part.nc", cycle);

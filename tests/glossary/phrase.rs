@@ -1,4 +1,4 @@
-//! A word or phrase that is not used, and how it is found in a text.
+//! A forbidden word or phrase, and the search for it in a text.
 
 /// A column of the glossary.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -16,7 +16,7 @@ pub struct Phrase {
     pub words: String,
 }
 
-/// A letter of a word. A hyphen is one, so that `spindle-stops-behind-move` is one word.
+/// Whether a character belongs to a word. Hyphens do, so that `spindle-stops-behind-move` is one word.
 fn in_word(letter: char) -> bool {
     letter.is_alphanumeric() || letter == '_' || letter == '-'
 }
@@ -30,8 +30,8 @@ impl Phrase {
         Phrase { language, words: words.to_lowercase() }
     }
 
-    /// Where it is in a text in lower case, counted in characters. The Russian column is about Russian texts:
-    /// its Latin entries, such as `mm`, are looked for in texts with Cyrillic letters only.
+    /// The matches in a lower-case text, as character positions. Russian entries apply to Russian texts:
+    /// Latin ones such as `mm` are searched only in texts with Cyrillic letters.
     pub fn find(&self, text: &str) -> Vec<usize> {
         let beginning = self.words.split([' ', '*']).next().unwrap_or_default();
         if !text.contains(beginning) || self.language == Language::Russian && !text.contains(is_cyrillic) {
@@ -39,7 +39,7 @@ impl Phrase {
         }
         let letters: Vec<char> = text.chars().collect();
         let pattern: Vec<char> = self.words.chars().collect();
-        // Chinese is written without blanks.
+        // Chinese is written without spaces between words.
         let whole_words = self.language != Language::Chinese;
         let begins = |at: usize| !whole_words || at == 0 || !in_word(letters[at - 1]);
         let ends = |rest: &[char]| !whole_words || rest.first().is_none_or(|&next| !in_word(next));
@@ -48,7 +48,8 @@ impl Phrase {
     }
 }
 
-/// What follows the words of a pattern that a text begins with. One blank matches any number of them.
+/// The rest of a text after a match of the pattern at its start. One blank in the pattern matches any number
+/// of blanks.
 fn rest<'a>(text: &'a [char], pattern: &[char]) -> Option<&'a [char]> {
     let skip = |skipped: fn(char) -> bool| text.iter().take_while(|&&letter| skipped(letter)).count();
     let length = match pattern.first() {

@@ -1,14 +1,15 @@
 #!/usr/bin/env python3
-"""Follows the recipes of www/docs/manuals.md, word by word, with the real tools.
+"""Follows the recipes of www/docs/manuals.md exactly, with the real tools.
 
 usage: recipes.py COMMAND_LINE ELEMENT FOLDER RECIPE…
     COMMAND_LINE  the program gcode-playground
-    ELEMENT       the folder that the package unpacks to; a stand-in is made where there is none
-    FOLDER        where the manuals are made; sites of Docusaurus need their packages in FOLDER/site
+    ELEMENT       the folder of the unpacked package; if it is missing, a substitute is created
+    FOLDER        where the manuals are built; Docusaurus sites need their packages in FOLDER/site
     RECIPE        html, mdbook, sphinx, docusaurus
 
-After that comes a program with all that Markdown, HTML and JSX have a meaning for, in the same way. A block after "…, `name`:" is that file; any other block of a recipe is commands. Of the page that comes out the
-element is read as browsers read it: its program has to be the one that was written, byte for byte.
+Then does the same with a program that contains all special characters of Markdown, HTML and JSX. A block after "…, `name`:" is the content of that
+file; all other blocks of a recipe are commands. The element in the resulting page is parsed as in a browser: its program must equal the
+original, byte for byte.
 """
 
 import html.parser
@@ -29,10 +30,10 @@ RECIPES = {
     "sphinx": ("Sphinx 9", "_build/index.html", [], "_build/hard.html"),
     "docusaurus": ("Docusaurus 3", "build/index.html", [], "build/hard/index.html"),
 }
-# What a machine that has the tools does not do again.
+# Commands to skip on a machine that has the tools.
 INSTALLS = ("npm pack ", "tar ", "cargo install ", "pip install ")
 
-# Each of its lines has been something else than itself in some tool.
+# Each line has been misinterpreted by some tool.
 HARD = (ROOT / "tests/manuals/hard.nc").read_text(encoding="utf-8")
 
 
@@ -51,7 +52,7 @@ def hard_page(recipe: str, folder: Path, path: str) -> None:
         run(["gcode-playground embed --check docs/hard.mdx"], folder, path)
     else:
         kind = "markdown" if recipe == "mdbook" else "html"
-        # Its faults are no matter here.
+        # The faults in it do not matter here.
         run([f"gcode-playground embed hard.nc --format {kind} -o hard.{kind} || test $? = 1"], folder, path)
         block = (folder / f"hard.{kind}").read_text(encoding="utf-8")
         if recipe == "html":
@@ -62,7 +63,7 @@ def hard_page(recipe: str, folder: Path, path: str) -> None:
 
 
 def warns(folder: Path, path: str) -> None:
-    """Sphinx ends with an error where the recipe says that it warns."""
+    """Checks that Sphinx ends with an error where the recipe announces a warning."""
     page = folder / "index.rst"
     text = page.read_text(encoding="utf-8")
     for old, new, said in [
@@ -77,7 +78,7 @@ def warns(folder: Path, path: str) -> None:
     page.write_text(text, encoding="utf-8")
     fails(folder, path, "sphinx-build -q -W -E -D gcode_playground_element=embed/0.0.0/element.js . _warned", "no `embed/0.0.0/element.js`", "")
     fails(folder, path, "sphinx-build -q -W -E -D gcode_playground_command=no-such-command . _warned", "no command `no-such-command`", "")
-    # In a book there are no elements; what is not well-formed ends the build of one.
+    # A book cannot contain elements, and malformed markup ends its build.
     run(["sphinx-build -q -W -b epub -d _trees -D copyright=us -D version=1 . _epub"], folder, path)
     for chapter in (folder / "_epub").glob("*.xhtml"):
         xml.etree.ElementTree.parse(chapter)
@@ -91,7 +92,7 @@ def fails(folder: Path, path: str, command: str, said: str, where: str) -> None:
 
 
 def holds(page: Path, program: str) -> "Elements":
-    """The page has one element with this program."""
+    """Checks that the page has one element with this program."""
     elements = Elements()
     elements.feed(page.read_text(encoding="utf-8"))
     found = [without_blank_ends(text) for text in elements.programs]
@@ -153,7 +154,7 @@ class Elements(html.parser.HTMLParser):
             self.pictures += 1
 
     def handle_startendtag(self, tag: str, attributes: list[tuple[str, str | None]]) -> None:
-        """What closes itself holds nothing."""
+        """Self-closing tags are empty."""
 
     def handle_endtag(self, tag: str) -> None:
         if tag == "svg":
@@ -169,7 +170,7 @@ class Elements(html.parser.HTMLParser):
 
 
 def without_blank_ends(text: str) -> str:
-    """As the element takes it: without blank lines around and the common indent."""
+    """The program as the element reads it: without surrounding blank lines and common indentation."""
     lines = textwrap.dedent(text.replace("\r\n", "\n")).split("\n")
     while lines and not lines[0].strip():
         lines.pop(0)
@@ -186,7 +187,7 @@ def follow(blocks: list[tuple[str, str]], folder: Path, program: str, path: str)
         if named is None:
             commands += [line for line in block.splitlines() if line and not line.startswith(INSTALLS)]
             continue
-        # Commands come in the order of the document; files are there before the next command runs.
+        # Commands run in the order of the document; files are written before the next command.
         run(commands, folder, path)
         commands = []
         file = folder / named[1]

@@ -1,13 +1,13 @@
-//! The command line under Node beside the native one: `npx BIN` runs both, and compares what they write, to the byte: standard output, standard
-//! error, exit status, files. Part of `cargo xtask test --all`.
+//! Compares the command line under Node with the native one: `npx BIN` runs both and compares their output
+//! byte by byte: standard output, standard error, exit status, files. Part of `cargo xtask test --all`.
 //!
-//! It makes every call that the reference shows, runs commands and formats over the programs of `tests/programs`, and reads files that are hard to read.
-//! The table in `options.md` lists the options with equal output; `UPDATE_EXPECT=1` updates it.
-//! The cases of `tests/files.rs`, writes that fail, are tried under Node too.
+//! It makes every call of the reference, runs commands and formats on the programs of `tests/programs`, and
+//! reads difficult files. The table in `options.md` lists the options with equal output; `UPDATE_EXPECT=1`
+//! updates it. The cases of `tests/files.rs`, with failing writes, also run under Node.
 
 #[path = "../documentation/calls.rs"]
 mod calls;
-// The cases use what only Linux has.
+// The cases depend on Linux.
 #[cfg(target_os = "linux")]
 #[path = "../files/cases.rs"]
 mod cases;
@@ -26,12 +26,12 @@ use expect_test::expect_file;
 const ROOT: &str = env!("CARGO_MANIFEST_DIR");
 const TABLE: &str = "tests/npx/options.md";
 
-/// What only the native program has: a module has no threads to wait in, and shells complete installed programs.
+/// Native only: a module has no threads to wait in, and shells complete installed programs only.
 const NATIVE: [&str; 3] = ["--watch", "completions", "man-page"];
 
 const HEAD: &str = "# The command line natively and under Node\n\nEvery call of the reference was made twice, by the program that cargo builds and by the one of the npm package, and they wrote the same: standard\noutput, standard error, exit status and files, to the byte. `tests/npx/compare.rs` makes this table.\n\n| command | the same under Node | native only |\n|---|---|---|\n";
 
-/// What a call has written.
+/// The output of a call.
 #[derive(PartialEq, Eq)]
 struct Written {
     status: Option<i32>,
@@ -71,7 +71,7 @@ fn main() -> Result<(), Box<dyn Error>> {
 }
 
 impl Both {
-    /// Makes a call twice; `prepare` writes the files and says the arguments.
+    /// Makes a call with both programs; `prepare` writes the files and returns the arguments.
     fn call(&mut self, input: &[u8], prepare: impl Fn(&Path) -> Vec<String>) -> Result<(), Box<dyn Error>> {
         let mut written = Vec::new();
         let mut named = String::new();
@@ -88,7 +88,7 @@ impl Both {
                 .stdout(Stdio::piped())
                 .stderr(Stdio::piped())
                 .spawn()?;
-            // Who does not read it has no use for it.
+            // A command that does not read its input closes the pipe.
             let _ = child.stdin.take().ok_or("no standard input")?.write_all(input);
             let output = child.wait_with_output()?;
             let mut files = BTreeMap::new();
@@ -110,7 +110,7 @@ impl Both {
         Ok(())
     }
 
-    /// Every call that the reference promises.
+    /// Every call that the reference shows.
     fn the_reference(&mut self) -> Result<(), Box<dyn Error>> {
         for line in reference()? {
             for words in usage::calls(&line) {
@@ -122,7 +122,7 @@ impl Both {
         Ok(())
     }
 
-    /// All programs, in all formats and languages; and each command over some of them.
+    /// All programs, in all formats and languages; and each command on some of them.
     fn the_programs(&mut self) -> Result<(), Box<dyn Error>> {
         let programs = format!("{ROOT}/tests/programs");
         for format in ["text", "json", "sarif", "github", "junit", "markdown"] {
@@ -229,7 +229,7 @@ impl Both {
         }
     }
 
-    /// What the help of both says there is.
+    /// The table of options according to the help of both.
     fn table(&mut self) -> Result<String, Box<dyn Error>> {
         let commands: BTreeSet<String> =
             reference()?.iter().filter_map(|line| line.split(' ').next().map(str::to_owned)).collect();
@@ -259,7 +259,7 @@ impl Both {
     }
 }
 
-/// The lines of usage in the reference, without the name of the program.
+/// The usage lines in the reference, without the name of the program.
 fn reference() -> Result<Vec<String>, Box<dyn Error>> {
     let text = fs::read_to_string(Path::new(ROOT).join("www/docs/command-line.md"))?;
     let lines = text.lines().filter_map(|line| Some(line.strip_prefix("    gcode-playground ")?.to_owned()));
@@ -278,7 +278,7 @@ fn options(help: &str) -> BTreeSet<String> {
     words.map(str::to_owned).collect()
 }
 
-/// All files of a folder and of those in it, by their names in it.
+/// All files of a folder, recursively, by relative path.
 fn gather(folder: &Path, files: &mut BTreeMap<PathBuf, Vec<u8>>) -> Result<(), Box<dyn Error>> {
     let mut folders = vec![folder.to_owned()];
     while let Some(next) = folders.pop() {

@@ -1,5 +1,4 @@
-// A canvas for Node, which takes all that is drawn on it and shows nothing: the module asks for these classes by
-// their names.
+// A canvas for Node that accepts all drawing commands and shows nothing. The module looks up these classes by name.
 
 class OffscreenCanvasRenderingContext2D {
   constructor(canvas) {
@@ -39,7 +38,7 @@ class Path2D {
   addPath() {}
 }
 
-/** Makes them global, as they are in a browser. */
+/** Defines the classes globally, as in a browser. */
 export function installCanvas() {
   Object.assign(globalThis, { OffscreenCanvas, OffscreenCanvasRenderingContext2D, ImageBitmap, Path2D });
 }

@@ -1,8 +1,7 @@
-// Calls every export of the package with every kind of argument that JavaScript can hand over, and says of each
-// call that ended otherwise than it may: with a value or with an `Error`, in time, and with a playground that
-// still works.
+// Calls every export of the package with every kind of JavaScript argument, and reports each call that violates the
+// contract: it must return a value or throw an `Error`, in time, and the playground must still work afterwards.
 //
-//   node tests/package/hostile.mjs PACKAGE [METHOD]        (built for Node; this method alone)
+//   node tests/package/hostile.mjs PACKAGE [METHOD]        (built for Node; only this method)
 import { createRequire } from 'node:module';
 import { resolve } from 'node:path';
 import { installCanvas } from './canvas.mjs';
@@ -13,9 +12,9 @@ const [folder, only] = process.argv.slice(2);
 const exported = require(resolve(folder));
 Error.stackTraceLimit = 40;
 
-/** Longest time of one call, ms: the programs below have a few blocks. */
+/** Time limit of one call, ms: the programs below have a few blocks. */
 const MOST = 5_000;
-/** Calls of a method whose arguments have more combinations than that. */
+/** Number of random calls of a method with more argument combinations than that. */
 const DRAWN = 400;
 
 const NUMBERS = [
@@ -31,7 +30,10 @@ const TEXTS = [
 const OTHERS = [undefined, null, true, {}, [], Symbol('s'), 10n, () => 1, new Date(NaN), new Uint8Array(3), ['G0 X1', 2], new Array(3)];
 const HOSTILE = [...NUMBERS, ...TEXTS, ...OTHERS];
 
-/** What is under way when a method is called: as it opens, while it runs, when it has run, at the machine, played. */
+/**
+ * States in which a method is called: new, while the program runs, after the run, after the material removal, during
+ * playback.
+ */
 const STATES = {
   new: () => {},
   running: (playground) => {
@@ -66,7 +68,7 @@ function machine(playground) {
 }
 
 let seed = 12345;
-/** The same arguments in each run. */
+/** The same random values in each run. */
 function drawn(list) {
   seed = (Math.imul(seed, 1103515245) + 12345) >>> 0;
   return list[(seed >>> 8) % list.length];
@@ -76,7 +78,7 @@ function* lists(arity) {
   if (arity === 0) yield [];
   else if (arity === 1) for (const one of HOSTILE) yield [one];
   else for (let call = 0; call < DRAWN; call++) yield Array.from({ length: arity }, () => drawn(HOSTILE));
-  // As many numbers as there are, and pictures where one is named first: what gets beyond the names.
+  // Numbers only, and a picture name followed by numbers, to get past the validation of names.
   if (arity > 1) {
     for (let call = 0; call < DRAWN; call++) {
       const numbers = Array.from({ length: arity }, () => drawn(NUMBERS));
@@ -96,13 +98,13 @@ function problem(what, list, why) {
   problems.set(what, found);
 }
 
-/** Where it was, without what every panic goes through. */
+/** The stack of an exception, without the frames that every panic has. */
 function frames(thrown) {
   const found = thrown.stack.split('\n').map((line) => line.replace(/\(wasm:.*|gcode_playground\w*\.wasm\.|\[\w{16}\]/g, ''));
   return found.filter((line) => !/rust_|panic|__rustc|std::sys/.test(line)).slice(0, 8).join('\n');
 }
 
-/** One call, judged. True: what was called can be called again. */
+/** Makes and judges one call. Returns whether the target can be called again. */
 function call(what, list, action) {
   calls++;
   const begun = performance.now();
@@ -131,7 +133,7 @@ function begun(prepare) {
   return playground;
 }
 
-/** The playground as a whole: asked for all that is worked out of what was called before. */
+/** Methods that check the whole state of a playground after a call. */
 const AFTERWARDS = ['advance', 'summary', 'diagnostics', 'motions', 'readout', 'progress', 'draw', 'screenOf', 'section', 'setupOverview', 'machiningProgress'];
 
 function afterwards(playground) {

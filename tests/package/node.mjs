@@ -1,4 +1,4 @@
-// The package's functions for Node against the command line, over all programs of the tests: the same messages, in three
+// Compares the Node functions of the package with the command line, for all test programs: the same messages, in three
 // languages, and the same motions.
 //
 //   node node.mjs ROOT    copied into a project that has the package installed
@@ -11,7 +11,7 @@ import { check, motions } from 'gcode-playground';
 const [root] = process.argv.slice(2);
 const commandLine = join(process.env.CARGO_TARGET_DIR ?? join(root, 'target'), 'debug', process.platform === 'win32' ? 'gcode-playground.exe' : 'gcode-playground');
 
-/** What the command line prints, row by row; 1 is its status where a program has errors. */
+/** The output rows of the command line. Status 1 means that a program has errors. */
 function rows(...words) {
   let text;
   try {
@@ -23,9 +23,9 @@ function rows(...words) {
   return text.split('\n').filter((line) => line !== '').map((line) => JSON.parse(line));
 }
 
-/** As it is written: keys without a value are left out. */
+/** As serialised: keys without a value are omitted. */
 const json = (value) => JSON.parse(JSON.stringify(value));
-/** The command line takes no material off where no blank is given, and then cannot say what of it was left out. */
+/** Without a given blank the command line removes no material, and therefore does not report this rule. */
 const LEFT_OUT = 'not-checked-behind-fault';
 
 let compared = 0;
@@ -45,7 +45,7 @@ for (const name of readdirSync(join(root, 'tests', 'programs'))) {
   compared++;
 }
 
-// Offsets count in the text as it was given, with any line ends: safe fixes applied by offset repair it.
+// Offsets count in the original text, with any line ends: applying safe fixes by offset fixes it.
 const faulty = 'O0001 (外圆 😀)\nT0101 (ROUGH\nGO1 X5 F0.1 M3 S500\nM30\n';
 const mixed = faulty.replace('\n', '\r\n').replace('ROUGH\n', 'ROUGH\r');
 for (const text of [faulty, faulty.replaceAll('\n', '\r\n'), faulty.replaceAll('\n', '\r'), mixed]) {

@@ -1,5 +1,5 @@
-// Reads the workflows, and that of the example, as the service that runs them would, and names what it would refuse. It also checks the
-// rules for the workflows of this repository; the example names tags, because its readers choose what they trust.
+// Parses the workflows, including that of the example, as GitHub does, and reports errors. It also checks the rules for
+// the workflows of this repository. The example uses tags, because its readers choose what they trust.
 //
 //   node tests/package/workflows.mjs
 import { readdirSync, readFileSync } from 'node:fs';
@@ -13,10 +13,10 @@ const ours = new URL('../../.github/workflows/', import.meta.url);
 const folders = [ours, new URL('../example-repository/.github/workflows/', import.meta.url)];
 const lint = await createLinter();
 
-/** The linter is older than this permission. */
+/** The linter does not know this permission yet. */
 const NEWER = 'unknown permission scope "attestations"';
 
-/** What a job must do to hold a permission to write. No other permission to write is given. */
+/** For each write permission, the command that justifies it. Other write permissions are not allowed. */
 const PUBLISHING = {
   attestations: /^actions\/attest@/m,
   contents: /^gh release /m,
@@ -24,7 +24,7 @@ const PUBLISHING = {
   pages: /^actions\/deploy-pages@/m,
 };
 
-/** The commands of a job that publishes: none of them runs code of this repository or of its packages. */
+/** The allowed commands of a publishing job: none of them runs code of this repository or of its packages. */
 const PUBLISHING_COMMAND = /^(gh release|npm publish|sha256sum) [^;&|`(]*$/;
 
 /** The actions that are not named by the hash of a commit, with the version in a comment. */

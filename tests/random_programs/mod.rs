@@ -1,10 +1,10 @@
-//! Random programs, good and bad, and setups for them.
+//! Random programs, correct and faulty, and setups for them.
 #![cfg(not(target_arch = "wasm32"))]
 
 use gcode_playground::setup::Setup;
 use proptest::prelude::*;
 
-/// Pieces that programs are made of, good and bad.
+/// Fragments of programs, correct and faulty.
 pub fn piece() -> impl Strategy<Value = String> {
     let codes =
         "(G0|G00|G1|G2|G3|G4|G20|G21|G28|G32|G50|G52|G54|G59|G90|G92|G94|G96|G97|G98|G99|G71|G33|M3|M30)";
@@ -17,7 +17,7 @@ pub fn piece() -> impl Strategy<Value = String> {
     ]
 }
 
-/// A number as a program writes it: plain, by a variable or an expression, or far too large.
+/// A number as in a program: plain, a variable, an expression, or far too large.
 fn number() -> impl Strategy<Value = String> {
     prop_oneof![
         8 => "-?[0-9]{1,2}(\\.[0-9]{0,3})?",
@@ -28,7 +28,7 @@ fn number() -> impl Strategy<Value = String> {
     ]
 }
 
-/// Some of the words whose letters are given; those that count something seldom have a sign.
+/// Some words with the given letters. Counts rarely have a sign.
 fn words(letters: &'static str) -> impl Strategy<Value = String> {
     let word = (prop::sample::select(letters.chars().collect::<Vec<_>>()), number(), 1u32..900, 0u32..20);
     let written = |(letter, number, whole, rare): (char, String, u32, u32)| match letter {
@@ -39,12 +39,12 @@ fn words(letters: &'static str) -> impl Strategy<Value = String> {
     prop::collection::vec(word, 0..4).prop_map(move |words| words.into_iter().map(written).collect())
 }
 
-/// One of some codes, with some words after it.
+/// One of the codes, followed by some words.
 fn coded(codes: &'static [&'static str], letters: &'static str) -> impl Strategy<Value = String> {
     (prop::sample::select(codes), words(letters)).prop_map(|(code, words)| format!("{code} {words}"))
 }
 
-/// A line of a program that uses all that can steer it.
+/// A line of a program with any control flow.
 fn line() -> impl Strategy<Value = String> {
     let paths = coded(&["G0", "G1", "G2", "G3", "", "G32"], "XYZUVWRIJKFCHA");
     let corners = coded(&["G1", ""], "XZUW").prop_flat_map(|line| {
@@ -164,7 +164,7 @@ fn line() -> impl Strategy<Value = String> {
     (head, line).prop_map(|(head, line)| format!("{head}{line}\n"))
 }
 
-/// Lines, alone or within what gives them a meaning: a loop, a contour, a plane.
+/// Lines, alone or within a context: a loop, a contour, a plane.
 fn part() -> impl Strategy<Value = String> {
     let lines = |most: usize| prop::collection::vec(line(), 0..most).prop_map(|lines| lines.concat());
     let around = prop::sample::select(vec![

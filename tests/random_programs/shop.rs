@@ -1,8 +1,8 @@
-//! Random programs such as a shop has, with the faults of a shop.
+//! Random programs as in a workshop, with typical faults.
 
 use proptest::prelude::*;
 
-/// A number of a shop program: mostly with a point, mostly of a size that a lathe has.
+/// A number of a workshop program: usually with a point, and of a size that fits a lathe.
 fn length(low: i32, high: i32) -> impl Strategy<Value = String> {
     (low * 4..high * 4, 0..8).prop_map(|(quarters, form)| match form {
         0 => format!("{}", quarters / 4),
@@ -10,7 +10,7 @@ fn length(low: i32, high: i32) -> impl Strategy<Value = String> {
     })
 }
 
-/// Words that name a place: absolute, incremental, one axis or both.
+/// Words of a position: absolute, incremental, one axis or both.
 fn place() -> impl Strategy<Value = String> {
     let x = prop_oneof![4 => length(10, 60).prop_map(|x| format!("X{x} ")), 1 => length(-8, 8).prop_map(|u| format!("U{u} "))];
     let z = prop_oneof![4 => length(-40, 5).prop_map(|z| format!("Z{z} ")), 1 => length(-6, 6).prop_map(|w| format!("W{w} "))];
@@ -18,7 +18,7 @@ fn place() -> impl Strategy<Value = String> {
         .prop_map(|(x, z)| x.unwrap_or_default() + &z.unwrap_or_default())
 }
 
-/// A block of a shop program, or a few that belong together.
+/// A block of a workshop program, or a few that belong together.
 fn shop_blocks() -> impl Strategy<Value = String> {
     let choice = |from: &'static [&'static str]| prop::sample::select(from).prop_map(String::from);
     let code =
@@ -149,8 +149,7 @@ fn shop_blocks() -> impl Strategy<Value = String> {
     prop_oneof![12 => plain, 8 => odd, 1 => contour, 1 => compensated, 1 => holes]
 }
 
-/// A program such as a shop has, with its faults: words that do not belong together, blocks that
-/// cannot be read, codes that are missing.
+/// A workshop program with typical faults: words that do not fit together, unreadable blocks, missing codes.
 pub fn shop_program() -> impl Strategy<Value = String> {
     let lines = |most: usize| {
         prop::collection::vec(shop_blocks(), 0..most)
@@ -169,7 +168,7 @@ pub fn shop_program() -> impl Strategy<Value = String> {
     })
 }
 
-/// A program with a few slips of the keys: one character is another one, or missing, or there twice.
+/// A program with a few typing errors: a character is wrong, missing or duplicated.
 pub fn mistyped(program: impl Strategy<Value = String>) -> impl Strategy<Value = String> {
     let slips = prop::collection::vec(
         (any::<prop::sample::Index>(), 0..3u8, prop::sample::select(b"0OXZGRC.,-# \n1(;".to_vec())),

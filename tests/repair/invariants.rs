@@ -1,4 +1,4 @@
-//! What holds of the safe fixes of any text. The property test and the fuzz target check the same.
+//! Invariants of the safe fixes of any text. The property test and the fuzz target share them.
 
 use gcode_playground::repair::{Repaired, repaired};
 use gcode_playground::setup::Setup;
@@ -6,8 +6,8 @@ use gcode_playground::text::block::Block;
 use gcode_playground::text::lexer::{Lexer, TokenKind};
 use gcode_playground::text::parser::Parser;
 
-/// Applies all safe fixes and checks: they come to an end, put no address with a value into brackets, add no
-/// error to the writing of the program, and a second application changes nothing.
+/// Applies all safe fixes and checks that they end, enclose no address with a value in brackets, add no
+/// syntax error, and that a second application changes nothing.
 pub fn repair(text: &[u8], setup: &Setup) -> Repaired {
     let fixed = repaired(text, setup);
     let shown = || {
@@ -31,8 +31,9 @@ pub fn repair(text: &[u8], setup: &Setup) -> Repaired {
     fixed
 }
 
-/// The addresses with a value outside brackets, in order: a letter, and digits after it, with signs and blanks
-/// between. Letters that are read as digits belong to the value, and full-width characters count as the ASCII ones: `GO1`, `Ｍ8`, `X5２`.
+/// The addresses with a value outside of brackets, in order: a letter followed by digits, with signs and
+/// blanks between. Letters read as digits belong to the value, and full-width characters count as ASCII:
+/// `GO1`, `Ｍ8`, `X5２`.
 pub fn addresses(text: &[u8]) -> Vec<char> {
     let mut outside = text.to_vec();
     for token in Lexer::new(text, 0) {
@@ -68,7 +69,7 @@ pub fn addresses(text: &[u8]) -> Vec<char> {
     found
 }
 
-/// The ASCII character of a full-width one.
+/// The ASCII equivalent of a full-width character.
 fn ascii(sign: char) -> char {
     match sign {
         '\u{ff01}'..='\u{ff5e}' => char::from((u32::from(sign) - 0xfee0) as u8),
@@ -76,7 +77,7 @@ fn ascii(sign: char) -> char {
     }
 }
 
-/// Whether some addresses are all there, in their order.
+/// Whether `part` is a subsequence of `whole`.
 fn is_part(part: &[char], whole: &[char]) -> bool {
     let mut whole = whole.iter();
     part.iter().all(|one| whole.any(|other| other == one))

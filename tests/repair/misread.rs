@@ -1,8 +1,8 @@
-//! Faults of text recognition and of copying by hand, at random places of a program.
+//! Faults of text recognition and manual copying, at random places of a program.
 //!
-//! In: a correct program. Out: the same with one fault, and its line.
+//! In: a correct program. Out: the program with one fault, and the line of the fault.
 
-/// Numbers that look random and are the same in every run (SplitMix64).
+/// Pseudo-random numbers, the same in every run (SplitMix64).
 pub struct Random(pub u64);
 
 impl Random {
@@ -166,7 +166,7 @@ fn full_width(line: &str, random: &mut Random) -> Option<String> {
     replaced(line, random, |sign| sign.is_ascii_graphic().then(|| wide(sign).to_string()))
 }
 
-/// One character of those that `with` has something for.
+/// Replaces one of the characters for which `with` has a replacement.
 fn replaced(line: &str, random: &mut Random, with: impl Fn(char) -> Option<String>) -> Option<String> {
     let fitting: Vec<(usize, char)> = line.char_indices().filter(|(_, sign)| with(*sign).is_some()).collect();
     let (at, sign) = *fitting.get(random.below(fitting.len().max(1)))?;
@@ -181,7 +181,7 @@ fn misread(line: &str, random: &mut Random, table: &[(char, &'static [&'static s
     })
 }
 
-/// All digits of a word that look like a letter.
+/// Replaces all digits of a word that look like a letter.
 fn all_digits(line: &str, random: &mut Random) -> Option<String> {
     let at = place(line, random, |before, after| before.is_ascii_alphabetic() && after.is_ascii_digit())?;
     let len = line[at..].bytes().take_while(u8::is_ascii_digit).count();
@@ -194,7 +194,7 @@ fn all_digits(line: &str, random: &mut Random) -> Option<String> {
     ))
 }
 
-/// A place between two characters that fit.
+/// A random position between two characters that fit.
 fn place(line: &str, random: &mut Random, fits: impl Fn(char, char) -> bool) -> Option<usize> {
     let pairs = line.char_indices().zip(line.char_indices().skip(1));
     let places: Vec<usize> =

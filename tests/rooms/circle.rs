@@ -1,9 +1,8 @@
-//! Circles among files that import each other.
+//! Circular imports between files.
 
 use std::collections::{BTreeMap, BTreeSet};
 
-/// What is left of a graph once all that leads into no circle is taken away: the circles,
-/// and what leads into them.
+/// Repeatedly removes the nodes without targets. The rest is the circles and the nodes that lead into them.
 pub fn leading_into_circles<Node: Ord + Clone>(
     mut graph: BTreeMap<Node, BTreeSet<Node>>,
 ) -> BTreeMap<Node, BTreeSet<Node>> {

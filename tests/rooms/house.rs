@@ -1,34 +1,33 @@
-//! Which file of `src` uses which, and which of that the order of the rooms forbids.
+//! The imports between the files of `src`, and which of them the order of the rooms forbids.
 //!
-//! In: the modules with their texts, the rooms from the lowest up. Out: sentences
-//! about arrows up and circles.
+//! In: the modules with their texts, and the rooms, lowest first. Out: upward imports and circles.
 
 use std::collections::{BTreeMap, BTreeSet};
 
 use super::circle::leading_into_circles;
 use super::paths::Named;
 
-/// A module by the names on the way to it; the root of the crate has none.
+/// A module as its path of names; the root of the crate has none.
 pub type Module = Vec<String>;
 
-/// An import from a room above.
+/// An import from a higher room.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub struct Upward {
-    /// The module that imports, with `/`.
+    /// The importing module, `/`-separated.
     pub from: String,
-    /// The room above it.
+    /// The higher room.
     pub room: String,
 }
 
-/// All modules, what they name, and their rooms.
+/// All modules, the paths that they use, and their rooms.
 pub struct House {
     named: BTreeMap<Module, Named>,
-    /// From the lowest up. A room is a module with all below it, but for those that are rooms of their own.
+    /// Lowest first. A room is a module with its descendants, except those that are separate rooms.
     rooms: Vec<String>,
 }
 
 impl House {
-    /// A house of modules with their texts. Modules for tests only are left out.
+    /// Builds a house from modules with their texts. Test modules are left out.
     pub fn new(sources: &BTreeMap<Module, String>, rooms: &[&str]) -> Self {
         let mut named: BTreeMap<Module, Named> =
             sources.iter().map(|(module, text)| (module.clone(), Named::read(text))).collect();
@@ -41,7 +40,7 @@ impl House {
         Self { named, rooms: rooms.iter().map(|room| (*room).to_owned()).collect() }
     }
 
-    /// The place of a module's room in the order; nothing for the root of the crate.
+    /// The position of the room of a module in the order; `None` for the root of the crate.
     fn room(&self, module: &Module) -> Option<usize> {
         let name = module.join("/");
         let is_in =
@@ -59,7 +58,7 @@ impl House {
         modules.chain(rooms.map(|room| format!("there is no module `{room}`"))).collect()
     }
 
-    /// The module a path of a module leads to: that which defines what it names, or the last one on the way.
+    /// The module to which a path leads: the one that defines its target, or the last one found.
     fn target(&self, module: &Module, path: &[String]) -> Option<Module> {
         let mut base = match path.first()?.as_str() {
             "crate" => Vec::new(),
@@ -75,7 +74,7 @@ impl House {
     }
 
     fn follow(&self, mut module: Module, names: &[String], followed: usize) -> Module {
-        /// Longer chains of re-exports there are none.
+        /// There are no longer chains of re-exports.
         const MOST: usize = 8;
         for (index, name) in names.iter().enumerate() {
             let inside = [module.as_slice(), std::slice::from_ref(name)].concat();
@@ -104,8 +103,8 @@ impl House {
         module
     }
 
-    /// Each module with those it uses, as far as that counts. What a module says of those below it in its own
-    /// room does not: it declares, re-exports and calls them.
+    /// Each module with the modules that it uses. Paths to descendants in the same room do not count: a
+    /// parent declares, re-exports and calls its children.
     fn edges(&self) -> BTreeSet<(&Module, Module)> {
         let mut edges = BTreeSet::new();
         for (module, named) in &self.named {
@@ -122,7 +121,7 @@ impl House {
         edges
     }
 
-    /// Imports from a room above. The root of the crate is above all rooms.
+    /// Imports from higher rooms. The root of the crate is above all rooms.
     pub fn upward(&self) -> BTreeSet<Upward> {
         let mut upward = BTreeSet::new();
         for (module, target) in self.edges() {
@@ -137,7 +136,7 @@ impl House {
         upward
     }
 
-    /// A circle of files in each room that has one: `a → b → a`.
+    /// One circle of files for each room that has any: `a → b → a`.
     pub fn circles(&self) -> Vec<String> {
         let mut within: BTreeMap<Module, BTreeSet<Module>> = BTreeMap::new();
         for (module, target) in self.edges() {

@@ -1,22 +1,22 @@
-//! The module paths that a Rust source file names.
+//! The module paths in a Rust source file.
 //!
 //! In: the text of a file. Out: the paths of its `use` items and the paths in its code that begin with
-//! `crate`, `super` or `self`. Code under `#[cfg(test)]` is left out: a test may use everything. Must
-//! not know where modules are.
+//! `crate`, `super` or `self`. Code under `#[cfg(test)]` is left out: a test may use everything. Does not
+//! know where modules are.
 
-/// What a file names.
+/// The paths in a file.
 #[derive(Debug, Default, PartialEq)]
 pub struct Named {
     /// Paths in code, and those of private `use` items.
     pub paths: Vec<Vec<String>>,
-    /// Paths of `pub use` items, with the name under which each is offered; `*` for all names of a module.
+    /// Paths of `pub use` items, with the exported name; `*` for all names of a module.
     pub offered: Vec<(String, Vec<String>)>,
-    /// Modules that exist for tests only.
+    /// Modules for tests only.
     pub test_modules: Vec<String>,
 }
 
 impl Named {
-    /// Reads a file.
+    /// Parses a file.
     pub fn read(source: &str) -> Self {
         let tokens = tokens(source);
         let mut named = Self::default();
@@ -27,7 +27,7 @@ impl Named {
         named
     }
 
-    /// Reads what begins at a token; returns the token after it.
+    /// Parses the item at a token. Returns the index of the token after it.
     fn read_item(&mut self, tokens: &[String], at: usize) -> usize {
         let is = |index: usize, text: &str| tokens.get(index).is_some_and(|token| token == text);
         if tokens[at..].starts_with(&["#", "[", "cfg", "(", "test", ")", "]"].map(str::to_owned)) {
@@ -66,7 +66,7 @@ impl Named {
     }
 }
 
-/// Reads a tree of a `use` item into names and paths; returns the token after it.
+/// Parses a tree of a `use` item into names and paths. Returns the index of the token after it.
 fn read_tree(
     tokens: &[String],
     mut at: usize,
@@ -103,7 +103,7 @@ fn read_tree(
     at
 }
 
-/// The token after the attributes that begin here.
+/// The index of the token after the attributes at `at`.
 fn skip_attributes(tokens: &[String], mut at: usize) -> usize {
     while tokens.get(at).is_some_and(|token| token == "#") {
         at = skip_group(tokens, at + 1);
@@ -111,7 +111,7 @@ fn skip_attributes(tokens: &[String], mut at: usize) -> usize {
     at
 }
 
-/// The token after an item: after its `;` or its braces.
+/// The index of the token after an item: after its `;` or its braces.
 fn skip_item(tokens: &[String], mut at: usize) -> usize {
     while let Some(token) = tokens.get(at) {
         match token.as_str() {
@@ -124,7 +124,7 @@ fn skip_item(tokens: &[String], mut at: usize) -> usize {
     at
 }
 
-/// The token after a group that opens here.
+/// The index of the token after the group at `at`.
 fn skip_group(tokens: &[String], mut at: usize) -> usize {
     let mut depth = 0;
     while let Some(token) = tokens.get(at) {
@@ -174,7 +174,7 @@ fn tokens(source: &str) -> Vec<String> {
     tokens
 }
 
-/// The length of the string or character that begins here, if one does.
+/// The length of the string or character literal at the start of the text, if there is one.
 fn literal(text: &str) -> Option<usize> {
     let body = text.strip_prefix('b').unwrap_or(text);
     let before = text.len() - body.len();
@@ -195,7 +195,7 @@ fn literal(text: &str) -> Option<usize> {
             _ if ch == quote => return Some(before + at + ch.len_utf8()),
             _ => {}
         }
-        // A quote that no other follows is that of a lifetime.
+        // A quote without a closing one belongs to a lifetime.
         if quote == '\'' && !escaped && !body[at + ch.len_utf8()..].starts_with('\'') {
             return None;
         }

@@ -1,8 +1,8 @@
-"""The command line over many files and over a long one, natively and under Node, beside ruff. Part of `cargo xtask bench`.
+"""Measures the command line on many files and on a long one, natively and under Node, compared with ruff. Part of `cargo xtask bench`.
 
-In: the native program, the script of the npm package, ruff, a program of a million lines, a folder for files, where the report goes, rounds. Out: a table of
-times, processor times and memory: medians of the rounds, each run in a process of its own. Ten thousand programs are the shaft of sixty lines and the whole ones
-of `tests/programs`, again and again; ruff gets as many Python files of the same sizes.
+In: the native program, the script of the npm package, ruff, a program of a million lines, a folder for files, the path of the report, rounds. Out: a table of
+times, processor times and memory: medians of the rounds, each run in a separate process. The ten thousand programs repeat the shaft of sixty lines and the
+complete programs of `tests/programs`; ruff gets the same number of Python files with the same sizes.
 """
 
 import os
@@ -68,7 +68,7 @@ def main() -> None:
 
 
 def write_files(programs: Path, python: Path) -> int:
-    """Writes the files; the answer is how many bytes the programs have."""
+    """Writes the files. Returns the total size of the programs in bytes."""
     for folder in (programs, python):
         shutil.rmtree(folder, ignore_errors=True)
     sources = [source.read_bytes() for source in sorted(ROOT.glob("tests/programs/*/*.nc"))]
@@ -90,7 +90,7 @@ def write_files(programs: Path, python: Path) -> int:
 
 
 def python_of(size: int) -> str:
-    """Python of about so many bytes."""
+    """Python code of about this size in bytes."""
     count = max(1, size // len(STATEMENT))
     return "".join(STATEMENT.format(n=n) for n in range(count)).rstrip() + "\n"
 
@@ -102,7 +102,7 @@ def short(folder: Path) -> Path:
 
 
 def measured(command: list[str]) -> tuple[float, float, float]:
-    """Seconds, seconds of processors, and the most memory in MB."""
+    """Elapsed seconds, processor seconds, and peak memory in MB."""
     begun = time.perf_counter()
     process = os.posix_spawnp(
         command[0],

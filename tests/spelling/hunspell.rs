@@ -5,11 +5,11 @@ use std::io::Write;
 use std::process::{Command, Stdio};
 use std::thread;
 
-/// What installs it.
+/// How to install it.
 const INSTALL: &str = "`cargo xtask setup` installs hunspell with its dictionaries, as does \
                        `apt-get install hunspell hunspell-en-gb hunspell-ru`";
 
-/// The words that a dictionary does not have, in alphabetical order.
+/// The words missing in a dictionary, in alphabetical order.
 pub fn unknown<'a>(dictionary: &str, words: impl Iterator<Item = &'a String>) -> Vec<String> {
     let lines = words.fold(String::new(), |lines, word| lines + word + "\n");
     let mut hunspell = Command::new("hunspell");
@@ -17,7 +17,7 @@ pub fn unknown<'a>(dictionary: &str, words: impl Iterator<Item = &'a String>) ->
     hunspell.stdin(Stdio::piped()).stdout(Stdio::piped()).stderr(Stdio::piped());
     let mut hunspell = hunspell.spawn().unwrap_or_else(|error| panic!("hunspell: {error}. {INSTALL}"));
     let mut input = hunspell.stdin.take().expect("a pipe");
-    // From a thread of its own: hunspell answers while it reads, and a full pipe would stop both.
+    // In a separate thread: hunspell writes while it reads, and a full pipe would block both.
     let writing = thread::spawn(move || input.write_all(lines.as_bytes()));
     let output = hunspell.wait_with_output().expect("the output of hunspell");
     let problem = String::from_utf8_lossy(&output.stderr);

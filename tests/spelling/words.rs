@@ -1,4 +1,4 @@
-//! In: a text. Out: its words that a dictionary can have.
+//! In: a text. Out: its words that can be checked with a dictionary.
 
 /// The letters of a language.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -16,13 +16,13 @@ impl Script {
     }
 }
 
-/// Puts an accent on the letter before it: `Бо́льшие`.
+/// The combining accent on the letter before it: `Бо́льшие`.
 const ACCENT: char = '\u{301}';
 
-/// The words of a script, each with the character it begins at. These are not among them: single letters,
-/// which are addresses and axes; names and abbreviations with a digit, an underscore or a capital letter
-/// inside (`utf8`, `rpm_max`, `WebKitGTK`); stems (`word*`); markup (`<b class="x">`, `&lt;`); parts of paths
-/// and of code (`a/b.c`, `d::e`).
+/// The words of a script, each with its character position. Not included are single letters, which are
+/// addresses and axes; names and abbreviations with a digit, an underscore or a capital letter inside
+/// (`utf8`, `rpm_max`, `WebKitGTK`); stems (`word*`); markup (`<b class="x">`, `&lt;`); parts of paths and of
+/// code (`a/b.c`, `d::e`).
 pub fn words(text: &str, script: Script) -> Vec<(usize, String)> {
     let letters: Vec<char> = text.chars().collect();
     let mut found = Vec::new();
@@ -38,12 +38,12 @@ pub fn words(text: &str, script: Script) -> Vec<(usize, String)> {
     found
 }
 
-/// What a word, a name or a number consists of. Hyphens part words.
+/// Whether a character can be part of a word, a name or a number. Hyphens separate words.
 fn in_word(letter: char) -> bool {
     letter.is_alphanumeric() || ['_', '\'', '’', ACCENT].contains(&letter)
 }
 
-/// The length of the tag or character reference that a text begins with, else 0.
+/// The length of the tag or character reference at the start of a text, otherwise 0.
 fn markup(letters: &[char]) -> usize {
     let begins = |letter: &char| letter.is_ascii_alphabetic() || ['/', '!'].contains(letter);
     let is_name = |letter: &char| letter.is_ascii_alphanumeric();
@@ -73,7 +73,7 @@ fn is_code(letters: &[char], begin: usize, end: usize) -> bool {
     joined_before || joined_after || is_stem
 }
 
-/// A word of a script as a dictionary has it.
+/// A word of a script in its dictionary form.
 fn word(letters: &[char], script: Script) -> Option<String> {
     let letters = letters.iter().filter(|&&letter| letter != ACCENT);
     let word: String = letters.map(|&letter| if letter == '’' { '\'' } else { letter }).collect();

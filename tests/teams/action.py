@@ -1,7 +1,7 @@
-"""The action of `action.yml`, its one step run as a runner of GitHub does it, in the repository of the example.
+"""Tests the action of `action.yml`: runs its single step as a GitHub runner does, in the example repository.
 
-In: `action.yml`, the workflow of the example, the npm package. Out: whether both are valid, and whether annotations, summary, SARIF
-and exit status are what a faulty, a doubtful and a right program deserve. The expressions that `action.yml` may use are those of `evaluated`.
+In: `action.yml`, the workflow of the example, the npm package. Out: whether both are valid, and whether annotations, summary, SARIF and
+exit status are right for programs with an error, with a warning and without findings. `evaluated` supports the expressions that `action.yml` may use.
 """
 
 import json
@@ -24,7 +24,7 @@ def is_valid(schema: str, file: Path, status: int = 0) -> None:
 
 
 def evaluated(text: str, places: dict) -> str:
-    """A text with the values of `${{ inputs.x }}` and `${{ steps.check.outputs.x }}`; `places` has what stands before the last dot."""
+    """A text with the values of `${{ inputs.x }}` and `${{ steps.check.outputs.x }}`; the keys of `places` are the parts before the last dot."""
 
     def value(found: re.Match) -> str:
         place, _, name = found[1].rpartition(".")
@@ -34,14 +34,14 @@ def evaluated(text: str, places: dict) -> str:
 
 
 class Action:
-    """The action, in a repository."""
+    """The action in a repository."""
 
     def __init__(self, folder: Path, archive: Path) -> None:
         self.folder, self.archive = folder, archive
         self.text = yaml.safe_load((ROOT / "action.yml").read_text(encoding="utf-8"))
 
     def __call__(self, status: int, **given: str) -> tuple[str, str, str, str]:
-        """Runs it with these inputs; returns what it printed on both streams, the summary and the file of SARIF."""
+        """Runs it with these inputs. Returns both output streams, the summary and the path of the SARIF file."""
         given = {name.replace("_", "-"): str(value) for name, value in given.items()} | {"package": str(self.archive)}
         known = self.text["inputs"]
         assert given.keys() <= known.keys(), given
@@ -63,7 +63,7 @@ class Action:
 
 
 def with_of(folder: Path) -> dict:
-    """The inputs that the workflow of the example gives."""
+    """The inputs in the workflow of the example."""
     steps = yaml.safe_load((folder / WORKFLOW).read_text(encoding="utf-8"))["jobs"]["check"]["steps"]
     (step,) = [step for step in steps if "gcode-playground" in step.get("uses", "")]
     return {name.replace("-", "_"): value for name, value in step.get("with", {}).items()}
@@ -83,25 +83,25 @@ def main(tools: Tools) -> None:
     given = with_of(folder)
     schema = validator(tools)
 
-    # As the example is, its findings are known.
+    # With the configuration of the example, its findings are in the baseline.
     said, _, summary, sarif = action(0, **given)
     assert said == "" and json.loads(Path(sarif).read_text(encoding="utf-8"))["runs"][0]["results"] == []
     has(summary, "nothing found in 2 files")
-    # Nothing is known where another configuration says so, and another list is asked for.
+    # There is no baseline with another configuration, or with an empty one.
     (folder / "strict.toml").write_text('setup = "setup.json"\n', encoding="utf-8")
     said, _, _, _ = action(1, config="strict.toml")
     has(said, "::error file=programs/bushing.nc,line=7,")
     (folder / "none.json").write_text("[]\n", encoding="utf-8")
     said, _, _, _ = action(1, baseline="none.json")
     has(said, "::error file=programs/bushing.nc,line=7,")
-    # A warning is one too many in the example, and may be allowed.
+    # The example allows no warning; an input can allow one.
     (folder / "programs/doubtful.nc").write_text(DOUBTFUL, encoding="utf-8")
     said, errors, summary, sarif = action(1, **given)
     has(said, "::warning file=programs/doubtful.nc,")
     lacks(said, "::error", "bushing")
     has(errors, "`--max-warnings` allows 0")
     action(0, paths="programs/doubtful.nc", max_warnings=1)
-    # Names with blanks, several paths, another language, further options, a file of its own.
+    # Names with blanks, several paths, another language, further options, a separate output file.
     (folder / "ü neu").mkdir()
     (folder / "ü neu/Welle 1.nc").write_text(FAULTY, encoding="utf-8")
     said, _, summary, sarif = action(1, paths="ü neu\nprograms/shoulder.nc\n", language="zh", options="--ignore\nnot-checked-behind-fault", sarif="report.sarif")
@@ -118,7 +118,7 @@ def main(tools: Tools) -> None:
     has(said, "::error file=manual/faulty.md,line=9,")
     has(summary, "| manual/faulty.md | 9 | ")
     assert not list(schema.iter_errors(json.loads(Path(sarif).read_text(encoding="utf-8"))))
-    # What cannot be read fails, hides nothing, and nothing in a name is a command.
+    # An unreadable path is an error and hides no findings, and no part of a name is executed as a command.
     said, errors, _, _ = action(2, paths="ü neu\n$(touch made) `touch made`\n--quiet")
     has(said, "Welle 1.nc,line=6,")
     has(errors, "touch made")

@@ -1,7 +1,7 @@
-"""The job of `templates/check.yml`, included from a server and run by `gitlab-ci-local` in the repository of the example.
+"""Tests the job of `templates/check.yml`, included from a server and run by `gitlab-ci-local` in the example repository.
 
-In: the template, `.gitlab-ci.yml` of the example, the npm package. Out: whether the job fails where it should, shows the findings,
-and leaves them as a JUnit report. Needs `rsync`, with which `gitlab-ci-local` copies.
+In: the template, `.gitlab-ci.yml` of the example, the npm package. Out: whether the job fails when it should, prints the findings,
+and writes them as a JUnit report. Needs `rsync`, which `gitlab-ci-local` uses for copies.
 """
 
 import functools
@@ -46,13 +46,13 @@ def main(tools: Tools) -> None:
         log, report = job(tools, folder, 0)
         has(log, "nothing found in 2 files")
         assert [suite.get("failures") for suite in report] == ["0", "0"]
-        # A warning is one too many here.
+        # One warning is too many here.
         (folder / "programs/doubtful.nc").write_text(DOUBTFUL, encoding="utf-8")
         log, report = job(tools, folder, 1)
         has(log, "programs/doubtful.nc:", "`--max-warnings` allows 0")
         lacks(log, "programs/bushing.nc:7")
         assert [suite.get("failures") for suite in report] == ["0", "1", "0"]
-        # Without the list of what is known.
+        # Without the baseline.
         file.write_text(f"{text}      options: --no-config --lang ru\n      paths: programs/bushing.nc\n", encoding="utf-8")
         log, report = job(tools, folder, 1)
         has(log, "programs/bushing.nc:7:1", "PS0005")

@@ -1,7 +1,7 @@
-"""The hooks for `pre-commit`, installed into a scratch repository and called by `git commit`.
+"""Tests the hooks for `pre-commit`, installed into a scratch repository and called by `git commit`.
 
-In: this repository as it is now, which `pre-commit` clones and builds. Out: whether a faulty program is refused, a right one and
-one whose findings are known taken; and the same with the npm package.
+In: this repository in its current state, which `pre-commit` clones and builds. Out: whether a faulty program is rejected, and a correct
+one and one with known findings are accepted; and the same with the npm package.
 """
 
 import os
@@ -12,7 +12,7 @@ from pathlib import Path
 import package
 from shared import DOUBTFUL, FAULTY, TARGET, Tools, git, has, own_repository, repository, run, say, scratch
 
-# The build of the hook's program is a release; what it does here is little.
+# The hook builds a release; for the little work here an unoptimised build is faster.
 CHEAP = {"OPT_LEVEL": "0", "LTO": "off", "CODEGEN_UNITS": "16", "DEBUG": "0"}
 
 
@@ -25,7 +25,7 @@ def environment(tools: Tools) -> dict:
 
 
 def configure(folder: Path, text: str, env: dict) -> None:
-    """Writes the configuration, and puts the hook into the repository."""
+    """Writes the configuration, and installs the hook in the repository."""
     (folder / ".pre-commit-config.yaml").write_text(text, encoding="utf-8")
     git(folder, "add", "--all")
     git(folder, "commit", "--quiet", "--message", "Hooks")
@@ -33,7 +33,7 @@ def configure(folder: Path, text: str, env: dict) -> None:
 
 
 def commit(folder: Path, env: dict, file: str, text: str, status: int) -> str:
-    """Commits a file; returns what the hooks said."""
+    """Commits a file. Returns the output of the hooks."""
     (folder / file).parent.mkdir(parents=True, exist_ok=True)
     (folder / file).write_text(text, encoding="utf-8")
     git(folder, "add", file)
@@ -45,15 +45,15 @@ def commit(folder: Path, env: dict, file: str, text: str, status: int) -> str:
 
 
 def refuses(folder: Path, env: dict) -> None:
-    """What the hook for programs does, with the configuration of the example."""
+    """Checks the hook for programs with the configuration of the example."""
     said = commit(folder, env, "programs/new faulty.nc", FAULTY, 1)
     has(said, "check lathe G-code", "Failed", "programs/new faulty.nc:6", "PS0005")
     said = commit(folder, env, "programs/O0007", FAULTY, 1)
     has(said, "programs/O0007:6")
-    # A warning is one too many here.
+    # One warning is too many here.
     has(commit(folder, env, "programs/doubtful.NC", DOUBTFUL, 1), "programs/doubtful.NC:", "allows 0")
     has(commit(folder, env, "programs/right.NC", f"{DOUBTFUL}M30\n", 0), "check lathe G-code", "Passed")
-    # The findings of this file are known, wherever its blocks move to; one more is new.
+    # The findings of this file are in the baseline, wherever its blocks move; an additional one is new.
     old = (folder / "programs/bushing.nc").read_text(encoding="utf-8")
     has(commit(folder, env, "programs/bushing.nc", old.replace("T0101\n", "T0101\n(FIRST TOOL)\n"), 0), "Passed")
     (folder / "notes.txt").write_text(FAULTY, encoding="utf-8")
@@ -74,7 +74,7 @@ def main(tools: Tools) -> None:
     has(said, "check the G-code in manuals", "Failed", "manual/new.md:9")
     has(commit(folder, env, "manual/right.md", f"# New\n\n```gcode no-check\n{FAULTY}```\n", 0), "Passed")
 
-    # All files, as a server does it.
+    # All files, as on a server.
     run([sys.executable, "-m", "pre_commit", "run", "--all-files"], folder, env=env)
     say("pre-commit: the hooks built by cargo refuse what is faulty, and take the rest")
 

@@ -1,6 +1,6 @@
 """The npm package that `npx` starts in the tests.
 
-In: the folder of the built package. Out: a file as `npm pack` writes it.
+In: the folder of the built package. Out: an archive written by `npm pack`.
 """
 
 from pathlib import Path

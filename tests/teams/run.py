@@ -1,4 +1,4 @@
-"""The ways in which programs are checked in a repository, followed with the real tools; `cargo xtask test --all` runs all of them.
+"""Tests the ways to check programs in a repository with the real tools; `cargo xtask test --all` runs all of them.
 
     python3 tests/teams/run.py COMMAND PACKAGE NODE_MODULES WAY…
 
@@ -15,7 +15,7 @@ import sys
 import time
 from pathlib import Path
 
-# The tree is left as it is.
+# Write no bytecode into the tree.
 sys.dont_write_bytecode = True
 from shared import Tools, say
 

@@ -1,8 +1,8 @@
-"""`check --format sarif` against the schema of SARIF 2.1.0.
+"""Checks the output of `check --format sarif` with the schema of SARIF 2.1.0.
 
-In: the command line; the schema of the npm package `@microsoft/jest-sarif`. Out: whether each report is valid: of the failing
-examples of all rules, of the programs of the tests, with repairs, of names with blanks and letters of any script, of pages of a manual,
-of nothing at all.
+In: the command line; the schema of the npm package `@microsoft/jest-sarif`. Out: whether each report is valid: for the failing
+examples of all rules, for the test programs, with fixes, for names with blanks and non-Latin letters, for pages of a manual,
+and without any input.
 """
 
 import json
@@ -15,13 +15,14 @@ from shared import FAULTY, ROOT, Tools, run, say, scratch
 
 
 def validator(tools: Tools) -> Draft4Validator:
-    # The release candidate that was approved: the final text differs in titles, and in the form of GUIDs and languages, of which a report has none.
+    # The approved release candidate. The final text differs in titles, and in the format of GUIDs and languages, which
+    # the reports do not contain.
     path = tools.node_modules / "@microsoft/jest-sarif/lib/schemas/sarif-2.1.0-rtm.5.json"
     return Draft4Validator(json.loads(path.read_text(encoding="utf-8")))
 
 
 def examples(folder: Path) -> int:
-    """The failing examples of all rules, a file each."""
+    """The failing examples of all rules, one file each."""
     count = 0
     for page in sorted((ROOT / "src/rules").glob("*.md")):
         block = re.search(r"^```wrong\n(.*?)^```", page.read_text(encoding="utf-8"), re.DOTALL | re.MULTILINE)
@@ -70,7 +71,7 @@ def main(tools: Tools) -> None:
     assert report("--markdown", "ü ß 外圆", status=1)["results"][0]["locations"][0]["physicalLocation"]["region"]["startLine"] == 9
     assert not report("ü ß 外圆/repair.nc", "--fix", status=0)["results"]
 
-    # The schema is one that refuses something.
+    # Checks that the schema rejects an invalid report.
     broken = {"version": "2.1.0", "runs": [{"results": [{"level": "fatal", "message": {}}]}]}
     assert len(list(schema.iter_errors(broken))) >= 2, "the schema takes a report that is none"
     say(f"SARIF: the reports of {count} examples, with {len(everything['results'])} results of {len(rules)} rules, are valid")

@@ -1,16 +1,16 @@
-//! No text breaks the search for programs in it: `cargo +nightly fuzz run --fuzz-dir tests/fuzz clean`.
+//! The search for programs accepts any text: `cargo +nightly fuzz run --fuzz-dir tests/fuzz clean`.
 #![no_main]
 
 use gcode_playground::api::paste::shortened;
 use gcode_playground::paste::{Program, find};
 use libfuzzer_sys::fuzz_target;
 
-/// A text without blanks, which may change without a reason.
+/// A text without whitespace, which may change without a reason.
 fn solid(text: &str) -> String {
     text.chars().filter(|c| !c.is_whitespace() && *c != '\0').collect()
 }
 
-/// The pieces of a program are its stretch of the text without a gap, and nothing is lost without a reason.
+/// The pieces of a program cover its range of the text without a gap, and nothing is lost without a reason.
 fn check(text: &str, program: &Program) {
     let mut at = program.span.start;
     for piece in &program.pieces {
@@ -37,7 +37,7 @@ fuzz_target!(|input: &[u8]| {
         check(text, program);
         end = program.span.end;
         for choice in 0..3 {
-            // A cleaned program is a text like any other.
+            // A cleaned program is an ordinary text.
             let cleaned = program.answered(|_| choice);
             for again in &find(&cleaned).programs {
                 check(&cleaned, again);

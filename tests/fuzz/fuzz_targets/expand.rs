@@ -1,5 +1,6 @@
-//! An expanded program makes the motions of the program: `cargo +nightly fuzz run --fuzz-dir tests/fuzz expand`. The
-//! first byte chooses the G-code system; the rest is the program, as UTF-8. Runs that reach a limit count too.
+//! An expanded program makes the motions of the original: `cargo +nightly fuzz run --fuzz-dir tests/fuzz
+//! expand`. The first byte selects the G-code system; the rest is the program, as UTF-8. Runs that reach a
+//! limit are compared too.
 #![no_main]
 
 mod limits;
@@ -13,7 +14,7 @@ use gcode_playground::setup::dialect::GSystem;
 use libfuzzer_sys::fuzz_target;
 use limits::LIMITS;
 
-/// Lengths are rounded to this, mm.
+/// Tolerance for rounded lengths, mm.
 const ROUNDING: f64 = 0.0021;
 
 fn near(a: f64, b: f64) -> bool {

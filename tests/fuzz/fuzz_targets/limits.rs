@@ -1,8 +1,8 @@
-//! The bounds of a run under the fuzzer.
+//! The limits of a run under the fuzzer.
 
 use gcode_playground::limits::Limits;
 
-/// Bounds that are soon met, so that loops cost little.
+/// Low limits, so that loops cost little.
 pub const LIMITS: Limits = Limits {
     text: 1 << 20,
     motions: 2_000,

@@ -1,5 +1,5 @@
-//! No bytes break anything: `cargo +nightly fuzz run --fuzz-dir tests/fuzz program`. The first byte chooses
-//! the G-code system and the size of the slices; the rest is the program.
+//! No input bytes cause a panic: `cargo +nightly fuzz run --fuzz-dir tests/fuzz program`. The first byte
+//! selects the G-code system and the size of the slices; the rest is the program.
 #![no_main]
 
 mod limits;
