@@ -1,5 +1,5 @@
-//! In: the lock files, `deny.toml`, and the databases of advisories. Out: whether each licence is allowed and no package has an
-//! advisory. A check that reached no database has not passed.
+//! In: the lock files, `deny.toml`, and the advisory databases. Out: whether each licence is allowed and no
+//! package has an advisory. A check that reached no database has not passed.
 
 use std::fmt;
 use std::process::Command;
@@ -7,10 +7,10 @@ use std::process::Command;
 use crate::run::{self, Result};
 use crate::tools;
 
-/// The workspaces of Rust. `tests/speed/peers` is left out: it contains programs of others, for comparison only.
+/// The Rust workspaces. `tests/speed/peers` is left out: it contains programs of others, for comparison only.
 const MANIFESTS: [&str; 2] = ["Cargo.toml", "tests/fuzz/Cargo.toml"];
 
-/// Checks of cargo-deny: their name, the arguments, and the words of a report with and without findings.
+/// Checks of cargo-deny: name, arguments, and the words of a report without and with findings.
 type Checks = (&'static str, &'static [&'static str], [&'static str; 2]);
 
 const LICENCES: Checks = ("licences", &["licenses", "bans", "sources"], ["licenses ok", "licenses FAILED"]);
@@ -29,7 +29,8 @@ enum Outcome {
 }
 
 impl Outcome {
-    /// Of a tool that succeeded or not and printed `output`. One of `reports` is in the output of each check that was carried out.
+    /// The result of a tool, from its success and its `output`. The output contains one of `reports` for each
+    /// check that was carried out.
     fn of(success: bool, output: &str, reports: [&str; 2]) -> Self {
         match (reports.iter().any(|report| output.contains(report)), success) {
             (false, _) => Outcome::NotChecked,
@@ -77,7 +78,7 @@ fn check(command: &mut Command, reports: [&str; 2]) -> Result<Outcome> {
     Ok(Outcome::of(output.status.success(), &text, reports))
 }
 
-/// Says the result of each check; only where all have passed is it no error.
+/// Prints the result of each check. Returns an error unless all have passed.
 fn conclude(outcomes: &[(String, Outcome)]) -> Result {
     let list: Vec<_> = outcomes.iter().map(|(name, outcome)| format!("  {name}: {outcome}")).collect();
     let list = list.join("\n");
@@ -110,7 +111,7 @@ mod tests {
         check(true, "found 0 vulnerabilities\n", NPM, Outcome::Passed);
         check(false, "# npm audit report\n\n1 high severity vulnerability\n", NPM, Outcome::Failed);
         check(false, "npm error audit endpoint returned an error\n", NPM, Outcome::NotChecked);
-        // A tool that does nothing and succeeds.
+        // A tool that does nothing and exits with success.
         check(true, "", NPM, Outcome::NotChecked);
     }
 

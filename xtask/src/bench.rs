@@ -1,6 +1,6 @@
-//! In: the options. Out: the tables of `tests/speed/README.md`: the playground beside a floor and its peers,
-//! natively, in wasm under Node and in a browser; the times of the hostile programs; what the first picture
-//! costs on a slow line.
+//! In: the options. Out: the tables of `tests/speed/README.md`: the playground compared with a floor and its
+//! peers, natively, in wasm under Node and in a browser; the times of the hostile programs; the cost of the
+//! first picture on a slow line.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -13,20 +13,20 @@ use crate::{browser, hostile, packages};
 #[path = "../../tests/speed/workload.rs"]
 mod workload;
 
-/// A linter that people are used to.
+/// A well-known linter for comparison.
 const RUFF: &str = "ruff==0.17.6";
 
-/// How often the command line is measured unless a number is asked for.
+/// Default number of rounds for the command line.
 const ROUNDS: u32 = 5;
 
 /// The arguments of `cargo xtask bench`.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Options {
-    /// Only the playground and the floor are measured: no peer is installed.
+    /// Measure only the playground and the floor; no peer is installed.
     pub own: bool,
-    /// The tables go into `tests/speed/README.md`.
+    /// Write the tables into `tests/speed/README.md`.
     pub write: bool,
-    /// How often everything is measured.
+    /// Number of rounds of all measurements.
     pub rounds: Option<u32>,
 }
 
@@ -75,7 +75,7 @@ pub fn main(options: Options) -> Result {
     Ok(())
 }
 
-/// Measures the command line over files, natively and under Node, beside ruff.
+/// Measures the command line on files, natively and under Node, compared with ruff.
 fn command_line(folder: &Path, report: &Path, rounds: u32) -> Result {
     let mut build = command("cargo");
     step("compiling the command line", build.args(["build", "--release", "--bin", "gcode-playground"]))?;
@@ -88,7 +88,7 @@ fn command_line(folder: &Path, report: &Path, rounds: u32) -> Result {
     step("measuring the command line", &mut python).map(|_| ())
 }
 
-/// The floor and the crates as wasm and as a native program; the packages of npm.
+/// Builds the floor and the crates as wasm and as a native program, and installs the npm packages.
 fn build_floor_and_peers(setup: &Setup, options: Options, target: &Path) -> Result {
     let folder = run::root().join("tests/speed/peers");
     let features: &[&str] = if options.own { &[] } else { &["--features", "peers"] };
@@ -112,7 +112,7 @@ fn build_floor_and_peers(setup: &Setup, options: Options, target: &Path) -> Resu
     if !options.own {
         let mut npm = npm();
         npm.current_dir(&folder).args(["ci", "--no-audit", "--no-fund"]);
-        // A peer that is missing is reported in the table.
+        // The table reports a missing peer.
         if let Err(problem) = step("installing the peers from npm", &mut npm) {
             run::say(problem);
         }
@@ -121,7 +121,7 @@ fn build_floor_and_peers(setup: &Setup, options: Options, target: &Path) -> Resu
 }
 
 fn write_programs(folder: &Path) -> Result {
-    // What an older run left there is not measured.
+    // Files left by an earlier run must not be measured.
     let _ = fs::remove_dir_all(folder);
     fs::create_dir_all(folder).map_err(|error| format!("cannot make {}: {error}", folder.display()))?;
     let write = |name: &str, text: String| {
@@ -139,7 +139,7 @@ fn write_programs(folder: &Path) -> Result {
     contours.try_for_each(|points| write(&format!("contour-{points}.nc"), workload::contour(points)))
 }
 
-/// Puts tables between their marks in `tests/speed/README.md`.
+/// Writes tables between their markers in `tests/speed/README.md`.
 fn write_tables(tables: &[(&str, PathBuf)]) -> Result {
     let path = run::root().join("tests/speed/README.md");
     let read = |path: &Path| {
@@ -153,7 +153,7 @@ fn write_tables(tables: &[(&str, PathBuf)]) -> Result {
     fs::write(&path, text).map_err(|error| format!("cannot write {}: {error}", path.display()))
 }
 
-/// A text with another content between `<!-- name -->` and `<!-- /name -->`.
+/// Replaces the content between `<!-- name -->` and `<!-- /name -->` in a text.
 fn between(text: &str, name: &str, content: &str) -> Option<String> {
     let (head, rest) = text.split_once(&format!("<!-- {name} -->\n"))?;
     let (_, tail) = rest.split_once(&format!("<!-- /{name} -->"))?;

@@ -1,5 +1,5 @@
-//! In: a module as the compiler leaves it. Out: the module with its JavaScript, as wasm-bindgen makes them. Its version in
-//! Cargo.lock is that of the crate `wasm-bindgen`: the two share a private format.
+//! In: a compiled module. Out: the module with its JavaScript, made by wasm-bindgen. The version in
+//! Cargo.lock equals that of the crate `wasm-bindgen`: the two share a private format.
 
 use std::path::Path;
 use std::time::{Duration, Instant};
@@ -8,12 +8,12 @@ use wasm_bindgen_cli_support::Bindgen;
 
 use crate::run::{self, Result};
 
-/// Where the JavaScript runs.
+/// The target environment of the JavaScript.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum For {
     /// The page, with types.
     Page,
-    /// The page, whose module gets parts later: they bring functions into its table.
+    /// The page, whose module loads parts later: they add functions to its table.
     PageWithParts,
     /// Node, without types.
     Node,

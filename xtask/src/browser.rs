@@ -1,5 +1,5 @@
-//! In: this machine. Out: the path of a Chromium, Chrome or Edge for the browser tests, found or installed.
-//! A missing browser is an error that says what to do, never a test left out.
+//! In: this machine. Out: the path of a Chromium, Chrome or Edge for the browser tests, found or installed. A
+//! missing browser is an error with instructions; tests are never skipped.
 
 use std::env;
 use std::path::PathBuf;
@@ -7,28 +7,29 @@ use std::path::PathBuf;
 use crate::debian;
 use crate::run::{self, Result};
 
-/// Names the browser to use: read here, and passed on to the browser tests.
+/// The environment variable that names the browser. It is passed on to the browser tests.
 pub const VARIABLE: &str = "PLAYGROUND_CHROMIUM";
 
-/// Chromium without windows, as Debian packs it: it starts a page in half the time.
+/// Headless Chromium, as packaged by Debian: it starts a page in half the time.
 pub const HEADLESS_SHELL: &str = "chromium-headless-shell";
 
-/// Finds or installs the browser of the tests: the one that is named, or the headless shell, or else what [`ensure`] finds.
+/// Finds or installs the browser of the tests: the named one, or the headless shell, or the result of
+/// [`ensure`].
 pub fn for_tests() -> Result<PathBuf> {
     let is_named = env::var_os(VARIABLE).is_some_and(|value| !value.is_empty());
     let shell = || on_path(&[HEADLESS_SHELL]).find(is_there);
     if is_named {
         return ensure();
     }
-    // Debian has it since version 12; where it cannot be had, every other Chromium does.
+    // Debian has it since version 12. If it is unavailable, any other Chromium works.
     if shell().is_none() && installed().is_none() && debian::available() {
         let _ = debian::install("installing the Chromium browser without windows", &[HEADLESS_SHELL]);
     }
     shell().map_or_else(ensure, Ok)
 }
 
-/// Finds a browser or installs one. The page's npm packages must be there: Playwright's
-/// own browser is the last way.
+/// Finds or installs a browser. Requires the npm packages of the page, because the browser of Playwright is
+/// the last resort.
 pub fn ensure() -> Result<PathBuf> {
     if let Some(path) = env::var_os(VARIABLE).filter(|value| !value.is_empty()).map(PathBuf::from) {
         return if works(&path) {
@@ -67,7 +68,7 @@ pub fn ensure() -> Result<PathBuf> {
     })
 }
 
-/// A browser in one of the usual places.
+/// A browser in one of the usual locations.
 fn installed() -> Option<PathBuf> {
     const NAMES: [&str; 6] = [
         "chromium",
@@ -84,7 +85,7 @@ fn is_there(path: &PathBuf) -> bool {
     path.is_file() && works(path)
 }
 
-/// Where programs with these names can stand.
+/// Possible paths of programs with these names.
 fn on_path<'a>(names: &'a [&str]) -> impl Iterator<Item = PathBuf> + 'a {
     let folders: Vec<PathBuf> =
         env::var_os("PATH").map(|path| env::split_paths(&path).collect()).unwrap_or_default();
@@ -121,7 +122,7 @@ fn usual_places() -> Vec<PathBuf> {
     roots.iter().flat_map(|root| places.iter().map(|place| root.join(place))).collect()
 }
 
-/// Where the installed version of Playwright keeps its own browser, there or not.
+/// Path of the browser of the installed Playwright version; it may not exist.
 fn playwrights() -> Option<PathBuf> {
     let mut node = run::command("node");
     node.current_dir(run::www());
@@ -129,8 +130,8 @@ fn playwrights() -> Option<PathBuf> {
     Some(PathBuf::from(path))
 }
 
-/// Whether it starts at all: some systems have a `chromium` that only says where to get one. On Windows and
-/// macOS there is no such thing, and asking for the version may open a window.
+/// Whether it starts: on some systems `chromium` only prints where to get it. That does not happen on Windows
+/// and macOS, where asking for the version may open a window.
 fn works(path: &PathBuf) -> bool {
     if cfg!(any(windows, target_os = "macos")) {
         path.is_file()

@@ -1,5 +1,5 @@
-//! In: names of Debian packages. Out: the packages installed, where this is a Debian on which we may do so
-//! without asking for a password. It does not know what the packages are for.
+//! In: names of Debian packages. Out: the packages installed, if this is Debian and no password is needed.
+//! Does not know what the packages are for.
 
 use std::process::Command;
 use std::sync::OnceLock;
@@ -7,7 +7,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 
 use crate::run::{self, Result};
 
-/// How a program is run with the rights of the administrator.
+/// How a program gets administrator rights.
 #[derive(Clone, Copy)]
 enum Rights {
     Root,
@@ -17,17 +17,17 @@ enum Rights {
 /// Whether packages may be installed.
 static IS_ALLOWED: AtomicBool = AtomicBool::new(true);
 
-/// From now on nothing is installed: a missing package is an error that names it.
+/// Forbids installation from now on: a missing package is an error that names it.
 pub fn forbid() {
     IS_ALLOWED.store(false, Ordering::Relaxed);
 }
 
-/// Whether packages may be installed, and can be without a password.
+/// Whether packages may be installed, and no password is needed.
 pub fn available() -> bool {
     IS_ALLOWED.load(Ordering::Relaxed) && rights().is_some()
 }
 
-/// A program run as the administrator; `None` where this is no Debian or a password would be needed.
+/// A program that runs as administrator; `None` if this is not Debian or a password is needed.
 pub fn privileged(program: &str) -> Option<Command> {
     Some(match rights()? {
         Rights::Root => run::command(program),
@@ -46,7 +46,7 @@ pub fn installed(packages: &[&str]) -> bool {
     states.is_some_and(|states| states.lines().all(|state| state == "installed"))
 }
 
-/// Installs packages without their recommendations; `what` says what they are for.
+/// Installs packages without their recommendations; `what` describes their purpose.
 pub fn install(what: &str, packages: &[&str]) -> Result {
     static UPDATED: OnceLock<Result> = OnceLock::new();
     let apt = || privileged("apt-get").ok_or("no right to install Debian packages");
@@ -75,7 +75,7 @@ fn rights() -> Option<Rights> {
     })
 }
 
-/// Debian itself, not its descendants: Ubuntu's package `chromium`, for one, only points to a snap.
+/// Debian itself, not its derivatives: the Ubuntu package `chromium`, for example, only refers to a snap.
 fn is_debian() -> bool {
     std::fs::read_to_string("/etc/os-release").is_ok_and(|text| text.lines().any(|line| line == "ID=debian"))
 }

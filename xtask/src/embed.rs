@@ -1,6 +1,6 @@
-//! In: the page's sources, the rule pages, the reference, the interpreter's package and what others have written that is inside. Out: the
-//! element for other people's pages and for Node, `www/dist/embed`: the npm package; and the same files in a folder with the
-//! version in its name.
+//! In: the sources of the page, the rule pages, the reference, the package of the interpreter, and the
+//! licences of third-party code in it. Out: the element for other pages and for Node, `www/dist/embed`, which
+//! is the npm package; and the same files in a folder with the version in its name.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -10,7 +10,7 @@ use crate::notices;
 use crate::run::{self, Result, cannot, copy};
 use crate::setup::Setup;
 
-/// Files of the project that go with the element.
+/// Files of the project that are shipped with the element.
 const OURS: [&str; 3] = ["LICENSE-APACHE", "LICENSE-MIT", "CHANGELOG.md"];
 
 /// The interpreter's scripts, for Node.
@@ -19,7 +19,7 @@ const INTERPRETER: [&str; 5] =
 
 const VERSION: &str = env!("CARGO_PKG_VERSION");
 
-/// Builds the element, after the rule pages and the reference.
+/// Builds the element; requires the rule pages and the reference.
 pub fn element(setup: &Setup) -> Result<Duration> {
     let built = run::step("building the element for other pages", &mut setup.npm(&["run", "build:element"]))?;
     let begun = Instant::now();
@@ -38,9 +38,9 @@ pub fn element(setup: &Setup) -> Result<Duration> {
         copy(&run::www().join("pkg").join(file), &folder.join("node").join(file))?;
     }
     change(&folder.join("node/part-files.js"), "'./", "'../")?;
-    // Only the newest library of types knows it.
+    // Only the newest type library contains this symbol.
     change(&folder.join("node/gcode_playground.d.ts"), "    [Symbol.dispose](): void;\n", "")?;
-    // The page's own build begins the file.
+    // The build of the page writes the beginning of the file.
     add_licences(setup, &folder.join(notices::FILE))?;
     let copied = dist.join("embed-of-this-version");
     let _ = fs::remove_dir_all(&copied);
@@ -50,17 +50,17 @@ pub fn element(setup: &Setup) -> Result<Duration> {
     Ok(built + begun.elapsed())
 }
 
-/// Adds the licences of the crates that are in the module.
+/// Appends the licences of the crates in the module.
 fn add_licences(setup: &Setup, file: &Path) -> Result {
     let mut tree = setup.command("cargo");
-    // The module of the command line needs more than that of the page.
+    // The module of the command line has more dependencies than that of the page.
     tree.args(["tree", "--package", "gcode-playground", "--features", "npx"]);
     tree.args(["--target", "wasm32-unknown-unknown"]);
     let text = fs::read_to_string(file).map_err(|error| cannot("read", file, &error))?;
     fs::write(file, text + &notices::of(&mut tree)?).map_err(|error| cannot("write", file, &error))
 }
 
-/// Puts another text in the place of one that stands in a file.
+/// Replaces a text in a file; it must be there.
 fn change(file: &Path, from: &str, to: &str) -> Result {
     let text = fs::read_to_string(file).map_err(|error| cannot("read", file, &error))?;
     if !text.contains(from) {

@@ -1,6 +1,6 @@
-//! In: this machine. Out: the programs with which the browser tests run in Firefox and WebKitGTK, found or
-//! installed, each under the variable that names it to the tests. A missing one is an error that says what to
-//! do, never a test left out. Chromium is `browser`'s.
+//! In: this machine. Out: the programs that run the browser tests in Firefox and WebKitGTK, found or
+//! installed, each with the environment variable that passes it to the tests. A missing program is an error
+//! with instructions; tests are never skipped. `browser` handles Chromium.
 
 use std::path::PathBuf;
 use std::{env, fs};
@@ -8,17 +8,17 @@ use std::{env, fs};
 use crate::debian;
 use crate::run::{self, Result};
 
-/// A program the tests start.
+/// A program that the tests start.
 struct Program {
-    /// Names it: read here, and passed on to the tests.
+    /// The environment variable that names it. It is passed on to the tests.
     variable: &'static str,
-    /// What it is, for the person at the terminal.
+    /// Its description for the user.
     what: &'static str,
-    /// The package of Debian that brings it.
+    /// The Debian package that contains it.
     package: &'static str,
-    /// What it may be called on PATH.
+    /// Possible names on PATH.
     names: &'static [&'static str],
-    /// Where else it may be, below `/usr`; `*` stands for any one folder.
+    /// Other possible locations, below `/usr`; `*` stands for any one folder.
     places: &'static [&'static str],
 }
 
@@ -40,8 +40,8 @@ const PROGRAMS: [Program; 5] = [
     Program {
         variable: "PLAYGROUND_MINIBROWSER",
         what: "WebKitGTK's MiniBrowser",
-        // The driver depends on it; of older and newer Debians the number differs, and the
-        // driver brings the right one.
+        // The driver depends on it. The number differs between Debian versions, and the driver pulls in the
+        // right one.
         package: "libwebkit2gtk-4.1-0",
         names: &["MiniBrowser"],
         places: &[
@@ -69,13 +69,13 @@ const PROGRAMS: [Program; 5] = [
     },
 ];
 
-/// The packages of Debian that bring the programs.
+/// The Debian packages that contain the programs.
 #[cfg(test)]
 pub fn packages() -> impl Iterator<Item = &'static str> {
     PROGRAMS.iter().map(|program| program.package)
 }
 
-/// Finds the programs or installs them: each with the variable that names it.
+/// Finds or installs the programs. Returns each with its environment variable.
 pub fn ensure() -> Result<Vec<(&'static str, PathBuf)>> {
     let missing: Vec<&Program> = PROGRAMS.iter().filter(|program| program.find().is_none()).collect();
     let mut refused = None;
@@ -88,7 +88,7 @@ pub fn ensure() -> Result<Vec<(&'static str, PathBuf)>> {
     if all.len() == PROGRAMS.len() { Ok(all) } else { Err(advice(refused.as_deref())) }
 }
 
-/// What to do about the programs that are not there.
+/// Instructions for the missing programs.
 fn advice(refused: Option<&str>) -> String {
     let mut text = refused.map(|reason| format!("{reason}\n\n")).unwrap_or_default();
     text +=
@@ -127,7 +127,7 @@ fn named(variable: &str) -> Option<PathBuf> {
     env::var_os(variable).filter(|value| !value.is_empty()).map(PathBuf::from)
 }
 
-/// The paths a place stands for.
+/// The paths that match a location.
 fn expanded(place: &str) -> Vec<PathBuf> {
     let usr = PathBuf::from("/usr");
     let Some((before, behind)) = place.split_once("/*/") else { return vec![usr.join(place)] };
@@ -135,7 +135,7 @@ fn expanded(place: &str) -> Vec<PathBuf> {
     folders.map(|folder| folder.path().join(behind)).collect()
 }
 
-/// Says which programs the tests use.
+/// Prints which programs the tests use.
 pub fn tell(programs: &[(&str, PathBuf)]) {
     for (variable, path) in programs {
         run::say(format_args!("{variable}: {}", path.display()));

@@ -1,7 +1,7 @@
-//! In: the sources and what `www/docs/library.md` says of the package for JavaScript. Out: whether it is true:
-//! the package of each target is built by the documented command, its example runs under Node and passes a
-//! strict `tsc`, no argument of any method makes it trap, and it is as small as it should be. And whether the
-//! crate that `cargo package` writes builds.
+//! In: the sources and the description of the JavaScript package in `www/docs/library.md`. Out: whether the
+//! description is true: the documented command builds the package of each target, its example runs under Node
+//! and passes a strict `tsc`, no method traps with any argument, and the size is within budget. Also checks
+//! that the crate written by `cargo package` builds.
 
 use std::fs;
 use std::path::Path;
@@ -13,13 +13,14 @@ use crate::setup::Setup;
 
 const DOCUMENT: &str = "www/docs/library.md";
 
-/// The module of the package contains all parts of the page, and cargo leaves link-time optimisation out of it.
+/// The module of the package contains all parts of the page, and cargo builds it without link-time
+/// optimisation.
 const MODULE: Budget = Budget { name: "the module of the package", bytes: 920_000 };
 
-/// What the examples print: how many motions, and a message about the feed rate that the program lacks.
+/// The output of the examples: the number of motions, and a message about the missing feed rate.
 const PRINTED: [&str; 2] = ["1 [", "line 2: "];
 
-/// How strictly the types are checked, those of the package itself included.
+/// A strict TypeScript configuration, which also checks the types of the package itself.
 const TYPES: &str = r#"{
   "compilerOptions": {
     "target": "ES2022", "module": "ESNext", "moduleResolution": "bundler", "lib": ["ES2023", "DOM"],
@@ -31,7 +32,7 @@ const TYPES: &str = r#"{
 }
 "#;
 
-/// A target of wasm-pack, as the document describes it.
+/// A target of wasm-pack, as described in the document.
 #[derive(Debug, PartialEq, Eq)]
 struct Target {
     name: String,
@@ -47,7 +48,7 @@ pub fn packages(setup: &Setup) -> Result<Duration> {
     let text = fs::read_to_string(run::root().join(DOCUMENT));
     let targets = targets(&text.map_err(|error| format!("cannot read {DOCUMENT}: {error}"))?)?;
     for target in &targets {
-        // wasm-opt takes longer than all else, and does the same for each of them.
+        // wasm-opt takes longer than all other steps, and has the same effect for each target.
         let optimise = if target == &targets[0] { Optimise::Yes } else { Optimise::No };
         target.check(setup, optimise)?;
     }
@@ -65,7 +66,7 @@ pub fn crate_file() -> Result<Duration> {
     let library = step("checking the crate without the command line", &mut check)?;
     let mut package = command("cargo");
     package.args(["package", "--allow-dirty", "--quiet"]);
-    // Whether it builds is all that is asked of it.
+    // The build only has to succeed.
     package.envs([("CARGO_PROFILE_DEV_OPT_LEVEL", "0"), ("CARGO_PROFILE_DEV_DEBUG", "0")]);
     Ok(library + step("building the packaged crate", &mut package)?)
 }
@@ -115,7 +116,7 @@ impl Target {
     }
 }
 
-/// The targets that the document describes: a command of wasm-pack and a section with an example each.
+/// The targets in the document: a wasm-pack command and a section with an example each.
 fn targets(document: &str) -> Result<Vec<Target>> {
     let mut found = Vec::new();
     for line in document.lines().filter_map(|line| line.strip_prefix("    wasm-pack ")) {

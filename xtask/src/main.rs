@@ -1,9 +1,9 @@
-//! The developer's commands: `cargo xtask …` builds, serves and tests the project, and first gets what
-//! it needs for that. In: the command line. Out: exit 0, or 1 when a step failed, or 2 when the
-//! command line is not understood.
+//! Developer commands: `cargo xtask …` builds, serves and tests the project, and installs what is needed for
+//! that. In: the command line. Out: exit code 0; 1 if a step failed; 2 if the command line is invalid.
 //!
-//! Dependencies: as few as can be, because every user compiles this first. `flate2` compresses, to weigh what is served;
-//! `wasm-bindgen-cli-support` makes the JavaScript of a module: compiling it takes half as long as installing its command.
+//! Dependencies: as few as possible, because every user compiles this first. `flate2` compresses files to
+//! measure the served size. `wasm-bindgen-cli-support` generates the JavaScript of a module: compiling it
+//! takes half as long as installing its command.
 
 mod advisories;
 mod bench;
@@ -63,7 +63,7 @@ cargo xtask notices                       write the licences of the packages in 
 cargo xtask setup                         only install what the other commands need
 ";
 
-/// A command line, understood.
+/// The parsed command line.
 #[derive(Debug, PartialEq, Eq)]
 enum Task {
     Play(Options),
@@ -192,7 +192,8 @@ mod tests {
     use super::documents::DOCUMENTS;
     use super::*;
 
-    /// The commands of the documents, from code spans and blocks; an explanation follows after two blanks.
+    /// The commands in the documents, from code spans and blocks; two blanks separate a command from its
+    /// explanation.
     fn documented() -> Vec<String> {
         let mut found = Vec::new();
         for document in DOCUMENTS {

@@ -1,7 +1,8 @@
-//! The recipes of `www/docs/manuals.md`, followed by `tests/manuals/recipes.py` with mdBook, Sphinx and Docusaurus.
+//! Tests the recipes of `www/docs/manuals.md`: `tests/manuals/recipes.py` follows them with mdBook, Sphinx
+//! and Docusaurus.
 //!
-//! In: the built command line; the built package, if there is one. Out: whether each recipe ends in a page with its
-//! example. The tools are installed once, in fixed versions, into the cache of the user.
+//! In: the built command line; the built package, if there is one. Out: whether each recipe results in a page
+//! with its example. The tools are installed once, in fixed versions, into the cache of the user.
 
 use std::env;
 use std::time::Duration;
@@ -9,10 +10,10 @@ use std::time::Duration;
 use crate::run::{self, Result, command, step};
 use crate::{native, packages, tools};
 
-/// The Sphinx that the recipe is tried with.
+/// The Sphinx version of the test.
 const SPHINX: &str = "sphinx==9.0.4";
 
-/// The packages of a site of Docusaurus.
+/// The packages of a Docusaurus site.
 const DOCUSAURUS: [&str; 5] = [
     "@docusaurus/core@3.10.2",
     "@docusaurus/preset-classic@3.10.2",

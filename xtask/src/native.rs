@@ -1,8 +1,9 @@
-//! In: the sources. Out: the programs that run on this machine: the command line, the examples and the writers of
-//! pages.
+//! In: the sources. Out: the programs that run on this machine: the command line, the examples and the page
+//! writers.
 //!
-//! After the tests they are built in `target/debug`, with the features that the tests give to the whole workspace, so
-//! that nothing is compiled again. For the site alone the writers of pages are built without the dependencies of the tests.
+//! Together with the tests they are built in `target/debug`, with the same features that the tests enable in
+//! the whole workspace, so that nothing is compiled twice. For the site alone, the page writers are built
+//! without the dependencies of the tests.
 
 use std::env;
 use std::path::PathBuf;
@@ -10,14 +11,15 @@ use std::process::Command;
 
 use crate::run::{self, Result, step};
 
-/// Arguments of `cargo build` that give a program the features of the tests: an example has the dev-dependencies.
+/// Arguments of `cargo build` that give a program the features of the tests: examples use the
+/// dev-dependencies.
 const WITH_TESTS: [&str; 3] = ["--workspace", "--example", "npx"];
 
-/// The profile of the writers of pages without the tests. In the folder of the tests, the library with fewer
-/// features would make theirs stale: cargo names such a library without a hash.
+/// The profile of the page writers without the tests. In the folder of the tests, the library with fewer
+/// features would invalidate theirs: cargo writes such a library without a hash in its name.
 const PAGES: &str = "pages";
 
-/// What else is built from the same sources in this command.
+/// Other builds of the same sources in this command.
 #[derive(Clone, Copy)]
 pub enum Beside {
     /// The tests have been built, or will be.
@@ -32,18 +34,18 @@ pub fn command_line() -> Result<PathBuf> {
     Ok(program("debug", "gcode-playground"))
 }
 
-/// An example, built and ready to be started from the root of the repository.
+/// An example, built, and ready to start from the root of the repository.
 pub fn example(name: &str) -> Result<Command> {
     build(name, &["--workspace", "--example", name])?;
     Ok(run::command(program("debug/examples", name)))
 }
 
-/// The program that writes the rule pages into the folder of its argument.
+/// The program that writes the rule pages into the folder given as its argument.
 pub fn rule_pages(beside: Beside) -> Result<Command> {
     page_writer("gcode-playground-rule-pages", "rule-pages", beside)
 }
 
-/// The program that writes the reference into the folder of its argument.
+/// The program that writes the reference into the folder given as its argument.
 pub fn reference(beside: Beside) -> Result<Command> {
     page_writer("gcode-playground-reference", "reference", beside)
 }
@@ -68,7 +70,7 @@ fn build(name: &str, arguments: &[&str]) -> Result {
     step(&format!("building {name}"), &mut cargo).map(drop)
 }
 
-/// The file of a program in a folder of the target folder.
+/// The file of a program in a subfolder of the target folder.
 fn program(folder: &str, name: &str) -> PathBuf {
     run::target().join(folder).join(format!("{name}{}", env::consts::EXE_SUFFIX))
 }

@@ -1,5 +1,5 @@
-//! In: a list of packages that cargo prints, and their sources in cargo's folder. Out: their names and the texts of their licences, for
-//! the npm package and for the archives of the native program.
+//! In: the package list of `cargo tree`, and the sources in the cargo folder. Out: names and licence texts,
+//! for the npm package and for the archives of the native program.
 
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
@@ -39,7 +39,7 @@ fn native() -> Command {
 pub fn of(tree: &mut Command) -> Result<String> {
     tree.args(["--edges", "normal", "--prefix", "none", "--format", "{p}|{l}|{r}", "--no-dedupe"]);
     let listed = run::ask(tree).ok_or("cargo tree does not list the packages")?;
-    // A bracket marks a folder of this repository, or a macro that is not in the result.
+    // A bracket marks a folder of this repository, or a proc macro, which is not part of the binary.
     let rows: BTreeSet<&str> = listed.lines().filter(|row| !row.contains(" (")).collect();
     let mut text = String::new();
     for row in rows {
@@ -58,7 +58,7 @@ pub fn of(tree: &mut Command) -> Result<String> {
     Ok(text)
 }
 
-/// The text of the licence of a package that has no file with it: the MIT licence, if that is one of its licences.
+/// The licence text of a package without a licence file: the MIT licence, if it is one of its licences.
 fn without_file(package: &str, licence: &str) -> Result<String> {
     let ours = read(&run::root().join("LICENSE-MIT"))?;
     let permission = ours.find("Permission is hereby granted").map(|start| &ours[start..]);
@@ -68,7 +68,7 @@ fn without_file(package: &str, licence: &str) -> Result<String> {
         .ok_or_else(|| format!("{package} ({licence}) has no file with its licence"))
 }
 
-/// The folder of the sources of a crate, by its name and version.
+/// The source folder of a crate, by its name and version.
 fn crate_folder(name: &str) -> Result<PathBuf> {
     let home = env::var_os("CARGO_HOME").map(PathBuf::from);
     let home = home.or_else(|| env::home_dir().map(|home| home.join(".cargo"))).unwrap_or_default();

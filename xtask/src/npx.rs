@@ -1,5 +1,6 @@
-//! In: the sources of the command line. Out: the same program as a module for Node, in `target/npx`, which the npm package has in its folder
-//! `bin`; and whether it writes what the native one writes, to the byte.
+//! In: the sources of the command line. Out: the same program as a module for Node, in `target/npx`, which
+//! the npm package contains in `bin`; and whether its output equals that of the native program, byte for
+//! byte.
 
 use std::fs;
 use std::path::PathBuf;
@@ -12,10 +13,10 @@ use crate::run::{self, Result, step};
 use crate::setup::Setup;
 use crate::tools::WASM_FEATURES;
 
-/// The profile of Cargo.toml: that of the page, in a folder apart from it.
+/// The profile in Cargo.toml: the one of the page, with a separate folder.
 const PROFILE: &str = "node";
 
-/// Where the module is built.
+/// The output folder of the module.
 fn folder() -> PathBuf {
     run::target().join("npx")
 }
@@ -34,7 +35,7 @@ pub fn module(setup: &Setup) -> Result<Duration> {
     let mut wasm_opt = setup.command("wasm-opt");
     wasm_opt.args(WASM_FEATURES).arg("-O2").arg(&module).arg("-o").arg(&module);
     run::quiet("optimising the command line for Node", &mut wasm_opt)?;
-    // The package that it goes into has one of its own.
+    // The npm package has its own `package.json`.
     let _ = fs::remove_file(folder().join("package.json"));
     let starts = folder().join("gcode-playground.js");
     fs::write(&starts, "#!/usr/bin/env node\nimport './command-line.js';\n")
@@ -43,7 +44,7 @@ pub fn module(setup: &Setup) -> Result<Duration> {
     Ok(compiled + bound + begun.elapsed())
 }
 
-/// Puts the module that is built into the built package.
+/// Copies the built module into the built package.
 pub fn put_into_package() -> Result {
     let bin = run::www().join("dist/embed/bin");
     let _ = fs::remove_dir_all(&bin);
@@ -63,7 +64,7 @@ fn executable(_: &std::path::Path) -> Result {
     Ok(())
 }
 
-/// Whether the package that others install writes what the native program writes.
+/// Compares the output of the package with that of the native program.
 pub fn compare(setup: &Setup) -> Result<Duration> {
     let begun = Instant::now();
     let scratch = run::target().join("npx-installed");
@@ -74,7 +75,7 @@ pub fn compare(setup: &Setup) -> Result<Duration> {
     let package = scratch.join(format!("gcode-playground-{}.tgz", env!("CARGO_PKG_VERSION")));
     let mut install = setup.npm(&["install", "--silent", "--no-audit", "--no-fund", "--prefix"]);
     step("installing it", install.arg(&scratch).arg(&package))?;
-    // It stands beside the example, which starts it.
+    // The example expects it in its own folder, and starts it.
     native::command_line()?;
     let mut compare = native::example("npx")?;
     compare.arg(scratch.join("node_modules/.bin/gcode-playground"));

@@ -1,9 +1,9 @@
-//! In: the core's sources and the page's. Out: the wasm package in www/pkg and the page in www/dist; other
-//! packages of wasm that are built in the same way.
+//! In: the sources of the core and of the page. Out: the wasm package in www/pkg and the page in www/dist;
+//! other wasm packages that are built in the same way.
 //!
-//! The module is not built by wasm-pack: the crate is an `rlib` too, for the tests and the command line, and
-//! cargo leaves link-time optimisation out of a library that is both. `cargo rustc` can ask for the one kind
-//! alone, which makes the module a tenth smaller and faster.
+//! The module is not built by wasm-pack: the crate is also an `rlib`, for the tests and the command line, and
+//! cargo skips link-time optimisation for a library that is both. `cargo rustc` can build only the `cdylib`,
+//! which makes the module a tenth smaller and faster.
 
 use std::cmp::Reverse;
 use std::collections::BTreeMap;
@@ -23,22 +23,22 @@ use crate::setup::Setup;
 use crate::tools::WASM_FEATURES;
 use crate::{embed, native, npx, parts};
 
-/// Budget of the module before the first picture: bytes, compressed as a server does it.
+/// Budget of the module before the first picture: bytes, compressed as by a server.
 const CORE: Budget = Budget { name: "core.wasm", bytes: 165_000 };
 
-/// The same of all parts and texts together.
+/// Budget of all parts and texts together.
 const ALL: Budget = Budget { name: "all parts", bytes: 890_000 };
 
-/// How large something should be.
+/// A size budget.
 pub struct Budget {
-    /// What it is.
+    /// The thing measured.
     pub name: &'static str,
-    /// Its size.
+    /// Its budget in bytes.
     pub bytes: u64,
 }
 
 impl Budget {
-    /// Prints the size, with a warning from 95 % of the budget on; an error above 105 %.
+    /// Prints the size, with a warning from 95 % of the budget on. Returns an error above 105 %.
     pub fn check(&self, size: u64) -> Result {
         let Self { name, bytes } = self;
         let text = format!("{name}: {size} bytes compressed, of {bytes}");
@@ -51,33 +51,33 @@ impl Budget {
     }
 }
 
-/// How many bytes a file has when a server has compressed it (`gzip -9`).
+/// Size of a file after compression by a server (`gzip -9`).
 pub fn compressed_size(bytes: &[u8]) -> io::Result<u64> {
     let mut compressed = GzEncoder::new(Vec::new(), Compression::best());
     compressed.write_all(bytes)?;
     Ok(compressed.finish()?.len() as u64)
 }
 
-/// The file of a package that says what it was built from.
+/// The file of a package that records its fingerprint.
 pub const STAMP: &str = ".built-by-xtask";
 
-/// A crate that becomes a module for JavaScript.
+/// A crate that is compiled to a module for JavaScript.
 pub struct Module<'a> {
     /// Its name, with underscores.
     pub name: &'a str,
     /// The folder of the crate.
     pub folder: PathBuf,
-    /// The profile of its Cargo.toml it is built with.
+    /// Its profile in Cargo.toml.
     pub profile: &'a str,
     /// Its features, as passed to cargo.
     pub features: &'a [&'a str],
-    /// The folder cargo builds in.
+    /// The target folder of cargo.
     pub target: PathBuf,
-    /// Where the package goes.
+    /// The folder of the package.
     pub package: PathBuf,
-    /// How wasm-opt goes over it.
+    /// The options of wasm-opt.
     pub optimised: &'a [&'a str],
-    /// Whether it is cut into what is loaded first and later parts.
+    /// Whether it is split into the core and later parts.
     pub is_cut: bool,
 }
 
@@ -90,8 +90,8 @@ pub fn wasm(setup: &Setup) -> Result<Duration> {
         features: &["--no-default-features"],
         target: run::target(),
         package: run::www().join("pkg"),
-        // A function with one caller stays a function: merged into it, it compresses worse. Functions of like
-        // names have like code, and compress better side by side.
+        // Functions with one caller are not inlined, because inlining makes the compressed size worse.
+        // Functions with similar names have similar code, and compress better side by side.
         optimised: &[
             "--one-caller-inline-max-function-size=1",
             "-Oz",
@@ -105,7 +105,7 @@ pub fn wasm(setup: &Setup) -> Result<Duration> {
 
 impl Module<'_> {
     /// Builds the package. cargo decides whether the module has changed; wasm-bindgen and wasm-opt, which
-    /// take longer than all else, run only if it has.
+    /// take longer than all other steps, run only if it has.
     pub fn build(&self, setup: &Setup) -> Result<Duration> {
         let compiled = self.compile(setup)?;
         let stamp = self.package.join(STAMP);
@@ -130,7 +130,7 @@ impl Module<'_> {
         let mut modules = vec![(shipped.clone(), shipped.clone())];
         let later = cut.iter().flat_map(|cut| &cut.files);
         modules.extend(later.map(|(from, name)| (from.clone(), self.package.join(name))));
-        // The large ones first: at the end none is left alone.
+        // Large modules first, so that no single one runs alone at the end.
         modules.sort_by_key(|(from, _)| Reverse(fs::metadata(from).map_or(0, |file| file.len())));
         run::for_each(&modules, |(from, to)| {
             let mut wasm_opt = setup.command("wasm-opt");
@@ -157,20 +157,20 @@ impl Module<'_> {
         cargo.args(["rustc", "--lib", "--crate-type", "cdylib", "--profile", self.profile]);
         cargo.args(["--target", "wasm32-unknown-unknown"]).args(self.features);
         if self.is_cut {
-            // What refers to what: the linker forgets it, unless it is asked to keep it.
+            // Relocations: the linker drops them unless told otherwise.
             cargo.args(["--", "--cfg", "parts", "-C", "link-arg=--emit-relocs", "-C", "strip=none"]);
         }
         run::step(&format!("compiling {} to wasm", self.name), &mut cargo)
     }
 
-    /// The module as the compiler leaves it.
+    /// The compiled module.
     fn compiled(&self) -> PathBuf {
         let folder = self.target.join("wasm32-unknown-unknown").join(self.profile);
         folder.join(format!("{}.wasm", self.name))
     }
 
-    /// What the package is made from: the compiled module, the settings of wasm-opt and
-    /// the version of wasm-bindgen.
+    /// The inputs of the package: the compiled module, the options of wasm-opt and the version of
+    /// wasm-bindgen.
     fn fingerprint(&self) -> Option<String> {
         let mut hasher = DefaultHasher::new();
         for path in [self.compiled(), self.folder.join("Cargo.lock")] {
@@ -191,7 +191,7 @@ impl Module<'_> {
         Some(format!("{:016x}", hasher.finish()))
     }
 
-    /// So that Node takes the package's JavaScript for modules.
+    /// Makes Node treat the JavaScript of the package as modules.
     fn manifest(&self) -> String {
         let (file, name) = (self.name, self.name.replace('_', "-"));
         format!(r#"{{ "name": "{name}", "type": "module", "main": "{file}.js", "types": "{file}.d.ts" }}"#)
@@ -199,8 +199,8 @@ impl Module<'_> {
     }
 }
 
-/// Whether the module and its parts are within their budgets and about as large as the table of sizes in
-/// `tests/speed/README.md` says; prints them.
+/// Checks that the module and its parts are within their budgets and close to the sizes in the table of
+/// `tests/speed/README.md`. Prints the sizes.
 pub fn size() -> Result<Duration> {
     let begun = Instant::now();
     let path = run::root().join("tests/speed/README.md");
@@ -211,7 +211,7 @@ pub fn size() -> Result<Duration> {
     if problems.is_empty() { Ok(begun.elapsed()) } else { Err(problems.join("\n")) }
 }
 
-/// The size of each row of the table, compressed as a server does it.
+/// The size of each row of the table, compressed as by a server.
 fn weigh(folder: &Path) -> Result<BTreeMap<String, u64>> {
     let cannot = |error: std::io::Error| format!("cannot weigh {}: {error}", folder.display());
     let mut sizes = BTreeMap::<String, u64>::new();
@@ -233,7 +233,7 @@ fn weigh(folder: &Path) -> Result<BTreeMap<String, u64>> {
     Ok(sizes)
 }
 
-/// What is larger than allowed, or not as the table says.
+/// Sizes over budget or different from the table.
 fn too_large(sizes: &BTreeMap<String, u64>, stated: &BTreeMap<String, u64>) -> Vec<String> {
     let core = sizes.get(CORE.name).copied().ok_or_else(|| format!("there is no {}", CORE.name));
     let checked = [core.and_then(|core| CORE.check(core)), ALL.check(sizes.values().sum())];
@@ -252,7 +252,7 @@ fn too_large(sizes: &BTreeMap<String, u64>, stated: &BTreeMap<String, u64>) -> V
     problems
 }
 
-/// The rows of the table of sizes: name of the file and kB.
+/// The rows of the table of sizes: file name and kB.
 fn stated_sizes(document: &str) -> BTreeMap<String, u64> {
     let rows = document.lines().filter_map(|line| {
         let mut cells = line.strip_prefix("| `")?.split('|').map(str::trim);
@@ -273,8 +273,8 @@ pub fn site(setup: &Setup) -> Result {
     Ok(())
 }
 
-/// Builds the page into www/dist, and next to it the rule pages, the reference, the element for other pages and what
-/// makes the page work without a network.
+/// Builds the page into www/dist, and next to it the rule pages, the reference, the element for other pages
+/// and the files for offline use.
 pub fn page(setup: &Setup, beside: native::Beside) -> Result<Duration> {
     let page = run::step("building the page", &mut setup.npm(&["run", "build"]))?;
     let mut rules = native::rule_pages(beside)?;
@@ -284,7 +284,7 @@ pub fn page(setup: &Setup, beside: native::Beside) -> Result<Duration> {
     docs.arg(run::www().join("dist/docs"));
     let docs = run::step("writing the reference", &mut docs)?;
     let element = embed::element(setup)?;
-    // It lists what is there, so it comes last.
+    // It lists the existing files, so it comes last.
     let offline = run::step(
         "listing what is stored for use without a network",
         &mut setup.npm(&["run", "build:offline"]),
@@ -292,7 +292,8 @@ pub fn page(setup: &Setup, beside: native::Beside) -> Result<Duration> {
     Ok(page + rules + docs + element + offline)
 }
 
-/// Makes an empty folder for a package: half a package is none, and an older one may have other parts.
+/// Creates an empty folder for a package: an incomplete package must not be used, and an older one may have
+/// other parts.
 pub fn begin(package: &Path) -> Result {
     let cannot = |error| format!("cannot make {}: {error}", package.display());
     let _ = fs::remove_file(package.join(STAMP));

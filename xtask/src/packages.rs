@@ -1,5 +1,5 @@
-//! In: names of packages of Python and npm with their versions, and the name of a place for them. Out: the place in the cache of the
-//! user where they are, installed once. It does not know what the packages are for.
+//! In: names of Python and npm packages with their versions, and the name of a cache folder. Out: that folder
+//! in the cache of the user, with the packages installed once. Does not know what the packages are for.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 use crate::run::{self, Result, command};
 use crate::tools;
 
-/// The folder of the programs that packages of Python bring; `python` is one of them.
+/// The folder with the programs of the Python packages, including `python`.
 pub fn python(place: &str, packages: &[&str]) -> Result<PathBuf> {
     let folder = tools::cache()?.join(place);
     let bin = folder.join(if cfg!(windows) { "Scripts" } else { "bin" });
@@ -28,7 +28,7 @@ pub fn python(place: &str, packages: &[&str]) -> Result<PathBuf> {
     Ok(bin)
 }
 
-/// The folder of a site that has packages of npm; their scripts are not run.
+/// The folder of a site with npm packages; their install scripts are not run.
 pub fn npm(place: &str, packages: &[&str]) -> Result<PathBuf> {
     let folder = tools::cache()?.join(place);
     let stamp = folder.join("installed");
@@ -48,7 +48,7 @@ pub fn npm(place: &str, packages: &[&str]) -> Result<PathBuf> {
     Ok(folder)
 }
 
-/// Whether these very packages are what was installed last.
+/// Whether exactly these packages were installed last.
 fn is_installed(stamp: &Path, packages: &[&str]) -> bool {
     fs::read_to_string(stamp).is_ok_and(|installed| installed == packages.join(" "))
 }

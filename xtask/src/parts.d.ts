@@ -1,13 +1,15 @@
 import type { PartName } from './part-files.js';
 
-/** Puts a part into a module (what `init` or `initSync` returned), from its files and, in the same order, their contents. */
+/**
+ * Adds a part to a module (the result of `init` or `initSync`), from its files and, in the same order, their contents.
+ */
 export function addPart(part: PartName, exports: object, files: readonly string[], contents: readonly (WebAssembly.Module | string)[]): void;
 
-/** Whether a file contains texts; the others are WebAssembly. */
+/** Whether a file contains texts; all others are WebAssembly. */
 export function isText(file: string): boolean;
 
-/** Has the files of a part fetched, for a module that is still to come; one that cannot be had is tried again. */
+/** Starts fetching the files of a part before the module exists. A file that fails is fetched again later. */
 export function fetchPart(files: readonly string[]): void;
 
-/** Loads a part; rejected where one of its files cannot be had, after which it can be tried again. */
+/** Loads a part. Rejects if one of its files cannot be loaded; it can then be called again. */
 export function loadPart(part: PartName, exports: object, files: readonly string[]): Promise<void>;

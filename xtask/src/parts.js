@@ -1,13 +1,13 @@
-// Loads the parts of the module that are loaded after the first picture: src/parts.rs.
+// Loads the parts of the module that are needed after the first picture: src/parts.rs.
 //
-// In: the exports of the module, and the files of a part or a language (`part-files.js`). Out: the same module with the code
-// and data of the part put into its memory and its table of functions, or with the texts of the language.
+// In: the exports of the module, and the files of a part or a language (`part-files.js`). Out: the same module with the
+// code and data of the part added to its memory and its function table, or with the texts of the language.
 import { partLoaded, textsLoaded } from './gcode_playground.js';
 
-/** What each module has been given: addresses of files, by the exports of the module. */
+/** The file addresses already added to each module, by the exports of the module. */
 const given = new WeakMap();
 
-/** Puts a part into a module, from its files and their contents. */
+/** Adds a part to a module, from its files and their contents. */
 export function addPart(part, exports, files, contents) {
   const before = given.get(exports) ?? new Set();
   given.set(exports, before);
@@ -22,22 +22,22 @@ export function addPart(part, exports, files, contents) {
   partLoaded(part);
 }
 
-/** Whether a file contains texts; the others are WebAssembly. */
+/** Whether a file contains texts; all others are WebAssembly. */
 export function isText(file) {
   return new URL(file).pathname.endsWith('.txt');
 }
 
-/** Files that are being fetched, or have been and are in no module yet. */
+/** Files that are being fetched, or are fetched but not yet part of a module. */
 const fetched = new Map();
-/** Files that could not be used: the browser's cache may hold what they were. */
+/** Files that could not be used: the browser may have cached an old version. */
 const failedBefore = new Set();
 
-/** Has the files of a part fetched, for a module that is still to come; one that cannot be had is tried again. */
+/** Starts fetching the files of a part before the module exists. A file that fails is fetched again later. */
 export function fetchPart(files) {
   for (const file of files) contentOf(file).catch(() => undefined);
 }
 
-/** Loads a part; rejected where one of its files cannot be had, after which it can be tried again. */
+/** Loads a part. Rejects if one of its files cannot be loaded; it can then be called again. */
 export async function loadPart(part, exports, files) {
   const before = given.get(exports);
   const missing = files.map((file) => (before?.has(file) === true ? undefined : contentOf(file)));

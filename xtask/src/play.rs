@@ -1,7 +1,8 @@
-//! In: the port and whether to open a browser. Out: the page, served by Vite on localhost until Ctrl-C. It reloads after
-//! each change of a source.
+//! In: the port and whether to open a browser. Out: the page, served by Vite on localhost until Ctrl-C. It
+//! reloads after each change of a source.
 //!
-//! The interpreter is one module here, compiled fast and not optimised. The optimised site is `package`'s.
+//! Here the interpreter is a single module, compiled quickly without optimisation. `package` builds the
+//! optimised site.
 
 use std::fs;
 use std::net::{Ipv4Addr, Ipv6Addr, TcpListener, TcpStream};
@@ -16,40 +17,40 @@ use crate::run::{self, Result, step};
 use crate::setup::Setup;
 use crate::{native, package, parts};
 
-/// The port where none is asked for, or the first free one after it.
+/// Default port; the next free one is used if it is taken.
 const PORT: u16 = 8017;
 
-/// How many ports are tried.
+/// Number of ports to try.
 const PORTS: u16 = 20;
 
 /// The arguments of `cargo xtask play`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Options {
-    /// Where to serve; if this port is taken, it is an error.
+    /// The port to serve on. It is an error if this port is taken.
     pub port: Option<u16>,
-    /// Whether the page is shown.
+    /// Whether to show the page.
     pub browser: Browser,
 }
 
-/// Whether the page is shown.
+/// Whether to show the page.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Browser {
-    /// Where there is a screen.
+    /// Open it if there is a display.
     Open,
-    /// Not at all.
+    /// Do not open it.
     Leave,
 }
 
-/// The profile of Cargo.toml.
+/// The profile in Cargo.toml.
 const PROFILE: &str = "play";
 
-/// Between two looks at the sources.
+/// Interval between checks of the sources.
 const PAUSE: Duration = Duration::from_millis(300);
 
-/// Longest start of the server.
+/// Time limit for the start of the server.
 const MOST: Duration = Duration::from_secs(60);
 
-/// Names the folder of the rule pages and the reference to Vite.
+/// The environment variable that passes the folder of the rule pages and the reference to Vite.
 const DOCUMENTS: &str = "PLAYGROUND_DOCUMENTS";
 
 /// `cargo xtask play`.
@@ -75,7 +76,7 @@ pub fn main(options: Options) -> Result {
         let now = changed(&sources());
         if now != seen {
             seen = now;
-            // The page stays as it is until the sources can be compiled again.
+            // The page stays unchanged until the sources compile again.
             module(&setup).unwrap_or_else(run::say);
         }
     }
@@ -96,7 +97,7 @@ fn module(setup: &Setup) -> Result {
     }
     let bound = folder.join("package");
     bindgen::package(&module, "gcode_playground", &bound, For::Page)?;
-    // The page is not reloaded for half a package: the stamp comes last.
+    // The stamp is written last, so that the page does not reload an incomplete package.
     package::begin(&package)?;
     for entry in fs::read_dir(&bound).into_iter().flatten().flatten() {
         let (from, to) = (entry.path(), package.join(entry.file_name()));
@@ -109,7 +110,7 @@ fn module(setup: &Setup) -> Result {
     package::write(&stamp, &built)
 }
 
-/// Where the rule pages and the reference are.
+/// The folder of the rule pages and the reference.
 fn documents_folder() -> PathBuf {
     run::target().join("documents")
 }
@@ -125,7 +126,7 @@ fn documents() -> Result {
     Ok(())
 }
 
-/// Starts Vite. It ends with this process: its standard input is closed then.
+/// Starts Vite. It exits with this process, because its standard input is closed then.
 fn serve(setup: &Setup, port: u16) -> Result<Child> {
     let mut vite = setup.command("node");
     vite.current_dir(run::www()).args([
@@ -154,12 +155,12 @@ fn answers(port: u16) -> bool {
     TcpStream::connect(("localhost", port)).is_ok()
 }
 
-/// What the interpreter is compiled from.
+/// The files from which the interpreter is compiled.
 fn sources() -> [PathBuf; 3] {
     ["src", "Cargo.toml", "Cargo.lock"].map(|name| run::root().join(name))
 }
 
-/// The time of the last change in files and folders.
+/// The time of the latest change in files and folders.
 fn changed(paths: &[PathBuf]) -> Option<SystemTime> {
     let of = |path: &PathBuf| {
         let time = fs::metadata(path).and_then(|file| file.modified()).ok();
@@ -184,7 +185,7 @@ fn free_port(port: Option<u16>) -> Result<u16> {
     })
 }
 
-/// Whether a port is free on both kinds of address that `localhost` may mean.
+/// Whether a port is free for both address families of `localhost`.
 fn is_free(port: u16) -> bool {
     let is_taken = |error: &io::Error| error.kind() == io::ErrorKind::AddrInUse;
     let addresses = [(Ipv4Addr::LOCALHOST, port).into(), (Ipv6Addr::LOCALHOST, port).into()];
@@ -198,7 +199,7 @@ fn has_screen() -> bool {
     !set("CI") && (cfg!(any(windows, target_os = "macos")) || set("DISPLAY") || set("WAYLAND_DISPLAY"))
 }
 
-/// Shows the address in the user's browser. If that fails, the address has been printed anyhow.
+/// Opens the address in the browser of the user. A failure is ignored, since the address has been printed.
 fn open(address: &str) {
     let mut command = if cfg!(windows) {
         let mut command = Command::new("rundll32");

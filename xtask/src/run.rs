@@ -1,5 +1,5 @@
-//! In: a command and a line saying what it is for. Out: the command run, timed and, when it fails, named in a
-//! message a person can act on. It knows nothing of what the commands are.
+//! In: a command and a description of its purpose. Out: the command is run and timed; if it fails, the error
+//! names it in a message with instructions. Does not know the commands themselves.
 
 use std::fmt::Display;
 use std::num::NonZero;
@@ -10,10 +10,10 @@ use std::thread::{self, ScopedJoinHandle};
 use std::time::{Duration, Instant};
 use std::{env, fs, io, iter};
 
-/// What went wrong, in words for the person at the terminal.
+/// A result with an error message for the user.
 pub type Result<T = ()> = std::result::Result<T, String>;
 
-/// The folder of the repository.
+/// The root folder of the repository.
 pub fn root() -> PathBuf {
     let here = Path::new(env!("CARGO_MANIFEST_DIR"));
     here.parent().unwrap_or(here).to_path_buf()
@@ -24,17 +24,17 @@ pub fn www() -> PathBuf {
     root().join("www")
 }
 
-/// The folder cargo builds in.
+/// The target folder of cargo.
 pub fn target() -> PathBuf {
     root().join(env::var_os("CARGO_TARGET_DIR").unwrap_or_else(|| "target".into()))
 }
 
-/// One plain line for the person at the terminal, on standard error.
+/// Prints one plain line for the user on standard error.
 pub fn say(line: impl Display) {
     eprintln!("xtask: {line}");
 }
 
-/// A time as it is read in a log: `0.4 s`, `12 s`, `3 min 05 s`.
+/// A time as shown in the log: `0.4 s`, `12 s`, `3 min 05 s`.
 pub fn pretty(time: Duration) -> String {
     let seconds = time.as_secs_f64();
     if seconds < 9.95 {
@@ -47,23 +47,22 @@ pub fn pretty(time: Duration) -> String {
     }
 }
 
-/// A program started from the root of the repository. What the surrounding `cargo xtask` put into the
-/// environment for itself does not reach it: an inherited `CARGO` would make it run the wrong one
-/// where toolchains are mixed.
+/// A program that starts in the root of the repository, without the environment variables of the surrounding
+/// `cargo xtask`: an inherited `CARGO` would select the wrong cargo if toolchains are mixed.
 pub fn command(program: impl AsRef<std::ffi::OsStr>) -> Command {
     let mut command = Command::new(program);
     command.current_dir(root()).env_remove("CARGO");
     command
 }
 
-/// `npm`, or what it is called on Windows.
+/// `npm`, with its name on Windows.
 pub fn npm() -> Command {
     let mut command = command(if cfg!(windows) { "npm.cmd" } else { "npm" });
     command.current_dir(www());
     command
 }
 
-/// Runs a step of a command: says what it does, lets its output through, says how long it took.
+/// Runs a step of a command: prints its description, its output and its duration.
 pub fn step(name: &str, command: &mut Command) -> Result<Duration> {
     say(format_args!("{name} ({})", shown(command)));
     let start = Instant::now();
@@ -81,8 +80,7 @@ pub fn step(name: &str, command: &mut Command) -> Result<Duration> {
     }
 }
 
-/// Runs a step of the set-up: says what it does, keeps its output to itself, and
-/// shows that output if it fails.
+/// Runs a step of the set-up: prints its description, and its output only if it fails.
 pub fn quiet(what: &str, command: &mut Command) -> Result {
     say(format_args!("{what} …"));
     let start = Instant::now();
@@ -101,7 +99,7 @@ pub fn quiet(what: &str, command: &mut Command) -> Result {
     ))
 }
 
-/// Does the same with each of these, with as many at a time as there are processors. After a failure no other is begun.
+/// Runs `act` on each item, in parallel on all processors. No further item is started after a failure.
 pub fn for_each<T: Sync>(items: &[T], act: impl Fn(&T) -> Result + Sync) -> Result {
     let next = AtomicUsize::new(0);
     let work = || {
@@ -118,7 +116,7 @@ pub fn for_each<T: Sync>(items: &[T], act: impl Fn(&T) -> Result + Sync) -> Resu
     })
 }
 
-/// Does two things at the same time, neither of which keeps all processors busy. What they print is mixed.
+/// Runs two tasks in parallel, neither of which uses all processors. Their outputs are mixed.
 pub fn both<One: Send, Other>(
     one: impl FnOnce() -> Result<One> + Send,
     other: impl FnOnce() -> Result<Other>,
@@ -130,23 +128,23 @@ pub fn both<One: Send, Other>(
     })
 }
 
-/// What a thread has ended with.
+/// The result of a thread.
 pub fn joined<T>(task: ScopedJoinHandle<'_, Result<T>>) -> Result<T> {
     task.join().unwrap_or_else(|_| Err("a step ended unexpectedly".to_owned()))
 }
 
-/// What a program prints on standard output, trimmed; `None` when it cannot be started or fails.
+/// The trimmed standard output of a program; `None` if it cannot be started or fails.
 pub fn ask(command: &mut Command) -> Option<String> {
     let output = capture(command).ok().filter(|output| output.status.success())?;
     Some(String::from_utf8_lossy(&output.stdout).trim().to_owned())
 }
 
-/// Whether a program is there and ends well; its output is dropped.
+/// Whether a program exists and succeeds; its output is discarded.
 pub fn succeeds(command: &mut Command) -> bool {
     capture(command).is_ok_and(|output| output.status.success())
 }
 
-/// The command as one would type it.
+/// The command as typed in a shell.
 pub fn shown(command: &Command) -> String {
     let mut line = Path::new(command.get_program()).display().to_string();
     for argument in command.get_args() {
@@ -156,7 +154,7 @@ pub fn shown(command: &Command) -> String {
     line
 }
 
-/// Runs a program to its end, and returns its output.
+/// Runs a program and returns its output.
 pub fn capture(command: &mut Command) -> Result<Output> {
     command.stdin(Stdio::null()).output().map_err(|error| not_started(command, &error))
 }
@@ -166,12 +164,12 @@ pub fn copy(from: &Path, to: &Path) -> Result {
     fs::copy(from, to).map(drop).map_err(|error| cannot("copy", from, &error))
 }
 
-/// The message of a file that cannot be read, written or copied.
+/// The error message for a file that cannot be read, written or copied.
 pub fn cannot(act: &str, path: &Path, error: &io::Error) -> String {
     format!("cannot {act} {}: {error}", path.display())
 }
 
-/// What is said of a program that cannot be started.
+/// The error message for a program that cannot be started.
 pub fn not_started(command: &Command, error: &std::io::Error) -> String {
     format!("cannot start `{}`: {error}", shown(command))
 }

@@ -1,5 +1,5 @@
 //! In: a machine with Rust and Node. Out: a machine on which everything can be built and tested ([`Setup`]).
-//! What is there already is only looked at; what is missing is installed, with a line saying so.
+//! Existing tools are only checked; missing ones are installed, with a message.
 
 use std::ffi::{OsStr, OsString};
 use std::path::PathBuf;
@@ -10,46 +10,47 @@ use crate::run::{self, Result};
 use crate::wasm_std::{self, Toolchain};
 use crate::{browser, engines, spelling, tools};
 
-/// The oldest Node.js the page's tools run on.
+/// The minimum version of Node.js for the tools of the page.
 const NODE_MIN: u32 = 20;
 
-/// Where the tools are.
+/// The paths of the tools.
 pub struct Setup {
-    /// What builds for wasm32.
+    /// The toolchain for wasm32.
     pub toolchain: Toolchain,
     path: OsString,
 }
 
 impl Setup {
-    /// Gets what the page needs while it is worked on.
+    /// Installs what is needed to develop the page.
     pub fn for_playing() -> Result<Self> {
         let (packages, toolchain) = run::both(npm_packages, wasm_std::ensure)?;
         let path = before([packages], &env::var_os("PATH").unwrap_or_default())?;
         Ok(Setup { toolchain, path })
     }
 
-    /// Gets everything a build of the site needs.
+    /// Installs what is needed to build the site.
     pub fn for_building() -> Result<Self> {
         let (wasm_split, setup) = run::both(tools::wasm_split, Setup::for_playing)?;
         let Setup { toolchain, path } = setup;
         Ok(Setup { toolchain, path: before([wasm_split], &path)? })
     }
 
-    /// Gets what the tests need besides: the program that runs them under Node.
+    /// Additionally installs what the tests need: the runner of the tests under Node.
     pub fn for_testing() -> Result<Self> {
         let (wasm_bindgen, setup) = run::both(tools::wasm_bindgen, Setup::for_building)?;
         let Setup { toolchain, path } = setup;
         Ok(Setup { toolchain, path: before(wasm_bindgen, &path)? })
     }
 
-    /// Gets what the packages for other projects need besides: wasm-pack, whose build takes longer than that of all the rest.
+    /// Additionally installs what the packages for other projects need: wasm-pack, whose build takes longer
+    /// than that of all other tools.
     pub fn for_packages() -> Result<Self> {
         let (wasm_pack, setup) = run::both(tools::wasm_pack, Setup::for_testing)?;
         let Setup { toolchain, path } = setup;
         Ok(Setup { toolchain, path: before(wasm_pack, &path)? })
     }
 
-    /// A program that builds for wasm32 and finds all tools, started from the root of the repository.
+    /// A program that builds for wasm32 and finds all tools. It starts in the root of the repository.
     pub fn command(&self, program: &str) -> Command {
         let mut command = run::command(program);
         command.env("PATH", &self.path);
@@ -57,7 +58,7 @@ impl Setup {
         command
     }
 
-    /// npm in the page's folder.
+    /// npm in the folder of the page.
     pub fn npm(&self, arguments: &[&str]) -> Command {
         let mut npm = run::npm();
         npm.env("PATH", &self.path).args(arguments);
@@ -65,13 +66,13 @@ impl Setup {
     }
 }
 
-/// The folders, then those of a PATH.
+/// The folders, followed by those of a PATH.
 fn before(folders: impl IntoIterator<Item = PathBuf>, path: &OsStr) -> Result<OsString> {
     env::join_paths(folders.into_iter().chain(env::split_paths(path)))
         .map_err(|error| format!("cannot extend PATH: {error}"))
 }
 
-/// `cargo xtask setup`: everything, the browsers and hunspell for the tests included.
+/// `cargo xtask setup`: everything, including the browsers and hunspell for the tests.
 pub fn main() -> Result {
     spelling::ensure()?;
     let setup = Setup::for_packages()?;
@@ -84,8 +85,8 @@ pub fn main() -> Result {
     Ok(())
 }
 
-/// Installs the npm packages of the page, unless those of this very package-lock.json are there; returns the
-/// folder of their programs.
+/// Installs the npm packages of the page, unless those of the current package-lock.json are installed.
+/// Returns the folder of their programs.
 fn npm_packages() -> Result<PathBuf> {
     let www = run::www();
     let read = |name: &str| {

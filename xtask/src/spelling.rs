@@ -31,7 +31,7 @@ fn is_there() -> bool {
     })
 }
 
-/// What to do where it cannot be installed.
+/// Instructions if it cannot be installed.
 fn advice(refused: Option<&str>) -> String {
     let reason = refused.map(|reason| format!("{reason}\n\n")).unwrap_or_default();
     let (packages, dictionaries) = (PACKAGES.join(" "), DICTIONARIES.join(" and "));

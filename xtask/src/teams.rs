@@ -1,20 +1,21 @@
-//! The ways in which programs are checked in a repository (`www/docs/teams.md`), followed by `tests/teams/run.py` with the real tools.
+//! Tests the ways to check programs in a repository (`www/docs/teams.md`): `tests/teams/run.py` follows them
+//! with the real tools.
 //!
-//! In: the built command line; the built package. Out: whether reports are valid, and whether each way refuses what it
-//! should. The tools are installed once, in fixed versions, into the cache of the user.
+//! In: the built command line; the built package. Out: whether reports are valid, and whether each way
+//! rejects faulty programs. The tools are installed once, in fixed versions, into the cache of the user.
 
 use std::time::Duration;
 
 use crate::run::{self, Result, command, step};
 use crate::{debian, native, packages};
 
-/// What validates, and what runs hooks.
+/// The schema validator, and the runner of hooks.
 const PYTHON: [&str; 2] = ["check-jsonschema==0.39.0", "pre-commit==4.7.0"];
 
-/// The schema of SARIF, and what runs the jobs of GitLab; the newest one needs a newer Node.
+/// The SARIF schema, and the runner of GitLab jobs. Its newest version needs a newer Node.
 const NODE: [&str; 2] = ["@microsoft/jest-sarif@1.0.0-beta.0", "gitlab-ci-local@4.68.1"];
 
-/// What is followed.
+/// The ways that are tested.
 const WAYS: [&str; 4] = ["sarif", "hooks", "action", "gitlab"];
 
 /// `cargo xtask teams`.
@@ -22,7 +23,7 @@ pub fn main() -> Result {
     ways().map(|_| ())
 }
 
-/// Follows all ways.
+/// Tests all ways.
 pub fn ways() -> Result<Duration> {
     rsync()?;
     let program = native::command_line()?;
@@ -34,7 +35,7 @@ pub fn ways() -> Result<Duration> {
     step("checks in a repository", &mut ways)
 }
 
-/// Finds `rsync`, with which `gitlab-ci-local` copies a repository, or installs it.
+/// Finds or installs `rsync`, which `gitlab-ci-local` uses to copy a repository.
 fn rsync() -> Result {
     let is_there = || run::succeeds(command("rsync").arg("--version"));
     if !is_there() && debian::available() {

@@ -1,8 +1,9 @@
-//! In: the whole working tree. Out: whether it is in order. It stops at the first step that fails.
+//! In: the whole working tree. Out: whether all checks pass. Stops at the first step that fails.
 //!
-//! `cargo xtask test` checks a change in minutes; `--native` and `--page` are its halves, for jobs side by side. `--all` has the rest, which a change seldom breaks or which takes
-//! long: the fuzz targets, the hostile programs, the packages for other projects, the command line under Node, the
-//! recipes for manuals, the checks in a repository, and every browser test in three engines.
+//! `cargo xtask test` checks a change in minutes; `--native` and `--page` are its halves, for parallel jobs.
+//! `--all` adds checks that are slow or that a change rarely breaks: the fuzz targets, the hostile programs,
+//! the packages for other projects, the command line under Node, the recipes for manuals, the checks in a
+//! repository, and every browser test in three engines.
 
 use std::env;
 use std::path::PathBuf;
@@ -14,20 +15,21 @@ use crate::{
     browser, debian, engines, hostile, library, manuals, native, npx, package, spelling, teams, translations,
 };
 
-/// What is checked.
+/// Which checks to run.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Tier {
     /// The checks that a single change is most likely to fail.
     Change,
-    /// The half of them that needs no page: format, lints, native tests, the module under Node.
+    /// The half of them without the page: format, lints, native tests, the module under Node.
     Native,
-    /// The other half: sizes, types, workflows, the page in browsers. With a share `1/3` of the browser tests.
+    /// The other half: sizes, types, workflows, the page in browsers. A share `1/3` runs a part of the
+    /// browser tests.
     Page(Option<String>),
     /// Everything.
     All,
 }
 
-/// The variable that asks for every browser test in every engine that can run it.
+/// The environment variable that requests every browser test in every engine that can run it.
 const ALL_BROWSER_TESTS: &str = "PLAYGROUND_ALL_ENGINES";
 
 /// The steps that have passed, with their times.
@@ -46,7 +48,7 @@ pub fn main(tier: &Tier) -> Result {
     let mut done = Done::default();
     let (has_native, has_page) = (!matches!(tier, Tier::Page(_)), *tier != Tier::Native);
 
-    // What needs no set-up comes first: a slip in the format is reported in a second.
+    // Checks without set-up come first: a format error is reported within a second.
     if has_native {
         done.add("format", step("checking the format", command("cargo").args(["fmt", "--all", "--check"]))?);
         let mut clippy = command("cargo");
@@ -69,9 +71,9 @@ pub fn main(tier: &Tier) -> Result {
     Ok(())
 }
 
-/// Gets what the checks need; the variables name the browsers.
+/// Installs what the checks need. The variables name the browsers.
 fn set_up(tier: &Tier) -> Result<(Setup, Vec<(&'static str, PathBuf)>)> {
-    // A contributor decides what is installed on the machine.
+    // On the machine of a contributor, nothing is installed without consent.
     if env::var_os("CI").is_none_or(|value| value != "true") {
         debian::forbid();
     }
@@ -102,7 +104,7 @@ fn browsers() -> Result<Vec<(&'static str, PathBuf)>> {
     }
 }
 
-/// What needs no page.
+/// The checks without the page.
 fn native(setup: &Setup, done: &mut Done) -> Result {
     let mut clippy = setup.command("cargo");
     clippy.args(["clippy", "--target", "wasm32-unknown-unknown", "--lib", "--test", "wasm"]);
@@ -117,7 +119,7 @@ fn native(setup: &Setup, done: &mut Done) -> Result {
     Ok(())
 }
 
-/// The page: its module, its files, and what browsers do with them.
+/// The checks of the page: its module, its files, and its behaviour in browsers.
 fn page(setup: &Setup, browsers: &[(&'static str, PathBuf)], tier: &Tier, done: &mut Done) -> Result {
     if *tier == Tier::All {
         products(setup, done)?;
@@ -155,28 +157,28 @@ fn page(setup: &Setup, browsers: &[(&'static str, PathBuf)], tier: &Tier, done: 
     Ok(())
 }
 
-/// Everything that is built, with the checks that need nothing else.
+/// Builds everything else, with the checks that need nothing further.
 fn products(setup: &Setup, done: &mut Done) -> Result {
     let mut fuzz = command("cargo");
     fuzz.args(["check", "--locked", "--manifest-path", "tests/fuzz/Cargo.toml", "--no-default-features"]);
     fuzz.args(["--target-dir", "target/fuzz"]);
     done.add("fuzz targets", step("checking the fuzz targets", &mut fuzz)?);
-    // A module that is optimised as a whole keeps one processor busy.
+    // Optimising a module as a whole uses only one processor.
     let (wasm, packages) = run::both(|| package::wasm(setup), || library::packages(setup))?;
     done.add("wasm package", wasm);
     done.add("packages", packages);
     let (node, crate_file) = run::both(|| npx::module(setup), library::crate_file)?;
     done.add("module for Node", node);
     done.add("crate", crate_file);
-    // Their times are measured: nothing runs beside them.
+    // Their times are measured, so nothing runs in parallel.
     done.add("hostile programs", hostile::main(None)?);
     Ok(())
 }
 
-/// What other projects take from the built page, and do with it.
+/// Checks of the packages that other projects use.
 fn for_other_projects(setup: &Setup, done: &mut Done) -> Result {
     npx::put_into_package()?;
-    // Each of the two starts one program after the other.
+    // Each of the two runs its programs one after the other.
     let (teams, (node, manuals)) =
         run::both(teams::ways, || Ok((npx::compare(setup)?, manuals::recipes()?)))?;
     done.add("command line for Node", node);

@@ -1,6 +1,6 @@
-//! In: Cargo.lock. Out: the folders of wasm-pack and of wasm-bindgen's command line in the right versions, to
-//! be put on PATH. They are taken from PATH where they fit, else built once with `cargo install` into a cache
-//! folder of the user, keyed by version, so that every clone of the repository finds them.
+//! In: Cargo.lock. Out: the folders of wasm-pack and of wasm-bindgen's command line in the right versions,
+//! for PATH. If the versions on PATH do not fit, they are built once with `cargo install` into a cache folder
+//! of the user, keyed by version, so that every clone of the repository finds them.
 
 use std::path::{Path, PathBuf};
 use std::{env, fs};
@@ -17,22 +17,22 @@ pub const WASM_FEATURES: [&str; 6] = [
     "--enable-multivalue",
 ];
 
-/// The version installed where no fitting one is found.
+/// The version to install if none is suitable.
 const WASM_PACK: &str = "0.15.1";
 
-/// The mdBook that the recipe is tried with.
+/// The mdBook version of the test.
 const MDBOOK: &str = "0.5.4";
 
-/// The cargo-deny that checks licences and advisories.
+/// The version of cargo-deny, which checks licences and advisories.
 const CARGO_DENY: &str = "0.20.2";
 
-/// The version of wasm-split: xtask reads the script it writes.
+/// The version of wasm-split. xtask parses the script that it generates.
 const WASM_SPLIT: &str = "0.2.4";
 
-/// The oldest wasm-pack that fits.
+/// The minimum version of wasm-pack.
 const WASM_PACK_MIN: (u32, u32) = (0, 13);
 
-/// The folder of wasm-pack; `None` when the one on PATH fits.
+/// The folder of wasm-pack; `None` if the one on PATH is suitable.
 pub fn wasm_pack() -> Result<Option<PathBuf>> {
     let fits = |version: &str| major_minor(version).is_some_and(|version| version >= WASM_PACK_MIN);
     if version_on_path("wasm-pack").is_some_and(|version| fits(&version)) {
@@ -41,8 +41,8 @@ pub fn wasm_pack() -> Result<Option<PathBuf>> {
     cargo_install("wasm-pack", WASM_PACK, &["wasm-pack"]).map(Some)
 }
 
-/// The folder of wasm-bindgen and wasm-bindgen-test-runner; `None` when those on PATH fit. Their version must
-/// be the very one of the crate in Cargo.lock: the two use a private format.
+/// The folder of wasm-bindgen and wasm-bindgen-test-runner; `None` if those on PATH are suitable. Their
+/// version must equal that of the crate in Cargo.lock: they share a private format.
 pub fn wasm_bindgen() -> Result<Option<PathBuf>> {
     let lock = run::root().join("Cargo.lock");
     let text =
@@ -55,7 +55,7 @@ pub fn wasm_bindgen() -> Result<Option<PathBuf>> {
     cargo_install("wasm-bindgen-cli", wanted, &tools).map(Some)
 }
 
-/// The folder in which downloads and builds outlive this clone: `gcode-playground` in the user's cache.
+/// The folder for downloads and builds shared by all clones: `gcode-playground` in the cache of the user.
 pub fn cache() -> Result<PathBuf> {
     let folder = |name: &str| env::var_os(name).filter(|value| !value.is_empty()).map(PathBuf::from);
     let home = || folder(if cfg!(windows) { "USERPROFILE" } else { "HOME" });
@@ -69,7 +69,7 @@ pub fn cache() -> Result<PathBuf> {
     base.map(|base| base.join("gcode-playground")).ok_or_else(|| "this user has no home folder".to_owned())
 }
 
-/// The folder of wasm-split, which cuts the module of the page into its parts.
+/// The folder of wasm-split, which splits the module of the page into its parts.
 pub fn wasm_split() -> Result<PathBuf> {
     cargo_install("wasm_split_cli_support", WASM_SPLIT, &["wasm-split-cli"])
 }
@@ -97,16 +97,16 @@ fn cargo_install(package: &str, version: &str, programs: &[&str]) -> Result<Path
         cargo.args(["--features", "build-binary"]);
     }
     if package == "cargo-deny" {
-        // Its authors ask for the versions that they have tried.
+        // Its authors recommend the locked versions.
         cargo.arg("--locked");
     }
     if package == "mdbook" {
         // It only builds books here: no server, no search.
         cargo.arg("--no-default-features");
     }
-    // Unoptimised they are built in less than half the time, and the little they do is done as fast.
+    // An unoptimised build takes less than half the time, and is fast enough here.
     cargo.env("CARGO_PROFILE_RELEASE_OPT_LEVEL", "0").env("CARGO_PROFILE_RELEASE_LTO", "off");
-    // Not in the repository and not with its settings.
+    // Outside of the repository and without its settings.
     cargo.current_dir(&prefix);
     for name in ["CARGO_TARGET_DIR", "CARGO_BUILD_TARGET", "RUSTFLAGS", "CARGO_ENCODED_RUSTFLAGS"] {
         cargo.env_remove(name);
@@ -115,7 +115,7 @@ fn cargo_install(package: &str, version: &str, programs: &[&str]) -> Result<Path
     Ok(bin)
 }
 
-/// The last word of what `program --version` prints first.
+/// The last word of the first line of `program --version`.
 fn version_on_path(program: &str) -> Option<String> {
     let line = run::ask(run::command(program).arg("--version"))?;
     Some(line.lines().next()?.split_whitespace().next_back()?.to_owned())
@@ -134,7 +134,7 @@ pub fn locked_version<'lock>(lock: &'lock str, package: &str) -> Option<&'lock s
     version.strip_prefix("version = \"")?.strip_suffix('"')
 }
 
-/// Whether a program of an npm package's `.bin` is there, under the name it has on this system.
+/// Whether the `.bin` folder of npm packages contains a program, under its name on this system.
 pub fn in_node_bin(bin: &Path, program: &str) -> bool {
     bin.join(if cfg!(windows) { format!("{program}.cmd") } else { program.to_owned() }).is_file()
 }

@@ -1,5 +1,5 @@
-//! In: the rule files, `src/sentences` and the words of the page. Out: the texts that Chinese or Russian lacks; English is
-//! shown in their place.
+//! In: the rule files, `src/sentences` and the texts of the page. Out: the texts that are missing in Chinese
+//! or Russian; English is shown in their place.
 
 use crate::format::{self, RuleFile};
 use crate::run::{self, Result};
@@ -16,10 +16,10 @@ pub fn read() -> Result<(Vec<RuleFile>, Texts)> {
     Ok((rules, Texts::read(&project)))
 }
 
-/// The exit code of the script where texts are missing.
+/// The exit code of the script if texts are missing.
 const MISSING: i32 = 3;
 
-/// The texts that are missing, a line each.
+/// The missing texts, one per line.
 pub fn missing() -> Result<Vec<String>> {
     let (rules, texts) = read()?;
     let mut missing = texts::missing(&rules, &texts);
@@ -38,7 +38,7 @@ pub fn message(missing: &[String]) -> String {
     format!("{} texts are missing; English is shown instead:\n{}", missing.len(), missing.join("\n"))
 }
 
-/// `cargo xtask translations`: an error where a text is missing.
+/// `cargo xtask translations`: fails if a text is missing.
 pub fn main() -> Result {
     let missing = missing()?;
     if missing.is_empty() {

@@ -1,14 +1,13 @@
 //! In: the active Rust toolchain. Out: a toolchain that has the standard library for wasm32 ([`Toolchain`]).
 //!
-//! With a working rustup this file is one call of `rustup target add wasm32-unknown-unknown`, and there is
-//! nothing more to know about it.
+//! With a working rustup this is only `rustup target add wasm32-unknown-unknown`.
 //!
 //! The rest is for machines on which rustup cannot reach its server, such as a closed build network. There,
-//! on Debian, the library is built once (half a minute) from its own source, which Debian packages together
-//! with a compiler of exactly the same version. The result is put where that compiler looks for it, and all
-//! later wasm steps run with that compiler, known to rustup as the toolchain `debian`.
+//! on Debian, the library is built once (half a minute) from its source, which Debian packages together with
+//! a compiler of exactly the same version. The result is installed where that compiler looks for it, and all
+//! later wasm steps use that compiler, registered in rustup as the toolchain `debian`.
 //!
-//! `XTASK_WASM_STD=debian` in the environment takes this second way at once: for testing it.
+//! The environment variable `XTASK_WASM_STD=debian` selects this second way directly, for testing.
 
 use std::fmt;
 use std::path::{Path, PathBuf};
@@ -23,21 +22,21 @@ const TARGET: &str = "wasm32-unknown-unknown";
 /// rustup's name for the compiler of the Debian packages.
 const DEBIAN: &str = "debian";
 
-/// One matched set: compiler, cargo, library source, clippy, and the linker of the compiler's LLVM.
+/// A matching set: compiler, cargo, library source, clippy, and the linker of the LLVM version of the
+/// compiler.
 const PACKAGES: [&str; 5] = ["rustc-web", "cargo-web", "rust-web-src", "rust-web-clippy", LINKER];
 
-/// Package and program. This compiler would look for it under the name `rust-lld`, which
-/// none of these packages has.
+/// Package and program. By default this compiler looks for `rust-lld`, which none of these packages contains.
 const LINKER: &str = "lld-22";
 
-/// A file beside the library: the compiler it was built for. After an update of the
-/// packages it no longer fits.
+/// A file next to the library that names the compiler for which it was built. After an update of the packages
+/// it no longer matches.
 const STAMP: &str = "built-by-gcode-playground.txt";
 
 /// The toolchain that builds for wasm32.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Toolchain {
-    /// The one every other step uses too.
+    /// The one that all other steps use.
     Active,
     /// Debian's, by its name in rustup.
     Debian,
@@ -71,7 +70,7 @@ impl Toolchain {
     }
 }
 
-/// Finds a toolchain with the wasm32 standard library, or gets it one.
+/// Finds or installs a toolchain with the wasm32 standard library.
 pub fn ensure() -> Result<Toolchain> {
     if env::var("XTASK_WASM_STD").is_ok_and(|way| way == DEBIAN) {
         return build_once();
@@ -79,7 +78,7 @@ pub fn ensure() -> Result<Toolchain> {
     if library_of(Toolchain::Active).is_some_and(|folder| has_std(&folder)) {
         return Ok(Toolchain::Active);
     }
-    // Where the second way was taken once, rustup is not tried again and again.
+    // If the second way was used before, rustup is not tried again.
     if debian_is_ready() {
         return Ok(Toolchain::Debian);
     }
@@ -122,7 +121,7 @@ fn build_once() -> Result<Toolchain> {
     Ok(Toolchain::Debian)
 }
 
-/// Builds std in an empty crate; returns the `.rlib` files.
+/// Builds std with an empty crate. Returns the `.rlib` files.
 fn build(folder: &Path) -> Result<Vec<PathBuf>> {
     let failed = |error: std::io::Error| format!("cannot write to {}: {error}", folder.display());
     let manifest =
@@ -133,8 +132,8 @@ fn build(folder: &Path) -> Result<Vec<PathBuf>> {
     let mut cargo = run::command("cargo");
     Toolchain::Debian.apply(&mut cargo);
     cargo.current_dir(folder).env("CARGO_TARGET_DIR", &target_dir);
-    // The library's own source is allowed what is otherwise for the nightly compiler only; with its bitcode
-    // kept, link-time optimisation reaches into it as it does with rustup's.
+    // The source of the library may use features of the nightly compiler. With embedded bitcode, link-time
+    // optimisation includes the library, as with the one from rustup.
     cargo.env("RUSTC_BOOTSTRAP", "1").env("RUSTFLAGS", "-Cembed-bitcode=yes");
     cargo.args(["build", "--release", "--target", TARGET, "-Z", "build-std=std,panic_abort,test"]);
     run::quiet("building the wasm32 standard library (once, half a minute)", &mut cargo)?;
@@ -147,8 +146,8 @@ fn build(folder: &Path) -> Result<Vec<PathBuf>> {
     Ok(entries.filter_map(|entry| Some(entry.ok()?.path())).filter(is_library).collect())
 }
 
-/// Puts the libraries where the compiler looks for them; the stamp comes last, so
-/// half an installation is none.
+/// Installs the libraries where the compiler looks for them. The stamp comes last, so that an incomplete
+/// installation is not used.
 fn install(libraries: &[PathBuf], folder: &Path, scratch: &Path) -> Result {
     let stamp = scratch.join(STAMP);
     let version = version().ok_or("Debian's rustc does not report its version")?;
@@ -187,7 +186,7 @@ fn first_error(text: &str) -> &str {
     text.lines().find(|line| line.starts_with("error")).unwrap_or("no reason given")
 }
 
-/// A folder that goes away with this value.
+/// A folder that is removed on drop.
 struct Scratch(PathBuf);
 
 impl Scratch {
@@ -200,7 +199,7 @@ impl Scratch {
 
 impl Drop for Scratch {
     fn drop(&mut self) {
-        // Left over in the worst case: it is a folder for temporary files.
+        // A failure is harmless: it is a temporary folder.
         let _ = fs::remove_dir_all(&self.0);
     }
 }
