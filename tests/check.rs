@@ -813,7 +813,7 @@ fn options_have_the_last_word() {
         .with("list.json", "[]");
     assert_eq!(folder.check(&["a.nc"]).status.code(), Some(0));
     assert_eq!(folder.check(&["a.nc", "--severity", "no-program-end=error"]).status.code(), Some(1));
-    // A group name stands for its rules.
+    // A group name selects all of its rules.
     for option in [["--select", "classroom"], ["--ignore", "classroom"], ["--severity", "classroom=info"]] {
         assert_eq!(folder.check(&[&["a.nc"], &option[..]].concat()).status.code(), Some(0), "{option:?}");
     }

@@ -1,6 +1,6 @@
 //! The table of supported codes: the one in the reference equals the registry, every row has its texts in
-//! every language, and the interpreter recognises exactly the codes of the table. `UPDATE_EXPECT=1 cargo test
-//! --test it codes::` writes it.
+//! every language, and the interpreter recognises exactly the codes of the table.
+//! `UPDATE_EXPECT=1 cargo test --test it codes::` writes it.
 use std::collections::HashSet;
 use std::fmt::Write;
 

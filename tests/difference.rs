@@ -54,7 +54,7 @@ fn total(found: &Value, what: &str) -> [String; 2] {
     [&row["first"], &row["second"]].map(|value| value.as_str().expect("text").to_owned())
 }
 
-/// The line numbers of a hunk: those of the first and of the second version.
+/// The line numbers of a hunk in the first and in the second version.
 fn lines(hunk: &Value) -> [Vec<u64>; 2] {
     let rows = hunk["rows"].as_array().expect("rows");
     ["first", "second"].map(|side| rows.iter().filter_map(|row| row[side]["line"].as_u64()).collect())

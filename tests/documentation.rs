@@ -114,7 +114,7 @@ fn is_there(name: &str, files: &[String]) -> bool {
     })
 }
 
-/// Whether a part of a path matches a pattern, in which `<slug>` stands for any characters.
+/// Whether a part of a path matches a pattern, in which `<slug>` matches any characters.
 fn fits(part: &str, wanted: &str) -> bool {
     match (wanted.find('<'), wanted.find('>')) {
         (Some(open), Some(close)) if open < close => {

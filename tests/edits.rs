@@ -1,4 +1,4 @@
-//! After an edit only a part of the program runs again; motions and messages equal those of a full run.
+//! After an edit only a part of the program runs again; motions and messages equal the result of a full run.
 #[allow(dead_code, reason = "one of its programs is enough here")]
 #[path = "speed/workload.rs"]
 mod workload;

@@ -586,7 +586,7 @@ fn repairs_of_what_was_likely_meant() {
     check_fix("GOTO #10\nN10 M30", "GOTO 10\nN10 M30");
 }
 
-/// Checks slug and severity of all messages, including those of the machine.
+/// Checks slug and severity of all messages, including machine messages.
 #[track_caller]
 fn check_levels(setup: &str, program: &str, expected: &[(&str, Severity)]) {
     let mut analysis = analyze(program.as_bytes(), &Setup::from_json(setup).expect("setup"));

@@ -1,5 +1,4 @@
-//! Programs inside other text: which are found, how they are cleaned, which questions are asked; and that
-//! nothing is lost.
+//! Programs inside other text: detection, cleaning, questions; and that no text is lost.
 use gcode_playground::api::paste::{FoundPrograms, pieces, shortened};
 use gcode_playground::control::codes::{self, Section};
 use gcode_playground::limits::{FOUND_PROGRAMS, PASTED_TEXT};

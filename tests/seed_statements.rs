@@ -1,9 +1,9 @@
 //! The statements of the seed documents, and where each is shown: `tests/seed_statements/list.tsv`.
 //!
 //! In: the list, with a row for each statement, paraphrased. Out: the targets that do not exist. Targets:
-//! `program ID` (of `tests/programs`, whose motions `tests/programs.rs` checks), `rule SLUG`, `test
-//! FILE::NAME`, `fixture FILE`, `page FILE` (of the reference), `manual TOPIC` (for teaching only: no program
-//! could show it), `open REASON` (not done).
+//! `program ID` (of `tests/programs`, whose motions `tests/programs.rs` checks), `rule SLUG`,
+//! `test FILE::NAME`, `fixture FILE`, `page FILE` (of the reference), `manual TOPIC` (for teaching only: no
+//! program could show it), `open REASON` (not done).
 use std::collections::BTreeMap;
 use std::fs;
 use std::path::Path;

@@ -1,6 +1,6 @@
-//! The page "Checks in a repository": its files equal those of the example, its commands work there as
-//! described, its tables match `action.yml` and `templates/check.yml` (`UPDATE_EXPECT=1 cargo test --test it
-//! teams::` writes them), and all of them name the current version.
+//! The page "Checks in a repository": its files equal the example, its commands work there as described, its
+//! tables match `action.yml` and `templates/check.yml` (`UPDATE_EXPECT=1 cargo test --test it teams::` writes
+//! them), and all of them name the current version.
 //!
 //! `tests/teams/run.py` runs the tools on these files; `cargo xtask teams` calls it.
 

@@ -1,4 +1,4 @@
-//! Uncertain state after blocks that were not carried out, and what makes it certain again, in a short
+//! Uncertain state after blocks that were not carried out, and how it becomes certain again, in a short
 //! notation: `R(x,z)` rapid, `F` feed, `T` thread, `A` arc; a `?` marks uncertain motions.
 use gcode_playground::analyze;
 use gcode_playground::api;

@@ -1,5 +1,5 @@
-//! Shifts of the work zero within a program, calculated by hand: the part is in coordinates of the workpiece,
-//! positions are in those of the program.
+//! Shifts of the work zero within a program, calculated by hand: the part is in workpiece coordinates,
+//! positions are in program coordinates.
 use std::collections::BTreeSet;
 
 use gcode_playground::current::Current;

@@ -1,5 +1,5 @@
-//! Words, speeds, tools and macros, calculated by hand: what a control ignores or interprets differently than
-//! intended, and what looks unusual but is right.
+//! Words, speeds, tools and macros, calculated by hand: words that a control ignores or interprets
+//! differently than intended, and unusual ones that are right.
 use gcode_playground::analyze;
 use gcode_playground::message::{Diagnostic, Severity};
 use gcode_playground::setup::Setup;

@@ -1,6 +1,6 @@
-//! Programs that would run forever, for the native tests, the wasm tests and the table of `cargo xtask
-//! bench`: cycles with a far too small step, endless loops and calls, expensive work called repeatedly, and
-//! long texts without meaning. Also programs just within and just beyond each limit.
+//! Programs that would run forever, for the native tests, the wasm tests and the table of
+//! `cargo xtask bench`: cycles with a far too small step, endless loops and calls, expensive work called
+//! repeatedly, and long texts without meaning. Also programs just within and just beyond each limit.
 
 mod bounds;
 mod cycles;

@@ -58,7 +58,7 @@ impl House {
         modules.chain(rooms.map(|room| format!("there is no module `{room}`"))).collect()
     }
 
-    /// The module to which a path leads: the one that defines its target, or the last one found.
+    /// The module that defines the target of a path, or the last module found on the path.
     fn target(&self, module: &Module, path: &[String]) -> Option<Module> {
         let mut base = match path.first()?.as_str() {
             "crate" => Vec::new(),

@@ -1,6 +1,6 @@
 // Runs the hostile programs in the shipped wasm, each in a fresh process, and prints one table beside their native
-// times. Fails if one takes too long or does not report its message. Run by `cargo xtask test --all` and `cargo xtask
-// bench`.
+// times. Fails if one takes too long or does not report its message. Run by `cargo xtask test --all` and
+// `cargo xtask bench`.
 //
 //   node tests/speed/hostile.mjs FOLDER [--show ROWS] [--report FILE]
 //

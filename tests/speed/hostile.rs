@@ -1,5 +1,5 @@
-//! Measures the hostile programs of `tests/endless` natively. Part of `cargo xtask test --all` and `cargo
-//! xtask bench`.
+//! Measures the hostile programs of `tests/endless` natively. Part of `cargo xtask test --all` and
+//! `cargo xtask bench`.
 //!
 //! In: a folder. Out: the programs as files in that folder, and `cases.json`, which lists them with their
 //! messages, their times and how the times were measured. `tests/speed/hostile.mjs` reads it, runs the same

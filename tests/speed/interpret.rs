@@ -1,5 +1,5 @@
-//! Benchmarks text to motions and messages, natively: `cargo bench`. The same programs in wasm: `cargo xtask
-//! bench`.
+//! Benchmarks text to motions and messages, natively: `cargo bench`. The same programs in wasm:
+//! `cargo xtask bench`.
 
 mod workload;
 

@@ -1,5 +1,5 @@
-//! One native run of the playground: `native FILE` prints milliseconds and motions as JSON. Part of `cargo
-//! xtask bench`.
+//! One native run of the playground: `native FILE` prints milliseconds and motions as JSON. Part of
+//! `cargo xtask bench`.
 
 use std::time::Instant;
 use std::{env, fs};

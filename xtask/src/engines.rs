@@ -18,7 +18,7 @@ struct Program {
     package: &'static str,
     /// Possible names on PATH.
     names: &'static [&'static str],
-    /// Other possible locations, below `/usr`; `*` stands for any one folder.
+    /// Other possible locations, below `/usr`; `*` matches any one folder.
     places: &'static [&'static str],
 }
 

@@ -13,7 +13,7 @@ use crate::run::{self, Result, step};
 use crate::setup::Setup;
 use crate::tools::WASM_FEATURES;
 
-/// The profile in Cargo.toml: the one of the page, with a separate folder.
+/// The profile in Cargo.toml: the same as for the page, with a separate folder.
 const PROFILE: &str = "node";
 
 /// The output folder of the module.

@@ -66,7 +66,7 @@ impl Setup {
     }
 }
 
-/// The folders, followed by those of a PATH.
+/// The folders, followed by the folders of a PATH.
 fn before(folders: impl IntoIterator<Item = PathBuf>, path: &OsStr) -> Result<OsString> {
     env::join_paths(folders.into_iter().chain(env::split_paths(path)))
         .map_err(|error| format!("cannot extend PATH: {error}"))

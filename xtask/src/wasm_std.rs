@@ -36,7 +36,7 @@ const STAMP: &str = "built-by-gcode-playground.txt";
 /// The toolchain that builds for wasm32.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Toolchain {
-    /// The one that all other steps use.
+    /// The toolchain of all other steps.
     Active,
     /// Debian's, by its name in rustup.
     Debian,

@@ -1,6 +1,6 @@
-//! An expanded program makes the motions of the original: `cargo +nightly fuzz run --fuzz-dir tests/fuzz
-//! expand`. The first byte selects the G-code system; the rest is the program, as UTF-8. Runs that reach a
-//! limit are compared too.
+//! An expanded program makes the motions of the original:
+//! `cargo +nightly fuzz run --fuzz-dir tests/fuzz expand`. The first byte selects the G-code system; the rest
+//! is the program, as UTF-8. Runs that reach a limit are compared too.
 #![no_main]
 
 mod limits;

@@ -1,5 +1,5 @@
-//! Applying safe fixes to any bytes ends, adds no error, hides no address, and is complete: `cargo +nightly
-//! fuzz run --fuzz-dir tests/fuzz repair`. The first byte selects the G-code system.
+//! Applying safe fixes to any bytes ends, adds no error, hides no address, and is complete:
+//! `cargo +nightly fuzz run --fuzz-dir tests/fuzz repair`. The first byte selects the G-code system.
 #![no_main]
 
 #[path = "../../repair/invariants.rs"]

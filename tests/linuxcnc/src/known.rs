@@ -1,5 +1,5 @@
-//! The intended differences between the playground and LinuxCNC: what they are, why, and how to distinguish
-//! each from a bug. Any other difference is a bug in one of the two.
+//! The intended differences between the playground and LinuxCNC, with their reasons and with the rules that
+//! distinguish them from bugs. Any other difference is a bug in one of the two.
 
 use gcode_playground::message::{Message, Value, said};
 

@@ -1,9 +1,9 @@
 //! Runs random programs, in the language that lathe controls and LinuxCNC share, in the playground and in
 //! LinuxCNC's stand-alone interpreter, and compares the motions. Started by `cargo xtask compare-linuxcnc`.
 //!
-//! In: the number of programs, and a seed. Out: what was compared, a table of intended differences, and exit
-//! code 0; or the smallest program with an unintended difference, both outputs, and exit code 1; or exit code
-//! 2 if the command line is invalid or LinuxCNC is missing.
+//! In: the number of programs, and a seed. Out: statistics, a table of intended differences, and exit code 0;
+//! or the smallest program with an unintended difference, both outputs, and exit code 1; or exit code 2 if
+//! the command line is invalid or LinuxCNC is missing.
 //!
 //! Flow: `generate` → `translate` → `motion` (ours) and `rs274` → `canon` (theirs) → `compare`, with `known`.
 
