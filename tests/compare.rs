@@ -21,8 +21,8 @@ fn near(found: f64, expected: f64) {
     assert!((found - expected).abs() < 0.002, "{found}, not {expected}");
 }
 
-/// Seed 004: with R-20 from X54 the cone goes from X54 Z-20 to X30 Z0, so the face at X50 is at −20 × (50 −
-/// 30) / (54 − 30) = −16.667; with R-24 it is at −24 × 20 / 24 = −20.
+/// Seed 004: with R-20 from X54 the cone goes from X54 Z-20 to X30 Z0, so the face at X50 is at
+/// −20 × (50 − 30) / (54 − 30) = −16.667; with R-24 it is at −24 × 20 / 24 = −20.
 #[test]
 fn a_taper_that_was_not_extended_leaves_material_at_the_face() {
     let (comparison, [wrong, right]) = compared("s004-g94-wrong", "s004-g94-right");

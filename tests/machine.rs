@@ -31,9 +31,9 @@ fn check_diameters(part: &Region, z: f64, expected: &[(f64, f64)]) {
     );
 }
 
-/// Seed 001, case 6.3, with sharp tools. Outside, N240 goes from X45.4 Z3 to X50 Z-20: at Z-10 it is at 45.4
-/// + 4.6 × 13 / 23 = 48. Inside, N320 goes from X31 Z3 to X20 Z-30: at Z-10 it is at 31 − 11 × 13 / 33 =
-/// 26.667.
+/// Seed 001, case 6.3, with sharp tools. Outside, N240 goes from X45.4 Z3 to X50 Z-20: at Z-10 it is at
+/// 45.4 + 4.6 × 13 / 23 = 48. Inside, N320 goes from X31 Z3 to X20 Z-30: at Z-10 it is at
+/// 31 − 11 × 13 / 33 = 26.667.
 #[test]
 fn o6003_has_the_diameters_of_its_drawing() {
     let (program, setup) = folder("s001-o6003");

@@ -6,8 +6,8 @@ use gcode_playground::setup::Setup;
 
 const HEAD: &str = "O0001 (STOCK D=60 LENGTH=100)\nT0101\nG97 S800 M03\n";
 
-/// Checks the messages of blocks in a bar of 60 mm, with spindle and tool ready: slug and line, counted from
-/// 1. Notes have a question mark.
+/// Checks the messages of blocks in a bar of 60 mm, with spindle and tool ready: slug and line, counted
+/// from 1. Notes have a question mark.
 #[track_caller]
 fn says(blocks: &str, expected: &[&str]) {
     says_of(HEAD, blocks, expected);
