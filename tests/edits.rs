@@ -53,7 +53,7 @@ enum Change {
     Delete(usize, usize),
     /// Deletes this number of lines.
     DeleteLines(usize, usize),
-    /// Copies this number of lines to before another line.
+    /// Inserts a copy of this number of lines before another line.
     CopyLines(usize, usize, usize),
     /// Replaces the next digit.
     Digit(usize, u8),

@@ -146,7 +146,7 @@ fn linuxcnc_1146_no_g71_runs_for_ever() {
         (format!("G71 U2 R0.5\nG71 P99999999 Q99999999\n{good}"), "E-NS-NOT-FOUND"),
         (format!("G71 U2 R0.5\nG71 P1 Q99999999\n{good}"), "E-NS-NOT-FOUND"),
         (format!("{good}\nG71 U2 R0.5\nG71 P1 Q2"), "E-NOT-MONOTONE"),
-        // Another cycle, a call and an end of program inside.
+        // Another cycle, a call and an end of program within the contour.
         (cycle("N1 G0 X20\nG71 P1 Q2 U0.4\nN2 G1 X60 Z-30"), "PS0325"),
         (cycle("N1 G0 X20\nG70 P1 Q2\nN2 G1 X60 Z-30"), "PS0325"),
         (cycle("N1 G0 X20\nM98 P1\nN2 G1 X60 Z-30"), "E-SUB-IN-CONTOUR"),

@@ -16,7 +16,7 @@ const UNRELEASED: &str = "Unreleased";
 /// The severities of rules, by slug.
 type Severities = BTreeMap<String, String>;
 
-/// A file of the project.
+/// The path of a file of the project.
 fn path(file: &str) -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join(file)
 }

@@ -8,7 +8,8 @@ use gcode_playground::run::{Run, TextEdit};
 use gcode_playground::sentences::Language;
 use gcode_playground::setup::Setup;
 
-/// The messages of a program: slug and line, from 1. A question mark follows the slug of a note, an exclamation mark that of a warning.
+/// The messages of a program: slug and line, counted from 1. The slug of a note has a question mark, that of
+/// a warning an exclamation mark.
 fn told(text: &str, setup: &str) -> Vec<String> {
     let analysis = analyze(text.as_bytes(), &Setup::from_json(setup).expect("a setup"));
     let told = analysis.diagnostics.into_iter().map(|told| {
@@ -94,7 +95,8 @@ fn the_brackets_of_a_long_comment_can_be_typed() {
     }
 }
 
-/// B-64304EN (ISO code): the tape has NUL, DC1 to DC4 and DEL, which are no significant characters. None is part of a word.
+/// B-64304EN (ISO code): a tape contains NUL, DC1 to DC4 and DEL, which are not significant: they are never
+/// part of a word.
 #[test]
 fn control_characters_are_passed_over_outside_comments() {
     let plain =

@@ -12,7 +12,7 @@ pub struct Endless {
     pub code: &'static str,
 }
 
-/// All of them.
+/// All such cycles.
 pub fn endless() -> Vec<Endless> {
     const CONTOUR: &str = "N1 G0 X0\nN2 G1 X1000 Z-500\nM30\n";
     let microns = r#"{"dialect": {"pqUnit": "um"}}"#;

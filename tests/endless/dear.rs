@@ -20,7 +20,7 @@ fn rising(blocks: usize) -> String {
     text + "N2 X200\nG0 X200 Z2\n"
 }
 
-/// All of them.
+/// All expensive cycles.
 pub fn dear_cycles() -> Vec<Hostile> {
     const START: &str = "M3 S500\nG99 F.2\nG0 X100 Z2\n";
     let short = format!("{START}N1 G0 X1\nN2 G1 X99 Z-9\nG0 X100 Z2\n");

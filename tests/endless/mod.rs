@@ -32,7 +32,7 @@ pub struct Hostile {
     pub line: u32,
 }
 
-/// All of them.
+/// All hostile programs.
 pub fn hostile() -> Vec<Hostile> {
     let mut all = loops::never_ending();
     all.extend(work::repeated_work());

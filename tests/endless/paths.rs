@@ -3,7 +3,7 @@
 
 use super::{Hostile, case, megabyte, numbered};
 
-/// All of them.
+/// All long paths.
 pub fn long_paths() -> Vec<Hostile> {
     let path = |head: &str, of: &str| format!("O1\nM3 S1 F1 G98\nG0 X9 Z9\n{head}\n{}", megabyte(of));
     vec![

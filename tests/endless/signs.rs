@@ -2,7 +2,7 @@
 
 use super::{Hostile, case, megabyte};
 
-/// All of them.
+/// A program for each of these characters.
 pub fn one_sign() -> Vec<Hostile> {
     let signs = [
         ("E-PLAIN-TEXT", "[]:+NOGMXL"),

@@ -6,7 +6,7 @@ use gcode_playground::text::parser::Parser;
 /// A word and its position.
 #[derive(Clone, Debug)]
 pub struct Word {
-    /// The address, upper-cased; N and O too.
+    /// The address in upper case; N and O are words too.
     pub address: char,
     /// The value, with its sign.
     pub value: f64,

@@ -13,7 +13,7 @@ use proptest::prelude::*;
 
 use crate::fixtures::all;
 
-/// Largest difference in radius, mm.
+/// Largest allowed difference in radius, mm.
 const TOLERANCE: f64 = 0.06;
 
 /// Stations this close to a wall, mm, may have the radius of either side.

@@ -11,7 +11,7 @@ use gcode_playground::units::Diameter;
 use super::reach::{Interval, Reach, common, left, moved, turns, union, within, without_dust};
 use crate::fixtures::{Program, all};
 
-/// Largest difference, mm.
+/// Largest allowed difference, mm.
 const TOLERANCE: f64 = 0.005;
 
 /// Largest distance between chords and arcs, of the path and of the nose together, mm.

@@ -156,7 +156,7 @@ mod tests {
         let targets = targets(&library()).expect("targets");
         let names: Vec<&str> = targets.iter().map(|target| target.name.as_str()).collect();
         assert_eq!(names, ["nodejs", "web", "bundler"]);
-        // The shortest way is five lines.
+        // The shortest example has five lines.
         assert_eq!(targets[0].script.lines().count(), 5);
         for target in &targets {
             assert_eq!(target.build[0], "build");

@@ -101,7 +101,7 @@ fn npm_packages() -> Result<PathBuf> {
         fs::write(&stamp, wanted).map_err(|error| format!("cannot write {}: {error}", stamp.display()))?;
     }
     let bin = www.join("node_modules").join(".bin");
-    // Without it the module would stay as large as the compiler makes it.
+    // Without wasm-opt the module would not be optimised for size.
     if tools::in_node_bin(&bin, "wasm-opt") {
         Ok(bin)
     } else {

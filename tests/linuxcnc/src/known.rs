@@ -39,7 +39,7 @@ pub enum KnownDifference {
 }
 
 impl KnownDifference {
-    /// All of them, in the order of the table.
+    /// All known differences, in the order of the table.
     pub const ALL: [Self; 13] = [
         Self::ArcEnd,
         Self::ArcRadius,

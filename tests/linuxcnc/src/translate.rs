@@ -160,7 +160,7 @@ struct Account {
     unit: Unit,
     /// Feed or lead, mm.
     feed: Option<f64>,
-    /// Machine coordinates: X a diameter, Z; mm.
+    /// Machine coordinates: X as a diameter, and Z; mm.
     machine: [f64; 2],
     /// Shift of all frames by G50, mm.
     shift: [f64; 2],
