@@ -90,11 +90,17 @@ async function press(page: Page): Promise<void> {
   await page.keyboard.insertText(' ');
 }
 
+/** Browsers differ most in these: a module of WebAssembly, and a script that another one imports. */
+const IN_EVERY_ENGINE = ['the core module', 'the editor'];
+
+/** One way to fail is tried of each file; the others are left to the night. */
+const tagOf = (how: Refusal, everyEngine: boolean): string[] =>
+  how !== 'missing' ? ['@night'] : everyEngine ? [] : ['@one-engine'];
+
 for (const [name, file] of Object.entries(FILES)) {
   for (const how of ['missing', 'closed', 'corrupted'] as const) {
-    test(`${name} is ${how} when the page starts`, { tag: how === 'missing' ? [] : '@one-engine' }, async ({
-      page,
-    }) => {
+    const tag = tagOf(how, IN_EVERY_ENGINE.includes(name));
+    test(`${name} is ${how} when the page starts`, { tag }, async ({ page }) => {
       const site = await storedSite();
       site.refuse(file.pattern, how);
       await page.goto(`${site.address}#${new URLSearchParams(WITH_SETUP)}`);
@@ -126,9 +132,10 @@ test('the network returns while the editor is tried again', async ({ page, engin
 });
 
 for (const how of ['missing', 'closed', 'corrupted'] as const) {
-  test(`the library of the editor is ${how} when the page starts`, {
-    tag: how === 'missing' ? [] : '@one-engine',
-  }, async ({ page, engine }) => {
+  test(`the library of the editor is ${how} when the page starts`, { tag: tagOf(how, true) }, async ({
+    page,
+    engine,
+  }) => {
     const site = await storedSite();
     const library = { pattern: codeMirror(), says: 'The editor could not be loaded', status: /^2 motions/ };
     site.refuse(library.pattern, how);
@@ -203,7 +210,7 @@ test('an error of the worker: the notice stays until a program has run', async (
 });
 
 for (const how of ['missing', 'closed', 'corrupted'] as const) {
-  test(`an error of the worker, whose script is ${how} then`, async ({ page }) => {
+  test(`an error of the worker, whose script is ${how} then`, { tag: tagOf(how, false) }, async ({ page }) => {
     const site = await storedSite();
     const worker = FILES['the script of the worker']!;
     await open(page, site);
@@ -230,7 +237,7 @@ const LATER = {
 
 for (const [name, { program, motions }] of Object.entries(LATER)) {
   for (const how of ['missing', 'closed', 'corrupted'] as const) {
-    test(`what ${name} needs is ${how}`, async ({ page }) => {
+    test(`what ${name} needs is ${how}`, { tag: tagOf(how, false) }, async ({ page }) => {
       const site = await storedSite();
       const pattern = /\/early-[\w-]{8}\.wasm$/;
       site.refuse(pattern, how);
@@ -292,7 +299,7 @@ test('the codes are missing: what was asked is answered when they can be had', a
   await site.stop();
 });
 
-test('the proposals of the editor are missing', async ({ page }) => {
+test('the proposals of the editor are missing', { tag: '@one-engine' }, async ({ page }) => {
   const site = await storedSite();
   await open(page, site);
   site.refuse(/\/completion-[\w-]{8}\.js$/);
@@ -323,7 +330,7 @@ test('the panels are missing, and other files as well: one notice after the othe
   await site.stop();
 });
 
-test('typing tries again at most every two seconds', async ({ page }) => {
+test('typing tries again at most every two seconds', { tag: '@one-engine' }, async ({ page }) => {
   const site = await storedSite();
   const { pattern } = FILES['the core module']!;
   site.refuse(pattern);

@@ -102,7 +102,9 @@ test('thirty elements have one worker, and ask for each file once', async ({ pag
   expect(sizes.size).toBeLessThanOrEqual(2);
 });
 
-test('pictures far from the view are kept small, and are whole again when the reader comes', async ({ page }) => {
+test('pictures far from the view are kept small, and are whole again when the reader comes', { tag: '@night' }, async ({
+  page,
+}) => {
   await openMany(page, 12);
   const width = (which: number): Promise<number> =>
     page.evaluate(

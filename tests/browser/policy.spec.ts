@@ -216,7 +216,10 @@ function stated(): readonly string[] {
 }
 
 for (const [at, name] of ['the same origin', 'another origin'].entries()) {
-  test(`an element from ${name} does all it can under the policy that the reference states`, async ({ page }) => {
+  const tag = at === 0 ? '@night' : '@one-engine';
+  test(`an element from ${name} does all it can under the policy that the reference states`, { tag }, async ({
+    page,
+  }) => {
     const site = (host: string): Site => ({
       pages: {
         '/index.html': `<!DOCTYPE html><html lang="en"><head><title>A manual</title><script src="${host}/collect.js"></script><script type="module" src="${host}/embed/element.js"></script></head><body><gcode-playground><pre>\n${TEXT}\n</pre></gcode-playground></body></html>`,

@@ -106,7 +106,7 @@ test('what is answered in the middle of an update is not stored', async ({ page 
   await site.stop();
 });
 
-test('a program that the browser cannot keep is not lost by a reload', async ({ page }) => {
+test('a program that the browser cannot keep is not lost by a reload', { tag: '@night' }, async ({ page }) => {
   const site = await storedSite();
   await visitAndStore(page, site);
   site.publish(nextBuild());

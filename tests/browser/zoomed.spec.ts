@@ -303,7 +303,7 @@ async function compare(page: BasicPage, tried: readonly Part[]): Promise<void> {
 }
 
 test('zoomed in, the part keeps its shape', async ({ page }) => {
-  await compare(page, parts(20261127, 8));
+  await compare(page, parts(20261127, 4));
 });
 
 test('zoomed in, forty parts keep their shapes', { tag: '@night' }, async ({ page }) => {

@@ -84,12 +84,16 @@ fn set_up(tier: &Tier) -> Result<(Setup, Vec<(&'static str, PathBuf)>)> {
     }?;
     let spelling = if matches!(tier, Tier::Page(_)) { Ok(()) } else { spelling::ensure() };
     let browsers = if *tier == Tier::Native { Ok(Vec::new()) } else { browsers() };
-    let missing: Vec<_> =
-        [spelling.as_ref().err(), browsers.as_ref().err()].into_iter().flatten().cloned().collect();
-    match browsers {
-        Ok(browsers) if missing.is_empty() => Ok((setup, browsers)),
-        _ => Err(missing.join("\n\n") + "\n\n`cargo xtask setup` installs all of it on Debian."),
+    match (spelling, browsers) {
+        (Ok(()), Ok(browsers)) => Ok((setup, browsers)),
+        (spelling, browsers) => Err(all_of([spelling.err(), browsers.err()])
+            + "\n\n`cargo xtask setup` installs all of it on Debian."),
     }
+}
+
+/// The messages of the checks that failed, a paragraph each.
+fn all_of(errors: [Option<String>; 2]) -> String {
+    errors.into_iter().flatten().collect::<Vec<_>>().join("\n\n")
 }
 
 fn browsers() -> Result<Vec<(&'static str, PathBuf)>> {
@@ -97,10 +101,7 @@ fn browsers() -> Result<Vec<(&'static str, PathBuf)>> {
         (Ok(chromium), Ok(engines)) => {
             Ok([(browser::VARIABLE, chromium)].into_iter().chain(engines).collect())
         }
-        (chromium, engines) => {
-            let missing: Vec<_> = [chromium.err(), engines.err()].into_iter().flatten().collect();
-            Err(missing.join("\n\n"))
-        }
+        (chromium, engines) => Err(all_of([chromium.err(), engines.err()])),
     }
 }
 
