@@ -1,8 +1,8 @@
-//! The blank inferred from the cuts of a program.
+//! Infers the blank from the cuts of a program.
 //!
-//! In: how far the cuts of each tool reach, and which kind of tool it is. Out: a [`Stock`] that shows what
-//! is cut: a wall around a bore, material on both sides of a groove, the bar left by a part-off. Must not
-//! know how tools are inferred.
+//! In: how far the cuts of each tool reach, and the kind of each tool. Out: a [`Stock`] that shows the cuts:
+//! a wall around a bore, material on both sides of a groove, the bar left by parting off. Must not know how
+//! tools are inferred.
 
 use super::evidence::Evidence;
 use super::tool::BLADE;
@@ -12,38 +12,39 @@ use crate::motion::{Cycle, Motion, MotionKind, Step};
 use crate::setup::{Side, Stock, Tool, ToolKind};
 use crate::units::Diameter;
 
-/// No bore is narrower, radius, mm.
+/// Smallest radius of a bore, mm.
 pub(super) const ON_AXIS: f64 = 0.5;
 
-/// Wall around a bore whose outside nobody turns: so many times its radius, and at least so many mm.
+/// Wall around a bore if no cut turns the outside: as a multiple of the bore's radius, and its minimum in mm.
 const WALL: (f64, f64) = (0.25, 5.0);
 
-/// Material beside a groove that nothing else cuts, mm: the flank that makes it a groove.
+/// Material beside a groove that nothing else cuts, mm: its flank, without which it would not look like a
+/// groove.
 const FLANK: f64 = 5.0;
 
-/// Material beyond the deepest cut, mm: at a part-off the bar, below a drill the bottom.
+/// Material beyond the deepest cut, mm: the bar behind a part-off, the bottom below a drilled hole.
 const BEHIND: f64 = 5.0;
 
-/// The first pass of a thread is so much below the crest, as a part of its lead.
+/// Depth of the first pass of a thread below its crest, as a share of the lead.
 const FIRST_PASS: f64 = 0.2;
 
-/// The lead of a thread above which its first pass is no deeper, mm.
+/// The first pass does not get deeper with leads above this, mm.
 const COARSEST: f64 = 5.0;
 
 /// Radius of a blank that is only drilled, mm.
 const DRILLED: f64 = 15.0;
 
-/// A blank is no larger than one that a setup can name, mm: what asks for more is a slip of the program.
+/// Largest size that a setup accepts, mm. A program that needs more has a typing error.
 const LARGEST: f64 = 5000.0;
 
-/// Where rapids run along the outside of a blank, it is so much smaller all around, mm: a start
-/// point stands clear of the bar.
+/// The blank is smaller than the rapids along its outside by this much on every side, mm: a start point is
+/// clear of the bar.
 const CLEAR: f64 = 1.0;
 
-/// A blank without what rapids would run along: from groove to groove, and past what is to be faced, tools go
-/// at the diameter of a start point.
+/// Shrinks a blank if rapids would run along its outside: between grooves, and past an area that is faced
+/// later, tools move at the diameter of the start point.
 ///
-/// The diameter stays at least that of the widest cut along Z.
+/// The diameter is never smaller than that of the widest cut along Z.
 pub fn clear_of_rapids(stock: Stock, evidence: &Evidence) -> Stock {
     let radius = stock.diameter.radius();
     let turns = |motion: &Motion| {
@@ -55,7 +56,7 @@ pub fn clear_of_rapids(stock: Stock, evidence: &Evidence) -> Stock {
         turned.filter(|&turned| turned < radius - SAME).fold(0.0, f64::max)
     };
     let on = |at: Point| (at.x - radius).abs() <= SAME;
-    // Down to here cuts along Z have gone below the outside.
+    // Z down to which cuts along Z have gone below the outside.
     let mut cut = stock.face;
     for motion in evidence.moves() {
         let (from, to) = (motion.from, motion.to);
@@ -75,8 +76,8 @@ pub fn clear_of_rapids(stock: Stock, evidence: &Evidence) -> Stock {
     stock
 }
 
-/// A blank that is larger than the first cut along Z, where the tool came to that cut from outside of it: the cut removes
-/// something.
+/// Enlarges the blank if the tool came to the first cut along Z from outside: otherwise that cut would remove
+/// nothing.
 pub fn larger_than_first_pass(stock: Stock, evidence: &Evidence) -> Stock {
     let radius = stock.diameter.radius();
     let mut before = None;
@@ -99,8 +100,8 @@ pub fn larger_than_first_pass(stock: Stock, evidence: &Evidence) -> Stock {
     stock
 }
 
-/// A tube with a bore that is smaller than the cut that makes it, where the tool goes further in after that cut and back through
-/// the bore: the end of the cut is seen.
+/// Makes the bore of a tube smaller than the cut that makes it, if after that cut the tool goes further in
+/// and comes back through the bore. Otherwise the end of the cut would not be visible.
 pub fn smaller_than_bored(stock: Stock, evidence: &Evidence) -> Stock {
     let bored = stock.bore.radius();
     let mut at_end = false;
@@ -119,18 +120,18 @@ pub fn smaller_than_bored(stock: Stock, evidence: &Evidence) -> Stock {
 /// How far cuts reach, mm.
 #[derive(Clone, Copy, Debug)]
 struct Reach {
-    /// Maximum radius at negative Z, and anywhere.
+    /// Greatest radius at negative Z, and anywhere.
     behind: f64,
     radius: f64,
-    /// Least radius.
+    /// Smallest radius.
     least: f64,
     low: f64,
     high: f64,
-    /// Maximum Z of a cut across the face, and of a rounding that begins on the axis.
+    /// Greatest Z of cuts across the face and of roundings that begin on the axis.
     faced: f64,
-    /// Least radius of cuts at negative Z; threads, and faces that are cut to the axis, do not count.
+    /// Smallest radius of cuts at negative Z, without threads and faces that are cut to the axis.
     turned: f64,
-    /// Greatest radius from which a feed across the axis goes in.
+    /// Greatest radius from which a feed move starts inwards across the axis.
     approach: f64,
 }
 
@@ -169,7 +170,7 @@ impl Reach {
         if !along && goes_in {
             self.approach = self.approach.max(from.x);
         }
-        // On its way out of the thread the tool is in the air.
+        // While it pulls out of the thread, the tool is in the air.
         if let Some((Cycle::Threading | Cycle::MultiThreading, Step::PullOut)) = step {
             return;
         }
@@ -182,10 +183,10 @@ impl Reach {
         self.least = self.least.min(from.x.min(to.x) - crest);
         let greatest = |from: Point, to: Point| from.x.max(to.x) + crest;
         self.radius = self.radius.max(greatest(from, to));
-        // What lies in front of the face says nothing of the blank.
+        // Cuts in front of the face do not show the size of the blank.
         let cross = |from: Point, to: Point| {
             let x = from.x + from.z / (from.z - to.z) * (to.x - from.x);
-            // A bar has a diameter in whole millimetres.
+            // Bars have diameters in whole millimetres.
             let bar = Diameter::new((Diameter::from_radius(x).mm() - SAME).ceil());
             Point::new(bar.radius().min(from.x.max(to.x)), 0.0)
         };
@@ -216,7 +217,7 @@ impl Reach {
 /// How far the cuts of a tool reach.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Extents {
-    /// The cuts outside of the current G73.
+    /// Cuts outside of the current G73.
     cuts: Reach,
     /// The latest pass of G73. Earlier passes reach beyond the blank.
     pattern: Reach,
@@ -224,7 +225,7 @@ pub struct Extents {
 }
 
 impl Extents {
-    /// Takes a cut in.
+    /// Adds a cut.
     pub fn add(&mut self, motion: &Motion) {
         let Some(step) = motion.cycle.filter(|step| step.cycle == Cycle::Pattern) else {
             self.cuts.add(motion);
@@ -252,7 +253,7 @@ impl Extents {
         all
     }
 
-    /// Least radius, mm; infinite where nothing is cut.
+    /// Smallest radius, mm; infinite if there are no cuts.
     pub fn least(&self) -> f64 {
         self.all().least
     }
@@ -263,26 +264,26 @@ impl Extents {
     }
 }
 
-/// What is cut with each kind of tool.
+/// The cuts by kind of tool.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Cuts {
-    /// Turned, threaded, faced.
+    /// Turning, threading and facing.
     outside: Reach,
-    /// Bored, grooved and threaded inside.
+    /// Boring, and grooves and threads inside.
     inside: Reach,
-    /// Grooves in the outside, and what is parted off: places of the tip, the left
-    /// corner of the grooving insert.
+    /// Grooves in the outside and part-offs. The points are those of the tip, the left corner of the grooving
+    /// insert.
     grooves: Reach,
-    /// Grooves in the end face: the tip is the inner corner.
+    /// Grooves in the end face. The tip is the inner corner.
     face_grooves: Reach,
-    /// On the spindle axis, or a little off it.
+    /// Holes on the spindle axis, or a little off it.
     holes: Reach,
-    /// Something is milled, of which the blank shows nothing.
+    /// Whether there is milling, which shows nothing of the blank.
     is_milled: bool,
 }
 
-/// Z of the first cut, where it is a full face at negative Z: nothing of the blank is in front of it. `is_blade`:
-/// whether the tool of a cut is a grooving tool, which parts off.
+/// Z of the first cut if that is a full face at negative Z: the blank has nothing in front of it. `is_blade`
+/// tells whether the tool of a cut is a grooving tool, which parts off.
 pub fn first_face(evidence: &Evidence, is_blade: impl Fn(&Motion) -> bool) -> Option<f64> {
     let mut cuts = evidence.moves();
     let first = cuts.find(|motion| motion.kind.cuts() && motion.process.removes_material())?;
@@ -291,18 +292,19 @@ pub fn first_face(evidence: &Evidence, is_blade: impl Fn(&Motion) -> bool) -> Op
 }
 
 impl Cuts {
-    /// Takes in what a tool cuts.
+    /// Adds the cuts of a tool.
     pub fn add(&mut self, extents: &Extents, tool: &Tool) {
         let side = tool.working_side();
         let mut all = extents.all();
         let cuts = match (tool.kind.unwrap_or(ToolKind::Turning), side) {
-            // It turns itself, and nothing of the profile.
+            // A live tool leaves the profile unchanged.
             (ToolKind::Endmill, _) => {
                 self.is_milled = true;
                 return;
             }
             (ToolKind::Drill | ToolKind::Tap, _) => {
-                // An indexable drill a little off the axis shows no more of the bar than one on it.
+                // An indexable drill that is set a little off the axis shows no more of the bar than one on
+                // the axis.
                 if all.radius <= OFF_CENTER {
                     (all.radius, all.behind) = (0.0, 0.0);
                 }
@@ -318,7 +320,7 @@ impl Cuts {
         cuts.join(&all);
     }
 
-    /// A bar, or a tube for what is only bored, that shows what is cut; nothing where nothing is.
+    /// A bar, or a tube if there is only boring, that shows the cuts. None without cuts.
     pub fn blank(&self, first_face: Option<f64>) -> Option<Stock> {
         let mut across = self.outside;
         across.join(&self.grooves);
@@ -341,21 +343,22 @@ impl Cuts {
             _ if self.face_grooves.is_empty() => DRILLED,
             _ => 0.0,
         };
-        // One pass alone would remove nothing. Before it the tool was at the outside of the bar, or came at rapid.
+        // A bar of the diameter of its only pass would lose nothing. Before the pass, the tool was at the
+        // outside of the bar or came at rapid.
         let Reach { turned, approach, .. } = self.outside;
         let others = !self.grooves.is_empty() || self.is_milled;
         let is_one_pass = turned.is_finite() && turned >= radius - SAME && !others;
         let outside = if approach > radius + SAME { approach - CLEAR } else { radius + CLEAR };
         let radius = if is_one_pass { outside.max((approach + radius) / 2.0) } else { radius };
-        // The outermost groove in the face has an outer wall too.
+        // The outermost groove in the face needs an outer wall.
         let ringed = self.face_grooves.radius + BLADE;
         let radius = if self.face_grooves.is_empty() || radius > ringed { radius } else { ringed + FLANK };
         let diameter = Diameter::from_radius(radius);
-        // A tool that begins at the axis makes its hole.
+        // A tool that begins at the axis makes its own hole.
         let is_tube = (ON_AXIS..f64::INFINITY).contains(&self.inside.least) && self.holes.is_empty();
         let bore = if is_tube { self.inside.least } else { 0.0 };
         let bore = Diameter::from_radius(if bore < radius { bore.max(0.0) } else { 0.0 });
-        // A fifth longer than the cuts reach, and no thin slice.
+        // A fifth longer than the cuts reach, and not shorter than the radius.
         let depth = face - all.low.min(0.0);
         let blade = if self.grooves.low <= all.low + SAME { BLADE } else { 0.0 };
         let length = (1.2 * depth).max(depth + blade + BEHIND).max(radius);
@@ -364,10 +367,10 @@ impl Cuts {
         fits.then_some(Stock { diameter, bore, face, length, grip: None })
     }
 
-    /// Z of the front face. Zero is the finished face where anything is cut on its chuck side,
-    /// else the back of the part.
+    /// Z of the front face. Z0 is the finished face if there are cuts behind it, otherwise the back of the
+    /// part.
     fn face(&self, all: &Reach, behind: bool, first_face: Option<f64>) -> f64 {
-        // What a first face takes off is no longer than this, mm.
+        // Longest piece that a first facing cut takes off, mm.
         const FACED_OFF: f64 = 3.0;
         if first_face.is_some_and(|face| all.high <= face + FACED_OFF) {
             return all.high;
@@ -375,9 +378,9 @@ impl Cuts {
         let face = if behind { 0.0 } else { all.high }.max(all.faced);
         let Reach { high, faced, .. } = self.grooves;
         let right = high + BLADE;
-        // A grooving insert that goes to the axis in front of all its grooves cuts the face.
+        // A grooving insert that goes to the axis in front of all its grooves faces the part.
         let only_grooves = self.outside.is_empty() && self.holes.is_empty() && faced < high - SAME;
-        // A groove is open on the side where nothing stands beside it: it would look like a shoulder.
+        // Without material on both sides a groove would look like a shoulder.
         if only_grooves && right > face + SAME { (right + FLANK).ceil() } else { face }
     }
 }

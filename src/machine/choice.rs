@@ -1,8 +1,8 @@
-//! Which of the tools that come into question for a use leaves the contour whole.
+//! Chooses the tool of each use that leaves the contour intact.
 //!
-//! In: the motions, the uses, what comments say, the blank. Out: the inferred tools, with another tool
-//! where the first would cut into the surface that all tips leave together, or the word that none is
-//! known. Must not know the text.
+//! In: the motions, the uses, the tools that comments describe, the blank. Out: the inferred tools. If the
+//! first tool would cut into the surface that all tips leave together, it is replaced by another one, or the
+//! tool is reported as unknown. Must not know the text.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -20,30 +20,33 @@ use crate::setup::{Side, Stock, Tool, ToolKind};
 /// Widths of grooving inserts that are tried, mm.
 const WIDTHS: [f64; 4] = [3.0, 2.0, 1.5, 1.0];
 
-/// Width of a grooving insert whose tip alone is known, mm: it makes the contour as it is programmed.
+/// Width that stands for a grooving insert of unknown width, mm: only the tip cuts, so the contour comes out
+/// as programmed.
 const THIN: f64 = 0.04;
 
-/// Angle of a turning insert whose tip alone is known, degrees: it makes a contour with steps inwards as it is programmed.
+/// Angle that stands for a turning insert of unknown angle, degrees: only the tip cuts, so undercuts come out
+/// as programmed.
 const NEEDLE: f64 = 0.1;
 
-/// A cut across the axis that ends nearer to it than this, mm, faces the work or parts it off.
+/// A cut across the axis that ends closer to it than this, mm, faces the workpiece or parts it off.
 pub(super) const TO_AXIS: f64 = 1.0;
 
-/// What is left in front of a face is no longer than this, mm, and no longer than the other where the tool
-/// does not go on behind it: a longer piece is parted off.
+/// Longest piece in front of a face that facing removes, mm: if the tool continues behind it, and if not. A
+/// longer piece is parted off.
 const IN_FRONT: [f64; 2] = [3.0, 0.5];
 
-/// Of so many plunges of a grooving insert that roughs for other tools one may be a groove.
+/// If a grooving insert that roughs for other tools makes at most this many plunges, one of them may be a
+/// groove.
 const FEW: usize = 4;
 
-/// How much of the room beside a recess's wall an insert takes at most.
+/// Share of the space beside the wall of a recess that an insert takes at most.
 const ROOM: f64 = 0.9;
 
-/// Beyond this, mm, a program has a slip, and no blank.
+/// A program that is longer than this, mm, has a typing error and gets no blank.
 const LONGEST: f64 = 5000.0;
 
-/// Puts the tool that does it in place of each inferred tool that would cut too deep; `tools` has one for
-/// each use. Returns the first motion of each use that no tool is known for.
+/// Replaces each inferred tool that would cut too deep by one that does not; `tools` has one entry for each
+/// use. Returns the first motion of each use for which no tool is known.
 pub(super) fn decide(
     evidence: &Evidence,
     uses: &[ToolUse],
@@ -84,7 +87,7 @@ pub(super) fn decide(
             .or_else(|| inserts.iter().find(|tool| led.follows(index, own, tool, WIDEST_SHIFT)));
         match found {
             Some(tool) => **first = tool.clone(),
-            // Of a tool some of whose cuts are left out the others say too little.
+            // Some cuts of this tool are uncertain, and the others are not enough evidence.
             None if uncertain.get_or_insert_with(|| with_uncertain_cuts(evidence)).contains(&own.station) => {
             }
             None => unknown.push(own.first),
@@ -111,13 +114,13 @@ fn keep_within_recesses(uses: &[ToolUse], stock: &Stock, tools: &mut [&mut Tool]
     }
 }
 
-/// The stations of the turret that have cuts which are left out.
+/// The stations with uncertain cuts.
 fn with_uncertain_cuts(evidence: &Evidence) -> BTreeSet<u16> {
     let cuts = evidence.moves().filter(|motion| motion.kind.cuts());
     order::gathered(cuts.filter(|cut| cut.process.uncertain).map(|cut| cut.process.tool.0))
 }
 
-/// An inferred tool with what comments say of it, as far as they name the same kind of tool.
+/// An inferred tool with the measures that comments give, if they name the same kind of tool.
 fn with_words(purpose: Purpose, inferred: &Tool, words: &Tool) -> Tool {
     let same = inferred.kind == words.kind;
     let mut tool = inferred.clone();
@@ -126,7 +129,7 @@ fn with_words(purpose: Purpose, inferred: &Tool, words: &Tool) -> Tool {
         _ if same && inferred.kind == Some(ToolKind::Grooving) => {
             tool.width = words.width.or(tool.width);
             tool.tip = words.tip.filter(|_| tool.side == Some(Side::Outside)).or(tool.tip);
-            // A face is grooved by G74, and the other sides by G75.
+            // G74 grooves a face, G75 the other sides.
             tool.side = words.side.filter(|_| inferred.side != Some(Side::Face)).or(tool.side);
         }
         Purpose::Threading if same => tool.side = words.side.or(tool.side),
@@ -135,8 +138,8 @@ fn with_words(purpose: Purpose, inferred: &Tool, words: &Tool) -> Tool {
     tool
 }
 
-/// What comes into question for a turning use: inserts from the usual to the sharpest, then
-/// grooving inserts from the widest.
+/// The tools to try for a turning use: inserts from the usual to the sharpest, then grooving inserts from the
+/// widest.
 fn candidates(first: &Tool, own: &ToolUse, words: &Tool) -> Vec<Tool> {
     let inside = own.is_inside();
     let kind = if inside { ToolKind::Boring } else { ToolKind::Turning };
@@ -181,12 +184,12 @@ fn candidates(first: &Tool, own: &ToolUse, words: &Tool) -> Vec<Tool> {
     all
 }
 
-/// Whether of a tool the tip alone is known.
+/// Whether only the tip of a tool is known.
 fn is_tip_alone(tool: &Tool) -> bool {
     tool.width == Some(THIN) || tool.point_angle == Some(NEEDLE)
 }
 
-/// Where tools are led, and what is to stay.
+/// The paths of the tools, and the surfaces that must remain.
 struct Led {
     tracks: Vec<Track>,
     positions: ZPositions,
@@ -221,13 +224,13 @@ impl Led {
             }
         }
         let behind = low < -SAME;
-        // The bar beyond all cuts is clamped, not a part.
+        // The bar behind all cuts is clamped and not part of the workpiece.
         let back = low.max(stock.back());
         low = low.min(stock.back());
         if high - low > LONGEST {
             return None;
         }
-        // Where the work may begin and end.
+        // Where the workpiece may begin and end.
         [back, stock.face, 0.0].into_iter().for_each(|z| places.end(z));
         let positions = places.between(low, high);
         let facing = |own: &ToolUse| if own.is_inside() { Facing::Inwards } else { Facing::Outwards };
@@ -244,7 +247,7 @@ impl Led {
             let is_facing = cycle.is_some() && roughs_by_facing;
             let across = (motion.to.z - motion.from.z).abs() <= SAME;
             if is_facing && across && facing(&uses[index]) == Facing::Outwards {
-                // In front of a facing pass nothing higher stays: the contour falls towards the face.
+                // In front of a facing pass nothing higher remains: the contour falls towards the face.
                 let front = Point::new(motion.to.x, stock.face);
                 tracks[index].add(&[front, motion.to], Facing::Outwards, &positions);
             }
@@ -262,7 +265,7 @@ impl Led {
             let own = move |(own, _): &(&ToolUse, &Track)| turns(own) && facing(own) == side;
             uses.iter().zip(&tracks).filter(own).map(|(_, track)| track)
         };
-        // Where something was turned in front of it, a cut to the axis parts it off.
+        // A cut to the axis behind a turned stretch parts it off.
         let turned = of(Facing::Outwards).filter_map(|track| {
             track.highest_between(&positions, 2.0 * TO_AXIS, stock.diameter.radius() - SAME)
         });
@@ -289,8 +292,8 @@ impl Led {
         Some(Self { tracks, positions, outside, inside, front })
     }
 
-    /// Whether a grooving insert roughs in steps for other tools, and makes a few grooves of its own as well.
-    /// Only those may be deeper than the surface that all tools leave.
+    /// Whether a grooving insert roughs in steps for other tools and also makes a few grooves. Only the
+    /// grooves may be deeper than the surface that all tools leave.
     fn grooves(&self, index: usize, own: &ToolUse, tool: &Tool) -> bool {
         let surface = self.side(own).1;
         let track = &self.tracks[index];
@@ -306,13 +309,13 @@ impl Led {
         }
     }
 
-    /// Whether an insert led as a use is leaves the surface whole, walls apart that it shifts by
-    /// no more than `shift`, mm.
+    /// Whether an insert on the path of this use leaves the surface intact, except for walls that it shifts
+    /// by at most `shift`, mm.
     fn follows(&self, index: usize, own: &ToolUse, tool: &Tool, shift: f64) -> bool {
         !self.side(own).1.is_gouged(&takes(tool), &self.tracks[index], shift)
     }
 
-    /// Whether a tool can do what a use needs.
+    /// Whether a tool can do the work of a use.
     fn does(&self, index: usize, own: &ToolUse, tool: &Tool) -> bool {
         if tool.kind != Some(ToolKind::Grooving) && !is_tip_alone(tool) {
             return self.follows(index, own, tool, SHIFT);
@@ -322,15 +325,16 @@ impl Led {
         if !track.plunges.iter().any(|(z, _)| *z < self.front - SAME) {
             return false;
         }
-        // A tip alone: what it makes is the contour, if it or another one is led along all of it.
+        // Only the tip is known, so its path is the contour if it, or the path of another tool, covers all of
+        // it.
         if is_tip_alone(tool) {
             if own.contour {
                 return surface.clears_plunges(&track.without_last_step(&self.positions), self.front);
             }
             return surface.clears_plunges(track, self.front);
         }
-        // Both corners of a grooving insert are led along the walls of a groove, each by its own blocks; but
-        // a contour is made by one.
+        // Each corner of a grooving insert follows one wall of a groove, programmed in separate blocks. A
+        // contour is made by one corner.
         let begins_at_face = track.goes_on_behind(&self.positions, self.front);
         let is_groove = !own.contour && !begins_at_face && track.is_valley(&self.positions);
         let own_surface = Surface::of_one(track, (facing, self.positions.clone()));

@@ -1,8 +1,8 @@
-//! Two parts laid over each other: what is only in one of them, how much, and where.
+//! Compares two parts: the material that only one of them has, how much, and where.
 //!
-//! In: the half-sections of two parts. Out: a [`Comparison`] with its [`Difference`]s measured along and
-//! across the spindle axis. What is thinner than [`SAME_PART`] is no difference: arcs are chords. Must not
-//! know the programs' texts.
+//! In: the half-sections of two parts. Out: a [`Comparison`] with its [`Difference`]s, measured along and
+//! across the spindle axis. A piece thinner than [`SAME_PART`] is ignored, because arcs are approximated by
+//! chords. Must not know the text of the programs.
 
 use super::SimulationResult;
 use super::region::{Piece, Region};
@@ -17,32 +17,32 @@ use crate::units::Diameter;
 /// Parts that differ by less than this, mm, are the same.
 pub const SAME_PART: f64 = 0.005;
 
-/// How far beside a corner a piece is measured, mm: on it, it may have no width.
+/// Distance beside a corner at which a piece is measured, mm: at the corner itself its width may be zero.
 const BESIDE: f64 = 1e-5;
 
-/// No more places than this are measured on one piece.
+/// Most places at which one piece is measured.
 const MOST_PLACES: usize = 2000;
 
-/// Which of the two parts.
+/// One of the two parts.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Side {
-    /// The first, or the one that was kept.
+    /// The first part, or the saved one.
     First,
-    /// The second, or the one that is there now.
+    /// The second part, or the current one.
     Second,
 }
 
-/// A straight measure through a piece.
+/// A straight distance through a piece.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Measure {
-    /// One end, the nearer to the axis or to −Z: radius and Z, mm.
+    /// The end nearer to the axis or to −Z: radius and Z, mm.
     pub from: Point,
     /// The other end.
     pub to: Point,
 }
 
 impl Measure {
-    /// Its length, mm.
+    /// Length, mm.
     pub fn length(&self) -> f64 {
         self.from.distance(self.to)
     }
@@ -51,21 +51,21 @@ impl Measure {
 /// A connected piece of material that only one part has.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Difference {
-    /// Which part has it.
+    /// The part that has it.
     pub side: Side,
-    /// Its outline in the half-section.
+    /// Outline in the half-section.
     pub piece: Piece,
-    /// Its area in the half-section, mm².
+    /// Area in the half-section, mm².
     pub area: f64,
-    /// The box around it.
+    /// Bounding box.
     pub bounds: Bounds,
-    /// Where it is thickest across the spindle axis.
+    /// Greatest thickness across the spindle axis.
     pub radial: Measure,
-    /// Where it is longest along the spindle axis.
+    /// Greatest length along the spindle axis.
     pub axial: Measure,
 }
 
-/// What two parts do not have in common, the largest pieces first.
+/// The differences between two parts, the largest first.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Comparison {
     /// The pieces.
@@ -73,7 +73,7 @@ pub struct Comparison {
 }
 
 impl Comparison {
-    /// Lays two half-sections over each other.
+    /// Compares two half-sections.
     pub fn of(first: &Region, second: &Region) -> Self {
         let sides = [(Side::First, first.without(second)), (Side::Second, second.without(first))];
         let pieces = sides.iter().flat_map(|(side, region)| region.pieces().map(|piece| (*side, piece)));
@@ -92,7 +92,7 @@ impl Comparison {
         self.differences.iter().filter(move |difference| difference.side == side)
     }
 
-    /// Area of what only one part has, mm².
+    /// Area of the pieces that only one part has, mm².
     pub fn area(&self, side: Side) -> f64 {
         self.only(side).map(|difference| difference.area).sum()
     }
@@ -102,14 +102,14 @@ impl Comparison {
         longest(self.differences.iter().map(|difference| difference.radial))
     }
 
-    /// The largest measure along it.
+    /// The largest measure along the spindle axis.
     pub fn axial(&self) -> Option<Measure> {
         longest(self.differences.iter().map(|difference| difference.axial))
     }
 }
 
-/// The parts of two programs. A blank that is only inferred is that of the other program, or of two inferred
-/// ones what they have in common: else the inference would be the difference.
+/// The finished parts of two programs. An inferred blank is replaced by the given blank of the other program;
+/// two inferred ones by their common part. Otherwise the comparison would show differences of the inference.
 pub fn parts(programs: [(&Motions, &Setup); 2]) -> [Option<Region>; 2] {
     let blanks = programs.map(|(motions, setup)| ResolvedSetup::new(motions, setup).stock());
     let [first, second] = blanks;
@@ -126,7 +126,7 @@ pub fn parts(programs: [(&Motions, &Setup); 2]) -> [Option<Region>; 2] {
     })
 }
 
-/// What two blanks have in common.
+/// The common part of two blanks.
 fn in_both(a: Stock, b: Stock) -> Stock {
     let face = a.face.min(b.face);
     Stock {
@@ -152,14 +152,14 @@ fn measure(side: Side, piece: Piece) -> Option<Difference> {
     is_worth_it.then_some(Difference { side, piece, area, bounds, radial, axial })
 }
 
-/// The longest straight stretch inside some edges. `split` says of a point where a line of measure crosses it
-/// and where on that line it is; `join` makes a point of the two again.
+/// The longest straight distance within edges. `split` returns the measuring line that a point lies on and
+/// its position along that line; `join` is its inverse.
 fn thickest(
     edges: &[(Point, Point)],
     split: impl Fn(Point) -> (f64, f64),
     join: impl Fn(f64, f64) -> Point,
 ) -> Option<Measure> {
-    // Between two corners the thickness changes evenly, so it is greatest beside one.
+    // Between two corners the thickness changes linearly, so it is greatest beside one of them.
     let step = edges.len().div_ceil(MOST_PLACES);
     let corners = edges.iter().step_by(step).map(|(corner, _)| split(*corner).0);
     let mut best: Option<Measure> = None;

@@ -1,50 +1,51 @@
-//! What can be found wrong at the machine.
+//! The dangers that can be found at the machine.
 //!
-//! In and out: values alone. Must not know how it is found, or its message.
+//! Values only. Must not know how they are found, or their messages.
 
 use crate::geometry::Point;
 use crate::setup::ToolKind;
 
-/// A place where something is wrong.
+/// A danger and its place.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Finding {
-    /// The motion.
+    /// Index of the motion.
     pub motion: usize,
-    /// Where, mm: radius and length.
+    /// Place, mm: radius and Z.
     pub at: Point,
-    /// What.
+    /// The danger.
     pub danger: Danger,
 }
 
-/// What can be wrong at the machine.
+/// A danger at the machine.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Danger {
-    /// A rapid goes through the work.
+    /// A rapid goes through the workpiece.
     RapidThroughStock,
-    /// A rapid goes through the work where each axis moves at its own rate until it is there.
+    /// A rapid goes through the workpiece if each axis moves at its own rapid rate (dogleg).
     DoglegThroughStock,
     /// A rapid goes along the outside of the blank.
     RapidAlongStock,
     /// A rapid out of a bore goes through its wall.
     LeavesBore,
-    /// A cycle comes back at rapid to a start within the material.
+    /// The passes of a cycle return at rapid to a start point within the material.
     CycleStart,
-    /// A facing cycle starts on the chuck side of the face: what stands in front of it is cut at once.
+    /// A facing cycle starts on the chuck side of the face, so the first pass takes off all material in front
+    /// of it.
     BehindFace {
         /// Z of the face of the blank, mm.
         face: f64,
     },
-    /// The tool meets the jaws.
+    /// The tool hits the jaws.
     IntoJaws,
-    /// The tool meets the tailstock.
+    /// The tool hits the tailstock.
     IntoTailstock,
-    /// The holder meets the work.
+    /// The holder hits the workpiece.
     HolderInStock,
-    /// The slope falls more steeply than the trailing edge behind the tip: it cuts too. Degrees.
+    /// The slope is steeper than the trailing edge of the insert, so that edge cuts too. Degrees.
     SlopeTooSteep {
-        /// The slope.
+        /// Angle of the slope.
         slope: f64,
-        /// What the tool can follow.
+        /// Steepest angle that the tool can follow.
         tool: f64,
     },
     /// The tip cuts beyond the spindle axis.
@@ -53,22 +54,22 @@ pub enum Danger {
     OverTravel {
         /// The axis.
         axis: Axis,
-        /// The end of its travel as a program writes it, mm.
+        /// End of its travel as written in a program, mm.
         limit: f64,
     },
     /// The setup names tools, but not this one.
     ToolNotListed {
-        /// Its station.
+        /// Station of the tool.
         station: u16,
     },
-    /// The tool of the setup is of a kind that does not do this.
+    /// The tool of the setup is of a kind that is not made for this cut.
     OtherWork {
-        /// The tool.
+        /// Kind of the tool.
         kind: ToolKind,
-        /// Its station.
+        /// Station of the tool.
         station: u16,
     },
-    /// A cut with more feed than an insert takes.
+    /// The feed of a cut is higher than an insert takes.
     FastFeed {
         /// The feed, mm/rev.
         per_turn: f64,
@@ -76,7 +77,7 @@ pub enum Danger {
 }
 
 impl Danger {
-    /// Whether there is a place of the picture to mark.
+    /// Whether it has a place that the picture can mark.
     pub fn has_place(&self) -> bool {
         !matches!(self, Self::ToolNotListed { .. } | Self::OtherWork { .. })
     }
@@ -87,6 +88,6 @@ impl Danger {
 pub enum Axis {
     /// Across the spindle axis.
     X,
-    /// Along it.
+    /// Along the spindle axis.
     Z,
 }

@@ -1,13 +1,13 @@
-//! What is usual of a tool where a setup says nothing of it.
+//! Default values of a tool.
 //!
-//! In: a tool. Out: the same tool with everything filled in, as its shape has it.
+//! In: a tool. Out: the same tool with every measure filled in, as its shape uses it.
 
 use super::thread_point::ThreadPoint;
 use super::tool::{BLADE, DRILL, DRILL_POINT, EDGE, ENTERING, POINT};
 use crate::setup::{Tool, ToolKind};
 use crate::units::Diameter;
 
-/// The tool with the usual value wherever it has none.
+/// Fills in the default for each measure that the tool does not give.
 pub fn with_defaults(tool: &Tool) -> Tool {
     let kind = tool.kind.unwrap_or(ToolKind::Turning);
     let insert = tool.insert();
@@ -33,7 +33,7 @@ pub fn with_defaults(tool: &Tool) -> Tool {
             complete.side = Some(tool.working_side());
             complete.nose_radius = nose;
             complete.tip = Some(tool.tip_direction());
-            // How long its flanks are depends on the pitch it cuts.
+            // The length of its flanks depends on the pitch it cuts.
             complete.angle = Some(ThreadPoint::of(tool).angle);
         }
         ToolKind::Drill => {

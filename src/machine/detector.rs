@@ -1,9 +1,8 @@
-//! What runs into what.
+//! Detects collisions, and tools used for something they are not made for.
 //!
-//! In: each motion with its tool, and the work as it stands. Out: [`Finding`]s. What only touches is no
-//! finding: outlines are held against the work a hundredth of a millimetre smaller than they are. Of a
-//! tool that nobody has named only the tip counts, and nothing is found in a blank that nobody has
-//! named. Must not know messages.
+//! In: each motion with its tool, and the workpiece before it. Out: [`Finding`]s. Mere contact is no finding:
+//! outlines are compared with the workpiece a hundredth of a millimetre smaller than they are. Of an inferred
+//! tool only the tip counts, and an inferred blank has no findings. Must not know messages.
 
 use super::danger::{Axis, Danger, Finding};
 use super::live_way::LiveCuts;
@@ -22,70 +21,69 @@ use crate::units::Diameter;
 /// Length of the jaws across the axis, and of the chuck body, mm.
 const JAW: f64 = 40.0;
 
-/// How far beyond the axis a tip may go without a word, mm: facing goes a little past it.
+/// How far beyond the axis a tip may go without a finding, mm: facing goes a little past it.
 const PAST_CENTER: f64 = 0.5;
 
-/// Material that an edge takes off beside the way of the tip and that is worth a
-/// word, mm² for each mm of way.
+/// Least area that an edge takes off beside the path of the tip to be reported, mm² for each mm of path.
 const BESIDE: f64 = 0.05;
 
-/// Where a bore is looked at, in front of the tip, mm.
+/// A bore is measured at this distance in front of the tip, mm.
 const IN_FRONT: f64 = 0.5;
 
-/// How far within the material the start of a cycle may lie without a word, mm.
+/// How far within the material the start of a cycle may be without a finding, mm.
 const INSIDE: f64 = 0.1;
 
-/// Nearer to the blank than this, mm, no tool is changed.
+/// Tools are not changed closer to the blank than this, mm.
 const CLEAR: f64 = 10.0;
 
-/// How near a rapid may come to the surface it runs along, mm.
+/// Distance at which a rapid counts as running along a surface, mm.
 const ALONG: f64 = 0.001;
 
-/// How deep below the outside of the blank it is looked whether that still stands, and
-/// along how much of the way, mm.
+/// A rapid is checked for remaining material this deep below the outside of the blank, mm; it is reported if
+/// the material lies along at least `STANDS` mm of its path.
 const SKIN: f64 = 0.05;
 const STANDS: f64 = 0.5;
 
-/// Whether a setup says anything that motions can be held against.
+/// Whether the setup contains anything that motions can collide with.
 pub fn can_be_found(setup: &Setup) -> bool {
     setup.stock.is_some() || setup.tailstock.is_some() || setup.machine.travel != Travel::default()
 }
 
-/// Looks at motions, one after the other.
+/// Checks motions one after the other.
 #[derive(Clone, Debug)]
 pub struct DangerDetector {
-    /// The jaws and the body of the chuck, as one: what meets both meets one thing.
+    /// Jaws and chuck body as one region: hitting both is one finding.
     jaws: Option<Region>,
-    /// The same as two, as they are drawn.
+    /// Jaws and chuck body as two regions, for drawing.
     chuck: Option<[Region; 2]>,
-    /// The centre, in a program that has it forward.
+    /// The centre, if the program moves it forward.
     tailstock: Option<Region>,
-    /// Where the quill is before the program says so.
+    /// Position of the quill before the first quill command.
     quill: Quill,
     stock: Option<Stock>,
     travel: Travel,
     missed: Vec<u16>,
     misuse: Misuse,
-    /// What live tools have cut.
+    /// The cuts of live tools.
     live_cuts: LiveCuts,
-    /// Where C stands, degrees.
+    /// Angle of C, degrees.
     c: f64,
-    /// The motion before, dwells aside.
+    /// The last motion, except dwells.
     before: Option<Motion>,
     tip: TipPlace,
-    /// The thread under way begins within the work.
+    /// Whether the current thread begins within the workpiece.
     plunges: bool,
-    /// Where the pass of a cycle under way began.
+    /// Start of the current pass of a cycle.
     pass_start: Option<Point>,
-    /// All that was found.
+    /// All findings.
     pub findings: Vec<Finding>,
 }
 
 /// Most findings that are kept.
 const MOST: usize = 1000;
 
-/// Whether the first pass of a thread goes down to its depth within the work: the tip, a little
-/// above its end, in material.
+/// Whether the first pass of a thread moves to its depth within the workpiece: the tip, just above the end of
+/// the infeed, is in material.
 fn plunges(infeed: &Motion, part: &mut Part) -> bool {
     let (from, to) = (infeed.from, infeed.to);
     let way = to.x - from.x;
@@ -118,8 +116,8 @@ impl DangerDetector {
         }
     }
 
-    /// What stands around the work: the chuck, and the tailstock where it is forward. `moment`: what the program
-    /// has said of the quill by then; nothing for all of the program.
+    /// The obstacles around the workpiece: the chuck, and the tailstock if it is forward. `moment` is the
+    /// quill state commanded at that moment; `None` means the whole program.
     pub fn obstacles(&self, moment: Option<Quill>) -> impl Iterator<Item = &Region> {
         let forward = moment.is_none_or(|said| is_forward(said, self.quill));
         self.chuck.iter().flatten().chain(self.tailstock.iter().filter(move |_| forward))
@@ -130,7 +128,7 @@ impl DangerDetector {
         [self.jaws.is_some(), self.tailstock.is_some()]
     }
 
-    /// Looks at the next motion, before its material is off.
+    /// Checks the next motion, before its material is removed.
     pub fn check_motion(&mut self, index: usize, motion: &Motion, resolved: &ResolvedSetup, part: &mut Part) {
         let process = &motion.process;
         let c = self.c;
@@ -156,7 +154,8 @@ impl DangerDetector {
             self.passes_over(motion);
             return;
         }
-        // A tool is not changed in the work: where a rapid comes from is not known, only where it arrives.
+        // Tools are not changed within the workpiece: the start of the rapid is unknown, only its end is
+        // known.
         let known = if route == Route::EndKnown && !motion.kind.cuts() {
             Motion { from: motion.to, ..*motion }
         } else {
@@ -167,7 +166,7 @@ impl DangerDetector {
             return;
         }
         self.hit_obstacles(index, motion, tool);
-        // After a block that was not carried out it is not known what is in the way.
+        // After a block that was not executed, the remaining material is unknown.
         if self.stock.is_none() || motion.process.incomplete {
             return;
         }
@@ -177,20 +176,20 @@ impl DangerDetector {
         part.end_thread(motion);
         match motion.kind {
             MotionKind::Rapid => self.rapid(index, &known, tool, part),
-            // A gripper touches the work.
+            // A gripper touches the workpiece.
             _ if motion.process.still => {}
             _ => self.cut(index, motion, before.as_ref(), tool, part),
         }
     }
 
-    /// A motion is not looked at: a cut may have gone anywhere.
+    /// Skips a motion. If it is a cut, the live cuts are no longer known.
     fn passes_over(&mut self, motion: &Motion) {
         if motion.kind.cuts() {
             self.live_cuts.lose();
         }
     }
 
-    /// A motion of a tool that turns itself: of its way only the tip is known.
+    /// Checks a motion of a live tool: of its path only the tip is known.
     fn live(&mut self, index: usize, motion: &Motion, c: f64, tool: &ResolvedTool, part: &mut Part) {
         let Some(stock) = self.stock.filter(|_| !motion.process.incomplete) else { return };
         if motion.kind.cuts() {
@@ -242,7 +241,7 @@ impl DangerDetector {
         }
     }
 
-    /// Whether a cycle starts in the material: each pass comes back at rapid to the start, along the work.
+    /// Whether a cycle starts in the material. Each pass returns at rapid to the start, along the workpiece.
     fn cycle_start(&mut self, index: usize, motion: &Motion, part: &mut Part) -> bool {
         let Some(tag) = motion.cycle else { return false };
         let facing = match tag.cycle.family() {
@@ -264,7 +263,7 @@ impl DangerDetector {
                         self.tell(index, motion.from, Danger::BehindFace { face: stock.face });
                     }
                 }
-                // Of the later passes it is known.
+                // Known already for later passes.
                 return self.plunges;
             }
             Step::Cut if !self.plunges => {}
@@ -295,15 +294,15 @@ impl DangerDetector {
     fn rapid(&mut self, index: usize, motion: &Motion, tool: &ResolvedTool, part: &mut Part) {
         let Some(stock) = self.stock else { return };
         let outlines = || tool.shape.solids();
-        // Far from the blank nothing needs to be worked out.
+        // Cheap check first: far from the blank there is nothing to compute.
         let far = |outline: &Outline, way: &[Point]| outline.along(way).all(|swept| !near(&stock, &swept));
         let straight = [motion.from, motion.to];
         if !outlines().all(|outline| far(outline, &straight)) {
             let now = part.now();
             if let Some(at) = outlines().find_map(|outline| hit(now, outline, motion)) {
                 let from = motion.from;
-                // Material begins beyond the tip all along the way to the wall: it stands in a bore.
-                // Looked at a little in front of the tip, which may stand at the bottom or touch the wall.
+                // If there is material all along the path to the wall beyond the tip, the tip is in a bore.
+                // Measured slightly in front of the tip, which may be at the bottom or touch the wall.
                 let in_bore = from.z < stock.face
                     && motion.to.x > from.x
                     && now
@@ -348,7 +347,7 @@ impl DangerDetector {
         }
         if let Some(body) = &tool.shape.body {
             let body = body.shrunk(0.01);
-            // What the edge takes off in the same motion is not in the way of the holder.
+            // The material that the edge takes off in the same motion is not in the way of the holder.
             if hit(part.now(), &body, motion).is_some() {
                 let mut left = part.now().clone();
                 left.cut(&cut(motion, &Turned::default(), tool));
@@ -364,7 +363,7 @@ impl DangerDetector {
     }
 }
 
-/// Whether a slope is steeper than the trailing edge of a turning tool, and the edge cuts because of it.
+/// Whether a slope is steeper than the trailing edge of a turning tool, so that this edge cuts.
 fn too_steep(motion: &Motion, tool: &ResolvedTool, part: &mut Part) -> Option<Danger> {
     if tool.basis != Basis::Given || motion.arc().is_some() || motion.kind != MotionKind::Feed {
         return None;
@@ -383,14 +382,14 @@ fn too_steep(motion: &Motion, tool: &ResolvedTool, part: &mut Part) -> Option<Da
     if slope <= follows + 0.01 {
         return None;
     }
-    // What lies behind the tip, above the slope, and is taken off.
+    // The removed material behind the tip, above the slope.
     let behind = part.now().in_common(&cut(motion, &Turned::default(), tool));
     let above = behind.area_beside(motion.from, motion.to);
     let worth = above > BESIDE * motion.length();
     worth.then_some(Danger::SlopeTooSteep { slope: slope.to_degrees(), tool: follows.to_degrees() })
 }
 
-/// Where an outline first meets a region on the way of a motion.
+/// The point on the path of a motion at which an outline first overlaps a region.
 fn hit(region: &Region, outline: &Outline, motion: &Motion) -> Option<Point> {
     if outline.points().len() < 3 {
         return None;
@@ -405,7 +404,7 @@ fn hit(region: &Region, outline: &Outline, motion: &Motion) -> Option<Point> {
     })
 }
 
-/// Whether an outline comes near the box of the blank.
+/// Whether an outline comes near the bounding box of the blank.
 fn near(stock: &Stock, outline: &[Point]) -> bool {
     let radius = stock.diameter.radius();
     outline.iter().any(|point| point.x < radius)
@@ -413,7 +412,7 @@ fn near(stock: &Stock, outline: &[Point]) -> bool {
         && outline.iter().any(|point| point.z > stock.back())
 }
 
-/// A rapid that runs along the outside of the blank where that still stands, and where it begins to.
+/// The point where a rapid begins to run along the outside of the blank, if material remains there.
 fn along_outside(stock: &Stock, motion: &Motion, part: &mut Part) -> Option<Point> {
     let (from, to) = (motion.from, motion.to);
     let on = |point: Point| (point.x - stock.diameter.radius()).abs() <= ALONG;
@@ -427,8 +426,8 @@ fn along_outside(stock: &Stock, motion: &Motion, part: &mut Part) -> Option<Poin
     stands.then(|| Point::new(from.x, if from.z > to.z { high } else { low }))
 }
 
-/// The way of a rapid whose axes move at the same rate until the shorter one is there; nothing for
-/// one that is straight anyway.
+/// The path of a rapid if both axes move at the same rate until the shorter one arrives. None if that path is
+/// straight.
 fn dogleg(motion: &Motion) -> Option<[Point; 3]> {
     let (from, to) = (motion.from, motion.to);
     let (dx, dz) = (to.x - from.x, to.z - from.z);
@@ -452,7 +451,7 @@ fn jaws(stock: &Stock) -> Option<Region> {
     Some(Region::inside(&corners.map(|(x, z)| Point::new(x, z))))
 }
 
-/// The jaws, and the body that they stand on.
+/// The jaws and the chuck body.
 fn chuck(stock: &Stock) -> Option<[Region; 2]> {
     let grip = stock.grip.filter(|&grip| grip > 0.0)?;
     let (outside, back) = (stock.diameter.radius(), stock.back());
@@ -464,8 +463,8 @@ fn chuck(stock: &Stock) -> Option<[Region; 2]> {
     Some([block(outside, back, back + grip), block(stock.bore.radius(), back - JAW, back)])
 }
 
-/// Where the quill is before the program says so: forward, as the setup has it, unless the program first brings
-/// it there.
+/// Position of the quill before the first quill command: back if that command moves it forward, otherwise
+/// forward, as in the setup.
 fn quill_at_start(motions: &Motions) -> Quill {
     match motions.quills().find(|&said| said != Quill::Unsaid) {
         Some(Quill::Forward) => Quill::Back,

@@ -1,7 +1,7 @@
-//! The motions that tools and blank are inferred from.
+//! The motions from which tools and blank are inferred.
 //!
-//! In: all motions. Out: the first of them, on the workpiece, seen from the side from which the tools come:
-//! inference knows only work that tools reach from +Z. Must not know tools.
+//! In: all motions. Out: the first of them, relative to the workpiece, mirrored if the tools come from −Z:
+//! inference only handles tools that come from +Z. Must not know tools.
 
 use crate::geometry::{Point, SAME};
 use crate::limits::INFERRED_FROM;
@@ -14,7 +14,7 @@ const APPROACH: f64 = 2.0;
 /// Cuts begin at most this far in front of the face, mm.
 const IN_FRONT: f64 = 5.0;
 
-/// How far into the work a cut must go, mm.
+/// Least depth of a cut into the workpiece, mm.
 const DEEP: f64 = 3.0;
 
 /// The first motions of a program.
@@ -26,7 +26,7 @@ pub struct Evidence<'a> {
 }
 
 impl<'a> Evidence<'a> {
-    /// Of a program; `stock` is the blank, where one is given.
+    /// The evidence of a program; `stock` is the given blank, if any.
     pub fn of(motions: &'a Motions, stock: Option<Stock>) -> Self {
         let evidence = Self { motions, is_mirrored: false };
         let can_be = stock.is_none_or(|stock| stock.face > SAME);
@@ -38,7 +38,7 @@ impl<'a> Evidence<'a> {
         self.is_mirrored
     }
 
-    /// Whether all of a motion is on the side of −X.
+    /// Whether the whole motion is on the side of −X.
     pub fn is_on_negative_side(&self, index: usize) -> bool {
         let motion = self.motions.get_on_workpiece(index);
         motion.from.x.max(motion.to.x) < -SAME
@@ -52,14 +52,14 @@ impl<'a> Evidence<'a> {
         moves.map(move |motion| if is_mirrored { motion.mirrored(over) } else { motion })
     }
 
-    /// Whether all cuts begin at the face or in front of it on the side of −Z, and go towards +Z into the work: the
-    /// second side of a part, in a sub-spindle or with the part turned around. The tools come from the side of −Z,
-    /// or begin at Z0 in the bore.
+    /// Whether all cuts begin at or in front of the face on the side of −Z and go towards +Z into the
+    /// workpiece: the second side of a part, in a sub-spindle or turned around. The tools come from −Z, or
+    /// begin at Z0 in the bore.
     fn is_towards_positive_z(&self) -> bool {
         let (mut goes_in, mut clears, mut faces, mut bores) = (false, false, false, false);
         for motion in self.moves() {
             let (from, to) = (motion.from, motion.to);
-            // A tool that has cut across to the axis only goes back.
+            // After a cut across to the axis, this is the way back.
             let comes_from_face = std::mem::replace(
                 &mut faces,
                 motion.kind.cuts() && (to.z - from.z).abs() <= SAME && to.x < from.x - SAME,
@@ -83,12 +83,12 @@ impl<'a> Evidence<'a> {
         goes_in && (clears || bores)
     }
 
-    /// A blank as it is seen from this side, and back again.
+    /// Mirrors a blank if Z is mirrored. Its own inverse.
     pub fn stock(&self, stock: Stock) -> Stock {
         if self.is_mirrored { Stock { face: -stock.back(), ..stock } } else { stock }
     }
 
-    /// An inferred tool as it works.
+    /// Mirrors an inferred tool if Z is mirrored.
     pub fn tool(&self, tool: &mut Tool) {
         if self.is_mirrored {
             tool.tip = Some(match tool.tip_direction() {

@@ -1,8 +1,7 @@
-//! What an edge of the part is: a cylinder, a face, a taper, an arc or a thread, with its dimensions.
+//! Finds the feature of the part at a point: a cylinder, face, taper, arc or thread, with its dimensions.
 //!
-//! In: the half-section, where arcs are chords, and a place on it. Out: the [`Feature`] that the
-//! nearest edge belongs to. Neighbouring edges that lie on one line or one circle are one feature.
-//! Must not know the picture.
+//! In: the half-section, whose arcs are chords, and a point on it. Out: the [`Feature`] of the nearest edge.
+//! Neighbouring edges on one line or one circle are one feature. Must not know the picture.
 
 use super::region::Region;
 use super::resolved_setup::ResolvedSetup;
@@ -10,36 +9,37 @@ use crate::geometry::{Point, SAME};
 use crate::motion::{MotionKind, Motions};
 use crate::setup::Side;
 
-/// How far corners may lie off the line or circle of their feature, mm: chords, and the nose's own chords.
+/// Greatest distance of corners from the line or circle of their feature, mm: from the chords of arcs and of
+/// the nose.
 const OFF: f64 = 0.006;
-/// How far a corner may be off, mm; more than an edge, because the errors of two edges add up.
+/// Greatest error of a corner, mm. Larger than `OFF`, because the errors of two edges add up.
 const OFF_CORNER: f64 = 0.01;
-/// A circle that fits fewer chords than this is none.
+/// Least number of chords of a circle.
 const LEAST_CHORDS: usize = 4;
-/// Nor one that turns less than this, radians.
+/// Least sweep of a circle, radians.
 const LEAST_SWEEP: f64 = 0.05;
-/// Larger arcs are lines, mm.
+/// Larger arcs are treated as lines, mm.
 const LARGEST_RADIUS: f64 = 5000.0;
-/// Motions among whose ends a size is looked for: a pointer asks at every step.
+/// Most motions that are searched for a stated size: this runs at each movement of the pointer.
 const MOST_MOTIONS: usize = 100_000;
-/// Edges looked at on either side.
+/// Most edges that are examined on either side.
 const MOST_EDGES: usize = 600;
 
-/// What an edge is. Radii, mm; Z, mm.
+/// The shape of a feature. Radii, mm; Z, mm.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Shape {
     /// Parallel to the spindle axis.
     Cylinder,
-    /// Square to it.
+    /// Perpendicular to the spindle axis.
     Face,
-    /// Straight and neither.
+    /// Straight, neither parallel nor perpendicular to the spindle axis.
     Taper {
-        /// Angle to the spindle axis, radians: half of the cone's.
+        /// Angle to the spindle axis, radians: half the cone angle.
         half_angle: f64,
-        /// n of the ratio 1:n, the change of diameter along the length.
+        /// The n of the ratio 1:n, the change of diameter per length.
         ratio: Option<f64>,
     },
-    /// Round.
+    /// A circular arc.
     Arc {
         /// Radius, mm.
         radius: f64,
@@ -58,7 +58,7 @@ pub enum Shape {
 /// A feature of the part.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Feature {
-    /// What it is.
+    /// Its shape.
     pub shape: Shape,
     /// Its corners from one end to the other.
     pub corners: Vec<Point>,
@@ -70,8 +70,8 @@ impl Feature {
         [self.corners.first(), self.corners.last()].map(|end| end.copied().unwrap_or_default())
     }
 
-    /// The feature with its sizes as the program states them: an end whose X or Z is within `OFF` of a programmed one takes
-    /// that value.
+    /// The feature with the sizes that the program states: each end whose X or Z is within `OFF` of a
+    /// programmed one takes that value.
     pub fn as_programmed(mut self, motions: &Motions) -> Self {
         if motions.len() > MOST_MOTIONS {
             return self;
@@ -96,7 +96,7 @@ impl Feature {
         let [from, to] = ends.map(Stated::place);
         match &mut self.shape {
             Shape::Thread { minor, major, .. } => [*minor, *major] = diameters.map(|stated| stated.x.0),
-            // The nose moves the ends of a taper along it, and its angle is that of the program.
+            // Nose radius moves the ends of a taper along it, and the angle is that of the program.
             Shape::Taper { .. } if is_stated => self.shape = taper(from, to),
             Shape::Taper { .. } | Shape::Cylinder | Shape::Face | Shape::Arc { .. } => {}
         }
@@ -107,7 +107,7 @@ impl Feature {
     }
 }
 
-/// A place, and the programmed point, X and Z nearest to it, each with its distance, mm.
+/// A point, and the nearest programmed point, X and Z, each with its distance, mm.
 #[derive(Clone, Copy)]
 struct Stated {
     at: Point,
@@ -139,16 +139,16 @@ impl Stated {
     }
 }
 
-/// A thread that a program cuts.
+/// A thread cut by the program.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Thread {
     /// Lead, mm/rev.
     pub lead: f64,
-    /// Minimum and maximum Z of its passes, mm.
+    /// Least and greatest Z of its passes, mm.
     pub z: [f64; 2],
-    /// The deepest radius of its passes, mm: least of an outside thread, greatest of an inside one.
+    /// Radius of the deepest pass, mm: the smallest of an outside thread, the greatest of an inside one.
     pub depth: f64,
-    /// Which side of the work it is on.
+    /// Side of the workpiece.
     pub side: Side,
 }
 
@@ -188,7 +188,7 @@ pub fn threads(motions: &Motions, resolved: &ResolvedSetup) -> Vec<Thread> {
     threads
 }
 
-/// The feature whose edge is nearest to a place, no further away than `reach`, mm.
+/// The feature whose edge is nearest to a point, within `reach` mm.
 pub fn at(part: &Region, threads: &[Thread], place: Point, reach: f64) -> Option<Feature> {
     let outlines: Vec<Vec<Point>> = part.outlines().map(Iterator::collect).collect();
     let distances = outlines.iter().enumerate().flat_map(|(outline, corners)| {
@@ -209,12 +209,12 @@ pub fn at(part: &Region, threads: &[Thread], place: Point, reach: f64) -> Option
     }
     let corners = &outlines[outline];
     let feature = edge_feature(corners, edge)?;
-    // The spindle axis is no edge of the part.
+    // The spindle axis is not an edge of the part.
     let [from, to] = feature.ends();
     (from.x.abs() > SAME || to.x.abs() > SAME).then_some(feature)
 }
 
-/// The thread, if a place is on it, or no further away than `reach`, mm.
+/// The thread, if a point is on it or within `reach` mm of it.
 fn thread_at(thread: &Thread, corners: &[Point], place: Point, reach: f64) -> Option<Feature> {
     let [low, high] = thread.z;
     if !(low..=high).contains(&place.z) {
@@ -236,7 +236,7 @@ fn thread_at(thread: &Thread, corners: &[Point], place: Point, reach: f64) -> Op
     Some(Feature { shape: Shape::Thread { lead: thread.lead, minor, major }, corners })
 }
 
-/// The line or the circle that an edge is a part of.
+/// The line or circle that an edge belongs to.
 fn edge_feature(corners: &[Point], edge: usize) -> Option<Feature> {
     let line = grown(corners, edge, |run| run.len() < 3 || lie_on_line(run));
     let arc = grown(corners, edge, |run| run.len() < 4 || circle_of(run).is_some());
@@ -266,7 +266,7 @@ fn taper(from: Point, to: Point) -> Shape {
     Shape::Taper { half_angle, ratio: is_near.then(|| ratio.round()) }
 }
 
-/// The corners from an edge on to both sides, as long as they fit.
+/// Extends the run of corners from an edge in both directions while it fits.
 fn grown(corners: &[Point], edge: usize, fits: impl Fn(&[Point]) -> bool) -> Vec<Point> {
     let count = corners.len();
     let corner = |index: usize| corners[index % count];
@@ -295,19 +295,19 @@ fn grown(corners: &[Point], edge: usize, fits: impl Fn(&[Point]) -> bool) -> Vec
 
 fn lie_on_line(run: &[Point]) -> bool {
     let (from, to) = (run[0], run[run.len() - 1]);
-    // Where it turns back it is another edge.
+    // A line that turns back is another edge.
     let forward = run.windows(2).all(|ends| {
         (ends[1].x - ends[0].x) * (to.x - from.x) + (ends[1].z - ends[0].z) * (to.z - from.z) >= 0.0
     });
     forward && run.iter().all(|at| distance(*at, from, to) <= OFF / 2.0)
 }
 
-/// The circle that corners and the middles of the chords between them lie on: centre and radius, mm.
+/// The circle through the corners and the midpoints of the chords between them: centre and radius, mm.
 fn circle_of(run: &[Point]) -> Option<(Point, f64)> {
     let count = run.len() as f64;
     let mean = |of: &dyn Fn(&Point) -> f64| run.iter().map(of).sum::<f64>() / count;
     let (mx, mz) = (mean(&|at| at.x), mean(&|at| at.z));
-    // Least squares of x² + z² − 2·a·x − 2·b·z − c (Kåsa), about the middle of the corners.
+    // Least squares of x² + z² − 2·a·x − 2·b·z − c (Kåsa), relative to the mean of the corners.
     let [mut xx, mut zz, mut xz, mut xr, mut zr] = [0.0; 5];
     for at in run {
         let (x, z) = (at.x - mx, at.z - mz);
@@ -327,7 +327,7 @@ fn circle_of(run: &[Point]) -> Option<(Point, f64)> {
     let center = Point::new(mx + a, mz + b);
     let off = |at: Point| (at.distance(center) - radius).abs();
     let middle = |ends: &[Point]| Point::new((ends[0].x + ends[1].x) / 2.0, (ends[0].z + ends[1].z) / 2.0);
-    // A circle is gone around one way.
+    // The chords of an arc all turn the same way.
     let turns = run.windows(2).map(|ends| angle(center, ends[0], ends[1]));
     let one_way = turns.clone().all(|turn| turn > -1e-6) || turns.clone().all(|turn| turn < 1e-6);
     let fits = run.iter().all(|at| off(*at) <= OFF) && run.windows(2).all(|ends| off(middle(ends)) <= OFF);
@@ -341,7 +341,7 @@ fn angle(center: Point, from: Point, to: Point) -> f64 {
     (az * bx - ax * bz).atan2(az * bz + ax * bx)
 }
 
-/// A radius that is fitted is right to a few micrometres: the round figure near by is meant.
+/// Rounds a fitted radius, which is accurate to a few micrometres, to the nearest round value.
 fn tidy(radius: f64) -> f64 {
     let round = (radius * 100.0).round() / 100.0;
     if (round - radius).abs() < OFF { round } else { radius }
@@ -411,7 +411,7 @@ mod tests {
 
     #[test]
     fn sizes_are_those_the_program_states() {
-        // A cone from Ø40 to Ø50 whose chords leave it a few micrometres off.
+        // A cone from Ø40 to Ø50; its chords are off by a few micrometres.
         let program = "T0101\nG00 X70 Z2\nG42 G00 X36 Z0\nG01 X40 F0.2\nX50 Z-20\nZ-45\nX70\nG40 G00 X75 Z2";
         let setup = Setup::from_json(&SETUP.replace("NOSE", "0.4")).expect("a setup");
         let motions = analyze(program.as_bytes(), &setup).motions;
@@ -424,7 +424,7 @@ mod tests {
         assert_eq!(stated(45.0, -10.0), [20.0, 0.0, 25.0, -20.0]);
         let [x, z, end, _] = stated(50.0, -38.0);
         assert_eq!([x, z, end], [25.0, -20.0, 25.0]);
-        // What no program states stays as it is.
+        // A size that no program states is unchanged.
         let other =
             Feature { shape: Shape::Cylinder, corners: vec![Point::new(23.3, -1.0), Point::new(23.3, -9.0)] };
         assert_eq!(other.clone().as_programmed(&motions), other);
@@ -451,7 +451,7 @@ mod tests {
 
     #[test]
     fn a_nose_makes_its_own_radius() {
-        // Compensated, the arc is the programmed one; the corner at its foot is that of the nose.
+        // With compensation the arc is the programmed one; the corner at its foot has the nose radius.
         let program =
             "T0101\nG00 X70 Z2\nG42 G00 X40\nG01 Z-20 F0.2\nG02 X50 Z-25 R5\nG01 X64\nG40 G00 X70 Z2";
         let angle = 45f64.to_radians();

@@ -1,7 +1,8 @@
-//! Which side of the work G70 finishes: that of the roughing cycle of the same contour.
+//! Finds the side of the workpiece that G70 finishes: the side of the roughing cycle of the same contour.
 //!
-//! In: the motions. Out: the side of each finishing cycle that follows a roughing cycle of a contour in the same place.
-//! The way to and from the start point of G70 shows nothing: it may be anywhere. Must not know tools.
+//! In: the motions. Out: the side of each finishing cycle that follows a roughing cycle of a contour in the
+//! same place. The moves to and from the start point of G70 are ignored, because that point may be anywhere.
+//! Must not know tools.
 
 use std::ops::RangeInclusive;
 
@@ -9,13 +10,13 @@ use super::evidence::Evidence;
 use crate::geometry::{Point, SAME};
 use crate::motion::{Cycle, Motion, Step};
 
-/// Farthest that roughing stays away from the contour, mm: the allowances of U and W.
+/// Greatest distance of roughing from the contour, mm: the allowances U and W.
 const ALLOWANCE: f64 = 3.0;
 
 /// Most roughing cycles that are compared with a finishing cycle.
 const COMPARED: usize = 50;
 
-/// The finishing cycles of a program whose side is known, in order: their motions, and 1 outside, −1 inside.
+/// The finishing cycles whose side is known, in order: their motions, and 1 outside, −1 inside.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Finishings(Vec<(RangeInclusive<usize>, i32)>);
 
@@ -41,22 +42,22 @@ impl Finishings {
         Self(found)
     }
 
-    /// The side of the finishing cycle that a motion belongs to, where it is known.
+    /// The side of the finishing cycle that a motion belongs to, if known.
     pub fn side(&self, index: usize) -> Option<i32> {
         let next = self.0.partition_point(|(motions, _)| *motions.end() < index);
         self.0.get(next).filter(|(motions, _)| motions.contains(&index)).map(|own| own.1)
     }
 }
 
-/// A call of a cycle under way.
+/// The current call of a cycle.
 #[derive(Clone, Copy, Debug)]
 struct Call {
     cycle: Cycle,
     first: usize,
     last: usize,
-    /// Where it begins.
+    /// Start point.
     start: Point,
-    /// The least and the greatest place of the cuts along the contour.
+    /// Lowest and highest coordinates of the cuts along the contour.
     area: Option<[Point; 2]>,
     pass: u32,
     is_over: bool,
@@ -74,7 +75,7 @@ impl Call {
         Some(call)
     }
 
-    /// Whether a motion belongs to it: after the way back to the start point the next one begins.
+    /// Whether a motion belongs to this call. After the move back to the start point, the next call begins.
     fn takes(&self, motion: &Motion) -> bool {
         !self.is_over && motion.cycle.is_some_and(|step| step.cycle == self.cycle)
     }
@@ -86,7 +87,7 @@ impl Call {
         if !motion.kind.cuts() {
             return;
         }
-        // The passes of G73 approach the contour; the area of each pass replaces that of the last one.
+        // The passes of G73 approach the contour, so the area of each pass replaces that of the last one.
         if step.cycle == Cycle::Pattern && step.pass != self.pass {
             (self.pass, self.area) = (step.pass, None);
         }
@@ -99,7 +100,8 @@ impl Call {
     }
 }
 
-/// Whether a finishing cycle is where a contour was roughed: it reaches as deep, along the axis and towards the work.
+/// Whether a finishing cycle is where a contour was roughed: it reaches equally deep along the axis and
+/// towards the workpiece.
 fn is_same_contour([low, high]: [Point; 2], [own_low, own_high]: [Point; 2], side: i32) -> bool {
     let near = |a: f64, b: f64| (a - b).abs() <= ALLOWANCE;
     let deepest = if side > 0 { near(low.x, own_low.x) } else { near(high.x, own_high.x) };
@@ -122,7 +124,7 @@ fn close(
         }
         return;
     }
-    // The material is between the start point and the contour.
+    // The material lies between the start point and the contour.
     let away = call.start.x - (area[0].x + area[1].x) / 2.0;
     if away.abs() > SAME {
         roughed.push((area, if away > 0.0 { 1 } else { -1 }));

@@ -1,28 +1,37 @@
-//! The tools and the blank that are inferred from a program where they are not given.
+//! Infers the tools and the blank that are not given.
 //!
 //! In: the motions. Out: a [`Tool`] for each purpose of a station (`tool_use`, `choice`), and a [`Stock`]
 //! (its size: `blank`). An inferred tool is sharp and can follow every slope of its path. It is shown as
-//! inferred, and no alarm is raised because of it.
+//! inferred, and raises no alarm.
 //!
-//! The order of evidence, the strongest first:
+//! The order of evidence, strongest first:
 //!
-//! 1. What the setup or a `(TOOL …)` or `(STOCK …)` comment gives is never inferred.
-//! 2. A motion that cannot cut is no evidence: an uncertain one, one in an unknown frame, one with the spindle
-//!    stopped by M05 (`Process::removes_material`).
-//! 3. The direction of the work: if all cuts go into it towards +Z, everything is seen in a mirror (`evidence`).
-//! 4. The cycle, or the way on the axis, gives the purpose: a hole, a thread, a groove, a contour
-//!    (`tool_use::Purpose`). A drill may be a little off the axis while the spindle turns. Off the axis a drill or an
-//!    end mill named by a comment is a live tool, and so is a tool that only plunges while C turns between.
-//! 5. The roughing cycle of a contour: G70 finishes on the side from which it was roughed, wherever G70 starts (`finishing`).
-//! 6. How cuts end: a tool that leaves the work outwards turns, one that leaves it inwards bores; one that only
-//!    plunges, in one step or several, grooves or parts off (`tool_use`).
-//! 7. What comments say of the tool, where the motions leave it open (`Setup::described_tools`).
-//! 8. What other tools leave: deep within it, and in a hole that was drilled before, a tool bores; an insert within a
-//!    recess of the face is no larger than the recess.
-//! 9. The contour that all tips make together: of the tools that come into question, the usual one that leaves it
-//!    whole (`choice`).
-//! 10. The blank surrounds all cuts (`blank`). A first cut across the whole face is its front. What comments say of its
-//!     size counts where it suits the cuts (`Setup::described_stock`).
+//! 1. Tools and blanks given by the setup or by a `(TOOL …)` or `(STOCK …)` comment are never inferred.
+//! 2. A motion that cannot cut is no evidence: an uncertain one, one in an unknown frame, one with the
+//! spindle
+//! stopped by M05 (`Process::removes_material`).
+//! 3. The direction of work: if all cuts go towards +Z into the workpiece, Z is mirrored (`evidence`).
+//! 4. The cycle, or a path on the axis, gives the purpose: a hole, a thread, a groove, a contour
+//! (`tool_use::Purpose`). A drill may be slightly off the axis while the spindle turns. Off the axis, a drill
+//! or
+//! end mill named by a comment is a live tool, and so is a tool that only plunges while C turns between
+//! plunges.
+//! 5. The roughing cycle of a contour: G70 finishes on the side from which it was roughed, wherever G70
+//! starts
+//! (`finishing`).
+//! 6. How cuts end: a tool that leaves the workpiece outwards turns, one that leaves it inwards bores; one
+//! that
+//! only plunges, in one step or several, grooves or parts off (`tool_use`).
+//! 7. Comments about the tool, if the motions do not decide (`Setup::described_tools`).
+//! 8. The work of other tools: a tool deep within turned material and in a hole drilled before bores; an
+//! insert
+//! within a recess of the face is not larger than the recess.
+//! 9. The contour that all tips make together: of the possible tools, the most usual one that leaves it
+//! intact
+//! (`choice`).
+//! 10. The blank surrounds all cuts (`blank`). A first cut across the whole face is its front. Sizes in
+//! comments
+//! count if they fit the cuts (`Setup::described_stock`).
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -36,25 +45,25 @@ use crate::limits::INFERRED_FROM;
 use crate::motion::Motions;
 use crate::setup::{DescribedStock, Setup, Stock, Tool, ToolKind};
 
-/// What is inferred from a program.
+/// The tools and the blank inferred from a program.
 #[derive(Clone, Debug, Default)]
 pub struct InferredSetup {
     tools: Vec<(u16, Purpose, Tool)>,
-    /// The first motion of each use of a station that no tool is known for: with each that was tried
-    /// it cuts into the contour.
+    /// The first motion of each use for which no tool is known: each tool that was tried cuts into the
+    /// contour.
     pub unknown: Vec<usize>,
-    /// The blank; nothing where nothing cuts.
+    /// The blank. None if there are no cuts.
     pub stock: Option<Stock>,
 }
 
 impl InferredSetup {
-    /// Infers tools and blank of a program of which nothing else is known.
+    /// Infers tools and blank from the motions alone.
     pub fn of(motions: &Motions) -> Self {
         Self::with(motions, &BTreeMap::new(), DescribedStock::default(), None)
     }
 
-    /// Infers tools and blank of a program. `described_tools` is what its comments say of the tools, by
-    /// station, `described_stock` what they say of the blank; `stock` the blank, where one is given.
+    /// Infers tools and blank. `described_tools` are the tools that comments describe, by station;
+    /// `described_stock` is the blank that comments describe; `stock` is the given blank, if any.
     pub fn with(
         motions: &Motions,
         described_tools: &BTreeMap<u16, Tool>,
@@ -68,7 +77,7 @@ impl InferredSetup {
         let mut cuts = Cuts::default();
         for (own, (.., tool)) in uses.iter().zip(&tools) {
             let is_live = own.purpose == Purpose::Live;
-            // Beside the axis a drill is milled into the blank as any live tool is.
+            // Off the axis a drill goes into the blank like any live tool.
             let milled = Tool { kind: Some(ToolKind::Endmill), ..Tool::default() };
             cuts.add(&own.extents, if is_live { &milled } else { tool });
         }
@@ -87,7 +96,7 @@ impl InferredSetup {
         tools.iter_mut().for_each(|(.., tool)| evidence.tool(tool));
         let blank = blank.map(|stock| evidence.stock(stock));
         let mut inferred = Self { tools, unknown, stock: blank };
-        // No material is removed there: for these the first tool will do.
+        // No material is removed in other clampings, so the first tool is good enough.
         if motions.cuts_elsewhere().is_some() {
             for mut other in tools_of(&ToolUse::all(&evidence, described_tools, stock, Clamping::Other)) {
                 evidence.tool(&mut other.2);
@@ -99,14 +108,14 @@ impl InferredSetup {
         inferred
     }
 
-    /// All tools: station, use and tool, in the order in which they are first put to use.
+    /// All tools with station and purpose, in the order of their first use.
     pub fn tools(&self) -> impl Iterator<Item = (u16, Purpose, &Tool)> {
         self.tools.iter().map(|(station, purpose, tool)| (*station, *purpose, tool))
     }
 }
 
-/// The inferred blank and tools as a setup. A tool is named as the program first calls it; `T0000` is
-/// what cuts before any T word.
+/// The inferred blank and tools as a setup. A tool has the name of its first T word; `T0000` is the tool of
+/// cuts before any T word.
 pub fn inferred_setup(motions: &Motions, given: &Setup) -> Setup {
     let inferred = InferredSetup::with(motions, &given.described_tools, given.described_stock, given.stock);
     let mut setup = Setup { stock: inferred.stock, ..Setup::default() };
@@ -125,12 +134,12 @@ pub fn inferred_setup(motions: &Motions, given: &Setup) -> Setup {
     setup
 }
 
-/// A drill leaves this for boring, radius, mm.
+/// Allowance that a drill leaves for boring, radius, mm.
 const ALLOWANCE: f64 = 0.5;
 
 /// A first tool for each use.
 fn tools_of(uses: &[ToolUse]) -> Vec<(u16, Purpose, Tool)> {
-    // What a drill leaves is where boring begins.
+    // Boring begins at the radius of the drill.
     let inside = || uses.iter().filter(|own| own.is_inside());
     let bores = inside().map(|own| own.extents.least()).filter(|&least| least >= ON_AXIS);
     let least = bores.fold(f64::INFINITY, f64::min);
@@ -139,7 +148,7 @@ fn tools_of(uses: &[ToolUse]) -> Vec<(u16, Purpose, Tool)> {
     let bore = if is_cut { least - ALLOWANCE.min(least / 10.0) } else { least };
     let holes = uses.iter().filter(|own| own.purpose == Purpose::Hole);
     let deepest = holes.map(|own| own.deepest).fold(f64::INFINITY, f64::min);
-    // A centre drill or a first drill comes before the drill that makes the bore. It is no larger.
+    // A centre drill or a first drill comes before the drill that makes the bore, and is not larger.
     let bore_of = |own: &ToolUse| match own.deepest <= deepest + SAME || bore < DRILL.radius() {
         true => bore,
         false => f64::INFINITY,
