@@ -271,8 +271,8 @@ pub struct Cuts {
     outside: Reach,
     /// Boring, and grooves and threads inside.
     inside: Reach,
-    /// Grooves in the outside and part-offs. The points are those of the tip, the left corner of the grooving
-    /// insert.
+    /// Grooves in the outside and part-offs. Their points are the left corner of the grooving insert, its
+    /// tip.
     grooves: Reach,
     /// Grooves in the end face. The tip is the inner corner.
     face_grooves: Reach,

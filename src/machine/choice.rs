@@ -20,12 +20,12 @@ use crate::setup::{Side, Stock, Tool, ToolKind};
 /// Widths of grooving inserts that are tried, mm.
 const WIDTHS: [f64; 4] = [3.0, 2.0, 1.5, 1.0];
 
-/// Width that stands for a grooving insert of unknown width, mm: only the tip cuts, so the contour comes out
-/// as programmed.
+/// Width assumed for a grooving insert of unknown width, mm: only the tip cuts, and the contour is as
+/// programmed.
 const THIN: f64 = 0.04;
 
-/// Angle that stands for a turning insert of unknown angle, degrees: only the tip cuts, so undercuts come out
-/// as programmed.
+/// Angle assumed for a turning insert of unknown angle, degrees: only the tip cuts, and undercuts are as
+/// programmed.
 const NEEDLE: f64 = 0.1;
 
 /// A cut across the axis that ends closer to it than this, mm, faces the workpiece or parts it off.

@@ -8,30 +8,23 @@
 //!
 //! 1. Tools and blanks given by the setup or by a `(TOOL …)` or `(STOCK …)` comment are never inferred.
 //! 2. A motion that cannot cut is no evidence: an uncertain one, one in an unknown frame, one with the
-//! spindle
-//! stopped by M05 (`Process::removes_material`).
+//!    spindle stopped by M05 (`Process::removes_material`).
 //! 3. The direction of work: if all cuts go towards +Z into the workpiece, Z is mirrored (`evidence`).
 //! 4. The cycle, or a path on the axis, gives the purpose: a hole, a thread, a groove, a contour
-//! (`tool_use::Purpose`). A drill may be slightly off the axis while the spindle turns. Off the axis, a drill
-//! or
-//! end mill named by a comment is a live tool, and so is a tool that only plunges while C turns between
-//! plunges.
+//!    (`tool_use::Purpose`). A drill may be slightly off the axis while the spindle turns. Off the axis, a
+//!    drill or end mill named by a comment is a live tool, and so is a tool that only plunges while C turns
+//!    between plunges.
 //! 5. The roughing cycle of a contour: G70 finishes on the side from which it was roughed, wherever G70
-//! starts
-//! (`finishing`).
+//!    starts (`finishing`).
 //! 6. How cuts end: a tool that leaves the workpiece outwards turns, one that leaves it inwards bores; one
-//! that
-//! only plunges, in one step or several, grooves or parts off (`tool_use`).
+//!    that only plunges, in one step or several, grooves or parts off (`tool_use`).
 //! 7. Comments about the tool, if the motions do not decide (`Setup::described_tools`).
 //! 8. The work of other tools: a tool deep within turned material and in a hole drilled before bores; an
-//! insert
-//! within a recess of the face is not larger than the recess.
+//!    insert within a recess of the face is not larger than the recess.
 //! 9. The contour that all tips make together: of the possible tools, the most usual one that leaves it
-//! intact
-//! (`choice`).
+//!    intact (`choice`).
 //! 10. The blank surrounds all cuts (`blank`). A first cut across the whole face is its front. Sizes in
-//! comments
-//! count if they fit the cuts (`Setup::described_stock`).
+//!     comments count if they fit the cuts (`Setup::described_stock`).
 
 use std::collections::{BTreeMap, BTreeSet};
 

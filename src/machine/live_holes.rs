@@ -1,8 +1,8 @@
-//! The holes that live tools drill beside the axis and into the side of the work, each at its angle of C. They are no part of
-//! the turned region; a picture of the body shows where they go in.
+//! The holes that live tools drill off the axis and into the side of the workpiece, each at its angle of C.
+//! They do not belong to the turned region; a picture of the body shows their mouths.
 //!
-//! In: the motions up to a moment, the tools, the part at that moment. Out: holes with mouth and bottom. Must not know how
-//! they are drawn.
+//! In: the motions up to a moment, the tools, the part at that moment. Out: holes with mouth and bottom. Must
+//! not know how they are drawn.
 
 use super::region::Region;
 use super::resolved_setup::{ResolvedSetup, ResolvedTool};
@@ -15,17 +15,18 @@ const MOST: usize = 1000;
 /// A hole of a live tool: radius and Z of its ends, mm, and its angle of C.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LiveHole {
-    /// Where the tool enters the material, in the middle of the hole.
+    /// Point at which the tool enters the material, on the centre line of the hole.
     pub mouth: Point,
-    /// The deepest place of its tip.
+    /// The deepest position of the tip.
     pub bottom: Point,
-    /// Angle of C, degrees, from that of the section, as programmed.
+    /// Angle of C, degrees, relative to the section, as programmed.
     pub c: f64,
     /// Radius of the tool, mm.
     pub radius: f64,
 }
 
-/// The holes in a part, of the motions before `until` and a share of that one; in the order in which they are drilled.
+/// The holes in a part after the motions before `until` and a share of that motion, in the order in which
+/// they are drilled.
 pub fn live_holes(
     motions: &Motions,
     resolved: &ResolvedSetup,
@@ -42,7 +43,7 @@ pub fn live_holes(
         };
         c = motion.rotary.map_or(c, |rotary| rotary.to);
         let Some(hole) = hole(&motion, resolved.tool(&motion), part, c) else { continue };
-        // The pecks of one hole follow one another, and each begins where material was.
+        // The pecks of one hole are consecutive, and each begins where material was.
         let is_same = |own: &LiveHole| {
             own.c == hole.c && own.radius == hole.radius && is_on_line(own.mouth, own.bottom, hole.bottom)
         };
@@ -57,14 +58,14 @@ pub fn live_holes(
     holes
 }
 
-/// Whether a motion cuts straight into the side of the work, for a hole.
+/// Whether a motion cuts a hole straight into the side of the workpiece.
 pub fn goes_into_side(motion: &Motion, tool: &ResolvedTool) -> bool {
     let of_cycle = motion.cycle.is_some_and(|step| step.cycle.family() == CycleFamily::SideHole);
     let straight = motion.from.z == motion.to.z && motion.to.x < motion.from.x;
     straight && motion.kind.cuts() && (of_cycle || motion.cycle.is_none() && tool.is_live_drill())
 }
 
-/// A cut straight into the face or the side.
+/// The hole of a cut straight into the face or the side.
 fn hole(motion: &Motion, tool: &ResolvedTool, part: &Region, c: f64) -> Option<LiveHole> {
     let (from, to) = (motion.from, motion.to);
     let into_face = from.x == to.x && to.z < from.z && to.x > SAME;
@@ -80,7 +81,7 @@ fn hole(motion: &Motion, tool: &ResolvedTool, part: &Region, c: f64) -> Option<L
     Some(LiveHole { mouth: mouth(part, from, to)?, bottom: to, c, radius })
 }
 
-/// The first place of material on a straight way along an axis.
+/// The first point of material on a straight path along an axis.
 fn mouth(part: &Region, from: Point, to: Point) -> Option<Point> {
     let along_z = from.x == to.x;
     let (at, low, high) = if along_z { (from.x, to.z, from.z) } else { (from.z, to.x, from.x) };
@@ -96,7 +97,7 @@ fn mouth(part: &Region, from: Point, to: Point) -> Option<Point> {
             first = Some(first.map_or(crossing, |own| own.max(crossing)));
         }
     }
-    // A peck that goes on inside the material begins where it is.
+    // A peck that starts inside the material has its mouth at its start.
     let within = || part.holds(from).then_some(high);
     let along = first.or_else(within)?;
     Some(if along_z { Point::new(at, along) } else { Point::new(along, at) })

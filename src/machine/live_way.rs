@@ -1,11 +1,12 @@
-//! Rapids of live tools through the work.
+//! Rapids of live tools through the workpiece.
 //!
-//! What live tools take off is no part of the turned region. So where a rapid is within that region it is held against the live
-//! cuts before it: the way is free where one of them went at least as deep, and no farther aside than its cutter reaches.
+//! The cuts of live tools are not removed from the turned region. So a rapid within that region is compared
+//! with the earlier live cuts: its path is free if one of them went at least as deep, and the cutter reached
+//! as far sideways.
 //!
-//! In: the motions of live tools, one after the other, and the turned region. Out: where a rapid first meets material. What is
-//! not known counts as free: whether a tool stands along X or along Z, and how far an unknown cutter reaches. Must not know
-//! messages.
+//! In: the motions of live tools in order, and the turned region. Out: the first point where a rapid meets
+//! material. Unknown values count as free: whether a tool points along X or along Z, and the reach of an
+//! unknown cutter. Must not know messages.
 
 use std::f64::consts::TAU;
 
@@ -15,29 +16,29 @@ use crate::geometry::Point;
 use crate::geometry::virtual_plane::Surface;
 use crate::motion::Motion;
 
-/// How far within the material a rapid may be without a word, mm.
+/// How far within the material a rapid may be without a finding, mm.
 const INSIDE: f64 = 0.1;
 
-/// How far a cutter reaches whose radius nobody has said, mm.
+/// Assumed reach of a cutter without a given radius, mm.
 const UNKNOWN_REACH: f64 = 10.0;
 
-/// Ways are looked at in so many places at most, one for each mm where that is less.
+/// Most points at which a path is checked; a shorter path is checked at each millimetre.
 const MOST_PIECES: f64 = 200.0;
 
-/// Most places of cuts that are kept, and most comparisons; beyond either of them nothing more is found.
+/// Most points of cuts that are kept, and most comparisons. Beyond either limit there are no more findings.
 const MOST_PLACES: usize = 20_000;
 const MOST_COMPARED: usize = 20_000_000;
 
-/// A place of the tip, seen from the work.
+/// A position of the tip relative to the workpiece.
 #[derive(Clone, Copy, Debug)]
 struct Place {
-    /// Radius and length, mm.
+    /// Radius and Z, mm.
     tip: Point,
     /// Angle of C, radians.
     angle: f64,
 }
 
-/// Along which axis a cutter stands.
+/// The axis along which a cutter points.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Stands {
     AlongX,
@@ -45,28 +46,28 @@ enum Stands {
     Unknown,
 }
 
-/// A place on the way of a cut.
+/// A point on the path of a cut.
 #[derive(Clone, Copy, Debug)]
 struct Cut {
     at: Place,
     stands: Stands,
-    /// How far the cutter reaches around it, mm.
+    /// Reach of the cutter around the point, mm.
     reach: f64,
 }
 
-/// The live cuts so far.
+/// The live cuts until now.
 #[derive(Clone, Debug, Default)]
 pub(super) struct LiveCuts {
     places: Vec<Cut>,
     compared: usize,
-    /// It is not known what was cut.
+    /// Whether the cuts are unknown.
     is_lost: bool,
 }
 
 impl LiveCuts {
-    /// A cut of a live tool, with C at `c` degrees before it.
+    /// Adds a cut of a live tool. C is at `c` degrees before it.
     pub fn cut(&mut self, motion: &Motion, c: f64, tool: &ResolvedTool) {
-        // With a Y axis the tool is not where its radius and C say.
+        // With a Y axis, radius and C do not give the position of the tool.
         if motion.virtual_move().is_some_and(|own| own.has_y()) {
             self.lose();
         }
@@ -78,23 +79,23 @@ impl LiveCuts {
         self.add(&way, stands(motion, tool), reach);
     }
 
-    /// What was cut is not known from here on: nothing more is found.
+    /// From here on the cuts are unknown, and there are no more findings.
     pub fn lose(&mut self) {
         *self = Self { is_lost: true, ..Self::default() };
     }
 
-    /// Where a rapid of a live tool first meets what is left of the turned region, with C at `c` degrees before it.
+    /// The first point where a rapid of a live tool meets remaining material. C is at `c` degrees before it.
     pub fn rapid(&mut self, motion: &Motion, c: f64, turned: &Region) -> Option<Point> {
         if self.is_lost || motion.virtual_move().is_some_and(|own| own.has_y()) {
             return None;
         }
         let way = places(motion, c);
-        // Where it begins, the tool stands already.
+        // The tool is at the first point already.
         let hit = way.iter().skip(1).find(|place| is_within(turned, place.tip) && !self.is_free(place))?;
         if self.is_lost {
             return None;
         }
-        // From here the tool leaves the way it came: that is not reported again.
+        // The tool leaves along the same path, which must not be reported again.
         self.add(&way, Stands::Unknown, UNKNOWN_REACH);
         Some(hit.tip)
     }
@@ -105,7 +106,7 @@ impl LiveCuts {
         self.is_lost = self.places.len() > MOST_PLACES;
     }
 
-    /// Whether a cutter went through this place, or beyond it along its own axis.
+    /// Whether a cutter went through this point, or beyond it along its own axis.
     fn is_free(&mut self, place: &Place) -> bool {
         self.compared += self.places.len();
         self.is_lost |= self.compared > MOST_COMPARED;
@@ -114,7 +115,8 @@ impl LiveCuts {
 }
 
 impl Cut {
-    /// Whether its cutter has cleared a place: it is not deeper, and aside no farther than the cutter reaches.
+    /// Whether the cutter has cleared a point: the point is not deeper, and not farther sideways than the
+    /// reach.
     fn clears(&self, place: &Place) -> bool {
         let [own, other] = [self.at, *place];
         let turn = (other.angle - own.angle).rem_euclid(TAU);
@@ -135,8 +137,8 @@ impl Cut {
     }
 }
 
-/// How the cutter stands, where the cut shows it: on the face and in its holes along Z, on a cylinder and in holes of the
-/// side along X.
+/// The direction of the cutter, if the cut shows it: along Z on the face and in its holes, along X on a
+/// cylinder and in holes of the side.
 fn stands(motion: &Motion, tool: &ResolvedTool) -> Stands {
     let drills = tool.is_live_drill() || motion.cycle.is_some();
     match motion.virtual_move().map(|own| own.surface) {
@@ -148,7 +150,8 @@ fn stands(motion: &Motion, tool: &ResolvedTool) -> Stands {
     }
 }
 
-/// Places along a motion from its start to its end, no more than about a millimetre apart where that is not too many.
+/// Points along a motion from its start to its end, at most about a millimetre apart unless that gives too
+/// many.
 fn places(motion: &Motion, c: f64) -> Vec<Place> {
     let (from, to) = motion.rotary.map_or((c, c), |rotary| (rotary.from, rotary.to));
     let around = (to - from).to_radians() * motion.from.x.abs().max(motion.to.x.abs());
@@ -162,7 +165,7 @@ fn places(motion: &Motion, c: f64) -> Vec<Place> {
     (0..=pieces).map(at).collect()
 }
 
-/// The longest step from one place to the next, mm.
+/// The longest step from one point to the next, mm.
 fn spacing(way: &[Place]) -> f64 {
     let step = |ends: &[Place]| {
         let around = ends[1].tip.x * (ends[1].angle - ends[0].angle);
@@ -171,7 +174,7 @@ fn spacing(way: &[Place]) -> f64 {
     way.windows(2).map(step).fold(0.0, f64::max)
 }
 
-/// Whether a place lies in the region, and not only just.
+/// Whether a point lies in the region by more than a small margin.
 fn is_within(region: &Region, at: Point) -> bool {
     [(0.0, 0.0), (INSIDE, 0.0), (0.0, INSIDE)]
         .iter()

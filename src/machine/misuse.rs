@@ -1,6 +1,7 @@
-//! Tools of the setup that do what another kind of tool is for, and cuts with a feed that no insert takes.
+//! Detects tools of the setup that do the work of another kind of tool, and cuts with a feed that no insert
+//! takes.
 //!
-//! In: cuts, one after the other, and the work as it stands. Out: [`Danger`]s, each once. Must not know messages.
+//! In: cuts in order, and the workpiece before each. Out: [`Danger`]s, each once. Must not know messages.
 
 use super::danger::Danger;
 use super::part::{Part, Turned, cut};
@@ -9,48 +10,48 @@ use crate::geometry::{Point, SAME};
 use crate::motion::{Cycle, CycleFamily, Feed, Motion, MotionKind, SpindleSpeed, SpindleTurn};
 use crate::setup::{Stock, ToolKind};
 
-/// With so much feed no insert of a common lathe cuts, mm/rev, and on blanks of more than [`LARGE`].
+/// Feed above which no insert of a common lathe cuts, mm/rev, and the same for blanks larger than [`LARGE`].
 const FAST: f64 = 1.0;
 const FAST_ON_LARGE: f64 = 2.0;
 
-/// Diameter of a blank that is turned on heavy lathes, mm.
+/// Diameter of a blank that needs a heavy lathe, mm.
 const LARGE: f64 = 200.0;
 
-/// Nearer to the spindle axis than this, mm, is on it.
+/// A distance to the spindle axis below this, mm, counts as on the axis.
 const OFF_AXIS: f64 = 0.01;
 
-/// Material that may be in the way of a tool without a word, mm². An entering angle of 95° leaves a wedge of
-/// 5° at a shoulder: where the tool leaves at rapid, as many programs have it, it scrapes that off.
+/// Material that a tool may cut while it leaves without a finding, mm². An entering angle of 95° leaves a
+/// wedge of 5° at a shoulder; many programs leave at rapid and scrape it off.
 pub(super) const SCRAPED: f64 = 0.25;
 
-/// Where a tool leaves along a wall at feed: so much it may scrape off, as a share of the square of its way (an entering
-/// angle of 95° leaves that wedge), but no more than some mm².
+/// Material that a tool may scrape off while it leaves along a wall at feed, as a share of the square of its
+/// path (the wedge left by an entering angle of 95°), and its maximum in mm².
 const WEDGE: f64 = 0.045;
 const MOST_SCRAPED: f64 = 2.0;
 
-/// A cut across that comes from a shorter way along Z, mm, leaves no shoulder: that was its depth.
+/// After a shorter cut along Z, mm, a cut across leaves no shoulder: the first cut only moved to the depth.
 const SHOULDER: f64 = 2.0;
 
-/// From so many of its widths as a lead on, a grooving tool cuts a square or trapezoidal thread.
+/// A grooving tool cuts a square or trapezoidal thread if the lead is at least this many times its width.
 const LEAD_OF_GROOVING: f64 = 1.3;
 
 /// With a larger lead, mm, a boring tool cuts an oil groove.
 const OIL_GROOVE: f64 = 8.0;
 
-/// A cut and what it is looked at with.
+/// A cut with the context needed to check it.
 #[derive(Clone, Copy)]
 pub(super) struct Cut<'a> {
     pub motion: &'a Motion,
-    /// The motion before it, dwells aside.
+    /// The motion before it, except dwells.
     pub before: Option<&'a Motion>,
     pub tool: &'a ResolvedTool,
     pub blank: Option<Stock>,
 }
 
-/// What was reported, and what drills have drilled.
+/// The findings that were reported, and the holes that were drilled.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Misuse {
-    /// Stations that were reported to do other work.
+    /// Stations that were reported as misused.
     misused: Vec<u16>,
     /// The holes of drills on the axis.
     holes: Vec<Hole>,
@@ -58,24 +59,24 @@ pub(super) struct Misuse {
     fast: Option<f64>,
 }
 
-/// What the drill of a station has drilled on the axis.
+/// The hole that the drill of a station has drilled on the axis.
 #[derive(Clone, Copy, Debug)]
 struct Hole {
     station: u16,
     /// Z of its bottom, mm.
     bottom: f64,
-    /// The drill also bores it out: it is made for both.
+    /// Whether the drill also bores the hole: such drills are made for both.
     is_bored: bool,
 }
 
 impl Misuse {
-    /// What is wrong with the next cut, which comes after `before`, dwells aside.
+    /// The dangers of the next cut. `before` does not include dwells.
     pub fn next(&mut self, cut: &Cut, part: &mut Part) -> impl Iterator<Item = Danger> + use<> {
         let found = [self.other_work(cut, part), self.fast_feed(cut, part)];
         found.into_iter().flatten()
     }
 
-    /// A tool of the setup does what another kind of tool is for: once for each station.
+    /// Reports a tool of the setup that does the work of another kind of tool, once for each station.
     fn other_work(&mut self, cut: &Cut, part: &mut Part) -> Option<Danger> {
         let Cut { motion, tool, .. } = *cut;
         let kind = tool.tool.kind.filter(|_| tool.basis == Basis::Given)?;
@@ -89,7 +90,7 @@ impl Misuse {
             self.drills(station, motion.to.z);
         }
         let other = match kind {
-            // A live one drills beside the axis.
+            // A live drill works off the axis.
             ToolKind::Drill => turns && !threads && !on_axis && !self.bores_own_hole(station, cut),
             ToolKind::Tap | ToolKind::Threading => turns && !threads && !on_axis,
             ToolKind::Turning => threads && !on_axis,
@@ -103,7 +104,7 @@ impl Misuse {
         Some(Danger::OtherWork { kind, station })
     }
 
-    /// A drill goes into the work on the axis.
+    /// Notes a hole that a drill makes on the axis.
     fn drills(&mut self, station: u16, z: f64) {
         match self.holes.iter_mut().find(|hole| hole.station == station) {
             Some(hole) => hole.bottom = hole.bottom.min(z),
@@ -111,7 +112,7 @@ impl Misuse {
         }
     }
 
-    /// Whether a drill turns in the hole that it has drilled, and first goes outwards to do so.
+    /// Whether a drill bores the hole that it has drilled, after it has moved outwards.
     fn bores_own_hole(&mut self, station: u16, cut: &Cut) -> bool {
         let Cut { motion, before, .. } = *cut;
         let Some(hole) = self.holes.iter_mut().find(|hole| hole.station == station) else { return false };
@@ -120,14 +121,15 @@ impl Misuse {
         hole.is_bored && motion.from.z.min(motion.to.z) >= hole.bottom - SAME
     }
 
-    /// A cut off the axis, where no tap stands, or of a drilling cycle, with an absurd feed: once for each feed.
+    /// Reports an absurd feed of a cut off the axis, where no tap works, or of a drilling cycle; once for
+    /// each feed.
     fn fast_feed(&mut self, cut: &Cut, part: &mut Part) -> Option<Danger> {
         let Cut { motion, before, tool, blank } = *cut;
         let on_axis = is_on_axis(motion);
         let drills = motion.cycle.is_some_and(|tag| {
             matches!(tag.cycle, Cycle::FacePecking | Cycle::Drilling | Cycle::FaceDrilling)
         });
-        // A keyway is shaped with the spindle held.
+        // A keyway is shaped with the spindle stopped.
         if motion.process.turn == SpindleTurn::Stopped {
             return None;
         }
@@ -157,7 +159,7 @@ fn is_on_axis(motion: &Motion) -> bool {
     motion.from.x.abs() <= OFF_AXIS && motion.to.x.abs() <= OFF_AXIS
 }
 
-/// Whether a tool that is made for something else may cut a thread of this lead.
+/// Whether a tool of another kind may cut a thread of this lead.
 fn suits_lead(motion: &Motion, tool: &ResolvedTool, kind: ToolKind) -> bool {
     let Some(lead) = motion.lead.map(f64::abs) else { return false };
     match kind {
@@ -169,8 +171,8 @@ fn suits_lead(motion: &Motion, tool: &ResolvedTool, kind: ToolKind) -> bool {
     }
 }
 
-/// Whether a tool only leaves the work: back the way it came with the cut before, or across from a shoulder that
-/// this cut has left. It takes off no more than the wedge that the edge leaves at a wall.
+/// Whether a tool only leaves the workpiece: back along the previous cut, or across from a shoulder that the
+/// previous cut has left. It removes no more than the wedge that its edge leaves at a wall.
 fn is_way_out(motion: &Motion, before: &Motion, tool: &ResolvedTool, part: &mut Part) -> bool {
     let way = |motion: &Motion| (motion.to.x - motion.from.x, motion.to.z - motion.from.z);
     let ((dx, dz), (before_x, before_z)) = (way(motion), way(before));
@@ -186,7 +188,7 @@ fn is_way_out(motion: &Motion, before: &Motion, tool: &ResolvedTool, part: &mut 
     part.now().in_common(&cut(motion, &Turned::default(), tool)).area() <= scraped
 }
 
-/// Whether the middle of the way of the tip lies in material.
+/// Whether the middle of the path of the tip lies in material.
 fn is_in_material(motion: &Motion, part: &mut Part) -> bool {
     let middle = match motion.arc() {
         Some(arc) => arc.at(0.5),
@@ -195,6 +197,6 @@ fn is_in_material(motion: &Motion, part: &mut Part) -> bool {
             Point::new((from.x + to.x) / 2.0, (from.z + to.z) / 2.0)
         }
     };
-    // The axis itself is the edge of the work.
+    // The axis itself is the edge of the workpiece.
     part.now().holds(Point::new(middle.x.max(OFF_AXIS), middle.z))
 }

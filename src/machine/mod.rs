@@ -1,8 +1,8 @@
-//! What happens at the machine: the part that appears, and what runs into what.
+//! The machine: material removal, collisions, and comparison of parts.
 //!
-//! In: the motions and the setup. Out: [`Simulation`], which takes the material off in slices and can show
-//! nothing of it, and in the end the [`SimulationResult`], with the work at any moment and the findings.
-//! Comes after the control and before the picture; must not know the text of the program.
+//! In: the motions and the setup. Out: a [`Simulation`], which removes the material in slices, and at the end
+//! a [`SimulationResult`], with the part at any moment and the findings. Comes after the control and before
+//! the picture; must not know the text of the program.
 
 pub mod blank;
 mod choice;
@@ -42,8 +42,8 @@ use region::Region;
 use removal::{RemovalWatch, Unusual};
 use resolved_setup::ResolvedSetup;
 
-/// A program at the machine, once all its material is off or a bound was met: there is no
-/// half-cut part to be shown.
+/// A simulated program, after all its material was removed or a limit was reached. There is no partly cut
+/// part to show.
 #[derive(Clone, Debug)]
 pub struct SimulationResult {
     resolved: ResolvedSetup,
@@ -53,9 +53,9 @@ pub struct SimulationResult {
     machine: Machine,
     limits: Limits,
     limit: Option<SimulationLimit>,
-    /// The first cut of a tool that is not known.
+    /// The first cut of an unknown tool.
     first_unknown: Option<usize>,
-    /// How many motions the program has.
+    /// Number of motions of the program.
     motions: usize,
 }
 
@@ -64,40 +64,39 @@ pub struct SimulationResult {
 pub enum SimulationLimit {
     /// The program has more motions than this.
     Motions(usize),
-    /// What is left has more corners than this.
+    /// The part has more corners than this.
     Corners(usize),
-    /// Somebody has stopped it after so many of all motions.
+    /// The simulation was stopped.
     Stopped {
-        /// Motions whose material is off.
+        /// Number of motions whose material was removed.
         done: usize,
-        /// All motions.
+        /// Number of all motions.
         all: usize,
     },
 }
 
-/// A program whose material is being taken off. Nobody sees the work, or what runs into
-/// what, before all of it is off.
+/// A simulation in progress. The part and the findings are not available until it is done.
 #[derive(Clone, Debug)]
 pub struct Simulation {
     result: SimulationResult,
 }
 
-/// How far the taking off of material has come.
+/// Progress of a simulation after a slice.
 #[derive(Debug)]
 pub enum SimulationStep {
-    /// There is more to take off.
+    /// There is more material to remove.
     UnderWay(Simulation),
-    /// All is off, or a bound was met.
+    /// All material was removed, or a limit was reached.
     Done(SimulationResult),
 }
 
 impl Simulation {
-    /// Begins with a program that has run.
+    /// Starts the simulation of a program that has run.
     pub fn new(motions: &Motions, setup: &Setup) -> Self {
         Self::of_resolved(ResolvedSetup::new(motions, setup), motions, setup)
     }
 
-    /// The same with the tools and the blank that are already known.
+    /// Starts the simulation with known tools and blank.
     fn of_resolved(resolved: ResolvedSetup, motions: &Motions, setup: &Setup) -> Self {
         let limits = setup.limits;
         let part = resolved.stock().map(|(stock, _)| Part::new(&stock));
@@ -120,7 +119,7 @@ impl Simulation {
         Self { result }
     }
 
-    /// Takes the material of at most so many motions off.
+    /// Removes the material of at most `count` motions.
     pub fn advance(mut self, motions: &Motions, count: usize) -> SimulationStep {
         if self.result.remove_material(motions, count) {
             SimulationStep::Done(self.result)
@@ -129,14 +128,14 @@ impl Simulation {
         }
     }
 
-    /// Takes no more material off.
+    /// Ends the simulation early.
     pub fn stop(mut self) -> SimulationResult {
         let done = self.result.part.as_ref().map_or(0, Part::done);
         self.result.limit.get_or_insert(SimulationLimit::Stopped { done, all: self.result.motions });
         self.result
     }
 
-    /// Share of the motions whose material is off, 0 to 1.
+    /// Share of the motions whose material was removed, 0 to 1.
     pub fn progress(&self) -> f64 {
         let done = self.result.part.as_ref().map_or(0, Part::done);
         if self.result.motions == 0 { 1.0 } else { done as f64 / self.result.motions as f64 }
@@ -149,12 +148,12 @@ impl Simulation {
 }
 
 impl SimulationResult {
-    /// A program with all its material off.
+    /// Simulates a whole program.
     pub fn of(motions: &Motions, setup: &Setup) -> Self {
         Self::of_resolved(ResolvedSetup::new(motions, setup), motions, setup)
     }
 
-    /// The same with the [`ResolvedSetup`] of these motions and this setup.
+    /// Simulates a whole program with the [`ResolvedSetup`] of its motions and setup.
     pub fn of_resolved(resolved: ResolvedSetup, motions: &Motions, setup: &Setup) -> Self {
         let mut simulation = Simulation::of_resolved(resolved, motions, setup);
         loop {
@@ -165,7 +164,8 @@ impl SimulationResult {
         }
     }
 
-    /// Takes the material of at most so many motions off; true once all are done, or a bound is met.
+    /// Removes the material of at most `count` motions. Returns true when all are done, or a limit is
+    /// reached.
     fn remove_material(&mut self, motions: &Motions, count: usize) -> bool {
         let Some(part) = &mut self.part else { return true };
         for _ in 0..count {
@@ -178,7 +178,7 @@ impl SimulationResult {
                 return true;
             }
             let mut motion = motions.get_on_workpiece(index).on_positive_side();
-            // After a cut that takes nothing off it is not known what is in the way.
+            // After a cut of an unknown tool, which removes nothing, the remaining material is unknown.
             motion.process.incomplete |= self.first_unknown.is_some_and(|first| first <= index);
             self.detector.check_motion(index, &motion, &self.resolved, part);
             let block = || motions.span(index).start;
@@ -195,17 +195,17 @@ impl SimulationResult {
         self.limit.is_some() || all
     }
 
-    /// The bound that was met.
+    /// The limit that was reached.
     pub fn limit(&self) -> Option<SimulationLimit> {
         self.limit
     }
 
-    /// What runs into what; as far as motions are done, where a bound was met.
+    /// Dangers that were found; if a limit was reached, only the dangers of the motions before it.
     pub fn findings(&self) -> &[Finding] {
         &self.detector.findings
     }
 
-    /// What is unusual about what is taken off.
+    /// Unusual removals of material.
     pub fn removals(&self) -> &[Unusual] {
         &self.watch.found
     }
@@ -215,8 +215,8 @@ impl SimulationResult {
         self.detector.has_chuck_and_tailstock()
     }
 
-    /// What stands around the work: the chuck, and the tailstock where it is forward: in this motion, or in
-    /// any.
+    /// The obstacles around the workpiece: the chuck, and the tailstock if it is forward during `motion`, or
+    /// during any motion if that is `None`.
     pub fn obstacles(&self, motion: Option<&Motion>) -> impl Iterator<Item = &Region> {
         self.detector.obstacles(motion.map(|motion| motion.process.quill))
     }
@@ -231,13 +231,12 @@ impl SimulationResult {
         &self.machine
     }
 
-    /// What is left of the blank after all motions that were done; nothing where there is no
-    /// blank, or a bound was met.
+    /// The finished part. None without a blank, or if a limit was reached.
     pub fn finished(&self) -> Option<Region> {
         Some(self.shown().filter(|_| self.limit.is_none())?.finished())
     }
 
-    /// What is left when so many motions are done, and of the next one the fraction `share`.
+    /// The part after `count` motions and the fraction `share` of the next one.
     pub fn part_at(&self, motions: &Motions, count: usize, share: f64) -> Option<Region> {
         Some(self.shown().filter(|_| self.limit.is_none())?.at(motions, &self.resolved, count, share))
     }
@@ -247,7 +246,7 @@ impl SimulationResult {
         Some(self.shown()?.blank())
     }
 
-    /// The work, where there is a part to show.
+    /// The part, if there is one to show.
     fn shown(&self) -> Option<&Part> {
         self.part.as_ref().filter(|_| self.resolved.shows_part())
     }

@@ -1,8 +1,8 @@
-//! The work as it is machined: what is left of the blank after each motion.
+//! The workpiece as it is machined: what remains of the blank after each motion.
 //!
-//! In: the motions, and tools and blank as they are given or inferred. Out: the half-section at any moment.
-//! Material is taken off in slices (`advance`), so that a long program holds nothing up; now and then the
-//! state is kept, so that any moment is near one that is known.
+//! In: the motions, and the given or inferred tools and blank. Out: the half-section at any moment. Material
+//! is removed in slices (`advance`), so that a long program blocks nothing. Some states are kept, so that
+//! every moment is close to a known state.
 
 use std::cell::RefCell;
 
@@ -15,47 +15,48 @@ use crate::geometry::{Point, SAME, within};
 use crate::motion::{Motion, MotionKind, Motions};
 use crate::setup::Stock;
 
-/// Most turns of a thread that are cut one by one; a finer one is cut as a whole.
+/// Most turns of a thread that are cut one by one; a finer thread is cut as a whole.
 const MOST_TURNS: f64 = 2000.0;
 
-/// Corners of the pieces that wait to be taken off, at most.
+/// Most corners of the outlines that wait to be removed.
 const MOST_WAITING: usize = 1500;
 
-/// Motions from one kept state to the next, at least.
+/// Least number of motions between two kept states.
 const STRIDE: usize = 32;
 
-/// A loose piece in front of Z0 that is no longer than this, mm, is what a facing cut leaves; a longer one was parted off.
+/// Longest loose piece in front of Z0 that a facing cut leaves, mm; a longer one was parted off.
 const LOOSE: f64 = 3.0;
 
-/// At negative Z it is the rest of a core only where its radius is no larger than this share of that of the work.
+/// At negative Z such a piece is the rest of a core only if its radius is at most this share of the radius of
+/// the workpiece.
 const CORE: f64 = 0.4;
 
-/// Most corners of all states that are kept; beyond, every other one is dropped.
+/// Most corners of all kept states; beyond, every other state is dropped.
 const MOST_KEPT: usize = 1_000_000;
 
-/// The work under way.
+/// A workpiece in progress.
 #[derive(Clone, Debug, Default)]
 pub struct Part {
     blank: Region,
     now: Region,
-    /// Motions whose material is off, or waits in `waiting`.
+    /// Number of motions whose material was removed or is in `waiting`.
     done: usize,
-    /// Outlines that are still to be taken off `now`.
+    /// Outlines that must still be removed from `now`.
     waiting: Vec<Vec<Point>>,
     corners: usize,
     turned: Turned,
-    /// States on the way.
+    /// The kept states.
     kept: Vec<Kept>,
-    /// Corners of all of them.
+    /// Corners of all kept states.
     kept_corners: usize,
-    /// Motions from one to the next, at least.
+    /// Least number of motions between two of them.
     stride: usize,
-    /// The state that was asked for last: so many motions were done. The next one asked
-    /// for is often a little later.
+    /// The state of the last request after the kept ones: the next request is often for a slightly later
+    /// moment.
     last: RefCell<Option<Kept>>,
 }
 
-/// The work when so many motions were done.
+/// The workpiece after `done` motions.
 #[derive(Clone, Debug)]
 struct Kept {
     done: usize,
@@ -63,19 +64,19 @@ struct Kept {
     region: Region,
 }
 
-/// The thread under way: where one goes on with another lead, or out of the work, its notches go on with the
-/// same turn.
+/// The current thread. A thread that continues with another lead, or out of the workpiece, has its grooves at
+/// the same spindle angle.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Turned {
-    /// How far the spindle is past a whole turn, in turns.
+    /// Angle of the spindle past a whole turn, in turns.
     past: Option<f64>,
-    /// What the insert cuts where it comes out here, between two turns: it stands while the work turns on, and
-    /// cuts its groove all around, as wide as a turn at most.
+    /// The cut of the insert if the thread ends here, between two whole turns: the insert stays while the
+    /// workpiece turns, and cuts a groove all around it, at most as wide as one lead.
     groove: Vec<Point>,
 }
 
 impl Turned {
-    /// After a motion with its tool.
+    /// The state after a motion with its tool.
     fn after(&self, motion: &Motion, tool: &ResolvedTool) -> Self {
         let turns = motion.turns().filter(|_| motion.kind == MotionKind::Thread);
         let Some(past) = turns.map(|turns| (self.before(motion) + turns).fract()) else {
@@ -86,8 +87,8 @@ impl Turned {
         Self { past: Some(past), groove: if cuts { groove(motion, tool) } else { Vec::new() } }
     }
 
-    /// How far the spindle is past a whole turn, in turns, where a motion begins: a thread begins at its start angle,
-    /// unless it continues another.
+    /// Angle of the spindle past a whole turn at the start of a motion, in turns: the start angle of a
+    /// thread, unless it continues another thread.
     fn before(&self, motion: &Motion) -> f64 {
         self.past.unwrap_or_else(|| (motion.start_angle / 360.0).fract())
     }
@@ -107,20 +108,20 @@ impl Part {
         &self.blank
     }
 
-    /// Motions that are done.
+    /// Number of motions that are done.
     pub fn done(&self) -> usize {
         self.done
     }
 
-    /// Does the next motion with its tool.
+    /// Executes the next motion with its tool.
     pub fn step(&mut self, motion: &Motion, tool: &ResolvedTool) {
         let before = self.waiting.len();
         self.waiting.extend(cut(motion, &self.turned, tool));
         self.turned = self.turned.after(motion, tool);
         self.corners += self.waiting[before..].iter().map(Vec::len).sum::<usize>();
         self.done += 1;
-        // Passes of a thread have flanks in common: in one go they would cut each other
-        // into thousands of pieces.
+        // Passes of a thread share flanks: removed together, they would split each other into thousands of
+        // pieces.
         if self.corners > MOST_WAITING || self.waiting.len() > before + 1 {
             self.settle();
         }
@@ -131,17 +132,18 @@ impl Part {
         }
     }
 
-    /// Takes off what a thread leaves at its end, where the next motion ends it: the insert comes out there.
+    /// Removes the groove at the end of a thread if the next motion ends the thread, because the insert
+    /// leaves it there.
     pub fn end_thread(&mut self, next: &Motion) {
         if let Some(groove) = left_by_thread(next, &self.turned) {
             self.corners += groove.len();
             self.waiting.push(groove);
-            // `step` need not take it off again.
+            // `step` must not remove it again.
             self.turned.groove.clear();
         }
     }
 
-    /// Keeps the state as it is now.
+    /// Keeps the current state.
     fn keep(&mut self) {
         self.kept_corners += self.now.corners();
         self.kept.push(Kept { done: self.done, turned: self.turned.clone(), region: self.now.clone() });
@@ -156,18 +158,18 @@ impl Part {
         }
     }
 
-    /// Corners of what is left.
+    /// Number of corners of the remaining material.
     pub fn corners(&self) -> usize {
         self.now.corners()
     }
 
-    /// The work as it is now.
+    /// The current workpiece.
     pub fn now(&mut self) -> &Region {
         self.settle();
         &self.now
     }
 
-    /// The work after all motions that are done.
+    /// The workpiece after all motions that are done.
     pub fn finished(&self) -> Region {
         let mut now = self.now.clone();
         now.cut(&self.waiting);
@@ -175,7 +177,7 @@ impl Part {
         now
     }
 
-    /// The work when so many motions are done, and of the next one the fraction `share`.
+    /// The workpiece after `count` motions and the fraction `share` of the next one.
     pub fn at(&self, motions: &Motions, resolved: &ResolvedSetup, count: usize, share: f64) -> Region {
         let count = count.min(self.done);
         let Kept { done: from, mut turned, mut region } = self.near(count);
@@ -196,7 +198,7 @@ impl Part {
         region
     }
 
-    /// The latest known state that is not after so many motions.
+    /// The latest known state that is not after `count` motions.
     fn near(&self, count: usize) -> Kept {
         let kept = self
             .kept
@@ -221,20 +223,20 @@ impl Part {
     }
 }
 
-/// Whether a piece is what a cut across the face left in front of it: it lies in front of Z0 or is the rest of a core on
-/// the axis, and others are nearer to the chuck.
+/// Whether a piece is a remainder of a facing cut: it lies in front of Z0 or is the rest of a core on the
+/// axis, and other pieces are closer to the chuck.
 fn is_left_by_facing(piece: Bounds, all: Bounds) -> bool {
     let is_core = piece.min.x <= SAME && piece.max.x <= CORE * all.max.x;
     let in_front = piece.min.z > if is_core { all.min.z + SAME } else { -SAME };
     in_front && all.min.z < -SAME && piece.max.z - piece.min.z <= LOOSE
 }
 
-/// What a motion takes off, as outlines that may overlap.
+/// The material that a motion removes, as outlines that may overlap.
 pub fn cut(motion: &Motion, turned: &Turned, tool: &ResolvedTool) -> Vec<Vec<Point>> {
     cut_so_far(motion, 1.0, turned, tool)
 }
 
-/// What the fraction `share` of a motion takes off.
+/// The material that the fraction `share` of a motion removes.
 fn cut_so_far(motion: &Motion, share: f64, turned: &Turned, tool: &ResolvedTool) -> Vec<Vec<Point>> {
     let mut outlines: Vec<_> = left_by_thread(motion, turned).into_iter().collect();
     if takes_off(motion, tool) && motion.kind.cuts() {
@@ -243,17 +245,18 @@ fn cut_so_far(motion: &Motion, share: f64, turned: &Turned, tool: &ResolvedTool)
     outlines
 }
 
-/// Whether what a motion takes off shows in the section: it is known which tool went where, and the work turned.
+/// Whether the material that a motion removes shows in the section: tool and path are known, and the
+/// workpiece turned.
 fn takes_off(motion: &Motion, tool: &ResolvedTool) -> bool {
     motion.process.removes_material() && tool.basis != Basis::Unknown && !tool.is_live_in(motion)
 }
 
-/// What a thread leaves at its end, if `motion` is the first that is no thread.
+/// The groove at the end of a thread, if `motion` is the first one after it.
 fn left_by_thread(motion: &Motion, turned: &Turned) -> Option<Vec<Point>> {
     (motion.kind != MotionKind::Thread && !turned.groove.is_empty()).then(|| turned.groove.clone())
 }
 
-/// The groove of an insert that stands at the end of a thread for one turn.
+/// The groove of an insert that stays at the end of a thread for one turn.
 fn groove(thread: &Motion, tool: &ResolvedTool) -> Vec<Point> {
     let outline = tool.takes.at(thread.to);
     let is_along_z = (thread.to.z - thread.from.z).abs() >= (thread.to.x - thread.from.x).abs();
@@ -266,7 +269,7 @@ fn groove(thread: &Motion, tool: &ResolvedTool) -> Vec<Point> {
     }
 }
 
-/// The part of an outline beyond a place along Z, on the side of +Z or of -Z.
+/// The part of an outline beyond `z`, on the side of +Z or of −Z.
 fn beyond(outline: &[Point], z: f64, side: f64) -> Vec<Point> {
     let ahead = |point: &Point| side * (point.z - z);
     let mut part = Vec::with_capacity(outline.len() + 2);
@@ -283,7 +286,8 @@ fn beyond(outline: &[Point], z: f64, side: f64) -> Vec<Point> {
     part
 }
 
-/// What the fraction `share` of a motion that cuts takes off; the spindle is so far past a whole turn of a thread.
+/// The material that the fraction `share` of a cut removes; `past` is the angle of the spindle past a whole
+/// turn of a thread, in turns.
 fn cut_by(motion: &Motion, share: f64, past: f64, tool: &ResolvedTool) -> Vec<Vec<Point>> {
     let share = within(share, 0.0, 1.0);
     let edge = &tool.takes;
@@ -303,8 +307,8 @@ fn cut_by(motion: &Motion, share: f64, past: f64, tool: &ResolvedTool) -> Vec<Ve
     }
 }
 
-/// The first part of a way of equal pieces. It keeps to the way, so that nothing it takes off
-/// is there again at the end.
+/// The first part of a path of equal pieces. It has the same points as the whole path, so that no material
+/// that it removes reappears at the end.
 fn first_part(mut way: Vec<Point>, share: f64) -> Vec<Point> {
     let done = share * (way.len() - 1) as f64;
     let whole = done as usize;

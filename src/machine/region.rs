@@ -1,8 +1,8 @@
-//! Areas of the half-section, and what is left when others are taken out of them.
+//! Areas of the half-section, and their Boolean operations.
 //!
-//! In: closed outlines in mm (`z` to the right, `x` the radius upwards). Out: areas with holes, and questions
-//! about them. The Boolean operations are those of `i_overlay`, on a grid of whole numbers: an outline comes
-//! back as it went in, and nothing depends on the size of the picture. Must not know tools, motions or stock.
+//! In: closed outlines in mm (`z` to the right, `x` the radius upwards). Out: areas with holes, and queries
+//! on them. The operations are those of `i_overlay` on an integer grid: an outline comes back unchanged, and
+//! the scale of the picture does not matter. Must not know tools, motions or stock.
 
 use i_overlay::core::fill_rule::FillRule;
 use i_overlay::core::overlay::{Overlay, ShapeType};
@@ -13,20 +13,20 @@ use i_overlay::i_shape::int::shape::IntShapes;
 use crate::geometry::bounds::Bounds;
 use crate::geometry::{Point, within};
 
-/// Steps of the grid in a millimetre: a power of two, so that binary fractions stay what they are.
+/// Grid steps per millimetre: a power of two, so that binary fractions are exact.
 const STEPS: f64 = 131_072.0;
 
-/// No coordinate is further from zero, mm: what `i_overlay` has room for, with something to spare.
+/// Largest coordinate, mm: the range of `i_overlay` with a margin.
 const FURTHEST: f64 = 8000.0;
 
-/// Smaller pieces are dust of rounding, mm².
+/// Smaller pieces are caused by rounding, mm².
 const DUST: f64 = 1e-7;
 
-/// What lies no deeper, mm, only touches: twice what the grid can move a corner.
+/// An overlap of at most this depth, mm, is mere contact: twice the error of the grid.
 const TOUCH: f64 = 2e-5;
 
-/// A corner no further from the line between its neighbours, mm, is none: edges that ran nearly the same way
-/// have cut each other into pieces there.
+/// A corner closer to the line between its neighbours than this, mm, is removed: nearly parallel edges have
+/// split each other there.
 const STRAIGHT: f64 = 2e-4;
 
 /// An area of the half-section: any number of pieces, with holes.
@@ -38,32 +38,32 @@ pub struct Region {
 /// One piece of an area.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Piece {
-    /// Its outside, counter-clockwise.
+    /// Outer contour, counter-clockwise.
     pub outline: Vec<Point>,
-    /// What is missing inside it, clockwise.
+    /// Holes, clockwise.
     pub holes: Vec<Vec<Point>>,
 }
 
 impl Region {
-    /// The area inside an outline; it may run either way, and cross itself.
+    /// The area inside an outline, which may have either direction and intersect itself.
     pub fn inside(outline: &[Point]) -> Self {
         Self::combined(&Self::default(), &[outline], OverlayRule::Union)
     }
 
-    /// Whether nothing is left.
+    /// Whether the region is empty.
     pub fn is_empty(&self) -> bool {
         self.shapes.is_empty()
     }
 
-    /// Takes all outlines out of it.
+    /// Removes all outlines from the region.
     pub fn cut(&mut self, outlines: &[impl AsRef<[Point]>]) {
         if !outlines.is_empty() {
             *self = Self::combined(self, outlines, OverlayRule::Difference);
         }
     }
 
-    /// Removes the pieces for which `is_dropped` is true. Its arguments are the bounds of the piece and of the whole region.
-    /// A region of one piece stays as it is.
+    /// Removes the pieces for which `is_dropped` is true. Its arguments are the bounds of the piece and of
+    /// the whole region. A region with a single piece is left unchanged.
     pub fn drop_pieces(&mut self, is_dropped: impl Fn(Bounds, Bounds) -> bool) {
         if self.shapes.len() < 2 {
             return;
@@ -78,19 +78,20 @@ impl Region {
         self.shapes.retain(|shape| bounds(shape).is_none_or(|own| !is_dropped(own, all)));
     }
 
-    /// The part of it that lies in the outlines.
+    /// The part of the region that lies in the outlines.
     pub fn in_common(&self, outlines: &[impl AsRef<[Point]>]) -> Self {
         Self::combined(self, outlines, OverlayRule::Intersect)
     }
 
-    /// What of it is not in another.
+    /// The part of the region that is not in `other`.
     pub fn without(&self, other: &Region) -> Self {
         let mut overlay = Overlay::from_subj_and_clip(&self.shapes, &other.shapes);
         Self { shapes: overlay.overlay(OverlayRule::Difference, FillRule::NonZero) }
     }
 
-    /// Whether a convex outline, counter-clockwise, shares more with it than the edge. Much quicker than the
-    /// common part: an edge of the region runs through the outline, or the outline lies inside of all edges.
+    /// Whether a convex counter-clockwise outline overlaps the region by more than an edge. Much faster than
+    /// computing the intersection: an edge of the region crosses the outline, or the outline lies inside all
+    /// edges.
     pub fn meets(&self, outline: &[Point]) -> bool {
         let Some(&first) = outline.first().filter(|_| outline.len() > 2) else { return false };
         let extents = outline.iter().fold(Bounds::of(first), |bounds, point| bounds.with(*point));
@@ -102,7 +103,7 @@ impl Region {
                 || extents.max.z <= min.z;
             !apart && runs_through(outline, a, b)
         };
-        // Of a convex outline the mean of its corners lies inside.
+        // The mean of the corners of a convex outline lies inside it.
         let count = outline.len() as f64;
         let (x, z) = outline.iter().fold((0.0, 0.0), |sum, point| (sum.0 + point.x, sum.1 + point.z));
         let middle = Point::new(x / count, z / count);
@@ -118,7 +119,7 @@ impl Region {
         })
     }
 
-    /// All closed outlines, those of holes among them.
+    /// All closed outlines, including holes.
     pub fn outlines(&self) -> impl Iterator<Item = impl Iterator<Item = Point> + '_> + '_ {
         self.shapes.iter().flatten().map(|contour| contour.iter().map(off_grid))
     }
@@ -128,12 +129,12 @@ impl Region {
         self.shapes.iter().flatten().map(Vec::len).sum()
     }
 
-    /// Its area, mm².
+    /// Area, mm².
     pub fn area(&self) -> f64 {
         self.edges().map(|(a, b)| (a.z * b.x - b.z * a.x) / 2.0).sum()
     }
 
-    /// Area of the part that lies on the side of +Z of a line, mm².
+    /// Area of the part on the +Z side of a line, mm².
     pub fn area_beside(&self, from: Point, to: Point) -> f64 {
         let length = from.distance(to).max(f64::MIN_POSITIVE);
         let (ux, uz) = ((to.x - from.x) / length, (to.z - from.z) / length);
@@ -150,8 +151,8 @@ impl Region {
         self.in_common(&[strip]).area()
     }
 
-    /// Where a line across the spindle axis at `z` runs through it: pairs of radii, mm, from the axis
-    /// outwards. Exactly on a step, the material towards −Z counts.
+    /// The intervals of a line across the spindle axis at `z` that lie in the region: pairs of radii, mm,
+    /// from the axis outwards. Exactly on a step, the material towards −Z counts.
     pub fn radii(&self, z: f64) -> Vec<(f64, f64)> {
         let crossing = self.edges().filter(|(a, b)| (a.z < z) != (b.z < z));
         let mut radii: Vec<f64> =
@@ -160,12 +161,12 @@ impl Region {
         radii.chunks_exact(2).map(|pair| (pair[0], pair[1])).collect()
     }
 
-    /// Whether a point lies in it.
+    /// Whether a point lies in the region.
     pub fn holds(&self, point: Point) -> bool {
         self.radii(point.z).iter().any(|&(low, high)| low < point.x && point.x < high)
     }
 
-    /// Its edges, the material on the left.
+    /// Its edges, with the material on the left.
     pub fn edges(&self) -> impl Iterator<Item = (Point, Point)> + '_ {
         self.shapes.iter().flatten().flat_map(|contour| {
             let next = contour.iter().cycle().skip(1);
@@ -191,11 +192,11 @@ impl Region {
     }
 }
 
-/// Takes out corners that are none.
+/// Removes superfluous corners.
 fn straighten(contour: &mut Vec<IntPoint<i32>>) {
     let mut kept: Vec<IntPoint<i32>> = Vec::with_capacity(contour.len());
-    // Area between the line from the corner that was kept last and the corners taken out since: many short
-    // edges of an arc must not go one after the other because each bends so little.
+    // Area between the line from the last kept corner and the corners removed since. Without it, the many
+    // short edges of an arc would all be removed, because each of them bends so little.
     let mut area = 0.0;
     for (index, &corner) in contour.iter().enumerate() {
         let next = contour[(index + 1) % contour.len()];
@@ -214,8 +215,8 @@ fn straighten(contour: &mut Vec<IntPoint<i32>>) {
     }
 }
 
-/// Distance of a point from the line between two others, to the left of it, and the length of that; steps of
-/// the grid. A corner that turns back is infinitely far, however narrow it is.
+/// Distance of a point to the left of the line between two others, and the length of that line, in grid
+/// steps. A corner that turns back is infinitely far, however narrow it is.
 fn distance_from_line(point: IntPoint<i32>, from: IntPoint<i32>, to: IntPoint<i32>) -> (f64, f64) {
     let (dx, dy) = (f64::from(to.x) - f64::from(from.x), f64::from(to.y) - f64::from(from.y));
     let (px, py) = (f64::from(point.x) - f64::from(from.x), f64::from(point.y) - f64::from(from.y));
@@ -224,7 +225,7 @@ fn distance_from_line(point: IntPoint<i32>, from: IntPoint<i32>, to: IntPoint<i3
     (if turns_back { f64::INFINITY } else { (dx * py - dy * px) / length }, length)
 }
 
-/// Whether more than a point of a line is inside of a convex outline that runs counter-clockwise.
+/// Whether more than one point of a line is inside a convex counter-clockwise outline.
 fn runs_through(outline: &[Point], a: Point, b: Point) -> bool {
     let (mut from, mut to) = (0.0, 1.0);
     let next = outline.iter().cycle().skip(1);
@@ -233,7 +234,7 @@ fn runs_through(outline: &[Point], a: Point, b: Point) -> bool {
         if length <= 0.0 {
             continue;
         }
-        // How far inside of this edge the ends are, mm.
+        // Depth of the ends inside this edge, mm.
         let depth = |at: Point| ((at.x - p.x) * (q.z - p.z) - (at.z - p.z) * (q.x - p.x)) / length;
         let (first, last) = (depth(a), depth(b));
         if first <= TOUCH && last <= TOUCH {
@@ -248,7 +249,7 @@ fn runs_through(outline: &[Point], a: Point, b: Point) -> bool {
     (to - from) * a.distance(b) > TOUCH
 }
 
-/// Overlapping outlines add up only if they run the same way.
+/// Overlapping outlines add up only if they have the same direction.
 fn make_counterclockwise(contour: &mut [IntPoint<i32>]) {
     let next = contour.iter().cycle().skip(1);
     let area: f64 = contour
@@ -282,7 +283,7 @@ mod tests {
     fn cuts_leave_the_rest() {
         let mut region = Region::inside(&rectangle((-50.0, 0.0), (5.0, 20.0)));
         assert!((region.area() - 750.0).abs() < 1e-9);
-        // One that runs the other way, and two that overlap.
+        // One with the other direction, and two that overlap.
         let mut other_way = rectangle((-10.0, 5.0), (15.0, 30.0));
         other_way.reverse();
         region.cut(&[
@@ -328,7 +329,7 @@ mod tests {
         for index in 0..1000 {
             let z = -4.99 + f64::from(index) * 0.00998;
             let radius = (25.0 - z * z).sqrt();
-            // A line that leaves the arc by a thousandth shows in the radius more, the steeper the arc.
+            // The steeper the arc, the more a deviation of a thousandth changes the radius.
             let least = 0.001 * 5.0 / radius;
             assert!(
                 region

@@ -1,8 +1,8 @@
-//! What cuts take off, and what they ought to: cycles that take off nothing, cuts deeper than an insert bears,
-//! cuts beyond the back of the blank, threads of another depth or too near a shoulder.
+//! Detects unusual removals: cycles that remove nothing, cuts deeper than an insert bears, cuts beyond the
+//! back of the blank, threads with a wrong depth or too near a shoulder.
 //!
-//! In: each motion with its tool, and the work before it. Out: [`Unusual`]s, in a blank that somebody has named
-//! only, and none after M00: the work may be turned round or changed there. Must not know messages.
+//! In: each motion with its tool, and the workpiece before it. Out: [`Unusual`]s, only with a given blank,
+//! and none after M00, because the workpiece may be turned around or changed there. Must not know messages.
 
 use std::collections::BTreeSet;
 
@@ -17,55 +17,56 @@ use crate::motion::{Cycle, CycleFamily, Motion, MotionKind, Motions, StopKind};
 use crate::setup::stock::deepest_cut;
 use crate::setup::{Stock, ToolKind};
 
-/// Something unusual about what a motion takes off.
+/// An unusual removal of material.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Unusual {
-    /// The motion.
+    /// Index of the motion.
     pub motion: usize,
-    /// What.
+    /// The kind of removal.
     pub removal: Removal,
 }
 
-/// What can be unusual.
+/// A kind of unusual removal.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Removal {
-    /// No move of a call of a cycle comes near the work.
+    /// No move of a cycle call comes near the workpiece.
     Nothing(Cycle),
     /// A cut is deeper than an insert bears. Lengths in mm, across the cut.
     TooDeep {
-        /// How deep it is.
+        /// Depth of the cut.
         depth: f64,
-        /// How deep it may be.
+        /// Greatest permitted depth.
         most: f64,
     },
-    /// A cut goes on beyond the back of the blank.
+    /// A cut continues beyond the back of the blank.
     BeyondBlank {
         /// Z of its end, mm.
         z: f64,
         /// Z of the back of the blank, mm.
         back: f64,
     },
-    /// A thread is far deeper than one of its lead, or far less deep. Lengths in mm.
+    /// The depth of a thread does not fit its lead. Lengths in mm.
     ThreadDepth {
         /// Its depth on one side.
         depth: f64,
         /// Its lead.
         lead: f64,
     },
-    /// A thread ends nearer to a shoulder than the slide needs to come to rest. Lengths in mm.
+    /// A thread ends nearer to a shoulder than the slide needs to stop. Lengths in mm.
     ThreadRunOut(ShortRunOut),
 }
 
-/// A cycle no farther from the work than this, mm, may be a finishing pass.
+/// A cycle that is at most this far from the workpiece, mm, may be a finishing pass.
 const FINISHING: f64 = 0.1;
 
-/// So far in front of the face, mm, a blank may be longer than somebody has said: a bar is sawn off, and faced.
+/// A blank may be longer than given by this much in front of the face, mm: a bar is sawn off, then faced.
 const SAWN: f64 = 5.0;
 
-/// A tool may go so far beyond the back of a blank, mm: a ring or a tube is turned and bored over its whole length.
+/// A tool may go this far beyond the back of a blank, mm: rings and tubes are machined over their whole
+/// length.
 const OVERRUN: f64 = 5.0;
 
-/// Of a shorter cut it is not asked how deep it is, mm.
+/// Shorter cuts are not checked for depth, mm.
 const SHORT: f64 = 5.0;
 
 /// A call of a cycle.
@@ -76,27 +77,28 @@ struct Call {
     first: Option<(usize, u32)>,
     /// Its last pass.
     pass: u32,
-    /// It takes something off.
+    /// Whether it removes material.
     takes: bool,
-    /// Z of its end nearest to the chuck, mm.
+    /// Least Z of its ends, mm.
     back: f64,
-    /// The tool comes from a call of the same cycle without another move.
+    /// Whether the tool comes from a call of the same cycle without another move between.
     repeats: bool,
 }
 
-/// Watches what is taken off, motion by motion.
+/// Checks the removal of material, motion by motion.
 #[derive(Clone, Debug)]
 pub struct RemovalWatch {
-    /// The blank that somebody has named.
+    /// The given blank.
     stock: Option<Stock>,
-    /// The first motion after which nothing is watched.
+    /// The motion from which on nothing is checked.
     end: usize,
     call: Option<Call>,
-    /// Blocks of cycles that have taken something off: carried out once more, for the next part, they need not.
+    /// Blocks of cycles that have removed material. When they run again, for the next part, they need not
+    /// remove anything.
     done: BTreeSet<u32>,
     threads: Threads,
     run_outs: RunOuts,
-    /// All that was found.
+    /// All findings.
     pub found: Vec<Unusual>,
 }
 
@@ -123,7 +125,7 @@ impl RemovalWatch {
         }
     }
 
-    /// Looks at the next motion, before its material is off. `block`: the first byte of its block.
+    /// Checks the next motion, before its material is removed. `block` returns the first byte of its block.
     pub fn check_motion(
         &mut self,
         index: usize,
@@ -163,7 +165,7 @@ impl RemovalWatch {
         }
     }
 
-    /// There are no more motions.
+    /// Ends the checks after the last motion.
     pub fn finish(&mut self) {
         self.close();
         let over = self.threads.close();
@@ -174,7 +176,7 @@ impl RemovalWatch {
         self.found.push(Unusual { motion, removal });
     }
 
-    /// A motion with the call of a cycle that it belongs to, if any.
+    /// Checks a motion with the cycle call that it belongs to, if any.
     fn cycle(
         &mut self,
         index: usize,
@@ -223,7 +225,7 @@ impl RemovalWatch {
         }
     }
 
-    /// The call under way is over.
+    /// Ends the current call.
     fn close(&mut self) {
         let Some(Call { cycle, first: Some((first, block)), takes, back, .. }) = self.call.take() else {
             return;
@@ -243,7 +245,7 @@ fn thread_depth(found: UnusualDepth) -> Unusual {
     Unusual { motion, removal: Removal::ThreadDepth { depth, lead } }
 }
 
-/// Whether a cut takes something off, a little beside its way.
+/// Whether a cut, shifted slightly, removes material.
 fn meets(now: &Region, motion: &Motion, shift: Point, tool: &ResolvedTool) -> bool {
     let moved = |point: Point| Point::new(point.x + shift.x, point.z + shift.z);
     let beside = Motion {
@@ -255,15 +257,16 @@ fn meets(now: &Region, motion: &Motion, shift: Point, tool: &ResolvedTool) -> bo
     cut(&beside, &Turned::default(), tool).iter().any(|outline| now.meets(outline))
 }
 
-/// Z of the end of a cut within the blank that goes on far beyond its back.
+/// Z of the end of a cut within the blank that continues far beyond its back.
 fn behind(stock: &Stock, motion: &Motion) -> Option<f64> {
     let end = if motion.from.z < motion.to.z { motion.from } else { motion.to };
     let within = end.x > stock.bore.radius() && end.x < stock.diameter.radius();
     (within && end.z < stock.back() - OVERRUN).then_some(end.z)
 }
 
-/// How deep a cut in the blank is on average, and how deep it may be, where it is deeper: one along the axis, or
-/// one of a facing cycle across it. What a given insert is too short for, its holder meets.
+/// The average depth of a cut in the blank and the permitted depth, if that is exceeded: of a cut along the
+/// axis, or of a facing cycle across it. If a given insert is too short for the cut, the check of its holder
+/// reports that.
 fn too_deep(stock: &Stock, motion: &Motion, tool: &ResolvedTool, part: &mut Part) -> Option<(f64, f64)> {
     match tool.tool.kind? {
         ToolKind::Turning | ToolKind::Boring => {}
@@ -280,7 +283,7 @@ fn too_deep(stock: &Stock, motion: &Motion, tool: &ResolvedTool, part: &mut Part
     if motion.kind != MotionKind::Feed || is_across && !faces {
         return None;
     }
-    // As much of the way as is in the blank.
+    // The share of the path within the blank.
     let within = match is_across {
         true => from.x.max(to.x).min(stock.diameter.radius()) - from.x.min(to.x).max(stock.bore.radius()),
         false => from.z.max(to.z).min(stock.face) - from.z.min(to.z).max(stock.back()),
@@ -289,7 +292,7 @@ fn too_deep(stock: &Stock, motion: &Motion, tool: &ResolvedTool, part: &mut Part
         return None;
     }
     let length = motion.length() * within / dx.max(dz);
-    // Is there material so far above the way, or below it?
+    // Quick check: is there material at the permitted depth on either side of the path?
     let middle = Point::new((from.x + to.x) / 2.0, (from.z + to.z) / 2.0);
     let beside = [most, -most].map(|away| match is_across {
         true => Point::new(middle.x, middle.z + away),
@@ -299,7 +302,7 @@ fn too_deep(stock: &Stock, motion: &Motion, tool: &ResolvedTool, part: &mut Part
     if !beside.iter().any(|point| radii.contains(&point.x) && places.contains(&point.z)) {
         return None;
     }
-    // What of the insert goes deeper than it may; the common part costs far more.
+    // The area cut by the part of the insert beyond the permitted depth. This intersection costs far more.
     let deeper = [1.0, -1.0].map(|side| match is_across {
         true => tool.takes.beyond(most, Point::new(0.0, side)).along_line(from, to),
         false => tool.takes.beyond(most, Point::new(side, 0.0)).along_line(from, to),

@@ -1,8 +1,7 @@
-//! Which tool and which blank a program is run with: those of the setup, and inferred ones
-//! for what it does not name.
+//! The tools and the blank of a run: from the setup, or inferred if the setup does not give them.
 //!
-//! In: the setup and the motions. Out: a shape for each motion. Says of everything
-//! whether it is given or inferred.
+//! In: the setup and the motions. Out: a shape for each motion, and for everything whether it is given or
+//! inferred.
 
 use std::collections::BTreeSet;
 
@@ -16,14 +15,14 @@ use crate::motion::{CycleFamily, Motion, Motions};
 use crate::setup::{Setup, Side, Stock, Tool, ToolKind};
 use crate::units::Diameter;
 
-/// What a tool or a blank is based on.
+/// The origin of a tool or a blank.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Basis {
-    /// By the setup, or a comment of the program.
+    /// The setup, or a comment of the program.
     Given,
     /// Inferred from the program.
     Inferred,
-    /// Neither: each tool that comes into question would cut into the contour. It takes nothing off.
+    /// Unknown: each possible tool would cut into the contour. It removes nothing.
     Unknown,
 }
 
@@ -36,20 +35,20 @@ pub struct ResolvedTool {
     pub tool: Tool,
     /// Its shape.
     pub shape: Shape,
-    /// What of the work it takes off on its way.
+    /// The outline that removes material along its path.
     pub takes: Outline,
     /// Whether it is given or inferred.
     pub basis: Basis,
-    /// Whether the comments name something that cuts nothing, such as a bar stop.
+    /// Whether comments describe something that cannot cut, such as a bar stop.
     cuts_nothing: bool,
 }
 
-/// How large the part of an inferred tool is that is held against the work, as a share of it:
-/// nothing is known of the rest.
+/// Size of the part of an inferred tool that is checked for collisions, as a share of the tool: the rest is
+/// unknown.
 const TIP: f64 = 0.02;
 
-/// How deep the tip of an inferred tool must be in the work to be reported, mm: what its true edges
-/// leave is not known to less.
+/// Least depth of the tip of an inferred tool in the workpiece to be reported, mm: the surface left by its
+/// real edges is not known more exactly.
 const DEPTH: f64 = 0.5;
 
 /// Tools and blank.
@@ -57,15 +56,15 @@ const DEPTH: f64 = 0.5;
 pub struct ResolvedSetup {
     given: Vec<(u16, u16, ResolvedTool)>,
     inferred: Vec<(u16, Purpose, ResolvedTool)>,
-    /// For what no tool is known of: a program without cuts.
+    /// The tool if no other is known, in a program without cuts.
     other: ResolvedTool,
     stock: Option<(Stock, Basis)>,
-    /// The first motion of each tool that is neither given nor to be inferred.
+    /// The first motion of each tool that is neither given nor can be inferred.
     unknown: Vec<usize>,
 }
 
 impl ResolvedSetup {
-    /// Of a program that has run.
+    /// The tools and the blank of a program that has run.
     pub fn new(motions: &Motions, setup: &Setup) -> Self {
         let inferred =
             InferredSetup::with(motions, &setup.described_tools, setup.described_stock, setup.stock);
@@ -115,7 +114,8 @@ impl ResolvedSetup {
         }
     }
 
-    /// The tool of a motion: of its station and offset, of its station, or the inferred one for what it does.
+    /// The tool of a motion: the given tool with its station and offset, the given tool with its station, or
+    /// the inferred tool for its purpose.
     pub fn tool(&self, motion: &Motion) -> &ResolvedTool {
         let (station, offset) = motion.process.tool;
         let own = self.given.iter().filter(|given| given.0 == station);
@@ -134,13 +134,13 @@ impl ResolvedSetup {
         station > 0 && !self.given.is_empty() && self.given.iter().all(|given| given.0 != station)
     }
 
-    /// The first motion of each tool that is neither given nor to be inferred: each that was tried
-    /// would cut into the contour.
+    /// The first motion of each tool that is neither given nor can be inferred, because each tool that was
+    /// tried would cut into the contour.
     pub fn unknown(&self) -> &[usize] {
         &self.unknown
     }
 
-    /// Whether there is a part to show: a blank, and a tool that takes something off it, where any cuts.
+    /// Whether there is a part to show: a blank, and, if there are cuts, a tool that removes material.
     pub fn shows_part(&self) -> bool {
         let all_unknown = || self.tools().all(|tool| tool.basis == Basis::Unknown);
         self.stock.is_some() && (self.unknown.is_empty() || !all_unknown())
@@ -151,7 +151,7 @@ impl ResolvedSetup {
         self.stock
     }
 
-    /// Whether one of its tools drills and turns itself.
+    /// Whether one of its tools is a live drill.
     pub fn has_live_drill(&self) -> bool {
         self.tools().any(ResolvedTool::is_live_drill)
     }
@@ -165,8 +165,8 @@ impl ResolvedSetup {
     }
 }
 
-/// The stations of drills and taps that turn themselves: those that drill the side of the work, and those between whose
-/// moves C turns, unless they drill on the axis, too.
+/// The stations of live drills and taps: those that drill the side of the workpiece, and those between whose
+/// moves C turns, unless they also drill on the axis.
 fn live_drills(motions: &Motions) -> BTreeSet<u16> {
     let (mut live, mut on_axis) = (BTreeSet::new(), BTreeSet::new());
     for motion in motions.on_workpiece() {
@@ -182,8 +182,8 @@ fn live_drills(motions: &Motions) -> BTreeSet<u16> {
 }
 
 impl ResolvedTool {
-    /// Whether the tool turns itself in a motion, which then takes nothing off all around the axis: a live cutter,
-    /// any tool while C turns and in a hole of the side, and a drill or tap in a hole cycle beside the axis.
+    /// Whether the tool is live in a motion, which then removes nothing all around the axis: a live cutter,
+    /// any tool while C turns or in a hole of the side, and a drill or tap in a hole cycle off the axis.
     pub fn is_live_in(&self, motion: &Motion) -> bool {
         let family = motion.cycle.map(|step| step.cycle.family());
         let reach = self.tool.diameter.unwrap_or(DRILL).radius();
@@ -194,14 +194,14 @@ impl ResolvedTool {
             || self.is_drill() && beside_axis && family == Some(CycleFamily::FaceHole)
     }
 
-    /// The diameter that is assumed for an inferred drill if neither setup nor comments give one.
+    /// The diameter assumed for an inferred drill if neither setup nor comments give one.
     pub fn assumed_diameter(&self) -> Option<Diameter> {
         let is_inferred = self.basis != Basis::Given && self.tool.kind == Some(ToolKind::Drill);
         let is_drill = is_inferred && !self.cuts_nothing;
         (is_drill && self.tool.diameter.is_none()).then_some(DRILL)
     }
 
-    /// Whether it is a drill or tap that turns itself in all its motions.
+    /// Whether it is a drill or tap that is live in all its motions.
     pub fn is_live_drill(&self) -> bool {
         self.is_drill() && self.shape.action == Action::Live
     }
@@ -217,7 +217,7 @@ impl ResolvedTool {
 
     fn inferred(station: u16, tool: Tool) -> Self {
         let mut shape = Shape::of(&tool);
-        // Where in a threading tool its point is, is not known either.
+        // The position of the point in an inferred threading tool is unknown, too.
         shape.core = match tool.kind {
             Some(ToolKind::Threading) => Outline::default(),
             _ => inner(&tool, &shape.edge).near_tip(TIP),
@@ -228,8 +228,8 @@ impl ResolvedTool {
     }
 }
 
-/// What of the edge of an inferred tool lies [`DEPTH`] within it. Of a needle and of a narrow grooving insert nothing does on all
-/// sides: what lies that deep along their own axis.
+/// The part of the edge of an inferred tool that lies [`DEPTH`] inside it. In a needle or a narrow grooving
+/// insert no point lies that deep on all sides, so the depth is measured along the axis of the tool.
 fn inner(tool: &Tool, edge: &Outline) -> Outline {
     let inner = edge.shrunk(DEPTH);
     if inner.points().len() > 2 {

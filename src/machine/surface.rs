@@ -1,9 +1,9 @@
 //! The surface that the tips of all tools leave together, and whether a tool would cut into it.
 //!
-//! In: cuts, as lines from one point to the next. Out: for the outside or the bore how deep each use of a
-//! tool goes at positions along Z, and whether an outline led along them takes off what no tip was led along.
-//! Depths are *heights*: radii for the outside, negative radii for a bore, mm; a cut makes them less. Must
-//! not know which tool is which.
+//! In: cuts, as polylines. Out: for the outside or the bore, how deep each use of a tool goes at positions
+//! along Z, and whether an outline on its path removes material that no tip removes. Depths are *heights*:
+//! radii for the outside, negative radii for a bore, mm; a cut lowers them. Must not know which tool is
+//! which.
 
 use super::sweep::Outline;
 use super::z_positions::{Profile, ZPositions, without_narrow_peaks};
@@ -13,22 +13,22 @@ use crate::order;
 /// Most plunges of a track that are kept.
 const MOST_PLUNGES: usize = 800;
 
-/// What is right beside a place is no further from it than this along Z, mm.
+/// Largest distance along Z that counts as right beside a place, mm.
 const BESIDE: f64 = 0.3;
 
-/// What an inferred tool may cut too deep, mm.
+/// How much too deep an inferred tool may cut, mm.
 pub const GOUGE: f64 = 0.05;
 
-/// How far along Z a guessed tool may shift a wall, mm.
+/// How far along Z an inferred tool may shift a wall, mm.
 pub const SHIFT: f64 = 0.05;
 
-/// The same for a tool that is taken where no other one will do, mm.
+/// The same for a tool that is taken because no other one fits, mm.
 pub const WIDEST_SHIFT: f64 = 0.08;
 
-/// A roughing pass ends no further in front of the last step of a contour than this, mm.
+/// A roughing pass ends at most this far in front of the last step of a contour, mm.
 const ALLOWANCE: f64 = 1.0;
 
-/// On which side of the work a surface is.
+/// The side of the workpiece that a surface is on.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Facing {
     /// Material towards the axis.
@@ -46,17 +46,17 @@ impl Facing {
     }
 }
 
-/// Where a use of a tool is led.
+/// The path of a use of a tool.
 #[derive(Clone, Debug)]
 pub struct Track {
-    /// Least height at each position; infinite where the tip is not led along Z.
+    /// Least height at each position; infinite where the tip does not move along Z.
     pub along: Vec<f64>,
-    /// Ends of straight ways into the work: Z and height.
+    /// Ends of straight moves into the workpiece: Z and height.
     pub plunges: Vec<(f64, f64)>,
 }
 
 impl Track {
-    /// A tool that is not led anywhere yet.
+    /// An empty track.
     pub fn new(positions: &ZPositions) -> Self {
         Self { along: vec![f64::INFINITY; positions.all().len()], plunges: Vec::new() }
     }
@@ -88,26 +88,26 @@ impl Track {
         }
     }
 
-    /// The highest Z where it is led along Z between two heights.
+    /// The greatest Z at which the height of the path along Z is between two heights.
     pub fn highest_between(&self, positions: &ZPositions, low: f64, high: f64) -> Option<f64> {
         let index = self.along.iter().rposition(|height| (low..high).contains(height))?;
         Some(positions.all()[index])
     }
 
-    /// The same without the ways that part the work off: those that end below a height.
+    /// The same track without part-offs: plunges that end below a height.
     pub fn without_parting(&self, least: f64) -> Self {
         let mut track = self.clone();
         track.plunges.retain(|(_, height)| *height > least);
         track
     }
 
-    /// Whether it is led along Z right after a place.
+    /// Whether the path continues along Z right behind a place.
     pub fn goes_on_behind(&self, positions: &ZPositions, z: f64) -> bool {
         self.along[positions.range(z - BESIDE, z - SAME)].iter().any(|height| height.is_finite())
     }
 
-    /// Whether along Z the surface only falls and then rises, from one end of each stretch to the other. An
-    /// arc that is not quite tangent bulges a little, and cuts that meet from two sides leave a narrow peak.
+    /// Whether the surface only falls and then rises along Z. Small bulges are ignored, because an arc may
+    /// not be exactly tangent; so are the narrow peaks between cuts that meet from two sides.
     pub fn is_valley(&self, positions: &ZPositions) -> bool {
         let heights = without_narrow_peaks(positions, &self.along, WIDEST_SHIFT);
         let (mut lowest, mut highest) = (f64::INFINITY, f64::NEG_INFINITY);
@@ -117,7 +117,7 @@ impl Track {
                 return true;
             }
             lowest = lowest.min(height);
-            // Once it rises.
+            // Once the surface rises.
             if height > lowest + GOUGE {
                 highest = highest.max(height);
             }
@@ -125,8 +125,8 @@ impl Track {
         })
     }
 
-    /// The same without plunges where what it is led along ends: the last step of a
-    /// contour may go on into the bar.
+    /// The same track without plunges at the end of its path along Z: the last step of a contour may continue
+    /// into the bar.
     pub fn without_last_step(&self, positions: &ZPositions) -> Self {
         let mut track = self.clone();
         if let Some(back) = self.along.iter().position(|height| height.is_finite()) {
@@ -135,7 +135,7 @@ impl Track {
         track
     }
 
-    /// The same without plunges that end below a surface: they make grooves of their own.
+    /// The same track without plunges that end below a surface, because they make separate grooves.
     pub fn without_grooves(&self, surface: &Surface) -> Self {
         let mut track = self.clone();
         track.plunges.retain(|&(z, height)| surface.is_reached(z, height));
@@ -143,7 +143,7 @@ impl Track {
     }
 }
 
-/// A surface that is to stay.
+/// A surface that must remain.
 #[derive(Clone, Debug)]
 pub struct Surface {
     facing: Facing,
@@ -152,8 +152,8 @@ pub struct Surface {
 }
 
 impl Surface {
-    /// What the tracks leave of a blank whose surface has the height `blank` between `back` and `front`, mm;
-    /// in front of that and beyond it nothing is to remain.
+    /// The surface that the tracks leave of a blank with the given radius between `back` and `front`, mm.
+    /// Outside of these limits nothing must remain.
     pub fn of<'a>(
         tracks: impl Iterator<Item = &'a Track>,
         (facing, positions): (Facing, ZPositions),
@@ -175,7 +175,7 @@ impl Surface {
         Self { facing, positions, heights }
     }
 
-    /// What a track alone leaves; where it is not led along Z nothing is to stay.
+    /// The surface that a single track leaves; where the track does not move along Z, nothing must remain.
     pub fn of_one(track: &Track, (facing, positions): (Facing, ZPositions)) -> Self {
         let stays = |height: &f64| if height.is_finite() { *height } else { f64::NEG_INFINITY };
         let heights: Vec<f64> = track.along.iter().map(stays).collect();
@@ -183,26 +183,27 @@ impl Surface {
         Self { facing, positions, heights }
     }
 
-    /// Whether each plunge of a track behind `front` ends on or above the surface, so that
-    /// no ring is left beside it.
+    /// Whether each plunge of a track behind `front` ends on or above the surface, so that no ring is left
+    /// beside it.
     pub fn clears_plunges(&self, track: &Track, front: f64) -> bool {
         let mut behind = track.plunges.iter().filter(|(z, _)| *z < front - SAME);
         behind.all(|&(z, height)| self.is_reached(z, height))
     }
 
-    /// Whether the surface is as deep as this at a place, or right beside it.
+    /// Whether the surface is as deep as `height` at a place or right beside it.
     fn is_reached(&self, z: f64, height: f64) -> bool {
         let near = self.positions.range(z - BESIDE, z + BESIDE);
         self.heights[near].iter().any(|own| *own <= height + GOUGE)
     }
 
-    /// Whether an outline led along a track takes off any of it, walls apart that it shifts by
-    /// no more than `shift`, mm.
+    /// Whether an outline on a track cuts into the surface, except for walls that it shifts by at most
+    /// `shift`, mm.
     ///
     /// Track, surface and edge are straight between their points. So the outline is deepest in the surface
-    /// where two of three meet: a point of the track, a point of the surface, a corner of the edge.
+    /// where two of the three have a point: a point of the track, a point of the surface, a corner of the
+    /// edge.
     pub fn is_gouged(&self, outline: &Outline, track: &Track, shift: f64) -> bool {
-        // ZPositions do not show exactly where a wall is.
+        // The positions do not show exactly where a wall is.
         let edge = Edge::of(outline, self.facing).narrowed(shift.max(self.positions.exact_to()));
         let led = self.positions.all().iter().copied().zip(track.along.iter().copied());
         let led: Vec<(f64, f64)> = led.filter(|(_, height)| height.is_finite()).collect();
@@ -211,8 +212,7 @@ impl Surface {
         self.is_below(&edge, &led) || self.is_below(&edge, &plunges) || self.is_above(&edge, track)
     }
 
-    /// Whether an edge takes off any of the surface while its tip stands at some
-    /// places, in ascending order of Z.
+    /// Whether an edge cuts into the surface while its tip is at the given places, in ascending order of Z.
     fn is_below(&self, edge: &Edge, tips: &[(f64, f64)]) -> bool {
         let cuts_points = |side: &[Point]| {
             let (a, b) = (side[0], side[1]);
@@ -232,7 +232,7 @@ impl Surface {
         edge.0.windows(2).any(cuts_points) || edge.0.iter().any(cuts_with_corner)
     }
 
-    /// Whether a corner of an edge led along a track comes below a point of the surface.
+    /// Whether a corner of an edge on a track goes below a point of the surface.
     fn is_above(&self, edge: &Edge, track: &Track) -> bool {
         edge.0.iter().any(|corner| {
             let mut led = Profile::new(&self.positions, &track.along);
@@ -244,7 +244,7 @@ impl Surface {
     }
 }
 
-/// The side of an outline that looks at the work: Z and height of its corners, from −Z on.
+/// The side of an outline that faces the workpiece: Z and height of its corners, from −Z on.
 struct Edge(Vec<Point>);
 
 impl Edge {
@@ -254,7 +254,7 @@ impl Edge {
         order::by(&mut points, |a, b| {
             (a.z, a.x).partial_cmp(&(b.z, b.x)).unwrap_or(std::cmp::Ordering::Equal)
         });
-        // The lower half of Andrew's chains: the outline is convex.
+        // The lower chain of Andrew's algorithm: the outline is convex.
         let mut lower: Vec<Point> = Vec::with_capacity(points.len());
         for point in points {
             while let [.., a, b] = lower[..]
@@ -269,7 +269,7 @@ impl Edge {
         Self(lower)
     }
 
-    /// The same without so much of both ends, mm.
+    /// The same edge, shorter by `by` at both ends, mm.
     fn narrowed(&self, by: f64) -> Self {
         let (Some(first), Some(last)) = (self.0.first(), self.0.last()) else { return Self(Vec::new()) };
         let (left, right) = (first.z + by, last.z - by);
@@ -281,7 +281,7 @@ impl Edge {
         Self([end(left)].into_iter().chain(inner).chain([end(right)]).collect())
     }
 
-    /// Height above the tip at a place beside it.
+    /// Height above the tip at `z`.
     fn height(&self, z: f64) -> f64 {
         let next = self.0.partition_point(|point| point.z < z).clamp(1, self.0.len().max(2) - 1);
         match (self.0.get(next - 1), self.0.get(next)) {

@@ -1,19 +1,18 @@
 //! The area that a tool sweeps.
 //!
-//! In: the outline of a tool and the way of its tip. Out: outlines of all it touches. Straight ways are
-//! exact; arcs are cut into chords that stay within [`CHORD`] of them. Must not know what is cut.
+//! In: the outline of a tool and the path of its tip. Out: outlines of the swept area. Straight paths are
+//! exact; arcs are approximated by chords within [`CHORD`]. Must not know what is cut.
 
 use crate::geometry::{Arc, Point};
 use crate::motion::Motion;
 
-/// How far a chord may be from its arc, mm. A part's radius is exact to twice as much.
+/// Greatest distance of a chord from its arc, mm. The radius of a part is exact to twice this.
 pub const CHORD: f64 = 0.002;
 
 /// Most chords of one arc.
 const MOST_CHORDS: f64 = 2000.0;
 
-/// A closed convex outline, counter-clockwise with Z to the right and X up; the tip it
-/// belongs to is at the origin.
+/// A closed convex outline, counter-clockwise with Z to the right and X up. The tip is at the origin.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Outline {
     points: Vec<Point>,
@@ -22,14 +21,14 @@ pub struct Outline {
 impl Outline {
     /// The smallest convex outline around some points.
     pub fn around(points: impl IntoIterator<Item = Point>) -> Self {
-        // A few dozen points: put in one by one, which is less code in the page than a sort.
+        // With a few dozen points an insertion sort is fast enough, and smaller in the module than `sort`.
         let mut sorted: Vec<Point> = Vec::new();
         for point in points {
             let is_before = |other: &Point| (other.z, other.x) < (point.z, point.x);
             sorted.insert(sorted.partition_point(is_before), point);
         }
         sorted.dedup_by(|a, b| a.is_same(*b));
-        // Andrew's two chains: below from left to right, above back.
+        // Andrew's two chains: the lower one from left to right, the upper one back.
         let mut points: Vec<Point> = Vec::with_capacity(sorted.len() + 1);
         for half in [sorted.to_vec(), sorted.into_iter().rev().collect()] {
             let begin = points.len();
@@ -51,13 +50,13 @@ impl Outline {
         &self.points
     }
 
-    /// Where it is when the tip stands at a place.
+    /// The outline with the tip at a point.
     pub fn at(&self, tip: Point) -> Vec<Point> {
         self.points.iter().map(|point| point.moved(tip)).collect()
     }
 
-    /// The area it sweeps while the tip goes straight; nothing of nothing: the parts of the edge that look
-    /// ahead stand at the end, the others at the start.
+    /// The area swept while the tip moves straight; empty for an empty outline. The edges that face forwards
+    /// are at the end of the path, the others at the start.
     pub fn along_line(&self, from: Point, to: Point) -> Vec<Point> {
         let (dx, dz) = (to.x - from.x, to.z - from.z);
         let count = self.points.len();
@@ -66,7 +65,7 @@ impl Outline {
         }
         let looks_ahead = |index: usize| {
             let (a, b) = (self.points[index % count], self.points[(index + 1) % count]);
-            // The normal to the right of the edge, which points outwards, against the direction.
+            // The component along the path of the normal to the right of the edge, which points outwards.
             (b.x - a.x) * dz - (b.z - a.z) * dx > 0.0
         };
         let mut outline = Vec::with_capacity(count + 2);
@@ -84,13 +83,12 @@ impl Outline {
         outline
     }
 
-    /// The area it sweeps while the tip goes through the points, one outline for each straight piece.
+    /// The area swept while the tip moves through the points, one outline for each straight piece.
     pub fn along(&self, way: &[Point]) -> impl Iterator<Item = Vec<Point>> {
         way.windows(2).map(|ends| self.along_line(ends[0], ends[1]))
     }
 
-    /// The part of it that is nearest to the tip: the same outline, so many times as large,
-    /// about its nearest corner.
+    /// The part of the outline nearest to the tip: the outline scaled by `share` about its nearest corner.
     pub fn near_tip(&self, share: f64) -> Self {
         let from_tip = |point: &Point| point.distance(Point::default());
         let nearest = self
@@ -105,13 +103,13 @@ impl Outline {
         Self { points: points.collect() }
     }
 
-    /// The part of it that lies at least `by` mm from the tip in a direction of length 1.
+    /// The part of the outline at least `by` mm from the tip in a direction of length 1.
     pub fn beyond(&self, by: f64, direction: Point) -> Self {
         let depth = |point: Point| point.x * direction.x + point.z * direction.z - by;
         Self { points: cut_off(&self.points, depth) }
     }
 
-    /// The same outline, smaller by `by` mm on all sides; nothing is left of a very small one.
+    /// The outline shrunk by `by` mm on all sides; empty if it is too small.
     pub fn shrunk(&self, by: f64) -> Self {
         let count = self.points.len();
         let mut points = self.points.clone();
@@ -121,7 +119,7 @@ impl Outline {
             if length <= 0.0 {
                 continue;
             }
-            // Everything outside the line `by` inside of this edge goes.
+            // Removes everything outside the line `by` inside this edge.
             let (nx, nz) = (-(b.z - a.z) / length, (b.x - a.x) / length);
             let depth = |point: Point| -((point.x - a.x) * nx + (point.z - a.z) * nz) - by;
             points = cut_off(&points, depth);
@@ -130,12 +128,12 @@ impl Outline {
     }
 }
 
-/// The points that straight lines join to the way of a motion in the plane of turning.
+/// The points of the path of a motion in the turning plane, to be joined by straight lines.
 pub fn way_of(motion: &Motion) -> Vec<Point> {
     motion.arc().map_or_else(|| vec![motion.from, motion.to], |arc| chords(&arc))
 }
 
-/// The points of an arc that straight lines join within [`CHORD`], its ends among them.
+/// The points of an arc, including its ends, whose chords stay within [`CHORD`] of the arc.
 pub fn chords(arc: &Arc) -> Vec<Point> {
     let radius = arc.radius().max(CHORD);
     let widest = 2.0 * (1.0 - CHORD / radius).max(-1.0).acos();
@@ -144,7 +142,7 @@ pub fn chords(arc: &Arc) -> Vec<Point> {
     [arc.start].into_iter().chain(inside).chain([arc.end]).collect()
 }
 
-/// The part of a convex outline where `depth` is not negative; it must be linear.
+/// The part of a convex outline where `depth`, a linear function, is not negative.
 fn cut_off(points: &[Point], depth: impl Fn(Point) -> f64) -> Vec<Point> {
     let mut kept = Vec::with_capacity(points.len() + 1);
     for (index, &point) in points.iter().enumerate() {
@@ -161,7 +159,7 @@ fn cut_off(points: &[Point], depth: impl Fn(Point) -> f64) -> Vec<Point> {
     kept
 }
 
-/// Positive where the way from `a` over `b` to `c` turns to the left.
+/// Positive if the path from `a` through `b` to `c` turns left.
 fn turn(a: Point, b: Point, c: Point) -> f64 {
     (b.z - a.z) * (c.x - a.x) - (b.x - a.x) * (c.z - a.z)
 }

@@ -1,26 +1,27 @@
-//! How deep a thread is, measured from the work before its first pass.
+//! Checks the depth of a thread, measured from the workpiece before its first pass.
 //!
-//! In: the cuts of threads one after the other, with the work before each. Out: an [`UnusualDepth`] at the deepest
-//! pass. G76 gives its height itself, and is not looked at.
+//! In: the cuts of threads in order, with the workpiece before each. Out: an [`UnusualDepth`] at the deepest
+//! pass. G76 states its height itself and is not checked.
 
 use super::region::Region;
 use crate::geometry::SAME;
 use crate::motion::{Cycle, Motion};
 
-/// Depth on one side as a share of the pitch: 0.28 to 0.3 for the round threads of bottles and lamps, 0.5 for
-/// trapezoidal, 0.54 to 0.65 for triangular, 0.87 for buttress threads.
+/// Usual depth on one side as a share of the pitch: 0.28 to 0.3 for the round threads of bottles and lamps,
+/// 0.5 for trapezoidal, 0.54 to 0.65 for triangular, 0.87 for buttress threads.
 const SHARE: std::ops::RangeInclusive<f64> = 0.27..=1.0;
 
-/// Beyond this lead a helix may be an oil groove, or have many starts: its depth does not follow from it, mm.
+/// Above this lead, mm, a helix may be an oil groove or have many starts, and its depth does not follow from
+/// its lead.
 const COARSE: f64 = 8.0;
 
-/// Lengths this near are the same, mm.
+/// Lengths that differ by at most this are equal, mm.
 const NEAR: f64 = 0.001;
 
-/// Fewer passes are no whole thread.
+/// Least number of passes of a complete thread.
 const FEW: u32 = 3;
 
-/// A depth that does not fit its lead.
+/// A depth that does not fit the lead.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct UnusualDepth {
     /// The deepest pass.
@@ -31,7 +32,7 @@ pub struct UnusualDepth {
     pub lead: f64,
 }
 
-/// The thread under way.
+/// The current thread.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Threads {
     thread: Option<Thread>,
@@ -45,22 +46,23 @@ struct Thread {
     end: f64,
     /// Z of the start of its first pass.
     start: f64,
-    /// Radius of the work before its first pass, and 1 where deeper is a smaller radius, -1 in a bore.
+    /// Radius of the workpiece before its first pass, and the sign: 1 outside, where deeper is a smaller
+    /// radius, −1 in a bore.
     crest: (f64, f64),
-    /// Depth of the last pass below the crest, and of the deepest, mm.
+    /// Depth of the last pass below the crest, and of the deepest pass, mm.
     depths: (f64, f64),
     /// Its deepest pass.
     motion: usize,
-    /// Passes, each deeper than the one before.
+    /// Number of passes that are each deeper than the one before.
     passes: u32,
-    /// Several starts show: a pass starts elsewhere, is less deep, or goes on deeper after one as deep as
-    /// the one before.
+    /// Whether there are several starts: a pass begins elsewhere, is less deep, or gets deeper after one as
+    /// deep as the one before.
     has_starts: bool,
     repeats: u32,
 }
 
 impl Threads {
-    /// A cut along a thread; returns what is unusual about the thread before, if that is over.
+    /// Adds a cut along a thread. Returns the unusual depth of the thread before, if that is over.
     pub fn pass<'a>(
         &mut self,
         index: usize,
@@ -105,7 +107,7 @@ impl Threads {
         over
     }
 
-    /// The thread under way is over.
+    /// Ends the current thread.
     pub fn close(&mut self) -> Option<UnusualDepth> {
         let Thread { lead, depths: (_, depth), motion, passes, has_starts, .. } = self.thread.take()?;
         let share = depth / lead;
@@ -135,8 +137,8 @@ impl Thread {
     }
 }
 
-/// The radius of the work at the middle of a thread, and on which side of it the tool stands: 1 outside,
-/// -1 in a bore. Nothing where there is no work.
+/// The radius of the workpiece at the middle of a thread, and the side of the tool: 1 outside, −1 in a bore.
+/// None if there is no material.
 pub(super) fn crest(work: &Region, motion: &Motion, lead: f64) -> Option<(f64, f64)> {
     let middle = (motion.from.z + motion.to.z) / 2.0;
     let places = || (-2..=2).map(|step| work.radii(middle + lead * f64::from(step) / 4.0));

@@ -1,8 +1,8 @@
-//! How a threading tool looks near its point.
+//! The shape of a threading tool near its point.
 //!
-//! In: a [`Tool`], and the pitch it cuts. Out: measures of the insert. Where nothing is said it is a
-//! usual lay-down insert: a tooth for one pitch, and little more beside it, so that it reaches a
-//! shoulder next to a relief groove.
+//! In: a [`Tool`], and the pitch it cuts. Out: measures of the insert. The default is a usual lay-down
+//! insert: a tooth for one pitch, and little more beside it, so that it reaches a shoulder next to a relief
+//! groove.
 
 use std::collections::BTreeMap;
 
@@ -11,17 +11,17 @@ use crate::motion::{MotionKind, Motions};
 use crate::setup::thread_insert::Hand;
 use crate::setup::{Tool, ToolKind};
 
-/// Pitch of a tool of which nothing is said, mm: the largest that inserts of size 16 are made for.
+/// Default pitch, mm: the largest that inserts of size 16 are made for.
 const PITCH: f64 = 3.0;
 
-/// Thread angle of which nothing is said, degrees.
+/// Default thread angle, degrees.
 pub(super) const THREAD: f64 = 60.0;
 
-/// From the point to the end of the insert along Z: so many times the pitch, and so much more, mm. Tables of
-/// lay-down inserts have 0.7 mm for a pitch of 1 mm, 1.5 for 2.5 (size 16) and 2.3 for 4 (size 22).
+/// Distance from the point to the end of the insert along Z: a multiple of the pitch, and a constant in mm.
+/// Tables of lay-down inserts have 0.7 mm for a pitch of 1 mm, 1.5 for 2.5 (size 16) and 2.3 for 4 (size 22).
 const BESIDE: (f64, f64) = (0.55, 0.1);
 
-/// Usual lengths of a lay-down insert's edge, and the largest pitch of each, mm.
+/// Usual edge lengths of lay-down inserts, and the largest pitch of each, mm.
 const SIZES: [(f64, f64); 3] = [(16.0, 3.0), (22.0, 6.0), (27.0, 12.0)];
 
 /// The measures of a threading tool, mm and degrees.
@@ -29,23 +29,23 @@ const SIZES: [(f64, f64); 3] = [(16.0, 3.0), (22.0, 6.0), (27.0, 12.0)];
 pub struct ThreadPoint {
     /// Angle between the flanks.
     pub angle: f64,
-    /// Length of each flank, from the corner it would have without a nose.
+    /// Length of each flank, from the corner that the insert would have without a nose radius.
     pub flank: f64,
-    /// How far the insert reaches from its point across the axis.
+    /// Length of the insert from its point across the axis.
     pub height: f64,
-    /// Which hand it is.
+    /// Hand of the tool.
     pub hand: Hand,
 }
 
 impl ThreadPoint {
-    /// That of a tool.
+    /// The measures of a tool.
     pub fn of(tool: &Tool) -> Self {
         let insert = tool.thread_insert();
         let angle = tool.angle.or(insert.and_then(|insert| insert.angle)).unwrap_or(THREAD);
         let half = angle.to_radians() / 2.0;
         let pitch = insert.and_then(|insert| insert.pitch).unwrap_or(PITCH);
         let flank = tool.edge_length.unwrap_or_else(|| beside(pitch) / half.sin());
-        // The pitch that such a flank is for.
+        // The pitch that fits this flank.
         let pitch = (flank * half.sin() - BESIDE.1) / BESIDE.0;
         let usual = SIZES.iter().find(|size| pitch <= size.1 + 0.01).map_or(0.0, |size| size.0);
         let size = insert.map_or(usual, |insert| insert.size);
@@ -58,8 +58,8 @@ fn beside(pitch: f64) -> f64 {
     BESIDE.0 * pitch + BESIDE.1
 }
 
-/// A threading tool for the pitch that it cuts, mm, where it does not say itself what it
-/// is for; any other as it is.
+/// A threading tool made for a pitch in mm, if it does not give its pitch or edge length itself. Any other
+/// tool is returned unchanged.
 pub fn for_pitch(tool: &Tool, pitch: Option<f64>) -> Tool {
     let says =
         tool.edge_length.is_some() || tool.thread_insert().is_some_and(|insert| insert.pitch.is_some());
@@ -72,7 +72,7 @@ pub fn for_pitch(tool: &Tool, pitch: Option<f64>) -> Tool {
     }
 }
 
-/// The largest lead that each station cuts, mm. Of a thread with many starts it stands for the pitch.
+/// The largest lead that each station cuts, mm. It is used as the pitch, also for threads with many starts.
 pub fn leads(motions: &Motions) -> BTreeMap<u16, f64> {
     let mut leads: BTreeMap<u16, f64> = BTreeMap::new();
     let threads =

@@ -1,37 +1,38 @@
-//! What is left between the end of a thread and a shoulder beyond it.
+//! Checks the distance between the end of a thread and a shoulder beyond it.
 //!
-//! In: the cuts of threads one after the other, with the work before each. Out: a [`ShortRunOut`] at the first pass of a
-//! thread whose slide cannot come to rest before the shoulder. Must not know messages.
+//! In: the cuts of threads in order, with the workpiece before each. Out: a [`ShortRunOut`] at the first pass
+//! of a thread whose slide cannot stop before the shoulder. Must not know messages.
 
 use super::region::Region;
 use super::thread_depth::crest;
 use crate::geometry::{Point, SAME};
 use crate::motion::{Motion, SpindleSpeed};
 
-/// So much above the crest of the thread begins a shoulder, mm: less is a burr or the diameter before finishing.
+/// Least height of a shoulder above the crest of the thread, mm: less is a burr or the diameter before
+/// finishing.
 const SHOULDER: f64 = 0.5;
 
 /// δ2 = n·L / 1800 (seed 001).
 const RUN_OUT: f64 = 1800.0;
 
-/// In so many steps the way beyond the end is looked at.
+/// Number of steps in which the path beyond the end is checked.
 const STEPS: u32 = 20;
 
 /// A thread that ends too near a shoulder. Lengths in mm.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ShortRunOut {
-    /// From its end to the shoulder.
+    /// Distance from its end to the shoulder.
     pub have: f64,
-    /// The way in which the slide comes to rest.
+    /// Distance in which the slide stops.
     pub need: f64,
 }
 
-/// The thread under way: its tool, and Z of its end.
+/// The current thread: its tool, and Z of its end.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct RunOuts(Option<((u16, u16), f64)>);
 
 impl RunOuts {
-    /// A cut along a thread; returns its run-out where that is too short and it is the first pass.
+    /// Adds a cut along a thread. Returns its run-out if that is too short and this is the first pass.
     pub fn pass<'a>(&mut self, motion: &Motion, work: impl FnOnce() -> &'a Region) -> Option<ShortRunOut> {
         let (from, to) = (motion.from, motion.to);
         let lead = motion.lead?.abs();
@@ -53,7 +54,7 @@ impl RunOuts {
         };
         let at = |step: u32| need * f64::from(step) / f64::from(STEPS);
         let wall = (0..STEPS).find(|&step| is_wall(at(step + 1)))?;
-        // In the shoulder itself the tool comes out at rapid: that is reported.
+        // A tool that ends its pass inside the shoulder leaves it at rapid, which is reported as a collision.
         (!is_wall(-at(1))).then(|| ShortRunOut { have: at(wall), need })
     }
 }

@@ -1,4 +1,4 @@
-//! Where the tip is after tool changes: a tool that is changed near the work comes from an unknown place.
+//! The position of the tip after tool changes: after a change near the workpiece it is unknown.
 //!
 //! In: the motions in order. Out: which part of each path is known. Must not depend on the blank.
 
@@ -8,25 +8,27 @@ use crate::motion::Motion;
 /// The known part of the path of a motion.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Route {
-    /// All of it.
+    /// The whole path.
     Known,
-    /// Its end: the tool was changed near the work before it.
+    /// The end: the tool was changed near the workpiece before this motion.
     EndKnown,
-    /// Not its end either.
+    /// Nothing, not even the end.
     Unknown,
 }
 
-/// Which coordinates of the tip are unknown.
+/// The unknown coordinates of the tip.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct TipPlace {
     /// Station of the tool of the last motion.
     station: Option<u16>,
-    /// Axes whose place is not known, X and Z: the tool was changed near the work, and they have not moved since.
+    /// Axes whose position is unknown, X and Z: the tool was changed near the workpiece, and the axis has not
+    /// moved since.
     unknown: [bool; 2],
 }
 
 impl TipPlace {
-    /// Takes in the next motion. `is_near`: it begins near the work, where tools are not changed.
+    /// Adds the next motion. `is_near` tells whether it begins near the workpiece, where tools are not
+    /// changed.
     pub fn follow(&mut self, motion: &Motion, is_near: bool) -> Route {
         let station = motion.process.tool.0;
         if self.station.replace(station).is_some_and(|last| last != station) && is_near {

@@ -1,8 +1,8 @@
-//! The outline of a tool: what of it cuts, and what must touch nothing.
+//! The outline of a tool: the cutting part, and the part that must not touch anything.
 //!
-//! In: a [`Tool`] of the setup. Out: convex outlines about the point that follows the program (the
-//! imaginary tip), in mm, as the tool stands at the upper half of the section. Angles are measured from +Z
-//! towards +X. Must not know programs.
+//! In: a [`Tool`] of the setup. Out: convex outlines about the programmed point (the imaginary tip), in mm,
+//! for a tool at the upper half of the section. Angles are measured from +Z towards +X. Must not know
+//! programs.
 
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
@@ -14,73 +14,75 @@ use crate::setup::thread_insert::Hand;
 use crate::setup::{Side, Tool, ToolKind};
 use crate::units::Diameter;
 
-/// Edge of an insert of which nothing is said, mm.
+/// Default insert edge length, mm.
 pub(super) const EDGE: f64 = 12.0;
 
-/// Entering angle of a turning or boring tool of which nothing is said, degrees.
+/// Default entering angle of a turning or boring tool, degrees.
 pub(super) const ENTERING: f64 = 95.0;
 
-/// The same for a square insert or a blunter one, at most.
+/// Largest default entering angle of a square or blunter insert, degrees.
 const SQUARE_ENTERING: f64 = 75.0;
 
-/// Insert of which nothing is said: a rhombus of 80°, degrees.
+/// Default point angle of an insert, degrees: a rhombus of 80°.
 pub(super) const POINT: f64 = 80.0;
 
-/// Width of a grooving insert of which nothing is said, mm.
+/// Default width of a grooving insert, mm.
 pub(super) const BLADE: f64 = 3.0;
 
-/// Diameter of a drill of which nothing is said, mm.
+/// Default diameter of a drill, mm.
 pub(super) const DRILL: Diameter = Diameter::new(10.0);
 
-/// Angle of a drill's point of which nothing is said, degrees.
+/// Default point angle of a drill, degrees.
 pub(super) const DRILL_POINT: f64 = 118.0;
 
-/// Longer than anything it could be held against, mm.
+/// Longer than any workpiece, mm.
 pub const LONG: f64 = 400.0;
 
 /// Side of the square shank of a turning tool, mm.
 const SHANK: f64 = 25.0;
 
-/// How a tool takes material away.
+/// How a tool removes material.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Action {
-    /// The area it sweeps.
+    /// It removes the area it sweeps.
     Turning,
-    /// A groove for each spindle revolution in a synchronized motion, else the area it sweeps.
+    /// It cuts a groove for each spindle revolution in a synchronized motion, otherwise it removes the area
+    /// it sweeps.
     Threading,
-    /// Nothing of the turned profile: it turns itself.
+    /// It is live and removes nothing from the turned profile.
     Live,
 }
 
-/// A tool as it is drawn and as it cuts.
+/// The outlines of a tool, for drawing and cutting.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Shape {
-    /// How it cuts.
+    /// How it removes material.
     pub action: Action,
     /// The cutting part.
     pub edge: Outline,
-    /// The same, a little smaller: what touches the work without cutting into it, does not meet this.
+    /// The cutting part, slightly smaller: an edge that touches the workpiece without cutting it does not
+    /// overlap this.
     pub core: Outline,
-    /// The holder, as far as it is known.
+    /// The holder, if it is known.
     pub body: Option<Outline>,
     /// Nose radius, mm.
     pub nose: f64,
-    /// Of a turning or boring insert the angle of the edge behind the tip to the spindle axis, radians: no
-    /// slope that falls more steeply can be followed.
+    /// For a turning or boring insert, the angle between the edge behind the tip and the spindle axis,
+    /// radians: the insert cannot follow a slope that falls more steeply.
     pub trailing: Option<f64>,
 }
 
-/// How much smaller the core is, mm: below it a touch is a touch.
+/// How much smaller the core is, mm: a smaller overlap counts as contact.
 const CORE: f64 = 0.01;
 
-/// Which way the tool's body lies from its tip: from the imaginary tip to the centre of its nose, as the
-/// table of tip directions in the Haas lathe manual has it.
+/// The direction of the tool's body from its tip: from the imaginary tip to the centre of its nose, as in the
+/// table of tip directions in the Haas lathe manual.
 fn body_direction(tip: u8) -> Vector {
     Nose { radius: 1.0, tip }.vector()
 }
 
 impl Shape {
-    /// What of it must not meet anything unawares: the cutting part, and the holder as far as it is known.
+    /// The parts that can collide: the cutting part, and the holder if it is known.
     pub fn solids(&self) -> impl Iterator<Item = &Outline> {
         [Some(&self.core), self.body.as_ref()].into_iter().flatten()
     }
@@ -136,7 +138,7 @@ fn insert(tool: &Tool, kind: ToolKind) -> (Outline, Option<Outline>) {
         return (Outline::around(circle(center, radius, 0.0, TAU)), None);
     };
     let nose = tool.nose();
-    // Built as a tool that points to the lower left, or straight down, and turned over after that.
+    // Built as a tool that points to the lower left, or straight down, then mirrored.
     let (low, high) = match (direction.x == 0.0, direction.z == 0.0) {
         (false, true) => (FRAC_PI_2 - point / 2.0, FRAC_PI_2 + point / 2.0),
         (true, false) => (-point / 2.0, point / 2.0),
@@ -154,7 +156,7 @@ fn insert(tool: &Tool, kind: ToolKind) -> (Outline, Option<Outline>) {
             if direction.z < 0.0 { -point.z } else { point.z },
         )
     };
-    // The holder begins a little behind the edges.
+    // The holder begins slightly behind the edges.
     let far = far_corner(low, high, center, nose, length);
     let inside = points
         .iter()
@@ -170,7 +172,7 @@ fn insert(tool: &Tool, kind: ToolKind) -> (Outline, Option<Outline>) {
                 .chain(rectangle((left, left + SHANK), (top, LONG)))
                 .map(|point| over(&point)),
         )),
-        // A round bar along it, whose upper side is a little below the edge.
+        // A round bar along the axis, whose upper side is slightly below the edge.
         _ => tool.shank.map(|bar| {
             let low = seat.iter().map(|point| point.x).fold(f64::INFINITY, f64::min);
             Outline::around(
@@ -184,14 +186,13 @@ fn insert(tool: &Tool, kind: ToolKind) -> (Outline, Option<Outline>) {
     (Outline::around(points.iter().map(over)), body)
 }
 
-/// Entering angle and angle between the edges of a turning or boring insert,
-/// radians; nothing for a round one.
+/// Entering angle and point angle of a turning or boring insert, radians. None for a round one.
 fn angles(tool: &Tool) -> Option<(f64, f64)> {
     let point = match (tool.point_angle, tool.insert()) {
         (None, Some(written)) => written.point_angle?,
         (own, _) => own.unwrap_or(POINT),
     };
-    // A square insert at 95° would cut with the edge behind its tip, deeper than the program says.
+    // A square insert at 95° would cut with the edge behind its tip, deeper than programmed.
     let usual = if point <= 80.0 { ENTERING } else { (175.0 - point).min(SQUARE_ENTERING) };
     Some((tool.entering_angle.unwrap_or(usual).to_radians(), point.to_radians()))
 }
@@ -202,7 +203,7 @@ fn blade(tool: &Tool) -> (Outline, Option<Outline>) {
     let nose = tool.nose().min(width / 2.0);
     let direction = body_direction(tool.tip_direction());
     let side = tool.side.unwrap_or_default();
-    // Built as one that cuts outsides: width along Z, reach along X.
+    // Built as an insert for outside grooves: width along Z, reach along X.
     let across = match side {
         Side::Outside | Side::Inside => direction.z,
         Side::Face => direction.x,
@@ -227,7 +228,7 @@ fn blade(tool: &Tool) -> (Outline, Option<Outline>) {
     (Outline::around(points.into_iter().map(turned)), body)
 }
 
-/// A threading insert and its holder: the point, and as wide as its flanks end the insert above it.
+/// A threading insert and its holder: the point, and above it a block as wide as the flanks at their ends.
 fn thread(tool: &Tool) -> (Outline, Option<Outline>) {
     let ThreadPoint { angle, flank, height, hand } = ThreadPoint::of(tool);
     let half = angle.to_radians() / 2.0;
@@ -251,7 +252,8 @@ fn thread(tool: &Tool) -> (Outline, Option<Outline>) {
     (Outline::around(edge), body)
 }
 
-/// A drill or a tap, and what holds it. The program leads its point, or, with tip direction 6, the edge of a flat drill.
+/// A drill or a tap, and its holder. The programmed point is its tip, or, with tip direction 6, the edge of a
+/// flat drill.
 fn drill(tool: &Tool, kind: ToolKind) -> (Outline, Option<Outline>) {
     let radius = tool.diameter.unwrap_or(DRILL).radius();
     if tool.tip == Some(6) {
@@ -272,15 +274,15 @@ fn drill(tool: &Tool, kind: ToolKind) -> (Outline, Option<Outline>) {
     (Outline::around(body.into_iter().chain([Point::default()])), holder)
 }
 
-/// How many corners an insert has.
+/// Number of corners of an insert.
 #[derive(Clone, Copy)]
 enum Corners {
     Three,
     Four,
 }
 
-/// Corners of an insert between two edges in the directions `low` and `high`, round about `center` with
-/// radius `nose`; `length` is that of an edge from the corner it would have without a nose.
+/// Corners of an insert between two edges in the directions `low` and `high`, rounded about `center` with
+/// radius `nose`. `length` is that of an edge from the corner that it would have without a nose.
 fn wedge(low: f64, high: f64, center: Point, nose: f64, length: f64, corners: Corners) -> Vec<Point> {
     let half = (high - low) / 2.0;
     let (sharp, left) = (sharp_corner(low, high, center, nose), length.max(1.01 * nose / half.tan()));
@@ -305,8 +307,8 @@ fn ahead(from: Point, direction: f64, length: f64) -> Point {
     Point::new(from.x + length * direction.sin(), from.z + length * direction.cos())
 }
 
-/// Points on a circle from an angle on, counter-clockwise, joined by chords that stay within half of
-/// [`CHORD`] on either side of it; the centre itself where there is no radius.
+/// Points on a circle from an angle on, counter-clockwise; their chords stay within half of [`CHORD`] on
+/// either side of the circle. Only the centre if the radius is zero.
 fn circle(center: Point, radius: f64, from: f64, sweep: f64) -> Vec<Point> {
     if radius <= 0.0 {
         return vec![center];
@@ -328,12 +330,12 @@ fn rectangle(z: (f64, f64), x: (f64, f64)) -> [Point; 4] {
     [Point::new(x.0, z.0), Point::new(x.0, z.1), Point::new(x.1, z.1), Point::new(x.1, z.0)]
 }
 
-/// What an inferred tool takes off.
+/// The outline with which an inferred tool removes material.
 pub(super) fn takes(tool: &Tool) -> Outline {
     over_edge(tool, &Shape::of(tool))
 }
 
-/// The edge length of an inferred insert is seldom known: nothing is left standing over it then.
+/// The edge length of an inferred insert is usually unknown, so it leaves no material above it.
 pub(super) fn over_edge(tool: &Tool, shape: &Shape) -> Outline {
     let over = match tool.kind.filter(|_| tool.edge_length.is_none()) {
         Some(ToolKind::Turning) => LONG,
@@ -352,7 +354,7 @@ mod tests {
         Shape::of(&serde_json::from_str(json).expect("a tool"))
     }
 
-    /// The extents of the cutting part: minimum and maximum Z, minimum and maximum X.
+    /// Checks the extents of the cutting part: minimum and maximum Z, minimum and maximum X.
     fn check(json: &str, expected: [f64; 4]) {
         let edge = shape(json).edge;
         let fold = |of: fn(&Point) -> f64| {
@@ -371,7 +373,7 @@ mod tests {
         let reach = 12.0 * (5f64.to_radians().cos() + 85f64.to_radians().cos());
         check(r#"{"type": "turning"}"#, [0.0, reach, 0.0, reach]);
         check(r#"{"type": "boring"}"#, [0.0, reach, -reach, 0.0]);
-        // A square one stands at 75°: nothing of it is below the tip.
+        // The edges of a square insert are at 75°: no part of it is below the tip.
         let (left, up) = (12.0 * 75f64.to_radians().cos(), 12.0 * 75f64.to_radians().sin());
         check(r#"{"type": "turning", "insert": "S"}"#, [-left, up, 0.0, up + left]);
         check(r#"{"type": "turning", "tip": 4}"#, [-reach, 0.0, 0.0, reach]);
@@ -391,8 +393,8 @@ mod tests {
                 low(&|point| x * point.x).abs() < 0.002 && low(&|point| z * point.z).abs() < 0.002,
                 "{tip}"
             );
-            // The nose is 0.8 mm about its centre: nothing of the insert is nearer to
-            // the imaginary tip than this.
+            // The nose is 0.8 mm about its centre: no part of the insert is nearer to the imaginary tip than
+            // this.
             let nearest = low(&|point| point.x.hypot(point.z));
             assert!((nearest - 0.8 * (2f64.sqrt() - 1.0)).abs() < 0.01, "{tip}: {nearest}");
         }
@@ -425,11 +427,11 @@ mod tests {
         check(r#"{"type": "threading", "insert": "16ER1.5ISO"}"#, [-0.925, 0.925, 0.0, 16.0]);
         check(r#"{"type": "threading", "insert": "22IRN60"}"#, [-2.85, 2.85, -22.0, 0.0]);
         check(r#"{"type": "threading", "insert": "16ER", "side": "inside"}"#, [-1.75, 1.75, -16.0, 0.0]);
-        // A tool that is ground to a point: its flanks are as long as they are.
+        // A tool ground to a point: its edge length is that of its flanks.
         let half = 12.0 * 30f64.to_radians().sin();
         check(r#"{"type": "threading", "edgeLength": 12}"#, [-half, half, 0.0, 27.0]);
         check(r#"{"type": "threading", "edgeLength": 3, "reach": 8}"#, [-1.5, 1.5, 0.0, 8.0]);
-        // Its holder lies on the other side of it than the shoulder.
+        // Its holder is on the side away from the shoulder.
         for (insert, left) in [("16ERAG60", -1.75), ("16ELAG60", 1.75 - SHANK)] {
             let json = format!(r#"{{"type": "threading", "insert": "{insert}", "reach": 10}}"#);
             let body = shape(&json).body.expect("a holder");

@@ -1,7 +1,7 @@
-//! What a program uses each turret station for, as its motions show it.
+//! The purposes that a program uses each turret station for, found from its motions.
 //!
-//! In: the motions, what comments say of the tools, the blank. Out: a [`ToolUse`] for each purpose of a
-//! station, and the [`Tool`] that could do it.
+//! In: the motions, the tools that comments describe, the blank. Out: a [`ToolUse`] for each purpose of a
+//! station, and a [`Tool`] that could do it.
 
 use std::collections::BTreeMap;
 
@@ -19,41 +19,43 @@ use crate::units::Diameter;
 /// Most uses of stations that are distinguished. A turret with 60 stations has fewer.
 const MOST_USES: usize = 300;
 
-/// A shorter way back along +Z only clears the bottom of a groove, mm.
+/// A shorter move back along +Z only clears the bottom of a groove, mm.
 const SHORT: f64 = 2.0;
 
-/// Material up to this width between two columns of pecks is a ridge; wider material is a land between two grooves, mm.
+/// Widest material between two columns of pecks that is a ridge, mm; wider material is a land between two
+/// grooves.
 const RIDGE: f64 = 1.0;
 
 /// From this feed on a move is as fast as a rapid, mm/rev.
 const AS_RAPID: f64 = 1.0;
 
-/// Least wall between a bore and the turned outside, mm.
+/// Thinnest wall between a bore and the turned outside, mm.
 const WALL: f64 = 0.5;
 
-/// Largest difference between the radius of a drill and the X at which it is led by its edge, mm.
+/// Largest difference between the radius of a drill and the X at which its edge is programmed, mm.
 const EDGE_OFF: f64 = 0.2;
 
-/// A rapid that moves less across the axis than this share of its way along it does not leave the work.
+/// A rapid that moves less across the axis than this share of its movement along it does not leave the
+/// workpiece.
 const ASIDE: f64 = 0.1;
 
-/// What a motion does, as far as it decides about the tool.
+/// The purpose of a motion, for choosing the tool.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Purpose {
-    /// Turns, faces, bores.
+    /// Turning, facing or boring.
     Turning,
-    /// Cuts a thread.
+    /// Thread cutting.
     Threading,
-    /// Plunges.
+    /// Plunging.
     Grooving,
-    /// Drills or taps on the axis.
+    /// Drilling or tapping on the axis.
     Hole,
-    /// The tool turns, not the work.
+    /// Work of a live tool.
     Live,
 }
 
 impl Purpose {
-    /// That of a motion.
+    /// The purpose of a motion.
     pub fn of(motion: &Motion) -> Self {
         let on_axis = motion.from.x.abs() <= 0.01 && motion.to.x.abs() <= 0.01;
         let along = (motion.to.z - motion.from.z).abs() > SAME;
@@ -78,70 +80,75 @@ impl Purpose {
     }
 }
 
-/// One use of a station: its purpose, and what the motions show of it.
+/// A use of a station: its purpose, and the evidence from its motions.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct ToolUse {
     pub station: u16,
     pub purpose: Purpose,
     /// The first motion of this use.
     pub first: usize,
-    /// Cuts within the work that the tool leaves outwards, less those it leaves inwards.
+    /// Number of cuts within the workpiece that the tool leaves outwards, minus those that it leaves inwards.
     outside: i32,
-    /// How far the last cut on the chuck side of the face went along Z, mm.
+    /// Distance of the last cut on the chuck side of the face along Z, mm.
     along: f64,
-    /// Where the tool went straight in at rapid in front of the face, radius, mm: an outside tool clears the work there.
+    /// Radius from which the tool moved straight in at rapid in front of the face, mm: there an outside tool
+    /// is clear of the workpiece.
     clear: Option<f64>,
     /// Whether it follows the contour of a cycle.
     pub contour: bool,
-    /// Plunges that come back the way they went, and all cuts. A plunge in steps counts with each of its steps.
+    /// Number of plunges that return along the same path, and of all cuts. Each step of a plunge counts.
     plunges: u32,
     cuts: u32,
-    /// Steps straight into the work that another step follows.
+    /// Number of steps straight into the workpiece that are followed by another step.
     steps: u32,
     /// Whether it dwells at the end of a cut straight across the axis.
     dwells: bool,
-    /// The last pass of G73 and where it begins, radius, mm.
+    /// The last pass of G73, and the radius of its start, mm.
     pattern: Option<(u32, f64)>,
-    /// Cuts towards −Z, and towards +Z that end at a shoulder or climb; and such as go down towards +Z.
+    /// Number of cuts towards −Z; towards +Z that end at a shoulder or climb; and towards +Z that descend.
     left: u32,
     right: u32,
     down: u32,
-    /// Whether it makes a facing cycle, whose cuts towards +Z are returns or follow the contour.
+    /// Whether it runs a facing cycle, whose cuts towards +Z are returns or follow the contour.
     faces: bool,
-    /// Z of the cut straight into the work that is nearest to the face, mm: back to it the tool goes in the air.
+    /// Z of the cut straight into the workpiece that is nearest to the face, mm: the tool returns to it
+    /// through the air.
     front: f64,
-    /// Cuts along Z that end at negative Z with a cut straight into the work next.
+    /// Number of cuts along Z that end at negative Z and are followed by a cut straight into the workpiece.
     approaches: u32,
-    /// Least radius of cuts along Z at negative Z, mm; infinite where there are none.
+    /// Smallest radius of cuts along Z at negative Z, mm; infinite if there are none.
     pub turned: f64,
-    /// Whether the first cut that reaches negative Z falls towards the axis: the chamfer of a bore does.
+    /// Whether the first cut that reaches negative Z falls towards the axis, like the chamfer of a bore.
     narrows: Option<bool>,
-    /// Ways into the work along the axis, and back, and how far the deepest goes: Z, mm.
+    /// Number of moves into the workpiece along the axis and back, and Z of the deepest, mm.
     holes: u32,
     pub deepest: f64,
-    /// Steepest way into the work behind the tip, radians from the spindle axis: outside and inside.
+    /// Steepest descent behind the tip, radians from the spindle axis: outside and inside.
     slopes: [f64; 2],
-    /// Cuts that can be a hole off the axis: plunges, cuts straight across into the work that a rapid follows,
-    /// and cuts straight along Z that come back the way they went.
+    /// Number of cuts that can be a hole off the axis: plunges, cuts straight across into the workpiece
+    /// followed by a rapid, and cuts straight along Z that return along the same path.
     like_holes: u32,
-    /// Cuts that go straight across the axis.
+    /// Number of cuts straight across the axis.
     across: u32,
-    /// Cuts with a spindle that turned before and is stopped now, while something may turn the tool.
+    /// Number of cuts with a spindle that turned before and is stopped now, while something may drive the
+    /// tool.
     stopped: u32,
-    /// X of cuts that go straight along Z into the work, radius, mm, while all cuts do so at one X: the edge of a drill.
+    /// Radius of the cuts straight along Z into the workpiece, mm, if all cuts have the same one: the edge of
+    /// a drill.
     edge: Option<f64>,
-    /// Whether it leaves the work sideways at negative Z.
+    /// Whether it leaves the workpiece sideways at negative Z.
     aside: bool,
     /// Whether its first cut is on the side of −X.
     negative: bool,
     /// Greatest radius at negative Z since the last rapid or the last move from in front of the face, mm.
     deep: f64,
-    /// Whether it leaves along Z at a radius smaller than `deep`: an outside tool would run into the work.
+    /// Whether it leaves along Z at a radius smaller than `deep`, where an outside tool would collide with
+    /// the workpiece.
     retreats: bool,
     /// Whether it taps: on the axis, locked to the spindle.
     taps: bool,
-    /// Where the last column of pecks is, and how far apart two of one cycle are at most: along Z, or across for
-    /// grooves in the face, mm.
+    /// Position of the last column of pecks, and the greatest distance of two columns of one cycle: along Z,
+    /// or across for grooves in the face, mm.
     column: Option<f64>,
     columns: f64,
     /// Whether grooves are in the end face.
@@ -149,12 +156,12 @@ pub(super) struct ToolUse {
     pub extents: Extents,
 }
 
-/// The cuts that are looked at.
+/// The frame of the cuts that are used.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Clamping {
-    /// Those in the frame of the first cut.
+    /// Cuts in the frame of the first cut.
     First,
-    /// Those [elsewhere](crate::motion::Process::elsewhere).
+    /// Cuts [elsewhere](crate::motion::Process::elsewhere).
     Other,
 }
 
@@ -165,7 +172,7 @@ impl Clamping {
 }
 
 impl ToolUse {
-    /// What is seen of each use of a station in a clamping.
+    /// All uses of stations in a clamping.
     pub fn all(
         evidence: &Evidence,
         described_tools: &BTreeMap<u16, Tool>,
@@ -176,7 +183,7 @@ impl ToolUse {
         let mut before = None;
         let finishings = Finishings::of(evidence);
         let mut has_turned = false;
-        // How often C turns at rapid, by station.
+        // Number of turns of C at rapid, by station.
         let mut turns_of_c: BTreeMap<u16, u32> = BTreeMap::new();
         let is_certain = |(_, motion): &(usize, Motion)| !motion.process.uncertain;
         let mut moves = evidence.moves().enumerate().filter(is_certain).peekable();
@@ -191,7 +198,7 @@ impl ToolUse {
             let before = before.replace(motion);
             has_turned |= motion.process.turn != SpindleTurn::Stopped;
             if motion.rotary.is_some() && !motion.kind.cuts() {
-                // One after a cut says as much as two before: between two cuts only a live tool needs it.
+                // A turn of C after a cut counts twice: between two cuts only a live tool needs it.
                 let station = motion.process.tool.0;
                 let has_cut = seen.iter().any(|own| own.station == station);
                 *turns_of_c.entry(station).or_default() += 1 + u32::from(has_cut);
@@ -217,7 +224,7 @@ impl ToolUse {
             let across = (motion.to.z - motion.from.z).abs() <= SAME && motion.to.x < motion.from.x - SAME;
             seen[at].dwells |= dwells && across && motion.to.z < -SAME && motion.to.x > 1.0;
         }
-        // The beginning of a contour on the axis, or a facing tool that goes back, is no hole.
+        // The beginning of a contour on the axis, or the return of a facing tool, is not a hole.
         let stations: Vec<u16> =
             seen.iter().filter(|own| own.purpose != Purpose::Hole).map(|own| own.station).collect();
         seen.retain(|own| own.purpose != Purpose::Hole || own.holes > 0 || !stations.contains(&own.station));
@@ -232,13 +239,13 @@ impl ToolUse {
             own.face |= own.purpose == Purpose::Turning && is_narrow && words.is_some_and(is_face);
             own.purpose = own.purpose_by_words(words, turns_of_c);
         }
-        // A live cutter that also moves along X or Z alone bores nothing.
+        // A live cutter that also moves along X or Z alone does not bore.
         let live: Vec<u16> =
             seen.iter().filter(|own| own.purpose == Purpose::Live).map(|own| own.station).collect();
         for own in seen.iter_mut().filter(|own| live.contains(&own.station)) {
             own.outside = 0;
         }
-        // A drill that is fed off the axis in its hole is one still.
+        // A drill that is fed off the axis within its hole is still a drill.
         let holes: Vec<(u16, f64)> =
             seen.iter().filter(|own| own.holes > 0).map(|own| (own.station, own.deepest)).collect();
         let is_in_hole = |own: &ToolUse| {
@@ -247,7 +254,7 @@ impl ToolUse {
         seen.retain(|own| {
             own.purpose != Purpose::Turning || own.outside != 0 || own.contour || !is_in_hole(own)
         });
-        // What motions leave open, words decide, and the grooves of the same tool.
+        // Uses that the motions do not decide are decided by comments and by the grooves of the same tool.
         let inside: Vec<u16> = seen.iter().filter(|own| own.is_inside()).map(|own| own.station).collect();
         for own in seen.iter_mut().filter(|own| own.outside == 0) {
             let bores = bores(described_tools.get(&own.station)) || inside.contains(&own.station);
@@ -258,7 +265,8 @@ impl ToolUse {
                 seen[index].outside = -1;
             }
         }
-        // Nobody bores a bar that is solid: what leaves a cut inwards there runs into the work.
+        // A solid bar cannot be bored: a tool that leaves a cut inwards there would collide with the
+        // workpiece.
         let is_drilled = seen.iter().any(|own| own.purpose == Purpose::Hole);
         if stock.is_some_and(|stock| stock.bore.mm() <= SAME) && !is_drilled {
             for own in seen.iter_mut().filter(|own| !bores(described_tools.get(&own.station))) {
@@ -314,15 +322,15 @@ impl ToolUse {
         self.outside < 0 && matches!(self.purpose, Purpose::Turning | Purpose::Threading | Purpose::Grooving)
     }
 
-    /// The purpose, corrected by comments, the spindle and the C axis: off the axis a drill or an end mill is a live
-    /// tool, and a tool that pecks near the axis is a drill.
+    /// The purpose, corrected by comments, the spindle and the C axis: off the axis a drill or end mill is a
+    /// live tool, and a tool that pecks near the axis is a drill.
     fn purpose_by_words(&self, words: Option<&Tool>, turns_of_c: u32) -> Purpose {
         let kind = words.and_then(|words| words.kind);
         let is_cutter = kind == Some(ToolKind::Endmill);
         let is_drill = matches!(kind, Some(ToolKind::Drill | ToolKind::Tap));
         let is_insert = matches!(kind, Some(ToolKind::Grooving | ToolKind::Turning | ToolKind::Boring));
         let all_stopped = self.stopped == self.cuts;
-        // H beside G41 is a turn of C, too: one alone says little.
+        // H beside G41 also turns C, so a single turn is weak evidence.
         let moves_with_c = turns_of_c > 1 || turns_of_c > 0 && all_stopped;
         match self.purpose {
             Purpose::Turning if is_cutter && (self.is_across() || moves_with_c || all_stopped) => {
@@ -341,8 +349,9 @@ impl ToolUse {
         }
     }
 
-    /// Whether it is a drill led by its edge: all cuts go straight along Z at one X, the diameter of the hole, while the
-    /// work turns. A comment names the drill, or it alone works on the side of −X.
+    /// Whether it is a drill that is programmed by its edge: all cuts go straight along Z at one X, the
+    /// diameter of the hole, while the workpiece turns. A comment names the drill, or no other tool works on
+    /// the side of −X.
     fn is_led_by_edge(&self, words: Option<&Tool>, moves_with_c: bool) -> bool {
         let Some(edge) = self.edge.filter(|_| self.stopped == 0 && !self.aside && !moves_with_c) else {
             return false;
@@ -361,7 +370,7 @@ impl ToolUse {
         self.across == self.cuts
     }
 
-    /// Whether all cuts but those that lead there go straight across the axis, and some are plunges.
+    /// Whether all cuts, except approaches to plunges, go straight across the axis, and some are plunges.
     fn only_plunges(&self) -> bool {
         let leads_there = self.approaches > 0 && self.across + self.approaches == self.cuts;
         self.plunges > 0 && (self.plunges == self.cuts || leads_there || self.dwells)
@@ -372,7 +381,7 @@ impl ToolUse {
         self.like_holes >= self.cuts
     }
 
-    /// `side`: that of the finishing cycle, where it is known.
+    /// Adds the evidence of a cut. `side` is the side of its finishing cycle, if known.
     fn look(&mut self, motion: &Motion, before: Option<&Motion>, next: Option<&Motion>, side: Option<i32>) {
         let way = |motion: &Motion| (motion.to.x - motion.from.x, motion.to.z - motion.from.z);
         let (dx, dz) = way(motion);
@@ -385,9 +394,9 @@ impl ToolUse {
         self.extents.add(motion);
         self.look_for_retreat(motion, before, next);
         let after_x = next.map_or(0.0, |next| way(next).0);
-        // Between tools it goes home, though that is not always seen.
+        // Between two tools the turret moves home, even if the program does not show it.
         let own_next = next.filter(|next| next.process.tool == motion.process.tool);
-        // How far the tool went straight across at rapid before it.
+        // Distance of a rapid straight across the axis before the cut.
         let mut infeed = 0.0;
         if let Some(rapid) = before.filter(|before| before.kind == MotionKind::Rapid) {
             let (dx, dz) = way(rapid);
@@ -397,7 +406,8 @@ impl ToolUse {
         let returns = dz.abs() <= SAME && self.clear.is_some_and(|clear| (motion.to.x - clear).abs() <= SAME);
         self.outside += match motion.cycle.map(|step| (step.cycle, step.pass)) {
             Some((Cycle::Pattern, pass)) => self.goes_on_in_pattern(pass, motion.from.x),
-            // A pass of G71 begins outside of its cut, in a bore nearer to the axis; that is more than the way it leaves.
+            // A pass of G71 begins outside of its cut, in a bore nearer to the axis. This counts more than
+            // how the tool leaves.
             Some((Cycle::RoughTurning, _)) if infeed < -SAME => 2,
             Some((Cycle::RoughTurning, _)) if infeed > SAME => -2,
             _ if dx > SAME && returns => 1,
@@ -421,7 +431,7 @@ impl ToolUse {
             0 => u32::from(is_single || is_along_and_back(motion, before, next)),
             plunges => plunges,
         };
-        // To the left, or to the right while still on the chuck side of the face.
+        // Towards −Z, or towards +Z while still on the chuck side of the face.
         let ends_at_shoulder = dx > SAME || (dx.abs() <= SAME && after_x > SAME);
         self.left += u32::from(dz < -SAME);
         let is_new = motion.to.z < -SAME && motion.to.z > self.front + SAME;
@@ -446,13 +456,13 @@ impl ToolUse {
             self.face = true;
         }
         self.look_for_columns(motion, before);
-        // On the way to the work at feed it follows no slope.
+        // An approach to the workpiece at feed follows no slope.
         if motion.to.z > SAME && before.is_none_or(|before| !before.kind.cuts()) {
             return;
         }
         let [outside, inside] = &mut self.slopes;
         for (sx, slope) in [(1.0, outside), (-1.0, inside)] {
-            // Only a slope that goes on along Z is a slope of the work; straight in is a plunge.
+            // Only a descent along Z is a slope of the workpiece; straight in is a plunge.
             for (dx, dz) in directions(motion) {
                 if dz < -SAME && sx * dx < -SAME {
                     *slope = slope.max((sx * -dx).atan2(-dz));
@@ -461,7 +471,7 @@ impl ToolUse {
         }
     }
 
-    /// Notes how the tool goes back in front of the face: at rapid or as fast, straight along Z.
+    /// Notes a retreat in front of the face, straight along Z at rapid or as fast.
     fn look_for_retreat(&mut self, motion: &Motion, before: Option<&Motion>, next: Option<&Motion>) {
         let is_fast = |motion: &Motion| match motion.process.feed {
             _ if motion.kind == MotionKind::Rapid => true,
@@ -480,7 +490,7 @@ impl ToolUse {
         self.retreats |= is_straight && next.to.z > -SAME && self.deep > motion.to.x + SAME;
     }
 
-    /// Notes how far apart the columns of G74 and G75 are.
+    /// Notes the distance between the columns of G74 and G75.
     fn look_for_columns(&mut self, motion: &Motion, before: Option<&Motion>) {
         let Some(cycle) =
             motion.cycle.map(|step| step.cycle).filter(|cycle| cycle.family() == CycleFamily::Pecking)
@@ -495,7 +505,7 @@ impl ToolUse {
         }
     }
 
-    /// Which side a pass of G73 is on: the passes come nearer to the contour, from outside (1) or from the axis (−1).
+    /// The side of a pass of G73: the passes approach the contour from outside (1) or from the axis (−1).
     fn goes_on_in_pattern(&mut self, pass: u32, begins: f64) -> i32 {
         match self.pattern {
             Some((last, _)) if last == pass => 0,
@@ -508,8 +518,8 @@ impl ToolUse {
         }
     }
 
-    /// Counts a cut straight across the axis that comes back, in one step or in several; between steps the tool
-    /// may go back a little at rapid to break the chip.
+    /// Counts a cut straight across the axis that returns, in one step or several; between steps the tool may
+    /// retract slightly at rapid to break the chip.
     fn look_for_plunge(&mut self, motion: &Motion, before: Option<&Motion>, next: Option<&Motion>) {
         let across = |motion: &&Motion| (motion.to.z - motion.from.z).abs() <= SAME;
         let way = |motion: &Motion| motion.to.x - motion.from.x;
@@ -533,12 +543,12 @@ impl ToolUse {
         }
     }
 
-    /// The tool that could do what was seen; `bore` is the radius at which boring begins.
+    /// A tool that could do this use; `bore` is the radius at which boring begins.
     pub fn tool(&self, bore: f64) -> Tool {
         let inside = self.is_inside();
         let side = if inside { Side::Inside } else { Side::Outside };
         match self.purpose {
-            // Holes off the axis; all other work of live tools is milling.
+            // Holes off the axis are drilled; all other work of live tools is milling.
             Purpose::Live if self.makes_holes() => Tool { kind: Some(ToolKind::Drill), ..Tool::default() },
             Purpose::Live => Tool { kind: Some(ToolKind::Endmill), ..Tool::default() },
             Purpose::Hole => {
@@ -547,7 +557,7 @@ impl ToolUse {
                     return Tool { kind: Some(ToolKind::Drill), diameter, tip: Some(6), ..Tool::default() };
                 }
                 let kind = if self.taps { ToolKind::Tap } else { ToolKind::Drill };
-                // Off the axis it makes a larger hole.
+                // A drill off the axis makes a larger hole.
                 let radius = bore - self.extents.behind();
                 let diameter = if radius.is_finite() && radius > 0.0 {
                     Some(Diameter::from_radius(radius))
@@ -564,10 +574,10 @@ impl ToolUse {
             Purpose::Turning => {
                 let kind = if inside { ToolKind::Boring } else { ToolKind::Turning };
                 let slope = self.slopes[usize::from(inside)].to_degrees();
-                // One that only cuts away from the chuck has its edge on the other side.
+                // A tool that only cuts away from the chuck has its edge on the other side.
                 let is_left_hand = self.right > 0 && self.left + self.down == 0 && !self.faces;
                 let tip = (!inside && is_left_hand).then_some(4);
-                // The usual roughing tool, or the bluntest that can follow.
+                // The usual roughing tool, or the bluntest one that can follow the slope.
                 let (insert, entering) = match slope {
                     slope if slope < 4.5 => ("C", 95.0),
                     slope if slope < 31.5 => ("D", 93.0),
@@ -594,7 +604,8 @@ impl ToolUse {
         }
     }
 
-    /// A grooving insert; one as wide as the columns are apart, where a usual one would leave ridges.
+    /// A grooving insert, as wide as the distance of the columns if one of the default width would leave
+    /// ridges.
     fn blade(&self, side: Side) -> Tool {
         let leaves_ridges = self.columns > BLADE + SAME && self.columns <= BLADE + RIDGE + SAME;
         let width = leaves_ridges.then_some(BLADE + RIDGE);
@@ -602,7 +613,7 @@ impl ToolUse {
     }
 }
 
-/// Whether a motion is one of a hole cycle that a drill in a turning spindle makes a little off the axis, as
+/// Whether a motion belongs to a hole cycle of a drill slightly off the axis with a turning spindle, as
 /// indexable drills are set.
 fn is_off_center_hole(motion: &Motion) -> bool {
     let is_hole = motion
@@ -612,7 +623,7 @@ fn is_off_center_hole(motion: &Motion) -> bool {
     is_hole && turns && motion.from.x.abs().max(motion.to.x.abs()) <= OFF_CENTER
 }
 
-/// Whether a cut straight along Z comes back the way it went, or is the way back.
+/// Whether a cut straight along Z returns along the same path, or is that return.
 fn is_along_and_back(motion: &Motion, before: Option<&Motion>, next: Option<&Motion>) -> bool {
     let along = |motion: &&Motion| (motion.to.x - motion.from.x).abs() <= SAME;
     let way = |motion: &Motion| motion.to.z - motion.from.z;
@@ -622,14 +633,15 @@ fn is_along_and_back(motion: &Motion, before: Option<&Motion>, next: Option<&Mot
             || before.filter(along).is_some_and(|before| before.kind.cuts() && goes_back(before, motion)))
 }
 
-/// Whether a comment says that a tool works in a bore.
+/// Whether a comment describes a tool for a bore.
 fn bores(words: Option<&Tool>) -> bool {
     words.is_some_and(|tool| tool.kind == Some(ToolKind::Boring) || tool.side == Some(Side::Inside))
 }
 
-/// Whether a use that leaves the work neither way works in a hole that was drilled before: further within what
-/// other tools turn than an insert cuts in one pass, or from a chamfer inwards, or out at a smaller
-/// radius than its cuts. The last needs no hole where another tool turns the outside.
+/// Whether a use that leaves the workpiece neither outwards nor inwards works in a hole that was drilled
+/// before: deeper within turned material than an insert cuts in one pass, or from a chamfer inwards, or it
+/// leaves at a smaller radius than its cuts. The last case needs no drilled hole if another tool turns the
+/// outside.
 fn bores_after_drill(own: &ToolUse, all: &[ToolUse]) -> bool {
     let is_drilled = all.iter().any(|hole| {
         hole.purpose == Purpose::Hole && hole.first < own.first && hole.deepest <= own.deepest + SAME
@@ -645,13 +657,12 @@ fn bores_after_drill(own: &ToolUse, all: &[ToolUse]) -> bool {
     is_within && (is_drilled || own.retreats && turned.is_finite())
 }
 
-/// Which way a tool leaves the work after a cut: 1 outwards, −1 inwards, 0 where that is not
-/// to be seen. Between cuts it follows the contour, which may fall or rise. `along` is how far
-/// the cut before went along Z.
+/// Direction in which a tool leaves the workpiece after a cut: 1 outwards, −1 inwards, 0 if unknown. Between
+/// cuts it follows the contour, which may fall or rise. `along` is the distance of the previous cut along Z.
 fn leaves(motion: &Motion, along: f64, next: Option<&Motion>) -> i32 {
     let (dx, dz) = (motion.to.x - motion.from.x, motion.to.z - motion.from.z);
-    // A cut to the axis faces the work; and a little back along +Z, from the bottom of a groove,
-    // it may go on either side.
+    // A cut to the axis faces the workpiece. After a short move back along +Z from the bottom of a groove,
+    // either direction is possible.
     let faces = dx < -SAME && motion.to.x <= 1.0;
     if motion.to.z > SAME || faces || next.is_some_and(|next| next.kind.cuts()) {
         return 0;
@@ -662,11 +673,11 @@ fn leaves(motion: &Motion, along: f64, next: Option<&Motion>) -> i32 {
     let next = next.filter(|_| !goes_back).filter(aside);
     let after = next.map_or(0.0, |next| next.to.x - next.from.x);
     let escapes = along.abs() > SAME && dz * along <= SAME * SAME;
-    // A program that ends in the bottom of a groove leaves nothing.
+    // A program that ends in the bottom of a groove does not leave the workpiece.
     let on_the_way = if escapes && !is_last { dx } else { 0.0 };
-    // Deeper in along Z nothing leaves the work.
+    // A move deeper along Z does not leave the workpiece.
     let deeper = next.is_some_and(|next| next.to.z < next.from.z - SAME);
-    // Straight out, or back along Z from where the last cut led.
+    // Straight out, or back along Z from the end of the last cut.
     match if after.abs() > SAME { after } else { on_the_way } {
         way if way > SAME => 1,
         way if way < -SAME && !deeper => -1,
@@ -674,7 +685,7 @@ fn leaves(motion: &Motion, along: f64, next: Option<&Motion>) -> i32 {
     }
 }
 
-/// Directions a cut takes: one of a line, those at both ends and the middle of an arc.
+/// Directions of a cut: one for a line, those at both ends and the middle for an arc.
 fn directions(motion: &Motion) -> Vec<(f64, f64)> {
     match motion.arc() {
         None => vec![(motion.to.x - motion.from.x, motion.to.z - motion.from.z)],

@@ -1,8 +1,9 @@
-//! Rapids into material that exists for any blank: below the surfaces that the program itself has turned.
+//! Rapids into material that must exist for any blank: below the surfaces that the program itself has turned.
 //!
 //! In: the motions of a program whose blank is inferred, and its tools. Out: the rapids whose tip enters such
-//! material. Only outside tools are checked: bores and drilled holes leave less certain surfaces. After a stop, a
-//! parting cut or a cut of an unknown tool, no material is certain. Must not know messages.
+//! material. Only outside tools are checked, because the surfaces of bores and drilled holes are less
+//! certain. After a stop, a part-off or a cut of an unknown tool, no material is certain. Must not know
+//! messages.
 
 use super::choice::TO_AXIS;
 use super::danger::{Danger, Finding};
@@ -14,28 +15,29 @@ use crate::limits::INFERRED_FROM;
 use crate::motion::{Cycle, Motion, MotionKind, Motions, StopKind};
 use crate::setup::{Side, Stock, ToolKind};
 
-/// Into how many places along Z the blank is divided.
+/// Number of places along Z into which the blank is divided.
 const PLACES: usize = 1000;
 
-/// Most places that are looked at; beyond, nothing more is found.
+/// Most places that are checked in total; beyond, there are no more findings.
 const MOST_WORK: usize = 20_000_000;
 
-/// How deep below a surface the tip must be, and how far beyond a wall, mm: more than a nose radius leaves.
+/// Least depth of the tip below a surface and beyond a wall to be reported, mm: more than a nose radius
+/// leaves.
 const DEEP: f64 = 0.5;
 
-/// Below a surface material is certain to this depth, mm: within, the work may be hollow.
+/// Depth below a surface to which material is certain, mm: deeper, the workpiece may be hollow.
 const THICK: f64 = 5.0;
 
-/// On the chuck side of the last wall material is certain over this length, mm.
+/// Length on the chuck side of the last wall over which material is certain, mm.
 const BEHIND: f64 = 5.0;
 
-/// A cut no farther below the outside of the inferred blank than this, mm, may be in the air.
+/// A cut at most this far below the outside of the inferred blank, mm, may be in the air.
 const SKIN: f64 = 0.5;
 
-/// A tool that plunges clears no more than this beside its tip, mm: which corner is led is not known.
+/// Width that a plunging tool clears beside its tip at most, mm: the programmed corner is unknown.
 const WIDEST: f64 = 6.0;
 
-/// The rapids into turned material, in order. If the blank is given, the list is empty: the detector finds them.
+/// The rapids into turned material, in order. Empty if the blank is given: the detector finds them then.
 pub fn rapids_into_it(motions: &Motions, resolved: &ResolvedSetup) -> Vec<Finding> {
     let Some((stock, Basis::Inferred)) = resolved.stock() else { return Vec::new() };
     if !resolved.unknown().is_empty() || Evidence::of(motions, None).is_mirrored() {
@@ -55,7 +57,7 @@ pub fn rapids_into_it(motions: &Motions, resolved: &ResolvedSetup) -> Vec<Findin
         }
         if let Some(at) = material.next(&motion, resolved.tool(&motion)) {
             found.push(Finding { motion: index, at, danger: Danger::RapidThroughStock });
-            // What follows is a consequence.
+            // Later findings would be consequences of this one.
             material.lose();
         }
     }
@@ -66,14 +68,14 @@ pub fn rapids_into_it(motions: &Motions, resolved: &ResolvedSetup) -> Vec<Findin
 #[derive(Clone, Debug)]
 struct TurnedMaterial {
     stock: Stock,
-    /// Least radius of the cuts at each place, mm, from the back on; infinite where there is none.
+    /// Smallest radius of the cuts at each place, mm, from the back on; infinite if there is none.
     turned: Vec<f64>,
-    /// Half the height of a wall with material on its −Z side, as a radius, mm; 0 without a wall. The tool may have left
-    /// the work along the upper half.
+    /// Radius of the middle of a wall with material on its −Z side, mm; 0 without a wall. The tool may have
+    /// left the workpiece along the upper half.
     walls: Vec<f64>,
-    /// Radius up to which material is certain; worked out again after a cut.
+    /// Radius up to which material is certain; computed again after a cut.
     certain: Option<Vec<f64>>,
-    /// The motion before is a cut along the work.
+    /// Whether the motion before is a cut along the workpiece.
     follows_cut: bool,
     tip: TipPlace,
     work: usize,
@@ -92,14 +94,14 @@ impl TurnedMaterial {
         }
     }
 
-    /// Nothing is certain any more.
+    /// From here on no material is certain.
     fn lose(&mut self) {
         self.turned.fill(f64::INFINITY);
         self.walls.fill(0.0);
         self.certain = None;
     }
 
-    /// Takes in the next motion. Returns where a rapid first meets certain material.
+    /// Adds the next motion. Returns the first point where a rapid meets certain material.
     fn next(&mut self, motion: &Motion, tool: &ResolvedTool) -> Option<Point> {
         let follows_cut = std::mem::take(&mut self.follows_cut);
         let route = self.tip.follow(motion, self.is_near(motion.from));
@@ -131,7 +133,7 @@ impl TurnedMaterial {
         self.stock.length / PLACES as f64
     }
 
-    /// The places that lie within a stretch of Z.
+    /// The places within an interval of Z.
     fn places(&self, low: f64, high: f64) -> std::ops::Range<usize> {
         let at = |z: f64| ((z - self.stock.back()) / self.step()).clamp(0.0, PLACES as f64);
         let (first, last) = ((at(low) - SAME).ceil() as usize, (at(high) + SAME).floor() as usize);
@@ -162,7 +164,7 @@ impl TurnedMaterial {
         }
     }
 
-    /// A cut straight across the axis: it parts off, leaves a wall, or makes a groove.
+    /// Adds a cut straight across the axis: a part-off, a wall, or a groove.
     fn cut_across(&mut self, motion: &Motion, is_outside: bool, follows_cut: bool) {
         let (from, to) = (motion.from, motion.to);
         let least = from.x.min(to.x);
@@ -191,7 +193,8 @@ impl TurnedMaterial {
         self.certain = None;
     }
 
-    /// Where the tip of a rapid is first within certain material. `only_end`: where it begins is not known.
+    /// The first point where the tip of a rapid is within certain material. With `only_end`, the start is
+    /// unknown.
     fn meets(&mut self, motion: &Motion, only_end: bool) -> Option<Point> {
         let (from, to) = (motion.from, motion.to);
         let (low, high) = (from.z.min(to.z), from.z.max(to.z));
@@ -210,7 +213,7 @@ impl TurnedMaterial {
         if only_end {
             return is_within(to, place_of(to.z)).then_some(to);
         }
-        // The rapid begins within the material: the estimate is wrong.
+        // The rapid begins within the material, so the estimate is wrong.
         if is_within(from, place_of(from.z)) {
             return None;
         }
@@ -230,8 +233,8 @@ impl TurnedMaterial {
         place.map(at)
     }
 
-    /// The radius up to which material is certain at each place: below what was turned there, and between two turned
-    /// stretches below the lower one, or below the middle of the wall where the front one ends.
+    /// The radius up to which material is certain at each place: the turned radius, and between two turned
+    /// stretches the lower one, or the middle of the wall where the front one ends.
     fn certain_radii(&self) -> Vec<f64> {
         let mut radii = vec![0.0; PLACES];
         // Radius of the next turned place towards −Z.
@@ -265,11 +268,12 @@ impl TurnedMaterial {
     }
 }
 
-/// For each place, the least value among it and its `reach` neighbours on both sides. The window is doubled until it has its width.
+/// For each place, the least value among itself and `reach` neighbours on both sides. The window is doubled
+/// until it has its width.
 fn lowest_within(values: &[f64], reach: usize) -> Vec<f64> {
     let at = |list: &[f64], place: usize| list.get(place).copied().unwrap_or(f64::INFINITY);
     let reach = reach.min(values.len());
-    // Of the window that begins at each place, in front of the first value too.
+    // Least value of the window that begins at each place, including places in front of the first value.
     let mut lows: Vec<f64> =
         std::iter::repeat_n(f64::INFINITY, reach).chain(values.iter().copied()).collect();
     let (whole, mut width) = (2 * reach + 1, 1);
@@ -280,7 +284,7 @@ fn lowest_within(values: &[f64], reach: usize) -> Vec<f64> {
     (0..values.len()).map(|place| at(&lows, place).min(at(&lows, place + whole - width))).collect()
 }
 
-/// The radius of a cut that goes along Z at a place, mm.
+/// The radius at `z` of a cut along Z, mm.
 fn radius_at(motion: &Motion, z: f64) -> f64 {
     let (from, to) = (motion.from, motion.to);
     let Some(arc) = motion.arc() else {

@@ -1,15 +1,14 @@
-//! Places along Z at which a surface of revolution is sampled.
+//! Positions along Z at which a surface of revolution is sampled.
 //!
 //! In: the cuts. Out: Z positions in ascending order: an even grid, both sides of each end of a cut (there
-//! may be a wall), and the points of arcs where they are steep. However many cuts a program has, the number
-//! of positions is bounded: ends and points that lie closer together than a spacing share one, and the
-//! spacing grows until they fit.
+//! may be a wall), and the points of arcs where they are steep. The number of positions is bounded: ends and
+//! points closer together than a spacing share one, and the spacing grows until they fit.
 
 use std::rc::Rc;
 
 use crate::geometry::{Point, SAME};
 
-/// Evenly spaced positions.
+/// Number of evenly spaced positions.
 const GRID: usize = 800;
 
 /// Most ends of cuts; each has two positions.
@@ -18,13 +17,13 @@ const MOST_ENDS: usize = 400;
 /// Most points of steep arcs.
 const MOST_BENDS: usize = 400;
 
-/// How far from a wall its two positions are at least, mm.
+/// Least distance of the two positions of a wall from it, mm.
 const SIDE: f64 = 0.001;
 
-/// Positions that are equal but for rounding, mm.
+/// Positions that differ by at most this are equal, mm.
 const ROUNDING: f64 = 1e-9;
 
-/// Collects where the positions of some cuts are.
+/// Collects the positions of cuts.
 #[derive(Clone, Debug)]
 pub struct Places {
     ends: Spaced,
@@ -38,7 +37,7 @@ impl Default for Places {
 }
 
 impl Places {
-    /// Adds the way of a cut: the points that straight lines join.
+    /// Adds the path of a cut, as the points of a polyline.
     pub fn add(&mut self, way: &[Point]) {
         let [first, inner @ .., last] = way else { return };
         self.end(first.z);
@@ -62,7 +61,7 @@ impl Places {
         self.ends.thin_out();
         self.bends.thin_out();
         let mut all: Vec<f64> = (0..GRID).map(|index| low + (index as f64 + 0.5) * step).collect();
-        // An end stands for all that are less than the spacing in front of it.
+        // Each end represents all ends within one spacing in front of it.
         all.extend(self.ends.points.iter().flat_map(|z| [z - SIDE, z + self.ends.spacing]));
         all.extend(&self.bends.points);
         all.sort_unstable_by(f64::total_cmp);
@@ -72,17 +71,17 @@ impl Places {
     }
 }
 
-/// A bounded number of positions that are a spacing apart.
+/// A bounded number of positions with a least distance.
 #[derive(Clone, Debug)]
 struct Spaced {
     points: Vec<f64>,
-    /// mm.
+    /// Least distance, mm.
     spacing: f64,
     most: usize,
 }
 
 impl Spaced {
-    /// So many positions are collected before they are thinned out.
+    /// Number of positions that are collected before they are thinned out.
     const ROOM: usize = 1 << 14;
 
     fn new(most: usize) -> Self {
@@ -99,7 +98,7 @@ impl Spaced {
         self.points.push(z);
     }
 
-    /// Keeps the first of all positions that are closer together than the spacing.
+    /// Merges positions that are closer together than the spacing into the first of them.
     fn thin_out(&mut self) {
         self.points.sort_unstable_by(f64::total_cmp);
         loop {
@@ -121,22 +120,22 @@ pub struct ZPositions {
 }
 
 impl ZPositions {
-    /// All of them.
+    /// All positions.
     pub fn all(&self) -> &[f64] {
         &self.all
     }
 
-    /// How far along Z a wall may be from where the positions show it, mm.
+    /// Largest distance along Z between a wall and its positions, mm.
     pub fn exact_to(&self) -> f64 {
         self.exact_to
     }
 
-    /// The first position at `z` or in front of it; may be beyond the last.
+    /// Index of the first position at `z` or in front of it; may be one past the end.
     pub fn at_least(&self, z: f64) -> usize {
         self.all.partition_point(|own| *own < z - ROUNDING)
     }
 
-    /// Indices of the positions from one Z to another, both counted.
+    /// Indices of the positions from one Z to another, both included.
     pub fn range(&self, from: f64, to: f64) -> std::ops::Range<usize> {
         let begin = self.at_least(from);
         let count = self.all[begin..].partition_point(|own| *own <= to + ROUNDING);
@@ -144,7 +143,7 @@ impl ZPositions {
     }
 }
 
-/// Heights at positions, straight in between; asked for at ascending places.
+/// Heights at positions with linear interpolation, queried at ascending Z.
 pub struct Profile<'a> {
     positions: &'a [f64],
     heights: &'a [f64],
@@ -152,12 +151,12 @@ pub struct Profile<'a> {
 }
 
 impl<'a> Profile<'a> {
-    /// Heights, one for each position; an infinite one is none.
+    /// Takes one height for each position; an infinite one means that there is none.
     pub fn new(positions: &'a ZPositions, heights: &'a [f64]) -> Self {
         Self { positions: positions.all(), heights, next: 0 }
     }
 
-    /// The height at a place; `z` must not be less than that of the call before.
+    /// The height at `z`, which must not be less than in the last call.
     pub fn at(&mut self, z: f64) -> Option<f64> {
         self.skip_to(z);
         let (after, height) = (self.positions.get(self.next)?, self.heights[self.next]);
@@ -170,8 +169,7 @@ impl<'a> Profile<'a> {
         Some(between).filter(|height| height.is_finite())
     }
 
-    /// The positions from one place to another with their heights; `from` must not be less
-    /// than that of the call before.
+    /// The positions in an interval with their heights; `from` must not be less than in the last call.
     pub fn range(&mut self, from: f64, to: f64) -> impl Iterator<Item = (f64, f64)> {
         self.skip_to(from);
         let positions = self.positions[self.next..].iter().copied();
@@ -186,8 +184,8 @@ impl<'a> Profile<'a> {
     }
 }
 
-/// Heights without peaks that are narrower along Z than `width`, mm; walls and slopes stay where they are.
-/// Infinite heights above are left out of account, those below are nothing at all.
+/// Heights without peaks narrower than `width` along Z, mm; walls and slopes do not move. Heights of +∞ are
+/// ignored; −∞ means that nothing is there.
 pub fn without_narrow_peaks(positions: &ZPositions, heights: &[f64], width: f64) -> Vec<f64> {
     let all = positions.all();
     let point = |index: usize| (all[index], heights[index]);
@@ -199,8 +197,8 @@ pub fn without_narrow_peaks(positions: &ZPositions, heights: &[f64], width: f64)
     (0..all.len()).map(kept).collect()
 }
 
-/// The least height from a position to the place that is `width` away, over the positions on one
-/// side of it, nearest first.
+/// The least height between a position and the place `width` away, given the positions on one side of it,
+/// nearest first.
 fn least_within(width: f64, from: (f64, f64), beside: impl Iterator<Item = (f64, f64)>) -> f64 {
     let (mut least, mut last) = (from.1, from);
     for (z, height) in beside {
