@@ -70,8 +70,8 @@ struct TurnedMaterial {
     stock: Stock,
     /// Smallest radius of the cuts at each place, mm, from the back on; infinite if there is none.
     turned: Vec<f64>,
-    /// Radius of the middle of a wall with material on its −Z side, mm; 0 without a wall. The tool may have
-    /// left the workpiece along the upper half.
+    /// Radius at half the height of a wall with material on its −Z side, mm; 0 without a wall. The tool may
+    /// have left the workpiece along the upper half.
     walls: Vec<f64>,
     /// Radius up to which material is certain; computed again after a cut.
     certain: Option<Vec<f64>>,

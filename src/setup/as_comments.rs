@@ -1,7 +1,7 @@
-//! A setup as comments at the head of a program: what `notes` reads, written.
+//! Writes a setup as comments at the head of a program, the notation that `notes` reads.
 //!
-//! In: a setup; the text it is for. Out: the comment lines, and the changes of the text that put them in
-//! place of those that are there. Ways to write what is no note (other switches, limits) there are none.
+//! In: a setup, and the text it is for. Out: the comment lines, and the changes that replace the existing
+//! notes of the text by them. Settings without a note (other switches, limits) are not written.
 
 use super::fields::{self, Field};
 use super::notes::Notes;
@@ -9,17 +9,16 @@ use super::{Setup, Stock};
 use crate::order;
 use crate::source::{self, Span};
 
-/// Text to put in place of a stretch of a program.
+/// A replacement of a span of the program.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Change {
-    /// What goes.
+    /// The replaced span.
     pub span: Span,
-    /// What comes.
+    /// The new text.
     pub insert: String,
 }
 
-/// The notes that say what a setup says of stock, tools, tailstock, machine, start, rules and
-/// the switches of the control, a line each.
+/// The notes for stock, tools, tailstock, machine, start, rules and switches of the control, one line each.
 pub fn lines(setup: &Setup) -> Vec<String> {
     let mut lines = Vec::new();
     lines.extend(setup.stock.map(|own| stock(&own)));
@@ -40,7 +39,7 @@ pub fn stock(stock: &Stock) -> String {
     line("STOCK", fields::STOCK, stock).unwrap_or_default()
 }
 
-/// A note; nothing where there is nothing to say.
+/// A note; `None` if all values are defaults.
 fn line<T>(head: &str, fields: &[Field<T>], own: &T) -> Option<String> {
     let words: String = fields::values(fields, own)
         .map(|(field, value)| format!(" {}={}", field.word, value.to_string().to_ascii_uppercase()))
@@ -48,8 +47,8 @@ fn line<T>(head: &str, fields: &[Field<T>], own: &T) -> Option<String> {
     (!words.is_empty()).then(|| format!("({head}{words})"))
 }
 
-/// What makes the notes of a text these lines: they take the place of the first note that is there, or stand
-/// after the O number; the other notes go. In the order of the text.
+/// The changes that replace the notes of a text by `lines`, in the order of the text. The lines replace the
+/// first note on a line of its own, or follow the O number. All other notes are removed.
 pub fn changes(text: &[u8], lines: &[String]) -> Vec<Change> {
     let notes = Notes::read(text);
     let mut going: Vec<Span> = notes.spans().map(|inside| whole(text, inside)).collect();
@@ -59,7 +58,7 @@ pub fn changes(text: &[u8], lines: &[String]) -> Vec<Change> {
     if side_by_side && going.iter().flat_map(|span| span.of(text)).eq(written.as_bytes()) {
         return Vec::new();
     }
-    // A note that has a line of its own gives its place to the new ones.
+    // The first note that has a line to itself is replaced by the new ones.
     let own_line = |span: &&Span| span.of(text).ends_with(b"\n") || span.of(text).ends_with(b"\r");
     let place = going.iter().find(own_line).map(|span| span.start);
     let mut changes: Vec<Change> = going
@@ -79,8 +78,8 @@ pub fn changes(text: &[u8], lines: &[String]) -> Vec<Change> {
     changes
 }
 
-/// A comment from one parenthesis to the other: with its line, where there is nothing else in it, or else
-/// with the blanks before it.
+/// A comment with its parentheses, and with its whole line if that contains nothing else, otherwise with the
+/// blanks before it.
 fn whole(text: &[u8], inside: Span) -> Span {
     let (mut start, mut end) = (inside.start as usize - 1, inside.end as usize);
     end += usize::from(matches!(text.get(end), Some(b')' | b']')));
@@ -120,7 +119,7 @@ fn behind_number(text: &[u8]) -> usize {
 mod tests {
     use super::*;
 
-    /// What becomes of a text; reading it again gives the setup that was written.
+    /// Checks the changed text, and that reading it again gives the setup that was written.
     #[track_caller]
     fn check(before: &str, setup: &str, after: &str) {
         let setup = Setup::from_json(setup).expect("a setup");

@@ -1,7 +1,7 @@
-//! What differs from control to control: the presets and their switches.
+//! The differences between controls: the presets and their switches.
 //!
-//! In: the choices of a setup. Out: a [`Dialect`] with every switch decided. Each switch says where controls
-//! differ; the default stands first in its list. Knows nothing of blocks.
+//! In: the choices of a setup. Out: a [`Dialect`] with a value for every switch. Each switch documents how
+//! controls differ; the default is the first in its list. Must not know blocks.
 
 use crate::units::{Diameter, Unit};
 use serde::Deserialize;
@@ -10,7 +10,7 @@ use serde::Deserialize;
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Control {
-    /// FANUC 0i-T and its kin, G-code system A.
+    /// FANUC 0i-T and related controls, G-code system A.
     #[default]
     Fanuc,
     /// GSK 980TD.
@@ -20,10 +20,10 @@ pub enum Control {
 }
 
 impl Control {
-    /// All presets, in the order they are offered.
+    /// All presets, in menu order.
     pub const ALL: [Control; 3] = [Self::Fanuc, Self::Gsk, Self::Forum];
 
-    /// The name in a setup and on the command line.
+    /// Name in a setup and on the command line.
     pub fn name(self) -> &'static str {
         match self {
             Self::Fanuc => "fanuc",
@@ -36,19 +36,19 @@ impl Control {
 /// Unit of the feed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize)]
 pub enum FeedMode {
-    /// Millimetres (inches) a minute.
+    /// Millimetres (inches) per minute.
     #[serde(rename = "G98")]
     PerMinute,
-    /// Millimetres (inches) a turn.
+    /// Millimetres (inches) per revolution.
     #[serde(rename = "G99")]
     PerTurn,
 }
 
 impl FeedMode {
-    /// Both, in the order they are offered.
+    /// Both units, in menu order.
     pub const ALL: [FeedMode; 2] = [Self::PerTurn, Self::PerMinute];
 
-    /// The name in a setup: the code of system A.
+    /// Name in a setup: the code of system A.
     pub fn name(self) -> &'static str {
         match self {
             Self::PerMinute => "G98",
@@ -60,17 +60,17 @@ impl FeedMode {
 /// G-code system.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize)]
 pub enum GSystem {
-    /// G90 G92 G94 are the single cycles.
+    /// The single cycles are G90 G92 G94.
     #[default]
     A,
-    /// G77 G78 G79 are.
+    /// The single cycles are G77 G78 G79.
     B,
-    /// G20 G21 G24 are.
+    /// The single cycles are G20 G21 G24.
     C,
 }
 
 impl GSystem {
-    /// All systems, in the order they are offered.
+    /// All systems, in menu order.
     pub const ALL: [GSystem; 3] = [Self::A, Self::B, Self::C];
 
     /// Its letter.
@@ -83,7 +83,7 @@ impl GSystem {
     }
 }
 
-/// Which G codes there are, and by which numbers.
+/// A list of G codes with their numbers.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum CodeList {
     /// FANUC, G-code system A.
@@ -93,7 +93,7 @@ pub enum CodeList {
     B,
     /// FANUC, system C.
     C,
-    /// GSK 980TD: as system A, and G33.
+    /// GSK 980TD: like system A, with G33.
     Gsk,
 }
 
@@ -123,24 +123,24 @@ impl CodeList {
     }
 }
 
-/// What a setup says of numbers without a decimal point.
+/// How a setup interprets numbers without a decimal point.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize)]
 #[serde(rename_all = "camelCase")]
 pub enum DecimalChoice {
-    /// What the program shows: [`crate::provenance::numbers`].
+    /// Decided by the program: [`crate::provenance::numbers`].
     #[default]
     Auto,
-    /// Units.
+    /// As whole units.
     Calculator,
-    /// Least input increments.
+    /// As least input increments.
     LeastIncrement,
 }
 
 impl DecimalChoice {
-    /// All choices, in the order they are offered.
+    /// All choices, in menu order.
     pub const ALL: [DecimalChoice; 3] = [Self::Auto, Self::Calculator, Self::LeastIncrement];
 
-    /// The name in a setup.
+    /// Name in a setup.
     pub fn name(self) -> &'static str {
         match self {
             Self::Auto => "auto",
@@ -149,7 +149,7 @@ impl DecimalChoice {
         }
     }
 
-    /// The rule, where one is chosen.
+    /// The chosen rule; `None` for `Auto`.
     pub fn rule(self) -> Option<DecimalRule> {
         match self {
             Self::Auto => None,
@@ -159,7 +159,7 @@ impl DecimalChoice {
     }
 }
 
-/// What a number without a decimal point counts.
+/// The unit of a number without a decimal point.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum DecimalRule {
     /// `X10` is 10 mm (FANUC parameter 3401#0 set).
@@ -182,7 +182,7 @@ impl From<DecimalRule> for DecimalChoice {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize)]
 #[serde(rename_all = "camelCase")]
 pub enum PqUnit {
-    /// Micrometres unless the numbers only make sense as millimetres.
+    /// Micrometres, unless the numbers only make sense as millimetres.
     Auto,
     /// Micrometres.
     Um,
@@ -191,10 +191,10 @@ pub enum PqUnit {
 }
 
 impl PqUnit {
-    /// All choices, in the order they are offered.
+    /// All choices, in menu order.
     pub const ALL: [PqUnit; 3] = [Self::Auto, Self::Um, Self::Mm];
 
-    /// The name in a setup.
+    /// Name in a setup.
     pub fn name(self) -> &'static str {
         match self {
             Self::Auto => "auto",
@@ -204,17 +204,17 @@ impl PqUnit {
     }
 }
 
-/// Which of X and U counts when both stand in one block.
+/// Which of X and U is used if one block contains both.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize)]
 #[serde(rename_all = "camelCase")]
 pub enum XuConflict {
-    /// The one written last (FANUC).
+    /// The last one in the block (FANUC).
     Last,
     /// The absolute one (GSK).
     Absolute,
 }
 
-/// What a negative R does on an arc.
+/// Effect of a negative R on an arc.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize)]
 #[serde(rename_all = "camelCase")]
 pub enum NegativeArcR {
@@ -225,10 +225,10 @@ pub enum NegativeArcR {
 }
 
 impl NegativeArcR {
-    /// Both, in the order they are offered.
+    /// Both effects, in menu order.
     pub const ALL: [NegativeArcR; 2] = [Self::Over180, Self::Alarm];
 
-    /// The name in a setup.
+    /// Name in a setup.
     pub fn name(self) -> &'static str {
         match self {
             Self::Over180 => "over180",
@@ -237,7 +237,7 @@ impl NegativeArcR {
     }
 }
 
-/// Kind of the 45° escape of G71.
+/// Motion of the 45° retract of G71.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize)]
 #[serde(rename_all = "camelCase")]
 pub enum G71Retract {
@@ -247,34 +247,34 @@ pub enum G71Retract {
     Feed,
 }
 
-/// Into how many steps G73 divides its total relief.
+/// Number of steps into which G73 divides its total relief.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize)]
 pub enum G73Intervals {
-    /// One fewer than passes.
+    /// One less than the number of passes.
     #[serde(rename = "d-1")]
     OneFewer,
-    /// As many as passes.
+    /// The number of passes.
     #[serde(rename = "d")]
     Same,
 }
 
-/// How G76 keeps its smallest depth.
+/// How G76 applies its minimum depth of cut.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize)]
 #[serde(rename_all = "camelCase")]
 pub enum G76Clamp {
-    /// From the depth before.
+    /// To the difference from the previous depth.
     Prev,
-    /// From the root formula.
+    /// To the square root formula.
     Sqrt,
 }
 
-/// What the letter I means in G92.
+/// Meaning of the letter I in G92.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize)]
 #[serde(rename_all = "camelCase")]
 pub enum IInG92 {
     /// The taper, an older spelling of R (FANUC).
     Taper,
-    /// Threads an inch (GSK).
+    /// Threads per inch (GSK).
     Tpi,
 }
 
@@ -288,36 +288,36 @@ pub enum PolarX {
     Radius,
 }
 
-/// The first reference point where none is given, machine coordinates.
+/// Default first reference point, machine coordinates.
 pub const USUAL_REF_POINT: super::Position = super::Position { x: Diameter::new(300.0), z: 300.0 };
 
-/// The switches as a setup gives them: what is not said follows the control.
+/// The switches of a setup; a missing one has the default of the control.
 #[derive(Clone, Debug, Default, PartialEq, Deserialize)]
 #[serde(default, deny_unknown_fields, rename_all = "camelCase")]
 pub struct DialectChoice {
-    /// Preset of all other rows; FANUC unless said.
+    /// Preset of all other switches; FANUC by default.
     pub control: Option<Control>,
     /// G-code system.
     pub g_system: Option<GSystem>,
     /// Unit until a G20 or G21.
     pub unit: Option<Unit>,
-    /// Numbers without a point.
+    /// Numbers without a decimal point.
     pub decimal: Option<DecimalChoice>,
     /// Unit of P and Q.
     pub pq_unit: Option<PqUnit>,
     /// Feed unit after power-on.
     pub power_on_feed: Option<FeedMode>,
-    /// Feed unit this program starts in; overrides `powerOnFeed`.
+    /// Feed unit at the start of this program; overrides `powerOnFeed`.
     pub feed_mode: Option<FeedMode>,
     /// X with U, Z with W.
     pub xu_conflict: Option<XuConflict>,
     /// Negative arc R.
     pub negative_arc_r: Option<NegativeArcR>,
-    /// G71 escape.
+    /// Retract of G71.
     pub g71_retract: Option<G71Retract>,
-    /// G73 steps.
+    /// Steps of G73.
     pub g73_intervals: Option<G73Intervals>,
-    /// G76 smallest depth.
+    /// Minimum depth of G76.
     pub g76_clamp: Option<G76Clamp>,
     /// Relief of G74 and G75 in the first column too.
     pub relief_first: Option<bool>,
@@ -335,11 +335,11 @@ pub struct DialectChoice {
     pub polar_x: Option<PolarX>,
     /// First reference point, machine coordinates.
     pub ref_point: Option<super::Position>,
-    /// Whether programs for other controls and machines are recognised, and then not run; true unless said.
+    /// Whether programs for other controls and machines are recognised, and then not run; true by default.
     pub recognise: Option<bool>,
 }
 
-/// Every switch decided.
+/// The switches with a value for each.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Dialect {
     /// The preset.
@@ -348,7 +348,7 @@ pub struct Dialect {
     pub g_system: GSystem,
     /// Unit until a G20 or G21.
     pub unit: Unit,
-    /// Numbers without a point.
+    /// Numbers without a decimal point.
     pub decimal: DecimalRule,
     /// Unit of P and Q.
     pub pq_unit: PqUnit,
@@ -358,11 +358,11 @@ pub struct Dialect {
     pub xu_conflict: XuConflict,
     /// Negative arc R.
     pub negative_arc_r: NegativeArcR,
-    /// G71 escape.
+    /// Retract of G71.
     pub g71_retract: G71Retract,
-    /// G73 steps.
+    /// Steps of G73.
     pub g73_intervals: G73Intervals,
-    /// G76 smallest depth.
+    /// Minimum depth of G76.
     pub g76_clamp: G76Clamp,
     /// Relief of G74 and G75 in the first column too.
     pub relief_first: bool,
@@ -376,21 +376,21 @@ pub struct Dialect {
     pub strict: bool,
     /// X in polar interpolation.
     pub polar_x: PolarX,
-    /// First reference point, machine coordinates; X a diameter.
+    /// First reference point, machine coordinates; X is a diameter.
     pub ref_point: super::Position,
-    /// Whether the setup says so.
+    /// Whether the setup gives the reference point.
     pub ref_point_given: bool,
 }
 
 impl Dialect {
-    /// The G codes it has.
+    /// The list of its G codes.
     #[inline]
     pub fn code_list(&self) -> CodeList {
         CodeList::new(self.control, self.g_system)
     }
 
-    /// The switches of a choice, those not said taken from its control. Numbers without a point are units
-    /// where the choice leaves that to the program: a run puts what it has decided into the choice.
+    /// Fills in missing switches with the defaults of the control. `DecimalChoice::Auto` becomes whole units:
+    /// a run replaces it by its decision beforehand.
     pub fn new(choice: &DialectChoice) -> Self {
         let control = choice.control.unwrap_or_default();
         let gsk = control == Control::Gsk;

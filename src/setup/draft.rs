@@ -1,7 +1,7 @@
-//! A setup as a form holds it: a text for each key, some of them wrong, most of them empty.
+//! A setup as the state of a form: one text for each key, possibly invalid or empty.
 //!
-//! In: the entries; what is assumed where nothing is entered. Out: the setup, and what is wrong with each
-//! entry; the setup as JSON, with all else that a JSON says kept. The rules of values are those of `invalid`.
+//! In: the entries, and the defaults for empty fields. Out: the setup, and the error of each entry; the setup
+//! as JSON, merged into a JSON text whose other keys are kept. The requirements on values are in `invalid`.
 
 use crate::order;
 use serde_json::{Map, Value as Json};
@@ -13,39 +13,39 @@ use crate::message::{Levels, Severity, levels};
 use crate::setup::dialect::DialectChoice;
 use crate::units::Diameter;
 
-/// What is written in a field of a form.
+/// The content of a field of the form.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Entry {
-    /// As in JSON: `stock.diameter`, `tools.T0101.width`, `machine.travel.xMin`.
+    /// Key as in JSON: `stock.diameter`, `tools.T0101.width`, `machine.travel.xMin`.
     pub key: String,
-    /// As it was typed; blank where nothing is said.
+    /// Text as typed; blank for the default.
     pub text: String,
 }
 
-/// What is wrong with an entry.
+/// Why an entry is wrong.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum EntryError {
     /// It cannot be read.
     Unreadable(ReadError),
-    /// It is empty, and nothing can be assumed.
+    /// It is empty, and there is no default.
     Missing,
     /// The value is invalid.
     Unmet(Requirement),
 }
 
-/// What a form says.
+/// The content of a form.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Draft {
-    /// Stock, tools, tailstock, machine, start, rules and switches of the control as they would be kept.
+    /// Stock, tools, tailstock, machine, start, rules and switches of the control, as they would be saved.
     pub setup: Setup,
-    /// What is wrong, by key.
+    /// Errors, by key.
     pub errors: Vec<(String, EntryError)>,
 }
 
-/// Stands for a length that is not known: of what has no name in a setup, only in a form.
+/// Placeholder for an unknown length. It only occurs in forms, a setup has no notation for it.
 const UNKNOWN: f64 = f64::INFINITY;
 
-/// A blank of which nothing is known.
+/// A blank with unknown sizes.
 pub const NO_STOCK: Stock = Stock {
     diameter: Diameter::new(UNKNOWN),
     bore: Diameter::new(0.0),
@@ -54,12 +54,12 @@ pub const NO_STOCK: Stock = Stock {
     grip: None,
 };
 
-/// A tailstock of which nothing is known but the usual quill.
+/// A tailstock of unknown position with the usual quill.
 pub const NO_TAILSTOCK: Tailstock = Tailstock { z: UNKNOWN, diameter: Diameter::new(20.0) };
 
 impl Draft {
-    /// Reads a form. Where some of a group is entered, the rest is what the form showed as assumed: that of
-    /// `given` tools and blanks is the defaults, that of others the inferred one.
+    /// Reads a form. If only some fields of a group are filled in, the others have the values that the form
+    /// showed as assumed: defaults for the `given` tools and blanks, inferred values for others.
     pub fn read(entries: &[Entry], given: &Setup, inferred: &Setup) -> Self {
         let mut form = FormReader { entries, errors: Vec::new() };
         let rules = single_rules(entries, given.rules.clone().without_groups());
@@ -90,8 +90,8 @@ impl Draft {
     }
 }
 
-/// The levels of single rules. They have no fields in the form, and stay as they are but for those that an entry
-/// is about: a page that hides a rule writes `off`, and nothing where the rule has its own level again.
+/// The levels of single rules, which have no fields in the form. Only rules with an entry change: a page that
+/// hides a rule writes `off`, and an empty text to restore the rule's own level.
 fn single_rules(entries: &[Entry], mut levels: Levels) -> Levels {
     for Entry { key, text } in entries {
         let Some(rule) = key.strip_prefix("rules.").and_then(levels::known) else { continue };
@@ -105,7 +105,7 @@ fn single_rules(entries: &[Entry], mut levels: Levels) -> Levels {
     levels.without_groups()
 }
 
-/// What is assumed of a blank where some of it is said.
+/// The values assumed for the empty fields of a blank.
 pub fn stock_base(given: &Setup, inferred: &Setup) -> Stock {
     let inferred = inferred.stock.unwrap_or(NO_STOCK);
     match given.stock {
@@ -114,12 +114,12 @@ pub fn stock_base(given: &Setup, inferred: &Setup) -> Stock {
     }
 }
 
-/// Where the tip stands when nothing is said.
+/// The default start position.
 pub fn start_base() -> Position {
     Setup::default().start()
 }
 
-/// The entries, and what is wrong with those that were read.
+/// The entries, and the errors found in them.
 struct FormReader<'a> {
     entries: &'a [Entry],
     errors: Vec<(String, EntryError)>,
@@ -132,7 +132,7 @@ impl<'a> FormReader<'a> {
         filled.filter_map(move |entry| Some((entry.key.strip_prefix(prefix)?, entry.text.trim())))
     }
 
-    /// A group on top of what is assumed of it; nothing where no field is filled in.
+    /// A group with its entries applied to the assumed values; `None` if no field is filled in.
     fn group<T>(&mut self, prefix: &str, fields: &[Field<T>], base: T) -> Option<T> {
         let mut own = base;
         let entered: Vec<_> = self.entered(prefix).collect();
@@ -166,7 +166,7 @@ impl<'a> FormReader<'a> {
         names
     }
 
-    /// An inferred tool without what the entries contradict: of another kind nothing is left of it.
+    /// An inferred tool without the values that contradict the entries: nothing is left if the kind differs.
     fn matching_base(&self, prefix: &str, inferred: Tool) -> Tool {
         let entered =
             |wanted: &str| self.entered(prefix).find(|(key, _)| *key == wanted).map(|found| found.1);
@@ -182,7 +182,7 @@ impl<'a> FormReader<'a> {
 }
 
 impl Name {
-    /// Whether a group cannot do without it.
+    /// Whether a group requires this field.
     pub fn is_needed(self) -> bool {
         matches!(
             self,
@@ -196,14 +196,14 @@ impl Name {
     }
 }
 
-/// The JSON of a setup with stock, tools, tailstock, machine, start, rules and switches of the control of another; what
-/// is no object is not kept.
+/// Puts stock, tools, tailstock, machine, start, rules and switches of the control into the JSON of another
+/// setup. A JSON text that is not an object is replaced.
 pub fn put_into_json(json: &str, setup: &Setup) -> String {
     let mut all = match serde_json::from_str(json) {
         Ok(Json::Object(all)) => all,
         _ => Map::new(),
     };
-    // The other switches are none of the form's.
+    // The form does not edit the other switches.
     let mut dialect = match all.remove("dialect") {
         Some(Json::Object(dialect)) => dialect,
         _ => Map::new(),
@@ -232,12 +232,12 @@ pub fn put_into_json(json: &str, setup: &Setup) -> String {
     if all.is_empty() { String::new() } else { Json::Object(all).to_string() }
 }
 
-/// A group as a JSON object; of a key such as `travel.xMin` the first part names an object in it.
+/// A group as a JSON object. The first part of a key such as `travel.xMin` names a nested object.
 fn object<T>(fields: &[Field<T>], own: &T) -> Map<String, Json> {
     let mut object = Map::new();
     for (field, value) in fields::values(fields, own) {
         let value = match value {
-            // A whole number is written as one: `tip` is read as nothing else.
+            // A whole number is written without a fraction: `tip` accepts nothing else.
             Value::Number(number) if number.fract() == 0.0 && number.abs() < 1e15 => {
                 Json::from(number as i64)
             }
@@ -268,7 +268,7 @@ mod tests {
         list.iter().map(|(key, text)| Entry { key: (*key).into(), text: (*text).into() }).collect()
     }
 
-    /// The JSON that comes of entries, and what is wrong with them, under an inferred setup.
+    /// Checks the JSON and the errors of a list of entries, given an inferred setup.
     #[track_caller]
     fn check(list: &[(&str, &str)], inferred: &str, json: &str, errors: &[(&str, EntryError)]) {
         let inferred = Setup::from_json(inferred).expect("a setup");

@@ -1,8 +1,7 @@
-//! The values a setup can hold: how each is called in JSON and in a setup comment, what it is
-//! measured in, where it stands.
+//! The values of a setup: their keys in JSON and in setup comments, their units and positions.
 //!
-//! One list for all who read and write setups: the comments (`notes`, `written`), the form (`draft`), the
-//! reference's table. Must not know which values can be: that is `faults`.
+//! One list for everything that reads and writes setups: the comments (`notes`, `as_comments`), the form
+//! (`draft`), the table of the reference. Must not know which values are valid: that is `invalid`.
 
 use super::{Machine, Position, Side, Stock, Tailstock, Tool, ToolKind, Turret};
 use crate::message::{Group, Levels, Severity};
@@ -12,7 +11,7 @@ use crate::setup::dialect::{
 use crate::units::{self, Diameter};
 use Entry::{Choice, Number, Switch, Text, Whole};
 
-/// What is written in a field.
+/// The value of a field.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Value {
     /// A measure in the unit of its field, or a whole number.
@@ -23,7 +22,7 @@ pub enum Value {
     Switch(bool),
 }
 
-/// What can be written in a field.
+/// The kind of value that a field accepts.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Entry {
     /// A measure.
@@ -32,16 +31,16 @@ pub enum Entry {
     Whole,
     /// A designation: letters, digits, points and dashes.
     Text,
-    /// One of these.
+    /// One of these choices.
     Choice(&'static [&'static str]),
     /// `true` or `false`.
     Switch,
 }
 
-/// What can be written in a switch.
+/// The values of a switch.
 pub const SWITCH: &[&str] = &["true", "false"];
 
-/// What a measure is measured in.
+/// The unit of a measure.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Unit {
     /// Millimetres.
@@ -54,7 +53,7 @@ pub enum Unit {
     TurnsPerMinute,
 }
 
-/// What a field is for; its name in each language is in `sentences::labels`.
+/// The meaning of a field; `sentences::labels` has its name in each language.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[allow(missing_docs, reason = "the labels say it")]
 pub enum Name {
@@ -110,33 +109,33 @@ pub enum Name {
 /// Why an entry cannot be read.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ReadError {
-    /// It is no number.
+    /// Not a number.
     NotANumber,
-    /// It is no whole number from 0 to 255.
+    /// Not a whole number from 0 to 255.
     NotWhole,
-    /// It is none of the words that can stand there.
+    /// Not one of the accepted words.
     NotKnown,
 }
 
-/// A place in a `T` that holds one value.
+/// A field of a `T`.
 pub struct Field<T: 'static> {
-    /// What it is for.
+    /// Its meaning.
     pub name: Name,
-    /// Its key in JSON; `travel.xMin` stands in an object `travel`.
+    /// Its key in JSON; `travel.xMin` is in an object `travel`.
     pub key: &'static str,
     /// Its word in a setup comment.
     pub word: &'static str,
-    /// What can be written in it.
+    /// The values that it accepts.
     pub entry: Entry,
-    /// Of a tool: the kinds that have a use for it; all of them where none is said.
+    /// For a tool: the kinds that use the field; empty for all kinds.
     pub kinds: &'static [ToolKind],
-    /// The value, unless it is what counts where nothing is said.
+    /// Returns the value, or `None` if it is the default.
     pub get: fn(&T) -> Option<Value>,
-    /// Sets it; what does not fit the entry changes nothing.
+    /// Sets the value. A value that does not fit the entry is ignored.
     pub set: fn(&mut T, &Value),
 }
 
-/// Reads the value and writes it: `(get, set)` of a field.
+/// The functions `get` and `set` of a field.
 type Access<T> = (fn(&T) -> Option<Value>, fn(&mut T, &Value));
 
 const fn field<T>(
@@ -166,7 +165,7 @@ impl<T> Field<T> {
         self
     }
 
-    /// Whether a kind of tool has a use for it.
+    /// Whether a kind of tool uses the field.
     pub fn is_for(&self, kind: ToolKind) -> bool {
         self.kinds.is_empty() || self.kinds.contains(&kind)
     }
@@ -198,7 +197,7 @@ impl Measured for Diameter {
     }
 }
 
-/// A measure that may be left out.
+/// An optional measure.
 macro_rules! measure {
     ($($path:ident).+) => {
         (|own| own.$($path).+.map(|own| Value::Number(own.number())), |own, value| {
@@ -209,7 +208,7 @@ macro_rules! measure {
     };
 }
 
-/// A measure that is always there, and is not written where it is this.
+/// A measure that is always present, and not written if it has its default.
 macro_rules! always {
     ($path:ident unless $usual:expr) => {
         (
@@ -223,7 +222,7 @@ macro_rules! always {
     };
 }
 
-/// A value that is named.
+/// A value with a name.
 macro_rules! named {
     ($path:ident among $type:ty) => {
         (
@@ -237,7 +236,7 @@ macro_rules! named {
     };
 }
 
-/// A switch that may be left out.
+/// An optional switch.
 macro_rules! switch {
     ($path:ident) => {
         (
@@ -251,7 +250,7 @@ macro_rules! switch {
     };
 }
 
-/// An axis of the reference point; the other one is the usual one where it is not said.
+/// An axis of the reference point; the other axis has its default if it is missing.
 macro_rules! reference {
     ($axis:ident) => {
         (
@@ -276,7 +275,7 @@ const POINTED: &[ToolKind] = &[ToolKind::Turning, ToolKind::Boring, ToolKind::Gr
 
 /// The blank: `(STOCK D=65 LENGTH=80)`.
 pub const STOCK: &[Field<Stock>] = &[
-    // Never left out: 0 stands where nothing is said, and is reported as a fault.
+    // Always written: a missing size is 0 and reported as invalid.
     field(Name::StockDiameter, "diameter", "D", MM, always!(diameter unless f64::INFINITY)),
     field(Name::Bore, "bore", "BORE", MM, always!(bore unless 0.0)),
     field(Name::Length, "length", "LENGTH", MM, always!(length unless f64::INFINITY)),
@@ -348,7 +347,7 @@ pub const TOOL: &[Field<Tool>] = &[
     tool(Name::GeometryR, "geometryR", "OFFSETR", MM, measure!(geometry_r)).of(&[ToolKind::Endmill]),
 ];
 
-/// Where the tip stands before the first block: `(START X=200 Z=200)`.
+/// Position of the tip before the first block: `(START X=200 Z=200)`.
 pub const START: &[Field<Position>] = &[
     field(Name::StartX, "x", "X", MM, always!(x unless f64::INFINITY)),
     field(Name::StartZ, "z", "Z", MM, always!(z unless f64::INFINITY)),
@@ -411,8 +410,8 @@ pub const RULES: &[Field<Levels>] = &[field(
     ),
 )];
 
-/// The control, and those of its switches that a message or the page points to:
-/// `(DIALECT DECIMAL=LEASTINCREMENT)`. The others have no fields.
+/// The control, and the switches that a message or the page refers to: `(DIALECT DECIMAL=LEASTINCREMENT)`.
+/// The other switches have no fields.
 pub const DIALECT: &[Field<DialectChoice>] = &[
     field(
         Name::Control,
@@ -447,12 +446,12 @@ pub const DIALECT: &[Field<DialectChoice>] = &[
 ];
 
 impl Entry {
-    /// Reads what somebody has written; small and capital letters are the same.
+    /// Parses a value; not case-sensitive.
     pub fn read(self, text: &str) -> Result<Value, ReadError> {
         let text = text.trim();
         match self {
             Number(_) => {
-                // A comma is the decimal point of half the world.
+                // Many languages use a decimal comma.
                 let number = crate::units::read_number(&text.replace(',', ".").replace('−', "-"));
                 let number = number.filter(|number| number.is_finite());
                 number.map(Value::Number).ok_or(ReadError::NotANumber)
@@ -491,7 +490,7 @@ impl std::fmt::Display for Value {
     }
 }
 
-/// The values of a `T` that are there, each with its field.
+/// The values of a `T` that are set, each with its field.
 pub fn values<'a, T>(
     fields: &'a [Field<T>],
     own: &'a T,
@@ -499,7 +498,7 @@ pub fn values<'a, T>(
     fields.iter().filter_map(move |field| Some((field, (field.get)(own)?)))
 }
 
-/// A `T` with the values of another put over its own.
+/// Overwrites the values of `own` by those set in `other`.
 pub fn over<T>(fields: &[Field<T>], mut own: T, other: &T) -> T {
     for (field, value) in values(fields, other) {
         (field.set)(&mut own, &value);
@@ -507,7 +506,7 @@ pub fn over<T>(fields: &[Field<T>], mut own: T, other: &T) -> T {
     own
 }
 
-/// A `T` with those values of a page that another one, which is written elsewhere, takes the place of.
+/// The values of a page that are overridden by those in `written`.
 pub fn covered<T: Default>(fields: &[Field<T>], written: &T, page: &T) -> T {
     let mut own = T::default();
     for field in fields.iter().filter(|field| (field.get)(written).is_some()) {

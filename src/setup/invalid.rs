@@ -1,7 +1,7 @@
-//! Values that are invalid in a setup.
+//! Finds invalid values in a setup.
 //!
-//! In: a setup as it was read. Out: the invalid values, and the setup without what is wrong in it, so that a
-//! run and a picture come of every setup.
+//! In: a setup as it was read. Out: the invalid values, and the setup without them, so that every setup can
+//! be run and drawn.
 
 use super::{Machine, Setup, Stock, Tool};
 use crate::message::{Message, said};
@@ -11,16 +11,16 @@ use crate::units::Diameter;
 /// An invalid value.
 #[derive(Clone, Debug, PartialEq)]
 pub struct InvalidValue {
-    /// Where it stands, as in JSON: `stock.diameter`, `tools.T0101.width`.
+    /// Key as in JSON: `stock.diameter`, `tools.T0101.width`.
     pub key: String,
     /// The value.
     pub value: f64,
-    /// What is asked of it.
+    /// The requirement that it does not meet.
     pub requirement: Requirement,
 }
 
 impl InvalidValue {
-    /// What is said of it.
+    /// The message about the value.
     pub fn message(self) -> Message {
         let Self { key, value, requirement } = self;
         match requirement {
@@ -32,7 +32,7 @@ impl InvalidValue {
     }
 }
 
-/// What is asked of a value.
+/// A requirement on a value.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Requirement {
     /// Greater than zero.
@@ -45,7 +45,7 @@ pub enum Requirement {
     AtMost(f64),
 }
 
-/// Longest length of anything, mm.
+/// Greatest length, mm.
 const LONGEST: f64 = 5000.0;
 
 impl Requirement {
@@ -59,7 +59,7 @@ impl Requirement {
     }
 }
 
-/// Checks values, and keeps the first requirement that each does not meet.
+/// Checks values, and keeps the first requirement that each of them does not meet.
 #[derive(Default)]
 struct Checker {
     invalid: Vec<InvalidValue>,
@@ -94,7 +94,7 @@ impl Checker {
         self.at(key("tip"), tool.tip.map(f64::from), &[Requirement::AtMost(9.0)]);
         self.at(key("pointAngle"), tool.point_angle, &angle(180.0));
         self.at(key("enteringAngle"), tool.entering_angle, &angle(180.0));
-        // Edges that are together wider than a half turn: the one behind the tip would be below it.
+        // If the two angles together exceed a half turn, the edge behind the tip would be below the tip.
         let point = tool.point_angle.or_else(|| tool.insert()?.point_angle).unwrap_or(80.0);
         if tool.entering_angle.is_some_and(|entering| entering < 180.0) {
             self.at(key("enteringAngle"), tool.entering_angle, &[Requirement::AtMost(180.0 - point)]);
@@ -114,13 +114,12 @@ impl Checker {
 }
 
 impl Setup {
-    /// The setup without what cannot be in it, and why. Stock and tools with an invalid
-    /// value count as not given.
+    /// Removes invalid values and returns them. Stock and tools with an invalid value count as not given.
     pub fn without_invalid_values(self) -> (Self, Vec<InvalidValue>) {
         if self.has_nothing_to_check() { (self, Vec::new()) } else { checked(self) }
     }
 
-    /// Whether it says nothing that can be invalid.
+    /// Whether it contains no value that can be invalid.
     fn has_nothing_to_check(&self) -> bool {
         let Self { initial, tools, stock, tailstock, machine, .. } = self;
         let Machine { rapid_x, rapid_z, max_speed, thread_speed_margin, .. } = machine;

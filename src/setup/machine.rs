@@ -1,39 +1,39 @@
-//! What the machine can do, and what stands in its way.
+//! The machine, its travel and its tailstock.
 
 use serde::Deserialize;
 
 use crate::units::Diameter;
 
-/// The machine. What is not given is not known, and nothing is made up for it.
+/// The machine. A missing value is unknown and has no default.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Deserialize)]
 #[serde(default, deny_unknown_fields, rename_all = "camelCase")]
 pub struct Machine {
-    /// Rapid rate along X, mm of the slide a minute.
+    /// Rapid rate of the slide along X, mm/min.
     pub rapid_x: Option<f64>,
     /// Rapid rate along Z, mm/min.
     pub rapid_z: Option<f64>,
-    /// Highest speed of the spindle, rpm.
+    /// Highest spindle speed, rpm.
     pub max_speed: Option<f64>,
-    /// K of the rule of thumb for threads, n ≤ 1200/P − K, rpm (seed 001); 80 where nothing is said. A slide that
-    /// is slow to reach its speed needs more.
+    /// K of the rule of thumb for threads, n ≤ 1200/P − K, rpm (seed 001); 80 by default. A slide that
+    /// accelerates slowly needs more.
     pub thread_speed_margin: Option<f64>,
-    /// Where the tip can go.
+    /// Travel of the tip.
     pub travel: Travel,
-    /// Which side of the spindle the turret is on.
+    /// Side of the spindle that the turret is on.
     pub turret: Turret,
-    /// Whether it has a Y axis; where nothing is said, it has none.
+    /// Whether it has a Y axis; false by default.
     pub y_axis: Option<bool>,
 }
 
 impl Machine {
-    /// Whether the turret moves along Y. Few lathes do, and on the others a Y of a milling program is an alarm: so this
-    /// has to be said.
+    /// Whether the turret moves along Y. Few lathes have a Y axis, and on the others a Y from a milling
+    /// program is an alarm, so the setup must state it.
     pub fn has_y(&self) -> bool {
         self.y_axis == Some(true)
     }
 }
 
-/// Where the tip can go, in the coordinates of the program: X a diameter, mm.
+/// Travel of the tip in program coordinates: X a diameter, mm.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Deserialize)]
 #[serde(default, deny_unknown_fields, rename_all = "camelCase")]
 pub struct Travel {
@@ -47,14 +47,14 @@ pub struct Travel {
     pub z_max: Option<f64>,
 }
 
-/// Which side of the spindle the turret is on; the picture has X+ on that side.
+/// Side of the spindle that the turret is on; the picture has X+ on that side.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Turret {
     /// At the rear: X+ is drawn upwards.
     #[default]
     Rear,
-    /// In front of it: X+ is drawn downwards.
+    /// At the front: X+ is drawn downwards.
     Front,
 }
 

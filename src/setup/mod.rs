@@ -1,8 +1,7 @@
-//! Everything a run needs that is not in the program text: the control, the tools, the
-//! stock, the machine, the start.
+//! The input of a run besides the program text: the control, the tools, the stock, the machine, the start.
 //!
-//! In: a setup as JSON (a file, the page's form), and what comments of the program say of it (`notes`). Out:
-//! [`Setup`]. Lengths here are as people write them: X values are diameters, mm.
+//! In: a setup as JSON (a file, or the form of the page), and setup comments of the program (`notes`). Out:
+//! [`Setup`]. Lengths are in the notation of users: X values are diameters, mm.
 
 pub mod as_comments;
 pub mod dialect;
@@ -32,48 +31,48 @@ pub use side::Side;
 pub use stock::{DescribedStock, Stock};
 pub use tool::{Tool, ToolKind};
 
-/// A setup as written: every key optional, an unknown key is an error that names it.
+/// A setup as written. Every key is optional; an unknown key is an error that names it.
 #[derive(Debug, Default, PartialEq, Deserialize)]
 #[serde(default, deny_unknown_fields, rename_all = "camelCase")]
 pub struct Setup {
     /// The control and its switches.
     pub dialect: DialectChoice,
-    /// Where the tool tip stands before the first block.
+    /// Position of the tool tip before the first block.
     pub initial: Option<Position>,
     /// Tools by their T word in four digits (`T0101`).
     pub tools: BTreeMap<String, Tool>,
-    /// What prose in comments says of tools, by turret station: a hint for inferring them. Never in a file,
-    /// and of a run only in the setup for its machine (`Run::setup_at_machine`).
+    /// Tools described by prose in comments, by turret station: a hint for inference. Never in a file; a run
+    /// has them only in the setup for its machine (`Run::setup_at_machine`).
     #[serde(skip)]
     pub described_tools: BTreeMap<u16, Tool>,
-    /// The same of the blank.
+    /// The blank described by prose in comments.
     #[serde(skip)]
     pub described_stock: DescribedStock,
     /// The blank.
     pub stock: Option<Stock>,
-    /// The centre of the tailstock, where the work is held by one.
+    /// The centre of the tailstock, if it supports the workpiece.
     pub tailstock: Option<Tailstock>,
-    /// What the machine can do.
+    /// The machine.
     pub machine: Machine,
     /// Levels of block skip (`/` and `/1` to `/9`) that are switched on: such blocks are ignored.
     pub block_skip: Vec<u8>,
-    /// Number of the O program to run; the first of the text when nothing is said.
+    /// Number of the O program to run; by default the first program of the text.
     pub program: Option<u32>,
-    /// What a run may use up.
+    /// The limits of a run.
     pub limits: Limits,
     /// The severity of a rule, or of a group of rules.
     pub rules: Levels,
-    /// The severity of rules whatever comments in the program say. Never in a file.
+    /// Severities that override comments in the program. Never in a file.
     #[serde(skip)]
     pub forced_rules: Levels,
-    /// Whether lints listen to the run.
+    /// Whether lints observe the run.
     pub lints: Lints,
-    /// Values of variables that a reader tries. Never in a file.
+    /// Values of variables that the reader tries. Never in a file.
     #[serde(skip)]
     pub tried: Vec<TriedValue>,
 }
 
-/// What if a variable had another value: it gets it before a block, one of the times that is carried out.
+/// A trial value for a variable, assigned before one execution of a block.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TriedValue {
     /// First byte of the block.
@@ -86,19 +85,20 @@ pub struct TriedValue {
     pub value: f64,
 }
 
-/// Whether lints listen to a run: what an instructor would say though the control runs it.
+/// Whether lints observe a run: they report what an instructor would, although the control accepts it.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Lints {
-    /// They do.
+    /// All lints observe the run.
     #[default]
     On,
-    /// None does, and the run costs nothing for them.
+    /// No lint observes the run, and they cost nothing.
     Off,
 }
 
 impl Clone for Setup {
-    /// A setup has tools only once the part that reads and describes them has been loaded: it copies them.
+    /// A setup has tools only after the part that reads and describes them has been loaded; that part copies
+    /// them.
     fn clone(&self) -> Self {
         let mut setup = Self {
             dialect: self.dialect.clone(),
@@ -125,13 +125,13 @@ impl Clone for Setup {
 }
 
 impl Setup {
-    /// Reads a setup from JSON; what says more than `{}` needs the part `Early` of the module. The error says what is wrong and where, and names an unknown key or a limit
-    /// that is set too high.
+    /// Reads a setup from JSON. Anything but `{}` needs the part `Early` of the module. The error says what
+    /// is wrong and where, and names an unknown key or a limit that is set too high.
     pub fn from_json(json: &str) -> Result<Self, String> {
         if json == "{}" { Ok(Self::default()) } else { read_json(json) }
     }
 
-    /// Where the tip stands at the start: X200 Z200 when nothing is said.
+    /// Position of the tip at the start: X200 Z200 by default.
     pub fn start(&self) -> Position {
         self.initial.unwrap_or(Position { x: Diameter::new(200.0), z: 200.0 })
     }
@@ -157,7 +157,8 @@ early! {
     }
 }
 
-/// The last key of a JSON text before a place (line and column from 1), in quotes: what an error is about.
+/// The last key, in quotes, before a place (line and column from 1) of a JSON text: the key that an error is
+/// about.
 fn key_before(json: &str, line: usize, column: usize) -> Option<&str> {
     let start: usize = json.split_inclusive('\n').take(line.checked_sub(1)?).map(str::len).sum();
     let end = (start + column).min(json.len());
@@ -167,12 +168,12 @@ fn key_before(json: &str, line: usize, column: usize) -> Option<&str> {
     Some(&before[name.rfind('"')?..=name.len()])
 }
 
-/// A place as people write it.
+/// A position in the notation of users.
 #[derive(Clone, Copy, Debug, PartialEq, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Position {
     /// Diameter, mm.
     pub x: Diameter,
-    /// Length, mm.
+    /// Z, mm.
     pub z: f64,
 }

@@ -1,4 +1,4 @@
-//! The setup as comments of the program, which a control ignores:
+//! Reads the setup from comments of the program, which a control ignores:
 //!
 //! ```text
 //! (STOCK D=65 BORE=18 LENGTH=80 FACE=1 GRIP=30)
@@ -11,10 +11,10 @@
 //! (RULES CLASSROOM=WARNING NO-PROGRAM-END=OFF)
 //! ```
 //!
-//! and `[BILLET X62 Z70`, as class simulators write a bar of 62 mm, 70 mm long.
+//! and `[BILLET X62 Z70`, the notation of class simulators for a bar of 62 mm, 70 mm long.
 //!
-//! In: the text of a program. Out: what its first lines say, and what in it cannot be read. Prose that begins
-//! with one of these words, but has no `=` or more words without one, is prose.
+//! In: the text of a program. Out: the settings in its first lines, and the words that cannot be read. A
+//! comment that begins with one of these keywords, but has no `=` or several words without one, is prose.
 
 use std::borrow::Cow;
 
@@ -28,10 +28,10 @@ use crate::setup::dialect::DialectChoice;
 use crate::source::Span;
 use crate::units::{Diameter, read_number};
 
-/// Notes stand in the first bytes of a text: so many are looked at.
+/// Number of bytes at the beginning of a text that are searched for notes.
 pub const HEAD: usize = 1 << 16;
 
-/// What the comments of a program say of its setup.
+/// The settings in the comments of a program.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Notes {
     /// The blank.
@@ -42,15 +42,15 @@ pub struct Notes {
     pub tailstock: Option<Tailstock>,
     /// The machine.
     pub machine: Option<Machine>,
-    /// Where the tip stands before the first block.
+    /// Position of the tip before the first block.
     pub start: Option<Position>,
     /// The control and its switches.
     pub dialect: DialectChoice,
     /// The severity of rules.
     pub rules: Levels,
-    /// What cannot be read.
+    /// The words that cannot be read.
     pub unreadable: Vec<UnreadableWord>,
-    /// Where each stands: the beginning of its key in a setup, such as `stock.`.
+    /// The span of each note, with the beginning of its key in a setup, such as `stock.`.
     places: Vec<(String, Span)>,
 }
 
@@ -59,9 +59,9 @@ pub struct Notes {
 pub struct UnreadableWord {
     /// The word.
     pub span: Span,
-    /// The words that can stand there.
+    /// The words that are accepted there.
     pub expected: Cow<'static, str>,
-    /// The word that its key was likely meant to be.
+    /// The accepted word that its key is probably a misspelling of.
     pub nearest: Option<&'static str>,
 }
 
@@ -72,7 +72,7 @@ struct Word<'a> {
     span: Span,
 }
 
-/// The word a note begins with; the last one in brackets, the others in parentheses.
+/// The first word of a note. The last keyword is in brackets, the others are in parentheses.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 enum Keyword {
     Stock,
@@ -111,19 +111,19 @@ impl Keyword {
     }
 }
 
-/// What can stand in a note of a tool.
+/// The words of a tool note.
 pub const TOOL_WORDS: &str = "TYPE=TURNING (BORING, GROOVING, THREADING, DRILL, TAP, ENDMILL), SIDE=OUTSIDE (INSIDE, FACE), INSERT=, R=, TIP=, KR=, POINT=, EDGE=, WIDTH=, D=, REACH=, SHANK=, ANGLE=, CUTTER=, OFFSETR=";
 
-/// What can stand in a note of rules.
+/// The words of a rules note.
 pub const RULE_WORDS: &str = "CLASSROOM=OFF (INFO, WARNING, ERROR)";
 
-/// What can stand in a note of the control's switches.
+/// The words of a note of the control's switches.
 pub const DIALECT_WORDS: &str = "CONTROL=FANUC (GSK, FORUM), GSYSTEM=A (B, C), UNIT=MM (INCH), FEEDMODE=G99 (G98), DECIMAL=AUTO (CALCULATOR, LEASTINCREMENT), PQUNIT=AUTO (UM, MM), REFX=, REFZ=, RECOGNISE=TRUE (FALSE), STRICT=FALSE (TRUE), TYPEII=TRUE (FALSE), NEGATIVEARCR=OVER180 (ALARM)";
 
-/// For so many words that are no rule the nearest one is looked for.
+/// Most unknown rule names for which the nearest name is searched.
 const NEAREST: usize = 20;
 
-/// What can stand in a note of the machine.
+/// The words of a machine note.
 pub const MACHINE_WORDS: &str = "RAPIDX=, RAPIDZ=, MAXSPEED=, THREADK=, XMIN=, XMAX=, ZMIN=, ZMAX=, TURRET=FRONT, TURRET=REAR, YAXIS=TRUE (FALSE)";
 
 impl Notes {
@@ -132,23 +132,23 @@ impl Notes {
         if Self::may_stand_in(text) { read(text) } else { Self::default() }
     }
 
-    /// Whether a text can have notes: only then the part `Early` of the module is needed to read them. Never false where
-    /// there are some.
+    /// Whether a text may have notes; only then reading them needs the part `Early` of the module. Never
+    /// false if there are notes.
     pub fn may_stand_in(text: &[u8]) -> bool {
         comments(text).any(|comment| comment.keyword().is_some())
     }
 
-    /// Whether the notes of a text can be read now: there are none, or what reads them has been loaded.
+    /// Whether the notes of a text can be read now: there are none, or the part that reads them is loaded.
     pub fn can_be_read(text: &[u8]) -> bool {
         Part::Early.is_loaded() || !Self::may_stand_in(text)
     }
 
-    /// The setup with what the notes say in place of what it said.
+    /// The setup with its values overridden by the notes.
     pub fn applied_to(&self, setup: Setup) -> Setup {
         if self.places.is_empty() { setup } else { applied(self, setup) }
     }
 
-    /// What is to be reported about them; `invalid` are those of the whole setup.
+    /// The diagnostics of the notes; `invalid` are the invalid values of the whole setup.
     pub fn diagnostics(&self, invalid: Vec<InvalidValue>, text: &[u8]) -> Vec<Diagnostic> {
         if self.unreadable.is_empty() && invalid.is_empty() {
             Vec::new()
@@ -157,7 +157,7 @@ impl Notes {
         }
     }
 
-    /// Whether they are what stands in a text.
+    /// Whether these are the notes of a text.
     pub fn are_those_of(&self, text: &[u8]) -> bool {
         if Self::may_stand_in(text) {
             are_those(self, text)
@@ -257,7 +257,7 @@ impl Notes {
         self.places.push((key.to_owned(), span));
     }
 
-    /// Where the notes stand: what is between their parentheses.
+    /// The spans of the notes, without parentheses.
     pub fn spans(&self) -> impl Iterator<Item = Span> {
         self.places.iter().map(|place| place.1)
     }
@@ -278,7 +278,7 @@ impl Notes {
         }
     }
 
-    /// Puts each word into its field, and keeps those it does not know.
+    /// Puts each word into its field, and keeps the words that are unknown.
     fn fill<T>(&mut self, words: &[Word], fields: &[Field<T>], own: &mut T, expected: &'static str) {
         for word in words {
             let is_meant =
@@ -345,7 +345,8 @@ early! {
         let values = invalid.into_iter().filter_map(|fault| {
             let place = notes.places.iter().rfind(|place| fault.key.starts_with(&place.0));
             let span = place.map_or(Span::new(0, 0), |place| place.1);
-            // One fault, one message: what a word that cannot be read was to set is missing.
+            // One mistake, one message: an invalid value that results from an unreadable word is not
+            // reported.
             let is_consequence =
                 notes.unreadable.iter().any(|fault| place.is_some() && span.contains(fault.span));
             (!is_consequence).then(|| Diagnostic::new(fault.message(), span))
@@ -354,17 +355,17 @@ early! {
     }
 }
 
-/// A comment of a program, or what stands in brackets.
+/// A comment of a program, or text in brackets.
 struct Comment<'a> {
-    /// The parenthesis or bracket.
+    /// The opening parenthesis or bracket.
     opened_by: u8,
-    /// The byte after it.
+    /// Position of the byte after it.
     start: usize,
     inside: &'a [u8],
 }
 
 impl Comment<'_> {
-    /// The word that may make it a note.
+    /// The keyword that may make it a note.
     fn keyword(&self) -> Option<Keyword> {
         let inside = self.inside.trim_ascii_start();
         let ends = |byte: &u8| byte.is_ascii_whitespace() || *byte == b'=';
@@ -378,20 +379,20 @@ impl Comment<'_> {
     }
 }
 
-/// Whether what is in parentheses is read as settings.
+/// Whether the text of a comment is read as settings.
 pub fn is_note(inside: &str) -> bool {
     let comment = Comment { opened_by: b'(', start: 0, inside: inside.as_bytes() };
     comment.keyword().is_some() && has_value(inside)
 }
 
-/// Whether a word after the first one sets something: `D=65`.
+/// Whether a word after the first one sets a value: `D=65`.
 fn has_value(inside: &str) -> bool {
     let mut words = inside.split_ascii_whitespace().skip(1);
     words.any(|word| word.split_once('=').is_some_and(|(_, value)| !value.is_empty()))
 }
 
-/// Whether prose follows the first word of a comment, in spite of an `=`: `(START SPINDLE, D=1.7)`, `(MACHINE THE OD, D=40)`.
-/// One strange word in front of the settings is a slip.
+/// Whether the first word of a comment is followed by prose, despite an `=`: `(START SPINDLE, D=1.7)`,
+/// `(MACHINE THE OD, D=40)`. A single unknown word before the settings is a mistake.
 fn is_prose(rest: &[u8]) -> bool {
     let mut words = rest.split(u8::is_ascii_whitespace).filter(|word| !word.is_empty()).peekable();
     let Some([first, second, .., last]) = words.peek() else { return false };
@@ -408,7 +409,8 @@ fn is_prose(rest: &[u8]) -> bool {
     is_word && begins_bare == Some(true) && (ends_clause || 2 * bare > all)
 }
 
-/// What is at the head of a text in parentheses and brackets, each closed by the next one or the end of its line.
+/// The comments and brackets at the head of a text, each closed by the next closing one or the end of its
+/// line.
 fn comments(text: &[u8]) -> impl Iterator<Item = Comment<'_>> {
     let head = &text[..text.len().min(HEAD)];
     let mut at = 0;
@@ -420,8 +422,8 @@ fn comments(text: &[u8]) -> impl Iterator<Item = Comment<'_>> {
     })
 }
 
-/// The word that differs least from one that is misspelt, if by little: a letter too many, too few or
-/// another, or two letters in each other's place.
+/// The known word that a word is probably a misspelling of: one letter too many, missing or different, or two
+/// letters swapped.
 fn nearest(key: &str, known: impl Iterator<Item = &'static str>) -> Option<&'static str> {
     const SHORTEST: usize = 3;
     const LONGEST: usize = 32;
@@ -431,7 +433,7 @@ fn nearest(key: &str, known: impl Iterator<Item = &'static str>) -> Option<&'sta
     near.filter(|(edits, word)| *edits <= word.len() / 3).min().map(|(_, word)| word)
 }
 
-/// A tool's name in four digits: T1 is tool 1 with offset 1. Nothing for what is no T word.
+/// The name of a tool in four digits: T1 is tool 1 with offset 1. `None` if `word` is not a T word.
 pub fn tool_name(word: &str) -> Option<String> {
     let digits = word.trim().strip_prefix(['T', 't']).filter(|digits| is_number(digits))?;
     Some(if digits.len() <= 2 { format!("T{digits:0>2}{digits:0>2}") } else { format!("T{digits:0>4}") })
@@ -499,7 +501,8 @@ mod tests {
         assert_eq!(rules, [("classroom", Severity::Warning), ("no-program-end", Severity::Off)]);
     }
 
-    /// Whatever is read as a note is found beforehand, however it is written; prose and code are not.
+    /// `may_stand_in` is true for everything that is read as a note, in any spelling, and false for prose and
+    /// code.
     #[test]
     fn where_notes_may_stand() {
         let written = |name: &str| {

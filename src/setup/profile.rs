@@ -1,28 +1,28 @@
-//! Parts of a setup that are kept under a name and used again: a machine, a table of tools.
+//! Parts of a setup that are saved under a name and used again: a machine, a table of tools.
 //!
-//! In: setups as JSON. Out: setups as JSON, which the command line and the page read like any other. What else
-//! a setup says stays as it is.
+//! In: setups as JSON. Out: setups as JSON, which the command line and the page read like any other. The
+//! other parts of a setup are unchanged.
 
 use serde_json::{Map, Value};
 
 use super::Setup;
 
-/// What is kept under a name.
+/// A part of a setup that can be saved under a name.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Profile {
     /// The control with its switches, travel, rapids, speed, turret and tailstock.
     Machine,
-    /// The tools in their stations.
+    /// The tools with their stations.
     Tools,
 }
 
 impl Profile {
-    /// The profile of a name; the machine for any other.
+    /// The profile with a name; the machine for an unknown name.
     pub fn of(name: &str) -> Self {
         if name == "tools" { Self::Tools } else { Self::Machine }
     }
 
-    /// The keys of a setup that belong to it.
+    /// The keys of a setup that belong to the profile.
     const fn keys(self) -> &'static [&'static str] {
         match self {
             Self::Machine => &["dialect", "machine", "tailstock"],
@@ -30,14 +30,14 @@ impl Profile {
         }
     }
 
-    /// What a setup says of it; nothing where it says nothing.
+    /// The profile's part of a setup; `None` if it is empty.
     pub fn in_setup(self, json: &str) -> Option<String> {
         let mut all = object(json);
         all.retain(|key, _| self.keys().contains(&key.as_str()));
         (!all.is_empty()).then(|| Value::Object(all).to_string())
     }
 
-    /// A setup with another profile in place of its own; an empty text where nothing is said then.
+    /// Replaces the profile's part of a setup by `profile`. Returns an empty text if the result is empty.
     pub fn put_into(self, json: &str, profile: &str) -> String {
         let mut all = object(json);
         all.retain(|key, _| !self.keys().contains(&key.as_str()));
@@ -46,20 +46,20 @@ impl Profile {
     }
 }
 
-/// One setup of several, as JSON: of each group the last one that says something of it holds.
+/// Merges setups, as JSON; of each top-level key the last value is used.
 pub fn joined_text(setups: &[String]) -> String {
     Value::Object(setups.iter().flat_map(|json| object(json)).collect()).to_string()
 }
 
-/// One setup of several: of each group the last one that says something of it holds.
+/// Merges setups; of each top-level key the last value is used.
 ///
 /// # Errors
 ///
-/// What is wrong with a text that is no setup.
+/// The error of a text that is not a setup.
 pub fn joined(setups: &[String]) -> Result<Setup, String> {
     let [one] = setups else {
         for json in setups {
-            // Each is read alone, so that what is wrong is said of its own text.
+            // Each setup is read separately, so that an error refers to its own text.
             Setup::from_json(json)?;
         }
         return Setup::from_json(&joined_text(setups));

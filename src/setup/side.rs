@@ -1,8 +1,8 @@
-//! Which side of the work a tool is for.
+//! Side of the workpiece that a tool is for.
 
 use serde::Deserialize;
 
-/// Which side of the work a tool is for.
+/// Side of the workpiece that a tool is for.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Side {
@@ -19,7 +19,7 @@ impl Side {
     /// All sides.
     pub const ALL: [Side; 3] = [Self::Outside, Self::Inside, Self::Face];
 
-    /// Its name in a setup.
+    /// Name in a setup.
     pub fn name(self) -> &'static str {
         match self {
             Self::Outside => "outside",

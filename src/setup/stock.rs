@@ -5,26 +5,26 @@ use serde::Deserialize;
 use crate::geometry::Point;
 use crate::units::Diameter;
 
-/// A bar or a tube, and how far it stands in the chuck.
+/// A bar or a tube, and the length of it in the chuck.
 #[derive(Clone, Copy, Debug, PartialEq, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Stock {
     /// Outside diameter, mm.
     pub diameter: Diameter,
-    /// Bore diameter, mm; 0 for solid.
+    /// Bore diameter, mm; 0 for a solid bar.
     #[serde(default)]
     pub bore: Diameter,
     /// Z of the front face, mm.
     #[serde(default)]
     pub face: f64,
-    /// Length, mm, from the face towards −Z.
+    /// Length from the face towards −Z, mm.
     pub length: f64,
-    /// Clamping length, mm, from the back; there are no jaws where nothing is said.
+    /// Clamping length from the back, mm; without it there are no jaws.
     #[serde(default)]
     pub grip: Option<f64>,
 }
 
-/// The sizes of a blank that prose names.
+/// The sizes of a blank described by prose.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct DescribedStock {
     /// Outside diameter, mm.
@@ -34,9 +34,9 @@ pub struct DescribedStock {
 }
 
 impl DescribedStock {
-    /// The inferred blank with the described sizes that suit the cuts. Other sizes describe the part.
+    /// The inferred blank with the described sizes, if they fit the cuts. Other sizes describe the part.
     pub fn applied_to(self, inferred: Stock) -> Stock {
-        /// How much smaller than the inferred one a size is at least, and how much larger at most, as a share of it.
+        /// Least and greatest ratio of a described size to the inferred one.
         const DIAMETERS: [f64; 2] = [0.9, 2.0];
         const LENGTHS: [f64; 2] = [0.83, 3.0];
         let suits = |size: f64, inferred: f64, [least, most]: [f64; 2]| {
@@ -53,7 +53,7 @@ impl DescribedStock {
 }
 
 impl Stock {
-    /// The blank in coordinates that are shifted; one without a bore has none there.
+    /// The blank in shifted coordinates. A solid bar stays solid.
     pub fn moved(self, by: Point) -> Self {
         let radially = |own: Diameter| Diameter::from_radius(own.radius() + by.x);
         let bore = if self.bore.mm() == 0.0 { self.bore } else { radially(self.bore) };
@@ -66,11 +66,11 @@ impl Stock {
     }
 }
 
-/// With less feed, mm/rev, sliding-head lathes turn small parts to size in one pass, however deep.
+/// Below this feed, mm/rev, sliding-head lathes turn small parts to size in one pass, however deep.
 pub const ONE_PASS_FEED: f64 = 0.06;
 
-/// How deep a pass may be at most in work of this radius, mm, both as a radius: a thick bar bears more, and is
-/// turned on a larger lathe. Twice what is usual, since who roughs deeper knows why.
+/// Greatest depth of a pass in a workpiece of this radius, mm, both as a radius: a thick bar bears more, and
+/// is turned on a larger lathe. Twice the usual depth, since deeper roughing is intended.
 pub fn deepest_cut(radius: f64) -> f64 {
     (radius / 4.0).clamp(6.0, 15.0)
 }

@@ -1,18 +1,18 @@
 //! Lay-down threading inserts by their usual designation.
 //!
-//! In: a designation such as `16ER AG60`, `22IL 4.0ISO` or `16ERM 14W`: length of the insert's edge, outside
-//! or inside, hand, and for which threads. Out: [`ThreadInsert`]. Must not know how an insert is drawn.
+//! In: a designation such as `16ER AG60`, `22IL 4.0ISO` or `16ERM 14W`: edge length, outside or inside, hand,
+//! and threads. Out: [`ThreadInsert`]. Must not know how an insert is drawn.
 
 use super::Side;
 
-/// What the designation of a threading insert says: lengths in mm, angles in degrees.
+/// The meaning of a threading insert's designation: lengths in mm, angles in degrees.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ThreadInsert {
-    /// Length of the insert's edge: 16 for `16ER`.
+    /// Edge length: 16 for `16ER`.
     pub size: f64,
-    /// Side of the work; nothing for one that does for both.
+    /// Side of the workpiece; `None` for both sides.
     pub side: Option<Side>,
-    /// Which hand it is.
+    /// Hand of the insert.
     pub hand: Hand,
     /// The largest pitch it is made for.
     pub pitch: Option<f64>,
@@ -20,20 +20,20 @@ pub struct ThreadInsert {
     pub angle: Option<f64>,
 }
 
-/// Which hand a tool is.
+/// Hand of a tool.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Hand {
     /// Feeds towards the chuck.
     #[default]
     Right,
-    /// Feeds away from it.
+    /// Feeds away from the chuck.
     Left,
 }
 
-/// Letters of inserts for a range of pitches, and the largest of it, mm.
+/// Letters of inserts for a range of pitches, and the largest pitch of the range, mm.
 const RANGES: [(&str, f64); 6] = [("AG", 3.0), ("A", 1.5), ("G", 3.0), ("N", 5.0), ("Q", 6.0), ("U", 8.0)];
 
-/// Standards of threads, the angle of their flanks, and whether pitches are counted as threads per inch.
+/// Thread standards, the angle of their flanks, and whether they use threads per inch.
 const STANDARDS: [(&str, f64, Measure); 11] = [
     ("ISO", 60.0, Measure::Millimetres),
     ("TR", 30.0, Measure::Millimetres),
@@ -55,7 +55,7 @@ enum Measure {
 }
 
 impl ThreadInsert {
-    /// Reads a designation; nothing where it does not begin with size, side and hand.
+    /// Parses a designation; `None` if it does not begin with size, side and hand.
     pub fn read(designation: &str) -> Option<Self> {
         let text: String = designation
             .chars()
@@ -65,9 +65,9 @@ impl ThreadInsert {
         let digits = text.bytes().take_while(u8::is_ascii_digit).count();
         let (size, rest) = text.split_at_checked(digits)?;
         let size = crate::units::read_number(size).filter(|size| (6.0..=40.0).contains(size))?;
-        // `U` before the side: a pattern that shows its point in the middle of the edge.
+        // `U` before the side: a shape with its point at the middle of the edge.
         let rest = rest.strip_prefix('U').unwrap_or(rest);
-        // One maker writes N for inside.
+        // One manufacturer uses N for inside.
         let sides =
             [("EI", None), ("E", Some(Side::Outside)), ("I", Some(Side::Inside)), ("N", Some(Side::Inside))];
         let (side, rest) =
@@ -75,7 +75,7 @@ impl ThreadInsert {
         let hands = [("R", Hand::Right), ("L", Hand::Left)];
         let (hand, rest) =
             hands.iter().find_map(|(letter, hand)| Some((*hand, rest.strip_prefix(letter)?)))?;
-        // Made for either hand: `RL`. A chip breaker that is pressed in: `M`.
+        // `RL`: made for both hands. `M`: a pressed-in chip breaker.
         let rest = rest.strip_prefix('L').filter(|_| hand == Hand::Right).unwrap_or(rest);
         let rest = rest.strip_prefix('M').unwrap_or(rest);
         let (pitch, angle) = threads(rest);
@@ -97,7 +97,7 @@ fn threads(text: &str) -> (Option<f64>, Option<f64>) {
     let standard = STANDARDS.iter().find(|standard| rest.starts_with(standard.0));
     let (angle, measure) = match standard {
         Some((_, angle, measure)) => (Some(*angle), *measure),
-        // Threads per inch are whole numbers, and more of them than a pitch has millimetres.
+        // Threads per inch are whole numbers, and larger than any pitch in mm.
         None if number >= 9.0 => (None, Measure::PerInch),
         None => (None, Measure::Millimetres),
     };

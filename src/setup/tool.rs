@@ -1,4 +1,4 @@
-//! What is known of a tool.
+//! A tool and its insert.
 
 use serde::Deserialize;
 
@@ -7,11 +7,11 @@ use super::thread_insert::ThreadInsert;
 use crate::parts::early;
 use crate::units::Diameter;
 
-/// A tool as a setup sheet names it. What is left out has the usual value of its kind.
+/// A tool as on a setup sheet. Missing values have the default of its kind.
 #[derive(Clone, Debug, Default, PartialEq, Deserialize)]
 #[serde(default, deny_unknown_fields, rename_all = "camelCase")]
 pub struct Tool {
-    /// Nose radius, mm; of a grooving insert that of its corners.
+    /// Nose radius, mm; for a grooving insert the radius of its corners.
     pub nose_radius: Option<f64>,
     /// Tip direction, 0 to 9 (FANUC 16/18-T B-62754EN p. 224).
     pub tip: Option<u8>,
@@ -19,35 +19,34 @@ pub struct Tool {
     pub tool_radius: Option<f64>,
     /// The R entry of the geometry offset, mm.
     pub geometry_r: Option<f64>,
-    /// What kind of tool it is.
+    /// Kind of the tool.
     #[serde(rename = "type")]
     pub kind: Option<ToolKind>,
-    /// Which side of the work a grooving insert or a threading tool is for.
+    /// Side of the workpiece that a grooving insert or a threading tool is for.
     pub side: Option<Side>,
-    /// The insert as ISO 1832 writes it: its first letter is the shape, `CNMG120408` also says edge and nose.
-    /// Of a threading tool as makers write lay-down inserts: `16ER AG60`.
+    /// ISO 1832 designation of the insert: the first letter is its shape, and `CNMG120408` also gives edge
+    /// length and nose radius. For a threading tool the designation of a lay-down insert: `16ER AG60`.
     pub insert: Option<String>,
-    /// Angle between the two edges of a turning insert, degrees; the shape of the
-    /// insert where nothing is said.
+    /// Angle between the two edges of a turning insert, degrees; by default that of its shape.
     pub point_angle: Option<f64>,
     /// Angle of the main edge to the direction of feed along Z, degrees (κr, 95 for a common turning tool).
     pub entering_angle: Option<f64>,
-    /// Length of the cutting edge, mm; of a threading tool that of each flank of its point.
+    /// Length of the cutting edge, mm; for a threading tool the length of each flank of its point.
     pub edge_length: Option<f64>,
     /// Width of a grooving insert, mm.
     pub width: Option<f64>,
     /// Diameter of a drill, a tap or a cutter, mm.
     pub diameter: Option<Diameter>,
-    /// How far a grooving insert, a threading point or a drill reaches from its holder, or a
-    /// boring bar into the work, mm.
+    /// Length of a grooving insert, a threading point or a drill from its holder, or of a boring bar into the
+    /// workpiece, mm.
     pub reach: Option<f64>,
     /// Diameter of a boring bar, mm.
     pub shank: Option<f64>,
-    /// Angle of a thread or of a drill's point, degrees.
+    /// Angle of a thread or of the point of a drill, degrees.
     pub angle: Option<f64>,
 }
 
-/// What kind of tool it is.
+/// Kind of a tool.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum ToolKind {
@@ -55,7 +54,7 @@ pub enum ToolKind {
     Turning,
     /// Turns bores.
     Boring,
-    /// A grooving insert: grooves, parts off.
+    /// A grooving insert: grooves and parts off.
     Grooving,
     /// Cuts threads with one point.
     Threading,
@@ -72,7 +71,7 @@ impl ToolKind {
     pub const ALL: [ToolKind; 7] =
         [Self::Turning, Self::Boring, Self::Grooving, Self::Threading, Self::Drill, Self::Tap, Self::Endmill];
 
-    /// Its name in a setup.
+    /// Name in a setup.
     pub fn name(self) -> &'static str {
         match self {
             Self::Turning => "turning",
@@ -86,21 +85,21 @@ impl ToolKind {
     }
 }
 
-/// What an insert's designation says (ISO 1832): lengths in mm, angles in degrees.
+/// The meaning of an insert's designation (ISO 1832): lengths in mm, angles in degrees.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Insert {
     /// Letter of the shape.
     pub shape: char,
     /// Angle between two edges; `None` for a round one.
     pub point_angle: Option<f64>,
-    /// Length of the edge, or diameter of a round one.
+    /// Length of the edge, or diameter of a round insert.
     pub edge_length: Option<f64>,
     /// Nose radius.
     pub nose_radius: Option<f64>,
 }
 
 impl Insert {
-    /// Reads a designation such as `C`, `DNMG` or `VBMT 160404`; nothing for a shape that is not known.
+    /// Parses a designation such as `C`, `DNMG` or `VBMT 160404`; `None` for an unknown shape.
     pub fn read(designation: &str) -> Option<Self> {
         let shape = designation.trim().chars().next()?.to_ascii_uppercase();
         let point_angle = match shape {
@@ -138,32 +137,31 @@ early! {
 }
 
 impl Tool {
-    /// What its insert's designation says.
+    /// Its insert, parsed as a turning insert.
     pub fn insert(&self) -> Option<Insert> {
         read_insert(self.insert.as_deref()?)
     }
 
-    /// What its insert's designation says of a threading insert.
+    /// Its insert, parsed as a threading insert.
     pub fn thread_insert(&self) -> Option<ThreadInsert> {
         let designation = self.insert.as_deref().filter(|_| self.kind == Some(ToolKind::Threading))?;
         read_thread_insert(designation)
     }
 
-    /// The side of the work it is for: as given, or as its threading insert says; the
-    /// outside where nothing is known.
+    /// Side of the workpiece: as given, or from the designation of its threading insert, or else the outside.
     pub fn working_side(&self) -> Side {
         self.side.or_else(|| self.thread_insert()?.side).unwrap_or_default()
     }
 
-    /// Tip direction: as given, or the usual one of its kind; 0 where nothing is known.
+    /// Tip direction: as given, or the default of its kind; 0 if the kind is unknown.
     pub fn tip_direction(&self) -> u8 {
         self.tip.unwrap_or(match (self.kind, self.working_side()) {
             (None | Some(ToolKind::Endmill), _) => 0,
             (Some(ToolKind::Drill | ToolKind::Tap), _) => 7,
             (Some(ToolKind::Turning), _) => 3,
             (Some(ToolKind::Boring), _) => 2,
-            // A grooving insert is set by its left corner (seed 003, example 5), or by the
-            // lower one of two at the face.
+            // A grooving insert is measured at its left corner (seed 003, example 5), or for face grooves at
+            // the lower one.
             (Some(ToolKind::Grooving), Side::Outside | Side::Face) => 3,
             (Some(ToolKind::Grooving), Side::Inside) => 2,
             (Some(ToolKind::Threading), Side::Outside | Side::Face) => 8,
@@ -176,14 +174,14 @@ impl Tool {
         self.tool_radius.or(self.diameter.map(Diameter::radius))
     }
 
-    /// The radius that compensation uses, mm: of the cutter, or of the nose. The offset
-    /// R overrides the diameter.
+    /// The radius that compensation uses, mm: of the cutter, or of the nose. The offset R overrides the
+    /// diameter.
     pub fn compensation_radius(&self) -> f64 {
         let cutter = self.cutter_radius().filter(|_| self.kind == Some(ToolKind::Endmill));
         self.tool_radius.or(self.geometry_r).or(cutter).unwrap_or_else(|| self.nose())
     }
 
-    /// Nose radius, mm: as given, or as the insert's designation says; 0 where nothing is known.
+    /// Nose radius, mm: as given, or from the insert's designation; 0 if unknown.
     pub fn nose(&self) -> f64 {
         self.known_nose().unwrap_or(0.0)
     }
@@ -192,7 +190,7 @@ impl Tool {
         self.nose_radius.or_else(|| self.insert()?.nose_radius)
     }
 
-    /// Whether something is known of which compensation can make a radius.
+    /// Whether a radius for compensation is known.
     pub fn has_compensation_radius(&self) -> bool {
         let given = self.tool_radius.or(self.geometry_r).or_else(|| self.cutter_radius());
         given.is_some() || self.known_nose().is_some()

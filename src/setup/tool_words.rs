@@ -1,10 +1,9 @@
-//! Tools as people name them in comments: `T0303 (GROOVE W=3)`, `(T7 VNMG CR:.016)`,
-//! `(резец проходной)`, `(切槽刀)`.
+//! Tools described in comments: `T0303 (GROOVE W=3)`, `(T7 VNMG CR:.016)`, `(резец проходной)`, `(切槽刀)`.
 //!
-//! In: the first lines of a program. Out: for each turret station what its comments say, as a [`Tool`] with
-//! gaps. It is a hint: a tool is inferred from it first, and what the motions contradict does not count.
-//! Terms are in `terms`. A comment belongs to the tool it names, else to the T word in its line, else to the
-//! T word before it, else to the one after it.
+//! In: the first lines of a program. Out: for each turret station the description in its comments, as a
+//! [`Tool`] with missing values. It is a hint: inference tries it first and ignores it if the motions
+//! contradict. Terms are in `terms`. A comment belongs to the tool it names, else to the T word in its line,
+//! else to the T word before it, else to the one after it.
 
 mod blank;
 mod capitals;
@@ -19,22 +18,22 @@ use super::{DescribedStock, Side, Tool, ToolKind};
 use crate::text::lexer;
 use crate::units::{Diameter, Unit};
 
-/// How well a comment is tied to a tool.
+/// How a comment is related to a tool, the weakest relation first.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 enum Tie {
-    /// It stands above the T word.
+    /// Above the T word.
     Above,
-    /// It stands between the T word and the first move.
+    /// Between the T word and the first move.
     Below,
-    /// It stands in the line of the T word.
+    /// In the line of the T word.
     Beside,
-    /// It names the tool.
+    /// The comment names the tool.
     Named,
 }
 
-/// What the comments at the head of a text say of the tools, by turret station; of a bar stop and the like, which cut
-/// nothing, an empty [`Tool`]. `unit` is that of sizes where no code of the
-/// text names one.
+/// The tools that comments at the head of a text describe, by turret station. For a bar stop or the like,
+/// which does not cut, an empty [`Tool`]. `unit` is the unit of sizes if the text contains neither G20 nor
+/// G21.
 pub fn read(text: &[u8], unit: Unit) -> BTreeMap<u16, Tool> {
     let head = &text[..text.len().min(HEAD)];
     if memchr::memchr(b'(', head).is_none() {
@@ -74,7 +73,7 @@ pub fn read(text: &[u8], unit: Unit) -> BTreeMap<u16, Tool> {
             station = None;
         }
     }
-    // Who writes comments below T words writes what was made above the next one.
+    // In a program with comments below its T words, a comment above a T word belongs to the tool before.
     if found.iter().any(|(tie, ..)| *tie == Tie::Below) {
         found.retain(|(tie, ..)| *tie != Tie::Above);
     }
@@ -86,7 +85,8 @@ pub fn read(text: &[u8], unit: Unit) -> BTreeMap<u16, Tool> {
     tools
 }
 
-/// The sizes of the blank in comments at the head of a text, or in the lines before its first `%`; of each size the first.
+/// The sizes of the blank in comments at the head of a text, or in the lines before its first `%`; of each
+/// size the first.
 pub fn stock(text: &[u8], unit: Unit) -> DescribedStock {
     let text = &*String::from_utf8_lossy(&text[..text.len().min(HEAD)]);
     let unit = numbers::unit_of(text).unwrap_or(unit);
@@ -104,10 +104,10 @@ pub fn stock(text: &[u8], unit: Unit) -> DescribedStock {
     known
 }
 
-/// What the words of a comment say of a tool.
+/// The tool that a comment describes.
 pub fn described(comment: &str, unit: Unit) -> Tool {
     let text = capitals::in_capitals(comment);
-    // `INDICATE ID TURN SIDE` says how the tool is measured.
+    // `INDICATE ID TURN SIDE` describes how the tool is measured.
     if text.contains("INDICATE") {
         return Tool::default();
     }
@@ -149,24 +149,24 @@ pub fn described(comment: &str, unit: Unit) -> Tool {
             };
         }
     }
-    // A radius that takes up the whole grooving insert is no corner.
+    // A radius larger than half the grooving insert cannot be that of a corner.
     let widest = tool.width.map_or(f64::INFINITY, |width| width / 2.0);
     tool.nose_radius = tool.nose_radius.filter(|&radius| radius <= widest);
     tool
 }
 
-/// Whether a comment says that the part is turned round and the other end machined. `is_at_stop`: it is in the block of
-/// a stop.
+/// Whether a comment tells to turn the part around and machine the other end. `is_at_stop`: the comment is in
+/// the block of a stop.
 pub fn turns_round(comment: &str, is_at_stop: bool) -> bool {
     terms::turns_round(&capitals::in_capitals(comment), is_at_stop)
 }
 
-/// Whether a comment is the number of the second operation, which says the same in the block of M00.
+/// Whether a comment is the number of the second operation, which means the same in the block of M00.
 pub fn is_second_operation(comment: &str) -> bool {
     terms::is_second_operation(&capitals::in_capitals(comment))
 }
 
-/// Puts into the gaps of a tool what another one says, as far as both can be the same tool.
+/// Fills in missing values of a tool from another description, if both can be the same tool.
 fn fill(known: &mut Tool, other: &Tool) {
     known.kind = known.kind.or(other.kind);
     if known.kind == other.kind {
@@ -179,7 +179,7 @@ fn fill(known: &mut Tool, other: &Tool) {
     }
 }
 
-/// A block: its code in capitals, in pieces, and its comments.
+/// A block: the pieces of its code in capitals, and its comments.
 struct Line<'a> {
     code: Vec<String>,
     comments: Vec<&'a str>,
@@ -197,8 +197,8 @@ fn split(line: &str) -> Line<'_> {
     Line { code, comments }
 }
 
-/// The station of the last T word of three digits or more; a shorter one calls a station beside M06, until `has_long`:
-/// a longer one was read.
+/// The station of the last T word with three digits or more. A shorter T word calls a station if it is beside
+/// M06, until `has_long`: a longer one was read.
 fn tool_number(code: &[String], has_long: &mut bool) -> Option<u16> {
     let all = |letter: &'static [&'static str]| {
         code.iter().flat_map(move |piece| numbers::after_letters(piece, letter))
@@ -209,7 +209,7 @@ fn tool_number(code: &[String], has_long: &mut bool) -> Option<u16> {
     all(&["T"]).filter(calls).filter_map(station).last()
 }
 
-/// The station that a comment itself names: `T0303`, `T7`, `TOOL 3`.
+/// The station that the comment itself names: `T0303`, `T7`, `TOOL 3`.
 fn named(comment: &str) -> Option<u16> {
     const WORDS: [&str; 8] =
         ["TOOL", "FERRAMENTA", "HERRAMIENTA", "WERKZEUG", "UTENSILE", "OUTIL", "ИНСТРУМЕНТ", "T"];
@@ -238,7 +238,7 @@ fn station(digits: &str) -> Option<u16> {
     .ok()
 }
 
-/// Whether a comment is a note of the setup (`TOOL T0101 TYPE=TURNING`), which is read as such.
+/// Whether a comment is a setup note (`TOOL T0101 TYPE=TURNING`), which is read elsewhere.
 fn is_note(comment: &str) -> bool {
     let mut words = comment.split_ascii_whitespace();
     words.next().is_some_and(|word| word.eq_ignore_ascii_case("TOOL")) && comment.contains('=')

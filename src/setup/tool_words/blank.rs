@@ -1,7 +1,8 @@
-//! The blank as people name it in comments: `BRUT : PHI50 X 52MM`, `Ø55 BAR STOCK`, `毛坯 φ50×80`, `OD: 80MM | LENGTH: 120MM`.
+//! The blank described in comments: `BRUT : PHI50 X 52MM`, `Ø55 BAR STOCK`, `毛坯 φ50×80`, `OD: 80MM / LENGTH:
+//! 120MM`.
 //!
-//! In: a comment in capitals. Out: its diameter and length, mm, where they are named. The inferred blank has them unless the
-//! motions contradict.
+//! In: a comment in capitals. Out: its diameter and length, mm, if they are named. The inferred blank uses
+//! them unless the motions contradict.
 
 use super::numbers::{Measure, measures};
 use super::terms::{Form, first, kind, names_any};
@@ -10,7 +11,7 @@ use crate::setup::stock::DescribedStock;
 use crate::units::{Diameter, Unit};
 use Form::{Part, Stem, Word};
 
-/// Terms for a blank, but those for its material.
+/// Terms for a blank, except its material.
 #[rustfmt::skip]
 const BLANKS: &[(Form, &str)] = &[
     (Part, "BARSTOCK"), (Word, "STOCK"), (Word, "BLANK"), (Stem, "BILLET"), (Word, "ROUND BAR"), (Stem, "BRUT"), (Part, "ROHTEIL"), (Part, "ROHLING"), (Part, "ROHMATERIAL"),
@@ -19,11 +20,11 @@ const BLANKS: &[(Form, &str)] = &[
     (Stem, "ЗАГОТОВ"), (Stem, "ПРУТОК"), (Stem, "ПРУТКА"), (Part, "毛坯"), (Part, "坯料"), (Part, "棒料"),
 ];
 
-/// Terms for a material, which may be named by a grade: `MATERIAL D2 STEEL`.
+/// Terms for a material, which may be followed by a grade: `MATERIAL D2 STEEL`.
 const MATERIALS: &[(Form, &str)] =
     &[(Word, "MATERIAL"), (Word, "MATL"), (Word, "MATERIAU"), (Word, "MATÉRIAU")];
 
-/// Terms with one of those in them that name no blank.
+/// Terms that contain one of these words but do not mean a blank.
 #[rustfmt::skip]
 const OTHERS: &[(Form, &str)] = &[
     (Word, "STOCK PULL"), (Stem, "STOCK PULLER"), (Word, "STOCK STOP"), (Word, "STOCK TO"), (Stem, "STOCK ALLOW"), (Stem, "STOCK REMOV"),
@@ -31,7 +32,7 @@ const OTHERS: &[(Form, &str)] = &[
     (Word, "FINISH STOCK"), (Word, "FINISHING STOCK"), (Word, "STOCK FOR"), (Word, "STOCK ON"), (Word, "STOCK PER"), (Part, "余量"),
 ];
 
-/// Terms for a round bar, beside which a number alone is its diameter.
+/// Terms for a round bar: a number beside them is its diameter.
 const BARS: &[(Form, &str)] = &[
     (Part, "BARSTOCK"),
     (Word, "BAR STOCK"),
@@ -40,7 +41,7 @@ const BARS: &[(Form, &str)] = &[
     (Word, "MATERIAL"),
 ];
 
-/// Terms for other sizes of a bar than its diameter.
+/// Terms for sizes of a bar other than its diameter.
 #[rustfmt::skip]
 const OTHER_SIZES: &[(Form, &str)] = &[
     (Part, "STICKOUT"), (Part, "STICK OUT"), (Stem, "OVERHANG"), (Stem, "PROTRU"), (Stem, "PROJECT"), (Stem, "WIDTH"), (Word, "WIDE"),
@@ -68,7 +69,7 @@ pub(super) fn described(text: &str, unit: Unit) -> DescribedStock {
         return both
             .map_or_else(DescribedStock::default, |(diameter, length)| said(Some(diameter), Some(length)));
     };
-    // The sizes of the part may be named, too: those after the term are sizes of the blank.
+    // The comment may also name sizes of the part: those after the term are sizes of the blank.
     let all = || measures(behind).chain(measures(text));
     let in_plane = all().find(|own| own.before == "X").zip(all().find(|own| own.before == "Z"));
     let is_grade = |own: &Measure| of_blank.is_none() && own.before == "D" && own.is_digit();
@@ -89,7 +90,8 @@ pub(super) fn described(text: &str, unit: Unit) -> DescribedStock {
     said(diameter.or_else(alone).or_else(before_sign), length)
 }
 
-/// `2.000 BAR`, `Ø50 BAR`, `2" BAR`: a size and the word, nothing else. `70 BAR` may be a pressure, and so may `6.5 BAR`.
+/// `2.000 BAR`, `Ø50 BAR`, `2" BAR`: a size and the word, nothing else. `70 BAR` and `6.5 BAR` may be
+/// pressures.
 fn bar_alone(text: &str) -> Option<Measure<'_>> {
     let size = text.trim().strip_suffix("BAR")?.trim_end();
     let signs = ["MM", "INCH", "IN", "DIA", "\"", "Ø", "⌀"];
@@ -100,12 +102,12 @@ fn bar_alone(text: &str) -> Option<Measure<'_>> {
     only(measures(size)).filter(|_| is_number && (has_sign || in_thousandths))
 }
 
-/// The only one of these.
+/// The only item, or `None` if there are several.
 fn only<'a>(mut all: impl Iterator<Item = Measure<'a>>) -> Option<Measure<'a>> {
     all.next().filter(|_| all.next().is_none())
 }
 
-/// Whether no letters before a measure name it, but terms for the blank.
+/// Whether the letters before a measure do not name it, or only name the blank.
 fn is_unnamed(own: &Measure) -> bool {
     matches!(own.before, "" | "IS" | "OF" | "FROM" | "BAR" | "ROUND")
         || names_any(own.before, BLANKS)
@@ -130,8 +132,8 @@ fn is_length(own: &Measure) -> bool {
         || own.before.ends_with(['长', '長'])
 }
 
-/// `LG` instead of the sign between diameter and length (`50×80`, `50Х80`, `50*80`), and no minus after Z, the direction in
-/// which a blank extends.
+/// Replaces the sign between diameter and length (`50×80`, `50Х80`, `50*80`) by `LG`, and removes the minus
+/// after Z, which is only the direction in which a blank extends.
 fn spelled_out(text: &str) -> String {
     let is_sign = |letter: char| matches!(letter, 'X' | 'Х' | '×' | '*');
     let mut apart = String::with_capacity(text.len());

@@ -1,8 +1,9 @@
-//! Text in capitals, for the alphabets that tools are named in: Latin with its accents, Greek, Cyrillic.
+//! Converts text to capitals, for the alphabets used in tool names: Latin with accents, Greek, Cyrillic.
 //!
-//! In: a comment. Out: the same in capitals. The library's own knows all alphabets, and its table is 5 kB of the module.
+//! In: a comment. Out: the same in capitals. The standard library supports all alphabets, but its table takes
+//! 5 kB of the module.
 
-/// A text in capitals; letters of other alphabets stay as they are.
+/// The text in capitals; letters of other alphabets are unchanged.
 pub(super) fn in_capitals(text: &str) -> String {
     let mut capitals = String::with_capacity(text.len());
     for letter in text.chars() {
@@ -22,7 +23,7 @@ fn capital(letter: char) -> char {
         | 0x430..=0x44f
         | 0xff41..=0xff5a => 0x20,
         0x450..=0x45f => 0x50,
-        // Capital and small letters by turns.
+        // Capital and small letters alternate.
         0x100..=0x130 | 0x132..=0x137 | 0x14a..=0x177 | 0x460..=0x481 | 0x48a..=0x4bf => code & 1,
         0x139..=0x148 | 0x179..=0x17e => u32::from(code % 2 == 0),
         _ => 0,
@@ -37,7 +38,8 @@ mod tests {
     #[test]
     fn these_alphabets_have_the_capitals_that_the_library_gives_them() {
         let ranges = [0..=0xff, 0x100..=0x17e, 0x391..=0x3a9, 0x3b1..=0x3c9, 0x400..=0x4bf, 0xff21..=0xff5a];
-        // Two letters as capitals (`in_capitals` knows the first), letters that are a capital of another alphabet, and a small one without a dot.
+        // Letters whose capital is two letters (`in_capitals` handles the first), letters whose capital is in
+        // another range, and a small one without a dot.
         let otherwise = ['ß', 'µ', 'ÿ', 'ı', 'ŉ', 'ς'];
         for letter in ranges.into_iter().flatten().filter_map(char::from_u32) {
             if !otherwise.contains(&letter) {

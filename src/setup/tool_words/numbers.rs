@@ -1,11 +1,11 @@
 //! Measures in a comment: `CR:.016`, `W=3`, `H4`, `Ø8.5`, `10MM`, `1/2"`, `35 DEG`.
 //!
-//! In: a comment in capitals and the unit of the program. Out: millimetres. What has a
-//! unit of its own has that.
+//! In: a comment in capitals and the unit of the program. Out: millimetres. A unit in the comment has
+//! priority.
 
 use crate::units::Unit;
 
-/// A number with what stands around it.
+/// A number with its context.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Measure<'a> {
     pub value: f64,
@@ -15,10 +15,9 @@ pub(super) struct Measure<'a> {
     pub before: &'a str,
     /// Letters and `"` after it.
     pub behind: &'a str,
-    /// Letters after a unit: `DIA` of `3.0 IN DIA`.
+    /// Letters after a unit: `DIA` in `3.0 IN DIA`.
     pub behind_unit: &'a str,
-    /// Whether it is written right at the letters before it and has no decimal point, as
-    /// a counter is (`GROOVE1`).
+    /// Whether it follows letters without a blank and has no decimal point, like a counter (`GROOVE1`).
     glued: bool,
 }
 
@@ -27,7 +26,7 @@ const NOSES: (f64, f64) = (0.05, 3.2);
 const WIDTHS: (f64, f64) = (0.3, 20.0);
 const DIAMETERS: (f64, f64) = (0.3, 100.0);
 
-/// Drills, whose diameter often follows as a number alone: `DRILL 8`.
+/// Words for drills, which are often followed by the diameter as a number alone: `DRILL 8`.
 const DRILLS: [&str; 16] = [
     "DRILL",
     "BOHRER",
@@ -47,7 +46,7 @@ const DRILLS: [&str; 16] = [
     "钻",
 ];
 
-/// The unit that the first G20 or G21 of a text names.
+/// The unit of the first G20 or G21 of a text.
 pub fn unit_of(text: &str) -> Option<Unit> {
     let mut at = 0;
     let bytes = text.as_bytes();
@@ -82,7 +81,7 @@ pub fn nose_radius(text: &str, unit: Unit) -> Option<f64> {
         .filter(in_range(NOSES))
 }
 
-/// The insert that a point angle stands for: `35 DEG`, `80 DEGREE`, `55°`.
+/// The insert shape with a point angle: `35 DEG`, `80 DEGREE`, `55°`.
 pub fn point_angle(text: &str) -> Option<&'static str> {
     measures(text)
         .filter(|own| own.behind.starts_with("DEG") || own.behind == "°" || own.behind.starts_with("GRAD"))
@@ -105,7 +104,7 @@ pub fn width(text: &str, unit: Unit) -> Option<f64> {
     });
     let behind = || measures(text).find(|own| own.behind == "W");
     let with_unit = || measures(text).find(|own| is_unit(own.behind));
-    // A number alone, that is no name of the insert, no counter and no other measure.
+    // A number alone that is not a name of the insert, a counter or another measure.
     let alone = || {
         measures(text).find(|own| {
             own.behind.is_empty() && own.before.len() > 2 && !own.before.contains('Ø') && !own.glued
@@ -155,13 +154,13 @@ fn in_range((low, high): (f64, f64)) -> impl Fn(&f64) -> bool {
 }
 
 impl Measure<'_> {
-    /// Whether it may be the number of a tool, `DRILL 2`, rather than a measure.
+    /// Whether it may be a tool number, as in `DRILL 2`, rather than a measure.
     fn may_count(&self, unit: Unit) -> bool {
         let is_whole = self.value.fract() == 0.0;
         is_whole && (unit == Unit::Inch || self.value < 3.0)
     }
 
-    /// Whether it is one digit right at the letters before it.
+    /// Whether it is one digit right after letters.
     pub fn is_digit(&self) -> bool {
         self.glued && self.value < 10.0
     }
@@ -171,7 +170,7 @@ impl Measure<'_> {
         self.fraction || matches!(self.behind, "\"" | "IN" | "INCH" | "''")
     }
 
-    /// Its length, mm; `unit` is that of numbers without one.
+    /// Its length, mm; `unit` is used if it has no unit.
     pub fn in_millimetres(&self, unit: Unit) -> f64 {
         let own = match self.behind {
             "MM" | "ММ" | "毫米" => Unit::Millimetre,
@@ -183,7 +182,7 @@ impl Measure<'_> {
     }
 }
 
-/// The digits that follow one of some words in a text, with blanks and `#` between.
+/// The digits that follow one of some words in a text, possibly with blanks and `#` between.
 pub fn after_letters<'a>(text: &'a str, words: &'a [&str]) -> impl Iterator<Item = &'a str> {
     words.iter().flat_map(move |word| {
         text.match_indices(word).filter_map(move |(at, _)| {
@@ -191,14 +190,14 @@ pub fn after_letters<'a>(text: &'a str, words: &'a [&str]) -> impl Iterator<Item
             let rest = &text[at + word.len()..];
             let rest = if word.len() > 1 { rest.trim_start_matches([' ', '#', '.', ':']) } else { rest };
             let digits = rest.bytes().take_while(u8::is_ascii_digit).count();
-            // `N1T0909`: a T word may follow a number at once.
+            // `N1T0909`: a T word may follow a number without a blank.
             let follows_number = word.len() == 1 && text[..at].ends_with(|c: char| c.is_ascii_digit());
             (digits > 0 && (!is_within || follows_number)).then(|| &rest[..digits])
         })
     })
 }
 
-/// All numbers of a comment. One that is part of a name (`CNMG432`, `N2A`), or counts (`#5`), is none.
+/// All numbers of a comment, except parts of a name (`CNMG432`, `N2A`) and counters (`#5`).
 pub(super) fn measures(text: &str) -> impl Iterator<Item = Measure<'_>> {
     let mut at = 0;
     std::iter::from_fn(move || {

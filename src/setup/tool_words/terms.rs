@@ -1,27 +1,28 @@
-//! What terms of a workshop mean, in nine languages, and designations of inserts.
+//! Workshop terms in nine languages, and designations of inserts.
 //!
-//! In: a comment in capitals. Out: a kind of tool, a side of the work, what an insert's designation says.
+//! In: a comment in capitals. Out: a kind of tool, a side of the workpiece, the tool of an insert's
+//! designation.
 
 use crate::setup::{Side, Tool, ToolKind};
 use ToolKind::{Boring, Drill, Endmill, Grooving, Tap, Threading, Turning};
 
-/// How a term stands in a comment.
+/// How a term matches.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Form {
-    /// A word or several, whole: `TAP`.
+    /// One or several whole words: `TAP`.
     Word,
     /// The beginning of a word: `GROOV` for GROOVE and GROOVING.
     Stem,
-    /// Anywhere: in writing without blanks, and within compounds.
+    /// Anywhere: in scripts without blanks, and within compounds.
     Part,
 }
 use Form::{Part, Stem, Word};
 
-/// Terms and the kind of tool they name. The first one that is found counts, so what is part of a longer term
-/// stands after it; a term without a kind says what is made, not what with.
+/// Terms and the kind of tool they name. The first match is used, so a term that is part of a longer one
+/// comes after it. A term with `None` names the work, not the tool.
 #[rustfmt::skip]
 pub const KINDS: &[(Form, &str, Option<ToolKind>)] = &[
-    // What only sounds like a tool.
+    // Not tools.
     (Stem, "THREAD RELIEF", None), (Stem, "THREAD BUR", None),
     (Stem, "CENTER OF", None), (Stem, "CUT OFF LENGTH", None), (Part, "退刀槽", None), (Stem, "TURNING TOOL CHANGE", None),
     // Live cutters.
@@ -63,7 +64,7 @@ pub const KINDS: &[(Form, &str, Option<ToolKind>)] = &[
     (Stem, "GORGE", Some(Grooving)), (Stem, "RAINUR", Some(Grooving)), (Stem, "КАНАВ", Some(Grooving)), (Stem, "ОТРЕЗ", Some(Grooving)),
     (Stem, "ПРОРЕЗ", Some(Grooving)), (Part, "切槽", Some(Grooving)), (Part, "割槽", Some(Grooving)), (Part, "槽刀", Some(Grooving)),
     (Part, "切断", Some(Grooving)), (Part, "切斷", Some(Grooving)), (Part, "割刀", Some(Grooving)), (Part, "切刀", Some(Grooving)),
-    // What turns.
+    // Turning tools.
     (Stem, "ROUGH", Some(Turning)), (Stem, "FINISH", Some(Turning)), (Stem, "TURN", Some(Turning)), (Stem, "FACING", Some(Turning)),
     (Word, "FACE", Some(Turning)), (Stem, "PROFIL", Some(Turning)), (Stem, "CONTOUR", Some(Turning)), (Word, "TNR", Some(Turning)),
     (Part, "SCHRUPP", Some(Turning)), (Part, "SCHLICHT", Some(Turning)), (Part, "DREHEN", Some(Turning)), (Part, "DREHMEI", Some(Turning)),
@@ -76,18 +77,18 @@ pub const KINDS: &[(Form, &str, Option<ToolKind>)] = &[
     (Stem, "ТОЧЕН", Some(Turning)), (Stem, "ТОКАР", Some(Turning)), (Part, "外圆", Some(Turning)), (Part, "外圓", Some(Turning)), (Part, "粗车", Some(Turning)),
     (Part, "精车", Some(Turning)), (Part, "粗車", Some(Turning)), (Part, "精車", Some(Turning)), (Part, "端面", Some(Turning)), (Part, "偏刀", Some(Turning)),
     (Part, "车刀", Some(Turning)), (Part, "車刀", Some(Turning)),
-    // Live tools that nothing else names.
+    // Live tools without a more specific term.
     (Stem, "LIVE TOOL", Some(Endmill)), (Stem, "DRIVEN TOOL", Some(Endmill)), (Stem, "ПРИВОДН", Some(Endmill)), (Part, "动力刀", Some(Endmill)),
 ];
 
-/// What holds or moves the work and cuts nothing.
+/// Devices that hold or move the workpiece and do not cut.
 #[rustfmt::skip]
 const HANDLING: &[(Form, &str)] = &[
     (Stem, "BAR PUL"), (Part, "BARPUL"), (Stem, "PULLER"), (Stem, "GRIPPER"), (Stem, "STOCK PULL"), (Stem, "STOCK STOP"), (Stem, "BAR STOP"),
     (Word, "BARSTOP"), (Stem, "PARTS CATCH"), (Stem, "TAILSTOCK CENT"),
 ];
 
-/// Terms that say that the part is turned round, so that the other end is machined from there on.
+/// Terms for turning the part around, so that the other end is machined afterwards.
 #[rustfmt::skip]
 const TURNED_ROUND: &[(Form, &str)] = &[
     (Word, "FLIP PART"), (Word, "FLIP THE PART"), (Word, "FLIP WORK"), (Word, "FLIP WORKPIECE"), (Word, "FLIP THE WORKPIECE"),
@@ -101,7 +102,8 @@ const TURNED_ROUND: &[(Form, &str)] = &[
     (Stem, "2-Я СТОРОН"), (Stem, "ВТОРОЙ УСТАНОВ"), (Part, "调头"), (Part, "掉头"), (Part, "調頭"), (Part, "掉頭"), (Part, "翻面"), (Part, "第二面"),
 ];
 
-/// Terms that say so in the block of a stop; elsewhere they are about a groove, the spindle or the chips.
+/// Terms with that meaning in the block of a stop; elsewhere they are about a groove, the spindle or the
+/// chips.
 #[rustfmt::skip]
 const TURNED_ROUND_AT_STOP: &[(Form, &str)] = &[
     (Stem, "FLIP"), (Word, "TURN AROUND"), (Word, "TURN ROUND"), (Word, "TURN OVER"), (Word, "SIDE 2"), (Word, "OTHER SIDE"),
@@ -110,13 +112,13 @@ const TURNED_ROUND_AT_STOP: &[(Form, &str)] = &[
     (Part, "反面"), (Part, "另一端"), (Part, "另一头"),
 ];
 
-/// The same as the whole comment of an M00 block: the number of the operation.
+/// Texts with that meaning as the whole comment of an M00 block: the number of the operation.
 const SECOND_OPERATION: [&str; 6] = ["OP2", "OP 2", "OP20", "OP 20", "2ND OP", "SECOND OP"];
 
-/// Inserts, which are turned round too.
+/// Inserts, which are turned around, too.
 const INSERTS: &[(Form, &str)] = &[(Part, "PLATTE"), (Stem, "ПЛАСТИН"), (Part, "刀片")];
 
-/// What else is turned round or turned: terms of [`TURNED_ROUND_AT_STOP`] do not count beside them.
+/// Other objects that are turned: beside them, terms of [`TURNED_ROUND_AT_STOP`] do not count.
 #[rustfmt::skip]
 const OTHER_OBJECTS: &[(Form, &str)] = &[
     (Stem, "INSERT"), (Stem, "TOOL"), (Stem, "CHIP"), (Stem, "SPINDLE"), (Stem, "MANDRIN"), (Word, "ZERO"), (Word, "ZÉRO"), (Word, "HOME"),
@@ -130,7 +132,7 @@ const NEGATIONS: &[(Form, &str)] = &[
     (Word, "НЕ"), (Part, "不"), (Part, "勿"),
 ];
 
-/// Terms and the side of the work they name.
+/// Terms and the side of the workpiece they name.
 #[rustfmt::skip]
 pub const SIDES: &[(Form, &str, Side)] = &[
     (Stem, "FACE GROOV", Side::Face), (Part, "FACEGROOV", Side::Face), (Stem, "FACIAL", Side::Face), (Part, "PLANSTECH", Side::Face), (Part, "PLANEINSTECH", Side::Face),
@@ -144,7 +146,7 @@ pub const SIDES: &[(Form, &str, Side)] = &[
     (Part, "AUSSEN", Side::Outside), (Part, "AUßEN", Side::Outside), (Stem, "НАРУЖ", Side::Outside), (Part, "外", Side::Outside),
 ];
 
-/// Beginnings of designations of grooving inserts, and which side of the work they are for.
+/// Beginnings of designations of grooving inserts, and their side of the workpiece.
 #[rustfmt::skip]
 const BLADES: &[(&str, Side)] = &[
     ("MGMN", Side::Outside), ("MGGN", Side::Outside), ("DGN", Side::Outside), ("GTN", Side::Outside), ("N151", Side::Outside),
@@ -152,7 +154,7 @@ const BLADES: &[(&str, Side)] = &[
     ("MIFR", Side::Face), ("MIFL", Side::Face), ("HFHR", Side::Face), ("HFHL", Side::Face),
 ];
 
-/// Whether a comment says that the program leads the right corner of a grooving insert.
+/// Whether a comment says that the programmed point is the right corner of a grooving insert.
 pub fn right_corner(text: &str) -> bool {
     const TERMS: [&str; 8] = [
         "RIGHT CORNER",
@@ -176,12 +178,12 @@ pub fn kind(text: &str) -> Option<ToolKind> {
     KINDS.iter().find(|(form, term, _)| stands(text, &bytes, term, *form)).and_then(|(.., kind)| *kind)
 }
 
-/// Whether a comment names what holds or moves the work and cuts nothing: a bar stop.
+/// Whether a comment names a device that holds or moves the workpiece and does not cut, such as a bar stop.
 pub fn handles_work(text: &str) -> bool {
     names_any(text, HANDLING)
 }
 
-/// Whether a comment says that the part is turned round. `is_at_stop`: it is in the block of a stop.
+/// Whether a comment tells to turn the part around. `is_at_stop`: the comment is in the block of a stop.
 pub fn turns_round(text: &str, is_at_stop: bool) -> bool {
     let said = first(text, NEGATIONS).map_or(text, |(before, _)| before);
     let bytes = Bytes::of(said);
@@ -193,7 +195,8 @@ pub fn turns_round(text: &str, is_at_stop: bool) -> bool {
     (says(TURNED_ROUND) || is_at_stop && says_at_stop()) && !names_any(text, INSERTS)
 }
 
-/// Whether a side or an end is one of the part: not the beginning of a size (`SIDE 2.5`), nor `OTHER SIDE OF SHOULDER`.
+/// Whether a side or an end is one of the part: not the beginning of a size (`SIDE 2.5`), nor `OTHER SIDE OF
+/// SHOULDER`.
 fn names_part(before: &str, term: &str, behind: &str) -> bool {
     let is_digit = |c: char| c.is_ascii_digit();
     let is_size = term.ends_with(is_digit) && behind.starts_with(|c| is_digit(c) || matches!(c, '.' | ','))
@@ -203,18 +206,18 @@ fn names_part(before: &str, term: &str, behind: &str) -> bool {
     !is_size && owner.is_none_or(is_part)
 }
 
-/// Whether a comment names the second operation and nothing else.
+/// Whether a comment only names the second operation.
 pub fn is_second_operation(text: &str) -> bool {
     SECOND_OPERATION.contains(&text.trim())
 }
 
-/// The side of the work that a comment names.
+/// The side of the workpiece that a comment names.
 pub fn side(text: &str) -> Option<Side> {
     let bytes = Bytes::of(text);
     SIDES.iter().find(|(form, term, _)| stands(text, &bytes, term, *form)).map(|(.., side)| *side)
 }
 
-/// Which bytes occur in a text: most terms hold one that does not, and need not be searched for.
+/// The set of bytes of a text: a term with a byte that is not in it need not be searched for.
 struct Bytes([u64; 4]);
 
 impl Bytes {
@@ -244,12 +247,12 @@ pub fn first<'a>(text: &'a str, terms: &[(Form, &'a str)]) -> Option<(&'a str, &
     found.map(|(before, _, behind)| (before, behind)).min_by_key(|(before, _)| before.len())
 }
 
-/// Whether a comment of these bytes contains a term.
+/// Whether a comment with these bytes contains a term.
 fn stands(text: &str, bytes: &Bytes, term: &str, form: Form) -> bool {
     places(text, bytes, term, form).next().is_some()
 }
 
-/// The places of a term in a comment of these bytes: the text before it, the term and the text after it.
+/// The places of a term in a comment with these bytes: the text before it, the term and the text after it.
 fn places<'a>(
     text: &'a str,
     bytes: &Bytes,
@@ -281,7 +284,7 @@ pub fn insert(text: &str) -> Option<Tool> {
     None
 }
 
-/// `CNMG120408`, `CCGT 09T304`, `VNMG 2.5-1-SF`: shape, clearance, tolerance, kind (ISO 1832), then metric
+/// `CNMG120408`, `CCGT 09T304`, `VNMG 2.5-1-SF`: shape, clearance, tolerance, type (ISO 1832), then metric
 /// digits in pairs, or those of ANSI B212.4, the last of which is the nose radius in 64ths of an inch.
 fn turning(word: &str, next: &str) -> Option<Tool> {
     let letters = word.get(..4)?;
@@ -291,7 +294,7 @@ fn turning(word: &str, next: &str) -> Option<Tool> {
     }
     let size = if word.len() > 4 { &word[4..] } else { next };
     let has_size = size.starts_with(|first: char| first.is_ascii_digit());
-    // Alone they are a word like any other, but for the usual ones.
+    // Without digits they may be an ordinary word, except for the usual designations.
     let usual = ["CDVTWSR", "NBCP", "MG", "GMTAX"];
     let is_usual = word.len() == 4 && letters.chars().zip(usual).all(|(letter, set)| set.contains(letter));
     if !(has_size || is_usual) {
@@ -330,12 +333,12 @@ fn threading(word: &str) -> Option<Tool> {
     known.then(|| Tool { kind: Some(Threading), side: Some(side), ..Tool::default() })
 }
 
-/// `MGMN300`, `DGN 2002C`, `TAG N2A`, `GIQR 11-2.00-0.10`: a grooving insert, and its width where
-/// that is known to stand in it.
+/// `MGMN300`, `DGN 2002C`, `TAG N2A`, `GIQR 11-2.00-0.10`: a grooving insert, with its width if the
+/// designation contains it.
 fn blade(word: &str, next: &str) -> Option<Tool> {
     let (name, side) = BLADES.iter().find(|(name, _)| word.starts_with(name))?;
     let own = &word[name.len()..];
-    // `TAGGED` is no grooving insert.
+    // `TAGGED` is not a designation.
     if own.starts_with(char::is_alphabetic) && *name == "TAG" {
         return None;
     }

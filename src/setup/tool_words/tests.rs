@@ -1,7 +1,7 @@
 use super::terms::{Form, KINDS, SIDES};
 use super::*;
 
-/// What a comment says, in a line: kind, side, insert, nose radius, width and diameter.
+/// The description in a comment as one line: kind, side, insert, nose radius, width and diameter.
 fn words(comment: &str, unit: Unit) -> String {
     let tool = described(comment, unit);
     let measure = |name: &str, value: Option<f64>| {
@@ -189,7 +189,7 @@ fn a_number_glued_to_the_name_of_a_tool_is_a_counter() {
     assert_eq!(words("W.079 GROOVE1", Unit::Inch), "grooving w2.01");
 }
 
-/// Station and kind of each tool.
+/// Checks station and kind of each tool.
 fn check(text: &str, expected: &[(u16, ToolKind)]) {
     let found: Vec<_> = read(text.as_bytes(), Unit::Millimetre)
         .into_iter()
@@ -206,21 +206,21 @@ fn comments_belong_to_tools() {
     check("(T0404 - ROSCA EXTERNA G76)\n(T07007 DRILL)\nG0 X1\n", &[(4, Threading), (7, Drill)]);
     check("(TOOL 3, 35 DEG .015 TNR)\n", &[(3, Turning)]);
     check("(GROOVE1)\nN14T0101\nN15G54\nG0 X40\n", &[(1, Grooving)]);
-    // Below: then what stands above a T word is of the tool before.
+    // Comments below T words: then a comment above a T word belongs to the tool before.
     let below = "N1 T0707\n(DESBASTE)\nG0 X40 Z2\nG28\n(CANAL)\nT0101\n(FERR. ACABAMENTO)\nG0 X40\n(ROSCA)\nT0505\nG0 X3\n";
     check(below, &[(1, Turning), (7, Turning)]);
-    // What a comment in the header says of a tool overrides what is inferred from the cuts.
+    // A comment in the header overrides what is inferred from the cuts.
     check("(T02002 VNMG 2.5-1 CR:.016)\n(GROOVE)\nT02002\nG0 X1\n", &[(2, Turning)]);
     check("(GROOVE)\nG0 X40 Z2\nT0101\n", &[]);
-    // What is a note of the setup is no prose.
+    // A setup note is not prose.
     check("(TOOL T0101 TYPE=TURNING INSERT=CNMG120408)\n", &[]);
-    // Two digits call no station, unless M06 changes the tool and no longer word was read.
+    // Two digits call no station, unless M06 changes the tool and no longer T word was read.
     check("T01 (DRILL)\n", &[]);
     check("T01 M06 (DRILL)\nM6 T3\n(GROOVING TOOL, 4 MM WIDE)\n", &[(1, Drill), (3, Grooving)]);
     check("T0101\nG0 X40 Z2\nT03 M06 (DRILL)\n", &[]);
     check("(TOOL 3 INSIDE BORING BAR)\nT0101\nG0 X1\n", &[(3, Boring)]);
     check("(TOOL 2. DRILL 8 MM)\nT0101\nG0 X1\n", &[(2, Drill)]);
-    // A size is no station.
+    // A size is not a station.
     check("T0202 (GROOVE TOOL 4MM)\nT0303 (GROOVE TOOL 3 MM)\n", &[(2, Grooving), (3, Grooving)]);
 }
 
@@ -232,7 +232,7 @@ fn the_unit_is_that_of_the_program() {
     assert_eq!(width("G200 T0303 (GROOVE W3)"), Some(3.0));
 }
 
-/// The blank that a comment names: `50 x 52`, with `–` for a size it leaves open.
+/// The blank that a comment names: `50 x 52`, with `–` for a missing size.
 fn blank_of(comment: &str, unit: Unit) -> String {
     let said = blank::described(&capitals::in_capitals(comment), unit);
     let number =
@@ -292,12 +292,12 @@ fn blanks_in_words() {
         ("MATERIAL: D3", "– x –"),
         ("MATERIAL: D2 STEEL, DIA 3", "76.2 x –"),
         ("ROUND BAR D2", "50.8 x –"),
-        // Named otherwise.
+        // Other sizes and properties.
         ("MATERIAL WIDTH 2.25", "– x –"),
         ("MATERIAL THICKNESS 2.25", "– x –"),
         ("BAR STOCK 2.25 STICKOUT", "– x –"),
         ("MATERIAL HARDNESS 2.25", "– x –"),
-        // Which of the two?
+        // Two sizes are ambiguous.
         ("material is .375 or .25 SS round stock", "– x –"),
     ] {
         assert_eq!(blank_of(comment, Unit::Inch), expected, "{comment}");
@@ -339,7 +339,7 @@ fn blanks_in_a_program() {
     assert_eq!(said("毛坯 φ50×80\n%\nO1\nG0X1\n"), both);
     assert_eq!(said("%\nO1\n(毛坯 φ50)\n(BLANK LENGTH 80)\n(BLANK DIA 60)\nG0X1\n"), both);
     assert_eq!(said("O1\n(STOCK D=65 LENGTH=80)\nG0X1\n"), DescribedStock::default());
-    // Only what is read as settings is left to the notes.
+    // Only comments that are read as settings are left to the notes.
     let [wide, both] =
         [None, Some(80.0)].map(|length| DescribedStock { diameter: Some(Diameter::new(65.0)), length });
     for (comment, expected) in [
