@@ -1,44 +1,45 @@
 //! Hole cycles: G83 to G85 into the face, G87 to G89 into the side.
 //!
 //! In: the points of one hole. Out: its moves, from the initial level and back to it or to the R point. One
-//! axis moves; which one follows from the points. Knows nothing of words, and nothing of C.
+//! axis moves; which one follows from the points. Must not know words or C.
 
 use super::{Move, sign};
 use crate::geometry::{Point, SAME};
 use crate::motion::{MotionKind, Step};
 
-/// Greatest offset from the axis, mm, of a drill while the spindle turns: an indexable drill is offset to enlarge the hole.
+/// Greatest offset from the axis, mm, of a drill while the spindle turns: an indexable drill is offset to
+/// enlarge the hole.
 pub const OFF_CENTER: f64 = 2.5;
 
 /// How the tool leaves the bottom.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Exit {
-    /// Rapid: a drill.
+    /// At rapid: a drill.
     Rapid,
     /// At feed: a boring tool or reamer.
     Feed,
-    /// In step with the spindle turning back: a tap.
+    /// Synchronized with the reversed spindle: a tap.
     Thread,
 }
 
 /// One hole.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Hole {
-    /// The initial level, above the hole: the tool stands there.
+    /// Position of the tool at the initial level, above the hole.
     pub initial: Point,
     /// The R point, where feeding begins.
     pub r: Point,
     /// The bottom.
     pub bottom: Point,
-    /// Depth of a peck, mm; `None` for one cut.
+    /// Depth of a peck, mm; `None` for a single cut.
     pub peck: Option<f64>,
-    /// How far above the last depth the next peck begins, mm.
+    /// Distance above the last depth at which the next peck begins, mm.
     pub clearance: f64,
-    /// Whether the tool waits at the bottom.
+    /// Whether the tool dwells at the bottom.
     pub waits: bool,
-    /// Where the tool ends: at the initial level or at the R point.
+    /// Position of the tool at the end: the initial level or the R point.
     pub back_to: Point,
-    /// How it leaves.
+    /// How the tool leaves the bottom.
     pub exit: Exit,
 }
 
@@ -56,11 +57,11 @@ impl Hole {
     }
 }
 
-/// More moves than allowed.
+/// The hole needs more moves than allowed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct TooManyMoves;
 
-/// The moves of a hole. Between pecks the drill goes back to the R point, to clear the chips.
+/// The moves of a hole. Between pecks the drill returns to the R point to clear the chips.
 pub fn drill(hole: &Hole, most: usize) -> Result<Vec<Move>, TooManyMoves> {
     let depth = (hole.bottom.x - hole.r.x) + (hole.bottom.z - hole.r.z);
     let direction = sign(depth);

@@ -1,15 +1,15 @@
-//! Pecking: along Z with columns side by side in X (G74), and the same with the axes exchanged (G75).
+//! Pecking cycles: along Z with columns side by side in X (G74), and with the axes exchanged (G75).
 //!
-//! In: start point, end point, depth of a peck, distance of the columns. Out: the moves. The signs
-//! alone distinguish the directions (seed 003; the steps of a column are those of GSK980TDb p. 119).
-//! Knows nothing of words: see `units` for what P and Q count. Zero-length moves are left in: whoever
-//! stores motions drops them.
+//! In: start point, end point, depth of a peck, distance of the columns. Out: the moves. The signs alone
+//! determine the directions (seed 003; the steps of a column are those in GSK980TDb p. 119). Must not know
+//! words: the units of P and Q are in `units`. Zero-length moves are kept: the code that stores motions drops
+//! them.
 
 use super::{Move, sign};
 use crate::geometry::{Point, SAME};
 use crate::motion::{Cycle, MotionKind, Step};
 
-/// Which way the tool pecks.
+/// Direction of the pecks.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Direction {
     /// G74: along Z; columns side by side in X.
@@ -19,7 +19,7 @@ pub enum Direction {
 }
 
 impl Direction {
-    /// The cycle as motions name it.
+    /// The cycle of the motions.
     pub fn cycle(self) -> Cycle {
         match self {
             Self::Face => Cycle::FacePecking,
@@ -27,7 +27,7 @@ impl Direction {
         }
     }
 
-    /// What a point or a way is along the pecks, and across them: X a radius, mm.
+    /// The coordinates of a point or a displacement along the pecks and across them: X a radius, mm.
     pub fn along_and_across(self, point: Point) -> (f64, f64) {
         match self {
             Self::Face => (point.z, point.x),
@@ -43,59 +43,61 @@ impl Direction {
     }
 }
 
-/// Whether the tool is relieved at the bottom of the first column too: controls differ.
+/// Whether the tool is relieved at the bottom of the first column: controls differ.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum FirstColumn {
-    /// Like every other column.
+    /// Like in every other column.
     WithRelief,
-    /// Not there, as there is no room beside it; nor in a single column.
+    /// No relief, as there is no space beside the column; nor in a single column.
     WithoutRelief,
 }
 
-/// What the two blocks of G74 or G75 say.
+/// The parameters in the two blocks of G74 or G75.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Pecking {
     /// Bottom of the last column.
     pub end: Point,
-    /// Depth of a peck, mm (X: radius), unsigned: Δk of G74, Δi of G75. `None` or zero: to the bottom in one
-    /// go; a control may stop with PS0319.
+    /// Depth of a peck, mm (X: radius), unsigned: Δk of G74, Δi of G75. `None` or zero: a single cut to the
+    /// bottom, which some controls reject with PS0319.
     pub peck: Option<f64>,
-    /// Distance of the columns, mm (X: radius), unsigned: Δi of G74, Δk of G75. Not asked of a single column.
+    /// Distance of the columns, mm (X: radius), unsigned: Δi of G74, Δk of G75. Not needed for a single
+    /// column.
     pub stepover: Option<f64>,
-    /// e: way back after each peck, mm (X: radius); its sign does not matter.
+    /// e: retract after each peck, mm (X: radius); its sign is ignored.
     pub retract: f64,
-    /// Δd: way sideways at the bottom, mm (X: radius), against the direction of the columns. Of a single
-    /// column signed: positive towards +X (G74) or +Z (G75). Zero for none.
+    /// Δd: move sideways at the bottom, mm (X: radius), opposite to the direction of the columns. Signed for
+    /// a single column: positive towards +X (G74) or +Z (G75). Zero for none.
     pub relief: f64,
-    /// What happens at the bottom of the first column.
+    /// Whether the first column has a relief.
     pub first_column: FirstColumn,
 }
 
 /// Why there are no moves.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum PeckingError {
-    /// The relief is negative though the columns give its direction (PS0318).
+    /// The relief is negative although the columns give its direction (PS0318).
     NegativeRelief,
-    /// There are columns to step to but no distance (PS0319).
+    /// There are several columns but no distance (PS0319).
     NoStepover,
     /// The depth of a peck is negative (PS0320).
     NegativePeck,
     /// The distance of the columns is negative (PS0320).
     NegativeStepover,
-    /// More moves than may still be made.
+    /// More moves than allowed.
     TooManyMoves,
 }
 
-/// How many steps of at most `step` make `way`, at least one: the pecks of a column, or the columns after the
-/// first. Both in mm, `step` positive; the answer may be huge.
+/// Number of steps of at most `step` in `way`, at least one: the pecks of a column, or the columns after the
+/// first. Both in mm, `step` positive; the result may be huge.
 pub fn steps(way: f64, step: f64) -> f64 {
     ((way.abs() - SAME) / step).ceil().max(1.0)
 }
 
-/// G74 and G75: each column pecks down to the end, is relieved, goes back; a rapid to the next; rapid home.
+/// G74 and G75: each column pecks down to the end, is relieved and returns; then a rapid to the next column,
+/// and at last a rapid to the start point.
 ///
-/// Every peck but the last ends a multiple of its depth below the start, so feeds after the first are longer
-/// by the retract; the last ends exactly at the end point, as does the last column.
+/// Every peck but the last ends at a multiple of its depth below the start, so feed moves after the first are
+/// longer by the retract. The last peck ends exactly at the end point, and so does the last column.
 pub fn peck(
     start: Point,
     direction: Direction,
@@ -116,7 +118,8 @@ pub fn peck(
         Some(stepover) => (1.0 + steps(last - first, stepover), stepover),
         None => return Err(PeckingError::NoStepover),
     };
-    // Each column: its pecks with a retract between them, relief, way back and the way to it, or home.
+    // For each column: its pecks with retracts, the relief, the return, and the move to the column or to the
+    // start point.
     let moves = columns * (2.0 * pecks + 2.0);
     if moves > most_moves as f64 {
         return Err(PeckingError::TooManyMoves);
@@ -158,7 +161,7 @@ pub fn peck(
     Ok(out)
 }
 
-/// A length that must not be negative; zero is treated as not given.
+/// A length that must not be negative; zero counts as missing.
 fn given(length: Option<f64>, negative: PeckingError) -> Result<Option<f64>, PeckingError> {
     match length {
         Some(length) if sign(length) < 0.0 => Err(negative),
@@ -336,7 +339,7 @@ mod tests {
             let fault = peck(at(42.0, 22.0), Direction::Radial, &deep, MANY).unwrap_err();
             assert_eq!(fault, PeckingError::TooManyMoves);
         }
-        // The bound counts a relief in each column.
+        // The limit counts a relief in each column.
         assert!(peck(at(42.0, 22.0), Direction::Radial, &groove(), 36).is_ok());
         let fault = peck(at(42.0, 22.0), Direction::Radial, &groove(), 35).unwrap_err();
         assert_eq!(fault, PeckingError::TooManyMoves);

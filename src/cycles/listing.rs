@@ -1,26 +1,26 @@
-//! Moves as the worked examples print them: for tests only.
+//! Prints moves in the format of the worked examples, for tests.
 //!
-//! One line a pass: `#1 R(86.5,15.5) F(36.5,6.5) A+(48.5,0.5) c(36.5,0.5) r6`, X a diameter, four decimals,
-//! moves of no length left out. `T` is a thread, `A+` G03, `A-` G02; moves outside
-//! the passes stand after `#0`.
+//! One line for each pass: `#1 R(86.5,15.5) F(36.5,6.5) A+(48.5,0.5) c(36.5,0.5) r6`, X a diameter, four
+//! decimals, without zero-length moves. `T` is a thread, `A+` G03, `A-` G02; moves outside of the passes
+//! follow `#0`.
 
 use super::Move;
 use crate::geometry::Point;
 use crate::motion::MotionKind;
 use crate::units::Diameter;
 
-/// A mirror or turn of the plane.
+/// A reflection or rotation of the plane.
 pub type Map = fn(Point) -> Point;
 
-/// More moves than any example makes.
+/// A limit of moves that no example reaches.
 pub const MANY: usize = 4_000_000;
 
-/// A point as programs give it: X a diameter.
+/// A point in program coordinates: X a diameter.
 pub fn at(x: f64, z: f64) -> Point {
     Point::new(Diameter::new(x).radius(), z)
 }
 
-/// The moves that begin at `start`.
+/// Lists moves that begin at `start`.
 pub fn listing(start: Point, moves: &[Move]) -> String {
     let mut out = String::new();
     let (mut at, mut pass) = (start, None);
@@ -49,7 +49,7 @@ pub fn listing(start: Point, moves: &[Move]) -> String {
     out
 }
 
-/// Compares moves with the lines of an example, blanks at the ends of lines left out.
+/// Compares moves with the lines of an example, ignoring blanks at the ends of lines.
 #[track_caller]
 pub fn check(start: Point, moves: &[Move], expected: &str) {
     let expected: Vec<&str> = expected.trim().lines().map(str::trim).collect();

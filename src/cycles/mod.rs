@@ -1,5 +1,5 @@
-//! Canned cycles: one call of a cycle to its moves. Pure geometry; called by the
-//! interpreter, never the reverse.
+//! Canned cycles: expands one call of a cycle to its moves. Pure geometry; called by the interpreter, never
+//! the reverse.
 
 pub mod drilling;
 pub mod grooving;
@@ -19,13 +19,14 @@ use crate::motion::{MotionKind, Step};
 pub struct Move {
     /// Rapid, feed, arc or thread.
     pub kind: MotionKind,
-    /// The part it plays.
+    /// The step of the cycle.
     pub step: Step,
-    /// Pass from 1; 0 for moves between the passes (to the first, along the contour at the end, home).
+    /// Pass, from 1; 0 for moves outside of the passes (to the first pass, along the contour at the end, to
+    /// the start point).
     pub pass: u32,
-    /// Where it ends.
+    /// End point.
     pub to: Point,
-    /// Centre, of arcs only.
+    /// Centre, for arcs only.
     pub center: Option<Point>,
 }
 
@@ -35,7 +36,7 @@ impl Move {
         Self { kind, step, pass, to, center: None }
     }
 
-    /// A move along a piece of a contour, cut at feed.
+    /// A move along a piece of a contour at feed.
     pub fn along(piece: &Piece, step: Step, pass: u32) -> Self {
         let (kind, center) = match piece.arc {
             None => (MotionKind::Feed, None),
@@ -46,19 +47,19 @@ impl Move {
     }
 }
 
-/// A straight or round piece of the contour that blocks ns to nf describe.
+/// A line or arc of the contour in blocks ns to nf.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Piece {
-    /// Where it begins.
+    /// Start point.
     pub from: Point,
-    /// Where it ends.
+    /// End point.
     pub to: Point,
-    /// Centre and turn of an arc.
+    /// Centre and direction of an arc.
     pub arc: Option<(Point, Turn)>,
 }
 
 impl Piece {
-    /// The same piece elsewhere: `x` a radius, mm.
+    /// The piece displaced by `x` (a radius) and `z`, mm.
     pub fn shifted(self, x: f64, z: f64) -> Self {
         let shift = |point: Point| Point::new(point.x + x, point.z + z);
         Self {
@@ -68,13 +69,13 @@ impl Piece {
         }
     }
 
-    /// Whether it leads nowhere: a full circle does not.
+    /// Whether the piece has no length. A full circle has one.
     pub fn is_empty(&self) -> bool {
         self.from.is_same(self.to) && self.arc.is_none()
     }
 }
 
-/// How the first block of a contour (ns) moves: the infeed of every pass does the same.
+/// Motion of the first block of a contour (ns), which the infeed of every pass uses.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Approach {
     /// G00.
@@ -93,16 +94,16 @@ impl Approach {
     }
 }
 
-/// The finished contour as blocks ns to nf give it.
+/// The finished contour in blocks ns to nf.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Contour {
-    /// A: where the tool stands when the cycle is called.
+    /// A: position of the tool when the cycle is called.
     pub start: Point,
     /// B: the end of the first block (ns), where the contour begins.
     pub first: Point,
-    /// How the tool gets from A to B.
+    /// Motion from A to B.
     pub approach: Approach,
-    /// From B to the end, each beginning where the one before ends; none of them empty.
+    /// The pieces from B to the end, each beginning at the end of the last one; none of them is empty.
     pub pieces: Vec<Piece>,
 }
 
@@ -113,7 +114,7 @@ impl Contour {
     }
 }
 
-/// The sign of a length; lengths of no more than [`SAME`] have none.
+/// The sign of a length; zero for lengths of at most [`SAME`].
 pub fn sign(value: f64) -> f64 {
     if value > SAME {
         1.0

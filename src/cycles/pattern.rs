@@ -1,48 +1,48 @@
-//! Pattern repeating, G73: the whole contour again and again, each time nearer to its place.
+//! Pattern repeating, G73: the whole contour several times, each time closer to its final position.
 //!
 //! In: the contour of blocks ns to nf, the relief of the first pass and the number of passes. Out: the moves.
-//! Pass j of d is the contour moved by `allowance + relief · (d − j) / (d − 1)` (GSK980TDi p. 136), arcs and
-//! all: it may have any shape. Knows nothing of words.
+//! Pass j of d is the contour moved by `allowance + relief · (d − j) / (d − 1)` (GSK980TDi p. 136), including
+//! its arcs, so it may have any shape. Must not know words.
 
 use super::{Contour, Move};
 use crate::geometry::Point;
 use crate::motion::{MotionKind, Step};
 
-/// Into how many steps the relief is divided.
+/// Number of steps into which the relief is divided.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Intervals {
-    /// One fewer than passes: the first pass is the whole relief away, the last none of it.
+    /// One less than the passes: the first pass is the whole relief away, the last none of it.
     OneFewer,
-    /// As many as passes: the first pass is already one step nearer (seed 003 in words).
+    /// The number of passes: the first pass is one step closer already (text of seed 003).
     Same,
 }
 
-/// What the two blocks of G73 say besides the contour.
+/// The parameters of the two blocks of G73, without the contour.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Pattern {
     /// Δi and Δk: from the last pass to the first, signed; `x` a radius, mm.
     pub relief: Point,
     /// d: number of passes.
     pub passes: u32,
-    /// Δu and Δw: what is left for finishing, signed; `x` a radius, mm.
+    /// Δu and Δw: the finishing allowance, signed; `x` a radius, mm.
     pub allowance: Point,
-    /// Into how many steps the relief is divided.
+    /// Number of steps into which the relief is divided.
     pub intervals: Intervals,
 }
 
 /// Why there are no moves.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum PatternError {
-    /// No pass at all (PS0321).
+    /// There is no pass (PS0321).
     NoPasses,
-    /// More moves than may still be made.
+    /// More moves than allowed.
     TooManyMoves,
 }
 
 impl Pattern {
-    /// How far the contour of a pass (from 1) is moved: `x` a radius, mm.
+    /// Displacement of the contour in a pass (from 1): `x` a radius, mm.
     ///
-    /// A single pass is the last one and has no relief: no manual says so, it is how the formula ends.
+    /// A single pass is the last one and has no relief. No manual states this; it follows from the formula.
     pub fn shift(&self, pass: u32) -> Point {
         let left = f64::from(self.passes.saturating_sub(pass));
         let steps = match self.intervals {
@@ -54,7 +54,8 @@ impl Pattern {
     }
 }
 
-/// G73: rapid to the moved start point, the move of ns, the contour at feed; and so on; rapid home.
+/// G73: for each pass a rapid to the displaced start point, the move of ns, the contour at feed; at last a
+/// rapid to the start point.
 pub fn pattern(contour: &Contour, pattern: &Pattern, most_moves: usize) -> Result<Vec<Move>, PatternError> {
     if pattern.passes == 0 {
         return Err(PatternError::NoPasses);
@@ -169,7 +170,7 @@ mod tests {
 
     #[test]
     fn a_mirrored_bore_makes_mirrored_moves() {
-        // Mirrored in X around the start point and in Z: arcs keep their turn under both together.
+        // Reflected in X about the start point, and in Z: with both reflections arcs keep their direction.
         let flip = |point: Point| Point::new(50.0 - point.x, -point.z);
         let outside = contour();
         let inside = Contour {

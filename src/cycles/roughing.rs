@@ -1,22 +1,23 @@
 //! Rough turning G71 and rough facing G72, type I (monotone contours) and type II (contours with pockets).
 //!
-//! In: the finished contour and how to rough it. Out: the moves, or what is wrong with the contour. Knows
-//! nothing of words, of diameters or of messages. Semantics §7.1–§7.3; zero-length moves are left in: whoever
+//! In: the finished contour and the parameters of roughing. Out: the moves, or the error in the contour. Must
+//! not know words, diameters or messages. Semantics §7.1–§7.3; zero-length moves are kept: the code that
 //! stores motions drops them.
 //!
-//! All four quadrants and both cycles are one: everything is carried into a [`Frame`] whose origin is C, the
-//! start point moved by the allowance. **There `x` is the depth into the work and `z` the way along a pass**,
-//! both counted from C and growing as the passes go; the contour is the bottom under the tool.
+//! All four quadrants and both cycles use the same code: everything is transformed into a [`Frame`] whose
+//! origin is C, the start point displaced by the allowance. **There `x` is the depth in the workpiece and `z`
+//! the distance along a pass**, both from C and increasing in the order of the passes; the contour is the
+//! bottom below the tool.
 //!
-//! One walk along the contour finds all passes: where it sinks below a level a pass at that level opens,
-//! where it rises above it the pass closes. Passes in the order in which they open are the passes in the
-//! order of cutting: each pocket to its bottom before the next one.
+//! A single walk along the contour finds all passes: where it falls below a level, a pass at that level
+//! opens; where it rises above the level, the pass closes. The order in which passes open is the order of
+//! cutting: each pocket to its bottom before the next one.
 
 use super::{Approach, Contour, Move, Piece, sign};
 use crate::geometry::{Arc, Point, SAME, Turn, within};
 use crate::motion::{MotionKind, Step};
 
-/// Which way the passes run.
+/// Direction of the passes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Direction {
     /// G71: passes along Z, depth in X.
@@ -35,36 +36,36 @@ impl Direction {
     }
 }
 
-/// What contours are allowed.
+/// The permitted contours.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Shape {
-    /// Type I: neither axis turns back.
+    /// Type I: neither axis reverses.
     Monotone,
-    /// Type II: the axis of depth may rise and fall.
+    /// Type II: the depth axis may rise and fall.
     Pockets,
 }
 
-/// How much a contour of type I is held to.
+/// Strictness of the checks of a type I contour.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Checks {
-    /// Everything that a control may raise an alarm for is a fault.
+    /// Everything that may raise an alarm on a control is an error.
     All,
-    /// The axis of depth may turn back, arcs may bulge back along the passes, and the contour may reach
-    /// beyond the start point by no more than a pass: the passes stop at the first wall, and the rest is left
-    /// to the cut along the contour.
+    /// The depth axis may reverse, arcs may bulge back along the passes, and the contour may reach beyond the
+    /// start point by at most one pass. The passes stop at the first wall, and the cut along the contour
+    /// removes the rest.
     Forgiving,
 }
 
-/// What follows the passes.
+/// The moves after the passes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum LastPass {
     /// One cut along the whole rough contour.
     Contour,
-    /// Nothing: home at once (GSK type II without J1).
+    /// None: directly to the start point (GSK type II without J1).
     Nothing,
 }
 
-/// How to rough a contour.
+/// The parameters of roughing.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Roughing {
     /// G71 or G72.
@@ -73,41 +74,41 @@ pub struct Roughing {
     pub shape: Shape,
     /// Depth of a pass, mm, above 0: a radius for G71, a length for G72.
     pub depth: f64,
-    /// Escape e, mm, unsigned: as far along the pass as out of the work (radius).
+    /// Escape e, mm, unsigned: the same distance back along the pass and out of the workpiece (radius).
     pub escape: f64,
-    /// How far the rough contour lies from the finished one: `x` a radius, mm, both signed.
+    /// Displacement of the rough contour from the finished one: `x` a radius, mm, both signed.
     pub allowance: Point,
-    /// How the tool escapes: `Rapid` or `Feed`.
+    /// Motion of the escape: `Rapid` or `Feed`.
     pub escape_kind: MotionKind,
-    /// What follows the passes.
+    /// The moves after the passes.
     pub last_pass: LastPass,
-    /// What the contour is held to.
+    /// Strictness of the checks.
     pub checks: Checks,
 }
 
-/// Why a contour cannot be roughed; `piece` counts from 0 in [`Contour::pieces`].
+/// Why a contour cannot be roughed; `piece` is an index into [`Contour::pieces`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum RoughingError {
-    /// The axis the passes run along (G71: Z, G72: X) turns back. PS0064, PS0329.
+    /// The axis of the passes (G71: Z, G72: X) reverses. PS0064, PS0329.
     NotMonotoneAlong {
-        /// Where it turns back.
+        /// The piece where it reverses.
         piece: usize,
     },
-    /// Type I: the axis of depth (G71: X, G72: Z) turns back. PS0329, PS0064.
+    /// Type I: the depth axis (G71: X, G72: Z) reverses. PS0329, PS0064.
     NotMonotoneAcross {
-        /// Where it turns back.
+        /// The piece where it reverses.
         piece: usize,
     },
     /// The contour reaches beyond the start point. PS0322.
     BeyondStart {
-        /// Where it does; `None`: with the first block (ns) already.
+        /// The piece that does; `None` if the first block (ns) does.
         piece: Option<usize>,
-        /// Whether it does so along the passes (G71: in Z), not across them.
+        /// Whether it does so along the passes (G71: in Z) rather than across them.
         along: bool,
     },
-    /// The contour leaves no way to cut along, or no depth.
+    /// The contour has no length to cut along, or no depth.
     NothingToCut,
-    /// More moves than allowed: depth too small for the size of the work.
+    /// More moves than allowed: the depth is too small for the size of the workpiece.
     TooManyMoves,
 }
 
@@ -120,13 +121,13 @@ pub enum Axis {
     Z,
 }
 
-/// A drawing's rounding, mm: turning back or reaching beyond the start by no more than this is forgiven.
+/// Rounding in a drawing, mm: a reversal or an excess beyond the start of at most this is accepted.
 const DRAWN: f64 = 0.001;
 
-/// The same of an arc, mm: its radius is rounded as well as its ends.
+/// The same for an arc, mm: its radius is rounded as well as its ends.
 const DRAWN_ARC: f64 = 0.005;
 
-/// All moves of the cycle, from A to A; no more than `most_moves`.
+/// All moves of the cycle, from A to A; at most `most_moves`.
 pub fn rough(contour: &Contour, how: &Roughing, most_moves: usize) -> Result<Vec<Move>, RoughingError> {
     let frame = Frame::new(contour, how).ok_or(RoughingError::NothingToCut)?;
     let bottom = bottom(contour, &frame, how)?;
@@ -151,7 +152,7 @@ pub fn rough(contour: &Contour, how: &Roughing, most_moves: usize) -> Result<Vec
 pub fn allowance_into_material(contour: &Contour, how: &Roughing) -> Vec<Axis> {
     let Some(frame) = Frame::new(contour, how) else { return Vec::new() };
     let inward = frame.turned(how.allowance);
-    // From a start point at the end of the contour, no direction of cut follows.
+    // If the start point is at the end of the contour, the direction of cut is unknown.
     let (first, last) = (contour.first, contour.last());
     let runs_back = frame.turned(Point::new(last.x - first.x, last.z - first.z)).z < -SAME;
     let (across, along) = match how.direction {
@@ -168,19 +169,20 @@ pub fn allowance_into_material(contour: &Contour, how: &Roughing) -> Vec<Axis> {
 /// Infeed, cut, escape and return.
 const MOVES_OF_A_PASS: usize = 4;
 
-/// Depth in `x` and way along the passes in `z`, both from C: see the head of the file.
+/// Coordinates with depth in `x` and the distance along the passes in `z`, both from C: see the head of the
+/// file.
 #[derive(Clone, Copy)]
 struct Frame {
     direction: Direction,
     /// C in the plane of the lathe.
     origin: Point,
-    /// −1 or 1 each: the signs of depth and of the way along the passes.
+    /// −1 or 1 each: the signs of the depth and of the direction along the passes.
     depth: f64,
     along: f64,
 }
 
 impl Frame {
-    /// `None` without a depth or a way to cut.
+    /// `None` without a depth or a length to cut.
     fn new(contour: &Contour, how: &Roughing) -> Option<Self> {
         let start = contour.start;
         let plain = Self { direction: how.direction, origin: start, depth: 1.0, along: 1.0 };
@@ -196,7 +198,7 @@ impl Frame {
         (depth != 0.0 && along != 0.0).then_some(Self { origin, depth, along, ..plain })
     }
 
-    /// A displacement of the lathe seen in the frame.
+    /// Transforms a displacement of the lathe into the frame.
     fn turned(&self, way: Point) -> Point {
         match self.direction {
             Direction::Turning => Point::new(way.x * self.depth, way.z * self.along),
@@ -204,12 +206,12 @@ impl Frame {
         }
     }
 
-    /// A place of the lathe seen in the frame.
+    /// Transforms a point of the lathe into the frame.
     fn enter(&self, place: Point) -> Point {
         self.turned(Point::new(place.x - self.origin.x, place.z - self.origin.z))
     }
 
-    /// A place of the frame in the plane of the lathe.
+    /// Transforms a point of the frame to the plane of the lathe.
     fn leave(&self, place: Point) -> Point {
         let (depth, along) = (place.x * self.depth, place.z * self.along);
         match self.direction {
@@ -218,7 +220,7 @@ impl Frame {
         }
     }
 
-    /// The turn of an arc seen from the other side: entering and leaving alike.
+    /// Transforms the direction of an arc, into the frame or out of it.
     fn turn(&self, turn: Turn) -> Turn {
         let mirrors = (self.depth < 0.0) ^ (self.along < 0.0) ^ (self.direction == Direction::Facing);
         match (mirrors, turn) {
@@ -229,11 +231,11 @@ impl Frame {
     }
 }
 
-/// The rough contour in the frame as pieces of which none turns back in either axis; checked.
+/// The rough contour in the frame, checked, as pieces that do not reverse in either axis.
 ///
-/// Where the first block of type II leads along the passes, it is the first piece: its slope is a wall.
+/// If the first block of type II runs along the passes, it is the first piece: its slope is a wall.
 fn bottom(contour: &Contour, frame: &Frame, how: &Roughing) -> Result<Vec<Piece>, RoughingError> {
-    // The finished contour seen from A is the rough one seen from C.
+    // The finished contour relative to A equals the rough one relative to C.
     let finished = Frame { origin: contour.start, ..*frame };
     let first = finished.enter(contour.first);
     let shape = how.shape;
@@ -257,7 +259,8 @@ fn bottom(contour: &Contour, frame: &Frame, how: &Roughing) -> Result<Vec<Piece>
         split(&seen, &mut bottom);
         let bulges = forgiving && seen.arc.is_some();
         if bulges {
-            // An arc of a little more than a quarter: for the passes it goes no farther back than it began.
+            // An arc of slightly more than a quarter: the passes ignore how far it goes back beyond its
+            // start.
             let mut far = farthest;
             for part in &mut bottom[known..] {
                 let (from, to) = (part.from.z.max(far), part.to.z.max(far));
@@ -285,7 +288,7 @@ fn bottom(contour: &Contour, frame: &Frame, how: &Roughing) -> Result<Vec<Piece>
     Ok(bottom)
 }
 
-/// Cuts an arc where it turns back in an axis, so that the ends alone show where a piece lies.
+/// Splits an arc where it reverses in an axis, so that the ends of each part are its extremes.
 fn split(piece: &Piece, parts: &mut Vec<Piece>) {
     let Some((center, turn)) = piece.arc else {
         parts.push(*piece);
@@ -301,12 +304,12 @@ fn split(piece: &Piece, parts: &mut Vec<Piece>) {
             from = to;
         }
     };
-    // The quarter points passed after the start, in order.
+    // The quarter points after the start, in order.
     let quarters = start / quarter;
     let mut next = if sweep > 0.0 { quarters.floor() + 1.0 } else { quarters.ceil() - 1.0 };
     for _ in 0..4 {
         let fraction = (next * quarter - start) / sweep;
-        // A quarter point at an end, within the tolerance, is no turning back.
+        // A quarter point at an end, within the tolerance, is not a reversal.
         if radius * (1.0 - fraction) * sweep.abs() <= SAME || !fraction.is_finite() {
             break;
         }
@@ -318,7 +321,8 @@ fn split(piece: &Piece, parts: &mut Vec<Piece>) {
     add(piece.to);
 }
 
-/// How far along the passes a piece of the bottom has the depth `level`; at its nearer end if it never has.
+/// Position along the passes where a piece of the bottom has the depth `level`; that of its nearer end if it
+/// never has.
 fn crossing(piece: &Piece, level: f64) -> f64 {
     let (from, to) = (piece.from, piece.to);
     if (level - from.x) * (to.x - from.x) <= 0.0 || (level - from.x).abs() <= SAME {
@@ -365,28 +369,28 @@ impl Opening {
     }
 }
 
-/// Where the contour crosses a level.
+/// A point where the contour crosses a level.
 #[derive(Clone, Copy)]
 struct Gate {
-    /// Piece of the bottom; their number for the end of the contour.
+    /// Index of the piece of the bottom; the number of pieces for the end of the contour.
     piece: usize,
-    /// Way from C, mm.
+    /// Distance from C along the passes, mm.
     along: f64,
 }
 
-/// A pass whose end is not yet found.
+/// A pass whose end was not found yet.
 struct Open {
     /// Index of the pass.
     pass: usize,
-    /// Greatest depth of the contour so far between its ends.
+    /// Greatest depth of the contour since its start.
     deepest: f64,
 }
 
-/// All passes in the order of cutting, no more than `most`.
+/// All passes in the order of cutting, at most `most`.
 ///
-/// "Reaches a level" means within [`SAME`]: a piece that lies at the level does not end the pass, one that
-/// starts there and rises ends it at its start. Where nothing is deeper than the level no pass is made, the
-/// last one along the contour is.
+/// "Reaches a level" means within [`SAME`]: a piece at the level does not end the pass; a piece that starts
+/// there and rises ends it at its start. Where nothing is deeper than the level, there is no pass: the last
+/// cut along the contour removes the rest.
 fn passes(bottom: &[Piece], how: &Roughing, most: usize) -> Result<Vec<Pass>, RoughingError> {
     let levels_above = |depth: f64| ((depth + SAME) / how.depth).floor().max(0.0) as usize;
     let mut passes: Vec<Pass> = Vec::new();
@@ -447,7 +451,7 @@ fn passes(bottom: &[Piece], how: &Roughing, most: usize) -> Result<Vec<Pass>, Ro
     Ok(passes)
 }
 
-/// The wall down which the tool comes to the start of a pass at `depth`, as far as it falls without a step,
+/// The wall down which the tool moves to the start of a pass at `depth`: the part that falls without a step,
 /// from `above` at most.
 fn wall_down(bottom: &[Piece], gate: Gate, depth: f64, above: f64) -> Vec<Piece> {
     let mut wall = Vec::new();
@@ -468,8 +472,8 @@ fn wall_down(bottom: &[Piece], gate: Gate, depth: f64, above: f64) -> Vec<Piece>
     wall
 }
 
-/// The wall up which the tool leaves the end of a pass at `depth`, as far as it rises without a step, up to
-/// `above` at most.
+/// The wall up which the tool moves from the end of a pass at `depth`: the part that rises without a step, up
+/// to `above` at most.
 fn wall_up(bottom: &[Piece], gate: Gate, depth: f64, above: f64) -> Vec<Piece> {
     let mut wall = Vec::new();
     let mut from = Point::new(depth, gate.along);
@@ -488,17 +492,17 @@ fn wall_up(bottom: &[Piece], gate: Gate, depth: f64, above: f64) -> Vec<Piece> {
     wall
 }
 
-/// The part of a piece between two of its points, if there is one.
+/// The part of a piece between two of its points, if it has any length.
 fn part(piece: &Piece, from: Point, to: Point) -> Option<Piece> {
-    // An arc as short as the drawing's rounding might turn the long way round.
+    // The rounding of the drawing might turn a very short arc into nearly a full circle.
     let arc = piece.arc.filter(|_| from.distance(to) > DRAWN);
     (!from.is_same(to)).then_some(Piece { from, to, arc })
 }
 
-/// The tool on its way.
+/// The moving tool.
 struct Tool {
     frame: Frame,
-    /// Where it stands, in the frame.
+    /// Its position in the frame.
     at: Point,
     pass: u32,
     moves: Vec<Move>,
@@ -532,8 +536,8 @@ impl Tool {
             Opening::Wall(gate) => {
                 let wall = wall_down(bottom, gate, depth, above);
                 let top = wall.first().map_or(Point::new(depth, gate.along), |piece| piece.from);
-                // Everything above `above` is cut there: a new pocket is approached by rapid until the escape
-                // distance is left.
+                // Everything above `above` is cut at this place: the tool approaches a new pocket at rapid up
+                // to the escape distance.
                 let clear = (above - how.escape).max(0.0);
                 if self.at.x > clear {
                     self.go(MotionKind::Rapid, Step::Retract, Point::new(clear, self.at.z));
@@ -554,7 +558,7 @@ impl Tool {
         let back = self.at.z - how.escape;
         let back = match pass.opening {
             Opening::Front => back,
-            // A narrow pocket has no room for the whole escape.
+            // A narrow pocket has no space for the whole escape.
             Opening::Wall(_) => back.max(home),
         };
         self.go(how.escape_kind, Step::Escape, Point::new(self.at.x - how.escape, back));
@@ -570,7 +574,7 @@ impl Tool {
         if how.last_pass == LastPass::Contour {
             let rough = Point::new(contour.first.x + how.allowance.x, contour.first.z + how.allowance.z);
             let first = self.frame.enter(rough);
-            // A first block along the passes is a wall: something may be left on it.
+            // A first block along the passes is a wall, on which material may remain.
             let is_wall = how.shape == Shape::Pockets && first.z > SAME;
             let kind = if is_wall { MotionKind::Feed } else { contour.approach.kind() };
             self.go(kind, Step::Infeed, first);
@@ -582,7 +586,7 @@ impl Tool {
             let highest = bottom.iter().map(|piece| piece.from.x).fold(self.at.x, f64::min);
             let winds = how.shape == Shape::Pockets || how.checks == Checks::Forgiving;
             if winds && highest < self.at.x - SAME {
-                // The straight way home would lead through the part.
+                // The straight move to the start point would cross the part.
                 self.go(MotionKind::Rapid, Step::Retract, Point::new(highest.min(0.0), self.at.z));
             }
         }

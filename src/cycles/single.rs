@@ -1,8 +1,8 @@
-//! The single cycles G90 (turning), G92 (thread) and G94 (facing): four moves from
-//! and back to the start point.
+//! The single cycles G90 (turning), G92 (threading) and G94 (facing): four moves from and back to the start
+//! point.
 //!
-//! In: start point A, end point E, taper R. Out: the moves. The signs alone distinguish the four quadrants,
-//! so no case table is needed (seed 000 Fig. 3-57, seeds 001 and 004). Zero-length moves are left in: whoever
+//! In: start point A, end point E, taper R. Out: the moves. The signs alone determine the quadrant, so no
+//! case table is needed (seed 000 Fig. 3-57, seeds 001 and 004). Zero-length moves are kept: the code that
 //! stores motions drops them.
 
 use super::threading::Pass;
@@ -11,7 +11,7 @@ use super::{Move, sign};
 use crate::geometry::Point;
 use crate::motion::{Cycle, MotionKind, Step};
 
-/// Which of the three.
+/// One of the single cycles.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Single {
     /// G90.
@@ -23,7 +23,7 @@ pub enum Single {
 }
 
 impl Single {
-    /// The cycle as motions name it.
+    /// The cycle of the motions.
     pub fn cycle(self) -> Cycle {
         match self {
             Self::Turning => Cycle::Turning,
@@ -37,7 +37,7 @@ fn step(kind: MotionKind, step: Step, x: f64, z: f64) -> Move {
     Move::new(kind, step, 1, Point::new(x, z))
 }
 
-/// G90: rapid to depth, cut along Z (on a taper with `taper` ≠ 0), retract at feed, rapid home.
+/// G90: rapid to depth, cut along Z (on a taper with `taper` ≠ 0), retract at feed, rapid to the start point.
 ///
 /// `taper`: radius at the start of the cut minus radius at its end, mm.
 pub fn turning(start: Point, end: Point, taper: f64) -> [Move; 4] {
@@ -49,7 +49,8 @@ pub fn turning(start: Point, end: Point, taper: f64) -> [Move; 4] {
     ]
 }
 
-/// G94: rapid to depth, cut along X (on a cone face with `taper` ≠ 0), retract at feed, rapid home.
+/// G94: rapid to depth, cut along X (on a cone face with `taper` ≠ 0), retract at feed, rapid to the start
+/// point.
 ///
 /// `taper`: Z at the start of the cut minus Z at its end, mm; not halved (seed 004).
 pub fn facing(start: Point, end: Point, taper: f64) -> [Move; 4] {
@@ -61,8 +62,8 @@ pub fn facing(start: Point, end: Point, taper: f64) -> [Move; 4] {
     ]
 }
 
-/// G92: as G90 with the cut in step with the spindle, rapid retract, and the thread leaving the work early by
-/// `pull_out` if there is one. The pull-out never passes the start X, nor is it longer than the thread.
+/// G92: like G90, but the cut is synchronized with the spindle, the retract is rapid, and the thread pulls
+/// out early by `pull_out`, if any. The pull-out never passes the start X, and is not longer than the thread.
 pub fn threading(start: Point, end: Point, taper: f64, pull_out: Option<PullOut>) -> Vec<Move> {
     let begin = Point::new(end.x + taper, start.z);
     let pass = Pass { number: 1, begin, end, away: sign(start.x - end.x), pull_out };
@@ -71,11 +72,14 @@ pub fn threading(start: Point, end: Point, taper: f64, pull_out: Option<PullOut>
     moves
 }
 
-/// Whether a taper makes the cut begin beyond the start point: the signs of `taper` and of the
-/// way `way` to the end point differ and the taper is longer (seed 000: |R| ≤ |U/2|; not asked
-/// when there is no way at all).
+/// Whether a taper makes the cut begin beyond the start point: the signs of `taper` and of `way`, the
+/// distance to the end point, differ, and the taper is longer (seed 000:
+/// R
+/// ≤
+/// U/2
+/// ). False if `way` is zero.
 pub fn begins_beyond_start(way: f64, taper: f64) -> bool {
-    // A thousandth of a millimetre, the least increment, is forgiven.
+    // A thousandth of a millimetre, the least increment, is accepted.
     way != 0.0 && taper != 0.0 && (way > 0.0) != (taper > 0.0) && taper.abs() > way.abs() + 0.001
 }
 

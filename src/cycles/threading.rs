@@ -1,40 +1,40 @@
-//! Threads: one pass with its pull-out, as G92 makes it, and the many passes of G76.
+//! Threads: a single pass with its pull-out, as in G92, and the passes of G76.
 //!
-//! In: start point A, thread end E, height and depths. Out: the depth table and the moves. External when E
-//! lies nearer to the axis than A, internal when farther; the signs alone distinguish the quadrants. The
-//! passes of G76 follow seed 003 and GSK980TDb p. 138. Knows nothing of words and leads. Zero-length moves
-//! are left in: whoever stores motions drops them.
+//! In: start point A, thread end E, height and depths. Out: the depth table and the moves. External if E is
+//! nearer to the axis than A, internal if farther; the signs alone determine the quadrant. The passes of G76
+//! follow seed 003 and GSK980TDb p. 138. Must not know words and leads. Zero-length moves are kept: the code
+//! that stores motions drops them.
 
 use super::{Move, sign};
 use crate::geometry::{Point, SAME};
 use crate::motion::{MotionKind, Step};
 
-/// How a thread leaves the work before its end.
+/// How a thread leaves the workpiece before its end.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PullOut {
     /// Length along the thread, mm, unsigned.
     pub along: f64,
-    /// Way out of the work, radius in mm, unsigned; the same as `along` for the usual 45°.
+    /// Distance out of the workpiece, radius in mm, unsigned; equal to `along` for the usual 45°.
     pub out: f64,
 }
 
 /// One pass of a thread.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Pass {
-    /// Pass from 1.
+    /// Pass, from 1.
     pub number: u32,
-    /// Where the cut begins.
+    /// Start of the cut.
     pub begin: Point,
-    /// Where it would end without a pull-out.
+    /// End of the cut without a pull-out.
     pub end: Point,
-    /// The way out of the work in X: 1 for larger radii (external), −1 for smaller, 0 for none.
+    /// Direction out of the workpiece in X: 1 for larger radii (external), −1 for smaller, 0 for none.
     pub away: f64,
-    /// How it leaves the work, if early.
+    /// The pull-out, if any.
     pub pull_out: Option<PullOut>,
 }
 
 impl Pass {
-    /// Rapid to the depth, cut, pull-out, rapid out of the work to the X of `home`, rapid home.
+    /// Rapid to the depth, cut, pull-out, rapid out of the workpiece to the X of `home`, rapid to `home`.
     pub fn push_moves(&self, home: Point, moves: &mut Vec<Move>) {
         let mut push = |kind, step, to| moves.push(Move::new(kind, step, self.number, to));
         push(MotionKind::Rapid, Step::Infeed, self.begin);
@@ -51,8 +51,8 @@ impl Pass {
         push(MotionKind::Rapid, Step::Return, home);
     }
 
-    /// Where the pull-out begins and ends: it is no longer than the thread and goes no farther than the X of
-    /// `home`, keeping its angle (seeds 000, 001 and 004).
+    /// Start and end of the pull-out. It is not longer than the thread and does not pass the X of `home`; its
+    /// angle is kept (seeds 000, 001 and 004).
     fn leave(&self, home: Point, pull_out: PullOut) -> (Point, Point) {
         let length = self.end.z - self.begin.z;
         let along = pull_out.along.min(length.abs());
@@ -72,34 +72,34 @@ impl Pass {
     }
 }
 
-/// Which edges of the tool cut: the one-block G76 chooses with P1 to P4.
+/// The cutting edges of the tool: P1 to P4 of the one-block G76.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Edge {
-    /// The leading one: the tool goes in along the other flank (P1, P3, and G76 in two blocks).
+    /// The leading edge: infeed along the other flank (P1, P3, and the two-block G76).
     Leading,
-    /// Both in turn (P2, P4).
+    /// Both edges alternately (P2, P4).
     InTurn,
 }
 
 /// How the depth grows from pass to pass.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Load {
-    /// Equal areas of chip: depth √n · Δd (P1, P2, and G76 in two blocks).
+    /// Equal chip areas: depth √n · Δd (P1, P2, and the two-block G76).
     EvenArea,
     /// Equal steps: depth n · Δd (P3, P4).
     EvenDepth,
 }
 
-/// How the least depth is kept.
+/// How the minimum depth of cut is applied.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Clamp {
-    /// Counted from the depth of the pass before, so that every step is at least Δdmin.
+    /// To the difference from the previous depth: every step is at least Δdmin.
     Previous,
-    /// Counted from the root formula, √(n−1) · Δd: as GSK prints it.
+    /// To the root formula, √(n−1) · Δd: as printed by GSK.
     Root,
 }
 
-/// What G76 says. Depths are radii in mm, below the crest.
+/// The parameters of G76. Depths are radii in mm, below the crest.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct MultiThread {
     /// E: end of the thread, at its root.
@@ -112,17 +112,17 @@ pub struct MultiThread {
     pub first_depth: f64,
     /// Δdmin: least step from pass to pass; zero for none.
     pub least_depth: f64,
-    /// d: what roughing leaves for the first finishing pass; its sign does not matter.
+    /// d: allowance for the first finishing pass; its sign is ignored.
     pub allowance: f64,
-    /// m: finishing passes; at least one is made.
+    /// m: number of finishing passes; at least one is made.
     pub finishing: u32,
-    /// How each pass leaves the work, if early.
+    /// The pull-out of each pass, if any.
     pub pull_out: Option<PullOut>,
-    /// a: angle of the tool, radians, from 0 to less than half a turn; at 0 it goes in along X.
+    /// a: angle of the tool, radians, from 0 to less than half a turn; at 0 the infeed is along X.
     pub angle: f64,
-    /// How the least depth is kept.
+    /// How the minimum depth of cut is applied.
     pub clamp: Clamp,
-    /// Which edges cut.
+    /// The cutting edges.
     pub edge: Edge,
     /// How the depth grows.
     pub load: Load,
@@ -131,7 +131,7 @@ pub struct MultiThread {
 /// Why there are no moves.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ThreadingError {
-    /// The angle of the tool is none (PS0315).
+    /// The angle of the tool is invalid (PS0315).
     Angle,
     /// The least depth is larger than the height (PS0316).
     LeastDepthTooLarge,
@@ -139,12 +139,12 @@ pub enum ThreadingError {
     NoHeight,
     /// The first depth is zero or negative (PS0317).
     NoFirstDepth,
-    /// More moves than may still be made.
+    /// More moves than allowed.
     TooManyMoves,
 }
 
 impl MultiThread {
-    /// Depth of roughing pass `number` (from 1) if there were no end to it. Never falls with `number`.
+    /// Depth of roughing pass `number` (from 1), not limited by the height. Never decreases with `number`.
     fn roughing(&self, number: f64) -> f64 {
         let (first, least) = (self.first_depth, self.least_depth.max(0.0));
         match (self.load, self.clamp) {
@@ -153,7 +153,7 @@ impl MultiThread {
                 (number.sqrt() * first).max((number - 1.0).sqrt() * first + least)
             }
             (Load::EvenArea, Clamp::Previous) => {
-                // √n − √(n−1) falls below Δdmin/Δd for good after this many passes.
+                // After this many passes √n − √(n−1) is always below Δdmin/Δd.
                 let ratio = first / least;
                 let free = if ratio > 1.0 { ((ratio + 1.0 / ratio) / 2.0).powi(2).floor() } else { 0.0 };
                 if number <= free {
@@ -165,9 +165,9 @@ impl MultiThread {
         }
     }
 
-    /// Where the cut of a pass begins along Z, mm from A towards E: it advances with the depth, so that one
-    /// flank is left alone. Cutting with both edges in turn, every second pass keeps to the other flank; both
-    /// meet at full depth (GSK980TDb p. 138; the zero of the shift differs between controls).
+    /// Start of the cut of a pass along Z, mm from A towards E. It advances with the depth, so that one flank
+    /// is not cut. With both edges alternately, every second pass follows the other flank; both meet at full
+    /// depth (GSK980TDb p. 138; the zero of the shift differs between controls).
     fn advance(&self, number: u32, depth: f64) -> f64 {
         let across = match self.edge {
             Edge::InTurn if number.is_multiple_of(2) => 2.0 * self.height - depth,
@@ -179,7 +179,7 @@ impl MultiThread {
 
 /// The depth of every pass: roughing down to k − d, then m passes at k, of which the first removes d.
 ///
-/// Where d leaves nothing to roughing there are finishing passes only.
+/// If d leaves no depth for roughing, there are finishing passes only.
 pub fn depths(thread: &MultiThread, most_passes: usize) -> Result<Vec<f64>, ThreadingError> {
     if sign(thread.height) <= 0.0 {
         return Err(ThreadingError::NoHeight);
@@ -208,7 +208,7 @@ pub fn depths(thread: &MultiThread, most_passes: usize) -> Result<Vec<f64>, Thre
     Ok(out)
 }
 
-/// G76: each pass goes in along a flank, cuts, leaves the work and goes home.
+/// G76: each pass has an infeed along a flank, a cut, a pull-out and a return to the start point.
 pub fn thread(start: Point, thread: &MultiThread, most_moves: usize) -> Result<Vec<Move>, ThreadingError> {
     if !(0.0..std::f64::consts::PI).contains(&thread.angle) {
         return Err(ThreadingError::Angle);
@@ -323,7 +323,7 @@ mod tests {
 
     #[test]
     fn a_tapered_thread_runs_parallel_to_its_taper() {
-        // 1:16 over 40 mm: 1.25 in radius. Straight infeed: the cone is met where A begins.
+        // 1:16 over 40 mm: 1.25 in radius. Straight infeed: the cone begins at the Z of A.
         let start = at(50.0, 5.0);
         let pipe = MultiThread {
             end: at(40.0, -35.0),
@@ -337,7 +337,7 @@ mod tests {
         };
         let one = "R(37.5,5) T(39.875,-33) T(43.875,-35) R(50,-35) R(50,5)";
         check(start, &thread(start, &pipe, MANY).unwrap(), &format!("#1 {one}\n#2 {one}"));
-        // With a flank infeed the cut begins farther along on the same line.
+        // With a flank infeed the cut begins farther along the same line.
         let flank = MultiThread { angle: 60_f64.to_radians(), ..pipe };
         let moves = thread(start, &flank, MANY).unwrap();
         let along = 30_f64.to_radians().tan();
@@ -379,7 +379,7 @@ mod tests {
         let start = Point::new(30.0, 10.0);
         let outside = MultiThread { taper: -1.5, ..seed() };
         let plain = thread(start, &outside, MANY).unwrap();
-        // Mirrored in X around A an external thread becomes an internal one.
+        // Reflected in X about A, an external thread becomes an internal one.
         let maps: [(Map, f64); 3] = [
             (|point| Point::new(point.x, -point.z), 1.0),
             (|point| Point::new(60.0 - point.x, point.z), -1.0),
@@ -482,7 +482,7 @@ mod tests {
                         assert!(to.z <= from.z + SAME && to.z >= -60.0 - SAME);
                         assert!(to.x >= from.x - SAME);
                         assert!(to.x <= from.x.max(start.x) + SAME);
-                        // At 45° however it was cut short.
+                        // At 45°, however it was shortened.
                         assert!((to.x - from.x - (from.z - to.z)).abs() < SAME);
                     }
                 }
@@ -510,7 +510,7 @@ mod tests {
 
     #[test]
     fn too_many_passes_answer_at_once() {
-        // A micrometre at first on a deep thread: (2.4 / 0.001)² passes.
+        // A first depth of a micrometre on a deep thread: (2.4 / 0.001)² passes.
         let slow = MultiThread { first_depth: 0.001, least_depth: 0.0, ..seed() };
         for wanted in [
             slow,

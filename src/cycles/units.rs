@@ -1,8 +1,8 @@
-//! What P and Q of G74, G75 and G76 count: micrometres, as on controls (GSK980TDb pp. 119, 135), or
+//! The unit of P and Q in G74, G75 and G76: micrometres, as on controls (GSK980TDb pp. 119, 135), or
 //! millimetres, as in seed 003.
 //!
-//! In: what the words would mean in least increments, and whether they were written with a point. Out: which
-//! it is, and why. Only where the setup leaves it open. Knows nothing of words.
+//! In: the lengths in least increments, and whether the words have a decimal point. Out: the unit and the
+//! reason. Only used if the setup leaves the unit open. Must not know words.
 
 use super::grooving::steps;
 use crate::geometry::Point;
@@ -20,53 +20,53 @@ pub enum Written {
 /// A P or Q word.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Amount {
-    /// The length it means if it counts least increments, mm: 0.001 mm each, or 0.0001 inch.
+    /// The length in mm if the number counts least increments of 0.001 mm, or 0.0001 inch.
     pub in_increments: f64,
-    /// How it was written.
+    /// Whether it has a decimal point.
     pub written: Written,
 }
 
 impl Amount {
-    /// The length it means, mm.
+    /// The length, mm.
     pub fn mm(self, reading: Reading, unit: Unit) -> f64 {
         match reading {
             Reading::Micrometres => self.in_increments,
-            // The number as it was written is a length in the unit of the program.
+            // The written number is a length in the unit of the program.
             Reading::Millimetres(_) => self.in_increments / unit.increment(),
         }
     }
 }
 
-/// What P and Q count.
+/// The unit of P and Q.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Reading {
-    /// Least increments, as the manuals say.
+    /// Least increments, as in the manuals.
     Micrometres,
-    /// Millimetres (inches in an inch program), against the manuals (W-PQ-UNIT).
+    /// Millimetres (inches in an inch program), contrary to the manuals (W-PQ-UNIT).
     Millimetres(Because),
 }
 
-/// Why P and Q are taken for millimetres.
+/// Why P and Q are read as millimetres.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Because {
     /// A decimal point, which only lengths have.
     Point,
     /// Small numbers that would make hundreds of pecks or columns.
     TooManySteps,
-    /// A first thread pass that would scratch.
+    /// A first thread pass so thin that it would only scratch.
     TooThin,
 }
 
-/// An amount of fewer micrometres than this, in mm, may have been meant in millimetres.
+/// A smaller number of micrometres, in mm, may be meant as millimetres.
 const FEW: f64 = 0.05;
 
-/// More pecks or columns than this nobody wants.
+/// More pecks or columns than this are not intended.
 const MANY_STEPS: f64 = 200.0;
 
 /// Thinnest first pass of a thread, mm.
 const THIN: f64 = 0.02;
 
-/// P (along X) and Q (along Z) of G74 or G75 on the way from `start` to `end`.
+/// Reads P (along X) and Q (along Z) of G74 or G75 from `start` to `end`.
 pub fn pecking(start: Point, end: Point, p: Option<Amount>, q: Option<Amount>) -> Reading {
     if has_point([p, q]) {
         return Reading::Millimetres(Because::Point);
@@ -83,9 +83,9 @@ pub fn pecking(start: Point, end: Point, p: Option<Amount>, q: Option<Amount>) -
     Reading::Micrometres
 }
 
-/// Q of the first block of G76 (least depth), P (height) and Q (first depth) of the second.
+/// Reads Q of the first block of G76 (least depth), P (height) and Q (first depth) of the second.
 ///
-/// A thin first pass shows nothing where the height is plainly in micrometres: `P1300 Q15` is not 1300 mm.
+/// A thin first pass is no evidence if the height is clearly in micrometres: `P1300 Q15` is not 1300 mm.
 pub fn threading(
     least_depth: Option<Amount>,
     height: Option<Amount>,
@@ -114,7 +114,7 @@ mod tests {
         Some(Amount { in_increments: f64::from(number) * 0.001, written: Written::WithoutPoint })
     }
 
-    /// `Q0.5`: a control that counts increments would see half of one.
+    /// `Q0.5`: for a control that counts increments it is half of one.
     fn point(number: f64) -> Option<Amount> {
         Some(Amount { in_increments: number * 0.001, written: Written::WithPoint })
     }
@@ -129,7 +129,7 @@ mod tests {
         assert_eq!(read(-6.0, -12.0, whole(3), point(2.9)), Reading::Millimetres(Because::Point));
         assert_eq!(read(-6.0, -12.0, whole(3), whole(2900)), many);
         assert_eq!(read(-6.0, -12.0, whole(3000), whole(2900)), Reading::Micrometres);
-        // Few increments, but not many of them; many, but not few.
+        // Small numbers with few steps; many steps with large numbers.
         assert_eq!(read(-0.6, 0.0, whole(3), None), Reading::Micrometres);
         assert_eq!(read(-0.603, 0.0, whole(3), None), many);
         assert_eq!(read(0.0, 300.0, None, whole(50)), Reading::Micrometres);

@@ -77,11 +77,11 @@ pub struct Setup {
 pub struct TriedValue {
     /// First byte of the block.
     pub block: u32,
-    /// Which of the times it is carried out, from 1.
+    /// Which execution of the block, from 1.
     pub time: u32,
-    /// Number of the variable, local ones as the block sees them.
+    /// Number of the variable; a local variable in the scope of the block.
     pub variable: u32,
-    /// Its value from there on.
+    /// The trial value.
     pub value: f64,
 }
 

@@ -1,4 +1,4 @@
-//! Roughing: the worked examples, the quadrants, faults and bounds; random contours in `properties`.
+//! Roughing: the worked examples, the quadrants, errors and limits; random contours are in `properties`.
 
 use super::*;
 use crate::cycles::listing::{self, at, listing};
@@ -10,14 +10,14 @@ fn line(from: Point, to: Point) -> Piece {
     Piece { from, to, arc: None }
 }
 
-/// A contour of straight pieces: A, then B and what follows, by diameter and length.
+/// A contour of lines: A, then B and the other points, as diameter and length.
 fn straight(approach: Approach, start: (f64, f64), points: &[(f64, f64)]) -> Contour {
     let points: Vec<Point> = points.iter().map(|&(x, z)| at(x, z)).collect();
     let pieces = points.windows(2).map(|pair| line(pair[0], pair[1])).collect();
     Contour { start: at(start.0, start.1), first: points[0], approach, pieces }
 }
 
-/// How, with the allowance by diameter and length.
+/// Roughing parameters, with the allowance as diameter and length.
 fn how(direction: Direction, shape: Shape, depth: f64, escape: f64, allowance: (f64, f64)) -> Roughing {
     Roughing {
         direction,
@@ -44,7 +44,7 @@ fn check(contour: &Contour, how: &Roughing, expected: &str) {
     listing::check(contour.start, &moves, expected);
 }
 
-/// An arc by its radius, of no more than half a turn.
+/// An arc with a radius, of at most half a turn.
 fn arc(from: Point, to: Point, radius: f64, turn: Turn) -> Piece {
     let chord = from.distance(to);
     let height = (radius * radius - 0.25 * chord * chord).sqrt() / chord;
@@ -180,7 +180,7 @@ fn each_move_says_which_part_it_plays() {
     assert_eq!(parts, expected);
 }
 
-/// LinuxCNC issue 707: nothing was drawn for Z-40, but was for Z-39.999.
+/// LinuxCNC issue 707: Z-40 gave no moves, but Z-39.999 did.
 #[test]
 fn g72_to_a_round_number_is_as_good_as_to_one_beside_it() {
     for (far, approach) in [(-40.0, Approach::Rapid), (-39.999, Approach::Rapid), (-40.0, Approach::Feed)] {
@@ -193,7 +193,7 @@ fn g72_to_a_round_number_is_as_good_as_to_one_beside_it() {
     }
 }
 
-/// LinuxCNC issue 2939: an allowance put half circles between the pieces.
+/// LinuxCNC issue 2939: an allowance added half circles between the pieces.
 #[test]
 fn an_allowance_moves_arcs_and_adds_none() {
     let plain =
@@ -253,7 +253,7 @@ fn a_pocket_that_opens_at_the_first_point_is_deepened_at_feed() {
     );
 }
 
-/// A groove whose first block leads down a slope: nothing before the slope is touched.
+/// A groove whose first block goes down a slope: nothing in front of the slope is touched.
 #[test]
 fn a_first_block_along_the_passes_is_a_wall() {
     let points = [(40.0, -25.0), (40.0, -35.0), (52.0, -41.0)];
@@ -307,13 +307,13 @@ fn a_contour_that_turns_back_is_refused_where_it_does() {
     check_error(&contour, &turning, RoughingError::NotMonotoneAlong { piece: 1 });
     check_error(&contour, &type_two(2.0, 0.5), RoughingError::NotMonotoneAlong { piece: 1 });
 
-    // Facing: X is the axis of the passes, Z that of depth.
+    // Facing: X is the axis of the passes, Z the depth axis.
     let facing = type_one(Direction::Facing, 2.0, 0.5, (0.0, 0.0));
     let back_in_z = [(40.0, -30.0), (30.0, -20.0), (30.0, -25.0), (20.0, 2.0)];
     let contour = straight(Approach::Rapid, (40.0, 2.0), &back_in_z);
     check_error(&contour, &facing, RoughingError::NotMonotoneAcross { piece: 1 });
 
-    // As little as drawings are rounded by is forgiven.
+    // A reversal within the rounding of drawings is accepted.
     let hardly = [(20.0, 2.0), (20.0, -10.0), (30.0, -20.0), (29.999, -25.0), (40.0, -25.0)];
     let contour = straight(Approach::Rapid, (40.0, 2.0), &hardly);
     assert!(rough(&contour, &turning, 1000).is_ok());
@@ -330,7 +330,7 @@ fn an_arc_that_bulges_beyond_its_ends_turns_back() {
         check_error(&contour, &turning, RoughingError::NotMonotoneAcross { piece: 1 });
         assert!(rough(&contour, &type_two(2.0, 0.5), 1000).is_ok());
     }
-    // More than half a turn comes back in Z too.
+    // More than half a turn also reverses in Z.
     let center = Point::new(12.0, -15.0);
     contour.pieces[1].arc = Some((center, Turn::Counterclockwise));
     check_error(&contour, &type_two(2.0, 0.5), RoughingError::NotMonotoneAlong { piece: 1 });

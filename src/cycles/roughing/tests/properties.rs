@@ -1,13 +1,14 @@
-//! Random contours: no gouge, nothing left, no rapid in uncut work, the same in every quadrant.
+//! Random contours: no gouge, no remaining material, no rapid in uncut material, the same result in every
+//! quadrant.
 //!
-//! Contours are drawn in the frame of the passes (`x` depth, `z` way along) and placed on the lathe by a
-//! [`View`] of the test's own, so that one picture serves both cycles and all quadrants.
+//! Contours are created in the frame of the passes (`x` depth, `z` along the passes) and transformed to the
+//! lathe by a separate [`View`], so that one picture serves both cycles and all quadrants.
 
 use proptest::prelude::*;
 
 use super::*;
 
-/// Of the wall beside a sampled place, mm: what binary rounding may move a crossing by.
+/// Distance from a sampled place to the wall beside it, mm: the rounding error of a crossing.
 const BESIDE: f64 = 1e-5;
 const CLOSE: f64 = 1e-5;
 const SAMPLES: usize = 300;
@@ -73,7 +74,7 @@ impl View {
     }
 }
 
-/// What is drawn for one piece: steps of a quarter millimetre make levels meet corners often.
+/// The random values of one piece: steps of a quarter millimetre, so that levels often meet corners.
 type Stroke = (i32, i32, Option<(f64, bool)>);
 
 fn stroke() -> impl Strategy<Value = Stroke> {
@@ -81,7 +82,7 @@ fn stroke() -> impl Strategy<Value = Stroke> {
     (length, -24..24i32, proptest::option::of((prop_oneof![Just(1.0), 1.0..4.0f64], any::<bool>())))
 }
 
-/// An arc from `from` to `to` that does not turn back along the passes, nor (`Monotone`) in depth.
+/// An arc from `from` to `to` that does not reverse along the passes, nor (`Monotone`) in depth.
 fn bow(from: Point, to: Point, shape: Shape, factor: f64, is_left: bool) -> Option<Piece> {
     let (dx, dz, chord) = ((to.x - from.x).abs(), (to.z - from.z).abs(), from.distance(to));
     let narrow = match shape {
@@ -142,7 +143,7 @@ fn points(piece: &Piece) -> Vec<Point> {
         .collect()
 }
 
-/// Least and greatest depth of a piece at `z`, if it gets there; computed for itself, not as the cycle does.
+/// Least and greatest depth of a piece at `z`, if it gets there; not computed with the code of the cycle.
 fn depths(piece: &Piece, z: f64) -> Option<(f64, f64)> {
     let (low, high) = (piece.from.z.min(piece.to.z), piece.from.z.max(piece.to.z));
     if z < low - BESIDE || z > high + BESIDE {
@@ -169,7 +170,7 @@ fn depths(piece: &Piece, z: f64) -> Option<(f64, f64)> {
     Some((all.into_iter().fold(f64::INFINITY, f64::min), all.into_iter().fold(f64::NEG_INFINITY, f64::max)))
 }
 
-/// Least and greatest depth of the contour at `z`; nothing is cut away before and after it.
+/// Least and greatest depth of the contour at `z`. Nothing is cut before its start and after its end.
 fn depth_of(pieces: &[Piece], z: f64) -> Option<(f64, f64)> {
     pieces
         .iter()
@@ -177,7 +178,7 @@ fn depth_of(pieces: &[Piece], z: f64) -> Option<(f64, f64)> {
         .reduce(|one, other| (one.0.min(other.0), one.1.max(other.1)))
 }
 
-/// The work as depths cut so far at places along the passes.
+/// The workpiece as the depths cut so far at places along the passes.
 struct Work {
     places: Vec<(f64, f64)>,
     cuts: Vec<Piece>,
@@ -212,11 +213,11 @@ impl Work {
         self.cuts.push(*piece);
     }
 
-    /// A rapid at `piece` meets work not yet cut.
+    /// Whether a rapid along `piece` meets uncut material.
     fn hits(&mut self, piece: &Piece) -> bool {
         let mut hits = false;
         self.each(piece, |place, depth| hits |= depth > place.1 + CLOSE);
-        // Straight down or up: a cut must have come by.
+        // For a rapid straight down or up, the depth must have been cut before.
         if (piece.from.z - piece.to.z).abs() < SAME && 0.0 < piece.to.z && piece.to.z < self.end {
             let cut = depth_of(&self.cuts, piece.to.z).map_or(0.0, |(_, deepest)| deepest.max(0.0));
             hits |= piece.from.x.max(piece.to.x) > cut + CLOSE;
@@ -225,7 +226,7 @@ impl Work {
     }
 }
 
-/// The moves in the picture, each from where the one before ended.
+/// The moves in the picture, each with its start point.
 fn pictured(view: View, start: Point, moves: &[Move]) -> Vec<(Move, Piece)> {
     let mut from = start;
     let picture = |step: &Move| {
@@ -254,7 +255,7 @@ fn check_cut(contour: &Contour, how: &Roughing) -> Result<(), TestCaseError> {
     };
     let bottom: Vec<Piece> =
         contour.pieces.iter().map(|piece| piece.shifted(how.allowance.x, how.allowance.z)).collect();
-    // Seen from C, so that the surface is at depth 0 and the front at 0.
+    // Relative to C, so that the surface is at depth 0 and the front at 0.
     let seen = |piece: &Piece| piece.shifted(-how.allowance.x, -how.allowance.z);
     let bottom: Vec<Piece> = bottom.iter().map(seen).collect();
     let end = bottom.last().unwrap().to.z;
