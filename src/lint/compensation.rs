@@ -1,4 +1,4 @@
-//! Nose radius compensation: the side that belongs to a cut, where it is left on, and where it has no effect.
+//! Lints for nose radius compensation: the wrong side, compensation left on, and compensation without effect.
 
 use super::once::Once;
 use crate::control::codes::{Compensation, MotionMode, Multiple};
@@ -12,38 +12,38 @@ use crate::setup::ToolKind;
 use crate::source::Span;
 use crate::text::block::{Block, Word};
 
-/// A cut along Z at least this many times as long as across it shows where the work is.
+/// A cut along Z shows the side of the workpiece if it is at least this many times as long as across.
 const ALONG: f64 = 2.0;
 
-/// What is remembered of compensation.
+/// The state of the lints for compensation.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Compensations {
-    /// It was switched since the last motion, so that it has shifted no path yet.
+    /// Whether it was switched since the last motion, and so has not shifted a path yet.
     is_idle: bool,
     reported: Reported,
-    /// Offsets, by the bit of their number, whose unknown radius was reported.
+    /// Offsets whose unknown radius was reported, one bit for each number.
     unknown: u128,
 }
 
-/// What was reported.
+/// The remarks that were made.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 struct Reported {
-    /// That it is left on.
+    /// Compensation is left on.
     left_on: Once,
-    /// That it is on the wrong side.
+    /// It is on the wrong side.
     side: Once,
-    /// That the path turns straight back.
+    /// The path reverses.
     turns_back: Once,
-    /// That the tool has no tip direction.
+    /// The tool has no tip direction.
     tip: Once,
     /// Two blocks without a move.
     idle_blocks: Once,
-    /// That it has no effect here.
+    /// It has no effect here.
     no_effect: Once,
 }
 
 impl Compensations {
-    /// G40, G41 or G42.
+    /// Handles G40, G41 or G42.
     pub fn switched(&mut self) {
         self.is_idle = true;
         self.reported.no_effect.forget();
@@ -52,14 +52,14 @@ impl Compensations {
         self.reported.turns_back.forget();
     }
 
-    /// The tool leaves the work at `span`, and nobody has cancelled compensation.
+    /// Reports compensation that is still on when the tool leaves the workpiece at `span`.
     pub fn left_on(&mut self, span: Span, at: &Moment, reports: &mut Vec<Diagnostic>) {
         let code = match at.state.compensation {
             Compensation::Off => return,
             Compensation::Left => "G41",
             Compensation::Right => "G42",
         };
-        // Switched on for the tool that comes now, it has shifted no path yet.
+        // If it was switched on for the next tool, it has not shifted a path yet.
         if at.contour.is_none()
             && !self.is_idle
             && at.state.virtual_plane.is_none()
@@ -70,7 +70,7 @@ impl Compensations {
         }
     }
 
-    /// The tool goes to a place of the machine (G27, G28, G30, G53).
+    /// Checks moves to machine positions (G27, G28, G30, G53).
     pub fn machine_place(&mut self, block: &Block, at: &Moment, reports: &mut Vec<Diagnostic>) {
         let goes = |word: &&Word| {
             word.address == b'G'
@@ -81,7 +81,7 @@ impl Compensations {
         }
     }
 
-    /// The words of a block are carried out. Two blocks without a move while compensation is on are reported.
+    /// Handles the end of a block. Reports two blocks without a move while compensation is on.
     pub fn block_ends(&mut self, block: &Block, moved: bool, at: &Moment, reports: &mut Vec<Diagnostic>) {
         self.is_idle &= !moved;
         if moved {
@@ -95,7 +95,7 @@ impl Compensations {
         }
     }
 
-    /// A cut under compensation with an unknown nose radius: a note for each offset.
+    /// Reports a cut under compensation with an unknown nose radius, once for each offset.
     fn radius_unknown(&mut self, block: &Block, at: &Moment, reports: &mut Vec<Diagnostic>) {
         let cuts = matches!(at.state.motion, MotionMode::Line | MotionMode::Arc(_));
         if at.state.compensation == Compensation::Off
@@ -114,7 +114,8 @@ impl Compensations {
         }
     }
 
-    /// A straight cut: the side against where the work lies (outside toward the chuck G42, bores G41).
+    /// Compares the side of compensation with the side of the workpiece in a straight cut (outside towards
+    /// the chuck G42, in a bore G41).
     pub fn line(&mut self, block: &Block, to: Point, at: &Moment, reports: &mut Vec<Diagnostic>) {
         if at.state.virtual_plane.is_some() {
             return;
@@ -135,7 +136,7 @@ impl Compensations {
         }
     }
 
-    /// A move is compensated: it may turn straight back, or be too short to begin or end with.
+    /// Checks a compensated move: it may reverse, or be too short to begin or end compensation.
     pub fn compensated(&mut self, own: &CompensatedMove, at: &Moment, reports: &mut Vec<Diagnostic>) {
         if own.before.is_some_and(|before| turns_straight_back(before, own.motion))
             && self.reported.turns_back.first()
@@ -150,14 +151,14 @@ impl Compensations {
         }
     }
 
-    /// A thread begins, which runs without compensation.
+    /// Reports a thread under compensation, which has no effect on it.
     pub fn thread(&mut self, block: &Block, code: &'static str, at: &Moment, reports: &mut Vec<Diagnostic>) {
         if at.state.compensation != Compensation::Off && self.reported.no_effect.first() {
             reports.push(Diagnostic::new(said::CompensationIdle { code }, block.words_span()));
         }
     }
 
-    /// Roughing, pecks and threads run without compensation.
+    /// Reports roughing, pecking and thread cycles under compensation, which has no effect on them.
     pub fn multiple_cycle(
         &mut self,
         block: &Block,
@@ -175,8 +176,8 @@ impl Compensations {
         }
     }
 
-    /// G90 and G94 are compensated, but only with a nose radius; and no code of compensation
-    /// may stand in their block.
+    /// Checks G90 and G94. They are compensated, but need a nose radius, and their block must not contain a
+    /// code of compensation.
     pub fn single_cycle(&mut self, pass: &SinglePass, at: &Moment, reports: &mut Vec<Diagnostic>) {
         let code = pass.cycle.cycle().code();
         if pass.lead.is_none()
@@ -185,12 +186,12 @@ impl Compensations {
             && self.reported.no_effect.first()
         {
             let diagnostic = Diagnostic::new(said::CompensationIdle { code }, pass.block.words_span());
-            // The radius may stand in the control's own table.
+            // The radius may be in the offset table of the control.
             reports.push(diagnostic.graded(Severity::Info));
         }
     }
 
-    /// What `other` has reported counts as reported.
+    /// Takes over the remarks that `other` has made.
     pub fn has_heard_of(&mut self, other: &Self) {
         self.reported = other.reported;
         self.unknown = other.unknown;
@@ -213,7 +214,7 @@ pub fn switched_in_cycle(pass: &SinglePass, at: &Moment) -> Option<Diagnostic> {
 
 /// Whether a straight move goes back along the cut before it.
 fn turns_straight_back(before: &Motion, next: &Motion) -> bool {
-    /// Sine of the largest angle between the two that counts as none.
+    /// Sine of the largest angle between the two that counts as zero.
     const STRAIGHT: f64 = 1e-6;
     let way = |motion: &Motion| (motion.to.x - motion.from.x, motion.to.z - motion.from.z);
     let ((x, z), (next_x, next_z)) = (way(before), way(next));
@@ -225,8 +226,8 @@ fn turns_straight_back(before: &Motion, next: &Motion) -> bool {
         && across.abs() <= STRAIGHT * along.abs()
 }
 
-/// The code in force and the one that belongs to the cut, where they differ. `tip`: direction of the
-/// imaginary tip, which distinguishes outside work (3) from a bore (2).
+/// The active code and the correct one, if they differ. `tip` is the direction of the imaginary tip, which
+/// distinguishes outside work (3) from a bore (2).
 fn wrong_side(
     compensation: Compensation,
     tip: u8,
@@ -242,7 +243,8 @@ fn wrong_side(
         1 | 2 => false,
         _ => return None,
     };
-    // In the picture (Z to the right, X up): toward the chuck, the work outside is on the left of the way.
+    // In the picture (Z to the right, X up), the workpiece is on the left of an outside cut towards the
+    // chuck.
     let right = if outside == (dz < 0.0) { Compensation::Right } else { Compensation::Left };
     let name = |side| if side == Compensation::Right { "G42" } else { "G41" };
     (compensation != right).then(|| (name(compensation), name(right)))

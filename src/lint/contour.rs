@@ -1,4 +1,4 @@
-//! Contours of the multiple cycles: where they begin and end, and what is left.
+//! Lints for the contours of multiple cycles: start, end, and remaining material.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -16,45 +16,46 @@ use crate::source::Span;
 use crate::source::shift::Shift;
 use crate::units::Diameter;
 
-/// Lengths this near are the same, mm.
+/// Lengths that differ by at most this are equal, mm.
 const NEAR: f64 = 0.001;
-/// A pass of G73 deeper than this is too deep, mm: twice the usual 3 mm of roughing.
+/// Greatest depth of a pass of G73, mm: twice the usual 3 mm of roughing.
 const DEEP: f64 = 6.0;
-/// No insert cuts so deep, mm (radius): the infeed of G71 or G72 has lost its point.
+/// No insert cuts deeper than this, mm (radius): the infeed of G71 or G72 lacks its decimal point.
 const DEEPEST: f64 = 15.0;
 
-/// M codes at which another part comes into the chuck, or this one may be turned round: stops, ends, the chuck.
+/// M codes at which another part may be clamped, or this part turned around: stops, program ends, chuck.
 const PART_CHANGES: [u64; 8] = [0, 1, 2, 10, 11, 30, 68, 69];
 
-/// What is remembered of contours.
+/// The state of the lints for contours.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Contours {
-    /// P and Q of the cycle that reads a contour, or has read one last.
+    /// P and Q of the cycle that reads a contour, or read the last one.
     named: (u32, u32),
-    /// P and Q of the cycles that were to rough a contour, whether they could or not.
+    /// P and Q of all roughing cycles, including those that could not run.
     asked_to_rough: BTreeSet<(u32, u32)>,
-    /// Words of contours that roughing ignores, with P and Q of the contour: G70 may use them yet.
+    /// Remarks about words in contours that roughing ignores, with P and Q of the contour: G70 may still use
+    /// the words.
     for_finishing: Vec<((u32, u32), Diagnostic)>,
-    /// How each contour was roughed last, by P and Q, if no G70 has followed it since.
+    /// The last roughing of each contour, by P and Q, unless a G70 followed.
     roughed: BTreeMap<(u32, u32), Roughed>,
 }
 
-/// How a contour was roughed.
+/// The roughing of a contour.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Roughed {
-    /// The cycle block.
+    /// The block of the cycle.
     block: Span,
     code: &'static str,
-    /// Where the cycle started, where the contour begins and where it ends.
+    /// Start point of the cycle, first and last point of the contour.
     corners: [Point; 3],
     allowance: Point,
-    /// Zero of the coordinates: the shifts of G50 and of G52, and the frame.
+    /// Origin of the coordinates: the shifts of G50 and of G52, and the frame.
     zero: (Point, Point, u16),
     tool: (u16, u16),
 }
 
 impl Contours {
-    /// P and Q of a cycle name a contour.
+    /// Handles P and Q of a cycle.
     pub fn named(&mut self, purpose: Purpose, named: (u32, u32)) {
         self.named = named;
         match purpose {
@@ -68,7 +69,7 @@ impl Contours {
         }
     }
 
-    /// A contour is roughed: as it was before, nothing is left to rough.
+    /// Reports a contour that is roughed twice in the same way: the second cycle has nothing to remove.
     pub fn roughs<How>(
         &mut self,
         code: &'static str,
@@ -87,7 +88,7 @@ impl Contours {
             tool: at.state.tool,
         };
         let before = self.roughed.insert(self.named, own);
-        // A block that is carried out once more is for the next part.
+        // A block that runs again is for the next part.
         if before
             .is_some_and(|before| before.block != own.block && Roughed { block: own.block, ..before } == own)
         {
@@ -97,21 +98,21 @@ impl Contours {
         }
     }
 
-    /// An M code: of the next part nothing was roughed yet.
+    /// Handles an M code: the next part is not roughed yet.
     pub fn m_code(&mut self, number: u64) {
         if PART_CHANGES.contains(&number) {
             self.roughed.clear();
         }
     }
 
-    /// Moves places along.
+    /// Shifts the stored spans after an edit.
     pub fn shift(&mut self, shift: &Shift) {
         for roughed in self.roughed.values_mut() {
             roughed.block = shift.span(roughed.block);
         }
     }
 
-    /// F, S or T in a contour that is roughed.
+    /// Handles F, S or T in a contour that is roughed.
     pub fn ignored(&mut self, address: u8, words: &Words, at: &Moment) {
         if self.for_finishing.len() < at.setup.limits.messages {
             let word = words.quote(at.text, address);
@@ -120,13 +121,13 @@ impl Contours {
         }
     }
 
-    /// The run ends: words of a contour that neither roughing nor a G70 has used.
+    /// Reports, at the end of the run, the words of a contour that neither roughing nor a G70 has used.
     pub fn run_ends(&mut self, reports: &mut Vec<Diagnostic>) {
         reports.extend(std::mem::take(&mut self.for_finishing).into_iter().map(|(_, diagnostic)| diagnostic));
     }
 
-    /// G70 begins and ends with rapids: it wants the start point of the roughing cycle
-    /// (seed 003, GSK980TDb p. 102).
+    /// Checks G70, which begins and ends with rapids: it needs the start point of the roughing cycle (seed
+    /// 003, GSK980TDb p. 102).
     pub fn finishing(&self, call: &FinishingCall, reports: &mut Vec<Diagnostic>) {
         let Some((own, before)) = call.landmarks.split_last() else { return };
         if own.span != call.block.span {
@@ -134,7 +135,7 @@ impl Contours {
         }
         let roughed = before.iter().rev().find(|other| other.roughed && other.named == own.named);
         let message: Message = match roughed {
-            // A cycle that could not run was reported.
+            // A cycle that could not run was reported already.
             None if self.asked_to_rough.contains(&own.named) => return,
             None => said::FinishWithoutRoughing { first: own.named.0, last: own.named.1 }.into(),
             Some(other) if other.start.distance(own.start) > NEAR && !clears(own.start, other, call) => {
@@ -150,26 +151,27 @@ impl Contours {
     }
 }
 
-/// Whether rapids between `start` and the contour stay outside: it lies in front of the whole contour, on the
-/// side from which it was roughed, and the tool goes away from the work to come there.
+/// Whether rapids between `start` and the contour stay outside: `start` is in front of the whole contour, on
+/// the side from which it was roughed, and the tool moves away from the workpiece to get there.
 fn clears(start: Point, roughed: &Landmarks, call: &FinishingCall) -> bool {
     let ends = || call.ends.iter();
     let front = if roughed.start.z >= roughed.last.z { 1.0 } else { -1.0 };
     let outside = if roughed.start.x >= roughed.first.x { 1.0 } else { -1.0 };
     let Some(last) = ends().next_back() else { return true };
-    // The face is at Z0, where the cycle that roughed began in front of it.
+    // The face is at Z0 if the roughing cycle began in front of it.
     let face = if front * roughed.start.z >= 0.0 { 0.0 } else { roughed.start.z };
     if front * (start.z - face) < -NEAR {
         return false;
     }
-    // Above all that the contour cuts the way back is free, though a rapid at its end went farther out.
+    // Above all cuts of the contour the way back is free, even if a rapid at the end of the contour went
+    // farther out.
     let above = |x: f64| ends().rev().skip(1).all(|end| outside * (x - end.x) > NEAR);
     let way_back =
         outside * (start.x - last.x) >= -NEAR || call.leaves_at_rapid && above(start.x) && above(last.x);
     ends().all(|end| front * (start.z - end.z) >= -NEAR) && way_back
 }
 
-/// Remarks about G71 or G72 before it has its passes: allowances that point into the part.
+/// Checks G71 or G72 before its passes are made: allowances that point into the part.
 pub fn roughing_called(call: &ContourCall<Roughing>, at: &Moment, reports: &mut Vec<Diagnostic>) {
     for axis in roughing::allowance_into_material(call.contour, call.how) {
         let address = match axis {
@@ -190,8 +192,8 @@ pub fn roughing_called(call: &ContourCall<Roughing>, at: &Moment, reports: &mut 
     }
 }
 
-/// Whether the start point is on the other side of a contour than the work: a bore gets narrower toward the chuck,
-/// a shaft gets thicker. The sign of the allowance is right there.
+/// Whether the start point is on the wrong side of the contour: towards the chuck, a bore gets narrower and a
+/// shaft thicker. Then the sign of the allowance is correct.
 fn starts_on_wrong_side(call: &ContourCall<Roughing>) -> bool {
     let (start, first) = (call.contour.start, call.contour.first);
     let Some(deepest) = call.contour.pieces.iter().map(|piece| piece.to).min_by(|a, b| a.z.total_cmp(&b.z))
@@ -202,7 +204,7 @@ fn starts_on_wrong_side(call: &ContourCall<Roughing>) -> bool {
     deepest.z < first.z - SAME && way.abs() > SAME && side.abs() > SAME && side.signum() != way.signum()
 }
 
-/// Remarks about G71 or G72 that has its passes: the first block of the contour, and where it begins and ends.
+/// Checks G71 or G72 after its passes were made: the first block of the contour, its start and its end.
 pub fn roughing(call: &ContourCall<Roughing>, at: &Moment, reports: &mut Vec<Diagnostic>) {
     // A contour with a pocket needs the word.
     if call.how.shape == roughing::Shape::Monotone {
@@ -218,7 +220,7 @@ pub fn roughing(call: &ContourCall<Roughing>, at: &Moment, reports: &mut Vec<Dia
     }
 }
 
-/// The word of an axis in the first block of the contour that does not move.
+/// A word in the first block of the contour whose axis does not move.
 fn needless_axis(call: &ContourCall<Roughing>, at: &Moment) -> Option<Diagnostic> {
     let (start, first) = (call.contour.start, call.contour.first);
     let (second_named, idiom, moves, other, word) = match call.how.direction {
@@ -234,7 +236,7 @@ fn needless_axis(call: &ContourCall<Roughing>, at: &Moment) -> Option<Diagnostic
     (second_named && !idiom && !moves).then(|| message().with(Fix::delete(at.text, word)))
 }
 
-/// Remarks about G73.
+/// Checks G73.
 pub fn pattern(call: &ContourCall<Pattern>, at: &Moment, reports: &mut Vec<Diagnostic>) {
     for address in allowance_into_part(call.contour, call.how.allowance) {
         reports.push(allowance_sign(call.words, address, at));
@@ -244,14 +246,14 @@ pub fn pattern(call: &ContourCall<Pattern>, at: &Moment, reports: &mut Vec<Diagn
     reports.extend(diagnostic.map(|message| Diagnostic::new(message, call.block.words_span())));
 }
 
-/// An allowance that points into the part.
+/// Reports an allowance that points into the part.
 fn allowance_sign(words: &Words, address: u8, at: &Moment) -> Diagnostic {
     let word = words.quote(at.text, address);
     let fix = Fix::write(words.span(address), with_other_sign(&word));
     Diagnostic::new(said::AllowanceSign { word }, words.span(address)).with(fix)
 }
 
-/// Remarks about the contour of G71 (`turning`) or G72. `both`: its first block names both axes.
+/// Checks the contour of G71 (`turning`) or G72. `both`: its first block names both axes.
 fn remarks(
     code: &'static str,
     turning: bool,
@@ -282,7 +284,7 @@ fn remarks(
 /// Addresses of the allowances of G73 (radius and length, mm) that point into the part.
 fn allowance_into_part(contour: &Contour, allowance: Point) -> Vec<u8> {
     let way = |from: f64, to: f64| if (to - from).abs() <= NEAR { 0.0 } else { (to - from).signum() };
-    // From the start point into the part: across to where the contour begins, along to where it ends.
+    // Direction from the start point into the part: across to the start of the contour, along to its end.
     let inward = Point::new(way(contour.start.x, contour.first.x), way(contour.start.z, contour.last().z));
     let mut found = Vec::new();
     if allowance.x * inward.x > NEAR {
@@ -294,7 +296,7 @@ fn allowance_into_part(contour: &Contour, allowance: Point) -> Vec<u8> {
     found
 }
 
-/// The radius that cuts before have left of the bar all along a contour, mm; `None` where none has.
+/// The radius of the bar all along a contour after previous cuts, mm; `None` without such cuts.
 fn turned_before(contour: &Contour, stock: Stock, cuts: impl Iterator<Item = Motion>) -> Option<f64> {
     let along = |motion: &Motion| motion.kind.cuts() && (motion.to.x - motion.from.x).abs() <= NEAR;
     let places = || contour.pieces.iter().flat_map(|piece| [piece.from.z, piece.to.z]);
@@ -304,14 +306,14 @@ fn turned_before(contour: &Contour, stock: Stock, cuts: impl Iterator<Item = Mot
         let (one, other) = (motion.from.z, motion.to.z);
         one.max(other) >= front - NEAR && one.min(other) <= back + NEAR
     };
-    // A bore leaves the outside as it is.
+    // Boring does not change the outside.
     let start = contour.start.x.min(stock.diameter.radius());
     let outside = |motion: &Motion| motion.to.x > start / 2.0;
     cuts.filter(|cut| along(cut) && covers(cut) && outside(cut)).map(|cut| cut.to.x).reduce(f64::min)
 }
 
-/// Remarks about G73 in a bar: `relief` is the radius by which its first pass stands off, mm; `turned` the
-/// radius that cuts before have left, if any.
+/// Checks G73 in a bar. `relief` is the distance of the first pass from the contour, radius, mm; `turned`
+/// returns the radius left by previous cuts, if any.
 fn pattern_remarks(
     contour: &Contour,
     relief: f64,
@@ -340,7 +342,7 @@ fn pattern_remarks(
         air += if middle >= radius { length } else { 0.0 };
     }
     let share = (100.0 * air / whole).round();
-    // Who stands off by no more than there is to remove means the whole of it.
+    // A relief no larger than the material to remove is intended.
     let needed = radius - low;
     (whole > 0.0 && share > 50.0 && relief > needed + NEAR).then_some(said::PatternAir { share }.into())
 }

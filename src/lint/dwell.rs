@@ -1,4 +1,4 @@
-//! G04: whether its time is one that somebody means.
+//! Lint for G04: seconds and milliseconds mixed up.
 
 use crate::control::events::Moment;
 use crate::control::words::{Words, behind_letter, plain, quote};
@@ -6,15 +6,15 @@ use crate::message::{Diagnostic, Fix, said};
 use crate::motion::SpindleTurn;
 use crate::text::block::{Value, Word};
 
-/// Seconds from which a whole number is likely milliseconds: nobody waits so long in a cut.
+/// Seconds from which a whole number is probably milliseconds: no cut needs such a long dwell.
 const LONG: f64 = 100.0;
 
-/// Milliseconds up to which P is likely seconds: in so short a time no spindle makes a turn.
+/// Milliseconds up to which P is probably seconds: in so short a time no spindle makes a turn.
 const SHORT: f64 = 9.0;
 
-/// Seconds where milliseconds were meant, or the reverse. `seconds`: what the control waits.
+/// Reports seconds that were meant as milliseconds, or the reverse. `seconds` is the dwell on the control.
 pub fn waits(words: &Words, seconds: f64, at: &Moment) -> Option<Diagnostic> {
-    // With the spindle stopped something else is waited for: the chuck, or a part that cools down.
+    // With the spindle stopped, the dwell is for something else: the chuck, or a part that cools down.
     let spindle = &at.state.spindle;
     if spindle.turn == SpindleTurn::Stopped && !spindle.live_tool && !spindle.by_maker {
         return None;
@@ -30,7 +30,7 @@ pub fn waits(words: &Words, seconds: f64, at: &Moment) -> Option<Diagnostic> {
         let fix = Fix::write(word.span, format!("{}{}", word.address as char, value / 1000.0));
         return Some(Diagnostic::new(message, word.span).with(fix));
     }
-    // Macros stop reading ahead by a dwell that is as short as it can be.
+    // Macros use a very short dwell to stop the look-ahead of the control.
     let is_main = at.state.variables.level() == 0;
     let word = words.peek(b'P').filter(|word| is_main && whole(word))?;
     let value = plain(word).filter(|value| (1.0..=SHORT).contains(value) && value / 1000.0 == seconds)?;

@@ -1,4 +1,4 @@
-//! F: whether it fits its unit, and whether it was given for what uses it.
+//! Lints for F: whether it fits its unit, and whether it was given for its current use.
 
 use super::once::Once;
 use super::single_cycle;
@@ -15,10 +15,10 @@ use crate::source::Span;
 use crate::source::shift::Shift;
 use crate::text::block::{Block, Value, Word};
 
-/// What the F in force was used for since it was given.
+/// The use of the active F since it was given.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 enum Use {
-    /// Nothing yet, or both.
+    /// None, or both.
     #[default]
     Open,
     /// Cuts at feed.
@@ -32,20 +32,20 @@ enum Use {
 struct Alone {
     /// The word F.
     span: Span,
-    /// The cycle in force.
+    /// The active cycle.
     cycle: Single,
-    /// The axis that was named last, and its end point.
+    /// The last named axis and its end point.
     end: (Axis, Target),
 }
 
-/// From here on F under G99 may be a fast approach in air, mm/rev: a smaller feed per revolution that follows shows that
-/// the unit is meant.
+/// F under G99 from which it may be a fast approach in the air, mm/rev. A smaller feed per revolution that
+/// follows shows that the unit is intended.
 const DOUBTFUL: f64 = 5.0;
 
-/// A feed per revolution that a tool takes, mm/rev.
+/// Usual feed per revolution of a tool, mm/rev.
 const USUAL: f64 = 1.0;
 
-/// A code as the G-code system in force writes it.
+/// A code in the notation of the active G-code system.
 pub fn code_of(code: G, at: &Moment) -> String {
     codes::written(code, at.dialect.code_list()).unwrap_or_default()
 }
@@ -55,44 +55,44 @@ pub fn feed_codes(at: &Moment) -> (String, String) {
     (code_of(G::Feed(FeedMode::PerTurn), at), code_of(G::Feed(FeedMode::PerMinute), at))
 }
 
-/// What is remembered of F.
+/// The state of the lints for F.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Feed {
-    /// The feed mode changed after the last F.
+    /// Whether the feed mode changed after the last F.
     is_old: bool,
-    /// What that F was used for.
+    /// The use of the last F.
     used_for: Use,
-    /// A code of the feed mode appeared in the program.
+    /// Whether a code of the feed mode appeared in the program.
     pub mode_named: bool,
     /// F in a block of a single cycle without an axis; `used_for` says whether a cut has used it.
     alone: Option<Alone>,
-    /// That the number does not fit the unit of F.
+    /// Remark: the number does not fit the unit of F.
     unit: Once,
     /// F under G99 from [`DOUBTFUL`] on, and its value, mm/rev.
     doubtful: Option<(Span, f64)>,
 }
 
 impl Feed {
-    /// A code of the feed mode.
+    /// Handles a code of the feed mode.
     pub fn mode(&mut self, mode: FeedMode, at: &Moment) {
         self.is_old |= mode != at.state.feed_mode && at.state.feed.is_some();
         self.mode_named = true;
         self.unit.forget();
     }
 
-    /// Whoever writes a lone G94 in code system B has chosen the unit of F.
+    /// A lone G94 in code system B chooses the unit of F.
     pub fn unit_is_chosen(&mut self) {
         self.unit.leave_out();
     }
 
-    /// F is given.
+    /// Handles an F word.
     pub fn given(&mut self, at: &Moment, reports: &mut Vec<Diagnostic>) {
         self.look_at_lone_word(at, reports);
         self.is_old = false;
         self.used_for = Use::Open;
     }
 
-    /// A cut at feed begins.
+    /// Checks a cut at feed.
     pub fn cut(
         &mut self,
         block: &Block,
@@ -106,7 +106,7 @@ impl Feed {
         } else if self.is_old {
             self.is_old = false;
             if self.used_for == Use::Thread {
-                // The unit was changed: that is reported, not the lead as well.
+                // The change of the unit is reported, not also the lead.
                 self.used_for = Use::Open;
             }
             let code = code_of(G::Feed(at.state.feed_mode), at);
@@ -131,7 +131,7 @@ impl Feed {
         if per_turn && feed <= USUAL {
             self.doubtful = None;
         }
-        // Without a point it counts increments, which each machine has its own of.
+        // Without a point F counts increments, which differ between machines.
         let counts = at.dialect.decimal == DecimalRule::LeastIncrement
             && words.peek(b'F').is_some_and(
                 |word| matches!(word.value, Value::Number { number, .. } if !number.has_point()),
@@ -153,7 +153,7 @@ impl Feed {
         }
     }
 
-    /// No smaller feed per revolution has followed, or the program ends.
+    /// Reports a doubtful F if no smaller feed per revolution has followed, or the program ends.
     pub fn report_doubtful(&mut self, at: &Moment, reports: &mut Vec<Diagnostic>) {
         if let Some((span, feed)) = self.doubtful.take()
             && self.unit.first()
@@ -165,13 +165,12 @@ impl Feed {
         }
     }
 
-    /// The unit of F is reported to be wrong for what it is used for: not that the old F
-    /// counts otherwise as well.
+    /// The unit of F was reported as wrong for its use, so the old F is not reported as well.
     pub fn unit_is_reported(&mut self) {
         self.is_old = false;
     }
 
-    /// The F in force is taken as a lead, mm.
+    /// Checks an F that is used as a lead, mm.
     pub fn as_lead(&mut self, block: &Block, code: &'static str, feed: f64, reports: &mut Vec<Diagnostic>) {
         if self.used_for == Use::Cut {
             reports.push(Diagnostic::new(said::LeadOfFeed { code, feed }, block.words_span()));
@@ -179,17 +178,17 @@ impl Feed {
         self.used_for = Use::Thread;
     }
 
-    /// A block of a single cycle has F and no axis: the new F may be meant for a later cut.
+    /// Handles F in a block of a single cycle without an axis: it may be intended for a later cut.
     pub fn stands_alone(&mut self, word: &Word, cycle: Single, end: (Axis, Target)) {
         self.alone = Some(Alone { span: word.span, cycle, end });
     }
 
-    /// A multiple cycle takes its own F.
+    /// Handles a multiple cycle, which uses its own F.
     pub fn multiple_cycle(&mut self) {
         self.alone = None;
     }
 
-    /// F changes again, or the program ends: was a cut made with the F that was alone in a block of a cycle?
+    /// When F changes or the program ends, reports a cycle block with F and no axis whose F no cut has used.
     pub fn look_at_lone_word(&mut self, at: &Moment, reports: &mut Vec<Diagnostic>) {
         if let Some(Alone { span, cycle, end }) = self.alone.take()
             && self.used_for == Use::Open
@@ -198,17 +197,17 @@ impl Feed {
         }
     }
 
-    /// What `other` has reported counts as reported.
+    /// Takes over the remarks that `other` has made.
     pub fn has_heard_of(&mut self, other: &Self) {
         self.unit = other.unit;
     }
 
-    /// First bytes of the words that are looked at later.
+    /// First bytes of the words that may be reported later.
     pub fn waiting(&self) -> [Option<u32>; 2] {
         [self.alone.map(|alone| alone.span.start), self.doubtful.map(|(span, _)| span.start)]
     }
 
-    /// Moves places along.
+    /// Shifts the stored spans after an edit.
     pub fn shift(&mut self, shift: &Shift) {
         self.alone = self.alone.map(|alone| Alone { span: shift.span(alone.span), ..alone });
         self.doubtful = self.doubtful.map(|(span, feed)| (shift.span(span), feed));

@@ -1,9 +1,10 @@
-//! What a good instructor would say though the control runs it: one file for each family of rules.
+//! Lints: remarks that an instructor would make about code that the control accepts. One file for each family
+//! of rules.
 //!
-//! In: the events of a run (`control::events`), in one pass. Out: remarks. [`Lints`] hands each event to the
-//! families that care for it; what they remember between two events is theirs alone. Nothing here changes
-//! what the control does, so a run without lints makes the same motions. `plausible` compares the numbers of
-//! the whole program once it has run. Lints that need the part are in `findings`.
+//! In: the events of a run (`control::events`), in one pass. Out: remarks. [`Lints`] dispatches each event to
+//! the families that handle it; each family has its own state. Lints do not change what the control does, so
+//! a run without them makes the same motions. `plausible` compares the numbers of the whole program after it
+//! has run. Lints that need the part are in `findings`.
 
 mod compensation;
 mod contour;
@@ -29,7 +30,7 @@ use crate::message::Diagnostic;
 use crate::source::shift::Shift;
 use crate::text::block::Block;
 
-/// All lints of a run, with what they remember.
+/// All lints of a run with their state.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Lints {
     compensations: compensation::Compensations,
@@ -86,7 +87,7 @@ impl Observer for Lints {
     }
 
     fn set_aside(&mut self) -> Box<dyn Observer> {
-        // What is collected of contours can be much, and goes on being collected.
+        // The state of the contours may be large, and is not reset.
         let contours = std::mem::take(&mut self.contours);
         let aside = self.copy();
         self.contours = contours;
@@ -108,7 +109,7 @@ impl Observer for Lints {
 }
 
 impl Lints {
-    /// What happens less often than at each move.
+    /// Handles the events that are less frequent than moves.
     #[inline(never)]
     fn hear_others(&mut self, event: &Event<'_>, at: &Moment<'_>, reports: &mut Vec<Diagnostic>) {
         match *event {
@@ -258,14 +259,14 @@ impl Lints {
 
     fn mills(&mut self, block: &Block, at: &Moment, reports: &mut Vec<Diagnostic>) {
         if let Some(diagnostic) = self.rotary.mills(block, self.spindle.unknown_m, at) {
-            // It is reported for the live tool, not for the spindle as well.
+            // It is reported for the live tool, so not for the spindle as well.
             self.spindle.stopped.leave_out();
             reports.push(diagnostic);
         }
     }
 }
 
-/// The lints, where it is they who listen.
+/// The observer as lints, if it is one.
 fn own(observer: &dyn Observer) -> Option<&Lints> {
     (observer as &dyn Any).downcast_ref()
 }

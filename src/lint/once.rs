@@ -1,21 +1,21 @@
-//! Remarks that are made once, until something brings them up again.
+//! A flag for remarks that are made once, until they are allowed again.
 
 /// Whether a remark was made.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Once(bool);
 
 impl Once {
-    /// Whether the remark is to be made now; it counts as made from here on.
+    /// Whether the remark must be made now. Later calls return false.
     pub fn first(&mut self) -> bool {
         !std::mem::replace(&mut self.0, true)
     }
 
-    /// It counts as made.
+    /// Suppresses the remark.
     pub fn leave_out(&mut self) {
         self.0 = true;
     }
 
-    /// It may be made again.
+    /// Allows the remark again.
     pub fn forget(&mut self) {
         self.0 = false;
     }

@@ -1,8 +1,9 @@
-//! Numbers that do not fit the rest of their program: a lost point, a lost minus, U where X was meant.
+//! Lints for numbers that do not fit the rest of their program: a lost decimal point, a lost minus, U instead
+//! of X.
 //!
-//! In: the text, its motions. Out: remarks, each with repairs to choose from. A control carries all of it
-//! out; only who compares a block with the others sees it. So nothing is said of what occurs often in the
-//! same program: that is its style.
+//! In: the text and its motions. Out: remarks, each with possible fixes. A control accepts all of these
+//! blocks; only a comparison with the other blocks shows the mistake. So a pattern that is frequent in the
+//! same program is not reported: it is the style of the author.
 
 mod exchange;
 mod increments;
@@ -26,35 +27,35 @@ use crate::text::block::{Block, BlockKind, Value};
 use crate::text::parser::Parser;
 use crate::units::Unit;
 
-/// A word with a number, where it stands.
+/// A word with a number, and its place.
 #[derive(Clone, Copy, Debug)]
 struct Word {
     address: u8,
-    /// With its sign; a length in units of the program, whatever numbers without a point count.
+    /// With its sign; a length in units of the program, whatever the rule for numbers without a point is.
     value: f64,
     negative: bool,
-    /// Digits after the point; nothing without a point.
+    /// Number of digits after the point; `None` without a point.
     decimals: Option<u8>,
     span: Span,
     /// Index of its block.
     block: usize,
 }
 
-/// What a chamfer or a rounded corner may take off a move, mm.
+/// Longest chamfer or corner rounding at the end of a move, mm.
 const CORNER: f64 = 5.0;
 
-/// What a block is for.
+/// The purpose of a block.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Role {
     /// Moves to a place.
     Place,
-    /// Cuts by a multiple cycle whose X and Z are a place.
+    /// Cuts with a multiple cycle whose X and Z are a place.
     Deep,
-    /// Parameters of a cycle, settings.
+    /// Parameters of a cycle, or settings.
     Other,
 }
 
-/// A block with what it moved.
+/// A block with its motions.
 #[derive(Clone, Debug)]
 struct Row {
     span: Span,
@@ -63,29 +64,29 @@ struct Row {
     /// Its first motion, and one past its last.
     motions: Option<(usize, usize)>,
     arc: bool,
-    /// G32, G33 or G92 is in force.
+    /// Whether G32, G33 or G92 is active.
     thread: bool,
-    /// It moves at rapid, as far as the text shows.
+    /// Whether it moves at rapid, according to the text.
     rapid: bool,
-    /// The same, and it names a place and is no cycle.
+    /// Whether it moves at rapid to a place, and is not a cycle.
     moves_at_rapid: bool,
-    /// It stands in a contour, P to Q.
+    /// Whether it belongs to a contour, P to Q.
     contour: bool,
-    /// Its cycle roughs a contour.
+    /// Whether its cycle roughs a contour.
     reads_contour: bool,
     /// Its sequence number.
     sequence: Option<u32>,
-    /// A tool is called, or the program ends: what stands after has nothing to do with what stood before.
+    /// Whether it calls a tool or ends the program: the numbers after it are unrelated to those before.
     parts: bool,
-    /// What it is.
+    /// The kind of the block.
     kind: BlockKind,
-    /// An O program begins.
+    /// Whether an O program begins.
     begins: bool,
-    /// Index of its M02, M30 or M99, which nothing keeps from ending the program.
+    /// Index of its M02, M30 or M99, if that certainly ends the program.
     end: Option<usize>,
 }
 
-/// A program taken apart.
+/// A parsed program.
 struct Program<'a> {
     text: &'a [u8],
     rows: Vec<Row>,
@@ -93,18 +94,18 @@ struct Program<'a> {
     motions: &'a Motions,
     /// Millimetres in one unit of the text.
     unit: f64,
-    /// What numbers without a point count.
+    /// The rule for numbers without a decimal point.
     decimal: DecimalRule,
-    /// A least increment, mm.
+    /// Least increment, mm.
     increment: f64,
-    /// It changes between inches and millimetres.
+    /// Whether it changes between inches and millimetres.
     has_both_units: bool,
-    /// The numbers of blocks that GOTO names; nothing for one that comes from a variable.
+    /// Targets of GOTO; `None` if the target is a variable.
     jumps: Vec<Option<u32>>,
 }
 
-/// Adds remarks about the numbers of a program that has run, in the order of importance, to all that was
-/// reported of it. `reading`: how its numbers are read at its end; `list`: the codes in force.
+/// Adds remarks about the numbers of a program that has run, in the order of importance, to the messages
+/// about it. `reading` describes how its numbers are read at its end; `list` is the active list of codes.
 pub fn compare(
     text: &[u8],
     motions: &Motions,
@@ -114,18 +115,18 @@ pub fn compare(
     reported: &mut Vec<Diagnostic>,
 ) {
     if reported.iter().any(is_of_dwell) && !(0..motions.len()).any(|index| motions.kind(index).cuts()) {
-        // Nothing is cut: the spindle warms up.
+        // Without cuts it is a program that warms up the spindle.
         reported.retain(|old| !is_of_dwell(old));
     }
     let sound = !reported.iter().any(Diagnostic::is_error);
     let diagnostics = remarks(text, motions, reading, list, sound, setup.limits.compared_blocks);
     let diagnostics = diagnostics.into_iter().map(|diagnostic| diagnostic.in_unit(reading.unit));
-    // One fault, one message.
+    // One mistake, one message.
     let known = |new: &Diagnostic| reported.iter().any(|old| old.is_about(new.span));
     let mut diagnostics: Vec<_> =
         diagnostics.filter(|new| !known(new)).filter_map(|new| setup.rules.graded(new)).collect();
     if diagnostics.iter().any(turns_contour) {
-        // The allowance is right, and what the contour does is a consequence.
+        // The allowance is correct, and the message about the contour is a consequence.
         let gravest = reported.iter().filter(|old| follows(old)).map(|old| old.severity).max();
         reported.retain(|old| !follows(old));
         for one in diagnostics.iter_mut().filter(|one| turns_contour(one)) {
@@ -141,12 +142,12 @@ fn is_of_dwell(diagnostic: &Diagnostic) -> bool {
     diagnostic.message.is::<said::DwellLong>() || diagnostic.message.is::<said::DwellShort>()
 }
 
-/// Whether a number that is wrong makes a contour turn back.
+/// Whether a message is about a wrong number that makes a contour reverse.
 fn turns_contour(diagnostic: &Diagnostic) -> bool {
     diagnostic.message.is::<said::MinusMissing>() || diagnostic.message.is::<said::IncrementalForAbsolute>()
 }
 
-/// Whether a message is a consequence of a contour that turns back.
+/// Whether a message is a consequence of a contour that reverses.
 fn follows(diagnostic: &Diagnostic) -> bool {
     let message = &diagnostic.message;
     message.is::<said::AllowanceSign>()
@@ -154,9 +155,9 @@ fn follows(diagnostic: &Diagnostic) -> bool {
         || message.is::<said::ContourNotOneWay>()
 }
 
-/// Remarks about the numbers of a program of no more than `blocks` blocks; none of a longer one. `reading`:
-/// how its numbers are read at its end. Of a program that is not `sound` (a block was not carried out) only
-/// the writing is looked at: its motions are not what was meant.
+/// Remarks about the numbers of a program; none if it has more than `blocks` blocks. `reading` describes how
+/// its numbers are read at its end. If the program is not `sound` (a block was not executed), only its text
+/// is checked: its motions are not the intended ones.
 fn remarks(
     text: &[u8],
     motions: &Motions,
@@ -171,7 +172,7 @@ fn remarks(
     diagnostics.extend(program.other_offset());
     diagnostics.extend(program.exchanged());
     if program.has_both_units {
-        // Numbers of inches and of millimetres are not to be compared.
+        // Numbers in inches and in millimetres cannot be compared.
         return diagnostics;
     }
     diagnostics.extend(program.missing_points());
@@ -183,7 +184,7 @@ fn remarks(
         diagnostics.extend(program.increments());
     }
     diagnostics.truncate(MOST);
-    // One fault, one message: what was reported first of a word stays.
+    // One mistake, one message: the first message about a word is kept.
     let mut seen = Vec::new();
     diagnostics.retain(|one| {
         let new = !seen.contains(&one.span);
@@ -196,30 +197,30 @@ fn remarks(
 /// Letters of lengths.
 const LENGTHS: &[u8] = b"XYZUVWIJKRCA";
 
-/// More of them are a consequence of something else.
+/// Most remarks; more are a consequence of something else.
 const MOST: usize = 50;
 
-/// What the codes of a block, and those in force, make of its words.
+/// The meaning of a block's words according to its codes and the active ones.
 #[derive(Clone, Copy)]
 struct BlockCodes {
     role: Role,
-    /// Its cycle is one of G74 to G76.
+    /// Whether its cycle is one of G74 to G76.
     is_multiple: bool,
-    /// Its cycle roughs a contour.
+    /// Whether its cycle roughs a contour.
     reads_contour: bool,
-    /// It switches to inches, or to millimetres.
+    /// Whether it switches to inches (true) or millimetres (false).
     inch: Option<bool>,
     arc: bool,
-    /// A thread is in force.
+    /// Whether a thread is active.
     thread: bool,
-    /// It moves at rapid, as far as the text shows.
+    /// Whether it moves at rapid, according to the text.
     rapid: bool,
-    /// A hole cycle is in force.
+    /// Whether a hole cycle is active.
     hole: bool,
 }
 
 impl BlockCodes {
-    /// At the beginning of a program.
+    /// The state at the beginning of a program.
     const START: Self = Self {
         role: Role::Place,
         is_multiple: false,
@@ -231,7 +232,7 @@ impl BlockCodes {
         hole: false,
     };
 
-    /// What the codes of the block before leave in force.
+    /// The state for the next block: the modal codes stay active.
     fn next(self) -> Self {
         let role = if self.hole { Role::Deep } else { Role::Place };
         Self { role, rapid: self.rapid, thread: self.thread, hole: self.hole, ..Self::START }
@@ -243,7 +244,7 @@ impl BlockCodes {
         }
     }
 
-    /// Takes in a code of the block; nothing for one that is not known.
+    /// Handles a code of the block; an unknown code is ignored.
     fn read(&mut self, code: Option<G>) {
         let Some(code) = code else { return };
         match code {
@@ -274,7 +275,7 @@ impl BlockCodes {
                 self.role = Role::Other;
                 self.reads_contour = cycle != Multiple::Finishing;
             }
-            // R, Q and K of a hole are no places, in the blocks after it too.
+            // R, Q and K of a hole are not places, also in the blocks after it.
             G::Hole(_) => (self.role, self.hole) = (Role::Deep, true),
             G::NoHole => self.end_hole(),
             G::Unit(unit) => self.inch = Some(unit == Unit::Inch),
@@ -324,7 +325,7 @@ impl<'a> Program<'a> {
             for word in &block.words {
                 let Value::Number { number, negative } = word.value else { continue };
                 let written = word.span.of(text);
-                // A misread word was reported; a corner word counts from its corner.
+                // A misread word was reported; a corner word is relative to its corner.
                 if !written.is_ascii() || !written[0].is_ascii_alphabetic() {
                     continue;
                 }
@@ -409,9 +410,9 @@ impl<'a> Program<'a> {
         Some(program)
     }
 
-    /// Which motions each block made, where it ran in one go.
+    /// Finds the motions of each block that ran only once, without interruption.
     fn match_motions(&mut self) {
-        // Most motions are made by the block of the motion before.
+        // Most motions belong to the same block as the one before.
         let (mut before, mut row) = (u32::MAX, None);
         for index in 0..self.motions.len() {
             let start = self.motions.span(index).start;
@@ -428,7 +429,7 @@ impl<'a> Program<'a> {
         }
     }
 
-    /// Which blocks stand in a contour that a cycle before them names.
+    /// Marks the blocks of contours that a cycle before them names.
     fn find_contours(&mut self) {
         for index in 0..self.rows.len() {
             let words = self.words_of(&self.rows[index]);
@@ -459,15 +460,15 @@ impl<'a> Program<'a> {
         (from..to).any(|index| self.motions.kind(index).cuts())
     }
 
-    /// Words that place the tool, along either axis, with a number that is not zero.
+    /// Words that move the tool along either axis, with a number that is not zero.
     fn places(&self) -> impl Iterator<Item = &Word> {
         self.words.iter().filter(|word| {
             is_among(b"XZUW", word.address) && self.rows[word.block].role != Role::Other && word.value != 0.0
         })
     }
 
-    /// The places along an axis in the order of the text, with what stands before and after
-    /// each in the same stretch.
+    /// The places along an axis in the order of the text, each with the place before and after it in the same
+    /// section.
     fn neighbours(&self, letters: &'static [u8]) -> Vec<(Option<&Word>, &Word, Option<&Word>)> {
         let own: Vec<&Word> = self.places_or_zero().filter(|word| is_among(letters, word.address)).collect();
         let together = |a: &Word, b: &Word| {
@@ -491,7 +492,7 @@ impl<'a> Program<'a> {
     }
 }
 
-/// Where a macro statement jumps to: the number, if one is written; nothing where it does not jump.
+/// Target of a GOTO in a macro statement: `Some(None)` if it is a variable, `None` without a GOTO.
 fn jump(statement: &[u8]) -> Option<Option<u32>> {
     let at = statement.windows(4).position(|word| word.eq_ignore_ascii_case(b"GOTO"))?;
     let number: String = Span::new(at + 4, statement.len()).quote(statement);
@@ -505,7 +506,7 @@ fn is_among(letters: &[u8], letter: u8) -> bool {
     letters.iter().any(|&own| own == letter)
 }
 
-/// To a thousandth of a millimetre.
+/// Rounds to a thousandth of a millimetre.
 fn round(length: f64) -> f64 {
     (1000.0 * length).round() / 1000.0
 }

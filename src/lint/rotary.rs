@@ -1,5 +1,5 @@
-//! The C axis and live tools: whether something has connected or started them, and what is
-//! programmed in a virtual plane.
+//! Lints for the C axis and live tools: whether they were connected or started, and the program in a virtual
+//! plane.
 
 use super::feed::feed_codes;
 use super::once::Once;
@@ -17,67 +17,67 @@ use crate::source::Span;
 use crate::source::shift::Shift;
 use crate::text::block::{Block, Word};
 
-/// Nearest to the centre that C can follow without running away, mm.
+/// Least distance to the centre at which C can follow without an extreme speed, mm.
 const CENTER: f64 = 0.1;
 
-/// How far M45 has been followed: what stands here is what a program of the machine of seed 002 does one after the
-/// other. On other machines M45 is something else, or M03 turns the live tool once C is connected.
+/// Progress of a sequence that begins with M45, as on the machine of seed 002. On other machines M45 has
+/// another meaning, or M03 starts the live tool while C is connected.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 enum Connected {
-    /// C is released, or nothing has connected it by M45.
+    /// C is released, or was not connected by M45.
     #[default]
     No,
     /// M45.
     ByCode,
     /// Then C moved.
     Moved,
-    /// And M13 or M14 started a live tool.
+    /// Then M13 or M14 started a live tool.
     Milled,
 }
 
-/// M03 or M04 while C is connected. If C moves again before it is released, the code turns the live tool.
+/// M03 or M04 while C is connected. If C moves again before it is released, the code starts the live tool.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 struct StartWithC {
     /// The word.
     word: Span,
     /// 3 or 4.
     number: u8,
-    /// Where a block before it would stand.
+    /// Where a block before it would be inserted.
     before: u32,
 }
 
-/// What was reported of C and of live tools.
+/// The state of the lints for C and live tools.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Rotary {
-    /// What M45 has connected.
+    /// Progress of the M45 sequence.
     connected: Connected,
-    /// The spindle was started with C connected, which nothing has explained yet.
+    /// A start of the spindle with C connected that has no explanation yet.
     start: Option<StartWithC>,
-    /// That C is not connected.
+    /// Remark: C is not connected.
     c_axis: Once,
-    /// That the live tool does not turn.
+    /// Remark: the live tool does not turn.
     live_tool: Once,
-    /// That F counts a turn of a spindle that only positions.
+    /// Remark: F is per revolution of a spindle that only positions.
     pub feed: Once,
-    /// That compensation has no radius.
+    /// Remark: compensation has no radius.
     radius: Once,
-    /// That C looks like an angle.
+    /// Remark: C looks like an angle.
     angle: Once,
-    /// That the path passes the centre.
+    /// Remark: the path passes the centre.
     center: Once,
 }
 
 impl Rotary {
-    /// C moves though nothing has connected it: which M code does depends on the machine. `unknown_m`:
-    /// one appeared that may have.
+    /// Reports a move of C that is not connected. The M code for this depends on the machine. `unknown_m`: a
+    /// code appeared that may have connected it.
     pub fn c_moves(&mut self, span: Span, unknown_m: bool, at: &Moment) -> Option<Diagnostic> {
-        // After M45 a live tool may be started by M03, which leaves C as it is.
+        // After M45 a live tool may be started by M03, which does not change C.
         let is_connected = at.state.c_axis || self.connected != Connected::No;
         let is_new = !is_connected && !unknown_m && self.c_axis.first();
         is_new.then(|| Diagnostic::new(said::CAxisNotConnected, span))
     }
 
-    /// C moves.
+    /// Handles a move of C.
     pub fn c_is_used(&mut self) {
         if self.start.take().is_some() {
             self.connected = Connected::Milled;
@@ -86,22 +86,22 @@ impl Rotary {
         }
     }
 
-    /// C is released, or the program ends: C has not moved since the spindle was started.
+    /// C is released, or the program ends, and C has not moved since the spindle was started.
     pub fn still_connected(&mut self) -> Option<Diagnostic> {
         let StartWithC { word, number, before } = self.start.take()?;
-        // As it is written: M3 or M03.
+        // As written: M3 or M03.
         let digits = word.len().saturating_sub(1);
         let message = said::CAxisStillConnected { word: format!("M{number:0digits$}") };
         let fix = Fix::insert(before, "M46\n".to_owned());
         Some(Diagnostic::new(message, word).with(fix))
     }
 
-    /// First byte of a word that is reported later.
+    /// First byte of a word that may be reported later.
     pub fn waiting(&self) -> Option<u32> {
         self.start.map(|start| start.before)
     }
 
-    /// Moves places along.
+    /// Shifts the stored spans after an edit.
     pub fn shift(&mut self, shift: &Shift) {
         self.start = self.start.map(|start| StartWithC {
             word: shift.span(start.word),
@@ -110,7 +110,7 @@ impl Rotary {
         });
     }
 
-    /// An M code that is known: M03 and M04 turn the spindle though C holds it.
+    /// Handles a known M code. Reports M03 and M04 that start the spindle while C holds it.
     pub fn m_code(&mut self, code: M, word: &Word, at: &Moment) -> Option<Diagnostic> {
         match code {
             M::CAxis(switch) => {
@@ -120,7 +120,7 @@ impl Rotary {
             M::LiveTool if self.connected == Connected::Moved => self.connected = Connected::Milled,
             M::Spindle(turn @ (SpindleTurn::Forward | SpindleTurn::Reverse)) => {
                 let before = block_start(at.text, word.span.start);
-                // Another spindle is started, such as that of the live tools.
+                // The block starts another spindle, such as that of the live tools.
                 if chooses_spindle(&at.text[before as usize..]) {
                     return None;
                 }
@@ -134,14 +134,15 @@ impl Rotary {
         None
     }
 
-    /// A live tool should turn where the spindle only positions; which M code starts
-    /// it depends on the machine.
+    /// Reports a live tool that does not turn while the spindle only positions. The M code that starts it
+    /// depends on the machine.
     pub fn mills(&mut self, block: &Block, unknown_m: bool, at: &Moment) -> Option<Diagnostic> {
         let is_new = !at.state.spindle.live_tool && !unknown_m && self.live_tool.first();
         is_new.then(|| Diagnostic::new(said::LiveToolStopped, block.words_span()))
     }
 
-    /// A move in the plane of polar interpolation. True: the unit of F is reported to be wrong.
+    /// Checks a move in the plane of polar interpolation. Returns true if the unit of F was reported as
+    /// wrong.
     pub fn face_move(
         &mut self,
         block: &Block,
@@ -182,7 +183,7 @@ impl Rotary {
         feed_is_wrong
     }
 
-    /// The path passes this near the centre of the face, mm.
+    /// Reports a path that passes the centre of the face at `distance`, mm.
     pub fn passes_center(&mut self, distance: f64, words: Span) -> Option<Diagnostic> {
         let is_new = distance < CENTER && self.center.first();
         is_new.then(|| Diagnostic::new(said::PolarCenter { distance }, words))

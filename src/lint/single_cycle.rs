@@ -1,5 +1,5 @@
-//! G90, G92 and G94: tapers, blocks without an axis, passes that cut nothing, starts that
-//! are too far from the work.
+//! Lints for G90, G92 and G94: tapers, blocks without an axis, passes that cut nothing, start points too far
+//! from the workpiece.
 
 use super::once::Once;
 use super::taper;
@@ -19,28 +19,28 @@ use crate::source::shift::Shift;
 use crate::text::block::{Block, Word};
 use crate::units::Diameter;
 
-/// Lengths this near are the same, mm.
+/// Lengths that differ by at most this are equal, mm.
 const NEAR: f64 = 0.001;
-/// A pass deeper than this is much for a small lathe, mm (radius).
+/// A pass deeper than this is unusual on a small lathe, mm (radius).
 const DEEPEST_PASS: f64 = 3.0;
-/// A start farther from the work than this wastes time with each pass, mm.
+/// A start point farther from the workpiece than this wastes time in each pass, mm.
 const FAR: f64 = 10.0;
 
-/// The deepest pass of a run of G90 or G94.
+/// The deepest pass of a sequence of G90 or G94.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct DeepestPass {
-    /// Where it started.
+    /// Start point.
     start: Point,
-    /// Where its cut ended.
+    /// End of the cut.
     end: Point,
-    /// Its taper, mm.
+    /// Taper, mm.
     taper: f64,
 }
 
 impl DeepestPass {
-    /// Whether all that the pass removes lies in what `other` has removed.
+    /// Whether everything that the pass removes was removed by `other` already.
     fn is_within(&self, other: &Self, cycle: Single) -> bool {
-        // Along the cut, and into the work.
+        // Along the cut, and into the workpiece.
         let axes = |point: Point| match cycle {
             Single::Facing => (point.x, point.z),
             _ => (point.z, point.x),
@@ -65,37 +65,37 @@ impl DeepestPass {
     }
 }
 
-/// What is remembered of the single cycles.
+/// The state of the lints for single cycles.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct SingleCycles {
     /// G90 without an axis, and no move since: the next code of group 01 may end it.
     g90_alone: Option<Span>,
-    /// The axis that was named last.
+    /// The last named axis.
     named: Option<Axis>,
-    /// The deepest pass since the cycle came into force.
+    /// The deepest pass since the cycle is active.
     deepest: Option<DeepestPass>,
     /// The axis word of a pass that repeats the deepest one: a spring pass, unless a deeper one follows.
     repeated: Option<Span>,
     reported: Reported,
 }
 
-/// What was reported.
+/// The remarks that were made.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 struct Reported {
-    /// That I of G92 is an older spelling of R.
+    /// I of G92 is an older spelling of R.
     old_taper_word: Once,
-    /// That G90 is meant as absolute.
+    /// G90 is meant as absolute.
     g90_as_absolute: Once,
-    /// That a pass is no deeper.
+    /// A pass is not deeper.
     pass_not_deeper: Once,
-    /// That a pass is far too deep.
+    /// A pass is far too deep.
     too_deep: Once,
-    /// That a taper is not extended to the start point.
+    /// A taper is not extended to the start point.
     taper_not_extended: Once,
 }
 
 impl SingleCycles {
-    /// Another code of group 01 comes into force, one of no cycle.
+    /// Handles another code of group 01 that is not a cycle.
     pub fn ends(&mut self) {
         self.reported.taper_not_extended.forget();
         self.reported.pass_not_deeper.forget();
@@ -104,7 +104,7 @@ impl SingleCycles {
         self.g90_alone = None;
     }
 
-    /// The code of a cycle comes into force.
+    /// Handles the code of a cycle.
     pub fn begins(&mut self, cycle: Single, block: &Block, words: &Words, at: &Moment) {
         match at.state.motion {
             MotionMode::Cycle(before) if before == cycle => {}
@@ -115,7 +115,7 @@ impl SingleCycles {
             }
             _ => self.ends(),
         }
-        // With F it is a cycle on purpose: the ends of its passes follow.
+        // With F it is certainly a cycle: the ends of its passes follow.
         const NAMES: u32 = letters(b"XZUWFR");
         let alone = cycle == Single::Turning && !words.has_any(NAMES);
         self.g90_alone = alone.then(|| {
@@ -124,12 +124,12 @@ impl SingleCycles {
         });
     }
 
-    /// A one-shot code: what was given to a cycle is forgotten.
+    /// Handles a one-shot code, which resets the cycle.
     pub fn one_shot(&mut self) {
         (self.deepest, self.named, self.repeated) = (None, None, None);
     }
 
-    /// The taper of a G92 is given by I where R is usual.
+    /// Reports a taper of G92 given by I instead of R.
     pub fn old_taper_word(&mut self, words: &Words, at: &Moment) -> Option<Diagnostic> {
         self.reported.old_taper_word.first().then(|| {
             let (word, span) = (words.quote(at.text, b'I'), words.span(b'I'));
@@ -138,14 +138,15 @@ impl SingleCycles {
         })
     }
 
-    /// The axis that was named last and its end point, once a pass has been cut.
+    /// The last named axis and its end point, once a pass was cut.
     pub fn end(&self, at: &Moment) -> Option<(Axis, Target)> {
         let memory = &at.state.memory;
         let end = self.named.map(|axis| (axis, if axis == Axis::X { memory.x } else { memory.z }));
         end.filter(|_| memory.passes > 0)
     }
 
-    /// A cycle is called: was G90 meant as absolute, is its taper that of the drawing?
+    /// Checks a call of a cycle: a G90 that was meant as absolute, and a taper not extended to the start
+    /// point.
     pub fn called(&mut self, pass: &SinglePass, at: &Moment, reports: &mut Vec<Diagnostic>) {
         let is_axis = |word: &&Word| matches!(word.address, b'X' | b'U' | b'Z' | b'W');
         let named = pass.block.words.iter().rfind(is_axis);
@@ -158,7 +159,7 @@ impl SingleCycles {
         let &SinglePass { cycle, start, end, .. } = pass;
         let taper = at.state.memory.taper;
         let way = if cycle == Single::Facing { end.z - start.z } else { end.x - start.x };
-        // That it begins beyond the start point is reported already.
+        // A cut that begins beyond the start point is reported elsewhere.
         if !single::begins_beyond_start(way, taper)
             && let Some(diagnostic) = taper::not_extended(cycle, start, end, taper, pass.taper_span, at)
             && self.reported.taper_not_extended.first()
@@ -167,7 +168,7 @@ impl SingleCycles {
         }
     }
 
-    /// A pass is about to be cut.
+    /// Checks a pass before it is cut.
     pub fn pass(&mut self, pass: &SinglePass, at: &Moment, reports: &mut Vec<Diagnostic>) {
         let &SinglePass { block, words, cycle, start, end, .. } = pass;
         let taper = at.state.memory.taper;
@@ -196,7 +197,7 @@ impl SingleCycles {
             && !is_one_pass_feed(at)
             && let Some(message) = too_deep(cycle, &own, &before, at.stock().as_ref())
         {
-            // The passes after it are held against those before it.
+            // The passes after it are compared with those before it.
             if self.reported.too_deep.first() {
                 reports.push(Diagnostic::new(message, words.span(address)));
             }
@@ -219,8 +220,8 @@ impl SingleCycles {
         }
     }
 
-    /// The axis word of a pass that removes nothing: the own one, at `span`, or the one before it, which it shows to be
-    /// no spring pass.
+    /// The axis word of a pass that removes nothing: either this pass, whose word is at `span`, or the one
+    /// before it, which turns out not to be a spring pass.
     fn repeats(
         &mut self,
         own: &DeepestPass,
@@ -239,25 +240,25 @@ impl SingleCycles {
         }
     }
 
-    /// What `other` has reported counts as reported.
+    /// Takes over the remarks that `other` has made.
     pub fn has_heard_of(&mut self, other: &Self) {
         self.reported = other.reported;
     }
 
-    /// First bytes of the words that are looked at later.
+    /// First bytes of the words that may be reported later.
     pub fn waiting(&self) -> [Option<u32>; 2] {
         [self.g90_alone, self.repeated].map(|span| Some(span?.start))
     }
 
-    /// Moves places along.
+    /// Shifts the stored spans after an edit.
     pub fn shift(&mut self, shift: &Shift) {
         self.g90_alone = self.g90_alone.map(|span| shift.span(span));
         self.repeated = self.repeated.map(|span| shift.span(span));
     }
 }
 
-/// A block of a cycle with the word at `span`, but without an axis: no pass is made. `end`: the
-/// axis that was named last.
+/// Reports a block of a cycle with the word at `span`, but without an axis, which makes no pass. `end` is the
+/// last named axis with its end point.
 pub fn axis_missing(at: &Moment, span: Span, cycle: Single, end: (Axis, Target)) -> Option<Diagnostic> {
     let (axis, target) = end;
     let letters = if axis == Axis::X { ['X', 'U'] } else { ['Z', 'W'] };
@@ -277,8 +278,7 @@ pub fn axis_missing(at: &Moment, span: Span, cycle: Single, end: (Axis, Target))
     Some(Diagnostic::new(message, span).with(fix))
 }
 
-/// A pass that goes no deeper than one before it from the same start to the same
-/// end: what to say of its word.
+/// The remark about a pass that is not deeper than a previous one with the same start and end.
 fn pass_not_deeper(
     cycle: Single,
     own: &DeepestPass,
@@ -306,23 +306,23 @@ fn pass_not_deeper(
     (same && side(own) == side(before) && other <= NEAR && deep < -NEAR).then_some(message)
 }
 
-/// How deep the first pass of a taper is at its thin end, outside, where that is far deeper
-/// than a pass (radius, mm).
+/// Depth of the first pass of an outside taper at its thin end, if it is far deeper than a usual pass
+/// (radius, mm).
 fn edge_depth(cycle: Single, own: &DeepestPass, surface: Option<f64>, first: bool) -> Option<f64> {
     let outside = cycle == Single::Turning && own.taper < -NEAR && own.end.x <= own.start.x + NEAR;
     let depth = surface? - (own.end.x + own.taper);
-    // A thick bar takes a deeper cut.
+    // A thick bar bears a deeper cut.
     let deepest = DEEPEST_PASS.max(0.14 * surface?);
     (first && outside && depth > deepest).then_some(depth)
 }
 
-/// Whether the feed is that of small parts which are turned to size in one pass.
+/// Whether the feed is usual for small parts that are turned to size in one pass.
 fn is_one_pass_feed(at: &Moment) -> bool {
     let millimetres = at.state.feed.map(|feed| feed * at.state.unit.millimetres());
     at.state.feed_mode == FeedMode::PerTurn && millimetres.is_some_and(|feed| feed < ONE_PASS_FEED)
 }
 
-/// A pass that takes off far more below the pass before it than an insert bears.
+/// Reports a pass that removes far more below the previous one than an insert bears.
 fn too_deep(
     cycle: Single,
     own: &DeepestPass,
@@ -350,12 +350,12 @@ fn deeper(cycle: Single, own: DeepestPass, before: Option<DeepestPass>) -> Deepe
     before.filter(|before| own.is_within(before, cycle)).unwrap_or(own)
 }
 
-/// A cycle that starts too far from the blank.
+/// Reports a cycle whose start is too far from the blank.
 fn far_start(cycle: Single, own: &DeepestPass, stock: &Stock) -> Option<Message> {
     let radius = stock.diameter.radius();
     let outside = own.end.x < own.start.x;
     let far_x = own.start.x - radius.max(own.end.x);
-    // The end of a taper may lie at the surface of the blank, or in front of it.
+    // The end of a taper may be at the surface of the blank, or in front of it.
     let (x, z) = match cycle {
         Single::Facing => (own.end.x, own.end.z + own.taper.min(0.0)),
         Single::Turning | Single::Threading => (own.end.x + own.taper.min(0.0), own.end.z),

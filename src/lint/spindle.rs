@@ -1,5 +1,5 @@
-//! The spindle before a cut: whether it turns, how fast, and how fast at most; and the
-//! classroom checklist of each tool.
+//! Lints for the spindle before a cut: whether it turns, its speed, and its highest speed; and the classroom
+//! checklist of each tool.
 
 use super::feed::{code_of, feed_codes};
 use super::once::Once;
@@ -12,24 +12,25 @@ use crate::source::Span;
 use crate::source::shift::Shift;
 use crate::text::block::{Block, Word};
 
-/// M10 and M11, M68 and M69: which of a pair closes the chuck differs from maker to maker.
+/// M10 and M11, M68 and M69: which code of a pair closes the chuck depends on the manufacturer.
 const CLAMP_ON: u64 = 10;
 const CLAMP_OFF: u64 = 11;
 const CHUCK_CLOSE: u64 = 68;
 const CHUCK_OPEN: u64 = 69;
 
-/// M19 and M20: each stops the spindle at an angle of its own. M20 is something else on many machines.
+/// M19 and M20 each stop the spindle at a fixed angle. M20 has other meanings on many machines.
 const ORIENTATION: u64 = 19;
 const SECOND_ORIENTATION: u64 = 20;
-/// Inserts seldom cut faster than this, m/min; programs in feet that lack their G20 do not reach it.
+/// Inserts seldom cut faster than this, m/min; programs in feet without their G20 do not reach it.
 const FASTEST_CUT: f64 = 1800.0;
-/// Nobody turns at so little, m/min: chilled rolls and high-speed steel in hard material come near it.
+/// Slowest usual cutting speed, m/min: chilled rolls, and high-speed steel in hard material, come close to
+/// it.
 const SLOWEST_CUT: f64 = 5.0;
-/// Sliding-head lathes come near this, rpm; a common lathe turns half of it.
+/// Sliding-head lathes come close to this speed, rpm; a common lathe reaches half of it.
 const FASTEST_TURN: f64 = 12_000.0;
-/// The same for small bars, and where no blank is given.
+/// The same for small bars, and without a given blank.
 const FASTEST_SMALL: f64 = 20_000.0;
-/// A bar of more than this, mm, is not small.
+/// Largest diameter of a small bar, mm.
 const SMALL_BAR: f64 = 20.0;
 
 /// A move at feed with the spindle stopped.
@@ -39,7 +40,7 @@ struct StillMove {
     block: Span,
     /// The words of the block.
     words: Span,
-    /// A speed is in force, with which the spindle could turn.
+    /// Whether a speed is active, with which the spindle could turn.
     has_speed: bool,
 }
 
@@ -48,7 +49,7 @@ struct StillMove {
 struct Unclamped {
     /// Its S, or its block.
     span: Span,
-    /// Where a block before it would stand.
+    /// Where a block before it would be inserted.
     before: u32,
 }
 
@@ -57,39 +58,39 @@ struct Unclamped {
 struct KeptSpeed {
     /// The words of its block.
     block: Span,
-    /// The speed that was reached, rpm.
+    /// The current speed, rpm.
     speed: f64,
 }
 
-/// What is remembered of the spindle.
+/// The state of the lints for the spindle.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Spindle {
-    /// G96 without a highest speed, and no cut since: G50 may still give one.
+    /// G96 without a highest speed, and no cut since: G50 may still set one.
     unclamped: Option<Unclamped>,
-    /// A move at feed with the spindle stopped, and the tool has not left at rapid since: where the chuck
-    /// opens or closes now, it stops or pulls the bar.
+    /// A move at feed with the spindle stopped, without a rapid away since. If the chuck opens or closes now,
+    /// the tool stops or pulls the bar.
     still_move: Option<StillMove>,
-    /// An M code appeared whose meaning depends on the machine: it may have connected
-    /// C or started a live tool.
+    /// Whether an M code appeared whose meaning depends on the machine: it may have connected C or started a
+    /// live tool.
     pub unknown_m: bool,
-    /// The orientation (M19, M20) that holds the spindle, which nothing has started since.
+    /// The orientation code (M19, M20) that holds the spindle, if nothing has started it since.
     held: Option<u64>,
-    /// G97 without S has kept the speed that was reached; S may still follow.
+    /// G97 without S, which keeps the current speed; S may still follow.
     kept: Option<KeptSpeed>,
-    /// Coolant flows (M07, M08).
+    /// Whether coolant is on (M07, M08).
     coolant: bool,
-    /// That the spindle is stopped.
+    /// Remark: the spindle is stopped.
     pub stopped: Once,
-    /// That it has no speed.
+    /// Remark: it has no speed.
     speed_missing: Once,
-    /// That it has no highest speed.
+    /// Remark: it has no highest speed.
     no_clamp: Once,
-    /// The checklist of the tool.
+    /// Remark: the checklist of the tool.
     checklist: Once,
 }
 
 impl Spindle {
-    /// A cut at feed begins. `feed_mode_named`: a code of the feed mode appeared before it.
+    /// Checks a cut at feed. `feed_mode_named`: a code of the feed mode appeared before it.
     #[inline]
     pub fn cut(&mut self, block: &Block, feed_mode_named: bool, at: &Moment, reports: &mut Vec<Diagnostic>) {
         if let Some(KeptSpeed { block, speed }) = self.kept.take() {
@@ -116,7 +117,7 @@ impl Spindle {
         }
     }
 
-    /// A thread begins. Cuts of other kinds are made with the spindle held: a keyway is shaped.
+    /// Checks a thread. Other kinds of cuts may be made with the spindle held, such as shaping a keyway.
     pub fn thread(
         &mut self,
         block: &Block,
@@ -130,15 +131,15 @@ impl Spindle {
         }
     }
 
-    /// Whether something that this control does not know may turn the work or a live tool.
+    /// Whether an unknown code may drive the workpiece or a live tool.
     fn may_be_driven(&self, at: &Moment) -> bool {
         let spindle = &at.state.spindle;
-        // Which M code turns a live tool depends on the machine.
+        // The M code that starts a live tool depends on the machine.
         let milling = at.state.c_axis || at.state.virtual_plane.is_some();
         spindle.live_tool || spindle.by_maker || milling && self.unknown_m
     }
 
-    /// A cut with the spindle stopped.
+    /// Handles a cut with the spindle stopped.
     #[inline(never)]
     fn still_cut(&mut self, block: &Block, at: &Moment, reports: &mut Vec<Diagnostic>) {
         if self.may_be_driven(at) || !self.stopped.first() {
@@ -148,12 +149,12 @@ impl Spindle {
         let still = StillMove { block: block.span, words: block.words_span(), has_speed };
         match at.contour {
             None => self.still_move = Some(still),
-            // What is remembered in a contour is given up.
+            // State stored while a contour is read is discarded, so the move is reported now.
             Some(_) => reports.push(still.message()),
         }
     }
 
-    /// What an instructor wants to see before the first cut of a tool.
+    /// Reports what is missing before the first cut of a tool according to the classroom checklist.
     #[inline(never)]
     fn look_at_checklist(
         &self,
@@ -174,7 +175,7 @@ impl Spindle {
         reports.extend(missing.map(|message| Diagnostic::new(message, block.words_span())));
     }
 
-    /// A motion under G96 without a highest speed: once in a program.
+    /// Reports a motion under G96 without a highest speed, once in a program.
     #[inline(never)]
     pub fn report_speed_clamp(&mut self, at: &Moment, reports: &mut Vec<Diagnostic>) {
         if let Some(Unclamped { span, before }) = self.unclamped.take()
@@ -186,7 +187,7 @@ impl Spindle {
         }
     }
 
-    /// A move at feed with the spindle stopped was no work of a bar puller.
+    /// Reports a move at feed with the spindle stopped that was not the work of a bar puller.
     #[inline]
     pub fn report_still_move(&mut self, reports: &mut Vec<Diagnostic>) {
         if let Some(still) = self.still_move.take() {
@@ -194,7 +195,7 @@ impl Spindle {
         }
     }
 
-    /// An M code; `is_known`: this control knows what it does.
+    /// Handles an M code. `is_known`: this control knows its meaning.
     pub fn m_code(
         &mut self,
         number: u64,
@@ -204,8 +205,8 @@ impl Spindle {
         reports: &mut Vec<Diagnostic>,
     ) {
         let spindle = &at.state.spindle;
-        // M11 opens the chuck on many machines. M69 does on machines with two spindles, which hand the part over while
-        // both turn.
+        // M11 opens the chuck on many machines. M69 does on machines with two spindles, which transfer the
+        // part while both turn.
         if number == CLAMP_OFF
             && spindle.turn != SpindleTurn::Stopped
             && self.held.is_none()
@@ -233,19 +234,19 @@ impl Spindle {
         self.unknown_m |= !is_known;
     }
 
-    /// The chuck opens or closes. With the spindle stopped, moves at feed hold or pull the bar.
+    /// Handles the chuck. With the spindle stopped, moves at feed hold or pull the bar.
     fn chuck_moves(&mut self, number: u64, at: &Moment) {
         if at.state.spindle.turn != SpindleTurn::Stopped {
             return;
         }
         let held = self.still_move.take().is_some();
         if held || matches!(number, CLAMP_OFF | CHUCK_OPEN) {
-            // What moves at feed from here on, before the spindle turns again, belongs to it.
+            // Moves at feed before the spindle turns again belong to the bar feed.
             self.stopped.leave_out();
         }
     }
 
-    /// S outside of G50: S0 stops the spindle, another speed lets it turn again.
+    /// Handles S outside of G50: S0 stops the spindle, another speed lets it turn again.
     pub fn speed(&mut self, value: f64, word: &Word, at: &Moment, reports: &mut Vec<Diagnostic>) {
         self.kept = None;
         reports.extend(unusual_speed(value, word, at));
@@ -254,7 +255,7 @@ impl Spindle {
         }
     }
 
-    /// G96 or G97.
+    /// Handles G96 or G97.
     pub fn speed_mode(&mut self, surface: bool, block: &Block, words: &Words, at: &Moment) {
         let spindle = &at.state.spindle;
         let speed_given = words.peek(b'S').is_some();
@@ -262,7 +263,7 @@ impl Spindle {
         if !surface {
             self.unclamped = None;
             if spindle.surface && !speed_given {
-                // G97 without S keeps the speed that was reached last.
+                // G97 without S keeps the current speed.
                 let kept = at.spindle_speed(at.state.position.x).unwrap_or(spindle.rpm).floor();
                 if kept > 0.0 {
                     self.kept = Some(KeptSpeed { block: block.words_span(), speed: kept });
@@ -274,7 +275,7 @@ impl Spindle {
         }
     }
 
-    /// G50 S.
+    /// Handles G50 S.
     pub fn highest_speed(&mut self, word: &Word, at: &Moment, reports: &mut Vec<Diagnostic>) {
         self.unclamped = None;
         if plain(word).is_some_and(|highest| highest > FASTEST_SMALL.max(fastest_turn(at))) {
@@ -283,7 +284,7 @@ impl Spindle {
         }
     }
 
-    /// M05 takes effect.
+    /// Handles M05.
     pub fn stops(&mut self, block: &Block, moved: bool, reports: &mut Vec<Diagnostic>) {
         if moved {
             let stop = block.words.iter().find(|word| word.address == b'M' && plain(word) == Some(5.0));
@@ -293,13 +294,13 @@ impl Spindle {
         self.stopped.forget();
     }
 
-    /// Another tool is called.
+    /// Handles a tool change.
     pub fn tool_changes(&mut self, reports: &mut Vec<Diagnostic>) {
         self.checklist.forget();
         self.report_still_move(reports);
     }
 
-    /// A block was left out: it may have given the speed. One fault, one message.
+    /// Handles a skipped block, which may have set the speed. One mistake, one message.
     pub fn left_out(&mut self, at: &Moment) {
         let spindle = &at.state.spindle;
         if spindle.rpm == 0.0 && spindle.cutting_speed == 0.0 {
@@ -307,19 +308,19 @@ impl Spindle {
         }
     }
 
-    /// What a block or program may have set is not known.
+    /// Handles unknown settings of a block or program.
     pub fn is_unknown(&mut self) {
         self.stopped.leave_out();
         self.no_clamp.leave_out();
     }
 
-    /// What `other` has reported counts as reported.
+    /// Takes over the remarks that `other` has made.
     pub fn has_heard_of(&mut self, other: &Self) {
         (self.stopped, self.speed_missing) = (other.stopped, other.speed_missing);
         (self.no_clamp, self.checklist) = (other.no_clamp, other.checklist);
     }
 
-    /// First bytes of the blocks and words that are reported later.
+    /// First bytes of the blocks and words that may be reported later.
     pub fn waiting(&self) -> [Option<u32>; 3] {
         [
             self.unclamped.map(|unclamped| unclamped.before),
@@ -328,7 +329,7 @@ impl Spindle {
         ]
     }
 
-    /// Moves places along.
+    /// Shifts the stored spans after an edit.
     pub fn shift(&mut self, shift: &Shift) {
         self.unclamped = self.unclamped.map(|unclamped| Unclamped {
             span: shift.span(unclamped.span),
@@ -353,13 +354,13 @@ impl StillMove {
     }
 }
 
-/// Where the block begins that a byte stands in.
+/// Start of the block that contains a byte.
 pub fn block_start(text: &[u8], byte: u32) -> u32 {
     let end = text[..byte as usize].iter().rposition(|byte| matches!(byte, b'\n' | b'\r' | b';'));
     end.map_or(0, |end| end as u32 + 1)
 }
 
-/// S that is no cutting speed, or that no lathe turns.
+/// Reports an S that cannot be a cutting speed, or a spindle speed.
 fn unusual_speed(value: f64, word: &Word, at: &Moment) -> Option<Diagnostic> {
     let quoted = || quote(at.text, word.span);
     let spindle = &at.state.spindle;
@@ -380,7 +381,7 @@ fn unusual_speed(value: f64, word: &Word, at: &Moment) -> Option<Diagnostic> {
     Some(Diagnostic::new(message, word.span))
 }
 
-/// The fastest that work is turned here, rpm.
+/// Fastest usual spindle speed of this setup, rpm.
 fn fastest_turn(at: &Moment) -> f64 {
     let is_small = at.setup.stock.is_none_or(|stock| stock.diameter.mm() <= SMALL_BAR);
     match at.setup.machine.max_speed {
@@ -390,7 +391,7 @@ fn fastest_turn(at: &Moment) -> f64 {
     }
 }
 
-/// Whether the words of a block leave the tool where it is: `W0`.
+/// Whether the words of a block do not move the tool: `W0`.
 pub fn stays(words: &Words) -> bool {
     let idle = |address: u8| words.peek(address).and_then(plain).is_some_and(|way| way == 0.0);
     !words.has_any(letters(b"XZCHA"))

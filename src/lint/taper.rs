@@ -1,7 +1,7 @@
-//! Tapers cut with G90 and G94.
+//! Lints for tapers cut with G90 and G94.
 //!
-//! The first move of these cycles is a rapid, so the start point lies outside the blank and the cut begins
-//! before the cone of the drawing does. R must be extended in proportion (seeds 001 and 004).
+//! The first move of these cycles is a rapid, so the start point is outside the blank and the cut begins
+//! before the cone of the drawing. R must be extended in proportion (seeds 001 and 004).
 
 use crate::control::events::Moment;
 use crate::control::words::{Words, with_other_sign};
@@ -12,32 +12,32 @@ use crate::setup::Stock;
 use crate::source::Span;
 use crate::units::{Diameter, Unit};
 
-/// A cut may go so far beyond the back of the blank, mm.
+/// Greatest distance of a cut beyond the back of the blank, mm.
 const OVERRUN: f64 = 5.0;
 
 /// A span longer than this, bytes, is a block and not the word of a taper.
 const LONGEST_WORD: usize = 12;
 
-/// A start this near to the surface of a bar, mm (radius), is that of outside work.
+/// A start at most this far from the surface of a bar, mm (radius), belongs to outside work.
 const NEAR_SURFACE: f64 = 10.0;
 
-/// Lengths this near count as equal here, mm.
+/// Lengths that differ by at most this are equal, mm.
 const NEAR: f64 = 0.001;
 
-/// What may be meant by an R that is a round number at the blank's surface, while the cut leaves
-/// the blank at an odd place.
+/// The possible meanings of an R that makes the cone a round number at the surface of the blank, but not
+/// where the cut leaves the blank.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Reading {
-    /// The height of the cone on the drawing, not extended to the start point: no
-    /// drawing has the other numbers.
+    /// The height of the cone on the drawing, not extended to the start point: the other numbers appear on no
+    /// drawing.
     HeightOnDrawing,
-    /// That, or an R worked out for the start point: the cone is a usual one, or its
-    /// edge could be dimensioned.
+    /// The same, or an R that was computed for the start point: the cone is a usual one, or its edge could be
+    /// dimensioned.
     OrForStartPoint,
 }
 
-/// Remarks about a taper that looks like that of the drawing though the cut begins outside the blank. `span`:
-/// its word, or the block where the taper is that of a block before.
+/// Reports a taper that looks like that of the drawing although the cut begins outside the blank. `span` is
+/// its word, or the block if the taper is modal.
 pub fn not_extended(
     cycle: Single,
     start: Point,
@@ -59,8 +59,8 @@ pub fn not_extended(
     Some(diagnostic.with(Fix::write(span, format!("R{needed}"))))
 }
 
-/// Reports when R looks like the taper of the drawing though the cut begins outside the
-/// blank, and how sure that is.
+/// Returns the message if R looks like the taper of the drawing although the cut begins outside the blank,
+/// and how certain that is.
 fn taper_not_extended(
     cycle: Single,
     start: Point,
@@ -71,7 +71,7 @@ fn taper_not_extended(
     if taper == 0.0 {
         return None;
     }
-    // `wanted`: where the cut begins; `part`: how much of the cut lies beyond the end at the blank's surface.
+    // `wanted`: start of the cut; `part`: share of the cut between its end and the surface of the blank.
     let (wanted, part, scale, base, axis) = match cycle {
         Single::Facing => {
             let surface = stock.diameter.radius();
@@ -81,7 +81,7 @@ fn taper_not_extended(
             (end.z + taper, (surface - end.x) / (start.x - end.x), 1.0, end.z, 'Z')
         }
         Single::Turning => {
-            // Z with a digit too many is reported by itself: the taper only follows from it.
+            // A Z with a digit too many is reported separately: the taper is a consequence.
             let is_beyond = end.z < stock.back() - OVERRUN;
             if start.z <= stock.face + NEAR || end.z >= stock.face - NEAR || is_beyond {
                 return None;
@@ -93,7 +93,7 @@ fn taper_not_extended(
         Single::Threading => return None,
     };
     let crossing = base + scale * taper * part;
-    // The drawing may count from Z0 though the blank stands a little farther out.
+    // The drawing may count from Z0 although the blank is slightly longer.
     let at_zero = match cycle {
         Single::Turning if start.z > 0.0 && end.z < 0.0 => {
             Some(base + scale * taper * (-end.z / (start.z - end.z)))
@@ -113,9 +113,8 @@ fn taper_not_extended(
     (coarse && !at_zero.is_some_and(is_round) || fine).then_some((diagnostic, reading))
 }
 
-/// Whether a drawing may give a cone by its slope (radius over length): a usual 1:n in the
-/// diameter (ISO 1119), or a half or whole degree to the axis. R has three decimals, so the slope
-/// is known to as many digits.
+/// Whether a drawing may state a cone by its slope (radius over length): a usual 1:n in the diameter (ISO
+/// 1119), or a half or whole degree to the axis. R has three decimals, so the slope is as exact.
 fn is_usual_cone(slope: f64) -> bool {
     const RATIOS: [f64; 13] = [3.0, 4.0, 5.0, 6.0, 7.0, 8.0, 10.0, 12.0, 15.0, 16.0, 20.0, 30.0, 50.0];
     const DIGITS: f64 = 5e-4;
@@ -126,12 +125,12 @@ fn is_usual_cone(slope: f64) -> bool {
     by_ratio || near(2.0 * degrees, (2.0 * degrees).round())
 }
 
-/// Whether a drawing may carry this length at all: a multiple of a hundredth of a millimetre.
+/// Whether a drawing may contain this length at all: a multiple of a hundredth of a millimetre.
 fn is_hundredth(length: f64) -> bool {
     (length * 100.0 - (length * 100.0).round()).abs() <= 0.01
 }
 
-/// Remarks about the word of a taper as it is called: see [`odd_shape`].
+/// Reports a taper with an odd shape: see [`odd_shape`].
 pub fn shape(
     cycle: Single,
     start: Point,
@@ -147,8 +146,8 @@ pub fn shape(
     Some(Diagnostic { fixes: fix.into_iter().collect(), ..Diagnostic::new(message, span) })
 }
 
-/// What is odd about a taper as it is called (R and ends as radii and lengths, mm): it begins beyond the
-/// axis, or becomes narrower toward the chuck, which only an undercut does.
+/// The odd shape of a taper (R and ends as radii and lengths, mm): it begins beyond the axis, or becomes
+/// narrower towards the chuck, as only an undercut does.
 fn odd_shape(
     cycle: Single,
     start: Point,
@@ -160,7 +159,7 @@ fn odd_shape(
     if cycle == Single::Facing || taper == 0.0 || end.z >= start.z {
         return None;
     }
-    // That it begins beyond the start point is reported already.
+    // A cut that begins beyond the start point is reported elsewhere.
     if single::begins_beyond_start(end.x - start.x, taper) {
         return None;
     }
@@ -174,7 +173,7 @@ fn odd_shape(
     let outside = match way {
         way if way < -NEAR => true,
         way if way > NEAR => false,
-        // The end lies at the diameter of the start: outside, where that is at the surface of a bar.
+        // The end has the diameter of the start: outside work if that is at the surface of a bar.
         _ if stock.is_some_and(|stock| {
             start.x > stock.bore.radius() + NEAR && start.x >= stock.diameter.radius() - NEAR_SURFACE
         }) =>
@@ -187,12 +186,12 @@ fn odd_shape(
     narrows.then(|| said::TaperNarrows { word: word.into() }.into())
 }
 
-/// Whether a drawing might carry this length: a multiple of a tenth of a millimetre.
+/// Whether a drawing might contain this length: a multiple of a tenth of a millimetre.
 fn is_tenth(length: f64) -> bool {
     (length * 10.0 - (length * 10.0).round()).abs() <= 10.0 * NEAR
 }
 
-/// Whether a drawing would carry this length: a multiple of half a millimetre.
+/// Whether a drawing would contain this length: a multiple of half a millimetre.
 fn is_round(length: f64) -> bool {
     (length * 2.0 - (length * 2.0).round()).abs() <= 2.0 * NEAR
 }
@@ -224,7 +223,7 @@ mod tests {
 
     #[test]
     fn a_usual_cone_may_have_been_worked_out_for_the_start_point() {
-        // 1:5 over 23 mm, worked out for the start point: X46 at the face.
+        // 1:5 over 23 mm, computed for the start point: X46 at the face.
         let reading = |taper: f64, from: f64| {
             let (start, end) = (Point::new(30.0, from), Point::new(25.0, -20.0));
             taper_not_extended(Single::Turning, start, end, taper, STOCK).map(|diagnostic| diagnostic.1)

@@ -1,4 +1,4 @@
-//! Threads: what an instructor would remark of a pass, of a tap, and of the amounts of G76.
+//! Lints for threads: passes, taps, and the parameters of G76.
 
 use super::once::Once;
 use super::taper;
@@ -17,49 +17,50 @@ use crate::units::Diameter;
 
 /// n ≤ 1200 / P − K (seed 001).
 const SPEED_OF_PITCH: f64 = 1200.0;
-/// K of that rule where the setup gives none, rpm.
+/// Default K of that rule, rpm.
 const SPEED_MARGIN: f64 = 80.0;
 /// Pitches for which the rule was made, mm.
 const PITCHES: std::ops::RangeInclusive<f64> = 0.2..=10.0;
-/// Leads that controls take as F, mm (seed 001).
+/// Leads that controls accept as F, mm (seed 001).
 const LEADS: std::ops::RangeInclusive<f64> = 0.001..=500.0;
 /// The same as I: 25400 to 0.06 threads per inch.
 const LEADS_OF_INCH: std::ops::RangeInclusive<f64> = 25.4 / 25400.0..=25.4 / 0.06;
 /// The finest pitch of a standard thread, mm (ISO 261: M1 fine).
 const FINEST: f64 = 0.2;
-/// A pass may go so many times as much deeper as the passes before it, since each cuts on wider flanks.
+/// Greatest ratio of the depth steps of two passes: each pass cuts on wider flanks than the one before.
 const JUMP: f64 = 2.0;
-/// A pass that goes no more deeper than this never is too deep, mm (radius).
+/// A depth step up to this is never too deep, mm (radius).
 const DEEP_STEP: f64 = 0.3;
-/// A pass that goes less deeper than this only scratches the work, to show the lead, mm (radius).
+/// A depth step below this only scratches the workpiece to show the lead, mm (radius).
 const SCRATCH: f64 = 0.05;
-/// Passes widen their groove by up to this share of the lead: infeed along both flanks, and finishing of them.
+/// Passes widen their groove by up to this share of the lead: infeed along both flanks, and finishing of the
+/// flanks.
 const BESIDE: f64 = 0.2;
-/// A tap holder takes up this share of the lead between the way in and the way out.
+/// Share of the lead that a tap holder compensates between the way in and the way out.
 const TAKEN_UP: f64 = 0.05;
-/// Lengths this near are the same, mm.
+/// Lengths that differ by at most this are equal, mm.
 const NEAR: f64 = 0.001;
 /// Few slides are faster than this, mm/min.
 const FAST_SLIDE: f64 = 4000.0;
-/// Most starts of a thread that are looked for.
+/// Most starts of a thread that are searched for.
 const STARTS: u32 = 12;
 
 /// The last pass of a thread.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Pass {
-    /// Where the thread began.
+    /// Start of the thread.
     start: Point,
-    /// Where it ended.
+    /// End of the thread.
     end: Point,
-    /// Its lead, mm.
+    /// Lead, mm.
     lead: f64,
     /// Spindle speed, rpm.
     speed: f64,
     /// Station and offset of its tool.
     tool: (u16, u16),
-    /// The number of its Q, where that is an angle.
+    /// The number of its Q, if that is an angle.
     angle: Option<f64>,
-    /// It was as deep as the one before it from the same start.
+    /// Whether it was as deep as the one before it from the same start.
     repeats: bool,
 }
 
@@ -68,40 +69,40 @@ struct Pass {
 struct Passes {
     /// Its first pass: X of the end, as a radius, and Z of the start.
     first: Point,
-    /// The newest first: of more starts than these there is seldom a thread.
+    /// The last passes, newest first: threads seldom have more starts.
     recent: [Option<Pass>; 4],
-    /// 1 where a deeper pass has a larger X, -1 where it has a smaller one, 0 where that is not known yet.
+    /// 1 if a deeper pass has a larger X, −1 if it has a smaller one, 0 if unknown.
     outwards: f64,
-    /// That a pass was as deep as one before it, and a deeper one came.
+    /// Remark: a pass was as deep as the one before it, and then a deeper one followed.
     repeated: Once,
-    /// The most that a pass went deeper than the one before it, mm; 0 before the second one.
+    /// Greatest depth step from one pass to the next, mm; 0 before the second pass.
     step: f64,
 }
 
-/// A tap on the axis that stands in its hole.
+/// A tap in its hole on the axis.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Tap {
     /// The direction in which the spindle turned it in.
     turn: SpindleTurn,
     /// The lead with which it went in, mm.
     lead: f64,
-    /// The spindle goes on turning it in.
+    /// Whether the spindle continues to turn it in.
     turns_on: bool,
 }
 
-/// What is remembered of threads.
+/// The state of the lints for threads.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Threads {
     passes: Passes,
-    /// A tap stands in its hole.
+    /// The tap that is in its hole.
     tap: Option<Tap>,
-    /// That the spindle turns at a constant surface speed.
+    /// Remark: the spindle turns at a constant surface speed.
     surface_speed: Once,
 }
 
 impl Threads {
-    /// A thread begins: it needs a spindle that turns at a constant speed. `to`: its
-    /// end, where the path is known.
+    /// Checks the start of a thread, which needs a constant spindle speed. `to` is its end, if the path is
+    /// known.
     pub fn begins(
         &mut self,
         block: &Block,
@@ -114,12 +115,12 @@ impl Threads {
             return;
         }
         if to.is_some_and(|to| is_on_axis(at.state.position, to)) {
-            // Reported of the tap.
+            // Reported for the tap.
             self.surface_speed.leave_out();
         }
         if self.surface_speed.first() {
             let diagnostic = Diagnostic::new(said::ThreadAtSurfaceSpeed { code }, block.words_span());
-            // The speed that G96 has here, to the next ten below.
+            // The current speed under G96, rounded down to a multiple of ten.
             let speed = at.spindle_speed(at.state.position.x).filter(|&speed| speed >= 10.0);
             let block_before = |speed: f64| format!("G97 S{}\n", 10.0 * (speed / 10.0).floor());
             let fix = speed.map(|speed| Fix::insert(block.span.start, block_before(speed)));
@@ -127,25 +128,25 @@ impl Threads {
         }
     }
 
-    /// A hole is tapped on the axis by a cycle.
+    /// Checks a cycle that taps a hole on the axis.
     pub fn tap_on_axis(&mut self, block: &Block, at: &Moment, reports: &mut Vec<Diagnostic>) {
         if at.state.spindle.surface && self.surface_speed.first() {
             reports.push(Diagnostic::new(said::TapSurface, block.words_span()));
         }
     }
 
-    /// G32 to G34 cut to a place. `pass`: the same as a pass of a thread, whose spindle goes on turning.
+    /// Checks a cut of G32 to G34. `pass` is the same cut as a pass of a thread.
     pub fn cuts(&mut self, pass: &ThreadPass, code: &str, at: &Moment, reports: &mut Vec<Diagnostic>) {
         self.tap_moves(pass, at, reports);
         if code != "G33" && !is_on_axis(pass.start, pass.end) {
             self.pass(pass, at, reports);
         } else if pass.lead > *LEADS.end() {
-            // The moves of an expanded hole cycle have the lead that its feed makes, however small.
+            // The moves of an expanded hole cycle have the lead that results from its feed, however small.
             reports.extend(unusual_lead(at.text, pass.words, pass.lead, 1));
         }
     }
 
-    /// A tap on the axis goes in by G32 and must be turned out again by a G32 of the same lead, with the spindle
+    /// A tap on the axis goes in by G32 and must be turned out by a G32 of the same lead, with the spindle
     /// reversed (seed 002).
     fn tap_moves(&mut self, pass: &ThreadPass, at: &Moment, reports: &mut Vec<Diagnostic>) {
         let &ThreadPass { block, words, start, end, lead, .. } = pass;
@@ -169,17 +170,18 @@ impl Threads {
         }
     }
 
-    /// M05 has taken effect.
+    /// Handles M05.
     pub fn spindle_stops(&mut self) {
         if let Some(tap) = &mut self.tap {
             tap.turns_on = false;
         }
     }
 
-    /// An M code that is known: the spindle turns back though it has not stopped at the bottom of a tapped hole.
+    /// Handles a known M code. Reports a spindle that is reversed without a stop at the bottom of a tapped
+    /// hole.
     pub fn m_code(&mut self, code: M, word: &Word) -> Option<Diagnostic> {
         if matches!(code, M::Pause(_)) {
-            // The operator has measured; what comes now is not compared with the passes before.
+            // The operator may have measured: the next pass is not compared with the passes before.
             self.passes.step = 0.0;
         }
         let tap = self.tap.as_mut().filter(|tap| tap.turns_on && code == M::Spindle(tap.turn.reversed()))?;
@@ -187,7 +189,7 @@ impl Threads {
         Some(Diagnostic::new(said::TapNotStopped, word.span))
     }
 
-    /// A move other than a thread: a tap must not leave its hole by it.
+    /// Handles a move other than a thread: a tap must not leave its hole by it.
     #[inline]
     pub fn moves(&mut self, block: &Block, to: Point, at: &Moment, reports: &mut Vec<Diagnostic>) {
         if self.tap.is_some() && to.z > at.state.position.z {
@@ -196,7 +198,7 @@ impl Threads {
         }
     }
 
-    /// A pass, against the one before.
+    /// Compares a pass with the one before.
     pub fn pass(&mut self, pass: &ThreadPass, at: &Moment, reports: &mut Vec<Diagnostic>) {
         let unusual = unusual_lead(at.text, pass.words, pass.lead, pass.starts);
         let spindle = &at.state.spindle;
@@ -222,7 +224,7 @@ impl Threads {
             passes.outwards = if outwards { 1.0 } else { -1.0 };
         }
         if let Some(before) = before.filter(|before| (before.lead - lead).abs() > NEAR) {
-            // It is reported where it is given; the thread goes on with the lead it had.
+            // A change of the lead is reported at its word; the thread continues with its previous lead.
             if let Some(word) = lead_word(pass.words) {
                 let message = said::ThreadLeadChanged { before: before.lead, now: lead };
                 reports.push(unusual.unwrap_or_else(|| Diagnostic::new(message, word.span)));
@@ -244,12 +246,12 @@ impl Threads {
         self.passes = passes;
     }
 
-    /// Another tool comes: the next pass is the first of its thread.
+    /// Handles a tool change: the next pass is the first of its thread.
     pub fn tool_changes(&mut self) {
         self.passes = Passes::default();
     }
 
-    /// What `other` has reported counts as reported.
+    /// Takes over the remarks that `other` has made.
     pub fn has_heard_of(&mut self, other: &Self) {
         self.surface_speed = other.surface_speed;
     }
@@ -260,13 +262,13 @@ fn is_on_axis(from: Point, to: Point) -> bool {
 }
 
 impl Passes {
-    /// How much deeper a pass is than another, mm; 0 where the side is not known.
+    /// Depth step between two passes, mm; 0 if the side is unknown.
     fn deeper(&self, own: &Pass, before: &Pass) -> f64 {
         self.outwards * (own.end.x - before.end.x)
     }
 
-    /// A pass without Q cuts the start at 0 a second time, as deep as `before` did: where all passes have a Q, or
-    /// where the thread has other starts and that at 0 was cut just before.
+    /// Whether a pass without Q repeats the start at 0, as deep as `before`. This is a lost angle if all
+    /// passes have a Q, or if the thread has other starts and the start at 0 was cut just before.
     fn angle_is_lost(&self, own: &Pass, before: &Pass) -> bool {
         let mut recent = self.recent.iter().flatten();
         let all_have_one = recent.clone().all(|pass| pass.angle.is_some());
@@ -275,15 +277,15 @@ impl Passes {
         own.angle.is_none() && (all_have_one || has_starts && just_before)
     }
 
-    /// Whether a pass begins in a groove that is there, or at another start of the thread.
+    /// Whether a pass begins in an existing groove, or at another start of the thread.
     fn begins_well(&self, own: &Pass) -> bool {
         let places = || self.recent.iter().flatten().map(|pass| pass.start.z).chain([self.first.z]);
         places().any(|place| is_in_groove(own.start.z - place, own.lead))
             || self.begins_anew(own) && places().any(|place| is_start_of_lead(own.start.z - place, own.lead))
     }
 
-    /// Whether the depths of a thread may begin anew with a pass: it is no deeper than the first one, or less
-    /// deep than the one before it.
+    /// Whether the depths of a thread may start again with a pass: it is not deeper than the first one, or
+    /// less deep than the one before it.
     fn begins_anew(&self, own: &Pass) -> bool {
         let below_first = self.outwards * (own.end.x - self.first.x);
         below_first <= NEAR || self.recent[0].is_some_and(|before| self.deeper(own, &before) < -NEAR)
@@ -296,12 +298,12 @@ impl Passes {
         self.recent.iter().flatten().find(is_one).copied()
     }
 
-    /// A pass that is not deeper than the one before it from the same start, goes too much deeper, or goes on after
-    /// one that was cut twice.
+    /// Reports a pass that is not deeper than the one before it from the same start, that is much deeper, or
+    /// that continues after a pass was repeated.
     fn not_deeper(&mut self, own: &mut Pass, pass: &ThreadPass, at: &Moment) -> Option<Diagnostic> {
         let before = self.of_same_start(own)?;
         if self.outwards == 0.0 {
-            // Of moves the first two passes show it.
+            // The first two passes show the side.
             let way = own.end.x - before.end.x;
             if way.abs() > NEAR {
                 self.outwards = way.signum();
@@ -322,12 +324,13 @@ impl Passes {
         let before = Diameter::from_radius(before.end.x).mm();
         let letter = *b"XU".iter().find(|&&letter| pass.words.peek(letter).is_some()).unwrap_or(&b'Z');
         let span = pass.words.peek(letter).map_or_else(|| pass.block.words_span(), |word| word.span);
-        // From its first pass a thread begins anew: the same once more, for another part.
+        // A pass like the first one starts the thread again, for another part.
         if deeper < -NEAR && (own.end.x - self.first.x).abs() > NEAR {
             let word = quote(at.text, span);
             return Some(Diagnostic::new(said::ThreadPassNotDeeper { word, before }, span));
         }
-        // The first passes may only scratch the work; and what was left out was reported when it came.
+        // The first passes may only scratch the workpiece; and a pass that is missing was reported when it
+        // occurred.
         let step = self.step;
         if deeper > SCRATCH - NEAR {
             self.step = deeper.max(step);
@@ -341,12 +344,12 @@ impl Passes {
     }
 }
 
-/// The word that gives the lead: in millimetres, or as threads per inch.
+/// The word of the lead: in millimetres, or as threads per inch.
 fn lead_word<'a>(words: &Words<'a>) -> Option<&'a Word> {
     [b'E', b'F', b'I'].into_iter().find_map(|letter| words.peek(letter))
 }
 
-/// A lead that no control takes, or no standard has, at the word that gives it.
+/// Reports a lead that no control accepts, or no standard has, at its word.
 fn unusual_lead(text: &[u8], words: &Words, lead: f64, starts: u64) -> Option<Diagnostic> {
     let word = lead_word(words)?;
     let leads = if word.address == b'I' { LEADS_OF_INCH } else { LEADS };
@@ -358,19 +361,20 @@ fn unusual_lead(text: &[u8], words: &Words, lead: f64, starts: u64) -> Option<Di
     is_fine.then(|| Diagnostic::new(said::ThreadVeryFine { word: quoted() }, word.span))
 }
 
-/// Degrees where thousandths of a degree are counted.
+/// Reports an angle in degrees instead of thousandths of a degree.
 fn small_angle(text: &[u8], span: Span, angle: f64) -> Option<Diagnostic> {
     let word = quote(text, span);
     if angle <= 0.0 || angle >= 1000.0 || word.contains('.') {
         return None;
     }
-    // More is no angle in degrees: it may be a depth of G76.
+    // A larger number is not an angle in degrees: it may be a depth of G76.
     let fix = (angle <= 360.0).then(|| Fix::write(span, format!("Q{}", angle as u32 * 1000)));
     let diagnostic = Diagnostic::new(said::ThreadAngleSmall { word, degrees: angle / 1000.0 }, span);
     Some(Diagnostic { fixes: fix.into_iter().collect(), ..diagnostic })
 }
 
-/// Whether two passes may be of one thread, whatever their leads: one tool, one end, nearly one diameter.
+/// Whether two passes may belong to one thread, apart from their leads: one tool, one end, nearly one
+/// diameter.
 fn is_near(own: &Pass, before: &Pass) -> bool {
     own.tool == before.tool
         && (own.end.z - before.end.z).abs() <= NEAR
@@ -378,11 +382,11 @@ fn is_near(own: &Pass, before: &Pass) -> bool {
         && (own.end.x - before.end.x).abs() <= 2.0 * own.lead.max(before.lead)
 }
 
-/// Remarks about a G76 that has its passes.
+/// Checks G76 after its passes were made.
 pub fn multi_threading(call: &ThreadingCall, at: &Moment, reports: &mut Vec<Diagnostic>) {
     let &ThreadingCall { block, words, start, how, lead, angle, one_block } = call;
     if let Some(unusual) = unusual_lead(at.text, words, lead, 1) {
-        // What else is compared with the lead would say the same.
+        // The other comparisons with the lead would report the same mistake.
         reports.push(unusual);
         return;
     }
@@ -404,7 +408,7 @@ pub fn multi_threading(call: &ThreadingCall, at: &Moment, reports: &mut Vec<Diag
     }
 }
 
-/// P and Q of G76 with their letters exchanged, where that is what the message is about.
+/// Fixes that exchange P and Q of G76, if the message is about that.
 fn swapped_amounts(text: &[u8], words: &Words, message: &Message) -> Vec<Fix> {
     let (Some(p), Some(q), true) =
         (words.peek(b'P'), words.peek(b'Q'), message.is::<said::ThreadFirstDepth>())
@@ -423,7 +427,7 @@ fn swapped_amounts(text: &[u8], words: &Words, message: &Message) -> Vec<Fix> {
     vec![Fix { title, safe: false, edits: edits.into() }]
 }
 
-/// The tool returns to the start X after each pass: it must clear the crest.
+/// Reports a start X inside the crest: the tool returns to it after each pass.
 fn start_clears_crest(block: &Block, start: Point, how: &MultiThread) -> Option<Diagnostic> {
     let external = how.end.x < start.x;
     let crest = if external { how.end.x + how.height } else { how.end.x - how.height };
@@ -431,7 +435,7 @@ fn start_clears_crest(block: &Block, start: Point, how: &MultiThread) -> Option<
     if !inside {
         return None;
     }
-    // Exactly at the crest that P gives: the work may have been turned a little smaller.
+    // Exactly at the crest that P gives: the workpiece may have been turned slightly smaller.
     let at_crest = (start.x - crest).abs() <= NEAR;
     let [start, crest] = [start.x, crest].map(|radius| Diameter::from_radius(radius).mm());
     let message: Message = match at_crest {
@@ -442,18 +446,18 @@ fn start_clears_crest(block: &Block, start: Point, how: &MultiThread) -> Option<
     Some(if at_crest { diagnostic.graded(Severity::Info) } else { diagnostic })
 }
 
-/// What the setup says that matters for a thread.
+/// Values of the setup that matter for a thread.
 #[derive(Clone, Copy, Debug)]
 struct Known {
-    /// Z of the face of the blank, mm, if one is given.
+    /// Z of the face of the blank, mm, if given.
     face: Option<f64>,
     /// K of n ≤ 1200/P − K, rpm.
     margin: f64,
 }
 
-/// Remarks about a pass: its speed, and whether it meets the pass before it. `fits`: it begins where the thread has a
-/// groove or another start, or a word gives the angle at which it starts. `starts`: of how many starts the thread is.
-/// `known`: what the setup says. `span`: the block.
+/// Remarks about a pass: its speed, and whether it fits the pass before it. `fits`: it begins in a groove or
+/// at another start of the thread, or a word gives its start angle. `starts`: number of starts of the thread.
+/// `known`: values of the setup. `span`: the block.
 fn remarks(
     own: &Pass,
     before: Option<&Pass>,
@@ -494,14 +498,14 @@ fn remarks(
     diagnostics
 }
 
-/// Whether a pass begins as far to the side as infeed along a flank leads it, which is
-/// up to 30° off the square.
+/// Whether the start of a pass is shifted sideways by an infeed along a flank, which is up to 30° from
+/// perpendicular.
 fn is_along_flank(moved: f64, deeper: f64) -> bool {
     const STEEPEST: f64 = std::f64::consts::FRAC_PI_6;
     moved.abs() <= deeper * STEEPEST.tan() + NEAR
 }
 
-/// Two passes with one tool, lead and end are one thread.
+/// Whether two passes belong to one thread: same tool, lead and end.
 fn is_same_thread(own: &Pass, before: &Pass) -> bool {
     own.tool == before.tool
         && (own.lead - before.lead).abs() <= NEAR
@@ -509,7 +513,7 @@ fn is_same_thread(own: &Pass, before: &Pass) -> bool {
         && own.end.z < own.start.z
 }
 
-/// Whether a pass of the same thread began at the same start of it, be it some leads away.
+/// Whether a pass of the same thread began at the same start of it, possibly some leads away.
 fn is_same_start(own: &Pass, before: &Pass) -> bool {
     is_same_thread(own, before) && is_whole_lead(own.start.z - before.start.z, own.lead)
 }
@@ -520,18 +524,20 @@ fn is_whole_lead(moved: f64, lead: f64) -> bool {
     (turns - turns.round()).abs() * lead <= NEAR
 }
 
-/// Whether a shift of the start leads to the same groove, or so little beside it that the groove only gets wider.
+/// Whether a shift of the start leads to the same groove, or so close beside it that the groove only gets
+/// wider.
 fn is_in_groove(moved: f64, lead: f64) -> bool {
     let turns = moved / lead;
     (turns - turns.round()).abs() * lead <= BESIDE * lead + NEAR
 }
 
-/// Whether a shift of the start is a whole number of leads, or leads to another start of a thread of several.
+/// Whether a shift of the start is a whole number of leads, or leads to another start of a multi-start
+/// thread.
 fn is_start_of_lead(moved: f64, lead: f64) -> bool {
     (1..=STARTS).any(|starts| is_whole_lead(moved, lead / f64::from(starts)))
 }
 
-/// δ1 = 3.605 · n·L / 1800: what a slide needs to reach its speed.
+/// δ1 = 3.605 · n·L / 1800: the distance in which a slide reaches its speed.
 fn run_in(own: &Pass, face: Option<f64>) -> Option<Message> {
     let face = face?;
     if own.start.z <= face || own.end.z >= face {
@@ -541,13 +547,13 @@ fn run_in(own: &Pass, face: Option<f64>) -> Option<Message> {
     (have < need).then_some(said::ThreadRunIn { have, need }.into())
 }
 
-/// What of the amounts of a G76 does not fit: the height of a 60° thread is 0.5 to 0.75 of its pitch, and
-/// more than the first cut. Lengths in mm, the angle in degrees.
+/// Checks the parameters of G76: the height of a 60° thread is 0.5 to 0.75 of its pitch, and more than the
+/// first cut. Lengths in mm, the angle in degrees.
 fn amounts(height: f64, first: f64, lead: f64, angle: f64) -> Option<Message> {
     if first > height + NEAR {
         return Some(said::ThreadFirstDepth { first, height }.into());
     }
-    // A thread of two or three starts is lower, measured by its lead.
+    // Relative to its lead, a thread with two or three starts is lower.
     let share = height / lead;
     let unusual = angle == 60.0 && !(0.2..=1.0).contains(&share);
     let usual = 0.001 * (650.0 * lead).round();

@@ -1,4 +1,4 @@
-//! Tool changes: where the turret turns.
+//! Lint for tool changes: the place where the turret turns.
 
 use crate::control::events::Moment;
 use crate::control::words::quote;
@@ -8,29 +8,30 @@ use crate::setup::Stock;
 use crate::text::block::Word;
 use crate::units::Diameter;
 
-/// Nearer to the work than this, mm, no turret should turn.
+/// Least distance from the workpiece at which the turret should turn, mm.
 const NEAR_WORK: f64 = 20.0;
 
-/// What is remembered of tool changes.
+/// The state of the lint.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct ToolChanges {
-    /// Where on the workpiece the tip stood when a code sent the tool home; where home is the program does not say.
+    /// Position of the tip on the workpiece when a code sent the tool home; the program does not contain the
+    /// home position.
     sent_home_from: Option<Point>,
 }
 
 impl ToolChanges {
-    /// G28 or G30, in a block before the T word or in its own.
+    /// Handles G28 or G30, in a block before the T word or in its own block.
     pub fn home(&mut self, at: &Moment) {
         self.sent_home_from = Some(on_workpiece(at));
     }
 
-    /// The turret turns.
+    /// Checks a turn of the turret.
     pub fn turns(&self, word: &Word, at: &Moment) -> Option<Diagnostic> {
         let tip = at.state.position;
         let near = |stock: &Stock| {
             tip.x.abs() < stock.diameter.radius() + NEAR_WORK && tip.z < stock.face + NEAR_WORK
         };
-        // Wherever it goes from there, the program says so.
+        // After a move home the position is unknown until the next move.
         let is_home = self.sent_home_from == Some(on_workpiece(at));
         let is_near = at.contour.is_none() && !is_home && at.stock().as_ref().is_some_and(near);
         let tool = || quote(at.text, word.span);
@@ -40,7 +41,7 @@ impl ToolChanges {
     }
 }
 
-/// Place of the tip on the workpiece.
+/// Position of the tip on the workpiece.
 fn on_workpiece(at: &Moment) -> Point {
     at.state.position.moved(at.state.frames.on_workpiece())
 }

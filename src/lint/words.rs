@@ -1,6 +1,6 @@
-//! Words that a move does not read, and words that a vacant variable takes away.
+//! Lints for words that a move does not read, and words that a vacant variable removes.
 //!
-//! In: the words of a block whose code does not ask for them. Out: that the control ignores them.
+//! In: the words of a block that its code does not read. Out: remarks that the control ignores them.
 
 use crate::control::doubt::Doubt;
 use crate::control::events::Moment;
@@ -12,8 +12,9 @@ use crate::source::Span;
 use crate::source::shift::Shift;
 use crate::text::block::{Block, Word};
 
-/// The first of the words that the control ignores; `unread` contains their letters. One fault, one message:
-/// P and Q mostly belong together. `code`: the code that the block carries out, which does not read them.
+/// Reports the first of the words that the control ignores; `unread` is the set of their letters. One
+/// mistake, one message: P and Q usually belong together. `code` is the executed code that does not read
+/// them.
 pub fn unread(
     block: &Block,
     words: &Words,
@@ -21,7 +22,7 @@ pub fn unread(
     code: Option<&'static str>,
     at: &Moment,
 ) -> Option<Diagnostic> {
-    // Of two words with one letter the later counts; the other was reported.
+    // If a letter occurs twice the last word is used; the other one was reported.
     let counts = |word: &&Word| words.peek(word.address).is_some_and(|own| own.span == word.span);
     let word = block
         .words
@@ -50,7 +51,8 @@ pub fn unread(
     Some(Diagnostic::new(message, word.span).with(Fix::delete(at.text, word.span)))
 }
 
-/// A word of another axis in a block of a single cycle without X and Z: the cycle does not run, and nothing moves.
+/// Reports a word of another axis in a block of a single cycle without X and Z: the cycle does not run, and
+/// nothing moves.
 pub fn without_axis(words: &Words, cycle: Single, at: &Moment) -> Option<Diagnostic> {
     let letter = b"CHYV".iter().copied().find(|&letter| words.peek(letter).is_some())?;
     let fix = Fix::delete(at.text, words.span(letter));
@@ -58,12 +60,12 @@ pub fn without_axis(words: &Words, cycle: Single, at: &Moment) -> Option<Diagnos
     Some(Diagnostic::new(message, words.span(letter)).with(fix))
 }
 
-/// The vacant variables that were reported: each once.
+/// The vacant variables that were reported, each once.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Vacant(Vec<u32>);
 
 impl Vacant {
-    /// A word is dropped because its variable is vacant.
+    /// Handles a word that is dropped because its variable is vacant.
     pub fn meets(&mut self, word: &Word, at: &Moment) -> Option<Diagnostic> {
         let (variable, diagnostic) = vacant(word, at)?;
         let is_new = self.0.len() < MOST && !self.0.contains(&variable);
@@ -73,24 +75,25 @@ impl Vacant {
         })
     }
 
-    /// What `other` has reported counts as reported.
+    /// Takes over the remarks that `other` has made.
     pub fn has_heard_of(&mut self, other: &mut Self) {
         self.0 = std::mem::take(&mut other.0);
     }
 }
 
-/// A word with a vacant variable, and its number. Arguments that a call may leave out are meant to do this.
+/// The number of the vacant variable of a word, and the remark. An optional argument of a call is intended to
+/// be vacant.
 fn vacant(word: &Word, at: &Moment) -> Option<(u32, Diagnostic)> {
     let quoted = quote(at.text, word.span);
     let variable = behind_letter(quoted.trim_start_matches(',')).trim_start_matches('-').strip_prefix('#')?;
     let variable: u32 = variable.parse().ok()?;
     let is_handed_over = at.state.variables.level() > 0 && Variables::may_be_argument(variable);
-    // What became of an assignment that was not carried out nobody knows.
+    // After an assignment that was not executed, the value is unknown.
     let is_unknown = at.state.doubts.has(Doubt::Values) || at.state.variables.lacks_arguments();
     if variable == 0 || is_handed_over || is_unknown {
         return None;
     }
-    // What is kept at power off may have a value on the machine.
+    // A variable that is kept at power-off may have a value on the machine.
     let kept = variable >= 500;
     let message: Message = match kept {
         true => said::VacantHere { word: quoted, variable }.into(),
@@ -100,8 +103,8 @@ fn vacant(word: &Word, at: &Moment) -> Option<(u32, Diagnostic)> {
     Some((variable, if kept { diagnostic.graded(Severity::Info) } else { diagnostic }))
 }
 
-/// Whether a condition asks the machine (#1000 and on) or, in a macro that is called, for its own variables (#1 to
-/// #33): its call has handed them over.
+/// Whether a condition reads a variable of the machine (#1000 and up) or, in a called macro, a local variable
+/// (#1 to #33): the call has passed its value.
 fn asks_outside(condition: &[u8], is_called: bool) -> bool {
     condition.split(|&byte| byte == b'#').skip(1).any(|behind| {
         let digits = behind.iter().skip_while(|byte| byte.is_ascii_whitespace());
@@ -112,17 +115,17 @@ fn asks_outside(condition: &[u8], is_called: bool) -> bool {
     })
 }
 
-/// What is remembered of WHILE: each loop, and whether it was entered.
+/// All WHILE loops, and whether they were entered.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Loops(Vec<(Span, bool)>);
 
-/// More loops, and more vacant variables, than a program has.
+/// Most loops and most vacant variables; programs have fewer.
 const MOST: usize = 200;
 
 impl Loops {
-    /// A loop begins, or is skipped.
+    /// Handles a loop that begins or is skipped.
     pub fn meets(&mut self, statement: Span, enter: bool, at: &Moment) {
-        // What comes from outside may be another value the next time.
+        // A value from outside may be different next time.
         let may_enter = enter || asks_outside(statement.of(at.text), at.state.variables.level() > 0);
         if let Some(own) = self.0.iter_mut().find(|own| own.0 == statement) {
             own.1 |= may_enter;
@@ -131,18 +134,18 @@ impl Loops {
         }
     }
 
-    /// The run ends: what was never entered.
+    /// Reports, at the end of the run, the loops that were never entered.
     pub fn report(&mut self, reports: &mut Vec<Diagnostic>) {
         let never = self.0.iter().filter(|own| !own.1);
         reports.extend(never.map(|own| Diagnostic::new(said::LoopNotEntered, own.0)));
     }
 
-    /// What `other` has seen counts as seen.
+    /// Takes over the loops that `other` has seen.
     pub fn has_heard_of(&mut self, other: &mut Self) {
         self.0 = std::mem::take(&mut other.0);
     }
 
-    /// Moves places along.
+    /// Shifts the stored spans after an edit.
     pub fn shift(&mut self, shift: &Shift) {
         self.0.iter_mut().for_each(|own| own.0 = shift.span(own.0));
     }

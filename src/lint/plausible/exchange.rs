@@ -1,4 +1,4 @@
-//! X and Z that have each other's value, where the program names the place several times the other way round.
+//! Lint: exchanged values of X and Z, if the program names the same place several times the other way round.
 
 use std::collections::BTreeMap;
 
@@ -7,11 +7,11 @@ use crate::control::words::behind_letter;
 use crate::message::{Diagnostic, Edit, Fix, Repair, said};
 use crate::text::block::BlockKind;
 
-/// So often the place must be named the other way round.
+/// Least number of times that the place is named the other way round.
 const LEAST: usize = 2;
 
 impl Program<'_> {
-    /// A block whose X and Z are exchanged.
+    /// Reports a block whose X and Z are exchanged.
     pub(super) fn exchanged(&self) -> Vec<Diagnostic> {
         let mut places: Vec<(usize, &Word, &Word)> = Vec::new();
         for (index, row) in self.rows.iter().enumerate().filter(|(_, row)| row.moves_at_rapid) {
@@ -56,8 +56,8 @@ impl Program<'_> {
         diagnostics
     }
 
-    /// Whether the tool only leaves the work in a block: before it moves on another tool is called, the spindle or
-    /// the coolant stops, or the program ends.
+    /// Whether the tool only leaves the workpiece in a block: before the next move another tool is called,
+    /// the spindle or the coolant stops, or the program ends.
     fn goes_away(&self, index: usize) -> bool {
         let own = self.words_of(&self.rows[index]);
         let is_last = own.iter().any(|word| stops(word) || word.address == b'T' && word.value % 100.0 == 0.0);
@@ -65,7 +65,7 @@ impl Program<'_> {
         is_last || behind.find_map(|row| self.shows_whether_left(row)).unwrap_or(true)
     }
 
-    /// Whether a block shows that the tool has left the work; nothing where it does not say.
+    /// Whether a block shows that the tool has left the workpiece; `None` if it does not show either.
     fn shows_whether_left(&self, row: &Row) -> Option<bool> {
         let words = self.words_of(row);
         let leaves = |word: &Word| match word.address {
@@ -86,7 +86,7 @@ impl Program<'_> {
     }
 }
 
-/// Whether an M code ends the work of a tool or of the program, at least for now.
+/// Whether an M code ends the work of a tool or of the program, at least temporarily.
 fn stops(word: &Word) -> bool {
     word.address == b'M' && matches!(word.value, 0.0 | 1.0 | 2.0 | 5.0 | 6.0 | 9.0 | 30.0 | 99.0)
 }

@@ -1,11 +1,12 @@
-//! U where X was meant: increments among places.
+//! Lint: U instead of X, increments among places.
 
 use super::{Program, is_among, round};
 use crate::message::{Diagnostic, Fix, said};
 use crate::units::Diameter;
 
 impl Program<'_> {
-    /// `X16`, `U24`, `X36`: a U whose number is a place between its neighbours, but leads beyond them.
+    /// Reports a U as in `X16`, `U24`, `X36`: its number is a place between its neighbours, but as an
+    /// increment it goes beyond them.
     pub(super) fn increments_in_row(&self) -> Vec<Diagnostic> {
         let mut diagnostics = Vec::new();
         let places = self.places().filter(|word| is_among(b"XZ", word.address)).count();
@@ -42,12 +43,12 @@ impl Program<'_> {
         diagnostics
     }
 
-    /// A single U among places: where it leads, nothing else of the program is.
+    /// Reports a single U among places if nothing else in the program is at its end point.
     pub(super) fn increments(&self) -> Vec<Diagnostic> {
         let moves =
             |letters: &'static [u8]| self.places().filter(move |word| is_among(letters, word.address));
         let (places, increments) = (moves(b"XZ").count(), moves(b"UW").count());
-        // Who counts in increments now and then means it.
+        // A program that uses increments several times intends them.
         if increments == 0 || increments > 2 || places < 3 * increments {
             return Vec::new();
         }
@@ -64,7 +65,7 @@ impl Program<'_> {
             let with_place = self.words_of(row).iter().any(|other| other.address == b'Z');
             let known = |place: f64| moves(b"X").any(|other| (other.value * self.unit - place).abs() < 0.001);
             let farthest = moves(b"X").map(|other| other.value * self.unit).fold(0.0, f64::max);
-            // A little out is a retract or a taper.
+            // A short move outwards is a retract or a taper.
             let small = value <= 10.0;
             let suspicious = !known(leads) && (with_place || leads > farthest + 0.001 || known(value));
             if small || !suspicious {

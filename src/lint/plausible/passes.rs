@@ -1,26 +1,26 @@
-//! How a tool came to a move: from where, by which cuts, and what was cut before.
+//! The context of a move: the path of the tool to it, and the previous cuts.
 //!
-//! In: motions, in order. Out: the pass under way.
+//! In: motions in order. Out: the current pass.
 
 use crate::geometry::Point;
 use crate::motion::{Glance, MotionKind, Motions};
 
-/// At or over the centre, mm: a facing cut ends here.
+/// Largest X of a facing cut's end, mm: at or past the centre.
 pub(super) const CENTRE: f64 = 0.5;
 
-/// The cuts of a tool since its last rapid, and the face that earlier cuts have made.
+/// The cuts of a tool since its last rapid, and the face made by earlier cuts.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Pass {
-    /// Motions taken in so far.
+    /// Number of motions that were added.
     next: usize,
-    /// Where its first cut begins; nothing before a cut.
+    /// Start of its first cut; `None` before a cut.
     pub begins: Option<Point>,
-    /// Its last cut; nothing before the first.
+    /// Its last cut; `None` before the first.
     pub before: Option<Glance>,
     /// Z of the lowest face that was cut to the centre, mm.
     faced: Option<f64>,
     tool: u16,
-    /// The farthest Z at which earlier tools, and the tool under way, began their cuts, mm.
+    /// The farthest Z at which earlier tools, and the current tool, began their cuts, mm.
     others: Option<f64>,
     own: Option<f64>,
 }
@@ -30,7 +30,7 @@ fn farther(front: Option<f64>, z: f64) -> Option<f64> {
 }
 
 impl Pass {
-    /// Takes in the motions before `to`. They are asked for in order.
+    /// Adds the motions before `to`, which must not decrease from call to call.
     pub fn advance(&mut self, motions: &Motions, to: usize) {
         for index in self.next..to {
             self.take(motions.glance(index));
@@ -71,8 +71,8 @@ impl Pass {
         self.before = Some(motion);
     }
 
-    /// The Z beyond which nothing of the blank is left: a face was cut there, or other tools
-    /// than `tool` began their cuts.
+    /// The Z beyond which the blank has no material: a face was cut there, or other tools than `tool` began
+    /// their cuts.
     pub fn empty_beyond(&self, tool: u16) -> Option<f64> {
         let others = match self.own.filter(|_| tool != self.tool) {
             Some(own) => farther(self.others, own),

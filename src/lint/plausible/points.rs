@@ -1,4 +1,5 @@
-//! Lost decimal points: zeros that pad, single numbers without a point, places far beyond all others.
+//! Lints for lost decimal points: leading zeros, single numbers without a point, places far beyond all
+//! others.
 
 use std::collections::BTreeMap;
 
@@ -9,7 +10,7 @@ use crate::setup::dialect::DecimalRule;
 use crate::units::Diameter;
 
 impl Program<'_> {
-    /// `F02`, `R05`: a zero in front of a number without a point.
+    /// Reports a leading zero in a number without a point: `F02`, `R05`.
     pub(super) fn leading_zeros(&self) -> Vec<Diagnostic> {
         let numbers = b"XZUWRFIKCA";
         let padded = |word: &&Word| {
@@ -18,13 +19,13 @@ impl Program<'_> {
             let digits: Vec<u8> = digits.copied().collect();
             word.value != 0.0 && digits.len() >= 2 && digits[0] == b'0'
         };
-        // Where numbers without a point count increments, zeros in front of a length are a habit.
+        // If numbers without a point count increments, leading zeros of a length are a habit.
         let numbers: &[u8] = if self.decimal == DecimalRule::LeastIncrement { b"F" } else { numbers };
         let bare = |word: &&Word| {
             is_among(numbers, word.address) && word.decimals.is_none() && !self.is_threads_per_inch(word)
         };
         let found: Vec<&Word> = self.words.iter().filter(bare).filter(padded).collect();
-        // Who pads lengths more than once, `Z02` and `X00`, counts on it; nobody pads a feed.
+        // Leading zeros in several lengths, `Z02` and `X00`, are a habit; in a feed they never are.
         let zero = |word: &&Word| {
             is_among(b"XZUW", word.address)
                 && word.value == 0.0
@@ -44,13 +45,13 @@ impl Program<'_> {
         alone.map(tell).collect()
     }
 
-    /// I of a thread on GSK controls: so many to the inch, which is mostly a whole number.
+    /// Whether a word is I of a thread on GSK controls: threads per inch, usually a whole number.
     fn is_threads_per_inch(&self, word: &Word) -> bool {
         word.address == b'I' && !word.negative && self.rows[word.block].thread
     }
 
-    /// A single number without a point in a program that writes points, unless it is
-    /// meant to count increments.
+    /// Reports a single number without a point in a program that uses points, unless such numbers count
+    /// increments.
     pub(super) fn missing_points(&self) -> Vec<Diagnostic> {
         if self.decimal == DecimalRule::LeastIncrement {
             return Vec::new();
@@ -75,12 +76,12 @@ impl Program<'_> {
             let diagnostic = Diagnostic::new(message, word.span);
             Diagnostic { fixes: self.with_point(word), ..diagnostic }
         };
-        // A place far away is often a round number.
+        // A distant place is often a round number.
         let cuts = |word: &&Word| self.is_cut(&self.rows[word.block]);
         bare.into_iter().filter(cuts).map(tell).collect()
     }
 
-    /// The word with a point where its like have theirs, and with one at its end.
+    /// Fixes that put a point where similar words have it, and at the end of the number.
     pub(super) fn with_point(&self, word: &Word) -> Vec<Fix> {
         let written = self.quote(word);
         let alike =
@@ -93,7 +94,7 @@ impl Program<'_> {
         order::by_key(&mut usual, |&(decimals, count)| (std::cmp::Reverse(count), decimals));
         let mut decimals: Vec<u8> = usual.into_iter().map(|(decimals, _)| decimals).collect();
         decimals.extend([1, 2, 3]);
-        // Others have it at their end.
+        // Other words have it at their end.
         decimals.push(0);
         let digits = written.bytes().filter(u8::is_ascii_digit).count();
         let mut texts: Vec<String> = Vec::new();
@@ -108,7 +109,7 @@ impl Program<'_> {
         texts.into_iter().map(|text| Fix::write(word.span, text)).collect()
     }
 
-    /// Where a word leads, mm as people write it.
+    /// End point of a word, mm, in the notation of programs.
     pub(super) fn leads_to(&self, word: &Word) -> Option<f64> {
         let value = word.value * self.unit;
         let (from, to) = self.rows[word.block].motions?;
@@ -122,7 +123,7 @@ impl Program<'_> {
         place.filter(|_| from < to)
     }
 
-    /// A place far beyond all others.
+    /// Reports a place far beyond all others.
     pub(super) fn far_off(&self) -> Vec<Diagnostic> {
         let start = if self.motions.is_empty() { Default::default() } else { self.motions.glance(0).from };
         let mut diagnostics = Vec::new();
@@ -141,7 +142,7 @@ impl Program<'_> {
             let cut = far(&mut others().filter(|other| other.2).map(|other| other.0.abs()));
             let next = far(&mut others().map(|other| other.0.abs())).max(begins);
             let cut_others = others().filter(|other| other.2).count();
-            // A retreat may go farther than all cuts; a cut hardly farther than the retreat.
+            // A retract may go farther than all cuts; a cut hardly ever farther than the retract.
             let (limit, farthest) = match cuts && cut_others >= 2 {
                 true => (2.0 * cut + 50.0, cut),
                 false => (3.0 * next + 50.0, next),

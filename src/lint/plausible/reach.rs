@@ -1,4 +1,4 @@
-//! Blocks that nothing leads to: they stand after the end of their program.
+//! Lint: blocks that cannot be reached, after the end of their program.
 
 use std::collections::BTreeSet;
 
@@ -8,7 +8,8 @@ use crate::order;
 use crate::text::block::BlockKind;
 
 impl Program<'_> {
-    /// Moves after M02 or M30, or after the M99 of a subprogram, to which no jump, call or contour leads.
+    /// Reports moves after M02 or M30, or after the M99 of a subprogram, that no jump, call or contour
+    /// reaches.
     pub(super) fn unreached(&self) -> Vec<Diagnostic> {
         let mut diagnostics = Vec::new();
         let mut after: Option<usize> = None;
@@ -18,7 +19,7 @@ impl Program<'_> {
             if row.begins || after.is_some() && row.sequence.is_some_and(&mut leads_to) {
                 after = None;
             } else if row.kind == BlockKind::Percent && after.is_some() {
-                // The file ends there; the first sign stands at its head.
+                // The second percent sign ends the file; the first one is at its head.
                 break;
             } else if let Some(end) = after.filter(|_| self.names_place(index)) {
                 let word = self.words[end].span.quote(self.text);
@@ -34,8 +35,8 @@ impl Program<'_> {
         diagnostics
     }
 
-    /// Whether what follows the end in a block is started by a search: its first block has a sequence number
-    /// and moves nothing, and it has an end of its own.
+    /// Whether the section after an end is started by a block search: its first block has a sequence number
+    /// and moves nothing, and the section has its own end.
     fn is_searched_for(&self, end: usize) -> bool {
         let section = || {
             let behind = self.rows.iter().enumerate().skip(end + 1);
@@ -53,10 +54,10 @@ impl Program<'_> {
     }
 }
 
-/// The numbers by which blocks may be looked for: P and Q of a cycle, a call or M99, and those of GOTO.
+/// The sequence numbers that are searched for: P and Q of a cycle, a call or M99, and targets of GOTO.
 struct Named {
     numbers: BTreeSet<u32>,
-    /// A number of GOTO comes from a variable: it may be any.
+    /// Whether the target of a GOTO is a variable, and so may be any number.
     any: bool,
 }
 

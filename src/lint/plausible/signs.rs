@@ -1,8 +1,8 @@
-//! Lost minus signs: a Z that cuts away from the chuck.
+//! Lint: lost minus signs, a Z that cuts away from the chuck.
 //!
-//! A positive Z is often meant: the tool leaves over the face, comes out of a bore, works from the chuck
-//! outward or in the sub-spindle. `passes` states how a tool came to a move; only where no such reading
-//! is left is a minus missed.
+//! A positive Z is often intended: the tool leaves over the face, comes out of a bore, or works from the
+//! chuck outwards or in the sub-spindle. `passes` has the context of a move; a minus is only reported as
+//! missing if none of these explanations applies.
 
 use crate::order;
 use std::collections::{BTreeMap, BTreeSet};
@@ -13,25 +13,25 @@ use crate::geometry::Point;
 use crate::message::{Diagnostic, Fix, said};
 use crate::motion::{Motion, MotionKind, SpindleTurn, Step};
 
-/// The farthest that a tool leaves the face at feed before the next rapid, mm.
+/// Greatest distance that a tool leaves the face at feed before the next rapid, mm.
 const LEAVES: f64 = 10.0;
 
-/// What a tool may go on beyond the place where cuts begin, mm.
+/// Greatest distance that a tool continues beyond the place where cuts begin, mm.
 const OVERRUN: f64 = 3.0;
 
 /// Where and how the motions of a program cut.
 #[derive(Default)]
 struct Cuts {
-    /// The Z at which cuts begin after a rapid, mm: in front of the work.
+    /// The Z at which cuts begin after a rapid, mm: in front of the workpiece.
     front: Option<f64>,
-    /// A cut is made with the spindle turning.
+    /// Whether a cut is made with the spindle turning.
     turns: bool,
-    /// The tools that cut toward the chuck: one that never does works on the other side.
+    /// The tools that cut towards the chuck: a tool that never does works on the other side.
     inward: BTreeSet<u16>,
 }
 
 impl Program<'_> {
-    /// `Z-8`, `Z18`, `Z-24`: a Z without its minus in a row that goes one way with it.
+    /// Reports a Z without its minus in a monotone row, as in `Z-8`, `Z18`, `Z-24`.
     pub(super) fn lost_minus_in_row(&self) -> Vec<Diagnostic> {
         let mut diagnostics = Vec::new();
         let other_frame = self.other_frame();
@@ -55,19 +55,19 @@ impl Program<'_> {
                     && !self.rows[word.block + 1..=behind.block].iter().any(|row| row.moves_at_rapid)
             };
             let flagged = match behind.filter(in_one_go) {
-                // Between its neighbours with the minus, and the next one lies at −Z.
+                // With the minus it is between its neighbours, and the next one is at −Z.
                 Some(behind) => {
                     let (low, high) = (before.value.min(behind.value), before.value.max(behind.value));
                     behind.negative && low <= meant && meant <= high && word.value > before.value + 0.001
                 }
-                // A contour leads into the work, and so does an arc.
+                // A contour goes into the workpiece, and so does an arc.
                 None if row.contour && before.value >= 0.0 && !self.rows[before.block].contour => {
                     word.value > before.value + 0.001
                 }
                 None if row.arc && before.value.abs() < 0.001 => {
                     !self.comes_from_behind(word) && !self.has_several_frames()
                 }
-                // The last of a row that went on that way: no retreat goes so far.
+                // The last of a row, which would continue in its direction: retracts are shorter.
                 None => {
                     let near = word.value <= 3.0 * before.value.abs() && word.value * self.unit >= 5.0;
                     before.negative
@@ -84,7 +84,8 @@ impl Program<'_> {
         diagnostics
     }
 
-    /// Two moves along Z alone and then no further cut: the tool comes back the way it went.
+    /// Whether there are two moves along Z alone and then no further cut: the tool returns along the same
+    /// path.
     fn draws_back(&self, before: &Word, word: &Word) -> bool {
         let row = &self.rows[word.block];
         let along_z = |row: &Row| !self.words_of(row).iter().any(|word| is_among(b"XU", word.address));
@@ -96,7 +97,8 @@ impl Program<'_> {
         !cycle && !goes_on && moves.all(along_z)
     }
 
-    /// The last rapid along Z before a word ended on the chuck side of the face: what follows cuts outward.
+    /// Whether the last rapid along Z before a word ended on the chuck side of the face, so that the next cut
+    /// goes outwards.
     fn comes_from_behind(&self, word: &Word) -> bool {
         let stretch = self.rows[..word.block].iter().rev().take_while(|row| !row.parts);
         let rapids = stretch.filter(|row| row.moves_at_rapid);
@@ -105,7 +107,7 @@ impl Program<'_> {
         lengths.next().is_some_and(|length| length.negative && length.value != 0.0)
     }
 
-    /// The tool came in along the face, to the centre or to the bore of a tube, and now goes away from it.
+    /// Whether the tool came in along the face, to the centre or to the bore of a tube, and now leaves it.
     fn leaves_the_face(&self, before: &Word, word: &Word, behind: Option<&Word>) -> bool {
         let row = &self.rows[word.block];
         let own = |address: u8| self.words_of(row).iter().find(|word| word.address == address);
@@ -129,7 +131,7 @@ impl Program<'_> {
         if own(b'X').is_some() || first.value <= last.value {
             return false;
         }
-        // Back to where it came from, rather than on to the next diameter.
+        // Back to the start, rather than to the next diameter.
         let to = behind.map_or(self.rows.len(), |behind| behind.block + 1);
         let next = self.rows[word.block + 1..to].iter().find_map(x_of);
         next.is_some_and(|next| next.value >= 0.8 * first.value)
@@ -142,7 +144,7 @@ impl Program<'_> {
         Diagnostic::new(said::MinusMissing { word: written, meant }, word.span).with(fix)
     }
 
-    /// Where and how all motions cut, in one look at them.
+    /// How all motions cut, in a single pass.
     fn cuts(&self) -> Cuts {
         let mut cuts = Cuts::default();
         let mut last = MotionKind::Rapid;
@@ -165,11 +167,11 @@ impl Program<'_> {
         cuts
     }
 
-    /// A cut that leads away from the chuck, in front of the work: `Z20` for `Z-20`; or one
-    /// that a rapid brought there.
+    /// Reports a cut away from the chuck in front of the workpiece, `Z20` instead of `Z-20`, or a cut after a
+    /// rapid to such a place.
     pub(super) fn lost_minus(&self) -> Vec<Diagnostic> {
         let mut diagnostics = Vec::new();
-        // Most programs have none of them left, and then nobody has to look at all motions.
+        // Most programs have no candidates, and then the motions need not be searched.
         let may_be_lost = |(row, word, (from, to)): &(&Row, &Word, (usize, usize))| {
             let place = word.value * self.unit;
             match row.moves_at_rapid {
@@ -188,7 +190,7 @@ impl Program<'_> {
             let place = word.value * self.unit;
             pass.advance(self.motions, from);
             let first = self.motions.glance(from);
-            // A bar is pulled or stopped with the spindle stopped.
+            // A bar is pulled or stopped while the spindle is stopped.
             if turns && first.turn == SpindleTurn::Stopped {
                 continue;
             }
@@ -210,7 +212,7 @@ impl Program<'_> {
             .collect()
     }
 
-    /// Blocks with a Z greater than zero, and what they moved, in the order in which they ran.
+    /// Blocks with a positive Z and their motions, in the order of execution.
     fn positive_lengths(&self) -> Vec<(&Row, &Word, (usize, usize))> {
         let rows = self.rows.iter().filter(|row| row.role != Role::Other);
         let mut found: Vec<_> = rows
@@ -223,7 +225,7 @@ impl Program<'_> {
         found
     }
 
-    /// `Z3`, `Z2`, `Z1` of a facing cycle: the steps of a thick saw cut.
+    /// Whether `Z3`, `Z2`, `Z1` of a facing cycle are steps that remove a thick sawn end.
     fn faces_in_steps(&self, row: &Row) -> bool {
         let length = |row: &Row| self.words_of(row).iter().find(|word| word.address == b'Z').copied();
         let Some(own) = length(row) else { return false };
@@ -233,7 +235,7 @@ impl Program<'_> {
         cycle && next.is_some_and(|next| !next.negative && next.value < own.value)
     }
 
-    /// Whether a rapid led to `place`, and the tool then cuts straight in and comes out there.
+    /// Whether a rapid goes to `place`, and the tool then cuts straight in and comes out there.
     fn plunges(&self, to: usize, place: f64) -> bool {
         let last = self.motions.glance(to - 1);
         if last.kind != MotionKind::Rapid || last.is_of_cycle || (last.to.z - place).abs() > 0.001 {
@@ -252,25 +254,26 @@ impl Program<'_> {
         if !first.is_some_and(plunges) {
             return false;
         }
-        // Straight out again, as from a groove; a chamfer at a face goes on along Z.
+        // Straight out again, as from a groove; a chamfer at a face continues along Z.
         let out = behind.find(|motion| motion.kind != MotionKind::Dwell);
         out.is_none_or(|motion| motion.to.x > motion.from.x && (motion.to.z - place).abs() <= 0.001)
     }
 
-    /// Whether `place` is in front of a face that is cut already.
+    /// Whether `place` is in front of a face that was cut already.
     fn is_in_air(&self, pass: &Pass, from: usize, place: f64) -> bool {
         let Some(face) = pass.empty_beyond(self.motions.glance(from).station) else { return false };
         place > face + OVERRUN && !self.has_several_frames()
     }
 
-    /// Whether a motion of a block leads toward +Z to `place`, but for what a corner takes off at the end.
+    /// Whether a motion of a block goes towards +Z to `place`, apart from a corner at its end.
     fn goes_to(&self, from: usize, to: usize, place: f64) -> bool {
         (from..to)
             .map(|index| self.motions.glance(index))
             .any(|motion| leads_to(motion.from, motion.to, place))
     }
 
-    /// The first block with G55 to G59 after the first Z word: the zero point of this frame may be that of a sub-spindle.
+    /// The first block with G55 to G59 after the first Z word: the origin of this frame may be that of a
+    /// sub-spindle.
     fn other_frame(&self) -> usize {
         let first_place = self.words.iter().find(|word| word.address == b'Z').map_or(0, |word| word.block);
         let frames =
@@ -278,13 +281,13 @@ impl Program<'_> {
         frames.map(|word| word.block).find(|&block| block > first_place).unwrap_or(usize::MAX)
     }
 
-    /// G55 to G59: the zero point of another spindle may lie elsewhere.
+    /// Whether the program uses G55 to G59: the origin of another spindle may be elsewhere.
     fn has_several_frames(&self) -> bool {
         self.words.iter().any(|word| word.address == b'G' && (55.0..=59.0).contains(&word.value))
     }
 
-    /// Whether the motions of a block cut toward +Z to `place`, in front of the work,
-    /// where cuts begin at `front`.
+    /// Whether the motions of a block cut towards +Z to `place` in front of the workpiece, where cuts begin
+    /// at `front`.
     fn leads_away(&self, pass: &Pass, from: usize, to: usize, place: f64, front: f64) -> bool {
         let goes_there = |motion: &Motion| leads_to(motion.from, motion.to, place);
         let leaves = |motion: &Motion| {
@@ -296,7 +299,7 @@ impl Program<'_> {
             return false;
         }
         if first.cycle.is_some() {
-            // The infeed of G94 leads to its Z.
+            // The infeed of G94 goes to its Z.
             let infeed = |motion: &Motion| motion.cycle.is_some_and(|tag| tag.step == Step::Infeed);
             let away = |motion: &Motion| {
                 goes_there(motion) && !leaves(motion) && (motion.kind.cuts() || infeed(motion))
@@ -307,7 +310,7 @@ impl Program<'_> {
         let next = (to < self.motions.len()).then(|| self.motions.get(to));
         let goes_on = next.is_some_and(|next| next.kind.cuts());
         if pass.begins.unwrap_or(first.from).z < -0.001 || self.has_several_frames() {
-            // From the chuck outward, or in the sub-spindle.
+            // From the chuck outwards, or in the sub-spindle.
             return false;
         }
         if let Some(before) = &pass.before {
@@ -329,7 +332,7 @@ impl Program<'_> {
     }
 }
 
-/// Whether a motion leads toward +Z to `place`, but for what a corner takes off at the end.
+/// Whether a motion goes towards +Z to `place`, apart from a corner at its end.
 fn leads_to(from: Point, to: Point, place: f64) -> bool {
     (place - CORNER..=place + 0.001).contains(&to.z) && to.z > from.z + 0.001
 }

@@ -1,4 +1,4 @@
-//! T words whose station and offset differ, where those of the whole program agree.
+//! Lint: a T word whose station and offset differ, if they agree in the rest of the program.
 
 use std::collections::BTreeSet;
 
@@ -7,10 +7,10 @@ use crate::control::words::as_meant;
 use crate::message::{Diagnostic, Fix, said};
 use crate::source::Span;
 
-/// So many other tools must have the offset of their station.
+/// Least number of other tools that use the offset of their station.
 const LEAST: usize = 3;
 
-/// So far from its station a second offset is mostly numbered: T0111, T0121.
+/// Usual differences between a station and its second offset: T0111, T0121.
 const SECOND: [u64; 2] = [10, 20];
 
 /// A T word.
@@ -21,7 +21,7 @@ struct Call {
 }
 
 impl Program<'_> {
-    /// The one tool that is called with the offset of another station.
+    /// Reports the only tool that is called with the offset of another station.
     pub(super) fn other_offset(&self) -> Vec<Diagnostic> {
         let (mut calls, mut known): (Vec<Call>, BTreeSet<(u64, u64)>) = Default::default();
         for word in self.words.iter().filter(|word| word.address == b'T') {
@@ -30,7 +30,7 @@ impl Program<'_> {
                 continue;
             }
             let (station, offset) = (word.value as u64 / 100, word.value as u64 % 100);
-            // An offset that is switched off is none; a tool that is called again is no other tool.
+            // Offset 0 switches the offset off; a tool that is called again counts once.
             if offset > 0 && known.insert((station, offset)) {
                 calls.push(Call { station, offset, span: word.span });
             }
@@ -40,8 +40,9 @@ impl Program<'_> {
         let agreeing = || calls.iter().filter(|call| call.station == call.offset);
         let has_own = agreeing().any(|call| call.station == odd.station);
         let is_of_other = agreeing().any(|call| call.station == odd.offset);
-        // A second offset of a station that also has its own is usual, as for the other edge of a grooving insert.
-        // So is one that is numbered as a second one, where that is no other tool.
+        // A second offset of a station that also uses its own is usual, for example for the other edge of a
+        // grooving insert. So is an offset with the number of a second one, unless that is the number of
+        // another tool.
         let is_numbered_as_second = SECOND.map(|way| odd.station + way).contains(&odd.offset)
             && !calls.iter().any(|call| call.station == odd.offset);
         if agreeing().count() < LEAST || has_own && !is_of_other || is_numbered_as_second {
