@@ -1,13 +1,13 @@
-//! Boxes in the plane of the lathe.
+//! Bounding boxes in the plane of the lathe.
 //!
-//! In: points and arcs. Out: the upright box around them, true extents of arcs included. Knows nothing of
+//! In: points and arcs. Out: the axis-parallel box around them, with the exact extents of arcs. Must not know
 //! pixels.
 
 use std::f64::consts::{FRAC_PI_2, TAU};
 
 use super::{Arc, Point, Turn, wrapped};
 
-/// An upright box; both corners in mm, `x` a radius.
+/// An axis-parallel box; both corners in mm, `x` a radius.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Bounds {
     /// Smallest radius and smallest Z, mm.
@@ -17,7 +17,7 @@ pub struct Bounds {
 }
 
 impl Bounds {
-    /// The box that holds one point.
+    /// The box of a single point.
     pub fn of(point: Point) -> Self {
         Self { min: point, max: point }
     }
@@ -27,7 +27,7 @@ impl Bounds {
         Self::of(a).with(b)
     }
 
-    /// The box around an arc: its ends, and the outermost points of the circle that it passes.
+    /// The box around an arc: its ends, and the quarter points of the circle that it passes.
     pub fn of_arc(arc: &Arc) -> Self {
         let mut bounds = Self::around(arc.start, arc.end);
         let (start, sweep) = (arc.start_angle(), arc.sweep());
@@ -44,7 +44,7 @@ impl Bounds {
         bounds
     }
 
-    /// The smallest box that also holds `point`.
+    /// The box extended to contain `point`.
     pub fn with(self, point: Point) -> Self {
         Self {
             min: Point::new(self.min.x.min(point.x), self.min.z.min(point.z)),
@@ -52,12 +52,12 @@ impl Bounds {
         }
     }
 
-    /// The smallest box that holds both.
+    /// The smallest box that contains both.
     pub fn union(self, other: Bounds) -> Self {
         self.with(other.min).with(other.max)
     }
 
-    /// The box with `margin`, mm, more on every side.
+    /// The box extended by `margin`, mm, on every side.
     pub fn grown(self, margin: f64) -> Self {
         Self {
             min: Point::new(self.min.x - margin, self.min.z - margin),
@@ -89,7 +89,7 @@ impl Bounds {
     }
 }
 
-/// The union of two boxes either of which may be missing.
+/// The union of two optional boxes.
 pub fn join(a: Option<Bounds>, b: Option<Bounds>) -> Option<Bounds> {
     match (a, b) {
         (Some(a), Some(b)) => Some(a.union(b)),
@@ -113,7 +113,7 @@ mod tests {
 
     #[test]
     fn arcs_reach_as_far_as_they_bulge() {
-        // (x, z): a quarter from the right-most to the top-most point, either way round.
+        // (x, z): a quarter from the right-most to the top-most point, in both directions.
         check((0.0, 10.0), (10.0, 0.0), (0.0, 0.0), Turn::Counterclockwise, [0.0, 10.0, 0.0, 10.0]);
         check((0.0, 10.0), (10.0, 0.0), (0.0, 0.0), Turn::Clockwise, [-10.0, 10.0, -10.0, 10.0]);
         check((6.0, 8.0), (6.0, -8.0), (0.0, 0.0), Turn::Counterclockwise, [6.0, 10.0, -8.0, 8.0]);

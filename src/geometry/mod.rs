@@ -1,16 +1,16 @@
 //! Points, arcs and the named tolerances of the whole project.
 //!
 //! Everything is in millimetres in the plane of the lathe: `z` along the spindle, to the right; `x` the
-//! **radius** from the spindle axis, upwards. Seen so, a counter-clockwise turn is to the left.
+//! **radius** from the spindle axis, upwards. In this view a counter-clockwise turn is to the left.
 
 pub mod bounds;
 pub mod virtual_plane;
 
-/// Two lengths nearer than this, in mm, count as equal: binary rounding would decide otherwise.
+/// Lengths that differ by at most this, mm, are equal: otherwise binary rounding would decide.
 pub const SAME: f64 = 1e-6;
 
-/// The nearest value that is not below `low` and not above `high`. Unlike `clamp` it has no panic, which
-/// would bring the standard library's number formatting into the page's module.
+/// Limits a value to `low` to `high`. Unlike `clamp` it cannot panic, which would add the number formatting
+/// of the standard library to the page's module.
 pub fn within(value: f64, low: f64, high: f64) -> f64 {
     if value < low {
         low
@@ -21,49 +21,49 @@ pub fn within(value: f64, low: f64, high: f64) -> f64 {
     }
 }
 
-/// A place in the plane of the lathe.
+/// A point in the plane of the lathe.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Point {
-    /// Radius, mm, from the spindle axis; negative beyond the axis.
+    /// Radius from the spindle axis, mm; negative beyond the axis.
     pub x: f64,
-    /// Length, mm, along the spindle axis; towards the tailstock is positive.
+    /// Position along the spindle axis, mm; positive towards the tailstock.
     pub z: f64,
 }
 
 impl Point {
-    /// The point at radius `x` and length `z`, both in mm.
+    /// The point at radius `x` and position `z`, both in mm.
     pub fn new(x: f64, z: f64) -> Self {
         Self { x, z }
     }
 
-    /// The point farther by a radius and a length, mm.
+    /// The point displaced by a radius and a length, mm.
     pub fn moved(self, by: Point) -> Self {
         Self { x: self.x + by.x, z: self.z + by.z }
     }
 
-    /// The point mirrored about zero: what [`Point::moved`] takes to go back.
+    /// The opposite displacement: reverses [`Point::moved`].
     pub fn opposite(self) -> Self {
         Self { x: -self.x, z: -self.z }
     }
 
-    /// Straight distance to another point, mm.
+    /// Distance to another point, mm.
     pub fn distance(self, other: Point) -> f64 {
         (self.x - other.x).hypot(self.z - other.z)
     }
 
-    /// Whether both points are the same place within [`SAME`].
+    /// Whether both points are equal within [`SAME`].
     pub fn is_same(self, other: Point) -> bool {
         (self.x - other.x).abs() <= SAME && (self.z - other.z).abs() <= SAME
     }
 }
 
-/// The remainder of a value divided by a positive period, from 0 to the period. Unlike `rem_euclid` it brings no `fmod` into
-/// the core of the module.
+/// The remainder of a value divided by a positive period, from 0 to the period. Unlike `rem_euclid` it does
+/// not add `fmod` to the core of the module.
 pub fn wrapped(value: f64, period: f64) -> f64 {
     if (0.0..period).contains(&value) { value } else { value - (value / period).floor() * period }
 }
 
-/// Which way an arc turns, seen with Z to the right and X up.
+/// Direction of an arc, seen with Z to the right and X up.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Turn {
     /// G02.
@@ -73,7 +73,7 @@ pub enum Turn {
 }
 
 impl Turn {
-    /// The other way.
+    /// The opposite direction.
     pub fn opposite(self) -> Self {
         match self {
             Self::Clockwise => Self::Counterclockwise,
@@ -82,31 +82,31 @@ impl Turn {
     }
 }
 
-/// A true arc between two points.
+/// An exact arc between two points.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Arc {
-    /// Where it begins.
+    /// Start point.
     pub start: Point,
-    /// Where it ends; the same place as `start` for a full circle.
+    /// End point; equal to `start` for a full circle.
     pub end: Point,
-    /// Its centre.
+    /// Centre.
     pub center: Point,
-    /// Which way it turns.
+    /// Direction.
     pub turn: Turn,
 }
 
 impl Arc {
-    /// Distance from centre to start, mm.
+    /// Distance from the centre to the start, mm.
     pub fn radius(&self) -> f64 {
         self.start.distance(self.center)
     }
 
-    /// Angle of the start point around the centre, radians, counter-clockwise from +Z.
+    /// Angle of the start point about the centre, radians, counter-clockwise from +Z.
     pub fn start_angle(&self) -> f64 {
         (self.start.x - self.center.x).atan2(self.start.z - self.center.z)
     }
 
-    /// Angle of the end point around the centre, radians, counter-clockwise from +Z.
+    /// Angle of the end point about the centre, radians, counter-clockwise from +Z.
     pub fn end_angle(&self) -> f64 {
         (self.end.x - self.center.x).atan2(self.end.z - self.center.z)
     }
@@ -129,8 +129,8 @@ impl Arc {
         self.sweep().abs() * self.radius()
     }
 
-    /// The point at a fraction `t` (0 start, 1 end) of the way; radius blends from start to end, so that
-    /// an end slightly off the circle is met.
+    /// The point at a fraction `t` (0 start, 1 end) of the arc. The radius is interpolated from start to end,
+    /// so that an end slightly off the circle is reached.
     pub fn at(&self, t: f64) -> Point {
         let radius = self.radius() + t * (self.end.distance(self.center) - self.radius());
         let angle = self.start_angle() + t * self.sweep();

@@ -1,26 +1,26 @@
-//! Polar (G12.1) and cylindrical (G07.1) interpolation, and the planes of a machine with a Y axis: the plane a
-//! program moves in, and what the machine makes of it.
+//! Polar (G12.1) and cylindrical (G07.1) interpolation, and the planes of a machine with a Y axis: transforms
+//! between the plane of the program and the axes of the machine.
 //!
-//! In: points of the plane. Out: radius, Y and length of the tool, and the angle of C. In the plane
-//! `z` is the first axis, to the right, and `x` the second, upwards, both in mm: X as a radius and C for
-//! the end face (seen from the tailstock), Z and the unrolled circumference for the cylinder, two of X, Y and Z
-//! as [`Flat`] says. Knows nothing of words and blocks.
+//! In: points of the plane. Out: radius, Y and Z of the tool, and the angle of C. In the plane `z` is the
+//! first axis, to the right, and `x` the second, upwards, both in mm: X as a radius and C for the end face
+//! (seen from the tailstock), Z and the unrolled circumference for the cylinder, two of X, Y and Z for
+//! [`Flat`]. Must not know words and blocks.
 
 use super::{Arc, Point, SAME, wrapped};
 
-/// Which plane it is.
+/// A virtual plane.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Surface {
     /// The end face: G12.1.
     Face,
     /// A cylinder about the spindle axis: G07.1.
     Cylinder {
-        /// Its radius, mm, by which angles are unrolled.
+        /// Radius by which angles are unrolled, mm.
         radius: f64,
-        /// Seen from inside, so that G02 turns the other way: under G19, whose first axis is C.
+        /// Whether it is seen from inside, so that G02 turns the other way: under G19, whose first axis is C.
         turned: bool,
     },
-    /// Two of the straight axes, on a machine with a Y axis.
+    /// Two of the linear axes, on a machine with a Y axis.
     Flat(Flat),
 }
 
@@ -35,7 +35,7 @@ pub enum Flat {
     Yz,
 }
 
-/// A place of the tool on a machine with a Y axis, mm.
+/// A position of the tool on a machine with a Y axis, mm.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Space {
     /// X, as a radius.
@@ -47,7 +47,7 @@ pub struct Space {
 }
 
 impl Flat {
-    /// The point of the plane of a place, and the place along the third axis.
+    /// The point in the plane of a position, and its coordinate on the third axis.
     pub fn enter(self, at: Space) -> (Point, f64) {
         match self {
             Self::Xy => (Point::new(at.y, at.x), at.z),
@@ -56,7 +56,7 @@ impl Flat {
         }
     }
 
-    /// The place of a point of the plane.
+    /// The position of a point in the plane.
     pub fn space(self, plane: Point, third: f64) -> Space {
         match self {
             Self::Xy => Space { x: plane.z, y: plane.x, z: third },
@@ -66,20 +66,20 @@ impl Flat {
     }
 }
 
-/// Most pieces of a curve that is drawn.
+/// Most pieces of a drawn curve.
 const MOST_PIECES: u32 = 1024;
 
-/// The way of a move in the plane.
+/// The path of a move in the plane.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Way {
-    /// Straight.
+    /// A line.
     Line(Point, Point),
     /// An arc.
     Arc(Arc),
 }
 
 impl Way {
-    /// The point at a fraction `t` of the way.
+    /// The point at a fraction `t` of the path.
     pub fn at(&self, t: f64) -> Point {
         match self {
             Self::Line(from, to) => Point::new(from.x + t * (to.x - from.x), from.z + t * (to.z - from.z)),
@@ -87,7 +87,7 @@ impl Way {
         }
     }
 
-    /// The same way, farther in the plane.
+    /// The path displaced in the plane.
     pub fn moved(self, by: Point) -> Self {
         match self {
             Self::Line(from, to) => Self::Line(from.moved(by), to.moved(by)),
@@ -100,7 +100,7 @@ impl Way {
         }
     }
 
-    /// Distance of the way from the origin of the plane, mm.
+    /// Least distance of the path from the origin of the plane, mm.
     pub fn distance_from_center(&self) -> f64 {
         let origin = Point::default();
         match *self {
@@ -112,7 +112,8 @@ impl Way {
             }
             Self::Arc(arc) => {
                 let ends = arc.start.distance(origin).min(arc.end.distance(origin));
-                // The point of the circle nearest to the origin lies on the ray from its centre through it.
+                // The point of the circle nearest to the origin lies on the ray from its centre through the
+                // origin.
                 let toward = (-arc.center.x).atan2(-arc.center.z) - arc.start_angle();
                 let turned = if arc.sweep() < 0.0 { -toward } else { toward };
                 if wrapped(turned, std::f64::consts::TAU) <= arc.sweep().abs() {
@@ -124,15 +125,15 @@ impl Way {
         }
     }
 
-    /// Angle about the origin from the start to the end of the way, radians, counter-clockwise: all of it,
-    /// once around for a circle about the origin.
+    /// Angle about the origin from the start to the end of the path, radians, counter-clockwise. A whole
+    /// circle about the origin gives a full turn.
     fn angle_about_center(&self) -> f64 {
         let (from, to) = (self.at(0.0), self.at(1.0));
         let (cross, dot) = (from.z * to.x - from.x * to.z, from.z * to.z + from.x * to.x);
         let straight = cross.atan2(dot);
         match self {
             Self::Arc(arc) if arc.center.distance(Point::default()) < arc.radius() - SAME => {
-                // The origin lies within the circle: the way turns about it as about its own centre.
+                // The origin lies within the circle: the path turns about it as about its centre.
                 let sweep = arc.sweep();
                 let full = std::f64::consts::TAU;
                 match (sweep.abs() >= full - 1e-12, sweep > 0.0) {
@@ -141,15 +142,16 @@ impl Way {
                     (false, false) => -wrapped(-straight, full),
                 }
             }
-            // Seen from outside, neither a line nor a circle covers half a turn.
+            // If the origin is outside, neither a line nor a circle covers half a turn.
             _ => straight,
         }
     }
 }
 
 impl Surface {
-    /// The point of the plane where the tool stands, with Y at `y` mm and C at `c` degrees, and its place along the
-    /// third axis. On the face the second axis counts from there, wherever C stands (FANUC 15i B-63324EN p. 80).
+    /// The point in the plane of a tool with Y at `y` mm and C at `c` degrees, and its coordinate on the
+    /// third axis. On the face the second axis counts from there, whatever the angle of C is (FANUC 15i
+    /// B-63324EN p. 80).
     pub fn enter(self, at: Point, y: f64, c: f64) -> (Point, f64) {
         match self {
             Self::Face => (Point::new(0.0, at.x), at.z),
@@ -158,8 +160,8 @@ impl Surface {
         }
     }
 
-    /// Where the tool stands in the machine: radius and length, mm; `third` is the place along the axis that
-    /// is not in the plane, mm: Z on the face, X as a radius on the cylinder. Y is left out.
+    /// The position of the tool in the machine: radius and Z, mm. `third` is the coordinate on the axis that
+    /// is not in the plane, mm: Z on the face, X as a radius on the cylinder. Y is ignored.
     pub fn machine(self, plane: Point, third: f64) -> Point {
         match self {
             Self::Face => Point::new(plane.x.hypot(plane.z), third),
@@ -171,8 +173,8 @@ impl Surface {
         }
     }
 
-    /// How far C turns along a way, degrees. On the face the angle is followed from neighbour to neighbour,
-    /// so that a way around the centre turns C around as well. With a Y axis C has no part in it.
+    /// The turn of C along a path, degrees. On the face the angle is tracked from point to point, so that a
+    /// path around the centre turns C around as well. With a Y axis C does not move.
     pub fn turn_along(self, way: &Way) -> f64 {
         match self {
             Self::Cylinder { radius, .. } => {
@@ -185,42 +187,41 @@ impl Surface {
     }
 }
 
-/// A move in the virtual plane.
+/// A move in a virtual plane.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct VirtualMove {
     /// The plane.
     pub surface: Surface,
-    /// Its way in the plane.
+    /// The path in the plane.
     pub way: Way,
-    /// Where it begins and ends along the third axis, mm.
+    /// Start and end on the third axis, mm.
     pub third: (f64, f64),
 }
 
 impl VirtualMove {
-    /// Where the machine is at a fraction `t` (0 start, 1 end) of the way.
+    /// The position in the machine at a fraction `t` (0 start, 1 end) of the path.
     pub fn at(&self, t: f64) -> Point {
         self.surface.machine(self.way.at(t), self.third.0 + t * (self.third.1 - self.third.0))
     }
 
-    /// The same move, farther by a radius and a length, mm.
+    /// The move displaced by a radius and a length, mm.
     pub fn moved(&self, by: Point) -> Self {
         let (plane, third) = self.surface.enter(by, 0.0, 0.0);
         Self { way: self.way.moved(plane), third: (self.third.0 + third, self.third.1 + third), ..*self }
     }
 
-    /// Whether it is one of a machine with a Y axis.
+    /// Whether it is a move of a machine with a Y axis.
     pub fn has_y(&self) -> bool {
         matches!(self.surface, Surface::Flat(_))
     }
 
-    /// Where it stands along Y at a fraction `t` of the way, mm; 0 where no Y axis moves.
+    /// Y at a fraction `t` of the path, mm; 0 if no Y axis moves.
     pub fn y_at(&self, t: f64) -> f64 {
         let Surface::Flat(flat) = self.surface else { return 0.0 };
         flat.space(self.way.at(t), self.third.0 + t * (self.third.1 - self.third.0)).y
     }
 
-    /// The same as a move over the end face, if it is one or can be looked at from there: an arc of another plane
-    /// cannot.
+    /// The same move over the end face, if it can be projected there: an arc in another plane cannot.
     pub fn over_face(&self) -> Option<Self> {
         let (way, third) = match (self.surface, self.way) {
             (Surface::Face | Surface::Flat(Flat::Xy), way) => (way, self.third),
@@ -234,7 +235,7 @@ impl VirtualMove {
         Some(Self { surface: Surface::Face, way, third })
     }
 
-    /// Length of the way, mm.
+    /// Length of the path, mm.
     pub fn length(&self) -> f64 {
         let plane = match self.way {
             Way::Line(from, to) => from.distance(to),
@@ -243,14 +244,13 @@ impl VirtualMove {
         plane.hypot(self.third.1 - self.third.0)
     }
 
-    /// The part from its start to the fraction `t`, and the part from there to its end.
+    /// The part from the start to the fraction `t`, and the part from there to the end.
     pub fn split(&self, t: f64) -> (Self, Self) {
         let (point, third) = (self.way.at(t), self.third.0 + t * (self.third.1 - self.third.0));
         let (first, second) = match self.way {
             Way::Line(from, to) => (Way::Line(from, point), Way::Line(point, to)),
             Way::Arc(arc) => {
-                // An arc that ends where it starts is a full circle: a part without
-                // length must not become one.
+                // An arc that ends at its start is a full circle: a part of zero length must not become one.
                 let part = |arc: Arc, share: f64| match share * self.length() > SAME {
                     true => Way::Arc(arc),
                     false => Way::Line(arc.start, arc.end),
@@ -264,11 +264,11 @@ impl VirtualMove {
         )
     }
 
-    /// Points along the way as the machine goes it, from start to end, so near to one another that straight
-    /// lines between them miss the true curve by no more than `chord` mm.
+    /// Points along the path in the machine, from start to end, so dense that the lines between them deviate
+    /// from the curve by at most `chord` mm.
     pub fn machine_path(&self, chord: f64) -> Vec<Point> {
         let mut pieces = 4u32;
-        // The curve has no more than a few bends, so doubling finds a fineness that is enough everywhere.
+        // The curve has only a few bends, so doubling finds a number of pieces that is enough everywhere.
         while pieces < MOST_PIECES {
             let miss = |piece: u32| {
                 let at = |t: f64| self.at((f64::from(piece) + t) / f64::from(pieces));

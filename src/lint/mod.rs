@@ -87,7 +87,7 @@ impl Observer for Lints {
     }
 
     fn set_aside(&mut self) -> Box<dyn Observer> {
-        // The state of the contours may be large, and is not reset.
+        // The state of the contours may be large, so it is not copied; `listen_after` takes it over later.
         let contours = std::mem::take(&mut self.contours);
         let aside = self.copy();
         self.contours = contours;

@@ -31,7 +31,7 @@ impl ToolChanges {
         let near = |stock: &Stock| {
             tip.x.abs() < stock.diameter.radius() + NEAR_WORK && tip.z < stock.face + NEAR_WORK
         };
-        // After a move home the position is unknown until the next move.
+        // Without a move since then, the tool is still at its home position.
         let is_home = self.sent_home_from == Some(on_workpiece(at));
         let is_near = at.contour.is_none() && !is_home && at.stock().as_ref().is_some_and(near);
         let tool = || quote(at.text, word.span);

@@ -1,9 +1,10 @@
-//! What numbers without a decimal point count, where nobody says so: units, or least input increments.
+//! The unit of numbers without a decimal point if the setup does not give it: whole units or least input
+//! increments.
 //!
-//! In: statements. Out: the rule, and the number that shows it best. Controls differ by one parameter
-//! (FANUC 3401#0, B-64114EN §8.3), and programs by habit: who runs a control that counts increments writes
-//! a point wherever he means millimetres or inches, even after a whole number. So the habit decides, and
-//! one number that no lathe can mean.
+//! In: statements. Out: the rule, and the number that is the best evidence. Controls differ by one parameter
+//! (FANUC 3401#0, B-64114EN §8.3), and programs by habit: for a control that counts increments, authors write
+//! a point in all millimetres and inches, even after a whole number. So this habit decides, together with one
+//! number that is impossible as a length on a lathe.
 
 use super::statement::{Statement, Word};
 use crate::control::codes::{G, Multiple, g_code};
@@ -12,12 +13,12 @@ use crate::setup::dialect::{CodeList, DecimalRule};
 use crate::source::Span;
 use crate::units::Unit;
 
-/// Whole coordinates with a point that show the habit. A fraction has its point on every control.
+/// Number of whole coordinates with a point that show the habit. A fraction has its point on every control.
 const HABIT: usize = 3;
-/// Least coordinates without a point of a program that has no point at all.
+/// Least number of coordinates without a point in a program without any point.
 const WITHOUT_ANY: usize = 2;
 
-/// What a number measures.
+/// The kind of a number.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Measure {
     /// A length under G21.
@@ -43,14 +44,14 @@ impl Measure {
 pub struct NumberWithoutPoint {
     /// Its word.
     pub span: Span,
-    /// The number as it is written, with its sign.
+    /// The number as written, with its sign.
     pub value: f64,
-    /// What it measures.
+    /// Its kind.
     pub measure: Measure,
 }
 
 impl NumberWithoutPoint {
-    /// What it counts under a rule, in its measure.
+    /// Its value under a rule, in the unit of its kind.
     pub fn counts(&self, rule: DecimalRule) -> f64 {
         match rule {
             DecimalRule::Calculator => self.value,
@@ -58,7 +59,7 @@ impl NumberWithoutPoint {
         }
     }
 
-    /// What is said of it under a rule; `word` as it is written.
+    /// The message about it under a rule; `word` is its word as written.
     pub fn message(&self, rule: DecimalRule, word: String) -> Message {
         let value = self.counts(rule);
         match (rule, self.measure) {
@@ -80,16 +81,16 @@ impl NumberWithoutPoint {
     }
 }
 
-/// What a word of a statement is, as far as its size is concerned.
+/// The meaning of a word in its statement, for judging its size.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Amount {
-    /// A place or a way along X, a diameter.
+    /// An absolute or incremental X, a diameter.
     Diameter,
-    /// A place or a way along Z.
+    /// An absolute or incremental Z.
     Length,
-    /// Depth of a cut, escape, allowance of a roughing or grooving cycle.
+    /// Depth of a cut, escape, or allowance of a roughing or grooving cycle.
     Cut,
-    /// What G73 takes off in all.
+    /// Total relief of G73.
     Relief,
     /// Finishing allowance of a thread.
     ThreadAllowance,
@@ -98,15 +99,15 @@ enum Amount {
 }
 
 impl Amount {
-    /// From where on no lathe can mean it as millimetres, inches or seconds.
+    /// The value from which it is impossible as millimetres, inches or seconds.
     ///
-    /// * X: a swing of 1 m. What is larger is turned on special machines; Z: 2 m, beyond most beds.
-    /// * A cut: 50 mm deep, or as much left for finishing; the deepest roughing takes about 15 mm a side.
-    ///   Under G20 10 in, since a bare `U1` is too much for inches and too little for increments, and so
-    ///   shows nothing.
-    /// * G73 takes off what a casting has too much: 100 mm at most.
+    /// * X: a swing of 1 m. Larger parts are turned on special machines; Z: 2 m, beyond most beds.
+    /// * A cut: 50 mm deep, or the same as a finishing allowance; the deepest roughing takes about 15 mm a
+    ///   side. Under G20 10 in, since `U1` without a point is too much as inches and too little as
+    ///   increments, and so is no evidence.
+    /// * G73 removes the excess of a casting: 100 mm at most.
     /// * A thread is some millimetres deep; its last cut cannot be 10 mm.
-    /// * Nobody dwells eight minutes.
+    /// * No dwell lasts eight minutes.
     fn limit(self, measure: Measure) -> f64 {
         let (millimetres, inches) = match self {
             Self::Diameter => (1000.0, 40.0),
@@ -119,8 +120,7 @@ impl Amount {
         if measure == Measure::Inch { inches } else { millimetres }
     }
 
-    /// The same where every number of the program says it: small ones do not hide that
-    /// the large ones are too many.
+    /// The same limit for a program without any point, in which many numbers are large.
     fn usual_limit(self, measure: Measure) -> f64 {
         match self {
             Self::Length => Self::Diameter.limit(measure),
@@ -128,13 +128,13 @@ impl Amount {
         }
     }
 
-    /// What the word of a letter is among the others of its statement; nothing for what is
-    /// no amount, or may be any.
+    /// The amount of the word with a letter, given its statement; `None` if it is not an amount, or may have
+    /// any size.
     fn of(letter: u8, among: &Among) -> Option<Self> {
         if among.dwells {
             return matches!(letter, b'X' | b'U').then_some(Self::Time);
         }
-        // In the first of their two blocks the cycles have amounts, in the second a contour or a place.
+        // The first of the two blocks of a cycle has amounts, the second a contour or a place.
         let of_cycle = match (among.cycle, letter) {
             (Some(Multiple::Pattern), b'U' | b'W') if !among.names_contour => Some(Self::Relief),
             (Some(Multiple::Pattern | Multiple::RoughTurning | Multiple::RoughFacing), b'U' | b'W') => {
@@ -167,12 +167,12 @@ impl Amount {
     }
 }
 
-/// What of a statement decides what its amounts are.
+/// The properties of a statement that decide the meaning of its words.
 #[derive(Clone, Copy, Debug, Default)]
 struct Among {
     /// G04.
     dwells: bool,
-    /// The multiple cycle it calls.
+    /// The multiple cycle that it calls.
     cycle: Option<Multiple>,
     /// P or Q.
     names_contour: bool,
@@ -180,11 +180,11 @@ struct Among {
     names_place: bool,
     /// F.
     has_feed: bool,
-    /// G codes.
+    /// Number of G codes.
     codes: usize,
     /// G20 or G21.
     unit: Option<Unit>,
-    /// G65, G66: its words are arguments of a macro, and what the macro makes of them.
+    /// G65 or G66: its words are arguments, whose meaning depends on the macro.
     calls_macro: bool,
 }
 
@@ -226,29 +226,29 @@ fn multiple(key: u64) -> Option<Multiple> {
     }
 }
 
-/// What the numbers of a program show.
+/// The evidence in the numbers of a program.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct DecimalEvidence {
-    /// Coordinates with a point.
+    /// Number of coordinates with a point.
     pointed: usize,
-    /// Those of them that are whole.
+    /// Number of whole coordinates among them.
     whole: usize,
-    /// Coordinates without a point, zeros left out.
+    /// Number of coordinates without a point, except zeros.
     bare: usize,
-    /// Those of them that would be too large as units.
+    /// Number of coordinates among them that would be too large as whole units.
     large: usize,
-    /// G20 is in force.
+    /// Whether G20 is active.
     inch: bool,
     /// The first number without a point.
     first: Option<NumberWithoutPoint>,
-    /// The first that is too large as a unit in a program of few numbers without a point.
+    /// The first number that is too large as whole units, in a program with few numbers without a point.
     implausible: Option<NumberWithoutPoint>,
-    /// The first that is too large as a unit in a program without points.
+    /// The first number that is too large as whole units, in a program without points.
     large_number: Option<NumberWithoutPoint>,
 }
 
 impl DecimalEvidence {
-    /// Takes in one more statement.
+    /// Adds a statement.
     pub fn take(&mut self, statement: &Statement) {
         let among = Among::of(statement);
         if among.calls_macro {
@@ -295,7 +295,7 @@ impl DecimalEvidence {
         }
     }
 
-    /// What numbers without a point count.
+    /// The rule for numbers without a point.
     pub fn rule(&self) -> DecimalRule {
         match self.evidence() {
             Some(_) => DecimalRule::LeastIncrement,
@@ -303,14 +303,14 @@ impl DecimalEvidence {
         }
     }
 
-    /// The number that shows that they count least increments.
+    /// The number that proves least increments.
     pub fn evidence(&self) -> Option<NumberWithoutPoint> {
         let habit = self.implausible.filter(|_| self.whole >= HABIT);
         let without_any = self.pointed == 0 && self.bare >= WITHOUT_ANY && 2 * self.large > self.bare;
         habit.or(self.large_number.filter(|_| without_any))
     }
 
-    /// A number without a point to show a rule by: the best there is.
+    /// The best number without a point to demonstrate a rule.
     pub fn example(&self) -> Option<NumberWithoutPoint> {
         self.evidence().or(self.implausible).or(self.first)
     }

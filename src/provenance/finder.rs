@@ -1,16 +1,15 @@
-//! Seeing the signs of other controls and machines in the statements of a text.
+//! Finds the signs of other controls and machines in the statements of a text.
 //!
-//! In: statements. Out: a [`Sign`] and its place for each thing noticed. Knows nothing
-//! of how they are weighed up.
+//! In: statements. Out: a [`Sign`] and its place for each finding. Must not know how signs are weighed.
 
 use super::signs::Sign;
 use super::statement::{Name, Statement, Word};
 use crate::source::Span;
 
-/// So many moves in X and Y are many.
+/// Number of moves in X and Y that counts as many.
 const MANY_Y: u32 = 8;
 
-/// Names that are a sign wherever they stand.
+/// Names that are a sign anywhere.
 const NAMES: [(&str, Sign); 35] = [
     ("ENDW", Sign::EndWhile),
     ("DIAMON", Sign::DiameterMode),
@@ -50,12 +49,12 @@ const NAMES: [(&str, Sign); 35] = [
     ("WORKPIECE", Sign::SiemensWord),
     ("WAITM", Sign::WaitMark),
 ];
-/// From here on a name of [`NAMES`] needs `=` after it.
+/// Index from which a name of [`NAMES`] needs `=` after it.
 const ASSIGNED: usize = 19;
-/// From here on a name of [`NAMES`] needs `(` after it.
+/// Index from which a name of [`NAMES`] needs `(` after it.
 const CALLED: usize = 30;
 
-/// Two names side by side that are a sign.
+/// Two adjacent names that are a sign.
 const PAIRS: [(&str, &str, Sign); 6] = [
     ("BEGIN", "PGM", Sign::ProgramFrame),
     ("END", "PGM", Sign::ProgramFrame),
@@ -81,10 +80,10 @@ const O_STATEMENTS: [&str; 12] = [
     "ENDREPEAT",
 ];
 
-/// How commands of CNCSimulator begin, after `$`.
+/// Beginnings of commands of CNCSimulator, after `$`.
 const SIMULATOR: [&[u8]; 3] = [b"ADDREGPART", b"MESSAGE", b"ADDPART"];
 
-/// How remarks begin that do something.
+/// Beginnings of remarks that are commands.
 const REMARKS: [(&str, Sign); 13] = [
     ("(RPT N", Sign::RepeatBlocks),
     ("(GOTO N", Sign::JumpInBrackets),
@@ -101,10 +100,10 @@ const REMARKS: [(&str, Sign); 13] = [
     ("(MSG,", Sign::MessageRemark),
 ];
 
-/// Finds the signs of statements, one after the other.
+/// Finds the signs of statements in order.
 #[derive(Clone, Debug, Default)]
 pub struct Finder {
-    /// Moves in X and Y so far.
+    /// Number of moves in X and Y until now.
     y_moves: u32,
 }
 
@@ -119,7 +118,7 @@ impl Finder {
             assignments(text, statement, &mut found);
             remark(text, statement, &mut found);
         }
-        // Names among words are prose or another language: what its words would mean is anyone's guess.
+        // A statement with names is prose or another language, and its words may have any meaning.
         if statement.names().is_empty() {
             other_lathes(statement, &mut found);
             linuxcnc(statement, &mut found);
@@ -166,7 +165,7 @@ impl Finder {
     }
 }
 
-/// Heads and other lines recognised by their first bytes.
+/// Program heads and other lines that are recognised by their first bytes.
 #[inline(never)]
 fn heads(text: &[u8], statement: &Statement, found: &mut impl FnMut(Sign, Span)) {
     let line = statement.span.of(text);
@@ -236,7 +235,7 @@ fn names(text: &[u8], statement: &Statement, found: &mut impl FnMut(Sign, Span))
     }
 }
 
-/// Names that are recognised by how they begin.
+/// Names that are recognised by their beginning.
 fn numbered_name(written: &[u8], name: &Name, statement: &Statement, found: &mut impl FnMut(Sign, Span)) {
     let behind = |head: &str| {
         let (start, rest) = written.split_at_checked(head.len())?;
@@ -292,7 +291,7 @@ fn remark(text: &[u8], statement: &Statement, found: &mut impl FnMut(Sign, Span)
     for &(expected, sign) in &REMARKS {
         let head = written.get(..expected.len());
         if head.is_some_and(|head| head.eq_ignore_ascii_case(expected.as_bytes())) {
-            // `(CALL THE FOREMAN)` is nobody's statement: a number follows.
+            // `(CALL THE FOREMAN)` is prose: in a statement a number follows.
             let next = written.get(expected.len());
             let numbered = sign == Sign::ReturnInBrackets || sign.weight() == Sign::ActiveRemark.weight();
             if numbered || sign == Sign::MessageRemark || next.is_some_and(u8::is_ascii_digit) {
@@ -308,12 +307,12 @@ fn remark(text: &[u8], statement: &Statement, found: &mut impl FnMut(Sign, Span)
     }
 }
 
-/// Cycles and modes of HNC and GSK928, and what only Siemens' blocks look like.
+/// Cycles and modes of HNC and GSK928, and blocks that only Siemens has.
 #[inline(never)]
 fn other_lathes(statement: &Statement, found: &mut impl FnMut(Sign, Span)) {
     let has_no = |letters: &[u8]| !statement.has_any(letters);
     let xz = statement.has_all(b"XZ");
-    // A drill stands at X0; a hole cycle has R or Q, or a place beside the axis.
+    // A drill is at X0; a hole cycle has R or Q, or a place off the axis.
     let turning = xz && has_no(b"RQYCBH") && !statement.word(b'X').is_some_and(is_zero);
     let alone = statement.codes(b'G').count() == 1 && has_no(b"MT");
     for (code, span) in statement.codes(b'G') {
@@ -411,7 +410,7 @@ fn printer_remark(text: &[u8], statement: &Statement, found: &mut impl FnMut(Sig
     }
 }
 
-/// What suggests a lathe with FANUC's words.
+/// Signs of a lathe with FANUC's words.
 #[inline(never)]
 fn fanuc_lathe(statement: &Statement, found: &mut impl FnMut(Sign, Span)) {
     if let Some(tool) = statement.word(b'T').filter(|word| digits_written(word) >= 3) {
@@ -454,13 +453,14 @@ fn fanuc_lathe(statement: &Statement, found: &mut impl FnMut(Sign, Span)) {
     }
 }
 
-/// `G71 U R P Q`, perhaps with E: depth and retract in the block that names the contour. There is no allowance, or a second U.
+/// `G71 U R P Q`, possibly with E: depth and retract in the block that names the contour. There is no
+/// allowance, or a second U.
 fn is_one_line_without_axes(statement: &Statement) -> bool {
     let allowances = statement.words().iter().filter(|word| word.letter == b'U').count() > 1;
     statement.has_all(b"PQRU") && !statement.has_any(b"XZD") && (allowances || !statement.has(b'W'))
 }
 
-/// No words but G, M and N.
+/// Whether there are only the words G, M and N.
 fn is_bare(statement: &Statement) -> bool {
     statement.words().iter().all(|word| matches!(word.letter, b'G' | b'M' | b'N'))
 }
@@ -469,12 +469,12 @@ fn is_axis(word: &Word) -> bool {
     matches!(word.letter, b'X' | b'Y' | b'Z') && word.number.is_some()
 }
 
-/// `X0`.
+/// Whether a word is like `X0`.
 pub(super) fn is_zero(word: &Word) -> bool {
     word.number.is_some_and(|number| number.mantissa == 0)
 }
 
-/// Digits of a word, leading zeros included: 4 for `T0101`.
+/// Number of digits of a word, including leading zeros: 4 for `T0101`.
 fn digits_written(word: &Word) -> u32 {
     word.number.map_or(0, |_| word.span.len().saturating_sub(1) as u32)
 }

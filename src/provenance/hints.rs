@@ -1,17 +1,18 @@
-//! Seeing at a glance that a text may not be what most are: a program in system A of a FANUC lathe.
+//! Quick check whether a text may be something else than a program in system A of a FANUC lathe.
 //!
-//! In: a statement. Out: whether it has anything that only other controls and machines write, or systems B and C;
-//! without any such statement [`recognise`](super::recognise) finds nothing. It may be wrong the other way:
-//! whoever asks has to look closer. Its code is in the core, that of a closer look is not.
+//! In: a statement. Out: whether it contains anything specific to other controls and machines, or to systems
+//! B and C. Without any such statement [`recognise`](super::recognise) finds nothing. False positives are
+//! possible, so the caller must then check in detail. This code is in the core of the module, the detailed
+//! check is not.
 
 use super::finder::is_zero;
 use super::statement::Statement;
 
-/// What the remarks begin with that are statements of Fagor, of LinuxCNC.
+/// Beginnings of remarks that are statements of Fagor or LinuxCNC.
 const REMARKS: [&[u8; 3]; 11] =
     [b"RPT", b"GOT", b"IF ", b"CAL", b"PCA", b"SUB", b"RET", b"DEB", b"PRI", b"LOG", b"MSG"];
 
-/// Whether a statement has anything of that kind.
+/// Whether a statement contains anything specific to other controls.
 pub fn is_unusual(text: &[u8], statement: &Statement) -> bool {
     let line = statement.span.of(text);
     let head = matches!(line, [b'%', _, ..] | [b'$' | b'!', ..] | [b'o' | b'O', b'<', ..]);

@@ -1,10 +1,10 @@
-//! What a text shows of the control it was written for: another control or machine, another G-code system of
+//! Infers the control that a text was written for: another control or machine, another G-code system of
 //! FANUC's lathes, a control that counts least increments.
 //!
-//! In: the text; only its head is read. Out: the target and the place that shows it, or nothing. A program
-//! for a FANUC, GSK or Haas lathe must never be called foreign, so one uncertain sign decides nothing: signs
-//! add up, each counts once, and what only such a lathe uses counts against. The G-code system and the
-//! numbers are read as those of a FANUC lathe: check for a foreign target first.
+//! In: the text, of which only the head is read. Out: the target and the place that shows it, if any. A
+//! program for a FANUC, GSK or Haas lathe must never be reported as foreign, so one uncertain sign is not
+//! enough: the weights of signs add up, each sign counts once, and signs of such a lathe count against the
+//! target. G-code system and numbers are read as those of a FANUC lathe: check for a foreign target first.
 
 mod decimal;
 mod finder;
@@ -25,13 +25,13 @@ use crate::parts::{Part, early};
 use crate::setup::dialect::GSystem;
 use crate::source::Span;
 
-/// Most bytes of a text that are looked at.
+/// Most bytes of a text that are read.
 pub const HEAD: usize = 64 << 10;
 
-/// Most bytes of a text whose numbers are looked at. Habits show early, but the first cycle may come late.
+/// Most bytes of a text whose numbers are read. Habits are visible early, but the first cycle may come late.
 pub const NUMBERS: usize = 256 << 10;
 
-/// A control or machine that a program was written for, and whose programs are not read here.
+/// A control or machine whose programs cannot be run here.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Target {
     /// Huazhong HNC, turning.
@@ -63,7 +63,7 @@ pub enum Target {
 }
 
 impl Target {
-    /// The name of the control, the same in all languages; none for a kind of machine.
+    /// The name of the control, the same in all languages; empty for a kind of machine.
     pub fn name(self) -> &'static str {
         match self {
             Self::Hnc => "HNC (华中)",
@@ -81,7 +81,7 @@ impl Target {
         }
     }
 
-    /// What is said of a program for it.
+    /// The message about a program for it.
     pub fn message(self) -> Message {
         match self {
             Self::Mill => said::ForeignMill.into(),
@@ -100,7 +100,7 @@ impl Target {
         }
     }
 
-    /// All of them, in the order of their numbers.
+    /// All targets, in the order of their discriminants.
     pub const ALL: [Target; 13] = [
         Self::Hnc,
         Self::Siemens,
@@ -117,8 +117,7 @@ impl Target {
         Self::Printer,
     ];
 
-    /// Least weight of its signs. Milling has no word of its own: even a lathe with a Y
-    /// axis writes most of them.
+    /// Least weight of its signs. Milling has no unique words: a lathe with a Y axis uses most of them.
     fn enough(self) -> i32 {
         match self {
             Self::Mill => 7,
@@ -133,39 +132,38 @@ impl Target {
 pub struct Foreign {
     /// The control or machine.
     pub target: Target,
-    /// The sign that says most, the first of its weight.
+    /// The sign with the greatest weight; the first one if there are several.
     pub evidence: Span,
 }
 
-/// What a text shows of the control it was written for.
+/// The control that a text was written for.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Provenance {
-    /// Another control or machine, where the text is beyond doubt written for one.
+    /// Another control or machine, if there is no doubt.
     pub foreign: Option<Foreign>,
-    /// System B or C, where the text of a FANUC lathe is beyond doubt written in it;
-    /// nothing is no reason to leave A.
+    /// System B or C of a FANUC lathe, if there is no doubt; `None` means system A.
     pub system: Option<(GSystem, Span)>,
-    /// The word or remark that shows inches, where no code names the unit.
+    /// The word or remark that shows inches, if no code gives the unit.
     pub inches: Option<Span>,
 }
 
-/// What the first look at a text shows.
+/// The result of a first look at a text.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Look {
-    /// It has something that most programs have not: [`recognise`] may find something. Otherwise it does not.
+    /// Whether it contains something that most programs do not: only then can [`recognise`] find anything.
     pub is_unusual: bool,
-    /// What its numbers show of the decimal rule.
+    /// The evidence for the decimal rule in its numbers.
     pub numbers: DecimalEvidence,
     /// Its head names no unit and may be in inches: [`recognise`] says whether it is.
     pub may_be_inches: bool,
 }
 
-/// Looks at the beginning of a text, once for everything it shows.
+/// Reads the beginning of a text once, for all evidence.
 pub fn look(text: &[u8]) -> Look {
     look_until(text, NUMBERS)
 }
 
-/// The same, but of the numbers only those of the head: all that shows the target of the text.
+/// The same, but for the numbers of the head only: enough to recognise the target.
 pub fn look_at_head(text: &[u8]) -> Look {
     look_until(text, HEAD)
 }
@@ -200,9 +198,9 @@ early! {
     }
 }
 
-/// For what control a text was written, by its head; `None` where the part of the module that can say so has not
-/// been loaded. It is needed for texts that are [unusual](Look::is_unusual) or
-/// [may be in inches](Look::may_be_inches).
+/// The control that a text was written for, by its head; `None` if the part of the module that recognises it
+/// is not loaded. It is needed for texts that are [unusual](Look::is_unusual) or [may be in
+/// inches](Look::may_be_inches).
 pub fn recognise(text: &[u8]) -> Option<Provenance> {
     RECOGNISED_BY.is_loaded().then(|| read_closely(text))
 }
@@ -210,23 +208,23 @@ pub fn recognise(text: &[u8]) -> Option<Provenance> {
 /// The part that recognises other controls.
 pub const RECOGNISED_BY: Part = Part::Early;
 
-/// What the numbers of a text show of the decimal rule.
+/// The evidence for the decimal rule in the numbers of a text.
 pub fn numbers(text: &[u8]) -> DecimalEvidence {
     look(text).numbers
 }
 
-/// What the signs so far weigh.
+/// The total weight of the signs.
 #[derive(Clone, Debug, Default)]
 struct Scores {
-    /// Bits of the signs seen.
+    /// The signs that were found, one bit for each.
     seen: u128,
-    /// For each target.
+    /// Total for each target.
     totals: [i32; Target::ALL.len()],
-    /// The heaviest sign of each target, the first of its weight.
+    /// The heaviest sign of each target; the first one if there are several.
     heaviest: [Option<(u8, Span)>; Target::ALL.len()],
-    /// Against a mill or a printer.
+    /// Weight against a mill or a printer.
     lathe: i32,
-    /// Against another lathe control with words like FANUC's.
+    /// Weight against another lathe control with words like FANUC's.
     fanuc: i32,
 }
 
@@ -264,7 +262,7 @@ impl Scores {
         match target {
             Target::Mill | Target::Printer => self.lathe,
             Target::Hnc | Target::LinuxCnc | Target::Fagor | Target::Gsk928 => self.fanuc,
-            // Their languages have words no FANUC program has.
+            // Their languages have words that no FANUC program has.
             Target::Siemens
             | Target::Heidenhain
             | Target::Okuma
@@ -275,7 +273,8 @@ impl Scores {
         }
     }
 
-    /// A mill moves in Y, as a lathe may too; but it changes its tools by M6 or takes up their length.
+    /// A mill moves in Y, as a lathe may too; but it changes its tools by M6 or activates their length
+    /// offset.
     fn is_possible(&self, target: Target) -> bool {
         let tools = self.seen & (Sign::ToolLength.bit() | Sign::ToolChange.bit()) != 0;
         target != Target::Mill || tools && self.seen & Sign::MoveY.bit() != 0

@@ -1,18 +1,18 @@
-//! What betrays another control or machine, and what each sign weighs.
+//! The signs of other controls and machines, and their weights.
 //!
-//! In: a [`Sign`]. Out: which target it suggests. Knows nothing of how a sign is seen.
+//! In: a [`Sign`]. Out: the target that it suggests. Must not know how a sign is found.
 
 use super::Target;
 
-/// Which target a sign suggests or excludes, and how much; the weights of one target add
-/// up, each sign counting once.
+/// The target that a sign suggests or excludes, and its weight. The weights for one target add up; each sign
+/// counts once.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Weight {
     /// For a target.
     For(Target, u8),
-    /// For a lathe with FANUC's words: not a mill, not a printer.
+    /// For a lathe with FANUC's words: not a mill or a printer.
     Lathe(u8),
-    /// For FANUC's own cycles: no other lathe control without a language of names.
+    /// For FANUC's own cycles: not another lathe control, unless its language has names.
     Fanuc(u8),
     /// For both.
     FanucLathe(u8),
@@ -20,12 +20,12 @@ pub enum Weight {
 
 macro_rules! signs {
     ($($(#[$doc:meta])* $sign:ident = $weight:expr,)*) => {
-        /// Something in a program that not every control writes.
+        /// A construct that not every control has.
         #[derive(Clone, Copy, Debug, PartialEq, Eq)]
         pub enum Sign { $($(#[$doc])* $sign,)* }
 
         impl Sign {
-            /// What it says.
+            /// Its weight.
             pub fn weight(self) -> Weight {
                 use Target::*;
                 use Weight::*;
@@ -36,7 +36,7 @@ macro_rules! signs {
 }
 
 signs! {
-    /// `%1234`: a program number (NUM writes it so too).
+    /// `%1234`: a program number (also on NUM).
     PercentNumber = For(Hnc, 3),
     /// `G71 U R P Q X Z`: both blocks of a cycle in one.
     OneLineRoughing = For(Hnc, 4),
@@ -79,17 +79,17 @@ signs! {
     IncrementCall = For(Siemens, 3),
     /// `T="…"`.
     ToolByName = For(Siemens, 3),
-    /// `CR=`, `RND=`, `CHF=`, `SPOS=` and their kind.
+    /// `CR=`, `RND=`, `CHF=`, `SPOS=` and similar.
     NamedAddress = For(Siemens, 3),
     /// `TRANS Z`, `ATRANS Z`.
     FrameShift = For(Siemens, 3),
-    /// `WAITM(`: waiting for another channel.
+    /// `WAITM(`: waits for another channel.
     WaitMark = For(Siemens, 4),
-    /// `GOTOF`, `MCALL`, `STOPRE` and their kind.
+    /// `GOTOF`, `MCALL`, `STOPRE` and similar.
     SiemensWord = For(Siemens, 3),
     /// `M17` alone: end of a subprogram.
     M17Alone = For(Siemens, 1),
-    /// `G290`, `G291`: the language is changed.
+    /// `G290`, `G291`: switches the language.
     LanguageSwitch = For(Siemens, 1),
 
     /// `O100 SUB`, `O100 IF`, `O<name> CALL`.
@@ -106,13 +106,13 @@ signs! {
     RigidTap = For(LinuxCnc, 3),
     /// `G33 Z K` without F.
     ThreadByK = For(LinuxCnc, 2),
-    /// `G96 D S`: speed limit by D.
+    /// `G96 D S`: speed limit in D.
     SpeedLimitD = For(LinuxCnc, 4),
     /// `G76 P Z I J K`.
     ThreadIjk = For(LinuxCnc, 4),
     /// `G92.1`, `G92.2`, `G92.3`.
     OffsetCancel = For(LinuxCnc, 2),
-    /// `G43` without H: the length of the tool of the table.
+    /// `G43` without H: tool length from the tool table.
     ToolTable = For(LinuxCnc, 2),
     /// `G91.1`: incremental centres of arcs.
     IncrementalCentres = For(LinuxCnc, 4),
@@ -182,7 +182,7 @@ signs! {
 
     /// `$1`: the program of a path.
     PathHead = For(Channels, 5),
-    /// `!L1`, `!2L1`: waiting for another path.
+    /// `!L1`, `!2L1`: waits for another path.
     PathWait = For(Channels, 3),
     /// `S1=500`: speed of a spindle.
     SpindleSpeed = For(Channels, 2),
@@ -193,7 +193,7 @@ signs! {
     /// `$AddRegPart`, `$Message`.
     SimulatorCommand = For(CncSimulator, 4),
 
-    /// `%PM`, `%TM` alone: program and tool memory. `G96 D S` is written there, too.
+    /// `%PM`, `%TM` alone: program and tool memory. These programs contain `G96 D S`, too.
     PhilipsHead = For(Philips, 5),
 
     /// `G81 X Z I K`.
@@ -268,7 +268,7 @@ signs! {
 }
 
 impl Sign {
-    /// A bit of its own, to count each sign once.
+    /// The bit of the sign, to count each sign once.
     pub fn bit(self) -> u128 {
         const { assert!((Sign::MacroCall as u8) < 128) };
         1 << (self as u8)

@@ -1,8 +1,8 @@
-//! Program text as any control might have written it: statements of words, names and remarks.
+//! Splits the text of any control into statements of words, names and remarks.
 //!
-//! In: the head of a text. Out: one [`Statement`] at a time, its storage reused. Looser than
-//! `text::parser`, which reads FANUC's grammar: here `CYCLE95(`, `R1=10` and `L X+10 FMAX` are no
-//! faults. Knows no code's meaning.
+//! In: the head of a text. Out: one [`Statement`] at a time, in reused storage. More tolerant than
+//! `text::parser`, which parses FANUC's grammar: here `CYCLE95(`, `R1=10` and `L X+10 FMAX` are no errors.
+//! Must not know the meaning of codes.
 
 use crate::source::Span;
 use crate::text::lexer::{Lexer, Number, Token, TokenKind};
@@ -17,19 +17,19 @@ const MOST_NAMES: usize = 4;
 pub struct Word {
     /// The letter, upper-case.
     pub letter: u8,
-    /// Its number; absent in `X#1`, `T="…"`, `L X+10`.
+    /// Its number; `None` in `X#1`, `T="…"`, `L X+10`.
     pub number: Option<Number>,
-    /// Whether `+` or `-` stands before the number.
+    /// Whether the number has a `+` or `-`.
     pub signed: bool,
-    /// Whether it is `-`.
+    /// Whether the sign is `-`.
     pub negative: bool,
     /// Whether `=` follows: `R1=`, `X=`.
     pub assigned: bool,
-    /// Letter, sign and number, and the `=`.
+    /// Letter, sign, number and `=`.
     pub span: Span,
 }
 
-/// Two or more letters in a row, with the digits after them.
+/// Two or more consecutive letters, with the digits after them.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Name {
     /// Letters and digits.
@@ -40,16 +40,16 @@ pub struct Name {
     pub called: bool,
 }
 
-/// One line, or the part of it up to or after a `;`.
+/// A line, or the part of it before or after a `;`.
 #[derive(Clone, Debug, Default)]
 pub struct Statement {
-    /// All its bytes, blanks around it left out.
+    /// All its bytes, without blanks around it.
     pub span: Span,
-    /// It stands after a `;` on its line: a remark on many controls, the next block on FANUC's.
+    /// Whether it follows a `;` on its line: a remark on many controls, the next block on FANUC's.
     pub behind_semicolon: bool,
-    /// `(…)`, the first of the statement.
+    /// The first `(…)` of the statement.
     pub remark: Option<Span>,
-    /// `#<`, where a variable is called by a name.
+    /// The `#<` of a variable with a name.
     pub named_variable: Option<Span>,
     words: [Word; MOST_WORDS],
     word_count: usize,
@@ -58,37 +58,37 @@ pub struct Statement {
 }
 
 impl Statement {
-    /// The words kept.
+    /// The words that were kept.
     pub fn words(&self) -> &[Word] {
         &self.words[..self.word_count]
     }
 
-    /// The names kept.
+    /// The names that were kept.
     pub fn names(&self) -> &[Name] {
         &self.names[..self.name_count]
     }
 
-    /// The first word of a letter.
+    /// The first word with a letter.
     pub fn word(&self, letter: u8) -> Option<&Word> {
         self.words().iter().find(|word| word.letter == letter)
     }
 
-    /// Whether there is a word of that letter.
+    /// Whether there is a word with a letter.
     pub fn has(&self, letter: u8) -> bool {
         self.word(letter).is_some()
     }
 
-    /// Whether there is a word of each of these letters.
+    /// Whether there is a word with each of these letters.
     pub fn has_all(&self, letters: &[u8]) -> bool {
         letters.iter().all(|&letter| self.has(letter))
     }
 
-    /// Whether there is a word of any of these letters.
+    /// Whether there is a word with any of these letters.
     pub fn has_any(&self, letters: &[u8]) -> bool {
         letters.iter().any(|&letter| self.has(letter))
     }
 
-    /// The numbers of all words of a letter, in tenths (`G33.1` is 331), with their places.
+    /// The numbers of all words with a letter, in tenths (`G33.1` is 331), with their places.
     pub fn codes(&self, letter: u8) -> impl Iterator<Item = (u32, Span)> {
         self.words().iter().filter(move |word| word.letter == letter).filter_map(|word| {
             let tenths = word.number?.tenths()?;
@@ -127,7 +127,7 @@ impl<'a> Statements<'a> {
         Self { lexer: Lexer::new(text, 0), behind_semicolon: false }
     }
 
-    /// Reads the next statement into `statement`; false at the end of the text.
+    /// Reads the next statement into `statement`. Returns false at the end of the text.
     pub fn read(&mut self, statement: &mut Statement) -> bool {
         statement.clear(self.lexer.position());
         statement.behind_semicolon = self.behind_semicolon;
@@ -172,7 +172,7 @@ impl<'a> Statements<'a> {
         self.lexer.peek_byte().is_some_and(|byte| byte.is_ascii_alphabetic())
     }
 
-    /// Takes the rest of a name whose first letter is taken.
+    /// Reads the rest of a name after its first letter.
     fn name(&mut self, first: Token) -> Name {
         let mut end = self.lexer.position();
         let text = self.lexer.text();
@@ -185,7 +185,7 @@ impl<'a> Statements<'a> {
         Name { span, assigned: self.behind_equals().is_some(), called }
     }
 
-    /// Takes the sign and number after a letter.
+    /// Reads the sign and number after a letter.
     fn word(&mut self, letter: u8, first: Token) -> Word {
         let mut word = Word { letter, span: first.span, ..Word::default() };
         self.skip_blanks();
@@ -219,7 +219,7 @@ impl<'a> Statements<'a> {
         }
     }
 
-    /// Where the `=` ends that follows.
+    /// End of the next token, if that is `=`.
     fn behind_equals(&self) -> Option<usize> {
         let at = self.lexer.position();
         match self.lexer.text().get(at..)? {

@@ -1,25 +1,25 @@
-//! In which G-code system a FANUC lathe program is written.
+//! Infers the G-code system of a FANUC lathe program.
 //!
-//! In: statements. Out: system B or C and the place that shows it, or nothing: then it is A, as most are.
+//! In: statements. Out: system B or C and the place that shows it; otherwise it is A, like most programs.
 
 use super::statement::Statement;
 use crate::setup::dialect::GSystem;
 use crate::source::Span;
 
-/// Least weight of what suggests B or C.
+/// Least weight of the signs of B or C.
 const ENOUGH: u8 = 3;
 
-/// Most contours that are remembered.
+/// Most contours that are kept.
 const MOST_CONTOURS: usize = 16;
 
-/// Things that are written in one system only. Each counts once.
+/// Constructs of one system only. Each counts once.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Sign {
-    /// `G95`: feed by turns in B and C.
+    /// `G95`: feed per revolution in B and C.
     G95,
     /// `G92 S` without X and Z: speed clamp in B and C.
     G92S,
-    /// `G92 X Z` before any F: the coordinate system in B and C, for a thread has a lead.
+    /// `G92 X Z` before any F: the coordinate system in B and C, since a thread needs a lead.
     G92Place,
     /// `G77 X Z`: turning cycle of B.
     G77,
@@ -29,13 +29,13 @@ enum Sign {
     G79,
     /// `G91`: incremental.
     G91,
-    /// `G94 F` or `G90 G94` without X and Z: feed a minute.
+    /// `G94 F` or `G90 G94` without X and Z: feed per minute.
     G94F,
     /// `G33 Z F`: threading in B and C.
     G33,
     /// `G90 G95`, `G91 G94` in one block: absolute or incremental, and the unit of the feed.
     FeedBesideAbsolute,
-    /// `G90 G00 X`: in A both are of group 01.
+    /// `G90 G00 X`: in A both codes are of group 01.
     AbsoluteBesideMove,
     /// `G90` without X, Z, U and W: in A a cycle without a place.
     AbsoluteAlone,
@@ -51,7 +51,7 @@ enum Sign {
     G78Depths,
     /// `G77 X Z P Q F`: grooving cycle of C.
     G77Steps,
-    /// `G72 P Q` over the contour of a `G73`, `G74` or `G75 P Q`: finishing after roughing in C.
+    /// `G72 P Q` for the contour of a `G73`, `G74` or `G75 P Q`: finishing after roughing in C.
     Finishing,
     /// `G70`, `G71` without a word: inch and millimetre in C.
     Unit,
@@ -74,7 +74,7 @@ enum Sign {
 }
 
 impl Sign {
-    /// The systems it suggests, and its weight.
+    /// The systems that it suggests, and its weight.
     fn weight(self) -> (Side, u8) {
         match self {
             Self::G95 | Self::G92S => (Side::BAndC, 3),
@@ -92,13 +92,14 @@ impl Sign {
             }
             Self::G20Cycle => (Side::C, 1),
             Self::FeedUnit | Self::G50S | Self::G92Cycle | Self::G94Cycle | Self::G90Taper => (Side::A, 3),
-            // Controls in B and C have it as well where their builder wants it, and posts write it.
+            // Controls in B and C also accept these if the machine builder enables them, and postprocessors
+            // use them.
             Self::G32 | Self::G90Cycle | Self::Increments => (Side::A, 1),
         }
     }
 }
 
-/// The systems a sign suggests.
+/// The systems that a sign suggests.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Side {
     A,
@@ -107,24 +108,24 @@ enum Side {
     C,
 }
 
-/// Weighs up the statements of a program.
+/// Weighs the statements of a program.
 #[derive(Clone, Debug, Default)]
 pub struct Scales {
     seen: u32,
-    /// For each side.
+    /// Total for each side.
     totals: [u8; 4],
-    /// The heaviest sign of each side, the first of its weight.
+    /// The heaviest sign of each side; the first one if there are several.
     heaviest: [Option<(u8, Span)>; 4],
     /// P and Q of the contours that a `G73`, `G74` or `G75` has named.
     roughed: Vec<[Option<u64>; 2]>,
-    /// A hole cycle is in force: G98 and G99 may be its return levels.
+    /// Whether a hole cycle is active: then G98 and G99 may be its return levels.
     hole_cycle: bool,
-    /// An F was read.
+    /// Whether an F was read.
     has_feed: bool,
 }
 
 impl Scales {
-    /// Takes in one more statement.
+    /// Adds a statement.
     pub fn take(&mut self, statement: &Statement) {
         if !statement.names().is_empty() {
             return;
@@ -211,13 +212,13 @@ impl Scales {
         }
     }
 
-    /// The system, when it is another than A beyond doubt: enough for it and little for A.
+    /// The system, if it certainly is not A: enough weight for it and little for A.
     pub fn verdict(&self) -> Option<(GSystem, Span)> {
         let total = |side: Side| self.totals[side as usize];
         let (system, own) =
             if total(Side::C) > total(Side::B) + 1 { (GSystem::C, Side::C) } else { (GSystem::B, Side::B) };
         let [of_own, shared] = [own, Side::BAndC].map(|side| self.heaviest[side as usize]);
-        // What C alone has shows it, whatever it weighs.
+        // A sign of C alone proves it, whatever its weight.
         let heavier = |(weight, span): &(u8, Span)| (*weight, std::cmp::Reverse(span.start));
         let shown =
             if system == GSystem::C { of_own } else { of_own.into_iter().chain(shared).max_by_key(heavier) };
@@ -226,7 +227,8 @@ impl Scales {
         (for_it >= ENOUGH + 2 * self.weight_of_a()).then_some((system, span))
     }
 
-    /// What suggests A. A program that changes between G90 and G91 is not written in A: its `G50 S` is a slip or a habit.
+    /// Weight of the signs of A. A program that changes between G90 and G91 is not in A: its `G50 S` is a
+    /// mistake or a habit.
     fn weight_of_a(&self) -> u8 {
         let has = |signs: &[Sign]| signs.iter().any(|&sign| self.seen & 1 << (sign as u8) != 0);
         let absolute = [Sign::AbsoluteAlone, Sign::AbsoluteBesideMove, Sign::FeedBesideAbsolute];

@@ -1,11 +1,11 @@
-//! One small program for each target and system, and near misses that must not be taken for one.
+//! A small program for each target and system, and near misses that must not be recognised as one.
 
 use super::*;
 use crate::setup::dialect::DecimalRule;
 use std::fs;
 use std::path::Path;
 
-/// What is found on a closer look, which the first look asks for wherever there is anything to find.
+/// The result of the detailed check. Asserts that the quick check asks for it if there is anything to find.
 #[track_caller]
 fn found(program: &str) -> Provenance {
     let found = recognise(program.as_bytes()).expect("all parts are there");
@@ -16,14 +16,14 @@ fn found(program: &str) -> Provenance {
     found
 }
 
-/// The one door for foreign programs: this target, shown by this evidence.
+/// Checks that a program is recognised as foreign, with this target and evidence.
 #[track_caller]
 fn check(program: &str, target: Target, evidence: &str) {
     let found = found(program).foreign.map(|found| (found.target, found.evidence.quote(program.as_bytes())));
     assert_eq!(found, Some((target, evidence.to_owned())), "\n{program}");
 }
 
-/// The one door for systems B and C.
+/// Checks that a program is recognised as system B or C, with this evidence.
 #[track_caller]
 fn check_system(program: &str, system: GSystem, evidence: &str) {
     let found = found(program).system.map(|(system, span)| (system, span.quote(program.as_bytes())));
@@ -52,7 +52,7 @@ fn hnc_has_both_blocks_of_a_cycle_in_one() {
         Target::Hnc,
         "%0001",
     );
-    // Its allowances may be U and W, as on FANUC, where no block has two U.
+    // Its allowances may be U and W, as on FANUC, if no block has two U.
     let twice = |head: &str| {
         format!("{head}\nT0101\nG00 X46 Z3\nG71 U2 R1 P10 Q20 U0.4 W0.1 F100\nN10 G00 X20\nN20 Z-40\nM30\n")
     };
@@ -83,11 +83,11 @@ fn linuxcnc_has_o_words_and_names_of_variables() {
     check("o100 sub\nG1 X#1 F0.1\no100 endsub\nM2\n", Target::LinuxCnc, "o100 sub");
     check("#<deep> = 3\no<pass> call [#<deep>]\nM2\n", Target::LinuxCnc, "o<pass> call [#<deep>]");
     check("G18 G8 G21 G40 G90\nG64 P0.01\nT1 M6\nG0 X10 Z2\n", Target::LinuxCnc, "G8");
-    // ioSender and grblHAL: radii, and X would be taken for diameters.
+    // ioSender and grblHAL use radii; X would be read as a diameter.
     check("G18 G8 G21\nM3S100 G4P1\nG0 X7.750\nG1 X5.673 F200.000\nM30\n", Target::LinuxCnc, "G8");
     check("G18 G20 G90 G95\nG96 D2500 S120 M3\nG0 X1.2 Z.1\n", Target::LinuxCnc, "G96");
     check("G7 G18 G21 G40 G90 G94\nT1 M6 G43\nG93\nG1 X10 Z2 F5\n", Target::LinuxCnc, "G7");
-    // A post for turning: arcs with incremental centres.
+    // A postprocessor for turning: arcs with incremental centres.
     check(
         "G18\nG90 G94 G91.1\nG20\nG53 G0 X0.\nT1 M6\nG90 G0 X1.2 Z.2\nG1 X1. F4.4\n",
         Target::LinuxCnc,
@@ -122,7 +122,8 @@ fn okuma_names_its_sequences() {
 
 #[test]
 fn other_machines_have_words_of_their_own() {
-    // Mitsubishi M70 and FANUC of Swiss-type lathes: `$1` is the program of the first path, `!L1` waits for the other.
+    // Mitsubishi M70 and FANUC on Swiss-type lathes: `$1` is the program of the first path, `!L1` waits for
+    // the other.
     check("O1000\n$1\nG50 Z0\nM03 S1=2000\n!L1\nG0 X20 Z0 T0100\n$2\n!L1\nM30\n", Target::Channels, "$1");
     check("O1\n!L1\nM3 S1=500\nG0 X20 Z0\n", Target::Channels, "!L1");
     check("$1 (MAIN)\nG0 X1\n", Target::Channels, "$1 (MAIN)");
@@ -154,22 +155,22 @@ fn a_printer_heats_and_pushes() {
 #[test]
 fn lathe_programs_are_at_home() {
     check_at_home("");
-    // G68 is the mirror of a second turret, G81 and G83 drill at a place, with the clamp of the C axis.
+    // G68 mirrors for a second turret, G81 and G83 drill at a place, with the clamp of the C axis.
     check_at_home("G66 P9100 X4. Z-6. C1. S3. E4.\nG82 X30. Z-10. C90. R-3. Q500 L2 P100 F40.\n");
     check_at_home("G68\nG0 X40 Z2\nG69\nG83 X30 C90 Z-20 R-3 Q5000 F40 M31\nG80\n");
     check_at_home(
         "%\nO0001\nG50 S2000\nT0101\nG96 S150 M03\nG0 X42. Z2.\nG71 U2. R1.\nG71 P10 Q20 U.5 W.1 F.2\nM30\n%",
     );
-    // A header pasted from a mill, and a tool change with M6.
+    // A header copied from a mill, and a tool change with M6.
     check_at_home("G17 G20 G40 G49 G80 G90 G99\nT0101 M06\nG43 H01\nG00 X2. Z.1\nG01 Z-1. F.01\nG28 U0 W0\n");
     check_at_home("G17 G21 G40 G49 G90\nM06 T01\nG43 H01 Z50\nG00 X20 Y0 Z2\nG01 Z-10 F80\n");
     check_at_home("M06 T01\nM03 S900\nG00 X20 Z2\nG01 Z-10 F80\n");
-    // One line for a cycle, as Haas writes it; a student with too many words.
+    // A cycle in one line, as on Haas; a beginner's block with too many words.
     check_at_home(
         "T101\nG71 P10 Q20 U0.01 W0.005 D0.05 F0.01\nN10 G00 X1.\nN20 G01 Z-1.\nG76 X.9 Z-1. K.05 D.01 F.08\n",
     );
     check_at_home("T0101\nG71 X52 P70 Q90 U0 W0.1 F1\n");
-    // A drill in the middle.
+    // A hole on the axis.
     check_at_home("T0404\nG0 X0 Z2\nG81 X0 Z-20 F80\nG80\nG82 X0 Z-5 P500\n");
     // Live tools with Y and C.
     let moves: String = (0..20).map(|y| format!("X1.2 Y.{y}\n")).collect();
@@ -179,14 +180,14 @@ fn lathe_programs_are_at_home() {
     check_at_home(&format!(
         "G17\nG0 X2. Y0. Z.1\nG41 D1 X1.\n{moves}G2 X1. Y2. I.1 J.1\nG83 X1. Y1. Z-.5 R.1\nM99\n"
     ));
-    // The makers' own M codes.
+    // M codes of machine builders.
     check_at_home("T0101\nM104\nM109 S500\nM82\nG0 X10 Z2\nM17\n");
-    // Names of others in remarks and prose.
+    // Names of other controls in remarks and prose.
     check_at_home(
         "(CYCLE95 WAS: DIAMON, BEGIN PGM)\nT0101 (CALL 1 MAN)\nG1 X10 Z-5 F.1 ; DIAMON G43 H1\nTOOL CALL BY HAND\n",
     );
     check_at_home("(P1=FIRST PASS)\n#1=5\nIF[#1 GT 2]GOTO10\nWHILE[#1 LT 9]DO1\nEND1\nN10 M99\n");
-    // A jump in system A; an angle; another's program number alone.
+    // A jump in system A; an angle; only the program number of another control.
     check_at_home("%1234\nT0101\nG0 X20 Z2\nG1 Z-5 F0.1\nM30\n");
     check_at_home("G36 X50\nG37 Z10\nG07 Z0\nG08 P1\nG0 X10 Z5\n");
 }
@@ -197,14 +198,14 @@ fn systems_b_and_c() {
     check_system("G0 X30 Z2\nG92 S1500\n", GSystem::B, "G92");
     check_system("G92 X100 Z50\nG94 G90\nT0101\nG0 X32 Z2\nG1 X28 F100\n", GSystem::B, "G94");
     check_system("G0 X30 Z2\nG77 X28 Z-20 F0.2\nX26\n", GSystem::B, "G77");
-    // Increments by G91 show B in spite of the speed limit of A.
+    // Increments by G91 show B despite the speed limit of A.
     let slip =
         "G90 G18 G21\nG28 G91 Z0 X0\nG90\nT0101 M03 S800\nG00 G90 X55. Z5.\nG50 S3000\nG01 Z-60. F0.2\n";
     check_system(slip, GSystem::B, "G90");
     check_system("G91 G28 X0 Z0\nG90 G94 F200\nG1 Z-5\n", GSystem::B, "G91");
     check_system("G97 S400\nG0 X30 Z5\nG33 Z-20 F1.5\nG91 G0 X2\n", GSystem::B, "G33");
     check_system("G95 G90\nT0909\nG98 G83 Z-20 R-3 Q5000 F.1\nG99 G83 Z-9 R-3 F.1\n", GSystem::B, "G95");
-    // A post for system B that writes G32.
+    // A postprocessor for system B that uses G32.
     check_system(
         "G90 G94 G18\nG28 U0.\nT0101\nG90 G95 G18\nG92 S3000\nG32 X35.5 F1.5\nG32 X35. Z-18. F1.5\n",
         GSystem::B,
@@ -219,7 +220,7 @@ fn systems_b_and_c() {
         assert_eq!(found, Some(GSystem::B), "{head}");
     }
     check_system("G90 G94 G18\nG90 G95\nG28 U0.\nG0 X50. Z5.\n", GSystem::B, "G95");
-    // EMCO with FANUC 0-TC: one number more or less than system A, and G78 is its thread.
+    // EMCO with FANUC 0-TC: the numbers of cycles are one different from system A, and G78 is threading.
     let emco =
         "G92 S2000\nT0101\nG95\nG0 X52. Z2.\nG73 U2. R1.\nG73 P10 Q20 U.5 W.1 F.25\nN10 G00 X30.\nN20 X52.\n";
     check_system(&format!("{emco}G72 P10 Q20\n"), GSystem::C, "G72");
@@ -235,16 +236,16 @@ fn doubts_leave_system_a() {
     for program in [
         "G18 G20 G40 G80 G90 G99\nG50 S2000\nG0 X2. Z.1\n",
         "G98\nG0 X40 Z2\nG90 X38 Z-20 F100\nX36\nG94 X0 Z-1\nG92 X38 Z-20 F1.5\n",
-        // Words of both: whoever wrote it, A is as good.
+        // Words of both systems: A is as good a choice.
         "G99 G96 S515 G95 M03\nG94 X0 Z2.5\n",
         "G94\nG0 X120 C0\nG12.1\nG1 X40 F100\n",
         "G50 S2000\nG99\nG91 G28 Z0.\n",
         "G20 G0 X1. Z.1\nG21\n",
-        // A facing cycle of A, and G72 in place of G70.
+        // A facing cycle of A, and G72 instead of G70.
         "G72 W1. R.5\nG72 P10 Q20 U.2 W.1 F.2\nG70 P10 Q20\n",
         "G73 U9. W2. R4\nG73 P1 Q2 U.5 W.1 F.2\nG72 P1 Q2\n",
         "G32 Z-20. F1.5\nG0 U2.\n",
-        // The head of a mill and one block of its kind.
+        // The head of a mill and one similar block.
         "G90 G0 X50. Z2.\nG1 Z-20. F.2\n",
         "(G95 G92 S100)\nG0 X1\n",
         "G21 G90 G94\nG50 S2000\nG00 X44 Z0\nG01 X0 F120\n",
@@ -267,7 +268,7 @@ fn programs_of_the_gallery_are_at_home() {
     assert!(seen > 40);
 }
 
-/// The one door for the decimal rule: the word that shows least increments; nothing for units.
+/// Checks the decimal rule: the word that shows least increments, or `None` for whole units.
 #[track_caller]
 fn check_decimal(program: &str, evidence: Option<&str>) {
     let found = numbers(program.as_bytes());
@@ -295,7 +296,7 @@ fn whole_numbers_with_a_point_and_one_that_cannot_be_a_unit_show_least_increment
 
 #[test]
 fn fractions_and_plausible_numbers_show_nothing() {
-    // A fraction has its point everywhere; two whole ones may be chance.
+    // A fraction has its point on every control; two whole numbers may be chance.
     check_decimal("G20\nG0 X2.5 Z.1\nG1 X1.18\nZ-1.25\nX2.125\nG71U800R500\n", None);
     check_decimal("G20\nG0 X2. Z.1\nG1 X1.18\nZ-1.\nG71U800R500\n", None);
     let metric = "G21\nG0 X52. Z2.\nG1 X40. F.2\nZ-30.\n";
@@ -309,7 +310,7 @@ fn fractions_and_plausible_numbers_show_nothing() {
     ] {
         check_decimal(&format!("{metric}{rest}"), None);
     }
-    // A bare inch more or less is too much for one and too little for the other.
+    // A one without a point is too much as inches and too little as increments.
     check_decimal(&format!("{INCHES}G71 U1 R1\n"), None);
 }
 
@@ -320,7 +321,7 @@ fn a_program_without_any_point_shows_least_increments_where_most_would_be_too_la
     check_decimal("G0 X50 Z2\nG1 Z-30 F.2\nX52\nG0 X1500\n", None);
     check_decimal("G0 X50000\n", None);
     check_decimal("G0 X50000 Z2.5\nG1 Z-30000\n", None);
-    // System C: these are cycles, and no inches.
+    // System C: these are cycles, not inches.
     check_decimal("G0 X60 Z2\nG20 X50 Z-90 F.2\nX45\n", None);
     check_decimal("", None);
 }

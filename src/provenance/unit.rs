@@ -1,34 +1,36 @@
-//! The unit of a program that names none with G20 or G21: inches, where its numbers show it.
+//! Infers the unit of a program without G20 or G21: inches, if its numbers show it.
 //!
-//! In: statements. Out: the word that shows inches best, or nothing. A lathe starts in the unit of its power-on
-//! parameter, so inch programs often leave G20 out. Small millimetre parts have small numbers, too: the size of
-//! the numbers only permits inches, and at least two signs must show them.
+//! In: statements. Out: the word that is the best evidence for inches, if any. A lathe starts in the unit of
+//! its power-on parameter, so inch programs often omit G20. Small parts in millimetres have small numbers,
+//! too: the size of the numbers only permits inches, and at least two signs must show them.
 
 use super::statement::Statement;
 use crate::source::Span;
 
-/// Largest X of a program in inches that shows it, inches; the same for Z.
+/// Largest X of a program that may be in inches, inches; the same for Z.
 const LARGEST: [f64; 2] = [10.0, 20.0];
 
-/// Largest feed of a cut, inches per revolution: 0.75 mm.
+/// Fastest feed of a cut, inches per revolution: 0.75 mm.
 const FASTEST: f64 = 0.03;
 
 /// Coarsest lead of a thread, inches.
 const COARSEST: f64 = 0.5;
 
-/// Least cutting speed that shows feet per minute on work of less than [`LARGEST_TURNED`]: 60 m/min in feet.
+/// Least cutting speed that shows feet per minute on workpieces of less than [`LARGEST_TURNED`]: 60 m/min in
+/// feet.
 const FEET: f64 = 200.0;
 
-/// Work of this diameter at [`FEET`] metres a minute would turn at 16,000 rpm.
+/// A workpiece of this diameter at [`FEET`] metres per minute would turn at 16,000 rpm.
 const LARGEST_TURNED: f64 = 4.0;
 
-/// A cutting speed that no insert bears in metres a minute.
+/// A cutting speed that no insert bears in metres per minute.
 const FASTEST_CUT: f64 = 600.0;
 
-/// A cutting speed this many times higher than the speed limit of the spindle allows is not in metres per minute.
+/// A cutting speed this many times higher than the speed limit of the spindle allows is not in metres per
+/// minute.
 const BEYOND_LIMIT: f64 = 5.0;
 
-/// A lead finer than this is none in millimetres.
+/// A finer lead is not in millimetres.
 const FINEST: f64 = 0.2;
 
 /// Least number of coordinates with three decimals, the last of which is 0, that show inches: `Z1.000`.
@@ -37,17 +39,17 @@ const WRITTEN_OUT: u32 = 3;
 /// Least weight of the signs.
 const ENOUGH: usize = 3;
 
-/// Whether a program may be in inches: no code names a unit, and no coordinate is too large.
+/// Whether a program may be in inches: no code gives a unit, and no coordinate is too large.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct UnitHint {
-    /// A unit is named, or a number is too large for inches.
+    /// Whether a unit is given, or a number is too large for inches.
     excluded: bool,
-    /// A coordinate has a point.
+    /// Whether a coordinate has a point.
     pointed: bool,
 }
 
 impl UnitHint {
-    /// Takes in one more statement.
+    /// Adds a statement.
     pub fn take(&mut self, statement: &Statement) {
         if self.excluded {
             return;
@@ -58,7 +60,7 @@ impl UnitHint {
                 200 | 210 => self.excluded = true,
                 // System C, unless they call a cycle.
                 700 | 710 if !statement.has_any(b"PQUX") => self.excluded = true,
-                // No coordinates of the workpiece.
+                // Not coordinates of the workpiece.
                 40 | 100 | 530 => no_places = true,
                 _ => {}
             }
@@ -82,24 +84,24 @@ impl UnitHint {
         }
     }
 
-    /// The program may be in inches.
+    /// Whether the program may be in inches.
     pub fn is_open(&self) -> bool {
         self.pointed && !self.excluded
     }
 }
 
-/// What the numbers and remarks of a program show of its unit.
+/// The evidence for the unit in the numbers and remarks of a program.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct UnitEvidence {
     /// Whether it may be in inches at all.
     hint: UnitHint,
-    /// G98 is in force.
+    /// Whether G98 is active.
     per_minute: bool,
     /// Largest X with a point.
     largest: f64,
-    /// A feed of cuts.
+    /// Whether a cut has a feed.
     has_feed: bool,
-    /// A remark names inches.
+    /// A remark with inches.
     remark: Option<Span>,
     /// A coordinate or a lead with four decimals or more.
     fine: Option<Span>,
@@ -109,16 +111,17 @@ pub struct UnitEvidence {
     feet: Option<(f64, Span)>,
     /// The highest speed limit of G50 or G92, rpm.
     limit: f64,
-    /// How many coordinates have a point, and how many of these end in a zero as their third decimal: `Z1.000`, `Z-.050`.
+    /// Number of coordinates with a point, and of those among them whose third decimal is a zero at the end:
+    /// `Z1.000`, `Z-.050`.
     pointed: [u32; 2],
-    /// The first of the latter.
+    /// The first one with such a zero.
     written_out: Option<Span>,
-    /// A coordinate or feed below 1 has a zero before its point, as numbers in millimetres do.
+    /// Whether a coordinate or feed below 1 has a zero before its point, as numbers in millimetres do.
     leading_zero: bool,
 }
 
 impl UnitEvidence {
-    /// Takes in one more statement.
+    /// Adds a statement.
     pub fn take(&mut self, text: &[u8], statement: &Statement) {
         self.hint.take(statement);
         if self.hint.excluded {
@@ -128,7 +131,7 @@ impl UnitEvidence {
         let moves = statement.codes(b'G').any(|(code, _)| matches!(code, 0 | 10 | 20 | 30));
         for (code, _) in statement.codes(b'G') {
             match code {
-                // In system B G98 beside a hole cycle is the return level.
+                // In system B, G98 beside a hole cycle is the return level.
                 980 | 940 if !statement.has_any(b"XZUW") || moves => self.per_minute = true,
                 990 | 950 => self.per_minute = false,
                 320 | 330 | 340 | 760 | 780 | 840 | 880 | 920 => threads = true,
@@ -178,9 +181,9 @@ impl UnitEvidence {
         }
     }
 
-    /// The word or remark that shows that the program is in inches.
+    /// The word or remark that proves inches.
     pub fn inches(&self) -> Option<Span> {
-        // The highest cutting speed in metres a minute that work of this size reaches at the speed limit.
+        // The highest cutting speed in metres per minute for a workpiece of this size at the speed limit.
         let reached = std::f64::consts::PI * self.largest * self.limit / 1000.0;
         let of_feet = |(speed, _): (f64, Span)| match speed >= FASTEST_CUT
             || speed > BEYOND_LIMIT * reached && self.limit > 0.0
@@ -189,7 +192,7 @@ impl UnitEvidence {
             false => usize::from(self.largest < LARGEST_TURNED),
         };
         let feet = self.feet.filter(|&feet| of_feet(feet) > 0);
-        // A CAM system that writes three decimals in millimetres writes the zero before the point as well.
+        // A CAM system that writes three decimals in millimetres also writes the zero before the point.
         let [pointed, out] = self.pointed;
         let is_written_out = out >= WRITTEN_OUT && 2 * out > pointed && !self.leading_zero;
         let written_out = self.written_out.filter(|_| is_written_out);
@@ -205,7 +208,7 @@ impl UnitEvidence {
     }
 }
 
-/// Whether a remark names inches: `1/2 IN`, `3/8"`, `3/8-16`, `1/32R`, `.5 IN DIA`, `INCH`.
+/// Whether a remark contains inches: `1/2 IN`, `3/8"`, `3/8-16`, `1/32R`, `.5 IN DIA`, `INCH`.
 fn names_inches(remark: &[u8]) -> bool {
     let byte = |at: usize| remark.get(at).copied().unwrap_or(b')');
     let begins = |at: usize| at == 0 || !byte(at - 1).is_ascii_alphanumeric();
@@ -229,8 +232,8 @@ fn names_inches(remark: &[u8]) -> bool {
     })
 }
 
-/// Whether the denominator of an inch size follows the stroke: of halves to sixty-fourths, with a unit, the pitch of a thread or
-/// R for a radius after it. Other fractions are dates, pages and operations.
+/// Whether the denominator of an inch size follows the slash: a power of two up to 64, followed by a unit,
+/// the pitch of a thread or R for a radius. Other fractions are dates, pages and operations.
 fn is_fraction(rest: &[u8]) -> bool {
     let digits = rest.iter().take_while(|byte| byte.is_ascii_digit()).count();
     let is_denominator = [&b"2"[..], b"4", b"8", b"16", b"32", b"64"].contains(&&rest[..digits]);
@@ -245,7 +248,7 @@ fn is_fraction(rest: &[u8]) -> bool {
     is_denominator && follows
 }
 
-/// Whether `IN` is the unit of a size: the end of the remark or the name of a measured thing follows.
+/// Whether `IN` is the unit of a size: at the end of the remark or before the name of a measured thing.
 fn is_size(after: &[u8]) -> bool {
     const THINGS: [&[u8]; 9] = [b"DIA", b"BAR", b"DRILL", b"STOCK", b"OD", b"ID", b"LONG", b"ROUND", b"X"];
     let after = after.trim_ascii_start();

@@ -1,7 +1,7 @@
 //! Places in the program text.
 //!
-//! In: the bytes of a program. Out: [`Span`]s (bytes) and the line and column numbers people and editors use.
-//! The one place where bytes are turned into UTF-16 columns. Knows nothing of words or blocks.
+//! In: the bytes of a program. Out: [`Span`]s (bytes), and the lines and columns that users and editors use.
+//! The only module that converts bytes to UTF-16 columns. Must not know words or blocks.
 
 pub mod shift;
 
@@ -9,7 +9,7 @@ use std::ops::Range;
 
 use memchr::{memchr, memchr_iter, memchr2, memrchr2};
 
-/// A run of bytes of the program text, `start..end`.
+/// A range of bytes of the program text, `start..end`.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub struct Span {
     /// First byte.
@@ -30,17 +30,17 @@ impl Span {
         (self.end - self.start) as usize
     }
 
-    /// Whether the span holds no byte.
+    /// Whether the span is empty.
     pub fn is_empty(self) -> bool {
         self.start == self.end
     }
 
-    /// The smallest span that holds both.
+    /// The smallest span that contains both.
     pub fn to(self, other: Span) -> Span {
         Span { start: self.start.min(other.start), end: self.end.max(other.end) }
     }
 
-    /// Whether all of the other one lies in it.
+    /// Whether the span contains another one completely.
     pub fn contains(self, other: Span) -> bool {
         self.start <= other.start && other.end <= self.end
     }
@@ -50,49 +50,49 @@ impl Span {
         &text[self.start as usize..self.end as usize]
     }
 
-    /// The text of this span, for messages; bytes that are not UTF-8 read as `\u{FFFD}`.
+    /// The text of this span, for messages; bytes that are not UTF-8 become `\u{FFFD}`.
     pub fn quote(self, text: &[u8]) -> String {
         String::from_utf8_lossy(self.of(text)).into_owned()
     }
 }
 
-/// A place as an editor counts it: line and column from 0, the column in UTF-16 units.
+/// A position in an editor: line and column from 0, the column in UTF-16 units.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub struct LineColumn {
-    /// Line from 0.
+    /// Line, from 0.
     pub line: u32,
-    /// Column from 0, in UTF-16 units.
+    /// Column, from 0, in UTF-16 units.
     pub column: u32,
 }
 
-/// Starts of all lines, to turn bytes into lines, columns and UTF-16 offsets and back.
+/// Starts of all lines, to convert bytes to lines, columns and UTF-16 offsets, and back.
 ///
-/// A line ends at `\n`, `\r\n` or a lone `\r`, as in the editors people paste from.
+/// A line ends at `\n`, `\r\n` or a lone `\r`, like in the editors from which text is pasted.
 #[derive(Clone, Debug)]
 pub struct LineIndex {
     /// First byte of each line.
     starts: Vec<u32>,
-    /// Places whose UTF-16 offset is known, in order: all starts of lines, and more in long lines. Empty
-    /// while all text is ASCII without CRLF (offsets are then bytes).
+    /// Places with a known UTF-16 offset, in order: all starts of lines, and more in long lines. Empty while
+    /// all text is ASCII without CRLF, because offsets then equal bytes.
     marks: Vec<Mark>,
-    /// The line end of new text, if offsets count the text as it is written.
+    /// The line end for new text, if offsets count the text as written.
     line_end: Option<&'static str>,
 }
 
-/// A place whose UTF-16 offset is known.
+/// A place with a known UTF-16 offset.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 struct Mark {
     byte: u32,
-    /// UTF-16 units before it; each line end counts as one, as in editors that fold CRLF, unless the offsets count in
-    /// the text as it is written.
+    /// UTF-16 units before it. Each line end counts as one, as in editors that fold CRLF, unless offsets
+    /// count the text as written.
     units: u32,
 }
 
-/// Most bytes from a mark to the next one in a line, or one character more: a text may be a single line.
+/// Most bytes between two marks in a line, or one character more: a text may be a single line.
 const STRIDE: usize = 256;
 
 impl LineIndex {
-    /// Reads the line starts of `text`.
+    /// Indexes the lines of `text`.
     pub fn new(text: &[u8]) -> Self {
         let (starts, plain) = line_starts(text);
         let mut index = Self { starts, marks: Vec::new(), line_end: None };
@@ -102,7 +102,8 @@ impl LineIndex {
         index
     }
 
-    /// Reads the line starts of `text`, with offsets into it as it is written: CR LF counts as two units. Follows no change.
+    /// Indexes the lines of `text` with offsets into the text as written: CR LF counts as two units. Such an
+    /// index does not support `edit`.
     pub fn as_written(text: &[u8]) -> Self {
         let starts = line_starts(text).0;
         let mut index = Self { starts, marks: Vec::new(), line_end: Some(only_line_end(text)) };
@@ -121,7 +122,8 @@ impl LineIndex {
         index
     }
 
-    /// New text with the line ends of the text as it is written; with `\n` where each line end counts as one unit.
+    /// New text with the line ends of the text as written; unchanged, with `\n`, if each line end counts as
+    /// one unit.
     pub fn with_line_ends(&self, new: String) -> String {
         match self.line_end {
             None | Some("\n") => new,
@@ -129,11 +131,11 @@ impl LineIndex {
         }
     }
 
-    /// Follows a change of the text: the bytes `replaced` of it gave way to `inserted` others, and it is
-    /// `text` now. Only the lines touched are read again, and what follows is moved along. All lines are,
-    /// when offsets cease to be bytes.
+    /// Updates the index after a change: `inserted` bytes have replaced the range `replaced`, and the text is
+    /// now `text`. Only the touched lines are read again, and the rest is shifted. All lines are read when
+    /// offsets no longer equal bytes.
     pub fn edit(&mut self, text: &[u8], replaced: Range<usize>, inserted: usize) {
-        // A line start depends on the bytes on both its sides: on `\r` and the `\n` that may follow it.
+        // A line start depends on the bytes on both sides: on `\r` and the `\n` that may follow it.
         let first = self.line_of(replaced.start.saturating_sub(1) as u32) as usize;
         let next = self.starts.partition_point(|&start| start as usize <= replaced.end);
         let bytes = (inserted as u32).wrapping_sub(replaced.len() as u32);
@@ -141,11 +143,11 @@ impl LineIndex {
         let end = self.starts.get(next).map_or(text.len(), |&after| after.wrapping_add(bytes) as usize);
         let mut read = Self::new(&text[start..end]);
         if self.marks.is_empty() && !read.marks.is_empty() {
-            // The first of its kind: long lines elsewhere need their marks as well.
+            // These are the first marks: long lines elsewhere need theirs as well.
             *self = Self::new(text);
             return;
         }
-        // After the line end that ends the bytes read stands `next`, which is kept.
+        // The line start after the bytes that were read is `next`, which is kept.
         let lines = read.starts.len() - usize::from(next < self.starts.len());
         if !self.marks.is_empty() {
             if read.marks.is_empty() {
@@ -180,7 +182,7 @@ impl LineIndex {
         self.starts.len() as u32
     }
 
-    /// Never: even an empty text has one line.
+    /// Always false: even an empty text has one line.
     pub fn is_empty(&self) -> bool {
         false
     }
@@ -201,7 +203,7 @@ impl LineIndex {
         Span::new(start, end)
     }
 
-    /// The line (from 0) that holds a byte.
+    /// The line (from 0) that contains a byte.
     pub fn line_of(&self, byte: u32) -> u32 {
         self.starts.partition_point(|&start| start <= byte) as u32 - 1
     }
@@ -214,8 +216,8 @@ impl LineIndex {
         LineColumn { line, column: self.utf16_offset(text, byte) - self.utf16_offset(text, start) }
     }
 
-    /// UTF-16 offset of a byte from the start of the text, each line end counted as one unit unless the index was made
-    /// by [`LineIndex::as_written`].
+    /// UTF-16 offset of a byte from the start of the text. Each line end counts as one unit, unless the index
+    /// was made by [`LineIndex::as_written`].
     pub fn utf16_offset(&self, text: &[u8], byte: u32) -> u32 {
         let byte = byte.min(text.len() as u32);
         if self.marks.is_empty() {
@@ -266,32 +268,33 @@ impl LineIndex {
     }
 }
 
-/// Whether a character is not to be shown as it is: a control character other than LF and tab, which a terminal may
-/// take for a command and XML forbids, or one that changes the direction of the text after it.
+/// Whether a character must not be shown as it is: a control character other than LF and tab, which a
+/// terminal may interpret as a command and XML forbids, or one that changes the direction of the text after
+/// it.
 pub fn is_unprintable(letter: char) -> bool {
     (letter.is_control() && !matches!(letter, '\n' | '\t'))
         || matches!(letter, '\u{202a}'..='\u{202e}' | '\u{2066}'..='\u{2069}')
 }
 
-/// The line around a byte, without its end, which is LF, CR LF or CR.
+/// The line around a byte, without its line end (LF, CR LF or CR).
 pub fn line_around(text: &[u8], byte: usize) -> Span {
     let byte = byte.min(text.len());
     let start = memrchr2(b'\n', b'\r', &text[..byte]).map_or(0, |end| end + 1);
     Span::new(start, line_end(text, byte))
 }
 
-/// Where the line ends that holds a byte; the end itself is not part of it.
+/// End of the line that contains a byte, without its line end.
 pub fn line_end(text: &[u8], byte: usize) -> usize {
     memchr2(b'\n', b'\r', &text[byte..]).map_or(text.len(), |length| byte + length)
 }
 
-/// The first byte of the line after the line that ends at byte `end`.
+/// The first byte of the line after the one that ends at byte `end`.
 pub fn behind_line_end(text: &[u8], end: usize) -> usize {
     let width = if text[end..].starts_with(b"\r\n") { 2 } else { 1 };
     text.len().min(end + width)
 }
 
-/// The line end of a text where it has one kind only, CR LF or CR; otherwise LF.
+/// The line end of a text if it only has CR LF or only CR; otherwise LF.
 pub fn only_line_end(text: &[u8]) -> &'static str {
     let is_lone = |at: usize| at == 0 || text[at - 1] != b'\r';
     match (memchr(b'\r', text), memchr(b'\n', text)) {
@@ -305,7 +308,8 @@ pub fn only_line_end(text: &[u8]) -> &'static str {
 fn line_starts(text: &[u8]) -> (Vec<u32>, bool) {
     let ascii = text.is_ascii();
     if memchr(b'\r', text).is_none() {
-        // As editors hand it over: counted first, because a list that grows takes twice its memory.
+        // The usual text from an editor. The lines are counted first, because a growing list takes twice its
+        // memory.
         let ends = memchr_iter(b'\n', text);
         let mut starts = Vec::with_capacity(1 + ends.clone().count());
         starts.push(0);
@@ -331,8 +335,8 @@ fn line_starts(text: &[u8]) -> (Vec<u32>, bool) {
     (starts, plain)
 }
 
-/// UTF-16 units of some bytes, as a browser counts them once it has decoded the file: a byte that is not
-/// UTF-8 counts as one unit (the replacement character).
+/// UTF-16 length of some bytes, as a browser counts them after decoding: a byte that is not UTF-8 counts as
+/// one unit (the replacement character).
 fn utf16_len(bytes: &[u8]) -> u32 {
     if bytes.is_ascii() {
         return bytes.len() as u32;
@@ -340,7 +344,8 @@ fn utf16_len(bytes: &[u8]) -> u32 {
     chars(bytes).map(|(_, units)| units).sum()
 }
 
-/// Byte position and UTF-16 length of each character; each maximal invalid run as the decoder sees it is one.
+/// Byte position and UTF-16 length of each character; a maximal invalid sequence of the decoder is one
+/// character.
 fn chars(bytes: &[u8]) -> impl Iterator<Item = (usize, u32)> {
     let mut at = 0;
     bytes.utf8_chunks().flat_map(move |chunk| {
@@ -355,7 +360,7 @@ fn chars(bytes: &[u8]) -> impl Iterator<Item = (usize, u32)> {
 mod tests {
     use super::*;
 
-    /// Worked out by encoding the text before the byte as UTF-16.
+    /// Compares with the UTF-16 encoding of the text before the byte.
     #[test]
     fn offsets_as_written_count_what_is_there() {
         let texts = [
@@ -392,14 +397,14 @@ mod tests {
         }
     }
 
-    /// The index after an edit says the same as one made of the new text.
+    /// Checks that the index after an edit equals a new index of the text.
     fn check_edit(text: &mut Vec<u8>, index: &mut LineIndex, replaced: Range<usize>, insert: &[u8]) {
         let before = String::from_utf8_lossy(text).into_owned();
         text.splice(replaced.clone(), insert.iter().copied());
         index.edit(text, replaced.clone(), insert.len());
         let expected = LineIndex::new(text);
         assert_eq!(index.starts, expected.starts, "{before:?} {replaced:?} {insert:?}");
-        // They stay when the last sign that needed them is gone.
+        // Marks stay after the last character that needed them is removed.
         if !expected.marks.is_empty() {
             assert_eq!(index.marks, expected.marks, "{before:?} {replaced:?} {insert:?}");
         }
@@ -467,7 +472,7 @@ mod tests {
         assert_eq!(index.line_column(text, 5).column, 5);
     }
 
-    /// A text may be one line, and thousands of places are asked for.
+    /// A text may be a single line, and thousands of its places may be converted.
     #[test]
     fn places_in_a_long_line_are_those_of_a_count_from_its_beginning() {
         let text = "X1 外😀;".repeat(300).into_bytes();

@@ -1,33 +1,33 @@
-//! How places of a text move along when the text before them is changed.
+//! Shifts places of a text after a change before them.
 //!
-//! In: which part was replaced, and how much longer and how many lines more the text has become. Out: the new
-//! place of everything after that part. Knows nothing of what stands there.
+//! In: the replaced part, and by how many bytes and lines the text has grown. Out: the new position of
+//! everything after that part. Must not know the content.
 
 use super::Span;
 
-/// A change of a text, as seen by positions after it.
+/// The effect of a change on places after it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Shift {
-    /// Bytes of the old text from this one on are moved; those before it stay where they are.
+    /// First byte of the old text that moves; bytes before it do not.
     pub from: u32,
-    /// Bytes that the text has become longer.
+    /// Number of bytes by which the text has grown.
     pub bytes: i64,
-    /// Lines that it has become longer.
+    /// Number of lines by which it has grown.
     pub lines: i64,
 }
 
 impl Shift {
-    /// Whether a byte of the old text is moved.
+    /// Whether a byte of the old text moves.
     pub fn moves(&self, byte: u32) -> bool {
         byte >= self.from
     }
 
-    /// The new place of a byte.
+    /// The new position of a byte.
     pub fn byte(&self, byte: u32) -> u32 {
         if self.moves(byte) { (i64::from(byte) + self.bytes) as u32 } else { byte }
     }
 
-    /// The new place of a span. One that ends where the change begins is not moved.
+    /// The new position of a span. One that ends where the change begins does not move.
     pub fn span(&self, span: Span) -> Span {
         let start = self.byte(span.start);
         Span { start, end: start + span.len() as u32 }

@@ -1,4 +1,4 @@
-//! Blocks and words as they were written.
+//! Blocks and words of a program as written.
 
 use super::lexer::Number;
 use crate::limits::WORDS_PER_BLOCK;
@@ -13,10 +13,10 @@ pub enum Value {
     Number {
         /// Digits and point.
         number: Number,
-        /// Whether a minus stands before it.
+        /// Whether it has a minus sign.
         negative: bool,
     },
-    /// A macro expression (`#1`, `[#1+2]`), still to be read.
+    /// A macro expression (`#1`, `[#1+2]`), not yet evaluated.
     Expression,
 }
 
@@ -25,7 +25,7 @@ pub enum Value {
 pub struct Word {
     /// The address, an upper-case ASCII letter.
     pub address: u8,
-    /// Whether a comma stands before the letter (`,C2`).
+    /// Whether a comma precedes the letter (`,C2`).
     pub comma: bool,
     /// The value.
     pub value: Value,
@@ -33,30 +33,30 @@ pub struct Word {
     pub span: Span,
 }
 
-/// What a block is, read as a whole.
+/// The kind of a block.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum BlockKind {
-    /// Words, maybe none.
+    /// Words, possibly none.
     #[default]
     Words,
-    /// `%` alone: the start or end of the tape.
+    /// A lone `%`: the start or end of the tape.
     Percent,
     /// A macro statement: an assignment or `IF`, `WHILE`, `GOTO`, `DO`, `END`.
     Macro,
 }
 
-/// One block: everything up to a line end or `;`. Its storage is reused from block to block.
+/// A block: everything up to a line end or `;`. Its storage is reused for each block.
 #[derive(Clone, Debug, Default)]
 pub struct Block {
-    /// All its bytes, comments included, without the end of block.
+    /// All its bytes including comments, without the end of block.
     pub span: Span,
     /// Line, from 0.
     pub line: u32,
-    /// What it is.
+    /// The kind of the block.
     pub kind: BlockKind,
     /// Level of block delete: `/` and `/1` are 1.
     pub delete: Option<u8>,
-    /// A slash within the block: the words from that index on stand under block delete of that level.
+    /// A slash within the block: index of the first word under block delete, and the level.
     pub optional: Option<(usize, u8)>,
     /// Program number (`O1234`) at its head, or the number of its [name](super::program_name).
     pub program: Option<(u32, Span)>,
@@ -66,30 +66,31 @@ pub struct Block {
     pub sequence: Option<u32>,
     /// The other words, in order.
     pub words: Vec<Word>,
-    /// Comments, brackets included.
+    /// Comments, including brackets.
     pub comments: Vec<Span>,
-    /// What is wrong with the way it is written.
+    /// Errors in its notation.
     pub faults: Vec<Diagnostic>,
     /// First byte of its macro statement, if it is one.
     pub statement: u32,
-    /// Where the statement ends, without the blanks and comments after it.
+    /// End of the macro statement, without the blanks and comments after it.
     pub statement_end: u32,
-    /// Some words hold macro expressions.
+    /// Whether some words contain macro expressions.
     pub has_expressions: bool,
-    /// It is not written as a block should be, and the [part](crate::text::parser::READS_FAULTS) that reads
-    /// such blocks has not been loaded: what is here is not all, or not right.
+    /// Whether the block has errors in its notation, and the [part](crate::text::parser::READS_FAULTS) that
+    /// reads such blocks is not loaded: then this block is incomplete or wrong.
     pub is_unread: bool,
-    /// It has more words than are kept.
+    /// Whether it has more words than are kept.
     overlong: bool,
 }
 
 impl Block {
-    /// Whether it holds nothing that could be carried out.
+    /// Whether it contains nothing to execute.
     pub fn is_empty(&self) -> bool {
         self.kind == BlockKind::Words && self.words.is_empty() && self.program.is_none()
     }
 
-    /// Whether a fault of its writing keeps it from being carried out. A comma that can only be the decimal point does not.
+    /// Whether an error in its notation prevents its execution. A comma that can only be the decimal point
+    /// does not.
     pub fn is_broken(&self) -> bool {
         let is_read = |fault: &Diagnostic| {
             fault.message.is::<said::CommaForPoint>() && fault.fixes.iter().any(|fix| fix.safe)
@@ -102,7 +103,7 @@ impl Block {
         self.overlong
     }
 
-    /// Adds a word; a block that never ends is cut off with a fault rather than kept.
+    /// Adds a word. A block that never ends is cut off and gets an error.
     #[inline]
     pub(super) fn word(&mut self, word: Word) {
         if self.words.len() < WORDS_PER_BLOCK {
@@ -120,14 +121,14 @@ impl Block {
         }
     }
 
-    /// Whether no further word or fault of it is kept.
+    /// Whether no more words or errors are kept.
     pub(super) fn is_full(&self) -> bool {
-        // One fault more than words: a block of misread words is reported as too long.
+        // One error more than words: a block of misread words is reported as too long.
         self.faults.len() > WORDS_PER_BLOCK || self.overlong
     }
 
     pub(super) fn fault(&mut self, fault: Diagnostic) {
-        // One fault, one message: words are likely to be torn where a block is cut off.
+        // One mistake, one message: words may be split where a block is cut off.
         if !self.is_full() || self.faults.is_empty() {
             self.faults.push(fault);
         }
@@ -148,7 +149,7 @@ impl Block {
         self.faults.clear();
     }
 
-    /// Moves its places along, when the text before them has changed.
+    /// Shifts its spans after a change of the text before them.
     pub(super) fn shift(&mut self, shift: &Shift) {
         let words = self.words.iter_mut().map(|word| &mut word.span);
         let program = self.program.iter_mut().chain(&mut self.second_name).map(|(_, span)| span);
@@ -159,7 +160,7 @@ impl Block {
         (self.statement, self.statement_end) = (shift.byte(self.statement), shift.byte(self.statement_end));
     }
 
-    /// From the first word to the last, or the macro statement; the whole block where there is neither.
+    /// From the first word to the last, or the macro statement; the whole block if it has neither.
     pub fn words_span(&self) -> Span {
         match (self.words.first(), self.words.last()) {
             (Some(first), Some(last)) => first.span.to(last.span),

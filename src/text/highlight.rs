@@ -1,14 +1,14 @@
-//! Which class each piece of the text belongs to, for an editor to colour.
+//! Classifies the text for the colours of an editor.
 //!
-//! In: some lines of the text. Out: classed spans in order. The page knows no G-code: it only maps class
-//! numbers to colours.
+//! In: some lines of the text. Out: classified spans in order. The page does not know G-code: it only maps
+//! class numbers to colours.
 
 use super::block::{Block, BlockKind, Value};
 use super::parser::{Parser, Resume};
 use crate::order;
 use crate::source::Span;
 
-/// What a piece of text is, for its colour.
+/// The class of a piece of text, for its colour.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[repr(u8)]
 pub enum TokenClass {
@@ -28,13 +28,14 @@ pub enum TokenClass {
     Technology = 6,
     /// A macro statement or expression.
     Macro = 7,
-    /// Not understood.
+    /// Not recognised.
     Unknown = 8,
     /// `%`, `;`, `/`.
     Punctuation = 9,
 }
 
-/// The classed pieces of the lines from `start` (its first byte) to byte `end`, in order of place.
+/// The classified pieces of the lines from `start` (the first byte of a line) to byte `end`, in order of
+/// place.
 pub fn highlight(text: &[u8], start: usize, end: usize) -> Vec<(Span, TokenClass)> {
     let part = &text[..end.min(text.len())];
     let mut parser = Parser::resume(part, Resume::inside(start as u32, 0));
@@ -77,7 +78,7 @@ pub fn highlight(text: &[u8], start: usize, end: usize) -> Vec<(Span, TokenClass
     }
     found.retain(|(span, _)| !span.is_empty());
     order::by_key(&mut found, |(span, _)| span.start);
-    // Faults may lie over words: the first of two overlapping pieces wins, so that spans never cross.
+    // Errors may overlap words: the first of two overlapping pieces is kept, so that spans never overlap.
     let mut last = 0;
     found.retain(|(span, _)| {
         let keep = span.start >= last;
@@ -95,7 +96,7 @@ fn without_comments(block: &Block) -> Span {
     Span { start: block.span.start, end: end.max(block.span.start) }
 }
 
-/// The `N10` at the head of a block.
+/// The span of `N10` at the head of a block.
 pub fn sequence_span(text: &[u8], start: usize, end: usize) -> Option<Span> {
     let bytes = &text[start..end];
     let first = bytes.iter().position(|byte| byte.eq_ignore_ascii_case(&b'N'))?;

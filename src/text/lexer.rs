@@ -1,41 +1,41 @@
-//! Text to tokens, lossless: every byte belongs to exactly one token, in order.
+//! Splits text into tokens without loss: every byte belongs to exactly one token, in order.
 //!
-//! In: the bytes of a program, any bytes at all. Out: [`Token`]s. Never fails: what is not understood becomes
-//! a token too. Knows nothing of words, blocks or codes.
+//! In: the bytes of a program, which may be any bytes. Out: [`Token`]s. Never fails: unrecognised bytes
+//! become a token, too. Must not know words, blocks or codes.
 
 use std::ops::Range;
 
 use crate::source::Span;
 
-/// An unsigned number exactly as written.
+/// An unsigned number as written.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Number {
-    /// All digits read as one integer, the point left out; those past 18 significant ones are dropped.
+    /// All digits as one integer, without the point; digits after the first 18 significant ones are dropped.
     pub mantissa: u64,
     /// Digits after the point.
     pub decimals: u8,
-    /// Digits written; leading zeros are left out of long numbers. Capped at 255.
+    /// Digits as written; leading zeros of long numbers do not count. At most 255.
     pub digits: u8,
-    /// Decimal points written: 0, 1, or a mistake.
+    /// Number of decimal points: 0, 1, or more by mistake.
     pub points: u8,
 }
 
-/// Powers of ten that a double holds exactly.
+/// Powers of ten that a double represents exactly.
 const POWERS: [f64; 19] =
     [1e0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15, 1e16, 1e17, 1e18];
 
-/// Most digits that are kept; `mantissa` never overflows.
+/// Most digits that are kept, so that `mantissa` cannot overflow.
 const KEPT_DIGITS: u8 = 18;
 
 impl Number {
     /// The value as a double; correctly rounded up to 15 significant digits.
     pub fn value(self) -> f64 {
-        // Signed, which is quicker: it has 18 digits at most.
+        // The conversion from a signed integer is faster. There are at most 18 digits.
         self.mantissa as i64 as f64 / POWERS[self.decimals as usize]
     }
 
-    /// The value with the digits after the first `places` decimals cut off, as controls do with digits below
-    /// the least input increment (FANUC B-64114EN §8.3).
+    /// The value without the digits after the first `places` decimals: controls cut off digits below the
+    /// least input increment (FANUC B-64114EN §8.3).
     pub fn truncated(self, places: u8) -> f64 {
         if self.decimals <= places {
             return self.value();
@@ -44,17 +44,17 @@ impl Number {
         (self.mantissa / dropped) as f64 / POWERS[places as usize]
     }
 
-    /// Whether a decimal point was written.
+    /// Whether it has a decimal point.
     pub fn has_point(self) -> bool {
         self.points > 0
     }
 
-    /// The value when it is a whole number written without a point.
+    /// The value of a whole number written without a point.
     pub fn integer(self) -> Option<u64> {
         (self.points == 0).then_some(self.mantissa)
     }
 
-    /// Ten times the value, if that is a whole number as it is written: `12.1` is 121.
+    /// Ten times the value, if that is a whole number as written: `12.1` is 121.
     #[inline]
     pub fn tenths(self) -> Option<u64> {
         match self.decimals {
@@ -64,7 +64,7 @@ impl Number {
         }
     }
 
-    /// Reads the digits and points of some bytes and skips everything else.
+    /// Parses the digits and points of some bytes and skips all other bytes.
     pub fn read(bytes: &[u8]) -> Self {
         let mut number = Self::default();
         for &byte in bytes {
@@ -80,8 +80,8 @@ impl Number {
                 if self.digits > 0 || byte != b'0' {
                     self.digits = self.digits.saturating_add(1);
                 }
-                // A second point ends the value; whole digits past the limit saturate
-                // rather than shift the point.
+                // A second point ends the value. Whole digits past the limit are dropped without moving the
+                // point.
                 if self.points <= 1 && self.digits <= KEPT_DIGITS && self.decimals < KEPT_DIGITS {
                     self.mantissa = self.mantissa * 10 + u64::from(byte - b'0');
                     self.decimals += u8::from(self.points == 1);
@@ -93,15 +93,15 @@ impl Number {
     }
 }
 
-/// Most digits of a [`PlainWord`], so few that no leading zero can matter to the limit of digits.
+/// Most digits of a [`PlainWord`]. So few that leading zeros cannot exceed the limit of digits.
 pub const PLAIN_DIGITS: usize = 8;
 
-/// A letter and a number with nothing in between.
+/// A letter and a number with nothing between them.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PlainWord {
-    /// The address, upper-cased.
+    /// The address, upper-case.
     pub letter: u8,
-    /// Whether a minus stands before the number.
+    /// Whether the number has a minus sign.
     pub negative: bool,
     /// The number.
     pub number: Number,
@@ -109,7 +109,7 @@ pub struct PlainWord {
     pub span: Span,
 }
 
-/// What a token is.
+/// The kind of a token.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum TokenKind {
     /// Spaces, tabs and other control characters, a byte order mark.
@@ -118,7 +118,7 @@ pub enum TokenKind {
     LineEnd,
     /// `;`: an end of block inside a line.
     Semicolon,
-    /// A letter, upper-cased: the address of a word.
+    /// A letter in upper case: the address of a word.
     Letter(u8),
     /// Digits and points.
     Number(Number),
@@ -126,13 +126,13 @@ pub enum TokenKind {
     Plus,
     /// `-`.
     Minus,
-    /// A dash that print puts where a minus belongs (U+2212, U+2013, U+FF0D).
+    /// A typographic dash instead of a minus (U+2212, U+2013, U+FF0D).
     PrintedMinus,
     /// `( … )`, closed on its line.
     Comment,
-    /// A comment with further brackets inside.
+    /// A comment with more brackets inside.
     NestedComment,
-    /// `(` without its `)` before the line ends.
+    /// `(` without `)` before the end of the line.
     OpenComment,
     /// `%`.
     Percent,
@@ -142,18 +142,18 @@ pub enum TokenKind {
     Colon,
     /// `,` or the full-width comma.
     Comma,
-    /// `#`, `[`, `]`, `=`, `*`: signs of macro expressions.
+    /// `#`, `[`, `]`, `=`, `*`: characters of macro expressions.
     Macro(u8),
-    /// Anything else, as long a run as there is.
+    /// The longest run of other bytes.
     Unknown,
 }
 
 /// A token and its place.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Token {
-    /// What it is.
+    /// The kind of the token.
     pub kind: TokenKind,
-    /// Where it stands.
+    /// Its span.
     pub span: Span,
 }
 
@@ -162,8 +162,8 @@ pub struct Token {
 pub struct Lexer<'a> {
     text: &'a [u8],
     at: usize,
-    /// A part of a line in which brackets were found not to balance: there the first `)` ends a comment, so
-    /// that the rest of the line is not searched again and again for an end that never comes.
+    /// The part of a line in which brackets are known not to balance. There the first `)` ends a comment, so
+    /// that the rest of the line is not searched repeatedly for an end that does not exist.
     unbalanced: Range<usize>,
 }
 
@@ -183,12 +183,12 @@ impl<'a> Lexer<'a> {
         self.at
     }
 
-    /// Goes on from another byte.
+    /// Continues at another byte.
     pub fn seek(&mut self, at: usize) {
         self.at = at;
     }
 
-    /// The next byte, not taken.
+    /// The next byte, without consuming it.
     #[inline]
     pub fn peek_byte(&self) -> Option<u8> {
         self.text.get(self.at).copied()
@@ -251,9 +251,9 @@ impl<'a> Lexer<'a> {
         TokenKind::Number(Number::read(&self.text[start..self.at]))
     }
 
-    /// The word that stands here, if it is written plainly: a letter, perhaps a minus, a number of up to
-    /// [`PLAIN_DIGITS`] digits, nothing in between. Nearly all words are; the same word read as tokens is the
-    /// same, only slower. Takes nothing where it answers `None`.
+    /// The word at the current position if it is plain: a letter, an optional minus, a number of up to
+    /// [`PLAIN_DIGITS`] digits, nothing between them. Nearly all words are; reading the same word as tokens
+    /// gives the same result, only slower. Consumes nothing if it returns `None`.
     #[inline]
     pub fn plain_word(&mut self) -> Option<PlainWord> {
         let start = self.at;
@@ -264,7 +264,7 @@ impl<'a> Lexer<'a> {
         Some(PlainWord { letter: letter.to_ascii_uppercase(), negative, number, span })
     }
 
-    /// Reads a comment whose opening bracket is `skip` bytes long at the current place (0: already taken).
+    /// Reads a comment at the current position. Its opening bracket has `skip` bytes (0: already consumed).
     fn comment(&mut self, skip: usize) -> TokenKind {
         self.at += skip;
         let start = self.at;
@@ -294,7 +294,7 @@ impl<'a> Lexer<'a> {
                 }
             }
         }
-        // Never balanced: the first closing bracket ends it, as on a control; without one the line does.
+        // Not balanced: the first closing bracket ends it, as on a control, or else the end of the line.
         self.unbalanced = start..self.at;
         match first_close {
             Some(end) => {
@@ -305,10 +305,10 @@ impl<'a> Lexer<'a> {
         }
     }
 
-    /// A sign that print or copying puts in place of an ASCII one, and its length in bytes.
+    /// A typographic or full-width character in place of an ASCII one, and its length in bytes.
     fn printed(&self) -> Option<(TokenKind, usize)> {
         let rest = &self.text[self.at..];
-        // The first bytes of the signs below; asking for them first keeps other text fast.
+        // The first bytes of the characters below; checking them first is fast for other text.
         if !matches!(rest.first(), Some(0xC2 | 0xE2 | 0xE3 | 0xEF)) {
             return None;
         }
@@ -344,8 +344,8 @@ impl<'a> Lexer<'a> {
     }
 }
 
-/// Whether the number of a plain word whose letter stands before byte `first` is negative, the number, and where it
-/// ends.
+/// The number of a plain word, from byte `first` after its letter: whether it is negative, the number, and
+/// its end.
 #[inline(always)]
 pub(super) fn plain_number(text: &[u8], first: usize) -> Option<(bool, Number, usize)> {
     let negative = text.get(first) == Some(&b'-');
@@ -362,7 +362,7 @@ pub(super) fn plain_number(text: &[u8], first: usize) -> Option<(bool, Number, u
         return None;
     }
     match text.get(end) {
-        // Digits after a blank belong to the same number: the parser joins them, and says so.
+        // Digits after a blank belong to the same number: the parser joins and reports them.
         Some(&byte)
             if is_blank(byte)
                 && text
@@ -371,26 +371,27 @@ pub(super) fn plain_number(text: &[u8], first: usize) -> Option<(bool, Number, u
         {
             None
         }
-        // A second point or a misread digit after them too.
+        // So does a second point or a misread digit.
         Some(b'.' | b'O' | b'o' | b'l' | 0xEF) => None,
         _ => Some((negative, Number { mantissa, decimals, digits: digits as u8, points }, end)),
     }
 }
 
-/// Where the digits from byte `at` on end, and the integer they make, read after those of `before`.
+/// End of the digits from byte `at` on, and the integer that they make when appended to `before`.
 #[inline(always)]
 fn digits(text: &[u8], mut at: usize, before: u64) -> (usize, u64) {
     let mut integer = before;
     while let Some(digit) = text.get(at).map(|byte| byte.wrapping_sub(b'0')).filter(|digit| *digit < 10) {
-        // Whoever reads too many of them does not use them.
+        // May overflow: the callers reject numbers with too many digits.
         integer = integer.wrapping_mul(10).wrapping_add(u64::from(digit));
         at += 1;
     }
     (at, integer)
 }
 
-/// Whether a byte is a blank: a space, or any control character but a line end. A control passes over them: NUL is the
-/// feed of paper tape, 0x11 to 0x14 start and stop the reader and the punch, 0x0C is a form feed, 0x1A the end of a DOS file.
+/// Whether a byte is a blank: a space, or any control character but a line end. A control ignores them: NUL
+/// is the feed of paper tape, 0x11 to 0x14 start and stop the reader and the punch, 0x0C is a form feed, 0x1A
+/// the end of a DOS file.
 #[inline]
 pub const fn is_blank(byte: u8) -> bool {
     matches!(byte, 0..=b'\t' | 0x0B | 0x0C | 0x0E..=b' ' | 0x7F)
@@ -444,7 +445,7 @@ mod tests {
         }
         assert_eq!(split(""), [""]);
         assert_eq!(split("X1;\r\n"), ["X1", "", ""]);
-        // A comment that is not closed ends with its line.
+        // An unclosed comment ends with its line.
         assert_eq!(split("(A;B\rX1"), ["(A;B", "X1"]);
     }
 

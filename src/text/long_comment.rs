@@ -1,7 +1,8 @@
-//! Comments over several lines: `(FIRST LINE`, `SECOND LINE 1.5`, `THIRD)`. A control ignores everything to the `)`.
+//! Comments over several lines: `(FIRST LINE`, `SECOND LINE 1.5`, `THIRD)`. A control ignores everything up
+//! to the `)`.
 //!
-//! In: a text and a place in it. Out: where such a comment ends. Only lines of text within a short distance are
-//! one; a block that is written as a block is carried out. So a change of the text matters [`LINES`] lines around it at most.
+//! In: a text and a place in it. Out: the end of such a comment. It is limited to a few lines of text; a line
+//! that is a valid block is executed. So a change of the text affects at most [`LINES`] lines around it.
 
 use crate::source::Span;
 
@@ -11,8 +12,9 @@ pub const LINES: usize = 6;
 /// Most bytes of a comment.
 const BYTES: usize = 600;
 
-/// The ends of the lines of a comment with `(` at byte `open`, and the byte after its `)`; `None` if it ends on its line,
-/// there is another bracket before or in it, or one of the further lines contains no word of text.
+/// The ends of the lines of a comment with `(` at byte `open`, and the byte after its `)`. `None` if it ends
+/// on its line, if there is another bracket before or in it, or if one of the other lines contains no word of
+/// text.
 pub fn over_lines(text: &[u8], open: usize) -> Option<(Vec<u32>, usize)> {
     let before = text[open.saturating_sub(BYTES)..open].iter().rev().take_while(|&&byte| byte != b'\n');
     if text[open] != b'(' || before.into_iter().any(|&byte| byte == b'(') {
@@ -40,7 +42,7 @@ pub fn over_lines(text: &[u8], open: usize) -> Option<(Vec<u32>, usize)> {
     None
 }
 
-/// Whether a block is a further line of such a comment.
+/// Whether a block continues such a comment.
 pub fn continues(text: &[u8], block: Span) -> bool {
     let start = block.start as usize;
     let from = start.saturating_sub(BYTES);
@@ -54,7 +56,7 @@ fn is_letter(byte: u8) -> bool {
     byte.is_ascii_alphabetic() || byte >= 0x80
 }
 
-/// The bytes around a change of the text within which it can change how a line is read.
+/// The range around a change of the text in which lines may now be read differently.
 pub fn around(text: &[u8], start: usize, end: usize) -> (usize, usize) {
     let is_end = |byte: &&u8| **byte == b'\n';
     let lines = |bytes: &mut dyn Iterator<Item = &u8>| {

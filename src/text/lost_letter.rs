@@ -1,6 +1,6 @@
-//! Which letter a number may have lost.
+//! Guesses the lost letter of a number.
 //!
-//! In: the number and the words around it. Out: letters, the likeliest first.
+//! In: the number and the words around it. Out: letters, the most likely first.
 
 use super::block::Word;
 use crate::source::Span;
@@ -8,11 +8,11 @@ use crate::source::Span;
 /// Most letters that are offered.
 const OFFERED: usize = 3;
 
-/// Letters that a number without one may have had: those that usually stand in that
-/// place and are not there yet.
+/// Letters that a number without one may have lost: those that are usual at this place and do not occur in
+/// the block yet.
 pub fn candidates(number: &str, span: Span, words: &[Word]) -> Vec<char> {
     let has = |letters: &[u8]| words.iter().any(|word| letters.contains(&word.address));
-    // A word that a blank tears apart begins before it.
+    // A word that is split by a blank begins before it.
     let behind = words.iter().filter(|word| word.span.start < span.start);
     let before = |letters: &[u8]| behind.clone().any(|word| letters.contains(&word.address));
     let code = |codes: &[u64]| {
@@ -63,14 +63,14 @@ pub fn candidates(number: &str, span: Span, words: &[Word]) -> Vec<char> {
     found
 }
 
-/// Whether a number is a G code that often stands at the head of a block.
+/// Whether a number is a G code that is frequent at the head of a block.
 fn is_usual_code(number: f64) -> bool {
     const CODES: [u8; 16] = [17, 18, 19, 20, 21, 28, 30, 32, 34, 40, 41, 42, 50, 54, 98, 99];
     CODES.iter().any(|&code| f64::from(code) == number)
 }
 
-/// A number of digits and at most one point, near enough to compare it with what letters take; 0 for anything
-/// else.
+/// The value of digits with at most one point, exact enough to compare it with the usual values of letters; 0
+/// for anything else.
 fn size_of(number: &str) -> f64 {
     let (mut value, mut scale, mut points) = (0.0, 1.0, 0);
     for byte in number.bytes() {

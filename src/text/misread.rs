@@ -1,25 +1,24 @@
-//! Words whose characters were misread or come from another keyboard: letters O and l for 0 and 1, full-width
-//! characters.
+//! Words with misread characters, or characters of another keyboard: letters O and l instead of 0 and 1,
+//! full-width characters.
 //!
-//! In: bytes at which a word begins. Out: the word as it was meant. Takes nothing for such a
-//! word that is written right.
+//! In: bytes at which a word begins. Out: the intended word. A correctly written word is not recognised.
 
 /// U+2212 and U+2013.
 const PRINTED_MINUS: [&[u8]; 2] = ["\u{2212}".as_bytes(), "\u{2013}".as_bytes()];
 
-/// A number of more characters is no number that somebody mistyped.
+/// A longer number is not a typing mistake.
 const LONGEST: usize = 16;
 
-/// A word as it was meant.
+/// The intended word.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Misread {
-    /// The address, upper-cased.
+    /// The address, upper-case.
     pub address: u8,
     /// Address, sign and number in ASCII.
     pub plain: String,
-    /// The first letter that stands for a digit.
+    /// The first letter that replaces a digit.
     pub letter: Option<u8>,
-    /// Bytes it takes.
+    /// Its length in bytes.
     pub len: usize,
 }
 
@@ -60,14 +59,14 @@ pub fn read(text: &[u8], start: usize) -> Option<Misread> {
     })
 }
 
-/// Whether an O or l inside a number can only be a digit: right after its letter or its digits, with digits
-/// or the end of the word after it and its like.
+/// Whether an O or l inside a number can only be a digit: it follows the letter or the digits of its word,
+/// and after it and others like it there are digits or the end of the word.
 fn stands_for_digit(text: &[u8], at: usize, address: u8, digits: usize) -> bool {
     let alike = text[at..].iter().take(LONGEST).take_while(|byte| matches!(byte, b'O' | b'o' | b'l')).count();
     let next = text.get(at + alike).copied().unwrap_or(b' ');
     let ends = matches!(next, b'0'..=b'9' | b'.') || !next.is_ascii_alphanumeric();
     if text[at] == b'l' {
-        // `P9010l2`, and words in small letters: repeats of a call.
+        // `P9010l2`, and words in lower case: the repetitions of a call.
         let repeats = digits > 0 && (address.is_ascii_lowercase() || address == b'P');
         let alone = digits == 0 && alike == 1 && !next.is_ascii_digit();
         return ends && !repeats && !alone;
@@ -75,17 +74,17 @@ fn stands_for_digit(text: &[u8], at: usize, address: u8, digits: usize) -> bool 
     ends
 }
 
-/// Whether a character is the full-width twin of an ASCII one.
+/// Whether a character is the full-width form of an ASCII character.
 pub fn is_full_width(sign: char) -> bool {
     ('\u{ff01}'..='\u{ff5e}').contains(&sign)
 }
 
-/// The ASCII twin of the character at a byte, where the next one begins, and whether it was a full-width one. A printed
-/// minus (U+2212, U+2013) counts as `-`.
+/// The ASCII form of the character at a byte, the start of the next one, and whether it was full-width. A
+/// typographic minus (U+2212, U+2013) becomes `-`.
 fn character(text: &[u8], at: usize) -> Option<(u8, usize, bool)> {
     match *text.get(at)? {
         0xEF => {
-            // U+FF01 to U+FF5E are the ASCII characters from `!` to `~`.
+            // U+FF01 to U+FF5E are the full-width forms of the ASCII characters from `!` to `~`.
             let (second, third) = (*text.get(at + 1)?, *text.get(at + 2)?);
             let code = 0xF000 | u32::from(second & 0x3F) << 6 | u32::from(third & 0x3F);
             let twin = code.checked_sub(0xFEE0).filter(|twin| (0x21..=0x7E).contains(twin))?;

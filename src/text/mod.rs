@@ -1,4 +1,4 @@
-//! What was written: tokens, words and blocks. Knows nothing of what any of it means to a control.
+//! Tokens, words and blocks as written. Must not know what they mean to a control.
 
 pub mod block;
 pub mod highlight;

@@ -1,23 +1,23 @@
-//! Lines that only say where to go, read as a whole: `N10 G01 X20. Z-5.`.
+//! Lines with only positions, read as a whole: `N10 G01 X20. Z-5.`.
 //!
-//! In: text. Out: [`PlainLine`]. Nearly all lines of a long program are of this kind; the same line read as a
-//! block is the same, only slower. Knows no more of what words mean than the parser.
+//! In: text. Out: [`PlainLine`]. Nearly all lines of a long program are of this kind; reading them as blocks
+//! gives the same result, only slower. Knows no more of the meaning of words than the parser.
 
 use super::lexer::{Number, plain_number};
 use crate::source::Span;
 
-/// A line of X, Z or both, perhaps after a sequence number and a G word; all written plainly, in this order.
+/// A line with X, Z or both, optionally after a sequence number and a G word; all plain words, in this order.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct PlainLine {
     /// The sequence number.
     pub sequence: Option<u32>,
     /// The number of the G word.
     pub code: Option<Number>,
-    /// The number of the word X, and whether it is negative.
+    /// The number of the X word, and whether it is negative.
     pub x: Option<(bool, Number)>,
-    /// The same of the word Z.
+    /// The number of the Z word, and whether it is negative.
     pub z: Option<(bool, Number)>,
-    /// All its bytes, without its end.
+    /// All its bytes, without the line end.
     pub span: Span,
 }
 
@@ -38,7 +38,7 @@ impl PlainLine {
                 line.span = Span::new(start, at);
                 return has_place.then_some(line);
             }
-            // No letter may appear twice, or after one that follows it.
+            // No letter may appear twice, or after a letter that must follow it.
             let may_stand = match byte {
                 b'Z' => line.z.is_none(),
                 b'X' => !has_place,

@@ -1,7 +1,7 @@
 //! Plain words: text of a natural language among the words of a program.
 //!
-//! In: a block and its comments. Out: which runs of letters can only be text, and which may be words whose
-//! digits were misread. Knows no code.
+//! In: a block and its comments. Out: the runs of letters that can only be text, and those that may be words
+//! with misread digits. Must not know codes.
 
 use super::lexer::is_blank;
 use super::misread::is_full_width;
@@ -13,17 +13,17 @@ use crate::source::Span;
 pub struct PlainWords {
     /// Plain words: runs of two or more letters between blanks or block ends. Adjacent words are one span.
     pub groups: Vec<Span>,
-    /// How many runs of letters can only be text, whatever their bounds: `finish` of `finish.`
+    /// Number of runs of letters that can only be text, whatever surrounds them: `finish` in `finish.`
     pub texts: usize,
-    /// Letters may be words with misread or lost digits: `XSO` for `X50`, a lone `Z`.
+    /// Whether letters may be words with misread or lost digits: `XSO` for `X50`, a lone `Z`.
     pub is_ambiguous: bool,
-    /// A letter is followed by a number or an expression; marks and blanks between them do not count.
+    /// Whether a letter is followed by a number or an expression, possibly with marks and blanks between.
     pub has_value: bool,
-    /// One of [`SMALL_WORDS`] was found.
+    /// Whether one of [`SMALL_WORDS`] was found.
     has_small_word: bool,
 }
 
-/// Letters of macro statements; a plain word is none of them.
+/// Keywords of macro statements, which are not plain words.
 const KEYWORDS: [&str; 37] = [
     "ABS", "ACOS", "ADP", "AND", "ASIN", "ATAN", "BCD", "BIN", "BPRNT", "COS", "DO", "DPRNT", "END", "EQ",
     "EXP", "FIX", "FUP", "GE", "GOTO", "GT", "IF", "LE", "LN", "LT", "MOD", "NE", "OR", "PCLOS", "POPEN",
@@ -33,13 +33,13 @@ const KEYWORDS: [&str; 37] = [
 /// Words that are ambiguous unless two other words are beside them.
 const SMALL_WORDS: [&str; 6] = ["ALL", "IS", "NO", "OIL", "TO", "TOOL"];
 
-/// Letters that are often read for a digit, or a digit for them.
+/// Letters that are easily confused with a digit.
 const LIKE_DIGITS: &str = "OoIilSsBZz";
 
-/// Further ones, where only one address can be meant.
+/// More such letters, used if only one address is possible.
 const LESS_LIKE_DIGITS: &str = "QDLEAGTgqbОоЗзб";
 
-/// Text of a longer block may be anything, bytes.
+/// Longest block that is examined, bytes.
 const LONGEST: usize = 4096;
 
 /// Most digits of a word with misread digits.
@@ -61,10 +61,10 @@ impl PlainWords {
         }
         let (mut at, end) = (block.start as usize, block.end as usize);
         let mut comments = comments.iter().filter(|comment| block.contains(**comment)).peekable();
-        // Whether the last letter or digit is a letter; the last group before its last word;
-        // whether a word now would join that group.
+        // Whether the last letter or digit was a letter; the state of the last group before its last word;
+        // whether the next word joins that group.
         let (mut after_letter, mut before, mut joins) = (false, None, false);
-        // Brackets of expressions that are open.
+        // Number of open brackets of expressions.
         let mut depth = 0_usize;
         while at < end {
             if let Some(comment) = comments.next_if(|comment| comment.start as usize <= at) {
@@ -148,11 +148,11 @@ fn is_plain(piece: &str) -> bool {
 pub fn begins_as_sentence(bytes: &[u8]) -> bool {
     const LETTERS: usize = 3;
     let Ok(text) = std::str::from_utf8(bytes.trim_ascii()) else { return false };
-    // Pictures in front of headings: `🔧 Facing`.
+    // Emoji in front of headings: `🔧 Facing`.
     let text = text.trim_start_matches(|sign: char| !sign.is_ascii() && !sign.is_alphanumeric()).trim_start();
     let (word, rest) = text.split_at(text.find(|letter: char| !letter.is_alphabetic()).unwrap_or(text.len()));
     let ends = |sign: char| sign.is_whitespace() || matches!(sign, ',' | ':' | '.' | '!' | '?' | '/' | '—');
-    // `ç` of `Posição` is no misread digit.
+    // The `ç` in `Posição` is not a misread digit.
     let has_accent = word.chars().any(|letter| matches!(letter, 'À'..='ɏ'));
     let follows = rest.chars().next().is_none_or(ends);
     if !follows || is_keyword(word) {
@@ -162,7 +162,7 @@ pub fn begins_as_sentence(bytes: &[u8]) -> bool {
     }
     let next = rest.trim_start().split(|letter: char| !letter.is_alphabetic()).next().unwrap_or_default();
     let is_long = |word: &str| word.chars().count() >= LETTERS;
-    // `ID bore`, `to home`; `TOOL` is a word, although its letters are like digits.
+    // `ID bore`, `to home`; `TOOL` is a word, although its letters look like digits.
     let is_short = word.chars().count() + 1 == LETTERS && is_long(next) && is_plain(next);
     is_short || is_long(word) && (has_accent || is_plain(word)) || word.eq_ignore_ascii_case("TOOL")
 }
@@ -190,7 +190,7 @@ fn is_like_words(run: &str) -> bool {
     if digits <= MOST_DIGITS && letters.clone().all(is_digit) {
         return true;
     }
-    // After each address at least one digit.
+    // At least one digit after each address.
     let mut after_address = true;
     let alternates = letters.all(|letter| {
         let fits = like(letter) || !after_address;
@@ -200,7 +200,7 @@ fn is_like_words(run: &str) -> bool {
     alternates && !after_address
 }
 
-/// Whether a letter is an address or looks like one: letters of alphabets and full-width letters.
+/// Whether a letter is an address or looks like one: letters of alphabets, and full-width letters.
 fn is_address(letter: char) -> bool {
     letter.is_alphabetic() && (letter < '\u{530}' || is_full_width(letter))
 }
@@ -211,7 +211,7 @@ pub fn begins_in_other_script(bytes: &[u8]) -> bool {
     text.trim_start().starts_with(|letter: char| letter.is_alphabetic() && !is_address(letter))
 }
 
-/// Bytes of the blank at the head of some bytes, 0 without one.
+/// Length in bytes of the blank at the head of some bytes, 0 without one.
 fn blank(bytes: &[u8]) -> usize {
     match bytes {
         [byte, ..] if is_blank(*byte) => 1,
@@ -248,12 +248,12 @@ mod tests {
             ("rough X20 then finish Z-5 slowly", &["rough", "finish", "slowly"]),
             ("\tmm  X5\u{a0}退刀", &["mm", "退刀"]),
             ("X5 отвод", &["отвод"]),
-            // An address with a value, across blanks as well.
+            // An address with a value, also across blanks.
             ("retract 5", &[]),
             ("slowly retract -5", &["slowly"]),
             ("retract #5", &[]),
             ("retract=5", &[]),
-            // Not between blanks, or not of letters only.
+            // Not between blanks, or not only letters.
             ("X64retract", &[]),
             ("X60 “safe” finish.", &[]),
             ("T0303 groove 3mm", &[]),
