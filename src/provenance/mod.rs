@@ -154,7 +154,7 @@ pub struct Look {
     pub is_unusual: bool,
     /// The evidence for the decimal rule in its numbers.
     pub numbers: DecimalEvidence,
-    /// Its head names no unit and may be in inches: [`recognise`] says whether it is.
+    /// Whether its head gives no unit and it may be in inches, which [`recognise`] decides.
     pub may_be_inches: bool,
 }
 

@@ -1,17 +1,18 @@
-//! Tokens to blocks. Never fails: what cannot be read becomes a fault of its block, and reading goes on.
+//! Parses tokens into blocks. Never fails: text that cannot be parsed becomes an error of its block, and
+//! parsing continues.
 //!
 //! ```text
 //! program  = { block ( LINE-END | ";" ) }
 //! block    = "%" | { "/" [digit] } [ ( "O" | ":" ) number [ name ] | [ "O" ] name ] [ "N" number ] ( macro | { word | comment } )
-//! word     = [ "," ] letter [ sign ] ( number | expression )        blanks may stand anywhere between
+//! word     = [ "," ] letter [ sign ] ( number | expression )        blanks are allowed anywhere between
 //!          | name                                                   after M98, G65, G66: the program that is called
 //! name     = "<" … ">"
 //! macro    = ( "#" | "IF" | "WHILE" | "GOTO" | "DO" | "END" ) …      up to the end of the block
 //! comment  = "(" … ")"
 //! ```
 //!
-//! In: text. Out: one [`Block`] at a time, its storage reused, so that a long program costs no memory.
-//! Knows which letters begin a word, not what any word means.
+//! In: text. Out: one [`Block`] at a time, in reused storage, so that a long program needs no memory. Knows
+//! which letters begin a word, but not what a word means.
 
 use super::block::{Block, BlockKind, Value, Word};
 use super::lexer::{Lexer, Number, TokenKind, is_between_blocks, is_blank};
@@ -28,13 +29,15 @@ use crate::parts::{Part, early};
 use crate::source::shift::Shift;
 use crate::source::{Span, line_end};
 
-/// Most faults of one block without a safe fix that are reported; one mistake easily upsets the words after it.
+/// Most errors without a safe fix that are reported for one block; one mistake often affects the words after
+/// it.
 const FAULTS_PER_BLOCK: usize = 3;
 
-/// Bytes at the head of a text within which the leader of the tape, the sign after it and the first word of the program are.
+/// Bytes at the head of a text that contain the leader of the tape, the `%` after it and the first word of
+/// the program.
 pub const LEADER: usize = 1024;
 
-/// The part of the module that reads what is not written as it should be.
+/// The part of the module that reads blocks with errors.
 pub const READS_FAULTS: Part = Part::Early;
 
 early! {
@@ -67,33 +70,33 @@ early! {
     }
 }
 
-/// The beginning of a word whose number has a comma in it.
+/// The beginning of a word whose number contains a comma.
 struct Torn {
     address: u8,
-    /// Whether a comma stands before the letter, as in `,C2`.
+    /// Whether a comma precedes the letter, as in `,C2`.
     comma: bool,
     negative: bool,
     /// From its letter on.
     start: Span,
 }
 
-/// Whether that part has been loaded; where it has not, the block is marked.
+/// Whether that part is loaded; otherwise the block is marked as unread.
 fn may_read_faults(block: &mut Block) -> bool {
     block.is_unread |= !READS_FAULTS.is_loaded();
     !block.is_unread
 }
 
-/// Reads a program block by block.
+/// Parses a program block by block.
 #[derive(Clone, Debug)]
 pub struct Parser<'a> {
     lexer: Lexer<'a>,
     line: u32,
-    /// A block was read that holds something.
+    /// Whether a block with content was read.
     begun: bool,
-    /// The block to come stands after a `;` on the same line.
+    /// Whether the next block follows a `;` on the same line.
     after_semicolon: bool,
     ended: bool,
-    /// It reads a block as its safe fixes would leave it.
+    /// Whether it reads a block with its safe fixes applied.
     is_trial: bool,
 }
 
@@ -103,7 +106,7 @@ impl<'a> Parser<'a> {
         Self::resume(text, Resume::default())
     }
 
-    /// Goes on where another parser of the same text stood.
+    /// Continues at the position of another parser of the same text.
     pub fn resume(text: &'a [u8], at: Resume) -> Self {
         Self {
             lexer: Lexer::new(text, at.byte as usize),
@@ -115,12 +118,12 @@ impl<'a> Parser<'a> {
         }
     }
 
-    /// Goes to another place of the text.
+    /// Moves to another position of the text.
     pub fn go_to(&mut self, at: Resume) {
         *self = Self::resume(self.lexer.text(), at);
     }
 
-    /// The place where the next block begins.
+    /// The position of the next block.
     pub fn position(&self) -> Resume {
         Resume {
             byte: self.lexer.position() as u32,
@@ -131,7 +134,7 @@ impl<'a> Parser<'a> {
         }
     }
 
-    /// Reads the next block into `block`; false at the end of the program.
+    /// Reads the next block into `block`. Returns false at the end of the program.
     pub fn next_block(&mut self, block: &mut Block) -> bool {
         block.clear();
         if self.ended || self.lexer.peek_byte().is_none() {
@@ -152,19 +155,19 @@ impl<'a> Parser<'a> {
         true
     }
 
-    /// Whether a sign `%` has ended the program.
+    /// Whether a `%` has ended the program.
     pub fn ended(&self) -> bool {
         self.ended
     }
 
-    /// The next line, if it is a plain one; it is not taken.
+    /// The next line, if it is a plain one, without consuming it.
     #[inline]
     pub fn plain_line(&self) -> Option<PlainLine> {
         let is_inside = self.begun && !self.ended && !self.after_semicolon;
         PlainLine::read(self.lexer.text(), self.lexer.position()).filter(|_| is_inside)
     }
 
-    /// Takes a plain line; its number, from 0.
+    /// Consumes a plain line and returns its number, from 0.
     #[inline]
     pub fn take(&mut self, line: &PlainLine) -> u32 {
         self.lexer.seek(line.span.end as usize + 1);
@@ -172,7 +175,7 @@ impl<'a> Parser<'a> {
         self.line - 1
     }
 
-    /// Looks again at a block with faults: it may be text, or contain plain words.
+    /// Examines a block with errors again: it may be text, or contain plain words.
     fn reconsider(&self, block: &mut Block, behind_semicolon: bool) {
         let text = self.lexer.text();
         let may_lead = !self.begun && !self.is_trial && (block.span.start as usize) < LEADER;
@@ -203,12 +206,12 @@ impl<'a> Parser<'a> {
         let plain = PlainWords::of(text, block.span, &block.comments);
         let unclear = block.is_broken() || block.words.is_empty();
         let is_text = !plain.has_value && !plain.is_ambiguous;
-        // `; 其实N10 …` is no block either, but only the author knows about N10.
+        // `; 其实N10 …` is not a block either, but only the author knows what N10 means.
         let own = block.span.of(text);
         let has_sentence =
             !plain.has_value && plain.groups.iter().any(|group| group.of(text).contains(&b' '));
         let is_remark = is_text || has_sentence || begins_in_other_script(own) || begins_as_sentence(own);
-        // `;(TURN (LONG CUT))`: it is in brackets, and those within are reported.
+        // `;(TURN (LONG CUT))`: it is a comment already, and its inner brackets are reported.
         let is_comment = block.words.is_empty()
             && block.faults.iter().any(|fault| fault.message.is::<said::CommentNested>())
             && block.faults.iter().all(|fault| fault.message.is::<said::CommentNested>());
@@ -222,8 +225,8 @@ impl<'a> Parser<'a> {
             };
         }
         if block.words.is_empty() && only_marks_outside_brackets(block.span.of(text)) {
-            // `(FACE), (F0.3).`: the remarks stand in brackets already; one message
-            // reports the marks between them.
+            // `(FACE), (F0.3).`: the remarks are comments already; one message reports the marks between
+            // them.
             block.faults.truncate(1);
         }
         let prose = block.words.is_empty() || reads_as_prose(block.span.of(text));
@@ -235,7 +238,7 @@ impl<'a> Parser<'a> {
             self.take_as_text(block, &plain);
         }
         for fault in &mut block.faults {
-            // `go`, `tool`, `toolO2`: letters that may be text are no digits for sure.
+            // `go`, `tool`, `toolO2`: letters that may be text are not certainly digits.
             let at = fault.span.start as usize;
             let is_axis = matches!(text.get(at).map(u8::to_ascii_uppercase), Some(b'X' | b'Z' | b'U' | b'W'));
             let is_letter = |at: usize| text.get(at).is_some_and(u8::is_ascii_alphabetic);
@@ -263,8 +266,9 @@ impl<'a> Parser<'a> {
         }
     }
 
-    /// Whether a block with text in it can only be a remark, although a code is in it: `; G71 roughing` at the head of a line, or
-    /// such a line in front of the first program number. A block that names a place is none.
+    /// Whether a block with text can only be a remark, although it contains a code: `; G71 roughing` at the
+    /// head of a line, or such a line before the first program number. A block with a position is not a
+    /// remark.
     fn is_title(&self, block: &Block, plain: &PlainWords, behind_semicolon: bool) -> bool {
         let text = self.lexer.text();
         let names_place = block.words.iter().any(|word| b"XZUW".contains(&word.address));
@@ -279,7 +283,7 @@ impl<'a> Parser<'a> {
         is_remark && !plain.groups.is_empty() && !plain.is_ambiguous && !names_place && !is_statement
     }
 
-    /// Whether the block has more errors with its safe fixes than without: then they are not safe.
+    /// Whether the block has more errors with its safe fixes applied than without. Then they are not safe.
     fn is_worse_when_fixed(&self, block: &Block, behind_semicolon: bool) -> bool {
         let fixes = block.faults.iter().filter_map(|fault| fault.fixes.iter().find(|fix| fix.safe));
         let mut edits: Vec<&Edit> = fixes.flat_map(|fix| &fix.edits).collect();
@@ -296,7 +300,7 @@ impl<'a> Parser<'a> {
             }
         }
         fixed.extend_from_slice(Span { start: at, end: block.span.end }.of(text));
-        // Whether a percent sign ends the program depends on what comes after it.
+        // Whether a percent sign ends the program depends on the text after it.
         const AFTER: usize = 256;
         let (end, rest) = (fixed.len(), &text[block.span.end as usize..]);
         fixed.extend_from_slice(&rest[..rest.len().min(AFTER)]);
@@ -310,8 +314,8 @@ impl<'a> Parser<'a> {
         left > errors(block)
     }
 
-    /// One message for a block without a value. Brackets around all of it are safe where its letters can
-    /// only be text.
+    /// Reports a block without a value in one message. Putting all of it in brackets is a safe fix if its
+    /// letters can only be text.
     fn take_as_text(&self, block: &mut Block, plain: &PlainWords) {
         let text = self.lexer.text();
         let span = trimmed(text, block.span);
@@ -327,8 +331,9 @@ impl<'a> Parser<'a> {
         block.fault(in_brackets(text, told, is_sure));
     }
 
-    /// Reports plain words. The rest is read without them: where it has no error, brackets around them are
-    /// safe. A block of text with brackets in it is one message, unless the rest has no error.
+    /// Reports plain words. The rest is parsed without them: if it has no error, putting the words in
+    /// brackets is a safe fix. A block of text that contains brackets gets one message, unless the rest has
+    /// no error.
     fn take_plain_words(&self, block: &mut Block, plain: &PlainWords, whole: bool) {
         let is_text = !plain.has_value && whole;
         if plain.groups.is_empty() {
@@ -344,7 +349,7 @@ impl<'a> Parser<'a> {
         let text = self.lexer.text();
         for &group in &plain.groups {
             let quote = short_quote(text, group);
-            // In letters of no address, the block is carried out.
+            // If the letters are not addresses, the block is executed.
             let told = match decorates(group.of(text)) {
                 true => Diagnostic::new(said::NotUnderstood { text: quote }, group).graded(Severity::Warning),
                 false => Diagnostic::new(said::PlainWords { text: quote }, group),
@@ -355,7 +360,7 @@ impl<'a> Parser<'a> {
         *block = rest;
     }
 
-    /// Reads a block again, with blanks in place of some of its text.
+    /// Parses a block again, with blanks in place of some of its text.
     fn read_without(&self, block: &Block, left_out: &[Span]) -> Block {
         let start = block.span.start;
         let mut text = block.span.of(self.lexer.text()).to_vec();
@@ -371,7 +376,7 @@ impl<'a> Parser<'a> {
         rest
     }
 
-    /// Offers the letters that a number without one may have had.
+    /// Offers the letters that a number without one may have lost.
     fn offer_addresses(&self, block: &mut Block) {
         let Block { faults, words, .. } = block;
         for fault in faults {
@@ -393,7 +398,7 @@ impl<'a> Parser<'a> {
         }
     }
 
-    /// Reads up to and including the end of the block; returns where its text ends.
+    /// Reads to the end of the block, and consumes it; returns the end of its text.
     fn read(&mut self, block: &mut Block) -> usize {
         loop {
             match self.lexer.peek_byte() {
@@ -422,10 +427,11 @@ impl<'a> Parser<'a> {
         }
     }
 
-    /// Reads one token, and whatever belongs to it; where the block's text ends, if that is its end.
+    /// Reads one token and the tokens that belong to it. Returns the end of the block's text if that was its
+    /// end.
     #[inline(never)]
     fn token(&mut self, block: &mut Block) -> Option<usize> {
-        // Before a token is made of all the full-width characters in a row: each word
+        // Checked before the lexer joins consecutive full-width characters to one token: otherwise every word
         // would be read to their end.
         const FULL_WIDTH: u8 = 0xEF;
         if self.lexer.peek_byte() == Some(FULL_WIDTH)
@@ -457,7 +463,7 @@ impl<'a> Parser<'a> {
             }
             TokenKind::NestedComment => {
                 block.comment(token.span);
-                // `(OD (80 DEG)`: the comment ends where the control ends it.
+                // `(OD (80 DEG)`: the comment ends at the first `)`, as on a control.
                 let text = token.span.of(self.lexer.text());
                 if text[..text.len() - 1].contains(&b')') {
                     block.fault(Diagnostic::new(said::CommentNested, token.span));
@@ -479,7 +485,7 @@ impl<'a> Parser<'a> {
             TokenKind::Macro(b'[')
                 if block.words.is_empty() && block.faults.is_empty() && self.letter_follows() =>
             {
-                // `[BILLET X62 Z70`: how class simulators write the stock; no control reads it.
+                // `[BILLET X62 Z70`: the notation of class simulators for the stock; no control reads it.
                 self.skip_line();
                 block.comment(Span { start: token.span.start, end: self.lexer.position() as u32 });
             }
@@ -508,7 +514,7 @@ impl<'a> Parser<'a> {
         None
     }
 
-    /// Reads the word of a letter just taken.
+    /// Reads the word of the letter that was consumed.
     fn letter(&mut self, block: &mut Block, letter: u8, first: Span, comma: Option<Span>) {
         if comma.is_none() && self.begins_keyword(letter, first) && !self.begins_remark(block, first) {
             return self.macro_statement(block, first);
@@ -581,8 +587,9 @@ impl<'a> Parser<'a> {
         block.fault(Diagnostic::new(message, start));
     }
 
-    /// Takes the name of a program whose `<` is at byte `at`; `start` is where it begins with its O. At the head of a block it
-    /// is that of the program, after the code of a call that of the program called. False: there is none, or it has no place.
+    /// Reads the name of a program whose `<` is at byte `at`; `start` is the beginning of its O. At the head
+    /// of a block it names this program, after the code of a call the called one. Returns false if there is
+    /// no name, or it must not appear here.
     #[cold]
     fn program_name(&mut self, block: &mut Block, at: usize, start: u32) -> bool {
         let Some((number, end)) = program_name::read(self.lexer.text(), at) else { return false };
@@ -608,7 +615,7 @@ impl<'a> Parser<'a> {
         true
     }
 
-    /// Stores a complete word, or what its number is worth complaining about.
+    /// Stores a complete word, or reports the error in its number.
     fn word(
         &mut self,
         block: &mut Block,
@@ -619,7 +626,7 @@ impl<'a> Parser<'a> {
         span: Span,
     ) {
         let (mut number, mut span) = (number, span);
-        // After `N10` a number is one that lost its letter.
+        // A second number after `N10` has lost its letter.
         if letter != b'N' && self.blank_then_digit() {
             (number, span) = self.split_number(block, span);
         }
@@ -642,7 +649,7 @@ impl<'a> Parser<'a> {
         self.store(block, letter, comma, negative, number, span);
     }
 
-    /// Puts a sound word where it belongs: O and N at the head of a block apart.
+    /// Stores a correct word; O and N at the head of a block have their own fields.
     #[inline]
     fn store(
         &mut self,
@@ -655,7 +662,7 @@ impl<'a> Parser<'a> {
     ) {
         let at_head = block.words.is_empty() && !comma && !negative && number.points == 0;
         match letter {
-            // `G:00` is no program number.
+            // `G:00` is not a program number.
             b'O' if at_head
                 && block.program.is_none()
                 && block.sequence.is_none()
@@ -680,7 +687,7 @@ impl<'a> Parser<'a> {
         });
     }
 
-    /// Joins digits that blanks tear apart: a control does not see the blanks.
+    /// Joins digits that blanks separate: a control ignores the blanks.
     fn split_number(&mut self, block: &mut Block, span: Span) -> (Number, Span) {
         let mut end = span.end;
         while self.blank_then_digit() {
@@ -696,7 +703,7 @@ impl<'a> Parser<'a> {
         (Number::read(whole.of(self.lexer.text())), whole)
     }
 
-    /// A number without an address; `00006` at the head of a program is a misread `O0006`.
+    /// Reads a number without an address; `00006` at the head of a program is a misread `O0006`.
     fn lone_number(&mut self, block: &mut Block, number: Number, span: Span) {
         let text = span.of(self.lexer.text());
         let at_head =
@@ -722,8 +729,8 @@ impl<'a> Parser<'a> {
         block.fault(Diagnostic::new(said::AddressMissing { number: quote }, span));
     }
 
-    /// `Z,15`, `Z20,5`: a comma where the point belongs. The word is read as it was meant, so that what it
-    /// switches on holds for the blocks after it.
+    /// `Z,15`, `Z20,5`: a comma instead of the decimal point. The word is read as intended, so that its modal
+    /// effect applies to the next blocks.
     #[cold]
     fn torn_at_comma(&mut self, block: &mut Block, word: Torn, comma: Span, digits: Span) {
         if may_read_faults(block) {
@@ -732,7 +739,7 @@ impl<'a> Parser<'a> {
     }
 
     fn take_torn_word(&mut self, block: &mut Block, word: Torn, comma: Span, digits: Span) {
-        // `Z1,2,3`: one word that cannot be read.
+        // `Z1,2,3`: a single word that cannot be read.
         let (mut end, mut goes_on) = (digits, false);
         while self.comma_and_number_follow() {
             goes_on = true;
@@ -758,7 +765,7 @@ impl<'a> Parser<'a> {
         self.store(block, word.address, word.comma, word.negative, number, span);
     }
 
-    /// Whether a comma comes next, and a digit, a point or another comma right after it.
+    /// Whether a comma is next, directly followed by a digit, a point or another comma.
     fn comma_and_number_follow(&self) -> bool {
         let rest = &self.lexer.text()[self.lexer.position()..];
         let after = rest.strip_prefix(b",").or_else(|| rest.strip_prefix("，".as_bytes()));
@@ -767,7 +774,7 @@ impl<'a> Parser<'a> {
         })
     }
 
-    /// `；`, `（外圆）`: a sign that a control does not know, with its ASCII twin as the repair.
+    /// `；`, `（外圆）`: a full-width character that a control does not know, with its ASCII form as the fix.
     #[cold]
     fn full_width(&self, block: &mut Block, span: Span) {
         if may_read_faults(block) {
@@ -775,7 +782,7 @@ impl<'a> Parser<'a> {
         }
     }
 
-    /// A number has more than one sign; where one of them is a minus, that may be meant.
+    /// Reports a number with several signs; if one of them is a minus, it may be intended.
     fn report_two_signs(&self, block: &mut Block, span: Span, negative: bool) {
         let word = span.quote(self.lexer.text());
         let address = word.find(['-', '+', '–', '−', '－']).unwrap_or(1);
@@ -786,7 +793,7 @@ impl<'a> Parser<'a> {
     }
 
     fn report_full_width(&self, block: &mut Block, span: Span) {
-        // One fault, one message; the repair of the first uncovers the next.
+        // One mistake, one message; the fix of the first reveals the next.
         if block.faults.iter().any(|fault| fault.message.is::<said::FullWidth>()) {
             return;
         }
@@ -808,9 +815,9 @@ impl<'a> Parser<'a> {
         block.fault(Diagnostic::new(said::FullWidth { word, plain }, span).with(fix));
     }
 
-    /// `GO1`, `X2O0`, `Ｘ５０`: a word with letters where digits belong, or with full-width characters. It is
-    /// read as it was meant, so that what it switches on holds for the blocks after it. False: the word that
-    /// begins at byte `start` is no such word, and nothing is taken.
+    /// `GO1`, `X2O0`, `Ｘ５０`: reads a word with letters instead of digits, or with full-width characters, as
+    /// intended, so that its modal effect applies to the next blocks. Returns false and consumes nothing if
+    /// the word at byte `start` is not such a word.
     #[inline]
     fn misread_word(&mut self, block: &mut Block, start: u32) -> bool {
         let text = self.lexer.text();
@@ -861,7 +868,7 @@ impl<'a> Parser<'a> {
         match token.map(|token| (token.kind, token.span)) {
             Some((TokenKind::Letter(letter), span)) => self.letter(block, letter, span, Some(comma)),
             Some((TokenKind::Number(_), span)) if self.ends_at(block.words.last(), comma) => {
-                // `Z20,5`: the word was taken at its comma; it is this number that is broken.
+                // `Z20,5`: the word was stored at its comma, and this number belongs to it.
                 let Some(taken) = block.words.pop() else { return };
                 let Word { address, comma: with_comma, value, span: start } = taken;
                 let negative = matches!(value, Value::Number { negative: true, .. });
@@ -876,7 +883,7 @@ impl<'a> Parser<'a> {
         }
     }
 
-    /// Whether nothing but blanks is between a word and a place.
+    /// Whether there are only blanks between a word and a place.
     fn ends_at(&self, word: Option<&Word>, place: Span) -> bool {
         let between = |word: &Word| Span { start: word.span.end, end: place.start }.of(self.lexer.text());
         word.is_some_and(|word| between(word).iter().all(|&byte| is_blank(byte)))
@@ -885,7 +892,7 @@ impl<'a> Parser<'a> {
     fn percent(&mut self, block: &mut Block, span: Span) {
         if block.words.is_empty() && block.program.is_none() && block.sequence.is_none() {
             block.kind = BlockKind::Percent;
-            // What stands after the sign on its line is the leader of the tape.
+            // The text after the sign on its line is the leader of the tape.
             self.skip_line();
         } else if self.ends_tape() {
             self.skip_line();
@@ -895,8 +902,7 @@ impl<'a> Parser<'a> {
         }
     }
 
-    /// Whether nothing but another program, or its sign, stands after a percent sign: `M30%`
-    /// as the last line of a file.
+    /// Whether only another program, or its `%`, follows a percent sign: `M30%` as the last line of a file.
     fn ends_tape(&self) -> bool {
         const SEARCHED: usize = 200;
         let behind = &self.lexer.text()[self.lexer.position()..];
@@ -920,7 +926,7 @@ impl<'a> Parser<'a> {
         }
     }
 
-    /// Whether a macro keyword begins at the letter just taken.
+    /// Whether a macro keyword begins at the letter that was consumed.
     #[inline]
     fn begins_keyword(&self, letter: u8, first: Span) -> bool {
         let keyword: &[u8] = match letter {
@@ -944,7 +950,7 @@ impl<'a> Parser<'a> {
 
     /// Whether the keyword at the head of a block after `;` begins a sentence: `; end of program`.
     fn begins_remark(&self, block: &mut Block, first: Span) -> bool {
-        // Once for a block: the search goes to its end.
+        // Once for each block: the search continues to its end.
         let is_head = block.is_empty() && block.faults.is_empty() && !block.is_unread;
         if !self.after_semicolon || !is_head {
             return false;
@@ -954,7 +960,7 @@ impl<'a> Parser<'a> {
             return false;
         }
         let rest = &self.lexer.text()[first.start as usize..];
-        // With the `;` that ends the block: a lone keyword in front of it is none of a sentence.
+        // Includes the `;` that ends the block: a lone keyword before it is not a sentence.
         let end = memchr::memchr3(b';', b'\n', b'\r', rest)
             .map_or(rest.len(), |end| end + usize::from(rest[end] == b';'));
         is_sentence(&rest[..end])
@@ -966,7 +972,7 @@ impl<'a> Parser<'a> {
         rest.len() >= keyword.len() && rest[..keyword.len()].eq_ignore_ascii_case(keyword)
     }
 
-    /// Whether the value of the address just taken begins with a function: `ROUND[`, `-SIN[`.
+    /// Whether the value of the address that was consumed begins with a function: `ROUND[`, `-SIN[`.
     #[inline]
     fn begins_function(&self) -> bool {
         let rest = &self.lexer.text()[self.lexer.position()..];
@@ -976,7 +982,7 @@ impl<'a> Parser<'a> {
         (2..=5).contains(&name) && rest.get(name) == Some(&b'[')
     }
 
-    /// Skips the function of an address value; returns its end.
+    /// Skips the function in the value of an address; returns its end.
     fn skip_function(&mut self, first: Span) -> u32 {
         while let Some(byte) = self.lexer.peek_byte()
             && byte != b'['
@@ -1012,7 +1018,7 @@ impl<'a> Parser<'a> {
         }
     }
 
-    /// Skips a macro expression whose first sign was just taken; returns its end.
+    /// Skips a macro expression whose first token was consumed; returns its end.
     fn skip_expression(&mut self, first: Span) -> u32 {
         let mut depth = u32::from(first.of(self.lexer.text()) == b"[");
         let mut end = first.end;
@@ -1037,7 +1043,7 @@ impl<'a> Parser<'a> {
         }
     }
 
-    /// Text after a `;` that does not read as words is a remark.
+    /// Turns text after a `;` that does not read as words into a remark.
     fn take_as_comment(&self, block: &mut Block, is_sure: bool) {
         let text = self.lexer.text();
         let remark = trimmed(text, block.span);
@@ -1046,7 +1052,7 @@ impl<'a> Parser<'a> {
         block.fault(in_brackets(text, told, is_sure));
     }
 
-    /// Reads a block without the remark after its `//` or arrow.
+    /// Parses a block without the remark after its `//` or arrow.
     fn take_marked_remark(&self, block: &mut Block, remark: Span, behind_semicolon: bool) {
         let text = self.lexer.text();
         let Span { start: byte, .. } = block.span;
@@ -1070,7 +1076,7 @@ impl<'a> Parser<'a> {
         *block = rest;
     }
 
-    /// Goes to the end of the line.
+    /// Moves to the end of the line.
     fn skip_line(&mut self) {
         while !matches!(self.lexer.peek_byte(), None | Some(b'\n' | b'\r')) {
             self.lexer.seek(self.lexer.position() + 1);
@@ -1100,7 +1106,7 @@ impl<'a> Parser<'a> {
     }
 }
 
-/// Where a parser stands: enough to go on later.
+/// The position of a parser, from which it can continue later.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Resume {
     /// Next byte.
@@ -1113,12 +1119,12 @@ pub struct Resume {
 }
 
 impl Resume {
-    /// The first byte of a line in the midst of a program.
+    /// The first byte of a line within a program.
     pub fn inside(byte: u32, line: u32) -> Self {
         Self { byte, line, begun: false, after_semicolon: false, ended: false }
     }
 
-    /// The same place after a change of the text.
+    /// The same position after a change of the text.
     pub fn shifted(mut self, shift: &Shift) -> Self {
         (self.byte, self.line) = (shift.byte(self.byte), shift.line(self.line, self.byte));
         self
@@ -1130,9 +1136,9 @@ impl Resume {
     }
 }
 
-/// Where the first sign `%` of a text begins, if what is before it is the leader of the tape: a control skips it (B-64484EN,
-/// program components). Only text is taken for a leader, and only before a program: a program with mistakes before
-/// a single `%` at its end is read.
+/// Start of the first `%` of a text, if the text before it is the leader of the tape, which a control skips
+/// (B-64484EN, program components). Only prose before a program counts as a leader: a program with mistakes
+/// and a single `%` at its end is parsed.
 fn leader(text: &[u8]) -> Option<u32> {
     let head = &text[..text.len().min(LEADER)];
     let sign = head.iter().position(|&byte| byte == b'%')?;
@@ -1154,7 +1160,8 @@ fn precedes_number_of_program(head: &[u8]) -> bool {
     head.split(|byte| matches!(byte, b'\n' | b'\r')).any(is_number)
 }
 
-/// Whether the first `%` of a text follows a lone program number. A control skips the number and runs the blocks after `%`.
+/// Whether the first `%` of a text follows a lone program number. A control skips the number and runs the
+/// blocks after `%`.
 fn names_program(text: &[u8], sign: Span) -> bool {
     let before = &text[..sign.start as usize];
     if before.len() > LEADER || before.contains(&b'%') {
@@ -1165,7 +1172,7 @@ fn names_program(text: &[u8], sign: Span) -> bool {
     })
 }
 
-/// Whether something holds for all blocks of a text that is read for a trial.
+/// Whether a predicate holds for all blocks of a text, parsed as a trial.
 fn all_blocks(text: &[u8], holds: impl Fn(&Block) -> bool) -> bool {
     let (mut parser, mut block) = (Parser { is_trial: true, ..Parser::new(text) }, Block::default());
     while parser.next_block(&mut block) {
@@ -1188,15 +1195,16 @@ fn may_be_thousands(address: u8, written: &str) -> bool {
         && !whole.is_empty()
 }
 
-/// Signs of the marks in front of remarks, and blanks.
+/// Characters of the marks in front of remarks, and blanks.
 const MARKS: [char; 11] = ['/', '<', '>', '=', '-', '←', '→', '⇐', '⇒', ' ', '\t'];
 
-/// From the `//` or the arrow of a block to its end, where text follows: a sentence as in programs of C, or `<-- Rapid`.
+/// The span from the `//` or the arrow of a block to its end, if text follows: a comment in the style of C,
+/// or `<-- Rapid`.
 fn marked_remark(text: &[u8], block: &Block) -> Option<Span> {
     let own = block.span.of(text);
     let is_inside = |at: u32| block.comments.iter().any(|own| own.start <= at && at < own.end);
     let begins = |(at, pair): (usize, &[u8])| {
-        // The arrows of Unicode share two bytes.
+        // Unicode arrows share their first two bytes.
         let is_mark = matches!(pair, b"//" | b"<-" | b"->" | b"=>" | b"<=" | b"\xE2\x86" | b"\xE2\x87");
         (is_mark && !is_inside(block.span.start + at as u32)).then_some((at, pair == b"//"))
     };
@@ -1213,7 +1221,8 @@ fn marked_remark(text: &[u8], block: &Block) -> Option<Span> {
     is_text.then_some(remark)
 }
 
-/// The message about a comment over several lines, which end at `ends`. The fix puts each of them in brackets.
+/// The message about a comment over several lines, which end at `ends`. The fix puts each of them in
+/// brackets.
 fn over_lines(text: &[u8], open: Span, ends: &[u32]) -> Diagnostic {
     let edits = ends.iter().flat_map(|&end| {
         let close = end - u32::from(text[end as usize - 1] == b'\r');
@@ -1232,9 +1241,9 @@ fn keep_as_comment(block: &mut Block, remark: Span) {
     block.comment(remark);
 }
 
-/// Whether text that belongs to no word cannot have been meant as one: a rule of dashes, commas between
-/// remarks, words in letters that no address has, a remark whose brackets do not pair. Nothing else may be
-/// taken for a remark, for a sign may be lost in it.
+/// Whether text that belongs to no word cannot be a word: a rule of dashes, commas between remarks, words in
+/// letters that are not addresses, a remark with unbalanced brackets. Only these may be treated as remarks,
+/// because other text may contain a lost sign.
 fn decorates(bytes: &[u8]) -> bool {
     const LETTERS: usize = 4;
     let rule =
@@ -1249,7 +1258,7 @@ fn decorates(bytes: &[u8]) -> bool {
     rule || foreign || bracketed
 }
 
-/// Whether a line has remarks in brackets and beside them nothing but punctuation.
+/// Whether a line only has remarks in brackets, with nothing but punctuation between them.
 fn only_marks_outside_brackets(bytes: &[u8]) -> bool {
     let mut outside = true;
     let mut remarks = false;
@@ -1265,13 +1274,13 @@ fn only_marks_outside_brackets(bytes: &[u8]) -> bool {
     remarks && outside
 }
 
-/// Whether some bytes look like a sentence rather than words of a block: three letters in a row, or letters
-/// that are not ASCII.
+/// Whether some bytes look like a sentence rather than words of a block: three consecutive letters, or
+/// letters that are not ASCII.
 fn reads_as_prose(bytes: &[u8]) -> bool {
     !bytes.is_ascii() || bytes.windows(3).any(|run| run.iter().all(u8::is_ascii_alphabetic))
 }
 
-/// `X12..5` and `X12.8.` with one point; nothing where either could be meant: `X1.2.5`.
+/// `X12..5` and `X12.8.` with one point; `None` if either point may be intended: `X1.2.5`.
 fn without_second_point(word: &str) -> Option<String> {
     let first = word.find('.')?;
     let (head, tail) = word.split_at_checked(first + 1)?;
@@ -1280,12 +1289,12 @@ fn without_second_point(word: &str) -> Option<String> {
     sure.then(|| format!("{head}{rest}"))
 }
 
-/// Offers to put a remark in brackets, unless it has some of its own.
+/// Adds a fix that puts a remark in brackets, unless it contains brackets.
 fn in_brackets(text: &[u8], told: Diagnostic, is_sure: bool) -> Diagnostic {
     in_brackets_without(&[], text, told, is_sure)
 }
 
-/// The same without the signs at its head that made it a remark.
+/// The same without the characters at its head that mark it as a remark.
 fn in_brackets_without(signs: &[char], text: &[u8], told: Diagnostic, is_sure: bool) -> Diagnostic {
     match std::str::from_utf8(told.span.of(text)).map(|remark| remark.trim_start_matches(signs)) {
         Ok(remark) if !remark.is_empty() && !remark.contains(['(', ')', '（', '）']) => {
@@ -1296,13 +1305,13 @@ fn in_brackets_without(signs: &[char], text: &[u8], told: Diagnostic, is_sure: b
     }
 }
 
-/// M98, M198, G65, G66: a block with such a word names a program.
+/// Whether a block with this word names a program: M98, M198, G65, G66.
 fn calls_program(word: &Word) -> bool {
     let Value::Number { number, negative: false } = word.value else { return false };
     matches!((word.address, number.integer()), (b'M', Some(98 | 198)) | (b'G', Some(65 | 66)))
 }
 
-/// Drops what is too much. Faults with a safe fix are all kept: one that a fix uncovered would be new.
+/// Drops surplus errors. Errors with a safe fix are all kept: an error revealed by a fix would count as new.
 fn keep_faults(faults: &mut Vec<Diagnostic>) {
     let mut others = 0;
     faults.retain(|fault| {
@@ -1312,7 +1321,7 @@ fn keep_faults(faults: &mut Vec<Diagnostic>) {
     });
 }
 
-/// Whether a letter or a digit of the block is before a place, with nothing but blanks and signs between.
+/// Whether a letter or digit of the block precedes a place, with only blanks and signs between.
 fn follows_word(text: &[u8], block: u32, at: usize) -> bool {
     let before = String::from_utf8_lossy(&text[block as usize..at]);
     before.chars().rev().find(|&sign| !is_blank_or_sign(sign)).is_some_and(char::is_alphanumeric)
@@ -1324,7 +1333,8 @@ fn precedes_number(rest: &[u8]) -> bool {
     String::from_utf8_lossy(rest).chars().find(|&sign| !is_between(sign)).is_some_and(char::is_numeric)
 }
 
-/// Whether a character can be between a letter and its digits: a blank, a point or a sign, also as it is printed.
+/// Whether a character may be between a letter and its digits: a blank, a point or a sign, including
+/// typographic ones.
 fn is_blank_or_sign(sign: char) -> bool {
     sign.is_whitespace() || matches!(sign, '+' | '-' | '.' | '\u{2212}' | '\u{2013}' | '\u{ff0d}')
 }
@@ -1361,7 +1371,7 @@ pub(crate) fn short_quote(text: &[u8], span: Span) -> String {
 mod tests {
     use super::*;
 
-    /// Words, then faults, of each block: `X-5` or `!number-missing`.
+    /// Words, then errors, of each block: `X-5` or `!number-missing`.
     fn read(text: &str) -> Vec<String> {
         let mut parser = Parser::new(text.as_bytes());
         let mut block = Block::default();
@@ -1499,7 +1509,7 @@ mod tests {
             assert!(!told.contains("text-after-semicolon"), "{told}");
         }
         assert_eq!(read("G0 X1; 粗车"), ["G0 X1", "!text-after-semicolon"]);
-        // A broken block is no remark: nothing may hide a lost sign.
+        // A block with errors is not a remark: a lost sign must not be hidden.
         assert_eq!(
             read("G98; Z?20.0 F100")[1],
             "F100 !number-missing !character-not-understood !address-missing"
