@@ -80,7 +80,7 @@ impl Feed {
         self.unit.forget();
     }
 
-    /// A lone G94 in code system B chooses the unit of F.
+    /// Suppresses the remark about the unit of F: a lone G94 in code system B has chosen it.
     pub fn unit_is_chosen(&mut self) {
         self.unit.leave_out();
     }
@@ -106,7 +106,7 @@ impl Feed {
         } else if self.is_old {
             self.is_old = false;
             if self.used_for == Use::Thread {
-                // The change of the unit is reported, not also the lead.
+                // Only the change of the unit is reported, not the lead.
                 self.used_for = Use::Open;
             }
             let code = code_of(G::Feed(at.state.feed_mode), at);
@@ -165,7 +165,7 @@ impl Feed {
         }
     }
 
-    /// The unit of F was reported as wrong for its use, so the old F is not reported as well.
+    /// Suppresses the remark about an old F, because the unit of F was reported as wrong for its use.
     pub fn unit_is_reported(&mut self) {
         self.is_old = false;
     }
@@ -188,7 +188,8 @@ impl Feed {
         self.alone = None;
     }
 
-    /// When F changes or the program ends, reports a cycle block with F and no axis whose F no cut has used.
+    /// Reports a cycle block with F and without an axis if no cut has used its F. Called when F changes or
+    /// the program ends.
     pub fn look_at_lone_word(&mut self, at: &Moment, reports: &mut Vec<Diagnostic>) {
         if let Some(Alone { span, cycle, end }) = self.alone.take()
             && self.used_for == Use::Open

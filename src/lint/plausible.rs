@@ -410,7 +410,7 @@ impl<'a> Program<'a> {
         Some(program)
     }
 
-    /// Finds the motions of each block that ran only once, without interruption.
+    /// Finds the motions of each block in its first uninterrupted run.
     fn match_motions(&mut self) {
         // Most motions belong to the same block as the one before.
         let (mut before, mut row) = (u32::MAX, None);

@@ -86,7 +86,8 @@ impl Rotary {
         }
     }
 
-    /// C is released, or the program ends, and C has not moved since the spindle was started.
+    /// Reports a start of the spindle with C connected if C has not moved since. Called when C is released or
+    /// the program ends.
     pub fn still_connected(&mut self) -> Option<Diagnostic> {
         let StartWithC { word, number, before } = self.start.take()?;
         // As written: M3 or M03.

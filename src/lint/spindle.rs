@@ -300,7 +300,7 @@ impl Spindle {
         self.report_still_move(reports);
     }
 
-    /// Handles a skipped block, which may have set the speed. One mistake, one message.
+    /// Suppresses the remark about a missing speed, because a skipped block may have set it.
     pub fn left_out(&mut self, at: &Moment) {
         let spindle = &at.state.spindle;
         if spindle.rpm == 0.0 && spindle.cutting_speed == 0.0 {
@@ -308,7 +308,7 @@ impl Spindle {
         }
     }
 
-    /// Handles unknown settings of a block or program.
+    /// Suppresses the remarks about settings that a block or program may have made.
     pub fn is_unknown(&mut self) {
         self.stopped.leave_out();
         self.no_clamp.leave_out();

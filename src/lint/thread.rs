@@ -27,7 +27,8 @@ const LEADS: std::ops::RangeInclusive<f64> = 0.001..=500.0;
 const LEADS_OF_INCH: std::ops::RangeInclusive<f64> = 25.4 / 25400.0..=25.4 / 0.06;
 /// The finest pitch of a standard thread, mm (ISO 261: M1 fine).
 const FINEST: f64 = 0.2;
-/// Greatest ratio of the depth steps of two passes: each pass cuts on wider flanks than the one before.
+/// Greatest ratio of the depth step of a pass to the largest step before it. Usually the steps decrease,
+/// because each pass cuts on wider flanks.
 const JUMP: f64 = 2.0;
 /// A depth step up to this is never too deep, mm (radius).
 const DEEP_STEP: f64 = 0.3;

@@ -65,7 +65,7 @@ pub fn without_axis(words: &Words, cycle: Single, at: &Moment) -> Option<Diagnos
 pub struct Vacant(Vec<u32>);
 
 impl Vacant {
-    /// Handles a word that is dropped because its variable is vacant.
+    /// Reports a word that is dropped because its variable is vacant, once for each variable.
     pub fn meets(&mut self, word: &Word, at: &Moment) -> Option<Diagnostic> {
         let (variable, diagnostic) = vacant(word, at)?;
         let is_new = self.0.len() < MOST && !self.0.contains(&variable);

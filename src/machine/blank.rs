@@ -76,8 +76,8 @@ pub fn clear_of_rapids(stock: Stock, evidence: &Evidence) -> Stock {
     stock
 }
 
-/// Enlarges the blank if the tool came to the first cut along Z from outside: otherwise that cut would remove
-/// nothing.
+/// Enlarges the blank if the tool came to the first cut along Z from outside, so that this cut removes
+/// material.
 pub fn larger_than_first_pass(stock: Stock, evidence: &Evidence) -> Stock {
     let radius = stock.diameter.radius();
     let mut before = None;
@@ -101,7 +101,7 @@ pub fn larger_than_first_pass(stock: Stock, evidence: &Evidence) -> Stock {
 }
 
 /// Makes the bore of a tube smaller than the cut that makes it, if after that cut the tool goes further in
-/// and comes back through the bore. Otherwise the end of the cut would not be visible.
+/// and comes back through the bore. So the end of the cut is visible.
 pub fn smaller_than_bored(stock: Stock, evidence: &Evidence) -> Stock {
     let bored = stock.bore.radius();
     let mut at_end = false;
@@ -320,7 +320,7 @@ impl Cuts {
         cuts.join(&all);
     }
 
-    /// A bar, or a tube if there is only boring, that shows the cuts. None without cuts.
+    /// A blank that shows the cuts: a bar, or a tube if there is only boring. `None` without cuts.
     pub fn blank(&self, first_face: Option<f64>) -> Option<Stock> {
         let mut across = self.outside;
         across.join(&self.grooves);

@@ -1,8 +1,8 @@
 //! Detects collisions, and tools used for something they are not made for.
 //!
-//! In: each motion with its tool, and the workpiece before it. Out: [`Finding`]s. Mere contact is no finding:
-//! outlines are compared with the workpiece a hundredth of a millimetre smaller than they are. Of an inferred
-//! tool only the tip counts, and an inferred blank has no findings. Must not know messages.
+//! In: each motion with its tool, and the workpiece before it. Out: [`Finding`]s. Contact alone is not a
+//! finding: for the check, outlines are shrunk by a hundredth of a millimetre. Of an inferred tool only the
+//! tip counts, and an inferred blank has no findings. Must not know messages.
 
 use super::danger::{Axis, Danger, Finding};
 use super::live_way::LiveCuts;
@@ -44,7 +44,7 @@ const ALONG: f64 = 0.001;
 const SKIN: f64 = 0.05;
 const STANDS: f64 = 0.5;
 
-/// Whether the setup contains anything that motions can collide with.
+/// Whether the setup contains anything to check motions against: a blank, a tailstock or travel limits.
 pub fn can_be_found(setup: &Setup) -> bool {
     setup.stock.is_some() || setup.tailstock.is_some() || setup.machine.travel != Travel::default()
 }
@@ -426,8 +426,8 @@ fn along_outside(stock: &Stock, motion: &Motion, part: &mut Part) -> Option<Poin
     stands.then(|| Point::new(from.x, if from.z > to.z { high } else { low }))
 }
 
-/// The path of a rapid if both axes move at the same rate until the shorter one arrives. None if that path is
-/// straight.
+/// The path of a rapid if both axes move at the same rate until the shorter one arrives. `None` if that path
+/// is straight.
 fn dogleg(motion: &Motion) -> Option<[Point; 3]> {
     let (from, to) = (motion.from, motion.to);
     let (dx, dz) = (to.x - from.x, to.z - from.z);

@@ -45,7 +45,7 @@ pub struct InferredSetup {
     /// The first motion of each use for which no tool is known: each tool that was tried cuts into the
     /// contour.
     pub unknown: Vec<usize>,
-    /// The blank. None if there are no cuts.
+    /// The blank. `None` if there are no cuts.
     pub stock: Option<Stock>,
 }
 

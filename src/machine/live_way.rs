@@ -55,7 +55,7 @@ struct Cut {
     reach: f64,
 }
 
-/// The live cuts until now.
+/// The live cuts before the current motion.
 #[derive(Clone, Debug, Default)]
 pub(super) struct LiveCuts {
     places: Vec<Cut>,

@@ -42,8 +42,8 @@ use region::Region;
 use removal::{RemovalWatch, Unusual};
 use resolved_setup::ResolvedSetup;
 
-/// A simulated program, after all its material was removed or a limit was reached. There is no partly cut
-/// part to show.
+/// A simulated program, after all its material was removed or a limit was reached. A partly cut part is never
+/// shown.
 #[derive(Clone, Debug)]
 pub struct SimulationResult {
     resolved: ResolvedSetup,
@@ -231,7 +231,7 @@ impl SimulationResult {
         &self.machine
     }
 
-    /// The finished part. None without a blank, or if a limit was reached.
+    /// The finished part. `None` without a blank, or if a limit was reached.
     pub fn finished(&self) -> Option<Region> {
         Some(self.shown().filter(|_| self.limit.is_none())?.finished())
     }

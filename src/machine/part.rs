@@ -51,8 +51,7 @@ pub struct Part {
     kept_corners: usize,
     /// Least number of motions between two of them.
     stride: usize,
-    /// The state of the last request after the kept ones: the next request is often for a slightly later
-    /// moment.
+    /// The state of the last request, since the next request is often for a slightly later moment.
     last: RefCell<Option<Kept>>,
 }
 

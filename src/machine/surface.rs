@@ -46,7 +46,7 @@ impl Facing {
     }
 }
 
-/// The path of a use of a tool.
+/// The path of a tool in one of its uses.
 #[derive(Clone, Debug)]
 pub struct Track {
     /// Least height at each position; infinite where the tip does not move along Z.
@@ -153,7 +153,7 @@ pub struct Surface {
 
 impl Surface {
     /// The surface that the tracks leave of a blank with the given radius between `back` and `front`, mm.
-    /// Outside of these limits nothing must remain.
+    /// Outside of these limits all material may be cut.
     pub fn of<'a>(
         tracks: impl Iterator<Item = &'a Track>,
         (facing, positions): (Facing, ZPositions),
@@ -175,7 +175,8 @@ impl Surface {
         Self { facing, positions, heights }
     }
 
-    /// The surface that a single track leaves; where the track does not move along Z, nothing must remain.
+    /// The surface that a single track leaves; where the track does not move along Z, all material may be
+    /// cut.
     pub fn of_one(track: &Track, (facing, positions): (Facing, ZPositions)) -> Self {
         let stays = |height: &f64| if height.is_finite() { *height } else { f64::NEG_INFINITY };
         let heights: Vec<f64> = track.along.iter().map(stays).collect();

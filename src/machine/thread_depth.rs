@@ -138,7 +138,7 @@ impl Thread {
 }
 
 /// The radius of the workpiece at the middle of a thread, and the side of the tool: 1 outside, −1 in a bore.
-/// None if there is no material.
+/// `None` if there is no material.
 pub(super) fn crest(work: &Region, motion: &Motion, lead: f64) -> Option<(f64, f64)> {
     let middle = (motion.from.z + motion.to.z) / 2.0;
     let places = || (-2..=2).map(|step| work.radii(middle + lead * f64::from(step) / 4.0));

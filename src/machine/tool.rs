@@ -186,7 +186,7 @@ fn insert(tool: &Tool, kind: ToolKind) -> (Outline, Option<Outline>) {
     (Outline::around(points.iter().map(over)), body)
 }
 
-/// Entering angle and point angle of a turning or boring insert, radians. None for a round one.
+/// Entering angle and point angle of a turning or boring insert, radians. `None` for a round one.
 fn angles(tool: &Tool) -> Option<(f64, f64)> {
     let point = match (tool.point_angle, tool.insert()) {
         (None, Some(written)) => written.point_angle?,

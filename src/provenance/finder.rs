@@ -103,7 +103,7 @@ const REMARKS: [(&str, Sign); 13] = [
 /// Finds the signs of statements in order.
 #[derive(Clone, Debug, Default)]
 pub struct Finder {
-    /// Number of moves in X and Y until now.
+    /// Number of moves in X and Y in the statements before.
     y_moves: u32,
 }
 

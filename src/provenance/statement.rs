@@ -219,7 +219,7 @@ impl<'a> Statements<'a> {
         }
     }
 
-    /// End of the next token, if that is `=`.
+    /// End of the `=` that follows, if any.
     fn behind_equals(&self) -> Option<usize> {
         let at = self.lexer.position();
         match self.lexer.text().get(at..)? {

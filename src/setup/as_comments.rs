@@ -48,7 +48,7 @@ fn line<T>(head: &str, fields: &[Field<T>], own: &T) -> Option<String> {
 }
 
 /// The changes that replace the notes of a text by `lines`, in the order of the text. The lines replace the
-/// first note on a line of its own, or follow the O number. All other notes are removed.
+/// first note on a line of its own, or follow the O number. The remaining notes are removed.
 pub fn changes(text: &[u8], lines: &[String]) -> Vec<Change> {
     let notes = Notes::read(text);
     let mut going: Vec<Span> = notes.spans().map(|inside| whole(text, inside)).collect();

@@ -93,7 +93,7 @@ impl Number {
     }
 }
 
-/// Most digits of a [`PlainWord`]. So few that leading zeros cannot exceed the limit of digits.
+/// Most digits of a [`PlainWord`]. So few that the rule about leading zeros of long numbers never applies.
 pub const PLAIN_DIGITS: usize = 8;
 
 /// A letter and a number with nothing between them.

@@ -80,7 +80,7 @@ struct Torn {
     start: Span,
 }
 
-/// Whether that part is loaded; otherwise the block is marked as unread.
+/// Whether the part `READS_FAULTS` is loaded; otherwise marks the block as unread.
 fn may_read_faults(block: &mut Block) -> bool {
     block.is_unread |= !READS_FAULTS.is_loaded();
     !block.is_unread

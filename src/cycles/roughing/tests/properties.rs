@@ -178,7 +178,7 @@ fn depth_of(pieces: &[Piece], z: f64) -> Option<(f64, f64)> {
         .reduce(|one, other| (one.0.min(other.0), one.1.max(other.1)))
 }
 
-/// The workpiece: the depth cut until now at each place along the passes.
+/// The workpiece: the depth already cut at each place along the passes.
 struct Work {
     places: Vec<(f64, f64)>,
     cuts: Vec<Piece>,
