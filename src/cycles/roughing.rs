@@ -121,7 +121,7 @@ pub enum Axis {
     Z,
 }
 
-/// Rounding in a drawing, mm: a reversal or an excess beyond the start of at most this is accepted.
+/// Rounding in a drawing, mm: a contour may reverse, or reach beyond the start, by this much.
 const DRAWN: f64 = 0.001;
 
 /// The same for an arc, mm: its radius is rounded as well as its ends.

@@ -72,12 +72,8 @@ pub fn threading(start: Point, end: Point, taper: f64, pull_out: Option<PullOut>
     moves
 }
 
-/// Whether a taper makes the cut begin beyond the start point: the signs of `taper` and of `way`, the
-/// distance to the end point, differ, and the taper is longer (seed 000:
-/// R
-/// ≤
-/// U/2
-/// ). False if `way` is zero.
+/// Whether a taper makes the cut begin beyond the start point: the signs of `taper` and of `way`, the distance
+/// to the end point, differ, and the taper is longer (seed 000: |R| ≤ |U/2|). False if `way` is zero.
 pub fn begins_beyond_start(way: f64, taper: f64) -> bool {
     // A thousandth of a millimetre, the least increment, is accepted.
     way != 0.0 && taper != 0.0 && (way > 0.0) != (taper > 0.0) && taper.abs() > way.abs() + 0.001

@@ -1,7 +1,7 @@
 //! Splits the text of any control into statements of words, names and remarks.
 //!
 //! In: the head of a text. Out: one [`Statement`] at a time, in reused storage. More tolerant than
-//! `text::parser`, which parses FANUC's grammar: here `CYCLE95(`, `R1=10` and `L X+10 FMAX` are no errors.
+//! `text::parser`, which parses FANUC's grammar: here `CYCLE95(`, `R1=10` and `L X+10 FMAX` are not errors.
 //! Must not know the meaning of codes.
 
 use crate::source::Span;

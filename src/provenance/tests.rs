@@ -220,7 +220,7 @@ fn systems_b_and_c() {
         assert_eq!(found, Some(GSystem::B), "{head}");
     }
     check_system("G90 G94 G18\nG90 G95\nG28 U0.\nG0 X50. Z5.\n", GSystem::B, "G95");
-    // EMCO with FANUC 0-TC: the numbers of cycles are one different from system A, and G78 is threading.
+    // EMCO with FANUC 0-TC: the numbers of cycles differ by one from system A, and G78 is threading.
     let emco =
         "G92 S2000\nT0101\nG95\nG0 X52. Z2.\nG73 U2. R1.\nG73 P10 Q20 U.5 W.1 F.25\nN10 G00 X30.\nN20 X52.\n";
     check_system(&format!("{emco}G72 P10 Q20\n"), GSystem::C, "G72");
@@ -310,7 +310,7 @@ fn fractions_and_plausible_numbers_show_nothing() {
     ] {
         check_decimal(&format!("{metric}{rest}"), None);
     }
-    // A one without a point is too much as inches and too little as increments.
+    // `U1` without a point is too much as inches and too little as increments.
     check_decimal(&format!("{INCHES}G71 U1 R1\n"), None);
 }
 

@@ -36,7 +36,7 @@ impl Program<'_> {
     }
 
     /// Whether the section after an end is started by a block search: its first block has a sequence number
-    /// and moves nothing, and the section has its own end.
+    /// and does not move an axis, and the section has its own end.
     fn is_searched_for(&self, end: usize) -> bool {
         let section = || {
             let behind = self.rows.iter().enumerate().skip(end + 1);
