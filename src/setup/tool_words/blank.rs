@@ -1,5 +1,5 @@
-//! The blank described in comments: `BRUT : PHI50 X 52MM`, `Ø55 BAR STOCK`, `毛坯 φ50×80`, `OD: 80MM | LENGTH:
-//! 120MM`.
+//! The blank described in comments: `BRUT : PHI50 X 52MM`, `Ø55 BAR STOCK`, `毛坯 φ50×80`,
+//! `OD: 80MM | LENGTH: 120MM`.
 //!
 //! In: a comment in capitals. Out: its diameter and length, mm, if they are named. The inferred blank uses
 //! them unless the motions contradict.

@@ -195,8 +195,8 @@ pub fn turns_round(text: &str, is_at_stop: bool) -> bool {
     (says(TURNED_ROUND) || is_at_stop && says_at_stop()) && !names_any(text, INSERTS)
 }
 
-/// Whether a side or an end is one of the part: not the beginning of a size (`SIDE 2.5`), nor `OTHER SIDE OF
-/// SHOULDER`.
+/// Whether a side or an end is one of the part: not the beginning of a size (`SIDE 2.5`), nor
+/// `OTHER SIDE OF SHOULDER`.
 fn names_part(before: &str, term: &str, behind: &str) -> bool {
     let is_digit = |c: char| c.is_ascii_digit();
     let is_size = term.ends_with(is_digit) && behind.starts_with(|c| is_digit(c) || matches!(c, '.' | ','))
