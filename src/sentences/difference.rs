@@ -4,7 +4,7 @@
 //! headings and remarks.
 
 use super::language::Language;
-use super::{describe_motion, labels, phrases};
+use super::{describe_motion, descriptions, labels};
 use crate::difference::{Change, Reading};
 use crate::motion::{Feed, SpindleSpeed, SpindleTurn};
 use crate::setup::dialect::FeedMode;
@@ -170,7 +170,7 @@ pub fn describe_change(change: &Change, unit: Unit, language: Language) -> Told 
         ),
         Change::End(both) => of(
             ["end point", "终点", "конечная точка"],
-            both.each_ref().map(|motion| phrases::end_of(motion, unit)),
+            both.each_ref().map(|motion| descriptions::end_of(motion, unit)),
         ),
         Change::Radius(both) => of(["arc radius", "圆弧半径", "радиус дуги"], both.map(length)),
         Change::Way => of(

@@ -2,6 +2,7 @@
 
 pub mod assist;
 pub mod codes;
+mod descriptions;
 pub mod difference;
 pub mod labels;
 mod language;
@@ -11,6 +12,6 @@ mod template;
 mod tests;
 mod texts;
 
+pub use descriptions::{describe_motion, describe_rewrite};
 pub use language::Language;
-pub use phrases::{describe_motion, describe_rewrite};
 pub use template::Sentence;

@@ -32,6 +32,10 @@ impl Language {
         return TEXTS[self as usize].get().unwrap_or_else(|| crate::parts::missing(self.tag()));
     }
 
+    pub(super) fn phrase(self, phrase: Phrase) -> &'static str {
+        self.text(phrase)
+    }
+
     pub(super) fn text(self, of: impl Place) -> &'static str {
         self.texts()[of.place()]
     }

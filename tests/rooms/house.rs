@@ -1,11 +1,11 @@
-//! The imports between the files of `src`, and which of them the order of the rooms forbids.
+//! The imports and method calls between the files of `src`, and which of them the order of the rooms forbids.
 //!
 //! In: the modules with their texts, and the rooms, lowest first. Out: upward imports and circles.
 
 use std::collections::{BTreeMap, BTreeSet};
 
 use super::circle::leading_into_circles;
-use super::paths::Named;
+use super::paths::{Method, Named};
 
 /// A module as its path of names; the root of the crate has none.
 pub type Module = Vec<String>;
@@ -103,7 +103,21 @@ impl House {
         module
     }
 
-    /// Each module with the modules that it uses. Paths to descendants in the same room do not count: a
+    /// Whether a module is another one or a descendant of it in the same room.
+    fn is_own(&self, module: &Module, target: &Module) -> bool {
+        target.starts_with(module) && self.room(target) == self.room(module)
+    }
+
+    /// The module of the same room that defines a method; `None` if it is not the only one, or the calling
+    /// module defines it.
+    fn definition(&self, module: &Module, method: &Method) -> Option<&Module> {
+        let defines = |(_, named): &(&Module, &Named)| named.methods.contains(method);
+        let is_near = |(other, _): &(&Module, &Named)| self.room(other) == self.room(module);
+        let mut found = self.named.iter().filter(is_near).filter(defines).map(|(other, _)| other);
+        found.next().filter(|only| found.next().is_none() && *only != module)
+    }
+
+    /// Each module with the modules that it uses. Paths and calls to descendants in the same room do not count: a
     /// parent declares, re-exports and calls its children.
     fn edges(&self) -> BTreeSet<(&Module, Module)> {
         let mut edges = BTreeSet::new();
@@ -111,9 +125,14 @@ impl House {
             let offered = named.offered.iter().map(|(_, path)| path);
             for path in named.paths.iter().chain(offered) {
                 let Some(target) = self.target(module, path) else { continue };
-                let is_own = target.starts_with(module) && self.room(&target) == self.room(module);
-                if !is_own {
+                if !self.is_own(module, &target) {
                     edges.insert((module, target));
+                }
+            }
+            for call in &named.calls {
+                let Some(target) = self.definition(module, call) else { continue };
+                if !self.is_own(module, target) {
+                    edges.insert((module, target.clone()));
                 }
             }
         }

@@ -1,8 +1,11 @@
-//! The module paths in a Rust source file.
+//! The module paths and method calls in a Rust source file.
 //!
-//! In: the text of a file. Out: the paths of its `use` items and the paths in its code that begin with
-//! `crate`, `super` or `self`. Code under `#[cfg(test)]` is left out: a test may use everything. Does not
-//! know where modules are.
+//! In: the text of a file. Out: the paths of its `use` items, the paths in its code that begin with `crate`,
+//! `super` or `self`, the methods that it defines, and the methods that it calls on `self` or on a reference
+//! whose type is declared. Code under `#[cfg(test)]` is left out: a test may use everything. Does not know
+//! where modules are.
+
+use std::collections::BTreeMap;
 
 /// The paths in a file.
 #[derive(Debug, Default, PartialEq)]
@@ -13,6 +16,23 @@ pub struct Named {
     pub offered: Vec<(String, Vec<String>)>,
     /// Modules for tests only.
     pub test_modules: Vec<String>,
+    /// Methods that the file defines.
+    pub methods: Vec<Method>,
+    /// Methods that it calls.
+    pub calls: Vec<Method>,
+    /// The type of the `impl` block that is being read.
+    own_type: Option<(String, usize)>,
+    /// Types of the references that parameters and fields declare, by name.
+    references: BTreeMap<String, String>,
+}
+
+/// A method of a type.
+#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub struct Method {
+    /// The type, without its path and arguments.
+    pub of: String,
+    /// The name of the method.
+    pub name: String,
 }
 
 impl Named {
@@ -37,6 +57,7 @@ impl Named {
             }
             return skip_item(tokens, item);
         }
+        self.read_method(tokens, at);
         let begins_path = matches!(tokens[at].as_str(), "crate" | "super" | "self");
         if begins_path && is(at + 1, "::") && (at == 0 || tokens[at - 1] != "::") {
             let mut path = vec![tokens[at].clone()];
@@ -64,6 +85,67 @@ impl Named {
         }
         end
     }
+
+    /// Notes the method that a token defines or calls.
+    fn read_method(&mut self, tokens: &[String], at: usize) {
+        let token = |index: usize| tokens.get(index).map_or("", |token| token);
+        let before = at.checked_sub(1).map_or("", token);
+        let own_type = self.own_type.as_ref().filter(|(_, end)| at < *end).map(|(own_type, _)| own_type);
+        let method = |of: &String, name: &str| Method { of: of.clone(), name: name.to_owned() };
+        match token(at) {
+            "impl" if !matches!(before, ":" | "&" | "(" | ">") => {
+                self.own_type = implemented(tokens, at);
+            }
+            "fn" => self.methods.extend(own_type.map(|own_type| method(own_type, token(at + 1)))),
+            ":" if token(at + 1) == "&" => {
+                let mut end = at + 2;
+                while matches!(token(end), "mut" | "'" | "a") {
+                    end += 1;
+                }
+                if token(end).starts_with(char::is_uppercase) {
+                    self.references.insert(before.to_owned(), token(end).to_owned());
+                }
+            }
+            "." if token(at + 2) == "(" => {
+                let of = if before == "self" { own_type } else { self.references.get(before) };
+                self.calls.extend(of.map(|of| method(of, token(at + 1))));
+            }
+            "::" if before == "Self" => {
+                self.calls.extend(own_type.map(|own_type| method(own_type, token(at + 1))));
+            }
+            _ => {}
+        }
+    }
+}
+
+/// The type of the `impl` block at a token, and the index of the token after the block.
+fn implemented(tokens: &[String], at: usize) -> Option<(String, usize)> {
+    let body = at + tokens[at..].iter().position(|token| token == "{")?;
+    let head = &tokens[at..body];
+    let after_for = head.iter().position(|token| token == "for").map_or(1, |index| index + 1);
+    let is_type = |token: &&String| token.starts_with(char::is_uppercase);
+    let own_type = match head.get(after_for).map(String::as_str) {
+        // Parameters of the block come before the type.
+        Some("<") => head[skip_angles(head, after_for)..].iter().find(is_type)?,
+        _ => head[after_for..].iter().find(is_type)?,
+    };
+    Some((own_type.clone(), skip_group(tokens, body)))
+}
+
+/// The index of the token after the angle brackets at `at`.
+fn skip_angles(tokens: &[String], at: usize) -> usize {
+    let mut depth = 0;
+    for (index, token) in tokens.iter().enumerate().skip(at) {
+        match token.as_str() {
+            "<" => depth += 1,
+            ">" => depth -= 1,
+            _ => {}
+        }
+        if depth == 0 {
+            return index + 1;
+        }
+    }
+    tokens.len()
 }
 
 /// Parses a tree of a `use` item into names and paths. Returns the index of the token after it.
@@ -220,4 +302,19 @@ fn paths_are_read_as_they_are_written() {
         named.offered.iter().map(|(name, path)| (name.as_str(), written(path))).collect();
     assert_eq!(offered, [("H", "g::H".to_owned()), ("*", "super::i::*".to_owned())]);
     assert_eq!(named.test_modules, ["checks"]);
+}
+
+#[test]
+fn methods_are_read_with_their_types() {
+    let named = Named::read(
+        "impl<'a> A { fn b(&self, c: &mut C) { self.d(); c.e(1); x.f(); self.g.h(); Self::i(); } }\n\
+         impl Iterator for J<K> { fn next(&mut self) { self.l() } }\n\
+         struct M<'a> { g: &'a mut N }\nimpl M<'_> { fn o(&self) { self.g.p() } }\n\
+         fn q(r: &S) -> impl T { r.u(); self.v() }\n#[cfg(test)]\nmod tests { impl W { fn x(&self) {} } }\n",
+    );
+    let written = |methods: &[Method]| -> Vec<String> {
+        methods.iter().map(|method| format!("{}::{}", method.of, method.name)).collect()
+    };
+    assert_eq!(written(&named.methods), ["A::b", "J::next", "M::o"]);
+    assert_eq!(written(&named.calls), ["A::d", "C::e", "A::i", "J::l", "N::p", "S::u"]);
 }

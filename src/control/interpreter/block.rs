@@ -3,21 +3,29 @@
 //! In: a block. Out: its [`Request`] carried out.
 
 use super::calls::Here;
+use super::contours::purpose_of;
+use super::macros::Statement;
 use super::request::{OneShot, Request};
-use super::rotary::TURNS;
 use super::trace::{keep_block, keep_process};
 use super::unread::{UNREAD, unread_corner, unread_words};
-use super::{AXES, Flow, Interpreter};
+use super::{AXES, Flow, Interpreter, TURNS};
 use crate::control::codes::{Compensation, MotionMode, Plane};
 use crate::control::doubt::Doubt;
 use crate::control::events::Event;
-use crate::control::modal::{CycleMemory, Once, PathMove};
+use crate::control::modal::{CycleMemory, MACROS, Once};
 use crate::control::second_axis::with_c;
 use crate::control::words::{Words, letters, plain, quote};
 use crate::geometry::Point;
 use crate::message::{Diagnostic, Message, Severity, said};
-use crate::motion::{MotionKind, Quill, SpindleTurn};
+use crate::motion::{Quill, SpindleTurn};
+use crate::parts::early;
 use crate::text::block::{Block, BlockKind, Word};
+
+early! {
+    fn words_with_expressions(control: &mut Interpreter, text: &[u8], block: &Block, here: Here) -> Flow {
+        control.words_with_expressions(text, block, here)
+    }
+}
 
 impl Interpreter {
     /// Carries out one block.
@@ -51,7 +59,12 @@ impl Interpreter {
                 self.lose_statement(block.span.of(text));
                 return Flow::Next;
             }
-            BlockKind::Macro => return self.macro_statement(text, block, here),
+            BlockKind::Macro => {
+                return match self.macro_statement(text, block, here) {
+                    Statement::Done(flow) => flow,
+                    Statement::Words(own) => self.words_of(text, &own, here),
+                };
+            }
             BlockKind::Words => {}
         }
         if self.state.data_input {
@@ -93,9 +106,60 @@ impl Interpreter {
         flow
     }
 
+    /// Carries out a block of words, some of which may have expressions as values.
+    #[inline]
+    fn words_of(&mut self, text: &[u8], block: &Block, here: Here) -> Flow {
+        if !block.has_expressions {
+            return self.words(text, block, here);
+        }
+        if self.has(MACROS) { words_with_expressions(self, text, block, here) } else { Flow::Next }
+    }
+
+    fn words_with_expressions(&mut self, text: &[u8], block: &Block, here: Here) -> Flow {
+        if let Some(operation) = self.macro_a_of(text, block).filter(|_| !block.is_broken()) {
+            return self.macro_a(text, block, here, operation);
+        }
+        self.guessing = false;
+        let own = self.evaluated(text, block);
+        if std::mem::take(&mut self.guessing) && !self.sink.muted {
+            // Messages about such values do not apply to the macro.
+            self.sink.muted = true;
+            let flow = self.evaluated_words(text, block, own, here);
+            self.sink.muted = false;
+            return flow;
+        }
+        self.evaluated_words(text, block, own, here)
+    }
+
+    /// Carries out a block with the values of its expressions. `None`: an expression has no value, which was
+    /// reported.
+    fn evaluated_words(&mut self, text: &[u8], block: &Block, own: Option<Block>, here: Here) -> Flow {
+        match own {
+            Some(own) => {
+                if self.trace.is_some() {
+                    self.trace_values(&own, &block.words);
+                }
+                if !self.state.doubts.has(Doubt::Values) {
+                    return self.words(text, &own, here);
+                }
+                // Values from variables are as doubtful as the variables.
+                let doubtful = Self::from_variables(block);
+                self.lose(doubtful);
+                let flow = self.words(text, &own, here);
+                self.lose(doubtful);
+                flow
+            }
+            None => {
+                self.trace_nothing();
+                self.lose(Self::from_variables(block));
+                if self.sink.is_full() { Flow::End } else { Flow::Next }
+            }
+        }
+    }
+
     /// Carries out a block of words.
     #[inline]
-    pub(super) fn words(&mut self, text: &[u8], block: &Block, here: Here) -> Flow {
+    fn words(&mut self, text: &[u8], block: &Block, here: Here) -> Flow {
         let broken = block.is_broken();
         let mut request = Request { drop: broken, ..Request::default() };
         let mut words = Words::new(block);
@@ -129,7 +193,7 @@ impl Interpreter {
             if let Some(OneShot::Multiple(cycle)) = request.one_shot {
                 self.pass_over_contour(text, block, &words);
                 if self.program.jump.is_some() {
-                    self.contour_of_broken(text, block, &words, cycle);
+                    self.contour_of_broken(text, block, &words, cycle, Self::run);
                 }
             }
         } else {
@@ -272,31 +336,6 @@ impl Interpreter {
         }
     }
 
-    /// G00.
-    #[inline]
-    pub(super) fn rapid(&mut self, text: &[u8], block: &Block, request: &mut Request, words: &Words) {
-        self.settle_angle();
-        if let Some(index) = request.comma.into_iter().flatten().next() {
-            let span = block.words[index].span;
-            self.report(Diagnostic::new(said::CornerNoLine { word: quote(text, span) }, span));
-            request.drop = true;
-            return;
-        }
-        let (x, z) = self.plane_targets(text, words);
-        let to = Point::new(x.from(self.state.position.x), z.from(self.state.position.z));
-        self.observe(text, Event::Rapid);
-        if self.is_on_axis() && self.state.virtual_plane.is_none() {
-            self.observe(text, Event::FromAxis { block, to });
-        }
-        request.moved = words.has_any(AXES);
-        let c = self.turn_target(text, words);
-        if c.is_some() || !self.travel_plainly(block, MotionKind::Rapid, to, None) {
-            let motion = self.motion(MotionKind::Rapid, to);
-            let motion = self.turning(motion, c);
-            self.travel(PathMove { wall: request.wall, ..self.path_move(block, motion) }, None);
-        }
-    }
-
     /// The direction of the wall given by I and K of a G40 block (FANUC 16-TC B-61804E 15.3.4).
     fn wall_of(&self, words: &Words) -> Option<Point> {
         let length = |address: u8| words.get(address).and_then(|word| self.reading().length(word));
@@ -367,7 +406,13 @@ impl Interpreter {
             OneShot::LocalFrame => self.local_frame(words),
             OneShot::Polar(switch) => self.polar(text, block, request, switch),
             OneShot::Cylinder => self.cylinder(text, block, request, words),
-            OneShot::Multiple(cycle) => self.multiple(text, block, request, words, cycle),
+            OneShot::Multiple(cycle) => {
+                let purpose = purpose_of(cycle, words).filter(|_| self.contours.recorded.is_none());
+                let code = cycle.cycle().code();
+                let shape =
+                    purpose.and_then(|purpose| self.shape(text, block, words, code, purpose, Self::run));
+                self.multiple(text, block, request, words, cycle, shape);
+            }
             OneShot::NotSupported => self.lose_to_unsupported(request.unsupported, words),
         }
     }

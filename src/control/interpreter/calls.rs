@@ -2,11 +2,12 @@
 //!
 //! In: the words of a block and its position. Out: the position of the next block.
 
+use super::request::CallCode;
 use super::{Flow, Interpreter};
 use crate::control::modal::MACROS;
 use crate::control::program::{Call, CallKind, program_and_repeats};
 use crate::control::words::{Words, plain, quote};
-use crate::message::{Diagnostic, Message, said};
+use crate::message::{Diagnostic, said};
 use crate::parts::early;
 use crate::source::Span;
 use crate::text::block::{Block, Word};
@@ -19,17 +20,6 @@ pub struct Here {
     pub at: Resume,
     /// Start of the next block.
     pub next: Resume,
-}
-
-/// M97, M98 or M99, to be carried out after all other words of its block.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum CallCode {
-    /// M98.
-    Call,
-    /// M97.
-    LocalCall,
-    /// M99.
-    Return,
 }
 
 early! {
@@ -46,45 +36,6 @@ impl Interpreter {
             return true;
         }
         self.count_repeat(block, block)
-    }
-
-    /// Counts a block that is read or executed again because of another one. False: the limit is exceeded.
-    pub(super) fn count_repeat(&mut self, block: &Block, cause: &Block) -> bool {
-        let span = self.program.jumped_by.unwrap_or_else(|| cause.words_span());
-        let spent = self.program.budget.repeat(block.span.len(), &self.setup.limits);
-        self.go_on_within(spent, span)
-    }
-
-    /// Counts a round of a loop or call. False: the limit is exceeded, and the run ends here.
-    pub(super) fn count_round(&mut self, block: &Block) -> bool {
-        let span = self.program.jumped_by.unwrap_or_else(|| block.words_span());
-        let spent = self.program.budget.round(&self.setup.limits);
-        self.go_on_within(spent, span)
-    }
-
-    /// Counts a macro statement or expression after the program has left the linear order of the text. False:
-    /// the limit is exceeded, and the run ends here.
-    pub(super) fn count_macro_step(&mut self, block: &Block) -> bool {
-        if !self.program.has_jumped() {
-            return !self.sink.is_full();
-        }
-        let spent = self.program.budget.macro_step(&self.setup.limits);
-        self.go_on_within(spent, block.words_span())
-    }
-
-    /// Counts steps without a motion. False: the limit is exceeded, and the run ends here.
-    pub(super) fn spend(&mut self, steps: usize, block: &Block) -> bool {
-        let spent = self.program.budget.work(steps, &self.setup.limits);
-        self.go_on_within(spent, block.words_span())
-    }
-
-    /// Ends the run if a limit is exceeded. Returns whether it continues.
-    #[inline]
-    fn go_on_within(&mut self, spent: Result<(), Message>, span: Span) -> bool {
-        if let Err(message) = spent {
-            self.sink.end(message, span);
-        }
-        !self.sink.is_full()
     }
 
     /// M97, M98, M99.

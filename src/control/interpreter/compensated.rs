@@ -4,6 +4,7 @@
 //! emitted when the next one is known, or when the path ends.
 
 use super::Interpreter;
+use super::path::PATH;
 use crate::control::codes::Compensation;
 use crate::control::compensation::{
     Compensator, Element, MadeBy, Nose, Outcome, Reason, Shape, Side, Travel,
@@ -11,9 +12,20 @@ use crate::control::compensation::{
 use crate::control::events::{CompensatedMove, Event};
 use crate::control::modal::{Compensating, PathMove};
 use crate::control::tool_offset;
-use crate::geometry::Turn;
+use crate::geometry::{Point, Turn};
 use crate::message::{Diagnostic, Message, said};
 use crate::motion::{Motion, MotionKind, Programmed};
+use crate::parts::early;
+
+early! {
+    fn compensate(control: &mut Interpreter, path_move: &PathMove, nose: Nose) {
+        control.compensate(*path_move, nose);
+    }
+
+    fn flush(control: &mut Interpreter) {
+        control.give_out_rest();
+    }
+}
 
 impl Interpreter {
     /// Compensates the next move of the path, with a nose that has a radius or replaces one that had.
@@ -170,5 +182,53 @@ impl Interpreter {
             Compensation::Right => Side::Right,
         };
         Some(if tool_offset::nose_entry(&self.state, &self.setup).0 < 0.0 { side.opposite() } else { side })
+    }
+
+    /// Adds a dwell after the waiting move, if there is one.
+    pub(super) fn wait_here(&mut self, path_move: PathMove) {
+        if let Some(pending) = &mut self.state.pending {
+            pending.dwells.push(path_move);
+            return;
+        }
+        match &mut self.state.compensating {
+            Some(Compensating { waiting, dwells, .. }) if !waiting.is_empty() => {
+                let last = waiting.last().map_or(0, |(id, _)| *id);
+                dwells.push((last, path_move));
+            }
+            _ => self.emit(path_move),
+        }
+    }
+
+    pub(super) fn wait_all(&mut self, dwells: &[PathMove], at: Point) {
+        for path_move in dwells {
+            let motion = Motion { from: at, to: at, ..path_move.motion };
+            self.wait_here(PathMove { motion, ..*path_move });
+        }
+    }
+
+    /// Compensates a move; outputs it directly if compensation is off.
+    pub(super) fn offset(&mut self, path_move: PathMove) {
+        if self.state.compensation == Compensation::Off && self.state.compensating.is_none() {
+            return self.emit(path_move);
+        }
+        let motion = path_move.motion;
+        if motion.from.is_same(motion.to) && motion.center.is_none() {
+            return;
+        }
+        let nose = tool_offset::nose(&self.state, &self.setup);
+        if self.state.compensating.is_none() && nose.radius <= 0.0 {
+            return self.emit(path_move);
+        }
+        if self.has(PATH) {
+            compensate(self, &path_move, nose);
+        }
+    }
+
+    /// Moves the centre to the end of the last move; no next move is known.
+    pub(super) fn flush_compensation(&mut self) {
+        // If a move is being compensated, the part is loaded.
+        if self.state.compensating.is_some() {
+            flush(self);
+        }
     }
 }

@@ -4,15 +4,16 @@
 //! motion list, so that a contour may contain everything that a path may.
 
 use super::calls::Here;
+use super::core::shortened;
 use super::repairs::REPAIRS;
 use super::request::Request;
-use super::{Flow, Interpreter, shortened};
-use crate::control::codes::{self, Compensation, G, MotionMode, Plane};
+use super::{Flow, Interpreter};
+use crate::control::codes::{self, Compensation, G, MotionMode, Multiple, Plane};
 use crate::control::contour::{FirstBlock, Landmarks, Purpose};
 use crate::control::doubt::Doubt;
 use crate::control::events::{ContourCall, Event, Observer};
 use crate::control::modal::{PathMove, State};
-use crate::control::words::{Words, plain, quote};
+use crate::control::words::{Words, letters, plain, quote};
 use crate::cycles::{Approach, Contour, Piece};
 use crate::geometry::Point;
 use crate::limits::BYTES_PER_STEP;
@@ -65,6 +66,9 @@ pub(super) struct Shape {
     pub observer: Option<Box<dyn Observer>>,
 }
 
+/// Carries out a block of a contour: [`Interpreter::run`], which is above this file.
+pub(super) type RunBlock = fn(&mut Interpreter, &[u8], &Block, Here) -> Flow;
+
 /// Why a contour could not be read.
 enum ShapeError {
     /// Another operation is in between. Reported.
@@ -94,6 +98,7 @@ impl Interpreter {
         words: &Words,
         code: &'static str,
         purpose: Purpose,
+        run: RunBlock,
     ) -> Option<Shape> {
         for word in [b'P', b'Q'].into_iter().filter_map(|address| words.get(address)) {
             if !self.is_whole(text, word) {
@@ -176,7 +181,7 @@ impl Interpreter {
             // blocks.
             self.state.feed = Some(1.0);
         }
-        let read = self.read_shape(text, block, begins, last, code, purpose);
+        let read = self.read_shape(text, block, (begins, last), code, purpose, run);
         let moves = std::mem::replace(&mut self.contours.recorded, outer).unwrap_or_default();
         self.contours.purpose = outer_purpose;
         let reported = self.state.reported;
@@ -250,6 +255,27 @@ impl Interpreter {
         }
     }
 
+    /// The contour of a cycle whose own block cannot be parsed. Errors in both were reported.
+    #[cold]
+    pub(super) fn contour_of_broken(
+        &mut self,
+        text: &[u8],
+        block: &Block,
+        words: &Words,
+        cycle: Multiple,
+        run: RunBlock,
+    ) {
+        let (reported, muted) = (self.state.reported, std::mem::replace(&mut self.sink.muted, true));
+        let (observer, jump) = (self.observer.take(), self.program.jump);
+        let shape = self.shape(text, block, words, cycle.cycle().code(), Purpose::Roughing, run);
+        (self.observer, self.program.jump) = (observer, jump);
+        (self.state.reported, self.sink.muted) = (reported, muted);
+        if let Some(shape) = shape {
+            self.contour_alone(block, cycle.cycle(), &shape);
+        }
+        self.state.doubts.remove(Doubt::Contour);
+    }
+
     /// The beginning of the contour with these numbers that a roughing cycle has found in the program of
     /// `block`.
     fn roughed_in_program(&mut self, text: &[u8], block: &Block, named: (u32, u32)) -> Option<Resume> {
@@ -264,10 +290,10 @@ impl Interpreter {
         &mut self,
         text: &[u8],
         cycle: &Block,
-        begins: Resume,
-        last: u32,
+        (begins, last): (Resume, u32),
         code: &'static str,
         purpose: Purpose,
+        run: RunBlock,
     ) -> Result<(FirstBlock, Span, Resume), ShapeError> {
         if purpose == Purpose::Roughing {
             self.contours.ignored_compensation =
@@ -312,7 +338,7 @@ impl Interpreter {
             if let Some(chronicler) = &mut self.chronicler {
                 chronicler.before_reading(at, &self.state);
             }
-            let flow = self.run(text, &block, here);
+            let flow = run(self, text, &block, here);
             if let Some(chronicler) = &mut self.chronicler {
                 chronicler.after_reading(&block, &self.state, purpose);
             }
@@ -558,4 +584,13 @@ fn numbered(text: &[u8], from: u32, number: u32, last: bool) -> Option<Fix> {
     }
     let (at, free) = found?;
     free.then(|| Fix::insert(at, format!("N{number} ")))
+}
+
+/// What a cycle reads a contour for; `None` if its block names none.
+pub(super) fn purpose_of(cycle: Multiple, words: &Words) -> Option<Purpose> {
+    match cycle {
+        Multiple::Finishing => Some(Purpose::Finishing),
+        _ if cycle.is_roughing() && words.has_any(letters(b"PQ")) => Some(Purpose::Roughing),
+        _ => None,
+    }
 }

@@ -3,17 +3,39 @@
 //! In: a waiting move, and the next one. Out: both shortened, and the piece between them.
 
 use super::Interpreter;
+use super::path::PATH;
 use super::request::Request;
 use crate::control::codes::MotionMode;
 use crate::control::corners::{self, ANGLE_ALLOWANCE, Corner, CornerError, Joined, Letter};
 use crate::control::modal::{Follower, Joint, PathMove, Pending};
-use crate::control::words::{Words, quote};
+use crate::control::words::{Words, letters, quote};
 use crate::cycles::Piece;
-use crate::geometry::Turn;
+use crate::geometry::{Point, Turn};
 use crate::message::{Diagnostic, Message, said};
 use crate::motion::{Motion, MotionKind};
+use crate::parts::early;
 use crate::setup::dialect::{Control, Dialect};
 use crate::text::block::Block;
+
+early! {
+    fn join(control: &mut Interpreter, pending: &Pending, joint: &Joint, next: &mut PathMove) -> bool {
+        control.put_corner_in(pending, joint, next)
+    }
+
+    fn end_by_angle(from: Point, angle: f64, x: Option<f64>, z: Option<f64>) -> Result<Point, CornerError> {
+        corners::end_by_angle(from, angle, x, z)
+    }
+
+    fn read_joint(
+        control: &mut Interpreter,
+        text: &[u8],
+        block: &Block,
+        request: &Request,
+        words: &Words,
+    ) -> Result<Option<Joint>, ()> {
+        control.read_joint(text, block, request, words)
+    }
+}
 
 impl Interpreter {
     /// The chamfer or rounding word of a move: with comma, without, or L and D on GSK.
@@ -175,6 +197,45 @@ impl Interpreter {
             | CornerError::AngleDisagrees { .. } => said::AngleNoPoint { word, alarm }.into(),
         };
         self.report(Diagnostic::new(message, joint.span));
+    }
+
+    /// The end of a straight move given by its angle and one axis.
+    pub(super) fn end_by_angle(
+        &mut self,
+        angle: f64,
+        x: Option<f64>,
+        z: Option<f64>,
+    ) -> Result<Point, CornerError> {
+        let from = self.state.position;
+        if self.has(PATH) { end_by_angle(from, angle, x, z) } else { Ok(from) }
+    }
+
+    /// The chamfer or rounding word of a move: with comma, without, or L and D on GSK.
+    pub(super) fn joint(
+        &mut self,
+        text: &[u8],
+        block: &Block,
+        request: &Request,
+        words: &Words,
+    ) -> Result<Option<Joint>, ()> {
+        // Most moves have no such word.
+        let is_straight = self.state.motion == MotionMode::Line && self.state.virtual_plane.is_none();
+        let candidates = if is_straight { letters(b"CDIKLR") } else { letters(b"DL") };
+        if request.comma == [None; 3] && !words.has_any(candidates) || !self.has(PATH) {
+            return Ok(None);
+        }
+        read_joint(self, text, block, request, words)
+    }
+
+    /// Joins a waiting move to the next one, whose start it may shorten. False: an error was reported, and
+    /// the waiting move is dropped.
+    pub(super) fn join(&mut self, pending: Pending, next: &mut PathMove) -> bool {
+        if let Some(joint) = &pending.joint {
+            return self.has(PATH) && join(self, &pending, joint, next);
+        }
+        self.offset(pending.path_move);
+        self.wait_all(&pending.dwells, next.motion.from);
+        true
     }
 }
 

@@ -4,8 +4,7 @@
 //! `cycles::drilling` has the geometry; this file has the words, their memory and their alarms.
 
 use super::request::{OneShot, Request};
-use super::rotary::TURNS;
-use super::{AXES, Interpreter};
+use super::{AXES, Interpreter, TURNS};
 use crate::control::codes::{Hole, HoleReturn};
 use crate::control::events::Event;
 use crate::control::modal::{HoleMemory, Lead, Once, Target};

@@ -4,7 +4,7 @@
 //! which `control::macros` evaluates; this file contains only the forms of these statements.
 
 use super::calls::Here;
-use super::macros::Evaluated;
+use super::macro_values::Evaluated;
 use super::{Flow, Interpreter};
 use crate::control::codes;
 use crate::control::macros::{Action, MacroErrorKind};

@@ -5,7 +5,7 @@
 //! it are uncertain.
 
 use super::calls::Here;
-use super::macros::{Mark, loop_mark};
+use super::loops::{Mark, loop_mark};
 use super::store::Store;
 use super::{Flow, Interpreter};
 use crate::control::doubt::{Doubt, Doubts};

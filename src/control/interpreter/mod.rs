@@ -7,16 +7,22 @@
 //! Order within a block: plane, unit and feed mode – G96/G97 with S – F – T – M03, M04 –
 //! coordinate system – compensation – motion or cycle – M05, M00, M01, M02, M30.
 
+mod beside_plane;
 mod block;
+mod budget;
 pub(crate) mod calls;
 mod checks;
 mod compensated;
 pub(crate) mod contours;
+mod core;
 mod corner;
+mod cycle_moves;
 mod doubts;
 pub(crate) mod holes;
+mod loops;
 mod macro_a;
 mod macro_body;
+mod macro_values;
 pub(crate) mod macros;
 mod motions;
 mod multiples;
@@ -33,7 +39,9 @@ mod settings;
 pub(crate) mod singles;
 mod snapshot;
 mod store;
-mod system;
+mod system_values;
+mod system_writes;
+mod targets;
 pub(crate) mod threads;
 pub(crate) mod trace;
 pub(crate) mod unread;
@@ -43,20 +51,18 @@ pub(crate) mod y_axis;
 mod tests;
 
 use super::contour::Landmarks;
-use super::events::{Event, Moment, Observer};
+use super::events::{Event, Observer};
 use super::modal::State;
 use super::origins::{Chronicle, Chronicler};
 use super::program::Program;
 use super::sink::Sink;
-use super::words::{Reading, letters, quote};
-use crate::message::{Diagnostic, said};
+use super::words::letters;
+use crate::message::Diagnostic;
 use crate::motion::{Chunk, Motions};
 use crate::parts::Part;
 use crate::setup::Setup;
 use crate::setup::dialect::{CodeList, Dialect, GSystem};
-use crate::source::Span;
-use crate::text::block::Block;
-use crate::text::parser::{READS_FAULTS, Resume};
+use crate::text::parser::Resume;
 use crate::units::Unit;
 use contours::Contours;
 
@@ -66,6 +72,9 @@ pub use trace::{Context, Executed};
 
 /// Words that move X or Z.
 const AXES: u32 = letters(b"XZUW");
+
+/// Addresses of the C axis.
+const TURNS: u32 = letters(b"CH");
 
 /// How the program continues after a block.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -112,15 +121,6 @@ pub struct Interpreter {
 }
 
 impl Interpreter {
-    /// Whether a part that a block needs is loaded. If not, the results of this run are unusable.
-    fn has(&mut self, part: Part) -> bool {
-        let is_loaded = part.is_loaded();
-        if !is_loaded {
-            self.missing = Some(part);
-        }
-        is_loaded
-    }
-
     /// The part that the run needed and that was not loaded, if any.
     pub fn missing(&self) -> Option<Part> {
         self.missing
@@ -160,44 +160,6 @@ impl Interpreter {
         self
     }
 
-    /// Sends `event` to the observer and records the diagnostics it returns. `text` is empty if the event
-    /// names no word.
-    #[inline]
-    fn observe(&mut self, text: &[u8], event: Event<'_>) {
-        if self.observer.is_some() {
-            self.cut_is_news |= event.matters_for_cuts();
-            self.hear(text, &event);
-        }
-    }
-
-    /// Replaces the observer; the new one inherits what was already reported. Returns the old one.
-    fn go_on_observed_by(&mut self, observer: Option<Box<dyn Observer>>) -> Option<Box<dyn Observer>> {
-        self.cut_is_news = true;
-        let mut before = std::mem::replace(&mut self.observer, observer);
-        if let (Some(own), Some(before)) = (&mut self.observer, &mut before) {
-            own.listen_after(before.as_mut());
-        }
-        before
-    }
-
-    #[inline(never)]
-    fn hear(&mut self, text: &[u8], event: &Event<'_>) {
-        let Self { observer, reports, state, setup, dialect, sink, contours, .. } = self;
-        let Some(observer) = observer else { return };
-        let at = Moment { text, state, setup, dialect, sink, contour: contours.purpose };
-        observer.hear(event, &at, reports);
-        if !self.reports.is_empty() {
-            self.report_heard();
-        }
-    }
-
-    #[cold]
-    fn report_heard(&mut self) {
-        for report in std::mem::take(&mut self.reports) {
-            self.report(report);
-        }
-    }
-
     /// Starts to keep the executed blocks.
     pub fn keep_trace(&mut self) {
         self.trace.get_or_insert_default();
@@ -233,11 +195,6 @@ impl Interpreter {
         self.chronicler = Some(Box::new(Chronicle::new(&self.state)));
     }
 
-    /// The recorder, if any.
-    pub fn chronicler(&self) -> Option<&dyn Chronicler> {
-        self.chronicler.as_deref()
-    }
-
     /// The recorded chronicle, if any.
     pub fn chronicle_mut(&mut self) -> Option<&mut Chronicle> {
         self.chronicler.as_mut().map(|chronicler| chronicler.chronicle_mut())
@@ -248,13 +205,6 @@ impl Interpreter {
     pub fn note_origins(&mut self, block: u32) {
         if let Some(chronicler) = &mut self.chronicler {
             chronicler.note(&self.state, block);
-        }
-    }
-
-    /// Records that a block assigns a variable. `level`: depth of macro calls.
-    fn note_assigned(&mut self, level: usize, variable: u32, block: u32) {
-        if let Some(chronicler) = &mut self.chronicler {
-            chronicler.assigned(level, variable, block);
         }
     }
 
@@ -297,36 +247,6 @@ impl Interpreter {
     /// The motions.
     pub fn into_motions(self) -> Motions {
         self.sink.motions
-    }
-
-    /// Reports a message, unless it was reported for the same place before.
-    pub fn report(&mut self, diagnostic: Diagnostic) {
-        if !self.sink.is_silent_about(&diagnostic) {
-            // Once the limit is reached, it is no longer known which of them were reported before.
-            self.sink.report(diagnostic.in_unit(self.state.unit), self.program.has_jumped());
-        }
-    }
-
-    /// Reports a message about the setup. Several messages of the same rule are allowed, because all of them
-    /// are placed at the beginning of the text.
-    pub fn report_of_setup(&mut self, diagnostic: Diagnostic) {
-        self.sink.report_of_setup(diagnostic);
-    }
-
-    /// Reports the reason why the run ends, even if the list of messages is full.
-    pub fn report_always(&mut self, diagnostic: Diagnostic) {
-        self.sink.report_always(diagnostic);
-    }
-
-    /// How numbers are read at present.
-    pub fn reading(&self) -> Reading {
-        Reading { unit: self.state.unit, decimal: self.dialect.decimal }
-    }
-
-    /// Reports a word that is recognised but not supported.
-    fn not_supported(&mut self, text: &[u8], span: Span) {
-        let what = format!("`{}`", shortened(&quote(text, span)));
-        self.report(Diagnostic::new(said::NotSupported { what }, span));
     }
 
     /// The switches of the control.
@@ -388,30 +308,4 @@ impl Interpreter {
     pub fn has_wandered(&self) -> bool {
         self.program.has_jumped()
     }
-
-    /// Reports syntax errors in a block that is not run.
-    pub fn report_faults(&mut self, block: &Block) {
-        self.sink.fault = None;
-        if block.is_unread {
-            self.missing = Some(READS_FAULTS);
-        }
-        for fault in &block.faults {
-            // In a loop most errors have been reported before.
-            if !self.program.has_jumped() || self.sink.has_room_for(fault) {
-                self.report(fault.clone());
-            }
-        }
-        // If the words are read as intended, their other errors are reported.
-        let fault = block.faults.iter().find(|fault| fault.is_error() && block.is_broken());
-        self.sink.fault = fault.map(|fault| fault.span);
-    }
-}
-
-/// Shortens a long quotation.
-fn shortened(text: &str) -> String {
-    const LONGEST: usize = 24;
-    if text.chars().count() <= LONGEST {
-        return text.to_owned();
-    }
-    text.chars().take(LONGEST - 1).collect::<String>() + "…"
 }

@@ -8,85 +8,17 @@ use super::{AXES, Interpreter};
 use crate::control::arcs::{self, CenterWords};
 use crate::control::codes::{Compensation, MotionMode, Plane};
 use crate::control::events::{Event, ThreadPass, ThreadedBy};
-use crate::control::modal::{Angle, Lead, PathMove, Target};
-use crate::control::words::{self, Counts, Words, letters, plain, quote};
+use crate::control::modal::{PathMove, Target};
+use crate::control::words::{self, Words, letters, quote};
 use crate::cycles::single::Single;
 use crate::geometry::virtual_plane::{Flat, Surface};
 use crate::geometry::{Point, SAME, Turn};
 use crate::message::{Diagnostic, Edit, Fix, Message, Repair, Severity, said};
 use crate::motion::{Motion, MotionKind};
-use crate::setup::dialect::{Control, DecimalRule, IInG92, NegativeArcR, XuConflict};
-use crate::text::block::{Block, Value, Word};
+use crate::setup::dialect::{Control, NegativeArcR};
+use crate::text::block::Block;
 
 impl Interpreter {
-    /// The end point given by X, U, Z and W.
-    #[inline]
-    pub(super) fn target(&mut self, text: &[u8], words: &Words) -> Point {
-        let from = self.state.position;
-        let x = self.axis(text, words, b'X', b'U', Counts::Diameter);
-        let z = self.axis(text, words, b'Z', b'W', Counts::Length);
-        Point::new(x.from(from.x), z.from(from.z))
-    }
-
-    /// The target given by the absolute and the incremental word of an axis.
-    #[inline]
-    pub(super) fn axis(
-        &mut self,
-        text: &[u8],
-        words: &Words,
-        absolute: u8,
-        incremental: u8,
-        counts: Counts,
-    ) -> Target {
-        let reading = self.reading();
-        let (a, i) = (words.get(absolute), words.get(incremental));
-        let value = |word: &Word| reading.coordinate(word, counts).unwrap_or(0.0);
-        match (a, i) {
-            (Some(a), None) if self.state.incremental => Target::Incremental(value(a)),
-            (Some(a), None) => Target::Absolute(value(a)),
-            (None, Some(i)) => Target::Incremental(value(i)),
-            (None, None) => Target::Stay,
-            (Some(a), Some(i)) => self.conflict(text, a, i, counts),
-        }
-    }
-
-    /// X with U, or Z with W: reports it and returns the effective target.
-    #[cold]
-    pub(super) fn conflict(&mut self, text: &[u8], a: &Word, i: &Word, counts: Counts) -> Target {
-        let reading = self.reading();
-        let value = |word: &Word| reading.coordinate(word, counts).unwrap_or(0.0);
-        match self.absolute_counts(text, a, i) {
-            true => Target::Absolute(value(a)),
-            false => Target::Incremental(value(i)),
-        }
-    }
-
-    /// Reports an absolute and an incremental word of one axis in a block. Returns whether the absolute one
-    /// takes effect.
-    #[cold]
-    pub(super) fn absolute_counts(&mut self, text: &[u8], a: &Word, i: &Word) -> bool {
-        let absolute_counts = match self.dialect.xu_conflict {
-            XuConflict::Absolute => true,
-            XuConflict::Last => a.span.start > i.span.start,
-        };
-        let (absolute, incremental) = (quote(text, a.span), quote(text, i.span));
-        let used = if absolute_counts { absolute.clone() } else { incremental.clone() };
-        let span = a.span.to(i.span);
-        let mut fixes = [i.span, a.span].map(|span| Fix::delete(text, span));
-        if !absolute_counts {
-            fixes.reverse();
-        }
-        let diagnostic = Diagnostic::new(said::AbsoluteAndIncremental { absolute, incremental, used }, span);
-        self.report(Diagnostic { fixes: fixes.into(), ..diagnostic });
-        absolute_counts
-    }
-
-    /// Whether the tip is on the spindle axis.
-    #[inline]
-    pub(super) fn is_on_axis(&self) -> bool {
-        self.state.position.x.abs() <= SAME
-    }
-
     /// G01, with its corner and angle words.
     pub(super) fn line(&mut self, text: &[u8], block: &Block, request: &mut Request, words: &Words) {
         let (x, z) = self.plane_targets(text, words);
@@ -161,16 +93,6 @@ impl Interpreter {
         let motion = self.motion(MotionKind::Feed, to);
         let motion = self.turning(motion, c);
         self.travel(PathMove { wall: request.wall, ..self.path_move(block, motion) }, joint);
-    }
-
-    /// The angle word of a straight move: `,A` or A, degrees.
-    fn angle(&self, text: &[u8], block: &Block, request: &Request, words: &Words) -> Option<Angle> {
-        let word = request.comma[2].map(|index| &block.words[index]).or_else(|| words.get(b'A'))?;
-        let Value::Number { number, .. } = word.value else { return None };
-        // Without a point under the least-increment rule the unit of an angle is 0.001°.
-        let fine = self.dialect.decimal == DecimalRule::LeastIncrement && !number.has_point();
-        let degrees = if fine { plain(word)? / 1000.0 } else { plain(word)? };
-        Some(Angle { radians: degrees.to_radians(), span: word.span, word: quote(text, word.span) })
     }
 
     /// Checks that a thread has no corner words (PS0050). False: an error was reported.
@@ -376,33 +298,29 @@ impl Interpreter {
         }
     }
 
-    /// The lead of a thread, mm.
-    pub(super) fn lead(
-        &mut self,
-        text: &[u8],
-        block: &Block,
-        words: &Words,
-        code: &'static str,
-    ) -> Option<f64> {
-        let reading = self.reading();
-        if self.dialect.i_in_g92 == IInG92::Tpi
-            && let Some(threads) = words.get(b'I').and_then(plain).filter(|&threads| threads > 0.0)
-        {
-            self.state.lead = Some(Lead::ThreadsPerInch(threads));
+    /// G00.
+    #[inline]
+    pub(super) fn rapid(&mut self, text: &[u8], block: &Block, request: &mut Request, words: &Words) {
+        self.settle_angle();
+        if let Some(index) = request.comma.into_iter().flatten().next() {
+            let span = block.words[index].span;
+            self.report(Diagnostic::new(said::CornerNoLine { word: quote(text, span) }, span));
+            request.drop = true;
+            return;
         }
-        if let Some(lead) = words.get(b'E').and_then(|word| reading.feed(word)) {
-            self.state.lead = Some(Lead::ByE(lead));
+        let (x, z) = self.plane_targets(text, words);
+        let to = Point::new(x.from(self.state.position.x), z.from(self.state.position.z));
+        self.observe(text, Event::Rapid);
+        if self.is_on_axis() && self.state.virtual_plane.is_none() {
+            self.observe(text, Event::FromAxis { block, to });
         }
-        let own = self.state.lead.map(Lead::mm);
-        let lead = own.or(self.state.feed).filter(|&lead| lead > 0.0);
-        match lead {
-            None => self.report(Diagnostic::new(said::LeadMissing { code }, block.words_span())),
-            Some(feed) if own.is_none() => {
-                self.observe(text, Event::LeadOfFeed { block, code, feed });
-            }
-            Some(_) => {}
+        request.moved = words.has_any(AXES);
+        let c = self.turn_target(text, words);
+        if c.is_some() || !self.travel_plainly(block, MotionKind::Rapid, to, None) {
+            let motion = self.motion(MotionKind::Rapid, to);
+            let motion = self.turning(motion, c);
+            self.travel(PathMove { wall: request.wall, ..self.path_move(block, motion) }, None);
         }
-        lead
     }
 }
 

@@ -7,30 +7,22 @@
 
 use super::Interpreter;
 use super::contours::Shape;
+use super::cycle_moves::NEAR;
 use super::repairs::offer_other_sign;
 use super::request::Request;
-use super::singles::Thread;
 use crate::control::codes::Multiple;
-use crate::control::contour::Purpose;
-use crate::control::doubt::{Doubt, Doubts};
+use crate::control::doubt::Doubt;
 use crate::control::events::{Event, FinishingCall};
-use crate::control::modal::{PathMove, State};
+use crate::control::modal::State;
 use crate::control::words::{self, Words, letters, plain};
 use crate::cycles::pattern::{self, Pattern};
 use crate::cycles::roughing::{self, Direction, Roughing};
 use crate::cycles::{Contour, Move};
 use crate::geometry::Point;
 use crate::message::{Diagnostic, Fix, Message, Severity, said};
-use crate::motion::{Cycle, CycleStep, Motion, MotionKind, Step};
+use crate::motion::{Cycle, MotionKind};
 use crate::setup::dialect::{Control, G71Retract, G73Intervals};
-use crate::text::block::{Block, Value, Word};
-use crate::units::Unit;
-
-/// The least input increment, mm: unit of D in the one-block forms if it is written without a point.
-pub(super) const INCREMENT: f64 = 0.001;
-
-/// Lengths that differ by no more than this, mm, are equal.
-pub(super) const NEAR: f64 = 0.001;
+use crate::text::block::Block;
 
 impl Interpreter {
     pub(super) fn multiple(
@@ -40,6 +32,7 @@ impl Interpreter {
         request: &mut Request,
         words: &Words,
         cycle: Multiple,
+        shape: Option<Shape>,
     ) {
         if self.contours.recorded.is_some() {
             // Already reported: a contour may not contain a cycle.
@@ -47,9 +40,9 @@ impl Interpreter {
             return;
         }
         let done = match cycle {
-            Multiple::Finishing => self.finishing(text, block, words),
-            Multiple::RoughTurning | Multiple::RoughFacing => self.roughing(text, block, words, cycle),
-            Multiple::Pattern => self.pattern(text, block, words),
+            Multiple::Finishing => self.finishing(text, block, shape),
+            Multiple::RoughTurning | Multiple::RoughFacing => self.roughing(text, block, words, cycle, shape),
+            Multiple::Pattern => self.pattern(text, block, words, shape),
             Multiple::FacePecking | Multiple::Grooving => self.pecking(text, block, words, cycle),
             Multiple::Threading => self.multi_threading(text, block, words),
         };
@@ -58,8 +51,8 @@ impl Interpreter {
     }
 
     /// G70: the contour as written, then back to the start point.
-    fn finishing(&mut self, text: &[u8], block: &Block, words: &Words) -> Option<()> {
-        let shape = self.shape(text, block, words, "G70", Purpose::Finishing)?;
+    fn finishing(&mut self, text: &[u8], block: &Block, shape: Option<Shape>) -> Option<()> {
+        let shape = shape?;
         let start = self.state.position;
         if !shape.is_sound() {
             // Its blocks have not changed the modal state.
@@ -84,57 +77,15 @@ impl Interpreter {
         Some(())
     }
 
-    /// The contour of a roughing cycle whose passes are unknown, and the return move.
-    #[cold]
-    fn contour_alone(&mut self, block: &Block, cycle: Cycle, shape: &Shape) {
-        let start = self.state.position;
-        self.state.doubts.add(Doubt::Contour);
-        let feed = self.state.process().feed;
-        let mut moves = shape.moves.clone();
-        // The F of the contour is ignored.
-        moves.iter_mut().for_each(|path_move| path_move.motion.process.feed = feed);
-        self.go_along(block, cycle, &moves);
-        self.return_to(block, cycle, start);
-    }
-
-    /// The contour of a cycle whose own block cannot be parsed. Errors in both were reported.
-    #[cold]
-    pub(super) fn contour_of_broken(&mut self, text: &[u8], block: &Block, words: &Words, cycle: Multiple) {
-        let (reported, muted) = (self.state.reported, std::mem::replace(&mut self.sink.muted, true));
-        let (observer, jump) = (self.observer.take(), self.program.jump);
-        let shape = self.shape(text, block, words, cycle.cycle().code(), Purpose::Roughing);
-        (self.observer, self.program.jump) = (observer, jump);
-        (self.state.reported, self.sink.muted) = (reported, muted);
-        if let Some(shape) = shape {
-            self.contour_alone(block, cycle.cycle(), &shape);
-        }
-        self.state.doubts.remove(Doubt::Contour);
-    }
-
-    /// Makes the moves of a cycle along its contour.
-    fn go_along(&mut self, block: &Block, cycle: Cycle, moves: &[PathMove]) {
-        for path_move in moves {
-            let step = match path_move.motion.kind {
-                MotionKind::Rapid => Step::Approach,
-                _ => Step::Contour,
-            };
-            let tag = CycleStep { cycle, pass: 0, step };
-            let mut motion = Motion { cycle: Some(tag), ..path_move.motion };
-            motion.process.uncertain |= self.state.doubts.has(Doubt::Contour);
-            self.push(block, motion);
-        }
-    }
-
-    /// Moves from a cycle back to its start point.
-    fn return_to(&mut self, block: &Block, cycle: Cycle, start: Point) {
-        let tag = CycleStep { cycle, pass: 0, step: Step::Return };
-        let mut home = Motion { cycle: Some(tag), ..self.motion(MotionKind::Rapid, start) };
-        home.process.uncertain |= self.state.doubts.has(Doubt::Contour);
-        self.push(block, home);
-    }
-
     /// G71 and G72.
-    fn roughing(&mut self, text: &[u8], block: &Block, words: &Words, cycle: Multiple) -> Option<()> {
+    fn roughing(
+        &mut self,
+        text: &[u8],
+        block: &Block,
+        words: &Words,
+        cycle: Multiple,
+        shape: Option<Shape>,
+    ) -> Option<()> {
         let code = cycle.cycle().code();
         let turning = cycle == Multiple::RoughTurning;
         let reading = self.reading();
@@ -198,7 +149,7 @@ impl Interpreter {
         if let Some(word) = words.get(b'D') {
             self.state.parameters.depth = self.one_block_depth(word);
         }
-        let shape = self.shape(text, block, words, code, Purpose::Roughing)?;
+        let shape = shape?;
         self.go_on_behind(block, shape.begins, shape.ends);
         let Some(depth) = self.state.parameters.depth.filter(|&depth| depth > 0.0) else {
             let depth = self.state.parameters.depth;
@@ -352,7 +303,7 @@ impl Interpreter {
     }
 
     /// G73.
-    fn pattern(&mut self, text: &[u8], block: &Block, words: &Words) -> Option<()> {
+    fn pattern(&mut self, text: &[u8], block: &Block, words: &Words, shape: Option<Shape>) -> Option<()> {
         let reading = self.reading();
         let length = |address: u8| words.get(address).and_then(|word| reading.length(word));
         let radius = |address: u8| words.get(address).and_then(|word| reading.radius(word));
@@ -382,7 +333,7 @@ impl Interpreter {
             parameters.pattern_passes = words.get(b'D').and_then(plain);
             parameters.relief = Some(Point::new(length(b'I').unwrap_or(0.0), length(b'K').unwrap_or(0.0)));
         }
-        let shape = self.shape(text, block, words, "G73", Purpose::Roughing)?;
+        let shape = shape?;
         self.go_on_behind(block, shape.begins, shape.ends);
         let passes = self.state.parameters.pattern_passes;
         let was_reported = passes.is_some_and(|passes| passes < 1.0) && words.get(b'D').is_none();
@@ -430,80 +381,6 @@ impl Interpreter {
                 None
             }
         }
-    }
-
-    /// The D of a one-block form: a depth; without a point in least increments.
-    pub(super) fn one_block_depth(&self, word: &Word) -> Option<f64> {
-        if self.dialect.control == Control::Gsk {
-            return self.reading().length(word);
-        }
-        let Value::Number { number, .. } = word.value else { return None };
-        let unit = self.state.unit.millimetres();
-        let scale = match (number.has_point(), self.state.unit) {
-            (true, _) => unit,
-            (false, Unit::Millimetre) => INCREMENT,
-            (false, Unit::Inch) => INCREMENT / 10.0 * unit,
-        };
-        Some(plain(word)? * scale)
-    }
-
-    /// Number of moves that a cycle may still make.
-    pub(super) fn moves_left(&self) -> usize {
-        self.setup.limits.moves_per_cycle.min(self.setup.limits.motions.saturating_sub(self.sink.kept()))
-    }
-
-    /// Refuses a cycle of more than `most` moves, after `steps` steps: either it is too long, or the run has
-    /// too few moves left and ends.
-    pub(super) fn refuse_long_cycle(&mut self, block: &Block, code: &'static str, steps: usize, most: usize) {
-        let span = block.words_span();
-        if !self.spend(steps, block) {
-            return;
-        }
-        if most < self.setup.limits.moves_per_cycle {
-            self.sink.end(said::TooManyMotions { most: self.setup.limits.motions }.into(), span);
-        } else {
-            self.report(Diagnostic::new(said::TooManyPasses { code, most }, span));
-        }
-    }
-
-    /// Makes the moves of a cycle.
-    pub(super) fn run_cycle(&mut self, block: &Block, cycle: Cycle, thread: Option<Thread>, moves: &[Move]) {
-        let kept = self.sink.kept();
-        for step in moves {
-            let tag = CycleStep { cycle, pass: step.pass, step: step.step };
-            let motion = Motion { cycle: Some(tag), center: step.center, ..self.motion(step.kind, step.to) };
-            let mut motion = thread.map_or(motion, |thread| thread.of(motion));
-            motion.process.uncertain |=
-                self.state.doubts.has_any(Doubts::of(&[Doubt::Cycle, Doubt::Contour]));
-            self.push(block, motion);
-        }
-        self.spend(moves.len() - (self.sink.kept() - kept), block);
-    }
-
-    /// The passes of a contour with less strict checks: the contour as it is, or without its last blocks,
-    /// which lead back.
-    fn forgiving(
-        &mut self,
-        block: &Block,
-        contour: &Contour,
-        shape: &Shape,
-        how: &Roughing,
-        most: usize,
-    ) -> Option<Vec<Move>> {
-        let how = Roughing { checks: roughing::Checks::Forgiving, ..*how };
-        let shorter = |dropped: usize| {
-            let left = contour.pieces.len().checked_sub(dropped).filter(|&left| left > 0)?;
-            Some(Contour { pieces: contour.pieces[..left].to_vec(), ..contour.clone() })
-        };
-        let candidates = [Some(contour.clone()), shape.without_retreat(contour), shorter(1), shorter(2)];
-        for contour in candidates.into_iter().flatten() {
-            match roughing::rough(&contour, &how, most) {
-                Ok(moves) => return Some(moves),
-                Err(roughing::RoughingError::TooManyMoves) if !self.spend(most, block) => return None,
-                Err(_) => {}
-            }
-        }
-        None
     }
 }
 

@@ -3,10 +3,12 @@
 //! In: motions. Out: those with a length, in machine coordinates.
 
 use super::Interpreter;
+use crate::control::events::Event;
 use crate::control::modal::PathMove;
-use crate::geometry::Point;
+use crate::geometry::virtual_plane::{Surface, VirtualMove, Way};
+use crate::geometry::{Arc, Point, Turn};
 use crate::message::said;
-use crate::motion::{Motion, MotionKind, Process, Stop, StopKind};
+use crate::motion::{Motion, MotionKind, Process, Rotary, Stop, StopKind};
 use crate::parts::{Part, late};
 use crate::setup::tool_words::{is_second_operation, turns_round};
 use crate::text::block::Block;
@@ -73,16 +75,6 @@ impl Interpreter {
         }
     }
 
-    /// M00, M01: the program stops after all previous moves, including those that wait for a next one.
-    #[cold]
-    pub(super) fn stop(&mut self, block: &Block, kind: StopKind) {
-        // A contour is read only for its shape.
-        if self.contours.recorded.is_none() {
-            let here = self.motion(MotionKind::Dwell, self.state.position);
-            self.wait_here(PathMove { stop: Some(kind), ..self.path_move(block, here) });
-        }
-    }
-
     /// Outputs a motion unless it has no length.
     #[inline]
     pub(super) fn emit(&mut self, mut path_move: PathMove) {
@@ -134,5 +126,59 @@ impl Interpreter {
             self.place_motions_before();
         }
         self.sink.chunk.push(&path_move.motion, path_move.span, path_move.line);
+    }
+
+    /// Adds the rotation of C to a motion outside a virtual plane.
+    pub(super) fn turning(&mut self, motion: Motion, c: Option<f64>) -> Motion {
+        let Some(to) = c else { return motion };
+        let from = std::mem::replace(&mut self.state.c, to);
+        let degree = self.state.unit.millimetres();
+        let rotary = (from != to).then_some(Rotary { from, to, degree, virtual_move: None });
+        Motion { rotary, ..motion }
+    }
+
+    /// A motion of a block for the next stages: corners, compensation, output.
+    #[inline]
+    pub(super) fn path_move(&self, block: &Block, motion: Motion) -> PathMove {
+        let third = self.state.virtual_plane.map(|plane| plane.third);
+        let (span, words, line) = (block.span, block.words_span(), block.line);
+        PathMove { motion, span, words, line, third, stop: None, wall: None }
+    }
+
+    /// The motion of the machine for a motion in a virtual plane.
+    #[cold]
+    pub(super) fn on_machine(&mut self, mut path_move: PathMove, third: (f64, f64)) -> PathMove {
+        let Some(plane) = &mut self.state.virtual_plane else { return path_move };
+        let motion = &mut path_move.motion;
+        let turn = match motion.kind {
+            MotionKind::ArcClockwise => Some(Turn::Clockwise),
+            MotionKind::ArcCounterclockwise => Some(Turn::Counterclockwise),
+            _ => None,
+        };
+        let way = match (turn, motion.center) {
+            (Some(turn), Some(center)) => Way::Arc(Arc { start: motion.from, end: motion.to, center, turn }),
+            _ => Way::Line(motion.from, motion.to),
+        };
+        let from = plane.angle;
+        match plane.surface {
+            // C turns independently of the path.
+            Surface::Flat(_) => plane.angle = self.state.c,
+            surface => plane.angle += surface.turn_along(&way),
+        }
+        let own = VirtualMove { surface: plane.surface, way, third };
+        motion.rotary = Some(Rotary { from, to: plane.angle, degree: 1.0, virtual_move: Some(own) });
+        (motion.from, motion.to, motion.center) = (own.at(0.0), own.at(1.0), None);
+        let distance = way.distance_from_center();
+        if plane.surface == Surface::Face {
+            self.observe(&[], Event::NearCenter { distance, words: path_move.words });
+        }
+        path_move
+    }
+
+    /// The first cut determines the frame of the workpiece.
+    #[cold]
+    pub(super) fn place_motions_before(&mut self) {
+        let frames = &self.state.frames;
+        self.sink.chunk.place_on_workpiece(|left| frames.place(left));
     }
 }

@@ -5,51 +5,26 @@
 //! (cycles, threads, G28, frame changes) first outputs the waiting moves.
 
 use super::Interpreter;
-use super::request::Request;
-use crate::control::codes::{Compensation, MotionMode};
-use crate::control::compensation::Nose;
-use crate::control::corners::{self, CornerError};
-use crate::control::modal::{Angle, Compensating, Joint, PathMove, Pending};
-use crate::control::tool_offset;
-use crate::control::words::{Words, letters};
+use crate::control::codes::Compensation;
+use crate::control::modal::{Angle, Compensating, Joint, PathMove, Pending, VirtualPlane};
+use crate::control::offsets::Frames;
 use crate::geometry::Point;
+use crate::geometry::virtual_plane::{Flat, Space, Surface};
 use crate::message::{Diagnostic, said};
-use crate::motion::{Motion, MotionKind};
+use crate::motion::{MotionKind, StopKind};
 use crate::parts::{Part, early};
 use crate::text::block::Block;
 
 /// The part of the module that inserts corners and compensates paths.
-const PATH: Part = Part::Early;
+pub(super) const PATH: Part = Part::Early;
 
 early! {
-    fn join(control: &mut Interpreter, pending: &Pending, joint: &Joint, next: &mut PathMove) -> bool {
-        control.put_corner_in(pending, joint, next)
-    }
-
-    fn compensate(control: &mut Interpreter, path_move: &PathMove, nose: Nose) {
-        control.compensate(*path_move, nose);
-    }
-
     fn close_angle(control: &mut Interpreter, x: Option<f64>, z: Option<f64>, angle: Option<f64>) -> bool {
         control.end_open_angle(x, z, angle)
     }
 
-    fn end_by_angle(from: Point, angle: f64, x: Option<f64>, z: Option<f64>) -> Result<Point, CornerError> {
-        corners::end_by_angle(from, angle, x, z)
-    }
-
-    fn read_joint(
-        control: &mut Interpreter,
-        text: &[u8],
-        block: &Block,
-        request: &Request,
-        words: &Words,
-    ) -> Result<Option<Joint>, ()> {
-        control.read_joint(text, block, request, words)
-    }
-
-    fn flush(control: &mut Interpreter) {
-        control.give_out_rest();
+    fn back_to_turning(control: &mut Interpreter) {
+        control.back_to_turning();
     }
 }
 
@@ -141,93 +116,6 @@ impl Interpreter {
     pub(super) fn close_angle(&mut self, x: Option<f64>, z: Option<f64>, angle: Option<f64>) -> bool {
         let is_open = self.state.pending.as_ref().is_some_and(|pending| pending.angle.is_some());
         !is_open || self.has(PATH) && close_angle(self, x, z, angle)
-    }
-
-    /// The end of a straight move given by its angle and one axis.
-    pub(super) fn end_by_angle(
-        &mut self,
-        angle: f64,
-        x: Option<f64>,
-        z: Option<f64>,
-    ) -> Result<Point, CornerError> {
-        let from = self.state.position;
-        if self.has(PATH) { end_by_angle(from, angle, x, z) } else { Ok(from) }
-    }
-
-    /// The chamfer or rounding word of a move: with comma, without, or L and D on GSK.
-    pub(super) fn joint(
-        &mut self,
-        text: &[u8],
-        block: &Block,
-        request: &Request,
-        words: &Words,
-    ) -> Result<Option<Joint>, ()> {
-        // Most moves have no such word.
-        let is_straight = self.state.motion == MotionMode::Line && self.state.virtual_plane.is_none();
-        let candidates = if is_straight { letters(b"CDIKLR") } else { letters(b"DL") };
-        if request.comma == [None; 3] && !words.has_any(candidates) || !self.has(PATH) {
-            return Ok(None);
-        }
-        read_joint(self, text, block, request, words)
-    }
-
-    /// Joins a waiting move to the next one, whose start it may shorten. False: an error was reported, and
-    /// the waiting move is dropped.
-    pub(super) fn join(&mut self, pending: Pending, next: &mut PathMove) -> bool {
-        if let Some(joint) = &pending.joint {
-            return self.has(PATH) && join(self, &pending, joint, next);
-        }
-        self.offset(pending.path_move);
-        self.wait_all(&pending.dwells, next.motion.from);
-        true
-    }
-
-    /// Adds a dwell after the waiting move, if there is one.
-    pub(super) fn wait_here(&mut self, path_move: PathMove) {
-        if let Some(pending) = &mut self.state.pending {
-            pending.dwells.push(path_move);
-            return;
-        }
-        match &mut self.state.compensating {
-            Some(Compensating { waiting, dwells, .. }) if !waiting.is_empty() => {
-                let last = waiting.last().map_or(0, |(id, _)| *id);
-                dwells.push((last, path_move));
-            }
-            _ => self.emit(path_move),
-        }
-    }
-
-    pub(super) fn wait_all(&mut self, dwells: &[PathMove], at: Point) {
-        for path_move in dwells {
-            let motion = Motion { from: at, to: at, ..path_move.motion };
-            self.wait_here(PathMove { motion, ..*path_move });
-        }
-    }
-
-    /// Compensates a move; outputs it directly if compensation is off.
-    pub(super) fn offset(&mut self, path_move: PathMove) {
-        if self.state.compensation == Compensation::Off && self.state.compensating.is_none() {
-            return self.emit(path_move);
-        }
-        let motion = path_move.motion;
-        if motion.from.is_same(motion.to) && motion.center.is_none() {
-            return;
-        }
-        let nose = tool_offset::nose(&self.state, &self.setup);
-        if self.state.compensating.is_none() && nose.radius <= 0.0 {
-            return self.emit(path_move);
-        }
-        if self.has(PATH) {
-            compensate(self, &path_move, nose);
-        }
-    }
-
-    /// Moves the centre to the end of the last move; no next move is known.
-    pub(super) fn flush_compensation(&mut self) {
-        // If a move is being compensated, the part is loaded.
-        if self.state.compensating.is_some() {
-            flush(self);
-        }
     }
 
     /// Outputs the waiting moves, because no next move will come: end of program, a cycle, a new frame.
@@ -322,5 +210,61 @@ impl Interpreter {
             }
         }
         self.leave_compensation();
+    }
+
+    /// M00, M01: the program stops after all previous moves, including those that wait for a next one.
+    #[cold]
+    pub(super) fn stop(&mut self, block: &Block, kind: StopKind) {
+        // A contour is read only for its shape.
+        if self.contours.recorded.is_none() {
+            let here = self.motion(MotionKind::Dwell, self.state.position);
+            self.wait_here(PathMove { stop: Some(kind), ..self.path_move(block, here) });
+        }
+    }
+
+    /// Changes the frame without moving the machine.
+    pub(super) fn change_frame(&mut self, change: impl FnOnce(&mut Frames)) {
+        self.leave_compensation();
+        if let Some(left) = self.state.frames.before_first_cut() {
+            self.sink.chunk.leave_frame(left);
+        }
+        self.state.change_frame(change);
+    }
+
+    /// Returns from a Y plane to the turning plane.
+    #[inline]
+    pub(super) fn leave_flat(&mut self) {
+        if self.state.virtual_plane.is_some_and(|plane| matches!(plane.surface, Surface::Flat(_))) {
+            back_to_turning(self);
+        }
+    }
+
+    pub(super) fn is_in_flat(&self) -> bool {
+        self.state.virtual_plane.is_some_and(|plane| matches!(plane.surface, Surface::Flat(_)))
+    }
+
+    pub(super) fn enter_flat(&mut self, flat: Flat) {
+        let surface = Surface::Flat(flat);
+        if self.state.virtual_plane.is_some_and(|plane| plane.surface == surface) {
+            return;
+        }
+        self.leave_compensation();
+        self.leave_flat();
+        let state = &mut self.state;
+        let (at, third) = surface.enter(state.position, state.y, state.c);
+        state.tip = state.tip.map(|tip| surface.enter(tip, state.y, state.c).0);
+        state.position = at;
+        state.virtual_plane = Some(VirtualPlane { surface, third: (third, third), angle: state.c });
+    }
+
+    pub(super) fn back_to_turning(&mut self) {
+        // Waiting moves lead back here.
+        self.leave_compensation();
+        let state = &mut self.state;
+        let Some(plane) = state.virtual_plane.take() else { return };
+        let Surface::Flat(flat) = plane.surface else { return };
+        let Space { x, y, z } = flat.space(state.position, plane.third.1);
+        state.tip = state.tip.map(|tip| plane.surface.machine(tip, plane.third.1));
+        (state.position, state.y) = (Point::new(x, z), y);
     }
 }

@@ -3,21 +3,17 @@
 //! In: the words of a block. Out: the moves of the cycle, amounts as lengths. `cycles::grooving` has the
 //! geometry, `cycles::units` guesses the unit.
 
-use super::multiples::{INCREMENT, NEAR};
+use super::cycle_moves::NEAR;
 use super::request::Request;
 use super::{AXES, Interpreter};
 use crate::control::codes::Multiple;
 use crate::control::doubt::Doubt;
-use crate::control::words::{Words, letters, plain, quote};
+use crate::control::words::{Words, letters, quote};
 use crate::cycles::grooving::{self, Pecking};
-use crate::cycles::units::{self, Amount, Written};
-use crate::message::{Diagnostic, Edit, Fix, Message, Repair, Severity, said};
-use crate::order;
-use crate::parts::{Part, late};
-use crate::setup::dialect::PqUnit;
+use crate::cycles::units;
+use crate::message::{Diagnostic, Message, Severity, said};
 use crate::source::Span;
-use crate::text::block::{Block, Value};
-use crate::units::Unit;
+use crate::text::block::Block;
 
 impl Interpreter {
     /// G74 and G75.
@@ -136,110 +132,5 @@ impl Interpreter {
             self.run_cycle(block, cycle.cycle(), None, &moves);
         }
         None
-    }
-
-    /// Width of the grooving insert of the tool in force, mm, if the setup names one.
-    pub(super) fn blade_width(&self) -> Option<f64> {
-        let (station, offset) = self.state.tool;
-        self.setup.tools.get(&format!("T{station:02}{offset:02}")).and_then(|tool| tool.width)
-    }
-
-    /// The unit of P and Q (GSK980TDb pp. 119, 135), and both as lengths, mm.
-    pub(super) fn amounts(
-        &mut self,
-        text: &[u8],
-        words: &Words,
-        by_size: impl FnOnce(Option<Amount>, Option<Amount>) -> units::Reading,
-    ) -> Option<(units::Reading, Option<f64>, Option<f64>)> {
-        let (p, q) = (self.amount(words, b'P'), self.amount(words, b'Q'));
-        let reading = match self.dialect.pq_unit {
-            PqUnit::Auto => by_size(p, q),
-            PqUnit::Mm => units::Reading::Millimetres(units::Because::Point),
-            PqUnit::Um => units::Reading::Micrometres,
-        };
-        if !self.report_amounts(text, words, reading) {
-            return None;
-        }
-        Some((
-            reading,
-            p.map(|amount| self.amount_in(amount, reading)),
-            q.map(|amount| self.amount_in(amount, reading)),
-        ))
-    }
-
-    /// A P or Q word as an amount in least increments.
-    pub(super) fn amount(&self, words: &Words, address: u8) -> Option<Amount> {
-        let word = words.get(address)?;
-        let Value::Number { number, .. } = word.value else { return None };
-        let increment = match self.state.unit {
-            Unit::Millimetre => INCREMENT,
-            Unit::Inch => INCREMENT / 10.0 * self.state.unit.millimetres(),
-        };
-        let written = if number.has_point() { Written::WithPoint } else { Written::WithoutPoint };
-        Some(Amount { in_increments: plain(word)? * increment, written })
-    }
-
-    pub(super) fn amount_in(&self, amount: Amount, reading: units::Reading) -> f64 {
-        amount.mm(reading, self.state.unit)
-    }
-
-    /// Reports that P and Q were read as millimetres, or that the control does not accept a point there.
-    /// False: it does not.
-    pub(super) fn report_amounts(&mut self, text: &[u8], words: &Words, reading: units::Reading) -> bool {
-        let pointed = [b'P', b'Q'].into_iter().find(|&address| {
-            self.amount(words, address).is_some_and(|amount| amount.written == Written::WithPoint)
-        });
-        let forbidden = match self.dialect.pq_unit {
-            PqUnit::Um => true,
-            PqUnit::Auto => self.dialect.strict,
-            PqUnit::Mm => false,
-        };
-        if let Some(address) = pointed.filter(|_| forbidden) {
-            let word = words.quote(text, address);
-            let fixes = self.in_micrometres(text, words);
-            let diagnostic = Diagnostic::new(said::PointNotAllowed { word }, words.span(address));
-            self.report(Diagnostic { fixes, ..diagnostic });
-            return false;
-        }
-        if let (PqUnit::Auto, units::Reading::Millimetres(_)) = (self.dialect.pq_unit, reading) {
-            let address = pointed.unwrap_or(if words.peek(b'Q').is_some() { b'Q' } else { b'P' });
-            let word = words.quote(text, address);
-            let fixes = self.in_micrometres(text, words);
-            let diagnostic = Diagnostic::new(said::AmountInMillimetres { word }, words.span(address));
-            self.report(Diagnostic { fixes, ..diagnostic });
-        }
-        true
-    }
-
-    /// A fix that writes P and Q as a control reads them: thousandths of a millimetre without a point.
-    pub(super) fn in_micrometres(&self, text: &[u8], words: &Words) -> Vec<Fix> {
-        // Without the part no messages are shown.
-        match FIXING.is_loaded() && self.state.unit == Unit::Millimetre {
-            true => in_micrometres(text, words),
-            false => Vec::new(),
-        }
-    }
-}
-
-/// The part of the module that contains fixes of words.
-const FIXING: Part = Part::Late;
-
-late! {
-    fn in_micrometres(text: &[u8], words: &Words) -> Vec<Fix> {
-        let found = [b'P', b'Q'].into_iter().filter_map(|address| words.get(address));
-        let mut edits: Vec<Edit> = found
-            .filter_map(|word| {
-                let (Value::Number { .. }, written) = (word.value, quote(text, word.span)) else {
-                    return None;
-                };
-                let letter = written.chars().next()?;
-                let thousandths = crate::units::number((1000.0 * plain(word)?).round());
-                Some(Edit { span: word.span, text: format!("{letter}{thousandths}") })
-            })
-            .collect();
-        order::by_key(&mut edits, |edit| edit.span.start);
-        let title: Vec<&str> = edits.iter().map(|edit| edit.text.as_str()).collect();
-        let title = Repair::Write { text: title.join(" ") };
-        if edits.is_empty() { Vec::new() } else { vec![Fix { title, safe: false, edits }] }
     }
 }

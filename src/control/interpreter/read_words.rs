@@ -3,8 +3,7 @@
 //! In: one word after the other. Out: the modal state, and the [`Request`] of the block.
 
 use super::Interpreter;
-use super::calls::CallCode;
-use super::request::{Exclusive, OneShot, Request};
+use super::request::{CallCode, Exclusive, OneShot, Request};
 use crate::control::codes::{self, Compensation, G, M, MotionMode, Multiple, Switch};
 use crate::control::contour::Purpose;
 use crate::control::doubt::{Doubt, Doubts};

@@ -4,8 +4,7 @@
 //! In: the words of a block. Out: rapids, and changed tables.
 
 use super::request::{OneShot, Request};
-use super::rotary::TURNS;
-use super::{AXES, Interpreter};
+use super::{AXES, Interpreter, TURNS};
 use crate::control::events::Event;
 use crate::control::modal::{Once, Target};
 use crate::control::offsets::{Column, EXTENDED_FRAMES, OFFSETS, STANDARD_FRAMES, Setting};

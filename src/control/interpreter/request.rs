@@ -2,7 +2,6 @@
 //!
 //! Plain values: `read_words` fills them in, `block` carries them out.
 
-use super::calls::CallCode;
 use crate::control::codes::{self, MacroCall, MotionMode, Multiple, Switch};
 use crate::geometry::Point;
 use crate::message::Diagnostic;
@@ -39,6 +38,17 @@ pub(super) enum Exclusive {
     Compensation,
     /// M03, M04, M05.
     Spindle,
+}
+
+/// M97, M98 or M99, to be carried out after all other words of its block.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum CallCode {
+    /// M98.
+    Call,
+    /// M97.
+    LocalCall,
+    /// M99.
+    Return,
 }
 
 /// The codes of one block.

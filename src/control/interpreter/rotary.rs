@@ -8,18 +8,12 @@ use super::Interpreter;
 use super::request::Request;
 use crate::control::codes::{Compensation, G, MotionMode, Plane, Switch};
 use crate::control::events::Event;
-use crate::control::modal::{Once, PathMove, Target, VirtualPlane};
-use crate::control::words::{Counts, Words, letters, quote};
-use crate::geometry::virtual_plane::{Flat, Surface, VirtualMove, Way};
-use crate::geometry::{Arc, Turn};
+use crate::control::modal::{Once, VirtualPlane};
+use crate::control::words::{Words, quote};
+use crate::geometry::virtual_plane::Surface;
 use crate::message::{Diagnostic, Message, said};
-use crate::motion::{Motion, MotionKind, Rotary};
-use crate::setup::dialect::PolarX;
 use crate::source::Span;
 use crate::text::block::{Block, Value, Word};
-
-/// Addresses of the C axis.
-pub(super) const TURNS: u32 = letters(b"CH");
 
 impl Interpreter {
     /// Whether a G code is allowed in polar or cylindrical interpolation; all others raise an alarm.
@@ -189,132 +183,6 @@ impl Interpreter {
         }
         self.observe(text, Event::PlaneMove { block, words, plane });
         true
-    }
-
-    /// C moves: from here on C words are an axis, not a chamfer.
-    fn connect_c(&mut self, text: &[u8], span: Span) {
-        self.observe(text, Event::CAxis { span });
-        self.state.c_axis = true;
-    }
-
-    /// The target angle of C and H outside a virtual plane, degrees; `None` if C does not move.
-    pub(super) fn turn_target(&mut self, text: &[u8], words: &Words) -> Option<f64> {
-        if !words.has_any(TURNS) || self.state.virtual_plane.is_some() {
-            return None;
-        }
-        let is_axis =
-            self.state.c_axis || self.state.motion == MotionMode::Rapid || words.peek(b'H').is_some();
-        if !is_axis {
-            return None;
-        }
-        let (reading, from) = (self.reading(), self.state.c);
-        let (c, h) = match (words.get(b'C'), words.get(b'H')) {
-            (Some(c), Some(h)) if self.absolute_counts(text, c, h) => (Some(c), None),
-            (Some(_), Some(h)) => (None, Some(h)),
-            one => one,
-        };
-        let absolute = c.and_then(|word| reading.degrees(word));
-        let turned = h.and_then(|word| reading.degrees(word));
-        let span = words.span(if absolute.is_some() { b'C' } else { b'H' });
-        self.connect_c(&[], span);
-        match (absolute, turned) {
-            (Some(way), _) if self.state.incremental => Some(from + way),
-            (absolute, turned) => absolute.or(turned.map(|turned| from + turned)),
-        }
-    }
-
-    /// Adds the rotation of C to a motion outside a virtual plane.
-    pub(super) fn turning(&mut self, motion: Motion, c: Option<f64>) -> Motion {
-        let Some(to) = c else { return motion };
-        let from = std::mem::replace(&mut self.state.c, to);
-        let degree = self.state.unit.millimetres();
-        let rotary = (from != to).then_some(Rotary { from, to, degree, virtual_move: None });
-        Motion { rotary, ..motion }
-    }
-
-    /// The targets along the two axes of the path, upwards and to the right, from X, Z, C and their
-    /// incremental words.
-    pub(super) fn plane_targets(&mut self, text: &[u8], words: &Words) -> (Target, Target) {
-        let Some(plane) = self.state.virtual_plane else {
-            let x = self.axis(text, words, b'X', b'U', Counts::Diameter);
-            return (x, self.axis(text, words, b'Z', b'W', Counts::Length));
-        };
-        let (up, right, third) = match plane.surface {
-            Surface::Face => {
-                let x_counts = match self.dialect.polar_x {
-                    PolarX::Diameter => Counts::Diameter,
-                    PolarX::Radius => Counts::Length,
-                };
-                let up = self.axis(text, words, b'C', b'H', Counts::Length);
-                let right = self.axis(text, words, b'X', b'U', x_counts);
-                (up, right, self.axis(text, words, b'Z', b'W', Counts::Length))
-            }
-            Surface::Cylinder { radius, .. } => {
-                let reading = self.reading();
-                let unrolled = |word: &Word| reading.degrees(word).map(|angle| radius * angle.to_radians());
-                let up = match (words.get(b'C'), words.get(b'H')) {
-                    (Some(c), _) if self.state.incremental => Target::Incremental(unrolled(c).unwrap_or(0.0)),
-                    (Some(c), _) => Target::Absolute(unrolled(c).unwrap_or(0.0)),
-                    (None, Some(h)) => Target::Incremental(unrolled(h).unwrap_or(0.0)),
-                    (None, None) => Target::Stay,
-                };
-                let right = self.axis(text, words, b'Z', b'W', Counts::Length);
-                (up, right, self.axis(text, words, b'X', b'U', Counts::Diameter))
-            }
-            Surface::Flat(flat) => {
-                let x = self.axis(text, words, b'X', b'U', Counts::Diameter);
-                let y = self.axis(text, words, b'Y', b'V', Counts::Length);
-                let z = self.axis(text, words, b'Z', b'W', Counts::Length);
-                match flat {
-                    Flat::Xy => (y, x, z),
-                    Flat::Zx => (x, z, y),
-                    Flat::Yz => (z, y, x),
-                }
-            }
-        };
-        if let Some(plane) = &mut self.state.virtual_plane {
-            let from = plane.third.1;
-            plane.third = (from, third.from(from));
-        }
-        (up, right)
-    }
-
-    /// A motion of a block for the next stages: corners, compensation, output.
-    #[inline]
-    pub(super) fn path_move(&self, block: &Block, motion: Motion) -> PathMove {
-        let third = self.state.virtual_plane.map(|plane| plane.third);
-        let (span, words, line) = (block.span, block.words_span(), block.line);
-        PathMove { motion, span, words, line, third, stop: None, wall: None }
-    }
-
-    /// The motion of the machine for a motion in a virtual plane.
-    #[cold]
-    pub(super) fn on_machine(&mut self, mut path_move: PathMove, third: (f64, f64)) -> PathMove {
-        let Some(plane) = &mut self.state.virtual_plane else { return path_move };
-        let motion = &mut path_move.motion;
-        let turn = match motion.kind {
-            MotionKind::ArcClockwise => Some(Turn::Clockwise),
-            MotionKind::ArcCounterclockwise => Some(Turn::Counterclockwise),
-            _ => None,
-        };
-        let way = match (turn, motion.center) {
-            (Some(turn), Some(center)) => Way::Arc(Arc { start: motion.from, end: motion.to, center, turn }),
-            _ => Way::Line(motion.from, motion.to),
-        };
-        let from = plane.angle;
-        match plane.surface {
-            // C turns independently of the path.
-            Surface::Flat(_) => plane.angle = self.state.c,
-            surface => plane.angle += surface.turn_along(&way),
-        }
-        let own = VirtualMove { surface: plane.surface, way, third };
-        motion.rotary = Some(Rotary { from, to: plane.angle, degree: 1.0, virtual_move: Some(own) });
-        (motion.from, motion.to, motion.center) = (own.at(0.0), own.at(1.0), None);
-        let distance = way.distance_from_center();
-        if plane.surface == Surface::Face {
-            self.observe(&[], Event::NearCenter { distance, words: path_move.words });
-        }
-        path_move
     }
 }
 

@@ -6,7 +6,7 @@ use super::request::{OneShot, Request};
 use crate::control::contour::Purpose;
 use crate::control::events::Event;
 use crate::control::modal::Once;
-use crate::control::offsets::{EXTENDED_FRAMES, Frames, STANDARD_FRAMES};
+use crate::control::offsets::{EXTENDED_FRAMES, STANDARD_FRAMES};
 use crate::control::words::{Words, as_meant, letters, plain, quote};
 use crate::geometry::Point;
 use crate::message::{Diagnostic, Message, Severity, said};
@@ -205,22 +205,6 @@ impl Interpreter {
         {
             self.report(Diagnostic::new(said::ClampReversed { lowest, highest }, words.span(limit)));
         }
-    }
-
-    /// Changes the frame without moving the machine.
-    pub(super) fn change_frame(&mut self, change: impl FnOnce(&mut Frames)) {
-        self.leave_compensation();
-        if let Some(left) = self.state.frames.before_first_cut() {
-            self.sink.chunk.leave_frame(left);
-        }
-        self.state.change_frame(change);
-    }
-
-    /// The first cut determines the frame of the workpiece.
-    #[cold]
-    pub(super) fn place_motions_before(&mut self) {
-        let frames = &self.state.frames;
-        self.sink.chunk.place_on_workpiece(|left| frames.place(left));
     }
 
     /// G52: local shift, in every frame; X0 Z0 cancels it.

@@ -1,5 +1,6 @@
 //! G90, G92 and G94 as blocks call them: memory, spellings of the taper, checks (seeds 000, 001 and 004).
 
+use super::cycle_moves::{Thread, angle_of_start};
 use super::repairs::offer_other_sign;
 use super::request::Request;
 use super::{AXES, Interpreter};
@@ -8,12 +9,12 @@ use crate::control::doubt::Doubt;
 use crate::control::events::{Event, SinglePass};
 use crate::control::modal::Target;
 use crate::control::tool_offset;
-use crate::control::words::{self, Counts, Words, plain, quote};
+use crate::control::words::{self, Counts, Words, quote};
 use crate::cycles::Move;
 use crate::cycles::single::{self, PullOut, Single};
 use crate::geometry::Point;
 use crate::message::{Diagnostic, Fix, Message, Severity, said};
-use crate::motion::{CycleStep, Motion, Step};
+use crate::motion::{CycleStep, Motion};
 use crate::parts::{Part, late};
 use crate::setup::dialect::{Control, IInG92};
 use crate::source::Span;
@@ -27,29 +28,6 @@ late! {
     fn taper_word(taper: f64) -> String {
         format!("R{}", crate::units::number(taper))
     }
-}
-
-/// Data shared by the moves of a thread cycle.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Thread {
-    /// Lead, mm.
-    pub lead: f64,
-    /// Start angle, degrees.
-    pub start_angle: f64,
-}
-
-impl Thread {
-    /// A motion of the cycle; the cut begins at the start angle.
-    pub(super) fn of(self, motion: Motion) -> Motion {
-        let begins = motion.cycle.is_some_and(|tag| tag.step == Step::Cut);
-        let start_angle = if begins { self.start_angle } else { 0.0 };
-        Motion { lead: Some(self.lead), start_angle, ..motion }
-    }
-}
-
-/// Start angle, degrees, of start number `number` (from 0) of `starts` (GSK980TDb, L of G92).
-pub(super) fn angle_of_start(number: u64, starts: u64) -> f64 {
-    360.0 * number as f64 / starts as f64
 }
 
 impl Interpreter {
@@ -235,20 +213,6 @@ impl Interpreter {
         true
     }
 
-    /// Number of cuts of a G92 pass: one per start (GSK L).
-    pub(super) fn starts(&self, words: &Words, cycle: Single) -> u64 {
-        let several = cycle == Single::Threading && self.dialect.control == Control::Gsk;
-        let starts = if several { words.get(b'L').and_then(plain) } else { None };
-        starts.map_or(1, |starts| crate::geometry::within(starts, 1.0, 99.0) as u64)
-    }
-
-    /// The start angle of a thread, degrees: Q is in units of 0.001°, up to a full turn, and applies only to
-    /// its block (B-64304EN, multiple threads).
-    pub(super) fn start_angle(&self, words: &Words) -> f64 {
-        let angle = words.get(b'Q').and_then(plain).unwrap_or(0.0);
-        crate::geometry::within(angle / 1000.0, 0.0, 360.0)
-    }
-
     /// How G92 leaves the thread: J and K (GSK), or the chamfer in tenths of a lead.
     pub(super) fn pull_out(&self, words: &Words, lead: f64) -> Option<PullOut> {
         let reading = self.reading();
@@ -262,12 +226,6 @@ impl Interpreter {
                 Some(PullOut { along: k.or(j).unwrap_or(0.0), out: j.or(k).unwrap_or(0.0) })
             }
         }
-    }
-
-    /// Pull-out of a thread by the chamfer in tenths of a lead (parameter 5130), if it is switched on.
-    pub(super) fn chamfer(&self, lead: f64) -> Option<PullOut> {
-        let length = 0.1 * f64::from(self.state.thread_chamfer) * lead;
-        (self.state.thread_chamfer_on && length > 0.0).then_some(PullOut { along: length, out: length })
     }
 
     fn run_moves(&mut self, block: &Block, cycle: Single, pass: u32, thread: Option<Thread>, moves: &[Move]) {

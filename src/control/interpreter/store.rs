@@ -70,22 +70,6 @@ impl Memory for Store<'_> {
 
 /// Values that a pass of the main program reads before it assigns them.
 impl Interpreter {
-    /// Records for the pass of the main program that a block assigns a variable (`None`), or reads one that
-    /// had this value when the pass began.
-    pub(super) fn note_access(&mut self, block: u32, variable: u32, read: Option<Option<f64>>) {
-        // The local variables of a macro are separate variables.
-        if variable > 33 || self.state.variables.level() == 0 {
-            let block = self.main_block(block);
-            self.state.call_stack.main_pass.note(block, variable, read);
-        }
-    }
-
-    /// The current block of the main program: the calling block, while the block at byte `block` is in a
-    /// subprogram.
-    pub(super) fn main_block(&self, block: u32) -> u32 {
-        self.state.call_stack.calls.first().map_or(block, |call| call.caller)
-    }
-
     /// Ends a pass of the main program at M99. Returns whether the next pass, from the block at byte `from`
     /// or from the head, begins with a different value of a variable that it reads.
     pub(super) fn begin_next_pass(&mut self, text: &[u8], block: &Block, from: Option<u32>) -> bool {

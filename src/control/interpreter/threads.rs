@@ -3,7 +3,7 @@
 //! In: the words of a block. Out: the passes. `cycles::threading` has the geometry, `lint::thread` the advice
 //! of an instructor.
 
-use super::singles::{Thread, angle_of_start};
+use super::cycle_moves::{Thread, angle_of_start};
 use super::{AXES, Interpreter};
 use crate::control::doubt::Doubt;
 use crate::control::events::{Event, ThreadPass, ThreadedBy, ThreadingCall};

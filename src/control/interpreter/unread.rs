@@ -5,8 +5,7 @@
 //! may read are not reported.
 
 use super::request::{OneShot, Request};
-use super::rotary::TURNS;
-use super::{AXES, Interpreter};
+use super::{AXES, Interpreter, TURNS};
 use crate::control::codes::{self, G, MotionMode, Plane};
 use crate::control::events::Event;
 use crate::control::modal::Once;

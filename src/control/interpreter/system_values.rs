@@ -1,11 +1,11 @@
-//! System variables (#1000 and up): values of the control that a program can read or write.
+//! System variables (#1000 and up): values of the control that a program can read.
 //!
 //! In: numbers of variables. Out: values as in a program: X is a diameter, lengths are in the program's unit.
 
 use super::Interpreter;
 use crate::control::codes::{Compensation, Plane};
 use crate::control::modal::State;
-use crate::control::offsets::{Column, EXTENDED_FRAMES, STANDARD_FRAMES, Setting};
+use crate::control::offsets::{Column, EXTENDED_FRAMES, STANDARD_FRAMES};
 use crate::geometry::Point;
 use crate::message::{Diagnostic, said};
 use crate::setup::dialect::FeedMode;
@@ -13,7 +13,7 @@ use crate::text::block::Block;
 use crate::units::{Diameter, Unit};
 
 /// Meaning of a system variable.
-enum System {
+pub(super) enum System {
     /// Modal G code of a group.
     Group(u32),
     /// F, M, N, O, S, T in force.
@@ -54,7 +54,7 @@ const LONG_COLUMNS: [(u32, Column); 7] = [
 ];
 
 impl System {
-    fn of(variable: u32) -> Option<Self> {
+    pub(super) fn of(variable: u32) -> Option<Self> {
         let column = |table: &[(u32, Column)], last: u32| {
             let found = table.iter().find(|(first, _)| (first + 1..=first + last).contains(&variable));
             found.map(|&(first, column)| Self::Offset((variable - first) as u16, column))
@@ -103,9 +103,13 @@ impl Interpreter {
         value
     }
 
+    pub(super) fn unknown_system(&mut self, block: &Block, variable: u32) {
+        self.report(Diagnostic::new(said::SystemVariable { variable }, block.words_span()));
+    }
+
     /// The value of a system variable at the beginning of the pass of the main program; `None` if the pass
     /// has assigned it before this block.
-    fn system_at_start(&mut self, text: &[u8], block: &Block, variable: u32) -> Option<f64> {
+    pub(super) fn system_at_start(&mut self, text: &[u8], block: &Block, variable: u32) -> Option<f64> {
         let system = System::of(variable)?;
         if let System::Kept = system {
             return self.system_value(text, block, variable);
@@ -170,48 +174,13 @@ impl Interpreter {
         })
     }
 
-    /// Writes a system variable. A variable that is unknown here is reported once and ignored. `setting`:
-    /// whether the value was computed from the previous one.
-    pub(super) fn write_system(
-        &mut self,
-        block: &Block,
-        variable: u32,
-        value: Option<f64>,
-        setting: Setting,
-    ) {
-        let unit = self.state.unit.millimetres();
-        let value = value.unwrap_or(0.0);
-        self.trace_write(variable, value);
-        match System::of(variable) {
-            Some(System::External(axis)) => {
-                self.change_frame(|frames| set_axis(&mut frames.external, axis, value * unit));
-            }
-            Some(System::Frame(frame, axis)) => {
-                let change = |zero: &mut Point| set_axis(zero, axis, value * unit);
-                self.set_zero(frame, setting, change, block.words_span());
-            }
-            Some(System::Offset(offset, Column::Tip)) => self.state.offsets.set(offset, Column::Tip, value),
-            Some(System::Offset(offset, column)) => self.state.offsets.set(offset, column, value * unit),
-            Some(System::Kept) => {
-                std::sync::Arc::make_mut(&mut self.state.system).insert(variable, value);
-            }
-            Some(System::Group(_) | System::Letter(_) | System::Work(_) | System::Machine(_)) | None => {
-                self.unknown_system(block, variable);
-            }
-        }
-    }
-
-    fn unknown_system(&mut self, block: &Block, variable: u32) {
-        self.report(Diagnostic::new(said::SystemVariable { variable }, block.words_span()));
-    }
-
     /// A column of a tool offset, mm: as written by the program, otherwise as in the setup.
     pub(super) fn offset_value(&self, offset: u16, column: Column) -> f64 {
         self.state.offsets.get(offset, column).unwrap_or_else(|| self.setup_offset(offset, column))
     }
 
     /// A tool offset of the setup, mm.
-    fn setup_offset(&self, offset: u16, column: Column) -> f64 {
+    pub(super) fn setup_offset(&self, offset: u16, column: Column) -> f64 {
         let ends = |key: &str| key.len() == 5 && key[3..].parse() == Ok(offset);
         let tool = self.setup.tools.iter().find(|(key, _)| key.is_ascii() && ends(key)).map(|(_, tool)| tool);
         match (tool, column) {
@@ -222,7 +191,7 @@ impl Interpreter {
     }
 
     /// Ten times the G code in force in a modal group.
-    fn modal_code(&self, group: u32) -> u32 {
+    pub(super) fn modal_code(&self, group: u32) -> u32 {
         let state = &self.state;
         10 * match group {
             1 => state.motion.number(),
@@ -247,13 +216,5 @@ impl Interpreter {
             21 => 113 - u32::from(state.interpolation().is_some()),
             _ => 0,
         }
-    }
-}
-
-/// Sets a zero along X (axis 1, a diameter) or Z.
-fn set_axis(zero: &mut Point, axis: u32, value: f64) {
-    match axis {
-        1 => zero.x = Diameter::new(value).radius(),
-        _ => zero.z = value,
     }
 }

@@ -1,0 +1,164 @@
+//! Values of macro expressions, and what a statement asks for.
+
+use super::calls::Here;
+use super::store::Store;
+use super::{Flow, Interpreter};
+use crate::control::codes;
+use crate::control::events::Event;
+use crate::control::macros::{self, Action, Knowledge, MacroError};
+use crate::control::words::quote;
+use crate::message::{Diagnostic, said};
+use crate::setup::dialect::Control;
+use crate::source::Span;
+use crate::text::block::{Block, Value, Word};
+use crate::text::lexer::Number;
+use crate::units::Unit;
+
+/// Result of a statement.
+pub(super) enum Evaluated {
+    /// The action to carry out.
+    Action(Action),
+    /// Finished; the program continues here.
+    Flow(Flow),
+    /// The statement cannot be carried out.
+    Fault(MacroError),
+}
+
+impl Interpreter {
+    /// Evaluates the statement of a block. Unknown values are handled here.
+    pub(super) fn evaluate(&mut self, text: &[u8], block: &Block, statement: &[u8], here: Here) -> Evaluated {
+        let mut store = Store::new(self, text, block);
+        let outcome = macros::statement(statement, &mut store);
+        let unknown = store.knowledge == Knowledge::Unknown;
+        match outcome {
+            Err(fault) if unknown && fault.kind.depends_on_values() => {
+                Evaluated::Flow(self.unknown_statement(text, block, statement, here))
+            }
+            Ok(Action::Goto(_) | Action::While { .. }) if unknown => {
+                Evaluated::Flow(self.unknown_statement(text, block, statement, here))
+            }
+            // The macro checks its arguments with an alarm; they are unknown here.
+            Ok(Action::Alarm { .. }) if self.state.variables.lacks_arguments() => {
+                self.lose_program();
+                Evaluated::Flow(Flow::Next)
+            }
+            Ok(action) => {
+                if unknown {
+                    self.unknown_condition(text, block, statement);
+                }
+                Evaluated::Action(action)
+            }
+            Err(fault) => {
+                self.lose_statement(statement);
+                Evaluated::Fault(fault)
+            }
+        }
+    }
+
+    /// The block with values in place of expressions; words with a vacant variable are left out. `None`: an
+    /// error was reported.
+    #[cold]
+    pub(super) fn evaluated(&mut self, text: &[u8], block: &Block) -> Option<Block> {
+        let mut own = block.clone();
+        own.has_expressions = false;
+        own.words.clear();
+        let mut handed_over = false;
+        for word in &block.words {
+            if word.value != Value::Expression {
+                own.words.push(*word);
+                handed_over |= codes::calls_macro(word);
+                continue;
+            }
+            if matches!(word.address, b'N' | b'O') && !handed_over {
+                let message = said::NumberFromVariable { word: quote(text, word.span) };
+                self.report(Diagnostic::new(message, word.span));
+                return None;
+            }
+            // Arguments of a macro keep all digits.
+            let places =
+                (!handed_over || matches!(word.address, b'P' | b'L')).then(|| self.places(word.address));
+            let (number, negative) = self.value_of(text, block, word, places)?;
+            if number.is_none() && !handed_over && !self.guessing {
+                self.observe(text, Event::VacantWord { word });
+            }
+            let value = number.map(|number| Word { value: Value::Number { number, negative }, ..*word });
+            handed_over |= value.as_ref().is_some_and(codes::calls_macro);
+            own.words.extend(value);
+        }
+        Some(own)
+    }
+
+    /// The value of a word's expression, rounded to `places` decimals if given. The outer `None`: an error
+    /// was reported.
+    pub(super) fn value_of(
+        &mut self,
+        text: &[u8],
+        block: &Block,
+        word: &Word,
+        places: Option<u8>,
+    ) -> Option<(Option<Number>, bool)> {
+        if !self.count_macro_step(block) {
+            return None;
+        }
+        // The letter, with an optional comma and blanks, comes before the expression.
+        let written = word.span.of(text);
+        let letter = written.iter().position(u8::is_ascii_alphabetic).unwrap_or(0) + 1;
+        let increment = 10f64.powi(-i32::from(self.places(word.address)));
+        let mut store = Store::new(self, text, block);
+        let value = macros::address_value(&written[letter..], increment, &mut store);
+        if store.knowledge == Knowledge::Unknown {
+            self.guessing = true;
+        }
+        match value {
+            Err(fault) if self.guessing && fault.kind.depends_on_values() => {
+                self.left_out();
+                None
+            }
+            Ok(None) => Some((None, false)),
+            Ok(Some(value)) => match number_of(value, places.unwrap_or_else(|| places_of(value))) {
+                Some(number) => Some((Some(number), value < 0.0)),
+                None => {
+                    let (word, word_span) = (quote(text, word.span), word.span);
+                    self.report(Diagnostic::new(said::TooManyDigits { word }, word_span));
+                    None
+                }
+            },
+            Err(fault) => {
+                let start = word.span.start + letter as u32;
+                self.report_fault(text, &fault, Span { start, end: word.span.end });
+                None
+            }
+        }
+    }
+
+    /// Number of decimals of an address.
+    pub(super) fn places(&self, address: u8) -> u8 {
+        match address {
+            b'M' | b'S' | b'T' | b'N' | b'O' | b'L' => 0,
+            b'P' | b'Q' if self.dialect.control != Control::Forum => 0,
+            b'G' => 1,
+            b'F' | b'E' => 6,
+            _ => match self.state.unit {
+                Unit::Millimetre => 3,
+                Unit::Inch => 4,
+            },
+        }
+    }
+}
+
+/// Number of decimals that keeps all significant digits of a double.
+fn places_of(value: f64) -> u8 {
+    const DIGITS: f64 = 15.0;
+    crate::geometry::within(DIGITS - value.abs().max(1.0).log10().ceil(), 0.0, DIGITS) as u8
+}
+
+/// A value as a number with `places` decimals; `None` if it is too large for any address.
+fn number_of(value: f64, places: u8) -> Option<Number> {
+    const LARGEST: f64 = 99_999_999.0;
+    if value.is_nan() || value.abs() > LARGEST {
+        return None;
+    }
+    let mantissa = (value.abs() * 10f64.powi(i32::from(places))).round() as u64;
+    // A value never counts least increments: it has a point if the address allows one.
+    Some(Number { mantissa, decimals: places, digits: 8, points: u8::from(places > 0) })
+}
