@@ -168,15 +168,20 @@ fn every_document_is_in_the_list() {
     assert_eq!(found, DOCUMENTS.into_iter().collect());
 }
 
-/// Tables and details belong to the reference; the README links to it.
+/// Tables and details belong to the reference, which the README links to. Pages for contributors are linked
+/// from ARCHITECTURE.
 #[test]
 fn readme_is_a_front_page() {
     let readme = source("README.md");
     let lines = readme.lines().count();
     assert!(lines <= 150, "README.md has {lines} lines; details belong into www/docs");
+    let architecture = source("ARCHITECTURE.md");
     for document in DOCUMENTS.iter().filter(|name| name.starts_with("www/docs/")) {
-        let linked = document.ends_with("README.md") || readme.contains(&format!("]({document})"));
-        assert!(linked, "README.md has no link to {document}");
+        let for_contributors = document.starts_with("www/docs/dev/");
+        let (front, text) =
+            if for_contributors { ("ARCHITECTURE.md", &architecture) } else { ("README.md", &readme) };
+        let linked = document.ends_with("README.md") || text.contains(&format!("]({document})"));
+        assert!(linked, "{front} has no link to {document}");
     }
 }
 

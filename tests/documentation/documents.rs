@@ -3,7 +3,7 @@
 //! `tests/documentation.rs` and the tests of `xtask` share this list.
 
 /// The documents. The changelog describes the past, so only its commands and files are checked.
-pub const DOCUMENTS: [&str; 24] = [
+pub const DOCUMENTS: [&str; 30] = [
     "README.md",
     "CONTRIBUTING.md",
     "ARCHITECTURE.md",
@@ -15,6 +15,12 @@ pub const DOCUMENTS: [&str; 24] = [
     "www/docs/README.md",
     "www/docs/codes.md",
     "www/docs/command-line.md",
+    "www/docs/dev/interpreter.md",
+    "www/docs/dev/offline.md",
+    "www/docs/dev/page.md",
+    "www/docs/dev/tests.md",
+    "www/docs/dev/wasm.md",
+    "www/docs/dev/worker.md",
     "www/docs/element.md",
     "www/docs/glossary.md",
     "www/docs/library.md",

@@ -182,16 +182,20 @@ pub const FIGURES: &[Figure] = &[
         Held::Stated("tests/linuxcnc/src/main.rs", "programs: 10_000"),
     ),
     figure(
-        "ARCHITECTURE.md",
+        "www/docs/dev/worker.md",
         "8 ms (□)",
         Held::Stated("src/scene/canvas/layer.rs", "const SLICE: f64 = 8.0;"),
     ),
     figure(
-        "ARCHITECTURE.md",
+        "www/docs/dev/interpreter.md",
         "chord (0.002 mm)",
         Held::Stated("src/machine/sweep.rs", "const CHORD: f64 = 0.002;"),
     ),
-    figure("ARCHITECTURE.md", "0.01 mm smaller", Held::Stated("src/machine/detector.rs", "shrunk(0.01)")),
+    figure(
+        "www/docs/dev/interpreter.md",
+        "0.01 mm smaller",
+        Held::Stated("src/machine/detector.rs", "shrunk(0.01)"),
+    ),
     figure("README.md", "\"G90, pass 3: retract at feed to X40 Z-20\"", Held::Shown(stroke)),
     figure(
         "www/docs/codes.md",
@@ -199,14 +203,14 @@ pub const FIGURES: &[Figure] = &[
         Held::By("tests/uncertain.rs", "y_that_stays_0_changes_nothing"),
     ),
     figure(
-        "ARCHITECTURE.md",
+        "www/docs/dev/worker.md",
         "or 0.3 s have passed",
         Held::Stated("www/src/worker/session.ts", "const SHOW_PATH_AFTER_MS = 300;"),
     ),
-    figure("ARCHITECTURE.md", "code of group 01", Held::NotRun("the name of a group of codes")),
+    figure("www/docs/dev/interpreter.md", "code of group 01", Held::NotRun("the name of a group of codes")),
     figure("www/docs/setup.md", "(□ is 1)", Held::Shown(slash)),
     figure(
-        "ARCHITECTURE.md",
+        "www/docs/dev/wasm.md",
         "Level □ runs as fast as 3 there and is a fifth smaller",
         Held::NotRun("measured with modules that are no longer built; `tests/speed/README.md` has the table"),
     ),
