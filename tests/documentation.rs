@@ -185,6 +185,14 @@ fn readme_is_a_front_page() {
     }
 }
 
+/// One change, one line.
+#[test]
+fn the_change_log_has_short_lines() {
+    let text = source("CHANGELOG.md");
+    let long: Vec<_> = text.lines().filter(|line| line.chars().count() > 120).collect();
+    assert!(long.is_empty(), "more than 120 characters in CHANGELOG.md:\n{}", long.join("\n"));
+}
+
 #[test]
 fn a_missing_file_would_be_found() {
     let files = files();

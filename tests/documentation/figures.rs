@@ -78,6 +78,11 @@ pub const FIGURES: &[Figure] = &[
         "all of it in 20 s",
         Held::Stated("www/src/panels/playback.ts", "const WHOLE: readonly number[] = [20, 60];"),
     ),
+    figure(
+        "CONTRIBUTING.md",
+        "at most 120 characters",
+        Held::By("tests/documentation.rs", "the_change_log_has_short_lines"),
+    ),
     figure("CONTRIBUTING.md", "(1.88 or newer)", Held::Stated("Cargo.toml", "rust-version = \"1.88\"")),
     figure(
         "CONTRIBUTING.md",
