@@ -381,7 +381,11 @@ pub fn part_loaded(name: &str) {
 
 #[cfg(parts)]
 entry! { Early install_early {
+    crate::control::interpreter::beside_plane::install();
+    crate::control::interpreter::block::install();
     crate::control::interpreter::calls::install();
+    crate::control::interpreter::compensated::install();
+    crate::control::interpreter::corner::install();
     crate::control::interpreter::holes::install();
     crate::control::interpreter::macros::install();
     crate::control::interpreter::path::install();
@@ -412,8 +416,8 @@ entry! { Late install_late {
     rewrite::install();
     setup::install();
     crate::control::interpreter::contours::install();
+    crate::control::interpreter::cycle_moves::install();
     crate::control::interpreter::output::install();
-    crate::control::interpreter::pecks::install();
     crate::control::interpreter::repairs::install();
     crate::control::interpreter::singles::install();
     crate::control::interpreter::threads::install();

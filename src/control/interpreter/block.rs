@@ -2,13 +2,12 @@
 //!
 //! In: a block. Out: its [`Request`] carried out.
 
-use super::calls::Here;
 use super::contours::purpose_of;
 use super::macros::Statement;
 use super::request::{OneShot, Request};
 use super::trace::{keep_block, keep_process};
 use super::unread::{UNREAD, unread_corner, unread_words};
-use super::{AXES, Flow, Interpreter, TURNS};
+use super::{AXES, Flow, Here, Interpreter, TURNS};
 use crate::control::codes::{Compensation, MotionMode, Plane};
 use crate::control::doubt::Doubt;
 use crate::control::events::Event;

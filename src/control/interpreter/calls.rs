@@ -3,7 +3,7 @@
 //! In: the words of a block and its position. Out: the position of the next block.
 
 use super::request::CallCode;
-use super::{Flow, Interpreter};
+use super::{Flow, Here, Interpreter};
 use crate::control::modal::MACROS;
 use crate::control::program::{Call, CallKind, program_and_repeats};
 use crate::control::words::{Words, plain, quote};
@@ -12,15 +12,6 @@ use crate::parts::early;
 use crate::source::Span;
 use crate::text::block::{Block, Word};
 use crate::text::parser::Resume;
-
-/// Position of a block in the text.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Here {
-    /// Start of the block.
-    pub at: Resume,
-    /// Start of the next block.
-    pub next: Resume,
-}
 
 early! {
     fn changes_in_next_pass(control: &mut Interpreter, text: &[u8], block: &Block, from: Option<Resume>) -> bool {

@@ -4,7 +4,6 @@
 //! emitted when the next one is known, or when the path ends.
 
 use super::Interpreter;
-use super::path::PATH;
 use crate::control::codes::Compensation;
 use crate::control::compensation::{
     Compensator, Element, MadeBy, Nose, Outcome, Reason, Shape, Side, Travel,
@@ -15,7 +14,10 @@ use crate::control::tool_offset;
 use crate::geometry::{Point, Turn};
 use crate::message::{Diagnostic, Message, said};
 use crate::motion::{Motion, MotionKind, Programmed};
-use crate::parts::early;
+use crate::parts::{Part, early};
+
+/// The part of the module that inserts corners and compensates paths.
+pub(super) const PATH: Part = Part::Early;
 
 early! {
     fn compensate(control: &mut Interpreter, path_move: &PathMove, nose: Nose) {

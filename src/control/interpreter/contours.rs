@@ -3,11 +3,10 @@
 //! In: P and Q. Out: the moves of these blocks. The interpreter itself reads them into a list instead of the
 //! motion list, so that a contour may contain everything that a path may.
 
-use super::calls::Here;
 use super::core::shortened;
 use super::repairs::REPAIRS;
 use super::request::Request;
-use super::{Flow, Interpreter};
+use super::{Flow, Here, Interpreter};
 use crate::control::codes::{self, Compensation, G, MotionMode, Multiple, Plane};
 use crate::control::contour::{FirstBlock, Landmarks, Purpose};
 use crate::control::doubt::Doubt;
@@ -253,27 +252,6 @@ impl Interpreter {
                 None
             }
         }
-    }
-
-    /// The contour of a cycle whose own block cannot be parsed. Errors in both were reported.
-    #[cold]
-    pub(super) fn contour_of_broken(
-        &mut self,
-        text: &[u8],
-        block: &Block,
-        words: &Words,
-        cycle: Multiple,
-        run: RunBlock,
-    ) {
-        let (reported, muted) = (self.state.reported, std::mem::replace(&mut self.sink.muted, true));
-        let (observer, jump) = (self.observer.take(), self.program.jump);
-        let shape = self.shape(text, block, words, cycle.cycle().code(), Purpose::Roughing, run);
-        (self.observer, self.program.jump) = (observer, jump);
-        (self.state.reported, self.sink.muted) = (reported, muted);
-        if let Some(shape) = shape {
-            self.contour_alone(block, cycle.cycle(), &shape);
-        }
-        self.state.doubts.remove(Doubt::Contour);
     }
 
     /// The beginning of the contour with these numbers that a roughing cycle has found in the program of

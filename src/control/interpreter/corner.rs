@@ -3,7 +3,7 @@
 //! In: a waiting move, and the next one. Out: both shortened, and the piece between them.
 
 use super::Interpreter;
-use super::path::PATH;
+use super::compensated::PATH;
 use super::request::Request;
 use crate::control::codes::MotionMode;
 use crate::control::corners::{self, ANGLE_ALLOWANCE, Corner, CornerError, Joined, Letter};

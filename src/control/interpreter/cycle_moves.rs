@@ -1,17 +1,13 @@
 //! What the cycles share: their words, how many moves they may make, and making them.
 
 use super::Interpreter;
-use super::contours::Shape;
 use crate::control::doubt::{Doubt, Doubts};
-use crate::control::modal::PathMove;
 use crate::control::words::{Words, plain, quote};
-use crate::cycles::roughing::{self, Roughing};
+use crate::cycles::Move;
 use crate::cycles::single::{PullOut, Single};
 use crate::cycles::units::{self, Amount, Written};
-use crate::cycles::{Contour, Move};
-use crate::geometry::Point;
 use crate::message::{Diagnostic, Edit, Fix, Repair, said};
-use crate::motion::{Cycle, CycleStep, Motion, MotionKind, Step};
+use crate::motion::{Cycle, CycleStep, Motion, Step};
 use crate::order;
 use crate::parts::{Part, late};
 use crate::setup::dialect::{Control, PqUnit};
@@ -71,41 +67,6 @@ pub(super) fn angle_of_start(number: u64, starts: u64) -> f64 {
 }
 
 impl Interpreter {
-    /// The contour of a roughing cycle whose passes are unknown, and the return move.
-    #[cold]
-    pub(super) fn contour_alone(&mut self, block: &Block, cycle: Cycle, shape: &Shape) {
-        let start = self.state.position;
-        self.state.doubts.add(Doubt::Contour);
-        let feed = self.state.process().feed;
-        let mut moves = shape.moves.clone();
-        // The F of the contour is ignored.
-        moves.iter_mut().for_each(|path_move| path_move.motion.process.feed = feed);
-        self.go_along(block, cycle, &moves);
-        self.return_to(block, cycle, start);
-    }
-
-    /// Makes the moves of a cycle along its contour.
-    pub(super) fn go_along(&mut self, block: &Block, cycle: Cycle, moves: &[PathMove]) {
-        for path_move in moves {
-            let step = match path_move.motion.kind {
-                MotionKind::Rapid => Step::Approach,
-                _ => Step::Contour,
-            };
-            let tag = CycleStep { cycle, pass: 0, step };
-            let mut motion = Motion { cycle: Some(tag), ..path_move.motion };
-            motion.process.uncertain |= self.state.doubts.has(Doubt::Contour);
-            self.push(block, motion);
-        }
-    }
-
-    /// Moves from a cycle back to its start point.
-    pub(super) fn return_to(&mut self, block: &Block, cycle: Cycle, start: Point) {
-        let tag = CycleStep { cycle, pass: 0, step: Step::Return };
-        let mut home = Motion { cycle: Some(tag), ..self.motion(MotionKind::Rapid, start) };
-        home.process.uncertain |= self.state.doubts.has(Doubt::Contour);
-        self.push(block, home);
-    }
-
     /// The D of a one-block form: a depth; without a point in least increments.
     pub(super) fn one_block_depth(&self, word: &Word) -> Option<f64> {
         if self.dialect.control == Control::Gsk {
@@ -152,32 +113,6 @@ impl Interpreter {
             self.push(block, motion);
         }
         self.spend(moves.len() - (self.sink.kept() - kept), block);
-    }
-
-    /// The passes of a contour with less strict checks: the contour as it is, or without its last blocks,
-    /// which lead back.
-    pub(super) fn forgiving(
-        &mut self,
-        block: &Block,
-        contour: &Contour,
-        shape: &Shape,
-        how: &Roughing,
-        most: usize,
-    ) -> Option<Vec<Move>> {
-        let how = Roughing { checks: roughing::Checks::Forgiving, ..*how };
-        let shorter = |dropped: usize| {
-            let left = contour.pieces.len().checked_sub(dropped).filter(|&left| left > 0)?;
-            Some(Contour { pieces: contour.pieces[..left].to_vec(), ..contour.clone() })
-        };
-        let candidates = [Some(contour.clone()), shape.without_retreat(contour), shorter(1), shorter(2)];
-        for contour in candidates.into_iter().flatten() {
-            match roughing::rough(&contour, &how, most) {
-                Ok(moves) => return Some(moves),
-                Err(roughing::RoughingError::TooManyMoves) if !self.spend(most, block) => return None,
-                Err(_) => {}
-            }
-        }
-        None
     }
 
     /// Width of the grooving insert of the tool in force, mm, if the setup names one.

@@ -1,7 +1,6 @@
 //! DO and END of macros: open loops, and where each of them ends.
 
-use super::calls::Here;
-use super::{Flow, Interpreter};
+use super::{Flow, Here, Interpreter};
 use crate::control::events::Event;
 use crate::control::macros::{MacroError, MacroErrorKind};
 use crate::control::program::{Loop, Rounds};

@@ -3,9 +3,8 @@
 //! In: a block. Out: the changed variables, and where the program continues. Each operation is a statement of macro B,
 //! which `control::macros` evaluates; this file contains only the forms of these statements.
 
-use super::calls::Here;
 use super::macro_values::Evaluated;
-use super::{Flow, Interpreter};
+use super::{Flow, Here, Interpreter};
 use crate::control::codes;
 use crate::control::macros::{Action, MacroErrorKind};
 use crate::control::words::plain;

@@ -4,10 +4,9 @@
 //! unknown value. One message reports this. An unknown value raises no alarm, and the results that depend on
 //! it are uncertain.
 
-use super::calls::Here;
 use super::loops::{Mark, loop_mark};
 use super::store::Store;
-use super::{Flow, Interpreter};
+use super::{Flow, Here, Interpreter};
 use crate::control::doubt::{Doubt, Doubts};
 use crate::control::macros::{self, Knowledge};
 use crate::control::words::plain;

@@ -1,8 +1,7 @@
 //! Values of macro expressions, and what a statement asks for.
 
-use super::calls::Here;
 use super::store::Store;
-use super::{Flow, Interpreter};
+use super::{Flow, Here, Interpreter};
 use crate::control::codes;
 use crate::control::events::Event;
 use crate::control::macros::{self, Action, Knowledge, MacroError};

@@ -3,11 +3,10 @@
 //! In: the text of a block. Out: its effect on the variables, the words with their values, and where the
 //! program continues. `control::macros` evaluates; this file has jumps, loops, calls and messages.
 
-use super::calls::Here;
 use super::core::shortened;
 use super::loops::{Mark, loop_mark, statement_span};
 use super::macro_values::Evaluated;
-use super::{Flow, Interpreter};
+use super::{Flow, Here, Interpreter};
 use crate::control::codes::{self, MacroCall};
 use crate::control::events::Event;
 use crate::control::macros::{self, Action, Knowledge, Locals, MacroError, MacroErrorKind, Stored};

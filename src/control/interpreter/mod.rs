@@ -7,16 +7,16 @@
 //! Order within a block: plane, unit and feed mode – G96/G97 with S – F – T – M03, M04 –
 //! coordinate system – compensation – motion or cycle – M05, M00, M01, M02, M30.
 
-mod beside_plane;
-mod block;
+pub(crate) mod beside_plane;
+pub(crate) mod block;
 mod budget;
 pub(crate) mod calls;
 mod checks;
-mod compensated;
+pub(crate) mod compensated;
 pub(crate) mod contours;
 mod core;
-mod corner;
-mod cycle_moves;
+pub(crate) mod corner;
+pub(crate) mod cycle_moves;
 mod doubts;
 pub(crate) mod holes;
 mod loops;
@@ -28,7 +28,7 @@ mod motions;
 mod multiples;
 pub(crate) mod output;
 pub(crate) mod path;
-pub(crate) mod pecks;
+mod pecks;
 mod plain_lines;
 pub(crate) mod read_words;
 mod reference;
@@ -66,7 +66,6 @@ use crate::text::parser::Resume;
 use crate::units::Unit;
 use contours::Contours;
 
-pub use calls::Here;
 pub use snapshot::{Remainder, Snapshot};
 pub use trace::{Context, Executed};
 
@@ -88,6 +87,15 @@ pub enum Flow {
     Restart(Resume),
     /// It has ended.
     End,
+}
+
+/// Position of a block in the text.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Here {
+    /// Start of the block.
+    pub at: Resume,
+    /// Start of the next block.
+    pub next: Resume,
 }
 
 /// Runs blocks and collects the results.

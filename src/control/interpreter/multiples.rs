@@ -6,21 +6,22 @@
 //! what could be read: its passes if they are known, otherwise the contour as written.
 
 use super::Interpreter;
-use super::contours::Shape;
+use super::contours::{RunBlock, Shape};
 use super::cycle_moves::NEAR;
 use super::repairs::offer_other_sign;
 use super::request::Request;
 use crate::control::codes::Multiple;
+use crate::control::contour::Purpose;
 use crate::control::doubt::Doubt;
 use crate::control::events::{Event, FinishingCall};
-use crate::control::modal::State;
+use crate::control::modal::{PathMove, State};
 use crate::control::words::{self, Words, letters, plain};
 use crate::cycles::pattern::{self, Pattern};
 use crate::cycles::roughing::{self, Direction, Roughing};
 use crate::cycles::{Contour, Move};
 use crate::geometry::Point;
 use crate::message::{Diagnostic, Fix, Message, Severity, said};
-use crate::motion::{Cycle, MotionKind};
+use crate::motion::{Cycle, CycleStep, Motion, MotionKind, Step};
 use crate::setup::dialect::{Control, G71Retract, G73Intervals};
 use crate::text::block::Block;
 
@@ -381,6 +382,88 @@ impl Interpreter {
                 None
             }
         }
+    }
+
+    /// The contour of a roughing cycle whose passes are unknown, and the return move.
+    #[cold]
+    fn contour_alone(&mut self, block: &Block, cycle: Cycle, shape: &Shape) {
+        let start = self.state.position;
+        self.state.doubts.add(Doubt::Contour);
+        let feed = self.state.process().feed;
+        let mut moves = shape.moves.clone();
+        // The F of the contour is ignored.
+        moves.iter_mut().for_each(|path_move| path_move.motion.process.feed = feed);
+        self.go_along(block, cycle, &moves);
+        self.return_to(block, cycle, start);
+    }
+
+    /// Makes the moves of a cycle along its contour.
+    fn go_along(&mut self, block: &Block, cycle: Cycle, moves: &[PathMove]) {
+        for path_move in moves {
+            let step = match path_move.motion.kind {
+                MotionKind::Rapid => Step::Approach,
+                _ => Step::Contour,
+            };
+            let tag = CycleStep { cycle, pass: 0, step };
+            let mut motion = Motion { cycle: Some(tag), ..path_move.motion };
+            motion.process.uncertain |= self.state.doubts.has(Doubt::Contour);
+            self.push(block, motion);
+        }
+    }
+
+    /// Moves from a cycle back to its start point.
+    fn return_to(&mut self, block: &Block, cycle: Cycle, start: Point) {
+        let tag = CycleStep { cycle, pass: 0, step: Step::Return };
+        let mut home = Motion { cycle: Some(tag), ..self.motion(MotionKind::Rapid, start) };
+        home.process.uncertain |= self.state.doubts.has(Doubt::Contour);
+        self.push(block, home);
+    }
+
+    /// The passes of a contour with less strict checks: the contour as it is, or without its last blocks,
+    /// which lead back.
+    fn forgiving(
+        &mut self,
+        block: &Block,
+        contour: &Contour,
+        shape: &Shape,
+        how: &Roughing,
+        most: usize,
+    ) -> Option<Vec<Move>> {
+        let how = Roughing { checks: roughing::Checks::Forgiving, ..*how };
+        let shorter = |dropped: usize| {
+            let left = contour.pieces.len().checked_sub(dropped).filter(|&left| left > 0)?;
+            Some(Contour { pieces: contour.pieces[..left].to_vec(), ..contour.clone() })
+        };
+        let candidates = [Some(contour.clone()), shape.without_retreat(contour), shorter(1), shorter(2)];
+        for contour in candidates.into_iter().flatten() {
+            match roughing::rough(&contour, &how, most) {
+                Ok(moves) => return Some(moves),
+                Err(roughing::RoughingError::TooManyMoves) if !self.spend(most, block) => return None,
+                Err(_) => {}
+            }
+        }
+        None
+    }
+
+    /// The contour of a cycle whose own block cannot be parsed. Errors in both were reported.
+    #[cold]
+    pub(super) fn contour_of_broken(
+        &mut self,
+        text: &[u8],
+        block: &Block,
+        words: &Words,
+        cycle: Multiple,
+        run: RunBlock,
+    ) {
+        let (reported, muted) = (self.state.reported, std::mem::replace(&mut self.sink.muted, true));
+        let (observer, jump) = (self.observer.take(), self.program.jump);
+        let shape = self.shape(text, block, words, cycle.cycle().code(), Purpose::Roughing, run);
+        (self.observer, self.program.jump) = (observer, jump);
+        (self.state.reported, self.sink.muted) = (reported, muted);
+        if let Some(shape) = shape {
+            self.contour_alone(block, cycle.cycle(), &shape);
+        }
+        self.state.doubts.remove(Doubt::Contour);
     }
 }
 

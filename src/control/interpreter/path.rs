@@ -5,6 +5,7 @@
 //! (cycles, threads, G28, frame changes) first outputs the waiting moves.
 
 use super::Interpreter;
+use super::compensated::PATH;
 use crate::control::codes::Compensation;
 use crate::control::modal::{Angle, Compensating, Joint, PathMove, Pending, VirtualPlane};
 use crate::control::offsets::Frames;
@@ -12,11 +13,8 @@ use crate::geometry::Point;
 use crate::geometry::virtual_plane::{Flat, Space, Surface};
 use crate::message::{Diagnostic, said};
 use crate::motion::{MotionKind, StopKind};
-use crate::parts::{Part, early};
+use crate::parts::early;
 use crate::text::block::Block;
-
-/// The part of the module that inserts corners and compensates paths.
-pub(super) const PATH: Part = Part::Early;
 
 early! {
     fn close_angle(control: &mut Interpreter, x: Option<f64>, z: Option<f64>, angle: Option<f64>) -> bool {

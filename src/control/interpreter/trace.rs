@@ -2,10 +2,7 @@
 //!
 //! In: blocks as they run. Out: [`Executed`]. Has no cost if it is not requested.
 
-use std::sync::Arc;
-
-use super::Interpreter;
-use super::calls::Here;
+use super::{Here, Interpreter};
 use crate::control::codes::{self, Compensation, MotionMode};
 use crate::control::doubt::Doubt;
 use crate::control::modal::State;
@@ -13,6 +10,7 @@ use crate::motion::Process;
 use crate::parts::late;
 use crate::text::block::{Block, BlockKind, Value, Word};
 use crate::text::parser::Resume;
+use std::sync::Arc;
 
 /// An executed block.
 #[derive(Clone, Debug, PartialEq)]
