@@ -167,6 +167,18 @@ fn a_circle_would_be_found() {
 }
 
 #[test]
+fn a_circle_of_method_calls_would_be_found() {
+    let circles = |b: &str| {
+        let a = "impl S { fn f(&self) { self.g() } }";
+        house(&[("low", "pub struct S; mod a; mod b;"), ("low/a", a), ("low/b", b)], &["low"]).circles()
+    };
+    assert!(circles("impl S { fn g(&self) {} }").is_empty());
+    let circle = ["low/a → low/b → low/a"];
+    assert_eq!(circles("impl S { fn g(&self) { self.f() } }"), circle);
+    assert_eq!(circles("impl S { fn g(&self) {} } fn h(own: &mut S) { own.f() }"), circle);
+}
+
+#[test]
 fn a_missing_room_would_be_found() {
     let small = house(&[("", ""), ("low", ""), ("low/a", ""), ("lower", "")], &["low", "high"]);
     assert_eq!(small.unlisted(), ["`lower` is in no room", "there is no module `high`"]);

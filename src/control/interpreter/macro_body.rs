@@ -4,11 +4,8 @@
 //! unknown value. One message reports this. An unknown value raises no alarm, and the results that depend on
 //! it are uncertain.
 
-use super::loops::{Mark, loop_mark};
-use super::store::Store;
-use super::{Flow, Here, Interpreter};
+use super::Interpreter;
 use crate::control::doubt::{Doubt, Doubts};
-use crate::control::macros::{self, Knowledge};
 use crate::control::words::plain;
 use crate::message::{Diagnostic, said};
 use crate::text::block::Block;
@@ -52,51 +49,5 @@ impl Interpreter {
             }
         }
         *self.program.is_macro_body.insert(returns && !is_main)
-    }
-
-    /// A statement depends on an unknown value: it may have assigned a variable or jumped.
-    #[cold]
-    pub(super) fn unknown_condition(&mut self, text: &[u8], block: &Block, statement: &[u8]) {
-        match macros::assigned(behind_condition(statement), &mut Store::new(self, text, block)) {
-            Some(variable) => self.state.variables.set_unknown(variable, Knowledge::Unknown),
-            None => self.lose_program(),
-        }
-    }
-
-    /// A statement depends on an unknown value and has no value itself, or jumps: the program continues after
-    /// it.
-    #[cold]
-    pub(super) fn unknown_statement(
-        &mut self,
-        text: &[u8],
-        block: &Block,
-        statement: &[u8],
-        here: Here,
-    ) -> Flow {
-        self.unknown_condition(text, block, statement);
-        if let Some((Mark::Do, number)) = loop_mark(text, block)
-            && self.behind_end(text, block, number, here).is_some()
-        {
-            self.run_once(number, here);
-        }
-        Flow::Next
-    }
-}
-
-/// The text after the condition of IF; the whole text of any other statement.
-fn behind_condition(statement: &[u8]) -> &[u8] {
-    let statement = statement.trim_ascii_start();
-    if !statement.get(..2).is_some_and(|head| head.eq_ignore_ascii_case(b"IF")) {
-        return statement;
-    }
-    let mut depth = 0;
-    let closing = statement.iter().position(|byte| {
-        depth += i32::from(*byte == b'[') - i32::from(*byte == b']');
-        *byte == b']' && depth == 0
-    });
-    let rest = closing.map_or(&[][..], |closing| statement[closing + 1..].trim_ascii_start());
-    match rest.get(..4) {
-        Some(then) if then.eq_ignore_ascii_case(b"THEN") => rest[4..].trim_ascii_start(),
-        _ => rest,
     }
 }

@@ -1,5 +1,6 @@
 //! Values of macro expressions, and what a statement asks for.
 
+use super::loops::{Mark, loop_mark};
 use super::store::Store;
 use super::{Flow, Here, Interpreter};
 use crate::control::codes;
@@ -143,6 +144,28 @@ impl Interpreter {
             },
         }
     }
+
+    /// A statement depends on an unknown value and has no value itself, or jumps: the program continues after
+    /// it.
+    #[cold]
+    fn unknown_statement(&mut self, text: &[u8], block: &Block, statement: &[u8], here: Here) -> Flow {
+        self.unknown_condition(text, block, statement);
+        if let Some((Mark::Do, number)) = loop_mark(text, block)
+            && self.behind_end(text, block, number, here).is_some()
+        {
+            self.run_once(number, here);
+        }
+        Flow::Next
+    }
+
+    /// A statement depends on an unknown value: it may have assigned a variable or jumped.
+    #[cold]
+    fn unknown_condition(&mut self, text: &[u8], block: &Block, statement: &[u8]) {
+        match macros::assigned(behind_condition(statement), &mut Store::new(self, text, block)) {
+            Some(variable) => self.state.variables.set_unknown(variable, Knowledge::Unknown),
+            None => self.lose_program(),
+        }
+    }
 }
 
 /// Number of decimals that keeps all significant digits of a double.
@@ -160,4 +183,22 @@ fn number_of(value: f64, places: u8) -> Option<Number> {
     let mantissa = (value.abs() * 10f64.powi(i32::from(places))).round() as u64;
     // A value never counts least increments: it has a point if the address allows one.
     Some(Number { mantissa, decimals: places, digits: 8, points: u8::from(places > 0) })
+}
+
+/// The text after the condition of IF; the whole text of any other statement.
+fn behind_condition(statement: &[u8]) -> &[u8] {
+    let statement = statement.trim_ascii_start();
+    if !statement.get(..2).is_some_and(|head| head.eq_ignore_ascii_case(b"IF")) {
+        return statement;
+    }
+    let mut depth = 0;
+    let closing = statement.iter().position(|byte| {
+        depth += i32::from(*byte == b'[') - i32::from(*byte == b']');
+        *byte == b']' && depth == 0
+    });
+    let rest = closing.map_or(&[][..], |closing| statement[closing + 1..].trim_ascii_start());
+    match rest.get(..4) {
+        Some(then) if then.eq_ignore_ascii_case(b"THEN") => rest[4..].trim_ascii_start(),
+        _ => rest,
+    }
 }
