@@ -286,6 +286,8 @@ chromiumTest('who leaves the block while its run is under way sees what the prog
   await open(page);
   const further = Array.from({ length: 2_000 }, (_, at) => `G01 X${60 + (at % 40)} Z${5 + (at % 7)} F0.2`).join('\n');
   await openFile(page, 'contour.nc', Buffer.from(`${CONTOUR.replace('M30', further)}\nM30`));
+  // The file is read in a worker: until its text is in the editor, keys go to the program before it.
+  await expect.poll(() => value(page)).toContain(further);
   await editor(page).focus();
   await settled(page);
   await toTypedBlock(page);
