@@ -1,4 +1,4 @@
-//! The workpiece as it is machined: what remains of the blank after each motion.
+//! The workpiece during machining: the rest of the blank after each motion.
 //!
 //! In: the motions, and the given or inferred tools and blank. Out: the half-section at any moment. Material
 //! is removed in slices (`advance`), so that a long program blocks nothing. Some states are kept, so that

@@ -99,9 +99,10 @@ impl Named {
             "fn" => self.methods.extend(own_type.map(|own_type| method(own_type, token(at + 1)))),
             ":" if token(at + 1) == "&" => {
                 let mut end = at + 2;
-                while matches!(token(end), "mut" | "'" | "a") {
-                    end += 1;
+                if token(end) == "'" {
+                    end += 2;
                 }
+                end += usize::from(token(end) == "mut");
                 if token(end).starts_with(char::is_uppercase) {
                     self.references.insert(before.to_owned(), token(end).to_owned());
                 }

@@ -85,7 +85,7 @@ pub fn main() -> Result {
     Ok(())
 }
 
-/// Installs the npm packages of the page, unless those of the current package-lock.json are installed.
+/// Installs the npm packages of the page, unless the versions of the current package-lock.json are installed.
 /// Returns the folder of their programs.
 fn npm_packages() -> Result<PathBuf> {
     let www = run::www();

@@ -32,13 +32,7 @@ impl Interpreter {
         self.has(Y_AXIS) && move_beside(self, text, block, request, words)
     }
 
-    pub(super) fn move_beside(
-        &mut self,
-        text: &[u8],
-        block: &Block,
-        request: &mut Request,
-        words: &Words,
-    ) -> bool {
+    fn move_beside(&mut self, text: &[u8], block: &Block, request: &mut Request, words: &Words) -> bool {
         let (mode, is_hole) = (self.state.motion, self.state.hole.is_some());
         let interpolates = self.state.interpolation().is_some();
         let is_path = !is_hole && matches!(mode, MotionMode::Rapid | MotionMode::Line | MotionMode::Arc(_));
@@ -108,19 +102,19 @@ impl Interpreter {
     }
 
     /// Whether an arc of G18 with R goes only along Y, which controls handle differently.
-    pub(super) fn is_arc_along_y(&mut self, text: &[u8], words: &Words) -> bool {
+    fn is_arc_along_y(&mut self, text: &[u8], words: &Words) -> bool {
         let moves = self.y_named(words).is_some_and(|(_, y)| (y - self.state.y).abs() > SAME);
         moves && words.get(b'R').is_some() && self.target(text, words).is_same(self.state.position)
     }
 
     /// Whether a block moves X or Z with the codes in force.
-    pub(super) fn makes_moves(&self, words: &Words) -> bool {
+    fn makes_moves(&self, words: &Words) -> bool {
         words.has_any(AXES) || self.state.hole.is_some() && words.has_any(TURNS)
     }
 
     /// Something outside Y0 that is only supported at Y0: it is drawn at Y0, and everything after it is
     /// uncertain until Y is 0.
-    pub(super) fn y_is_not_done(&mut self, text: &[u8], block: &Block, words: &Words) {
+    fn y_is_not_done(&mut self, text: &[u8], block: &Block, words: &Words) {
         let named = self.y_named(words);
         if self.state.reported.first(Once::AxisNotHere) {
             let span = named.map_or_else(|| block.words_span(), |(word, _)| word.span);

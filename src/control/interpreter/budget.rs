@@ -1,4 +1,4 @@
-//! How much a run may do: steps of blocks and macros, repeats, rounds of loops.
+//! The limits of a run: steps of blocks and macros, repeats, rounds of loops.
 
 use super::Interpreter;
 use crate::message::Message;
@@ -38,7 +38,7 @@ impl Interpreter {
 
     /// Ends the run if a limit is exceeded. Returns whether it continues.
     #[inline]
-    pub(super) fn go_on_within(&mut self, spent: Result<(), Message>, span: Span) -> bool {
+    fn go_on_within(&mut self, spent: Result<(), Message>, span: Span) -> bool {
         if let Err(message) = spent {
             self.sink.end(message, span);
         }

@@ -31,7 +31,7 @@ early! {
 
 impl Interpreter {
     /// Compensates the next move of the path, with a nose that has a radius or replaces one that had.
-    pub(super) fn compensate(&mut self, path_move: PathMove, nose: Nose) {
+    fn compensate(&mut self, path_move: PathMove, nose: Nose) {
         let side = self.side();
         let motion = path_move.motion;
         // Another tool or offset: the new nose applies from this move on.
@@ -167,7 +167,7 @@ impl Interpreter {
     }
 
     /// Moves the centre to the end of the last move; no next move is known.
-    pub(super) fn give_out_rest(&mut self) {
+    fn give_out_rest(&mut self) {
         if let Some(mut compensating) = self.state.compensating.take() {
             let mut outcomes = Vec::new();
             compensating.compensator.flush(&mut |outcome| outcomes.push(outcome));

@@ -1,4 +1,4 @@
-//! What every part of the interpreter uses: reporting, observers, parts of the module, how numbers are read.
+//! The base of the interpreter: messages, observers, parts of the module, the reading of numbers.
 
 use super::Interpreter;
 use crate::control::events::{Event, Moment, Observer};
@@ -44,7 +44,7 @@ impl Interpreter {
     }
 
     #[inline(never)]
-    pub(super) fn hear(&mut self, text: &[u8], event: &Event<'_>) {
+    fn hear(&mut self, text: &[u8], event: &Event<'_>) {
         let Self { observer, reports, state, setup, dialect, sink, contours, .. } = self;
         let Some(observer) = observer else { return };
         let at = Moment { text, state, setup, dialect, sink, contour: contours.purpose };
@@ -55,7 +55,7 @@ impl Interpreter {
     }
 
     #[cold]
-    pub(super) fn report_heard(&mut self) {
+    fn report_heard(&mut self) {
         for report in std::mem::take(&mut self.reports) {
             self.report(report);
         }

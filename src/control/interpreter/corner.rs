@@ -39,7 +39,7 @@ early! {
 
 impl Interpreter {
     /// The chamfer or rounding word of a move: with comma, without, or L and D on GSK.
-    pub(super) fn read_joint(
+    fn read_joint(
         &mut self,
         text: &[u8],
         block: &Block,
@@ -124,7 +124,7 @@ impl Interpreter {
 
     /// Inserts the corner between a waiting move and the next one, whose start it may shorten. False: an
     /// error was reported, and the waiting move is dropped.
-    pub(super) fn put_corner_in(&mut self, pending: &Pending, joint: &Joint, next: &mut PathMove) -> bool {
+    fn put_corner_in(&mut self, pending: &Pending, joint: &Joint, next: &mut PathMove) -> bool {
         let first = piece(&pending.path_move.motion);
         let second = piece(&next.motion);
         let fault = match next.motion.kind {

@@ -1,4 +1,4 @@
-//! What the cycles share: their words, how many moves they may make, and making them.
+//! Common code of the cycles: their words, the limit of their moves, and the output of the moves.
 
 use super::Interpreter;
 use crate::control::doubt::{Doubt, Doubts};
@@ -162,7 +162,7 @@ impl Interpreter {
 
     /// Reports that P and Q were read as millimetres, or that the control does not accept a point there.
     /// False: it does not.
-    pub(super) fn report_amounts(&mut self, text: &[u8], words: &Words, reading: units::Reading) -> bool {
+    fn report_amounts(&mut self, text: &[u8], words: &Words, reading: units::Reading) -> bool {
         let pointed = [b'P', b'Q'].into_iter().find(|&address| {
             self.amount(words, address).is_some_and(|amount| amount.written == Written::WithPoint)
         });
@@ -189,7 +189,7 @@ impl Interpreter {
     }
 
     /// A fix that writes P and Q as a control reads them: thousandths of a millimetre without a point.
-    pub(super) fn in_micrometres(&self, text: &[u8], words: &Words) -> Vec<Fix> {
+    fn in_micrometres(&self, text: &[u8], words: &Words) -> Vec<Fix> {
         // Without the part no messages are shown.
         match FIXING.is_loaded() && self.state.unit == Unit::Millimetre {
             true => in_micrometres(text, words),

@@ -1,4 +1,4 @@
-//! Doubts: what is unknown after something was not carried out, and what makes it known again.
+//! Doubts: values that are unknown after a failed block, and the words that make them known again.
 //!
 //! In: refused blocks, and calls of missing programs. Out: [`Doubts`] of the state. A motion is uncertain if
 //! its start, end or path depends on something in doubt. The next absolute position of an axis makes that

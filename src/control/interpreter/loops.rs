@@ -36,7 +36,7 @@ impl Interpreter {
         self.report_macro_with(kind, span, None);
     }
 
-    pub(super) fn report_macro_with(&mut self, kind: MacroErrorKind, span: Span, fix: Option<Fix>) {
+    fn report_macro_with(&mut self, kind: MacroErrorKind, span: Span, fix: Option<Fix>) {
         self.trace_fault();
         let diagnostic = Diagnostic::new(kind.message(), span);
         self.report(Diagnostic { fixes: fix.into_iter().collect(), ..diagnostic });
@@ -72,7 +72,7 @@ impl Interpreter {
 
     /// Adds an active loop. Ignored at the limit: loop numbers have one digit, so a deeper loop was already
     /// reported as nested in itself.
-    pub(super) fn open_loop(&mut self, own: Loop) {
+    fn open_loop(&mut self, own: Loop) {
         let loops = self.state.call_stack.loops();
         if loops.len() < LOOPS {
             loops.push(own);

@@ -1,4 +1,4 @@
-//! Values of macro expressions, and what a statement asks for.
+//! Values of macro expressions, and the actions of macro statements.
 
 use super::loops::{Mark, loop_mark};
 use super::store::Store;
@@ -90,7 +90,7 @@ impl Interpreter {
 
     /// The value of a word's expression, rounded to `places` decimals if given. The outer `None`: an error
     /// was reported.
-    pub(super) fn value_of(
+    fn value_of(
         &mut self,
         text: &[u8],
         block: &Block,
@@ -132,7 +132,7 @@ impl Interpreter {
     }
 
     /// Number of decimals of an address.
-    pub(super) fn places(&self, address: u8) -> u8 {
+    fn places(&self, address: u8) -> u8 {
         match address {
             b'M' | b'S' | b'T' | b'N' | b'O' | b'L' => 0,
             b'P' | b'Q' if self.dialect.control != Control::Forum => 0,

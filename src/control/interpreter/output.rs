@@ -147,7 +147,7 @@ impl Interpreter {
 
     /// The motion of the machine for a motion in a virtual plane.
     #[cold]
-    pub(super) fn on_machine(&mut self, mut path_move: PathMove, third: (f64, f64)) -> PathMove {
+    fn on_machine(&mut self, mut path_move: PathMove, third: (f64, f64)) -> PathMove {
         let Some(plane) = &mut self.state.virtual_plane else { return path_move };
         let motion = &mut path_move.motion;
         let turn = match motion.kind {

@@ -255,7 +255,7 @@ impl Interpreter {
         state.virtual_plane = Some(VirtualPlane { surface, third: (third, third), angle: state.c });
     }
 
-    pub(super) fn back_to_turning(&mut self) {
+    fn back_to_turning(&mut self) {
         // Waiting moves lead back here.
         self.leave_compensation();
         let state = &mut self.state;

@@ -109,7 +109,7 @@ impl Interpreter {
 
     /// The value of a system variable at the beginning of the pass of the main program; `None` if the pass
     /// has assigned it before this block.
-    pub(super) fn system_at_start(&mut self, text: &[u8], block: &Block, variable: u32) -> Option<f64> {
+    fn system_at_start(&mut self, text: &[u8], block: &Block, variable: u32) -> Option<f64> {
         let system = System::of(variable)?;
         if let System::Kept = system {
             return self.system_value(text, block, variable);
@@ -180,7 +180,7 @@ impl Interpreter {
     }
 
     /// A tool offset of the setup, mm.
-    pub(super) fn setup_offset(&self, offset: u16, column: Column) -> f64 {
+    fn setup_offset(&self, offset: u16, column: Column) -> f64 {
         let ends = |key: &str| key.len() == 5 && key[3..].parse() == Ok(offset);
         let tool = self.setup.tools.iter().find(|(key, _)| key.is_ascii() && ends(key)).map(|(_, tool)| tool);
         match (tool, column) {
@@ -191,7 +191,7 @@ impl Interpreter {
     }
 
     /// Ten times the G code in force in a modal group.
-    pub(super) fn modal_code(&self, group: u32) -> u32 {
+    fn modal_code(&self, group: u32) -> u32 {
         let state = &self.state;
         10 * match group {
             1 => state.motion.number(),

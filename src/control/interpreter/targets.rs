@@ -47,7 +47,7 @@ impl Interpreter {
 
     /// X with U, or Z with W: reports it and returns the effective target.
     #[cold]
-    pub(super) fn conflict(&mut self, text: &[u8], a: &Word, i: &Word, counts: Counts) -> Target {
+    fn conflict(&mut self, text: &[u8], a: &Word, i: &Word, counts: Counts) -> Target {
         let reading = self.reading();
         let value = |word: &Word| reading.coordinate(word, counts).unwrap_or(0.0);
         match self.absolute_counts(text, a, i) {
@@ -59,7 +59,7 @@ impl Interpreter {
     /// Reports an absolute and an incremental word of one axis in a block. Returns whether the absolute one
     /// takes effect.
     #[cold]
-    pub(super) fn absolute_counts(&mut self, text: &[u8], a: &Word, i: &Word) -> bool {
+    fn absolute_counts(&mut self, text: &[u8], a: &Word, i: &Word) -> bool {
         let absolute_counts = match self.dialect.xu_conflict {
             XuConflict::Absolute => true,
             XuConflict::Last => a.span.start > i.span.start,
