@@ -24,7 +24,7 @@ use crate::motion::{MotionKind, Motions};
 use crate::parts::{Part, late};
 use crate::playback::clock::{Clock, Playhead};
 use crate::playback::holds::lines_that_move;
-use crate::run::replay::{Replay, Time, block_at};
+use crate::run::replay::{Replay, VisitChoice, block_at};
 use crate::run::{Run, TextEdit};
 use crate::scene::camera::{Pixel, Size, XPlus};
 use crate::scene::path_index::PathIndex;
@@ -92,7 +92,7 @@ enum Material {
     #[default]
     Untouched,
     /// Being removed; not shown yet.
-    UnderWay(Box<Simulation>),
+    InProgress(Box<Simulation>),
     /// All removed.
     Off(Box<Machined>),
 }
@@ -137,19 +137,19 @@ impl Current {
     }
 
     /// Restarts the run if a part that it lacks has been loaded since. Returns whether it restarted.
-    pub fn begin_again(&mut self) -> bool {
+    pub fn rerun_if_outdated(&mut self) -> bool {
         let begins = self.run.is_outdated();
         if begins {
-            self.begin(|run, _| run.begin_again());
+            self.begin(|run, _| run.rerun());
         }
         begins
     }
 
     /// Decides again, for the current text, what numbers without a decimal point count; restarts the run if
     /// the rule changes.
-    pub fn decide_decimal_rule(&mut self) {
+    pub fn reinfer_decimal_rule(&mut self) {
         self.begin(|run, _| {
-            run.decide_again();
+            run.reinfer_decimal_rule();
         });
     }
 
@@ -160,8 +160,8 @@ impl Current {
         let start = self.lines().byte_at_utf16(text, from) as usize;
         let end = (self.lines().byte_at_utf16(text, to) as usize).max(start);
         let edit = TextEdit { start, end, insert: insert.into() };
-        if GOING_ON.is_loaded() {
-            go_on_edited(self, edit);
+        if EDITING.is_loaded() {
+            continue_edited(self, edit);
         } else {
             self.begin(|run, lines| {
                 *lines = OnceCell::new();
@@ -171,7 +171,7 @@ impl Current {
     }
 
     /// Continues the run with the changed text, and updates the lines.
-    fn go_on_edited(&mut self, edit: TextEdit) {
+    fn continue_edited(&mut self, edit: TextEdit) {
         let (place, inserted) = (edit.start..edit.end, edit.insert.len());
         self.begin(|run, lines| {
             run.edit(edit);
@@ -195,7 +195,7 @@ impl Current {
     /// Runs at most `blocks` blocks; returns true once the run has ended.
     pub fn advance(&mut self, blocks: usize) -> bool {
         if !self.run.is_finished() {
-            self.grown();
+            self.invalidate_motions();
             self.run.advance(blocks);
         }
         self.run.is_finished()
@@ -203,12 +203,12 @@ impl Current {
 
     /// Ends the run early, after `seconds` seconds, and reports that.
     pub fn stop(&mut self, seconds: f64) {
-        self.grown();
+        self.invalidate_motions();
         self.run.stop(seconds);
     }
 
     /// Discards what depends on the number of motions.
-    fn grown(&mut self) {
+    fn invalidate_motions(&mut self) {
         self.derived.measured = false;
         self.derived.clock = OnceCell::new();
         self.derived.moving_lines = Default::default();
@@ -227,8 +227,8 @@ impl Current {
 
     fn remove(&mut self, simulation: Simulation, motions: usize) {
         match simulation.advance(self.run.motions(), motions) {
-            SimulationStep::UnderWay(simulation) => {
-                self.derived.material = Material::UnderWay(Box::new(simulation))
+            SimulationStep::InProgress(simulation) => {
+                self.derived.material = Material::InProgress(Box::new(simulation))
             }
             SimulationStep::Done(simulation) => self.finish_material(simulation),
         }
@@ -248,7 +248,7 @@ impl Current {
     pub fn machining_progress(&self) -> f64 {
         match &self.derived.material {
             Material::Untouched => 0.0,
-            Material::UnderWay(simulation) => simulation.progress(),
+            Material::InProgress(simulation) => simulation.progress(),
             Material::Off(_) => 1.0,
         }
     }
@@ -263,7 +263,7 @@ impl Current {
         self.show();
         self.turn();
         for plane in Plane::SURFACES {
-            let (scene, view) = self.looked_at(plane);
+            let (scene, view) = self.scene_and_view(plane);
             view.follow(&scene);
         }
     }
@@ -276,7 +276,7 @@ impl Current {
     }
 
     /// Starts a replay of the run, up to the block at `byte`.
-    pub fn replay(&self, byte: u32, time: Time) -> Replay {
+    pub fn replay(&self, byte: u32, time: VisitChoice) -> Replay {
         self.run.replay(self.begin_of_line(byte), byte, time)
     }
 
@@ -313,8 +313,8 @@ impl Current {
     pub fn stage(&self) -> Stage {
         match &self.derived.material {
             Material::Off(_) => Stage::Whole,
-            Material::Untouched | Material::UnderWay(_) if self.run.is_finished() => Stage::Path,
-            Material::Untouched | Material::UnderWay(_) => Stage::Running,
+            Material::Untouched | Material::InProgress(_) if self.run.is_finished() => Stage::Path,
+            Material::Untouched | Material::InProgress(_) => Stage::Running,
         }
     }
 
@@ -327,7 +327,7 @@ impl Current {
     pub fn resolved_setup(&self) -> Option<&ResolvedSetup> {
         match &self.derived.material {
             Material::Untouched => None,
-            Material::UnderWay(simulation) => Some(simulation.resolved_setup()),
+            Material::InProgress(simulation) => Some(simulation.resolved_setup()),
             Material::Off(machined) => Some(machined.simulation().resolved_setup()),
         }
     }
@@ -380,7 +380,7 @@ impl Current {
     fn machined_part(&self) -> Option<&Machined> {
         match &self.derived.material {
             Material::Off(machined) => Some(machined),
-            Material::Untouched | Material::UnderWay(_) => None,
+            Material::Untouched | Material::InProgress(_) => None,
         }
     }
 
@@ -394,7 +394,7 @@ impl Current {
     /// Changes the view of a picture.
     pub fn look(&mut self, plane: Plane, change: impl FnOnce(&mut View, &Scene)) {
         self.show();
-        let (scene, view) = self.looked_at(plane);
+        let (scene, view) = self.scene_and_view(plane);
         change(view, &scene);
     }
 
@@ -421,7 +421,7 @@ impl Current {
     pub fn set_marked_lines(&mut self, lines: Vec<Range<u32>>) {
         self.view_state.marked = lines;
         if self.derived.measured {
-            self.light_up();
+            self.highlight();
         }
     }
 
@@ -430,7 +430,7 @@ impl Current {
         self.view_state.cursor = offset;
         // If nothing is measured yet, `measure` will highlight them.
         if self.derived.measured {
-            self.light_up();
+            self.highlight();
         }
     }
 
@@ -438,7 +438,7 @@ impl Current {
     pub fn set_hover(&mut self, motion: Option<usize>) {
         let motion = motion.filter(|&index| index < self.run.motions().len());
         self.section_mut().hover = motion;
-        if PICKING_OUT.is_loaded() {
+        if HIGHLIGHTING.is_loaded() {
             name_steps(self);
         }
     }
@@ -478,16 +478,16 @@ impl Current {
     }
 
     /// Moves the tool to a position; `None` shows all strokes and no tool.
-    pub fn put(&mut self, playhead: Option<Playhead>) {
+    pub fn seek(&mut self, playhead: Option<Playhead>) {
         let playhead = playhead.filter(|_| !self.run.motions().is_empty());
         self.section_mut().playhead = playhead;
     }
 
     /// Moves the tool to the start of the block at a UTF-16 offset, or of the next block that moves it.
-    pub fn put_at_block(&mut self, offset: u32) {
+    pub fn seek_block(&mut self, offset: u32) {
         self.measure();
         let motion = picked::first_motion(&self.run, self.lines(), &self.scene(), offset);
-        self.put(motion.map(|motion| Playhead { motion, share: 0.0 }));
+        self.seek(motion.map(|motion| Playhead { motion, share: 0.0 }));
     }
 
     /// Scrolls a picture that the user has moved, so that the tool stays in view while it cuts.
@@ -566,7 +566,7 @@ impl Current {
             self.moves(plane)?;
         }
         let source = self.source();
-        let (scene, view) = self.looked_at(plane);
+        let (scene, view) = self.scene_and_view(plane);
         Some(Picture { scene, view, source })
     }
 
@@ -584,11 +584,11 @@ impl Current {
     }
 
     /// The scene and the view of a picture.
-    fn looked_at(&mut self, plane: Plane) -> (Scene<'_>, &mut View) {
+    fn scene_and_view(&mut self, plane: Plane) -> (Scene<'_>, &mut View) {
         let Self { run, path_index, derived, view_state, .. } = self;
         let machined = match &derived.material {
             Material::Off(machined) => Some(machined),
-            Material::Untouched | Material::UnderWay(_) => None,
+            Material::Untouched | Material::InProgress(_) => None,
         };
         let work = machined.and_then(|machined| machined.work(plane));
         let scene = match machined.and_then(|machined| machined.moves(plane)) {
@@ -626,17 +626,17 @@ impl Current {
         if self.run.is_finished() {
             self.path_index.settle();
             self.count_in_unit();
-            let (scene, view) = self.looked_at(Plane::Section);
+            let (scene, view) = self.scene_and_view(Plane::Section);
             view.follow(&scene);
         }
-        self.light_up();
+        self.highlight();
     }
 
     fn turn(&mut self) {
         // The path index may still be that of the previous program.
         self.path_index.update(self.run.motions());
         let x_plus = XPlus::from(self.turret());
-        let (scene, view) = self.looked_at(Plane::Section);
+        let (scene, view) = self.scene_and_view(Plane::Section);
         view.turn(&scene, x_plus);
     }
 
@@ -649,22 +649,22 @@ impl Current {
     }
 
     /// Highlights the strokes of the block at the cursor, or of the marked lines.
-    fn light_up(&mut self) {
-        if PICKING_OUT.is_loaded() {
-            light_up(self);
+    fn highlight(&mut self) {
+        if HIGHLIGHTING.is_loaded() {
+            highlight(self);
         }
     }
 }
 
 /// The part that finds the selected strokes; nothing is highlighted before it is loaded.
-const PICKING_OUT: Part = Part::Late;
+const HIGHLIGHTING: Part = Part::Late;
 
 /// The part that continues a run and its lines after a change of the text.
-const GOING_ON: Part = Part::Late;
+const EDITING: Part = Part::Late;
 
 late! {
-    fn go_on_edited(current: &mut Current, edit: TextEdit) {
-        current.go_on_edited(edit);
+    fn continue_edited(current: &mut Current, edit: TextEdit) {
+        current.continue_edited(edit);
     }
 
     fn remove_material(current: &mut Current, motions: usize) -> bool {
@@ -674,12 +674,12 @@ late! {
                 let simulation = Simulation::new(current.run.motions(), &current.run.setup_at_machine());
                 current.remove(simulation, motions);
             }
-            Material::UnderWay(simulation) => current.remove(*simulation, motions),
+            Material::InProgress(simulation) => current.remove(*simulation, motions),
         }
         matches!(current.derived.material, Material::Off(_))
     }
 
-    fn light_up(current: &mut Current) {
+    fn highlight(current: &mut Current) {
         let (run, lines, scene) = (&current.run, current.lines(), current.scene());
         let picked = match current.view_state.cursor {
             Some(at) => picked::at(run, lines, &scene, at),
@@ -704,7 +704,7 @@ late! {
 
     fn stop_machining(current: &mut Current) {
         match std::mem::replace(&mut current.derived.material, Material::Untouched) {
-            Material::UnderWay(simulation) => current.finish_material(simulation.stop()),
+            Material::InProgress(simulation) => current.finish_material(simulation.stop()),
             other => current.derived.material = other,
         }
     }

@@ -223,7 +223,7 @@ fn write_with<'a>(
     };
     (writer.process, writer.mode, writer.written) = (Some(*first.before), first.mode, first.mode);
     let own = motions_of(trace, &analysis.motions);
-    let jumps = trace.iter().any(|executed| executed.steers);
+    let jumps = trace.iter().any(|executed| executed.is_flow_control);
     let kept = writer.kept_blocks(trace, &own, uncertain);
     let mut block = Block::default();
     // Copy the text before the first block.
@@ -260,7 +260,7 @@ fn write_with<'a>(
         } else if is_called && range.is_empty() {
             // `O2 G55`: its codes still apply.
             writer.write(&block, executed, range.clone(), leaves);
-        } else if executed.steers && !refused && !(is_last && ends_main(&block)) {
+        } else if executed.is_flow_control && !refused && !(is_last && ends_main(&block)) {
             writer.steer(&block, executed, range.clone(), leaves);
         } else if !kept[index] && writer.must_write(&block, executed, range.clone()) {
             writer.write(&block, executed, range.clone(), leaves);
@@ -792,7 +792,7 @@ impl Writer<'_> {
             self.remark(block);
             self.comments(block);
             let is_call =
-                |word: &&Word| codes::is_passage(word) || matches!(word.address, b'P' | b'L' | b'Q');
+                |word: &&Word| codes::is_call_or_return(word) || matches!(word.address, b'P' | b'L' | b'Q');
             let words: Vec<String> = match values {
                 Some(values) => {
                     let mut own = Block::default();
@@ -837,7 +837,7 @@ impl Writer<'_> {
             let quoted: String =
                 word.span.quote(self.text).chars().filter(|ch| !ch.is_whitespace()).collect();
             let target = match (word.address, plain(word)) {
-                _ if codes::is_passage(word) => continue,
+                _ if codes::is_call_or_return(word) => continue,
                 (b'M', Some(0.0 | 1.0 | 2.0 | 5.0 | 9.0 | 25.0 | 30.0)) => &mut after,
                 (b'M' | b'S' | b'T', _) => &mut before,
                 // P selects the frame of G54.1.

@@ -10,7 +10,7 @@ use crate::machine::live_holes::goes_into_side;
 use crate::machine::removal::{Removal, Unusual};
 use crate::machine::resolved_setup::{Basis, ResolvedSetup};
 use crate::machine::thread_run_out::ShortRunOut;
-use crate::machine::turned_material::rapids_into_it;
+use crate::machine::turned_material::rapids_into_material;
 use crate::machine::{SimulationLimit, SimulationResult};
 use crate::message::{Diagnostic, Levels, Message, Severity, said};
 use crate::motion::{Feed, Motions, Process, SpindleSpeed};
@@ -155,7 +155,7 @@ fn behind_left_out(simulation: &SimulationResult, motions: &Motions) -> Option<D
 pub fn without_simulation(resolved: &ResolvedSetup, motions: &Motions, most: usize) -> Vec<Diagnostic> {
     let has_too_many = motions.len() > most && resolved.stock().is_some();
     let too_many = has_too_many.then(|| Diagnostic::new(said::PartTooManyMotions { most }, Span::new(0, 0)));
-    let rapids = rapids_into_it(motions, resolved);
+    let rapids = rapids_into_material(motions, resolved);
     let rapids =
         rapids.iter().map(|finding| Diagnostic::new(message(finding, motions), motions.span(finding.motion)));
     too_many.into_iter().chain(not_shown(resolved, motions)).chain(rapids).collect()

@@ -869,7 +869,7 @@ impl Chunk {
     }
 
     /// Handles G50 X Z: the coordinates of the tip increase by `by`; neither the tip nor the workpiece moves.
-    pub fn rename(&mut self, by: Point) {
+    pub fn shift_coordinates(&mut self, by: Point) {
         for (_, left) in &mut self.left {
             left.offset = left.offset.moved(by.opposite());
         }

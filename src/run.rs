@@ -3,8 +3,8 @@
 //! In: the bytes of a program and a setup. Out: an [`Analysis`]. Knows the order of the stages, but not what
 //! they do.
 
+mod combined;
 pub(crate) mod edit;
-mod gathered;
 pub(crate) mod repeated;
 pub mod replay;
 mod tried;
@@ -15,7 +15,7 @@ use std::sync::{Arc, OnceLock};
 
 use crate::control::contour::Landmarks;
 use crate::control::events::Observer;
-use crate::control::interpreter::{Executed, Flow, Here, Interpreter};
+use crate::control::interpreter::{BlockPosition, Executed, Flow, Interpreter};
 use crate::control::modal::State;
 use crate::control::program::Labels;
 use crate::control::words;
@@ -178,7 +178,7 @@ pub struct Run {
     /// The run before the edit, until this run joins it and takes over its remaining results.
     previous: Option<PreviousRun>,
     /// The next byte at which this run may join the previous one.
-    meeting: u32,
+    next_join: u32,
     /// Faulty blocks of this text that were read after a jump.
     faulty: FaultyBlocks,
 }
@@ -263,7 +263,7 @@ impl Run {
             checkpoints: Vec::new(),
             due: 0,
             previous: None,
-            meeting: u32::MAX,
+            next_join: u32::MAX,
             faulty: FaultyBlocks::default(),
             text,
         };
@@ -350,13 +350,13 @@ impl Run {
     }
 
     /// Restarts the run with the parts loaded since.
-    pub fn begin_again(&mut self) {
+    pub fn rerun(&mut self) {
         *self = Self::begin(self.take_text(), self.given.clone(), self.decided);
     }
 
     /// Decides the decimal rule again, for the current text, and restarts the run if the rule changes.
     /// Returns whether it restarted.
-    pub fn decide_again(&mut self) -> bool {
+    pub fn reinfer_decimal_rule(&mut self) -> bool {
         let Some(before) = self.decided else { return false };
         let rule = provenance::numbers(&self.text).rule();
         if rule == before {
@@ -406,7 +406,7 @@ impl Run {
         let mut joined = false;
         while left > 0 {
             let at = parser.position();
-            if self.is_due(at) && self.pause(at, text.len()) {
+            if self.is_due(at) && self.snapshot_if_due(at, text.len()) {
                 joined = true;
                 break;
             }
@@ -420,7 +420,7 @@ impl Run {
             }
             more = self.next_block(&mut parser);
             left -= 1;
-            let here = Here { at, next: parser.position() };
+            let here = BlockPosition { at, next: parser.position() };
             let flow = if more {
                 self.blocks += usize::from(!self.block.is_empty());
                 let flow = self.step(&text, here);
@@ -440,7 +440,7 @@ impl Run {
                 Flow::End if !self.ended => {
                     self.ended = true;
                     // Read the blocks that were jumped over too, to check them for errors.
-                    if self.interpreter.has_wandered() {
+                    if self.interpreter.has_left_linear_order() {
                         parser = Parser::new(&text);
                     }
                 }
@@ -461,7 +461,7 @@ impl Run {
     /// Reads the next block; returns false at the end of the text.
     #[inline]
     fn next_block(&mut self, parser: &mut Parser<'_>) -> bool {
-        if self.interpreter.has_wandered() && READS_FAULTS.is_loaded() {
+        if self.interpreter.has_left_linear_order() && READS_FAULTS.is_loaded() {
             repeated::next_block(self, parser)
         } else {
             parser.next_block(self.block_to_read())
@@ -482,7 +482,7 @@ impl Run {
         if !self.begun || self.ended || !self.tried.is_empty() {
             return 0;
         }
-        let plain = self.interpreter.plain_lines(parser, most.min(self.until_due()), self.meeting);
+        let plain = self.interpreter.plain_lines(parser, most.min(self.until_due()), self.next_join);
         self.blocks += plain;
         plain
     }
@@ -617,7 +617,7 @@ impl Run {
     /// Begins with a program other than the first of the text.
     fn begin_at(&mut self, head: Resume) {
         self.at = head;
-        self.interpreter.begin_elsewhere(head);
+        self.interpreter.start_at_other_program(head);
     }
 
     /// Restarts with another program of the text.
@@ -629,7 +629,7 @@ impl Run {
         kept.truncate(self.of_setup);
         self.missing = self.missing();
         let before = std::mem::replace(&mut self.interpreter, observed(setup));
-        self.interpreter.chronicled_like(before.chronicler());
+        self.interpreter.record_origins_like(before.recorder());
         self.interpreter.set_system(system);
         self.interpreter.set_unit(unit);
         if traced {
@@ -641,13 +641,13 @@ impl Run {
         self.begun = false;
         self.checkpoints.clear();
         self.previous = None;
-        self.meeting = u32::MAX;
+        self.next_join = u32::MAX;
         self.begin_at(main);
     }
 
     /// Executes the block just read.
     #[inline]
-    fn step(&mut self, text: &[u8], here: Here) -> Flow {
+    fn step(&mut self, text: &[u8], here: BlockPosition) -> Flow {
         if let Some((number, span)) = self.block.program
             && let Some(flow) = self.program(text, number, span, here)
         {
@@ -662,7 +662,7 @@ impl Run {
     }
 
     /// Handles an O number: the head of the main program, of a called one, or of one that follows them.
-    fn program(&mut self, text: &[u8], number: u32, span: Span, here: Here) -> Option<Flow> {
+    fn program(&mut self, text: &[u8], number: u32, span: Span, here: BlockPosition) -> Option<Flow> {
         // Blocks before the first O number that move nothing are not a program. Edits this close to the head
         // run everything again.
         let leads = self.programs.is_empty()
@@ -687,16 +687,16 @@ impl Run {
             self.interpreter.enter_program(here.at);
             return None;
         }
-        Some(self.run_out(text, span, here))
+        Some(self.end_without_return(text, span, here))
     }
 
     /// The current program ends without M99 or M30.
-    fn run_out(&mut self, text: &[u8], span: Span, here: Here) -> Flow {
-        if let Some(back) = self.interpreter.run_out(span) {
+    fn end_without_return(&mut self, text: &[u8], span: Span, here: BlockPosition) -> Flow {
+        if let Some(back) = self.interpreter.end_without_return(span) {
             return Flow::Jump(back);
         }
         self.report_no_end(text, span, Some(here.at.byte));
-        if self.interpreter.has_wandered() {
+        if self.interpreter.has_left_linear_order() {
             return Flow::End;
         }
         // The block is read again, as one that is not executed.
@@ -711,12 +711,12 @@ impl Run {
         }
         let last = text.trim_ascii_end().len();
         let span = Span::new(last.saturating_sub(1), last);
-        if let Some(back) = self.interpreter.run_out(span) {
+        if let Some(back) = self.interpreter.end_without_return(span) {
             return Flow::Jump(back);
         }
         self.interpreter.finish(text);
         self.report_no_end(text, span, None);
-        if self.interpreter.has_wandered() { Flow::End } else { Flow::Next }
+        if self.interpreter.has_left_linear_order() { Flow::End } else { Flow::Next }
     }
 
     /// Reports that the program ends at `span` without M02 or M30. Offers M30 before the byte `next` of the
@@ -770,7 +770,7 @@ impl Run {
             self.report_decimal_rule();
         }
         sort_by_place(&mut self.sorted);
-        gathered::gather(&mut self.sorted, &self.text);
+        combined::combine_repeated(&mut self.sorted, &self.text);
     }
 
     fn compare_numbers(&mut self) {
@@ -838,15 +838,15 @@ fn at_machine(setup: &Setup, text: &[u8], unit: Unit) -> Setup {
     Setup { described_tools: tool_words::read(text, unit), described_stock, ..setup.clone() }
 }
 
-/// A control at power-on. Once the lints are loaded, it records a chronicle and, unless the setup switches
+/// A control at power-on. Once the lints are loaded, it records origins and, unless the setup switches
 /// them off, reports its events to the lints.
 fn observed(setup: Setup) -> Interpreter {
     let listens = setup.lints == Lints::On && LINTS.is_loaded();
     let mut interpreter = Interpreter::new(setup);
     if LINTS.is_loaded() {
-        chronicle(&mut interpreter);
+        record_origins(&mut interpreter);
     }
-    if listens { interpreter.observed_by(lints()) } else { interpreter }
+    if listens { interpreter.with_observer(lints()) } else { interpreter }
 }
 
 /// The part that contains the lints.
@@ -857,8 +857,8 @@ late! {
         Box::new(lint::Lints::default())
     }
 
-    fn chronicle(interpreter: &mut Interpreter) {
-        interpreter.begin_chronicle();
+    fn record_origins(interpreter: &mut Interpreter) {
+        interpreter.begin_recording();
     }
 
     fn complete_messages(run: &mut Run) {

@@ -206,7 +206,7 @@ impl Playground {
     /// whether it restarted.
     #[wasm_bindgen(js_name = beginAgain)]
     pub fn begin_again(&mut self) -> bool {
-        self.current.begin_again()
+        self.current.rerun_if_outdated()
     }
 
     /// The fraction of the program that has run, 0 to 1.
@@ -381,7 +381,7 @@ pub fn part_loaded(name: &str) {
 
 #[cfg(parts)]
 entry! { Early install_early {
-    crate::control::interpreter::beside_plane::install();
+    crate::control::interpreter::with_y::install();
     crate::control::interpreter::block::install();
     crate::control::interpreter::calls::install();
     crate::control::interpreter::compensated::install();

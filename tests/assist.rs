@@ -25,7 +25,7 @@ use gcode_playground::api::assist::{FormHelp, StateHelp, WordHelp};
 use gcode_playground::assist::role::Role;
 use gcode_playground::assist::signature::Otherwise;
 use gcode_playground::message::Severity;
-use gcode_playground::run::replay::Time;
+use gcode_playground::run::replay::VisitChoice;
 use gcode_playground::sentences::Language;
 use gcode_playground::setup::Setup;
 
@@ -48,7 +48,7 @@ fn answers(text: &str) -> String {
     let mut out = String::new();
     for mark in marks {
         for language in Language::ALL {
-            match asking.word(mark, Time::Usual, language) {
+            match asking.word(mark, VisitChoice::Usual, language) {
                 None => _ = writeln!(out, "(nothing)"),
                 Some(WordHelp { word, title, value, facts, .. }) => {
                     let value = value.map_or_else(String::new, |value| format!(" = {value}"));
@@ -60,13 +60,13 @@ fn answers(text: &str) -> String {
             }
         }
         for language in Language::ALL {
-            let StateHelp { explanation, .. } = asking.state(mark, Time::Usual, language);
+            let StateHelp { explanation, .. } = asking.state(mark, VisitChoice::Usual, language);
             if !explanation.is_empty() {
                 _ = writeln!(out, "{explanation}");
             }
         }
         for language in Language::ALL {
-            write_state(&mut out, &asking.state(mark, Time::Usual, language));
+            write_state(&mut out, &asking.state(mark, VisitChoice::Usual, language));
         }
         for language in Language::ALL {
             write_form(&mut out, asking.form(mark, language));
@@ -76,16 +76,17 @@ fn answers(text: &str) -> String {
             let shown = proposed.iter().take(3).map(|item| format!("{} ({})", item.label, item.detail));
             _ = writeln!(out, "proposed: {}", shown.collect::<Vec<_>>().join("; "));
         }
-        if let Some(uses) = asking
-            .with(mark, Time::Usual, Language::English, |_, reader, run| reader.uses(run.code_list(), mark))
-        {
+        if let Some(uses) = asking.with(mark, VisitChoice::Usual, Language::English, |_, reader, run| {
+            reader.uses(run.code_list(), mark)
+        }) {
             let lines: Vec<_> = uses.places.iter().map(|place| place.line.to_string()).collect();
             _ = writeln!(out, "{} in lines {}", uses.name, lines.join(", "));
         }
         out.push('\n');
     }
     for language in Language::ALL {
-        let outline = asking.with(0, Time::Usual, language, |_, reader, run| reader.outline(run.code_list()));
+        let outline =
+            asking.with(0, VisitChoice::Usual, language, |_, reader, run| reader.outline(run.code_list()));
         for entry in outline.entries {
             let indent = "  ".repeat(entry.depth.into());
             _ = writeln!(out, "{indent}{} {} {}", entry.line, entry.name, entry.detail);
@@ -154,14 +155,14 @@ fn every_word_of_every_program_is_explained() {
             if !byte.is_ascii_uppercase() || errors.contains(&asking.lines.line_of(at as u32)) {
                 continue;
             }
-            let (found, block) = asking.found(at as u32, Time::Usual);
+            let (found, block) = asking.found(at as u32, VisitChoice::Usual);
             let Some(word) = block.words.iter().find(|word| word.span.start == at as u32) else { continue };
             for language in Language::ALL {
-                let help = asking.word(at as u32, Time::Usual, language);
+                let help = asking.word(at as u32, VisitChoice::Usual, language);
                 let help = help.unwrap_or_else(|| {
                     panic!("{id}: nothing is said of {:?}", word.span.quote(text.as_bytes()))
                 });
-                let is_known = found.times == 0 || help.title != Role::Ignored.words(language);
+                let is_known = found.visits == 0 || help.title != Role::Ignored.words(language);
                 assert!(is_known && !help.title.is_empty(), "{id}, line {}: {help:#?}", block.line + 1);
             }
         }
@@ -178,7 +179,7 @@ fn the_state_shown_is_that_of_stepping() {
         let lines = asking.lines.len();
         let last = (0..lines).rev().find_map(|line| {
             let start = asking.lines.line(asking.run.text(), line).start;
-            asking.found(start, Time::Number(u32::MAX)).0.visit.filter(|visit| visit.purpose.is_none())
+            asking.found(start, VisitChoice::Number(u32::MAX)).0.visit.filter(|visit| visit.purpose.is_none())
         });
         let last = last.expect("a block that is carried out");
         assert_eq!(last.after.state.position, end.position, "{id}");
@@ -239,7 +240,8 @@ fn a_form_asks_for_what_the_control_asks_for() {
         let with_all = serious(head, block, rest);
         let mut asking = with_form(head, block, rest);
         let at = (FORM_HEAD.len() + head.len()) as u32;
-        let signature = asking.with(at, Time::Usual, Language::English, |asked, _, _| asked.signature());
+        let signature =
+            asking.with(at, VisitChoice::Usual, Language::English, |asked, _, _| asked.signature());
         let signature = signature.unwrap_or_else(|| panic!("{block}: no form"));
         let (_, places) = &signature.lines[signature.own];
         let words: Vec<&str> = block.split(' ').collect();

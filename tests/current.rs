@@ -90,7 +90,7 @@ fn nothing_of_a_run_outlives_it() {
         let mut current = fresh(&text, &setup);
         current.set_cursor(Some(120));
         current.set_hover(Some(3));
-        current.put(Some(Playhead { motion: 5, share: 0.5 }));
+        current.seek(Some(Playhead { motion: 5, share: 0.5 }));
         assert!(current.picture(Plane::Face).is_some());
         let before = section(&mut current).source;
         change(&mut current);
@@ -258,7 +258,7 @@ proptest! {
                 Act::Draw => { seen(&mut current); }
                 Act::Put(motion, share) => {
                     let motion = motion.min(current.motions().len().saturating_sub(1));
-                    current.put(Some(Playhead { motion, share }));
+                    current.seek(Some(Playhead { motion, share }));
                     seen(&mut current);
                 }
                 Act::Hover(motion) => current.set_hover(Some(motion as usize)),
@@ -276,7 +276,7 @@ proptest! {
         }
         run(&mut current);
         current.end_comparison();
-        current.put(None);
+        current.seek(None);
         current.set_hover(None);
         current.set_turret(None);
         let mut expected = fresh(&text, &setup);
@@ -353,7 +353,7 @@ fn the_side_is_picked_in_and_follows_the_section() {
     let picture = current.picture(Plane::Side).expect("a side");
     assert_eq!((picture.view.highlight.len(), picture.view.highlight[0].clone()), (1, 2..4));
     let last = current.motions().len() - 2;
-    current.put(Some(Playhead { motion: last, share: 0.8 }));
+    current.seek(Some(Playhead { motion: last, share: 0.8 }));
     let expected = current.side().expect("a side").point(-40.0, 380.0);
     let picture = current.picture(Plane::Side).expect("a side");
     let playhead = picture.view.playhead.expect("a playhead");

@@ -303,11 +303,11 @@ fn the_decimal_rule_is_not_decided_anew_while_typing() {
     let told = |run: &Run, slug: &str| run.diagnostics().iter().any(|found| found.message.slug() == slug);
     assert!(!told(&run, "least-increments-concluded"));
     // The user requests a new decision.
-    assert!(run.decide_again());
+    assert!(run.reinfer_decimal_rule());
     finish(&mut run);
     assert_eq!((run.decided_rule(), last(&run)), (Some(DecimalRule::LeastIncrement), -0.8 * 25.4));
     assert!(told(&run, "least-increments-concluded"));
-    assert!(!run.decide_again());
+    assert!(!run.reinfer_decimal_rule());
     // The number that showed the rule is deleted; the rule stays.
     run.edit(out("Z-8000\n".len()));
     run.edit(typed("Z-9\n"));
@@ -317,7 +317,7 @@ fn the_decimal_rule_is_not_decided_anew_while_typing() {
 
     let fixed = Setup::from_json(r#"{"dialect": {"decimal": "calculator"}}"#).expect("setup");
     let mut run = Run::new(format!("{program}Z-8000\n").into_bytes(), fixed);
-    assert_eq!((run.decided_rule(), run.decide_again()), (None, false));
+    assert_eq!((run.decided_rule(), run.reinfer_decimal_rule()), (None, false));
     finish(&mut run);
     assert_eq!(last(&run), -8000.0 * 25.4);
 }

@@ -77,7 +77,7 @@ pub enum Why {
     /// The axis of the spindle.
     Axis,
     /// The position of the tool.
-    Here,
+    BlockPosition,
     /// An earlier value in the program.
     Used,
     /// A tool in the setup.

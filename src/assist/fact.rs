@@ -4,7 +4,7 @@
 //! of the user.
 
 use crate::control::codes::Group;
-use crate::control::contour::Purpose;
+use crate::control::contour::ContourUse;
 use crate::source::Span;
 use crate::units::Diameter;
 
@@ -99,7 +99,7 @@ pub enum Fact {
     /// The block is skipped: this level of block skip is on.
     Skipped(u8),
     /// A cycle reads the block as a part of its contour.
-    ReadBy(Purpose),
+    ReadBy(ContourUse),
     /// Roughing reads the block as a part of its contour, and ignores the word.
     IgnoredByRoughing,
     /// Finishing uses the word.

@@ -8,7 +8,7 @@ use super::form::{Form, Half, g_of};
 use super::place::of_c;
 use super::role::Role;
 use crate::control::codes::{self, Function, G, Hole, MotionMode, Multiple};
-use crate::control::contour::Purpose;
+use crate::control::contour::ContourUse;
 use crate::control::macros;
 use crate::control::modal::{Lead, State};
 use crate::control::origins::{Modal, Origins};
@@ -469,8 +469,8 @@ impl<'a> Asked<'a> {
         }
         if matches!(word.address, b'F' | b'S' | b'T') {
             match visit.purpose {
-                Some(Purpose::Roughing) => facts.push(Fact::IgnoredByRoughing),
-                Some(Purpose::Finishing) => facts.push(Fact::TakenByFinishing),
+                Some(ContourUse::Roughing) => facts.push(Fact::IgnoredByRoughing),
+                Some(ContourUse::Finishing) => facts.push(Fact::TakenByFinishing),
                 None => {}
             }
         }

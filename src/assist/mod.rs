@@ -53,7 +53,7 @@ impl<'a> Asked<'a> {
             text: run.text(),
             block,
             visit: found.visit.as_ref(),
-            times: found.times,
+            times: found.visits,
             setup: run.setup(),
             dialect: run.dialect(),
             codes: run.code_list(),

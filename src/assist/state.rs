@@ -8,7 +8,7 @@ use super::hover::{code_in_force, feed_of};
 use super::place::of_c;
 use super::role::Role;
 use crate::control::codes::{self, Function, G, Switch};
-use crate::control::contour::Purpose;
+use crate::control::contour::ContourUse;
 use crate::control::macros::{Found, LOCALS};
 use crate::control::modal::{State, Target};
 use crate::control::origins::Modal;
@@ -108,7 +108,7 @@ pub struct StateTable {
     /// Number of this execution; 0 if a cycle only reads the block.
     pub carried_out: u32,
     /// The cycle that reads the block as a part of its contour.
-    pub purpose: Option<Purpose>,
+    pub purpose: Option<ContourUse>,
     /// Position of the tip.
     pub axes: Vec<AxisRow>,
     /// Spindle speed and cutting speed after the block, if known.

@@ -32,7 +32,7 @@ pub fn turning_cycles() -> impl Iterator<Item = String> {
 }
 
 /// Whether a word calls another part of the program or returns from it: M97, M98, M99.
-pub fn is_passage(word: &Word) -> bool {
+pub fn is_call_or_return(word: &Word) -> bool {
     let code = whole(word).filter(|_| word.address == b'M').and_then(m_code);
     matches!(code, Some(M::Call | M::LocalCall | M::Return))
 }
@@ -52,8 +52,8 @@ pub fn macro_a(block: &Block) -> Option<u32> {
 }
 
 /// Whether a word only controls the flow of the program: M97 to M99, G65 to G67.
-pub fn steers(word: &Word) -> bool {
-    is_passage(word) || matches!(whole_g(word), Some(G::MacroCall(_) | G::NoModalMacro))
+pub fn is_flow_control(word: &Word) -> bool {
+    is_call_or_return(word) || matches!(whole_g(word), Some(G::MacroCall(_) | G::NoModalMacro))
 }
 
 /// The G code of a word without decimals, if all lists have it.

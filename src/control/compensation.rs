@@ -19,7 +19,7 @@ mod path;
 mod tests;
 
 use crate::geometry::{Point, SAME};
-use clearance::Way;
+use clearance::CenterPath;
 use corner::{Corner, corner};
 pub use path::{Element, Nose, Shape, Side, Travel, Vector};
 use path::{Track, ZERO};
@@ -111,7 +111,7 @@ pub struct Compensator {
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Cut {
     element: Element,
-    ways: [Option<Way>; 4],
+    paths: [Option<CenterPath>; 4],
 }
 
 /// Progress of compensation.
@@ -124,7 +124,7 @@ enum Stage {
     /// An element on the offset path, waiting for the next.
     Waiting(Waiting),
     /// Every element is emitted; the nose is beside the path.
-    Standing,
+    Idle,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -141,7 +141,7 @@ enum Begin {
     /// On the offset path of the element.
     OnPath(Vector),
     /// Where the previous element left it, because this one was not known yet (no look-ahead).
-    Beside,
+    OffPath,
 }
 
 impl Compensator {
@@ -157,7 +157,7 @@ impl Compensator {
             Stage::StartUp(element) | Stage::Waiting(Waiting { element, .. }) => {
                 element.id = element.id.wrapping_sub(first);
             }
-            Stage::Commanded | Stage::Standing => {}
+            Stage::Commanded | Stage::Idle => {}
         }
         for cut in self.behind.iter_mut().flatten() {
             cut.element.id = cut.element.id.wrapping_sub(first);
@@ -194,15 +194,15 @@ impl Compensator {
             self.flush(out);
         }
         let next = Track::new(&element, self.side);
-        match std::mem::replace(&mut self.stage, Stage::Standing) {
+        match std::mem::replace(&mut self.stage, Stage::Idle) {
             Stage::Commanded => self.stage = Stage::StartUp(element),
             Stage::StartUp(first) => {
                 // Type A: perpendicular to the next element at its start (§4.2).
                 let begin = next.start_normal() * self.nose.radius;
-                self.give(&first, begin, Shape::Line, MadeBy::Program, out);
+                self.emit(&first, begin, Shape::Line, MadeBy::Program, out);
                 self.wait(element, Begin::OnPath(begin));
             }
-            Stage::Standing => self.enter(element, out),
+            Stage::Idle => self.enter(element, out),
             Stage::Waiting(waiting) => {
                 let found = corner(Track::new(&waiting.element, waiting.side), next, self.nose.radius)
                     .ok_or(Reason::NoIntersection { before: waiting.element.id })
@@ -231,17 +231,17 @@ impl Compensator {
     /// No further element is known: end of program, start of a cycle, or two blocks without a move. The
     /// centre goes perpendicular to the end of the last element (§4.3); a later element begins there.
     pub fn flush(&mut self, out: &mut impl FnMut(Outcome)) {
-        match std::mem::replace(&mut self.stage, Stage::Standing) {
+        match std::mem::replace(&mut self.stage, Stage::Idle) {
             Stage::Commanded => self.stage = Stage::Commanded,
             Stage::StartUp(first) => {
                 let end = Track::new(&first, self.side).end_normal() * self.nose.radius;
-                self.give(&first, end, Shape::Line, MadeBy::Program, out);
+                self.emit(&first, end, Shape::Line, MadeBy::Program, out);
             }
             Stage::Waiting(waiting) => {
                 let end = Track::new(&waiting.element, waiting.side).end_normal() * self.nose.radius;
                 self.finish(&waiting, end, out);
             }
-            Stage::Standing => {}
+            Stage::Idle => {}
         }
         self.behind = [None; 2];
     }
@@ -266,7 +266,7 @@ impl Compensator {
             let meeting = track
                 .and_then(|wall| corner(Track::new(&waiting.element, waiting.side), wall, self.nose.radius));
             if let Some(meeting) = meeting {
-                self.stage = Stage::Standing;
+                self.stage = Stage::Idle;
                 self.finish(&waiting, meeting.end, out);
             }
         }
@@ -277,7 +277,7 @@ impl Compensator {
             Shape::Line if self.tip == element.to => {}
             Shape::Line => {
                 let beside = self.nose.offset();
-                self.give(&element, beside, Shape::Line, MadeBy::Program, out);
+                self.emit(&element, beside, Shape::Line, MadeBy::Program, out);
             }
         }
     }
@@ -287,7 +287,7 @@ impl Compensator {
         match &self.stage {
             Stage::StartUp(element) => Some(element.to),
             Stage::Waiting(waiting) => Some(waiting.element.to),
-            Stage::Commanded | Stage::Standing => None,
+            Stage::Commanded | Stage::Idle => None,
         }
     }
 
@@ -318,12 +318,12 @@ impl Compensator {
     fn clear_of(&self, waiting: &Waiting, corner: &Corner, next: &Element) -> Result<Option<Cut>, Reason> {
         let element = waiting.element;
         let cuts = element.travel == Travel::Feed && next.travel == Travel::Feed && waiting.side == self.side;
-        let Some(along) = self.way_along(waiting, corner.end).filter(|_| cuts) else { return Ok(None) };
+        let Some(along) = self.path_along(waiting, corner.end).filter(|_| cuts) else { return Ok(None) };
         let ends = [corner.end, corner.around[0], corner.around[1], corner.begin];
         let [end, first, second, last] = ends.map(|vector| vector.from(element.to));
         let around = [(end, first), (first, second), (second, last)]
-            .map(|(from, to)| (!from.is_same(to)).then_some(Way::straight(from, to)));
-        let before = self.behind.iter().flatten().take(1).flat_map(|cut| cut.ways).flatten();
+            .map(|(from, to)| (!from.is_same(to)).then_some(CenterPath::straight(from, to)));
+        let before = self.behind.iter().flatten().take(1).flat_map(|cut| cut.paths).flatten();
         let beside = around.into_iter().flatten();
         let contour = [Some(element), self.behind[0].map(|cut| cut.element)];
         let radius = self.nose.radius;
@@ -332,10 +332,10 @@ impl Compensator {
         let into_contour =
             beside.flat_map(|way| contour.into_iter().flatten().map(move |element| (way, element)));
         let depths =
-            into_next.chain(into_contour).filter_map(|(way, element)| way.cuts_into(&element, radius));
+            into_next.chain(into_contour).filter_map(|(way, element)| way.gouge_depth(&element, radius));
         match depths.reduce(f64::max) {
             Some(depth) => Err(Reason::CutsIn { depth }),
-            None => Ok(Some(Cut { element, ways: [Some(along), around[0], around[1], around[2]] })),
+            None => Ok(Some(Cut { element, paths: [Some(along), around[0], around[1], around[2]] })),
         }
     }
 
@@ -348,11 +348,15 @@ impl Compensator {
 
     /// The path of the centre along a waiting element that ends at `end`, relative to its programmed end.
     /// `None` if the element was not known in advance, or would run backwards.
-    fn way_along(&self, waiting: &Waiting, end: Vector) -> Option<Way> {
+    fn path_along(&self, waiting: &Waiting, end: Vector) -> Option<CenterPath> {
         let Waiting { element, side, begin: Begin::OnPath(begin) } = *waiting else { return None };
         let length = Track::new(&element, side).length_between(begin, end);
         let shape = if length > 2.0 * SAME { element.shape } else { Shape::Line };
-        (length >= -SAME).then(|| Way { from: begin.from(element.from), to: end.from(element.to), shape })
+        (length >= -SAME).then(|| CenterPath {
+            from: begin.from(element.from),
+            to: end.from(element.to),
+            shape,
+        })
     }
 
     /// Begins an element that was not known when the previous one ended: a line goes straight from the
@@ -363,7 +367,7 @@ impl Compensator {
         if (stands - begin).length() <= SAME {
             self.wait(element, Begin::OnPath(begin));
         } else if element.shape == Shape::Line {
-            self.wait(element, Begin::Beside);
+            self.wait(element, Begin::OffPath);
         } else {
             self.join(&element, begin, out);
             self.wait(element, Begin::OnPath(begin));
@@ -376,8 +380,8 @@ impl Compensator {
         let element = &waiting.element;
         let begin = match waiting.begin {
             Begin::OnPath(begin) => begin,
-            Begin::Beside => {
-                self.give(element, end, Shape::Line, MadeBy::Program, out);
+            Begin::OffPath => {
+                self.emit(element, end, Shape::Line, MadeBy::Program, out);
                 return true;
             }
         };
@@ -389,8 +393,8 @@ impl Compensator {
         }
         let contour = self.behind.iter().flatten().map(|cut| cut.element);
         let cuts = element.travel == Travel::Feed && !self.closes(element);
-        let way = self.way_along(waiting, end).filter(|_| cuts);
-        let depths = contour.filter_map(|before| way?.cuts_into(&before, self.nose.radius));
+        let way = self.path_along(waiting, end).filter(|_| cuts);
+        let depths = contour.filter_map(|before| way?.gouge_depth(&before, self.nose.radius));
         if let Some(depth) = depths.reduce(f64::max) {
             out(Err(CompensationError { id: element.id, reason: Reason::CutsIn { depth } }));
             return false;
@@ -402,7 +406,7 @@ impl Compensator {
             // An arc that the corners remove completely has no length, and must not look like a full circle.
             Shape::Arc { .. } | Shape::Line => Shape::Line,
         };
-        self.give(element, end, shape, MadeBy::Program, out);
+        self.emit(element, end, shape, MadeBy::Program, out);
         true
     }
 
@@ -410,12 +414,12 @@ impl Compensator {
     fn join(&mut self, element: &Element, joint: Vector, out: &mut impl FnMut(Outcome)) {
         let corner = Element { to: element.from, ..*element };
         if !self.shown(corner.to, joint).is_same(self.tip) {
-            self.give(&corner, joint, Shape::Line, MadeBy::Compensation, out);
+            self.emit(&corner, joint, Shape::Line, MadeBy::Compensation, out);
         }
     }
 
     /// Emits a move that ends with the centre at `end`, relative to the programmed end of `element`.
-    fn give(
+    fn emit(
         &mut self,
         element: &Element,
         end: Vector,

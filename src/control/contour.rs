@@ -43,7 +43,7 @@ pub struct FirstBlock {
 
 /// Why a contour is read.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Purpose {
+pub enum ContourUse {
     /// G71 to G73: F, S, T and compensation of the blocks are ignored.
     Roughing,
     /// G70: F, S, T and compensation of the blocks take effect.

@@ -9,7 +9,7 @@ use std::fmt;
 use std::ops::Range;
 
 use super::codes::{M, MotionMode, Multiple};
-use super::contour::{FirstBlock, Landmarks, Purpose};
+use super::contour::{ContourUse, FirstBlock, Landmarks};
 use super::modal::{State, VirtualPlane};
 use super::sink::Sink;
 use super::tool_offset;
@@ -29,7 +29,7 @@ use crate::source::shift::Shift;
 use crate::text::block::{Block, Word};
 
 /// The context of an event.
-pub struct Moment<'a> {
+pub struct EventContext<'a> {
     /// The program; empty if the event names no word.
     pub text: &'a [u8],
     /// The state of the control.
@@ -41,10 +41,10 @@ pub struct Moment<'a> {
     /// Motions and messages of the run up to now.
     pub sink: &'a Sink,
     /// Why the contour is read, while one is.
-    pub contour: Option<Purpose>,
+    pub contour: Option<ContourUse>,
 }
 
-impl Moment<'_> {
+impl EventContext<'_> {
     /// How numbers are read at present.
     pub fn reading(&self) -> Reading {
         Reading { unit: self.state.unit, decimal: self.dialect.decimal }
@@ -54,7 +54,7 @@ impl Moment<'_> {
     /// unknown.
     pub fn stock(&self) -> Option<Stock> {
         let frames = &self.state.frames;
-        let stock = self.setup.stock.filter(|_| !frames.is_elsewhere())?;
+        let stock = self.setup.stock.filter(|_| !frames.has_unknown_workpiece_position())?;
         Some(stock.moved(frames.on_workpiece().opposite()))
     }
 
@@ -110,10 +110,10 @@ pub struct SinglePass<'a> {
 
 impl<'a> SinglePass<'a> {
     /// The pass as a pass of a thread, if it is one.
-    pub fn thread(&self, at: &Moment) -> Option<ThreadPass<'a>> {
+    pub fn thread(&self, at: &EventContext) -> Option<ThreadPass<'a>> {
         let &Self { block, words, start, end, starts, .. } = self;
         let start = Point::new(end.x + at.state.memory.taper, start.z);
-        let by = ThreadedBy::Pass { outwards: self.start.x < end.x };
+        let by = ThreadSource::Pass { outwards: self.start.x < end.x };
         self.lead.map(|lead| ThreadPass { block, words, start, end, lead, starts, by })
     }
 }
@@ -134,12 +134,12 @@ pub struct ThreadPass<'a> {
     /// Starts of the thread.
     pub starts: u64,
     /// What cuts the thread.
-    pub by: ThreadedBy,
+    pub by: ThreadSource,
 }
 
 /// What cuts a thread.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum ThreadedBy {
+pub enum ThreadSource {
     /// A move (G32 to G34).
     Move,
     /// A pass of G92. It starts from the axis if `outwards`: a bore.
@@ -291,7 +291,7 @@ pub enum Event<'a> {
     /// F, S or T in a contour that is read for roughing.
     IgnoredInRoughing { address: u8, words: &'a Words<'a> },
     /// P and Q of a contour cycle name a contour.
-    ContourNamed { purpose: Purpose, named: (u32, u32) },
+    ContourNamed { purpose: ContourUse, named: (u32, u32) },
     /// G70 follows its contour.
     Finishing(FinishingCall<'a>),
     /// G71 or G72 has read its contour.
@@ -351,13 +351,13 @@ impl Event<'_> {
 /// Observes a run.
 pub trait Observer: Any {
     /// Handles an event and adds its diagnostics to `reports`.
-    fn hear(&mut self, event: &Event<'_>, at: &Moment<'_>, reports: &mut Vec<Diagnostic>);
+    fn on_event(&mut self, event: &Event<'_>, at: &EventContext<'_>, reports: &mut Vec<Diagnostic>);
 
     /// A copy of this observer.
-    fn copy(&self) -> Box<dyn Observer>;
+    fn clone_box(&self) -> Box<dyn Observer>;
 
     /// Whether it will report the same as `other`, an observer of the same type, from here on.
-    fn goes_on_like(&self, other: &dyn Observer) -> bool;
+    fn continues_like(&self, other: &dyn Observer) -> bool;
 
     /// Moves the spans it holds after a change of the text before them.
     fn shift(&mut self, shift: &Shift);
@@ -367,10 +367,10 @@ pub trait Observer: Any {
 
     /// Called before a contour is read, after which the state is restored. Returns the observer that continues
     /// after the contour; this one observes the contour.
-    fn set_aside(&mut self) -> Box<dyn Observer>;
+    fn fork_for_contour(&mut self) -> Box<dyn Observer>;
 
     /// Replaces `before` from here on; what `before` has reported counts as reported here, too.
-    fn listen_after(&mut self, before: &mut dyn Observer);
+    fn inherit_reported(&mut self, before: &mut dyn Observer);
 }
 
 impl fmt::Debug for dyn Observer {
@@ -381,6 +381,6 @@ impl fmt::Debug for dyn Observer {
 
 impl Clone for Box<dyn Observer> {
     fn clone(&self) -> Self {
-        self.as_ref().copy()
+        self.as_ref().clone_box()
     }
 }

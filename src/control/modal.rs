@@ -243,7 +243,7 @@ impl Compensating {
     }
 
     /// Whether both continue in the same way; the number of moves already taken in does not matter.
-    fn goes_on_like(&self, other: &Self) -> bool {
+    fn continues_like(&self, other: &Self) -> bool {
         let counted = |state: &Self| {
             let first = state.waiting.first().map_or(0, |(id, _)| *id);
             let from_first = |held: &Vec<(u32, PathMove)>| {
@@ -295,7 +295,7 @@ pub struct Spindle {
     /// Direction.
     pub turn: SpindleTurn,
     /// S0 was given: the spindle does not turn under M03 either.
-    pub still: bool,
+    pub zero_speed: bool,
     /// M05 stopped it after M03 or M04.
     pub is_stopped: bool,
     /// A machine-specific M code has run since M05: it may turn a spindle or a tool.
@@ -306,7 +306,7 @@ pub struct Spindle {
     pub live_tool: bool,
     /// A machine-specific M code with S or P has run since M05: it may turn this spindle, another one or a
     /// tool.
-    pub by_maker: bool,
+    pub machine_code_with_speed: bool,
 }
 
 impl Spindle {
@@ -388,8 +388,8 @@ pub enum Once {
 }
 
 impl Reported {
-    /// Whether it is to be reported now; it counts as reported afterwards.
-    pub fn first(&mut self, once: Once) -> bool {
+    /// Marks it as reported. Returns whether it was not reported before, so that it must be reported now.
+    pub fn mark_reported(&mut self, once: Once) -> bool {
         let bit = 1 << once as u64;
         let first = self.0 & bit == 0;
         self.0 |= bit;
@@ -397,7 +397,7 @@ impl Reported {
     }
 
     /// Allows another report.
-    pub fn forget(&mut self, once: Once) {
+    pub fn reset(&mut self, once: Once) {
         self.0 &= !(1 << once as u64);
     }
 }
@@ -517,12 +517,12 @@ impl State {
                 highest: None,
                 lowest: None,
                 turn: SpindleTurn::Stopped,
-                still: false,
+                zero_speed: false,
                 is_stopped: false,
                 may_turn: false,
                 is_held: false,
                 live_tool: false,
-                by_maker: false,
+                machine_code_with_speed: false,
             },
             compensation: Compensation::Off,
             tool: (0, 0),
@@ -610,9 +610,9 @@ impl State {
     }
 
     /// Whether a program continues from this state as it does from `other`.
-    pub fn goes_on_like(&self, other: &Self) -> bool {
+    pub fn continues_like(&self, other: &Self) -> bool {
         let same = match (&self.compensating, &other.compensating) {
-            (Some(own), Some(others)) => own.goes_on_like(others),
+            (Some(own), Some(others)) => own.continues_like(others),
             (own, others) => own.is_none() && others.is_none(),
         };
         let rest = |state: &Self| Self { compensating: None, ..state.clone() };
@@ -626,8 +626,8 @@ impl State {
     }
 
     /// G50 X Z: adds `by` to the coordinates of the tip.
-    pub fn name_place(&mut self, by: Point) {
-        self.frames.rename(by);
+    pub fn shift_coordinates(&mut self, by: Point) {
+        self.frames.shift_coordinates(by);
         for place in std::iter::once(&mut self.position).chain(self.tip.as_mut()) {
             *place = place.moved(by);
         }
@@ -637,7 +637,7 @@ impl State {
     pub fn change_frame(&mut self, change: impl FnOnce(&mut Frames)) {
         let before = self.frames.offset();
         change(&mut self.frames);
-        self.frames.place_workpiece();
+        self.frames.update_workpiece_zero();
         let after = self.frames.offset();
         for place in std::iter::once(&mut self.position).chain(self.tip.as_mut()) {
             place.x += before.x - after.x;
@@ -672,7 +672,7 @@ impl State {
             quill: self.quill,
             uncertain: !self.doubts.is_empty() && self.is_path_doubtful(),
             incomplete: self.incomplete,
-            elsewhere: self.frames.is_elsewhere(),
+            elsewhere: self.frames.has_unknown_workpiece_position(),
             still: spindle.is_still() && !self.c_axis && self.virtual_plane.is_none(),
             frame: self.frames.active,
             zero: self.frames.on_workpiece(),

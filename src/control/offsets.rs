@@ -106,17 +106,17 @@ impl Frames {
     /// Records a comment that says that the part is turned round. Returns true if the program has already
     /// stopped for it: from here on the other end is machined.
     pub fn announce_other_end(&mut self) -> bool {
-        self.turn_after(Side::Stopped, Side::Announced)
+        self.record_turn_sign(Side::Stopped, Side::Announced)
     }
 
     /// Records a stop (M00, M01). Returns true if the other end is machined from here on.
     pub fn stop(&mut self) -> bool {
-        self.turn_after(Side::Announced, Side::Stopped)
+        self.record_turn_sign(Side::Announced, Side::Stopped)
     }
 
     /// Records one of the two signs that the part is turned round, in either order. `own` is the state after
     /// this sign, `other` the state after the other sign. Returns true if this is the second sign.
-    fn turn_after(&mut self, other: Side, own: Side) -> bool {
+    fn record_turn_sign(&mut self, other: Side, own: Side) -> bool {
         let turns = self.side == other;
         self.side = if turns || self.side == Side::Other { Side::Other } else { own };
         turns
@@ -130,7 +130,7 @@ impl Frames {
     /// Whether the position on the workpiece is unknown: the other end is machined, or the first cut was made
     /// in another frame and the program does not give the zeros of both frames.
     #[inline]
-    pub fn is_elsewhere(&self) -> bool {
+    pub fn has_unknown_workpiece_position(&self) -> bool {
         self.side == Side::Other
             || self.workpiece.is_some_and(|workpiece| !self.is_known(self.active, workpiece))
     }
@@ -160,14 +160,14 @@ impl Frames {
     }
 
     /// Updates [`Frames::on_workpiece`] after a change.
-    pub fn place_workpiece(&mut self) {
-        let known = self.workpiece.filter(|_| !self.is_elsewhere());
+    pub fn update_workpiece_zero(&mut self) {
+        let known = self.workpiece.filter(|_| !self.has_unknown_workpiece_position());
         self.on_workpiece =
             known.map_or(Point::default(), |workpiece| distance(workpiece.zero, self.offset()));
     }
 
     /// G50 X Z: adds `by` to the coordinates of the tip. Neither the tip nor the workpiece moves.
-    pub fn rename(&mut self, by: Point) {
+    pub fn shift_coordinates(&mut self, by: Point) {
         self.shift = Point::new(self.shift.x - by.x, self.shift.z - by.z);
         if let Some(Workpiece { zero, .. }) = &mut self.workpiece {
             *zero = Point::new(zero.x - by.x, zero.z - by.z);

@@ -2,7 +2,7 @@
 //!
 //! In: the state after each block, with the position of the block. Out: for each [`Modal`] and each macro
 //! variable, the block that gave it its present value; and how a cycle read a block of its contour. A run
-//! does not depend on it. The control knows only the trait [`Chronicler`], whose code is loaded after the
+//! does not depend on it. The control knows only the trait [`OriginRecorder`], whose code is loaded after the
 //! first picture; no query comes before that.
 
 use std::collections::BTreeMap;
@@ -10,7 +10,7 @@ use std::fmt;
 use std::sync::Arc;
 
 use super::codes::{Compensation, MotionMode, Plane};
-use super::contour::Purpose;
+use super::contour::ContourUse;
 use super::modal::{State, Target};
 use crate::geometry::Point;
 use crate::motion::SpindleTurn;
@@ -23,7 +23,7 @@ use crate::units::Unit;
 
 /// Records which blocks set the state, as the control carries them out. Blocks are identified by their first
 /// byte.
-pub trait Chronicler {
+pub trait OriginRecorder {
     /// A block was carried out.
     fn note(&mut self, state: &State, block: u32);
     /// A block has changed the code of group 01.
@@ -31,7 +31,7 @@ pub trait Chronicler {
     /// A block assigns a variable. `level`: depth of macro calls.
     fn assigned(&mut self, level: usize, variable: u32, block: u32);
     /// A macro returned, and its variables are gone. `level`: the level of the macro.
-    fn left(&mut self, level: usize);
+    fn macro_returned(&mut self, level: usize);
     /// The blocks of a contour are read next.
     fn contour_begins(&mut self);
     /// The contour has been read, and the control is as it was before.
@@ -39,33 +39,33 @@ pub trait Chronicler {
     /// The next block of the contour is about to be read.
     fn before_reading(&mut self, at: Resume, state: &State);
     /// The block was read.
-    fn after_reading(&mut self, block: &Block, state: &State, purpose: Purpose);
+    fn after_reading(&mut self, block: &Block, state: &State, purpose: ContourUse);
     /// A new recorder for a control at power-on, which watches the same block.
-    fn anew(&self, state: &State) -> Box<dyn Chronicler>;
+    fn restarted(&self, state: &State) -> Box<dyn OriginRecorder>;
     /// A copy.
-    fn boxed(&self) -> Box<dyn Chronicler>;
-    /// The recorded chronicle.
-    fn chronicle(&self) -> &Chronicle;
-    /// The recorded chronicle, mutable.
-    fn chronicle_mut(&mut self) -> &mut Chronicle;
+    fn clone_box(&self) -> Box<dyn OriginRecorder>;
+    /// The record.
+    fn record(&self) -> &OriginRecord;
+    /// The record, mutable.
+    fn record_mut(&mut self) -> &mut OriginRecord;
 }
 
 // Prints no content: that would pull in the code that prints a whole state.
-impl fmt::Debug for dyn Chronicler {
+impl fmt::Debug for dyn OriginRecorder {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str("Chronicler")
     }
 }
 
-impl Clone for Box<dyn Chronicler> {
+impl Clone for Box<dyn OriginRecorder> {
     fn clone(&self) -> Self {
-        self.boxed()
+        self.clone_box()
     }
 }
 
 /// The record of a run.
 #[derive(Clone, Debug)]
-pub struct Chronicle {
+pub struct OriginRecord {
     /// Which block set each part of the state.
     pub origins: Origins,
     /// First byte of the watched block, whose readings are kept.
@@ -75,21 +75,21 @@ pub struct Chronicle {
     /// The readings of the watched block.
     readings: Vec<Reading>,
     /// The origins before each of the contours being read.
-    set_aside: Vec<Origins>,
+    outer_contours: Vec<Origins>,
 }
 
 /// A reading of a block as a part of a contour.
 #[derive(Clone, Debug)]
 pub struct Reading {
     /// Why the contour is read.
-    pub purpose: Purpose,
+    pub purpose: ContourUse,
     /// State and origins before the block.
     pub before: (State, Origins),
     /// State and origins after the block.
     pub after: (State, Origins),
 }
 
-impl Chronicle {
+impl OriginRecord {
     /// An empty record for a control at power-on.
     pub fn new(state: &State) -> Self {
         Self {
@@ -97,7 +97,7 @@ impl Chronicle {
             watched: None,
             before: None,
             readings: Vec::new(),
-            set_aside: Vec::new(),
+            outer_contours: Vec::new(),
         }
     }
 
@@ -111,15 +111,15 @@ impl Chronicle {
         std::mem::take(&mut self.readings)
     }
 
-    /// The chronicle of a new run that met this old run at byte `met` of the old text and continues like it.
-    /// Blocks after `met` come from this chronicle, with shifted positions; earlier blocks come from
-    /// `meeting`, the chronicle of the new run at that point.
-    pub fn after_meeting(&self, met: u32, meeting: &Self, shift: &Shift) -> Self {
-        Self { origins: self.origins.after_meeting(met, &meeting.origins, shift), ..meeting.clone() }
+    /// The record of a new run that met this old run at byte `met` of the old text and continues like it.
+    /// Blocks after `met` come from this record, with shifted positions; earlier blocks come from
+    /// `meeting`, the record of the new run at that point.
+    pub fn merged_after(&self, met: u32, meeting: &Self, shift: &Shift) -> Self {
+        Self { origins: self.origins.merged_after(met, &meeting.origins, shift), ..meeting.clone() }
     }
 }
 
-impl Chronicler for Chronicle {
+impl OriginRecorder for OriginRecord {
     fn note(&mut self, state: &State, block: u32) {
         self.origins.note(state, block);
     }
@@ -132,18 +132,18 @@ impl Chronicler for Chronicle {
         self.origins.assigned(level, variable, block);
     }
 
-    fn left(&mut self, level: usize) {
-        self.origins.left(level);
+    fn macro_returned(&mut self, level: usize) {
+        self.origins.macro_returned(level);
     }
 
     fn contour_begins(&mut self) {
         if self.watched.is_some() {
-            self.set_aside.push(self.origins.clone());
+            self.outer_contours.push(self.origins.clone());
         }
     }
 
     fn contour_ends(&mut self) {
-        if let Some(before) = self.set_aside.pop() {
+        if let Some(before) = self.outer_contours.pop() {
             self.origins = before;
         }
     }
@@ -154,7 +154,7 @@ impl Chronicler for Chronicle {
         }
     }
 
-    fn after_reading(&mut self, block: &Block, state: &State, purpose: Purpose) {
+    fn after_reading(&mut self, block: &Block, state: &State, purpose: ContourUse) {
         if self.watched.is_none() {
             return;
         }
@@ -165,19 +165,19 @@ impl Chronicler for Chronicle {
         }
     }
 
-    fn anew(&self, state: &State) -> Box<dyn Chronicler> {
+    fn restarted(&self, state: &State) -> Box<dyn OriginRecorder> {
         Box::new(Self { watched: self.watched, ..Self::new(state) })
     }
 
-    fn boxed(&self) -> Box<dyn Chronicler> {
+    fn clone_box(&self) -> Box<dyn OriginRecorder> {
         Box::new(self.clone())
     }
 
-    fn chronicle(&self) -> &Chronicle {
+    fn record(&self) -> &OriginRecord {
         self
     }
 
-    fn chronicle_mut(&mut self) -> &mut Chronicle {
+    fn record_mut(&mut self) -> &mut OriginRecord {
         self
     }
 }
@@ -321,7 +321,7 @@ impl Origins {
     }
 
     /// A macro returned, and its variables are gone. `level`: the level of the macro.
-    fn left(&mut self, level: usize) {
+    fn macro_returned(&mut self, level: usize) {
         if !self.variables.is_empty() {
             Arc::make_mut(&mut self.variables).retain(|&(own, _), _| usize::from(own) < level);
         }
@@ -340,7 +340,7 @@ impl Origins {
     /// The origins of a new run that met this old run at byte `met` of the old text and continues like it.
     /// Blocks after `met` come from these origins, with shifted positions; earlier blocks come from
     /// `meeting`, the origins of the new run at that point.
-    fn after_meeting(&self, met: u32, meeting: &Self, shift: &Shift) -> Self {
+    fn merged_after(&self, met: u32, meeting: &Self, shift: &Shift) -> Self {
         let place = |old: u32, own: u32| if old != NEVER && old >= met { shift.byte(old) } else { own };
         let mut since = meeting.since;
         since.iter_mut().zip(&self.since).for_each(|(own, old)| *own = place(*old, *own));

@@ -93,7 +93,7 @@ impl Sink {
 
     /// Whether the current block is muted, or this diagnostic is a consequence of a syntax error in it: one
     /// error, one message.
-    pub fn is_silent_about(&self, diagnostic: &Diagnostic) -> bool {
+    pub fn suppresses(&self, diagnostic: &Diagnostic) -> bool {
         let about_all = |fault: Span| diagnostic.span.contains(fault) && diagnostic.span != fault;
         self.muted || self.fault.is_some_and(about_all)
     }
@@ -139,7 +139,7 @@ impl Sink {
     }
 
     /// The sink with only the first `chunks` and `diagnostics`, followed by a new chunk.
-    pub fn back_to(
+    pub fn truncate_to(
         &mut self,
         chunks: usize,
         diagnostics: usize,
@@ -204,11 +204,11 @@ mod tests {
     fn what_is_said_of_a_whole_block_follows_from_a_fault_within_it() {
         let mut sink = sink(10);
         sink.fault = Some(Span::new(4, 6));
-        assert!(sink.is_silent_about(&Diagnostic::new(said::ArcNowhere, Span::new(0, 10))));
-        assert!(!sink.is_silent_about(&Diagnostic::new(said::ArcNowhere, Span::new(4, 6))));
-        assert!(!sink.is_silent_about(&Diagnostic::new(said::ArcNowhere, Span::new(7, 9))));
+        assert!(sink.suppresses(&Diagnostic::new(said::ArcNowhere, Span::new(0, 10))));
+        assert!(!sink.suppresses(&Diagnostic::new(said::ArcNowhere, Span::new(4, 6))));
+        assert!(!sink.suppresses(&Diagnostic::new(said::ArcNowhere, Span::new(7, 9))));
         sink.muted = true;
-        assert!(sink.is_silent_about(&diagnostic(7)));
+        assert!(sink.suppresses(&diagnostic(7)));
     }
 
     #[test]
@@ -219,7 +219,7 @@ mod tests {
         let chunks = sink.motions.chunks().len();
         sink.report(diagnostic(8), false);
         sink.end(said::TooManyRounds { most: 3 }.into(), Span::new(9, 10));
-        sink.back_to(chunks, 1, 0, false, Chunk::new(5, 1, Point::new(0.0, 0.0)));
+        sink.truncate_to(chunks, 1, 0, false, Chunk::new(5, 1, Point::new(0.0, 0.0)));
         assert!(sink.diagnostics.len() == 1 && !sink.is_full());
         assert!(sink.has_room_for(&diagnostic(8)) && !sink.has_room_for(&diagnostic(0)));
     }

@@ -14,7 +14,7 @@ use crate::text::misread;
 use crate::units::{Diameter, Unit};
 
 /// The text of a word after its letter.
-pub fn behind_letter(word: &str) -> &str {
+pub fn after_letter(word: &str) -> &str {
     let mut characters = word.chars();
     characters.next();
     characters.as_str()
@@ -22,7 +22,7 @@ pub fn behind_letter(word: &str) -> &str {
 
 /// The text of a word with the opposite sign.
 pub fn with_other_sign(word: &str) -> String {
-    let number = behind_letter(word);
+    let number = after_letter(word);
     let letter = word.strip_suffix(number).unwrap_or_default();
     let number = number.trim_start();
     match number.strip_prefix('-') {

@@ -239,8 +239,8 @@ fn bottom(contour: &Contour, frame: &Frame, how: &Roughing) -> Result<Vec<Piece>
     let finished = Frame { origin: contour.start, ..*frame };
     let first = finished.enter(contour.first);
     let shape = how.shape;
-    let forgiving = how.checks == Checks::Forgiving;
-    let beyond = if forgiving { how.depth } else { DRAWN };
+    let rough_leniently = how.checks == Checks::Forgiving;
+    let beyond = if rough_leniently { how.depth } else { DRAWN };
     if first.x < -DRAWN || first.z < -DRAWN {
         return Err(RoughingError::BeyondStart { piece: None, along: first.x >= -DRAWN });
     }
@@ -257,7 +257,7 @@ fn bottom(contour: &Contour, frame: &Frame, how: &Roughing) -> Result<Vec<Piece>
         };
         let known = bottom.len();
         split(&seen, &mut bottom);
-        let bulges = forgiving && seen.arc.is_some();
+        let bulges = rough_leniently && seen.arc.is_some();
         if bulges {
             // An arc of slightly more than a quarter: the passes ignore how far it goes back beyond its
             // start.
@@ -275,7 +275,7 @@ fn bottom(contour: &Contour, frame: &Frame, how: &Roughing) -> Result<Vec<Piece>
             if end.z < farthest - rounding {
                 return Err(RoughingError::NotMonotoneAlong { piece: index });
             }
-            if shape == Shape::Monotone && end.x > highest + rounding && !forgiving {
+            if shape == Shape::Monotone && end.x > highest + rounding && !rough_leniently {
                 return Err(RoughingError::NotMonotoneAcross { piece: index });
             }
             if end.x < -beyond {

@@ -2,7 +2,7 @@
 
 use super::once::Once;
 use crate::control::codes::{Compensation, MotionMode, Multiple};
-use crate::control::events::{CompensatedMove, Moment, SinglePass};
+use crate::control::events::{CompensatedMove, EventContext, SinglePass};
 use crate::control::tool_offset;
 use crate::control::words::{plain, quote};
 use crate::geometry::Point;
@@ -46,14 +46,14 @@ impl Compensations {
     /// Handles G40, G41 or G42.
     pub fn switched(&mut self) {
         self.is_idle = true;
-        self.reported.no_effect.forget();
-        self.reported.left_on.forget();
-        self.reported.side.forget();
-        self.reported.turns_back.forget();
+        self.reported.no_effect.reset();
+        self.reported.left_on.reset();
+        self.reported.side.reset();
+        self.reported.turns_back.reset();
     }
 
     /// Reports compensation that is still on when the tool leaves the workpiece at `span`.
-    pub fn left_on(&mut self, span: Span, at: &Moment, reports: &mut Vec<Diagnostic>) {
+    pub fn left_on(&mut self, span: Span, at: &EventContext, reports: &mut Vec<Diagnostic>) {
         let code = match at.state.compensation {
             Compensation::Off => return,
             Compensation::Left => "G41",
@@ -63,7 +63,7 @@ impl Compensations {
         if at.contour.is_none()
             && !self.is_idle
             && at.state.virtual_plane.is_none()
-            && self.reported.left_on.first()
+            && self.reported.left_on.mark_reported()
         {
             let message = said::CompensationLeftOn { code, word: quote(at.text, span) };
             reports.push(Diagnostic::new(message, span));
@@ -71,7 +71,7 @@ impl Compensations {
     }
 
     /// Checks moves to machine positions (G27, G28, G30, G53).
-    pub fn machine_place(&mut self, block: &Block, at: &Moment, reports: &mut Vec<Diagnostic>) {
+    pub fn machine_place(&mut self, block: &Block, at: &EventContext, reports: &mut Vec<Diagnostic>) {
         let goes = |word: &&Word| {
             word.address == b'G'
                 && matches!(plain(word), Some(code) if [27.0, 28.0, 30.0, 53.0].contains(&code))
@@ -82,21 +82,27 @@ impl Compensations {
     }
 
     /// Handles the end of a block. Reports two blocks without a move while compensation is on.
-    pub fn block_ends(&mut self, block: &Block, moved: bool, at: &Moment, reports: &mut Vec<Diagnostic>) {
+    pub fn block_ends(
+        &mut self,
+        block: &Block,
+        moved: bool,
+        at: &EventContext,
+        reports: &mut Vec<Diagnostic>,
+    ) {
         self.is_idle &= !moved;
         if moved {
             self.radius_unknown(block, at, reports);
         }
         let compensating = at.state.compensating.as_ref().filter(|_| !moved);
         if compensating.is_some_and(|own| own.idle_blocks == 2 && !own.waiting.is_empty())
-            && self.reported.idle_blocks.first()
+            && self.reported.idle_blocks.mark_reported()
         {
             reports.push(Diagnostic::new(said::CompensationIdleBlocks, block.words_span()));
         }
     }
 
     /// Reports a cut under compensation with an unknown nose radius, once for each offset.
-    fn radius_unknown(&mut self, block: &Block, at: &Moment, reports: &mut Vec<Diagnostic>) {
+    fn radius_unknown(&mut self, block: &Block, at: &EventContext, reports: &mut Vec<Diagnostic>) {
         let cuts = matches!(at.state.motion, MotionMode::Line | MotionMode::Arc(_));
         if at.state.compensation == Compensation::Off
             || !cuts
@@ -116,7 +122,7 @@ impl Compensations {
 
     /// Compares the side of compensation with the side of the workpiece in a straight cut (outside towards
     /// the chuck G42, in a bore G41).
-    pub fn line(&mut self, block: &Block, to: Point, at: &Moment, reports: &mut Vec<Diagnostic>) {
+    pub fn line(&mut self, block: &Block, to: Point, at: &EventContext, reports: &mut Vec<Diagnostic>) {
         if at.state.virtual_plane.is_some() {
             return;
         }
@@ -124,22 +130,22 @@ impl Compensations {
         let (station, offset) = at.state.tool;
         let kind = at.setup.tools.get(&format!("T{station:02}{offset:02}")).and_then(|tool| tool.kind);
         let turns = !matches!(kind, Some(ToolKind::Endmill | ToolKind::Drill));
-        if turns && matches!(tip, 0 | 9) && radius > 0.0 && self.reported.tip.first() {
+        if turns && matches!(tip, 0 | 9) && radius > 0.0 && self.reported.tip.mark_reported() {
             let message = said::CompensationTip { tip: f64::from(tip) };
             reports.push(Diagnostic::new(message, block.words_span()));
         }
         let wrong = wrong_side(at.state.compensation, tip, at.state.position, to);
         if let Some((code, right)) = wrong
-            && self.reported.side.first()
+            && self.reported.side.mark_reported()
         {
             reports.push(Diagnostic::new(said::CompensationSide { code, right }, block.words_span()));
         }
     }
 
     /// Checks a compensated move: it may reverse, or be too short to begin or end compensation.
-    pub fn compensated(&mut self, own: &CompensatedMove, at: &Moment, reports: &mut Vec<Diagnostic>) {
+    pub fn compensated(&mut self, own: &CompensatedMove, at: &EventContext, reports: &mut Vec<Diagnostic>) {
         if own.before.is_some_and(|before| turns_straight_back(before, own.motion))
-            && self.reported.turns_back.first()
+            && self.reported.turns_back.mark_reported()
         {
             let code = if at.state.compensation == Compensation::Left { "G41" } else { "G42" };
             reports.push(Diagnostic::new(said::CompensationTurnsBack { code }, own.words));
@@ -152,8 +158,14 @@ impl Compensations {
     }
 
     /// Reports a thread under compensation, which has no effect on it.
-    pub fn thread(&mut self, block: &Block, code: &'static str, at: &Moment, reports: &mut Vec<Diagnostic>) {
-        if at.state.compensation != Compensation::Off && self.reported.no_effect.first() {
+    pub fn thread(
+        &mut self,
+        block: &Block,
+        code: &'static str,
+        at: &EventContext,
+        reports: &mut Vec<Diagnostic>,
+    ) {
+        if at.state.compensation != Compensation::Off && self.reported.no_effect.mark_reported() {
             reports.push(Diagnostic::new(said::CompensationIdle { code }, block.words_span()));
         }
     }
@@ -163,11 +175,11 @@ impl Compensations {
         &mut self,
         block: &Block,
         cycle: Multiple,
-        at: &Moment,
+        at: &EventContext,
         reports: &mut Vec<Diagnostic>,
     ) {
         let is_on = cycle != Multiple::Finishing && at.state.compensation != Compensation::Off;
-        if at.contour.is_none() && is_on && self.reported.no_effect.first() {
+        if at.contour.is_none() && is_on && self.reported.no_effect.mark_reported() {
             let code = cycle.cycle().code();
             let diagnostic = Diagnostic::new(said::CompensationIdle { code }, block.words_span());
             // Newer controls rough with compensation that was on before (alarm PS0328).
@@ -178,12 +190,12 @@ impl Compensations {
 
     /// Checks G90 and G94. They are compensated, but need a nose radius, and their block must not contain a
     /// code of compensation.
-    pub fn single_cycle(&mut self, pass: &SinglePass, at: &Moment, reports: &mut Vec<Diagnostic>) {
+    pub fn single_cycle(&mut self, pass: &SinglePass, at: &EventContext, reports: &mut Vec<Diagnostic>) {
         let code = pass.cycle.cycle().code();
         if pass.lead.is_none()
             && at.state.compensation != Compensation::Off
             && at.nose_radius() == 0.0
-            && self.reported.no_effect.first()
+            && self.reported.no_effect.mark_reported()
         {
             let diagnostic = Diagnostic::new(said::CompensationIdle { code }, pass.block.words_span());
             // The radius may be in the offset table of the control.
@@ -192,14 +204,14 @@ impl Compensations {
     }
 
     /// Takes over the remarks that `other` has made.
-    pub fn has_heard_of(&mut self, other: &Self) {
+    pub fn inherit_reported(&mut self, other: &Self) {
         self.reported = other.reported;
         self.unknown = other.unknown;
     }
 }
 
 /// A code of compensation in the block of a single cycle.
-pub fn switched_in_cycle(pass: &SinglePass, at: &Moment) -> Option<Diagnostic> {
+pub fn switched_in_cycle(pass: &SinglePass, at: &EventContext) -> Option<Diagnostic> {
     let switches = |word: &&Word| {
         let code = if word.address == b'G' { plain(word) } else { None };
         code.is_some_and(|code| {

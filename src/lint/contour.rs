@@ -2,8 +2,8 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use crate::control::contour::{Landmarks, Purpose};
-use crate::control::events::{ContourCall, FinishingCall, Moment};
+use crate::control::contour::{ContourUse, Landmarks};
+use crate::control::events::{ContourCall, EventContext, FinishingCall};
 use crate::control::words::{Words, with_other_sign};
 use crate::cycles::Contour;
 use crate::cycles::pattern::Pattern;
@@ -17,11 +17,11 @@ use crate::source::shift::Shift;
 use crate::units::Diameter;
 
 /// Lengths that differ by at most this are equal, mm.
-const NEAR: f64 = 0.001;
+const LENGTH_TOLERANCE: f64 = 0.001;
 /// Greatest depth of a pass of G73, mm: twice the usual 3 mm of roughing.
-const DEEP: f64 = 6.0;
+const MAX_PATTERN_DEPTH: f64 = 6.0;
 /// No insert cuts deeper than this, mm (radius): the infeed of G71 or G72 lacks its decimal point.
-const DEEPEST: f64 = 15.0;
+const MAX_INFEED: f64 = 15.0;
 
 /// M codes at which another part may be clamped, or this part turned around: stops, program ends, chuck.
 const PART_CHANGES: [u64; 8] = [0, 1, 2, 10, 11, 30, 68, 69];
@@ -56,13 +56,13 @@ struct Roughed {
 
 impl Contours {
     /// Handles P and Q of a cycle.
-    pub fn named(&mut self, purpose: Purpose, named: (u32, u32)) {
+    pub fn named(&mut self, purpose: ContourUse, named: (u32, u32)) {
         self.named = named;
         match purpose {
-            Purpose::Roughing => {
+            ContourUse::Roughing => {
                 self.asked_to_rough.insert(named);
             }
-            Purpose::Finishing => {
+            ContourUse::Finishing => {
                 self.for_finishing.retain(|other| other.0 != named);
                 self.roughed.remove(&named);
             }
@@ -75,7 +75,7 @@ impl Contours {
         code: &'static str,
         allowance: Point,
         call: &ContourCall<How>,
-        at: &Moment,
+        at: &EventContext,
         reports: &mut Vec<Diagnostic>,
     ) {
         let frames = &at.state.frames;
@@ -113,7 +113,7 @@ impl Contours {
     }
 
     /// Handles F, S or T in a contour that is roughed.
-    pub fn ignored(&mut self, address: u8, words: &Words, at: &Moment) {
+    pub fn ignored(&mut self, address: u8, words: &Words, at: &EventContext) {
         if self.for_finishing.len() < at.setup.limits.messages {
             let word = words.quote(at.text, address);
             let diagnostic = Diagnostic::new(said::FeedOnlyForFinishing { word }, words.span(address));
@@ -138,7 +138,9 @@ impl Contours {
             // A cycle that could not run was reported already.
             None if self.asked_to_rough.contains(&own.named) => return,
             None => said::FinishWithoutRoughing { first: own.named.0, last: own.named.1 }.into(),
-            Some(other) if other.start.distance(own.start) > NEAR && !clears(own.start, other, call) => {
+            Some(other)
+                if other.start.distance(own.start) > LENGTH_TOLERANCE && !clears(own.start, other, call) =>
+            {
                 said::FinishStart {
                     roughed_x: Diameter::from_radius(other.start.x).mm(),
                     roughed_z: other.start.z,
@@ -160,19 +162,19 @@ fn clears(start: Point, roughed: &Landmarks, call: &FinishingCall) -> bool {
     let Some(last) = ends().next_back() else { return true };
     // The face is at Z0 if the roughing cycle began in front of it.
     let face = if front * roughed.start.z >= 0.0 { 0.0 } else { roughed.start.z };
-    if front * (start.z - face) < -NEAR {
+    if front * (start.z - face) < -LENGTH_TOLERANCE {
         return false;
     }
     // Above all cuts of the contour the way back is free, even if a rapid at the end of the contour went
     // farther out.
-    let above = |x: f64| ends().rev().skip(1).all(|end| outside * (x - end.x) > NEAR);
-    let way_back =
-        outside * (start.x - last.x) >= -NEAR || call.leaves_at_rapid && above(start.x) && above(last.x);
-    ends().all(|end| front * (start.z - end.z) >= -NEAR) && way_back
+    let above = |x: f64| ends().rev().skip(1).all(|end| outside * (x - end.x) > LENGTH_TOLERANCE);
+    let way_back = outside * (start.x - last.x) >= -LENGTH_TOLERANCE
+        || call.leaves_at_rapid && above(start.x) && above(last.x);
+    ends().all(|end| front * (start.z - end.z) >= -LENGTH_TOLERANCE) && way_back
 }
 
 /// Checks G71 or G72 before its passes are made: allowances that point into the part.
-pub fn roughing_called(call: &ContourCall<Roughing>, at: &Moment, reports: &mut Vec<Diagnostic>) {
+pub fn roughing_called(call: &ContourCall<Roughing>, at: &EventContext, reports: &mut Vec<Diagnostic>) {
     for axis in roughing::allowance_into_material(call.contour, call.how) {
         let address = match axis {
             roughing::Axis::X => b'U',
@@ -186,8 +188,8 @@ pub fn roughing_called(call: &ContourCall<Roughing>, at: &Moment, reports: &mut 
         reports.push(diagnostic);
     }
     let depth = call.how.depth;
-    if depth >= DEEPEST - SAME {
-        let message = said::InfeedTooDeep { depth, most: DEEPEST };
+    if depth >= MAX_INFEED - SAME {
+        let message = said::InfeedTooDeep { depth, most: MAX_INFEED };
         reports.push(Diagnostic::new(message, call.block.words_span()));
     }
 }
@@ -205,7 +207,7 @@ fn starts_on_wrong_side(call: &ContourCall<Roughing>) -> bool {
 }
 
 /// Checks G71 or G72 after its passes were made: the first block of the contour, its start and its end.
-pub fn roughing(call: &ContourCall<Roughing>, at: &Moment, reports: &mut Vec<Diagnostic>) {
+pub fn roughing(call: &ContourCall<Roughing>, at: &EventContext, reports: &mut Vec<Diagnostic>) {
     // A contour with a pocket needs the word.
     if call.how.shape == roughing::Shape::Monotone {
         reports.extend(needless_axis(call, at));
@@ -221,7 +223,7 @@ pub fn roughing(call: &ContourCall<Roughing>, at: &Moment, reports: &mut Vec<Dia
 }
 
 /// A word in the first block of the contour whose axis does not move.
-fn needless_axis(call: &ContourCall<Roughing>, at: &Moment) -> Option<Diagnostic> {
+fn needless_axis(call: &ContourCall<Roughing>, at: &EventContext) -> Option<Diagnostic> {
     let (start, first) = (call.contour.start, call.contour.first);
     let (second_named, idiom, moves, other, word) = match call.how.direction {
         Direction::Turning => {
@@ -237,7 +239,7 @@ fn needless_axis(call: &ContourCall<Roughing>, at: &Moment) -> Option<Diagnostic
 }
 
 /// Checks G73.
-pub fn pattern(call: &ContourCall<Pattern>, at: &Moment, reports: &mut Vec<Diagnostic>) {
+pub fn pattern(call: &ContourCall<Pattern>, at: &EventContext, reports: &mut Vec<Diagnostic>) {
     for address in allowance_into_part(call.contour, call.how.allowance) {
         reports.push(allowance_sign(call.words, address, at));
     }
@@ -247,7 +249,7 @@ pub fn pattern(call: &ContourCall<Pattern>, at: &Moment, reports: &mut Vec<Diagn
 }
 
 /// Reports an allowance that points into the part.
-fn allowance_sign(words: &Words, address: u8, at: &Moment) -> Diagnostic {
+fn allowance_sign(words: &Words, address: u8, at: &EventContext) -> Diagnostic {
     let word = words.quote(at.text, address);
     let fix = Fix::write(words.span(address), with_other_sign(&word));
     Diagnostic::new(said::AllowanceSign { word }, words.span(address)).with(fix)
@@ -268,13 +270,16 @@ fn remarks(
     } else {
         ('X', Diameter::from_radius(start.x).mm(), Diameter::from_radius(first.x).mm())
     };
-    if both && (own - other).abs() > NEAR {
+    if both && (own - other).abs() > LENGTH_TOLERANCE {
         found.push(said::ContourStartMoved { code, axis, start: own, first: other }.into());
     }
     if let Some(stock) = stock.filter(|_| turning) {
         let outside = first.x < start.x;
         let end = Diameter::from_radius(last.x).mm();
-        if outside && start.x >= stock.diameter.radius() - NEAR && last.x < stock.diameter.radius() - NEAR {
+        if outside
+            && start.x >= stock.diameter.radius() - LENGTH_TOLERANCE
+            && last.x < stock.diameter.radius() - LENGTH_TOLERANCE
+        {
             found.push(said::ContourNotClosed { x: end, diameter: stock.diameter.mm() }.into());
         }
     }
@@ -283,14 +288,15 @@ fn remarks(
 
 /// Addresses of the allowances of G73 (radius and length, mm) that point into the part.
 fn allowance_into_part(contour: &Contour, allowance: Point) -> Vec<u8> {
-    let way = |from: f64, to: f64| if (to - from).abs() <= NEAR { 0.0 } else { (to - from).signum() };
+    let way =
+        |from: f64, to: f64| if (to - from).abs() <= LENGTH_TOLERANCE { 0.0 } else { (to - from).signum() };
     // Direction from the start point into the part: across to the start of the contour, along to its end.
     let inward = Point::new(way(contour.start.x, contour.first.x), way(contour.start.z, contour.last().z));
     let mut found = Vec::new();
-    if allowance.x * inward.x > NEAR {
+    if allowance.x * inward.x > LENGTH_TOLERANCE {
         found.push(b'U');
     }
-    if allowance.z * inward.z > NEAR {
+    if allowance.z * inward.z > LENGTH_TOLERANCE {
         found.push(b'W');
     }
     found
@@ -298,13 +304,14 @@ fn allowance_into_part(contour: &Contour, allowance: Point) -> Vec<u8> {
 
 /// The radius of the bar all along a contour after previous cuts, mm; `None` without such cuts.
 fn turned_before(contour: &Contour, stock: Stock, cuts: impl Iterator<Item = Motion>) -> Option<f64> {
-    let along = |motion: &Motion| motion.kind.cuts() && (motion.to.x - motion.from.x).abs() <= NEAR;
+    let along =
+        |motion: &Motion| motion.kind.cuts() && (motion.to.x - motion.from.x).abs() <= LENGTH_TOLERANCE;
     let places = || contour.pieces.iter().flat_map(|piece| [piece.from.z, piece.to.z]);
     let front = places().fold(contour.first.z, f64::max).min(stock.face);
     let back = places().fold(contour.first.z, f64::min);
     let covers = |motion: &Motion| {
         let (one, other) = (motion.from.z, motion.to.z);
-        one.max(other) >= front - NEAR && one.min(other) <= back + NEAR
+        one.max(other) >= front - LENGTH_TOLERANCE && one.min(other) <= back + LENGTH_TOLERANCE
     };
     // Boring does not change the outside.
     let start = contour.start.x.min(stock.diameter.radius());
@@ -327,10 +334,10 @@ fn pattern_remarks(
     }
     let low = contour.pieces.iter().map(|piece| piece.to.x).fold(contour.first.x, f64::min);
     let mut depth = radius - (low + relief);
-    if depth > DEEP {
+    if depth > MAX_PATTERN_DEPTH {
         depth = turned(stock).map_or(radius, |turned| turned.min(radius)) - (low + relief);
     }
-    if depth > DEEP {
+    if depth > MAX_PATTERN_DEPTH {
         return Some(said::PatternShallow { depth, relief }.into());
     }
     let cutting = contour.pieces.iter().filter(|piece| piece.from.z < stock.face || piece.to.z < stock.face);
@@ -344,5 +351,6 @@ fn pattern_remarks(
     let share = (100.0 * air / whole).round();
     // A relief no larger than the material to remove is intended.
     let needed = radius - low;
-    (whole > 0.0 && share > 50.0 && relief > needed + NEAR).then_some(said::PatternAir { share }.into())
+    (whole > 0.0 && share > 50.0 && relief > needed + LENGTH_TOLERANCE)
+        .then_some(said::PatternAir { share }.into())
 }

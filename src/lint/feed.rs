@@ -4,7 +4,7 @@ use super::once::Once;
 use super::single_cycle;
 use crate::control::codes::{self, G};
 use crate::control::compensation::Axis;
-use crate::control::events::Moment;
+use crate::control::events::EventContext;
 use crate::control::modal::Target;
 use crate::control::words::{Words, letters, quote};
 use crate::cycles::single::Single;
@@ -29,7 +29,7 @@ enum Use {
 
 /// A block of a single cycle with a new F and without an axis.
 #[derive(Clone, Copy, Debug, PartialEq)]
-struct Alone {
+struct LoneFeed {
     /// The word F.
     span: Span,
     /// The active cycle.
@@ -40,18 +40,18 @@ struct Alone {
 
 /// F under G99 from which it may be a fast approach in the air, mm/rev. A smaller feed per revolution that
 /// follows shows that the unit is intended.
-const DOUBTFUL: f64 = 5.0;
+const MIN_DOUBTFUL: f64 = 5.0;
 
 /// Usual feed per revolution of a tool, mm/rev.
 const USUAL: f64 = 1.0;
 
 /// A code in the notation of the active G-code system.
-pub fn code_of(code: G, at: &Moment) -> String {
+pub fn code_of(code: G, at: &EventContext) -> String {
     codes::written(code, at.dialect.code_list()).unwrap_or_default()
 }
 
 /// The codes of feed per revolution and feed per minute.
-pub fn feed_codes(at: &Moment) -> (String, String) {
+pub fn feed_codes(at: &EventContext) -> (String, String) {
     (code_of(G::Feed(FeedMode::PerTurn), at), code_of(G::Feed(FeedMode::PerMinute), at))
 }
 
@@ -65,29 +65,29 @@ pub struct Feed {
     /// Whether a code of the feed mode appeared in the program.
     pub mode_named: bool,
     /// F in a block of a single cycle without an axis; `used_for` says whether a cut has used it.
-    alone: Option<Alone>,
+    lone_feed: Option<LoneFeed>,
     /// Remark: the number does not fit the unit of F.
     unit: Once,
-    /// F under G99 from [`DOUBTFUL`] on, and its value, mm/rev.
+    /// F under G99 from [`MIN_DOUBTFUL`] on, and its value, mm/rev.
     doubtful: Option<(Span, f64)>,
 }
 
 impl Feed {
     /// Handles a code of the feed mode.
-    pub fn mode(&mut self, mode: FeedMode, at: &Moment) {
+    pub fn mode(&mut self, mode: FeedMode, at: &EventContext) {
         self.is_old |= mode != at.state.feed_mode && at.state.feed.is_some();
         self.mode_named = true;
-        self.unit.forget();
+        self.unit.reset();
     }
 
     /// Suppresses the remark about the unit of F: a lone G94 in code system B has chosen it.
     pub fn unit_is_chosen(&mut self) {
-        self.unit.leave_out();
+        self.unit.suppress();
     }
 
     /// Handles an F word.
-    pub fn given(&mut self, at: &Moment, reports: &mut Vec<Diagnostic>) {
-        self.look_at_lone_word(at, reports);
+    pub fn given(&mut self, at: &EventContext, reports: &mut Vec<Diagnostic>) {
+        self.report_lone_feed(at, reports);
         self.is_old = false;
         self.used_for = Use::Open;
     }
@@ -98,7 +98,7 @@ impl Feed {
         block: &Block,
         words: &Words,
         feed: f64,
-        at: &Moment,
+        at: &EventContext,
         reports: &mut Vec<Diagnostic>,
     ) {
         if words.has_any(letters(b"F")) {
@@ -125,9 +125,9 @@ impl Feed {
     }
 
     #[inline(never)]
-    fn fits_unit(&mut self, words: &Words, feed: f64, at: &Moment, reports: &mut Vec<Diagnostic>) {
+    fn fits_unit(&mut self, words: &Words, feed: f64, at: &EventContext, reports: &mut Vec<Diagnostic>) {
         let per_turn = at.state.feed_mode == FeedMode::PerTurn;
-        let mixed_up = if per_turn { feed >= DOUBTFUL } else { feed < 2.0 };
+        let mixed_up = if per_turn { feed >= MIN_DOUBTFUL } else { feed < 2.0 };
         if per_turn && feed <= USUAL {
             self.doubtful = None;
         }
@@ -145,7 +145,7 @@ impl Feed {
             if feed >= motion::Feed::OF_OTHER_UNIT {
                 self.report_doubtful(at, reports);
             }
-        } else if self.unit.first() {
+        } else if self.unit.mark_reported() {
             let word = words.quote(at.text, b'F');
             let (per_turn, per_minute) = feed_codes(at);
             let message = said::FeedPerMinuteTooSmall { word, feed, per_turn, per_minute };
@@ -154,9 +154,9 @@ impl Feed {
     }
 
     /// Reports a doubtful F if no smaller feed per revolution has followed, or the program ends.
-    pub fn report_doubtful(&mut self, at: &Moment, reports: &mut Vec<Diagnostic>) {
+    pub fn report_doubtful(&mut self, at: &EventContext, reports: &mut Vec<Diagnostic>) {
         if let Some((span, feed)) = self.doubtful.take()
-            && self.unit.first()
+            && self.unit.mark_reported()
         {
             let (per_turn, per_minute) = feed_codes(at);
             let word = quote(at.text, span);
@@ -171,7 +171,13 @@ impl Feed {
     }
 
     /// Checks an F that is used as a lead, mm.
-    pub fn as_lead(&mut self, block: &Block, code: &'static str, feed: f64, reports: &mut Vec<Diagnostic>) {
+    pub fn check_lead(
+        &mut self,
+        block: &Block,
+        code: &'static str,
+        feed: f64,
+        reports: &mut Vec<Diagnostic>,
+    ) {
         if self.used_for == Use::Cut {
             reports.push(Diagnostic::new(said::LeadOfFeed { code, feed }, block.words_span()));
         }
@@ -179,19 +185,19 @@ impl Feed {
     }
 
     /// Handles F in a block of a single cycle without an axis: it may be intended for a later cut.
-    pub fn stands_alone(&mut self, word: &Word, cycle: Single, end: (Axis, Target)) {
-        self.alone = Some(Alone { span: word.span, cycle, end });
+    pub fn note_lone_feed(&mut self, word: &Word, cycle: Single, end: (Axis, Target)) {
+        self.lone_feed = Some(LoneFeed { span: word.span, cycle, end });
     }
 
     /// Handles a multiple cycle, which uses its own F.
     pub fn multiple_cycle(&mut self) {
-        self.alone = None;
+        self.lone_feed = None;
     }
 
     /// Reports a cycle block with F and without an axis if no cut has used its F. Called when F changes or
     /// the program ends.
-    pub fn look_at_lone_word(&mut self, at: &Moment, reports: &mut Vec<Diagnostic>) {
-        if let Some(Alone { span, cycle, end }) = self.alone.take()
+    pub fn report_lone_feed(&mut self, at: &EventContext, reports: &mut Vec<Diagnostic>) {
+        if let Some(LoneFeed { span, cycle, end }) = self.lone_feed.take()
             && self.used_for == Use::Open
         {
             reports.extend(single_cycle::axis_missing(at, span, cycle, end));
@@ -199,18 +205,18 @@ impl Feed {
     }
 
     /// Takes over the remarks that `other` has made.
-    pub fn has_heard_of(&mut self, other: &Self) {
+    pub fn inherit_reported(&mut self, other: &Self) {
         self.unit = other.unit;
     }
 
     /// First bytes of the words that may be reported later.
     pub fn waiting(&self) -> [Option<u32>; 2] {
-        [self.alone.map(|alone| alone.span.start), self.doubtful.map(|(span, _)| span.start)]
+        [self.lone_feed.map(|alone| alone.span.start), self.doubtful.map(|(span, _)| span.start)]
     }
 
     /// Shifts the stored spans after an edit.
     pub fn shift(&mut self, shift: &Shift) {
-        self.alone = self.alone.map(|alone| Alone { span: shift.span(alone.span), ..alone });
+        self.lone_feed = self.lone_feed.map(|alone| LoneFeed { span: shift.span(alone.span), ..alone });
         self.doubtful = self.doubtful.map(|(span, feed)| (shift.span(span), feed));
     }
 }

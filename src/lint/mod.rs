@@ -24,7 +24,7 @@ use std::any::Any;
 use std::ops::Range;
 
 use crate::control::codes::MotionMode;
-use crate::control::events::{Event, Moment, Observer};
+use crate::control::events::{Event, EventContext, Observer};
 use crate::cycles::single::Single;
 use crate::message::Diagnostic;
 use crate::source::shift::Shift;
@@ -46,7 +46,7 @@ pub struct Lints {
 }
 
 impl Observer for Lints {
-    fn hear(&mut self, event: &Event<'_>, at: &Moment<'_>, reports: &mut Vec<Diagnostic>) {
+    fn on_event(&mut self, event: &Event<'_>, at: &EventContext<'_>, reports: &mut Vec<Diagnostic>) {
         match *event {
             Event::Cut { block, words, feed } => {
                 self.feed.cut(block, words, feed, at, reports);
@@ -55,16 +55,16 @@ impl Observer for Lints {
                 }
             }
             Event::CutWithoutFeed { block } => self.spindle.cut(block, self.feed.mode_named, at, reports),
-            Event::Rapid => self.spindle.report_still_move(reports),
-            _ => self.hear_others(event, at, reports),
+            Event::Rapid => self.spindle.report_stopped_move(reports),
+            _ => self.handle_other_events(event, at, reports),
         }
     }
 
-    fn copy(&self) -> Box<dyn Observer> {
+    fn clone_box(&self) -> Box<dyn Observer> {
         Box::new(self.clone())
     }
 
-    fn goes_on_like(&self, other: &dyn Observer) -> bool {
+    fn continues_like(&self, other: &dyn Observer) -> bool {
         own(other).is_some_and(|other| self == other)
     }
 
@@ -86,32 +86,37 @@ impl Observer for Lints {
             .any(|byte| changed.contains(&byte))
     }
 
-    fn set_aside(&mut self) -> Box<dyn Observer> {
-        // The state of the contours may be large, so it is not copied; `listen_after` takes it over later.
+    fn fork_for_contour(&mut self) -> Box<dyn Observer> {
+        // The state of the contours may be large, so it is not copied; `inherit_reported` takes it over later.
         let contours = std::mem::take(&mut self.contours);
-        let aside = self.copy();
+        let aside = self.clone_box();
         self.contours = contours;
         aside
     }
 
-    fn listen_after(&mut self, before: &mut dyn Observer) {
+    fn inherit_reported(&mut self, before: &mut dyn Observer) {
         let Some(other) = (before as &mut dyn Any).downcast_mut::<Self>() else { return };
         self.contours = std::mem::take(&mut other.contours);
-        self.compensations.has_heard_of(&other.compensations);
-        self.feed.has_heard_of(&other.feed);
-        self.loops.has_heard_of(&mut other.loops);
-        self.vacant.has_heard_of(&mut other.vacant);
+        self.compensations.inherit_reported(&other.compensations);
+        self.feed.inherit_reported(&other.feed);
+        self.loops.inherit_reported(&mut other.loops);
+        self.vacant.inherit_reported(&mut other.vacant);
         self.rotary = other.rotary;
-        self.single_cycles.has_heard_of(&other.single_cycles);
-        self.spindle.has_heard_of(&other.spindle);
-        self.threads.has_heard_of(&other.threads);
+        self.single_cycles.inherit_reported(&other.single_cycles);
+        self.spindle.inherit_reported(&other.spindle);
+        self.threads.inherit_reported(&other.threads);
     }
 }
 
 impl Lints {
     /// Handles the events that are less frequent than moves.
     #[inline(never)]
-    fn hear_others(&mut self, event: &Event<'_>, at: &Moment<'_>, reports: &mut Vec<Diagnostic>) {
+    fn handle_other_events(
+        &mut self,
+        event: &Event<'_>,
+        at: &EventContext<'_>,
+        reports: &mut Vec<Diagnostic>,
+    ) {
         match *event {
             Event::Cut { .. } | Event::CutWithoutFeed { .. } | Event::Rapid => {}
             Event::FromAxis { block, to } => self.threads.moves(block, to, at, reports),
@@ -125,9 +130,9 @@ impl Lints {
             Event::UnreadWords { block, words, unread, code } => {
                 reports.extend(words::unread(block, words, unread, code, at));
             }
-            Event::Dwell { words, seconds } => reports.extend(dwell::waits(words, seconds, at)),
-            Event::VacantWord { word } => reports.extend(self.vacant.meets(word, at)),
-            Event::While { statement, enter } => self.loops.meets(statement, enter, at),
+            Event::Dwell { words, seconds } => reports.extend(dwell::check_dwell(words, seconds, at)),
+            Event::VacantWord { word } => reports.extend(self.vacant.report_vacant(word, at)),
+            Event::While { statement, enter } => self.loops.record(statement, enter, at),
             Event::SpeedMode { surface, block, words } => {
                 self.spindle.speed_mode(surface, block, words, at);
             }
@@ -159,7 +164,7 @@ impl Lints {
             }
             Event::Home => {
                 self.tool_changes.home(at);
-                self.spindle.report_still_move(reports);
+                self.spindle.report_stopped_move(reports);
             }
             Event::MachinePlace { block } => self.compensations.machine_place(block, at, reports),
             Event::Compensation => self.compensations.switched(),
@@ -170,7 +175,7 @@ impl Lints {
                 let is_lone = block.words.len() == 1 && at.state.motion != MotionMode::Cycle(cycle);
                 if is_lone && cycle == Single::Facing {
                     self.feed.unit_is_chosen();
-                    self.rotary.feed.leave_out();
+                    self.rotary.feed.suppress();
                 }
                 self.single_cycles.begins(cycle, block, words, at);
             }
@@ -182,7 +187,7 @@ impl Lints {
                     if let Some(word) = taper {
                         reports.extend(single_cycle::axis_missing(at, word.span, cycle, end));
                     } else if let Some(word) = words.peek(b'F') {
-                        self.feed.stands_alone(word, cycle, end);
+                        self.feed.note_lone_feed(word, cycle, end);
                     }
                 }
             }
@@ -195,7 +200,7 @@ impl Lints {
                 self.single_cycles.pass(&pass, at, reports);
                 reports.extend(compensation::switched_in_cycle(&pass, at));
             }
-            Event::LeadOfFeed { block, code, feed } => self.feed.as_lead(block, code, feed, reports),
+            Event::LeadOfFeed { block, code, feed } => self.feed.check_lead(block, code, feed, reports),
             Event::Thread { block, code, to } => {
                 self.spindle.thread(block, self.feed.mode_named, at, reports);
                 self.threads.begins(block, code, to, at, reports);
@@ -236,31 +241,31 @@ impl Lints {
             Event::NearCenter { distance, words } => {
                 reports.extend(self.rotary.passes_center(distance, words));
             }
-            Event::LeftOut => self.spindle.left_out(at),
-            Event::SettingsUnknown => self.spindle.is_unknown(),
+            Event::LeftOut => self.spindle.suppress_speed_missing(at),
+            Event::SettingsUnknown => self.spindle.suppress_unknown_settings(),
             Event::ProgramEnds { end } => {
-                self.feed.look_at_lone_word(at, reports);
-                self.spindle.report_still_move(reports);
-                reports.extend(self.rotary.still_connected());
+                self.feed.report_lone_feed(at, reports);
+                self.spindle.report_stopped_move(reports);
+                reports.extend(self.rotary.report_start_with_c());
                 if let Some(end) = end {
                     self.compensations.left_on(end.span, at, reports);
                 }
             }
             Event::RunEnds => {
                 self.feed.report_doubtful(at, reports);
-                self.spindle.report_still_move(reports);
+                self.spindle.report_stopped_move(reports);
                 self.spindle.report_speed_clamp(at, reports);
-                reports.extend(self.rotary.still_connected());
+                reports.extend(self.rotary.report_start_with_c());
                 self.contours.run_ends(reports);
                 self.loops.report(reports);
             }
         }
     }
 
-    fn mills(&mut self, block: &Block, at: &Moment, reports: &mut Vec<Diagnostic>) {
+    fn mills(&mut self, block: &Block, at: &EventContext, reports: &mut Vec<Diagnostic>) {
         if let Some(diagnostic) = self.rotary.mills(block, self.spindle.unknown_m, at) {
             // It is reported for the live tool, so not for the spindle as well.
-            self.spindle.stopped.leave_out();
+            self.spindle.stopped.suppress();
             reports.push(diagnostic);
         }
     }

@@ -6,17 +6,17 @@ pub struct Once(bool);
 
 impl Once {
     /// Whether the remark must be made now. Later calls return false.
-    pub fn first(&mut self) -> bool {
+    pub fn mark_reported(&mut self) -> bool {
         !std::mem::replace(&mut self.0, true)
     }
 
     /// Suppresses the remark.
-    pub fn leave_out(&mut self) {
+    pub fn suppress(&mut self) {
         self.0 = true;
     }
 
     /// Allows the remark again.
-    pub fn forget(&mut self) {
+    pub fn reset(&mut self) {
         self.0 = false;
     }
 }
@@ -28,11 +28,11 @@ mod tests {
     #[test]
     fn a_remark_is_made_once_until_it_is_forgotten() {
         let mut once = Once::default();
-        assert!(once.first() && !once.first());
-        once.forget();
-        assert!(once.first());
+        assert!(once.mark_reported() && !once.mark_reported());
+        once.reset();
+        assert!(once.mark_reported());
         let mut left_out = Once::default();
-        left_out.leave_out();
-        assert!(!left_out.first());
+        left_out.suppress();
+        assert!(!left_out.mark_reported());
     }
 }

@@ -127,8 +127,8 @@ pub fn compare(
         diagnostics.filter(|new| !known(new)).filter_map(|new| setup.rules.graded(new)).collect();
     if diagnostics.iter().any(turns_contour) {
         // The allowance is correct, and the message about the contour is a consequence.
-        let gravest = reported.iter().filter(|old| follows(old)).map(|old| old.severity).max();
-        reported.retain(|old| !follows(old));
+        let gravest = reported.iter().filter(|old| is_consequence(old)).map(|old| old.severity).max();
+        reported.retain(|old| !is_consequence(old));
         for one in diagnostics.iter_mut().filter(|one| turns_contour(one)) {
             one.severity = gravest.map_or(one.severity, |gravest| gravest.max(one.severity));
         }
@@ -148,7 +148,7 @@ fn turns_contour(diagnostic: &Diagnostic) -> bool {
 }
 
 /// Whether a message is a consequence of a contour that reverses.
-fn follows(diagnostic: &Diagnostic) -> bool {
+fn is_consequence(diagnostic: &Diagnostic) -> bool {
     let message = &diagnostic.message;
     message.is::<said::AllowanceSign>()
         || message.is::<said::ContourTurnsBack>()
@@ -176,14 +176,14 @@ fn remarks(
         return diagnostics;
     }
     diagnostics.extend(program.missing_points());
-    diagnostics.extend(program.lost_minus_in_row());
+    diagnostics.extend(program.missing_minus_in_row());
     diagnostics.extend(program.increments_in_row());
     if sound {
         diagnostics.extend(program.far_off());
-        diagnostics.extend(program.lost_minus());
+        diagnostics.extend(program.missing_minus());
         diagnostics.extend(program.increments());
     }
-    diagnostics.truncate(MOST);
+    diagnostics.truncate(MAX_REMARKS);
     // One mistake, one message: the first message about a word is kept.
     let mut seen = Vec::new();
     diagnostics.retain(|one| {
@@ -198,7 +198,7 @@ fn remarks(
 const LENGTHS: &[u8] = b"XYZUVWIJKRCA";
 
 /// Most remarks; more are a consequence of something else.
-const MOST: usize = 50;
+const MAX_REMARKS: usize = 50;
 
 /// The meaning of a block's words according to its codes and the active ones.
 #[derive(Clone, Copy)]

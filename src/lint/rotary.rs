@@ -5,7 +5,7 @@ use super::feed::feed_codes;
 use super::once::Once;
 use super::spindle::block_start;
 use crate::control::codes::{Compensation, M, Switch};
-use crate::control::events::Moment;
+use crate::control::events::EventContext;
 use crate::control::modal::VirtualPlane;
 use crate::control::tool_offset;
 use crate::control::words::{Words, quote};
@@ -70,10 +70,10 @@ pub struct Rotary {
 impl Rotary {
     /// Reports a move of C that is not connected. The M code for this depends on the machine. `unknown_m`: a
     /// code appeared that may have connected it.
-    pub fn c_moves(&mut self, span: Span, unknown_m: bool, at: &Moment) -> Option<Diagnostic> {
+    pub fn c_moves(&mut self, span: Span, unknown_m: bool, at: &EventContext) -> Option<Diagnostic> {
         // After M45 a live tool may be started by M03, which does not change C.
         let is_connected = at.state.c_axis || self.connected != Connected::No;
-        let is_new = !is_connected && !unknown_m && self.c_axis.first();
+        let is_new = !is_connected && !unknown_m && self.c_axis.mark_reported();
         is_new.then(|| Diagnostic::new(said::CAxisNotConnected, span))
     }
 
@@ -88,7 +88,7 @@ impl Rotary {
 
     /// Reports a start of the spindle with C connected if C has not moved since. Called when C is released or
     /// the program ends.
-    pub fn still_connected(&mut self) -> Option<Diagnostic> {
+    pub fn report_start_with_c(&mut self) -> Option<Diagnostic> {
         let StartWithC { word, number, before } = self.start.take()?;
         // As written: M3 or M03.
         let digits = word.len().saturating_sub(1);
@@ -112,11 +112,11 @@ impl Rotary {
     }
 
     /// Handles a known M code. Reports M03 and M04 that start the spindle while C holds it.
-    pub fn m_code(&mut self, code: M, word: &Word, at: &Moment) -> Option<Diagnostic> {
+    pub fn m_code(&mut self, code: M, word: &Word, at: &EventContext) -> Option<Diagnostic> {
         match code {
             M::CAxis(switch) => {
                 self.connected = if switch == Switch::On { Connected::ByCode } else { Connected::No };
-                return self.still_connected();
+                return self.report_start_with_c();
             }
             M::LiveTool if self.connected == Connected::Moved => self.connected = Connected::Milled,
             M::Spindle(turn @ (SpindleTurn::Forward | SpindleTurn::Reverse)) => {
@@ -137,8 +137,8 @@ impl Rotary {
 
     /// Reports a live tool that does not turn while the spindle only positions. The M code that starts it
     /// depends on the machine.
-    pub fn mills(&mut self, block: &Block, unknown_m: bool, at: &Moment) -> Option<Diagnostic> {
-        let is_new = !at.state.spindle.live_tool && !unknown_m && self.live_tool.first();
+    pub fn mills(&mut self, block: &Block, unknown_m: bool, at: &EventContext) -> Option<Diagnostic> {
+        let is_new = !at.state.spindle.live_tool && !unknown_m && self.live_tool.mark_reported();
         is_new.then(|| Diagnostic::new(said::LiveToolStopped, block.words_span()))
     }
 
@@ -149,19 +149,22 @@ impl Rotary {
         block: &Block,
         words: &Words,
         plane: &VirtualPlane,
-        at: &Moment,
+        at: &EventContext,
         reports: &mut Vec<Diagnostic>,
     ) -> bool {
         if plane.surface != Surface::Face {
             return false;
         }
-        let feed_is_wrong = at.state.feed_mode == FeedMode::PerTurn && self.feed.first();
+        let feed_is_wrong = at.state.feed_mode == FeedMode::PerTurn && self.feed.mark_reported();
         if feed_is_wrong {
             let (per_turn, per_minute) = feed_codes(at);
             reports
                 .push(Diagnostic::new(said::PolarFeedPerTurn { per_turn, per_minute }, block.words_span()));
         }
-        if at.state.compensation != Compensation::Off && at.nose_radius() == 0.0 && self.radius.first() {
+        if at.state.compensation != Compensation::Off
+            && at.nose_radius() == 0.0
+            && self.radius.mark_reported()
+        {
             let span = block.words_span();
             reports.push(match tool_offset::unknown(at.state, at.setup) {
                 Some(offset) => {
@@ -176,7 +179,7 @@ impl Rotary {
             let x = words.peek(b'X').and_then(|word| reading.radius(word)).unwrap_or(at.state.position.z);
             let like_degrees = c >= 90.0 && c % 90.0 == 0.0 && x.abs() < c / 2.0;
             let outside = at.setup.stock.is_some_and(|stock| c > stock.diameter.mm());
-            if (like_degrees || outside) && self.angle.first() {
+            if (like_degrees || outside) && self.angle.mark_reported() {
                 let message = said::PolarAngle { word: quote(at.text, word.span) };
                 reports.push(Diagnostic::new(message, word.span));
             }
@@ -186,7 +189,7 @@ impl Rotary {
 
     /// Reports a path that passes the centre of the face at `distance`, mm.
     pub fn passes_center(&mut self, distance: f64, words: Span) -> Option<Diagnostic> {
-        let is_new = distance < CENTER && self.center.first();
+        let is_new = distance < CENTER && self.center.mark_reported();
         is_new.then(|| Diagnostic::new(said::PolarCenter { distance }, words))
     }
 }

@@ -5,9 +5,9 @@ use super::once::Once;
 use super::taper;
 use crate::control::codes::MotionMode;
 use crate::control::compensation::Axis;
-use crate::control::events::{Moment, SinglePass};
+use crate::control::events::{EventContext, SinglePass};
 use crate::control::modal::Target;
-use crate::control::words::{Words, behind_letter, letters, plain, quote};
+use crate::control::words::{Words, after_letter, letters, plain, quote};
 use crate::cycles::single::{self, Single};
 use crate::geometry::Point;
 use crate::message::{Diagnostic, Fix, Message, said};
@@ -20,11 +20,11 @@ use crate::text::block::{Block, Word};
 use crate::units::Diameter;
 
 /// Lengths that differ by at most this are equal, mm.
-const NEAR: f64 = 0.001;
+const LENGTH_TOLERANCE: f64 = 0.001;
 /// A pass deeper than this is unusual on a small lathe, mm (radius).
-const DEEPEST_PASS: f64 = 3.0;
+const MAX_PASS_DEPTH: f64 = 3.0;
 /// A start point farther from the workpiece than this wastes time in each pass, mm.
-const FAR: f64 = 10.0;
+const MAX_START_DISTANCE: f64 = 10.0;
 
 /// The deepest pass of a sequence of G90 or G94.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -56,12 +56,12 @@ impl DeepestPass {
         let (begin, other_begin) = (at_begin(depth, self.taper), at_begin(other_depth, other.taper));
         let (end, other_end) = (depth * inward, other_depth * inward);
         let other_there = other_begin + (other_end - other_begin) * length / other_length;
-        self.start.distance(other.start) <= NEAR
+        self.start.distance(other.start) <= LENGTH_TOLERANCE
             && length > 0.0
-            && length <= other_length + NEAR
-            && begin.min(end) >= -NEAR
-            && begin <= other_begin + NEAR
-            && end <= other_there + NEAR
+            && length <= other_length + LENGTH_TOLERANCE
+            && begin.min(end) >= -LENGTH_TOLERANCE
+            && begin <= other_begin + LENGTH_TOLERANCE
+            && end <= other_there + LENGTH_TOLERANCE
     }
 }
 
@@ -97,21 +97,21 @@ struct Reported {
 impl SingleCycles {
     /// Handles another code of group 01 that is not a cycle.
     pub fn ends(&mut self) {
-        self.reported.taper_not_extended.forget();
-        self.reported.pass_not_deeper.forget();
-        self.reported.too_deep.forget();
+        self.reported.taper_not_extended.reset();
+        self.reported.pass_not_deeper.reset();
+        self.reported.too_deep.reset();
         self.one_shot();
         self.g90_alone = None;
     }
 
     /// Handles the code of a cycle.
-    pub fn begins(&mut self, cycle: Single, block: &Block, words: &Words, at: &Moment) {
+    pub fn begins(&mut self, cycle: Single, block: &Block, words: &Words, at: &EventContext) {
         match at.state.motion {
             MotionMode::Cycle(before) if before == cycle => {}
             MotionMode::Cycle(_) => {
-                self.reported.taper_not_extended.forget();
-                self.reported.pass_not_deeper.forget();
-                self.reported.too_deep.forget();
+                self.reported.taper_not_extended.reset();
+                self.reported.pass_not_deeper.reset();
+                self.reported.too_deep.reset();
             }
             _ => self.ends(),
         }
@@ -130,16 +130,16 @@ impl SingleCycles {
     }
 
     /// Reports a taper of G92 given by I instead of R.
-    pub fn old_taper_word(&mut self, words: &Words, at: &Moment) -> Option<Diagnostic> {
-        self.reported.old_taper_word.first().then(|| {
+    pub fn old_taper_word(&mut self, words: &Words, at: &EventContext) -> Option<Diagnostic> {
+        self.reported.old_taper_word.mark_reported().then(|| {
             let (word, span) = (words.quote(at.text, b'I'), words.span(b'I'));
-            let fix = Fix::write(span, format!("R{}", behind_letter(&word)));
+            let fix = Fix::write(span, format!("R{}", after_letter(&word)));
             Diagnostic::new(said::LetterIInG92, span).with(fix)
         })
     }
 
     /// The last named axis and its end point, once a pass was cut.
-    pub fn end(&self, at: &Moment) -> Option<(Axis, Target)> {
+    pub fn end(&self, at: &EventContext) -> Option<(Axis, Target)> {
         let memory = &at.state.memory;
         let end = self.named.map(|axis| (axis, if axis == Axis::X { memory.x } else { memory.z }));
         end.filter(|_| memory.passes > 0)
@@ -147,12 +147,12 @@ impl SingleCycles {
 
     /// Checks a call of a cycle: a G90 that was meant as absolute, and a taper not extended to the start
     /// point.
-    pub fn called(&mut self, pass: &SinglePass, at: &Moment, reports: &mut Vec<Diagnostic>) {
+    pub fn called(&mut self, pass: &SinglePass, at: &EventContext, reports: &mut Vec<Diagnostic>) {
         let is_axis = |word: &&Word| matches!(word.address, b'X' | b'U' | b'Z' | b'W');
         let named = pass.block.words.iter().rfind(is_axis);
         self.named = named.map(|word| if matches!(word.address, b'X' | b'U') { Axis::X } else { Axis::Z });
         if let Some(span) = self.g90_alone.take()
-            && self.reported.g90_as_absolute.first()
+            && self.reported.g90_as_absolute.mark_reported()
         {
             reports.push(Diagnostic::new(said::G90AsAbsolute, span));
         }
@@ -162,14 +162,14 @@ impl SingleCycles {
         // A cut that begins beyond the start point is reported elsewhere.
         if !single::begins_beyond_start(way, taper)
             && let Some(diagnostic) = taper::not_extended(cycle, start, end, taper, pass.taper_span, at)
-            && self.reported.taper_not_extended.first()
+            && self.reported.taper_not_extended.mark_reported()
         {
             reports.push(diagnostic);
         }
     }
 
     /// Checks a pass before it is cut.
-    pub fn pass(&mut self, pass: &SinglePass, at: &Moment, reports: &mut Vec<Diagnostic>) {
+    pub fn pass(&mut self, pass: &SinglePass, at: &EventContext, reports: &mut Vec<Diagnostic>) {
         let &SinglePass { block, words, cycle, start, end, .. } = pass;
         let taper = at.state.memory.taper;
         let own = DeepestPass { start, end, taper };
@@ -190,7 +190,7 @@ impl SingleCycles {
         let own_word = moved.into_iter().find(|&address| words.peek(address).is_some());
         let place = b"XUZW".iter().find_map(|&address| words.peek(own_word.unwrap_or(address)));
         let repeats = self.repeats(&own, before.as_ref(), cycle, place.map(|word| word.span));
-        if let Some(span) = repeats.filter(|_| self.reported.pass_not_deeper.first()) {
+        if let Some(span) = repeats.filter(|_| self.reported.pass_not_deeper.mark_reported()) {
             let message = said::PassRemovesNothing { word: quote(at.text, span) };
             reports.push(Diagnostic::new(message, span));
         } else if let (Some(before), Some(address)) = (before, own_word)
@@ -198,14 +198,14 @@ impl SingleCycles {
             && let Some(message) = too_deep(cycle, &own, &before, at.stock().as_ref())
         {
             // The passes after it are compared with those before it.
-            if self.reported.too_deep.first() {
+            if self.reported.too_deep.mark_reported() {
                 reports.push(Diagnostic::new(message, words.span(address)));
             }
             return;
         }
         if let (Some(before), Some(address)) = (before, own_word) {
             if let Some(message) = pass_not_deeper(cycle, &own, &before)
-                && self.reported.pass_not_deeper.first()
+                && self.reported.pass_not_deeper.mark_reported()
             {
                 let message = message(words.quote(at.text, address));
                 reports.push(Diagnostic::new(message, words.span(address)));
@@ -241,7 +241,7 @@ impl SingleCycles {
     }
 
     /// Takes over the remarks that `other` has made.
-    pub fn has_heard_of(&mut self, other: &Self) {
+    pub fn inherit_reported(&mut self, other: &Self) {
         self.reported = other.reported;
     }
 
@@ -259,7 +259,7 @@ impl SingleCycles {
 
 /// Reports a block of a cycle with the word at `span`, but without an axis, which makes no pass. `end` is the
 /// last named axis with its end point.
-pub fn axis_missing(at: &Moment, span: Span, cycle: Single, end: (Axis, Target)) -> Option<Diagnostic> {
+pub fn axis_missing(at: &EventContext, span: Span, cycle: Single, end: (Axis, Target)) -> Option<Diagnostic> {
     let (axis, target) = end;
     let letters = if axis == Axis::X { ['X', 'U'] } else { ['Z', 'W'] };
     let (letter, value) = match target {
@@ -284,7 +284,8 @@ fn pass_not_deeper(
     own: &DeepestPass,
     before: &DeepestPass,
 ) -> Option<impl FnOnce(String) -> Message> {
-    let same = own.start.distance(before.start) <= NEAR && (own.taper - before.taper).abs() <= NEAR;
+    let same = own.start.distance(before.start) <= LENGTH_TOLERANCE
+        && (own.taper - before.taper).abs() <= LENGTH_TOLERANCE;
     let (deep, other, deepest) = match cycle {
         Single::Turning => {
             let inward = (own.start.x - before.end.x).signum();
@@ -303,21 +304,24 @@ fn pass_not_deeper(
         _ => (pass.end.x - pass.start.x).signum(),
     };
     let message = move |word| said::PassNotDeeper { word, axis, deepest }.into();
-    (same && side(own) == side(before) && other <= NEAR && deep < -NEAR).then_some(message)
+    (same && side(own) == side(before) && other <= LENGTH_TOLERANCE && deep < -LENGTH_TOLERANCE)
+        .then_some(message)
 }
 
 /// Depth of the first pass of an outside taper at its thin end, if it is far deeper than a usual pass
 /// (radius, mm).
 fn edge_depth(cycle: Single, own: &DeepestPass, surface: Option<f64>, first: bool) -> Option<f64> {
-    let outside = cycle == Single::Turning && own.taper < -NEAR && own.end.x <= own.start.x + NEAR;
+    let outside = cycle == Single::Turning
+        && own.taper < -LENGTH_TOLERANCE
+        && own.end.x <= own.start.x + LENGTH_TOLERANCE;
     let depth = surface? - (own.end.x + own.taper);
     // A thick bar bears a deeper cut.
-    let deepest = DEEPEST_PASS.max(0.14 * surface?);
+    let deepest = MAX_PASS_DEPTH.max(0.14 * surface?);
     (first && outside && depth > deepest).then_some(depth)
 }
 
 /// Whether the feed is usual for small parts that are turned to size in one pass.
-fn is_one_pass_feed(at: &Moment) -> bool {
+fn is_one_pass_feed(at: &EventContext) -> bool {
     let millimetres = at.state.feed.map(|feed| feed * at.state.unit.millimetres());
     at.state.feed_mode == FeedMode::PerTurn && millimetres.is_some_and(|feed| feed < ONE_PASS_FEED)
 }
@@ -360,11 +364,11 @@ fn far_start(cycle: Single, own: &DeepestPass, stock: &Stock) -> Option<Message>
         Single::Facing => (own.end.x, own.end.z + own.taper.min(0.0)),
         Single::Turning | Single::Threading => (own.end.x + own.taper.min(0.0), own.end.z),
     };
-    if outside && far_x > FAR && x < radius {
+    if outside && far_x > MAX_START_DISTANCE && x < radius {
         return Some(said::AirCut { axis: 'X', distance: far_x }.into());
     }
     let far_z = own.start.z - stock.face.max(own.end.z);
-    if cycle != Single::Threading && far_z > FAR && z < stock.face {
+    if cycle != Single::Threading && far_z > MAX_START_DISTANCE && z < stock.face {
         return Some(said::AirCut { axis: 'Z', distance: far_z }.into());
     }
     None

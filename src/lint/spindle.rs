@@ -4,7 +4,7 @@
 use super::feed::{code_of, feed_codes};
 use super::once::Once;
 use crate::control::codes::G;
-use crate::control::events::Moment;
+use crate::control::events::EventContext;
 use crate::control::words::{Words, letters, plain, quote};
 use crate::message::{Diagnostic, Fix, Message, said};
 use crate::motion::SpindleTurn;
@@ -22,20 +22,20 @@ const CHUCK_OPEN: u64 = 69;
 const ORIENTATION: u64 = 19;
 const SECOND_ORIENTATION: u64 = 20;
 /// Inserts seldom cut faster than this, m/min; programs in feet without their G20 do not reach it.
-const FASTEST_CUT: f64 = 1800.0;
+const MAX_CUTTING_SPEED: f64 = 1800.0;
 /// Slowest usual cutting speed, m/min: chilled rolls, and high-speed steel in hard material, come close to
 /// it.
-const SLOWEST_CUT: f64 = 5.0;
+const MIN_CUTTING_SPEED: f64 = 5.0;
 /// Sliding-head lathes come close to this speed, rpm; a common lathe reaches half of it.
-const FASTEST_TURN: f64 = 12_000.0;
+const MAX_SPEED: f64 = 12_000.0;
 /// The same for small bars, and without a given blank.
-const FASTEST_SMALL: f64 = 20_000.0;
+const MAX_SPEED_SMALL_BAR: f64 = 20_000.0;
 /// Largest diameter of a small bar, mm.
-const SMALL_BAR: f64 = 20.0;
+const MAX_SMALL_BAR: f64 = 20.0;
 
 /// A move at feed with the spindle stopped.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-struct StillMove {
+struct StoppedMove {
     /// Its block.
     block: Span,
     /// The words of the block.
@@ -69,7 +69,7 @@ pub struct Spindle {
     unclamped: Option<Unclamped>,
     /// A move at feed with the spindle stopped, without a rapid away since. If the chuck opens or closes now,
     /// the tool stops or pulls the bar.
-    still_move: Option<StillMove>,
+    stopped_move: Option<StoppedMove>,
     /// Whether an M code appeared whose meaning depends on the machine: it may have connected C or started a
     /// live tool.
     pub unknown_m: bool,
@@ -92,23 +92,29 @@ pub struct Spindle {
 impl Spindle {
     /// Checks a cut at feed. `feed_mode_named`: a code of the feed mode appeared before it.
     #[inline]
-    pub fn cut(&mut self, block: &Block, feed_mode_named: bool, at: &Moment, reports: &mut Vec<Diagnostic>) {
+    pub fn cut(
+        &mut self,
+        block: &Block,
+        feed_mode_named: bool,
+        at: &EventContext,
+        reports: &mut Vec<Diagnostic>,
+    ) {
         if let Some(KeptSpeed { block, speed }) = self.kept.take() {
             let message = said::SpeedNotRepeated { code: "G97", speed };
             reports.push(Diagnostic::new(message, block));
         }
-        if self.checklist.first() {
-            self.look_at_checklist(block, feed_mode_named, at, reports);
+        if self.checklist.mark_reported() {
+            self.report_checklist(block, feed_mode_named, at, reports);
         }
         if self.unclamped.is_some() {
             self.report_speed_clamp(at, reports);
         }
         let spindle = &at.state.spindle;
-        if spindle.turn == SpindleTurn::Stopped || spindle.still {
-            self.still_cut(block, at, reports);
+        if spindle.turn == SpindleTurn::Stopped || spindle.zero_speed {
+            self.cut_while_stopped(block, at, reports);
         } else {
             let speed = if spindle.surface { spindle.cutting_speed } else { spindle.rpm };
-            if speed == 0.0 && !self.may_be_driven(at) && self.speed_missing.first() {
+            if speed == 0.0 && !self.may_be_driven(at) && self.speed_missing.mark_reported() {
                 let of_surface = spindle.surface && spindle.rpm > 0.0;
                 let message: Message =
                     if of_surface { said::SurfaceSpeedMissing.into() } else { said::SpeedMissing.into() };
@@ -122,33 +128,33 @@ impl Spindle {
         &mut self,
         block: &Block,
         feed_mode_named: bool,
-        at: &Moment,
+        at: &EventContext,
         reports: &mut Vec<Diagnostic>,
     ) {
         self.cut(block, feed_mode_named, at, reports);
         if self.held == Some(ORIENTATION) && at.state.spindle.turn != SpindleTurn::Stopped {
-            self.still_cut(block, at, reports);
+            self.cut_while_stopped(block, at, reports);
         }
     }
 
     /// Whether an unknown code may drive the workpiece or a live tool.
-    fn may_be_driven(&self, at: &Moment) -> bool {
+    fn may_be_driven(&self, at: &EventContext) -> bool {
         let spindle = &at.state.spindle;
         // The M code that starts a live tool depends on the machine.
         let milling = at.state.c_axis || at.state.virtual_plane.is_some();
-        spindle.live_tool || spindle.by_maker || milling && self.unknown_m
+        spindle.live_tool || spindle.machine_code_with_speed || milling && self.unknown_m
     }
 
     /// Handles a cut with the spindle stopped.
     #[inline(never)]
-    fn still_cut(&mut self, block: &Block, at: &Moment, reports: &mut Vec<Diagnostic>) {
-        if self.may_be_driven(at) || !self.stopped.first() {
+    fn cut_while_stopped(&mut self, block: &Block, at: &EventContext, reports: &mut Vec<Diagnostic>) {
+        if self.may_be_driven(at) || !self.stopped.mark_reported() {
             return;
         }
         let has_speed = at.state.spindle.rpm > 0.0 || at.state.spindle.cutting_speed > 0.0;
-        let still = StillMove { block: block.span, words: block.words_span(), has_speed };
+        let still = StoppedMove { block: block.span, words: block.words_span(), has_speed };
         match at.contour {
-            None => self.still_move = Some(still),
+            None => self.stopped_move = Some(still),
             // State stored while a contour is read is discarded, so the move is reported now.
             Some(_) => reports.push(still.message()),
         }
@@ -156,11 +162,11 @@ impl Spindle {
 
     /// Reports what is missing before the first cut of a tool according to the classroom checklist.
     #[inline(never)]
-    fn look_at_checklist(
+    fn report_checklist(
         &self,
         block: &Block,
         feed_mode_named: bool,
-        at: &Moment,
+        at: &EventContext,
         reports: &mut Vec<Diagnostic>,
     ) {
         let missing: [Option<Message>; 3] = [
@@ -177,9 +183,9 @@ impl Spindle {
 
     /// Reports a motion under G96 without a highest speed, once in a program.
     #[inline(never)]
-    pub fn report_speed_clamp(&mut self, at: &Moment, reports: &mut Vec<Diagnostic>) {
+    pub fn report_speed_clamp(&mut self, at: &EventContext, reports: &mut Vec<Diagnostic>) {
         if let Some(Unclamped { span, before }) = self.unclamped.take()
-            && self.no_clamp.first()
+            && self.no_clamp.mark_reported()
         {
             let code = code_of(G::Setting, at);
             let fix = Fix::insert(before, format!("{code} S2000\n"));
@@ -189,8 +195,8 @@ impl Spindle {
 
     /// Reports a move at feed with the spindle stopped that was not the work of a bar puller.
     #[inline]
-    pub fn report_still_move(&mut self, reports: &mut Vec<Diagnostic>) {
-        if let Some(still) = self.still_move.take() {
+    pub fn report_stopped_move(&mut self, reports: &mut Vec<Diagnostic>) {
+        if let Some(still) = self.stopped_move.take() {
             reports.push(still.message());
         }
     }
@@ -201,7 +207,7 @@ impl Spindle {
         number: u64,
         is_known: bool,
         word: &Word,
-        at: &Moment,
+        at: &EventContext,
         reports: &mut Vec<Diagnostic>,
     ) {
         let spindle = &at.state.spindle;
@@ -220,12 +226,12 @@ impl Spindle {
             // A bar is pulled, or fed against a stop, with the spindle stopped and the chuck open.
             CLAMP_ON | CLAMP_OFF | CHUCK_CLOSE | CHUCK_OPEN => self.chuck_moves(number, at),
             // On some machines other codes open and close the chuck.
-            _ if !is_known && self.still_move.is_some() => self.chuck_moves(number, at),
+            _ if !is_known && self.stopped_move.is_some() => self.chuck_moves(number, at),
             3 | 4 => {
                 self.held = None;
-                self.report_still_move(reports);
+                self.report_stopped_move(reports);
             }
-            13 | 14 => self.report_still_move(reports),
+            13 | 14 => self.report_stopped_move(reports),
             ORIENTATION | SECOND_ORIENTATION => self.held = Some(number),
             7 | 8 => self.coolant = true,
             9 => self.coolant = false,
@@ -235,28 +241,28 @@ impl Spindle {
     }
 
     /// Handles the chuck. With the spindle stopped, moves at feed hold or pull the bar.
-    fn chuck_moves(&mut self, number: u64, at: &Moment) {
+    fn chuck_moves(&mut self, number: u64, at: &EventContext) {
         if at.state.spindle.turn != SpindleTurn::Stopped {
             return;
         }
-        let held = self.still_move.take().is_some();
+        let held = self.stopped_move.take().is_some();
         if held || matches!(number, CLAMP_OFF | CHUCK_OPEN) {
             // Moves at feed before the spindle turns again belong to the bar feed.
-            self.stopped.leave_out();
+            self.stopped.suppress();
         }
     }
 
     /// Handles S outside of G50: S0 stops the spindle, another speed lets it turn again.
-    pub fn speed(&mut self, value: f64, word: &Word, at: &Moment, reports: &mut Vec<Diagnostic>) {
+    pub fn speed(&mut self, value: f64, word: &Word, at: &EventContext, reports: &mut Vec<Diagnostic>) {
         self.kept = None;
         reports.extend(unusual_speed(value, word, at));
-        if at.state.spindle.still != (value == 0.0) {
-            self.stopped.forget();
+        if at.state.spindle.zero_speed != (value == 0.0) {
+            self.stopped.reset();
         }
     }
 
     /// Handles G96 or G97.
-    pub fn speed_mode(&mut self, surface: bool, block: &Block, words: &Words, at: &Moment) {
+    pub fn speed_mode(&mut self, surface: bool, block: &Block, words: &Words, at: &EventContext) {
         let spindle = &at.state.spindle;
         let speed_given = words.peek(b'S').is_some();
         self.kept = None;
@@ -276,9 +282,9 @@ impl Spindle {
     }
 
     /// Handles G50 S.
-    pub fn highest_speed(&mut self, word: &Word, at: &Moment, reports: &mut Vec<Diagnostic>) {
+    pub fn highest_speed(&mut self, word: &Word, at: &EventContext, reports: &mut Vec<Diagnostic>) {
         self.unclamped = None;
-        if plain(word).is_some_and(|highest| highest > FASTEST_SMALL.max(fastest_turn(at))) {
+        if plain(word).is_some_and(|highest| highest > MAX_SPEED_SMALL_BAR.max(max_usual_speed(at))) {
             let message = said::SpindleSpeedHigh { word: quote(at.text, word.span) };
             reports.push(Diagnostic::new(message, word.span));
         }
@@ -291,31 +297,31 @@ impl Spindle {
             let span = stop.map_or_else(|| block.words_span(), |word| word.span);
             reports.push(Diagnostic::new(said::StopBehindMove, span));
         }
-        self.stopped.forget();
+        self.stopped.reset();
     }
 
     /// Handles a tool change.
     pub fn tool_changes(&mut self, reports: &mut Vec<Diagnostic>) {
-        self.checklist.forget();
-        self.report_still_move(reports);
+        self.checklist.reset();
+        self.report_stopped_move(reports);
     }
 
     /// Suppresses the remark about a missing speed, because a skipped block may have set it.
-    pub fn left_out(&mut self, at: &Moment) {
+    pub fn suppress_speed_missing(&mut self, at: &EventContext) {
         let spindle = &at.state.spindle;
         if spindle.rpm == 0.0 && spindle.cutting_speed == 0.0 {
-            self.speed_missing.leave_out();
+            self.speed_missing.suppress();
         }
     }
 
     /// Suppresses the remarks about settings that a block or program may have made.
-    pub fn is_unknown(&mut self) {
-        self.stopped.leave_out();
-        self.no_clamp.leave_out();
+    pub fn suppress_unknown_settings(&mut self) {
+        self.stopped.suppress();
+        self.no_clamp.suppress();
     }
 
     /// Takes over the remarks that `other` has made.
-    pub fn has_heard_of(&mut self, other: &Self) {
+    pub fn inherit_reported(&mut self, other: &Self) {
         (self.stopped, self.speed_missing) = (other.stopped, other.speed_missing);
         (self.no_clamp, self.checklist) = (other.no_clamp, other.checklist);
     }
@@ -324,7 +330,7 @@ impl Spindle {
     pub fn waiting(&self) -> [Option<u32>; 3] {
         [
             self.unclamped.map(|unclamped| unclamped.before),
-            self.still_move.map(|still| still.block.start),
+            self.stopped_move.map(|still| still.block.start),
             self.kept.map(|kept| kept.block.start),
         ]
     }
@@ -336,7 +342,7 @@ impl Spindle {
             before: shift.byte(unclamped.before),
         });
         self.kept = self.kept.map(|kept| KeptSpeed { block: shift.span(kept.block), ..kept });
-        self.still_move = self.still_move.map(|still| StillMove {
+        self.stopped_move = self.stopped_move.map(|still| StoppedMove {
             block: shift.span(still.block),
             words: shift.span(still.words),
             ..still
@@ -344,7 +350,7 @@ impl Spindle {
     }
 }
 
-impl StillMove {
+impl StoppedMove {
     #[cold]
     fn message(self) -> Diagnostic {
         // With M03 alone the speed would be missing next.
@@ -361,19 +367,23 @@ pub fn block_start(text: &[u8], byte: u32) -> u32 {
 }
 
 /// Reports an S that cannot be a cutting speed, or a spindle speed.
-fn unusual_speed(value: f64, word: &Word, at: &Moment) -> Option<Diagnostic> {
+fn unusual_speed(value: f64, word: &Word, at: &EventContext) -> Option<Diagnostic> {
     let quoted = || quote(at.text, word.span);
     let spindle = &at.state.spindle;
     let message: Message = if spindle.surface {
         let metres = value * at.state.unit.surface_metres();
-        if metres > FASTEST_CUT {
+        if metres > MAX_CUTTING_SPEED {
             said::CuttingSpeedHigh { word: quoted(), metres: metres.round() }.into()
-        } else if metres > 0.0 && metres <= SLOWEST_CUT {
+        } else if metres > 0.0 && metres <= MIN_CUTTING_SPEED {
             said::CuttingSpeedLow { word: quoted(), metres: (10.0 * metres).round() / 10.0 }.into()
         } else {
             return None;
         }
-    } else if value > fastest_turn(at) && !spindle.live_tool && !spindle.by_maker && !at.state.c_axis {
+    } else if value > max_usual_speed(at)
+        && !spindle.live_tool
+        && !spindle.machine_code_with_speed
+        && !at.state.c_axis
+    {
         said::SpindleSpeedHigh { word: quoted() }.into()
     } else {
         return None;
@@ -382,12 +392,12 @@ fn unusual_speed(value: f64, word: &Word, at: &Moment) -> Option<Diagnostic> {
 }
 
 /// Fastest usual spindle speed of this setup, rpm.
-fn fastest_turn(at: &Moment) -> f64 {
-    let is_small = at.setup.stock.is_none_or(|stock| stock.diameter.mm() <= SMALL_BAR);
+fn max_usual_speed(at: &EventContext) -> f64 {
+    let is_small = at.setup.stock.is_none_or(|stock| stock.diameter.mm() <= MAX_SMALL_BAR);
     match at.setup.machine.max_speed {
-        Some(own) => own.max(FASTEST_TURN),
-        None if is_small => FASTEST_SMALL,
-        None => FASTEST_TURN,
+        Some(own) => own.max(MAX_SPEED),
+        None if is_small => MAX_SPEED_SMALL_BAR,
+        None => MAX_SPEED,
     }
 }
 

@@ -3,7 +3,7 @@
 //! The first move of these cycles is a rapid, so the start point is outside the blank and the cut begins
 //! before the cone of the drawing. R must be extended in proportion (seeds 001 and 004).
 
-use crate::control::events::Moment;
+use crate::control::events::EventContext;
 use crate::control::words::{Words, with_other_sign};
 use crate::cycles::single::{self, Single};
 use crate::geometry::Point;
@@ -13,16 +13,16 @@ use crate::source::Span;
 use crate::units::{Diameter, Unit};
 
 /// Greatest distance of a cut beyond the back of the blank, mm.
-const OVERRUN: f64 = 5.0;
+const MAX_OVERRUN: f64 = 5.0;
 
 /// A span longer than this, bytes, is a block and not the word of a taper.
-const LONGEST_WORD: usize = 12;
+const MAX_WORD_BYTES: usize = 12;
 
 /// A start at most this far from the surface of a bar, mm (radius), belongs to outside work.
 const NEAR_SURFACE: f64 = 10.0;
 
 /// Lengths that differ by at most this are equal, mm.
-const NEAR: f64 = 0.001;
+const LENGTH_TOLERANCE: f64 = 0.001;
 
 /// The possible meanings of an R that makes the cone a round number at the surface of the blank, but not
 /// where the cut leaves the blank.
@@ -44,7 +44,7 @@ pub fn not_extended(
     end: Point,
     taper: f64,
     span: Span,
-    at: &Moment,
+    at: &EventContext,
 ) -> Option<Diagnostic> {
     let (message, reading) = taper_not_extended(cycle, start, end, taper, at.stock()?)?;
     let needed = message.needed;
@@ -52,7 +52,7 @@ pub fn not_extended(
     if reading == Reading::OrForStartPoint {
         return Some(diagnostic.graded(Severity::Info));
     }
-    if at.state.unit != Unit::Millimetre || span.len() >= LONGEST_WORD {
+    if at.state.unit != Unit::Millimetre || span.len() >= MAX_WORD_BYTES {
         return Some(diagnostic);
     }
     let needed = crate::units::number((1000.0 * needed).round() / 1000.0);
@@ -75,15 +75,16 @@ fn taper_not_extended(
     let (wanted, part, scale, base, axis) = match cycle {
         Single::Facing => {
             let surface = stock.diameter.radius();
-            if start.x <= surface + NEAR || end.x >= surface - NEAR {
+            if start.x <= surface + LENGTH_TOLERANCE || end.x >= surface - LENGTH_TOLERANCE {
                 return None;
             }
             (end.z + taper, (surface - end.x) / (start.x - end.x), 1.0, end.z, 'Z')
         }
         Single::Turning => {
             // A Z with a digit too many is reported separately: the taper is a consequence.
-            let is_beyond = end.z < stock.back() - OVERRUN;
-            if start.z <= stock.face + NEAR || end.z >= stock.face - NEAR || is_beyond {
+            let is_beyond = end.z < stock.back() - MAX_OVERRUN;
+            if start.z <= stock.face + LENGTH_TOLERANCE || end.z >= stock.face - LENGTH_TOLERANCE || is_beyond
+            {
                 return None;
             }
             let diameter = |radius: f64| Diameter::from_radius(radius).mm();
@@ -138,7 +139,7 @@ pub fn shape(
     taper: f64,
     words: &Words,
     address: u8,
-    at: &Moment,
+    at: &EventContext,
 ) -> Option<Diagnostic> {
     let (word, span) = (words.quote(at.text, address), words.span(address));
     let message = odd_shape(cycle, start, end, taper, &word, at.stock())?;
@@ -164,36 +165,37 @@ fn odd_shape(
         return None;
     }
     let begin = end.x + taper;
-    if begin < -NEAR && end.x > 0.0 {
+    if begin < -LENGTH_TOLERANCE && end.x > 0.0 {
         return Some(
             said::TaperCrossesAxis { word: word.into(), x: Diameter::from_radius(begin).mm() }.into(),
         );
     }
     let way = end.x - start.x;
     let outside = match way {
-        way if way < -NEAR => true,
-        way if way > NEAR => false,
+        way if way < -LENGTH_TOLERANCE => true,
+        way if way > LENGTH_TOLERANCE => false,
         // The end has the diameter of the start: outside work if that is at the surface of a bar.
         _ if stock.is_some_and(|stock| {
-            start.x > stock.bore.radius() + NEAR && start.x >= stock.diameter.radius() - NEAR_SURFACE
+            start.x > stock.bore.radius() + LENGTH_TOLERANCE
+                && start.x >= stock.diameter.radius() - NEAR_SURFACE
         }) =>
         {
             true
         }
         _ => return None,
     };
-    let narrows = if outside { taper > NEAR } else { taper < -NEAR };
+    let narrows = if outside { taper > LENGTH_TOLERANCE } else { taper < -LENGTH_TOLERANCE };
     narrows.then(|| said::TaperNarrows { word: word.into() }.into())
 }
 
 /// Whether a drawing might contain this length: a multiple of a tenth of a millimetre.
 fn is_tenth(length: f64) -> bool {
-    (length * 10.0 - (length * 10.0).round()).abs() <= 10.0 * NEAR
+    (length * 10.0 - (length * 10.0).round()).abs() <= 10.0 * LENGTH_TOLERANCE
 }
 
 /// Whether a drawing would contain this length: a multiple of half a millimetre.
 fn is_round(length: f64) -> bool {
-    (length * 2.0 - (length * 2.0).round()).abs() <= 2.0 * NEAR
+    (length * 2.0 - (length * 2.0).round()).abs() <= 2.0 * LENGTH_TOLERANCE
 }
 
 #[cfg(test)]

@@ -3,7 +3,7 @@
 use super::once::Once;
 use super::taper;
 use crate::control::codes::M;
-use crate::control::events::{Moment, ThreadPass, ThreadedBy, ThreadingCall};
+use crate::control::events::{EventContext, ThreadPass, ThreadSource, ThreadingCall};
 use crate::control::words::{self, Words, plain, quote};
 use crate::cycles::single::Single;
 use crate::cycles::threading::MultiThread;
@@ -26,25 +26,25 @@ const LEADS: std::ops::RangeInclusive<f64> = 0.001..=500.0;
 /// The same as I: 25400 to 0.06 threads per inch.
 const LEADS_OF_INCH: std::ops::RangeInclusive<f64> = 25.4 / 25400.0..=25.4 / 0.06;
 /// The finest pitch of a standard thread, mm (ISO 261: M1 fine).
-const FINEST: f64 = 0.2;
+const MIN_PITCH: f64 = 0.2;
 /// Greatest ratio of the depth step of a pass to the largest step before it. Usually the steps decrease,
 /// because each pass cuts on wider flanks.
-const JUMP: f64 = 2.0;
+const MAX_STEP_RATIO: f64 = 2.0;
 /// A depth step up to this is never too deep, mm (radius).
 const DEEP_STEP: f64 = 0.3;
 /// A depth step below this only scratches the workpiece to show the lead, mm (radius).
 const SCRATCH: f64 = 0.05;
 /// Passes widen their groove by up to this share of the lead: infeed along both flanks, and finishing of the
 /// flanks.
-const BESIDE: f64 = 0.2;
+const GROOVE_WIDENING: f64 = 0.2;
 /// Share of the lead that a tap holder compensates between the way in and the way out.
-const TAKEN_UP: f64 = 0.05;
+const HOLDER_COMPENSATION: f64 = 0.05;
 /// Lengths that differ by at most this are equal, mm.
-const NEAR: f64 = 0.001;
+const LENGTH_TOLERANCE: f64 = 0.001;
 /// Few slides are faster than this, mm/min.
-const FAST_SLIDE: f64 = 4000.0;
+const MAX_SLIDE_SPEED: f64 = 4000.0;
 /// Most starts of a thread that are searched for.
-const STARTS: u32 = 12;
+const MAX_STARTS: u32 = 12;
 
 /// The last pass of a thread.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -109,7 +109,7 @@ impl Threads {
         block: &Block,
         code: &'static str,
         to: Option<Point>,
-        at: &Moment,
+        at: &EventContext,
         reports: &mut Vec<Diagnostic>,
     ) {
         if !at.state.spindle.surface {
@@ -117,9 +117,9 @@ impl Threads {
         }
         if to.is_some_and(|to| is_on_axis(at.state.position, to)) {
             // Reported for the tap.
-            self.surface_speed.leave_out();
+            self.surface_speed.suppress();
         }
-        if self.surface_speed.first() {
+        if self.surface_speed.mark_reported() {
             let diagnostic = Diagnostic::new(said::ThreadAtSurfaceSpeed { code }, block.words_span());
             // The current speed under G96, rounded down to a multiple of ten.
             let speed = at.spindle_speed(at.state.position.x).filter(|&speed| speed >= 10.0);
@@ -130,14 +130,14 @@ impl Threads {
     }
 
     /// Checks a cycle that taps a hole on the axis.
-    pub fn tap_on_axis(&mut self, block: &Block, at: &Moment, reports: &mut Vec<Diagnostic>) {
-        if at.state.spindle.surface && self.surface_speed.first() {
+    pub fn tap_on_axis(&mut self, block: &Block, at: &EventContext, reports: &mut Vec<Diagnostic>) {
+        if at.state.spindle.surface && self.surface_speed.mark_reported() {
             reports.push(Diagnostic::new(said::TapSurface, block.words_span()));
         }
     }
 
     /// Checks a cut of G32 to G34. `pass` is the same cut as a pass of a thread.
-    pub fn cuts(&mut self, pass: &ThreadPass, code: &str, at: &Moment, reports: &mut Vec<Diagnostic>) {
+    pub fn cuts(&mut self, pass: &ThreadPass, code: &str, at: &EventContext, reports: &mut Vec<Diagnostic>) {
         self.tap_moves(pass, at, reports);
         if code != "G33" && !is_on_axis(pass.start, pass.end) {
             self.pass(pass, at, reports);
@@ -149,7 +149,7 @@ impl Threads {
 
     /// A tap on the axis goes in by G32 and must be turned out by a G32 of the same lead, with the spindle
     /// reversed (seed 002).
-    fn tap_moves(&mut self, pass: &ThreadPass, at: &Moment, reports: &mut Vec<Diagnostic>) {
+    fn tap_moves(&mut self, pass: &ThreadPass, at: &EventContext, reports: &mut Vec<Diagnostic>) {
         let &ThreadPass { block, words, start, end, lead, .. } = pass;
         if !is_on_axis(start, end) {
             return;
@@ -165,7 +165,7 @@ impl Threads {
         let Some(tap) = self.tap.take() else { return };
         if tap.turn == turn && turn != SpindleTurn::Stopped {
             reports.push(Diagnostic::new(said::TapReverse, block.words_span()));
-        } else if (tap.lead - lead).abs() > TAKEN_UP * tap.lead + NEAR {
+        } else if (tap.lead - lead).abs() > HOLDER_COMPENSATION * tap.lead + LENGTH_TOLERANCE {
             let span = lead_word(words).map_or_else(|| block.words_span(), |word| word.span);
             reports.push(Diagnostic::new(said::TapLeadChanged { into: tap.lead, out: lead }, span));
         }
@@ -192,7 +192,7 @@ impl Threads {
 
     /// Handles a move other than a thread: a tap must not leave its hole by it.
     #[inline]
-    pub fn moves(&mut self, block: &Block, to: Point, at: &Moment, reports: &mut Vec<Diagnostic>) {
+    pub fn moves(&mut self, block: &Block, to: Point, at: &EventContext, reports: &mut Vec<Diagnostic>) {
         if self.tap.is_some() && to.z > at.state.position.z {
             self.tap = None;
             reports.push(Diagnostic::new(said::TapReverse, block.words_span()));
@@ -200,12 +200,12 @@ impl Threads {
     }
 
     /// Compares a pass with the one before.
-    pub fn pass(&mut self, pass: &ThreadPass, at: &Moment, reports: &mut Vec<Diagnostic>) {
+    pub fn pass(&mut self, pass: &ThreadPass, at: &EventContext, reports: &mut Vec<Diagnostic>) {
         let unusual = unusual_lead(at.text, pass.words, pass.lead, pass.starts);
         let spindle = &at.state.spindle;
         let speed = if spindle.surface { 0.0 } else { spindle.rpm };
         let &ThreadPass { start, end, lead, by, .. } = pass;
-        let angle_word = pass.words.peek(b'Q').filter(|_| by != ThreadedBy::Passes);
+        let angle_word = pass.words.peek(b'Q').filter(|_| by != ThreadSource::Passes);
         let angle = angle_word.and_then(plain);
         let mut own = Pass { start, end, lead, speed, tool: at.state.tool, angle, repeats: false };
         if let Some((word, angle)) = angle_word.zip(angle) {
@@ -221,10 +221,10 @@ impl Threads {
         if before.is_none() {
             passes = Passes { first: Point::new(end.x, start.z), ..Passes::default() };
         }
-        if let ThreadedBy::Pass { outwards } = by {
+        if let ThreadSource::Pass { outwards } = by {
             passes.outwards = if outwards { 1.0 } else { -1.0 };
         }
-        if let Some(before) = before.filter(|before| (before.lead - lead).abs() > NEAR) {
+        if let Some(before) = before.filter(|before| (before.lead - lead).abs() > LENGTH_TOLERANCE) {
             // A change of the lead is reported at its word; the thread continues with its previous lead.
             if let Some(word) = lead_word(pass.words) {
                 let message = said::ThreadLeadChanged { before: before.lead, now: lead };
@@ -235,11 +235,11 @@ impl Threads {
         if let Some(unusual) = unusual {
             reports.push(unusual);
         } else {
-            let fits = pass.words.peek(b'Q').is_some() || passes.begins_well(&own);
+            let fits = pass.words.peek(b'Q').is_some() || passes.has_valid_start(&own);
             let starts = pass.starts as f64;
             reports.append(&mut remarks(&own, before.as_ref(), fits, starts, known, span));
         }
-        if by != ThreadedBy::Passes {
+        if by != ThreadSource::Passes {
             reports.extend(passes.not_deeper(&mut own, pass, at));
         }
         passes.recent.rotate_right(1);
@@ -253,7 +253,7 @@ impl Threads {
     }
 
     /// Takes over the remarks that `other` has made.
-    pub fn has_heard_of(&mut self, other: &Self) {
+    pub fn inherit_reported(&mut self, other: &Self) {
         self.surface_speed = other.surface_speed;
     }
 }
@@ -270,7 +270,7 @@ impl Passes {
 
     /// Whether a pass without Q repeats the start at 0, as deep as `before`. This is a lost angle if all
     /// passes have a Q, or if the thread has other starts and the start at 0 was cut just before.
-    fn angle_is_lost(&self, own: &Pass, before: &Pass) -> bool {
+    fn angle_is_missing(&self, own: &Pass, before: &Pass) -> bool {
         let mut recent = self.recent.iter().flatten();
         let all_have_one = recent.clone().all(|pass| pass.angle.is_some());
         let has_starts = recent.any(|pass| pass.angle.is_some_and(|angle| angle != 0.0));
@@ -279,17 +279,19 @@ impl Passes {
     }
 
     /// Whether a pass begins in an existing groove, or at another start of the thread.
-    fn begins_well(&self, own: &Pass) -> bool {
+    fn has_valid_start(&self, own: &Pass) -> bool {
         let places = || self.recent.iter().flatten().map(|pass| pass.start.z).chain([self.first.z]);
         places().any(|place| is_in_groove(own.start.z - place, own.lead))
-            || self.begins_anew(own) && places().any(|place| is_start_of_lead(own.start.z - place, own.lead))
+            || self.restarts_depths(own)
+                && places().any(|place| is_start_of_lead(own.start.z - place, own.lead))
     }
 
     /// Whether the depths of a thread may start again with a pass: it is not deeper than the first one, or
     /// less deep than the one before it.
-    fn begins_anew(&self, own: &Pass) -> bool {
+    fn restarts_depths(&self, own: &Pass) -> bool {
         let below_first = self.outwards * (own.end.x - self.first.x);
-        below_first <= NEAR || self.recent[0].is_some_and(|before| self.deeper(own, &before) < -NEAR)
+        below_first <= LENGTH_TOLERANCE
+            || self.recent[0].is_some_and(|before| self.deeper(own, &before) < -LENGTH_TOLERANCE)
     }
 
     /// The last pass from the same start.
@@ -301,19 +303,19 @@ impl Passes {
 
     /// Reports a pass that is not deeper than the one before it from the same start, that is much deeper, or
     /// that continues after a pass was repeated.
-    fn not_deeper(&mut self, own: &mut Pass, pass: &ThreadPass, at: &Moment) -> Option<Diagnostic> {
+    fn not_deeper(&mut self, own: &mut Pass, pass: &ThreadPass, at: &EventContext) -> Option<Diagnostic> {
         let before = self.of_same_start(own)?;
         if self.outwards == 0.0 {
             // The first two passes show the side.
             let way = own.end.x - before.end.x;
-            if way.abs() > NEAR {
+            if way.abs() > LENGTH_TOLERANCE {
                 self.outwards = way.signum();
             }
             return None;
         }
         let deeper = self.deeper(own, &before);
-        if deeper.abs() <= NEAR {
-            if self.angle_is_lost(own, &before) {
+        if deeper.abs() <= LENGTH_TOLERANCE {
+            if self.angle_is_missing(own, &before) {
                 let word = quote(at.text, pass.block.words_span());
                 return Some(Diagnostic::new(said::ThreadAngleMissing { word }, pass.block.words_span()));
             }
@@ -326,21 +328,21 @@ impl Passes {
         let letter = *b"XU".iter().find(|&&letter| pass.words.peek(letter).is_some()).unwrap_or(&b'Z');
         let span = pass.words.peek(letter).map_or_else(|| pass.block.words_span(), |word| word.span);
         // A pass like the first one starts the thread again, for another part.
-        if deeper < -NEAR && (own.end.x - self.first.x).abs() > NEAR {
+        if deeper < -LENGTH_TOLERANCE && (own.end.x - self.first.x).abs() > LENGTH_TOLERANCE {
             let word = quote(at.text, span);
             return Some(Diagnostic::new(said::ThreadPassNotDeeper { word, before }, span));
         }
         // The first passes may only scratch the workpiece; and a pass that is missing was reported when it
         // occurred.
         let step = self.step;
-        if deeper > SCRATCH - NEAR {
+        if deeper > SCRATCH - LENGTH_TOLERANCE {
             self.step = deeper.max(step);
         }
-        if step > 0.0 && deeper > JUMP * step && deeper > DEEP_STEP + NEAR {
+        if step > 0.0 && deeper > MAX_STEP_RATIO * step && deeper > DEEP_STEP + LENGTH_TOLERANCE {
             let message = said::ThreadPassJumps { deeper, step };
             return Some(Diagnostic::new(message, span));
         }
-        let is_told = deeper > NEAR && repeats && self.repeated.first();
+        let is_told = deeper > LENGTH_TOLERANCE && repeats && self.repeated.mark_reported();
         is_told.then(|| Diagnostic::new(said::ThreadPassRepeats { before }, span).graded(Severity::Info))
     }
 }
@@ -358,7 +360,7 @@ fn unusual_lead(text: &[u8], words: &Words, lead: f64, starts: u64) -> Option<Di
     if !leads.contains(&lead) {
         return Some(Diagnostic::new(said::LeadOutOfRange { word: quoted() }, word.span));
     }
-    let is_fine = lead < starts as f64 * FINEST - NEAR;
+    let is_fine = lead < starts as f64 * MIN_PITCH - LENGTH_TOLERANCE;
     is_fine.then(|| Diagnostic::new(said::ThreadVeryFine { word: quoted() }, word.span))
 }
 
@@ -378,13 +380,13 @@ fn small_angle(text: &[u8], span: Span, angle: f64) -> Option<Diagnostic> {
 /// diameter.
 fn is_near(own: &Pass, before: &Pass) -> bool {
     own.tool == before.tool
-        && (own.end.z - before.end.z).abs() <= NEAR
+        && (own.end.z - before.end.z).abs() <= LENGTH_TOLERANCE
         && own.end.z < own.start.z
         && (own.end.x - before.end.x).abs() <= 2.0 * own.lead.max(before.lead)
 }
 
 /// Checks G76 after its passes were made.
-pub fn multi_threading(call: &ThreadingCall, at: &Moment, reports: &mut Vec<Diagnostic>) {
+pub fn multi_threading(call: &ThreadingCall, at: &EventContext, reports: &mut Vec<Diagnostic>) {
     let &ThreadingCall { block, words, start, how, lead, angle, one_block } = call;
     if let Some(unusual) = unusual_lead(at.text, words, lead, 1) {
         // The other comparisons with the lead would report the same mistake.
@@ -399,7 +401,7 @@ pub fn multi_threading(call: &ThreadingCall, at: &Moment, reports: &mut Vec<Diag
         reports.push(Diagnostic { fixes, ..Diagnostic::new(message, span) });
     }
     let way = (start.x - how.end.x).abs();
-    if let Some(out) = how.pull_out.filter(|pull_out| pull_out.out >= way - NEAR) {
+    if let Some(out) = how.pull_out.filter(|pull_out| pull_out.out >= way - LENGTH_TOLERANCE) {
         let message = said::ThreadPullOut { pull_out: out.out, way };
         reports.push(Diagnostic::new(message, block.words_span()));
     }
@@ -418,8 +420,8 @@ fn swapped_amounts(text: &[u8], words: &Words, message: &Message) -> Vec<Fix> {
     };
     let (p_text, q_text) = (quote(text, p.span), quote(text, q.span));
     let mut edits = [
-        (p.span, format!("Q{}", words::behind_letter(&p_text))),
-        (q.span, format!("P{}", words::behind_letter(&q_text))),
+        (p.span, format!("Q{}", words::after_letter(&p_text))),
+        (q.span, format!("P{}", words::after_letter(&q_text))),
     ];
     order::by_key(&mut edits, |edit| edit.0.start);
     let title =
@@ -432,12 +434,13 @@ fn swapped_amounts(text: &[u8], words: &Words, message: &Message) -> Vec<Fix> {
 fn start_clears_crest(block: &Block, start: Point, how: &MultiThread) -> Option<Diagnostic> {
     let external = how.end.x < start.x;
     let crest = if external { how.end.x + how.height } else { how.end.x - how.height };
-    let inside = if external { start.x <= crest + NEAR } else { start.x >= crest - NEAR };
+    let inside =
+        if external { start.x <= crest + LENGTH_TOLERANCE } else { start.x >= crest - LENGTH_TOLERANCE };
     if !inside {
         return None;
     }
     // Exactly at the crest that P gives: the workpiece may have been turned slightly smaller.
-    let at_crest = (start.x - crest).abs() <= NEAR;
+    let at_crest = (start.x - crest).abs() <= LENGTH_TOLERANCE;
     let [start, crest] = [start.x, crest].map(|radius| Diameter::from_radius(radius).mm());
     let message: Message = match at_crest {
         true => said::ThreadStartAtCrest { start }.into(),
@@ -478,7 +481,7 @@ fn remarks(
             let message = said::ThreadTooFast { speed, pitch, limit: limit.floor().max(0.0), margin };
             let diagnostic = Diagnostic::new(message, span);
             // The rule of thumb is for small lathes.
-            let is_fast = speed * own.lead > FAST_SLIDE;
+            let is_fast = speed * own.lead > MAX_SLIDE_SPEED;
             diagnostics.push(if is_fast { diagnostic.graded(Severity::Warning) } else { diagnostic });
         } else if let Some(run_in) = run_in(own, face) {
             diagnostics.push(Diagnostic::new(run_in, span));
@@ -486,7 +489,7 @@ fn remarks(
         return diagnostics;
     }
     let Some(before) = before else { return diagnostics };
-    if (own.speed - before.speed).abs() > NEAR && own.speed > 0.0 && before.speed > 0.0 {
+    if (own.speed - before.speed).abs() > LENGTH_TOLERANCE && own.speed > 0.0 && before.speed > 0.0 {
         let message = said::ThreadSpeedChanged { before: before.speed, now: own.speed };
         diagnostics.push(Diagnostic::new(message, span));
     }
@@ -503,14 +506,14 @@ fn remarks(
 /// perpendicular.
 fn is_along_flank(moved: f64, deeper: f64) -> bool {
     const STEEPEST: f64 = std::f64::consts::FRAC_PI_6;
-    moved.abs() <= deeper * STEEPEST.tan() + NEAR
+    moved.abs() <= deeper * STEEPEST.tan() + LENGTH_TOLERANCE
 }
 
 /// Whether two passes belong to one thread: same tool, lead and end.
 fn is_same_thread(own: &Pass, before: &Pass) -> bool {
     own.tool == before.tool
-        && (own.lead - before.lead).abs() <= NEAR
-        && (own.end.z - before.end.z).abs() <= NEAR
+        && (own.lead - before.lead).abs() <= LENGTH_TOLERANCE
+        && (own.end.z - before.end.z).abs() <= LENGTH_TOLERANCE
         && own.end.z < own.start.z
 }
 
@@ -522,20 +525,20 @@ fn is_same_start(own: &Pass, before: &Pass) -> bool {
 /// Whether a shift of the start is a whole number of leads.
 fn is_whole_lead(moved: f64, lead: f64) -> bool {
     let turns = moved / lead;
-    (turns - turns.round()).abs() * lead <= NEAR
+    (turns - turns.round()).abs() * lead <= LENGTH_TOLERANCE
 }
 
 /// Whether a shift of the start leads to the same groove, or so close beside it that the groove only gets
 /// wider.
 fn is_in_groove(moved: f64, lead: f64) -> bool {
     let turns = moved / lead;
-    (turns - turns.round()).abs() * lead <= BESIDE * lead + NEAR
+    (turns - turns.round()).abs() * lead <= GROOVE_WIDENING * lead + LENGTH_TOLERANCE
 }
 
 /// Whether a shift of the start is a whole number of leads, or leads to another start of a multi-start
 /// thread.
 fn is_start_of_lead(moved: f64, lead: f64) -> bool {
-    (1..=STARTS).any(|starts| is_whole_lead(moved, lead / f64::from(starts)))
+    (1..=MAX_STARTS).any(|starts| is_whole_lead(moved, lead / f64::from(starts)))
 }
 
 /// δ1 = 3.605 · n·L / 1800: the distance in which a slide reaches its speed.
@@ -551,7 +554,7 @@ fn run_in(own: &Pass, face: Option<f64>) -> Option<Message> {
 /// Checks the parameters of G76: the height of a 60° thread is 0.5 to 0.75 of its pitch, and more than the
 /// first cut. Lengths in mm, the angle in degrees.
 fn amounts(height: f64, first: f64, lead: f64, angle: f64) -> Option<Message> {
-    if first > height + NEAR {
+    if first > height + LENGTH_TOLERANCE {
         return Some(said::ThreadFirstDepth { first, height }.into());
     }
     // Relative to its lead, a thread with two or three starts is lower.

@@ -1,6 +1,6 @@
 //! Lint for tool changes: the place where the turret turns.
 
-use crate::control::events::Moment;
+use crate::control::events::EventContext;
 use crate::control::words::quote;
 use crate::geometry::Point;
 use crate::message::{Diagnostic, said};
@@ -21,12 +21,12 @@ pub struct ToolChanges {
 
 impl ToolChanges {
     /// Handles G28 or G30, in a block before the T word or in its own block.
-    pub fn home(&mut self, at: &Moment) {
+    pub fn home(&mut self, at: &EventContext) {
         self.sent_home_from = Some(on_workpiece(at));
     }
 
     /// Checks a turn of the turret.
-    pub fn turns(&self, word: &Word, at: &Moment) -> Option<Diagnostic> {
+    pub fn turns(&self, word: &Word, at: &EventContext) -> Option<Diagnostic> {
         let tip = at.state.position;
         let near = |stock: &Stock| {
             tip.x.abs() < stock.diameter.radius() + NEAR_WORK && tip.z < stock.face + NEAR_WORK
@@ -42,6 +42,6 @@ impl ToolChanges {
 }
 
 /// Position of the tip on the workpiece.
-fn on_workpiece(at: &Moment) -> Point {
+fn on_workpiece(at: &EventContext) -> Point {
     at.state.position.moved(at.state.frames.on_workpiece())
 }

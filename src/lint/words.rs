@@ -3,9 +3,9 @@
 //! In: the words of a block that its code does not read. Out: remarks that the control ignores them.
 
 use crate::control::doubt::Doubt;
-use crate::control::events::Moment;
+use crate::control::events::EventContext;
 use crate::control::macros::Variables;
-use crate::control::words::{Words, behind_letter, letters, quote};
+use crate::control::words::{Words, after_letter, letters, quote};
 use crate::cycles::single::Single;
 use crate::message::{Diagnostic, Fix, Message, Severity, said};
 use crate::source::Span;
@@ -20,7 +20,7 @@ pub fn unread(
     words: &Words,
     unread: u32,
     code: Option<&'static str>,
-    at: &Moment,
+    at: &EventContext,
 ) -> Option<Diagnostic> {
     // If a letter occurs twice the last word is used; the other one was reported.
     let counts = |word: &&Word| words.peek(word.address).is_some_and(|own| own.span == word.span);
@@ -30,7 +30,7 @@ pub fn unread(
         .filter(|word| !word.comma && unread & letters(&[word.address]) != 0)
         .find(counts)?;
     let quoted = quote(at.text, word.span);
-    let number = behind_letter(&quoted);
+    let number = after_letter(&quoted);
     let corner = match word.address {
         b'L' => Some(format!(",C{number}")),
         b'D' => Some(format!(",R{number}")),
@@ -53,7 +53,7 @@ pub fn unread(
 
 /// Reports a word of another axis in a block of a single cycle without X and Z: the cycle does not run, and
 /// nothing moves.
-pub fn without_axis(words: &Words, cycle: Single, at: &Moment) -> Option<Diagnostic> {
+pub fn without_axis(words: &Words, cycle: Single, at: &EventContext) -> Option<Diagnostic> {
     let letter = b"CHYV".iter().copied().find(|&letter| words.peek(letter).is_some())?;
     let fix = Fix::delete(at.text, words.span(letter));
     let message = said::WordIgnored { word: words.quote(at.text, letter), code: cycle.cycle().code() };
@@ -66,9 +66,9 @@ pub struct Vacant(Vec<u32>);
 
 impl Vacant {
     /// Reports a word that is dropped because its variable is vacant, once for each variable.
-    pub fn meets(&mut self, word: &Word, at: &Moment) -> Option<Diagnostic> {
+    pub fn report_vacant(&mut self, word: &Word, at: &EventContext) -> Option<Diagnostic> {
         let (variable, diagnostic) = vacant(word, at)?;
-        let is_new = self.0.len() < MOST && !self.0.contains(&variable);
+        let is_new = self.0.len() < MAX_RECORDED && !self.0.contains(&variable);
         is_new.then(|| {
             self.0.push(variable);
             diagnostic
@@ -76,20 +76,20 @@ impl Vacant {
     }
 
     /// Takes over the remarks that `other` has made.
-    pub fn has_heard_of(&mut self, other: &mut Self) {
+    pub fn inherit_reported(&mut self, other: &mut Self) {
         self.0 = std::mem::take(&mut other.0);
     }
 }
 
 /// The number of the vacant variable of a word, and the remark. An optional argument of a call is intended to
 /// be vacant.
-fn vacant(word: &Word, at: &Moment) -> Option<(u32, Diagnostic)> {
+fn vacant(word: &Word, at: &EventContext) -> Option<(u32, Diagnostic)> {
     let quoted = quote(at.text, word.span);
-    let variable = behind_letter(quoted.trim_start_matches(',')).trim_start_matches('-').strip_prefix('#')?;
+    let variable = after_letter(quoted.trim_start_matches(',')).trim_start_matches('-').strip_prefix('#')?;
     let variable: u32 = variable.parse().ok()?;
     let is_handed_over = at.state.variables.level() > 0 && Variables::may_be_argument(variable);
     // After an assignment that was not executed, the value is unknown.
-    let is_unknown = at.state.doubts.has(Doubt::Values) || at.state.variables.lacks_arguments();
+    let is_unknown = at.state.doubts.has(Doubt::Values) || at.state.variables.has_unknown_arguments();
     if variable == 0 || is_handed_over || is_unknown {
         return None;
     }
@@ -105,7 +105,7 @@ fn vacant(word: &Word, at: &Moment) -> Option<(u32, Diagnostic)> {
 
 /// Whether a condition reads a variable of the machine (#1000 and up) or, in a called macro, a local variable
 /// (#1 to #33): the call has passed its value.
-fn asks_outside(condition: &[u8], is_called: bool) -> bool {
+fn depends_on_caller(condition: &[u8], is_called: bool) -> bool {
     condition.split(|&byte| byte == b'#').skip(1).any(|behind| {
         let digits = behind.iter().skip_while(|byte| byte.is_ascii_whitespace());
         let digits: String =
@@ -120,16 +120,16 @@ fn asks_outside(condition: &[u8], is_called: bool) -> bool {
 pub struct Loops(Vec<(Span, bool)>);
 
 /// Most loops and most vacant variables; programs have fewer.
-const MOST: usize = 200;
+const MAX_RECORDED: usize = 200;
 
 impl Loops {
     /// Handles a loop that begins or is skipped.
-    pub fn meets(&mut self, statement: Span, enter: bool, at: &Moment) {
+    pub fn record(&mut self, statement: Span, enter: bool, at: &EventContext) {
         // A value from outside may be different next time.
-        let may_enter = enter || asks_outside(statement.of(at.text), at.state.variables.level() > 0);
+        let may_enter = enter || depends_on_caller(statement.of(at.text), at.state.variables.level() > 0);
         if let Some(own) = self.0.iter_mut().find(|own| own.0 == statement) {
             own.1 |= may_enter;
-        } else if self.0.len() < MOST {
+        } else if self.0.len() < MAX_RECORDED {
             self.0.push((statement, may_enter));
         }
     }
@@ -141,7 +141,7 @@ impl Loops {
     }
 
     /// Takes over the loops that `other` has seen.
-    pub fn has_heard_of(&mut self, other: &mut Self) {
+    pub fn inherit_reported(&mut self, other: &mut Self) {
         self.0 = std::mem::take(&mut other.0);
     }
 

@@ -85,7 +85,7 @@ pub struct Simulation {
 #[derive(Debug)]
 pub enum SimulationStep {
     /// There is more material to remove.
-    UnderWay(Simulation),
+    InProgress(Simulation),
     /// All material was removed, or a limit was reached.
     Done(SimulationResult),
 }
@@ -124,7 +124,7 @@ impl Simulation {
         if self.result.remove_material(motions, count) {
             SimulationStep::Done(self.result)
         } else {
-            SimulationStep::UnderWay(self)
+            SimulationStep::InProgress(self)
         }
     }
 
@@ -158,7 +158,7 @@ impl SimulationResult {
         let mut simulation = Simulation::of_resolved(resolved, motions, setup);
         loop {
             match simulation.advance(motions, usize::MAX) {
-                SimulationStep::UnderWay(more) => simulation = more,
+                SimulationStep::InProgress(more) => simulation = more,
                 SimulationStep::Done(simulation) => return simulation,
             }
         }

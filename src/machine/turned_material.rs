@@ -38,7 +38,7 @@ const SKIN: f64 = 0.5;
 const WIDEST: f64 = 6.0;
 
 /// The rapids into turned material, in order. Empty if the blank is given: the detector finds them then.
-pub fn rapids_into_it(motions: &Motions, resolved: &ResolvedSetup) -> Vec<Finding> {
+pub fn rapids_into_material(motions: &Motions, resolved: &ResolvedSetup) -> Vec<Finding> {
     let Some((stock, Basis::Inferred)) = resolved.stock() else { return Vec::new() };
     if !resolved.unknown().is_empty() || Evidence::of(motions, None).is_mirrored() {
         return Vec::new();

@@ -148,7 +148,7 @@ impl Places {
         let trace = &analysis.trace;
         let own = motions_of(trace, &analysis.motions);
         let mut times = BTreeMap::new();
-        if trace.iter().any(|executed| executed.steers) {
+        if trace.iter().any(|executed| executed.is_flow_control) {
             for executed in trace {
                 *times.entry(executed.at.byte).or_insert(0u32) += 1;
             }
@@ -161,7 +161,7 @@ impl Places {
             let byte = executed.at.byte;
             let inside = byte < self.end && !self.is_fenced(byte);
             let once = times.get(&byte).is_none_or(|&times| times == 1);
-            let mut is_plain = executed.values.is_none() && !executed.steers && is_plain(&block);
+            let mut is_plain = executed.values.is_none() && !executed.is_flow_control && is_plain(&block);
             for found in block.words.iter().filter_map(|word| g(word, analysis.codes)) {
                 match found {
                     G::Unit(new) => unit = new,

@@ -212,11 +212,11 @@ impl Writer<'_> {
             let has = |letters: &[u8]| block.words.iter().any(|word| letters.contains(&word.address));
             let found = || block.words.iter().filter_map(|word| g(word, self.analysis.codes));
             if is_plain(&block)
-                && block.words.iter().any(|word| ends_program(word) && !codes::is_passage(word))
+                && block.words.iter().any(|word| ends_program(word) && !codes::is_call_or_return(word))
             {
                 return;
             }
-            let straight = executed.at.byte > at && !executed.steers && executed.values.is_none();
+            let straight = executed.at.byte > at && !executed.is_flow_control && executed.values.is_none();
             at = executed.at.byte;
             // The program may reach a block from elsewhere, or not at all.
             if !straight || !is_plain(&block) || self.places.is_target(&block) {

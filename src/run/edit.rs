@@ -8,7 +8,7 @@ use std::collections::BTreeMap;
 
 use super::repeated::FaultyBlocks;
 use super::{Recognised, Run, RunId, TextEdit};
-use crate::control::interpreter::{Remainder, Snapshot};
+use crate::control::interpreter::{RunTail, Snapshot};
 use crate::heap;
 use crate::parts::{Part, late};
 use crate::provenance;
@@ -38,7 +38,7 @@ impl Checkpoint {
 /// The results of the run before the edit, from the first snapshot after the edit on.
 #[derive(Clone, Debug)]
 pub(super) struct PreviousRun {
-    remainder: Remainder,
+    tail: RunTail,
     /// Blocks read at each of its snapshots.
     blocks: Vec<usize>,
     /// Blocks read at its end.
@@ -72,8 +72,8 @@ impl PreviousRun {
     }
 
     /// The next byte after `behind`, in the new text, at which the runs may join.
-    fn meeting(&mut self, behind: u32) -> Option<u32> {
-        while let Some(there) = self.remainder.at(self.next) {
+    fn next_join(&mut self, behind: u32) -> Option<u32> {
+        while let Some(there) = self.tail.at(self.next) {
             let byte = self.shift.byte(there.byte);
             if self.shift.moves(there.byte) && byte > behind && i64::from(byte) >= self.same_from {
                 return Some(byte);
@@ -92,8 +92,8 @@ late! {
         run.go_back(edit);
     }
 
-    fn pause(run: &mut Run, at: Resume) -> bool {
-        run.pause_with_snapshot(at)
+    fn snapshot_if_due(run: &mut Run, at: Resume) -> bool {
+        run.take_checkpoint(at)
     }
 }
 
@@ -155,7 +155,7 @@ impl Run {
         };
         let filled = self.text.trim_ascii_end().len();
         self.previous = before.filter(|_| same_way).map(|before| PreviousRun { filled, ..before });
-        self.find_next_meeting(self.at);
+        self.find_next_join(self.at);
     }
 
     /// The results of this run, or of the one before it, that come after an edit that is about to be made.
@@ -163,7 +163,7 @@ impl Run {
         if let Some(before) = self.previous.take() {
             return Some(before.edit(line, end, bytes, same_from));
         }
-        if !self.finished || self.stopped || !self.interpreter.is_straight() {
+        if !self.finished || self.stopped || !self.interpreter.is_in_linear_order() {
             return None;
         }
         let behind = self.checkpoints.partition_point(|checkpoint| checkpoint.byte() < end);
@@ -175,7 +175,7 @@ impl Run {
         let (heads, others) = programs.into_iter().partition(|(_, start)| *start < first);
         self.programs = heads;
         Some(PreviousRun {
-            remainder: self.interpreter.take_remainder(snapshots)?,
+            tail: self.interpreter.take_tail(snapshots)?,
             blocks,
             last: self.blocks,
             heads: self.programs.keys().copied().collect(),
@@ -191,7 +191,7 @@ impl Run {
     /// Whether a snapshot is due before the next block, or this run may join the previous one there.
     #[inline]
     pub(super) fn is_due(&self, at: Resume) -> bool {
-        self.interpreter.has_full_chunk() || self.blocks >= self.due || at.byte >= self.meeting
+        self.interpreter.has_full_chunk() || self.blocks >= self.due || at.byte >= self.next_join
     }
 
     /// Number of blocks after which a snapshot may be due.
@@ -203,12 +203,12 @@ impl Run {
     /// Takes a snapshot before the next block of a text of `text` bytes. Returns true if the run has joined
     /// the previous one and taken over its remaining results.
     #[cold]
-    pub(super) fn pause(&mut self, at: Resume, text: usize) -> bool {
+    pub(super) fn snapshot_if_due(&mut self, at: Resume, text: usize) -> bool {
         if self.interpreter.motions().is_empty() {
             heap::reserve(self.interpreter.expected_bytes(at, text));
         }
         if EDITS.is_loaded() {
-            return pause(self, at);
+            return snapshot_if_due(self, at);
         }
         if self.interpreter.has_full_chunk() {
             self.interpreter.begin_chunk(at);
@@ -217,16 +217,16 @@ impl Run {
         false
     }
 
-    fn pause_with_snapshot(&mut self, at: Resume) -> bool {
+    fn take_checkpoint(&mut self, at: Resume) -> bool {
         self.due = self.next_due();
-        if self.ended || !self.interpreter.is_straight() {
+        if self.ended || !self.interpreter.is_in_linear_order() {
             self.previous = None;
         }
         // Tried values count executions from the start, so such a run always begins there.
         let may_pause = self.begun
             && !self.ended
             && at.begins_line()
-            && self.interpreter.is_straight()
+            && self.interpreter.is_in_linear_order()
             && self.tried.is_empty();
         let joined = may_pause && {
             let snapshot = self.interpreter.snapshot(at);
@@ -236,7 +236,7 @@ impl Run {
         if !may_pause && self.interpreter.has_full_chunk() {
             self.interpreter.begin_chunk(at);
         }
-        self.find_next_meeting(at);
+        self.find_next_join(at);
         joined
     }
 
@@ -245,19 +245,19 @@ impl Run {
     }
 
     /// Finds the next byte after `at` at which this run may join the previous one.
-    fn find_next_meeting(&mut self, at: Resume) {
-        let next = self.previous.as_mut().and_then(|before| before.meeting(at.byte));
+    fn find_next_join(&mut self, at: Resume) {
+        let next = self.previous.as_mut().and_then(|before| before.next_join(at.byte));
         if next.is_none() {
             self.previous = None;
         }
-        self.meeting = next.unwrap_or(u32::MAX);
+        self.next_join = next.unwrap_or(u32::MAX);
     }
 
     /// Takes over the remaining results of the previous run, if its state here was the same.
     fn join_at(&mut self, at: Resume) -> bool {
         let Some(before) = &mut self.previous else { return false };
         let index = before.next;
-        let Some(there) = before.remainder.at(index) else { return false };
+        let Some(there) = before.tail.at(index) else { return false };
         before.shift.lines = i64::from(at.line) - i64::from(there.line);
         let shift = before.shift;
         // The end of the text is reported at the last character before it, so joining there would misplace
@@ -265,18 +265,18 @@ impl Run {
         let is_last = at.byte as usize >= before.filled;
         if is_last
             || there.shifted(&shift) != at
-            || !self.interpreter.meets(&before.remainder, index, before.unchanged, &shift)
+            || !self.interpreter.continues_as(&before.tail, index, before.unchanged, &shift)
         {
             return false;
         }
-        let Some(PreviousRun { remainder, blocks, last, heads, others, .. }) = self.previous.take() else {
+        let Some(PreviousRun { tail, blocks, last, heads, others, .. }) = self.previous.take() else {
             return false;
         };
         if !heads.iter().eq(self.programs.keys()) {
             // They will differ at later snapshots too.
             return false;
         }
-        let later = self.interpreter.take_over(remainder, index, &shift);
+        let later = self.interpreter.adopt_tail(tail, index, &shift);
         let (met, own) = (blocks[index], self.blocks);
         let moved = |blocks: usize| blocks - met + own;
         let blocks = blocks.into_iter().skip(index + 1).map(moved);

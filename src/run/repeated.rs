@@ -14,7 +14,7 @@ use crate::text::block::Block;
 use crate::text::parser::{Parser, Resume};
 
 /// Maximum number of faults in all cached blocks: about 30 MB.
-const MOST_FAULTS: usize = 100_000;
+const MAX_FAULTS: usize = 100_000;
 
 /// Faulty blocks by the first byte of their position.
 #[derive(Clone, Debug, Default)]
@@ -40,7 +40,7 @@ early! {
             return true;
         }
         let more = parser.next_block(run.block_to_read());
-        if more && !run.block.faults.is_empty() && run.faulty.faults < MOST_FAULTS {
+        if more && !run.block.faults.is_empty() && run.faulty.faults < MAX_FAULTS {
             run.faulty.faults += run.block.faults.len();
             let kept = Kept { at, next: parser.position(), block: Arc::clone(&run.block) };
             run.faulty.blocks.insert(at.byte, kept);

@@ -8,12 +8,12 @@ use std::ops::Range;
 use std::sync::Arc;
 
 use super::repeated::FaultyBlocks;
-use super::tried::give;
+use super::tried::set_tried_value;
 use super::{Checkpoint, Run, RunId};
-use crate::control::contour::Purpose;
+use crate::control::contour::ContourUse;
 use crate::control::interpreter::Interpreter;
 use crate::control::modal::State;
-use crate::control::origins::{Chronicle, Origins};
+use crate::control::origins::{OriginRecord, Origins};
 use crate::control::program::Labels;
 use crate::control::second_axis;
 use crate::text::block::Block;
@@ -35,7 +35,7 @@ pub struct Visit {
     /// The number of the visit, from 1.
     pub number: u32,
     /// The purpose, if a cycle reads the block as a part of its contour.
-    pub purpose: Option<Purpose>,
+    pub purpose: Option<ContourUse>,
     /// The number of the execution, from 1; 0 if the block is only read.
     pub carried_out: u32,
     /// The state before the block.
@@ -55,7 +55,7 @@ pub struct Found {
     /// The start of the block, and the start of the next one.
     pub place: Range<Resume>,
     /// The number of visits; 0 if the block is never executed or read.
-    pub times: u32,
+    pub visits: u32,
     /// The requested visit.
     pub visit: Option<Visit>,
 }
@@ -72,7 +72,7 @@ impl Found {
 
 /// Selects one of the visits to a block.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Time {
+pub enum VisitChoice {
     /// The first visit that uses all words of the block: roughing ignores some of them in its contour.
     Usual,
     /// The visit with this number, from 1; the last one if there are fewer.
@@ -87,10 +87,10 @@ pub struct Replay {
     /// The repeated run; it has the text only while the replay advances.
     run: Run,
     place: Range<Resume>,
-    time: Time,
+    choice: VisitChoice,
     /// Index of the first motion of the repeated run.
     motions_before: usize,
-    times: u32,
+    visits: u32,
     carried_out: u32,
     visit: Option<Visit>,
     is_done: bool,
@@ -113,27 +113,27 @@ pub fn block_at(text: &[u8], line: Resume, byte: u32) -> (Range<Resume>, Block) 
 impl Run {
     /// Starts a replay up to the block at `byte`; `line` is the beginning of its line. The run must have
     /// ended; an edit invalidates the replay.
-    pub fn replay(&self, line: Resume, byte: u32, time: Time) -> Replay {
+    pub fn replay(&self, line: Resume, byte: u32, choice: VisitChoice) -> Replay {
         let (place, _) = block_at(&self.text, line, byte);
         let before = self.checkpoints.partition_point(|checkpoint| checkpoint.byte() <= place.start.byte);
         let checkpoint = before.checked_sub(1).map(|last| &self.checkpoints[last]);
-        let checkpoint = checkpoint.filter(|checkpoint| checkpoint.snapshot.is_chronicled());
+        let checkpoint = checkpoint.filter(|checkpoint| checkpoint.snapshot.has_origins());
         let motions_before = checkpoint.map_or(0, |checkpoint| {
             let chunks = checkpoint.snapshot.chunks();
             self.motions().before().get(chunks).copied().unwrap_or(self.motions().len())
         });
-        let mut run = self.once_more(checkpoint);
-        if let Some(chronicle) = run.interpreter.chronicle_mut() {
-            chronicle.watch(place.start.byte);
+        let mut run = self.replay_from(checkpoint);
+        if let Some(record) = run.interpreter.record_mut() {
+            record.watch(place.start.byte);
         }
         let is_done = !self.finished || self.recognised.foreign.is_some() || run.finished;
         Replay {
             of: self.id,
             run,
             place,
-            time,
+            choice,
             motions_before,
-            times: 0,
+            visits: 0,
             carried_out: 0,
             visit: None,
             is_done,
@@ -155,12 +155,12 @@ impl Run {
     }
 
     /// This run from a snapshot or from its beginning, without its text and without lints.
-    fn once_more(&self, checkpoint: Option<&Checkpoint>) -> Self {
+    fn replay_from(&self, checkpoint: Option<&Checkpoint>) -> Self {
         let interpreter = match checkpoint {
             Some(checkpoint) => self.interpreter.resumed(&checkpoint.snapshot),
             None => {
-                let mut interpreter = self.interpreter.anew();
-                interpreter.begin_chronicle();
+                let mut interpreter = self.interpreter.restarted();
+                interpreter.begin_recording();
                 interpreter
             }
         };
@@ -190,7 +190,7 @@ impl Run {
             checkpoints: Vec::new(),
             due: usize::MAX,
             previous: None,
-            meeting: u32::MAX,
+            next_join: u32::MAX,
             faulty: FaultyBlocks::default(),
             interpreter,
         };
@@ -220,13 +220,13 @@ impl Replay {
     }
 
     /// The requested visit.
-    pub fn time(&self) -> Time {
-        self.time
+    pub fn choice(&self) -> VisitChoice {
+        self.choice
     }
 
     /// The result, once the replay has ended.
     pub fn found(self) -> Found {
-        Found { place: self.place, times: self.times, visit: self.visit }
+        Found { place: self.place, visits: self.visits, visit: self.visit }
     }
 
     fn advance(&mut self, blocks: usize) {
@@ -243,20 +243,20 @@ impl Replay {
             }
             let first = self.kept();
             self.run.advance(1);
-            let chronicle = self.run.interpreter.chronicle_mut();
-            for reading in chronicle.map(Chronicle::take_readings).unwrap_or_default() {
+            let record = self.run.interpreter.record_mut();
+            for reading in record.map(OriginRecord::take_readings).unwrap_or_default() {
                 let moment = |(state, origins)| Moment { state, origins };
                 let (before, after) = (moment(reading.before), moment(reading.after));
-                self.see(Some(reading.purpose), before, after, first..self.kept(), None);
+                self.record_visit(Some(reading.purpose), before, after, first..self.kept(), None);
             }
             if let Some(before) = before {
                 let after = self.moment();
                 let values = self.run.interpreter.take_trace().pop().and_then(|executed| executed.values);
                 let values = values.map(String::from);
-                self.see(None, before, after, first..self.kept(), values);
+                self.record_visit(None, before, after, first..self.kept(), values);
                 // While the program runs straight through, a block is visited only once. Contours are an
                 // exception, but the way back from them is straight.
-                self.is_done = self.run.interpreter.is_straight();
+                self.is_done = self.run.interpreter.is_in_linear_order();
             }
             if self.is_done {
                 return;
@@ -274,7 +274,7 @@ impl Replay {
         let mut moment = self.moment();
         for tried in &self.run.setup().tried {
             if (tried.block, tried.time) == (self.place.start.byte, self.carried_out) {
-                give(&mut moment.state.variables, *tried);
+                set_tried_value(&mut moment.state.variables, *tried);
             }
         }
         moment
@@ -282,33 +282,35 @@ impl Replay {
 
     fn moment(&self) -> Moment {
         let Interpreter { state, .. } = &self.run.interpreter;
-        let origins = match self.run.interpreter.chronicler() {
-            Some(chronicler) => chronicler.chronicle().origins.clone(),
+        let origins = match self.run.interpreter.recorder() {
+            Some(recorder) => recorder.record().origins.clone(),
             None => Origins::new(state),
         };
         Moment { state: state.clone(), origins }
     }
 
     /// Records a visit to the block.
-    fn see(
+    fn record_visit(
         &mut self,
-        purpose: Option<Purpose>,
+        purpose: Option<ContourUse>,
         before: Moment,
         after: Moment,
         motions: Range<usize>,
         values: Option<String>,
     ) {
-        self.times += 1;
-        let number = self.times;
+        self.visits += 1;
+        let number = self.visits;
         let carried_out = if purpose.is_none() { self.carried_out } else { 0 };
-        let is_meant = match (self.time, &self.visit) {
+        let is_meant = match (self.choice, &self.visit) {
             (_, None) => true,
-            (Time::Usual, Some(kept)) => {
-                kept.purpose == Some(Purpose::Roughing) && purpose != Some(Purpose::Roughing)
+            (VisitChoice::Usual, Some(kept)) => {
+                kept.purpose == Some(ContourUse::Roughing) && purpose != Some(ContourUse::Roughing)
             }
-            (Time::Number(wanted), Some(_)) => number <= wanted,
+            (VisitChoice::Number(wanted), Some(_)) => number <= wanted,
             // A motion may be made by a block after its own.
-            (Time::Motion(wanted), Some(kept)) => !kept.motions.contains(&wanted) && motions.start <= wanted,
+            (VisitChoice::Motion(wanted), Some(kept)) => {
+                !kept.motions.contains(&wanted) && motions.start <= wanted
+            }
         };
         if is_meant {
             self.visit = Some(Visit { number, purpose, carried_out, before, after, values, motions });
@@ -337,10 +339,10 @@ mod tests {
     }
 
     #[track_caller]
-    fn found(run: &mut Run, line: usize, time: Time) -> Found {
+    fn found(run: &mut Run, line: usize, choice: VisitChoice) -> Found {
         let text = String::from_utf8(run.text().to_vec()).unwrap();
         let line = begin_of_line(&text, line);
-        let mut replay = run.replay(line, line.byte, time);
+        let mut replay = run.replay(line, line.byte, choice);
         while !run.advance_replay(&mut replay, 3) {}
         assert_eq!(run.text(), text.as_bytes(), "the run has its text back");
         replay.found()
@@ -350,9 +352,9 @@ mod tests {
     fn the_state_before_and_after_a_block() {
         let text = "O1\nG99 G00 X50 Z2\nG01 Z-20 F0.2\nX60\nG98 F100\nM30\n";
         let mut run = ended(text, Setup::default());
-        let found = found(&mut run, 2, Time::Usual);
+        let found = found(&mut run, 2, VisitChoice::Usual);
         let visit = found.visit.unwrap();
-        assert_eq!((found.times, visit.number, visit.purpose, visit.motions), (1, 1, None, 1..2));
+        assert_eq!((found.visits, visit.number, visit.purpose, visit.motions), (1, 1, None, 1..2));
         assert_eq!((visit.before.state.feed, visit.after.state.feed), (None, Some(0.2)));
         assert_eq!(visit.before.state.position.z, 2.0);
         assert_eq!(visit.after.state.position.z, -20.0);
@@ -366,10 +368,10 @@ mod tests {
         let text = "O1\nG98 G00 X50 Z2\nG01 Z-20 F100\nG01 X60\nZ-30\nG0 X70\nZ2\nM30\n";
         let mut run = ended(text, Setup::default());
         let at = |line| Some(begin_of_line(text, line).byte);
-        let visit = found(&mut run, 4, Time::Usual).visit.unwrap();
+        let visit = found(&mut run, 4, VisitChoice::Usual).visit.unwrap();
         assert_eq!(visit.before.origins.since(Modal::Motion), at(2));
         assert_eq!(visit.before.origins.since(Modal::FeedMode), at(1));
-        let visit = found(&mut run, 6, Time::Usual).visit.unwrap();
+        let visit = found(&mut run, 6, VisitChoice::Usual).visit.unwrap();
         assert_eq!(visit.before.origins.since(Modal::Motion), at(5));
     }
 
@@ -378,14 +380,14 @@ mod tests {
         let text = "O1\n#1=0\nWHILE[#1LT3]DO1\nG0 X[#1*10] Z0\n#1=#1+1\nEND1\nM30\n";
         let mut run = ended(text, Setup::default());
         for round in 1..=3 {
-            let found = found(&mut run, 3, Time::Number(round));
+            let found = found(&mut run, 3, VisitChoice::Number(round));
             let visit = found.visit.unwrap();
-            assert_eq!((found.times, visit.number), (3, round));
+            assert_eq!((found.visits, visit.number), (3, round));
             assert_eq!(visit.after.state.position.x, 5.0 * f64::from(round - 1));
         }
-        let by_motion = found(&mut run, 3, Time::Motion(1)).visit.unwrap();
+        let by_motion = found(&mut run, 3, VisitChoice::Motion(1)).visit.unwrap();
         assert_eq!(by_motion.number, 2);
-        let by_sum = found(&mut run, 4, Time::Number(2)).visit.unwrap();
+        let by_sum = found(&mut run, 4, VisitChoice::Number(2)).visit.unwrap();
         assert_eq!(by_sum.before.origins.set_by(0, 1), Some(begin_of_line(text, 4).byte));
     }
 
@@ -393,14 +395,14 @@ mod tests {
     fn a_block_of_a_contour_is_read_by_roughing_and_by_finishing() {
         let text = "O1\nT0101 M3 S800\nG0 X52 Z2\nG71 U2 R1\nG71 P10 Q20 U0.4 W0.1 F0.3\nN10 G0 X30\nG1 Z-10 F0.1\nN20 X50 Z-20\nG70 P10 Q20\nM30\n";
         let mut run = ended(text, Setup::default());
-        let found_line = found(&mut run, 7, Time::Usual);
+        let found_line = found(&mut run, 7, VisitChoice::Usual);
         let visit = found_line.visit.unwrap();
-        assert_eq!((found_line.times, visit.number, visit.purpose), (2, 2, Some(Purpose::Finishing)));
+        assert_eq!((found_line.visits, visit.number, visit.purpose), (2, 2, Some(ContourUse::Finishing)));
         assert_eq!(visit.before.state.feed, Some(0.1));
         assert_eq!(visit.before.origins.since(Modal::Feed), Some(begin_of_line(text, 6).byte));
-        let first = found(&mut run, 7, Time::Number(1)).visit.unwrap();
-        assert_eq!(first.purpose, Some(Purpose::Roughing));
-        let after = found(&mut run, 8, Time::Usual).visit.unwrap();
+        let first = found(&mut run, 7, VisitChoice::Number(1)).visit.unwrap();
+        assert_eq!(first.purpose, Some(ContourUse::Roughing));
+        let after = found(&mut run, 8, VisitChoice::Usual).visit.unwrap();
         assert_eq!(after.before.state.feed, Some(0.3), "what the contour says does not outlive roughing");
     }
 
@@ -409,9 +411,9 @@ mod tests {
         let text = "O1\nG0 X10 Z0\nGOTO 20\nX20\nN20 X30\nM30\nX40\n";
         let mut run = ended(text, Setup::default());
         for line in [3, 6] {
-            assert_eq!(found(&mut run, line, Time::Usual).times, 0, "line {line}");
+            assert_eq!(found(&mut run, line, VisitChoice::Usual).visits, 0, "line {line}");
         }
-        assert_eq!(found(&mut run, 4, Time::Usual).times, 1);
+        assert_eq!(found(&mut run, 4, VisitChoice::Usual).visits, 1);
     }
 
     #[test]
@@ -425,7 +427,7 @@ mod tests {
         setup.limits.stride = 50;
         let mut run = ended(&text, setup);
         let line = begin_of_line(&text, 1500);
-        let mut replay = run.replay(line, line.byte, Time::Usual);
+        let mut replay = run.replay(line, line.byte, VisitChoice::Usual);
         let mut slices = 1;
         while !run.advance_replay(&mut replay, 10) {
             slices += 1;
@@ -457,8 +459,8 @@ mod tests {
         text.insert_str(at, "(a remark)\n");
         let mut anew = ended(&text, setup);
         for line in [500, 700, 1003, 1004, 1005, 1400] {
-            let own = found(&mut run, line, Time::Usual).visit.unwrap();
-            let fresh = found(&mut anew, line, Time::Usual).visit.unwrap();
+            let own = found(&mut run, line, VisitChoice::Usual).visit.unwrap();
+            let fresh = found(&mut anew, line, VisitChoice::Usual).visit.unwrap();
             assert_eq!(own.before.state, fresh.before.state);
             for &modal in Modal::ALL {
                 assert_eq!(

@@ -22,14 +22,14 @@ impl Run {
             }
             self.tried[at] += 1;
             if self.tried[at] == tried.time {
-                self.interpreter.give(tried);
+                self.interpreter.set_tried_value(tried);
             }
         }
     }
 }
 
 /// Sets a variable to a value to try; a variable that cannot be written stays unchanged.
-pub(super) fn give(variables: &mut Variables, tried: TriedValue) {
+pub(super) fn set_tried_value(variables: &mut Variables, tried: TriedValue) {
     let _ = variables.write(tried.variable, Some(tried.value));
 }
 
@@ -37,7 +37,7 @@ pub(super) fn give(variables: &mut Variables, tried: TriedValue) {
 mod tests {
     use super::*;
     use crate::run::TextEdit;
-    use crate::run::replay::Time;
+    use crate::run::replay::VisitChoice;
     use crate::setup::Setup;
     use crate::source::LineIndex;
     use crate::text::parser::Resume;
@@ -92,7 +92,7 @@ mod tests {
     fn the_state_at_the_block_has_the_value_and_names_the_block() {
         let value = tried(3, 2, 1, 2.5);
         let mut run = run(LOOP, &[value]);
-        let mut replay = run.replay(Resume::inside(value.block, 3), value.block, Time::Number(2));
+        let mut replay = run.replay(Resume::inside(value.block, 3), value.block, VisitChoice::Number(2));
         while !run.advance_replay(&mut replay, 1) {}
         let visit = replay.found().visit.expect("a visit");
         assert_eq!(visit.carried_out, 2);

@@ -14,7 +14,7 @@ use crate::assist::signature::Otherwise;
 use crate::assist::snippet::Snippet;
 use crate::assist::state::{Frame, InForce};
 use crate::control::codes::{self, G, Group};
-use crate::control::contour::Purpose;
+use crate::control::contour::ContourUse;
 use crate::control::origins::Modal;
 use crate::control::program::CallKind;
 use crate::message::{Arguments, Value};
@@ -200,8 +200,8 @@ impl Speaker<'_> {
                 let mark = if level == 1 { "/".to_owned() } else { format!("/{level}") };
                 (Told::Skipped, vec![("what", Value::Text(mark.into()))])
             }
-            Fact::ReadBy(Purpose::Roughing) => (Told::ReadByRoughing, Vec::new()),
-            Fact::ReadBy(Purpose::Finishing) => (Told::ReadByFinishing, Vec::new()),
+            Fact::ReadBy(ContourUse::Roughing) => (Told::ReadByRoughing, Vec::new()),
+            Fact::ReadBy(ContourUse::Finishing) => (Told::ReadByFinishing, Vec::new()),
             Fact::ThreadLocked => (Told::ThreadLocked, Vec::new()),
             Fact::IgnoredByRoughing => (Told::IgnoredByRoughing, Vec::new()),
             Fact::TakenByFinishing => (Told::TakenByFinishing, Vec::new()),
@@ -421,10 +421,10 @@ impl Speaker<'_> {
     }
 
     /// Describes the cycle that reads a block as a part of its contour.
-    pub fn purpose(&self, purpose: Purpose) -> &'static str {
+    pub fn purpose(&self, purpose: ContourUse) -> &'static str {
         self.language.text(match purpose {
-            Purpose::Roughing => Told::ReadByRoughing,
-            Purpose::Finishing => Told::ReadByFinishing,
+            ContourUse::Roughing => Told::ReadByRoughing,
+            ContourUse::Finishing => Told::ReadByFinishing,
         })
     }
 
@@ -463,7 +463,7 @@ fn why_told(why: Why) -> Told {
         Why::Outside => Told::WhyOutside,
         Why::Bore => Told::WhyBore,
         Why::Axis => Told::WhyAxis,
-        Why::Here => Told::WhyHere,
+        Why::BlockPosition => Told::WhyHere,
         Why::Used => Told::WhyUsed,
         Why::InSetup => Told::WhyInSetup,
     }

@@ -10,7 +10,7 @@ use crate::api::assist::Reader;
 use crate::assist::Asked;
 use crate::parts::late;
 use crate::run::RunId;
-use crate::run::replay::{Found, Replay, Time};
+use crate::run::replay::{Found, Replay, VisitChoice};
 use crate::source::Span;
 
 /// The current question about a block.
@@ -19,7 +19,7 @@ pub(super) struct Question {
     /// The place of the question.
     byte: u32,
     replay: Option<Replay>,
-    found: Option<(RunId, Time, Found)>,
+    found: Option<(RunId, VisitChoice, Found)>,
 }
 
 #[wasm_bindgen]
@@ -92,7 +92,7 @@ late! {
     fn ask(playground: &mut Playground, offset: u32, time: Option<u32>) -> bool {
         let current = &playground.current;
         let byte = current.lines().byte_at_utf16(current.run().text(), offset);
-        begin(playground, byte, time.map_or(Time::Usual, Time::Number))
+        begin(playground, byte, time.map_or(VisitChoice::Usual, VisitChoice::Number))
     }
 
     fn ask_motion(playground: &mut Playground, motion: u32) -> bool {
@@ -102,7 +102,7 @@ late! {
             return true;
         }
         let byte = motions.span(motion).start;
-        begin(playground, byte, Time::Motion(motion))
+        begin(playground, byte, VisitChoice::Motion(motion))
     }
 
     fn explanation(playground: &Playground) -> Result<JsValue, JsValue> {
@@ -114,7 +114,7 @@ late! {
         let Playground { current, question, .. } = playground;
         let Some(mut replay) = question.replay.take() else { return true };
         if current.advance_replay(&mut replay, blocks as usize) {
-            question.found = Some((current.run().id(), replay.time(), replay.found()));
+            question.found = Some((current.run().id(), replay.choice(), replay.found()));
             return true;
         }
         question.replay = Some(replay);
@@ -154,7 +154,7 @@ late! {
 }
 
 /// Starts the search for the answer; returns true if it is already available.
-fn begin(playground: &mut Playground, byte: u32, time: Time) -> bool {
+fn begin(playground: &mut Playground, byte: u32, time: VisitChoice) -> bool {
     let Playground { current, question, .. } = playground;
     (question.byte, question.replay) = (byte, None);
     let is_known = question.found.as_ref().is_some_and(|(run, of, found)| {

@@ -18,7 +18,7 @@ impl Playground {
     /// the rule changes. To be called after a paste or a click, not during typing.
     #[wasm_bindgen(js_name = decideDecimalRule)]
     pub fn decide_decimal_rule(&mut self) {
-        self.current.decide_decimal_rule();
+        self.current.reinfer_decimal_rule();
     }
 }
 

@@ -40,7 +40,7 @@ impl From<Progress> for Drawn {
     fn from(progress: Progress) -> Self {
         match progress {
             Progress::Done => Self::All,
-            Progress::UnderWay => Self::Part,
+            Progress::InProgress => Self::Part,
             Progress::Waiting => Self::Moved,
         }
     }

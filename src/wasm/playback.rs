@@ -69,7 +69,7 @@ impl Playground {
     /// Shows all strokes and no tool.
     #[wasm_bindgen(js_name = showWhole)]
     pub fn show_whole(&mut self) {
-        self.current.put(None);
+        self.current.seek(None);
     }
 
     /// Moves the tool to a fraction of the animation, 0 to 1.
@@ -91,7 +91,7 @@ impl Playground {
     /// Moves the tool to the start of the block at a UTF-16 offset, or of the next block that moves it.
     #[wasm_bindgen(js_name = seekBlock)]
     pub fn seek_block(&mut self, offset: u32) {
-        put_at_block(&mut self.current, offset);
+        seek_block(&mut self.current, offset);
     }
 
     /// Moves the tool to the end of the previous or the next step.
@@ -113,7 +113,7 @@ impl Playground {
     pub fn go_to(&mut self, motion: u32) {
         let motion = motion as usize;
         let there = motion < self.current.motions().len();
-        self.current.put(there.then_some(Playhead { motion, share: 1.0 }));
+        self.current.seek(there.then_some(Playhead { motion, share: 1.0 }));
     }
 
     /// Descriptions of the motions `first..end`, each with the tool position at its end.
@@ -143,7 +143,7 @@ late! {
     fn seek(current: &mut Current, share: f64) {
         let clock = current.clock();
         let place = clock.place(current.motions(), share * clock.whole().pace);
-        current.put(Some(place));
+        current.seek(Some(place));
         current.keep_tool_in_view();
     }
 
@@ -151,7 +151,7 @@ late! {
         let from = current.view(Plane::Section).playhead.unwrap_or(Playhead::START);
         let lines = current.lines_that_move(asked.lines);
         let (place, by) = holds::play(current.clock(), current.motions(), from, seconds, Holds { lines: &lines, ..asked });
-        current.put(Some(place));
+        current.seek(Some(place));
         current.keep_tool_in_view();
         match by {
             None => HeldBy::Nothing,
@@ -163,12 +163,12 @@ late! {
 
     fn step_on(current: &mut Current, unit: Unit, direction: Direction) {
         let place = step(current.motions(), current.view(Plane::Section).playhead, unit, direction);
-        current.put(Some(place));
+        current.seek(Some(place));
         current.keep_tool_in_view();
     }
 
-    fn put_at_block(current: &mut Current, offset: u32) {
-        current.put_at_block(offset);
+    fn seek_block(current: &mut Current, offset: u32) {
+        current.seek_block(offset);
         current.keep_tool_in_view();
     }
 

@@ -4,7 +4,7 @@ use gcode_playground::api::Places;
 use gcode_playground::api::assist::{FormHelp, Reader, StateHelp, WordHelp};
 use gcode_playground::assist::Asked;
 use gcode_playground::run::Run;
-use gcode_playground::run::replay::{Found, Time};
+use gcode_playground::run::replay::{Found, VisitChoice};
 use gcode_playground::sentences::Language;
 use gcode_playground::setup::Setup;
 use gcode_playground::source::{LineIndex, Span};
@@ -25,7 +25,7 @@ impl Asking {
         Self { run, lines }
     }
 
-    pub fn found(&mut self, byte: u32, time: Time) -> (Found, Block) {
+    pub fn found(&mut self, byte: u32, time: VisitChoice) -> (Found, Block) {
         let line = self.lines.line_of(byte);
         let start = Resume::inside(self.lines.line(self.run.text(), line).start, line);
         let mut replay = self.run.replay(start, byte, time);
@@ -38,7 +38,7 @@ impl Asking {
     pub fn with<R>(
         &mut self,
         byte: u32,
-        time: Time,
+        time: VisitChoice,
         language: Language,
         say: impl FnOnce(&Asked, &Reader, &Run) -> R,
     ) -> R {
@@ -49,7 +49,7 @@ impl Asking {
         say(&asked, &Reader { places, language, unit: run.state().unit }, run)
     }
 
-    pub fn word(&mut self, byte: u32, time: Time, language: Language) -> Option<WordHelp> {
+    pub fn word(&mut self, byte: u32, time: VisitChoice, language: Language) -> Option<WordHelp> {
         self.with(byte, time, language, |asked, reader, run| {
             let notes: Vec<Span> = run.notes().spans().collect();
             reader.word(asked, byte, &notes, run.motions())
@@ -57,10 +57,10 @@ impl Asking {
     }
 
     pub fn form(&mut self, byte: u32, language: Language) -> Option<FormHelp> {
-        self.with(byte, Time::Usual, language, |asked, reader, _| reader.form(asked, byte))
+        self.with(byte, VisitChoice::Usual, language, |asked, reader, _| reader.form(asked, byte))
     }
 
-    pub fn state(&mut self, byte: u32, time: Time, language: Language) -> StateHelp {
+    pub fn state(&mut self, byte: u32, time: VisitChoice, language: Language) -> StateHelp {
         self.with(byte, time, language, |asked, reader, run| reader.state(asked, run.motions()))
     }
 }

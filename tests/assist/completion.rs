@@ -2,7 +2,7 @@
 
 use gcode_playground::api::assist::CompletionItem;
 use gcode_playground::message::Severity;
-use gcode_playground::run::replay::Time;
+use gcode_playground::run::replay::VisitChoice;
 use gcode_playground::sentences::Language;
 use gcode_playground::setup::Setup;
 
@@ -12,7 +12,7 @@ impl Asking {
     /// The completions at a byte, on explicit request or while the user types.
     pub fn completion(&mut self, byte: u32, language: Language, asked_for: bool) -> Vec<CompletionItem> {
         let end = self.run.state().clone();
-        self.with(byte, Time::Usual, language, |asked, reader, _| {
+        self.with(byte, VisitChoice::Usual, language, |asked, reader, _| {
             reader.completion(asked, byte, &end, asked_for).map_or_else(Vec::new, |found| found.items)
         })
     }

@@ -5,7 +5,7 @@ use std::fmt::Write;
 use std::fs;
 
 use expect_test::expect_file;
-use gcode_playground::run::replay::Time;
+use gcode_playground::run::replay::VisitChoice;
 use gcode_playground::sentences::Language;
 use gcode_playground::setup::Setup;
 
@@ -24,9 +24,10 @@ fn words(id: &str) -> String {
     for (at, letter) in
         text.bytes().enumerate().filter(|(_, byte)| byte.is_ascii_uppercase() || *byte == b'#')
     {
-        let (_, block) = asking.found(at as u32, Time::Usual);
+        let (_, block) = asking.found(at as u32, VisitChoice::Usual);
         let begins = block.words.iter().any(|word| word.span.start == at as u32) || letter == b'#';
-        let Some(english) = asking.word(at as u32, Time::Usual, Language::English).filter(|_| begins) else {
+        let Some(english) = asking.word(at as u32, VisitChoice::Usual, Language::English).filter(|_| begins)
+        else {
             continue;
         };
         if english.from as usize > at || !kinds.insert((letter, english.title.clone())) {
@@ -39,7 +40,7 @@ fn words(id: &str) -> String {
         let value = |value: Option<String>| value.map_or_else(String::new, |value| format!(" = {value}"));
         let _ = writeln!(out, "    {}: {}{}", english.word, english.title, value(english.value));
         for language in [Language::Chinese, Language::Russian] {
-            let help = asking.word(at as u32, Time::Usual, language).expect("the same word");
+            let help = asking.word(at as u32, VisitChoice::Usual, language).expect("the same word");
             let _ = writeln!(out, "    {}{}", help.title, value(help.value));
         }
     }

@@ -2,7 +2,7 @@
 //! program.
 
 use gcode_playground::api::assist::{FormHelp, StateHelp};
-use gcode_playground::run::replay::Time;
+use gcode_playground::run::replay::VisitChoice;
 use gcode_playground::sentences::Language;
 use gcode_playground::setup::Setup;
 
@@ -27,18 +27,18 @@ impl Program {
         self.text.split_inclusive('\n').take(line - 1).map(str::len).sum::<usize>() as u32
     }
 
-    fn state(&mut self, line: usize, time: Time) -> StateHelp {
+    fn state(&mut self, line: usize, time: VisitChoice) -> StateHelp {
         let byte = self.byte(line);
         self.asking.state(byte, time, Language::English)
     }
 
     fn explanation(&mut self, line: usize) -> String {
-        self.state(line, Time::Usual).explanation
+        self.state(line, VisitChoice::Usual).explanation
     }
 
     /// The positions before and after: `X Ø80 mm > Ø50 mm`.
     fn axes(&mut self, line: usize) -> Vec<String> {
-        let axes = self.state(line, Time::Usual).axes;
+        let axes = self.state(line, VisitChoice::Usual).axes;
         axes.iter().map(|row| format!("{} {} > {}", row.name, row.before, row.after)).collect()
     }
 
@@ -64,7 +64,7 @@ impl Program {
     fn word(&mut self, line: usize, word: &str) -> (String, Vec<String>) {
         let start = self.byte(line) as usize;
         let at = start + self.text[start..].find(word).expect("the word");
-        let help = self.asking.word(at as u32, Time::Usual, Language::English).expect("a word");
+        let help = self.asking.word(at as u32, VisitChoice::Usual, Language::English).expect("a word");
         (help.value.unwrap_or_default(), help.facts.into_iter().map(|fact| fact.text).collect())
     }
 }
@@ -205,7 +205,7 @@ fn each_time_of_a_compensated_loop_has_its_own_sentence() {
         "O1\nT0101 M3 S1000\nG00 X60 Z5\nG42 G00 X30 Z2\n#1=0\nWHILE[#1LT3]DO1\nG01 W-5 F0.2\n#1=#1+1\nEND1\nG01 X50\nX52 Z-20\nG40 G00 X60\nM30\n",
     );
     for (time, from, to) in [(1, 2, -3), (2, -3, -8), (3, -8, -13)] {
-        let explained = program.state(7, Time::Number(time)).explanation;
+        let explained = program.state(7, VisitChoice::Number(time)).explanation;
         let expected = format!("Cuts straight from X30 Z{from} to X30 Z{to}: 5 mm.");
         assert!(explained.starts_with(&expected), "{time}: {explained}");
     }
@@ -244,7 +244,7 @@ fn p_and_q_in_millimetres() {
         "O1\nM3 S200\nG00 X60 Z10\nG76 P011060 Q0.1 R0.1\nG76 X33.8 Z-60 R0 P2.4 Q0.7 F4\nG00 X80\nM30\n";
     let mut program = Program::with(thread, millimetres());
     assert_eq!(program.word(4, "Q0.1").0, "0.1 mm");
-    let state = program.state(4, Time::Usual);
+    let state = program.state(4, VisitChoice::Usual);
     let least = state.rows.iter().find(|row| row.name.contains("G76") && row.after == "0.1 mm");
     assert!(least.is_some() && !state.explanation.contains("0.0001"), "{state:#?}");
     assert_eq!(program.word(5, "P2.4").0, "2.4 mm");

@@ -79,7 +79,7 @@ pub const CLASSES: &[Class] = &[
     class("doubled point", doubled_point),
     unseen("comma for point", comma_for_point),
     unseen("dash for minus", printed_minus),
-    class("lost minus", lost_minus),
+    class("lost minus", missing_minus),
     class("address without number", no_number),
     class("number without address", no_address),
     class("unknown G", unknown_g),
@@ -193,7 +193,7 @@ fn printed_minus(words: &Words) -> Vec<Mutant> {
     each(words, |words, word| replace_first(words, word, '-', "–"))
 }
 
-fn lost_minus(words: &Words) -> Vec<Mutant> {
+fn missing_minus(words: &Words) -> Vec<Mutant> {
     each(words, |words, word| replace_first(words, word, '-', ""))
 }
 

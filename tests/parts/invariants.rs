@@ -90,7 +90,7 @@ proptest! {
         let mut machining = Simulation::new(&motions, &setup);
         let sliced = loop {
             match machining.advance(&motions, slice) {
-                SimulationStep::UnderWay(more) => machining = more,
+                SimulationStep::InProgress(more) => machining = more,
                 SimulationStep::Done(simulation) => break simulation,
             }
         };

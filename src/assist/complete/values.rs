@@ -75,13 +75,13 @@ impl Proposing<'_> {
             Axis::X => {
                 let outside = stock.map(|stock| (stock.diameter.mm(), Why::Outside));
                 let bore = stock.map(|stock| (stock.bore.mm(), Why::Bore)).filter(|&(bore, _)| bore > 0.0);
-                let fixed = [(self.here(axis), Why::Here), (0.0, Why::Axis)];
+                let fixed = [(self.here(axis), Why::BlockPosition), (0.0, Why::Axis)];
                 outside.into_iter().chain(bore).chain(fixed).collect()
             }
             Axis::Z => {
                 let face = (stock.map_or(0.0, |stock| stock.face), Why::Face);
                 let back = stock.map(|stock| (stock.back(), Why::Back));
-                [face, (self.here(axis), Why::Here)].into_iter().chain(back).collect()
+                [face, (self.here(axis), Why::BlockPosition)].into_iter().chain(back).collect()
             }
         };
         let mut found: Vec<(String, Why)> = Vec::new();
@@ -89,7 +89,7 @@ impl Proposing<'_> {
             let text = written(if is_way { at - self.here(axis) } else { at }, reading);
             let is_double = found.iter().any(|(other, _)| *other == text);
             // An incremental move to the current position would be zero.
-            let is_nowhere = is_way && why == Why::Here;
+            let is_nowhere = is_way && why == Why::BlockPosition;
             if !is_double && !is_nowhere {
                 found.push((text, why));
             }

@@ -127,7 +127,7 @@ const fn not_in_a(key: u16, function: Function, code: G, group: Group) -> GCode 
 }
 
 /// A G code with one number in A and GSK, and another in B and C.
-const fn moved(a: u16, b: u16, function: Function, code: G, group: Group) -> GCode {
+const fn differs_in_b_and_c(a: u16, b: u16, function: Function, code: G, group: Group) -> GCode {
     spelled([a, b, b, a], function, code, group)
 }
 
@@ -137,7 +137,7 @@ const G_CODES: &[GCode] = &[
     mode(20, Function::ArcClockwise, MotionMode::Arc(Turn::Clockwise)),
     mode(30, Function::ArcCounterclockwise, MotionMode::Arc(Turn::Counterclockwise)),
     same(40, Function::Dwell, G::Dwell, 0),
-    moved(320, 330, Function::Thread, G::Motion(MotionMode::Thread), 1),
+    differs_in_b_and_c(320, 330, Function::Thread, G::Motion(MotionMode::Thread), 1),
     spelled([NOT_THERE, NOT_THERE, NOT_THERE, 330], Function::Tapping, G::Motion(MotionMode::Tapping), 1),
     mode(340, Function::VariableThread, MotionMode::VariableThread),
     cycle([900, 770, 200, 900], Function::TurningCycle, Single::Turning),
@@ -172,7 +172,7 @@ const G_CODES: &[GCode] = &[
     same(1130, Function::PolarOff, G::Polar(Switch::Off), 21),
     same(71, Function::Cylinder, G::Cylinder, 0),
     same(1070, Function::Cylinder, G::Cylinder, 0),
-    moved(500, 920, Function::Setting, G::Setting, 0),
+    differs_in_b_and_c(500, 920, Function::Setting, G::Setting, 0),
     same(520, Function::LocalFrame, G::LocalFrame, 0),
     same(530, Function::Machine, G::Machine, 0),
     same(540, Function::Frame, G::Frame(0), 14),
@@ -195,8 +195,8 @@ const G_CODES: &[GCode] = &[
     same(190, Function::Plane, G::Plane(Plane::Yz), 16),
     spelled([200, 200, 700, 200], Function::Unit, G::Unit(Unit::Inch), 6),
     spelled([210, 210, 710, 210], Function::Unit, G::Unit(Unit::Millimetre), 6),
-    moved(980, 940, Function::Feed, G::Feed(FeedMode::PerMinute), 5),
-    moved(990, 950, Function::Feed, G::Feed(FeedMode::PerTurn), 5),
+    differs_in_b_and_c(980, 940, Function::Feed, G::Feed(FeedMode::PerMinute), 5),
+    differs_in_b_and_c(990, 950, Function::Feed, G::Feed(FeedMode::PerTurn), 5),
     same(960, Function::SurfaceSpeed, G::SurfaceSpeed, 2),
     same(970, Function::ConstantSpeed, G::ConstantSpeed, 2),
     same(650, Function::MacroCall, G::MacroCall(MacroCall::Once), 0),
@@ -464,7 +464,7 @@ static USUAL_M_ROWS: [u8; 100] = {
 };
 
 /// The row of a key with the same meaning in all lists.
-const fn everywhere(key: usize) -> &'static GCode {
+const fn same_in_all_lists(key: usize) -> &'static GCode {
     let row = G_ROWS[0][key];
     assert!(row == G_ROWS[1][key] && row == G_ROWS[2][key] && row == G_ROWS[3][key]);
     &G_CODES[row as usize]
@@ -475,10 +475,10 @@ const fn everywhere(key: usize) -> &'static GCode {
 pub fn g_code(key: u64, list: CodeList) -> Option<&'static GCode> {
     // Nearly every block has one of these: as constants they need no lookup.
     match key {
-        0 => return Some(const { everywhere(0) }),
-        10 => return Some(const { everywhere(10) }),
-        20 => return Some(const { everywhere(20) }),
-        30 => return Some(const { everywhere(30) }),
+        0 => return Some(const { same_in_all_lists(0) }),
+        10 => return Some(const { same_in_all_lists(10) }),
+        20 => return Some(const { same_in_all_lists(20) }),
+        30 => return Some(const { same_in_all_lists(30) }),
         _ => {}
     }
     if !key.is_multiple_of(10) {

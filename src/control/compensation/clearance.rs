@@ -12,13 +12,13 @@ pub(super) const ALLOWED: f64 = 0.02;
 
 /// A piece of the path of the centre.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Way {
+pub(super) struct CenterPath {
     pub(super) from: Point,
     pub(super) to: Point,
     pub(super) shape: Shape,
 }
 
-impl Way {
+impl CenterPath {
     pub(super) fn of(element: &Element) -> Self {
         Self { from: element.from, to: element.to, shape: element.shape }
     }
@@ -28,7 +28,7 @@ impl Way {
     }
 
     /// Depth, mm, of the cut of a nose on this path into an element, if it is more than [`ALLOWED`].
-    pub(super) fn cuts_into(&self, element: &Element, radius: f64) -> Option<f64> {
+    pub(super) fn gouge_depth(&self, element: &Element, radius: f64) -> Option<f64> {
         if radius <= ALLOWED {
             return None;
         }

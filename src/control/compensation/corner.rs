@@ -23,9 +23,9 @@ pub(super) struct Corner {
 const STRAIGHT: f64 = 1e-6;
 /// An arc of a larger angle, radians, is not lengthened at an outer corner, because it could intersect
 /// itself.
-const LONGEST_LENGTHENED: f64 = 1.5 * PI;
+const MAX_LENGTHENED: f64 = 1.5 * PI;
 /// Maximum angle by which an arc is lengthened, radians.
-const MOST_LENGTHENING: f64 = FRAC_PI_4;
+const MAX_LENGTHENING: f64 = FRAC_PI_4;
 
 /// The corner between two elements, or `None` if their offset paths do not meet.
 pub(super) fn corner(first: Track, second: Track, radius: f64) -> Option<Corner> {
@@ -63,7 +63,7 @@ pub(super) fn corner(first: Track, second: Track, radius: f64) -> Option<Corner>
         false => t1.dot(*meeting) <= SAME && t2.dot(*meeting) >= -SAME,
     };
     let nearest = ending
-        .meetings(beginning)
+        .intersections(beginning)
         .into_iter()
         .flatten()
         .filter(ahead)
@@ -138,13 +138,13 @@ impl Curve {
             Self::Line { .. } => true,
             Self::Circle { center, sweep, .. } => {
                 let angle = angle_between(perpendicular - center, to - center).abs();
-                sweep <= LONGEST_LENGTHENED && angle <= MOST_LENGTHENING
+                sweep <= MAX_LENGTHENED && angle <= MAX_LENGTHENING
             }
         }
     }
 
     /// Intersections of two curves. Curves that miss each other by less than [`SAME`] touch.
-    fn meetings(self, other: Self) -> [Option<Vector>; 2] {
+    fn intersections(self, other: Self) -> [Option<Vector>; 2] {
         match (self, other) {
             (Self::Line { through, direction }, Self::Circle { center, radius, .. })
             | (Self::Circle { center, radius, .. }, Self::Line { through, direction }) => {

@@ -23,11 +23,11 @@ pub fn end_by_angle(from: Point, angle: f64, x: Option<f64>, z: Option<f64>) -> 
             Ok(end)
         }
         (Some(x), None) => {
-            cross_safely(angle, 0.0)?;
+            check_intersection(angle, 0.0)?;
             Ok(Point::new(x, from.z + (x - from.x) * angle.cos() / angle.sin()))
         }
         (None, Some(z)) => {
-            cross_safely(angle, std::f64::consts::FRAC_PI_2)?;
+            check_intersection(angle, std::f64::consts::FRAC_PI_2)?;
             Ok(Point::new(from.x + (z - from.z) * angle.tan(), z))
         }
         (None, None) => Err(CornerError::NoEndPoint),
@@ -37,7 +37,7 @@ pub fn end_by_angle(from: Point, angle: f64, x: Option<f64>, z: Option<f64>) -> 
 /// Intersection of the line through `from` at the first angle and the line through `to` at the second: the
 /// end of a block with only an angle.
 pub fn meet(from: Point, first_angle: f64, to: Point, second_angle: f64) -> Result<Point, CornerError> {
-    cross_safely(first_angle, second_angle)?;
+    check_intersection(first_angle, second_angle)?;
     let (dx, dz) = (to.x - from.x, to.z - from.z);
     let along = (dz * second_angle.sin() - dx * second_angle.cos()) / (second_angle - first_angle).sin();
     Ok(Point::new(from.x + along * first_angle.sin(), from.z + along * first_angle.cos()))
@@ -63,7 +63,7 @@ pub fn after_angle(
 }
 
 /// Checks that two lines at these angles have an intersection that is not too far away.
-fn cross_safely(first: f64, second: f64) -> Result<(), CornerError> {
+fn check_intersection(first: f64, second: f64) -> Result<(), CornerError> {
     let between = between(first, second);
     // Written so that NaN has no solution either.
     if between > ANGLE_ALLOWANCE { Ok(()) } else { Err(CornerError::NoSolution { between }) }

@@ -32,7 +32,7 @@ pub fn join(first: &Piece, second: &Piece, corner: Corner) -> Result<Joined, Cor
             return Err(CornerError::TooLong { side: arm.side, needed: value, available: 0.0 });
         }
     }
-    let (before, after) = (arms[0].departure().scaled(-1.0), arms[1].departure());
+    let (before, after) = (arms[0].direction().scaled(-1.0), arms[1].direction());
     let turn = before.cross(after).atan2(before.dot(after));
     if turn.abs() < ANGLE_ALLOWANCE || turn.abs() > std::f64::consts::PI - ANGLE_ALLOWANCE {
         return Err(CornerError::NoCorner { turn });
@@ -131,7 +131,7 @@ impl Arm {
     }
 
     /// The direction in which the arm leaves the corner.
-    fn departure(&self) -> Vector {
+    fn direction(&self) -> Vector {
         match self.form {
             Form::Line { direction, .. } => direction,
             Form::Circle { center, radius, spin } => {

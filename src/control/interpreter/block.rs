@@ -2,12 +2,12 @@
 //!
 //! In: a block. Out: its [`Request`] carried out.
 
-use super::contours::purpose_of;
+use super::contours::contour_use_of;
 use super::macros::Statement;
 use super::request::{OneShot, Request};
 use super::trace::{keep_block, keep_process};
 use super::unread::{UNREAD, unread_corner, unread_words};
-use super::{AXES, Flow, Here, Interpreter, TURNS};
+use super::{AXES, BlockPosition, Flow, Interpreter, TURNS};
 use crate::control::codes::{Compensation, MotionMode, Plane};
 use crate::control::doubt::Doubt;
 use crate::control::events::Event;
@@ -21,21 +21,21 @@ use crate::parts::early;
 use crate::text::block::{Block, BlockKind, Word};
 
 early! {
-    fn words_with_expressions(control: &mut Interpreter, text: &[u8], block: &Block, here: Here) -> Flow {
+    fn words_with_expressions(control: &mut Interpreter, text: &[u8], block: &Block, here: BlockPosition) -> Flow {
         control.words_with_expressions(text, block, here)
     }
 }
 
 impl Interpreter {
     /// Carries out one block.
-    pub fn run(&mut self, text: &[u8], block: &Block, here: Here) -> Flow {
-        if self.contours.recorded.is_none() && !self.may_go_on(block) {
+    pub fn run(&mut self, text: &[u8], block: &Block, here: BlockPosition) -> Flow {
+        if self.contours.recorded.is_none() && !self.count_block(block) {
             return Flow::End;
         }
         self.carry_out(text, block, here)
     }
 
-    fn carry_out(&mut self, text: &[u8], block: &Block, here: Here) -> Flow {
+    fn carry_out(&mut self, text: &[u8], block: &Block, here: BlockPosition) -> Flow {
         if block.delete.is_some_and(|level| self.setup.block_skip.contains(&level)) {
             self.report_faults(block);
             return Flow::Next;
@@ -55,7 +55,7 @@ impl Interpreter {
         match block.kind {
             BlockKind::Percent => return Flow::Next,
             BlockKind::Macro if broken => {
-                self.lose_statement(block.span.of(text));
+                self.doubt_statement(block.span.of(text));
                 return Flow::Next;
             }
             BlockKind::Macro => {
@@ -77,8 +77,8 @@ impl Interpreter {
             }
             // Blocks that can only be text make no moves; any other broken block may have been a motion.
             if broken && block.faults.iter().any(|fault| !super::doubts::is_text(fault)) {
-                self.excuse_feed(text, block);
-                self.lose(super::doubts::faults_of(text, block));
+                self.suppress_missing_feed(text, block);
+                self.add_doubts(super::doubts::faults_of(text, block));
             }
             return Flow::Next;
         }
@@ -94,12 +94,12 @@ impl Interpreter {
     /// A block of which only the first words could be parsed. These take effect. Nothing more is reported for
     /// the block, nor for settings that its other words may have made.
     #[cold]
-    fn torn_block(&mut self, text: &[u8], block: &Block, here: Here) -> Flow {
+    fn torn_block(&mut self, text: &[u8], block: &Block, here: BlockPosition) -> Flow {
         self.sink.muted = true;
         let flow = self.words_of(text, block, here);
         self.sink.muted = false;
         for once in [Once::NoFeed, Once::FeedZero] {
-            self.state.reported.first(once);
+            self.state.reported.mark_reported(once);
         }
         self.observe(&[], Event::SettingsUnknown);
         flow
@@ -107,20 +107,20 @@ impl Interpreter {
 
     /// Carries out a block of words, some of which may have expressions as values.
     #[inline]
-    fn words_of(&mut self, text: &[u8], block: &Block, here: Here) -> Flow {
+    fn words_of(&mut self, text: &[u8], block: &Block, here: BlockPosition) -> Flow {
         if !block.has_expressions {
             return self.words(text, block, here);
         }
         if self.has(MACROS) { words_with_expressions(self, text, block, here) } else { Flow::Next }
     }
 
-    fn words_with_expressions(&mut self, text: &[u8], block: &Block, here: Here) -> Flow {
+    fn words_with_expressions(&mut self, text: &[u8], block: &Block, here: BlockPosition) -> Flow {
         if let Some(operation) = self.macro_a_of(text, block).filter(|_| !block.is_broken()) {
             return self.macro_a(text, block, here, operation);
         }
-        self.guessing = false;
+        self.uses_unknown_value = false;
         let own = self.evaluated(text, block);
-        if std::mem::take(&mut self.guessing) && !self.sink.muted {
+        if std::mem::take(&mut self.uses_unknown_value) && !self.sink.muted {
             // Messages about such values do not apply to the macro.
             self.sink.muted = true;
             let flow = self.evaluated_words(text, block, own, here);
@@ -132,7 +132,13 @@ impl Interpreter {
 
     /// Carries out a block with the values of its expressions. `None`: an expression has no value, which was
     /// reported.
-    fn evaluated_words(&mut self, text: &[u8], block: &Block, own: Option<Block>, here: Here) -> Flow {
+    fn evaluated_words(
+        &mut self,
+        text: &[u8],
+        block: &Block,
+        own: Option<Block>,
+        here: BlockPosition,
+    ) -> Flow {
         match own {
             Some(own) => {
                 if self.trace.is_some() {
@@ -143,14 +149,14 @@ impl Interpreter {
                 }
                 // Values from variables are as doubtful as the variables.
                 let doubtful = Self::from_variables(block);
-                self.lose(doubtful);
+                self.add_doubts(doubtful);
                 let flow = self.words(text, &own, here);
-                self.lose(doubtful);
+                self.add_doubts(doubtful);
                 flow
             }
             None => {
                 self.trace_nothing();
-                self.lose(Self::from_variables(block));
+                self.add_doubts(Self::from_variables(block));
                 if self.sink.is_full() { Flow::End } else { Flow::Next }
             }
         }
@@ -158,7 +164,7 @@ impl Interpreter {
 
     /// Carries out a block of words.
     #[inline]
-    fn words(&mut self, text: &[u8], block: &Block, here: Here) -> Flow {
+    fn words(&mut self, text: &[u8], block: &Block, here: BlockPosition) -> Flow {
         let broken = block.is_broken();
         let mut request = Request { drop: broken, ..Request::default() };
         let mut words = Words::new(block);
@@ -173,8 +179,9 @@ impl Interpreter {
         }
         self.set_feed_speed_tool(text, block, &request, &words);
         request.wall = if request.ends_compensation { self.wall_of(&words) } else { None };
-        self.state.spindle.may_turn |= request.maker_m;
-        self.state.spindle.by_maker |= request.maker_m && words.has_any(letters(b"SP"));
+        self.state.spindle.may_turn |= request.has_machine_m_code;
+        self.state.spindle.machine_code_with_speed |=
+            request.has_machine_m_code && words.has_any(letters(b"SP"));
         if self.trace.is_some() {
             keep_process(self);
         }
@@ -190,7 +197,7 @@ impl Interpreter {
             self.refuse(text, block, &request, &words);
             self.forget_next_move();
             if let Some(OneShot::Multiple(cycle)) = request.one_shot {
-                self.pass_over_contour(text, block, &words);
+                self.skip_contour(text, block, &words);
                 if self.program.jump.is_some() {
                     self.contour_of_broken(text, block, &words, cycle, Self::run);
                 }
@@ -212,10 +219,10 @@ impl Interpreter {
                     unread_corner(self, text, block, &request, &words);
                 }
                 if !self.state.doubts.is_empty() {
-                    self.regain(&request, &words, before);
+                    self.clear_doubts(&request, &words, before);
                 }
-                if self.state.call_stack.main_pass.placed != [true; 2] {
-                    self.note_placed(&request, &words);
+                if self.state.call_stack.main_pass.absolute_axes != [true; 2] {
+                    self.note_absolute_axes(&request, &words);
                 }
             }
         }
@@ -240,10 +247,10 @@ impl Interpreter {
             self.state.spindle.turn = SpindleTurn::Stopped;
             self.state.spindle.is_held = false;
             self.state.spindle.live_tool = false;
-            self.state.spindle.by_maker = false;
+            self.state.spindle.machine_code_with_speed = false;
             self.state.spindle.may_turn = false;
         }
-        if request.quill_comes {
+        if request.extends_quill {
             self.state.quill = Quill::Forward;
         }
         match (self.program.jump.take(), request.call_code) {
@@ -256,7 +263,7 @@ impl Interpreter {
             }
             // A call in a contour was already reported.
             (None, _) if self.contours.recorded.is_some() => Flow::Next,
-            (None, Some(call_code)) => self.pass(text, block, &words, call_code, here),
+            (None, Some(call_code)) => self.carry_out_call(text, block, &words, call_code, here),
             (None, None) => match request.macro_call {
                 Some(call) => self.macro_call(text, block, here, call),
                 None if request.moved && self.state.call_stack.modal.is_some() => {
@@ -269,17 +276,17 @@ impl Interpreter {
 
     /// Records, for the pass of the main program, which axes the block has moved to an absolute position.
     #[cold]
-    fn note_placed(&mut self, request: &Request, words: &Words) {
+    fn note_absolute_axes(&mut self, request: &Request, words: &Words) {
         for (index, axis) in [Doubt::X, Doubt::Z].into_iter().enumerate() {
             let is_placed = self.ends_at_place(request, words, axis);
-            self.state.call_stack.main_pass.placed[index] |= is_placed;
+            self.state.call_stack.main_pass.absolute_axes[index] |= is_placed;
         }
     }
 
     /// M02, M30.
     #[inline(never)]
     fn end_of_program(&mut self, text: &[u8], block: &Block) {
-        self.settle();
+        self.flush_pending();
         let end = block.words.iter().rfind(|word| word.address == b'M');
         self.observe(text, Event::ProgramEnds { end });
         self.plane_left_on(text, end.map_or_else(|| block.words_span(), |word| word.span));
@@ -305,7 +312,7 @@ impl Interpreter {
             return;
         }
         let beside = words.has_any(letters(b"YV")) || self.state.y != 0.0 || self.state.plane != Plane::Zx;
-        if beside && self.moves_beside_plane(text, block, request, words) {
+        if beside && self.carry_out_with_y(text, block, request, words) {
             return;
         }
         if self.state.hole.is_some() {
@@ -376,7 +383,7 @@ impl Interpreter {
                 return;
             }
         }
-        if !self.may_stand_with_hole(text, block, one_shot) {
+        if !self.allowed_with_hole(text, block, one_shot) {
             request.drop = true;
             return;
         }
@@ -384,7 +391,7 @@ impl Interpreter {
             OneShot::Dwell | OneShot::Polar(_) | OneShot::Cylinder => {}
             OneShot::Multiple(cycle) => {
                 self.observe(text, Event::MultipleCycle { block, cycle });
-                self.arrive_for_cycle();
+                self.flush_before_cycle();
             }
             OneShot::Home | OneShot::OtherHome | OneShot::CheckHome | OneShot::Machine => {
                 if words.has_any(AXES) {
@@ -406,13 +413,13 @@ impl Interpreter {
             OneShot::Polar(switch) => self.polar(text, block, request, switch),
             OneShot::Cylinder => self.cylinder(text, block, request, words),
             OneShot::Multiple(cycle) => {
-                let purpose = purpose_of(cycle, words).filter(|_| self.contours.recorded.is_none());
+                let purpose = contour_use_of(cycle, words).filter(|_| self.contours.recorded.is_none());
                 let code = cycle.cycle().code();
                 let shape =
                     purpose.and_then(|purpose| self.shape(text, block, words, code, purpose, Self::run));
                 self.multiple(text, block, request, words, cycle, shape);
             }
-            OneShot::NotSupported => self.lose_to_unsupported(request.unsupported, words),
+            OneShot::NotSupported => self.doubt_after_unsupported(request.unsupported, words),
         }
     }
 

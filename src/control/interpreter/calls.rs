@@ -3,7 +3,7 @@
 //! In: the words of a block and its position. Out: the position of the next block.
 
 use super::request::CallCode;
-use super::{Flow, Here, Interpreter};
+use super::{BlockPosition, Flow, Interpreter};
 use crate::control::modal::MACROS;
 use crate::control::program::{Call, CallKind, program_and_repeats};
 use crate::control::words::{Words, plain, quote};
@@ -22,7 +22,7 @@ early! {
 impl Interpreter {
     /// Counts blocks executed in jumps, loops and calls. False: the limit is exceeded, and the run ends here.
     #[inline]
-    pub(super) fn may_go_on(&mut self, block: &Block) -> bool {
+    pub(super) fn count_block(&mut self, block: &Block) -> bool {
         if self.state.call_stack.calls.is_empty() && self.program.is_first_reading(block.span.start) {
             return true;
         }
@@ -31,13 +31,13 @@ impl Interpreter {
 
     /// M97, M98, M99.
     #[inline(never)]
-    pub(super) fn pass(
+    pub(super) fn carry_out_call(
         &mut self,
         text: &[u8],
         block: &Block,
         words: &Words,
         call_code: CallCode,
-        here: Here,
+        here: BlockPosition,
     ) -> Flow {
         match call_code {
             CallCode::Return => self.go_back(text, block, words),
@@ -55,14 +55,14 @@ impl Interpreter {
                     }
                     let code = if call_code == CallCode::Call { "M98" } else { "M97" };
                     self.report(Diagnostic::new(said::CallNoNumber { code }, block.words_span()));
-                    self.lose_program();
+                    self.doubt_after_missing_program();
                     return Flow::Next;
                 };
                 if ![b'P', b'Q', b'L']
                     .into_iter()
                     .all(|address| words.get(address).is_none_or(|word| self.is_whole(text, word)))
                 {
-                    self.lose_program();
+                    self.doubt_after_missing_program();
                     return Flow::Next;
                 }
                 let repeats = words.get(b'L').and_then(plain).map(|repeats| repeats as u32);
@@ -76,7 +76,7 @@ impl Interpreter {
                     let (Some(head), packed) = self.subprogram(text, named) else {
                         let word = words.quote(text, b'P');
                         self.report(Diagnostic::new(said::ProgramNotFound { word }, words.span(b'P')));
-                        self.lose_program();
+                        self.doubt_after_missing_program();
                         return Flow::Next;
                     };
                     // Q: the block in the subprogram with that number.
@@ -152,11 +152,11 @@ impl Interpreter {
                 // A sequence number further on is an ordinary jump, unless this program is a subprogram: then
                 // the number is in its caller.
                 Some((sequence, at))
-                    if at.as_ref().map_or_else(|| self.caller_of(text, block).is_none(), behind) =>
+                    if at.as_ref().map_or_else(|| self.top_level_caller(text, block).is_none(), behind) =>
                 {
                     self.go_to(text, block, sequence, words.span(b'P'))
                 }
-                named => self.main_again(text, block, named.and_then(|(_, at)| at)),
+                named => self.repeat_main(text, block, named.and_then(|(_, at)| at)),
             };
         };
         if named.is_none() && call.rounds > 1 {
@@ -180,15 +180,15 @@ impl Interpreter {
     /// Ends the innermost call.
     fn leave_call(&mut self) {
         if self.state.call_stack.calls.pop().is_some_and(|call| call.kind == CallKind::Macro) {
-            if let Some(chronicler) = &mut self.chronicler {
-                chronicler.left(self.state.variables.level());
+            if let Some(recorder) = &mut self.recorder {
+                recorder.macro_returned(self.state.variables.level());
             }
             self.state.variables.pop_level();
         }
     }
 
     /// The end of a subprogram without M99: a control stops; here the caller continues.
-    pub fn run_out(&mut self, span: Span) -> Option<Resume> {
+    pub fn end_without_return(&mut self, span: Span) -> Option<Resume> {
         let back = self.state.call_stack.calls.last()?.back;
         self.report(Diagnostic::new(said::NoReturn, span));
         self.leave_call();
@@ -211,26 +211,26 @@ impl Interpreter {
 
     fn sequence_not_found(&mut self, sequence: u32, span: Span) {
         self.report(Diagnostic::new(said::SequenceNotFound { sequence }, span));
-        self.lose_program();
+        self.doubt_after_missing_program();
     }
 
     /// The program that calls the program of `block`, if the run began with the latter only because it is
     /// first in the text.
-    fn caller_of(&mut self, text: &[u8], block: &Block) -> Option<Resume> {
+    fn top_level_caller(&mut self, text: &[u8], block: &Block) -> Option<Resume> {
         // If the run began elsewhere, the setup or this search has already chosen the program.
-        if self.program.begun_elsewhere {
+        if self.program.started_at_other_program {
             return None;
         }
         let labels = self.program.labels(text);
-        labels.number_at(block.span.start).and_then(|own| labels.caller_of(own))
+        labels.number_at(block.span.start).and_then(|own| labels.top_level_caller(own))
     }
 
     /// M99 in the main program: repeats it from its head, or from the block in P, endlessly.
-    fn main_again(&mut self, text: &[u8], block: &Block, from: Option<Resume>) -> Flow {
-        if let Some(main) = self.caller_of(text, block) {
+    fn repeat_main(&mut self, text: &[u8], block: &Block, from: Option<Resume>) -> Flow {
+        if let Some(main) = self.top_level_caller(text, block) {
             return Flow::Restart(main);
         }
-        if self.state.variables.lacks_arguments() {
+        if self.state.variables.has_unknown_arguments() {
             // The body of a macro returns to its caller, which is not in the text.
             return Flow::End;
         }

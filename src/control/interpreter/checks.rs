@@ -4,7 +4,7 @@
 
 use super::Interpreter;
 use super::request::Request;
-use crate::control::contour::Purpose;
+use crate::control::contour::ContourUse;
 use crate::control::events::Event;
 use crate::control::modal::Once;
 use crate::control::words::{Words, letters, quote};
@@ -24,17 +24,17 @@ impl Interpreter {
     ) -> bool {
         match self.state.feed {
             // The F of the cycle applies, and is checked for the cycle.
-            Some(_) if self.contours.purpose == Some(Purpose::Roughing) => true,
+            Some(_) if self.contours.purpose == Some(ContourUse::Roughing) => true,
             Some(feed) if feed > 0.0 => {
-                if self.cut_is_news || words.has_any(letters(b"F")) {
+                if self.cut_context_changed || words.has_any(letters(b"F")) {
                     self.observe(text, Event::Cut { block, words, feed });
                     // `U0 W0` makes no cut.
-                    self.cut_is_news = !words.has_any(letters(b"XZ"));
+                    self.cut_context_changed = !words.has_any(letters(b"XZ"));
                 }
                 true
             }
             Some(_) => {
-                if self.state.reported.first(Once::FeedZero) {
+                if self.state.reported.mark_reported(Once::FeedZero) {
                     self.report(Diagnostic::new(said::FeedMissing, block.words_span()));
                 }
                 request.drop = true;
@@ -50,7 +50,7 @@ impl Interpreter {
     #[cold]
     fn without_feed(&mut self, text: &[u8], block: &Block, request: &mut Request) -> bool {
         let strict = self.dialect.strict;
-        if strict || self.state.reported.first(Once::NoFeed) {
+        if strict || self.state.reported.mark_reported(Once::NoFeed) {
             let severity = if strict { Severity::Error } else { Severity::Warning };
             self.report(Diagnostic::new(said::FeedMissing, block.words_span()).graded(severity));
             request.drop = true;

@@ -25,7 +25,7 @@ early! {
     }
 
     fn flush(control: &mut Interpreter) {
-        control.give_out_rest();
+        control.emit_rest();
     }
 }
 
@@ -85,14 +85,14 @@ impl Interpreter {
             }
             None => compensating.compensator.clone().cancel(Some(element), path_move.wall, &mut keep),
         }
-        self.give_out(&mut compensating, outcomes);
+        self.emit_outcomes(&mut compensating, outcomes);
         if side.is_some() {
             self.state.compensating = Some(compensating);
         }
     }
 
     /// Converts the emitted moves of compensation to motions.
-    fn give_out(&mut self, compensating: &mut Compensating, outcomes: Vec<Outcome>) {
+    fn emit_outcomes(&mut self, compensating: &mut Compensating, outcomes: Vec<Outcome>) {
         let mut last = None;
         for outcome in outcomes {
             let id = outcome.map_or_else(|fault| fault.id, |moved| moved.id);
@@ -140,11 +140,11 @@ impl Interpreter {
                         Reason::ArcCenter => said::CompensationOvercut { radius, alarm: "PS0038" }.into(),
                     };
                     self.report(Diagnostic::new(message, path_move.words));
-                    self.left_out();
+                    self.mark_left_out();
                     // The next move begins at another point.
                     match compensating.waiting.iter_mut().find(|(later, _)| *later > id) {
                         Some((_, later)) => later.motion.process.uncertain = true,
-                        None => self.lose_path(),
+                        None => self.doubt_path(),
                     }
                 }
             }
@@ -167,11 +167,11 @@ impl Interpreter {
     }
 
     /// Moves the centre to the end of the last move; no next move is known.
-    fn give_out_rest(&mut self) {
+    fn emit_rest(&mut self) {
         if let Some(mut compensating) = self.state.compensating.take() {
             let mut outcomes = Vec::new();
             compensating.compensator.flush(&mut |outcome| outcomes.push(outcome));
-            self.give_out(&mut compensating, outcomes);
+            self.emit_outcomes(&mut compensating, outcomes);
             self.state.compensating = Some(compensating);
         }
     }
@@ -187,7 +187,7 @@ impl Interpreter {
     }
 
     /// Adds a dwell after the waiting move, if there is one.
-    pub(super) fn wait_here(&mut self, path_move: PathMove) {
+    pub(super) fn push_dwell(&mut self, path_move: PathMove) {
         if let Some(pending) = &mut self.state.pending {
             pending.dwells.push(path_move);
             return;
@@ -204,7 +204,7 @@ impl Interpreter {
     pub(super) fn wait_all(&mut self, dwells: &[PathMove], at: Point) {
         for path_move in dwells {
             let motion = Motion { from: at, to: at, ..path_move.motion };
-            self.wait_here(PathMove { motion, ..*path_move });
+            self.push_dwell(PathMove { motion, ..*path_move });
         }
     }
 

@@ -6,9 +6,9 @@
 use super::core::shortened;
 use super::repairs::REPAIRS;
 use super::request::Request;
-use super::{Flow, Here, Interpreter};
+use super::{BlockPosition, Flow, Interpreter};
 use crate::control::codes::{self, Compensation, G, MotionMode, Multiple, Plane};
-use crate::control::contour::{FirstBlock, Landmarks, Purpose};
+use crate::control::contour::{ContourUse, FirstBlock, Landmarks};
 use crate::control::doubt::Doubt;
 use crate::control::events::{ContourCall, Event, Observer};
 use crate::control::modal::{PathMove, State};
@@ -29,7 +29,7 @@ pub(super) struct Contours {
     /// The motions of a contour while it is read; they are kept here instead of being stored.
     pub recorded: Option<Vec<PathMove>>,
     /// Why a contour is read, while one is.
-    pub purpose: Option<Purpose>,
+    pub purpose: Option<ContourUse>,
     /// Compensation as programmed, while a contour is read for a roughing cycle, which ignores it.
     pub ignored_compensation: Compensation,
     /// Positions of the contour cycles, for the picture.
@@ -66,7 +66,7 @@ pub(super) struct Shape {
 }
 
 /// Carries out a block of a contour: [`Interpreter::run`], which is above this file.
-pub(super) type RunBlock = fn(&mut Interpreter, &[u8], &Block, Here) -> Flow;
+pub(super) type RunBlock = fn(&mut Interpreter, &[u8], &Block, BlockPosition) -> Flow;
 
 /// Why a contour could not be read.
 enum ShapeError {
@@ -96,7 +96,7 @@ impl Interpreter {
         block: &Block,
         words: &Words,
         code: &'static str,
-        purpose: Purpose,
+        purpose: ContourUse,
         run: RunBlock,
     ) -> Option<Shape> {
         for word in [b'P', b'Q'].into_iter().filter_map(|address| words.get(address)) {
@@ -128,8 +128,8 @@ impl Interpreter {
         // G70 uses the blocks that roughing found, because FANUC keeps their positions; all other cycles
         // search.
         let roughed = match purpose {
-            Purpose::Roughing => None,
-            Purpose::Finishing => self.roughed_in_program(text, block, (first, last)),
+            ContourUse::Roughing => None,
+            ContourUse::Finishing => self.roughed_in_program(text, block, (first, last)),
         };
         let Some(begins) = roughed.or_else(|| self.program.labels(text).find(first, block.span.start)) else {
             let word = words.quote(text, b'P');
@@ -139,7 +139,7 @@ impl Interpreter {
             self.report(Diagnostic { fixes: fix.into_iter().collect(), ..diagnostic });
             return None;
         };
-        if !self.program.labels(text).is_at_or_behind(last, begins.byte) {
+        if !self.program.labels(text).is_at_or_after(last, begins.byte) {
             let word = words.quote(text, b'Q');
             let message: Message = match self.program.labels(text).find(last, block.span.start) {
                 Some(_) => said::ContourReversed { first, word }.into(),
@@ -162,20 +162,20 @@ impl Interpreter {
                     .and_then(|first| self.program.labels(text).find(number, first.byte))
                     .filter(|next| Some(*next) != again && next.byte > begins.byte),
             };
-            if let Some(other) = other.filter(|_| purpose == Purpose::Roughing) {
+            if let Some(other) = other.filter(|_| purpose == ContourUse::Roughing) {
                 let message = said::DuplicateSequence { sequence: number, line: other.line + 1 };
                 self.report(Diagnostic::new(message, words.span(address)));
             }
         }
         let before = self.state.clone();
-        if let Some(chronicler) = &mut self.chronicler {
-            chronicler.contour_begins();
+        if let Some(recorder) = &mut self.recorder {
+            recorder.contour_begins();
         }
-        let aside = self.observer.as_mut().map(|observer| observer.set_aside());
+        let aside = self.observer.as_mut().map(|observer| observer.fork_for_contour());
         let outer = self.contours.recorded.replace(Vec::new());
         let outer_purpose = self.contours.purpose.replace(purpose);
         let no_feed = before.feed.unwrap_or(0.0) == 0.0;
-        if purpose == Purpose::Roughing && no_feed {
+        if purpose == ContourUse::Roughing && no_feed {
             // The F of the contour is ignored. A missing F is reported for the cycle, not for each of these
             // blocks.
             self.state.feed = Some(1.0);
@@ -185,29 +185,29 @@ impl Interpreter {
         self.contours.purpose = outer_purpose;
         let reported = self.state.reported;
         let mut state = std::mem::replace(&mut self.state, before);
-        if let Some(chronicler) = &mut self.chronicler {
-            chronicler.contour_ends();
+        if let Some(recorder) = &mut self.recorder {
+            recorder.contour_ends();
         }
         self.state.reported = reported;
-        let observer = self.go_on_observed_by(aside);
+        let observer = self.replace_observer(aside);
         if self.sink.is_full() {
             return None;
         }
         let most = self.setup.limits.moves_per_cycle;
         // Other errors of the cycle are reported only if its contour is correct.
         let reads_sound = read.is_ok() && !state.doubts.has(Doubt::Contour);
-        let may_cut = purpose == Purpose::Finishing
+        let may_cut = purpose == ContourUse::Finishing
             || reads_sound && self.may_cut(text, block, words, &mut Request::default());
         if !may_cut {
             state.doubts.add(Doubt::Contour);
         }
-        let is_sound = reads_sound && may_cut;
+        let is_valid = reads_sound && may_cut;
         match read {
             Ok((.., ends)) if moves.len() > most => {
-                if is_sound {
+                if is_valid {
                     self.report(Diagnostic::new(said::TooManyPasses { code, most }, block.words_span()));
                 }
-                self.go_on_behind(block, begins.byte, ends);
+                self.continue_after_contour(block, begins.byte, ends);
                 None
             }
             Ok((first_block, first_span, ends)) => {
@@ -220,14 +220,14 @@ impl Interpreter {
                     state,
                     observer,
                 };
-                if !is_sound {
+                if !is_valid {
                     self.state.doubts.add(Doubt::Contour);
                     self.state.incomplete = true;
                 } else if self.contours.landmarks.len() < self.setup.limits.messages {
                     let (start, span) = (self.state.position, block.span);
                     let contour = shape.contour(start);
                     let (a, b) = (contour.first, contour.last());
-                    let (named, roughed) = ((first, last), purpose == Purpose::Roughing);
+                    let (named, roughed) = ((first, last), purpose == ContourUse::Roughing);
                     self.contours.landmarks.push(Landmarks {
                         span,
                         start,
@@ -270,10 +270,10 @@ impl Interpreter {
         cycle: &Block,
         (begins, last): (Resume, u32),
         code: &'static str,
-        purpose: Purpose,
+        purpose: ContourUse,
         run: RunBlock,
     ) -> Result<(FirstBlock, Span, Resume), ShapeError> {
-        if purpose == Purpose::Roughing {
+        if purpose == ContourUse::Roughing {
             self.contours.ignored_compensation =
                 std::mem::replace(&mut self.state.compensation, Compensation::Off);
             self.state.tip = None;
@@ -287,7 +287,7 @@ impl Interpreter {
             if !parser.next_block(&mut block) {
                 break;
             }
-            let here = Here { at, next: parser.position() };
+            let here = BlockPosition { at, next: parser.position() };
             if !self.spend(1 + block.span.len() / BYTES_PER_STEP, cycle) {
                 break;
             }
@@ -312,13 +312,13 @@ impl Interpreter {
                 }
             }
             let moves = self.contours.recorded.as_ref().map_or(0, Vec::len);
-            let refused = std::mem::replace(&mut self.refused, false);
-            if let Some(chronicler) = &mut self.chronicler {
-                chronicler.before_reading(at, &self.state);
+            let refused = std::mem::replace(&mut self.block_failed, false);
+            if let Some(recorder) = &mut self.recorder {
+                recorder.before_reading(at, &self.state);
             }
             let flow = run(self, text, &block, here);
-            if let Some(chronicler) = &mut self.chronicler {
-                chronicler.after_reading(&block, &self.state, purpose);
+            if let Some(recorder) = &mut self.recorder {
+                recorder.after_reading(&block, &self.state, purpose);
             }
             if block.kind == BlockKind::Macro && matches!(flow, Flow::Jump(_)) {
                 let span = block.words_span();
@@ -326,8 +326,8 @@ impl Interpreter {
                 self.report(Diagnostic::new(said::ContourIllegal { word }, span));
                 sound = false;
             }
-            sound &= !self.refused;
-            self.refused |= refused;
+            sound &= !self.block_failed;
+            self.block_failed |= refused;
             if is_first {
                 let straight = matches!(self.state.motion, MotionMode::Rapid | MotionMode::Line);
                 let moved = self.contours.recorded.as_ref().map_or(0, Vec::len) > moves;
@@ -372,7 +372,7 @@ impl Interpreter {
 
     /// The program continues after a contour that follows its cycle block. A contour before the cycle block
     /// has already run (GSK980TDb p. 102).
-    pub(super) fn go_on_behind(&mut self, block: &Block, begins: u32, ends: Resume) {
+    pub(super) fn continue_after_contour(&mut self, block: &Block, begins: u32, ends: Resume) {
         if begins > block.span.start {
             self.program.jump = Some(ends);
         }
@@ -434,7 +434,7 @@ impl Interpreter {
                         }
                         // G70 repeats blocks: some programs use it to drill a hole again.
                         Some(G::Hole(_) | G::NoHole)
-                            if skips && self.contours.purpose == Some(Purpose::Finishing) =>
+                            if skips && self.contours.purpose == Some(ContourUse::Finishing) =>
                         {
                             let message = said::ContourIllegal { word: quoted() };
                             self.report(Diagnostic::new(message, word.span).graded(Severity::Warning));
@@ -458,7 +458,7 @@ impl Interpreter {
 
 impl Shape {
     /// Whether the contour has no reported error.
-    pub(super) fn is_sound(&self) -> bool {
+    pub(super) fn is_valid(&self) -> bool {
         !self.state.doubts.has(Doubt::Contour)
     }
 
@@ -497,7 +497,7 @@ impl Shape {
 
     /// The contour without the rapids at its end; `None` if there are none. In many programs the contour ends
     /// with a rapid away from it and back, which is not part of the shape to be roughed.
-    pub(super) fn without_retreat(&self, contour: &Contour) -> Option<Contour> {
+    pub(super) fn without_final_rapids(&self, contour: &Contour) -> Option<Contour> {
         let rapids = self
             .moves
             .iter()
@@ -534,11 +534,11 @@ late! {
 /// that ends it, which is the last one before a retract, another cycle or another tool.
 fn numbered(text: &[u8], from: u32, number: u32, last: bool) -> Option<Fix> {
     /// Maximum number of blocks searched.
-    const BLOCKS: usize = 500;
+    const MAX_BLOCKS: usize = 500;
     let mut parser = Parser::resume(text, Resume::inside(from, 0));
     let mut block = Block::default();
     let mut found = None;
-    for count in 0..BLOCKS {
+    for count in 0..MAX_BLOCKS {
         if !parser.next_block(&mut block) {
             break;
         }
@@ -565,10 +565,10 @@ fn numbered(text: &[u8], from: u32, number: u32, last: bool) -> Option<Fix> {
 }
 
 /// What a cycle reads a contour for; `None` if its block names none.
-pub(super) fn purpose_of(cycle: Multiple, words: &Words) -> Option<Purpose> {
+pub(super) fn contour_use_of(cycle: Multiple, words: &Words) -> Option<ContourUse> {
     match cycle {
-        Multiple::Finishing => Some(Purpose::Finishing),
-        _ if cycle.is_roughing() && words.has_any(letters(b"PQ")) => Some(Purpose::Roughing),
+        Multiple::Finishing => Some(ContourUse::Finishing),
+        _ if cycle.is_roughing() && words.has_any(letters(b"PQ")) => Some(ContourUse::Roughing),
         _ => None,
     }
 }

@@ -1,8 +1,8 @@
 //! The base of the interpreter: messages, observers, parts of the module, the reading of numbers.
 
 use super::Interpreter;
-use crate::control::events::{Event, Moment, Observer};
-use crate::control::origins::Chronicler;
+use crate::control::events::{Event, EventContext, Observer};
+use crate::control::origins::OriginRecorder;
 use crate::control::words::{Reading, quote};
 use crate::message::{Diagnostic, said};
 use crate::parts::Part;
@@ -25,30 +25,30 @@ impl Interpreter {
     #[inline]
     pub(super) fn observe(&mut self, text: &[u8], event: Event<'_>) {
         if self.observer.is_some() {
-            self.cut_is_news |= event.matters_for_cuts();
-            self.hear(text, &event);
+            self.cut_context_changed |= event.matters_for_cuts();
+            self.on_event(text, &event);
         }
     }
 
     /// Replaces the observer; the new one inherits what was already reported. Returns the old one.
-    pub(super) fn go_on_observed_by(
+    pub(super) fn replace_observer(
         &mut self,
         observer: Option<Box<dyn Observer>>,
     ) -> Option<Box<dyn Observer>> {
-        self.cut_is_news = true;
+        self.cut_context_changed = true;
         let mut before = std::mem::replace(&mut self.observer, observer);
         if let (Some(own), Some(before)) = (&mut self.observer, &mut before) {
-            own.listen_after(before.as_mut());
+            own.inherit_reported(before.as_mut());
         }
         before
     }
 
     #[inline(never)]
-    fn hear(&mut self, text: &[u8], event: &Event<'_>) {
+    fn on_event(&mut self, text: &[u8], event: &Event<'_>) {
         let Self { observer, reports, state, setup, dialect, sink, contours, .. } = self;
         let Some(observer) = observer else { return };
-        let at = Moment { text, state, setup, dialect, sink, contour: contours.purpose };
-        observer.hear(event, &at, reports);
+        let at = EventContext { text, state, setup, dialect, sink, contour: contours.purpose };
+        observer.on_event(event, &at, reports);
         if !self.reports.is_empty() {
             self.report_heard();
         }
@@ -62,22 +62,22 @@ impl Interpreter {
     }
 
     /// The recorder, if any.
-    pub fn chronicler(&self) -> Option<&dyn Chronicler> {
-        self.chronicler.as_deref()
+    pub fn recorder(&self) -> Option<&dyn OriginRecorder> {
+        self.recorder.as_deref()
     }
 
     /// Records that a block assigns a variable. `level`: depth of macro calls.
     pub(super) fn note_assigned(&mut self, level: usize, variable: u32, block: u32) {
-        if let Some(chronicler) = &mut self.chronicler {
-            chronicler.assigned(level, variable, block);
+        if let Some(recorder) = &mut self.recorder {
+            recorder.assigned(level, variable, block);
         }
     }
 
     /// Reports a message, unless it was reported for the same place before.
     pub fn report(&mut self, diagnostic: Diagnostic) {
-        if !self.sink.is_silent_about(&diagnostic) {
+        if !self.sink.suppresses(&diagnostic) {
             // Once the limit is reached, it is no longer known which of them were reported before.
-            self.sink.report(diagnostic.in_unit(self.state.unit), self.program.has_jumped());
+            self.sink.report(diagnostic.in_unit(self.state.unit), self.program.has_left_linear_order());
         }
     }
 
@@ -111,7 +111,7 @@ impl Interpreter {
         }
         for fault in &block.faults {
             // In a loop most errors have been reported before.
-            if !self.program.has_jumped() || self.sink.has_room_for(fault) {
+            if !self.program.has_left_linear_order() || self.sink.has_room_for(fault) {
                 self.report(fault.clone());
             }
         }

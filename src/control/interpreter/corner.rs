@@ -101,7 +101,7 @@ impl Interpreter {
                 if let Some(before) = pending.before.take() {
                     let mut path_move = pending.path_move;
                     if !self.join(*before, &mut path_move) {
-                        self.left_out();
+                        self.mark_left_out();
                         path_move.motion.process.uncertain = true;
                     }
                     if let Some(pending) = &mut self.state.pending {
@@ -115,7 +115,7 @@ impl Interpreter {
                 let message = said::AngleNoPoint { word: open.word.clone(), alarm };
                 let diagnostic = Diagnostic::new(message, open.span);
                 self.state.pending = None;
-                self.lose_place();
+                self.doubt_position();
                 self.report(diagnostic);
                 false
             }

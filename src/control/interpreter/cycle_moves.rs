@@ -18,7 +18,7 @@ use crate::units::Unit;
 pub(super) const INCREMENT: f64 = 0.001;
 
 /// Lengths that differ by no more than this, mm, are equal.
-pub(super) const NEAR: f64 = 0.001;
+pub(super) const LENGTH_TOLERANCE: f64 = 0.001;
 
 /// The part of the module that contains fixes of words.
 const FIXING: Part = Part::Late;

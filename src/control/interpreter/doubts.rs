@@ -27,17 +27,17 @@ const BY_A_PROGRAM: Doubts = Doubts::of(&[Doubt::X, Doubt::Z, Doubt::C, Doubt::C
 impl Interpreter {
     /// Something was left out: material may remain that the program removes.
     #[cold]
-    pub(super) fn left_out(&mut self) {
+    pub(super) fn mark_left_out(&mut self) {
         self.state.incomplete = true;
-        self.refused = true;
+        self.block_failed = true;
         self.trace_refusal();
         self.observe(&[], Event::LeftOut);
     }
 
     /// Adds these doubts.
     #[cold]
-    pub(super) fn lose(&mut self, lost: Doubts) {
-        self.left_out();
+    pub(super) fn add_doubts(&mut self, lost: Doubts) {
+        self.mark_left_out();
         self.state.doubts.join(lost);
         if lost.has_any(PLACE)
             && let Some(compensating) = &mut self.state.compensating
@@ -51,36 +51,36 @@ impl Interpreter {
 
     /// Marks the position of the tip as doubtful.
     #[cold]
-    pub(super) fn lose_place(&mut self) {
-        self.lose(PLACE);
+    pub(super) fn doubt_position(&mut self) {
+        self.add_doubts(PLACE);
     }
 
     /// Marks the path of the next move as doubtful: it may begin elsewhere.
     #[cold]
-    pub(super) fn lose_path(&mut self) {
-        self.lose(Doubts::of(&[Doubt::Path]));
+    pub(super) fn doubt_path(&mut self) {
+        self.add_doubts(Doubts::of(&[Doubt::Path]));
     }
 
     /// A missing program, or a jump to a missing block: no messages are reported about values that it may
     /// have set.
     #[cold]
-    pub(super) fn lose_program(&mut self) {
-        self.lose(BY_A_PROGRAM);
-        self.state.reported.first(Once::NoFeed);
+    pub(super) fn doubt_after_missing_program(&mut self) {
+        self.add_doubts(BY_A_PROGRAM);
+        self.state.reported.mark_reported(Once::NoFeed);
         self.observe(&[], Event::SettingsUnknown);
     }
 
     /// A macro statement was not carried out.
     #[cold]
-    pub(super) fn lose_statement(&mut self, statement: &[u8]) {
+    pub(super) fn doubt_statement(&mut self, statement: &[u8]) {
         let assigns = statement.trim_ascii_start().first() == Some(&b'#');
-        self.lose(if assigns { Doubts::of(&[Doubt::Values]) } else { BY_A_PROGRAM });
+        self.add_doubts(if assigns { Doubts::of(&[Doubt::Values]) } else { BY_A_PROGRAM });
     }
 
     /// A block was refused: its axes are not at the programmed positions.
     #[cold]
     pub(super) fn refuse(&mut self, text: &[u8], block: &Block, request: &Request, words: &Words) {
-        self.excuse_feed(text, block);
+        self.suppress_missing_feed(text, block);
         let mut lost = faults_of(text, block);
         let mut named = Doubts::default();
         for (doubt, letters) in
@@ -123,24 +123,24 @@ impl Interpreter {
             None if request.comma[2].is_some() || words.peek(b'A').is_some() => lost.join(PLACE),
             None => lost.join(named),
         }
-        self.lose(lost);
+        self.add_doubts(lost);
     }
 
     /// Suppresses the message for a missing feed if an F could not be read: it is the same error.
     #[cold]
-    pub(super) fn excuse_feed(&mut self, text: &[u8], block: &Block) {
+    pub(super) fn suppress_missing_feed(&mut self, text: &[u8], block: &Block) {
         let is_feed = |at: u32| text.get(at as usize).is_some_and(|byte| byte.eq_ignore_ascii_case(&b'F'));
         let has_feed = block.faults.iter().any(|fault| is_feed(fault.span.start))
             || block.words.iter().any(|word| word.address == b'F');
         if self.state.feed.is_none() && has_feed {
-            self.state.reported.first(Once::NoFeed);
+            self.state.reported.mark_reported(Once::NoFeed);
         }
     }
 
     /// Skips the contour of a cycle whose block cannot be parsed: the contour does not run as part of the
     /// program.
     #[cold]
-    pub(super) fn pass_over_contour(&mut self, text: &[u8], cycle: &Block, words: &Words) {
+    pub(super) fn skip_contour(&mut self, text: &[u8], cycle: &Block, words: &Words) {
         let sequence = |address: u8| words.peek(address).and_then(plain).map(|number| number as u32);
         if self.program.jump.is_some() || self.contours.recorded.is_some() {
             return;
@@ -148,7 +148,7 @@ impl Interpreter {
         let (Some(first), Some(last)) = (sequence(b'P'), sequence(b'Q')) else {
             // The contour runs as if there were no cycle.
             if words.has_any(letters(b"PQ")) {
-                self.lose_place();
+                self.doubt_position();
             }
             return;
         };
@@ -172,12 +172,12 @@ impl Interpreter {
     /// A code that is recognised but not supported: how long the following moves are in doubt depends on its
     /// function.
     #[cold]
-    pub(super) fn lose_to_unsupported(&mut self, tenths: Option<u64>, words: &Words) {
+    pub(super) fn doubt_after_unsupported(&mut self, tenths: Option<u64>, words: &Words) {
         match tenths {
             // High-speed cutting: the same path.
             Some(50 | 51) => {}
             // Polygons, mirror images, rotated and polar coordinates, until they are switched off.
-            Some(160 | 511 | 512 | 680..=684) => self.lose(Doubts::of(&[Doubt::Coordinates])),
+            Some(160 | 511 | 512 | 680..=684) => self.add_doubts(Doubts::of(&[Doubt::Coordinates])),
             _ => {
                 let mut lost = Doubts::default();
                 // They may be modal, in which case the following blocks move in the same way.
@@ -192,17 +192,17 @@ impl Interpreter {
                         lost.add(doubt);
                     }
                 }
-                self.lose(lost);
+                self.add_doubts(lost);
             }
         }
     }
 
     /// Coordinates have their usual meaning again; the position of the tip remains unknown.
     #[cold]
-    pub(super) fn regain_coordinates(&mut self) {
+    pub(super) fn clear_coordinate_doubts(&mut self) {
         if self.state.doubts.has(Doubt::Coordinates) {
             self.state.doubts.remove(Doubt::Coordinates);
-            self.lose_place();
+            self.doubt_position();
         }
     }
 
@@ -210,7 +210,7 @@ impl Interpreter {
     #[cold]
     pub(super) fn doubt_block(&mut self, request: &Request, words: &Words) {
         let doubts = &mut self.state.doubts;
-        if doubts.has(Doubt::Code) && request.goes_by_last_code() {
+        if doubts.has(Doubt::Code) && request.uses_modal_code() {
             doubts.add(Doubt::Path);
         }
         let leaves_cycle = request.motion.is_some_and(|mode| !matches!(mode, MotionMode::Cycle(_)));
@@ -226,7 +226,7 @@ impl Interpreter {
     /// After a block that was carried out: removes the doubts that it ends. `before`: the doubts at its
     /// start.
     #[cold]
-    pub(super) fn regain(&mut self, request: &Request, words: &Words, before: Doubts) {
+    pub(super) fn clear_doubts(&mut self, request: &Request, words: &Words, before: Doubts) {
         let by_angle = request.comma[2].is_some() || words.peek(b'A').is_some();
         for doubt in [Doubt::X, Doubt::Z, Doubt::C] {
             let known = self.ends_at_place(request, words, doubt);
@@ -334,14 +334,14 @@ pub(super) fn faults_of(text: &[u8], block: &Block) -> Doubts {
         let addresses = fault.span.of(text);
         let most = if reads_as_text(fault) { addresses.len() } else { 1 };
         for address in addresses.iter().take(most) {
-            lost.join(lost_with(address.to_ascii_uppercase()));
+            lost.join(doubts_of_address(address.to_ascii_uppercase()));
         }
     }
     lost
 }
 
 /// The doubts after a word of this address that could not be read.
-fn lost_with(address: u8) -> Doubts {
+fn doubts_of_address(address: u8) -> Doubts {
     match address {
         b'X' | b'U' => Doubts::of(&[Doubt::X]),
         b'Z' | b'W' => Doubts::of(&[Doubt::Z]),

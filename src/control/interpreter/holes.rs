@@ -24,7 +24,7 @@ use crate::units::Diameter;
 const CLEARANCE: f64 = 1.0;
 
 /// Maximum number of repeats of a hole.
-const MOST_REPEATS: f64 = 9_999.0;
+const MAX_REPEATS: f64 = 9_999.0;
 
 early! {
     fn hole(control: &mut Interpreter, text: &[u8], block: &Block, request: &mut Request, words: &Words) {
@@ -41,7 +41,7 @@ impl Interpreter {
             self.report(Diagnostic::new(said::HoleOfOthers { code }, span));
         }
         if self.state.hole.is_none() {
-            self.state.reported.forget(Once::HoleInForce);
+            self.state.reported.reset(Once::HoleInForce);
         }
         self.state.hole = Some(match self.state.hole {
             // For a cycle along the same axis, values stay in force until G80.
@@ -53,7 +53,7 @@ impl Interpreter {
 
     /// Whether a one-shot code is allowed while a hole cycle is in force (PS0044, PS0327). False: reported.
     #[inline(never)]
-    pub(super) fn may_stand_with_hole(&mut self, text: &[u8], block: &Block, one_shot: OneShot) -> bool {
+    pub(super) fn allowed_with_hole(&mut self, text: &[u8], block: &Block, one_shot: OneShot) -> bool {
         let alarm = match one_shot {
             OneShot::Home | OneShot::OtherHome | OneShot::CheckHome | OneShot::FromHome => "PS0044",
             OneShot::Multiple(_) => "PS0327",
@@ -68,7 +68,7 @@ impl Interpreter {
         }
         // The alarm is not in the manuals of a control that lacks the cycle.
         let foreign = lenient && matches!(hole.kind, Hole::G81 | Hole::G82 | Hole::G86);
-        if foreign || !self.state.reported.first(Once::HoleInForce) {
+        if foreign || !self.state.reported.mark_reported(Once::HoleInForce) {
             return lenient;
         }
         let severity = if lenient { Severity::Warning } else { Severity::Error };
@@ -188,7 +188,7 @@ impl Interpreter {
         let repeats = words
             .get(b'K')
             .and_then(plain)
-            .map_or(1.0, |repeats| crate::geometry::within(repeats, 0.0, MOST_REPEATS));
+            .map_or(1.0, |repeats| crate::geometry::within(repeats, 0.0, MAX_REPEATS));
         let turning =
             if self.state.incremental { words.get(b'C').or(words.get(b'H')) } else { words.get(b'H') };
         let turned = turning.and_then(|word| reading.degrees(word)).unwrap_or(0.0);

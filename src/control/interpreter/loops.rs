@@ -1,6 +1,6 @@
 //! DO and END of macros: open loops, and where each of them ends.
 
-use super::{Flow, Here, Interpreter};
+use super::{BlockPosition, Flow, Interpreter};
 use crate::control::events::Event;
 use crate::control::macros::{MacroError, MacroErrorKind};
 use crate::control::program::{Loop, Rounds};
@@ -12,13 +12,13 @@ use crate::text::parser::{Parser, Resume};
 
 impl Interpreter {
     /// Begins a loop whose condition cannot be evaluated: it runs once.
-    pub(super) fn run_once(&mut self, number: u32, here: Here) {
+    pub(super) fn run_once(&mut self, number: u32, here: BlockPosition) {
         self.leave_loop(here);
         self.open_loop(Loop { number, head: here.at, rounds: Rounds::One });
     }
 
     /// Index of the active loop that ends in this block.
-    pub(super) fn loop_that_ends(&mut self, here: Here) -> Option<usize> {
+    pub(super) fn loop_that_ends(&mut self, here: BlockPosition) -> Option<usize> {
         let ends = &self.program.loop_ends;
         let is_own = |own: &Loop| {
             ends.get(&own.head.byte).copied().flatten().is_some_and(|end| end.byte == here.next.byte)
@@ -40,13 +40,19 @@ impl Interpreter {
         self.trace_fault();
         let diagnostic = Diagnostic::new(kind.message(), span);
         self.report(Diagnostic { fixes: fix.into_iter().collect(), ..diagnostic });
-        self.left_out();
+        self.mark_left_out();
     }
 
     /// DO: begins a loop, or its next round.
-    pub(super) fn begin_loop(&mut self, text: &[u8], block: &Block, number: u32, here: Here) -> Flow {
+    pub(super) fn begin_loop(
+        &mut self,
+        text: &[u8],
+        block: &Block,
+        number: u32,
+        here: BlockPosition,
+    ) -> Flow {
         let head = here.at;
-        if self.behind_end(text, block, number, here).is_none() {
+        if self.block_after_end(text, block, number, here).is_none() {
             return if self.sink.is_full() { Flow::End } else { Flow::Next };
         }
         let loops = self.state.call_stack.loops();
@@ -59,7 +65,7 @@ impl Interpreter {
             let end = self.program.loop_ends.get(&outer).copied().flatten();
             if end.is_some_and(|end| outer < head.byte && head.byte < end.byte) {
                 self.report_macro(MacroErrorKind::LoopNumber, block.words_span());
-                self.lose_program();
+                self.doubt_after_missing_program();
             } else {
                 // A jump out of the loop has left it open.
                 self.state.call_stack.loops().truncate(old);
@@ -79,7 +85,7 @@ impl Interpreter {
         }
     }
 
-    pub(super) fn leave_loop(&mut self, here: Here) {
+    pub(super) fn leave_loop(&mut self, here: BlockPosition) {
         let loops = self.state.call_stack.loops();
         if let Some(old) = loops.iter().position(|own| own.head.byte == here.at.byte) {
             loops.truncate(old);
@@ -87,12 +93,12 @@ impl Interpreter {
     }
 
     /// END: returns to the beginning of the loop.
-    pub(super) fn end_loop(&mut self, block: &Block, here: Here) -> Flow {
+    pub(super) fn end_loop(&mut self, block: &Block, here: BlockPosition) -> Flow {
         let Some(old) = self.loop_that_ends(here) else {
             // The END of a DO that was reported as missing: its number is wrong.
             if !self.program.lacks_end {
                 self.report_macro(MacroErrorKind::LoopNumber, block.words_span());
-                self.lose_program();
+                self.doubt_after_missing_program();
             }
             return Flow::Next;
         };
@@ -108,17 +114,17 @@ impl Interpreter {
     }
 
     /// The block after the END of a loop that begins here. `None`: no END, reported (PS0124).
-    pub(super) fn behind_end(
+    pub(super) fn block_after_end(
         &mut self,
         text: &[u8],
         block: &Block,
         number: u32,
-        here: Here,
+        here: BlockPosition,
     ) -> Option<Resume> {
         let found = self.end_of_loop(text, block, number, here);
         if found.is_none() && !self.sink.is_full() {
             self.report_macro(MacroErrorKind::EndMissing, block.words_span());
-            self.lose_program();
+            self.doubt_after_missing_program();
         }
         found
     }
@@ -130,7 +136,7 @@ impl Interpreter {
         text: &[u8],
         block: &Block,
         number: u32,
-        here: Here,
+        here: BlockPosition,
     ) -> Option<Resume> {
         if let Some(found) = self.program.loop_ends.get(&here.at.byte) {
             return *found;

@@ -4,7 +4,7 @@
 //! which `control::macros` evaluates; this file contains only the forms of these statements.
 
 use super::macro_values::Evaluated;
-use super::{Flow, Here, Interpreter};
+use super::{BlockPosition, Flow, Interpreter};
 use crate::control::codes;
 use crate::control::macros::{Action, MacroErrorKind};
 use crate::control::words::plain;
@@ -61,7 +61,13 @@ impl Interpreter {
     }
 
     /// Carries out a block of macro A.
-    pub(super) fn macro_a(&mut self, text: &[u8], block: &Block, here: Here, operation: u32) -> Flow {
+    pub(super) fn macro_a(
+        &mut self,
+        text: &[u8],
+        block: &Block,
+        here: BlockPosition,
+        operation: u32,
+    ) -> Flow {
         if !self.count_macro_step(block) {
             return Flow::End;
         }
@@ -70,12 +76,12 @@ impl Interpreter {
         let Some((_, form)) = form else {
             let what = format!("G65 H{operation:02}");
             self.report(Diagnostic::new(said::NotSupported { what }, span));
-            self.lose_program();
+            self.doubt_after_missing_program();
             return Flow::Next;
         };
         let Some(statement) = written(text, block, form) else {
             self.report_macro(MacroErrorKind::Format, span);
-            self.lose_program();
+            self.doubt_after_missing_program();
             return Flow::Next;
         };
         match self.evaluate(text, block, statement.as_bytes(), here) {

@@ -15,14 +15,14 @@ impl Interpreter {
     /// Called when a vacant variable that may be an argument is read. Reports it if the main program is the
     /// body of a macro.
     #[cold]
-    pub(super) fn miss_arguments(&mut self, text: &[u8], block: &Block, variable: u32) {
-        let is_own = self.state.variables.level() == 0 && !self.state.variables.lacks_arguments();
+    pub(super) fn report_missing_arguments(&mut self, text: &[u8], block: &Block, variable: u32) {
+        let is_own = self.state.variables.level() == 0 && !self.state.variables.has_unknown_arguments();
         if !is_own || !self.is_macro_body(text) {
             return;
         }
-        self.state.variables.lack_arguments();
+        self.state.variables.mark_arguments_unknown();
         self.report(Diagnostic::new(said::ArgumentsUnknown { variable }, block.words_span()));
-        self.lose(Doubts::of(&[Doubt::Values]));
+        self.add_doubts(Doubts::of(&[Doubt::Values]));
     }
 
     /// Whether the main program can only be the body of a macro: it returns with M99, and neither ends nor
@@ -32,7 +32,7 @@ impl Interpreter {
             return known;
         }
         // The result depends on later blocks: with labels the run no longer counts as straight
-        // (`Program::is_straight`).
+        // (`Program::is_in_linear_order`).
         self.program.labels(text);
         let mut parser = Parser::resume(text, self.state.call_stack.head);
         let (mut block, mut begun, mut returns, mut is_main) = (Block::default(), false, false, false);

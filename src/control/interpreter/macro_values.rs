@@ -2,7 +2,7 @@
 
 use super::loops::{Mark, loop_mark};
 use super::store::Store;
-use super::{Flow, Here, Interpreter};
+use super::{BlockPosition, Flow, Interpreter};
 use crate::control::codes;
 use crate::control::events::Event;
 use crate::control::macros::{self, Action, Knowledge, MacroError};
@@ -26,7 +26,13 @@ pub(super) enum Evaluated {
 
 impl Interpreter {
     /// Evaluates the statement of a block. Unknown values are handled here.
-    pub(super) fn evaluate(&mut self, text: &[u8], block: &Block, statement: &[u8], here: Here) -> Evaluated {
+    pub(super) fn evaluate(
+        &mut self,
+        text: &[u8],
+        block: &Block,
+        statement: &[u8],
+        here: BlockPosition,
+    ) -> Evaluated {
         let mut store = Store::new(self, text, block);
         let outcome = macros::statement(statement, &mut store);
         let unknown = store.knowledge == Knowledge::Unknown;
@@ -38,8 +44,8 @@ impl Interpreter {
                 Evaluated::Flow(self.unknown_statement(text, block, statement, here))
             }
             // The macro checks its arguments with an alarm; they are unknown here.
-            Ok(Action::Alarm { .. }) if self.state.variables.lacks_arguments() => {
-                self.lose_program();
+            Ok(Action::Alarm { .. }) if self.state.variables.has_unknown_arguments() => {
+                self.doubt_after_missing_program();
                 Evaluated::Flow(Flow::Next)
             }
             Ok(action) => {
@@ -49,7 +55,7 @@ impl Interpreter {
                 Evaluated::Action(action)
             }
             Err(fault) => {
-                self.lose_statement(statement);
+                self.doubt_statement(statement);
                 Evaluated::Fault(fault)
             }
         }
@@ -78,7 +84,7 @@ impl Interpreter {
             let places =
                 (!handed_over || matches!(word.address, b'P' | b'L')).then(|| self.places(word.address));
             let (number, negative) = self.value_of(text, block, word, places)?;
-            if number.is_none() && !handed_over && !self.guessing {
+            if number.is_none() && !handed_over && !self.uses_unknown_value {
                 self.observe(text, Event::VacantWord { word });
             }
             let value = number.map(|number| Word { value: Value::Number { number, negative }, ..*word });
@@ -107,11 +113,11 @@ impl Interpreter {
         let mut store = Store::new(self, text, block);
         let value = macros::address_value(&written[letter..], increment, &mut store);
         if store.knowledge == Knowledge::Unknown {
-            self.guessing = true;
+            self.uses_unknown_value = true;
         }
         match value {
-            Err(fault) if self.guessing && fault.kind.depends_on_values() => {
-                self.left_out();
+            Err(fault) if self.uses_unknown_value && fault.kind.depends_on_values() => {
+                self.mark_left_out();
                 None
             }
             Ok(None) => Some((None, false)),
@@ -148,10 +154,16 @@ impl Interpreter {
     /// A statement depends on an unknown value and has no value itself, or jumps: the program continues after
     /// it.
     #[cold]
-    fn unknown_statement(&mut self, text: &[u8], block: &Block, statement: &[u8], here: Here) -> Flow {
+    fn unknown_statement(
+        &mut self,
+        text: &[u8],
+        block: &Block,
+        statement: &[u8],
+        here: BlockPosition,
+    ) -> Flow {
         self.unknown_condition(text, block, statement);
         if let Some((Mark::Do, number)) = loop_mark(text, block)
-            && self.behind_end(text, block, number, here).is_some()
+            && self.block_after_end(text, block, number, here).is_some()
         {
             self.run_once(number, here);
         }
@@ -161,9 +173,9 @@ impl Interpreter {
     /// A statement depends on an unknown value: it may have assigned a variable or jumped.
     #[cold]
     fn unknown_condition(&mut self, text: &[u8], block: &Block, statement: &[u8]) {
-        match macros::assigned(behind_condition(statement), &mut Store::new(self, text, block)) {
+        match macros::assigned(after_condition(statement), &mut Store::new(self, text, block)) {
             Some(variable) => self.state.variables.set_unknown(variable, Knowledge::Unknown),
-            None => self.lose_program(),
+            None => self.doubt_after_missing_program(),
         }
     }
 }
@@ -176,8 +188,8 @@ fn places_of(value: f64) -> u8 {
 
 /// A value as a number with `places` decimals; `None` if it is too large for any address.
 fn number_of(value: f64, places: u8) -> Option<Number> {
-    const LARGEST: f64 = 99_999_999.0;
-    if value.is_nan() || value.abs() > LARGEST {
+    const MAX_VALUE: f64 = 99_999_999.0;
+    if value.is_nan() || value.abs() > MAX_VALUE {
         return None;
     }
     let mantissa = (value.abs() * 10f64.powi(i32::from(places))).round() as u64;
@@ -186,7 +198,7 @@ fn number_of(value: f64, places: u8) -> Option<Number> {
 }
 
 /// The text after the condition of IF; the whole text of any other statement.
-fn behind_condition(statement: &[u8]) -> &[u8] {
+fn after_condition(statement: &[u8]) -> &[u8] {
     let statement = statement.trim_ascii_start();
     if !statement.get(..2).is_some_and(|head| head.eq_ignore_ascii_case(b"IF")) {
         return statement;

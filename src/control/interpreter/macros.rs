@@ -6,7 +6,7 @@
 use super::core::shortened;
 use super::loops::{Mark, loop_mark, statement_span};
 use super::macro_values::Evaluated;
-use super::{Flow, Here, Interpreter};
+use super::{BlockPosition, Flow, Interpreter};
 use crate::control::codes::{self, MacroCall};
 use crate::control::events::Event;
 use crate::control::macros::{self, Action, Knowledge, Locals, MacroError, MacroErrorKind, Stored};
@@ -21,11 +21,11 @@ use crate::text::block::{Block, BlockKind, Word};
 use crate::text::parser::{Parser, Resume};
 
 early! {
-    fn macro_statement(control: &mut Interpreter, text: &[u8], block: &Block, here: Here) -> Statement {
+    fn macro_statement(control: &mut Interpreter, text: &[u8], block: &Block, here: BlockPosition) -> Statement {
         control.statement(text, block, here)
     }
 
-    fn macro_call(control: &mut Interpreter, text: &[u8], block: &Block, here: Here, call: MacroCall) -> Flow {
+    fn macro_call(control: &mut Interpreter, text: &[u8], block: &Block, here: BlockPosition, call: MacroCall) -> Flow {
         control.call_of_macro(text, block, here, call)
     }
 
@@ -33,8 +33,8 @@ early! {
         control.call_of_modal_macro(block, back)
     }
 
-    fn give(control: &mut Interpreter, tried: TriedValue) {
-        control.give_tried(tried);
+    fn set_tried_value(control: &mut Interpreter, tried: TriedValue) {
+        control.assign_tried_value(tried);
     }
 }
 
@@ -55,19 +55,19 @@ impl From<Flow> for Statement {
 impl Interpreter {
     /// Carries out a macro statement.
     #[cold]
-    pub(super) fn macro_statement(&mut self, text: &[u8], block: &Block, here: Here) -> Statement {
+    pub(super) fn macro_statement(&mut self, text: &[u8], block: &Block, here: BlockPosition) -> Statement {
         if self.has(MACROS) { macro_statement(self, text, block, here) } else { Statement::Done(Flow::Next) }
     }
 
     /// Assigns a value that the user tries out, as if its block had assigned it; ignored if the variable
     /// cannot be written.
-    pub fn give(&mut self, tried: TriedValue) {
+    pub fn set_tried_value(&mut self, tried: TriedValue) {
         if self.has(MACROS) {
-            give(self, tried);
+            set_tried_value(self, tried);
         }
     }
 
-    fn give_tried(&mut self, TriedValue { block, variable, value, .. }: TriedValue) {
+    fn assign_tried_value(&mut self, TriedValue { block, variable, value, .. }: TriedValue) {
         let variables = &mut self.state.variables;
         if variables.write(variable, Some(value)) == Ok(Stored::Done) {
             variables.set_unknown(variable, Knowledge::Known);
@@ -77,10 +77,10 @@ impl Interpreter {
         }
     }
 
-    fn statement(&mut self, text: &[u8], block: &Block, here: Here) -> Statement {
+    fn statement(&mut self, text: &[u8], block: &Block, here: BlockPosition) -> Statement {
         if let Some(word) = block.words.first() {
             self.report_macro(MacroErrorKind::WordsBehind, word.span.to(block.span));
-            self.lose_statement(block.span.of(text));
+            self.doubt_statement(block.span.of(text));
             return Flow::Next.into();
         }
         if !self.count_macro_step(block) {
@@ -118,7 +118,7 @@ impl Interpreter {
             Action::While { number, enter: false } => {
                 self.observe(text, Event::While { statement: block.words_span(), enter: false });
                 self.leave_loop(here);
-                match self.behind_end(text, block, number, here) {
+                match self.block_after_end(text, block, number, here) {
                     Some(behind) => {
                         self.program.skip_loop();
                         Flow::Jump(behind)
@@ -136,7 +136,7 @@ impl Interpreter {
                 parser.next_block(&mut own);
                 if own.kind != BlockKind::Words || parser.position().byte < words.end {
                     self.report_macro(MacroErrorKind::Format, words);
-                    self.lose_program();
+                    self.doubt_after_missing_program();
                     return Flow::Next.into();
                 }
                 own.span = block.span;
@@ -154,7 +154,7 @@ impl Interpreter {
 
     /// Handles a faulty statement. If it begins a loop, the loop runs once, so that its END needs no separate
     /// message.
-    fn faulty_statement(&mut self, text: &[u8], block: &Block, here: Here, fault: &MacroError) {
+    fn faulty_statement(&mut self, text: &[u8], block: &Block, here: BlockPosition, fault: &MacroError) {
         let mark = loop_mark(text, block);
         if matches!(mark, Some((Mark::End, _)))
             && let Some(open) = self.loop_that_ends(here)
@@ -171,11 +171,17 @@ impl Interpreter {
     }
 
     /// G65: calls a macro with arguments. G66: calls it after every block with a move, until G67.
-    pub(super) fn macro_call(&mut self, text: &[u8], block: &Block, here: Here, call: MacroCall) -> Flow {
+    pub(super) fn macro_call(
+        &mut self,
+        text: &[u8],
+        block: &Block,
+        here: BlockPosition,
+        call: MacroCall,
+    ) -> Flow {
         if self.has(MACROS) { macro_call(self, text, block, here, call) } else { Flow::Next }
     }
 
-    fn call_of_macro(&mut self, text: &[u8], block: &Block, here: Here, call: MacroCall) -> Flow {
+    fn call_of_macro(&mut self, text: &[u8], block: &Block, here: BlockPosition, call: MacroCall) -> Flow {
         if let Some(operation) = self.macro_a_of(text, block) {
             return self.macro_a(text, block, here, operation);
         }
@@ -183,7 +189,7 @@ impl Interpreter {
         let find = |address: u8| block.words.iter().find(|word| word.address == address);
         let Some(number) = find(b'P').as_ref().and_then(value).filter(|&number| number >= 1.0) else {
             self.report(Diagnostic::new(said::CallNoNumber { code: call.code() }, block.words_span()));
-            self.lose_program();
+            self.doubt_after_missing_program();
             return Flow::Next;
         };
         let rounds = find(b'L').as_ref().and_then(value).map_or(1, |rounds| rounds as u32);
@@ -198,7 +204,7 @@ impl Interpreter {
             Err(fault) => {
                 let span = handed.get(fault.index).map_or(block.words_span(), |word| word.span);
                 self.report_macro(fault.kind, span);
-                self.lose_program();
+                self.doubt_after_missing_program();
                 return Flow::Next;
             }
         };
@@ -208,7 +214,7 @@ impl Interpreter {
             let word = find(b'P').map_or(String::new(), |word| quote(text, word.span));
             let span = find(b'P').map_or(block.words_span(), |word| word.span);
             self.report(Diagnostic::new(said::ProgramNotFound { word }, span));
-            self.lose_program();
+            self.doubt_after_missing_program();
             return Flow::Next;
         };
         match call {

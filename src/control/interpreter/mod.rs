@@ -7,7 +7,6 @@
 //! Order within a block: plane, unit and feed mode – G96/G97 with S – F – T – M03, M04 –
 //! coordinate system – compensation – motion or cycle – M05, M00, M01, M02, M30.
 
-pub(crate) mod beside_plane;
 pub(crate) mod block;
 mod budget;
 pub(crate) mod calls;
@@ -45,6 +44,7 @@ mod targets;
 pub(crate) mod threads;
 pub(crate) mod trace;
 pub(crate) mod unread;
+pub(crate) mod with_y;
 pub(crate) mod y_axis;
 
 #[cfg(test)]
@@ -53,7 +53,7 @@ mod tests;
 use super::contour::Landmarks;
 use super::events::{Event, Observer};
 use super::modal::State;
-use super::origins::{Chronicle, Chronicler};
+use super::origins::{OriginRecord, OriginRecorder};
 use super::program::Program;
 use super::sink::Sink;
 use super::words::letters;
@@ -66,7 +66,7 @@ use crate::text::parser::Resume;
 use crate::units::Unit;
 use contours::Contours;
 
-pub use snapshot::{Remainder, Snapshot};
+pub use snapshot::{RunTail, Snapshot};
 pub use trace::{Context, Executed};
 
 /// Words that move X or Z.
@@ -91,7 +91,7 @@ pub enum Flow {
 
 /// Position of a block in the text.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Here {
+pub struct BlockPosition {
     /// Start of the block.
     pub at: Resume,
     /// Start of the next block.
@@ -105,7 +105,7 @@ pub struct Interpreter {
     /// The state of the control after the last block.
     pub state: State,
     /// Records which blocks set the state, if wanted.
-    chronicler: Option<Box<dyn Chronicler>>,
+    recorder: Option<Box<dyn OriginRecorder>>,
     /// Where to read next.
     program: Program,
     /// Motions and messages.
@@ -117,13 +117,13 @@ pub struct Interpreter {
     /// What the observer reports about the current event.
     reports: Vec<Diagnostic>,
     /// Something has happened since the last cut that may matter for the next one.
-    cut_is_news: bool,
+    cut_context_changed: bool,
     /// The executed blocks, in order, if a trace is wanted.
     trace: Option<Vec<Executed>>,
     /// A block was not carried out since this flag was last cleared.
-    refused: bool,
+    block_failed: bool,
     /// A value of the current block comes from a variable with an unknown value.
-    guessing: bool,
+    uses_unknown_value: bool,
     /// A part of the module that a block needs and that is not loaded.
     missing: Option<Part>,
 }
@@ -147,23 +147,23 @@ impl Interpreter {
         Self {
             setup,
             dialect,
-            chronicler: None,
+            recorder: None,
             state,
             program: Program::default(),
             sink,
             contours: Contours::default(),
             observer: None,
             reports: Vec::new(),
-            cut_is_news: true,
+            cut_context_changed: true,
             trace: None,
-            refused: false,
-            guessing: false,
+            block_failed: false,
+            uses_unknown_value: false,
             missing: None,
         }
     }
 
     /// Sends events to `observer` from here on.
-    pub fn observed_by(mut self, observer: Box<dyn Observer>) -> Self {
+    pub fn with_observer(mut self, observer: Box<dyn Observer>) -> Self {
         self.observer = Some(observer);
         self
     }
@@ -194,25 +194,25 @@ impl Interpreter {
     }
 
     /// Starts to record which block sets what, with a new recorder like `before`, if there is one.
-    pub fn chronicled_like(&mut self, before: Option<&dyn Chronicler>) {
-        self.chronicler = before.map(|chronicler| chronicler.anew(&self.state));
+    pub fn record_origins_like(&mut self, before: Option<&dyn OriginRecorder>) {
+        self.recorder = before.map(|recorder| recorder.restarted(&self.state));
     }
 
     /// Starts to record which block sets what.
-    pub fn begin_chronicle(&mut self) {
-        self.chronicler = Some(Box::new(Chronicle::new(&self.state)));
+    pub fn begin_recording(&mut self) {
+        self.recorder = Some(Box::new(OriginRecord::new(&self.state)));
     }
 
-    /// The recorded chronicle, if any.
-    pub fn chronicle_mut(&mut self) -> Option<&mut Chronicle> {
-        self.chronicler.as_mut().map(|chronicler| chronicler.chronicle_mut())
+    /// The record of origins, if any.
+    pub fn record_mut(&mut self) -> Option<&mut OriginRecord> {
+        self.recorder.as_mut().map(|recorder| recorder.record_mut())
     }
 
     /// Records what the block at this byte has changed.
     #[inline]
     pub fn note_origins(&mut self, block: u32) {
-        if let Some(chronicler) = &mut self.chronicler {
-            chronicler.note(&self.state, block);
+        if let Some(recorder) = &mut self.recorder {
+            recorder.note(&self.state, block);
         }
     }
 
@@ -243,7 +243,7 @@ impl Interpreter {
 
     /// Makes the waiting moves: the program has ended.
     pub fn finish(&mut self, text: &[u8]) {
-        self.settle();
+        self.flush_pending();
         self.observe(text, Event::RunEnds);
     }
 
@@ -292,9 +292,9 @@ impl Interpreter {
     }
 
     /// Starts the program to run, which is not the first of the text.
-    pub fn begin_elsewhere(&mut self, head: Resume) {
+    pub fn start_at_other_program(&mut self, head: Resume) {
         self.enter_program(head);
-        self.program.begin_elsewhere(head);
+        self.program.start_at_other_program(head);
     }
 
     /// Whether the current program begins here.
@@ -313,7 +313,7 @@ impl Interpreter {
     }
 
     /// Whether a jump or call has left the linear order of the text.
-    pub fn has_wandered(&self) -> bool {
-        self.program.has_jumped()
+    pub fn has_left_linear_order(&self) -> bool {
+        self.program.has_left_linear_order()
     }
 }

@@ -7,7 +7,7 @@ use super::request::Request;
 use super::{AXES, Interpreter};
 use crate::control::arcs::{self, CenterWords};
 use crate::control::codes::{Compensation, MotionMode, Plane};
-use crate::control::events::{Event, ThreadPass, ThreadedBy};
+use crate::control::events::{Event, ThreadPass, ThreadSource};
 use crate::control::modal::{PathMove, Target};
 use crate::control::words::{self, Words, letters, quote};
 use crate::cycles::single::Single;
@@ -64,7 +64,7 @@ impl Interpreter {
         };
         let to = match angle {
             Some(angle) if x == Target::Stay && z == Target::Stay => {
-                self.travel_at_angle(block, angle, joint);
+                self.push_at_angle(block, angle, joint);
                 return;
             }
             Some(angle) if !was_open => {
@@ -87,12 +87,12 @@ impl Interpreter {
         if self.is_on_axis() && self.state.virtual_plane.is_none() {
             self.observe(text, Event::FromAxis { block, to });
         }
-        if joint.is_none() && c.is_none() && self.travel_plainly(block, MotionKind::Feed, to, None) {
+        if joint.is_none() && c.is_none() && self.push_fast(block, MotionKind::Feed, to, None) {
             return;
         }
         let motion = self.motion(MotionKind::Feed, to);
         let motion = self.turning(motion, c);
-        self.travel(PathMove { wall: request.wall, ..self.path_move(block, motion) }, joint);
+        self.push_path_move(PathMove { wall: request.wall, ..self.path_move(block, motion) }, joint);
     }
 
     /// Checks that a thread has no corner words (PS0050). False: an error was reported.
@@ -180,7 +180,7 @@ impl Interpreter {
             let word = words.quote(text, b'R');
             let span = words.span(b'R');
             let fix =
-                Fix::write(span, format!("R{}", words::behind_letter(&word).trim_start_matches([' ', '-'])));
+                Fix::write(span, format!("R{}", words::after_letter(&word).trim_start_matches([' ', '-'])));
             self.report(Diagnostic::new(said::ArcOverHalf { word }, span).with(fix));
         }
         let of_center = [up, right];
@@ -189,7 +189,7 @@ impl Interpreter {
         if !self.may_cut(text, block, words, request) {
             return;
         }
-        self.settle_angle();
+        self.flush_open_angle();
         let Ok(joint) = self.joint(text, block, request, words) else {
             request.drop = true;
             return;
@@ -204,11 +204,11 @@ impl Interpreter {
                 if let Some(stray) = stray {
                     self.report(stray);
                 }
-                if joint.is_none() && self.travel_plainly(block, kind, to, Some(center)) {
+                if joint.is_none() && self.push_fast(block, kind, to, Some(center)) {
                     return;
                 }
                 let motion = Motion { center: Some(center), ..self.motion(kind, to) };
-                self.travel(self.path_move(block, motion), joint);
+                self.push_path_move(self.path_move(block, motion), joint);
             }
             // It goes along Y, which was reported.
             Ok(None) if words.has_any(letters(b"YV")) && surface.is_none() => {}
@@ -262,7 +262,7 @@ impl Interpreter {
         let given = |address: u8| words.get(address).and_then(|word| reading.length(word));
         let from = self.state.position;
         let starts = self.starts(words, Single::Threading);
-        let pass = ThreadPass { block, words, start: from, end: to, lead, starts, by: ThreadedBy::Move };
+        let pass = ThreadPass { block, words, start: from, end: to, lead, starts, by: ThreadSource::Move };
         self.observe(text, Event::ThreadMove { pass, code });
         let gsk = self.dialect.control == Control::Gsk;
         let is_variable = self.state.motion == MotionMode::VariableThread;
@@ -301,7 +301,7 @@ impl Interpreter {
     /// G00.
     #[inline]
     pub(super) fn rapid(&mut self, text: &[u8], block: &Block, request: &mut Request, words: &Words) {
-        self.settle_angle();
+        self.flush_open_angle();
         if let Some(index) = request.comma.into_iter().flatten().next() {
             let span = block.words[index].span;
             self.report(Diagnostic::new(said::CornerNoLine { word: quote(text, span) }, span));
@@ -316,10 +316,10 @@ impl Interpreter {
         }
         request.moved = words.has_any(AXES);
         let c = self.turn_target(text, words);
-        if c.is_some() || !self.travel_plainly(block, MotionKind::Rapid, to, None) {
+        if c.is_some() || !self.push_fast(block, MotionKind::Rapid, to, None) {
             let motion = self.motion(MotionKind::Rapid, to);
             let motion = self.turning(motion, c);
-            self.travel(PathMove { wall: request.wall, ..self.path_move(block, motion) }, None);
+            self.push_path_move(PathMove { wall: request.wall, ..self.path_move(block, motion) }, None);
         }
     }
 }

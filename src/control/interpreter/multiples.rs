@@ -7,11 +7,11 @@
 
 use super::Interpreter;
 use super::contours::{RunBlock, Shape};
-use super::cycle_moves::NEAR;
+use super::cycle_moves::LENGTH_TOLERANCE;
 use super::repairs::offer_other_sign;
 use super::request::Request;
 use crate::control::codes::Multiple;
-use crate::control::contour::Purpose;
+use crate::control::contour::ContourUse;
 use crate::control::doubt::Doubt;
 use crate::control::events::{Event, FinishingCall};
 use crate::control::modal::{PathMove, State};
@@ -55,11 +55,11 @@ impl Interpreter {
     fn finishing(&mut self, text: &[u8], block: &Block, shape: Option<Shape>) -> Option<()> {
         let shape = shape?;
         let start = self.state.position;
-        if !shape.is_sound() {
+        if !shape.is_valid() {
             // Its blocks have not changed the modal state.
-            self.go_along(block, Cycle::Finishing, &shape.moves);
+            self.push_contour(block, Cycle::Finishing, &shape.moves);
             self.return_to(block, Cycle::Finishing, start);
-            self.go_on_behind(block, shape.begins, shape.ends);
+            self.continue_after_contour(block, shape.begins, shape.ends);
             return None;
         }
         let ends: Vec<_> = shape.moves.iter().map(|path_move| path_move.motion.to).collect();
@@ -69,11 +69,11 @@ impl Interpreter {
         let call = FinishingCall { block, landmarks: &landmarks, ends: &ends, leaves_at_rapid };
         self.observe(text, Event::Finishing(call));
         self.contours.landmarks = landmarks;
-        self.go_along(block, Cycle::Finishing, &shape.moves);
+        self.push_contour(block, Cycle::Finishing, &shape.moves);
         // The blocks change the modal state as they would on their own; the tool returns to the start point.
         let (position, reported, doubts) = (self.state.position, self.state.reported, self.state.doubts);
         self.state = State { position, reported, doubts, ..shape.state };
-        self.go_on_observed_by(shape.observer);
+        self.replace_observer(shape.observer);
         self.return_to(block, Cycle::Finishing, start);
         Some(())
     }
@@ -100,7 +100,7 @@ impl Interpreter {
             {
                 let own = if address == b'X' { 'U' } else { 'W' };
                 let word = words.quote(text, address);
-                let fix = Fix::write(words.span(address), format!("{own}{}", words::behind_letter(&word)));
+                let fix = Fix::write(words.span(address), format!("{own}{}", words::after_letter(&word)));
                 let message = said::CycleWord { code, word };
                 self.report(Diagnostic::new(message, words.span(address)).with(fix));
                 self.state.parameters.depth = Some(0.0);
@@ -130,7 +130,7 @@ impl Interpreter {
                 let word = words.quote(text, other_word);
                 let fix = Fix::write(
                     words.span(other_word),
-                    format!("{}{}", depth_word as char, words::behind_letter(&word)),
+                    format!("{}{}", depth_word as char, words::after_letter(&word)),
                 );
                 let message = said::DepthMissing { code };
                 self.report(Diagnostic::new(message, words.span(other_word)).with(fix));
@@ -151,17 +151,17 @@ impl Interpreter {
             self.state.parameters.depth = self.one_block_depth(word);
         }
         let shape = shape?;
-        self.go_on_behind(block, shape.begins, shape.ends);
+        self.continue_after_contour(block, shape.begins, shape.ends);
         let Some(depth) = self.state.parameters.depth.filter(|&depth| depth > 0.0) else {
             let depth = self.state.parameters.depth;
             // A wrong depth in the first block was reported there.
-            if let Some(word) = words.get(b'D').filter(|_| shape.is_sound()) {
+            if let Some(word) = words.get(b'D').filter(|_| shape.is_valid()) {
                 let depth = plain(word).map(|depth| depth * self.state.unit.millimetres());
                 let message: Message = depth.map_or(said::DepthMissing { code }.into(), |depth| {
                     said::DepthNotPositive { code, depth }.into()
                 });
                 self.report(Diagnostic::new(message, word.span));
-            } else if depth.is_none() && shape.is_sound() {
+            } else if depth.is_none() && shape.is_valid() {
                 self.report(Diagnostic::new(said::DepthMissing { code }, block.words_span()));
             }
             self.contour_alone(block, cycle.cycle(), &shape);
@@ -182,10 +182,10 @@ impl Interpreter {
             last_pass: roughing::LastPass::Contour,
             checks: roughing::Checks::All,
         };
-        if !shape.is_sound() {
+        if !shape.is_valid() {
             let most = self.moves_left();
             self.state.doubts.add(Doubt::Contour);
-            match self.forgiving(block, &contour, &shape, &how, most) {
+            match self.rough_leniently(block, &contour, &shape, &how, most) {
                 Some(moves) => self.run_cycle(block, cycle.cycle(), None, &moves),
                 None => self.contour_alone(block, cycle.cycle(), &shape),
             }
@@ -241,7 +241,7 @@ impl Interpreter {
                 Err(roughing::RoughingError::NotMonotoneAlong { .. }
                     | roughing::RoughingError::NotMonotoneAcross { .. })
             )
-            && let Some(without) = shape.without_retreat(contour)
+            && let Some(without) = shape.without_final_rapids(contour)
             && let Ok(found) = roughing::rough(&without, &how, most)
         {
             moves = Ok(found);
@@ -283,7 +283,7 @@ impl Interpreter {
             if turning { contour.first.x - contour.start.x } else { contour.first.z - contour.start.z };
         let beyond = |piece: &&crate::cycles::Piece| {
             let end = if turning { piece.to.x - contour.start.x } else { piece.to.z - contour.start.z };
-            end.abs() > NEAR && end.signum() != side.signum()
+            end.abs() > LENGTH_TOLERANCE && end.signum() != side.signum()
         };
         let start_is_wrong = matches!(fault, roughing::RoughingError::BeyondStart { .. })
             && contour.pieces.iter().filter(beyond).count() > 2;
@@ -298,7 +298,7 @@ impl Interpreter {
             return Err(Refused::Contour);
         }
         // Many such programs run: some controls have no such check, others allow a tolerance.
-        let found = self.forgiving(block, contour, shape, &how, most);
+        let found = self.rough_leniently(block, contour, shape, &how, most);
         self.report(if found.is_some() { message.graded(Severity::Warning) } else { message });
         found.map(|moves| (moves, how.shape)).ok_or(Refused::Contour)
     }
@@ -313,7 +313,7 @@ impl Interpreter {
             if let Some(address) = [b'X', b'Z'].into_iter().find(|&address| words.peek(address).is_some()) {
                 let own = if address == b'X' { 'U' } else { 'W' };
                 let word = words.quote(text, address);
-                let fix = Fix::write(words.span(address), format!("{own}{}", words::behind_letter(&word)));
+                let fix = Fix::write(words.span(address), format!("{own}{}", words::after_letter(&word)));
                 let message = said::CycleWord { code: "G73", word };
                 self.report(Diagnostic::new(message, words.span(address)).with(fix));
                 return None;
@@ -335,11 +335,11 @@ impl Interpreter {
             parameters.relief = Some(Point::new(length(b'I').unwrap_or(0.0), length(b'K').unwrap_or(0.0)));
         }
         let shape = shape?;
-        self.go_on_behind(block, shape.begins, shape.ends);
+        self.continue_after_contour(block, shape.begins, shape.ends);
         let passes = self.state.parameters.pattern_passes;
         let was_reported = passes.is_some_and(|passes| passes < 1.0) && words.get(b'D').is_none();
         let has_passes = passes.is_some_and(|passes| passes >= 1.0);
-        let passes = match has_passes || shape.is_sound() && !was_reported {
+        let passes = match has_passes || shape.is_valid() && !was_reported {
             true => self.pattern_passes(words, b'D'),
             false => None,
         };
@@ -357,7 +357,7 @@ impl Interpreter {
             },
         };
         let contour = shape.contour(self.state.position);
-        if shape.is_sound() {
+        if shape.is_valid() {
             self.observe(text, Event::Pattern(shape.call(block, words, &contour, &how)));
         }
         let most = self.moves_left();
@@ -368,7 +368,7 @@ impl Interpreter {
                 return None;
             }
         }
-        shape.is_sound().then_some(())
+        shape.is_valid().then_some(())
     }
 
     fn pattern_passes(&mut self, words: &Words, address: u8) -> Option<u32> {
@@ -393,12 +393,12 @@ impl Interpreter {
         let mut moves = shape.moves.clone();
         // The F of the contour is ignored.
         moves.iter_mut().for_each(|path_move| path_move.motion.process.feed = feed);
-        self.go_along(block, cycle, &moves);
+        self.push_contour(block, cycle, &moves);
         self.return_to(block, cycle, start);
     }
 
     /// Makes the moves of a cycle along its contour.
-    fn go_along(&mut self, block: &Block, cycle: Cycle, moves: &[PathMove]) {
+    fn push_contour(&mut self, block: &Block, cycle: Cycle, moves: &[PathMove]) {
         for path_move in moves {
             let step = match path_move.motion.kind {
                 MotionKind::Rapid => Step::Approach,
@@ -421,7 +421,7 @@ impl Interpreter {
 
     /// The passes of a contour with less strict checks: the contour as it is, or without its last blocks,
     /// which lead back.
-    fn forgiving(
+    fn rough_leniently(
         &mut self,
         block: &Block,
         contour: &Contour,
@@ -434,7 +434,7 @@ impl Interpreter {
             let left = contour.pieces.len().checked_sub(dropped).filter(|&left| left > 0)?;
             Some(Contour { pieces: contour.pieces[..left].to_vec(), ..contour.clone() })
         };
-        let candidates = [Some(contour.clone()), shape.without_retreat(contour), shorter(1), shorter(2)];
+        let candidates = [Some(contour.clone()), shape.without_final_rapids(contour), shorter(1), shorter(2)];
         for contour in candidates.into_iter().flatten() {
             match roughing::rough(&contour, &how, most) {
                 Ok(moves) => return Some(moves),
@@ -457,7 +457,7 @@ impl Interpreter {
     ) {
         let (reported, muted) = (self.state.reported, std::mem::replace(&mut self.sink.muted, true));
         let (observer, jump) = (self.observer.take(), self.program.jump);
-        let shape = self.shape(text, block, words, cycle.cycle().code(), Purpose::Roughing, run);
+        let shape = self.shape(text, block, words, cycle.cycle().code(), ContourUse::Roughing, run);
         (self.observer, self.program.jump) = (observer, jump);
         (self.state.reported, self.sink.muted) = (reported, muted);
         if let Some(shape) = shape {

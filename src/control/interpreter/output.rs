@@ -71,7 +71,7 @@ impl Interpreter {
         let mut turns = stop.is_some() && frames.stop();
         turns |= says && frames.announce_other_end();
         if turns {
-            self.state.frames.place_workpiece();
+            self.state.frames.update_workpiece_zero();
         }
     }
 

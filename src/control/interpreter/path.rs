@@ -32,18 +32,18 @@ const IDLE_BLOCKS: u32 = 2;
 impl Interpreter {
     /// Adds a move of the programmed path.
     #[inline(never)]
-    pub(super) fn travel(&mut self, mut path_move: PathMove, joint: Option<Joint>) {
+    pub(super) fn push_path_move(&mut self, mut path_move: PathMove, joint: Option<Joint>) {
         let motion = path_move.motion;
         let still = motion.from.is_same(motion.to) && motion.center.is_none();
         if still && (motion.rotary.is_some() || path_move.third.is_some_and(|(from, to)| from != to)) {
             // Nothing moves in the plane of the path: there is no corner, and nothing to compensate.
-            return self.wait_here(path_move);
+            return self.push_dwell(path_move);
         }
         if self.state.pending.is_some()
             && let Some(pending) = self.state.pending.take()
             && !self.join(pending, &mut path_move)
         {
-            self.left_out();
+            self.mark_left_out();
             path_move.motion.process.uncertain = true;
         }
         self.state.position = path_move.motion.to;
@@ -59,7 +59,7 @@ impl Interpreter {
     /// Fast path for a move while nothing is waiting, compensated or recorded: puts it directly into the
     /// motion list, as most moves of long programs. False: the move has to take the normal path.
     #[inline]
-    pub(super) fn travel_plainly(
+    pub(super) fn push_fast(
         &mut self,
         block: &Block,
         kind: MotionKind,
@@ -93,7 +93,7 @@ impl Interpreter {
 
     /// Adds a move of which only the angle is known, until the next block gives its end.
     #[inline(never)]
-    pub(super) fn travel_at_angle(&mut self, block: &Block, angle: Angle, joint: Option<Joint>) {
+    pub(super) fn push_at_angle(&mut self, block: &Block, angle: Angle, joint: Option<Joint>) {
         let motion = self.motion(MotionKind::Feed, self.state.position);
         let mut path_move = self.path_move(block, motion);
         let mut before = None;
@@ -102,7 +102,7 @@ impl Interpreter {
                 // The corner waits until the end of this open angle is known.
                 before = Some(Box::new(pending));
             } else if !self.join(pending, &mut path_move) {
-                self.left_out();
+                self.mark_left_out();
                 path_move.motion.process.uncertain = true;
             }
         }
@@ -118,7 +118,7 @@ impl Interpreter {
 
     /// Outputs the waiting moves, because no next move will come: end of program, a cycle, a new frame.
     #[inline(never)]
-    pub(super) fn settle(&mut self) {
+    pub(super) fn flush_pending(&mut self) {
         if let Some(pending) = self.state.pending.take() {
             match (&pending.joint, &pending.angle) {
                 (_, Some(angle)) => {
@@ -139,7 +139,7 @@ impl Interpreter {
                 self.offset(pending.path_move);
             } else {
                 self.state.position = from;
-                self.lose_place();
+                self.doubt_position();
             }
             self.wait_all(&pending.dwells, self.state.position);
         }
@@ -159,7 +159,7 @@ impl Interpreter {
                 .as_ref()
                 .map_or(pending.path_move.motion.from, |first| first.path_move.motion.from);
             self.state.pending = None;
-            self.lose_place();
+            self.doubt_position();
         }
     }
 
@@ -169,18 +169,18 @@ impl Interpreter {
         if self.state.pending.is_none() && self.state.compensating.is_none() {
             return;
         }
-        self.settle();
+        self.flush_pending();
         if let Some(compensating) = self.state.compensating.take() {
             let tip = compensating.compensator.tip();
             self.state.tip = (!tip.is_same(self.state.position)).then_some(tip);
         }
-        self.leave_flat();
+        self.leave_y_plane();
     }
 
     /// Outputs a move with an open angle if no straight move with an end point follows.
-    pub(super) fn settle_angle(&mut self) {
+    pub(super) fn flush_open_angle(&mut self) {
         if self.state.pending.as_ref().is_some_and(|pending| pending.angle.is_some()) {
-            self.settle();
+            self.flush_pending();
         }
     }
 
@@ -196,7 +196,7 @@ impl Interpreter {
 
     /// A cycle starts here. Its start point is the programmed point, so an approach that only starts
     /// compensation goes there without compensation.
-    pub(super) fn arrive_for_cycle(&mut self) {
+    pub(super) fn flush_before_cycle(&mut self) {
         let only_approach =
             |compensating: &Compensating| compensating.is_new && compensating.waiting.len() == 1;
         if self.state.pending.is_none()
@@ -216,7 +216,7 @@ impl Interpreter {
         // A contour is read only for its shape.
         if self.contours.recorded.is_none() {
             let here = self.motion(MotionKind::Dwell, self.state.position);
-            self.wait_here(PathMove { stop: Some(kind), ..self.path_move(block, here) });
+            self.push_dwell(PathMove { stop: Some(kind), ..self.path_move(block, here) });
         }
     }
 
@@ -231,23 +231,23 @@ impl Interpreter {
 
     /// Returns from a Y plane to the turning plane.
     #[inline]
-    pub(super) fn leave_flat(&mut self) {
+    pub(super) fn leave_y_plane(&mut self) {
         if self.state.virtual_plane.is_some_and(|plane| matches!(plane.surface, Surface::Flat(_))) {
             back_to_turning(self);
         }
     }
 
-    pub(super) fn is_in_flat(&self) -> bool {
+    pub(super) fn is_in_y_plane(&self) -> bool {
         self.state.virtual_plane.is_some_and(|plane| matches!(plane.surface, Surface::Flat(_)))
     }
 
-    pub(super) fn enter_flat(&mut self, flat: Flat) {
+    pub(super) fn enter_y_plane(&mut self, flat: Flat) {
         let surface = Surface::Flat(flat);
         if self.state.virtual_plane.is_some_and(|plane| plane.surface == surface) {
             return;
         }
         self.leave_compensation();
-        self.leave_flat();
+        self.leave_y_plane();
         let state = &mut self.state;
         let (at, third) = surface.enter(state.position, state.y, state.c);
         state.tip = state.tip.map(|tip| surface.enter(tip, state.y, state.c).0);

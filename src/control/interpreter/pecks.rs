@@ -3,7 +3,7 @@
 //! In: the words of a block. Out: the moves of the cycle, amounts as lengths. `cycles::grooving` has the
 //! geometry, `cycles::units` guesses the unit.
 
-use super::cycle_moves::NEAR;
+use super::cycle_moves::LENGTH_TOLERANCE;
 use super::request::Request;
 use super::{AXES, Interpreter};
 use crate::control::codes::Multiple;
@@ -77,9 +77,9 @@ impl Interpreter {
         let width = self.blade_width();
         if let (Some(width), Some(step)) = (width, stepover)
             && cycle == Multiple::Grooving
-            && (end.z - start.z).abs() > NEAR
+            && (end.z - start.z).abs() > LENGTH_TOLERANCE
             // With larger distances they are separate grooves.
-            && (width - NEAR..=1.5 * width).contains(&step)
+            && (width - LENGTH_TOLERANCE..=1.5 * width).contains(&step)
         {
             let message = said::GrooveStep { word: words.quote(text, other), step, width };
             self.report(Diagnostic::new(message, words.span(other)));

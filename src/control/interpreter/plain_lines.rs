@@ -23,14 +23,14 @@ impl Interpreter {
     #[inline(never)]
     pub fn plain_lines(&mut self, parser: &mut Parser, most: usize, end: u32) -> usize {
         let begin = parser.position();
-        if !self.goes_plainly() || !self.program.is_unread_from(begin.byte) {
+        if !self.allows_fast_path() || !self.program.is_unread_from(begin.byte) {
             return 0;
         }
         let room = self.setup.limits.motions.saturating_sub(self.sink.kept());
-        let cuts_plainly = !self.cut_is_news && self.state.feed.is_some_and(|feed| feed > 0.0);
+        let cuts_plainly = !self.cut_context_changed && self.state.feed.is_some_and(|feed| feed > 0.0);
         let (process, reading) = (self.state.process(), self.reading());
         let (mut taken, mut moves) = (0, false);
-        let mut placed = self.state.call_stack.main_pass.placed;
+        let mut placed = self.state.call_stack.main_pass.absolute_axes;
         // A drill may be on the axis, which may cause a message.
         while taken < most.min(room) && !self.is_on_axis() {
             let Some(line) = parser.plain_line().filter(|line| line.span.start < end) else { break };
@@ -42,8 +42,8 @@ impl Interpreter {
             if mode != self.state.motion {
                 self.observe(&[], Event::MotionCode { mode });
                 self.state.motion = mode;
-                if let Some(chronicler) = &mut self.chronicler {
-                    chronicler.note_motion(mode, line.span.start);
+                if let Some(recorder) = &mut self.recorder {
+                    recorder.note_motion(mode, line.span.start);
                 }
             }
             if kind == MotionKind::Rapid {
@@ -66,7 +66,7 @@ impl Interpreter {
             taken += 1;
         }
         if taken > 0 {
-            self.state.call_stack.main_pass.placed = placed;
+            self.state.call_stack.main_pass.absolute_axes = placed;
             self.program.is_first_reading(parser.position().byte - 1);
             self.sink.fault = None;
         }
@@ -74,7 +74,7 @@ impl Interpreter {
     }
 
     /// Whether lines of only X and Z make straight moves from the position of the tip, without any message.
-    fn goes_plainly(&self) -> bool {
+    fn allows_fast_path(&self) -> bool {
         let state = &self.state;
         state.compensation == Compensation::Off
             && state.compensating.is_none()

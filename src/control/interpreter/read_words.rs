@@ -5,7 +5,7 @@
 use super::Interpreter;
 use super::request::{CallCode, Exclusive, OneShot, Request};
 use crate::control::codes::{self, Compensation, G, M, MotionMode, Multiple, Switch};
-use crate::control::contour::Purpose;
+use crate::control::contour::ContourUse;
 use crate::control::doubt::{Doubt, Doubts};
 use crate::control::events::Event;
 use crate::control::words::{self, Words, quote};
@@ -89,7 +89,7 @@ impl Interpreter {
         if let (Some(group), Some(key)) = (group, tenths) {
             self.note_group(text, request, group, key, word.span);
         }
-        if self.state.virtual_plane.is_some() && !self.may_stand_in_plane(text, found.code, word) {
+        if self.state.virtual_plane.is_some() && !self.allowed_in_plane(text, found.code, word) {
             request.drop = true;
             return;
         }
@@ -129,7 +129,7 @@ impl Interpreter {
             G::Plane(plane) => state.plane = plane,
             G::Unit(unit) => state.unit = unit,
             // Roughing cycles ignore compensation in their contour (GSK980TDb p. 102).
-            G::Compensation(compensation) if self.contours.purpose == Some(Purpose::Roughing) => {
+            G::Compensation(compensation) if self.contours.purpose == Some(ContourUse::Roughing) => {
                 let before = std::mem::replace(&mut self.contours.ignored_compensation, compensation);
                 request.ends_compensation |= compensation == Compensation::Off && before != compensation;
             }
@@ -150,7 +150,7 @@ impl Interpreter {
                 self.state.feed_mode = mode;
             }
             // Switches off a function that makes coordinates doubtful.
-            G::Idle if matches!(tenths, Some(150 | 501 | 502 | 690 | 691)) => self.regain_coordinates(),
+            G::Idle if matches!(tenths, Some(150 | 501 | 502 | 690 | 691)) => self.clear_coordinate_doubts(),
             G::Idle => {}
             G::NotSupported => {
                 request.one_shot = Some(OneShot::NotSupported);
@@ -175,7 +175,7 @@ impl Interpreter {
         if tenths.is_some_and(|key| codes::is_of_machine(key, self.dialect.code_list())) {
             request.arguments = true;
             self.report(Diagnostic::new(said::MakerG { word: quoted }, word.span));
-            self.lose_program();
+            self.doubt_after_missing_program();
             return;
         }
         let is_limit = tenths == Some(500);
@@ -196,7 +196,7 @@ impl Interpreter {
             request.motion = Some(MotionMode::Thread);
         }
         // It may have been a code of group 01.
-        self.lose(Doubts::of(&[Doubt::Code]));
+        self.add_doubts(Doubts::of(&[Doubt::Code]));
         request.drop = true;
     }
 
@@ -240,7 +240,7 @@ impl Interpreter {
             Some(M::LiveTool) => state.spindle.live_tool = true,
             Some(M::ThreadPullOut(switch)) => state.thread_chamfer_on = switch == Switch::On,
             // The quill comes forward after the block, so it is not an obstacle for this block.
-            Some(M::Quill(Quill::Forward)) => request.quill_comes = true,
+            Some(M::Quill(Quill::Forward)) => request.extends_quill = true,
             Some(M::Quill(quill)) => state.quill = quill,
             Some(M::End) => request.end = true,
             Some(M::CAxis(switch)) => state.c_axis = switch == Switch::On,
@@ -250,7 +250,7 @@ impl Interpreter {
             Some(M::LocalCall) => request.call_code = Some(CallCode::LocalCall),
             Some(M::Return) => request.call_code = Some(CallCode::Return),
             None => {
-                request.maker_m = true;
+                request.has_machine_m_code = true;
                 self.report(Diagnostic::new(said::UnknownM { word: quote(text, word.span) }, word.span));
             }
         }

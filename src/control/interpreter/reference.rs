@@ -46,7 +46,7 @@ impl Interpreter {
         self.other_axes(text, block, words);
         let turns = words.has_any(TURNS);
         if !words.has_any(AXES) && !turns {
-            if !words.has_any(letters(b"YVAB")) && self.state.reported.first(Once::G28NoAxis) {
+            if !words.has_any(letters(b"YVAB")) && self.state.reported.mark_reported(Once::G28NoAxis) {
                 let code = if request.one_shot == Some(OneShot::OtherHome) { "G30" } else { "G28" };
                 self.report(Diagnostic::new(said::G28NoAxis { code }, block.words_span()));
             }
@@ -131,7 +131,10 @@ impl Interpreter {
             true => self.reference_point(),
             false => Point::new(-offset.x, -offset.z),
         };
-        if from_reference && !self.dialect.ref_point_given && self.state.reported.first(Once::MachineZero) {
+        if from_reference
+            && !self.dialect.ref_point_given
+            && self.state.reported.mark_reported(Once::MachineZero)
+        {
             let home = self.dialect.ref_point;
             self.report(Diagnostic::new(said::MachineZero { x: home.x.mm(), z: home.z }, block.words_span()));
         }

@@ -64,13 +64,13 @@ pub(super) struct Request {
     /// M05.
     pub stop_spindle: bool,
     /// M25: the quill of the tailstock comes forward.
-    pub quill_comes: bool,
+    pub extends_quill: bool,
     /// M00, M01.
     pub stop: Option<StopKind>,
     /// M02, M30.
     pub end: bool,
     /// A machine-specific M code.
-    pub maker_m: bool,
+    pub has_machine_m_code: bool,
     /// M06: the tool of the block is changed.
     pub changes_tool: bool,
     /// M97, M98, M99.
@@ -105,7 +105,7 @@ pub(super) struct Request {
 
 impl Request {
     /// Whether a move of the block uses the code of an earlier block.
-    pub fn goes_by_last_code(&self) -> bool {
+    pub fn uses_modal_code(&self) -> bool {
         self.motion.is_none() && self.one_shot.is_none() && self.hole.is_none()
     }
 }

@@ -17,7 +17,7 @@ use crate::text::block::{Block, Value, Word};
 
 impl Interpreter {
     /// Whether a G code is allowed in polar or cylindrical interpolation; all others raise an alarm.
-    pub(super) fn may_stand_in_plane(&mut self, text: &[u8], code: G, word: &Word) -> bool {
+    pub(super) fn allowed_in_plane(&mut self, text: &[u8], code: G, word: &Word) -> bool {
         let Some(plane) = self.state.virtual_plane else { return true };
         if matches!(plane.surface, Surface::Flat(_)) {
             return true;
@@ -47,7 +47,7 @@ impl Interpreter {
     /// Reports a tool change or the end of the program while a virtual plane is in force.
     pub(super) fn plane_left_on(&mut self, text: &[u8], span: Span) {
         // Moves that wait in a Y plane are made when it is left.
-        self.leave_flat();
+        self.leave_y_plane();
         let Some(plane) = self.state.virtual_plane else { return };
         let (code, face) = (quote(text, span), plane.surface == Surface::Face);
         let off = if face { "G13.1" } else { "G07.1 C0" };
@@ -132,10 +132,10 @@ impl Interpreter {
     }
 
     fn enter_plane(&mut self, surface: Surface) {
-        self.settle();
-        self.leave_flat();
+        self.flush_pending();
+        self.leave_y_plane();
         self.state.tip = None;
-        self.state.reported.forget(Once::PlaneRapid);
+        self.state.reported.reset(Once::PlaneRapid);
         let (at, third) = surface.enter(self.state.position, self.state.y, self.state.c);
         self.state.position = at;
         self.state.virtual_plane = Some(VirtualPlane { surface, third: (third, third), angle: self.state.c });
@@ -143,7 +143,7 @@ impl Interpreter {
 
     /// Returns to the turning plane, with the tool at its position in the machine.
     pub(super) fn leave_plane(&mut self) {
-        self.settle();
+        self.flush_pending();
         if let Some(plane) = self.state.virtual_plane.take() {
             self.state.tip = None;
             self.state.compensating = None;
@@ -176,7 +176,7 @@ impl Interpreter {
                 Surface::Face => said::PolarForbidden { word }.into(),
                 Surface::Cylinder { .. } | Surface::Flat(_) => said::CylinderForbidden { word }.into(),
             };
-            if self.state.reported.first(Once::PlaneRapid) {
+            if self.state.reported.mark_reported(Once::PlaneRapid) {
                 self.report(Diagnostic::new(message, block.words_span()));
             }
             return false;

@@ -3,7 +3,7 @@
 
 use super::Interpreter;
 use super::request::{OneShot, Request};
-use crate::control::contour::Purpose;
+use crate::control::contour::ContourUse;
 use crate::control::events::Event;
 use crate::control::modal::Once;
 use crate::control::offsets::{EXTENDED_FRAMES, STANDARD_FRAMES};
@@ -30,7 +30,7 @@ impl Interpreter {
             return;
         }
         let reading = self.reading();
-        if self.contours.purpose == Some(Purpose::Roughing)
+        if self.contours.purpose == Some(ContourUse::Roughing)
             && let Some(address) =
                 [b'F', b'S', b'T'].into_iter().find(|&address| words.peek(address).is_some())
         {
@@ -45,7 +45,7 @@ impl Interpreter {
         {
             self.observe(text, Event::SpindleSpeed { value, word });
             let spindle = &mut self.state.spindle;
-            spindle.still = value == 0.0;
+            spindle.zero_speed = value == 0.0;
             if spindle.surface {
                 spindle.cutting_speed = value * self.state.unit.surface_metres();
             } else {
@@ -55,7 +55,7 @@ impl Interpreter {
         if let Some(value) = words.get(b'F').and_then(|word| reading.feed(word)) {
             self.observe(text, Event::Feed);
             self.state.feed = Some(value);
-            self.state.reported.forget(Once::FeedZero);
+            self.state.reported.reset(Once::FeedZero);
             self.state.lead = None;
         }
         if let Some(word) = words.get(b'T') {
@@ -160,14 +160,14 @@ impl Interpreter {
                 self.observe(text, Event::Dwell { words, seconds });
                 let motion = self.motion(MotionKind::Dwell, self.state.position);
                 let motion = Motion { seconds: Some(seconds), ..motion };
-                self.wait_here(self.path_move(block, motion));
+                self.push_dwell(self.path_move(block, motion));
             }
             _ => {
                 let diagnostic = Diagnostic::new(said::DwellNoTime, block.words_span());
                 // Many controls take a G04 without time as an exact stop; with the spindle stopped, no groove
                 // waits for a revolution.
                 let only_stops = self.state.spindle.turn == SpindleTurn::Stopped
-                    && !self.state.spindle.still
+                    && !self.state.spindle.zero_speed
                     && !words.has_any(letters(b"XUPF"));
                 self.report(if only_stops { diagnostic.graded(Severity::Info) } else { diagnostic });
             }
@@ -184,8 +184,8 @@ impl Interpreter {
         let (x, z) = (radius(b'X'), length(b'Z'));
         // New coordinates of the tip: old programs set them for each tool.
         let named = Point::new(x.map_or(0.0, |x| x - at.x), z.map_or(0.0, |z| z - at.z));
-        self.state.name_place(named);
-        self.sink.chunk.rename(named);
+        self.state.shift_coordinates(named);
+        self.sink.chunk.shift_coordinates(named);
         let or_zero =
             |given: Option<f64>, other: Option<f64>| given.filter(|_| other.is_none()).unwrap_or(0.0);
         let (u, w) = (or_zero(radius(b'U'), x), or_zero(length(b'W'), z));

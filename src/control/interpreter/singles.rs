@@ -83,7 +83,7 @@ impl Interpreter {
             Target::Stay => {}
             target => self.state.memory.z = target,
         }
-        self.arrive_for_cycle();
+        self.flush_before_cycle();
         let start = self.state.position;
         let memory = self.state.memory;
         let end = Point::new(memory.x.from(start.x), memory.z.from(start.z));

@@ -10,7 +10,7 @@ use super::Interpreter;
 use super::contours::Contours;
 use crate::control::events::Observer;
 use crate::control::modal::State;
-use crate::control::origins::Chronicler;
+use crate::control::origins::OriginRecorder;
 use crate::message::Diagnostic;
 use crate::motion::{Chunk, Motions};
 use crate::source::shift::Shift;
@@ -23,7 +23,7 @@ pub struct Snapshot {
     /// Position of the next block.
     at: Resume,
     state: State,
-    chronicler: Option<Box<dyn Chronicler>>,
+    recorder: Option<Box<dyn OriginRecorder>>,
     observer: Option<Box<dyn Observer>>,
     /// Number of chunks of motions before it.
     chunks: usize,
@@ -57,8 +57,8 @@ impl Snapshot {
     }
 
     /// Whether it has a record of which block set what.
-    pub fn is_chronicled(&self) -> bool {
-        self.chronicler.is_some()
+    pub fn has_origins(&self) -> bool {
+        self.recorder.is_some()
     }
 
     /// Moves the spans it holds after a change of the text before them.
@@ -73,7 +73,7 @@ impl Snapshot {
 
 /// The results of a finished run after one of its snapshots.
 #[derive(Clone, Debug)]
-pub struct Remainder {
+pub struct RunTail {
     /// That snapshot and the later ones, in order.
     snapshots: Vec<Snapshot>,
     /// The motions after the first snapshot.
@@ -84,11 +84,11 @@ pub struct Remainder {
     hidden: usize,
     /// The state at the end.
     state: State,
-    chronicler: Option<Box<dyn Chronicler>>,
+    recorder: Option<Box<dyn OriginRecorder>>,
     observer: Option<Box<dyn Observer>>,
 }
 
-impl Remainder {
+impl RunTail {
     /// Position of the snapshot `index`.
     pub fn at(&self, index: usize) -> Option<Resume> {
         self.snapshots.get(index).map(|snapshot| snapshot.at)
@@ -122,12 +122,12 @@ impl Interpreter {
     /// up to `at`. 0 for a short text.
     pub fn expected_bytes(&self, at: Resume, text: usize) -> usize {
         /// Minimum size of a text, in bytes, for which memory is reserved.
-        const LONG: usize = 1 << 20;
+        const MIN_LONG_TEXT: usize = 1 << 20;
         /// Maximum bytes of motions per byte of text; only loops can exceed it.
-        const MOST: usize = 4;
+        const MAX_EXPANSION: usize = 4;
         let so_far = self.sink.chunk.len() * Chunk::BYTES_PER_MOTION;
         let whole = so_far as u64 * text as u64 / u64::from(at.byte.max(1));
-        if text < LONG { 0 } else { whole.min((MOST * text) as u64) as usize }
+        if text < MIN_LONG_TEXT { 0 } else { whole.min((MAX_EXPANSION * text) as u64) as usize }
     }
 
     /// Begins a chunk at the next block. A chunk without motions begins again there.
@@ -143,8 +143,8 @@ impl Interpreter {
     }
 
     /// Whether the program has run only in the linear order of the text, without looking elsewhere in it.
-    pub fn is_straight(&self) -> bool {
-        self.program.is_straight() && !self.sink.is_full() && self.trace.is_none()
+    pub fn is_in_linear_order(&self) -> bool {
+        self.program.is_in_linear_order() && !self.sink.is_full() && self.trace.is_none()
     }
 
     /// Takes a snapshot before the next block, which begins a chunk.
@@ -156,7 +156,7 @@ impl Interpreter {
         Snapshot {
             at,
             state: self.state.clone(),
-            chronicler: self.chronicler.clone(),
+            recorder: self.recorder.clone(),
             observer: self.observer.clone(),
             chunks: self.sink.motions.chunks().len(),
             reported: self.sink.diagnostics.len(),
@@ -169,32 +169,22 @@ impl Interpreter {
 
     /// Returns to a snapshot of the same run, as if nothing after it had been carried out.
     pub fn restore(&mut self, snapshot: &Snapshot) {
-        let Snapshot {
-            at,
-            state,
-            chronicler,
-            observer,
-            chunks,
-            reported,
-            hidden,
-            work,
-            failed: _,
-            incomplete,
-        } = snapshot;
+        let Snapshot { at, state, recorder, observer, chunks, reported, hidden, work, failed: _, incomplete } =
+            snapshot;
         let chunk = Chunk::new(at.byte, at.line, state.position);
-        self.sink.back_to(*chunks, *reported, *hidden, *incomplete, chunk);
+        self.sink.truncate_to(*chunks, *reported, *hidden, *incomplete, chunk);
         self.state = state.clone();
-        self.chronicler = chronicler.clone();
+        self.recorder = recorder.clone();
         self.observer = observer.clone();
-        self.program = std::mem::take(&mut self.program).back_at(*at, *work);
+        self.program = std::mem::take(&mut self.program).reset_at(*at, *work);
         self.contours = Contours::default();
-        (self.refused, self.guessing, self.cut_is_news) = (false, false, true);
+        (self.block_failed, self.uses_unknown_value, self.cut_context_changed) = (false, false, true);
     }
 
     /// A new control that continues from a snapshot of this one, without an observer, and contains only the
     /// later motions.
     pub fn resumed(&self, snapshot: &Snapshot) -> Self {
-        let mut interpreter = self.anew();
+        let mut interpreter = self.restarted();
         interpreter.restore(&Snapshot {
             chunks: 0,
             reported: 0,
@@ -206,19 +196,19 @@ impl Interpreter {
     }
 
     /// A control like this one at power-on, without an observer.
-    pub fn anew(&self) -> Self {
+    pub fn restarted(&self) -> Self {
         Self::of(self.setup.clone(), self.dialect.clone())
     }
 
     /// Takes the results after the first of these snapshots out of this run, which has ended.
-    pub fn take_remainder(&mut self, snapshots: Vec<Snapshot>) -> Option<Remainder> {
+    pub fn take_tail(&mut self, snapshots: Vec<Snapshot>) -> Option<RunTail> {
         let first = snapshots.first()?;
-        Some(Remainder {
+        Some(RunTail {
             motions: self.sink.motions.split_off(first.chunks),
             diagnostics: self.sink.diagnostics.split_off(first.reported),
             hidden: self.sink.hidden,
             state: self.state.clone(),
-            chronicler: self.chronicler.clone(),
+            recorder: self.recorder.clone(),
             observer: self.observer.clone(),
             snapshots,
         })
@@ -226,14 +216,14 @@ impl Interpreter {
 
     /// Whether this run continues from here as another run did from its snapshot `index`, after its positions
     /// are shifted. Blocks that begin before the byte `unchanged` are the same in both.
-    pub fn meets(&self, other: &Remainder, index: usize, unchanged: u32, shift: &Shift) -> bool {
+    pub fn continues_as(&self, other: &RunTail, index: usize, unchanged: u32, shift: &Shift) -> bool {
         let there = &other.snapshots[index];
         let reported = self.sink.diagnostics.len();
         let as_full = (reported, self.sink.hidden) == (there.reported, there.hidden);
         let has_room = (self.sink.hidden, other.hidden) == (0, 0)
             && reported + other.reported_after(there) <= self.setup.limits.messages;
         let holds_all = self.sink.kept() + other.motions_after(there) <= self.setup.limits.motions;
-        if !self.is_straight()
+        if !self.is_in_linear_order()
             || self.program.budget.work != there.work
             || !(as_full || has_room)
             || !holds_all
@@ -244,23 +234,23 @@ impl Interpreter {
         let mut there = there.clone();
         there.shift(shift);
         let is_heard_alike = match (&self.observer, &there.observer) {
-            (Some(own), Some(other)) => own.goes_on_like(other.as_ref()),
+            (Some(own), Some(other)) => own.continues_like(other.as_ref()),
             (own, other) => own.is_none() && other.is_none(),
         };
-        is_heard_alike && self.state.goes_on_like(&there.state)
+        is_heard_alike && self.state.continues_like(&there.state)
     }
 
     /// Takes over the results of another run after its snapshot `index`, which this run has just met. The
     /// later snapshots of that run become snapshots of this run. The number of hidden messages is the same as
     /// there.
-    pub fn take_over(&mut self, other: Remainder, index: usize, shift: &Shift) -> Vec<Snapshot> {
-        let Remainder {
+    pub fn adopt_tail(&mut self, other: RunTail, index: usize, shift: &Shift) -> Vec<Snapshot> {
+        let RunTail {
             mut snapshots,
             mut motions,
             mut diagnostics,
             hidden,
             mut state,
-            chronicler,
+            recorder,
             mut observer,
         } = other;
         let (chunks_out, reported_before) = (snapshots[0].chunks, snapshots[0].reported);
@@ -274,7 +264,7 @@ impl Interpreter {
         let mut incomplete = self.sink.incomplete;
         let met = there.at.byte;
         for snapshot in &mut later {
-            snapshot.chronicler = self.chronicler_after(met, snapshot.chronicler.as_deref(), shift);
+            snapshot.recorder = self.recorder_after(met, snapshot.recorder.as_deref(), shift);
             self.sink.incomplete |= snapshot.failed;
             snapshot.shift(shift);
             snapshot.chunks = snapshot.chunks - there.chunks + chunks;
@@ -295,20 +285,20 @@ impl Interpreter {
         if let Some(observer) = &mut observer {
             observer.shift(shift);
         }
-        self.chronicler = self.chronicler_after(met, chronicler.as_deref(), shift);
+        self.recorder = self.recorder_after(met, recorder.as_deref(), shift);
         (self.state, self.observer) = (state, observer);
         later
     }
 
     /// The recorder of another run, which this run has met, with its positions moved into the text of this
     /// run.
-    fn chronicler_after(
+    fn recorder_after(
         &self,
         met: u32,
-        other: Option<&dyn Chronicler>,
+        other: Option<&dyn OriginRecorder>,
         shift: &Shift,
-    ) -> Option<Box<dyn Chronicler>> {
-        let own = self.chronicler()?.chronicle();
-        Some(Box::new(other?.chronicle().after_meeting(met, own, shift)))
+    ) -> Option<Box<dyn OriginRecorder>> {
+        let own = self.recorder()?.record();
+        Some(Box::new(other?.record().merged_after(met, own, shift)))
     }
 }

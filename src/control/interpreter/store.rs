@@ -39,7 +39,7 @@ impl Memory for Store<'_> {
         Ok(match self.interpreter.state.variables.read(variable)? {
             Found::Value(value) => {
                 if value.is_none() && Variables::may_be_argument(variable) {
-                    self.interpreter.miss_arguments(self.text, self.block, variable);
+                    self.interpreter.report_missing_arguments(self.text, self.block, variable);
                 }
                 self.interpreter.note_access(self.block.span.start, variable, Some(value));
                 if self.interpreter.state.variables.is_unknown(variable) {

@@ -116,7 +116,7 @@ impl Interpreter {
         }
         let pass = &self.state.call_stack.main_pass;
         if let System::Work(axis @ 1..=2) | System::Machine(axis @ 1..=2) = system
-            && pass.placed[axis as usize - 1]
+            && pass.absolute_axes[axis as usize - 1]
         {
             return None;
         }

@@ -4,9 +4,9 @@ use std::cell::RefCell;
 use std::ops::Range;
 use std::rc::Rc;
 
-use super::{Flow, Here, Interpreter};
+use super::{BlockPosition, Flow, Interpreter};
 use crate::control::codes::{Compensation, MotionMode};
-use crate::control::events::{Event, Moment, Observer};
+use crate::control::events::{Event, EventContext, Observer};
 use crate::geometry::Point;
 use crate::message::Diagnostic;
 use crate::motion::MotionKind;
@@ -20,7 +20,7 @@ use crate::text::parser::Parser;
 struct Recorder(Rc<RefCell<Vec<String>>>);
 
 impl Observer for Recorder {
-    fn hear(&mut self, event: &Event<'_>, at: &Moment<'_>, _: &mut Vec<Diagnostic>) {
+    fn on_event(&mut self, event: &Event<'_>, at: &EventContext<'_>, _: &mut Vec<Diagnostic>) {
         let (x, z) = (2.0 * at.state.position.x, at.state.position.z);
         let said = match *event {
             Event::Cut { feed, .. } => format!("cut at {feed} from X{x} Z{z}"),
@@ -36,11 +36,11 @@ impl Observer for Recorder {
         self.0.borrow_mut().push(said);
     }
 
-    fn copy(&self) -> Box<dyn Observer> {
+    fn clone_box(&self) -> Box<dyn Observer> {
         Box::new(self.clone())
     }
 
-    fn goes_on_like(&self, _: &dyn Observer) -> bool {
+    fn continues_like(&self, _: &dyn Observer) -> bool {
         true
     }
 
@@ -50,11 +50,11 @@ impl Observer for Recorder {
         false
     }
 
-    fn set_aside(&mut self) -> Box<dyn Observer> {
-        self.copy()
+    fn fork_for_contour(&mut self) -> Box<dyn Observer> {
+        self.clone_box()
     }
 
-    fn listen_after(&mut self, _: &mut dyn Observer) {}
+    fn inherit_reported(&mut self, _: &mut dyn Observer) {}
 }
 
 /// Carries out blocks until one jumps; returns the control after them, and the flow of each block.
@@ -67,7 +67,7 @@ fn carried_out(mut control: Interpreter, text: &str) -> (Interpreter, Vec<Flow>)
         if !parser.next_block(&mut block) {
             break;
         }
-        let flow = control.run(text, &block, Here { at, next: parser.position() });
+        let flow = control.run(text, &block, BlockPosition { at, next: parser.position() });
         flows.push(flow);
         match flow {
             Flow::Next => {}
@@ -87,7 +87,7 @@ fn control() -> Interpreter {
 /// The events of some blocks.
 fn heard(text: &str) -> Vec<String> {
     let recorder = Recorder::default();
-    carried_out(control().observed_by(recorder.copy()), text);
+    carried_out(control().with_observer(recorder.clone_box()), text);
     recorder.0.take()
 }
 

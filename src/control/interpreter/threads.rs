@@ -6,7 +6,7 @@
 use super::cycle_moves::{Thread, angle_of_start};
 use super::{AXES, Interpreter};
 use crate::control::doubt::Doubt;
-use crate::control::events::{Event, ThreadPass, ThreadedBy, ThreadingCall};
+use crate::control::events::{Event, ThreadPass, ThreadSource, ThreadingCall};
 use crate::control::words::{Words, plain, quote};
 use crate::cycles::single::{self, Single};
 use crate::cycles::threading::{self, MultiThread};
@@ -22,7 +22,7 @@ use crate::text::block::{Block, Value, Word};
 const THREAD_ANGLES: [f64; 6] = [0.0, 29.0, 30.0, 55.0, 60.0, 80.0];
 
 /// A minimum depth of G76 above this, mm, is reported as implausible.
-const LEAST_DEPTH: f64 = 1.0;
+const MIN_DEPTH: f64 = 1.0;
 
 /// The part of the module that contains fixes of words.
 const FIXING: Part = Part::Late;
@@ -59,7 +59,7 @@ impl Interpreter {
         self.observe(text, Event::Thread { block, code: "G76", to: None });
         let starts = self.starts(words, Single::Threading);
         let own_start = Point::new(end.x, start.z);
-        let pass = ThreadPass { block, words, start: own_start, end, lead, starts, by: ThreadedBy::Passes };
+        let pass = ThreadPass { block, words, start: own_start, end, lead, starts, by: ThreadSource::Passes };
         self.observe(text, Event::ThreadPass(pass));
         let (height, first_depth, least_depth, method) = if one_block {
             let depth = words.get(b'D').and_then(|word| self.one_block_depth(word));
@@ -170,7 +170,7 @@ impl Interpreter {
         if words.peek(b'Q').is_some() {
             self.state.parameters.least_amount = self.amount(words, b'Q');
             let least = self.state.parameters.least_amount.map_or(0.0, |least| least.in_increments);
-            if self.dialect.pq_unit != PqUnit::Mm && least > LEAST_DEPTH {
+            if self.dialect.pq_unit != PqUnit::Mm && least > MIN_DEPTH {
                 let message = said::ThreadLeastLarge { word: words.quote(text, b'Q'), least };
                 self.report(Diagnostic::new(message, words.span(b'Q')));
             }

@@ -2,7 +2,7 @@
 //!
 //! In: blocks as they run. Out: [`Executed`]. Has no cost if it is not requested.
 
-use super::{Here, Interpreter};
+use super::{BlockPosition, Interpreter};
 use crate::control::codes::{self, Compensation, MotionMode};
 use crate::control::doubt::Doubt;
 use crate::control::modal::State;
@@ -26,7 +26,7 @@ pub struct Executed {
     /// Its words with values in place of expressions.
     pub values: Option<Box<str>>,
     /// It only controls the flow: a macro statement, a call, a return.
-    pub steers: bool,
+    pub is_flow_control: bool,
     /// It was not carried out, or only in part.
     pub failed: bool,
     /// The code of group 01 in force before it.
@@ -72,7 +72,7 @@ impl Context {
 }
 
 late! {
-    pub(super) fn keep_block(interpreter: &mut Interpreter, block: &Block, here: Here) {
+    pub(super) fn keep_block(interpreter: &mut Interpreter, block: &Block, here: BlockPosition) {
         interpreter.trace_block(block, here);
     }
 
@@ -107,7 +107,7 @@ late! {
 
 impl Interpreter {
     /// Adds an executed block. Empty blocks are merged into the previous one.
-    fn trace_block(&mut self, block: &Block, here: Here) {
+    fn trace_block(&mut self, block: &Block, here: BlockPosition) {
         let first = self.sink.kept() as u32;
         let Some(trace) = self.trace.as_mut().filter(|_| self.contours.recorded.is_none()) else { return };
         let is_blank = block.is_empty()
@@ -124,15 +124,15 @@ impl Interpreter {
             Some(last) if *last.ready == process => last.ready.clone(),
             _ => Arc::new(process),
         };
-        let steers =
-            !block.is_broken() && block.kind == BlockKind::Macro || block.words.iter().any(codes::steers);
+        let is_flow_control = !block.is_broken() && block.kind == BlockKind::Macro
+            || block.words.iter().any(codes::is_flow_control);
         trace.push(Executed {
             at: here.at,
             passed: here.next.byte,
             until: here.next.byte,
             first,
             values: None,
-            steers,
+            is_flow_control,
             failed: false,
             mode: self.state.motion,
             context: Context::of(&self.state),
@@ -154,7 +154,7 @@ impl Interpreter {
     #[cold]
     pub(super) fn trace_contour(&mut self, end: u32) {
         let Some(trace) = self.trace.as_mut().filter(|_| self.contours.recorded.is_none()) else { return };
-        if let Some(last) = trace.last_mut().filter(|last| !last.steers && last.until < end) {
+        if let Some(last) = trace.last_mut().filter(|last| !last.is_flow_control && last.until < end) {
             (last.passed, last.until) = (end, end);
         }
     }
@@ -177,7 +177,7 @@ impl Interpreter {
     /// Records that the last block could not be carried out, and stays as written.
     pub(super) fn trace_fault(&mut self) {
         if let Some(last) = self.trace.as_mut().and_then(|trace| trace.last_mut()) {
-            last.steers = false;
+            last.is_flow_control = false;
         }
     }
 
@@ -189,14 +189,14 @@ impl Interpreter {
         let values = values_of(block, doubtful).into();
         if let Some(last) = trace.last_mut() {
             last.values = Some(values);
-            last.steers = !block.is_broken() && block.words.iter().any(codes::steers);
+            last.is_flow_control = !block.is_broken() && block.words.iter().any(codes::is_flow_control);
         }
     }
 
     /// Records that the last block was not carried out because a value is missing.
     pub(super) fn trace_nothing(&mut self) {
         if let Some(last) = self.trace.as_mut().and_then(|trace| trace.last_mut()) {
-            (last.values, last.steers) = (Some(Box::default()), false);
+            (last.values, last.is_flow_control) = (Some(Box::default()), false);
         }
     }
 }

@@ -82,7 +82,7 @@ impl Interpreter {
     /// Whether all words of a block may be read: by a macro, a machine-specific code or an unsupported
     /// function.
     fn reads_all(&self, request: &Request) -> bool {
-        request.maker_m
+        request.has_machine_m_code
             || request.call_code.is_some()
             || request.macro_call.is_some()
             || self.state.call_stack.modal.is_some()
@@ -109,7 +109,7 @@ impl Interpreter {
     /// Reports a word of an axis that is not shown: one note for each axis.
     fn other_axis(&mut self, text: &[u8], words: &Words, address: u8) {
         let once = if address == b'A' { Once::AxisA } else { Once::AxisB };
-        if self.state.reported.first(once) {
+        if self.state.reported.mark_reported(once) {
             let (axis, word) = (address as char, words.quote(text, address));
             let note = Diagnostic::new(said::OtherAxis { word, axis }, words.span(address));
             self.report(note.graded(Severity::Info));

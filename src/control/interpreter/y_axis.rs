@@ -24,8 +24,8 @@ pub(super) const Y_AXIS: Part = Part::Early;
 pub(super) const Y: u32 = letters(b"YV");
 
 early! {
-    fn name_y(control: &mut Interpreter, text: &[u8], block: &Block, words: &Words) {
-        control.name_y(text, block, words);
+    fn apply_y_word(control: &mut Interpreter, text: &[u8], block: &Block, words: &Words) {
+        control.apply_y_word(text, block, words);
     }
 
     fn go_along_y(control: &mut Interpreter, text: &[u8], block: &Block, word: &Word, y: f64) {
@@ -37,7 +37,7 @@ impl Interpreter {
     /// Y and V in a block whose code uses the other words.
     pub(super) fn other_axes(&mut self, text: &[u8], block: &Block, words: &Words) {
         if words.has_any(Y) && self.has(Y_AXIS) {
-            name_y(self, text, block, words);
+            apply_y_word(self, text, block, words);
         }
     }
 
@@ -63,7 +63,7 @@ impl Interpreter {
 
     /// Y and V as a separate move, in a block whose code moves only X and Z. A target of Y0 changes nothing on a
     /// machine without a Y axis.
-    pub(super) fn name_y(&mut self, text: &[u8], block: &Block, words: &Words) {
+    pub(super) fn apply_y_word(&mut self, text: &[u8], block: &Block, words: &Words) {
         if let Some((word, y)) = self.y_named(words) {
             self.go_along_y(text, block, word, y);
         }
@@ -73,7 +73,7 @@ impl Interpreter {
     #[cold]
     pub(super) fn names_second_axis_y(&mut self, text: &[u8], block: &Block) -> bool {
         let Some(word) = second_axis::named_y(block, &self.state, &self.setup.machine) else { return false };
-        if self.state.reported.first(Once::SecondAxisY) {
+        if self.state.reported.mark_reported(Once::SecondAxisY) {
             let message = said::SecondAxisY { word: quote(text, word.span) };
             self.report(Diagnostic::new(message, word.span).graded(Severity::Info));
         }
@@ -92,11 +92,11 @@ impl Interpreter {
             self.state.doubts.remove(Doubt::Y);
             return;
         }
-        if self.state.reported.first(Once::AxisNotHere) {
+        if self.state.reported.mark_reported(Once::AxisNotHere) {
             let message = said::AxisNotHere { word: quote(text, word.span) };
             self.report(Diagnostic::new(message, word.span));
         }
-        self.lose(Doubts::of(&[Doubt::Y]));
+        self.add_doubts(Doubts::of(&[Doubt::Y]));
     }
 
     /// The reference point of Y is over the spindle axis.

@@ -89,7 +89,7 @@ enum Rounding {
 
 /// Whether a sum follows a comparison, so that AND, OR and XOR may begin the next condition.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Behind {
+enum NextToken {
     Nothing,
     Comparison,
 }
@@ -132,7 +132,7 @@ impl<'a> Evaluator<'a> {
 
     /// A number, as after `=`.
     pub fn sum(&mut self) -> Result<Value, MacroError> {
-        self.sum_behind(Behind::Nothing)
+        self.sum_before(NextToken::Nothing)
     }
 
     /// A number, variable, function or bracket, without a sign.
@@ -148,7 +148,7 @@ impl<'a> Evaluator<'a> {
             Some(b'A'..=b'Z') => Outcome::Number(Some(self.function()?)),
             _ => match self.cursor.number() {
                 Some(number) => {
-                    let number = functions::bounded(number);
+                    let number = functions::check_range(number);
                     Outcome::Number(Some(number.map_err(|kind| kind.at(self.cursor.since(start)))?))
                 }
                 None => return Err(MacroErrorKind::Expression.at(self.cursor.here())),
@@ -217,12 +217,12 @@ impl<'a> Evaluator<'a> {
             return Ok(left);
         };
         self.cursor.take(length);
-        let right = self.sum_behind(Behind::Comparison)?;
+        let right = self.sum_before(NextToken::Comparison)?;
         let truth = functions::compare(comparison, left.number()?, right.number()?);
         Ok(Value { outcome: Outcome::Truth(truth), at: left.at.start..right.at.end })
     }
 
-    fn sum_behind(&mut self, behind: Behind) -> Result<Value, MacroError> {
+    fn sum_before(&mut self, behind: NextToken) -> Result<Value, MacroError> {
         let mut left = self.product(behind)?;
         while let Some(operator) = self.arithmetic(Priority::Sum, &left, behind) {
             let right = self.product(behind)?;
@@ -231,7 +231,7 @@ impl<'a> Evaluator<'a> {
         Ok(left)
     }
 
-    fn product(&mut self, behind: Behind) -> Result<Value, MacroError> {
+    fn product(&mut self, behind: NextToken) -> Result<Value, MacroError> {
         let mut left = self.factor()?;
         while let Some(operator) = self.arithmetic(Priority::Product, &left, behind) {
             let right = self.factor()?;
@@ -241,7 +241,7 @@ impl<'a> Evaluator<'a> {
     }
 
     /// Takes the operator after a value if it has this priority and does not join conditions.
-    fn arithmetic(&mut self, priority: Priority, left: &Value, behind: Behind) -> Option<Arithmetic> {
+    fn arithmetic(&mut self, priority: Priority, left: &Value, behind: NextToken) -> Option<Arithmetic> {
         let (Operator::Arithmetic(operator), length) = self.cursor.operator()? else { return None };
         let (of, may_join) = match operator {
             Arithmetic::Multiply | Arithmetic::Divide | Arithmetic::Modulo => (Priority::Product, false),
@@ -251,7 +251,7 @@ impl<'a> Evaluator<'a> {
         };
         let joins = || {
             matches!(left.outcome, Outcome::Truth(_))
-                || (behind == Behind::Comparison && self.cursor.joins_conditions())
+                || (behind == NextToken::Comparison && self.cursor.joins_conditions())
         };
         if of != priority || (may_join && joins()) {
             return None;

@@ -8,7 +8,7 @@ use super::cursor::{Arithmetic, Comparison};
 use crate::limits::LARGEST_VARIABLE;
 
 /// Smaller absolute values become zero.
-const SMALLEST: f64 = 1e-29;
+const MIN_MAGNITUDE: f64 = 1e-29;
 
 /// Trigonometric results this close to a multiple of 0.5 are rounded to it: COS\[90\] is 0, SIN\[30\] is 0.5.
 const ROUND_RESULT: f64 = 1e-12;
@@ -101,24 +101,24 @@ impl Function {
 
     /// Applies the function to one number. Fails for POW, which needs two.
     pub fn of(self, value: f64) -> Result<f64, MacroErrorKind> {
-        bounded(match self {
+        check_range(match self {
             Self::Sin => sine(value),
             Self::Cos => sine(value % 360.0 + 90.0),
             Self::Tan => match sine(value % 360.0 + 90.0) {
                 0.0 => return Err(MacroErrorKind::FunctionArgument),
-                cosine => tidy(sine(value) / cosine),
+                cosine => snap_to_half(sine(value) / cosine),
             },
             // 270° to 90°, because ATAN starts at 0 (bit NAT of parameter 6004 is 0). [K]
-            Self::Asin => positive(tidy(cut(value, 1.0)?.asin().to_degrees())),
-            Self::Acos => tidy(cut(value, 1.0)?.acos().to_degrees()),
-            Self::Atan => tidy(value.atan().to_degrees()),
+            Self::Asin => positive(snap_to_half(clamp_argument(value, 1.0)?.asin().to_degrees())),
+            Self::Acos => snap_to_half(clamp_argument(value, 1.0)?.acos().to_degrees()),
+            Self::Atan => snap_to_half(value.atan().to_degrees()),
             Self::Sqrt if value < -ARGUMENT_ERROR => return Err(MacroErrorKind::FunctionArgument),
             Self::Sqrt => value.max(0.0).sqrt(),
             Self::Abs => value.abs(),
-            Self::Round => settled(value).round(),
-            Self::Fix => settled(value).trunc(),
+            Self::Round => snap_to_integer(value).round(),
+            Self::Fix => snap_to_integer(value).trunc(),
             Self::Fup => {
-                let value = settled(value);
+                let value = snap_to_integer(value);
                 value.abs().ceil().copysign(value)
             }
             Self::Ln if value <= 0.0 => return Err(MacroErrorKind::FunctionArgument),
@@ -141,10 +141,10 @@ impl Function {
     pub fn of_two(self, first: f64, second: f64) -> Result<f64, MacroErrorKind> {
         match self {
             Self::Atan if first != 0.0 || second != 0.0 => {
-                bounded(positive(tidy(first.atan2(second).to_degrees())))
+                check_range(positive(snap_to_half(first.atan2(second).to_degrees())))
             }
-            Self::Pow if first > 0.0 || (first == 0.0 && second > 0.0) => bounded(first.powf(second)),
-            Self::Pow if first < 0.0 && second.fract() == 0.0 => bounded(first.powf(second)),
+            Self::Pow if first > 0.0 || (first == 0.0 && second > 0.0) => check_range(first.powf(second)),
+            Self::Pow if first < 0.0 && second.fract() == 0.0 => check_range(first.powf(second)),
             _ => Err(MacroErrorKind::FunctionArgument),
         }
     }
@@ -156,12 +156,12 @@ pub(super) fn round_to(value: f64, increment: f64) -> Result<f64, MacroErrorKind
     if !(1.0..1e9).contains(&parts) {
         return Function::Round.of(value);
     }
-    bounded(settled(value * parts).round() / parts)
+    check_range(snap_to_integer(value * parts).round() / parts)
 }
 
 /// Applies an operator to two numbers.
 pub(super) fn combine(operator: Arithmetic, left: f64, right: f64) -> Result<f64, MacroErrorKind> {
-    bounded(match operator {
+    check_range(match operator {
         Arithmetic::Add => left + right,
         Arithmetic::Subtract => left - right,
         Arithmetic::Multiply => left * right,
@@ -195,11 +195,11 @@ pub(super) fn compare(comparison: Comparison, left: Option<f64>, right: Option<f
 }
 
 /// Checks that a result is within the range of the control, and removes a negative zero.
-pub(super) fn bounded(value: f64) -> Result<f64, MacroErrorKind> {
+pub(super) fn check_range(value: f64) -> Result<f64, MacroErrorKind> {
     if !value.is_finite() || value.abs() > LARGEST_VARIABLE {
         return Err(MacroErrorKind::Overflow);
     }
-    Ok(if value.abs() < SMALLEST { 0.0 } else { value })
+    Ok(if value.abs() < MIN_MAGNITUDE { 0.0 } else { value })
 }
 
 /// The number of a variable, block and so on: a non-negative whole number.
@@ -214,7 +214,7 @@ fn sine(degrees: f64) -> f64 {
     let turn = (degrees % 360.0 + 360.0) % 360.0;
     let quarter = (turn / 90.0).round();
     let rest = (turn - 90.0 * quarter).to_radians();
-    tidy(match quarter as u8 % 4 {
+    snap_to_half(match quarter as u8 % 4 {
         0 => rest.sin(),
         1 => rest.cos(),
         2 => -rest.sin(),
@@ -223,13 +223,13 @@ fn sine(degrees: f64) -> f64 {
 }
 
 /// Rounds a value to the nearest multiple of 0.5, if the difference is only a rounding error.
-fn tidy(value: f64) -> f64 {
+fn snap_to_half(value: f64) -> f64 {
     let halves = (value * 2.0).round() / 2.0;
     if (value - halves).abs() <= ROUND_RESULT * halves.abs().max(1.0) { halves } else { value }
 }
 
 /// Rounds a value to the nearest integer, if the difference is only a rounding error.
-fn settled(value: f64) -> f64 {
+fn snap_to_integer(value: f64) -> f64 {
     let nearest = value.round();
     if (value - nearest).abs() <= ARITHMETIC_ERROR * value.abs().max(1.0) { nearest } else { value }
 }
@@ -240,7 +240,7 @@ fn positive(degrees: f64) -> f64 {
 }
 
 /// Checks that a value is within ±`most`, and limits it to this range.
-fn cut(value: f64, most: f64) -> Result<f64, MacroErrorKind> {
+fn clamp_argument(value: f64, most: f64) -> Result<f64, MacroErrorKind> {
     if value.abs() > most + ARGUMENT_ERROR {
         return Err(MacroErrorKind::FunctionArgument);
     }

@@ -21,7 +21,7 @@ use crate::message::{Message, said};
 pub use arguments::{ArgumentError, arguments};
 pub use expression::address_value;
 pub use statement::{Action, assigned, statement};
-pub use variables::{Found, Knowledge, LOCALS, Locals, MOST_LEVELS, Stored, Variables};
+pub use variables::{Found, Knowledge, LOCALS, Locals, MAX_LEVELS, Stored, Variables};
 
 /// Storage of variables.
 pub trait Memory {

@@ -67,7 +67,7 @@ const ALARM: u32 = 3000;
 const PAUSE: u32 = 3006;
 
 /// Largest sequence number.
-const LARGEST_SEQUENCE: u32 = 99_999_999;
+const MAX_SEQUENCE: u32 = 99_999_999;
 
 /// Carries out the macro statement of a block. The text after a false condition is not parsed.
 pub fn statement(text: &[u8], memory: &mut impl Memory) -> Result<Action, MacroError> {
@@ -167,7 +167,7 @@ fn jump(reader: &mut Evaluator) -> Result<Action, MacroError> {
         return Err(MacroErrorKind::JumpTarget.at(ahead.since(start)));
     }
     let value = reader.term()?;
-    let target = count(value.or_zero()?).filter(|target| (1..=LARGEST_SEQUENCE).contains(target));
+    let target = count(value.or_zero()?).filter(|target| (1..=MAX_SEQUENCE).contains(target));
     let target = target.ok_or_else(|| MacroErrorKind::JumpTarget.at(value.at.clone()))?;
     ended(reader, Action::Goto(target))
 }

@@ -472,7 +472,7 @@ fn each_call_has_its_own_local_variables() {
     assert_eq!(variables.read(1), Ok(Found::Value(Some(1.0))));
     assert_eq!(variables.read(2), Ok(Found::Value(None)));
     assert_eq!(variables.read(100), Ok(Found::Value(Some(2.0))));
-    for _ in 1..MOST_LEVELS {
+    for _ in 1..MAX_LEVELS {
         assert!(variables.push_level([None; LOCALS]));
     }
     assert!(!variables.push_level([None; LOCALS]));

@@ -15,13 +15,13 @@ pub const LOCALS: usize = 33;
 pub type Locals = [Option<f64>; LOCALS];
 
 /// Maximum number of levels: the main program and five nested calls.
-pub const MOST_LEVELS: usize = 1 + MACRO_LEVELS;
+pub const MAX_LEVELS: usize = 1 + MACRO_LEVELS;
 
 /// Number of common variables that are lost at power off: #100 to #199, on GSK to #231.
-const PASSING: usize = 132;
+const VOLATILE: usize = 132;
 
 /// Number of common variables that are kept at power off: #500 to #999.
-const KEPT: usize = 500;
+const PERSISTENT: usize = 500;
 
 /// Result of reading a variable.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -47,9 +47,9 @@ pub struct Variables {
     /// One for each level, the main program first; never empty.
     levels: Arc<Vec<Locals>>,
     /// #100 to #231.
-    passing: Arc<[Option<f64>; PASSING]>,
+    volatile: Arc<[Option<f64>; VOLATILE]>,
     /// #500 to #999.
-    kept: Arc<[Option<f64>; KEPT]>,
+    persistent: Arc<[Option<f64>; PERSISTENT]>,
     /// A bit for each variable of the main program with an unknown value; `None` while all are known.
     unknown: Option<Arc<Bits>>,
 }
@@ -62,8 +62,8 @@ impl Default for Variables {
     fn default() -> Self {
         Self {
             levels: Arc::new(vec![[None; LOCALS]]),
-            passing: Arc::new([None; PASSING]),
-            kept: Arc::new([None; KEPT]),
+            volatile: Arc::new([None; VOLATILE]),
+            persistent: Arc::new([None; PERSISTENT]),
             unknown: None,
         }
     }
@@ -73,8 +73,8 @@ impl PartialEq for Variables {
     /// Shared data is equal without a comparison.
     fn eq(&self, other: &Self) -> bool {
         (Arc::ptr_eq(&self.levels, &other.levels) || self.levels == other.levels)
-            && (Arc::ptr_eq(&self.passing, &other.passing) || self.passing == other.passing)
-            && (Arc::ptr_eq(&self.kept, &other.kept) || self.kept == other.kept)
+            && (Arc::ptr_eq(&self.volatile, &other.volatile) || self.volatile == other.volatile)
+            && (Arc::ptr_eq(&self.persistent, &other.persistent) || self.persistent == other.persistent)
             && self.unknown == other.unknown
     }
 }
@@ -86,9 +86,9 @@ enum Place {
     /// Index among the local variables of the level.
     Local(usize),
     /// Index from #100.
-    Passing(usize),
+    Volatile(usize),
     /// Index from #500.
-    Kept(usize),
+    Persistent(usize),
     /// #1000 and up.
     System,
 }
@@ -99,8 +99,8 @@ impl Place {
         Ok(match variable {
             0 => Self::Vacant,
             1..=33 => Self::Local(number - 1),
-            100..=231 => Self::Passing(number - 100),
-            500..=999 => Self::Kept(number - 500),
+            100..=231 => Self::Volatile(number - 100),
+            500..=999 => Self::Persistent(number - 500),
             1000.. => Self::System,
             34..=99 | 232..=499 => return Err(MacroErrorKind::VariableNumber),
         })
@@ -113,8 +113,8 @@ impl Variables {
         Ok(Found::Value(match Place::of(variable)? {
             Place::Vacant => None,
             Place::Local(index) => self.levels.last().and_then(|locals| locals[index]),
-            Place::Passing(index) => self.passing[index],
-            Place::Kept(index) => self.kept[index],
+            Place::Volatile(index) => self.volatile[index],
+            Place::Persistent(index) => self.persistent[index],
             Place::System => return Ok(Found::System),
         }))
     }
@@ -128,8 +128,8 @@ impl Variables {
                     locals[index] = value;
                 }
             }
-            Place::Passing(index) => Arc::make_mut(&mut self.passing)[index] = value,
-            Place::Kept(index) => Arc::make_mut(&mut self.kept)[index] = value,
+            Place::Volatile(index) => Arc::make_mut(&mut self.volatile)[index] = value,
+            Place::Persistent(index) => Arc::make_mut(&mut self.persistent)[index] = value,
             Place::System => return Ok(Stored::System),
         }
         Ok(Stored::Done)
@@ -137,7 +137,7 @@ impl Variables {
 
     /// Enters a macro with these local variables. False if the maximum number of levels is reached.
     pub fn push_level(&mut self, arguments: Locals) -> bool {
-        let is_room = self.levels.len() < MOST_LEVELS;
+        let is_room = self.levels.len() < MAX_LEVELS;
         if is_room {
             Arc::make_mut(&mut self.levels).push(arguments);
         }
@@ -170,7 +170,7 @@ impl Variables {
     }
 
     /// Marks the arguments of the main program as unknown: vacant variables that have a letter.
-    pub fn lack_arguments(&mut self) {
+    pub fn mark_arguments_unknown(&mut self) {
         let mut unknown = Bits::default();
         for (variable, value) in (1..).zip(&self.levels[0]) {
             if value.is_none() && Self::may_be_argument(variable) {
@@ -182,7 +182,7 @@ impl Variables {
     }
 
     /// Whether the arguments of the main program are unknown.
-    pub fn lacks_arguments(&self) -> bool {
+    pub fn has_unknown_arguments(&self) -> bool {
         self.unknown.is_some()
     }
 

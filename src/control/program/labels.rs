@@ -139,7 +139,7 @@ impl Labels {
     }
 
     /// Whether there is a block with that number at byte `from` or after it, in the same O program.
-    pub fn is_at_or_behind(&self, sequence: u32, from: u32) -> bool {
+    pub fn is_at_or_after(&self, sequence: u32, from: u32) -> bool {
         self.first_from(sequence, from, from).is_some()
     }
 
@@ -165,7 +165,7 @@ impl Labels {
     }
 
     /// The first program that calls the program with a number, and is not called itself.
-    pub fn caller_of(&self, number: u32) -> Option<Resume> {
+    pub fn top_level_caller(&self, number: u32) -> Option<Resume> {
         let caller = |number: u32| self.callers.first(0, number, 0);
         caller(number).or_else(|| caller(self.name_of(number)?))
     }
@@ -254,7 +254,7 @@ mod tests {
         assert_eq!(labels.program(2).map(|at| at.byte), Some(16));
         assert_eq!(labels.program(4), None);
         assert!(labels.is_called(1000) && labels.is_called(3) && !labels.is_called(2));
-        assert_eq!(labels.caller_of(1000), labels.program(2));
+        assert_eq!(labels.top_level_caller(1000), labels.program(2));
         assert_eq!(labels.number_at(20), Some(2));
     }
 

@@ -28,7 +28,7 @@ pub struct MainPass {
     /// First byte of its first block, if it does not begin with the head of the program.
     start: Option<u32>,
     /// Whether a block has moved X to an absolute position, and whether one has moved Z.
-    pub placed: [bool; 2],
+    pub absolute_axes: [bool; 2],
     /// By the first byte of the block in the main program, and by variable.
     accesses: Arc<BTreeMap<(u32, u32), Access>>,
     /// The system variables that earlier passes read, with their values at the beginning of the pass.
@@ -37,11 +37,11 @@ pub struct MainPass {
 
 impl MainPass {
     /// From this number of accesses on, they are stored by variable only, without the block.
-    const MOST: usize = 10_000;
+    const MAX_DETAILED: usize = 10_000;
 
     /// From this number of passes on, only some are compared, because the comparison takes longer than a
     /// pass.
-    const COMPARED: u32 = 64;
+    const MAX_COMPARED: u32 = 64;
 
     /// Whether this is the first pass.
     pub fn is_first(&self) -> bool {
@@ -51,7 +51,7 @@ impl MainPass {
     /// Whether the end of this pass is compared with its beginning.
     pub fn is_compared(&self) -> bool {
         let number = self.ended + 1;
-        number <= Self::COMPARED || number.is_power_of_two()
+        number <= Self::MAX_COMPARED || number.is_power_of_two()
     }
 
     /// Value of a system variable at the beginning of a pass that is not the first. NaN if no earlier pass
@@ -75,7 +75,7 @@ impl MainPass {
     }
 
     fn key(&self, block: u32, variable: u32) -> (u32, u32) {
-        (if self.accesses.len() < Self::MOST { block } else { u32::MAX }, variable)
+        (if self.accesses.len() < Self::MAX_DETAILED { block } else { u32::MAX }, variable)
     }
 
     /// The variables that a pass from the block at byte `from` on reads before it assigns them; `None`: from

@@ -38,9 +38,9 @@ pub struct Program {
     /// The words of the block that jumped or called last.
     pub jumped_by: Option<Span>,
     /// A jump, call or loop has left the linear order of the text.
-    has_jumped: bool,
+    has_left_linear_order: bool,
     /// The run began with a program that is not the first of the text.
-    pub begun_elsewhere: bool,
+    pub started_at_other_program: bool,
     /// First bytes of the programs that have run.
     heads: BTreeSet<u32>,
     /// Whether the main program is the body of a macro; cached.
@@ -71,23 +71,23 @@ impl Program {
 
     /// Records a jump, call or loop. `by`: the words of its block.
     pub fn jump_by(&mut self, by: Span) {
-        self.has_jumped = true;
+        self.has_left_linear_order = true;
         self.jumped_by = Some(by);
     }
 
     /// Records that a loop is skipped.
     pub fn skip_loop(&mut self) {
-        self.has_jumped = true;
+        self.has_left_linear_order = true;
     }
 
     /// Whether a jump, call or loop has left the linear order of the text.
-    pub fn has_jumped(&self) -> bool {
-        self.has_jumped
+    pub fn has_left_linear_order(&self) -> bool {
+        self.has_left_linear_order
     }
 
     /// Whether nothing was executed or searched for outside the linear order of the text.
-    pub fn is_straight(&self) -> bool {
-        self.labels.is_none() && self.loop_ends.is_empty() && !self.has_jumped
+    pub fn is_in_linear_order(&self) -> bool {
+        self.labels.is_none() && self.loop_ends.is_empty() && !self.has_left_linear_order
     }
 
     /// Starts the O program that begins at `head`.
@@ -96,11 +96,11 @@ impl Program {
     }
 
     /// Starts the program to run at `head`, which is not the first of the text.
-    pub fn begin_elsewhere(&mut self, head: Resume) {
+    pub fn start_at_other_program(&mut self, head: Resume) {
         self.enter(head);
         self.unread_from = head.byte;
-        self.has_jumped = true;
-        self.begun_elsewhere = true;
+        self.has_left_linear_order = true;
+        self.started_at_other_program = true;
     }
 
     /// Whether the program at this position has run.
@@ -110,7 +110,7 @@ impl Program {
 
     /// The same program, reset so that nothing from `at` on has been read. Only valid for a program that was
     /// read in linear order.
-    pub fn back_at(self, at: Resume, work: usize) -> Self {
+    pub fn reset_at(self, at: Resume, work: usize) -> Self {
         let heads = order::gathered(self.heads.into_iter().filter(|&head| head < at.byte));
         let budget = Budget::after_work(work);
         Self { unread_from: at.byte, heads, budget, ..Self::default() }
@@ -136,12 +136,12 @@ mod tests {
     #[test]
     fn whoever_jumps_or_looks_for_a_number_leaves_the_straight_way() {
         let mut program = Program::default();
-        assert!(program.is_straight());
+        assert!(program.is_in_linear_order());
         program.labels(b"N10 G00 X10");
-        assert!(!program.is_straight() && !program.has_jumped());
+        assert!(!program.is_in_linear_order() && !program.has_left_linear_order());
         let mut program = Program::default();
         program.jump_by(Span::new(0, 3));
-        assert!(!program.is_straight() && program.has_jumped());
+        assert!(!program.is_in_linear_order() && program.has_left_linear_order());
     }
 
     #[test]
@@ -150,16 +150,16 @@ mod tests {
         program.enter(at(0));
         program.enter(at(40));
         assert!(program.is_first_reading(60));
-        let mut program = program.back_at(at(40), 7);
+        let mut program = program.reset_at(at(40), 7);
         assert!(program.was_run(at(0)) && !program.was_run(at(40)));
-        assert!(program.is_first_reading(40) && program.is_straight() && program.budget.work == 7);
+        assert!(program.is_first_reading(40) && program.is_in_linear_order() && program.budget.work == 7);
     }
 
     #[test]
     fn a_program_chosen_by_its_number_begins_at_its_head() {
         let mut program = Program::default();
-        program.begin_elsewhere(at(40));
-        assert!(program.was_run(at(40)) && program.begun_elsewhere && !program.is_straight());
+        program.start_at_other_program(at(40));
+        assert!(program.was_run(at(40)) && program.started_at_other_program && !program.is_in_linear_order());
         assert!(!program.is_first_reading(0) && program.is_first_reading(40));
     }
 }

@@ -3,12 +3,12 @@
 use std::collections::BTreeMap;
 
 use super::{Program, Row, Word, is_among};
-use crate::control::words::behind_letter;
+use crate::control::words::after_letter;
 use crate::message::{Diagnostic, Edit, Fix, Repair, said};
 use crate::text::block::BlockKind;
 
 /// Least number of times that the place is named the other way round.
-const LEAST: usize = 2;
+const MIN_EXCHANGED: usize = 2;
 
 impl Program<'_> {
     /// Reports a block whose X and Z are exchanged.
@@ -37,12 +37,17 @@ impl Program<'_> {
         for &(index, x, z) in places.iter().filter(|(_, x, z)| x.value != z.value) {
             let turned = times.get(&key(z.value, x.value)).copied().unwrap_or_default();
             let own = times.get(&key(x.value, z.value));
-            if turned < LEAST || own != Some(&1) || !alone(x) || !alone(z) || self.goes_away(index) {
+            if turned < MIN_EXCHANGED
+                || own != Some(&1)
+                || !alone(x)
+                || !alone(z)
+                || self.leaves_workpiece(index)
+            {
                 continue;
             }
             let (x_text, z_text) = (self.quote(x), self.quote(z));
             let (new_x, new_z) =
-                (format!("X{}", behind_letter(&z_text)), format!("Z{}", behind_letter(&x_text)));
+                (format!("X{}", after_letter(&z_text)), format!("Z{}", after_letter(&x_text)));
             let title = Repair::Write { text: format!("{new_x} {new_z}") };
             let mut edits = vec![Edit { span: x.span, text: new_x }, Edit { span: z.span, text: new_z }];
             if x.span.start > z.span.start {
@@ -58,7 +63,7 @@ impl Program<'_> {
 
     /// Whether the tool only leaves the workpiece in a block: before the next move another tool is called,
     /// the spindle or the coolant stops, or the program ends.
-    fn goes_away(&self, index: usize) -> bool {
+    fn leaves_workpiece(&self, index: usize) -> bool {
         let own = self.words_of(&self.rows[index]);
         let is_last = own.iter().any(|word| stops(word) || word.address == b'T' && word.value % 100.0 == 0.0);
         let mut behind = self.rows[index + 1..].iter();

@@ -14,10 +14,10 @@ use crate::message::{Diagnostic, Fix, said};
 use crate::motion::{Motion, MotionKind, SpindleTurn, Step};
 
 /// Greatest distance that a tool leaves the face at feed before the next rapid, mm.
-const LEAVES: f64 = 10.0;
+const MAX_EXIT: f64 = 10.0;
 
 /// Greatest distance that a tool continues beyond the place where cuts begin, mm.
-const OVERRUN: f64 = 3.0;
+const MAX_OVERRUN: f64 = 3.0;
 
 /// Where and how the motions of a program cut.
 #[derive(Default)]
@@ -32,7 +32,7 @@ struct Cuts {
 
 impl Program<'_> {
     /// Reports a Z without its minus in a monotone row, as in `Z-8`, `Z18`, `Z-24`.
-    pub(super) fn lost_minus_in_row(&self) -> Vec<Diagnostic> {
+    pub(super) fn missing_minus_in_row(&self) -> Vec<Diagnostic> {
         let mut diagnostics = Vec::new();
         let other_frame = self.other_frame();
         for (before, word, behind) in
@@ -169,7 +169,7 @@ impl Program<'_> {
 
     /// Reports a cut away from the chuck in front of the workpiece, `Z20` instead of `Z-20`, or a cut after a
     /// rapid to such a place.
-    pub(super) fn lost_minus(&self) -> Vec<Diagnostic> {
+    pub(super) fn missing_minus(&self) -> Vec<Diagnostic> {
         let mut diagnostics = Vec::new();
         // Most programs have no candidates, and then the motions need not be searched.
         let may_be_lost = |(row, word, (from, to)): &(&Row, &Word, (usize, usize))| {
@@ -262,7 +262,7 @@ impl Program<'_> {
     /// Whether `place` is in front of a face that was cut already.
     fn is_in_air(&self, pass: &Pass, from: usize, place: f64) -> bool {
         let Some(face) = pass.empty_beyond(self.motions.glance(from).station) else { return false };
-        place > face + OVERRUN && !self.has_several_frames()
+        place > face + MAX_OVERRUN && !self.has_several_frames()
     }
 
     /// Whether a motion of a block goes towards +Z to `place`, apart from a corner at its end.
@@ -319,16 +319,16 @@ impl Program<'_> {
                 && (cut.to.x - cut.from.x).abs() <= 0.001
                 && before.to.z < before.from.z;
             let centre = if cut.center.is_some() { -0.001 } else { CENTRE };
-            let to_its_start = pass.begins.is_some_and(|begins| place <= begins.z + OVERRUN);
+            let to_its_start = pass.begins.is_some_and(|begins| place <= begins.z + MAX_OVERRUN);
             if drawn_back && (to_its_start || !goes_on) || comes_in && before.to.x <= centre {
                 return false;
             }
-            if comes_in && !goes_on && place - cut.from.z <= LEAVES {
+            if comes_in && !goes_on && place - cut.from.z <= MAX_EXIT {
                 return false;
             }
         }
         // A retract at feed is short; a longer cut there removes nothing.
-        place - cut.from.z.max(front) > if goes_on { OVERRUN } else { LEAVES }
+        place - cut.from.z.max(front) > if goes_on { MAX_OVERRUN } else { MAX_EXIT }
     }
 }
 

@@ -8,7 +8,7 @@ use crate::message::{Diagnostic, Fix, said};
 use crate::source::Span;
 
 /// Least number of other tools that use the offset of their station.
-const LEAST: usize = 3;
+const MIN_OTHERS: usize = 3;
 
 /// Usual differences between a station and its second offset: T0111, T0121.
 const SECOND: [u64; 2] = [10, 20];
@@ -45,7 +45,7 @@ impl Program<'_> {
         // another tool.
         let is_numbered_as_second = SECOND.map(|way| odd.station + way).contains(&odd.offset)
             && !calls.iter().any(|call| call.station == odd.offset);
-        if agreeing().count() < LEAST || has_own && !is_of_other || is_numbered_as_second {
+        if agreeing().count() < MIN_OTHERS || has_own && !is_of_other || is_numbered_as_second {
             return Vec::new();
         }
         let word = odd.span.quote(self.text);

@@ -7,7 +7,7 @@ use std::ops::Range;
 
 use proptest::prelude::*;
 
-use super::Time;
+use super::VisitChoice;
 use crate::control::modal::State;
 use crate::run::Run;
 use crate::setup::Setup;
@@ -251,11 +251,11 @@ proptest! {
                 while !run.advance_replay(&mut replay, slice) {}
                 replay.found()
             };
-            let times = find(Time::Usual).times;
+            let times = find(VisitChoice::Usual).visits;
             prop_assert!(times as usize >= steps.len(), "line {}: {times} times", line + 1);
             let mut carried_out = 0;
             for number in 1..=times {
-                let visit = find(Time::Number(number)).visit.expect("a visit");
+                let visit = find(VisitChoice::Number(number)).visit.expect("a visit");
                 prop_assert_eq!(visit.number, number);
                 if visit.purpose.is_some() {
                     continue;

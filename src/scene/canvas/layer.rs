@@ -91,7 +91,7 @@ pub enum Progress {
     /// The image is up to date.
     Done,
     /// The last image is shown; the next call continues the new one.
-    UnderWay,
+    InProgress,
     /// The last image is shown; the new one is drawn once the camera has not moved for a frame.
     Waiting,
 }
@@ -281,7 +281,7 @@ impl StrokeLayer {
         }
         if next < in_view.len() {
             self.plot = Some((of, plot, next));
-            return Ok(Progress::UnderWay);
+            return Ok(Progress::InProgress);
         }
         let rows = plot.rows();
         let colours = self.colours(&of.view.palette)?;
@@ -293,7 +293,7 @@ impl StrokeLayer {
         }
         let same = of == target;
         self.finish(of);
-        Ok(if same { Progress::Done } else { Progress::UnderWay })
+        Ok(if same { Progress::Done } else { Progress::InProgress })
     }
 
     /// The colours of a plot; they are read from the browser only when the palette has changed.

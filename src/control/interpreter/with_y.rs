@@ -14,25 +14,25 @@ use crate::parts::early;
 use crate::text::block::Block;
 
 early! {
-    fn move_beside(control: &mut Interpreter, text: &[u8], block: &Block, request: &mut Request, words: &Words) -> bool {
-        control.move_beside(text, block, request, words)
+    fn move_with_y(control: &mut Interpreter, text: &[u8], block: &Block, request: &mut Request, words: &Words) -> bool {
+        control.move_with_y(text, block, request, words)
     }
 }
 
 impl Interpreter {
     /// A block with Y, or with Y not at 0, or in a plane other than the turning plane. True: it is done.
     #[cold]
-    pub(super) fn moves_beside_plane(
+    pub(super) fn carry_out_with_y(
         &mut self,
         text: &[u8],
         block: &Block,
         request: &mut Request,
         words: &Words,
     ) -> bool {
-        self.has(Y_AXIS) && move_beside(self, text, block, request, words)
+        self.has(Y_AXIS) && move_with_y(self, text, block, request, words)
     }
 
-    fn move_beside(&mut self, text: &[u8], block: &Block, request: &mut Request, words: &Words) -> bool {
+    fn move_with_y(&mut self, text: &[u8], block: &Block, request: &mut Request, words: &Words) -> bool {
         let (mode, is_hole) = (self.state.motion, self.state.hole.is_some());
         let interpolates = self.state.interpolation().is_some();
         let is_path = !is_hole && matches!(mode, MotionMode::Rapid | MotionMode::Line | MotionMode::Arc(_));
@@ -40,13 +40,13 @@ impl Interpreter {
         let takes_y = words.has_any(Y) && (is_hole || !matches!(mode, MotionMode::Cycle(_)));
         if !self.setup.machine.has_y() {
             if takes_y {
-                self.name_y(text, block, words);
+                self.apply_y_word(text, block, words);
             }
             let is_here = self.state.plane == Plane::Zx || interpolates;
             if is_here || !is_arc || !words.has_any(AXES | TURNS | letters(b"IJKR")) {
                 return false;
             }
-            if self.state.reported.first(Once::PlaneNotHere) {
+            if self.state.reported.mark_reported(Once::PlaneNotHere) {
                 let word = if self.state.plane == Plane::Xy { "G17" } else { "G19" };
                 self.report(Diagnostic::new(said::PlaneNotHere { word }, block.words_span()));
             }
@@ -58,28 +58,28 @@ impl Interpreter {
         let mills = self.state.plane != Plane::Zx
             && (is_arc || cuts_itself || self.state.compensation != Compensation::Off);
         let leaves = self.y_named(words).is_some_and(|(_, y)| y.abs() > SAME);
-        let is_beside = self.state.y != 0.0 || leaves || self.is_in_flat();
+        let is_beside = self.state.y != 0.0 || leaves || self.is_in_y_plane();
         if interpolates || !is_path || self.contours.recorded.is_some() {
             if is_beside && (takes_y || !interpolates && self.makes_moves(words)) {
-                self.y_is_not_done(text, block, words);
+                self.y_not_supported(text, block, words);
             }
             return false;
         }
         let centre = if is_arc { letters(b"IJKR") } else { 0 };
         if !words.has_any(AXES | Y | centre) || !(is_beside || mills) {
-            self.leave_flat();
+            self.leave_y_plane();
             return false;
         }
         if is_arc && self.state.plane == Plane::Zx && self.is_arc_along_y(text, words) {
-            self.y_is_not_done(text, block, words);
+            self.y_not_supported(text, block, words);
             return true;
         }
         if words.has_any(TURNS) {
             // C turns independently of the plane.
-            self.leave_flat();
+            self.leave_y_plane();
         }
         let c = self.turn_target(text, words);
-        self.enter_flat(match self.state.plane {
+        self.enter_y_plane(match self.state.plane {
             Plane::Xy => Flat::Xy,
             Plane::Zx => Flat::Zx,
             Plane::Yz => Flat::Yz,
@@ -92,7 +92,7 @@ impl Interpreter {
         }
         request.moved |= !request.drop;
         if self.state.pending.is_none() && self.state.compensating.is_none() {
-            self.leave_flat();
+            self.leave_y_plane();
         }
         let is_named = words.peek(b'Y').is_some() && !self.state.incremental;
         if is_named || self.state.y.abs() <= SAME {
@@ -114,13 +114,13 @@ impl Interpreter {
 
     /// Something outside Y0 that is only supported at Y0: it is drawn at Y0, and everything after it is
     /// uncertain until Y is 0.
-    fn y_is_not_done(&mut self, text: &[u8], block: &Block, words: &Words) {
+    fn y_not_supported(&mut self, text: &[u8], block: &Block, words: &Words) {
         let named = self.y_named(words);
-        if self.state.reported.first(Once::AxisNotHere) {
+        if self.state.reported.mark_reported(Once::AxisNotHere) {
             let span = named.map_or_else(|| block.words_span(), |(word, _)| word.span);
             self.not_supported(text, span);
         }
         self.state.y = named.map_or(self.state.y, |(_, y)| y);
-        self.lose(Doubts::of(&[Doubt::Y]));
+        self.add_doubts(Doubts::of(&[Doubt::Y]));
     }
 }
