@@ -874,12 +874,12 @@ impl Places<'_> {
 }
 
 /// How many motions are examined in each direction to count the passes of a cycle.
-const LOOKED_AT: usize = 20_000;
+const MAX_SCANNED_MOTIONS: usize = 20_000;
 
 /// The number of passes of a motion's cycle: in its own call, or in the whole sequence of a modal cycle.
 fn passes(motions: &Motions, index: usize) -> Option<u32> {
     let own = motions.get(index).cycle?;
-    let end = motions.len().min(index + LOOKED_AT);
+    let end = motions.len().min(index + MAX_SCANNED_MOTIONS);
     let mut last = own.pass;
     for step in (index + 1..end).map(|next| motions.get(next).cycle) {
         match step {

@@ -188,7 +188,7 @@ impl Current {
         self.derived = Derived::default();
         // Selections are stroke numbers, which now belong to other strokes.
         for view in self.view_state.views.iter_mut() {
-            *view = view.bare(None);
+            *view = view.without_selection(None);
         }
     }
 

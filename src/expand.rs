@@ -177,7 +177,8 @@ fn same_motion(before: &Motion, after: &Motion) -> bool {
         && same_place(before.from, after.from)
         && same_place(before.to, after.to)
         && same_place(before.process.zero, after.process.zero)
-        && (before.process.frame, before.process.elsewhere) == (after.process.frame, after.process.elsewhere)
+        && (before.process.frame, before.process.other_setup)
+            == (after.process.frame, after.process.other_setup)
         && same_center
         && same_turn
         && match (before.seconds, after.seconds) {
@@ -248,7 +249,7 @@ fn write_with<'a>(
         if index > 0 && !writer.out.ends_with(['\n', ';', '\r']) {
             writer.out.push('\n');
         }
-        writer.follow(&executed.before, Units::OfProgram);
+        writer.write_process_changes(&executed.before, Units::OfProgram);
         let leaves = trace.get(index + 1).map_or(*executed.ready, |next| *next.before);
         // A program number inside a program would end it, so the numbers of subprograms become comments.
         let is_called = jumps && index > 0 && block.program.is_some();
@@ -261,7 +262,7 @@ fn write_with<'a>(
             // `O2 G55`: its codes still apply.
             writer.write(&block, executed, range.clone(), leaves);
         } else if executed.is_flow_control && !refused && !(is_last && ends_main(&block)) {
-            writer.steer(&block, executed, range.clone(), leaves);
+            writer.write_flow_block(&block, executed, range.clone(), leaves);
         } else if !kept[index] && writer.must_write(&block, executed, range.clone()) {
             writer.write(&block, executed, range.clone(), leaves);
         } else if executed.values.as_deref().is_some_and(str::is_empty) && !refused {
@@ -275,8 +276,9 @@ fn write_with<'a>(
                 Some(_) => None,
                 None => Some(executed.at.byte as usize..end as usize),
             };
-            let goes_by_code = executed.context != Context::Data && writer.goes_by_code(&block);
-            writer.restore(&block, executed, range.clone(), goes_by_code, kept[index]);
+            let depends_on_motion_code =
+                executed.context != Context::Data && writer.depends_on_motion_code(&block);
+            writer.restore(&block, executed, range.clone(), depends_on_motion_code, kept[index]);
             writer.copy(&block, bytes, values, range.clone());
             let after = trace.get(index + 1).map_or(executed.mode, |next| next.mode);
             if mode.is_some() || after != executed.mode {
@@ -467,7 +469,7 @@ impl Writer<'_> {
     }
 
     /// Whether the words of a block depend on the current code of group 01.
-    fn goes_by_code(&self, block: &Block) -> bool {
+    fn depends_on_motion_code(&self, block: &Block) -> bool {
         let has_own = |code| {
             matches!(
                 code,
@@ -501,10 +503,10 @@ impl Writer<'_> {
         block: &Block,
         executed: &Executed,
         own: Range<usize>,
-        goes_by_code: bool,
+        depends_on_motion_code: bool,
         is_kept: bool,
     ) {
-        if goes_by_code
+        if depends_on_motion_code
             && self.written != executed.mode
             && let Some(code) = self.code_of_mode(executed.mode)
         {
@@ -521,7 +523,7 @@ impl Writer<'_> {
             _ => None,
         };
         let needs_feed = match is_kept {
-            true => goes_by_code || last.is_some(),
+            true => depends_on_motion_code || last.is_some(),
             false => last.as_ref().is_some_and(|last| last.kind.cuts()),
         };
         // A thread that was expanded before has written its lead as F.
@@ -570,7 +572,8 @@ impl Writer<'_> {
             // The control ignores words without an axis while such a code is in force, but G00 or G01 would
             // execute them.
             let is_path = matches!(executed.mode, MotionMode::Rapid | MotionMode::Line | MotionMode::Arc(_));
-            let ignored = (executed.context == Context::Cycle || !is_path) && self.goes_by_code(block);
+            let ignored =
+                (executed.context == Context::Cycle || !is_path) && self.depends_on_motion_code(block);
             return (first && !self.any_failed) || compensates || hole || ignored;
         }
         let cornered = block.words.iter().any(|word| {
@@ -599,7 +602,7 @@ impl Writer<'_> {
     }
 
     /// Records the modal codes of a copied block.
-    fn watch(&mut self, block: &Block) {
+    fn record_modes(&mut self, block: &Block) {
         for code in self.codes(block).collect::<Vec<_>>() {
             match code {
                 G::Unit(unit) => self.inch = unit == Unit::Inch,
@@ -618,7 +621,7 @@ impl Writer<'_> {
     /// Copies a plain block as typed, or with its values.
     fn copy(&mut self, block: &Block, bytes: Option<Range<usize>>, values: Option<&str>, own: Range<usize>) {
         let lengths = self.lengths_of(block, own.clone());
-        self.watch(block);
+        self.record_modes(block);
         if !own.is_empty() {
             self.moved_start = false;
         }
@@ -707,7 +710,7 @@ impl Writer<'_> {
     /// Writes the commands that change feed, spindle and tool from their values in the written text to their
     /// values in the program, each on a separate line. Such changes come from blocks of a contour, or from
     /// the reversal after tapping.
-    fn follow(&mut self, process: &Process, units: Units) {
+    fn write_process_changes(&mut self, process: &Process, units: Units) {
         let Some(now) = self.process.replace(*process) else { return };
         let unit = if self.inch { Unit::Inch } else { Unit::Millimetre };
         let mut lines = Vec::new();
@@ -779,7 +782,7 @@ impl Writer<'_> {
     }
 
     /// Writes a block that controls the program flow as a comment; expands its moves.
-    fn steer(&mut self, block: &Block, executed: &Executed, own: Range<usize>, leaves: Process) {
+    fn write_flow_block(&mut self, block: &Block, executed: &Executed, own: Range<usize>, leaves: Process) {
         let values = executed.values.as_deref();
         if let Some(values) = values.filter(|_| block.kind == BlockKind::Macro && own.is_empty()) {
             // Still write to the tables of the control.
@@ -864,7 +867,7 @@ impl Writer<'_> {
         }
         self.remark(block);
         self.comments(block);
-        self.watch(block);
+        self.record_modes(block);
         self.line(&before);
         let counted = self.process.replace(*executed.ready).map(|process| discriminant(&process.feed));
         if counted != Some(discriminant(&executed.ready.feed)) {
@@ -895,7 +898,10 @@ impl Writer<'_> {
                 pass = Some((step.cycle, step.pass));
                 let _ = writeln!(self.out, "({} PASS {})", step.cycle.code(), step.pass);
             }
-            self.follow(&motion.process, if inch { Units::Millimetres } else { Units::OfProgram });
+            self.write_process_changes(
+                &motion.process,
+                if inch { Units::Millimetres } else { Units::OfProgram },
+            );
             if let Some(home) = home.as_deref().filter(|_| index + 1 == own.end) {
                 self.go_home(block, home, &motion);
                 continue;
@@ -905,7 +911,7 @@ impl Writer<'_> {
         // An M05 in the block itself takes effect after its moves.
         let stops = block.words.iter().any(|word| word.address == b'M' && plain(word) == Some(5.0));
         let behind = Process { turn: if stops { executed.ready.turn } else { leaves.turn }, ..leaves };
-        self.follow(&behind, if inch { Units::Millimetres } else { Units::OfProgram });
+        self.write_process_changes(&behind, if inch { Units::Millimetres } else { Units::OfProgram });
         self.process = Some(leaves);
         if incremental {
             self.line("G91");

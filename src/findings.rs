@@ -23,7 +23,7 @@ use crate::units::Diameter;
 const RUN_OUT_INSIDE: f64 = 15.0;
 
 /// How many findings are checked for being about the next part; each check scans all motions.
-const COMPARED: usize = 50;
+const MAX_COMPARED: usize = 50;
 
 /// The messages about all findings, about a limit that was reached, and about skipped checks. `run`: the
 /// messages already reported by the run.
@@ -42,7 +42,7 @@ pub fn diagnostics(
         };
         Diagnostic::new(message, Span::new(0, 0))
     }));
-    told.extend(behind_left_out(simulation, motions));
+    told.extend(unchecked_after_failure(simulation, motions));
     told.extend(without_simulation(simulation.resolved_setup(), motions, usize::MAX));
     for finding in simulation.findings() {
         let is_feed = matches!(finding.danger, Danger::FastFeed { .. });
@@ -85,8 +85,8 @@ pub fn diagnostics(
             Removal::ThreadDepth { .. } => run.iter().any(is_about_thread),
             Removal::ThreadRunOut(_) | Removal::Nothing(_) | Removal::TooDeep { .. } => false,
         };
-        let is_of_next_part = || index < COMPARED && cuts_next_part(unusual, motions);
-        if follows || is_meant(unusual, simulation.resolved_setup(), motions) || is_of_next_part() {
+        let is_of_next_part = || index < MAX_COMPARED && cuts_next_part(unusual, motions);
+        if follows || is_intended(unusual, simulation.resolved_setup(), motions) || is_of_next_part() {
             continue;
         }
         // If a message about the block is already reported, the unusual removal is a consequence of that
@@ -98,11 +98,11 @@ pub fn diagnostics(
             told.push(Diagnostic::new(removal(unusual, motions), span));
         }
     }
-    told.into_iter().filter_map(|found| levels.graded(found)).collect()
+    told.into_iter().filter_map(|found| levels.apply_to(found)).collect()
 }
 
 /// Whether an unusual removal is intended.
-fn is_meant(unusual: &Unusual, resolved: &ResolvedSetup, motions: &Motions) -> bool {
+fn is_intended(unusual: &Unusual, resolved: &ResolvedSetup, motions: &Motions) -> bool {
     let motion = motions.get(unusual.motion);
     match unusual.removal {
         Removal::TooDeep { .. } => feed_per_turn(&motion.process).is_some_and(|feed| feed < ONE_PASS_FEED),
@@ -140,7 +140,7 @@ fn feed_per_turn(process: &Process) -> Option<f64> {
 
 /// The message that after a block that was not executed, material is neither removed nor checked. Its place
 /// is the first motion after this block.
-fn behind_left_out(simulation: &SimulationResult, motions: &Motions) -> Option<Diagnostic> {
+fn unchecked_after_failure(simulation: &SimulationResult, motions: &Motions) -> Option<Diagnostic> {
     let first = motions.first_incomplete().filter(|_| simulation.limit().is_none())?;
     let cuts = motions.uncertain_cuts();
     // Without a given blank, collisions are not checked at all.

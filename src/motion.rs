@@ -302,7 +302,7 @@ impl SpindleTurn {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Quill {
     /// Not set yet.
-    Unsaid,
+    Unknown,
     /// Extended (M25).
     Forward,
     /// Retracted (M26).
@@ -332,7 +332,7 @@ pub struct Process {
     pub incomplete: bool,
     /// Whether the motion is on the other end of the part, or in a work frame other than that of the first
     /// cut and with an unknown zero: a second clamping, or the sub spindle.
-    pub elsewhere: bool,
+    pub other_setup: bool,
     /// Whether the spindle is stopped (M05) and no tool is known to be driven: a bar puller, a gripper, a
     /// stop. Unlike with a [stopped](SpindleTurn::Stopped) spindle before the first M03, such a motion
     /// removes nothing.
@@ -346,7 +346,7 @@ pub struct Process {
 impl Process {
     /// Whether a cut removes material at a known position of the first clamping.
     pub fn removes_material(&self) -> bool {
-        !self.uncertain && !self.elsewhere && !self.still
+        !self.uncertain && !self.other_setup && !self.still
     }
 }
 
@@ -887,7 +887,7 @@ impl Chunk {
                 let own = *self.own_process(index);
                 let placed = Process {
                     zero: zero.unwrap_or_default(),
-                    elsewhere: own.elsewhere || zero.is_none(),
+                    other_setup: own.other_setup || zero.is_none(),
                     ..own
                 };
                 if placed != own {
@@ -1187,13 +1187,13 @@ impl Motions {
         Some(before + (0..chunk.len()).find(own)?)
     }
 
-    /// The first cut that is [elsewhere](Process::elsewhere), and the number of such cuts.
+    /// The first cut that is [elsewhere](Process::other_setup), and the number of such cuts.
     pub fn cuts_elsewhere(&self) -> Option<(usize, usize)> {
         let mut first = None;
         let mut count = 0;
         for (chunk, before) in self.chunks.iter().zip(&self.before) {
-            if chunk.processes.iter().any(|own| own.elsewhere) {
-                let cuts = |index: &usize| chunk.own_process(*index).elsewhere && chunk.kind(*index).cuts();
+            if chunk.processes.iter().any(|own| own.other_setup) {
+                let cuts = |index: &usize| chunk.own_process(*index).other_setup && chunk.kind(*index).cuts();
                 let mut cuts = (0..chunk.len()).filter(cuts);
                 let own = cuts.next();
                 first = first.or(own.map(|index| before + index));

@@ -16,7 +16,7 @@ use crate::source::Span;
 
 /// Maximum number of rounds. A repaired text can reveal faults that were hidden by others, so it is run
 /// again.
-const MOST_ROUNDS: usize = 100;
+const MAX_ROUNDS: usize = 100;
 
 /// Maximum messages per run; repairs for further messages take another round.
 const MESSAGES: usize = 100_000;
@@ -48,7 +48,7 @@ pub fn repaired(text: &[u8], setup: &Setup) -> Repaired {
 
 /// Applies the safe repairs of the messages that `wanted` accepts.
 pub fn repaired_of(text: &[u8], setup: &Setup, wanted: &dyn Fn(&Diagnostic) -> bool) -> Repaired {
-    within(MOST_ROUNDS, text, setup, wanted)
+    within(MAX_ROUNDS, text, setup, wanted)
 }
 
 /// Repairs a program in at most `most` rounds.
@@ -121,8 +121,8 @@ mod tests {
     fn the_first_safe_repair_of_each_message_is_taken() {
         let messages = [
             told(vec![replace(9, 9, "z")]),
-            told(vec![replace(0, 1, "a").asking(), replace(1, 3, "b"), replace(1, 3, "c")]),
-            told(vec![replace(5, 6, "d").asking()]),
+            told(vec![replace(0, 1, "a").needs_confirmation(), replace(1, 3, "b"), replace(1, 3, "c")]),
+            told(vec![replace(5, 6, "d").needs_confirmation()]),
             told(vec![replace(2, 4, "overlaps")]),
             told(vec![replace(3, 3, "e")]),
             told(vec![replace(3, 4, "inserted there before")]),

@@ -26,7 +26,7 @@ use crate::machine::{SimulationResult, detector};
 use crate::message::{Diagnostic, Fix, said, sort_by_place};
 use crate::motion::Motions;
 use crate::parts::{Part, late};
-use crate::provenance::{self, DecimalEvidence, Foreign, Look, NumberWithoutPoint, Target};
+use crate::provenance::{self, DecimalEvidence, Foreign, NumberWithoutPoint, QuickCheck, Target};
 use crate::setup::dialect::{CodeList, DecimalChoice, DecimalRule, Dialect, DialectChoice, GSystem};
 use crate::setup::notes::Notes;
 use crate::setup::{Lints, Setup, tool_words};
@@ -88,7 +88,7 @@ impl Analysis {
             let most = self.setup.limits.part_motions;
             let found = findings::without_simulation(self.resolved_setup(), &self.motions, most);
             let rules = &self.setup.rules;
-            let found = found.into_iter().filter_map(|found| rules.graded(found));
+            let found = found.into_iter().filter_map(|found| rules.apply_to(found));
             self.diagnostics.extend(found.map(|found| found.in_unit(self.unit)));
         }
         sort_by_place(&mut self.diagnostics);
@@ -195,10 +195,10 @@ struct Recognised {
 impl Recognised {
     /// Recognises control, G-code system and unit of a text, except those that the setup fixes. `None` if the
     /// part that recognises them is not loaded.
-    fn of(text: &[u8], look: Look, dialect: &DialectChoice) -> Option<Self> {
+    fn of(text: &[u8], quick_check: QuickCheck, dialect: &DialectChoice) -> Option<Self> {
         let (may_be_foreign, has_system) = (dialect.recognise != Some(false), dialect.g_system.is_some());
-        let is_unknown = look.is_unusual && (may_be_foreign || !has_system);
-        let has_no_unit = look.may_be_inches && dialect.unit.is_none();
+        let is_unknown = quick_check.is_unusual && (may_be_foreign || !has_system);
+        let has_no_unit = quick_check.may_be_inches && dialect.unit.is_none();
         if !is_unknown && !has_no_unit {
             return Some(Self::default());
         }
@@ -231,8 +231,9 @@ impl Run {
         let is_open = setup.dialect.decimal.unwrap_or_default() == DecimalChoice::Auto;
         let decides = is_open && before.is_none();
         // Numbers after the head are examined only to decide the decimal rule.
-        let look = if decides { provenance::look(&text) } else { provenance::look_at_head(&text) };
-        let numbers = decides.then_some(look.numbers);
+        let quick_check =
+            if decides { provenance::quick_check(&text) } else { provenance::quick_check_head(&text) };
+        let numbers = decides.then_some(quick_check.numbers);
         let decided = before.or(numbers.map(|numbers| numbers.rule())).filter(|_| is_open);
         if let Some(rule) = decided {
             setup.dialect.decimal = Some(rule.into());
@@ -273,7 +274,7 @@ impl Run {
             run.finish();
             return run;
         }
-        match Recognised::of(&run.text, look, &dialect) {
+        match Recognised::of(&run.text, quick_check, &dialect) {
             Some(recognised) => run.recognised = recognised,
             None => run.missing = run.missing.or(Some(provenance::RECOGNISED_BY)),
         }
@@ -762,7 +763,7 @@ impl Run {
             // Skip the comparison: the program did not run, or only partly, or lints are off or not loaded.
         } else if self.blocks > most || motions.len() > 10 * most {
             let diagnostic = Diagnostic::new(said::NotCompared { most }, Span::new(0, 0));
-            self.sorted.extend(setup.rules.graded(diagnostic));
+            self.sorted.extend(setup.rules.apply_to(diagnostic));
         } else {
             self.compare_numbers();
         }
@@ -791,7 +792,7 @@ impl Run {
             return;
         }
         let room = self.sorted.len() < self.interpreter.setup().limits.messages;
-        self.sorted.extend(self.interpreter.setup().rules.graded(diagnostic).filter(|_| room));
+        self.sorted.extend(self.interpreter.setup().rules.apply_to(diagnostic).filter(|_| room));
     }
 
     /// The reported messages, in the order in which they were reported.

@@ -112,7 +112,7 @@ pub fn number(value: f64) -> String {
         }
         0..=10 => (mantissa << exponent, 0),
         // Larger than any value in practice.
-        11.. => return far(value),
+        11.. => return format_large(value),
     };
     if decimals == 10_000 {
         (whole, decimals) = (whole + 1, 0);
@@ -124,7 +124,7 @@ pub fn number(value: f64) -> String {
 
 /// Formats a number of 2^63 or more with all its digits, or a value that is not finite.
 #[cold]
-fn far(value: f64) -> String {
+fn format_large(value: f64) -> String {
     if !value.is_finite() {
         return if value.is_nan() {
             "NaN"

@@ -23,7 +23,7 @@ use asking::Asking;
 use expect_test::expect_file;
 use gcode_playground::api::assist::{FormHelp, StateHelp, WordHelp};
 use gcode_playground::assist::role::Role;
-use gcode_playground::assist::signature::Otherwise;
+use gcode_playground::assist::signature::WhenOmitted;
 use gcode_playground::message::Severity;
 use gcode_playground::run::replay::VisitChoice;
 use gcode_playground::sentences::Language;
@@ -254,7 +254,7 @@ fn a_form_asks_for_what_the_control_asks_for() {
             let without = block.replacen(&format!(" {word}"), "", 1);
             let new: Vec<String> =
                 serious(head, &without, rest).into_iter().filter(|rule| !with_all.contains(rule)).collect();
-            let has_to = place.slot.otherwise == Otherwise::Missing;
+            let has_to = place.slot.otherwise == WhenOmitted::Missing;
             if new.is_empty() == has_to {
                 wrong.push(format!("{block}: without {word} {:?}: {new:?}", place.slot.otherwise));
             }

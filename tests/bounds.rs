@@ -3,7 +3,7 @@
 use crate::endless;
 use std::time::{Duration, Instant};
 
-use endless::{Hostile, MOST_SECONDS, bounds, endless, hostile};
+use endless::{Hostile, MAX_SECONDS, bounds, endless, hostile};
 use gcode_playground::analyze;
 use gcode_playground::limits::Limits;
 use gcode_playground::message::{Diagnostic, Severity};
@@ -36,7 +36,7 @@ fn codes(analysis: &Analysis) -> Vec<String> {
 #[test]
 fn cycles_of_far_too_many_passes_are_refused_at_once() {
     for case in endless() {
-        let most = Duration::from_secs_f64(MOST_SECONDS);
+        let most = Duration::from_secs_f64(MAX_SECONDS);
         let analysis = run_within(most, case.name, case.setup, &case.text);
         assert!(
             codes(&analysis).iter().any(|code| code == case.code),

@@ -170,7 +170,7 @@ fn a_drawing_has_the_area_of_the_part_and_closes() {
                 ((center.x - on_arc.x) / inwards, (center.z - on_arc.z) / inwards)
             };
             let beside = |side: f64| Point::new(on_arc.x + side * left.0, on_arc.z + side * left.1);
-            let direction = match (part.holds(beside(0.006)), part.holds(beside(-0.006))) {
+            let direction = match (part.contains(beside(0.006)), part.contains(beside(-0.006))) {
                 (true, false) => 1.0,
                 (false, true) => -1.0,
                 // A sliver with almost no area.

@@ -6,7 +6,7 @@
 mod endless;
 mod fixtures;
 
-use endless::{MOST_SECONDS, bounds, endless};
+use endless::{MAX_SECONDS, bounds, endless};
 use fixtures::{Program, check_messages, compare};
 use gcode_playground::wasm::{PictureName, Playground};
 use serde_json::Value;
@@ -229,7 +229,7 @@ fn endless_cycles_are_refused_at_once() {
         playground.set_text(case.text);
         while !playground.advance(1_000) {}
         let seconds = (js_sys::Date::now() - begun) / 1_000.0;
-        assert!(seconds < MOST_SECONDS, "{}: {seconds} s", case.name);
+        assert!(seconds < MAX_SECONDS, "{}: {seconds} s", case.name);
         let messages = rows(playground.diagnostics());
         assert!(messages.iter().any(|row| row["code"] == case.code), "{}: {messages:?}", case.name);
         // At most the contour of the cycle is drawn, as uncertain.

@@ -249,7 +249,7 @@ fn motions_before_the_first_cut_are_on_the_workpiece() {
         let zero = if known { Point::new(0.0, -40.0) } else { Point::default() };
         for (index, motion) in ran.motions.iter().enumerate() {
             let expected = if index < 3 { (zero, !known) } else { (Point::default(), false) };
-            assert_eq!((motion.process.zero, motion.process.elsewhere), expected, "{one}: {index}");
+            assert_eq!((motion.process.zero, motion.process.other_setup), expected, "{one}: {index}");
         }
         // The same path in the coordinates of the first cut.
         let moved = run(&program(&zeros, "(ONE)", "(OTHER)", "X42. Z-60."));

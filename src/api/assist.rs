@@ -7,13 +7,13 @@ use serde::Serialize;
 use tsify::Tsify;
 
 use super::Places;
-use crate::assist::Asked;
+use crate::assist::Query;
 use crate::assist::complete::{Item, What};
 use crate::assist::fact::Fact;
 use crate::assist::hover::Hover;
 use crate::assist::names::{Name, Named};
 use crate::assist::outline::{Entry, Kind, outline};
-use crate::assist::signature::{Otherwise, Place};
+use crate::assist::signature::{Place, WhenOmitted};
 use crate::assist::snippet::Piece;
 use crate::assist::state::{Frame, StateTable};
 use crate::assist::uses::uses;
@@ -272,7 +272,7 @@ pub struct Reader<'a> {
 
 impl Reader<'_> {
     /// Help for the word at a byte.
-    pub fn word(&self, asked: &Asked, byte: u32, notes: &[Span], motions: &Motions) -> Option<WordHelp> {
+    pub fn word(&self, asked: &Query, byte: u32, notes: &[Span], motions: &Motions) -> Option<WordHelp> {
         let hover = asked.hover(byte, notes, motions)?;
         let (from, to) = self.places.offsets(hover.span);
         let quoted = hover.span.quote(self.places.text);
@@ -288,7 +288,7 @@ impl Reader<'_> {
     }
 
     /// The form of the block, with the word at a byte marked; `None` if the block has no form.
-    pub fn form(&self, asked: &Asked, byte: u32) -> Option<FormHelp> {
+    pub fn form(&self, asked: &Query, byte: u32) -> Option<FormHelp> {
         let signature = asked.signature()?;
         let own = signature.own;
         let lines = signature.lines.iter().enumerate().map(|(index, (line, places))| FormLine {
@@ -306,7 +306,7 @@ impl Reader<'_> {
             .iter()
             .map(|&letter| format!("{}{}", if place.slot.comma { "," } else { "" }, letter as char))
             .collect();
-        let optional = place.slot.otherwise != Otherwise::Missing;
+        let optional = place.slot.otherwise != WhenOmitted::Missing;
         FormWord {
             letters: letters.join("/"),
             title: place.role.words(self.language),
@@ -321,16 +321,16 @@ impl Reader<'_> {
         }
     }
 
-    /// The completions at a byte. `end`: the state after the run. `asked_for`: whether the user requested
+    /// The completions at a byte. `end`: the state after the run. `is_explicit`: whether the user requested
     /// them explicitly.
     pub fn completion(
         &self,
-        asked: &Asked,
+        asked: &Query,
         byte: u32,
         end: &State,
-        asked_for: bool,
+        is_explicit: bool,
     ) -> Option<CompletionHelp> {
-        let completion = asked.complete(byte, end, asked_for)?;
+        let completion = asked.complete(byte, end, is_explicit)?;
         let (from, to) = self.places.offsets(completion.span);
         let items = completion.items.iter().map(|item| self.proposal(item)).collect();
         Some(CompletionHelp { from, to, items })
@@ -420,7 +420,7 @@ impl Reader<'_> {
     }
 
     /// The state at the block.
-    pub fn state(&self, asked: &Asked, motions: &Motions) -> StateHelp {
+    pub fn state(&self, asked: &Query, motions: &Motions) -> StateHelp {
         let line = self.line_of(asked.block.span.start);
         let block = self.offset(asked.block.span.start);
         let Some(table) = asked.state() else {
@@ -438,7 +438,7 @@ impl Reader<'_> {
     }
 
     /// A description of the motions of the block, in sentences; empty if it makes none.
-    pub fn explanation(&self, asked: &Asked, motions: &Motions) -> String {
+    pub fn explanation(&self, asked: &Query, motions: &Motions) -> String {
         self.speak(|speaker| speaker.explanation(&asked.explanation(motions)))
     }
 
@@ -518,9 +518,9 @@ impl Reader<'_> {
 
 /// A text on one line, shortened if it is long.
 fn shortened(text: &str) -> String {
-    const MOST: usize = 60;
+    const MAX_CHARACTERS: usize = 60;
     let words = text.split_whitespace().collect::<Vec<_>>().join(" ");
-    match words.char_indices().nth(MOST) {
+    match words.char_indices().nth(MAX_CHARACTERS) {
         Some((end, _)) => format!("{}…", &words[..end]),
         None => words,
     }

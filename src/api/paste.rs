@@ -14,7 +14,7 @@ use crate::sentences::Language;
 /// Maximum length of quoted text that was omitted, characters.
 const QUOTE: usize = 160;
 /// Maximum number of pieces shown separately; the rest of the program is one piece.
-const MOST_PIECES: usize = 3_000;
+const MAX_PIECES: usize = 3_000;
 
 /// The programs found in a text.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -100,7 +100,7 @@ impl FoundProgram {
 /// The pieces of a found program.
 pub fn pieces(text: &str, program: &Program, language: Language) -> Vec<FoundPiece> {
     let mut rows: Vec<FoundPiece> = Vec::new();
-    let (shown, rest) = program.pieces.split_at(program.pieces.len().min(MOST_PIECES));
+    let (shown, rest) = program.pieces.split_at(program.pieces.len().min(MAX_PIECES));
     for piece in shown {
         let was = &text[piece.span.start as usize..piece.span.end as usize];
         rows.push(match piece.reason {

@@ -131,7 +131,11 @@ impl Readout {
         let y = motion.virtual_move().filter(VirtualMove::has_y).map(|own| own.y_at(playhead.share));
         let resolved_tool = resolved.map(|resolved| resolved.tool(&motion));
         Self {
-            share: if whole.pace > 0.0 { reading.pace / whole.pace } else { playhead.share },
+            share: if whole.animation_seconds > 0.0 {
+                reading.animation_seconds / whole.animation_seconds
+            } else {
+                playhead.share
+            },
             stroke: places.stroke(motions, playhead.motion, at, *unit, language),
             c: own.filter(|own| y.is_none() || own.from != own.to).map(|own| rounded(own.to)),
             y: y.map(rounded),

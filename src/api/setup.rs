@@ -163,7 +163,7 @@ impl SetupPlace {
 }
 
 /// The input for a form.
-pub struct Subject<'a> {
+pub struct FormInput<'a> {
     /// The setup of the page with the additions from comments.
     pub given: &'a Setup,
     /// The setup of the page, without comments.
@@ -196,7 +196,7 @@ impl SetupOverview {
     }
 }
 
-impl Subject<'_> {
+impl FormInput<'_> {
     /// The initial state of the form.
     pub fn form(&self) -> SetupForm {
         let given = self.given;

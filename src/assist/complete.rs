@@ -4,12 +4,12 @@
 //! text with their kind. Each value has its source: no value is guessed.
 
 mod around;
-mod begun;
+mod prefix;
 mod values;
 
 use self::around::Around;
-use self::begun::{Begun, begins_with, begun_at};
-use super::Asked;
+use self::prefix::{Prefix, begins_with, prefix_at};
+use super::Query;
 use super::form::{Form, Half};
 use super::role::Role;
 use super::snippet::{Piece, Snippet};
@@ -24,7 +24,7 @@ use crate::text::parser::Resume;
 use crate::text::program_name;
 
 /// Maximum number of proposals of one kind.
-const MOST: usize = 60;
+const MAX_PROPOSALS: usize = 60;
 
 /// Proposals for a place.
 #[derive(Clone, Debug, PartialEq)]
@@ -84,32 +84,32 @@ pub enum Why {
     InSetup,
 }
 
-impl Asked<'_> {
+impl Query<'_> {
     /// Proposals at a byte. `end`: the state after the run, used for blocks that are not executed.
-    /// `asked_for`: the user requested completion, so propose something even if no word was begun. `None` if
+    /// `is_explicit`: the user requested completion, so propose something even if no word was begun. `None` if
     /// there are no proposals.
-    pub fn complete(&self, byte: u32, end: &State, asked_for: bool) -> Option<Completion> {
+    pub fn complete(&self, byte: u32, end: &State, is_explicit: bool) -> Option<Completion> {
         let line = line_around(self.text, byte as usize);
-        let (begun, span) = begun_at(self.text, line.start, byte)?;
+        let (prefix, span) = prefix_at(self.text, line.start, byte)?;
         let state = self.visit.map_or(end, |visit| &visit.before.state);
         let own = self.block.span.start <= byte && self.block.span.start >= line.start;
         let around = Around::of(self.text, line, self.codes);
         let proposing = Proposing { asked: self, state, own, span, line, around };
         let typed = span.quote(self.text).to_ascii_uppercase();
-        let mut items = match begun {
-            Begun::Word(b'G') => proposing.g_codes(),
-            Begun::Word(b'M') => proposing.m_codes(),
-            Begun::Word(b'N') => proposing.next_sequence(),
-            Begun::Word(b'O') => proposing.snippets(),
-            Begun::Word(b'T') => proposing.tools(),
-            Begun::Word(letter) => proposing.word(letter),
-            Begun::Variable => proposing.variables(),
-            Begun::Goto => proposing.sequences(""),
-            Begun::Letters => proposing.snippets(),
-            Begun::Nothing => proposing.anything(asked_for),
+        let mut items = match prefix {
+            Prefix::Word(b'G') => proposing.g_codes(),
+            Prefix::Word(b'M') => proposing.m_codes(),
+            Prefix::Word(b'N') => proposing.next_sequence(),
+            Prefix::Word(b'O') => proposing.snippets(),
+            Prefix::Word(b'T') => proposing.tools(),
+            Prefix::Word(letter) => proposing.word(letter),
+            Prefix::Variable => proposing.variables(),
+            Prefix::Goto => proposing.sequences(""),
+            Prefix::Letters => proposing.snippets(),
+            Prefix::Nothing => proposing.anything(is_explicit),
         };
-        items.retain(|item| begins_with(item, &typed, begun));
-        items.truncate(MOST);
+        items.retain(|item| begins_with(item, &typed, prefix));
+        items.truncate(MAX_PROPOSALS);
         // A proposal equal to the typed text is useless.
         let is_nothing_new =
             matches!(&items[..], [Item { pieces, .. }] if pieces[..] == [Piece::Fixed(typed)]);
@@ -119,7 +119,7 @@ impl Asked<'_> {
 
 /// Context for making proposals.
 struct Proposing<'a> {
-    asked: &'a Asked<'a>,
+    asked: &'a Query<'a>,
     /// State of the control before the block.
     state: &'a State,
     /// Whether the block is on the same line.

@@ -3,7 +3,7 @@
 //! In: the motions of a block, and the machine. Out: an [`Explanation`]: plain values, independent of the
 //! language. Does not use the program text, so a stroke of the picture is explained in the same way.
 
-use super::Asked;
+use super::Query;
 use super::fact::Quantity;
 use super::place::{Place, as_programmed, is_clockwise, own_motions};
 use crate::geometry::virtual_plane::{VirtualMove, Way};
@@ -106,7 +106,7 @@ impl Explanation {
     }
 }
 
-impl Asked<'_> {
+impl Query<'_> {
     /// The explanation of the block. Empty if a cycle reads the block as a part of its contour: the cycle
     /// makes the moves.
     pub fn explanation(&self, motions: &Motions) -> Explanation {

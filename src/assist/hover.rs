@@ -2,7 +2,7 @@
 //!
 //! In: an executed block, a place in it. Out: the word, its role, its value, and facts about it.
 
-use super::Asked;
+use super::Query;
 use super::fact::{Fact, Quantity};
 use super::form::{Form, Half, g_of};
 use super::place::of_c;
@@ -50,7 +50,7 @@ impl Hover {
     }
 }
 
-impl<'a> Asked<'a> {
+impl<'a> Query<'a> {
     /// Describes the word at a byte, or the word that ends there, because a cursor after a word still refers
     /// to it. `None` if there is nothing to explain. `notes`: the comments that set up the program;
     /// `motions`: the motions of the run.

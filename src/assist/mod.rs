@@ -29,7 +29,7 @@ use crate::text::block::Block;
 
 /// Input of all questions: a block and its execution.
 #[derive(Clone, Copy)]
-pub struct Asked<'a> {
+pub struct Query<'a> {
     /// The program.
     pub text: &'a [u8],
     /// The block.
@@ -46,7 +46,7 @@ pub struct Asked<'a> {
     pub codes: CodeList,
 }
 
-impl<'a> Asked<'a> {
+impl<'a> Query<'a> {
     /// Creates the input from the replay of a run.
     pub fn new(run: &'a Run, found: &'a Found, block: &'a Block) -> Self {
         Self {
@@ -61,7 +61,7 @@ impl<'a> Asked<'a> {
     }
 }
 
-impl Asked<'_> {
+impl Query<'_> {
     /// State of the control before the block; the state at power-on if the block is never executed.
     fn before(&self) -> Cow<'_, State> {
         match self.visit {

@@ -13,9 +13,9 @@ use crate::text::block::{Block, BlockKind};
 use crate::text::parser::Parser;
 
 /// Maximum number of bytes of the text that are read.
-const MOST_BYTES: usize = 4 << 20;
+const MAX_BYTES: usize = 4 << 20;
 /// Maximum number of entries.
-const MOST: usize = 3000;
+const MAX_ENTRIES: usize = 3000;
 
 /// Kind of an entry.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -60,15 +60,15 @@ pub struct Outline {
 
 /// Creates the outline of a text.
 pub fn outline(text: &[u8], codes: CodeList) -> Outline {
-    let end = text.len().min(MOST_BYTES);
+    let end = text.len().min(MAX_BYTES);
     let notes = Notes::read(&text[..end]).spans().collect();
     let mut outlining = Outlining { text, codes, notes, ..Outlining::default() };
     let mut parser = Parser::new(&text[..end]);
     let mut block = Block::default();
-    while parser.next_block(&mut block) && outlining.entries.len() < MOST {
+    while parser.next_block(&mut block) && outlining.entries.len() < MAX_ENTRIES {
         outlining.take(&block);
     }
-    let is_cut = end < text.len() || outlining.entries.len() >= MOST;
+    let is_cut = end < text.len() || outlining.entries.len() >= MAX_ENTRIES;
     outlining.finish(is_cut)
 }
 

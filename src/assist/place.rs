@@ -13,7 +13,7 @@ use crate::run::replay::Visit;
 use crate::source::Span;
 
 /// Maximum number of later motions searched for motions of a block.
-const MOST_LATER: usize = 64;
+const MAX_LATER: usize = 64;
 
 /// A position, in the axes that a block programs.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -60,7 +60,7 @@ pub fn of_c(state: &State, c: f64) -> Quantity {
 pub fn own_motions(motions: &Motions, span: Span, visit: &Visit) -> Vec<Motion> {
     let made = visit.motions.start..visit.motions.end.min(motions.len());
     let until = match holds(&visit.after.state, span) {
-        true => motions.len().min(made.end + MOST_LATER),
+        true => motions.len().min(made.end + MAX_LATER),
         false => made.end,
     };
     let earlier = holds(&visit.before.state, span);

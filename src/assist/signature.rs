@@ -3,7 +3,7 @@
 //! In: the form of a block. Out: one line for each block of the form; two for the current multiple cycles.
 //! Tests check the table against the control by leaving out each word.
 
-use super::Asked;
+use super::Query;
 use super::fact::Quantity;
 use super::form::{Form, Half};
 use super::hover::feed_of;
@@ -21,7 +21,7 @@ use crate::units::Diameter;
 
 /// Meaning of an omitted word.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Otherwise {
+pub enum WhenOmitted {
     /// The block is wrong, or does not do what was intended.
     Missing,
     /// The axis does not move.
@@ -42,7 +42,7 @@ pub struct Slot {
     /// Whether it follows a comma: `,C`.
     pub comma: bool,
     /// Meaning if it is omitted.
-    pub otherwise: Otherwise,
+    pub otherwise: WhenOmitted,
 }
 
 impl Slot {
@@ -85,27 +85,27 @@ pub struct Signature {
 }
 
 const fn must(letters: &'static [u8]) -> Slot {
-    Slot { letters, comma: false, otherwise: Otherwise::Missing }
+    Slot { letters, comma: false, otherwise: WhenOmitted::Missing }
 }
 
 const fn stays(letters: &'static [u8]) -> Slot {
-    Slot { letters, comma: false, otherwise: Otherwise::Stays }
+    Slot { letters, comma: false, otherwise: WhenOmitted::Stays }
 }
 
 const fn zero(letters: &'static [u8]) -> Slot {
-    Slot { letters, comma: false, otherwise: Otherwise::Zero }
+    Slot { letters, comma: false, otherwise: WhenOmitted::Zero }
 }
 
 const fn as_set(letters: &'static [u8]) -> Slot {
-    Slot { letters, comma: false, otherwise: Otherwise::AsSet }
+    Slot { letters, comma: false, otherwise: WhenOmitted::AsSet }
 }
 
 const fn may(letters: &'static [u8]) -> Slot {
-    Slot { letters, comma: false, otherwise: Otherwise::Nothing }
+    Slot { letters, comma: false, otherwise: WhenOmitted::Nothing }
 }
 
 const fn corner(letters: &'static [u8]) -> Slot {
-    Slot { letters, comma: true, otherwise: Otherwise::Nothing }
+    Slot { letters, comma: true, otherwise: WhenOmitted::Nothing }
 }
 
 const RAPID: &[Slot] = &[stays(b"XU"), stays(b"ZW")];
@@ -235,7 +235,7 @@ fn of_hole(hole: Hole) -> &'static [Slot] {
     if hole.is_face() { FACE_HOLE } else { SIDE_HOLE }
 }
 
-impl Asked<'_> {
+impl Query<'_> {
     /// The signature of the block; `None` if its form has no words.
     pub fn signature(&self) -> Option<Signature> {
         let state = &*self.before();
@@ -272,17 +272,17 @@ impl Asked<'_> {
                     let role = if other_axes.is_some() { role.in_plane_of(letter, state) } else { role };
                     let mut slot = *slot;
                     if role == Role::StepOver && steps_over {
-                        slot.otherwise = Otherwise::Missing;
+                        slot.otherwise = WhenOmitted::Missing;
                     }
                     // Passes without a code keep R; repeating the code resets it.
                     let keeps_taper = matches!(form, Form::Motion { own: false, .. })
                         && matches!(role, Role::TaperX | Role::TaperZ)
                         && state.memory.taper != 0.0;
                     if keeps_taper {
-                        slot.otherwise = Otherwise::AsSet;
+                        slot.otherwise = WhenOmitted::AsSet;
                     }
                     let in_force = match slot.otherwise {
-                        Otherwise::AsSet if found.is_none() => in_force(role, state),
+                        WhenOmitted::AsSet if found.is_none() => in_force(role, state),
                         _ => None,
                     };
                     Place { slot, role, word: found.map(|word| word.span), in_force }

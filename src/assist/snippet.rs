@@ -3,7 +3,7 @@
 //! In: the control, its unit, the blank. Out: pieces of text, with placeholders. After a head, the default
 //! texts run without a message.
 
-use super::Asked;
+use super::Query;
 use crate::control::codes::{self, Compensation, G, Hole, MacroCall, MotionMode, Multiple};
 use crate::control::modal::State;
 use crate::control::words::Reading;
@@ -88,7 +88,7 @@ impl Snippet {
     }
 
     /// The text of the snippet; `used`: the highest sequence number of the text.
-    pub fn pieces(self, asked: &Asked, state: &State, used: u32) -> Vec<Piece> {
+    pub fn pieces(self, asked: &Query, state: &State, used: u32) -> Vec<Piece> {
         let reading = Reading { unit: state.unit, decimal: asked.dialect.decimal };
         let stock = asked.setup.stock.as_ref();
         let (blank, face) = (stock.map(|stock| stock.diameter.mm()), stock.map_or(0.0, |stock| stock.face));
@@ -136,7 +136,7 @@ const THREAD_HEIGHT: f64 = 1.3;
 const SPEED: f64 = 800.0;
 
 struct Writing<'a> {
-    asked: &'a Asked<'a>,
+    asked: &'a Query<'a>,
     reading: Reading,
     feed_mode: FeedMode,
     /// Diameter of the blank, mm.

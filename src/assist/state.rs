@@ -2,7 +2,7 @@
 //!
 //! In: an executed block. Out: rows in display order, marking what the block changed.
 
-use super::Asked;
+use super::Query;
 use super::fact::Quantity;
 use super::hover::{code_in_force, feed_of};
 use super::place::of_c;
@@ -126,7 +126,7 @@ pub struct StateTable {
 /// Maximum number of variables shown.
 const VARIABLES: usize = 200;
 
-impl Asked<'_> {
+impl Query<'_> {
     /// The state before and after the block; `None` if it is never executed.
     pub fn state(&self) -> Option<StateTable> {
         let visit = self.visit?;

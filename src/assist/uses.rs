@@ -11,7 +11,7 @@ use crate::text::parser::{Parser, Resume};
 use crate::text::program_name;
 
 /// Maximum number of positions in the list.
-const MOST: usize = 500;
+const MAX_USES: usize = 500;
 /// First number of the common variables, which all programs share.
 const FIRST_COMMON: u32 = 100;
 
@@ -48,11 +48,11 @@ pub fn uses(text: &[u8], codes: CodeList, byte: u32) -> Option<Uses> {
         .filter(|(named, of)| !is_local || *of == program || named.anywhere || own.anywhere)
         .map(|(named, _)| named)
         .collect();
-    let is_cut = places.len() > MOST;
+    let is_cut = places.len() > MAX_USES;
     let at = places.iter().position(|named| named.span == own.span)?;
-    let (first, at) = if at < MOST { (0, at) } else { (at + 1 - MOST, MOST - 1) };
+    let (first, at) = if at < MAX_USES { (0, at) } else { (at + 1 - MAX_USES, MAX_USES - 1) };
     places.drain(..first);
-    places.truncate(MOST);
+    places.truncate(MAX_USES);
     let following = (at + 1..places.len()).chain(0..at);
     let names_another = !own.defines && !matches!(own.name, Name::Variable(_));
     let next = following.clone().find(|&index| !names_another || places[index].defines);

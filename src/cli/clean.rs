@@ -15,7 +15,7 @@ use crate::sentences::Language;
 use crate::source::LineIndex;
 
 /// Maximum number of changes and questions that are listed.
-const MOST_LISTED: usize = 1000;
+const MAX_LISTED: usize = 1000;
 
 /// The arguments of `clean`.
 #[derive(clap::Args)]
@@ -53,7 +53,7 @@ pub(super) fn run(clean: &Clean) -> Result<(), String> {
         });
     };
     let language = clean.texts.language();
-    print_to(Stream::Error, |out| tell(out, &name, &text, program, language))?;
+    print_to(Stream::Error, |out| print_report(out, &name, &text, program, language))?;
     let cleaned = program.text();
     let bytes = from.encode(&cleaned).unwrap_or_else(|| cleaned.as_bytes().into());
     save(clean.to.file(), &bytes)
@@ -76,8 +76,8 @@ fn list(out: &mut dyn Write, found: &Found) -> io::Result<()> {
     Ok(())
 }
 
-/// Lists the changes and the questions, at most [`MOST_LISTED`].
-fn tell(
+/// Lists the changes and the questions, at most [`MAX_LISTED`].
+fn print_report(
     out: &mut dyn Write,
     name: &str,
     text: &str,
@@ -86,7 +86,7 @@ fn tell(
 ) -> io::Result<()> {
     let lines = LineIndex::new(text.as_bytes());
     let mut listed = program.pieces.iter().filter_map(|piece| Some((piece, piece.reason?)));
-    for (piece, reason) in listed.by_ref().take(MOST_LISTED) {
+    for (piece, reason) in listed.by_ref().take(MAX_LISTED) {
         let place = lines.line_column(text.as_bytes(), piece.span.start);
         let (line, column) = (place.line + 1, place.column + 1);
         writeln!(out, "{name}:{line}:{column}: {}{}", reason.phrase(language), quoted(text, piece))?;

@@ -7,14 +7,14 @@ use std::path::PathBuf;
 use clap::ValueEnum;
 
 use super::options::{Texts, With};
-use super::system::say;
+use super::system::print_error_line;
 use super::{NAME, Program, Status, print, program_with, save_apart, write_row};
 use crate::api::difference::{Change, Later, ProgramDifference, Row};
 use crate::api::{Diagnostic, Places};
 use crate::difference::{self, Version};
 use crate::scene::camera::XPlus;
 use crate::scene::ruler::Scale;
-use crate::scene::svg::{MOST_STROKES, SvgOptions, overlay};
+use crate::scene::svg::{MAX_STROKES, SvgOptions, overlay};
 use crate::sentences::Language;
 use crate::sentences::difference::{Said, said, said_with};
 use crate::source::LineIndex;
@@ -70,9 +70,9 @@ pub(super) fn run(arguments: &Diff) -> Result<Status, String> {
         DiffFormat::Markdown => out.write_all(written.markdown().as_bytes()),
     })?;
     if let Some(output) = output {
-        if programs.iter().any(|program| program.analysis.motions.len() > MOST_STROKES) {
-            say(format_args!(
-                "{NAME}: {}: the first {MOST_STROKES} motions of each program are drawn",
+        if programs.iter().any(|program| program.analysis.motions.len() > MAX_STROKES) {
+            print_error_line(format_args!(
+                "{NAME}: {}: the first {MAX_STROKES} motions of each program are drawn",
                 output.display()
             ));
         }
@@ -266,7 +266,7 @@ impl Report<'_> {
             let [back, front] = difference.z.map(number);
             format!("{}: X{from} … X{to}, Z{back} … Z{front}", self.with(Said::OnlyIn, name))
         };
-        part.differences.iter().take(MOST_PIECES).map(of).collect()
+        part.differences.iter().take(MAX_PIECES).map(of).collect()
     }
 
     fn message(&self, found: &Diagnostic) -> String {
@@ -275,7 +275,7 @@ impl Report<'_> {
 }
 
 /// Maximum number of listed areas of the part, the largest first.
-const MOST_PIECES: usize = 20;
+const MAX_PIECES: usize = 20;
 
 /// The blocks of a row in the style of a patch, with `-` and `+`.
 fn blocks(row: &Row) -> Vec<String> {

@@ -15,7 +15,7 @@ use super::manual::attributes::{self, Fault};
 use super::manual::{self, Attributes, Example, Holder, Markup};
 use super::manual_page::{self, Base, Page};
 use super::options::{Destination, LanguageName, TurretName, With};
-use super::system::say;
+use super::system::print_error_line;
 use super::{
     NAME, Program, Status, counted, encoding, export, print, read, run_text, save, save_apart, status,
 };
@@ -349,7 +349,7 @@ fn pages(files: &[PathBuf], fix: bool) -> Result<Status, String> {
     let Counts { elements, pictures, old, faulty } = counts;
     let what = if fix { "drawn anew" } else { "out of date" };
     let (elements, pictures) = (counted(elements, "element"), counted(pictures, "picture"));
-    say(format_args!("{NAME}: {elements}, {pictures}, {old} {what}"));
+    print_error_line(format_args!("{NAME}: {elements}, {pictures}, {old} {what}"));
     Ok(Status::faulty_if(faulty > 0 || old > 0 && !fix))
 }
 

@@ -43,7 +43,7 @@ pub enum ByteOrderMark {
 }
 
 /// Maximum number of non-ASCII bytes used for a guess; more do not change it.
-const LOOKED_AT: usize = 100_000;
+const MAX_SCANNED_BYTES: usize = 100_000;
 
 /// Decodes a file to UTF-8. Encoding the text again returns the same bytes.
 pub fn decode(bytes: Vec<u8>) -> (Vec<u8>, Encoding) {
@@ -183,7 +183,7 @@ fn is_rather_chinese(bytes: &[u8]) -> bool {
 
 fn by_likelihood(bytes: &[u8]) -> impl Iterator<Item = &'static encoding_rs::Encoding> {
     let mut beyond_ascii = bytes.iter().enumerate().filter(|(_, byte)| !byte.is_ascii());
-    let end = beyond_ascii.nth(LOOKED_AT - 1).map_or(bytes.len(), |(at, _)| at + 1);
+    let end = beyond_ascii.nth(MAX_SCANNED_BYTES - 1).map_or(bytes.len(), |(at, _)| at + 1);
     let looked = &bytes[..end];
     let mut surprises =
         [(GB18030, chinese(looked)), (WINDOWS_1252, western(looked)), (WINDOWS_1251, russian(looked))];

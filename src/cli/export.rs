@@ -7,7 +7,7 @@ use std::cell::OnceCell;
 use clap::ValueEnum;
 
 use super::options::LanguageName;
-use super::system::say;
+use super::system::print_error_line;
 use super::{NAME, Program, encoded};
 use crate::export::file::{self, Exportable, FileFormat, file as export};
 use crate::machine::SimulationResult;
@@ -44,7 +44,7 @@ pub(super) fn language(format: FileFormat, chosen: Option<LanguageName>) -> Resu
 
 /// Exports a program in a format.
 pub(super) fn file(program: &Program, format: FileFormat, language: Language) -> Result<Vec<u8>, String> {
-    let ran = Ran { program, simulation: OnceCell::new() };
+    let ran = FinishedProgram { program, simulation: OnceCell::new() };
     export(format, &ran, language)
         .ok_or_else(|| format!("{}: no blank is given, or nothing is left of it", program.name))
 }
@@ -54,7 +54,7 @@ pub(super) fn file(program: &Program, format: FileFormat, language: Language) ->
 pub(super) fn expanded(program: &Program) -> Vec<u8> {
     let expanded = crate::expand::write_out(&program.text, &program.analysis).unwrap_or_else(|| {
         let name = &program.name;
-        say(format_args!("{NAME}: {name}: not expanded: plain blocks would make other motions"));
+        print_error_line(format_args!("{NAME}: {name}: not expanded: plain blocks would make other motions"));
         String::from_utf8_lossy(&program.text).into_owned()
     });
     encoded(program, &expanded).into_owned()
@@ -62,16 +62,16 @@ pub(super) fn expanded(program: &Program) -> Vec<u8> {
 
 /// Options for the drawing of a program.
 pub(super) fn svg_options(program: &Program, language: Language) -> SvgOptions {
-    file::svg_options(&Ran { program, simulation: OnceCell::new() }, language)
+    file::svg_options(&FinishedProgram { program, simulation: OnceCell::new() }, language)
 }
 
 /// An analysed program; the simulation is computed on first use.
-struct Ran<'a> {
+struct FinishedProgram<'a> {
     program: &'a Program,
     simulation: OnceCell<SimulationResult>,
 }
 
-impl Exportable for Ran<'_> {
+impl Exportable for FinishedProgram<'_> {
     fn text(&self) -> &[u8] {
         &self.program.text
     }

@@ -56,7 +56,7 @@ use configuration::Configurations;
 use encoding::Encoding;
 use options::{Format, Input, TurretName, ViewName, With};
 pub use status::Status;
-use system::{Stream, say};
+use system::{Stream, print_error_line};
 
 /// A program after its run.
 struct Program {
@@ -93,7 +93,7 @@ pub fn main() -> Status {
         Err(said) => return usage(&said),
     };
     done.unwrap_or_else(|problem| {
-        say(format_args!("{NAME}: {problem}"));
+        print_error_line(format_args!("{NAME}: {problem}"));
         Status::Unusable
     })
 }
@@ -183,7 +183,7 @@ fn run(command: Command) -> Result<Status, String> {
             let simulation = program.analysis.simulate();
             let finished = simulation.finished();
             if finished.is_none() {
-                say(format_args!(
+                print_error_line(format_args!(
                     "{NAME}: {}: no part: {}",
                     program.name,
                     why_no_part(&program, &simulation)
@@ -371,7 +371,9 @@ fn setup_of(file: &Path, with: &With) -> Result<Setup, String> {
 fn encoded<'a>(program: &Program, text: &'a str) -> Cow<'a, [u8]> {
     program.encoding.encode(text).unwrap_or_else(|| {
         let (name, encoding) = (&program.name, program.encoding.name());
-        say(format_args!("{NAME}: {name}: not every character has a place in {encoding}: written as UTF-8"));
+        print_error_line(format_args!(
+            "{NAME}: {name}: not every character has a place in {encoding}: written as UTF-8"
+        ));
         Cow::Borrowed(text.as_bytes())
     })
 }

@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use super::options::Input;
-use super::system::say;
+use super::system::print_error_line;
 use super::{Status, encoded, program, save, setup_of, status};
 use crate::rewrite::rewritten;
 use crate::sentences::Language;
@@ -16,7 +16,7 @@ pub(super) fn write(input: &Input, language: Language, output: Option<&Path>) ->
     let lines = LineIndex::new(&program.text);
     for offer in taken {
         let (first, last) = (lines.line_of(offer.span.start) + 1, lines.line_of(offer.span.end) + 1);
-        say(format_args!("{}:{first}-{last}: {}", program.name, offer.title(language)));
+        print_error_line(format_args!("{}:{first}-{last}: {}", program.name, offer.title(language)));
     }
     save(output, &encoded(&program, &String::from_utf8_lossy(&text)))?;
     Ok(status(&program.analysis))

@@ -23,10 +23,10 @@ pub(super) const ENDINGS: &[&str] = &[
 ];
 
 /// Maximum number of files added to a program.
-const MOST_FILES: usize = 100;
+const MAX_FILES: usize = 100;
 
 /// Maximum number of programs searched for; each search may read files.
-const MOST_SEARCHES: usize = 1000;
+const MAX_SEARCHES: usize = 1000;
 
 /// A program with its subprograms.
 pub(super) struct Joined {
@@ -63,14 +63,14 @@ pub(super) fn join(text: &[u8], folders: &[PathBuf], most: usize) -> Option<Join
     loop {
         let missing = calls_elsewhere(&joined.text)
             .into_iter()
-            .filter(|(number, _)| looked_for.len() < MOST_SEARCHES && looked_for.insert(*number));
+            .filter(|(number, _)| looked_for.len() < MAX_SEARCHES && looked_for.insert(*number));
         let missing: Vec<(u32, Span, String)> =
             missing.map(|(number, word)| (number, word, word.quote(&joined.text))).collect();
         let before = joined.added.len();
         for (number, word, written) in missing {
             let library = library.get_or_insert_with(|| Library::of(folders));
             let Some(program) = library.find(number, &written, most) else { continue };
-            if joined.added.len() == MOST_FILES || joined.text.len() + program.len() >= most {
+            if joined.added.len() == MAX_FILES || joined.text.len() + program.len() >= most {
                 break;
             }
             if !joined.text.ends_with(b"\n") {
@@ -222,7 +222,7 @@ mod tests {
         let joined = join(calls.as_bytes(), std::slice::from_ref(&folder), 1 << 20).expect("subprograms");
         let took = started.elapsed();
         std::fs::remove_dir_all(&folder).expect("it goes");
-        assert_eq!(joined.text[joined.own..].split(|byte| *byte == b'O').count() - 1, MOST_FILES);
+        assert_eq!(joined.text[joined.own..].split(|byte| *byte == b'O').count() - 1, MAX_FILES);
         assert!(took.as_secs() < 2, "{took:?}");
     }
 

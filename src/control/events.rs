@@ -61,7 +61,7 @@ impl EventContext<'_> {
     /// The motions with a known position on the workpiece, in the coordinates in force.
     pub fn motions(&self) -> impl Iterator<Item = Motion> + '_ {
         let here = self.state.frames.on_workpiece().opposite();
-        let known = self.sink.all_motions().filter(|motion| !motion.process.elsewhere);
+        let known = self.sink.all_motions().filter(|motion| !motion.process.other_setup);
         known.map(move |mut motion| {
             motion.process.zero = motion.process.zero.moved(here);
             motion.on_workpiece()

@@ -102,7 +102,7 @@ impl Sink {
     /// been reported before, so it is not counted if there is no room for it.
     pub fn report(&mut self, diagnostic: Diagnostic, repeats: bool) {
         // A message that is switched off takes no room.
-        let Some(diagnostic) = self.levels.graded(diagnostic) else { return };
+        let Some(diagnostic) = self.levels.apply_to(diagnostic) else { return };
         if self.diagnostics.len() >= self.limits.messages {
             self.hidden += usize::from(!repeats);
             return;
@@ -112,7 +112,7 @@ impl Sink {
 
     /// Keeps a message even if the list is full: the reason why the run ends.
     pub fn report_always(&mut self, diagnostic: Diagnostic) {
-        if let Some(diagnostic) = self.levels.graded(diagnostic) {
+        if let Some(diagnostic) = self.levels.apply_to(diagnostic) {
             self.keep(diagnostic);
         }
     }
@@ -120,7 +120,7 @@ impl Sink {
     /// Keeps a message about the setup. Several messages of the same rule are allowed, because all of them
     /// are placed at the beginning of the text.
     pub fn report_of_setup(&mut self, diagnostic: Diagnostic) {
-        let graded = self.levels.graded(diagnostic);
+        let graded = self.levels.apply_to(diagnostic);
         self.diagnostics.extend(graded.filter(|_| self.diagnostics.len() < self.limits.messages));
     }
 

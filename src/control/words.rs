@@ -243,7 +243,7 @@ pub fn check(text: &[u8], word: &Word) -> Option<Diagnostic> {
             let wrong = Diagnostic::new(said::PointNotAllowed { word: quote(text, word.span) }, word.span);
             // `S3000.`: some controls accept the point, and the number is unambiguous.
             let plain = word.address == b'S' && number.decimals == 0;
-            Some(if plain { wrong.graded(Severity::Warning) } else { wrong })
+            Some(if plain { wrong.with_severity(Severity::Warning) } else { wrong })
         }
         _ => None,
     }

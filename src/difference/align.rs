@@ -13,8 +13,8 @@ use crate::limits::CHANGED_BLOCKS;
 
 /// Longer ranges (blocks of both sides together) are paired by position, and so are all ranges after this
 /// total, because a longer list of changes is not read.
-const MOST_PAIRED_BY_WORDS: usize = 120;
-const MOST_PAIRED_AT_ALL: usize = 2 * CHANGED_BLOCKS;
+const MAX_PAIRED_BY_WORDS: usize = 120;
+const MAX_PAIRED_AT_ALL: usize = 2 * CHANGED_BLOCKS;
 
 /// A pair of blocks; one may be missing.
 pub(super) type Pair = [Option<usize>; 2];
@@ -56,10 +56,10 @@ impl Alignment {
                 }
             }
         }
-        let mut left = MOST_PAIRED_AT_ALL;
+        let mut left = MAX_PAIRED_AT_ALL;
         for stretch in &mut found.stretches {
             let [own, other] = &stretch.blocks;
-            let most = MOST_PAIRED_BY_WORDS.min(left);
+            let most = MAX_PAIRED_BY_WORDS.min(left);
             let blocks = own.len() + other.len();
             stretch.pairs = match own.is_empty() || other.is_empty() || blocks > most {
                 true => in_order(&stretch.blocks),
@@ -93,7 +93,7 @@ fn by_words([first, second]: [Range<usize>; 2], texts: [&Written; 2], keys: &Key
     // Table of dynamic programming: the best score for the rest of both ranges from a pair of blocks on.
     let mut best = vec![0; (first.len() + 1) * wide];
     let alike = |i: usize, j: usize| {
-        likeness(keys, texts[0].numbers[first.start + i], texts[1].numbers[second.start + j])
+        similarity(keys, texts[0].numbers[first.start + i], texts[1].numbers[second.start + j])
     };
     for i in (0..first.len()).rev() {
         for j in (0..second.len()).rev() {
@@ -123,7 +123,7 @@ fn by_words([first, second]: [Range<usize>; 2], texts: [&Written; 2], keys: &Key
 
 /// Similarity of two blocks: an equal word scores more than an equal address; `None` if they have neither in
 /// common.
-fn likeness(keys: &Keys, first: u32, second: u32) -> Option<u32> {
+fn similarity(keys: &Keys, first: u32, second: u32) -> Option<u32> {
     let (mut common, mut count) = (0, 0);
     for word in keys.words(first) {
         count += 1;

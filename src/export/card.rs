@@ -26,19 +26,19 @@ use here::here;
 use words::{one_of, tool_kind, words};
 
 /// Maximum number of blocks on a sheet: about a hundred pages.
-const MOST_BLOCKS: usize = 4000;
+const MAX_BLOCKS: usize = 4000;
 
 /// Maximum number of motions for the drawing; with more, callers omit it, because it would be unreadable.
-pub const MOST_DRAWN: usize = 20_000;
+pub const MAX_DRAWN: usize = 20_000;
 
 /// Maximum number of tools on a sheet.
-const MOST_TOOLS: usize = 500;
+const MAX_TOOLS: usize = 500;
 
 /// Maximum number of motions of a block that are described individually; more are only counted.
-const MOST_TOLD: usize = 4;
+const MAX_DESCRIBED: usize = 4;
 
 /// Maximum number of speeds and feeds listed for a tool.
-const MOST_RATES: usize = 4;
+const MAX_RATES: usize = 4;
 
 /// Input of a setup sheet.
 pub struct Card<'a> {
@@ -155,7 +155,7 @@ impl Card<'_> {
             rates.add(&motion, measures);
         }
         let mut cutting = tools.iter().filter_map(|own| Some((own, uses.get(&own.tool)?)));
-        for (own, (first, rates)) in cutting.by_ref().take(MOST_TOOLS) {
+        for (own, (first, rates)) in cutting.by_ref().take(MAX_TOOLS) {
             let [kind, nose, tip] = about(resolved.tool(first), measures).map(|text| escaped(&text));
             let rates = escaped(&rates.text());
             page.row([&tool_name(own.tool), &kind, &nose, &tip, &rates, &clock(&own.time)]);
@@ -185,7 +185,7 @@ impl Card<'_> {
             {
                 continue;
             }
-            if rows.len() < MOST_BLOCKS {
+            if rows.len() < MAX_BLOCKS {
                 rows.push(told.row(&block));
             } else {
                 more += 1;
@@ -309,7 +309,7 @@ impl<'a> Told<'a> {
                 let cut = own.iter().find(|motion| motion.cycle.is_some_and(|step| step.step == Step::Cut));
                 cut.or(own.first()).map(told).into_iter().collect()
             }
-            None if own.len() > MOST_TOLD => vec![count(w.moves, own.len() as u64)],
+            None if own.len() > MAX_DESCRIBED => vec![count(w.moves, own.len() as u64)],
             None => own.iter().map(told).collect(),
         }
     }
@@ -471,7 +471,7 @@ fn about(resolved_tool: &ResolvedTool, measures: Measures) -> [String; 3] {
     [kind, nose, tool.tip_direction().to_string()]
 }
 
-/// The different speeds and feeds of the cuts of a tool, at most [`MOST_RATES`], with a mark if there are
+/// The different speeds and feeds of the cuts of a tool, at most [`MAX_RATES`], with a mark if there are
 /// more.
 #[derive(Default)]
 struct Rates {
@@ -483,7 +483,7 @@ struct Rates {
 impl Rates {
     fn add(&mut self, motion: &Motion, measures: Measures) {
         let own = (motion.process.speed, motion.process.feed, motion.lead);
-        if self.found.len() > MOST_RATES || self.last.replace(own) == Some(own) {
+        if self.found.len() > MAX_RATES || self.last.replace(own) == Some(own) {
             return;
         }
         let (w, unit) = (words(measures.language), measures.unit);
@@ -503,7 +503,7 @@ impl Rates {
         };
         let rate = [speed, feed].into_iter().flatten().collect::<Vec<_>>().join(", ");
         if !rate.is_empty() && !self.found.contains(&rate) {
-            let is_room = self.found.len() < MOST_RATES;
+            let is_room = self.found.len() < MAX_RATES;
             self.found.push(if is_room { rate } else { "…".into() });
         }
     }

@@ -106,7 +106,7 @@ fn card(program: &impl Exportable, language: Language) -> String {
         caption: Some(caption(String::new(), language)),
         ..svg_options(program, language)
     };
-    let drawing = (motions.len() <= card::MOST_DRAWN).then(|| drawing(program, &options));
+    let drawing = (motions.len() <= card::MAX_DRAWN).then(|| drawing(program, &options));
     let card = Card {
         text: program.text(),
         motions,

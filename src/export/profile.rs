@@ -14,11 +14,11 @@ use crate::machine::sweep::CHORD;
 pub const FIT: f64 = 2.0 * CHORD;
 
 /// Minimum number of edges in an arc: any three points lie on a circle.
-const LEAST_EDGES: usize = 3;
+const MIN_EDGES: usize = 3;
 
 /// Number of consecutive failures before the search for a longer arc stops: an arc may not fit if it ends at
 /// a corner slightly off the circle, although a longer one fits.
-const MOST_MISSED: usize = 2;
+const MAX_FAILURES: usize = 2;
 
 /// Maximum distance of a corner from the line through its neighbours to be ignored, mm.
 const STRAIGHT: f64 = CHORD / 8.0;
@@ -29,7 +29,7 @@ const WOBBLE: f64 = 0.02;
 
 /// Minimum height of an arc above its chord, mm; a flatter one is a straight line. Three chords of an arc
 /// rise nine times as much as one.
-const LEAST_HEIGHT: f64 = 3.0 * FIT;
+const MIN_HEIGHT: f64 = 3.0 * FIT;
 
 /// Number of iterations that balance an arc between the corners outside and inside of it.
 const BALANCINGS: usize = 3;
@@ -93,12 +93,12 @@ fn from_sharpest_corner(outline: &[Point]) -> Vec<Point> {
 fn next_segment(points: &[Point]) -> (usize, Segment) {
     let mut best = None;
     let mut missed = 0;
-    for edges in LEAST_EDGES..points.len() {
+    for edges in MIN_EDGES..points.len() {
         match arc_through(&points[..=edges]) {
             Some(arc) => (best, missed) = (Some((edges, Segment::Arc(arc))), 0),
             None => missed += 1,
         }
-        if missed > MOST_MISSED {
+        if missed > MAX_FAILURES {
             break;
         }
     }
@@ -142,7 +142,7 @@ fn arc_through(points: &[Point]) -> Option<Arc> {
         let (least, most) = deviations(&arc, points);
         height += height.signum() * (least + most) / 2.0;
     }
-    if height.abs() < LEAST_HEIGHT {
+    if height.abs() < MIN_HEIGHT {
         return None;
     }
     let half = 2.0 * (2.0 * height / chord).atan();

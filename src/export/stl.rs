@@ -16,7 +16,7 @@ pub const FLATNESS: f64 = 0.01;
 const FLATS: [usize; 2] = [24, 360];
 
 /// Maximum number of triangles; a part with very many corners gets fewer flats.
-const MOST_TRIANGLES: usize = 1_500_000;
+const MAX_TRIANGLES: usize = 1_500_000;
 
 /// Coordinates are rounded to this step, mm, so that equal corners stay equal in the 32-bit numbers of the
 /// file.
@@ -81,7 +81,7 @@ fn flats(outlines: &[Vec<Point>]) -> usize {
     let corners: usize = outlines.iter().map(Vec::len).sum();
     let radius = outlines.iter().flatten().fold(0.0, |radius: f64, point| radius.max(point.x));
     let wanted = PI / (1.0 - FLATNESS / radius.max(FLATNESS)).acos();
-    let most = (MOST_TRIANGLES / (2 * corners.max(1))).clamp(FLATS[0], FLATS[1]);
+    let most = (MAX_TRIANGLES / (2 * corners.max(1))).clamp(FLATS[0], FLATS[1]);
     (wanted.ceil() as usize).clamp(FLATS[0], most)
 }
 

@@ -76,12 +76,12 @@ impl Bounds {
     }
 
     /// Whether the point lies in the box or on its edge.
-    pub fn holds(self, point: Point) -> bool {
+    pub fn contains(self, point: Point) -> bool {
         (self.min.x..=self.max.x).contains(&point.x) && (self.min.z..=self.max.z).contains(&point.z)
     }
 
     /// Whether both boxes share a point.
-    pub fn meets(self, other: Bounds) -> bool {
+    pub fn overlaps(self, other: Bounds) -> bool {
         self.min.x <= other.max.x
             && other.min.x <= self.max.x
             && self.min.z <= other.max.z

@@ -67,7 +67,7 @@ impl Flat {
 }
 
 /// Most pieces of a drawn curve.
-const MOST_PIECES: u32 = 1024;
+const MAX_PIECES: u32 = 1024;
 
 /// The path of a move in the plane.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -269,7 +269,7 @@ impl VirtualMove {
     pub fn machine_path(&self, chord: f64) -> Vec<Point> {
         let mut pieces = 4u32;
         // The curve has only a few bends, so doubling finds a number of pieces that is enough everywhere.
-        while pieces < MOST_PIECES {
+        while pieces < MAX_PIECES {
             let miss = |piece: u32| {
                 let at = |t: f64| self.at((f64::from(piece) + t) / f64::from(pieces));
                 let (from, middle, to) = (at(0.0), at(0.5), at(1.0));

@@ -184,7 +184,7 @@ impl Compensations {
             let diagnostic = Diagnostic::new(said::CompensationIdle { code }, block.words_span());
             // Newer controls rough with compensation that was on before (alarm PS0328).
             let rough = cycle.is_roughing();
-            reports.push(if rough { diagnostic.graded(Severity::Info) } else { diagnostic });
+            reports.push(if rough { diagnostic.with_severity(Severity::Info) } else { diagnostic });
         }
     }
 
@@ -199,7 +199,7 @@ impl Compensations {
         {
             let diagnostic = Diagnostic::new(said::CompensationIdle { code }, pass.block.words_span());
             // The radius may be in the offset table of the control.
-            reports.push(diagnostic.graded(Severity::Info));
+            reports.push(diagnostic.with_severity(Severity::Info));
         }
     }
 

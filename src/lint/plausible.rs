@@ -124,7 +124,7 @@ pub fn compare(
     // One mistake, one message.
     let known = |new: &Diagnostic| reported.iter().any(|old| old.is_about(new.span));
     let mut diagnostics: Vec<_> =
-        diagnostics.filter(|new| !known(new)).filter_map(|new| setup.rules.graded(new)).collect();
+        diagnostics.filter(|new| !known(new)).filter_map(|new| setup.rules.apply_to(new)).collect();
     if diagnostics.iter().any(turns_contour) {
         // The allowance is correct, and the message about the contour is a consequence.
         let gravest = reported.iter().filter(|old| is_consequence(old)).map(|old| old.severity).max();

@@ -169,7 +169,7 @@ impl Rotary {
             reports.push(match tool_offset::unknown(at.state, at.setup) {
                 Some(offset) => {
                     let message = said::PolarRadiusUnknown { offset: u32::from(offset) };
-                    Diagnostic::new(message, span).graded(Severity::Info)
+                    Diagnostic::new(message, span).with_severity(Severity::Info)
                 }
                 None => Diagnostic::new(said::PolarNoRadius, span),
             });

@@ -50,7 +50,7 @@ pub fn not_extended(
     let needed = message.needed;
     let diagnostic = Diagnostic::new(message, span);
     if reading == Reading::OrForStartPoint {
-        return Some(diagnostic.graded(Severity::Info));
+        return Some(diagnostic.with_severity(Severity::Info));
     }
     if at.state.unit != Unit::Millimetre || span.len() >= MAX_WORD_BYTES {
         return Some(diagnostic);

@@ -343,7 +343,8 @@ impl Passes {
             return Some(Diagnostic::new(message, span));
         }
         let is_told = deeper > LENGTH_TOLERANCE && repeats && self.repeated.mark_reported();
-        is_told.then(|| Diagnostic::new(said::ThreadPassRepeats { before }, span).graded(Severity::Info))
+        is_told
+            .then(|| Diagnostic::new(said::ThreadPassRepeats { before }, span).with_severity(Severity::Info))
     }
 }
 
@@ -447,7 +448,7 @@ fn start_clears_crest(block: &Block, start: Point, how: &MultiThread) -> Option<
         false => said::ThreadStartInside { start, crest }.into(),
     };
     let diagnostic = Diagnostic::new(message, block.words_span());
-    Some(if at_crest { diagnostic.graded(Severity::Info) } else { diagnostic })
+    Some(if at_crest { diagnostic.with_severity(Severity::Info) } else { diagnostic })
 }
 
 /// Values of the setup that matter for a thread.
@@ -482,7 +483,7 @@ fn remarks(
             let diagnostic = Diagnostic::new(message, span);
             // The rule of thumb is for small lathes.
             let is_fast = speed * own.lead > MAX_SLIDE_SPEED;
-            diagnostics.push(if is_fast { diagnostic.graded(Severity::Warning) } else { diagnostic });
+            diagnostics.push(if is_fast { diagnostic.with_severity(Severity::Warning) } else { diagnostic });
         } else if let Some(run_in) = run_in(own, face) {
             diagnostics.push(Diagnostic::new(run_in, span));
         }

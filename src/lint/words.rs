@@ -100,7 +100,7 @@ fn vacant(word: &Word, at: &EventContext) -> Option<(u32, Diagnostic)> {
         false => said::VacantWord { word: quoted, variable }.into(),
     };
     let diagnostic = Diagnostic::new(message, word.span);
-    Some((variable, if kept { diagnostic.graded(Severity::Info) } else { diagnostic }))
+    Some((variable, if kept { diagnostic.with_severity(Severity::Info) } else { diagnostic }))
 }
 
 /// Whether a condition reads a variable of the machine (#1000 and up) or, in a called macro, a local variable

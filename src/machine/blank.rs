@@ -35,7 +35,7 @@ const COARSEST: f64 = 5.0;
 const DRILLED: f64 = 15.0;
 
 /// Largest size that a setup accepts, mm. A program that needs more has a typing error.
-const LARGEST: f64 = 5000.0;
+const MAX_SIZE: f64 = 5000.0;
 
 /// The blank is smaller than the rapids along its outside by this much on every side, mm: a start point is
 /// clear of the bar.
@@ -62,7 +62,7 @@ pub fn clear_of_rapids(stock: Stock, evidence: &Evidence) -> Stock {
         let (from, to) = (motion.from, motion.to);
         let low = from.z.min(to.z).max(stock.back());
         let along = (from.z - to.z).abs() > SAME;
-        if motion.process.elsewhere || motion.process.uncertain {
+        if motion.process.other_setup || motion.process.uncertain {
             continue;
         }
         if motion.kind == MotionKind::Rapid && on(from) && on(to) && along && low < cut - SAME {
@@ -363,7 +363,7 @@ impl Cuts {
         let blade = if self.grooves.low <= all.low + SAME { BLADE } else { 0.0 };
         let length = (1.2 * depth).max(depth + blade + BEHIND).max(radius);
         let length = (length / 5.0).ceil() * 5.0;
-        let fits = diameter.mm() <= LARGEST && length <= LARGEST && face.abs() <= LARGEST;
+        let fits = diameter.mm() <= MAX_SIZE && length <= MAX_SIZE && face.abs() <= MAX_SIZE;
         fits.then_some(Stock { diameter, bore, face, length, grip: None })
     }
 

@@ -8,7 +8,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use super::evidence::Evidence;
 use super::surface::{Facing, SHIFT, Surface, Track, WIDEST_SHIFT};
-use super::sweep::way_of;
+use super::sweep::path_of;
 use super::tool::{BLADE, EDGE, takes};
 use super::tool_use::{Purpose, ToolUse};
 use super::z_positions::{Places, ZPositions};
@@ -43,7 +43,7 @@ const FEW: usize = 4;
 const ROOM: f64 = 0.9;
 
 /// A program that is longer than this, mm, has a typing error and gets no blank.
-const LONGEST: f64 = 5000.0;
+const MAX_PROGRAM_LENGTH: f64 = 5000.0;
 
 /// Replaces each inferred tool that would cut too deep by one that does not; `tools` has one entry for each
 /// use. Returns the first motion of each use for which no tool is known.
@@ -61,7 +61,7 @@ pub(super) fn decide(
     }
     let mut unknown = Vec::new();
     let Some(stock) = stock else { return unknown };
-    let Some(led) = Led::of(evidence, uses, &stock) else { return unknown };
+    let Some(led) = Tracks::of(evidence, uses, &stock) else { return unknown };
     let mut uncertain: Option<BTreeSet<u16>> = None;
     for (index, own) in uses.iter().enumerate().filter(|(_, own)| own.purpose == Purpose::Turning) {
         let Some(first) = tools.get_mut(index) else { continue };
@@ -190,7 +190,7 @@ fn is_tip_alone(tool: &Tool) -> bool {
 }
 
 /// The paths of the tools, and the surfaces that must remain.
-struct Led {
+struct Tracks {
     tracks: Vec<Track>,
     positions: ZPositions,
     outside: Surface,
@@ -199,7 +199,7 @@ struct Led {
     front: f64,
 }
 
-impl Led {
+impl Tracks {
     fn of(evidence: &Evidence, uses: &[ToolUse], stock: &Stock) -> Option<Self> {
         let turns = |own: &ToolUse| matches!(own.purpose, Purpose::Turning | Purpose::Grooving);
         if !uses.iter().any(|own| own.purpose == Purpose::Turning) {
@@ -220,14 +220,14 @@ impl Led {
             low = low.min(motion.to.z.min(motion.from.z));
             high = high.max(motion.from.z);
             if index_of(&motion).is_some() {
-                places.add(&way_of(&motion));
+                places.add(&path_of(&motion));
             }
         }
         let behind = low < -SAME;
         // The bar behind all cuts is clamped and not part of the workpiece.
         let back = low.max(stock.back());
         low = low.min(stock.back());
-        if high - low > LONGEST {
+        if high - low > MAX_PROGRAM_LENGTH {
             return None;
         }
         // Where the workpiece may begin and end.
@@ -239,7 +239,7 @@ impl Led {
         let mut roughs_by_facing = false;
         for motion in cuts() {
             let Some(index) = index_of(&motion) else { continue };
-            let way = way_of(&motion);
+            let way = path_of(&motion);
             let cycle = motion.cycle.map(|own| own.cycle);
             if let Some(roughing) = cycle.filter(|&cycle| cycle != Cycle::Finishing) {
                 roughs_by_facing = roughing == Cycle::RoughFacing;
@@ -273,7 +273,7 @@ impl Led {
         let face = if behind { stock.face.min(0.0) } else { stock.face };
         let is_face = |&(z, index): &(f64, usize)| {
             let [goes_on, ends] = IN_FRONT;
-            let left = if tracks[index].goes_on_behind(&positions, z) { goes_on } else { ends };
+            let left = if tracks[index].continues_after(&positions, z) { goes_on } else { ends };
             z + left >= turned
         };
         let front = faces.iter().filter(|face| is_face(face)).map(|face| face.0).fold(face, f64::min);
@@ -335,7 +335,7 @@ impl Led {
         }
         // Each corner of a grooving insert follows one wall of a groove, programmed in separate blocks. A
         // contour is made by one corner.
-        let begins_at_face = track.goes_on_behind(&self.positions, self.front);
+        let begins_at_face = track.continues_after(&self.positions, self.front);
         let is_groove = !own.contour && !begins_at_face && track.is_valley(&self.positions);
         let own_surface = Surface::of_one(track, (facing, self.positions.clone()));
         let parting = if own.is_inside() { f64::NEG_INFINITY } else { TO_AXIS };

@@ -21,7 +21,7 @@ pub const SAME_PART: f64 = 0.005;
 const BESIDE: f64 = 1e-5;
 
 /// Most places at which one piece is measured.
-const MOST_PLACES: usize = 2000;
+const MAX_PLACES: usize = 2000;
 
 /// One of the two parts.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -75,7 +75,7 @@ pub struct Comparison {
 impl Comparison {
     /// Compares two half-sections.
     pub fn of(first: &Region, second: &Region) -> Self {
-        let sides = [(Side::First, first.without(second)), (Side::Second, second.without(first))];
+        let sides = [(Side::First, first.difference(second)), (Side::Second, second.difference(first))];
         let pieces = sides.iter().flat_map(|(side, region)| region.pieces().map(|piece| (*side, piece)));
         let mut differences: Vec<_> = pieces.filter_map(|(side, piece)| measure(side, piece)).collect();
         order::by(&mut differences, |a, b| b.area.total_cmp(&a.area));
@@ -160,7 +160,7 @@ fn thickest(
     join: impl Fn(f64, f64) -> Point,
 ) -> Option<Measure> {
     // Between two corners the thickness changes linearly, so it is greatest beside one of them.
-    let step = edges.len().div_ceil(MOST_PLACES);
+    let step = edges.len().div_ceil(MAX_PLACES);
     let corners = edges.iter().step_by(step).map(|(corner, _)| split(*corner).0);
     let mut best: Option<Measure> = None;
     for corner in corners {

@@ -5,12 +5,12 @@
 //! tip counts, and an inferred blank has no findings. Must not know messages.
 
 use super::danger::{Axis, Danger, Finding};
-use super::live_way::LiveCuts;
+use super::live_path::LiveCuts;
 use super::misuse::{Cut, Misuse, SCRAPED};
 use super::part::{Part, Turned, cut};
 use super::region::Region;
 use super::resolved_setup::{Basis, ResolvedSetup, ResolvedTool};
-use super::sweep::{Outline, way_of};
+use super::sweep::{Outline, path_of};
 use super::tip_place::{Route, TipPlace};
 use super::tool::Action;
 use crate::geometry::{Point, SAME};
@@ -40,9 +40,9 @@ const CLEAR: f64 = 10.0;
 const ALONG: f64 = 0.001;
 
 /// A rapid is checked for remaining material this deep below the outside of the blank, mm; it is reported if
-/// the material lies along at least `STANDS` mm of its path.
+/// the material lies along at least `MIN_REMAINING` mm of its path.
 const SKIN: f64 = 0.05;
-const STANDS: f64 = 0.5;
+const MIN_REMAINING: f64 = 0.5;
 
 /// Whether the setup contains anything to check motions against: a blank, a tailstock or travel limits.
 pub fn can_be_found(setup: &Setup) -> bool {
@@ -80,14 +80,14 @@ pub struct DangerDetector {
 }
 
 /// Most findings that are kept.
-const MOST: usize = 1000;
+const MAX_FINDINGS: usize = 1000;
 
 /// Whether the first pass of a thread moves to its depth within the workpiece: the tip, just above the end of
 /// the infeed, is in material.
 fn plunges(infeed: &Motion, part: &mut Part) -> bool {
     let (from, to) = (infeed.from, infeed.to);
     let way = to.x - from.x;
-    way.abs() > INSIDE && part.now().holds(Point::new(to.x - INSIDE * way.signum(), to.z))
+    way.abs() > INSIDE && part.now().contains(Point::new(to.x - INSIDE * way.signum(), to.z))
 }
 
 impl DangerDetector {
@@ -133,25 +133,25 @@ impl DangerDetector {
         let process = &motion.process;
         let c = self.c;
         self.c = motion.rotary.map_or(c, |rotary| rotary.to);
-        if self.findings.len() >= MOST
+        if self.findings.len() >= MAX_FINDINGS
             || motion.kind == MotionKind::Dwell
             || process.uncertain
-            || process.elsewhere
+            || process.other_setup
         {
-            self.passes_over(motion);
+            self.skip(motion);
             return;
         }
         let before = self.before.replace(*motion);
         let tool = resolved.tool(motion);
         let station = motion.process.tool.0;
         let route = self.tip.follow(motion, self.is_at_work(motion.from));
-        if motion.kind.cuts() && resolved.misses(station) && !self.missed.contains(&station) {
+        if motion.kind.cuts() && resolved.lacks_tool(station) && !self.missed.contains(&station) {
             self.missed.push(station);
-            self.tell(index, motion.from, Danger::ToolNotListed { station });
+            self.report(index, motion.from, Danger::ToolNotListed { station });
         }
         self.travel(index, motion);
         if route == Route::Unknown {
-            self.passes_over(motion);
+            self.skip(motion);
             return;
         }
         // Tools are not changed within the workpiece: the start of the rapid is unknown, only its end is
@@ -183,9 +183,9 @@ impl DangerDetector {
     }
 
     /// Skips a motion. If it is a cut, the live cuts are no longer known.
-    fn passes_over(&mut self, motion: &Motion) {
+    fn skip(&mut self, motion: &Motion) {
         if motion.kind.cuts() {
-            self.live_cuts.lose();
+            self.live_cuts.mark_unknown();
         }
     }
 
@@ -201,7 +201,7 @@ impl DangerDetector {
             && is_near
             && let Some(at) = self.live_cuts.rapid(motion, c, part.now())
         {
-            self.tell(index, at, Danger::RapidThroughStock);
+            self.report(index, at, Danger::RapidThroughStock);
         }
     }
 
@@ -210,7 +210,7 @@ impl DangerDetector {
         self.stock.is_some_and(|stock| at.x < stock.diameter.radius() + CLEAR && at.z < stock.face + CLEAR)
     }
 
-    fn tell(&mut self, motion: usize, at: Point, danger: Danger) {
+    fn report(&mut self, motion: usize, at: Point, danger: Danger) {
         self.findings.push(Finding { motion, at, danger });
     }
 
@@ -224,7 +224,7 @@ impl DangerDetector {
         let x = beyond(low, high, Diameter::from_radius(x).mm());
         for (axis, limit) in [(Axis::X, x), (Axis::Z, beyond(z_min, z_max, z))] {
             if let Some(limit) = limit {
-                self.tell(index, motion.to, Danger::OverTravel { axis, limit });
+                self.report(index, motion.to, Danger::OverTravel { axis, limit });
             }
         }
     }
@@ -237,7 +237,7 @@ impl DangerDetector {
             Some((danger, tool.shape.solids().find_map(|outline| hit(obstacle, outline, motion))?))
         });
         for (danger, at) in found.into_iter().flatten() {
-            self.tell(index, at, danger);
+            self.report(index, at, danger);
         }
     }
 
@@ -260,7 +260,7 @@ impl DangerDetector {
                 if tag.pass == 1 {
                     self.plunges = plunges(motion, part);
                     if let Some(stock) = self.stock.filter(|_| self.plunges) {
-                        self.tell(index, motion.from, Danger::BehindFace { face: stock.face });
+                        self.report(index, motion.from, Danger::BehindFace { face: stock.face });
                     }
                 }
                 // Known already for later passes.
@@ -283,10 +283,10 @@ impl DangerDetector {
         let mut places = shares.map(|share| {
             Point::new(between(share, line[0].x, line[1].x), between(share, line[0].z, line[1].z))
         });
-        let found = places.any(|place| now.holds(place));
+        let found = places.any(|place| now.contains(place));
         if found {
             let face = self.stock.map_or(0.0, |stock| stock.face);
-            self.tell(index, start, if facing { Danger::BehindFace { face } } else { Danger::CycleStart });
+            self.report(index, start, if facing { Danger::BehindFace { face } } else { Danger::CycleStart });
         }
         found
     }
@@ -310,12 +310,12 @@ impl DangerDetector {
                         .first()
                         .is_some_and(|material| material.0 > from.x - IN_FRONT && material.0 > 0.0);
                 let danger = if in_bore { Danger::LeavesBore } else { Danger::RapidThroughStock };
-                self.tell(index, at, danger);
+                self.report(index, at, danger);
                 return;
             }
         }
         if let Some(at) = along_outside(&stock, motion, part) {
-            self.tell(index, at, Danger::RapidAlongStock);
+            self.report(index, at, Danger::RapidAlongStock);
             return;
         }
         let Some(dogleg) = dogleg(motion) else { return };
@@ -324,7 +324,7 @@ impl DangerDetector {
             let legs = dogleg.windows(2).map(|ends| Motion { from: ends[0], to: ends[1], ..*motion });
             let found = legs.flat_map(|leg| outlines().find_map(|outline| hit(now, outline, &leg))).next();
             if let Some(at) = found {
-                self.tell(index, at, Danger::DoglegThroughStock);
+                self.report(index, at, Danger::DoglegThroughStock);
             }
         }
     }
@@ -340,10 +340,10 @@ impl DangerDetector {
         let turns = matches!(tool.tool.kind, Some(ToolKind::Turning | ToolKind::Boring | ToolKind::Grooving));
         let low = motion.from.x.min(motion.to.x);
         if turns && tool.basis == Basis::Given && low < -2.0 * tool.shape.nose - PAST_CENTER {
-            self.tell(index, if motion.to.x == low { motion.to } else { motion.from }, Danger::BelowCenter);
+            self.report(index, if motion.to.x == low { motion.to } else { motion.from }, Danger::BelowCenter);
         }
         for danger in self.misuse.next(&Cut { motion, before, tool, blank: self.stock }, part) {
-            self.tell(index, motion.to, danger);
+            self.report(index, motion.to, danger);
         }
         if let Some(body) = &tool.shape.body {
             let body = body.shrunk(0.01);
@@ -352,13 +352,13 @@ impl DangerDetector {
                 let mut left = part.now().clone();
                 left.cut(&cut(motion, &Turned::default(), tool));
                 if let Some(at) = hit(&left, &body, motion) {
-                    self.tell(index, at, Danger::HolderInStock);
+                    self.report(index, at, Danger::HolderInStock);
                     return;
                 }
             }
         }
         if let Some(danger) = too_steep(motion, tool, part) {
-            self.tell(index, motion.to, danger);
+            self.report(index, motion.to, danger);
         }
     }
 }
@@ -383,7 +383,7 @@ fn too_steep(motion: &Motion, tool: &ResolvedTool, part: &mut Part) -> Option<Da
         return None;
     }
     // The removed material behind the tip, above the slope.
-    let behind = part.now().in_common(&cut(motion, &Turned::default(), tool));
+    let behind = part.now().intersection(&cut(motion, &Turned::default(), tool));
     let above = behind.area_beside(motion.from, motion.to);
     let worth = above > BESIDE * motion.length();
     worth.then_some(Danger::SlopeTooSteep { slope: slope.to_degrees(), tool: follows.to_degrees() })
@@ -395,8 +395,8 @@ fn hit(region: &Region, outline: &Outline, motion: &Motion) -> Option<Point> {
         return None;
     }
     let from = motion.from;
-    outline.along(&way_of(motion)).filter(|swept| region.meets(swept)).find_map(|swept| {
-        let common = region.in_common(&[swept]);
+    outline.along(&path_of(motion)).filter(|swept| region.overlaps(swept)).find_map(|swept| {
+        let common = region.intersection(&[swept]);
         if common.area() < SCRAPED {
             return None;
         }
@@ -422,7 +422,8 @@ fn along_outside(stock: &Stock, motion: &Motion, part: &mut Part) -> Option<Poin
     }
     let skin = [(from.x - SKIN, low), (from.x - SKIN, high), (from.x, high), (from.x, low)];
     let (now, skin) = (part.now(), skin.map(|(x, z)| Point::new(x, z)));
-    let stands = now.meets(&skin) && now.in_common(&[skin]).area() > SKIN * STANDS.min((high - low) / 2.0);
+    let stands = now.overlaps(&skin)
+        && now.intersection(&[skin]).area() > SKIN * MIN_REMAINING.min((high - low) / 2.0);
     stands.then(|| Point::new(from.x, if from.z > to.z { high } else { low }))
 }
 
@@ -466,14 +467,14 @@ fn chuck(stock: &Stock) -> Option<[Region; 2]> {
 /// Position of the quill before the first quill command: back if that command moves it forward, otherwise
 /// forward, as in the setup.
 fn quill_at_start(motions: &Motions) -> Quill {
-    match motions.quills().find(|&said| said != Quill::Unsaid) {
+    match motions.quills().find(|&said| said != Quill::Unknown) {
         Some(Quill::Forward) => Quill::Back,
-        Some(Quill::Back | Quill::Unsaid) | None => Quill::Forward,
+        Some(Quill::Back | Quill::Unknown) | None => Quill::Forward,
     }
 }
 
 fn is_forward(said: Quill, at_start: Quill) -> bool {
-    let quill = if said == Quill::Unsaid { at_start } else { said };
+    let quill = if said == Quill::Unknown { at_start } else { said };
     quill == Quill::Forward
 }
 

@@ -15,15 +15,15 @@ const OFF: f64 = 0.006;
 /// Greatest error of a corner, mm. Larger than `OFF`, because the errors of two edges add up.
 const OFF_CORNER: f64 = 0.01;
 /// Least number of chords of a circle.
-const LEAST_CHORDS: usize = 4;
+const MIN_CHORDS: usize = 4;
 /// Least sweep of a circle, radians.
-const LEAST_SWEEP: f64 = 0.05;
+const MIN_SWEEP: f64 = 0.05;
 /// Larger arcs are treated as lines, mm.
 const LARGEST_RADIUS: f64 = 5000.0;
 /// Most motions that are searched for a stated size: this runs at each movement of the pointer.
-const MOST_MOTIONS: usize = 100_000;
+const MAX_MOTIONS: usize = 100_000;
 /// Most edges that are examined on either side.
-const MOST_EDGES: usize = 600;
+const MAX_EDGES: usize = 600;
 
 /// The shape of a feature. Radii, mm; Z, mm.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -73,7 +73,7 @@ impl Feature {
     /// The feature with the sizes that the program states: each end whose X or Z is within `OFF` of a
     /// programmed one takes that value.
     pub fn as_programmed(mut self, motions: &Motions) -> Self {
-        if motions.len() > MOST_MOTIONS {
+        if motions.len() > MAX_MOTIONS {
             return self;
         }
         let mut ends = self.ends().map(Stated::new);
@@ -240,10 +240,10 @@ fn thread_at(thread: &Thread, corners: &[Point], place: Point, reach: f64) -> Op
 fn edge_feature(corners: &[Point], edge: usize) -> Option<Feature> {
     let line = grown(corners, edge, |run| run.len() < 3 || lie_on_line(run));
     let arc = grown(corners, edge, |run| run.len() < 4 || circle_of(run).is_some());
-    if let Some((center, radius)) = circle_of(&arc).filter(|_| arc.len() > LEAST_CHORDS) {
+    if let Some((center, radius)) = circle_of(&arc).filter(|_| arc.len() > MIN_CHORDS) {
         let sweep: f64 = arc.windows(2).map(|ends| angle(center, ends[0], ends[1])).sum();
-        if sweep.abs() >= LEAST_SWEEP && length(&arc) > 1.5 * length(&line) {
-            return Some(Feature { shape: Shape::Arc { radius: tidy(radius) }, corners: arc });
+        if sweep.abs() >= MIN_SWEEP && length(&arc) > 1.5 * length(&line) {
+            return Some(Feature { shape: Shape::Arc { radius: round_if_near(radius) }, corners: arc });
         }
     }
     let (from, to) = (*line.first()?, *line.last()?);
@@ -271,7 +271,7 @@ fn grown(corners: &[Point], edge: usize, fits: impl Fn(&[Point]) -> bool) -> Vec
     let count = corners.len();
     let corner = |index: usize| corners[index % count];
     let mut run = vec![corner(edge), corner(edge + 1)];
-    let most = MOST_EDGES.min(count.saturating_sub(2));
+    let most = MAX_EDGES.min(count.saturating_sub(2));
     let mut forward = 0;
     while forward < most {
         run.push(corner(edge + 2 + forward));
@@ -342,7 +342,7 @@ fn angle(center: Point, from: Point, to: Point) -> f64 {
 }
 
 /// Rounds a fitted radius, which is accurate to a few micrometres, to the nearest round value.
-fn tidy(radius: f64) -> f64 {
+fn round_if_near(radius: f64) -> f64 {
     let round = (radius * 100.0).round() / 100.0;
     if (round - radius).abs() < OFF { round } else { radius }
 }

@@ -14,7 +14,7 @@ use crate::motion::{Cycle, Motion, Step};
 const ALLOWANCE: f64 = 3.0;
 
 /// Most roughing cycles that are compared with a finishing cycle.
-const COMPARED: usize = 50;
+const MAX_COMPARED: usize = 50;
 
 /// The finishing cycles whose side is known, in order: their motions, and 1 outside, −1 inside.
 #[derive(Clone, Debug, Default)]
@@ -116,7 +116,7 @@ fn close(
     let Some(call) = call else { return };
     let Some(area) = call.area else { return };
     if call.cycle == Cycle::Finishing {
-        let roughed = roughed.iter().rev().take(COMPARED);
+        let roughed = roughed.iter().rev().take(MAX_COMPARED);
         if let Some((_, side)) =
             roughed.copied().find(|&(roughed, side)| is_same_contour(roughed, area, side))
         {

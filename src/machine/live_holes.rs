@@ -10,7 +10,7 @@ use crate::geometry::{Point, SAME};
 use crate::motion::{CycleFamily, Motion, Motions};
 
 /// Most holes that are kept.
-const MOST: usize = 1000;
+const MAX_HOLES: usize = 1000;
 
 /// A hole of a live tool: radius and Z of its ends, mm, and its angle of C.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -47,7 +47,7 @@ pub fn live_holes(
         let is_same = |own: &LiveHole| {
             own.c == hole.c && own.radius == hole.radius && is_on_line(own.mouth, own.bottom, hole.bottom)
         };
-        let has_room = holes.len() < MOST;
+        let has_room = holes.len() < MAX_HOLES;
         match holes.last_mut().filter(|own| is_same(own)) {
             Some(own) if deeper(own.bottom, hole.bottom, own.mouth) => own.bottom = hole.bottom,
             Some(_) => {}
@@ -98,7 +98,7 @@ fn mouth(part: &Region, from: Point, to: Point) -> Option<Point> {
         }
     }
     // A peck that starts inside the material has its mouth at its start.
-    let within = || part.holds(from).then_some(high);
+    let within = || part.contains(from).then_some(high);
     let along = first.or_else(within)?;
     Some(if along_z { Point::new(at, along) } else { Point::new(along, at) })
 }

@@ -27,7 +27,7 @@ pub(super) const SCRAPED: f64 = 0.25;
 /// Material that a tool may scrape off while it leaves along a wall at feed, as a share of the square of its
 /// path (the wedge left by an entering angle of 95°), and its maximum in mm².
 const WEDGE: f64 = 0.045;
-const MOST_SCRAPED: f64 = 2.0;
+const MAX_SCRAPED: f64 = 2.0;
 
 /// After a shorter cut along Z, mm, a cut across leaves no shoulder: the first cut only moved to the depth.
 const SHOULDER: f64 = 2.0;
@@ -184,8 +184,8 @@ fn is_way_out(motion: &Motion, before: &Motion, tool: &ResolvedTool, part: &mut 
     if !follows || !goes_back && !leaves_shoulder {
         return false;
     }
-    let scraped = (WEDGE * motion.length() * motion.length()).clamp(SCRAPED, MOST_SCRAPED);
-    part.now().in_common(&cut(motion, &Turned::default(), tool)).area() <= scraped
+    let scraped = (WEDGE * motion.length() * motion.length()).clamp(SCRAPED, MAX_SCRAPED);
+    part.now().intersection(&cut(motion, &Turned::default(), tool)).area() <= scraped
 }
 
 /// Whether the middle of the path of the tip lies in material.
@@ -198,5 +198,5 @@ fn is_in_material(motion: &Motion, part: &mut Part) -> bool {
         }
     };
     // The axis itself is the edge of the workpiece.
-    part.now().holds(Point::new(middle.x.max(OFF_AXIS), middle.z))
+    part.now().contains(Point::new(middle.x.max(OFF_AXIS), middle.z))
 }

@@ -15,7 +15,7 @@ pub mod feature;
 mod finishing;
 pub mod inferred;
 pub mod live_holes;
-mod live_way;
+mod live_path;
 mod misuse;
 pub mod part;
 pub mod region;

@@ -16,10 +16,10 @@ use crate::motion::{Motion, MotionKind, Motions};
 use crate::setup::Stock;
 
 /// Most turns of a thread that are cut one by one; a finer thread is cut as a whole.
-const MOST_TURNS: f64 = 2000.0;
+const MAX_TURNS: f64 = 2000.0;
 
 /// Most corners of the outlines that wait to be removed.
-const MOST_WAITING: usize = 1500;
+const MAX_WAITING: usize = 1500;
 
 /// Least number of motions between two kept states.
 const STRIDE: usize = 32;
@@ -32,7 +32,7 @@ const LOOSE: f64 = 3.0;
 const CORE: f64 = 0.4;
 
 /// Most corners of all kept states; beyond, every other state is dropped.
-const MOST_KEPT: usize = 1_000_000;
+const MAX_KEPT: usize = 1_000_000;
 
 /// A workpiece in progress.
 #[derive(Clone, Debug, Default)]
@@ -82,7 +82,7 @@ impl Turned {
             return Self::default();
         };
         let is_between = past > SAME && past < 1.0 - SAME;
-        let cuts = is_between && takes_off(motion, tool) && tool.shape.action == Action::Threading;
+        let cuts = is_between && removes_material(motion, tool) && tool.shape.action == Action::Threading;
         Self { past: Some(past), groove: if cuts { groove(motion, tool) } else { Vec::new() } }
     }
 
@@ -121,12 +121,12 @@ impl Part {
         self.done += 1;
         // Passes of a thread share flanks: removed together, they would split each other into thousands of
         // pieces.
-        if self.corners > MOST_WAITING || self.waiting.len() > before + 1 {
-            self.settle();
+        if self.corners > MAX_WAITING || self.waiting.len() > before + 1 {
+            self.remove_waiting();
         }
         if self.done >= self.kept.last().map_or(0, |last| last.done) + self.stride && !self.waiting.is_empty()
         {
-            self.settle();
+            self.remove_waiting();
             self.keep();
         }
     }
@@ -146,7 +146,7 @@ impl Part {
     fn keep(&mut self) {
         self.kept_corners += self.now.corners();
         self.kept.push(Kept { done: self.done, turned: self.turned.clone(), region: self.now.clone() });
-        if self.kept_corners > MOST_KEPT {
+        if self.kept_corners > MAX_KEPT {
             let mut odd = false;
             self.kept.retain(|_| {
                 odd = !odd;
@@ -164,7 +164,7 @@ impl Part {
 
     /// The current workpiece.
     pub fn now(&mut self) -> &Region {
-        self.settle();
+        self.remove_waiting();
         &self.now
     }
 
@@ -212,7 +212,7 @@ impl Part {
         }
     }
 
-    fn settle(&mut self) {
+    fn remove_waiting(&mut self) {
         if !self.waiting.is_empty() {
             self.now.cut(&self.waiting);
             self.now.drop_pieces(is_left_by_facing);
@@ -238,7 +238,7 @@ pub fn cut(motion: &Motion, turned: &Turned, tool: &ResolvedTool) -> Vec<Vec<Poi
 /// The material that the fraction `share` of a motion removes.
 fn cut_so_far(motion: &Motion, share: f64, turned: &Turned, tool: &ResolvedTool) -> Vec<Vec<Point>> {
     let mut outlines: Vec<_> = left_by_thread(motion, turned).into_iter().collect();
-    if takes_off(motion, tool) && motion.kind.cuts() {
+    if removes_material(motion, tool) && motion.kind.cuts() {
         outlines.extend(cut_by(motion, share, turned.before(motion), tool));
     }
     outlines
@@ -246,7 +246,7 @@ fn cut_so_far(motion: &Motion, share: f64, turned: &Turned, tool: &ResolvedTool)
 
 /// Whether the material that a motion removes shows in the section: tool and path are known, and the
 /// workpiece turned.
-fn takes_off(motion: &Motion, tool: &ResolvedTool) -> bool {
+fn removes_material(motion: &Motion, tool: &ResolvedTool) -> bool {
     motion.process.removes_material() && tool.basis != Basis::Unknown && !tool.is_live_in(motion)
 }
 
@@ -292,7 +292,7 @@ fn cut_by(motion: &Motion, share: f64, past: f64, tool: &ResolvedTool) -> Vec<Ve
     let edge = &tool.takes;
     let threads = tool.shape.action == Action::Threading && motion.kind == MotionKind::Thread;
     let turns = motion.first_part(share).turns();
-    if let Some(turns) = turns.filter(|&turns| threads && turns <= MOST_TURNS) {
+    if let Some(turns) = turns.filter(|&turns| threads && turns <= MAX_TURNS) {
         let (first, last) = ((past - SAME).ceil(), (past + turns + SAME).floor());
         let places = (first as u32..=last as u32)
             .map(|turn| motion.share_after(f64::from(turn) - past).unwrap_or(0.0));

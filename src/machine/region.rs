@@ -17,7 +17,7 @@ use crate::geometry::{Point, within};
 const STEPS: f64 = 131_072.0;
 
 /// Largest coordinate, mm: the range of `i_overlay` with a margin.
-const FURTHEST: f64 = 8000.0;
+const MAX_COORDINATE: f64 = 8000.0;
 
 /// Smaller pieces are caused by rounding, mm².
 const DUST: f64 = 1e-7;
@@ -79,12 +79,12 @@ impl Region {
     }
 
     /// The part of the region that lies in the outlines.
-    pub fn in_common(&self, outlines: &[impl AsRef<[Point]>]) -> Self {
+    pub fn intersection(&self, outlines: &[impl AsRef<[Point]>]) -> Self {
         Self::combined(self, outlines, OverlayRule::Intersect)
     }
 
     /// The part of the region that is not in `other`.
-    pub fn without(&self, other: &Region) -> Self {
+    pub fn difference(&self, other: &Region) -> Self {
         let mut overlay = Overlay::from_subj_and_clip(&self.shapes, &other.shapes);
         Self { shapes: overlay.overlay(OverlayRule::Difference, FillRule::NonZero) }
     }
@@ -92,7 +92,7 @@ impl Region {
     /// Whether a convex counter-clockwise outline overlaps the region by more than an edge. Much faster than
     /// computing the intersection: an edge of the region crosses the outline, or the outline lies inside all
     /// edges.
-    pub fn meets(&self, outline: &[Point]) -> bool {
+    pub fn overlaps(&self, outline: &[Point]) -> bool {
         let Some(&first) = outline.first().filter(|_| outline.len() > 2) else { return false };
         let extents = outline.iter().fold(Bounds::of(first), |bounds, point| bounds.with(*point));
         let crosses = |(a, b): (Point, Point)| {
@@ -107,7 +107,7 @@ impl Region {
         let count = outline.len() as f64;
         let (x, z) = outline.iter().fold((0.0, 0.0), |sum, point| (sum.0 + point.x, sum.1 + point.z));
         let middle = Point::new(x / count, z / count);
-        self.edges().any(crosses) || self.holds(middle)
+        self.edges().any(crosses) || self.contains(middle)
     }
 
     /// Its pieces.
@@ -143,12 +143,12 @@ impl Region {
             Point::new(from.x + along * ux + side * beside * uz, from.z + along * uz - side * beside * ux)
         };
         let strip = [
-            at(-FURTHEST / 4.0, 0.0),
-            at(FURTHEST / 4.0, 0.0),
-            at(FURTHEST / 4.0, FURTHEST / 4.0),
-            at(-FURTHEST / 4.0, FURTHEST / 4.0),
+            at(-MAX_COORDINATE / 4.0, 0.0),
+            at(MAX_COORDINATE / 4.0, 0.0),
+            at(MAX_COORDINATE / 4.0, MAX_COORDINATE / 4.0),
+            at(-MAX_COORDINATE / 4.0, MAX_COORDINATE / 4.0),
         ];
-        self.in_common(&[strip]).area()
+        self.intersection(&[strip]).area()
     }
 
     /// The intervals of a line across the spindle axis at `z` that lie in the region: pairs of radii, mm,
@@ -162,7 +162,7 @@ impl Region {
     }
 
     /// Whether a point lies in the region.
-    pub fn holds(&self, point: Point) -> bool {
+    pub fn contains(&self, point: Point) -> bool {
         self.radii(point.z).iter().any(|&(low, high)| low < point.x && point.x < high)
     }
 
@@ -263,7 +263,7 @@ fn make_counterclockwise(contour: &mut [IntPoint<i32>]) {
 }
 
 fn to_grid(point: Point) -> IntPoint<i32> {
-    let step = |value: f64| (within(value, -FURTHEST, FURTHEST) * STEPS).round() as i32;
+    let step = |value: f64| (within(value, -MAX_COORDINATE, MAX_COORDINATE) * STEPS).round() as i32;
     IntPoint::new(step(point.z), step(point.x))
 }
 
@@ -295,7 +295,7 @@ mod tests {
         assert_eq!(region.radii(-5.0), [(5.0, 15.0)]);
         assert_eq!(region.radii(-12.0), [(5.0, 20.0)]);
         assert_eq!(region.radii(-60.0), []);
-        assert!(region.holds(Point::new(17.0, -40.0)) && !region.holds(Point::new(17.0, -20.0)));
+        assert!(region.contains(Point::new(17.0, -40.0)) && !region.contains(Point::new(17.0, -20.0)));
     }
 
     #[test]
@@ -310,11 +310,11 @@ mod tests {
     #[test]
     fn an_edge_in_common_is_no_meeting() {
         let region = Region::inside(&rectangle((-10.0, 0.0), (0.0, 20.0)));
-        assert!(!region.meets(&rectangle((0.0, 5.0), (0.0, 20.0))));
-        assert!(region.meets(&rectangle((-0.001, 5.0), (0.0, 20.0))));
-        assert!(region.meets(&rectangle((-8.0, -7.0), (10.0, 11.0))), "inside");
-        assert!(region.meets(&rectangle((-80.0, 70.0), (-10.0, 110.0))), "around");
-        assert!(!region.meets(&rectangle((1.0, 5.0), (0.0, 20.0))));
+        assert!(!region.overlaps(&rectangle((0.0, 5.0), (0.0, 20.0))));
+        assert!(region.overlaps(&rectangle((-0.001, 5.0), (0.0, 20.0))));
+        assert!(region.overlaps(&rectangle((-8.0, -7.0), (10.0, 11.0))), "inside");
+        assert!(region.overlaps(&rectangle((-80.0, 70.0), (-10.0, 110.0))), "around");
+        assert!(!region.overlaps(&rectangle((1.0, 5.0), (0.0, 20.0))));
     }
 
     #[test]

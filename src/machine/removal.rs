@@ -146,7 +146,7 @@ impl RemovalWatch {
             let over = self.threads.pass(index, motion, || part.now());
             self.found.extend(over.map(thread_depth));
             if let Some(short) = self.run_outs.pass(motion, || part.now()) {
-                self.tell(index, Removal::ThreadRunOut(short));
+                self.report(index, Removal::ThreadRunOut(short));
             }
         }
         self.cycle(index, motion, block, tool, part);
@@ -158,10 +158,10 @@ impl RemovalWatch {
             Some(ToolKind::Drill | ToolKind::Tap | ToolKind::Endmill) | None => false,
         };
         if insert && let Some(z) = behind(&stock, motion) {
-            self.tell(index, Removal::BeyondBlank { z, back: stock.back() });
+            self.report(index, Removal::BeyondBlank { z, back: stock.back() });
         }
         if let Some((depth, most)) = too_deep(&stock, motion, tool, part) {
-            self.tell(index, Removal::TooDeep { depth, most });
+            self.report(index, Removal::TooDeep { depth, most });
         }
     }
 
@@ -172,7 +172,7 @@ impl RemovalWatch {
         self.found.extend(over.map(thread_depth));
     }
 
-    fn tell(&mut self, motion: usize, removal: Removal) {
+    fn report(&mut self, motion: usize, removal: Removal) {
         self.found.push(Unusual { motion, removal });
     }
 
@@ -235,7 +235,7 @@ impl RemovalWatch {
         if takes || faces && self.stock.is_some_and(is_in_front) {
             self.done.insert(block);
         } else if self.done.insert(block) {
-            self.tell(first, Removal::Nothing(cycle));
+            self.report(first, Removal::Nothing(cycle));
         }
     }
 }
@@ -254,7 +254,7 @@ fn meets(now: &Region, motion: &Motion, shift: Point, tool: &ResolvedTool) -> bo
         center: motion.center.map(moved),
         ..*motion
     };
-    cut(&beside, &Turned::default(), tool).iter().any(|outline| now.meets(outline))
+    cut(&beside, &Turned::default(), tool).iter().any(|outline| now.overlaps(outline))
 }
 
 /// Z of the end of a cut within the blank that continues far beyond its back.
@@ -311,9 +311,10 @@ fn too_deep(stock: &Stock, motion: &Motion, tool: &ResolvedTool, part: &mut Part
         return None;
     }
     let now = part.now();
-    if !beside.iter().any(|&point| now.holds(point)) || !deeper.iter().any(|outline| now.meets(outline)) {
+    if !beside.iter().any(|&point| now.contains(point)) || !deeper.iter().any(|outline| now.overlaps(outline))
+    {
         return None;
     }
-    let depth = now.in_common(&cut(motion, &Turned::default(), tool)).area() / length;
+    let depth = now.intersection(&cut(motion, &Turned::default(), tool)).area() / length;
     (depth > most).then_some((depth, most))
 }

@@ -130,7 +130,7 @@ impl ResolvedSetup {
     }
 
     /// Whether the setup names tools, but none for this station.
-    pub fn misses(&self, station: u16) -> bool {
+    pub fn lacks_tool(&self, station: u16) -> bool {
         station > 0 && !self.given.is_empty() && self.given.iter().all(|given| given.0 != station)
     }
 

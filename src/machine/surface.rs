@@ -11,7 +11,7 @@ use crate::geometry::{Point, SAME};
 use crate::order;
 
 /// Most plunges of a track that are kept.
-const MOST_PLUNGES: usize = 800;
+const MAX_PLUNGES: usize = 800;
 
 /// Largest distance along Z that counts as right beside a place, mm.
 const BESIDE: f64 = 0.3;
@@ -79,9 +79,9 @@ impl Track {
     }
 
     fn plunge(&mut self, z: f64, height: f64) {
-        const LATELY: usize = 8;
-        let room = self.plunges.len() < MOST_PLUNGES;
-        match self.plunges.iter_mut().rev().take(LATELY).find(|own| (own.0 - z).abs() <= SAME) {
+        const RECENT: usize = 8;
+        let room = self.plunges.len() < MAX_PLUNGES;
+        match self.plunges.iter_mut().rev().take(RECENT).find(|own| (own.0 - z).abs() <= SAME) {
             Some(own) => own.1 = own.1.min(height),
             None if room => self.plunges.push((z, height)),
             None => {}
@@ -102,7 +102,7 @@ impl Track {
     }
 
     /// Whether the path continues along Z right behind a place.
-    pub fn goes_on_behind(&self, positions: &ZPositions, z: f64) -> bool {
+    pub fn continues_after(&self, positions: &ZPositions, z: f64) -> bool {
         self.along[positions.range(z - BESIDE, z - SAME)].iter().any(|height| height.is_finite())
     }
 

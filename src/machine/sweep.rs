@@ -10,7 +10,7 @@ use crate::motion::Motion;
 pub const CHORD: f64 = 0.002;
 
 /// Most chords of one arc.
-const MOST_CHORDS: f64 = 2000.0;
+const MAX_CHORDS: f64 = 2000.0;
 
 /// A closed convex outline, counter-clockwise with Z to the right and X up. The tip is at the origin.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -129,7 +129,7 @@ impl Outline {
 }
 
 /// The points of the path of a motion in the turning plane, to be joined by straight lines.
-pub fn way_of(motion: &Motion) -> Vec<Point> {
+pub fn path_of(motion: &Motion) -> Vec<Point> {
     motion.arc().map_or_else(|| vec![motion.from, motion.to], |arc| chords(&arc))
 }
 
@@ -137,7 +137,7 @@ pub fn way_of(motion: &Motion) -> Vec<Point> {
 pub fn chords(arc: &Arc) -> Vec<Point> {
     let radius = arc.radius().max(CHORD);
     let widest = 2.0 * (1.0 - CHORD / radius).max(-1.0).acos();
-    let count = (arc.sweep().abs() / widest).ceil().clamp(1.0, MOST_CHORDS);
+    let count = (arc.sweep().abs() / widest).ceil().clamp(1.0, MAX_CHORDS);
     let inside = (1..count as u32).map(|piece| arc.at(f64::from(piece) / count));
     [arc.start].into_iter().chain(inside).chain([arc.end]).collect()
 }

@@ -77,15 +77,15 @@ impl Threads {
             return None;
         }
         let tool = motion.process.tool;
-        let goes_on = self.thread.as_mut().filter(|thread| {
+        let continue_thread = self.thread.as_mut().filter(|thread| {
             let (crest, side) = thread.crest;
             thread.tool == tool
                 && (thread.lead - lead).abs() <= NEAR
                 && (thread.end - to.z).abs() <= NEAR
                 && (side * (crest - to.x) - thread.depths.0).abs() <= lead
         });
-        if let Some(thread) = goes_on {
-            thread.goes_on(index, motion);
+        if let Some(thread) = continue_thread {
+            thread.continue_thread(index, motion);
             return None;
         }
         let over = self.close();
@@ -118,7 +118,7 @@ impl Threads {
 }
 
 impl Thread {
-    fn goes_on(&mut self, index: usize, motion: &Motion) {
+    fn continue_thread(&mut self, index: usize, motion: &Motion) {
         let (crest, side) = self.crest;
         let depth = side * (crest - motion.to.x);
         let (last, deepest) = self.depths;

@@ -50,7 +50,7 @@ impl RunOuts {
         let need = speed * lead / RUN_OUT;
         let is_wall = |way: f64| {
             let z = to.z + (to.z - from.z).signum() * way;
-            work.holds(Point::new(crest + side * SHOULDER, z))
+            work.contains(Point::new(crest + side * SHOULDER, z))
         };
         let at = |step: u32| need * f64::from(step) / f64::from(STEPS);
         let wall = (0..STEPS).find(|&step| is_wall(at(step + 1)))?;

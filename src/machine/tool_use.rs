@@ -17,7 +17,7 @@ use crate::setup::{Side, Stock, Tool, ToolKind};
 use crate::units::Diameter;
 
 /// Most uses of stations that are distinguished. A turret with 60 stations has fewer.
-const MOST_USES: usize = 300;
+const MAX_USES: usize = 300;
 
 /// A shorter move back along +Z only clears the bottom of a groove, mm.
 const SHORT: f64 = 2.0;
@@ -167,7 +167,7 @@ pub(super) enum Clamping {
 
 impl Clamping {
     fn of(motion: &Motion) -> Self {
-        if motion.process.elsewhere { Self::Other } else { Self::First }
+        if motion.process.other_setup { Self::Other } else { Self::First }
     }
 }
 
@@ -211,7 +211,7 @@ impl ToolUse {
             let known = seen.iter().position(|own| (own.station, own.purpose) == (station, purpose));
             let at = match known {
                 Some(at) => at,
-                None if seen.len() == MOST_USES => continue,
+                None if seen.len() == MAX_USES => continue,
                 None => {
                     let negative = evidence.is_on_negative_side(index);
                     seen.push(ToolUse { negative, ..ToolUse::new(station, purpose, index) });
@@ -219,7 +219,7 @@ impl ToolUse {
                 }
             };
             let next = moves.peek().map(|(_, next)| next);
-            seen[at].look(&motion, before.as_ref(), next, finishings.side(index));
+            seen[at].add_evidence(&motion, before.as_ref(), next, finishings.side(index));
             seen[at].stopped += u32::from(has_turned && motion.process.turn == SpindleTurn::Stopped);
             let across = (motion.to.z - motion.from.z).abs() <= SAME && motion.to.x < motion.from.x - SAME;
             seen[at].dwells |= dwells && across && motion.to.z < -SAME && motion.to.x > 1.0;
@@ -339,7 +339,7 @@ impl ToolUse {
             Purpose::Turning if is_drill && self.makes_holes() && (self.is_across() || all_stopped) => {
                 Purpose::Live
             }
-            Purpose::Turning if self.is_led_by_edge(words, moves_with_c) => Purpose::Hole,
+            Purpose::Turning if self.is_programmed_by_edge(words, moves_with_c) => Purpose::Hole,
             Purpose::Turning if self.face => Purpose::Grooving,
             Purpose::Turning if moves_with_c && (self.is_across() || self.makes_holes()) => Purpose::Live,
             Purpose::Grooving if self.face && self.extents.behind() <= OFF_CENTER && !is_insert => {
@@ -352,7 +352,7 @@ impl ToolUse {
     /// Whether it is a drill that is programmed by its edge: all cuts go straight along Z at one X, the
     /// diameter of the hole, while the workpiece turns. A comment names the drill, or no other tool works on
     /// the side of −X.
-    fn is_led_by_edge(&self, words: Option<&Tool>, moves_with_c: bool) -> bool {
+    fn is_programmed_by_edge(&self, words: Option<&Tool>, moves_with_c: bool) -> bool {
         let Some(edge) = self.edge.filter(|_| self.stopped == 0 && !self.aside && !moves_with_c) else {
             return false;
         };
@@ -382,7 +382,13 @@ impl ToolUse {
     }
 
     /// Adds the evidence of a cut. `side` is the side of its finishing cycle, if known.
-    fn look(&mut self, motion: &Motion, before: Option<&Motion>, next: Option<&Motion>, side: Option<i32>) {
+    fn add_evidence(
+        &mut self,
+        motion: &Motion,
+        before: Option<&Motion>,
+        next: Option<&Motion>,
+        side: Option<i32>,
+    ) {
         let way = |motion: &Motion| (motion.to.x - motion.from.x, motion.to.z - motion.from.z);
         let (dx, dz) = way(motion);
         let at = motion.from.x;
@@ -392,7 +398,7 @@ impl ToolUse {
         self.cuts += 1;
         self.taps |= motion.kind == MotionKind::Thread;
         self.extents.add(motion);
-        self.look_for_retreat(motion, before, next);
+        self.note_retreat(motion, before, next);
         let after_x = next.map_or(0.0, |next| way(next).0);
         // Between two tools the turret moves home, even if the program does not show it.
         let own_next = next.filter(|next| next.process.tool == motion.process.tool);
@@ -423,7 +429,7 @@ impl ToolUse {
         let cycle = motion.cycle.map(|step| step.cycle);
         self.contour |= cycle.is_some_and(|cycle| cycle.family() == CycleFamily::Contour);
         let plunges = self.plunges;
-        self.look_for_plunge(motion, before, next);
+        self.note_plunge(motion, before, next);
         let goes_in = dz.abs() <= SAME && dx < -SAME && motion.to.z < -SAME;
         let is_single = goes_in && next.is_none_or(|next| !next.kind.cuts());
         self.across += u32::from(dz.abs() <= SAME);
@@ -455,7 +461,7 @@ impl ToolUse {
         if motion.cycle.is_some_and(|step| step.cycle == Cycle::FacePecking) {
             self.face = true;
         }
-        self.look_for_columns(motion, before);
+        self.note_columns(motion, before);
         // An approach to the workpiece at feed follows no slope.
         if motion.to.z > SAME && before.is_none_or(|before| !before.kind.cuts()) {
             return;
@@ -472,7 +478,7 @@ impl ToolUse {
     }
 
     /// Notes a retreat in front of the face, straight along Z at rapid or as fast.
-    fn look_for_retreat(&mut self, motion: &Motion, before: Option<&Motion>, next: Option<&Motion>) {
+    fn note_retreat(&mut self, motion: &Motion, before: Option<&Motion>, next: Option<&Motion>) {
         let is_fast = |motion: &Motion| match motion.process.feed {
             _ if motion.kind == MotionKind::Rapid => true,
             Feed::PerTurn(feed) => feed >= AS_RAPID,
@@ -491,7 +497,7 @@ impl ToolUse {
     }
 
     /// Notes the distance between the columns of G74 and G75.
-    fn look_for_columns(&mut self, motion: &Motion, before: Option<&Motion>) {
+    fn note_columns(&mut self, motion: &Motion, before: Option<&Motion>) {
         let Some(cycle) =
             motion.cycle.map(|step| step.cycle).filter(|cycle| cycle.family() == CycleFamily::Pecking)
         else {
@@ -520,7 +526,7 @@ impl ToolUse {
 
     /// Counts a cut straight across the axis that returns, in one step or several; between steps the tool may
     /// retract slightly at rapid to break the chip.
-    fn look_for_plunge(&mut self, motion: &Motion, before: Option<&Motion>, next: Option<&Motion>) {
+    fn note_plunge(&mut self, motion: &Motion, before: Option<&Motion>, next: Option<&Motion>) {
         let across = |motion: &&Motion| (motion.to.z - motion.from.z).abs() <= SAME;
         let way = |motion: &Motion| motion.to.x - motion.from.x;
         let dx = way(motion);

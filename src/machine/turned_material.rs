@@ -19,7 +19,7 @@ use crate::setup::{Side, Stock, ToolKind};
 const PLACES: usize = 1000;
 
 /// Most places that are checked in total; beyond, there are no more findings.
-const MOST_WORK: usize = 20_000_000;
+const MAX_WORK: usize = 20_000_000;
 
 /// Least depth of the tip below a surface and beyond a wall to be reported, mm: more than a nose radius
 /// leaves.
@@ -50,7 +50,7 @@ pub fn rapids_into_material(motions: &Motions, resolved: &ResolvedSetup) -> Vec<
     let moves = motions.on_workpiece().take(INFERRED_FROM).map(Motion::on_positive_side);
     for (index, motion) in moves.enumerate() {
         while stops.next_if(|&stop| stop <= index).is_some() {
-            material.lose();
+            material.mark_unknown();
         }
         if motion.kind == MotionKind::Dwell {
             continue;
@@ -58,7 +58,7 @@ pub fn rapids_into_material(motions: &Motions, resolved: &ResolvedSetup) -> Vec<
         if let Some(at) = material.next(&motion, resolved.tool(&motion)) {
             found.push(Finding { motion: index, at, danger: Danger::RapidThroughStock });
             // Later findings would be consequences of this one.
-            material.lose();
+            material.mark_unknown();
         }
     }
     found
@@ -95,7 +95,7 @@ impl TurnedMaterial {
     }
 
     /// From here on no material is certain.
-    fn lose(&mut self) {
+    fn mark_unknown(&mut self) {
         self.turned.fill(f64::INFINITY);
         self.walls.fill(0.0);
         self.certain = None;
@@ -107,13 +107,13 @@ impl TurnedMaterial {
         let route = self.tip.follow(motion, self.is_near(motion.from));
         if !motion.process.removes_material() || motion.process.incomplete {
             if motion.kind.cuts() {
-                self.lose();
+                self.mark_unknown();
             }
             return None;
         }
         let is_turning = matches!(tool.tool.kind, Some(ToolKind::Turning | ToolKind::Grooving));
         let is_outside = is_turning && tool.tool.working_side() == Side::Outside && !tool.is_live_in(motion);
-        if self.work >= MOST_WORK {
+        if self.work >= MAX_WORK {
             return None;
         }
         if motion.kind.cuts() {

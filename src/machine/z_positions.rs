@@ -12,10 +12,10 @@ use crate::geometry::{Point, SAME};
 const GRID: usize = 800;
 
 /// Most ends of cuts; each has two positions.
-const MOST_ENDS: usize = 400;
+const MAX_ENDS: usize = 400;
 
 /// Most points of steep arcs.
-const MOST_BENDS: usize = 400;
+const MAX_BENDS: usize = 400;
 
 /// Least distance of the two positions of a wall from it, mm.
 const SIDE: f64 = 0.001;
@@ -32,7 +32,7 @@ pub struct Places {
 
 impl Default for Places {
     fn default() -> Self {
-        Self { ends: Spaced::new(MOST_ENDS), bends: Spaced::new(MOST_BENDS) }
+        Self { ends: Spaced::new(MAX_ENDS), bends: Spaced::new(MAX_BENDS) }
     }
 }
 
@@ -237,7 +237,7 @@ mod tests {
             places.add(&way);
         }
         let positions = places.between(-100.0, 0.0);
-        let bound = GRID + 2 * MOST_ENDS + MOST_BENDS;
+        let bound = GRID + 2 * MAX_ENDS + MAX_BENDS;
         assert!((GRID..=bound).contains(&positions.all().len()), "{}", positions.all().len());
         assert!(positions.all().windows(2).all(|pair| pair[0] < pair[1] && pair[1] - pair[0] < 0.13));
         assert!(positions.exact_to() <= 0.125);

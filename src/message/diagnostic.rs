@@ -39,7 +39,7 @@ impl Diagnostic {
     }
 
     /// Sets the severity.
-    pub fn graded(mut self, severity: Severity) -> Self {
+    pub fn with_severity(mut self, severity: Severity) -> Self {
         self.severity = severity;
         self
     }
@@ -148,7 +148,7 @@ impl Fix {
 
     /// A fix that replaces a word by `text`; the user must confirm that it was intended.
     pub fn write(span: Span, text: String) -> Self {
-        Self::replace(Repair::Write { text: text.clone() }, span, &text).asking()
+        Self::replace(Repair::Write { text: text.clone() }, span, &text).needs_confirmation()
     }
 
     /// A fix that deletes a word and the spaces before it; to be confirmed.
@@ -161,17 +161,17 @@ impl Fix {
             text[span.end as usize..].iter().take_while(|byte| matches!(byte, b' ' | b'\t')).count() as u32;
         let first = from.start == 0 || matches!(text[from.start as usize - 1], b'\n' | b'\r');
         let whole = if first { Span { start: span.start, end: span.end + behind } } else { from };
-        Self::replace(Repair::Delete { text: span.quote(text) }, whole, "").asking()
+        Self::replace(Repair::Delete { text: span.quote(text) }, whole, "").needs_confirmation()
     }
 
     /// A fix that inserts `text` at byte `at`; to be confirmed.
     pub fn insert(at: u32, text: String) -> Self {
         let title = Repair::Insert { text: text.trim().to_owned() };
-        Self::replace(title, Span { start: at, end: at }, &text).asking()
+        Self::replace(title, Span { start: at, end: at }, &text).needs_confirmation()
     }
 
     /// Marks the fix as one that must be confirmed.
-    pub fn asking(mut self) -> Self {
+    pub fn needs_confirmation(mut self) -> Self {
         self.safe = false;
         self
     }

@@ -49,7 +49,7 @@ impl Levels {
     }
 
     /// Applies the severity to a diagnostic; `None` if its rule is off.
-    pub fn graded(&self, mut diagnostic: Diagnostic) -> Option<Diagnostic> {
+    pub fn apply_to(&self, mut diagnostic: Diagnostic) -> Option<Diagnostic> {
         if !self.0.is_empty()
             && let Some(level) = level_of(self, &diagnostic)
         {

@@ -8,7 +8,7 @@ use super::items::{Item, Kind, Word, slice};
 use crate::control::codes;
 
 /// Owner of an item that belongs to no block.
-pub(super) const NOBODY: u32 = u32::MAX;
+pub(super) const NO_BLOCK: u32 = u32::MAX;
 
 /// Minimum number of consecutive sequence numbers that count as a column of a table.
 const LONE_NUMBERS: usize = 3;
@@ -88,7 +88,7 @@ pub(super) fn assemble(text: &str, items: &[Item]) -> Blocks {
         text,
         items,
         in_capitals: words().count() > 2 * small,
-        blocks: Blocks { list: Vec::new(), owner: vec![NOBODY; items.len()] },
+        blocks: Blocks { list: Vec::new(), owner: vec![NO_BLOCK; items.len()] },
         open: false,
         reachable: false,
         tainted: false,
@@ -187,7 +187,7 @@ impl Assembler<'_> {
             }
             Kind::Foreign if self.open => self.own(at),
             Kind::Placeholder => {
-                self.dissolve();
+                self.discard_block();
                 self.tainted = true;
                 self.text(item);
             }
@@ -222,7 +222,7 @@ impl Assembler<'_> {
     /// Handles text that belongs to no block.
     fn text(&mut self, item: Item) {
         if self.open && self.last().is_some_and(|block| is_remark(block)) {
-            self.dissolve();
+            self.discard_block();
         }
         self.close();
         self.on_line += item.span.len();
@@ -267,12 +267,12 @@ impl Assembler<'_> {
     }
 
     /// Removes the last block, which turned out not to be one.
-    fn dissolve(&mut self) {
+    fn discard_block(&mut self) {
         if !self.open {
             return;
         }
         if let Some(block) = self.blocks.list.pop() {
-            self.blocks.owner[block.first..block.end].fill(NOBODY);
+            self.blocks.owner[block.first..block.end].fill(NO_BLOCK);
             let bytes = self.items[block.end - 1].span.end - self.items[block.first].span.start;
             self.on_line += block.gap.before + bytes as usize;
             self.block_on_line = block.gap.same_line;
@@ -292,7 +292,7 @@ impl Assembler<'_> {
         let (first, mut end) = (block.first, block.end);
         if small(&self.items[first]) {
             if end == first + 1 && self.in_capitals {
-                self.dissolve();
+                self.discard_block();
             }
             return;
         }
@@ -301,7 +301,7 @@ impl Assembler<'_> {
             && small(&self.items[end - 1])
         {
             end -= 1;
-            self.blocks.owner[end] = NOBODY;
+            self.blocks.owner[end] = NO_BLOCK;
         }
         let gap = block.gap;
         let mut again = Block { first, end, gap, ..Block::default() };
@@ -318,7 +318,7 @@ impl Assembler<'_> {
             *block = again;
         }
         if weak {
-            self.dissolve();
+            self.discard_block();
         }
     }
 
@@ -381,7 +381,7 @@ impl Assembler<'_> {
         self.blocks.list.push(after);
         let number = self.blocks.list.len() as u32 - 1;
         for owner in &mut self.blocks.owner[at..end] {
-            if *owner != NOBODY {
+            if *owner != NO_BLOCK {
                 *owner = number;
             }
         }
@@ -462,7 +462,7 @@ fn drop_columns(blocks: &mut Blocks, items: &[Item]) {
     for (number, block) in std::mem::take(&mut blocks.list).into_iter().enumerate() {
         let range = block.first..block.end;
         if gone[number] {
-            blocks.owner[range].fill(NOBODY);
+            blocks.owner[range].fill(NO_BLOCK);
             carried.lines += block.gap.lines;
             carried.beyond += block.gap.text() + items[block.first].span.len();
             continue;

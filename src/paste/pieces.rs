@@ -4,7 +4,7 @@
 //! between blocks is omitted, becomes a comment, or is a line end.
 
 use super::Piece;
-use super::blocks::{Blocks, NOBODY};
+use super::blocks::{Blocks, NO_BLOCK};
 use super::items::{Item, Kind, Word, is_blank, is_invisible, plain_signs, plain_word, slice, spell};
 use super::programs::Stretch;
 use super::reason::Reason;
@@ -41,7 +41,7 @@ pub(super) fn write(text: &str, items: &[Item], blocks: &Blocks, stretch: &Stret
     let mut gap = first;
     for (at, item) in items.iter().enumerate().take(end).skip(first) {
         let owner = blocks.owner[at];
-        if owner == NOBODY || item.kind == Kind::Foreign {
+        if owner == NO_BLOCK || item.kind == Kind::Foreign {
             continue;
         }
         match before {
@@ -224,8 +224,8 @@ impl Writer<'_> {
 
     /// Whether only list numbers precede the block on its line.
     fn is_alone(&self, behind: usize) -> bool {
-        let owner = behind.checked_sub(1).map_or(NOBODY, |at| self.blocks.owner[at]);
-        owner != NOBODY && self.blocks.list[owner as usize].gap.before == 0
+        let owner = behind.checked_sub(1).map_or(NO_BLOCK, |at| self.blocks.owner[at]);
+        owner != NO_BLOCK && self.blocks.list[owner as usize].gap.before == 0
     }
 
     /// Omits items; consecutive items with the same reason become one piece.
@@ -255,7 +255,7 @@ impl Writer<'_> {
     fn behind(&mut self, end: usize) {
         let line_end = (end..self.items.len()).find(|&at| self.items[at].kind == Kind::LineEnd);
         let line_end = line_end.unwrap_or(self.items.len());
-        let free = self.blocks.owner[end..line_end].iter().all(|&owner| owner == NOBODY);
+        let free = self.blocks.owner[end..line_end].iter().all(|&owner| owner == NO_BLOCK);
         if free && end < line_end {
             self.remark(end..line_end);
         }

@@ -4,19 +4,19 @@
 //! are a program if there are enough of them close together; a code mentioned in a sentence is not.
 
 use super::Name;
-use super::blocks::{Block, Blocks, NOBODY};
+use super::blocks::{Block, Blocks, NO_BLOCK};
 use super::items::{Item, Kind, slice};
 use crate::order;
 
 /// Maximum length of the text between two blocks of a program with a number, in bytes and in lines.
 const LONGEST_GAP: usize = 240;
-const MOST_LINES: usize = 3;
+const MAX_LINES: usize = 3;
 /// The same for a program without a number.
 const LONGEST_FRAGMENT_GAP: usize = 40;
-const MOST_FRAGMENT_LINES: usize = 2;
+const MAX_FRAGMENT_LINES: usize = 2;
 /// Minimum number of moves in a program without a number; and if there are sentences between all blocks.
-const FEWEST_MOVES: usize = 2;
-const FEWEST_SCATTERED: usize = 4;
+const MIN_MOVES: usize = 2;
+const MIN_SCATTERED: usize = 4;
 /// Maximum length of a title, characters.
 const TITLE: usize = 60;
 
@@ -133,12 +133,12 @@ fn belongs(now: &Stretch, block: &Block, gap: super::blocks::Gap, close: bool) -
     }
     match now.head {
         Some(_) => {
-            gap.lines <= MOST_LINES
+            gap.lines <= MAX_LINES
                 && gap.text() <= LONGEST_GAP
                 && (gap.before == 0 || gap.same_line || block.words > 1)
         }
         None if gap.same_line => gap.text() <= LONGEST_FRAGMENT_GAP,
-        None => gap.before == 0 && gap.lines <= MOST_FRAGMENT_LINES && gap.beyond <= LONGEST_FRAGMENT_GAP,
+        None => gap.before == 0 && gap.lines <= MAX_FRAGMENT_LINES && gap.beyond <= LONGEST_FRAGMENT_GAP,
     }
 }
 
@@ -153,7 +153,7 @@ fn finish(stretch: Stretch, blocks: &Blocks, found: &mut Vec<Stretch>) {
         return;
     }
     let scattered = stretch.seams.iter().any(|&at| list[stretch.blocks[at] as usize].gap.same_line);
-    if !scattered || stretch.moves >= FEWEST_SCATTERED {
+    if !scattered || stretch.moves >= MIN_SCATTERED {
         return keep(stretch.blocks, list, found);
     }
     let mut from = 0;
@@ -166,7 +166,7 @@ fn finish(stretch: Stretch, blocks: &Blocks, found: &mut Vec<Stretch>) {
 /// Adds blocks without a program number if they contain enough moves.
 fn keep(numbers: Vec<u32>, list: &[Block], found: &mut Vec<Stretch>) {
     let moves = numbers.iter().filter(|&&at| list[at as usize].moves).count();
-    if moves >= FEWEST_MOVES {
+    if moves >= MIN_MOVES {
         found.push(Stretch { blocks: numbers, moves, ..Stretch::default() });
     }
 }
@@ -180,8 +180,8 @@ fn release(blocks: &mut Blocks, found: &[Stretch]) {
         }
     }
     for owner in &mut blocks.owner {
-        if *owner != NOBODY && !used[*owner as usize] {
-            *owner = NOBODY;
+        if *owner != NO_BLOCK && !used[*owner as usize] {
+            *owner = NO_BLOCK;
         }
     }
 }

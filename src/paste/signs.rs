@@ -13,7 +13,7 @@ use crate::order;
 use crate::source::Span;
 
 /// Minimum number of cuts away from the part.
-const FEWEST: usize = 2;
+const MIN_CUTS: usize = 2;
 
 /// Adds a question wherever a minus sign seems to be missing.
 pub(super) fn ask(text: &str, items: &[Item], blocks: &Blocks, stretch: &Stretch, pieces: &mut Vec<Piece>) {
@@ -33,7 +33,7 @@ pub(super) fn ask(text: &str, items: &[Item], blocks: &Blocks, stretch: &Stretch
             // The words between are the same in both texts, in the same order.
             let skipped =
                 text[from as usize..span.start as usize].split_whitespace().map(str::len).sum::<usize>();
-            let Some(place) = behind_words(rest, skipped).filter(|&at| rest[at..].starts_with(word)) else {
+            let Some(place) = after_words(rest, skipped).filter(|&at| rest[at..].starts_with(word)) else {
                 continue;
             };
             if place > 0 {
@@ -68,7 +68,7 @@ fn blank_piece() -> Piece {
 }
 
 /// The offset after `bytes` bytes that are not white space, and the white space after them.
-fn behind_words(text: &str, bytes: usize) -> Option<usize> {
+fn after_words(text: &str, bytes: usize) -> Option<usize> {
     let mut left = bytes;
     for (at, c) in text.char_indices() {
         if c.is_whitespace() {
@@ -133,7 +133,7 @@ fn ambiguous(items: &[Item], blocks: &Blocks, stretch: &Stretch) -> Option<Vec<S
             tapers.extend(words().filter(|(word, _)| is_taper(*word)).map(|(_, span)| span));
         }
     }
-    if depths.len() < FEWEST || depths.len() < others {
+    if depths.len() < MIN_CUTS || depths.len() < others {
         return None;
     }
     let mut asked: Vec<Span> =

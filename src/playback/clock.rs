@@ -42,7 +42,7 @@ impl Playhead {
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Reading {
     /// Time of the animation, seconds.
-    pub pace: f64,
+    pub animation_seconds: f64,
     /// Machine time.
     pub time: Total,
 }
@@ -90,7 +90,7 @@ impl Clock {
         }
         if share > 0.0 && motion < self.motions {
             let motion = motions.get(motion);
-            reading.pace += share * pace(&motion, &self.machine);
+            reading.animation_seconds += share * animation_seconds(&motion, &self.machine);
             // A partial motion of unknown time counts as unknown only when it is finished.
             reading.time.known += timing::seconds(&motion.first_part(share), &self.machine).unwrap_or(0.0);
         }
@@ -98,20 +98,23 @@ impl Clock {
     }
 
     /// The position at a time of the animation, in seconds; between two motions, the end of the first.
-    pub fn place(&self, motions: &Motions, pace: f64) -> Playhead {
-        if pace >= self.whole().pace {
+    pub fn place(&self, motions: &Motions, animation_seconds: f64) -> Playhead {
+        if animation_seconds >= self.whole().animation_seconds {
             return Playhead::end_of(self.motions.saturating_sub(1));
         }
-        if pace <= 0.0 || pace.is_nan() {
+        if animation_seconds <= 0.0 || animation_seconds.is_nan() {
             return Playhead::START;
         }
-        let index = self.kept.partition_point(|reading| reading.pace < pace) - 1;
+        let index = self.kept.partition_point(|reading| reading.animation_seconds < animation_seconds) - 1;
         let mut reading = self.kept[index];
         for motion in index * STRIDE..self.motions {
-            let before = reading.pace;
+            let before = reading.animation_seconds;
             reading.add(&motions.get(motion), &self.machine);
-            if reading.pace >= pace {
-                return Playhead { motion, share: (pace - before) / (reading.pace - before) };
+            if reading.animation_seconds >= animation_seconds {
+                return Playhead {
+                    motion,
+                    share: (animation_seconds - before) / (reading.animation_seconds - before),
+                };
             }
         }
         Playhead::end_of(self.motions.saturating_sub(1))
@@ -133,13 +136,13 @@ impl Clock {
 
 impl Reading {
     fn add(&mut self, motion: &Motion, machine: &Machine) {
-        self.pace += pace(motion, machine);
+        self.animation_seconds += animation_seconds(motion, machine);
         self.time.add(motion, machine);
     }
 }
 
 /// Duration of a motion in the animation, seconds: its time, or a default.
-fn pace(motion: &Motion, machine: &Machine) -> f64 {
+fn animation_seconds(motion: &Motion, machine: &Machine) -> f64 {
     if let Some(seconds) = timing::seconds(motion, machine) {
         return if motion.kind == MotionKind::Rapid { seconds.min(LONGEST_RAPID) } else { seconds };
     }
@@ -169,12 +172,12 @@ pub(super) mod tests {
         // 80 mm of rapid; 20 mm at 60 mm/min; a dwell of 2 s.
         let (motions, clock) = run("G98 G0 X100 Z0\nG0 Z80\nM3 S500\nG1 Z60 F60\nG4 X2\nM30\n");
         let count = motions.len();
-        let feed = clock.at(&motions, Playhead::end_of(count - 2)).pace
-            - clock.at(&motions, Playhead::end_of(count - 3)).pace;
+        let feed = clock.at(&motions, Playhead::end_of(count - 2)).animation_seconds
+            - clock.at(&motions, Playhead::end_of(count - 3)).animation_seconds;
         assert!((feed - 20.0).abs() < 1e-9);
         let whole = clock.whole();
         assert!((whole.time.known - 22.0).abs() < 1e-9, "{whole:?}");
-        assert!(whole.time.unknown_rapids > 0 && whole.pace > 22.0);
+        assert!(whole.time.unknown_rapids > 0 && whole.animation_seconds > 22.0);
     }
 
     #[test]
@@ -182,8 +185,8 @@ pub(super) mod tests {
         // 12 s of cutting; the two rapids of 200 mm each take little time in the animation.
         let (motions, clock) = run("G98 M3 S500\nG0 X200 Z200\nG0 X50 Z2\nG1 Z-10 F60\nG0 X200 Z200\nM30\n");
         let cut = motions.iter().position(|motion| motion.kind == MotionKind::Feed).expect("a cut");
-        let before = clock.at(&motions, Playhead::end_of(cut - 1)).pace;
-        let whole = clock.whole().pace;
+        let before = clock.at(&motions, Playhead::end_of(cut - 1)).animation_seconds;
+        let whole = clock.whole().animation_seconds;
         assert!(before < 0.7 && whole - 12.0 < 1.0, "{before} {whole}");
     }
 
@@ -207,11 +210,11 @@ pub(super) mod tests {
         for motion in 0..motions.len() {
             for share in [0.25, 1.0] {
                 let place = Playhead { motion, share };
-                let found = clock.place(&motions, clock.at(&motions, place).pace);
+                let found = clock.place(&motions, clock.at(&motions, place).animation_seconds);
                 assert!(found.motion == motion && (found.share - share).abs() < 1e-6, "{place:?} {found:?}");
             }
             let end = Playhead::end_of(motion);
-            assert_eq!(clock.place(&motions, clock.at(&motions, end).pace), end);
+            assert_eq!(clock.place(&motions, clock.at(&motions, end).animation_seconds), end);
         }
         assert_eq!(clock.place(&motions, -1.0), Playhead::START);
         assert_eq!(clock.place(&motions, f64::INFINITY), Playhead::end_of(motions.len() - 1));

@@ -18,7 +18,7 @@ pub enum Stops {
 
 /// Everything that may pause playback.
 #[derive(Clone, Copy, Debug)]
-pub struct Holds<'a> {
+pub struct PauseRules<'a> {
     /// Program stops.
     pub stops: Stops,
     /// Whether the single-block switch is on: pause at the end of each block that moves the tool.
@@ -27,7 +27,7 @@ pub struct Holds<'a> {
     pub lines: &'a [u32],
 }
 
-impl Holds<'_> {
+impl PauseRules<'_> {
     /// Pauses at program stops only.
     pub fn stops(stops: Stops) -> Self {
         Self { stops, each_block: false, lines: &[] }
@@ -36,7 +36,7 @@ impl Holds<'_> {
 
 /// Reason of a pause.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum HeldBy {
+pub enum PauseReason {
     /// M00 or M01.
     Stop,
     /// The end of a block.
@@ -51,9 +51,9 @@ pub fn play(
     motions: &Motions,
     from: Playhead,
     seconds: f64,
-    holds: Holds,
-) -> (Playhead, Option<HeldBy>) {
-    let to = clock.place(motions, clock.at(motions, from).pace + seconds.max(0.0));
+    holds: PauseRules,
+) -> (Playhead, Option<PauseReason>) {
+    let to = clock.place(motions, clock.at(motions, from).animation_seconds + seconds.max(0.0));
     // Motions of zero time are skipped, but the position must not move back.
     let to = if to.motion < from.motion { from } else { to };
     // Resuming has already passed a pause at the current position.
@@ -65,24 +65,24 @@ pub fn play(
 }
 
 /// The first pause before a motion of a range, which must not include the first motion.
-fn first_hold(motions: &Motions, range: Range<usize>, holds: Holds) -> Option<(Playhead, HeldBy)> {
+fn first_hold(motions: &Motions, range: Range<usize>, holds: PauseRules) -> Option<(Playhead, PauseReason)> {
     let stop = stop_in(motions, range.clone(), holds.stops).map(|(motion, _)| motion);
     let until = stop.unwrap_or(range.end).min(motions.len());
-    let at_stop = || stop.map(|motion| (Playhead::end_of(motion - 1), HeldBy::Stop));
+    let at_stop = || stop.map(|motion| (Playhead::end_of(motion - 1), PauseReason::Stop));
     block_hold(motions, range.start..until, holds).or_else(at_stop)
 }
 
 /// The first pause at a block: its end, or a marked line that is next.
-fn block_hold(motions: &Motions, range: Range<usize>, holds: Holds) -> Option<(Playhead, HeldBy)> {
+fn block_hold(motions: &Motions, range: Range<usize>, holds: PauseRules) -> Option<(Playhead, PauseReason)> {
     if !holds.each_block && holds.lines.is_empty() {
         return None;
     }
     let mut starts = range.filter(|&motion| motions.span(motion) != motions.span(motion - 1));
     starts.find_map(|motion| {
         if holds.lines.binary_search(&motions.line(motion)).is_ok() {
-            return Some((Playhead { motion, share: 0.0 }, HeldBy::Line));
+            return Some((Playhead { motion, share: 0.0 }, PauseReason::Line));
         }
-        holds.each_block.then(|| (Playhead::end_of(motion - 1), HeldBy::Block))
+        holds.each_block.then(|| (Playhead::end_of(motion - 1), PauseReason::Block))
     })
 }
 
@@ -131,11 +131,11 @@ mod tests {
     const LOOP: &str = "O1\nT0101 M3 S500\nG0 X50 Z2\n#1=0\nWHILE[#1LT2]DO1\nG90 X[40-#1] Z-5 F0.2\n#1=#1+1\nEND1\nG0 X100\nM00\nZ100\nM30\n";
 
     /// Reason and line (from 1) of each pause, until the end.
-    fn held(text: &str, each_block: bool, lines: &[u32]) -> Vec<(HeldBy, u32)> {
+    fn held(text: &str, each_block: bool, lines: &[u32]) -> Vec<(PauseReason, u32)> {
         let (motions, clock) = run(text);
         let motions = &motions;
         let lines = lines_that_move(motions, lines);
-        let holds = Holds { stops: Stops::All, each_block, lines: &lines };
+        let holds = PauseRules { stops: Stops::All, each_block, lines: &lines };
         let (mut at, mut found) = (Playhead::START, Vec::new());
         for _ in 0..100_000 {
             // Time steps like animation frames.
@@ -153,7 +153,7 @@ mod tests {
 
     #[test]
     fn single_blocks_are_held_at_their_ends() {
-        use HeldBy::{Block, Stop};
+        use PauseReason::{Block, Stop};
         assert_eq!(held(LOOP, true, &[]), [(Block, 3), (Block, 6), (Stop, 9)]);
         // In each iteration of a loop.
         let lines: Vec<u32> =
@@ -164,9 +164,12 @@ mod tests {
     #[test]
     fn a_marked_line_holds_the_tool_in_each_round() {
         let text = LOOP.replace("#1=#1+1\n", "#1=#1+1\nG0 W1\n");
-        assert_eq!(held(&text, false, &[5]), [(HeldBy::Line, 6), (HeldBy::Line, 6), (HeldBy::Stop, 10)]);
+        assert_eq!(
+            held(&text, false, &[5]),
+            [(PauseReason::Line, 6), (PauseReason::Line, 6), (PauseReason::Stop, 10)]
+        );
         // A marked line takes precedence over the end of a block.
-        assert_eq!(held(&text, true, &[5])[..2], [(HeldBy::Line, 6), (HeldBy::Block, 6)]);
+        assert_eq!(held(&text, true, &[5])[..2], [(PauseReason::Line, 6), (PauseReason::Block, 6)]);
     }
 
     #[test]
@@ -175,7 +178,7 @@ mod tests {
         // Variables and M codes do not move the tool; after the last move there is no such line.
         assert_eq!(lines_that_move(&motions, &[1, 3, 4, 11]), [2, 5]);
         assert!(lines_that_move(&motions, &[]).is_empty());
-        assert_eq!(held(LOOP, false, &[3]), [(HeldBy::Line, 6), (HeldBy::Stop, 9)]);
+        assert_eq!(held(LOOP, false, &[3]), [(PauseReason::Line, 6), (PauseReason::Stop, 9)]);
     }
 
     #[test]
@@ -186,7 +189,7 @@ mod tests {
             .map(|(index, stop)| (motions.len() - index, stop.kind.code()))
             .collect();
         assert_eq!(codes, [(2, "M01"), (1, "M00")]);
-        let play = |from, stops| super::play(&clock, &motions, from, 1e6, Holds::stops(stops)).0;
+        let play = |from, stops| super::play(&clock, &motions, from, 1e6, PauseRules::stops(stops)).0;
         let last = motions.len() - 1;
         let first = play(Playhead::START, Stops::All);
         assert_eq!(first, Playhead::end_of(last - 2));
@@ -198,7 +201,7 @@ mod tests {
         // Frame-by-frame playback pauses as well.
         let mut place = Playhead::START;
         for _ in 0..10_000 {
-            let next = super::play(&clock, &motions, place, 0.016, Holds::stops(Stops::NotOptional)).0;
+            let next = super::play(&clock, &motions, place, 0.016, PauseRules::stops(Stops::NotOptional)).0;
             if next == second {
                 return;
             }
@@ -221,7 +224,7 @@ mod tests {
         let (motions, clock) = run("G0 X50 Z2\nG1 Z-20 F0.2\nG4 X1\nM30\n");
         for seconds in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY, -0.0, 1e300, 5e-324] {
             let (place, _) =
-                super::play(&clock, &motions, Playhead::START, seconds, Holds::stops(Stops::All));
+                super::play(&clock, &motions, Playhead::START, seconds, PauseRules::stops(Stops::All));
             assert!(
                 (0.0..=1.0).contains(&place.share) && place.motion < motions.len(),
                 "{seconds}: {place:?}"

@@ -43,14 +43,15 @@ pub fn step(motions: &Motions, from: Option<Playhead>, unit: Unit, direction: Di
                 return Playhead::end_of(last);
             }
             let own = key(motions, first, unit);
-            let end = (first + 1..=last).find(|&next| !goes_on(own, key(motions, next, unit), unit));
+            let end = (first + 1..=last).find(|&next| !is_same_step(own, key(motions, next, unit), unit));
             Playhead::end_of(end.unwrap_or(last + 1) - 1)
         }
         Direction::Previous => {
             // Undoes the current step, or the step that was just finished.
             let under_way = from.map_or(last, |at| at.motion.min(last));
             let own = key(motions, under_way, unit);
-            let before = (0..under_way).rev().find(|&before| !goes_on(own, key(motions, before, unit), unit));
+            let before =
+                (0..under_way).rev().find(|&before| !is_same_step(own, key(motions, before, unit), unit));
             before.map_or(Playhead::START, Playhead::end_of)
         }
     }
@@ -65,7 +66,7 @@ fn key(motions: &Motions, motion: usize, unit: Unit) -> Key {
 }
 
 /// Whether a motion belongs to the same step as another.
-fn goes_on(own: Key, other: Key, unit: Unit) -> bool {
+fn is_same_step(own: Key, other: Key, unit: Unit) -> bool {
     match unit {
         Unit::Motion => false,
         Unit::Block => own.0 == other.0,

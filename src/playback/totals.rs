@@ -46,7 +46,7 @@ pub fn totals(motions: &Motions, machine: &Machine) -> (Vec<ToolTotals>, ToolTot
                 MotionKind::Rapid => totals.rapid += motion.length(),
                 _ => totals.cut += motion.length(),
             }
-            if motion.kind.cuts() && !motion.process.elsewhere {
+            if motion.kind.cuts() && !motion.process.other_setup {
                 let placed = motion.on_workpiece();
                 let own = placed
                     .arc()

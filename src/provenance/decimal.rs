@@ -130,7 +130,7 @@ impl Amount {
 
     /// The amount of the word with a letter, given its statement; `None` if it is not an amount, or may have
     /// any size.
-    fn of(letter: u8, among: &Among) -> Option<Self> {
+    fn of(letter: u8, among: &StatementContext) -> Option<Self> {
         if among.dwells {
             return matches!(letter, b'X' | b'U').then_some(Self::Time);
         }
@@ -169,7 +169,7 @@ impl Amount {
 
 /// The properties of a statement that decide the meaning of its words.
 #[derive(Clone, Copy, Debug, Default)]
-struct Among {
+struct StatementContext {
     /// G04.
     dwells: bool,
     /// The multiple cycle that it calls.
@@ -188,7 +188,7 @@ struct Among {
     calls_macro: bool,
 }
 
-impl Among {
+impl StatementContext {
     fn of(statement: &Statement) -> Self {
         let mut among = Self::default();
         for word in statement.words() {
@@ -250,7 +250,7 @@ pub struct DecimalEvidence {
 impl DecimalEvidence {
     /// Adds a statement.
     pub fn take(&mut self, statement: &Statement) {
-        let among = Among::of(statement);
+        let among = StatementContext::of(statement);
         if among.calls_macro {
             return;
         }
@@ -262,7 +262,7 @@ impl DecimalEvidence {
         }
     }
 
-    fn take_word(&mut self, word: &Word, among: &Among) {
+    fn take_word(&mut self, word: &Word, among: &StatementContext) {
         let Some(number) = word.number else { return };
         let Some(amount) = Amount::of(word.letter, among) else { return };
         let is_coordinate = word.letter != b'R' && amount != Amount::Time;

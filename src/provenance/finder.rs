@@ -110,7 +110,7 @@ pub struct Finder {
 impl Finder {
     /// Passes every sign of a statement to `found`.
     pub fn look(&mut self, text: &[u8], statement: &Statement, mut found: impl FnMut(Sign, Span)) {
-        if statement.behind_semicolon {
+        if statement.after_semicolon {
             printer_remark(text, statement, &mut found);
         } else {
             heads(text, statement, &mut found);
@@ -188,7 +188,7 @@ fn heads(text: &[u8], statement: &Statement, found: &mut impl FnMut(Sign, Span))
             found(Sign::PathWait, statement.span);
         }
         // `O<NAME>` alone is the name of a FANUC program.
-        [b'o' | b'O', b'<', b'a'..=b'z' | b'A'..=b'Z' | b'_', rest @ ..] if has_text_behind_name(rest) => {
+        [b'o' | b'O', b'<', b'a'..=b'z' | b'A'..=b'Z' | b'_', rest @ ..] if has_text_after_name(rest) => {
             found(Sign::OWord, statement.span);
         }
         _ => {}
@@ -480,7 +480,7 @@ fn digits_written(word: &Word) -> u32 {
 }
 
 /// Whether a letter or `[` follows a name and its `>`.
-fn has_text_behind_name(rest: &[u8]) -> bool {
+fn has_text_after_name(rest: &[u8]) -> bool {
     let behind = rest.split(|&byte| byte == b'>').nth(1).unwrap_or_default();
     behind.trim_ascii_start().first().is_some_and(|&byte| byte.is_ascii_alphabetic() || byte == b'[')
 }

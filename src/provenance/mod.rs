@@ -18,7 +18,7 @@ pub use self::decimal::{DecimalEvidence, Measure, NumberWithoutPoint};
 use self::finder::Finder;
 use self::signs::{Sign, Weight};
 use self::statement::{Statement, Statements};
-use self::system::Scales;
+use self::system::SystemScores;
 use self::unit::{UnitEvidence, UnitHint};
 use crate::message::{Message, said};
 use crate::parts::{Part, early};
@@ -118,7 +118,7 @@ impl Target {
     ];
 
     /// Least weight of its signs. Milling has no unique words: a lathe with a Y axis uses most of them.
-    fn enough(self) -> i32 {
+    fn min_weight(self) -> i32 {
         match self {
             Self::Mill => 7,
             Self::Printer => 5,
@@ -149,7 +149,7 @@ pub struct Provenance {
 
 /// The result of a first look at a text.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Look {
+pub struct QuickCheck {
     /// Whether it contains something that most programs do not: only then can [`recognise`] find anything.
     pub is_unusual: bool,
     /// The evidence for the decimal rule in its numbers.
@@ -159,17 +159,17 @@ pub struct Look {
 }
 
 /// Reads the beginning of a text once, for all evidence.
-pub fn look(text: &[u8]) -> Look {
-    look_until(text, NUMBERS)
+pub fn quick_check(text: &[u8]) -> QuickCheck {
+    quick_check_until(text, NUMBERS)
 }
 
 /// The same, but for the numbers of the head only: enough to recognise the target.
-pub fn look_at_head(text: &[u8]) -> Look {
-    look_until(text, HEAD)
+pub fn quick_check_head(text: &[u8]) -> QuickCheck {
+    quick_check_until(text, HEAD)
 }
 
-fn look_until(text: &[u8], end: usize) -> Look {
-    let (mut seen, mut unit) = (Look::default(), UnitHint::default());
+fn quick_check_until(text: &[u8], end: usize) -> QuickCheck {
+    let (mut seen, mut unit) = (QuickCheck::default(), UnitHint::default());
     let mut statement = Statement::default();
     let mut statements = Statements::new(&text[..text.len().min(NUMBERS)]);
     while statements.read(&mut statement) && (statement.span.start as usize) < end {
@@ -180,12 +180,12 @@ fn look_until(text: &[u8], end: usize) -> Look {
             unit.take(&statement);
         }
     }
-    Look { may_be_inches: unit.is_open(), ..seen }
+    QuickCheck { may_be_inches: unit.is_open(), ..seen }
 }
 
 early! {
     fn read_closely(text: &[u8]) -> Provenance {
-        let (mut scores, mut finder, mut scales) = (Scores::default(), Finder::default(), Scales::default());
+        let (mut scores, mut finder, mut scales) = (Scores::default(), Finder::default(), SystemScores::default());
         let mut unit = UnitEvidence::default();
         let mut statement = Statement::default();
         let mut statements = Statements::new(&text[..text.len().min(NUMBERS)]);
@@ -199,8 +199,8 @@ early! {
 }
 
 /// The control that a text was written for, by its head; `None` if the part of the module that recognises it
-/// is not loaded. It is needed for texts that are [unusual](Look::is_unusual) or [may be in
-/// inches](Look::may_be_inches).
+/// is not loaded. It is needed for texts that are [unusual](QuickCheck::is_unusual) or [may be in
+/// inches](QuickCheck::may_be_inches).
 pub fn recognise(text: &[u8]) -> Option<Provenance> {
     RECOGNISED_BY.is_loaded().then(|| read_closely(text))
 }
@@ -210,7 +210,7 @@ pub const RECOGNISED_BY: Part = Part::Early;
 
 /// The evidence for the decimal rule in the numbers of a text.
 pub fn numbers(text: &[u8]) -> DecimalEvidence {
-    look(text).numbers
+    quick_check(text).numbers
 }
 
 /// The total weight of the signs.
@@ -252,7 +252,8 @@ impl Scores {
     }
 
     fn verdict(&self) -> Option<Foreign> {
-        let surplus = |target: Target| self.totals[target as usize] - self.against(target) - target.enough();
+        let surplus =
+            |target: Target| self.totals[target as usize] - self.against(target) - target.min_weight();
         let target = Target::ALL.into_iter().rev().max_by_key(|&target| surplus(target))?;
         let (_, evidence) = self.heaviest[target as usize]?;
         (surplus(target) >= 0 && self.is_possible(target)).then_some(Foreign { target, evidence })

@@ -8,9 +8,9 @@ use crate::source::Span;
 use crate::text::lexer::{Lexer, Number, Token, TokenKind};
 
 /// Most words of a statement that are kept.
-const MOST_WORDS: usize = 16;
+const MAX_WORDS: usize = 16;
 /// Most names of a statement that are kept.
-const MOST_NAMES: usize = 4;
+const MAX_NAMES: usize = 4;
 
 /// A letter and the number after it.
 #[derive(Clone, Copy, Debug, Default)]
@@ -46,14 +46,14 @@ pub struct Statement {
     /// All its bytes, without blanks around it.
     pub span: Span,
     /// Whether it follows a `;` on its line: a remark on many controls, the next block on FANUC's.
-    pub behind_semicolon: bool,
+    pub after_semicolon: bool,
     /// The first `(…)` of the statement.
     pub remark: Option<Span>,
     /// The `#<` of a variable with a name.
     pub named_variable: Option<Span>,
-    words: [Word; MOST_WORDS],
+    words: [Word; MAX_WORDS],
     word_count: usize,
-    names: [Name; MOST_NAMES],
+    names: [Name; MAX_NAMES],
     name_count: usize,
 }
 
@@ -101,14 +101,14 @@ impl Statement {
     }
 
     fn push_word(&mut self, word: Word) {
-        if self.word_count < MOST_WORDS {
+        if self.word_count < MAX_WORDS {
             self.words[self.word_count] = word;
             self.word_count += 1;
         }
     }
 
     fn push_name(&mut self, name: Name) {
-        if self.name_count < MOST_NAMES {
+        if self.name_count < MAX_NAMES {
             self.names[self.name_count] = name;
             self.name_count += 1;
         }
@@ -118,19 +118,19 @@ impl Statement {
 /// Reads a text statement by statement.
 pub struct Statements<'a> {
     lexer: Lexer<'a>,
-    behind_semicolon: bool,
+    after_semicolon: bool,
 }
 
 impl<'a> Statements<'a> {
     /// Starts at the head of `text`.
     pub fn new(text: &'a [u8]) -> Self {
-        Self { lexer: Lexer::new(text, 0), behind_semicolon: false }
+        Self { lexer: Lexer::new(text, 0), after_semicolon: false }
     }
 
     /// Reads the next statement into `statement`. Returns false at the end of the text.
     pub fn read(&mut self, statement: &mut Statement) -> bool {
         statement.clear(self.lexer.position());
-        statement.behind_semicolon = self.behind_semicolon;
+        statement.after_semicolon = self.after_semicolon;
         if self.lexer.peek_byte().is_none() {
             return false;
         }
@@ -138,7 +138,7 @@ impl<'a> Statements<'a> {
         while let Some(token) = self.lexer.next_token() {
             match token.kind {
                 TokenKind::LineEnd | TokenKind::Semicolon => {
-                    self.behind_semicolon = token.kind == TokenKind::Semicolon;
+                    self.after_semicolon = token.kind == TokenKind::Semicolon;
                     return true;
                 }
                 TokenKind::Blank => continue,
@@ -182,7 +182,7 @@ impl<'a> Statements<'a> {
         self.lexer.seek(end);
         let called = text.get(end) == Some(&b'(');
         let span = Span::new(first.span.start as usize, end);
-        Name { span, assigned: self.behind_equals().is_some(), called }
+        Name { span, assigned: self.after_equals().is_some(), called }
     }
 
     /// Reads the sign and number after a letter.
@@ -205,7 +205,7 @@ impl<'a> Statements<'a> {
             (word.signed, word.negative) = (false, false);
             self.lexer.seek(before_sign);
         }
-        if let Some(end) = self.behind_equals() {
+        if let Some(end) = self.after_equals() {
             word.assigned = true;
             word.span.end = end as u32;
             self.lexer.seek(end);
@@ -220,7 +220,7 @@ impl<'a> Statements<'a> {
     }
 
     /// End of the `=` that follows, if any.
-    fn behind_equals(&self) -> Option<usize> {
+    fn after_equals(&self) -> Option<usize> {
         let at = self.lexer.position();
         match self.lexer.text().get(at..)? {
             [b'=', ..] => Some(at + 1),

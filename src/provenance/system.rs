@@ -7,10 +7,10 @@ use crate::setup::dialect::GSystem;
 use crate::source::Span;
 
 /// Least weight of the signs of B or C.
-const ENOUGH: u8 = 3;
+const MIN_WEIGHT: u8 = 3;
 
 /// Most contours that are kept.
-const MOST_CONTOURS: usize = 16;
+const MAX_CONTOURS: usize = 16;
 
 /// Constructs of one system only. Each counts once.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -110,7 +110,7 @@ enum Side {
 
 /// Weighs the statements of a program.
 #[derive(Clone, Debug, Default)]
-pub struct Scales {
+pub struct SystemScores {
     seen: u32,
     /// Total for each side.
     totals: [u8; 4],
@@ -124,7 +124,7 @@ pub struct Scales {
     has_feed: bool,
 }
 
-impl Scales {
+impl SystemScores {
     /// Adds a statement.
     pub fn take(&mut self, statement: &Statement) {
         if !statement.names().is_empty() {
@@ -153,7 +153,7 @@ impl Scales {
                 780 if steps && names_contour => Sign::G78Depths,
                 770 if steps && names_contour => Sign::G77Steps,
                 730..=750 if names_contour && !statement.has_any(b"XZ") => {
-                    if self.roughed.len() < MOST_CONTOURS {
+                    if self.roughed.len() < MAX_CONTOURS {
                         self.roughed.push(contour);
                     }
                     continue;
@@ -224,7 +224,7 @@ impl Scales {
             if system == GSystem::C { of_own } else { of_own.into_iter().chain(shared).max_by_key(heavier) };
         let (_, span) = shown?;
         let for_it = total(own) + total(Side::BAndC);
-        (for_it >= ENOUGH + 2 * self.weight_of_a()).then_some((system, span))
+        (for_it >= MIN_WEIGHT + 2 * self.weight_of_a()).then_some((system, span))
     }
 
     /// Weight of the signs of A. A program that changes between G90 and G91 is not in A: its `G50 S` is a

@@ -9,7 +9,7 @@ use std::path::Path;
 #[track_caller]
 fn found(program: &str) -> Provenance {
     let found = recognise(program.as_bytes()).expect("all parts are there");
-    let look = look(program.as_bytes());
+    let look = quick_check(program.as_bytes());
     let is_unusual = found.foreign.is_some() || found.system.is_some();
     let is_seen = (look.is_unusual || !is_unusual) && (look.may_be_inches || found.inches.is_none());
     assert!(is_seen, "the first look does not see {found:?}\n{program}");
@@ -374,14 +374,14 @@ fn an_ordinary_program_needs_no_closer_look() {
                  G71 U2. R1.\nG71 P10 Q20 U0.4 W0.1 F0.25\nN10 G00 G42 X20.\nG01 Z0 F0.1\nG03 X30. Z-5. R5.\nN20 X50.\nG70 P10 Q20\n\
                  G76 P020060 Q100 R0.05\nG76 X18.2 Z-20. P900 Q300 F1.5\nG92 X19. Z-20. F1.5\nG90 X40. Z-30. R-2.\nG94 X0 Z0 F0.1\n\
                  G74 R1.\nG74 Z-40. Q5000 F0.1\nM98 P1000\nG04 X1.0\nM05\nM30\n%\n";
-    assert!(!look(shaft.as_bytes()).is_unusual);
+    assert!(!quick_check(shaft.as_bytes()).is_unusual);
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/programs");
     let programs = fs::read_dir(folder).expect("programs").flatten();
     let programs: Vec<_> =
         programs.filter_map(|entry| fs::read_to_string(entry.path().join("program.nc")).ok()).collect();
     let unusual = programs.iter().filter(|program| {
         found(program);
-        look(program.as_bytes()).is_unusual
+        quick_check(program.as_bytes()).is_unusual
     });
     let unusual = unusual.count();
     assert!(unusual * 3 < programs.len(), "{unusual} of {}", programs.len());
@@ -392,7 +392,7 @@ fn any_bytes_are_read() {
     let bytes: Vec<u8> = (0..=255u8).cycle().take(70_000).collect();
     for start in 0..256 {
         recognise(&bytes[start..]);
-        look(&bytes[start..]);
+        quick_check(&bytes[start..]);
         numbers(&bytes[start..]);
     }
     for end in

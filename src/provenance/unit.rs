@@ -8,13 +8,13 @@ use super::statement::Statement;
 use crate::source::Span;
 
 /// Largest X of a program that may be in inches, inches; the same for Z.
-const LARGEST: [f64; 2] = [10.0, 20.0];
+const MAX_INCHES: [f64; 2] = [10.0, 20.0];
 
 /// Fastest feed of a cut, inches per revolution: 0.75 mm.
-const FASTEST: f64 = 0.03;
+const MAX_FEED: f64 = 0.03;
 
 /// Coarsest lead of a thread, inches.
-const COARSEST: f64 = 0.5;
+const MAX_LEAD: f64 = 0.5;
 
 /// Least cutting speed that shows feet per minute on workpieces of less than [`LARGEST_TURNED`]: 60 m/min in
 /// feet.
@@ -24,20 +24,20 @@ const FEET: f64 = 200.0;
 const LARGEST_TURNED: f64 = 4.0;
 
 /// A cutting speed that no insert bears in metres per minute.
-const FASTEST_CUT: f64 = 600.0;
+const MAX_CUTTING_SPEED: f64 = 600.0;
 
 /// A cutting speed this many times higher than the speed limit of the spindle allows is not in metres per
 /// minute.
 const BEYOND_LIMIT: f64 = 5.0;
 
 /// A finer lead is not in millimetres.
-const FINEST: f64 = 0.2;
+const MIN_LEAD: f64 = 0.2;
 
 /// Least number of coordinates with three decimals, the last of which is 0, that show inches: `Z1.000`.
 const WRITTEN_OUT: u32 = 3;
 
 /// Least weight of the signs.
-const ENOUGH: usize = 3;
+const MIN_WEIGHT: usize = 3;
 
 /// Whether a program may be in inches: no code gives a unit, and no coordinate is too large.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -65,7 +65,7 @@ impl UnitHint {
                 _ => {}
             }
         }
-        let [x, z] = LARGEST;
+        let [x, z] = MAX_INCHES;
         for word in statement.words().iter().filter(|word| !word.assigned && !no_places) {
             let Some(number) = word.number else { continue };
             let most = match word.letter {
@@ -163,14 +163,14 @@ impl UnitEvidence {
                     self.pointed[1] += u32::from(is_out);
                 }
                 b'F' | b'E' if threads => {
-                    let is_too_fine = number.has_point() && value > 0.0 && value < FINEST;
+                    let is_too_fine = number.has_point() && value > 0.0 && value < MIN_LEAD;
                     self.lead = self.lead.or(is_too_fine.then_some(word.span));
-                    self.hint.excluded |= value >= COARSEST;
+                    self.hint.excluded |= value >= MAX_LEAD;
                     self.fine = self.fine.or(is_fine.then_some(word.span));
                 }
                 b'F' if !self.per_minute => {
                     self.has_feed = true;
-                    self.hint.excluded |= value > FASTEST;
+                    self.hint.excluded |= value > MAX_FEED;
                 }
                 b'S' if speeds && value >= self.feet.map_or(FEET, |feet| feet.0) => {
                     self.feet = Some((value, word.span));
@@ -185,7 +185,7 @@ impl UnitEvidence {
     pub fn inches(&self) -> Option<Span> {
         // The highest cutting speed in metres per minute for a workpiece of this size at the speed limit.
         let reached = std::f64::consts::PI * self.largest * self.limit / 1000.0;
-        let of_feet = |(speed, _): (f64, Span)| match speed >= FASTEST_CUT
+        let of_feet = |(speed, _): (f64, Span)| match speed >= MAX_CUTTING_SPEED
             || speed > BEYOND_LIMIT * reached && self.limit > 0.0
         {
             true => 2,
@@ -204,7 +204,7 @@ impl UnitEvidence {
             + usize::from(self.has_feed);
         let found = self.fine.or(self.lead).or(self.remark).or(feet.map(|feet| feet.1)).or(written_out)?;
         let cuts = self.has_feed || self.lead.is_some();
-        (self.hint.is_open() && cuts && weight >= ENOUGH).then_some(found)
+        (self.hint.is_open() && cuts && weight >= MIN_WEIGHT).then_some(found)
     }
 }
 

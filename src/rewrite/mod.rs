@@ -21,13 +21,13 @@ use crate::setup::dialect::Dialect;
 use crate::source::Span;
 
 /// Maximum number of offers for one program.
-pub const MOST_OFFERS: usize = 200;
+pub const MAX_OFFERS: usize = 200;
 /// Maximum total number of blocks and motions in trial runs; one trial is made whatever its length.
-const MOST_WORK: usize = 2_000_000;
+const MAX_WORK: usize = 2_000_000;
 /// Minimum cost of one trial: a short program may still take long.
-const LEAST_WORK: usize = 10_000;
+const MIN_TRIAL_COST: usize = 10_000;
 /// Maximum number of rounds of applying offers.
-const MOST_ROUNDS: usize = 50;
+const MAX_ROUNDS: usize = 50;
 /// Tolerance for equal positions, mm.
 const SAME: f64 = 1e-6;
 
@@ -75,13 +75,13 @@ pub fn offers(text: &[u8], setup: &Setup, near: Option<Span>) -> Vec<Offer> {
     if let Some(near) = near {
         order::by_key(&mut candidates, |candidate| distance(candidate, near));
     }
-    let mut tries = Tries { text, setup, before: &before, left: MOST_WORK };
+    let mut tries = Trials { text, setup, before: &before, left: MAX_WORK };
     let mut found = Vec::new();
     for candidate in candidates {
-        if found.len() >= MOST_OFFERS || !tries.may_go_on() {
+        if found.len() >= MAX_OFFERS || !tries.may_continue() {
             break;
         }
-        let fits = |offer: &Offer, tries: &mut Tries| tries.keeps(&offer.edits);
+        let fits = |offer: &Offer, tries: &mut Trials| tries.keeps_motions(&offer.edits);
         if fits(&candidate.offer, &mut tries) {
             found.push(candidate.offer);
         } else if let Some(first) = candidate.first_alone.filter(|first| fits(first, &mut tries)) {
@@ -98,13 +98,16 @@ pub fn rewritten(text: &[u8], setup: &Setup) -> (Vec<u8>, Vec<Offer>) {
     let (mut text, mut taken) = (text.to_vec(), Vec::new());
     let mut earlier: Vec<Vec<Edit>> = Vec::new();
     // A cycle directly after another one begins where the edits of the first end: the next round finds it.
-    for _ in 0..MOST_ROUNDS {
+    for _ in 0..MAX_ROUNDS {
         let before = traced(&text, setup);
         let together = apart(candidates(&text, &before).into_iter().map(|candidate| candidate.offer));
-        let mut tries = Tries { text: &text, setup, before: &before, left: usize::MAX };
-        let mut round =
-            if tries.keeps(&edits_of(&together)) { together } else { apart(offers(&text, setup, None)) };
-        if round.len() > 1 && !tries.keeps(&edits_of(&round)) {
+        let mut tries = Trials { text: &text, setup, before: &before, left: usize::MAX };
+        let mut round = if tries.keeps_motions(&edits_of(&together)) {
+            together
+        } else {
+            apart(offers(&text, setup, None))
+        };
+        if round.len() > 1 && !tries.keeps_motions(&edits_of(&round)) {
             // Each offer alone keeps the motions, but all together do not.
             round.truncate(1);
         }
@@ -207,7 +210,7 @@ fn candidates(text: &[u8], analysis: &Analysis) -> Vec<Candidate> {
 }
 
 /// Runs changed programs within the work limit.
-struct Tries<'a> {
+struct Trials<'a> {
     text: &'a [u8],
     setup: &'a Setup,
     before: &'a Analysis,
@@ -215,19 +218,19 @@ struct Tries<'a> {
     left: usize,
 }
 
-impl Tries<'_> {
-    fn may_go_on(&self) -> bool {
+impl Trials<'_> {
+    fn may_continue(&self) -> bool {
         self.left > 0
     }
 
     /// Whether the program with these edits makes the same motions and gets no additional complaints.
-    fn keeps(&mut self, edits: &[Edit]) -> bool {
+    fn keeps_motions(&mut self, edits: &[Edit]) -> bool {
         self.left =
-            self.left.saturating_sub((self.before.blocks + self.before.motions.len()).max(LEAST_WORK));
+            self.left.saturating_sub((self.before.blocks + self.before.motions.len()).max(MIN_TRIAL_COST));
         let after = crate::analyze(&applied(self.text, edits), self.setup);
         self.before.codes == after.codes
             && same_motions(&self.before.motions, &after.motions)
-            && complains_no_more(self.before, &after)
+            && has_no_new_complaints(self.before, &after)
     }
 }
 
@@ -272,7 +275,7 @@ fn same_motion(before: &Motion, after: &Motion) -> bool {
 }
 
 /// Whether the changed program has no additional complaints.
-fn complains_no_more(before: &Analysis, after: &Analysis) -> bool {
+fn has_no_new_complaints(before: &Analysis, after: &Analysis) -> bool {
     let count = |analysis: &Analysis| {
         let mut told = BTreeMap::new();
         for found in analysis.diagnostics.iter().filter(|found| counts(found)) {

@@ -19,7 +19,7 @@ use crate::text::parser::{Parser, Resume};
 use crate::units::Unit;
 
 /// Maximum number of blocks that may begin a contour; in a text with more, everything counts as a contour.
-const MOST_LABELS: usize = 100_000;
+const MAX_LABELS: usize = 100_000;
 
 /// A block that consists of one straight move.
 #[derive(Clone, Copy, Debug)]
@@ -47,7 +47,7 @@ pub struct Places {
     /// Whether a block refers to a sequence number that is only known at run time.
     any_target: bool,
     /// Byte ranges of loops and contours, sorted, disjoint.
-    fenced: Vec<Range<u32>>,
+    excluded_ranges: Vec<Range<u32>>,
     /// End of the main program, bytes.
     end: u32,
 }
@@ -67,9 +67,9 @@ impl Places {
     }
 
     /// Whether a byte is inside a loop or a contour.
-    fn is_fenced(&self, byte: u32) -> bool {
-        let behind = self.fenced.partition_point(|fenced| fenced.start <= byte);
-        behind.checked_sub(1).is_some_and(|index| byte < self.fenced[index].end)
+    fn is_excluded(&self, byte: u32) -> bool {
+        let behind = self.excluded_ranges.partition_point(|excluded_ranges| excluded_ranges.start <= byte);
+        behind.checked_sub(1).is_some_and(|index| byte < self.excluded_ranges[index].end)
     }
 
     /// Collects everything that the text alone determines; the main program begins at byte `head`.
@@ -78,7 +78,7 @@ impl Places {
             moves: Vec::new(),
             targets: BTreeSet::new(),
             any_target: false,
-            fenced: Vec::new(),
+            excluded_ranges: Vec::new(),
             end: text.len() as u32,
         };
         let (mut labels, mut pairs, mut loops) =
@@ -112,16 +112,16 @@ impl Places {
         for (first, last) in pairs {
             let (starts, ends) = (labels.get(&first), labels.get(&last));
             looked_at += starts.map_or(0, Vec::len);
-            if looked_at > MOST_LABELS {
-                places.fenced.push(0..u32::MAX);
+            if looked_at > MAX_LABELS {
+                places.excluded_ranges.push(0..u32::MAX);
                 break;
             }
             for (&start, ends) in starts.into_iter().flatten().zip(std::iter::repeat(ends)) {
                 let end = ends.and_then(|ends| ends.get(ends.partition_point(|&end| end < start)));
-                places.fenced.extend(end.map(|&end| start..end + 1));
+                places.excluded_ranges.extend(end.map(|&end| start..end + 1));
             }
         }
-        places.fenced = merged(places.fenced);
+        places.excluded_ranges = merged(places.excluded_ranges);
         places
     }
 
@@ -138,7 +138,7 @@ impl Places {
         let is_number = |rest: &str| rest.starts_with(|ch: char| ch.is_ascii_digit());
         let is_end = statement.find("END").is_some_and(|at| is_number(&statement[at + 3..]));
         if is_end {
-            self.fenced.extend(loops.pop().map(|start| start..bytes.end));
+            self.excluded_ranges.extend(loops.pop().map(|start| start..bytes.end));
         } else if statement.rfind("DO").is_some_and(|at| is_number(&statement[at + 2..])) {
             loops.push(bytes.start);
         }
@@ -159,7 +159,7 @@ impl Places {
         for (index, executed) in trace.iter().enumerate() {
             Parser::resume(text, executed.at).next_block(&mut block);
             let byte = executed.at.byte;
-            let inside = byte < self.end && !self.is_fenced(byte);
+            let inside = byte < self.end && !self.is_excluded(byte);
             let once = times.get(&byte).is_none_or(|&times| times == 1);
             let mut is_plain = executed.values.is_none() && !executed.is_flow_control && is_plain(&block);
             for found in block.words.iter().filter_map(|word| g(word, analysis.codes)) {

@@ -134,8 +134,8 @@ impl Run {
                 && start >= LEADER
                 && (start >= provenance::HEAD
                     || Some(self.recognised)
-                        == Recognised::of(&text, provenance::look_at_head(&text), &self.setup().dialect))
-                && (start >= notes::HEAD || (Notes::can_be_read(&text) && self.notes.are_those_of(&text)))
+                        == Recognised::of(&text, provenance::quick_check_head(&text), &self.setup().dialect))
+                && (start >= notes::HEAD || (Notes::can_be_read(&text) && self.notes.match_text(&text)))
         });
         let same_way = match checkpoint {
             Some(checkpoint) => {

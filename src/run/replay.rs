@@ -301,7 +301,7 @@ impl Replay {
         self.visits += 1;
         let number = self.visits;
         let carried_out = if purpose.is_none() { self.carried_out } else { 0 };
-        let is_meant = match (self.choice, &self.visit) {
+        let is_intended = match (self.choice, &self.visit) {
             (_, None) => true,
             (VisitChoice::Usual, Some(kept)) => {
                 kept.purpose == Some(ContourUse::Roughing) && purpose != Some(ContourUse::Roughing)
@@ -312,7 +312,7 @@ impl Replay {
                 !kept.motions.contains(&wanted) && motions.start <= wanted
             }
         };
-        if is_meant {
+        if is_intended {
             self.visit = Some(Visit { number, purpose, carried_out, before, after, values, motions });
         }
     }

@@ -48,7 +48,7 @@ const PADDING: [f64; 4] = [14.0, 26.0, 22.0, 22.0];
 /// Minimum and maximum scale, CSS pixels per mm: 20 m on the width of a phone, and 0.5 µm per pixel.
 pub const SCALES: [f64; 2] = [0.02, 2000.0];
 /// Minimum extent that is fitted, mm, so that a single point is not magnified without limit.
-const LEAST_EXTENT: f64 = 2.0;
+const MIN_EXTENT: f64 = 2.0;
 
 /// The direction of X+ in the picture.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -103,8 +103,8 @@ impl Camera {
         let [left, top, right, bottom] = PADDING;
         let width = (size.width - LEFT_RULER - left - right).max(1.0);
         let height = (size.height - BOTTOM_RULER - top - bottom).max(1.0);
-        let along = width / bounds.length().max(LEAST_EXTENT);
-        let across = height / bounds.height().max(LEAST_EXTENT);
+        let along = width / bounds.length().max(MIN_EXTENT);
+        let across = height / bounds.height().max(MIN_EXTENT);
         let scale = within(along.min(across), SCALES[0], SCALES[1]);
         let center_z = (bounds.min.z + bounds.max.z) / 2.0;
         let center_x = (bounds.min.x + bounds.max.x) / 2.0;
@@ -125,8 +125,8 @@ impl Camera {
     /// `most`.
     pub fn height_for(bounds: Bounds, width: f64, least: f64, most: f64) -> f64 {
         let [left, top, right, bottom] = PADDING;
-        let scale = (width - LEFT_RULER - left - right).max(1.0) / bounds.length().max(LEAST_EXTENT);
-        let height = bounds.height().max(LEAST_EXTENT) * scale + BOTTOM_RULER + top + bottom;
+        let scale = (width - LEFT_RULER - left - right).max(1.0) / bounds.length().max(MIN_EXTENT);
+        let height = bounds.height().max(MIN_EXTENT) * scale + BOTTOM_RULER + top + bottom;
         within(height, least, most).round()
     }
 
@@ -231,7 +231,7 @@ mod tests {
         let mut camera = Camera::fit_with(bounds, SIZE, Turret::Front.into());
         let [a, b] = [Point::new(10.0, -5.0), Point::new(20.0, 5.0)].map(|point| camera.to_screen(point));
         assert!(b.x > a.x && b.y > a.y);
-        assert!(camera.to_world(a).is_same(Point::new(10.0, -5.0)) && camera.seen().holds(bounds.max));
+        assert!(camera.to_world(a).is_same(Point::new(10.0, -5.0)) && camera.seen().contains(bounds.max));
         let before = camera;
         camera.turn(XPlus::Up);
         assert!(camera.to_screen(Point::new(20.0, 5.0)).y < camera.to_screen(Point::new(10.0, 5.0)).y);

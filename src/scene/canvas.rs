@@ -36,7 +36,7 @@ const PICKED: f64 = 3.0;
 const MANY_PICKED: usize = 24;
 const CLEAR: f64 = 7.0;
 /// Minimum length on screen of a selected stroke with an arrow head, CSS pixels.
-const LEAST_FOR_PICKED_ARROW: f64 = 22.0;
+const MIN_FOR_PICKED_ARROW: f64 = 22.0;
 
 /// The part that draws the layer over the strokes; no selection and no tool is shown before it is loaded.
 const OVER: Part = Part::Late;
@@ -121,7 +121,7 @@ impl Painter {
     }
 
     /// Paints the next image even if it is unchanged, because the last one was not shown.
-    pub fn paint_again(&mut self) {
+    pub fn force_repaint(&mut self) {
         self.painted = None;
     }
 
@@ -311,7 +311,7 @@ impl Painter {
         pen.page(view)?;
         let dots = Ink::ALL.into_iter().flat_map(|ink| paths.dots(ink));
         pen.dots(colour, dots.map(|at| camera.to_screen(*at)), 5.0)?;
-        let heads = arrow_heads(strokes().map(|s| s.shape), camera, LEAST_FOR_PICKED_ARROW);
+        let heads = arrow_heads(strokes().map(|s| s.shape), camera, MIN_FOR_PICKED_ARROW);
         pen.fill(colour, heads.iter().map(|head| &head[..]));
         let start = strokes().next().map(|stroke| camera.to_screen(stroke.shape.start()));
         pen.dots(&view.palette.background, start.into_iter(), 6.0)?;

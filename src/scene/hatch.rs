@@ -10,7 +10,7 @@ use crate::geometry::within;
 const SPACING: f64 = 9.0;
 
 /// Maximum number of lines in one picture.
-const MOST: usize = 20_000;
+const MAX_LINES: usize = 20_000;
 
 /// The direction of the lines.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -44,7 +44,7 @@ pub fn hatch(outlines: &[Vec<Pixel>], zero: Pixel, size: Size) -> Vec<[Pixel; 2]
     // For each visible line, in order, its intersections with the outlines; there are few.
     let first = seen[0].ceil();
     let mut crossings: Vec<Vec<f64>> =
-        vec![Vec::new(); (within(seen[1] - first, 0.0, MOST as f64) as usize) + 1];
+        vec![Vec::new(); (within(seen[1] - first, 0.0, MAX_LINES as f64) as usize) + 1];
     let mut count = 0;
     for outline in outlines {
         let next = outline.iter().cycle().skip(1);
@@ -53,7 +53,7 @@ pub fn hatch(outlines: &[Vec<Pixel>], zero: Pixel, size: Size) -> Vec<[Pixel; 2]
             let (low, high) = (from.min(to).max(seen[0]), from.max(to).min(seen[1]));
             let mut line = low.ceil();
             // An end point on a line belongs to the edge that begins below it.
-            while line < high && count < 2 * MOST && (line - first) < crossings.len() as f64 {
+            while line < high && count < 2 * MAX_LINES && (line - first) < crossings.len() as f64 {
                 let share = (line - from) / (to - from);
                 let along = (a.x - a.y) + share * ((b.x - b.y) - (a.x - a.y));
                 let own = &mut crossings[(line - first) as usize];

@@ -10,13 +10,13 @@ const HEAD: f64 = 8.0;
 /// Half the width of an arrow head, CSS pixels.
 const HALF_HEAD: f64 = 2.8;
 /// Minimum length on screen of a stroke with an arrow head, CSS pixels.
-pub const LEAST_FOR_ARROW: f64 = 44.0;
+pub const MIN_FOR_ARROW: f64 = 44.0;
 /// Minimum distance between two arrow heads, CSS pixels.
 const APART: f64 = 16.0;
 /// Maximum number of arrow heads in one picture.
-const MOST_ARROWS: usize = 400;
+const MAX_ARROWS: usize = 400;
 /// Maximum number of visible motions for arrow heads; with more, they would only clutter the picture.
-pub const MOST_WITH_ARROWS: usize = 3000;
+pub const MAX_WITH_ARROWS: usize = 3000;
 /// Edge length of the insert, CSS pixels.
 const EDGE: f64 = 19.0;
 /// Angles of the two cutting edges of an 80° insert from +Z, degrees, counter-clockwise: an approach angle of
@@ -63,12 +63,12 @@ pub fn add_arrow_heads(
 ) {
     let seen = camera.seen();
     for shape in shapes {
-        if heads.len() >= MOST_ARROWS {
+        if heads.len() >= MAX_ARROWS {
             break;
         }
         let Some(head) = arrow_head(&shape, camera, least) else { continue };
         let crowded = heads.iter().any(|other| other[0].distance(head[0]) < APART);
-        if !crowded && seen.holds(camera.to_world(head[0])) {
+        if !crowded && seen.contains(camera.to_world(head[0])) {
             heads.push(head);
         }
     }

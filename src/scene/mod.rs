@@ -480,13 +480,13 @@ impl<'a> Scene<'a> {
         let near = core.grown(core.length().max(core.height()) / 2.0);
         let mut bounds = core;
         for stretch in self.path_index.stretches() {
-            let Some(rapids) = stretch.rapids.filter(|rapids| rapids.meets(near)) else { continue };
-            if near.holds(rapids.min) && near.holds(rapids.max) {
+            let Some(rapids) = stretch.rapids.filter(|rapids| rapids.overlaps(near)) else { continue };
+            if near.contains(rapids.min) && near.contains(rapids.max) {
                 bounds = bounds.union(rapids);
                 continue;
             }
             let rapids = self.strokes_of(stretch.motions.clone()).filter(|s| s.style == StrokeStyle::Rapid);
-            let ends = rapids.map(|stroke| stroke.shape.end()).filter(|end| near.holds(*end));
+            let ends = rapids.map(|stroke| stroke.shape.end()).filter(|end| near.contains(*end));
             bounds = ends.fold(bounds, Bounds::with);
         }
         bounds
@@ -496,13 +496,13 @@ impl<'a> Scene<'a> {
     /// without a rapid, or return home at feed.
     fn cuts_near(&self, stock: Bounds, cuts: Bounds) -> Bounds {
         let near = stock.grown(stock.length().max(stock.height()) / 2.0);
-        let all_near = |bounds: Bounds| near.holds(bounds.min) && near.holds(bounds.max);
+        let all_near = |bounds: Bounds| near.contains(bounds.min) && near.contains(bounds.max);
         if all_near(cuts) {
             return cuts;
         }
         let mut found = None;
         for stretch in self.path_index.stretches() {
-            let Some(cuts) = stretch.cuts.filter(|cuts| cuts.meets(near)) else { continue };
+            let Some(cuts) = stretch.cuts.filter(|cuts| cuts.overlaps(near)) else { continue };
             if all_near(cuts) {
                 found = join(found, Some(cuts));
                 continue;
@@ -513,7 +513,7 @@ impl<'a> Scene<'a> {
                 if all_near(bounds) {
                     found = join(found, Some(bounds));
                 } else {
-                    let ends = [shape.start(), shape.end()].into_iter().filter(|end| near.holds(*end));
+                    let ends = [shape.start(), shape.end()].into_iter().filter(|end| near.contains(*end));
                     found = ends.fold(found, |found, end| join(found, Some(Bounds::of(end))));
                 }
             }

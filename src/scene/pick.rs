@@ -41,9 +41,9 @@ pub fn pick(
     let dot = DOT / camera.scale();
     let near = |reach: f64| {
         let around = Bounds::of(pointer).grown(reach + dot);
-        let stretches = scene.path_index().stretches().iter().filter(move |s| s.bounds.meets(around));
+        let stretches = scene.path_index().stretches().iter().filter(move |s| s.bounds.overlaps(around));
         stretches.flat_map(|stretch| scene.strokes_of(stretch.motions.clone())).filter_map(move |stroke| {
-            if !stroke.shape.bounds().meets(around) {
+            if !stroke.shape.bounds().overlaps(around) {
                 return None;
             }
             let at = nearest(&stroke.shape, pointer);

@@ -11,11 +11,11 @@ use super::StrokeShape;
 use super::camera::{Camera, Pixel};
 
 /// Minimum distance to the next point of a line, CSS pixels; closer points are skipped.
-const LEAST_STEP: f64 = 0.8;
+const MIN_STEP: f64 = 0.8;
 /// Maximum distance of a chord from its arc, device pixels.
 const SAGITTA: f64 = 0.3;
 /// Maximum number of chords of an arc.
-const MOST_CHORDS: f64 = 512.0;
+const MAX_CHORDS: f64 = 512.0;
 /// Radius of the dot of a dwell, CSS pixels.
 const DOT: f64 = 3.0;
 /// Number of fraction bits of fixed-point positions, in pixels.
@@ -40,7 +40,7 @@ struct Frame {
     upward: f64,
     /// The position of X0 Z0, device pixels.
     zero: Pixel,
-    /// [`LEAST_STEP`] and [`DOT`], device pixels.
+    /// [`MIN_STEP`] and [`DOT`], device pixels.
     least_step: f64,
     dot: f64,
 }
@@ -67,7 +67,7 @@ impl Plot {
             scale: camera.scale() * pixel_ratio,
             upward: camera.upward() * pixel_ratio,
             zero: Pixel::new(zero.x * pixel_ratio, zero.y * pixel_ratio),
-            least_step: LEAST_STEP * pixel_ratio,
+            least_step: MIN_STEP * pixel_ratio,
             dot: DOT * pixel_ratio,
         };
         Self { frame, layers: vec![Layer::default(); layers] }
@@ -258,7 +258,7 @@ fn chords(arc: &Arc, scale: f64) -> u32 {
     }
     // The height of a flat arc is its radius times an eighth of its squared angle.
     let pieces = (arc.sweep().abs() * (radius * scale / (8.0 * SAGITTA)).sqrt()).ceil();
-    within(pieces, 3.0, MOST_CHORDS) as u32
+    within(pieces, 3.0, MAX_CHORDS) as u32
 }
 
 #[cfg(test)]

@@ -15,7 +15,7 @@ const STRIPS: usize = 360;
 
 /// Maximum number of crossings of a path that is split; one with more stays whole and is drawn beyond the
 /// edge of the workpiece.
-const MOST_CROSSINGS: f64 = 100.0;
+const MAX_CROSSINGS: f64 = 100.0;
 
 /// The visible turn of the workpiece, mm.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -113,7 +113,7 @@ impl Window {
         let [low, high] = extent(way);
         let first = ((low - self.low) / self.around).floor() + 1.0;
         let crossings = ((high - self.low) / self.around).ceil() - first;
-        if !(crossings > 0.0 && crossings <= MOST_CROSSINGS) {
+        if !(crossings > 0.0 && crossings <= MAX_CROSSINGS) {
             let moved = if crossings > 0.0 { 0.0 } else { self.move_of((low + high) / 2.0) };
             return vec![Piece { way: way.moved(Point::new(moved, 0.0)), shares: [0.0, 1.0], moved }];
         }

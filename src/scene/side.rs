@@ -27,7 +27,7 @@ use crate::source::Span;
 const PIECES: u32 = 32;
 
 /// Maximum number of moves; further moves are not split at the seam.
-const MOST_CUT: usize = 20_000;
+const MAX_CUT: usize = 20_000;
 
 /// The side of the workpiece and the moves over it.
 #[derive(Clone, Debug)]
@@ -215,7 +215,7 @@ fn gather(moves: &mut Gathered, own: &OverSide, shown: Shown) {
     let count = ways.len() as f64;
     for (number, way) in ways.iter().enumerate() {
         let whole = || vec![super::seam::Piece { way: *way, shares: [0.0, 1.0], moved: 0.0 }];
-        let window = window.filter(|_| moves.len() < MOST_CUT);
+        let window = window.filter(|_| moves.len() < MAX_CUT);
         for piece in window.map_or_else(whole, |window| window.pieces(way)) {
             // The programmed path is not split; it is added to the first piece of its move.
             let programmed = own.motion.programmed.filter(|_| is_true && piece.shares[0] == 0.0);

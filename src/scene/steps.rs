@@ -12,9 +12,9 @@ use crate::motion::{Cycle, CycleStep, Motion, MotionKind, Motions, Step};
 /// Distance from a stroke to the middle of its label, CSS pixels.
 const BESIDE: f64 = 13.0;
 /// Minimum length of a stroke with a label, CSS pixels.
-const LEAST: f64 = 10.0;
+const MIN_LENGTH: f64 = 10.0;
 /// Maximum number of motions in a pass of these cycles.
-const MOST: usize = 8;
+const MAX_MOTIONS: usize = 8;
 
 /// The label of a stroke.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -32,7 +32,7 @@ impl StepLabel {
     pub fn place(&self, camera: &Camera) -> Option<Pixel> {
         let [from, to, middle] = [self.from, self.to, self.middle].map(|at| camera.to_screen(at));
         let length = from.distance(to);
-        if length < LEAST {
+        if length < MIN_LENGTH {
             return None;
         }
         let half = Pixel::new((from.x + to.x) / 2.0, (from.y + to.y) / 2.0);
@@ -57,8 +57,8 @@ pub fn labels(motions: &Motions, picked: &[Range<usize>], pointed: Option<usize>
     };
     let Some(pass) = pass_of(at) else { return Vec::new() };
     let is_of_pass = |index: &usize| holds(*index) && pass_of(*index) == Some(pass);
-    let begin = (at.saturating_sub(MOST)..=at).rev().take_while(is_of_pass).last().unwrap_or(at);
-    let end = motions.len().min(begin + MOST);
+    let begin = (at.saturating_sub(MAX_MOTIONS)..=at).rev().take_while(is_of_pass).last().unwrap_or(at);
+    let end = motions.len().min(begin + MAX_MOTIONS);
     let own: Vec<Motion> =
         (begin..end).take_while(is_of_pass).map(|index| motions.get_on_workpiece(index)).collect();
     let ends = own.iter().fold((0.0, 0.0), |sum, motion| (sum.0 + motion.to.x, sum.1 + motion.to.z));

@@ -14,13 +14,13 @@ use super::{Place, Plane, Scene};
 use crate::geometry::virtual_plane::Way;
 use crate::geometry::{Point, Turn};
 use crate::machine::resolved_setup::{ResolvedSetup, ResolvedTool};
-use crate::machine::sweep::{self, way_of};
+use crate::machine::sweep::{self, path_of};
 use crate::motion::{Chunk, Motion, MotionKind, Motions};
 use crate::playback::clock::Playhead;
 use crate::source::Span;
 
 /// Maximum number of moves whose swept area is computed; with more, only the paths are drawn.
-const MOST_SWEPT: usize = 2000;
+const MAX_SWEPT: usize = 2000;
 
 /// Number of corners of a circle.
 const CORNERS: u32 = 256;
@@ -146,7 +146,7 @@ impl SurfaceMoves {
 
     /// The areas that the cutters sweep: in all moves, or up to a position in the run.
     pub(super) fn swept(&self, place: Option<Place>) -> Vec<Vec<Point>> {
-        if self.of.len() > MOST_SWEPT {
+        if self.of.len() > MAX_SWEPT {
             return Vec::new();
         }
         let mut swept = Vec::new();
@@ -165,7 +165,7 @@ impl SurfaceMoves {
                 Some((own, outline)) if own == radius => outline,
                 _ => sweep::Outline::around(circle(radius)),
             };
-            swept.extend(outline.along(&way_of(&motion)));
+            swept.extend(outline.along(&path_of(&motion)));
             cutter = Some((radius, outline));
         }
         swept

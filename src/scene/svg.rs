@@ -15,7 +15,7 @@ use crate::motion::Motions;
 use super::camera::{BOTTOM_RULER, Camera, LEFT_RULER, Pixel, Size, XPlus};
 use super::face::Face;
 use super::hatch::hatch;
-use super::marks::{LEAST_FOR_ARROW, MOST_WITH_ARROWS, arrow_heads};
+use super::marks::{MAX_WITH_ARROWS, MIN_FOR_ARROW, arrow_heads};
 use super::palette::Palette;
 use super::path_index::PathIndex;
 use super::ruler::{Scale, Tick, TickWeight, ticks};
@@ -29,7 +29,7 @@ mod overlay;
 
 use apart::Apart;
 pub use caption::{Caption, LEGEND};
-pub use overlay::{MOST_STROKES, overlay};
+pub use overlay::{MAX_STROKES, overlay};
 
 /// The options of a file.
 #[derive(Clone, Debug, PartialEq)]
@@ -330,13 +330,13 @@ impl Drawing {
     }
 
     fn arrows(&mut self, scene: &Scene) {
-        if scene.len() > MOST_WITH_ARROWS {
+        if scene.len() > MAX_WITH_ARROWS {
             return;
         }
         for style in [StrokeStyle::Feed, StrokeStyle::Thread] {
             let strokes = scene.strokes().filter(|stroke| stroke.style == style && !stroke.uncertain);
             let heads =
-                arrow_heads(strokes.map(|stroke| self.apart.shape(&stroke)), &self.camera, LEAST_FOR_ARROW);
+                arrow_heads(strokes.map(|stroke| self.apart.shape(&stroke)), &self.camera, MIN_FOR_ARROW);
             if heads.is_empty() {
                 continue;
             }

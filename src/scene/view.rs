@@ -125,7 +125,7 @@ impl View {
     }
 
     /// The same view without a selection, and with another playhead.
-    pub fn bare(&self, playhead: Option<Playhead>) -> View {
+    pub fn without_selection(&self, playhead: Option<Playhead>) -> View {
         View {
             palette: self.palette.clone(),
             highlight: Vec::new(),

@@ -10,7 +10,7 @@ use crate::assist::explain::{Action, Explanation};
 use crate::assist::fact::{Fact, Quantity};
 use crate::assist::place::Place;
 use crate::assist::role::Role;
-use crate::assist::signature::Otherwise;
+use crate::assist::signature::WhenOmitted;
 use crate::assist::snippet::Snippet;
 use crate::assist::state::{Frame, InForce};
 use crate::control::codes::{self, G, Group};
@@ -256,14 +256,14 @@ impl Speaker<'_> {
     }
 
     /// The default of an omitted word.
-    pub fn otherwise(&self, otherwise: Otherwise, in_force: Option<Quantity>) -> String {
+    pub fn otherwise(&self, otherwise: WhenOmitted, in_force: Option<Quantity>) -> String {
         let told = match (otherwise, in_force) {
-            (Otherwise::Missing, _) => Told::SlotMissing,
-            (Otherwise::Stays, _) => Told::SlotStays,
-            (Otherwise::Zero, _) => Told::SlotZero,
-            (Otherwise::AsSet, None) => Told::SlotAsSet,
-            (Otherwise::AsSet, Some(_)) => Told::SlotAsSetTo,
-            (Otherwise::Nothing, _) => Told::SlotMay,
+            (WhenOmitted::Missing, _) => Told::SlotMissing,
+            (WhenOmitted::Stays, _) => Told::SlotStays,
+            (WhenOmitted::Zero, _) => Told::SlotZero,
+            (WhenOmitted::AsSet, None) => Told::SlotAsSet,
+            (WhenOmitted::AsSet, Some(_)) => Told::SlotAsSetTo,
+            (WhenOmitted::Nothing, _) => Told::SlotMay,
         };
         let what = in_force.map(|quantity| ("what", Value::Text(self.quantity(quantity).into())));
         self.filled(told, &what.into_iter().collect())

@@ -69,7 +69,7 @@ pub fn changes(text: &[u8], lines: &[String]) -> Vec<Change> {
         })
         .collect();
     if place.is_none() && !lines.is_empty() {
-        let at = behind_number(text);
+        let at = after_number(text);
         let is_behind_line = at == 0 || matches!(text[at - 1], b'\n' | b'\r');
         let insert = if is_behind_line { written } else { format!("\n{written}") };
         let index = changes.partition_point(|change| (change.span.start as usize) < at);
@@ -84,7 +84,7 @@ fn whole(text: &[u8], inside: Span) -> Span {
     let (mut start, mut end) = (inside.start as usize - 1, inside.end as usize);
     end += usize::from(matches!(text.get(end), Some(b')' | b']')));
     let line_start = source::line_around(text, start).start as usize;
-    let line_end = source::behind_line_end(text, source::line_end(text, end));
+    let line_end = source::after_line_end(text, source::line_end(text, end));
     let before = text[line_start..start].trim_ascii();
     let behind = text[end..line_end].trim_ascii();
     if before.is_empty() && behind.is_empty() {
@@ -100,11 +100,11 @@ fn whole(text: &[u8], inside: Span) -> Span {
 }
 
 /// The first place after `%` and the O number of a program.
-fn behind_number(text: &[u8]) -> usize {
+fn after_number(text: &[u8]) -> usize {
     let (mut at, mut behind) = (0, 0);
     for _ in 0..20 {
         let line = source::line_around(text, at);
-        at = source::behind_line_end(text, line.end as usize);
+        at = source::after_line_end(text, line.end as usize);
         match line.of(text).trim_ascii() {
             [] => {}
             [b'%', ..] => behind = at,

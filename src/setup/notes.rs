@@ -129,18 +129,18 @@ pub const MACHINE_WORDS: &str = "RAPIDX=, RAPIDZ=, MAXSPEED=, THREADK=, XMIN=, X
 impl Notes {
     /// Reads the comments at the head of a text.
     pub fn read(text: &[u8]) -> Self {
-        if Self::may_stand_in(text) { read(text) } else { Self::default() }
+        if Self::may_contain_notes(text) { read(text) } else { Self::default() }
     }
 
     /// Whether a text may have notes; only then reading them needs the part `Early` of the module. Never
     /// false if there are notes.
-    pub fn may_stand_in(text: &[u8]) -> bool {
+    pub fn may_contain_notes(text: &[u8]) -> bool {
         comments(text).any(|comment| comment.keyword().is_some())
     }
 
     /// Whether the notes of a text can be read now: there are none, or the part that reads them is loaded.
     pub fn can_be_read(text: &[u8]) -> bool {
-        Part::Early.is_loaded() || !Self::may_stand_in(text)
+        Part::Early.is_loaded() || !Self::may_contain_notes(text)
     }
 
     /// The setup with its values overridden by the notes.
@@ -158,9 +158,9 @@ impl Notes {
     }
 
     /// Whether these are the notes of a text.
-    pub fn are_those_of(&self, text: &[u8]) -> bool {
-        if Self::may_stand_in(text) {
-            are_those(self, text)
+    pub fn match_text(&self, text: &[u8]) -> bool {
+        if Self::may_contain_notes(text) {
+            match_text(self, text)
         } else {
             self.places.is_empty() && self.unreadable.is_empty()
         }
@@ -188,36 +188,36 @@ impl Notes {
                 };
                 self.fill(rest, fields::STOCK, &mut stock, "D=, BORE=, LENGTH=, FACE=, GRIP=");
                 self.stock = Some(stock);
-                self.stands("stock.", whole);
+                self.add_place("stock.", whole);
             }
             Keyword::Tool => self.tool(rest, whole),
             Keyword::Tailstock => {
                 let mut tailstock = Tailstock { z: 0.0, diameter: Diameter::new(20.0) };
                 self.fill(rest, fields::TAILSTOCK, &mut tailstock, "Z=, D=");
                 self.tailstock = Some(tailstock);
-                self.stands("tailstock.", whole);
+                self.add_place("tailstock.", whole);
             }
             Keyword::Machine => {
                 let mut machine = Machine::default();
                 self.fill(rest, fields::MACHINE, &mut machine, MACHINE_WORDS);
                 self.machine = Some(machine);
-                self.stands("machine.", whole);
+                self.add_place("machine.", whole);
             }
             Keyword::Start => {
                 let mut position = Setup::default().start();
                 self.fill(rest, fields::START, &mut position, "X=, Z=");
                 self.start = Some(position);
-                self.stands("initial.", whole);
+                self.add_place("initial.", whole);
             }
             Keyword::Dialect => {
                 let mut dialect = DialectChoice::default();
                 self.fill(rest, fields::DIALECT, &mut dialect, DIALECT_WORDS);
                 self.dialect = dialect;
-                self.stands("dialect.", whole);
+                self.add_place("dialect.", whole);
             }
             Keyword::Rules => {
                 rest.iter().for_each(|word| self.rule(word));
-                self.stands("rules.", whole);
+                self.add_place("rules.", whole);
             }
         }
     }
@@ -235,7 +235,7 @@ impl Notes {
         };
         let mut tool = Tool::default();
         self.fill(rest, fields::TOOL, &mut tool, TOOL_WORDS);
-        self.stands(&format!("tools.{key}."), whole);
+        self.add_place(&format!("tools.{key}."), whole);
         self.tools.push((key, tool));
     }
 
@@ -253,7 +253,7 @@ impl Notes {
         self.unreadable.push(UnreadableWord { span: word.span, expected, nearest });
     }
 
-    fn stands(&mut self, key: &str, span: Span) {
+    fn add_place(&mut self, key: &str, span: Span) {
         self.places.push((key.to_owned(), span));
     }
 
@@ -272,7 +272,7 @@ impl Notes {
         let mut words = inside.split_ascii_whitespace().skip(1);
         let mut number = |letter: [char; 2]| words.next()?.strip_prefix(letter).and_then(read_number);
         if let (Some(diameter), Some(length)) = (number(['X', 'x']), number(['Z', 'z'])) {
-            self.stands("stock.", Span::new(start, start + inside.len()));
+            self.add_place("stock.", Span::new(start, start + inside.len()));
             let (diameter, bore) = (Diameter::new(diameter), Diameter::default());
             self.stock = Some(Stock { diameter, bore, face: 0.0, length, grip: None });
         }
@@ -281,9 +281,9 @@ impl Notes {
     /// Puts each word into its field, and keeps the words that are unknown.
     fn fill<T>(&mut self, words: &[Word], fields: &[Field<T>], own: &mut T, expected: &'static str) {
         for word in words {
-            let is_meant =
+            let is_intended =
                 |field: &&Field<T>| word.key == field.word || (word.key == "L" && field.name == Name::Length);
-            let read = fields.iter().find(is_meant).map(|field| (field, field.entry.read(word.value)));
+            let read = fields.iter().find(is_intended).map(|field| (field, field.entry.read(word.value)));
             match read {
                 Some((field, Ok(value))) => (field.set)(own, &value),
                 read => {
@@ -311,7 +311,7 @@ early! {
         notes
     }
 
-    fn are_those(notes: &Notes, text: &[u8]) -> bool {
+    fn match_text(notes: &Notes, text: &[u8]) -> bool {
         *notes == read(text)
     }
 
@@ -501,7 +501,7 @@ mod tests {
         assert_eq!(rules, [("classroom", Severity::Warning), ("no-program-end", Severity::Off)]);
     }
 
-    /// `may_stand_in` is true for everything that is read as a note, in any spelling, and false for prose and
+    /// `may_contain_notes` is true for everything that is read as a note, in any spelling, and false for prose and
     /// code.
     #[test]
     fn where_notes_may_stand() {
@@ -528,7 +528,7 @@ mod tests {
                 notes.iter().filter(|text| read(text.as_bytes()) != Notes::default()).collect();
             assert_eq!(read.len(), if name.eq_ignore_ascii_case("billet") { 2 } else { 6 }, "{read:?}");
             for text in read {
-                assert!(Notes::may_stand_in(text.as_bytes()), "{text}");
+                assert!(Notes::may_contain_notes(text.as_bytes()), "{text}");
             }
         }
         for text in [
@@ -541,10 +541,10 @@ mod tests {
             "(BILLET X1 Z2)",
             "[STOCK D=1]",
         ] {
-            assert!(!Notes::may_stand_in(text.as_bytes()), "{text}");
+            assert!(!Notes::may_contain_notes(text.as_bytes()), "{text}");
         }
         let behind = format!("{}(STOCK D=1)", " ".repeat(HEAD));
-        assert!(!Notes::may_stand_in(behind.as_bytes()));
+        assert!(!Notes::may_contain_notes(behind.as_bytes()));
     }
 
     #[test]

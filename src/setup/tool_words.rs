@@ -20,7 +20,7 @@ use crate::units::{Diameter, Unit};
 
 /// How a comment is related to a tool, the weakest relation first.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-enum Tie {
+enum Relation {
     /// Above the T word.
     Above,
     /// Between the T word and the first move.
@@ -41,7 +41,7 @@ pub fn read(text: &[u8], unit: Unit) -> BTreeMap<u16, Tool> {
     }
     let text = &*String::from_utf8_lossy(head);
     let unit = numbers::unit_of(text).unwrap_or(unit);
-    let mut found: Vec<(Tie, u16, Tool)> = Vec::new();
+    let mut found: Vec<(Relation, u16, Tool)> = Vec::new();
     let mut above: Vec<Tool> = Vec::new();
     let mut station: Option<u16> = None;
     let mut has_long = false;
@@ -57,25 +57,25 @@ pub fn read(text: &[u8], unit: Unit) -> BTreeMap<u16, Tool> {
                 continue;
             }
             match (named(comment), station) {
-                (Some(named), _) => found.push((Tie::Named, named, tool)),
-                (None, Some(station)) if called.is_some() => found.push((Tie::Beside, station, tool)),
+                (Some(named), _) => found.push((Relation::Named, named, tool)),
+                (None, Some(station)) if called.is_some() => found.push((Relation::Beside, station, tool)),
                 (None, Some(station)) => {
-                    found.push((Tie::Below, station, tool.clone()));
+                    found.push((Relation::Below, station, tool.clone()));
                     above.push(tool);
                 }
                 (None, None) => above.push(tool),
             }
         }
         if let Some(station) = called {
-            found.extend(above.drain(..).map(|tool| (Tie::Above, station, tool)));
+            found.extend(above.drain(..).map(|tool| (Relation::Above, station, tool)));
         } else if moves(&code) {
             above.clear();
             station = None;
         }
     }
     // In a program with comments below its T words, a comment above a T word belongs to the tool before.
-    if found.iter().any(|(tie, ..)| *tie == Tie::Below) {
-        found.retain(|(tie, ..)| *tie != Tie::Above);
+    if found.iter().any(|(tie, ..)| *tie == Relation::Below) {
+        found.retain(|(tie, ..)| *tie != Relation::Above);
     }
     order::by_key(&mut found, |(tie, ..)| std::cmp::Reverse(*tie));
     let mut tools: BTreeMap<u16, Tool> = BTreeMap::new();

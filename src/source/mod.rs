@@ -289,7 +289,7 @@ pub fn line_end(text: &[u8], byte: usize) -> usize {
 }
 
 /// The first byte of the line after the one that ends at byte `end`.
-pub fn behind_line_end(text: &[u8], end: usize) -> usize {
+pub fn after_line_end(text: &[u8], end: usize) -> usize {
     let width = if text[end..].starts_with(b"\r\n") { 2 } else { 1 };
     text.len().min(end + width)
 }

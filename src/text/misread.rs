@@ -38,7 +38,7 @@ pub fn read(text: &[u8], start: usize) -> Option<Misread> {
             b'-' | b'+' if len == 1 => {}
             b'0'..=b'9' => digits += 1,
             b'.' => {}
-            b'O' | b'o' | b'l' if !is_wide && stands_for_digit(text, at, address, digits) => {
+            b'O' | b'o' | b'l' if !is_wide && is_misread_digit(text, at, address, digits) => {
                 letter = letter.or(Some(byte));
                 meant = if byte == b'l' { b'1' } else { b'0' };
                 digits += 1;
@@ -61,7 +61,7 @@ pub fn read(text: &[u8], start: usize) -> Option<Misread> {
 
 /// Whether an O or l inside a number can only be a digit: it follows the letter or the digits of its word,
 /// and after it and others like it there are digits or the end of the word.
-fn stands_for_digit(text: &[u8], at: usize, address: u8, digits: usize) -> bool {
+fn is_misread_digit(text: &[u8], at: usize, address: u8, digits: usize) -> bool {
     let alike = text[at..].iter().take(LONGEST).take_while(|byte| matches!(byte, b'O' | b'o' | b'l')).count();
     let next = text.get(at + alike).copied().unwrap_or(b' ');
     let ends = matches!(next, b'0'..=b'9' | b'.') || !next.is_ascii_alphanumeric();

@@ -41,8 +41,8 @@ pub const LEADER: usize = 1024;
 pub const READS_FAULTS: Part = Part::Early;
 
 early! {
-    fn reconsider(parser: &Parser, block: &mut Block, behind_semicolon: bool) {
-        parser.reconsider(block, behind_semicolon);
+    fn reclassify(parser: &Parser, block: &mut Block, after_semicolon: bool) {
+        parser.reclassify(block, after_semicolon);
     }
 
     fn is_sentence(bytes: &[u8]) -> bool {
@@ -65,13 +65,13 @@ early! {
         parser.report_second_point(block, span);
     }
 
-    fn take_torn(parser: &mut Parser, block: &mut Block, word: Torn, comma: Span, digits: Span) {
-        parser.take_torn_word(block, word, comma, digits);
+    fn read_comma_word(parser: &mut Parser, block: &mut Block, word: CommaWord, comma: Span, digits: Span) {
+        parser.read_split_word(block, word, comma, digits);
     }
 }
 
 /// The beginning of a word whose number contains a comma.
-struct Torn {
+struct CommaWord {
     address: u8,
     /// Whether a comma precedes the letter, as in `,C2`.
     comma: bool,
@@ -141,12 +141,12 @@ impl<'a> Parser<'a> {
             return false;
         }
         let start = self.lexer.position();
-        let behind_semicolon = self.after_semicolon;
+        let after_semicolon = self.after_semicolon;
         block.line = self.line;
         let end = self.read(block);
         block.span = Span::new(start, end);
         if !block.faults.is_empty() && may_read_faults(block) {
-            reconsider(self, block, behind_semicolon);
+            reclassify(self, block, after_semicolon);
         }
         if block.kind == BlockKind::Percent && self.begun && !names_program(self.lexer.text(), block.span) {
             self.ended = true;
@@ -176,14 +176,14 @@ impl<'a> Parser<'a> {
     }
 
     /// Examines a block with errors again: it may be text, or contain plain words.
-    fn reconsider(&self, block: &mut Block, behind_semicolon: bool) {
+    fn reclassify(&self, block: &mut Block, after_semicolon: bool) {
         let text = self.lexer.text();
         let may_lead = !self.begun && !self.is_trial && (block.span.start as usize) < LEADER;
         if may_lead && leader(text).is_some_and(|end| block.span.start < end) {
             return keep_as_comment(block, trimmed(text, block.span));
         }
         if let Some(remark) = marked_remark(text, block) {
-            return self.take_marked_remark(block, remark, behind_semicolon);
+            return self.take_marked_remark(block, remark, after_semicolon);
         }
         if long_comment::continues(text, block.span) {
             return keep_as_comment(block, trimmed(text, block.span));
@@ -215,11 +215,11 @@ impl<'a> Parser<'a> {
         let is_comment = block.words.is_empty()
             && block.faults.iter().any(|fault| fault.message.is::<said::CommentNested>())
             && block.faults.iter().all(|fault| fault.message.is::<said::CommentNested>());
-        if behind_semicolon && unclear && !is_comment && is_remark && reads_as_prose(block.span.of(text)) {
+        if after_semicolon && unclear && !is_comment && is_remark && reads_as_prose(block.span.of(text)) {
             return self.take_as_comment(block, is_text);
         }
-        if self.is_title(block, &plain, behind_semicolon) {
-            return match behind_semicolon {
+        if self.is_title(block, &plain, after_semicolon) {
+            return match after_semicolon {
                 true => self.take_as_comment(block, is_text),
                 false => self.take_as_text(block, &plain),
             };
@@ -261,7 +261,7 @@ impl<'a> Parser<'a> {
         }
         keep_faults(&mut block.faults);
         self.offer_addresses(block);
-        if !self.is_trial && self.is_worse_when_fixed(block, behind_semicolon) {
+        if !self.is_trial && self.is_worse_when_fixed(block, after_semicolon) {
             block.faults.iter_mut().flat_map(|fault| &mut fault.fixes).for_each(|fix| fix.safe = false);
         }
     }
@@ -269,13 +269,13 @@ impl<'a> Parser<'a> {
     /// Whether a block with text can only be a remark, although it contains a code: `; G71 roughing` at the
     /// head of a line, or such a line before the first program number. A block with a position is not a
     /// remark.
-    fn is_title(&self, block: &Block, plain: &PlainWords, behind_semicolon: bool) -> bool {
+    fn is_title(&self, block: &Block, plain: &PlainWords, after_semicolon: bool) -> bool {
         let text = self.lexer.text();
         let names_place = block.words.iter().any(|word| b"XZUW".contains(&word.address));
         let before = &text[..block.span.start as usize];
         let mut before = before.iter().rev().take_while(|byte| !matches!(byte, b'\n' | b'\r'));
         let leads = !self.begun && (block.span.start as usize) < LEADER;
-        let is_remark = match behind_semicolon {
+        let is_remark = match after_semicolon {
             true => before.all(|&byte| byte == b';' || is_blank(byte)),
             false => leads && precedes_number_of_program(&text[..text.len().min(LEADER)]),
         };
@@ -284,7 +284,7 @@ impl<'a> Parser<'a> {
     }
 
     /// Whether the block has more errors with its safe fixes applied than without. Then they are not safe.
-    fn is_worse_when_fixed(&self, block: &Block, behind_semicolon: bool) -> bool {
+    fn is_worse_when_fixed(&self, block: &Block, after_semicolon: bool) -> bool {
         let fixes = block.faults.iter().filter_map(|fault| fault.fixes.iter().find(|fix| fix.safe));
         let mut edits: Vec<&Edit> = fixes.flat_map(|fix| &fix.edits).collect();
         if edits.is_empty() {
@@ -304,7 +304,7 @@ impl<'a> Parser<'a> {
         const AFTER: usize = 256;
         let (end, rest) = (fixed.len(), &text[block.span.end as usize..]);
         fixed.extend_from_slice(&rest[..rest.len().min(AFTER)]);
-        let here = Resume { begun: self.begun, after_semicolon: behind_semicolon, ..Resume::default() };
+        let here = Resume { begun: self.begun, after_semicolon: after_semicolon, ..Resume::default() };
         let mut trial = Parser { is_trial: true, ..Parser::resume(&fixed, here) };
         let errors = |block: &Block| block.faults.iter().filter(|fault| fault.is_error()).count();
         let (mut read, mut left) = (Block::default(), 0);
@@ -326,7 +326,7 @@ impl<'a> Parser<'a> {
         let harmless = block.faults.iter().all(|fault| !fault.is_error()) || decorates;
         let severity = if harmless { Severity::Warning } else { Severity::Error };
         block.faults.clear();
-        let told = Diagnostic::new(said::PlainText { text: quote }, span).graded(severity);
+        let told = Diagnostic::new(said::PlainText { text: quote }, span).with_severity(severity);
         let is_sure = !plain.is_ambiguous && (plain.texts > 0 || decorates);
         block.fault(in_brackets(text, told, is_sure));
     }
@@ -351,7 +351,8 @@ impl<'a> Parser<'a> {
             let quote = short_quote(text, group);
             // If the letters are not addresses, the block is executed.
             let told = match decorates(group.of(text)) {
-                true => Diagnostic::new(said::NotUnderstood { text: quote }, group).graded(Severity::Warning),
+                true => Diagnostic::new(said::NotUnderstood { text: quote }, group)
+                    .with_severity(Severity::Warning),
                 false => Diagnostic::new(said::PlainWords { text: quote }, group),
             };
             rest.fault(in_brackets(text, told, is_readable));
@@ -508,7 +509,7 @@ impl<'a> Parser<'a> {
                 let harmless = decorates(token.span.of(self.lexer.text()));
                 let severity = if harmless { Severity::Warning } else { Severity::Error };
                 let message = said::NotUnderstood { text: quote };
-                block.fault(Diagnostic::new(message, token.span).graded(severity));
+                block.fault(Diagnostic::new(message, token.span).with_severity(severity));
             }
         }
         None
@@ -575,8 +576,8 @@ impl<'a> Parser<'a> {
                 Some(TokenKind::Comma) if self.digit_follows() => {
                     let comma_span = token.map_or(first, |token| token.span);
                     let digits = self.lexer.next_token().map_or(comma_span, |token| token.span);
-                    let word = Torn { address: letter, comma: comma.is_some(), negative, start };
-                    return self.torn_at_comma(block, word, comma_span, digits);
+                    let word = CommaWord { address: letter, comma: comma.is_some(), negative, start };
+                    return self.word_with_comma(block, word, comma_span, digits);
                 }
                 _ => break,
             }
@@ -682,7 +683,8 @@ impl<'a> Parser<'a> {
         let fix = without_second_point(&quote);
         let told = Diagnostic::new(said::SecondPoint { word: quote }, span);
         block.fault(match fix {
-            Some(text) => told.with(Fix::replace(Repair::Write { text: text.clone() }, span, &text).asking()),
+            Some(text) => told
+                .with(Fix::replace(Repair::Write { text: text.clone() }, span, &text).needs_confirmation()),
             None => told,
         });
     }
@@ -723,7 +725,7 @@ impl<'a> Parser<'a> {
         if !self.has_digit(span) {
             // A full stop after a remark.
             let message = said::NotUnderstood { text: quote };
-            block.fault(Diagnostic::new(message, span).graded(Severity::Warning));
+            block.fault(Diagnostic::new(message, span).with_severity(Severity::Warning));
             return;
         }
         block.fault(Diagnostic::new(said::AddressMissing { number: quote }, span));
@@ -732,13 +734,13 @@ impl<'a> Parser<'a> {
     /// `Z,15`, `Z20,5`: a comma instead of the decimal point. The word is read as intended, so that its modal
     /// effect applies to the next blocks.
     #[cold]
-    fn torn_at_comma(&mut self, block: &mut Block, word: Torn, comma: Span, digits: Span) {
+    fn word_with_comma(&mut self, block: &mut Block, word: CommaWord, comma: Span, digits: Span) {
         if may_read_faults(block) {
-            take_torn(self, block, word, comma, digits);
+            read_comma_word(self, block, word, comma, digits);
         }
     }
 
-    fn take_torn_word(&mut self, block: &mut Block, word: Torn, comma: Span, digits: Span) {
+    fn read_split_word(&mut self, block: &mut Block, word: CommaWord, comma: Span, digits: Span) {
         // `Z1,2,3`: a single word that cannot be read.
         let (mut end, mut goes_on) = (digits, false);
         while self.comma_and_number_follow() {
@@ -872,13 +874,13 @@ impl<'a> Parser<'a> {
                 let Some(taken) = block.words.pop() else { return };
                 let Word { address, comma: with_comma, value, span: start } = taken;
                 let negative = matches!(value, Value::Number { negative: true, .. });
-                let word = Torn { address, comma: with_comma, negative, start };
-                self.torn_at_comma(block, word, comma, span);
+                let word = CommaWord { address, comma: with_comma, negative, start };
+                self.word_with_comma(block, word, comma, span);
             }
             _ => {
                 self.lexer.seek(after);
                 let message = said::NotUnderstood { text: ",".into() };
-                block.fault(Diagnostic::new(message, comma).graded(Severity::Warning));
+                block.fault(Diagnostic::new(message, comma).with_severity(Severity::Warning));
             }
         }
     }
@@ -1053,14 +1055,14 @@ impl<'a> Parser<'a> {
     }
 
     /// Parses a block without the remark after its `//` or arrow.
-    fn take_marked_remark(&self, block: &mut Block, remark: Span, behind_semicolon: bool) {
+    fn take_marked_remark(&self, block: &mut Block, remark: Span, after_semicolon: bool) {
         let text = self.lexer.text();
         let Span { start: byte, .. } = block.span;
         let here = Resume {
             byte,
             line: block.line,
             begun: self.begun,
-            after_semicolon: behind_semicolon,
+            after_semicolon: after_semicolon,
             ended: false,
         };
         let mut own =

@@ -43,7 +43,7 @@ const LESS_LIKE_DIGITS: &str = "QDLEAGTgqbОоЗзб";
 const LONGEST: usize = 4096;
 
 /// Most digits of a word with misread digits.
-const MOST_DIGITS: usize = 9;
+const MAX_DIGITS: usize = 9;
 
 impl PlainWords {
     /// Reads a block; `comments` in order of place.
@@ -187,7 +187,7 @@ fn is_like_words(run: &str) -> bool {
             || is_full_width(letter)
             || address.is_ascii() && !letter.is_ascii() && is_address(letter)
     };
-    if digits <= MOST_DIGITS && letters.clone().all(is_digit) {
+    if digits <= MAX_DIGITS && letters.clone().all(is_digit) {
         return true;
     }
     // At least one digit after each address.

@@ -7,7 +7,7 @@ use wasm_bindgen::prelude::*;
 
 use super::{Playground, to_js};
 use crate::api::assist::Reader;
-use crate::assist::Asked;
+use crate::assist::Query;
 use crate::parts::late;
 use crate::run::RunId;
 use crate::run::replay::{Found, Replay, VisitChoice};
@@ -171,13 +171,13 @@ fn begin(playground: &mut Playground, byte: u32, time: VisitChoice) -> bool {
 /// Calls `make` with the answer; returns `undefined` if there is none yet.
 fn with_answer(
     playground: &Playground,
-    make: impl FnOnce(&Reader, &Asked) -> Result<JsValue, JsValue>,
+    make: impl FnOnce(&Reader, &Query) -> Result<JsValue, JsValue>,
 ) -> Result<JsValue, JsValue> {
     let run = playground.current.run();
     let answer = playground.question.found.as_ref().filter(|(of, ..)| *of == run.id());
     let Some((_, _, found)) = answer else { return Ok(JsValue::UNDEFINED) };
     let block = found.block(run);
-    let asked = Asked::new(run, found, &block);
+    let asked = Query::new(run, found, &block);
     make(&reader(playground), &asked)
 }
 

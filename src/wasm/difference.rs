@@ -17,7 +17,7 @@ use crate::sentences::labels;
 use crate::setup::Setup;
 
 /// Parts of longer programs are not compared here, because the page waits for the answer.
-const MOST_MOTIONS: usize = 5_000;
+const MAX_MOTIONS: usize = 5_000;
 
 #[wasm_bindgen]
 impl Playground {
@@ -80,7 +80,7 @@ late! {
 impl Playground {
     fn setup_to_compare(&self) -> Setup {
         let mut setup = self.current.run().setup().clone();
-        setup.limits.part_motions = setup.limits.part_motions.min(MOST_MOTIONS);
+        setup.limits.part_motions = setup.limits.part_motions.min(MAX_MOTIONS);
         setup
     }
 }

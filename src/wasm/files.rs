@@ -77,7 +77,7 @@ late! {
         let format = file_format(format)?;
         playground.current.finish_part();
         let (current, setup) = (&playground.current, playground.current.run().setup_at_machine());
-        Ok(file(format, &Ran { current, setup }, playground.language))
+        Ok(file(format, &FinishedProgram { current, setup }, playground.language))
     }
 
     fn section(playground: &mut Playground) -> Result<JsValue, JsValue> {
@@ -100,12 +100,12 @@ fn file_format(name: &str) -> Result<FileFormat, JsValue> {
 }
 
 /// The current program with all its material removed.
-struct Ran<'a> {
+struct FinishedProgram<'a> {
     current: &'a Current,
     setup: Setup,
 }
 
-impl Exportable for Ran<'_> {
+impl Exportable for FinishedProgram<'_> {
     fn text(&self) -> &[u8] {
         self.current.run().text()
     }

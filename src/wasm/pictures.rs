@@ -76,7 +76,7 @@ impl Playground {
     /// Paints the next images even if they are unchanged, because the last ones were not shown.
     #[wasm_bindgen(js_name = paintAgain)]
     pub fn paint_again(&mut self) {
-        self.painters.iter_mut().flatten().for_each(Painter::paint_again);
+        self.painters.iter_mut().flatten().for_each(Painter::force_repaint);
     }
 
     /// Releases the memory cached for the next images; they are painted from scratch.

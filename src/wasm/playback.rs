@@ -7,7 +7,7 @@ use crate::api::{Readout, Shown, Totals};
 use crate::current::Current;
 use crate::parts::late;
 use crate::playback::clock::Playhead;
-use crate::playback::holds::{self, Holds, Stops};
+use crate::playback::holds::{self, PauseRules, Stops};
 use crate::playback::steps::{Direction, Unit, step};
 use crate::playback::totals;
 use crate::scene::Plane;
@@ -85,7 +85,7 @@ impl Playground {
             StopSwitch::NotOptional => Stops::NotOptional,
             _ => Stops::All,
         };
-        play(&mut self.current, seconds, Holds { stops, each_block, lines })
+        play(&mut self.current, seconds, PauseRules { stops, each_block, lines })
     }
 
     /// Moves the tool to the start of the block at a UTF-16 offset, or of the next block that moves it.
@@ -137,27 +137,28 @@ impl Playground {
 
 late! {
     fn animation_seconds(current: &Current) -> f64 {
-        current.clock().whole().pace
+        current.clock().whole().animation_seconds
     }
 
     fn seek(current: &mut Current, share: f64) {
         let clock = current.clock();
-        let place = clock.place(current.motions(), share * clock.whole().pace);
+        let place = clock.place(current.motions(), share * clock.whole().animation_seconds);
         current.seek(Some(place));
         current.keep_tool_in_view();
     }
 
-    fn play(current: &mut Current, seconds: f64, asked: Holds) -> HeldBy {
+    fn play(current: &mut Current, seconds: f64, asked: PauseRules) -> HeldBy {
         let from = current.view(Plane::Section).playhead.unwrap_or(Playhead::START);
         let lines = current.lines_that_move(asked.lines);
-        let (place, by) = holds::play(current.clock(), current.motions(), from, seconds, Holds { lines: &lines, ..asked });
+        let rules = PauseRules { lines: &lines, ..asked };
+        let (place, by) = holds::play(current.clock(), current.motions(), from, seconds, rules);
         current.seek(Some(place));
         current.keep_tool_in_view();
         match by {
             None => HeldBy::Nothing,
-            Some(holds::HeldBy::Stop) => HeldBy::Stop,
-            Some(holds::HeldBy::Block) => HeldBy::Block,
-            Some(holds::HeldBy::Line) => HeldBy::Line,
+            Some(holds::PauseReason::Stop) => HeldBy::Stop,
+            Some(holds::PauseReason::Block) => HeldBy::Block,
+            Some(holds::PauseReason::Line) => HeldBy::Line,
         }
     }
 

@@ -4,7 +4,7 @@ use wasm_bindgen::prelude::*;
 
 use super::{Playground, to_js};
 use crate::api::ReadAs;
-use crate::api::setup::{SetupOverview, SetupPlace, Subject};
+use crate::api::setup::{FormInput, SetupOverview, SetupPlace};
 use crate::machine::inferred::inferred_setup;
 use crate::machine::resolved_setup::ResolvedSetup;
 use crate::parts::late;
@@ -104,10 +104,10 @@ late! {
 }
 
 impl Playground {
-    fn about_setup<T>(&self, answer: impl FnOnce(&Subject) -> T) -> T {
+    fn about_setup<T>(&self, answer: impl FnOnce(&FormInput) -> T) -> T {
         let run = self.current.run();
         let (inferred, given) = (inferred_setup(run.motions(), &run.setup_at_machine()), run.as_given());
-        answer(&Subject {
+        answer(&FormInput {
             given: &given,
             page: &self.setup,
             notes: run.notes(),

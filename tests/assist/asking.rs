@@ -2,7 +2,7 @@
 
 use gcode_playground::api::Places;
 use gcode_playground::api::assist::{FormHelp, Reader, StateHelp, WordHelp};
-use gcode_playground::assist::Asked;
+use gcode_playground::assist::Query;
 use gcode_playground::run::Run;
 use gcode_playground::run::replay::{Found, VisitChoice};
 use gcode_playground::sentences::Language;
@@ -40,11 +40,11 @@ impl Asking {
         byte: u32,
         time: VisitChoice,
         language: Language,
-        say: impl FnOnce(&Asked, &Reader, &Run) -> R,
+        say: impl FnOnce(&Query, &Reader, &Run) -> R,
     ) -> R {
         let (found, block) = self.found(byte, time);
         let run = &self.run;
-        let asked = Asked::new(run, &found, &block);
+        let asked = Query::new(run, &found, &block);
         let places = Places { text: run.text(), lines: &self.lines };
         say(&asked, &Reader { places, language, unit: run.state().unit }, run)
     }

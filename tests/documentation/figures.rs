@@ -114,7 +114,7 @@ pub const FIGURES: &[Figure] = &[
         "www/docs/command-line.md",
         "At most 2000 changed blocks are listed, and 20000 motions of each program drawn",
         Held::Shown(|| {
-            assert_eq!((limits::CHANGED_BLOCKS, gcode_playground::scene::svg::MOST_STROKES), (2000, 20_000));
+            assert_eq!((limits::CHANGED_BLOCKS, gcode_playground::scene::svg::MAX_STROKES), (2000, 20_000));
         }),
     ),
     figure(

@@ -16,7 +16,7 @@ pub use bounds::bounds;
 pub use cycles::endless;
 
 /// Longest time that a page may be blocked, seconds.
-pub const MOST_SECONDS: f64 = 1.0;
+pub const MAX_SECONDS: f64 = 1.0;
 
 /// A program that never ends or has no meaning, and the expected message.
 pub struct Hostile {

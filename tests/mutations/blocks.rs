@@ -144,8 +144,8 @@ pub fn lost_setting(words: &Words) -> Vec<Mutant> {
 }
 
 /// Duplicates a block; the message may be at either copy.
-fn doubled(words: &Words, is_meant: impl Fn(usize, Role) -> bool) -> Vec<Mutant> {
-    let blocks = roles(words).into_iter().enumerate().filter(|&(block, role)| is_meant(block, role));
+fn doubled(words: &Words, is_intended: impl Fn(usize, Role) -> bool) -> Vec<Mutant> {
+    let blocks = roles(words).into_iter().enumerate().filter(|&(block, role)| is_intended(block, role));
     let mutants = blocks.map(|(block, _)| {
         let (start, end) = whole(words, block);
         let (text, _, second) = words.replaced(end, end, &format!("\n{}", &words.text[start..end]));
@@ -167,9 +167,9 @@ pub fn doubled_increment(words: &Words) -> Vec<Mutant> {
 }
 
 /// Swaps two consecutive blocks.
-fn swapped(words: &Words, is_meant: impl Fn(Role, Role) -> bool) -> Vec<Mutant> {
+fn swapped(words: &Words, is_intended: impl Fn(Role, Role) -> bool) -> Vec<Mutant> {
     let roles = roles(words);
-    let pairs = (1..roles.len()).filter(|&block| is_meant(roles[block - 1], roles[block]));
+    let pairs = (1..roles.len()).filter(|&block| is_intended(roles[block - 1], roles[block]));
     let mutants = pairs.filter_map(|block| {
         let ((start, middle), (next, end)) = (whole(words, block - 1), whole(words, block));
         if middle > next || words.text[start..middle] == words.text[next..end] {

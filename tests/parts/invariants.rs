@@ -52,7 +52,7 @@ fn run(program: &str) -> (Motions, Setup) {
 
 /// Area of `one` that is not in `other`, mm².
 fn more(one: &Region, other: &Region) -> f64 {
-    one.without(other).area()
+    one.difference(other).area()
 }
 
 /// Areas below this are rounding errors, mm².

@@ -13,7 +13,7 @@ use std::path::{Path, PathBuf};
 use std::time::Instant;
 use std::{env, fs, io};
 
-use endless::{Hostile, MOST_SECONDS, hostile};
+use endless::{Hostile, MAX_SECONDS, hostile};
 use gcode_playground::analyze;
 use gcode_playground::api::{Places, Summary};
 use gcode_playground::export::card::Card;
@@ -31,7 +31,7 @@ const ATTEMPTS: usize = 3;
 
 /// Time limit for an answer, seconds. Half as much again as on a quiet machine: measurements on shared
 /// processors were slower by that much.
-const LONGEST: f64 = 1.5 * MOST_SECONDS;
+const LONGEST: f64 = 1.5 * MAX_SECONDS;
 
 /// Number of lines that a page shows at once.
 const SHOWN_LINES: u32 = 60;

@@ -3,7 +3,7 @@
 use super::{Item, Proposing, What, Why, fixed};
 use crate::assist::form::Form;
 use crate::assist::role::Role;
-use crate::assist::signature::{Otherwise, lines, role_of};
+use crate::assist::signature::{WhenOmitted, lines, role_of};
 use crate::assist::snippet::{Piece, written};
 use crate::control::words::Reading;
 use crate::order;
@@ -106,10 +106,10 @@ impl Proposing<'_> {
     }
 
     /// Proposals if no word was begun: the missing words of the form, or whatever can begin a block.
-    pub fn anything(&self, asked_for: bool) -> Vec<Item> {
+    pub fn anything(&self, is_explicit: bool) -> Vec<Item> {
         let form = self.form();
-        let missing = self.missing(form, asked_for);
-        if !missing.is_empty() || !asked_for {
+        let missing = self.missing(form, is_explicit);
+        if !missing.is_empty() || !is_explicit {
             return missing;
         }
         if self.own && self.asked.block.words.iter().any(|word| word.span.end <= self.span.start) {
@@ -121,7 +121,7 @@ impl Proposing<'_> {
     }
 
     /// Words of the form that the block lacks; optional words only if the user requested completion.
-    fn missing(&self, form: Form, asked_for: bool) -> Vec<Item> {
+    fn missing(&self, form: Form, is_explicit: bool) -> Vec<Item> {
         if !self.own || matches!(form, Form::Motion { own: false, .. } | Form::Macro | Form::Nothing) {
             return Vec::new();
         }
@@ -135,9 +135,9 @@ impl Proposing<'_> {
             .slots
             .iter()
             .filter(|slot| !stands(slot.letters, slot.comma))
-            .filter(|slot| asked_for || slot.otherwise == Otherwise::Missing)
+            .filter(|slot| is_explicit || slot.otherwise == WhenOmitted::Missing)
             .collect();
-        order::by_key(&mut slots, |slot| slot.otherwise != Otherwise::Missing);
+        order::by_key(&mut slots, |slot| slot.otherwise != WhenOmitted::Missing);
         let items = slots.into_iter().map(|slot| {
             let letter = slot.letters[0];
             let role = role_of(letter, form, self.state);

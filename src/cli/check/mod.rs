@@ -27,7 +27,7 @@ use super::configuration::{Configurations, Settings};
 use super::manual_page::Page;
 use super::options::{Texts, With};
 use super::subprograms::{self, Joined};
-use super::system::{self, Stream, say};
+use super::system::{self, Stream, print_error_line};
 use super::{
     NAME, Status, encoded, encoding, read_within, run_at_control, run_text, save, save_apart, terminal,
 };
@@ -39,7 +39,7 @@ use crate::sentences::Language;
 use crate::source::{LineIndex, only_line_end};
 use baseline::Baseline;
 use finding::{Finding, Programs, Subject, What};
-use reports::{Counts, Report, Wanted};
+use reports::{Counts, Report, ReportOptions};
 use selection::Selection;
 
 pub(super) use reports::{Colour, ReportFormat};
@@ -47,7 +47,7 @@ pub(super) use reports::{Colour, ReportFormat};
 /// Stack size of a worker thread, bytes: the same as for a main thread.
 const STACK: usize = 8 << 20;
 /// Maximum number of files that are checked but not yet written.
-const AHEAD: usize = 256;
+const MAX_UNWRITTEN: usize = 256;
 
 /// The arguments of `check`.
 #[derive(clap::Args)]
@@ -182,7 +182,7 @@ fn once(check: &Check) -> Result<Status, String> {
             true => Stream::Error,
             false => Stream::Output,
         },
-        report: Report::new(Wanted {
+        report: Report::new(ReportOptions {
             format: check.format,
             colour: check.color,
             to_file: check.output_file.is_some(),
@@ -261,7 +261,7 @@ impl Job<'_> {
                 Checked::Done(done) => {
                     counts.add(&done.counts);
                     entries.extend(done.entries);
-                    done.repaired.iter().for_each(|line| say(format_args!("{line}")));
+                    done.repaired.iter().for_each(|line| print_error_line(format_args!("{line}")));
                     if let Some(program) = done.printed {
                         save(None, &program).map_err(io::Error::other)?;
                     }
@@ -281,21 +281,24 @@ impl Job<'_> {
         self.write(body)?;
         problems.dedup();
         for problem in &problems {
-            say(format_args!("{NAME}: {problem}"));
+            print_error_line(format_args!("{NAME}: {problem}"));
         }
         if found.left_out > 0 && !self.check.markdown && !self.check.quiet {
             let files = super::counted(found.left_out, "file");
-            say(format_args!(
+            print_error_line(format_args!(
                 "{NAME}: {files} left out because of their ending or content; `--extension` chooses others"
             ));
         }
         if self.check.markdown && !self.check.quiet {
-            say(format_args!("{NAME}: {}", reports::programs_of_pages(&counts)));
+            print_error_line(format_args!("{NAME}: {}", reports::programs_of_pages(&counts)));
         }
         self.check.baseline.write(entries)?;
         let too_many = self.allowed.filter(|most| counts.warnings > *most);
         if let Some(most) = too_many {
-            say(format_args!("{NAME}: {} warnings; `--max-warnings` allows {most}", counts.warnings));
+            print_error_line(format_args!(
+                "{NAME}: {} warnings; `--max-warnings` allows {most}",
+                counts.warnings
+            ));
         }
         Ok(match () {
             () if !problems.is_empty() => Status::Unusable,
@@ -325,7 +328,7 @@ impl Job<'_> {
         }
         let next = AtomicUsize::new(0);
         // A bounded channel limits how far checking runs ahead of writing.
-        let (send, receive) = mpsc::sync_channel(AHEAD);
+        let (send, receive) = mpsc::sync_channel(MAX_UNWRITTEN);
         thread::scope(|scope| {
             for _ in 0..workers {
                 let (send, next) = (send.clone(), &next);
@@ -356,10 +359,10 @@ impl Job<'_> {
 
     /// Checks one file.
     fn file(&self, file: &Path) -> Checked {
-        self.look_into(file).map_or_else(Checked::Unreadable, Checked::Done)
+        self.check_file(file).map_or_else(Checked::Unreadable, Checked::Done)
     }
 
-    fn look_into(&self, file: &Path) -> Result<Done, String> {
+    fn check_file(&self, file: &Path) -> Result<Done, String> {
         let is_standard_input = file == Path::new("-");
         let given = self.check.stdin_filename.as_ref().filter(|_| is_standard_input);
         let settings = self.configurations.settings(given.map_or(file, Path::new))?;
@@ -449,6 +452,6 @@ impl Job<'_> {
         if let Some(given) = given {
             page.rename(given);
         }
-        Ok(pages::look_into(page, settings, &self.selection, self.language))
+        Ok(pages::check_page(page, settings, &self.selection, self.language))
     }
 }

@@ -14,7 +14,7 @@ use crate::sentences::{Language, labels};
 use crate::source::LineIndex;
 
 /// Checks a page.
-pub(super) fn look_into(
+pub(super) fn check_page(
     page: Page,
     settings: &Settings,
     selection: &Selection,

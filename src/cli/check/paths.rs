@@ -25,7 +25,7 @@ pub(super) const PROGRAMS: &[&str] = subprograms::ENDINGS;
 /// Endings that are also used for other files (`""`: no ending): the text decides whether it is a program.
 const SHARED: &[&str] = &["txt", "g", "h", ""];
 /// Maximum number of blocks read of such a file.
-const LOOKED_AT: usize = 100;
+const MAX_SCANNED_BLOCKS: usize = 100;
 /// Maximum number of bytes read of such a file.
 const HEAD: u64 = 64 << 10;
 
@@ -158,7 +158,7 @@ impl Walk<'_> {
                     self.folder(&shown, &file);
                     self.ignored.truncate(depth);
                 }
-                PathKind::File if is_meant(&shown, &file, &self.endings, self.usual) => {
+                PathKind::File if is_intended(&shown, &file, &self.endings, self.usual) => {
                     if self.seen.insert(shown.clone()) {
                         self.found.files.push(shown);
                     }
@@ -211,7 +211,7 @@ fn parents(folder: &Path) -> Vec<Gitignore> {
 }
 
 /// Whether a file of a folder is to be checked, given its displayed name and its absolute path.
-fn is_meant(shown: &Path, absolute: &Path, endings: &[String], usual: &[&str]) -> bool {
+fn is_intended(shown: &Path, absolute: &Path, endings: &[String], usual: &[&str]) -> bool {
     let ending = shown.extension().and_then(OsStr::to_str).unwrap_or_default();
     let is_one = |wanted: &str| ending.eq_ignore_ascii_case(wanted.trim_start_matches('.'));
     if ending.is_empty() && usual == PROGRAMS {
@@ -238,7 +238,7 @@ fn is_program(file: &Path) -> bool {
     let (text, _) = encoding::decode(bytes);
     let (mut parser, mut block) = (Parser::new(&text), Block::default());
     let (mut blocks, mut faulty, mut has_code) = (0, 0, false);
-    while blocks < LOOKED_AT && parser.next_block(&mut block) {
+    while blocks < MAX_SCANNED_BLOCKS && parser.next_block(&mut block) {
         let is_empty = block.words.is_empty() && block.faults.is_empty();
         blocks += usize::from(!is_empty);
         faulty += usize::from(!block.faults.is_empty());

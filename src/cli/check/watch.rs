@@ -11,7 +11,7 @@ use std::thread;
 use std::time::{Duration, SystemTime};
 
 use super::super::configuration::{self, Configurations};
-use super::super::system::{self, Stream, say};
+use super::super::system::{self, Stream, print_error_line};
 use super::{Check, paths};
 use crate::cli::NAME;
 
@@ -37,9 +37,9 @@ pub(super) fn run(check: &Check) -> Result<Infallible, String> {
             let _ = system::stream(Stream::Output).write_all(CLEAR);
         }
         if let Err(problem) = super::once(check) {
-            say(format_args!("{NAME}: {problem}"));
+            print_error_line(format_args!("{NAME}: {problem}"));
         }
-        say(format_args!("{NAME}: waiting for a change; Ctrl C ends"));
+        print_error_line(format_args!("{NAME}: waiting for a change; Ctrl C ends"));
         // Files that `--fix` rewrote do not count as changed.
         let after = if check.fix { seen(check) } else { before };
         while seen(check) == after {

@@ -14,7 +14,7 @@ use crate::setup::dialect::Control;
 
 /// A value, and its line in the file, from 1.
 #[derive(Clone, Debug, PartialEq)]
-pub(in crate::cli) struct Said<T> {
+pub(in crate::cli) struct Located<T> {
     /// The value.
     pub value: T,
     /// The line, from 1.
@@ -27,17 +27,17 @@ pub(in crate::cli) struct Keys {
     /// Values for all programs.
     pub usual: Values,
     /// Language of messages.
-    pub language: Option<Said<Language>>,
+    pub language: Option<Located<Language>>,
     /// Endings of programs in folders.
-    pub extension: Vec<Said<String>>,
+    pub extension: Vec<Located<String>>,
     /// Patterns of excluded files, in the syntax of `.gitignore`.
-    pub exclude: Vec<Said<String>>,
+    pub exclude: Vec<Located<String>>,
     /// Folders with subprograms.
-    pub library: Vec<Said<String>>,
+    pub library: Vec<Located<String>>,
     /// Path of the list of known findings.
-    pub baseline: Option<Said<String>>,
+    pub baseline: Option<Located<String>>,
     /// Maximum number of warnings.
-    pub max_warnings: Option<Said<usize>>,
+    pub max_warnings: Option<Located<usize>>,
     /// Values for some programs, in the order of the file.
     pub overrides: Vec<Override>,
 }
@@ -46,22 +46,22 @@ pub(in crate::cli) struct Keys {
 #[derive(Debug, Default, PartialEq)]
 pub(in crate::cli) struct Values {
     /// The control.
-    pub control: Option<Said<Control>>,
+    pub control: Option<Located<Control>>,
     /// Setup files: machines, tools.
-    pub setup: Vec<Said<String>>,
+    pub setup: Vec<Located<String>>,
     /// Rules to report; all others are not reported.
-    pub select: Vec<Said<&'static str>>,
+    pub select: Vec<Located<&'static str>>,
     /// Rules that are not reported.
-    pub ignore: Vec<Said<&'static str>>,
+    pub ignore: Vec<Located<&'static str>>,
     /// Severities of rules and groups.
-    pub rules: Vec<Said<(&'static str, Severity)>>,
+    pub rules: Vec<Located<(&'static str, Severity)>>,
 }
 
 /// Values for the programs that match a pattern.
 #[derive(Debug, Default, PartialEq)]
 pub(in crate::cli) struct Override {
     /// Patterns of the programs, in the syntax of `.gitignore`.
-    pub files: Vec<Said<String>>,
+    pub files: Vec<Located<String>>,
     /// Values for these programs.
     pub values: Values,
 }
@@ -98,10 +98,10 @@ fn keys(table: &DeTable<'_>, lines: &Lines<'_>) -> Result<Keys, Fault> {
             "language" => keys.language = Some(lines.said(value, language(value)?)),
             "extension" => {
                 let said = texts(value, lines)?;
-                let each = |one: Said<String>| {
+                let each = |one: Located<String>| {
                     let endings: Vec<_> =
                         one.value.split(',').map(|ending| ending.trim().to_owned()).collect();
-                    endings.into_iter().map(move |value| Said { value, line: one.line })
+                    endings.into_iter().map(move |value| Located { value, line: one.line })
                 };
                 keys.extension = said.into_iter().flat_map(each).collect();
             }
@@ -164,7 +164,7 @@ impl Values {
 }
 
 /// Rules from a list, by slug or code.
-fn rules(value: &Spanned<DeValue<'_>>, lines: &Lines<'_>) -> Result<Vec<Said<&'static str>>, Fault> {
+fn rules(value: &Spanned<DeValue<'_>>, lines: &Lines<'_>) -> Result<Vec<Located<&'static str>>, Fault> {
     let mut rules = Vec::new();
     for one in list(value) {
         let slugs = named(text(one)?).map_err(|problem| (one.span().start, problem))?;
@@ -177,7 +177,7 @@ fn rules(value: &Spanned<DeValue<'_>>, lines: &Lines<'_>) -> Result<Vec<Said<&'s
 fn levels(
     value: &Spanned<DeValue<'_>>,
     lines: &Lines<'_>,
-) -> Result<Vec<Said<(&'static str, Severity)>>, Fault> {
+) -> Result<Vec<Located<(&'static str, Severity)>>, Fault> {
     let DeValue::Table(table) = value.get_ref() else {
         return Err((value.span().start, "write it as a table: [rules], then `rule = \"level\"`".to_owned()));
     };
@@ -225,7 +225,7 @@ fn count(value: &Spanned<DeValue<'_>>) -> Result<usize, Fault> {
 }
 
 /// One string, or an array of strings.
-fn texts(value: &Spanned<DeValue<'_>>, lines: &Lines<'_>) -> Result<Vec<Said<String>>, Fault> {
+fn texts(value: &Spanned<DeValue<'_>>, lines: &Lines<'_>) -> Result<Vec<Located<String>>, Fault> {
     list(value).map(|one| Ok(lines.said(one, text(one)?.to_owned()))).collect()
 }
 
@@ -248,8 +248,8 @@ fn text<'a>(value: &'a Spanned<DeValue<'_>>) -> Result<&'a str, Fault> {
 struct Lines<'a>(&'a str);
 
 impl Lines<'_> {
-    fn said<T>(&self, from: &Spanned<DeValue<'_>>, value: T) -> Said<T> {
-        Said { value, line: self.place(from.span().start).0 }
+    fn said<T>(&self, from: &Spanned<DeValue<'_>>, value: T) -> Located<T> {
+        Located { value, line: self.place(from.span().start).0 }
     }
 
     /// Line and column of a byte offset, from 1; columns count characters.
@@ -271,13 +271,13 @@ mod tests {
             "[rules]\nrapid-through-stock = \"error\"\n[[override]]\nfiles = \"fanuc/**\"\ncontrol = \"fanuc\"\n",
         ))
         .expect("it is right");
-        assert_eq!(keys.usual.control, Some(Said { value: Control::Gsk, line: 1 }));
+        assert_eq!(keys.usual.control, Some(Located { value: Control::Gsk, line: 1 }));
         let setup = [("machine.json", 2), ("tools.toml", 3)];
-        assert_eq!(keys.usual.setup, setup.map(|(name, line)| Said { value: name.to_owned(), line }));
-        assert_eq!(keys.usual.rules, [Said { value: ("rapid-through-stock", Severity::Error), line: 6 }]);
-        assert_eq!(keys.max_warnings, Some(Said { value: 3, line: 4 }));
-        assert_eq!(keys.overrides[0].files, [Said { value: "fanuc/**".to_owned(), line: 8 }]);
-        assert_eq!(keys.overrides[0].values.control, Some(Said { value: Control::Fanuc, line: 9 }));
+        assert_eq!(keys.usual.setup, setup.map(|(name, line)| Located { value: name.to_owned(), line }));
+        assert_eq!(keys.usual.rules, [Located { value: ("rapid-through-stock", Severity::Error), line: 6 }]);
+        assert_eq!(keys.max_warnings, Some(Located { value: 3, line: 4 }));
+        assert_eq!(keys.overrides[0].files, [Located { value: "fanuc/**".to_owned(), line: 8 }]);
+        assert_eq!(keys.overrides[0].values.control, Some(Located { value: Control::Fanuc, line: 9 }));
     }
 
     #[test]

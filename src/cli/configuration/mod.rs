@@ -18,7 +18,7 @@ use super::system;
 use crate::message::Severity;
 use crate::setup::dialect::Control;
 use crate::setup::{Setup, profile};
-use file::{Keys, Said, Values};
+use file::{Keys, Located, Values};
 
 /// Name of the configuration file.
 pub(super) const NAME: &str = "gcode-playground.toml";
@@ -47,7 +47,7 @@ impl Configuration {
         let mut folder =
             system::absolute(path).map_err(|error| format!("{name}: {}", system::reason(&error)))?;
         folder.pop();
-        let patterns = |said: &[Said<String>]| {
+        let patterns = |said: &[Located<String>]| {
             let lines = said.iter().map(|one| one.value.as_str());
             patterns(&folder, lines).map_err(|problem| at(format!("{}: {problem}", said[0].line)))
         };

@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 
 use super::super::options::{Form, Format, With};
 use super::super::{Status, print, write_row};
-use super::{Configuration, Configurations, Said, Settings, Values, shown};
+use super::{Configuration, Configurations, Located, Settings, Values, shown};
 use crate::api::Configured as Row;
 use crate::message::Severity;
 use crate::setup::dialect::Control;
@@ -53,7 +53,7 @@ fn write(out: &mut dyn Write, settings: &Settings, rows: &[Row], format: Format)
 fn rows(settings: &Settings, with: &With) -> Vec<Row> {
     let mut rows =
         Rows { list: Vec::new(), file: settings.configuration.as_deref().map(|one| one.name.clone()) };
-    let said = |name: fn(&Values) -> Option<&Said<Control>>| settings.values().filter_map(name).last();
+    let said = |name: fn(&Values) -> Option<&Located<Control>>| settings.values().filter_map(name).last();
     match (&with.control, said(|values| values.control.as_ref())) {
         (Some(name), _) => rows.by("control", name.control().name(), "--control"),
         (None, Some(said)) => rows.said("control", said.value.name(), said),
@@ -127,7 +127,7 @@ struct Rows {
 }
 
 impl Rows {
-    fn said<T>(&mut self, key: &str, value: &str, said: &Said<T>) {
+    fn said<T>(&mut self, key: &str, value: &str, said: &Located<T>) {
         let file = self.file.clone().unwrap_or_default();
         self.by(key, value, &format!("{file}:{}", said.line));
     }

@@ -57,7 +57,7 @@ pub enum Holder {
 }
 
 /// Maximum number of attributes that are read of a tag; the element has fewer.
-const MOST_ATTRIBUTES: usize = 100;
+const MAX_ATTRIBUTES: usize = 100;
 
 /// Attributes of an element, in order; the first one of a name counts.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
@@ -80,7 +80,7 @@ impl Attributes {
     }
 
     fn put_if_missing(&mut self, name: &str, value: String) {
-        if self.0.len() < MOST_ATTRIBUTES && self.get(name).is_none() {
+        if self.0.len() < MAX_ATTRIBUTES && self.get(name).is_none() {
             self.0.push((name.to_owned(), value));
         }
     }

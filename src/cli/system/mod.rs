@@ -89,7 +89,7 @@ pub(super) fn reason(error: &io::Error) -> String {
 }
 
 /// Writes a line to standard error, with control characters masked. Errors are ignored.
-pub(super) fn say(line: std::fmt::Arguments<'_>) {
+pub(super) fn print_error_line(line: std::fmt::Arguments<'_>) {
     let line = super::terminal::without_commands(format!("{line}\n").as_bytes());
     let _ = stream(Stream::Error).write_all(&line);
 }

@@ -83,7 +83,7 @@ impl Interpreter {
             return Flow::Next;
         }
         if block.is_overlong() {
-            return self.torn_block(text, block, here);
+            return self.partly_read_block(text, block, here);
         }
         if self.state.virtual_plane.is_some() && self.names_second_axis_y(text, block) {
             return self.words_of(text, &with_c(block), here);
@@ -94,7 +94,7 @@ impl Interpreter {
     /// A block of which only the first words could be parsed. These take effect. Nothing more is reported for
     /// the block, nor for settings that its other words may have made.
     #[cold]
-    fn torn_block(&mut self, text: &[u8], block: &Block, here: BlockPosition) -> Flow {
+    fn partly_read_block(&mut self, text: &[u8], block: &Block, here: BlockPosition) -> Flow {
         self.sink.muted = true;
         let flow = self.words_of(text, block, here);
         self.sink.muted = false;
@@ -374,8 +374,8 @@ impl Interpreter {
             };
             let diagnostic = Diagnostic::new(message, word.span);
             self.report(match (taken, only_speed) {
-                (true, true) => diagnostic.graded(Severity::Info),
-                (true, false) => diagnostic.graded(Severity::Warning),
+                (true, true) => diagnostic.with_severity(Severity::Info),
+                (true, false) => diagnostic.with_severity(Severity::Warning),
                 (false, _) => diagnostic,
             });
             if !taken {

@@ -52,7 +52,7 @@ impl Interpreter {
         let strict = self.dialect.strict;
         if strict || self.state.reported.mark_reported(Once::NoFeed) {
             let severity = if strict { Severity::Error } else { Severity::Warning };
-            self.report(Diagnostic::new(said::FeedMissing, block.words_span()).graded(severity));
+            self.report(Diagnostic::new(said::FeedMissing, block.words_span()).with_severity(severity));
             request.drop = true;
         } else {
             self.observe(text, Event::CutWithoutFeed { block });

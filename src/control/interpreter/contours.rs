@@ -108,7 +108,7 @@ impl Interpreter {
         if let Some(address) = [b'X', b'Z'].into_iter().find(|&address| words.get(address).is_some()) {
             let message = said::CycleWord { code, word: words.quote(text, address) };
             let severity = if self.dialect.strict { Severity::Error } else { Severity::Warning };
-            self.report(Diagnostic::new(message, words.span(address)).graded(severity));
+            self.report(Diagnostic::new(message, words.span(address)).with_severity(severity));
             if severity == Severity::Error {
                 return None;
             }
@@ -437,7 +437,7 @@ impl Interpreter {
                             if skips && self.contours.purpose == Some(ContourUse::Finishing) =>
                         {
                             let message = said::ContourIllegal { word: quoted() };
-                            self.report(Diagnostic::new(message, word.span).graded(Severity::Warning));
+                            self.report(Diagnostic::new(message, word.span).with_severity(Severity::Warning));
                             continue;
                         }
                         Some(G::Multiple(_) | G::Motion(MotionMode::Cycle(_)) | G::Hole(_)) => {
@@ -449,7 +449,7 @@ impl Interpreter {
                 }
                 _ => continue,
             };
-            self.report(Diagnostic::new(message, word.span).graded(severity));
+            self.report(Diagnostic::new(message, word.span).with_severity(severity));
             return if severity == Severity::Error { InContour::Forbidden } else { InContour::Ignored };
         }
         InContour::Allowed

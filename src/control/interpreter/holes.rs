@@ -75,7 +75,8 @@ impl Interpreter {
         let word = block.words.iter().rev().find(|word| word.address == b'G');
         let span = word.map_or_else(|| block.words_span(), |word| word.span);
         let (word, hole) = (quote(text, span), hole.kind.code());
-        let diagnostic = Diagnostic::new(said::HoleInForce { word, hole, alarm }, span).graded(severity);
+        let diagnostic =
+            Diagnostic::new(said::HoleInForce { word, hole, alarm }, span).with_severity(severity);
         self.report(diagnostic.with(Fix::insert(block.span.start, "G80\n".to_owned())));
         lenient
     }

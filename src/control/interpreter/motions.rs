@@ -152,7 +152,7 @@ impl Interpreter {
                 let severity = if alarm { Severity::Error } else { Severity::Warning };
                 let no_center =
                     || Diagnostic::new(said::ArcNoCenter { code, first, second }, block.words_span());
-                self.report(stray.unwrap_or_else(no_center).graded(severity));
+                self.report(stray.unwrap_or_else(no_center).with_severity(severity));
                 if alarm {
                     request.drop = true;
                 } else {
@@ -232,7 +232,7 @@ impl Interpreter {
                     diagnostic.fixes.extend(center_repair(text, words, of_center, [i, k], meets));
                 }
                 // One error, one message.
-                self.report(stray.map_or(diagnostic, |stray| stray.graded(Severity::Error)));
+                self.report(stray.map_or(diagnostic, |stray| stray.with_severity(Severity::Error)));
                 request.drop = true;
             }
         }

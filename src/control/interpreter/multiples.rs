@@ -299,7 +299,7 @@ impl Interpreter {
         }
         // Many such programs run: some controls have no such check, others allow a tolerance.
         let found = self.rough_leniently(block, contour, shape, &how, most);
-        self.report(if found.is_some() { message.graded(Severity::Warning) } else { message });
+        self.report(if found.is_some() { message.with_severity(Severity::Warning) } else { message });
         found.map(|moves| (moves, how.shape)).ok_or(Refused::Contour)
     }
 

@@ -30,7 +30,7 @@ impl Interpreter {
             if let Some(retract) = length(b'R') {
                 if retract < 0.0 {
                     let message = said::ReliefNegative { word: words.quote(text, b'R') };
-                    self.report(Diagnostic::new(message, words.span(b'R')).graded(Severity::Warning));
+                    self.report(Diagnostic::new(message, words.span(b'R')).with_severity(Severity::Warning));
                 }
                 self.state.parameters.retract = retract.abs();
             }
@@ -69,7 +69,7 @@ impl Interpreter {
         if peck.unwrap_or(0.0) == 0.0 {
             let (message, span) = missing(address);
             let severity = if self.dialect.strict { Severity::Error } else { Severity::Warning };
-            self.report(Diagnostic::new(message, span).graded(severity));
+            self.report(Diagnostic::new(message, span).with_severity(severity));
             if self.dialect.strict {
                 return None;
             }

@@ -33,7 +33,7 @@ impl Interpreter {
             return;
         }
         if let Some(wrong) = words::check(text, word) {
-            let wrong = if self.dialect.strict { wrong.graded(Severity::Error) } else { wrong };
+            let wrong = if self.dialect.strict { wrong.with_severity(Severity::Error) } else { wrong };
             request.drop |= wrong.is_error();
             let carried_out = !wrong.is_error();
             self.report(wrong);

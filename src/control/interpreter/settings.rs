@@ -104,11 +104,11 @@ impl Interpreter {
         let is_station = is_short && changes_tool && !self.state.has_long_tools;
         if is_station {
             let message = said::ShortToolAsStation { word: quote(text, word.span), station: value as u32 };
-            self.report(Diagnostic::new(message, word.span).graded(Severity::Info));
+            self.report(Diagnostic::new(message, word.span).with_severity(Severity::Info));
         } else if is_short && !adds_offset {
             let message = said::ShortTool { word: quote(text, word.span), offset: offset as u32 };
             let diagnostic = Diagnostic::new(message, word.span);
-            self.report(if changes_tool { diagnostic.graded(Severity::Info) } else { diagnostic });
+            self.report(if changes_tool { diagnostic.with_severity(Severity::Info) } else { diagnostic });
         }
         // Six digits are split three and three: `T010101` would be offset 101; some machines have that many.
         let beyond = station > 999 || digits > 6;
@@ -121,7 +121,7 @@ impl Interpreter {
                 false => said::ToolNumber { word: word_text }.into(),
             };
             let diagnostic = Diagnostic::new(message, word.span);
-            self.report(if of_machine { diagnostic.graded(Severity::Info) } else { diagnostic });
+            self.report(if of_machine { diagnostic.with_severity(Severity::Info) } else { diagnostic });
             if beyond {
                 return;
             }
@@ -147,7 +147,7 @@ impl Interpreter {
             // Haas reads seconds if there is a point.
             let severity = if self.dialect.strict { Severity::Error } else { Severity::Warning };
             let message = said::DwellWithPoint { word: quote(text, word.span) };
-            self.report(Diagnostic::new(message, word.span).graded(severity));
+            self.report(Diagnostic::new(message, word.span).with_severity(severity));
             if severity == Severity::Error {
                 request.drop = true;
                 return;
@@ -169,7 +169,7 @@ impl Interpreter {
                 let only_stops = self.state.spindle.turn == SpindleTurn::Stopped
                     && !self.state.spindle.zero_speed
                     && !words.has_any(letters(b"XUPF"));
-                self.report(if only_stops { diagnostic.graded(Severity::Info) } else { diagnostic });
+                self.report(if only_stops { diagnostic.with_severity(Severity::Info) } else { diagnostic });
             }
         }
     }

@@ -199,7 +199,7 @@ impl Interpreter {
                 }
                 Single::Facing => said::TaperBeyondLength { word, limit: way }.into(),
             };
-            let mut diagnostic = Diagnostic::new(message, span).graded(severity);
+            let mut diagnostic = Diagnostic::new(message, span).with_severity(severity);
             // With the opposite sign the cut begins inside the start point and has the same end.
             let crosses_axis = cycle != Single::Facing && end.x > 0.0 && end.x < taper;
             if let Some((text, place)) = own_word

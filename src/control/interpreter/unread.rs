@@ -112,7 +112,7 @@ impl Interpreter {
         if self.state.reported.mark_reported(once) {
             let (axis, word) = (address as char, words.quote(text, address));
             let note = Diagnostic::new(said::OtherAxis { word, axis }, words.span(address));
-            self.report(note.graded(Severity::Info));
+            self.report(note.with_severity(Severity::Info));
         }
     }
 

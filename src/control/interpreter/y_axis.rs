@@ -75,7 +75,7 @@ impl Interpreter {
         let Some(word) = second_axis::named_y(block, &self.state, &self.setup.machine) else { return false };
         if self.state.reported.mark_reported(Once::SecondAxisY) {
             let message = said::SecondAxisY { word: quote(text, word.span) };
-            self.report(Diagnostic::new(message, word.span).graded(Severity::Info));
+            self.report(Diagnostic::new(message, word.span).with_severity(Severity::Info));
         }
         true
     }

@@ -80,7 +80,7 @@ pub struct Text {
 pub const INDENT: &str = "   ";
 
 /// Maximum length of a title, characters.
-const MOST_TITLE: usize = 60;
+const MAX_TITLE: usize = 60;
 
 /// Selects a paragraph of a text.
 type Field = fn(&mut Text) -> &mut String;
@@ -232,8 +232,8 @@ pub(super) fn check(page: &mut Page, mistakes: &mut Mistakes) {
                 mistakes.add(format!("{tag}: {name} has a backtick without its other one"));
             }
         }
-        if title.chars().count() > MOST_TITLE {
-            mistakes.add(format!("{tag}: the title has more than {MOST_TITLE} characters"));
+        if title.chars().count() > MAX_TITLE {
+            mistakes.add(format!("{tag}: the title has more than {MAX_TITLE} characters"));
         }
     }
 }

@@ -206,13 +206,13 @@ struct Stepped {
 }
 
 /// Maximum number of blocks to step through: calls in loops can make very many.
-const MOST_STEPS: usize = 800;
+const MAX_STEPS: usize = 800;
 
 /// The executions of each block, by its first byte; `None` if there are too many.
 fn stepped(text: &str) -> Option<BTreeMap<u32, Vec<Stepped>>> {
     let mut run = Run::new(text.into(), Setup::default());
     let mut found: BTreeMap<u32, Vec<Stepped>> = BTreeMap::new();
-    for _ in 0..MOST_STEPS {
+    for _ in 0..MAX_STEPS {
         if run.finished || run.ended {
             return Some(found);
         }

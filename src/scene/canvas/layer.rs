@@ -14,7 +14,7 @@ use web_sys::OffscreenCanvas;
 use super::super::camera::Camera;
 use super::super::camera::Pixel;
 use super::super::ink::Ink;
-use super::super::marks::{LEAST_FOR_ARROW, MOST_WITH_ARROWS, add_arrow_heads};
+use super::super::marks::{MAX_WITH_ARROWS, MIN_FOR_ARROW, add_arrow_heads};
 use super::super::palette::Palette;
 use super::super::path_index::{Stretch, StretchKey};
 use super::super::plot::Plot;
@@ -28,7 +28,7 @@ use crate::parts::late;
 use crate::playback::clock::Playhead;
 
 /// Opacity of the motions ahead of the playhead.
-const AHEAD: f64 = 0.22;
+const OPACITY_AHEAD: f64 = 0.22;
 /// Number of visible motions above which widths and dashes cannot be distinguished.
 const CROWDED: usize = 40_000;
 /// Number of visible motions that can be drawn in a few milliseconds, including widths and dashes.
@@ -37,7 +37,7 @@ const QUICK: usize = 4_000;
 const FEW: usize = 400;
 /// Number of frames without tool movement before strokes that were added one by one are redrawn together.
 /// With a delay, one late frame does not make the next ones late.
-const STANDING: u32 = 12;
+const SETTLE_FRAMES: u32 = 12;
 /// Maximum time for one slice of plotting, ms.
 const SLICE: f64 = 8.0;
 /// The layers of a plot: motions ahead of the tool and finished ones (both by ink), and the programmed path.
@@ -176,12 +176,12 @@ impl StrokeLayer {
     pub fn update(&mut self, scene: &Scene, view: &View) -> Result<Progress, JsValue> {
         let path_index = scene.path_index().id();
         let tool = tool_of(view);
-        let target = Target { view: view.bare(tool.map(before)), path_index };
+        let target = Target { view: view.without_selection(tool.map(before)), path_index };
         let same =
             |shown: &Target| shown.path_index == path_index && shown.view.shows_same_ground(&target.view);
         if self.shown.as_ref().is_some_and(same) {
             match (self.made, tool) {
-                (Made::Added { tool, frames }, Some(now)) if tool != now || frames < STANDING => {
+                (Made::Added { tool, frames }, Some(now)) if tool != now || frames < SETTLE_FRAMES => {
                     let frames = if tool == now { frames + 1 } else { 0 };
                     self.made = Made::Added { tool: now, frames };
                     return Ok(Progress::Waiting);
@@ -198,7 +198,7 @@ impl StrokeLayer {
         let view = &target.view;
         let seen = view.camera().seen().grown(2.0 * sheet::WIDEST / view.camera().scale());
         let in_view: Vec<&Stretch> =
-            scene.path_index().stretches().iter().filter(|stretch| stretch.bounds.meets(seen)).collect();
+            scene.path_index().stretches().iter().filter(|stretch| stretch.bounds.overlaps(seen)).collect();
         let motions: usize = in_view.iter().map(|stretch| stretch.motions.len()).sum();
         if motions > CROWDED {
             return self.plot(scene, target, &in_view);
@@ -238,7 +238,7 @@ impl StrokeLayer {
     fn done_since(&self, target: &Target) -> Option<Range<usize>> {
         let shown = self.shown.as_ref()?;
         let (from, to) = (shown.view.playhead?.motion, target.view.playhead?.motion);
-        let standing = target.view.bare(shown.view.playhead);
+        let standing = target.view.without_selection(shown.view.playhead);
         let same = shown.path_index == target.path_index && shown.view.shows_same_ground(&standing);
         (same && from < to && to - from <= FEW).then_some(from..to)
     }
@@ -341,7 +341,7 @@ impl StrokeLayer {
             }
         }
         self.heads = Default::default();
-        if motions <= MOST_WITH_ARROWS {
+        if motions <= MAX_WITH_ARROWS {
             let done = |stretch: &&Stretch| {
                 stretch.motions.start..stretch.motions.end.min(until.unwrap_or(usize::MAX))
             };
@@ -356,7 +356,7 @@ impl StrokeLayer {
         self.image.begin(view)?;
         self.image.clip(view)?;
         ink(&self.image, view, &mut [&Paths::of(scene.strokes_of(done.clone()))?].into_iter())?;
-        if motions <= MOST_WITH_ARROWS {
+        if motions <= MAX_WITH_ARROWS {
             self.arrows(scene, view, &[done]);
         }
         self.image.unclip();
@@ -375,7 +375,7 @@ impl StrokeLayer {
         let ahead = in_view.iter().filter(|stretch| stretch.motions.start > until);
         let done = in_view.iter().filter(|stretch| stretch.motions.end <= until);
         let pen = &self.image;
-        pen.opacity(AHEAD);
+        pen.opacity(OPACITY_AHEAD);
         ink(pen, view, &mut [&after].into_iter().chain(ahead.filter_map(|stretch| self.paths_of(stretch))))?;
         pen.opacity(1.0);
         ink(pen, view, &mut done.filter_map(|stretch| self.paths_of(stretch)).chain([&before]))
@@ -391,7 +391,7 @@ impl StrokeLayer {
             let before = heads.len();
             let strokes = run.iter().flat_map(|motions| scene.strokes_of(motions.clone()));
             let shapes = strokes.filter(|s| s.style == style && !s.uncertain).map(|stroke| stroke.shape);
-            add_arrow_heads(heads, shapes, view.camera(), LEAST_FOR_ARROW);
+            add_arrow_heads(heads, shapes, view.camera(), MIN_FOR_ARROW);
             let colour = sheet::colour(&view.palette, Ink::Sure(style));
             self.image.fill(colour, heads[before..].iter().map(|head| &head[..]));
         }
@@ -450,7 +450,7 @@ fn coloured(plot: &Plot, rows: Range<usize>, colours: &Colours) -> Vec<u8> {
         }
     };
     lay(PROGRAMMED, Ink::ALL.len(), 1.0);
-    for (first, opacity) in [(0, AHEAD), (DONE, 1.0)] {
+    for (first, opacity) in [(0, OPACITY_AHEAD), (DONE, 1.0)] {
         for ink in Ink::ALL {
             lay(first + ink.index(), ink.index(), opacity);
         }

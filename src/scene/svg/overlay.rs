@@ -21,7 +21,7 @@ use super::{BOTTOM_RULER, Drawing, Ground, HEIGHTS, LEFT_RULER, SHAPES, SvgOptio
 
 /// Maximum number of strokes that are drawn of each program; with more, the picture would be unreadable and
 /// the file too large for a browser.
-pub const MOST_STROKES: usize = 20_000;
+pub const MAX_STROKES: usize = 20_000;
 
 /// Distance between lines of the legend, CSS pixels.
 const LEADING: f64 = 20.0;
@@ -113,7 +113,7 @@ impl Drawing {
     fn owned(&mut self, scene: &Scene, owner: Owner, own: impl Fn(&Stroke) -> bool) {
         for is_rapid in [true, false] {
             let mut d = String::new();
-            for stroke in scene.strokes().take(MOST_STROKES) {
+            for stroke in scene.strokes().take(MAX_STROKES) {
                 if (stroke.style == StrokeStyle::Rapid) != is_rapid || !own(&stroke) {
                     continue;
                 }
@@ -148,7 +148,7 @@ impl Drawing {
 }
 
 fn keys(scene: &Scene) -> HashSet<Key> {
-    scene.strokes().take(MOST_STROKES).map(|stroke| key(&stroke)).collect()
+    scene.strokes().take(MAX_STROKES).map(|stroke| key(&stroke)).collect()
 }
 
 fn key(stroke: &Stroke) -> Key {

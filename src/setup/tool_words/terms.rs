@@ -175,7 +175,7 @@ pub fn kind(text: &str) -> Option<ToolKind> {
         return None;
     }
     let bytes = Bytes::of(text);
-    KINDS.iter().find(|(form, term, _)| stands(text, &bytes, term, *form)).and_then(|(.., kind)| *kind)
+    KINDS.iter().find(|(form, term, _)| contains_term(text, &bytes, term, *form)).and_then(|(.., kind)| *kind)
 }
 
 /// Whether a comment names a device that holds or moves the workpiece and does not cut, such as a bar stop.
@@ -214,7 +214,7 @@ pub fn is_second_operation(text: &str) -> bool {
 /// The side of the workpiece that a comment names.
 pub fn side(text: &str) -> Option<Side> {
     let bytes = Bytes::of(text);
-    SIDES.iter().find(|(form, term, _)| stands(text, &bytes, term, *form)).map(|(.., side)| *side)
+    SIDES.iter().find(|(form, term, _)| contains_term(text, &bytes, term, *form)).map(|(.., side)| *side)
 }
 
 /// The set of bytes of a text: a term with a byte that is not in it need not be searched for.
@@ -237,7 +237,7 @@ impl Bytes {
 /// Whether a comment contains one of some terms.
 pub fn names_any(text: &str, terms: &[(Form, &str)]) -> bool {
     let bytes = Bytes::of(text);
-    terms.iter().any(|(form, term)| stands(text, &bytes, term, *form))
+    terms.iter().any(|(form, term)| contains_term(text, &bytes, term, *form))
 }
 
 /// The text before and after the first of some terms in a comment.
@@ -248,7 +248,7 @@ pub fn first<'a>(text: &'a str, terms: &[(Form, &'a str)]) -> Option<(&'a str, &
 }
 
 /// Whether a comment with these bytes contains a term.
-fn stands(text: &str, bytes: &Bytes, term: &str, form: Form) -> bool {
+fn contains_term(text: &str, bytes: &Bytes, term: &str, form: Form) -> bool {
     places(text, bytes, term, form).next().is_some()
 }
 

@@ -116,7 +116,7 @@ impl Counts {
 }
 
 /// Options of a report.
-pub(super) struct Wanted {
+pub(super) struct ReportOptions {
     /// Output format.
     pub format: ReportFormat,
     /// When text is coloured.
@@ -137,13 +137,13 @@ pub(super) struct Wanted {
 
 /// A report in one format.
 pub(super) struct Report {
-    wanted: Wanted,
+    wanted: ReportOptions,
     is_coloured: bool,
 }
 
 impl Report {
     /// Creates a report from its options.
-    pub(super) fn new(wanted: Wanted) -> Self {
+    pub(super) fn new(wanted: ReportOptions) -> Self {
         let is_coloured = match wanted.colour {
             Colour::Always => true,
             Colour::Never => false,

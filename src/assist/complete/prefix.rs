@@ -6,7 +6,7 @@ use crate::source::Span;
 
 /// The syntax being typed at a place.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Begun {
+pub enum Prefix {
     /// Nothing yet: a word can begin here.
     Nothing,
     /// A word with this letter.
@@ -20,7 +20,7 @@ pub enum Begun {
 }
 
 /// The syntax typed before a byte, and its span; `None` in a comment, or where no word can begin.
-pub fn begun_at(text: &[u8], line: u32, byte: u32) -> Option<(Begun, Span)> {
+pub fn prefix_at(text: &[u8], line: u32, byte: u32) -> Option<(Prefix, Span)> {
     let (line, byte) = (line as usize, (byte as usize).min(text.len()));
     let before = text.get(line..byte)?;
     let is_comment = before.iter().fold(false, |is_comment, &at| match at {
@@ -38,28 +38,28 @@ pub fn begun_at(text: &[u8], line: u32, byte: u32) -> Option<(Begun, Span)> {
     let letters = head.iter().rev().take_while(|at| at.is_ascii_alphabetic()).count();
     let word = |bytes: usize| head[head.len() - bytes..].to_ascii_uppercase();
     match head.last() {
-        Some(b'#') => Some((Begun::Variable, from(digits + 1))),
-        Some(_) if letters == 1 => Some((Begun::Word(word(1)[0]), from(digits + 1))),
-        Some(_) if letters >= 4 && word(4) == b"GOTO" => Some((Begun::Goto, from(digits))),
-        Some(_) if letters > 1 && digits == 0 => Some((Begun::Letters, from(letters))),
+        Some(b'#') => Some((Prefix::Variable, from(digits + 1))),
+        Some(_) if letters == 1 => Some((Prefix::Word(word(1)[0]), from(digits + 1))),
+        Some(_) if letters >= 4 && word(4) == b"GOTO" => Some((Prefix::Goto, from(digits))),
+        Some(_) if letters > 1 && digits == 0 => Some((Prefix::Letters, from(letters))),
         Some(b' ' | b'\t') if head.trim_ascii_end().to_ascii_uppercase().ends_with(b"GOTO") => {
-            Some((Begun::Goto, from(digits)))
+            Some((Prefix::Goto, from(digits)))
         }
-        None | Some(b' ' | b'\t') if digits == 0 => Some((Begun::Nothing, from(0))),
+        None | Some(b' ' | b'\t') if digits == 0 => Some((Prefix::Nothing, from(0))),
         _ => None,
     }
 }
 
 /// Whether a proposal starts with the typed text: `G1` matches G01 and G10.
-pub fn begins_with(item: &Item, typed: &str, begun: Begun) -> bool {
+pub fn begins_with(item: &Item, typed: &str, prefix: Prefix) -> bool {
     let first = match item.pieces.first() {
         Some(Piece::Fixed(text) | Piece::Fill(text)) => text.as_str(),
         None => return false,
     };
-    match begun {
+    match prefix {
         // The first two pieces of a snippet may form the typed code (letter and value), so compare them
         // together.
-        Begun::Word(_) => {
+        Prefix::Word(_) => {
             let text = match item.pieces.get(1) {
                 Some(Piece::Fill(value)) if first.len() == 1 => format!("{first}{value}"),
                 _ => first.to_owned(),
@@ -72,11 +72,11 @@ pub fn begins_with(item: &Item, typed: &str, begun: Begun) -> bool {
             };
             text.starts_with(typed) || plain(&text).starts_with(&plain(typed))
         }
-        Begun::Letters => match item.what {
+        Prefix::Letters => match item.what {
             What::Snippet(Snippet::Loop) => "WHILE".starts_with(typed),
             What::Snippet(Snippet::Condition) => "IF".starts_with(typed),
             _ => false,
         },
-        Begun::Nothing | Begun::Variable | Begun::Goto => first.starts_with(typed),
+        Prefix::Nothing | Prefix::Variable | Prefix::Goto => first.starts_with(typed),
     }
 }

@@ -23,11 +23,11 @@ const INSIDE: f64 = 0.1;
 const UNKNOWN_REACH: f64 = 10.0;
 
 /// Most points at which a path is checked; a shorter path is checked at each millimetre.
-const MOST_PIECES: f64 = 200.0;
+const MAX_PIECES: f64 = 200.0;
 
 /// Most points of cuts that are kept, and most comparisons. Beyond either limit there are no more findings.
-const MOST_PLACES: usize = 20_000;
-const MOST_COMPARED: usize = 20_000_000;
+const MAX_PLACES: usize = 20_000;
+const MAX_COMPARED: usize = 20_000_000;
 
 /// A position of the tip relative to the workpiece.
 #[derive(Clone, Copy, Debug)]
@@ -40,7 +40,7 @@ struct Place {
 
 /// The axis along which a cutter points.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Stands {
+enum CutterAxis {
     AlongX,
     AlongZ,
     Unknown,
@@ -50,7 +50,7 @@ enum Stands {
 #[derive(Clone, Copy, Debug)]
 struct Cut {
     at: Place,
-    stands: Stands,
+    cutter_axis: CutterAxis,
     /// Reach of the cutter around the point, mm.
     reach: f64,
 }
@@ -61,7 +61,7 @@ pub(super) struct LiveCuts {
     places: Vec<Cut>,
     compared: usize,
     /// Whether the cuts are unknown.
-    is_lost: bool,
+    is_unknown: bool,
 }
 
 impl LiveCuts {
@@ -69,48 +69,48 @@ impl LiveCuts {
     pub fn cut(&mut self, motion: &Motion, c: f64, tool: &ResolvedTool) {
         // With a Y axis, radius and C do not give the position of the tool.
         if motion.virtual_move().is_some_and(|own| own.has_y()) {
-            self.lose();
+            self.mark_unknown();
         }
-        if self.is_lost {
+        if self.is_unknown {
             return;
         }
         let way = places(motion, c);
         let reach = tool.tool.cutter_radius().or(tool.tool.geometry_r).unwrap_or(UNKNOWN_REACH);
-        self.add(&way, stands(motion, tool), reach);
+        self.add(&way, cutter_axis(motion, tool), reach);
     }
 
     /// From here on the cuts are unknown, and there are no more findings.
-    pub fn lose(&mut self) {
-        *self = Self { is_lost: true, ..Self::default() };
+    pub fn mark_unknown(&mut self) {
+        *self = Self { is_unknown: true, ..Self::default() };
     }
 
     /// The first point where a rapid of a live tool meets remaining material. C is at `c` degrees before it.
     pub fn rapid(&mut self, motion: &Motion, c: f64, turned: &Region) -> Option<Point> {
-        if self.is_lost || motion.virtual_move().is_some_and(|own| own.has_y()) {
+        if self.is_unknown || motion.virtual_move().is_some_and(|own| own.has_y()) {
             return None;
         }
         let way = places(motion, c);
         // The tool is at the first point already.
         let hit = way.iter().skip(1).find(|place| is_within(turned, place.tip) && !self.is_free(place))?;
-        if self.is_lost {
+        if self.is_unknown {
             return None;
         }
         // The tool leaves along the same path, which must not be reported again.
-        self.add(&way, Stands::Unknown, UNKNOWN_REACH);
+        self.add(&way, CutterAxis::Unknown, UNKNOWN_REACH);
         Some(hit.tip)
     }
 
-    fn add(&mut self, way: &[Place], stands: Stands, reach: f64) {
+    fn add(&mut self, way: &[Place], cutter_axis: CutterAxis, reach: f64) {
         let reach = reach + spacing(way);
-        self.places.extend(way.iter().map(|&at| Cut { at, stands, reach }));
-        self.is_lost = self.places.len() > MOST_PLACES;
+        self.places.extend(way.iter().map(|&at| Cut { at, cutter_axis, reach }));
+        self.is_unknown = self.places.len() > MAX_PLACES;
     }
 
     /// Whether a cutter went through this point, or beyond it along its own axis.
     fn is_free(&mut self, place: &Place) -> bool {
         self.compared += self.places.len();
-        self.is_lost |= self.compared > MOST_COMPARED;
-        self.is_lost || self.places.iter().any(|cut| cut.clears(place))
+        self.is_unknown |= self.compared > MAX_COMPARED;
+        self.is_unknown || self.places.iter().any(|cut| cut.clears(place))
     }
 }
 
@@ -129,24 +129,24 @@ impl Cut {
             let aside = (own.tip.x - other.tip.x * turn.cos()).hypot(other.tip.x * turn.sin());
             own.tip.z <= other.tip.z + INSIDE && aside <= self.reach
         };
-        match self.stands {
-            Stands::AlongX => along_x(),
-            Stands::AlongZ => along_z(),
-            Stands::Unknown => along_x() || along_z(),
+        match self.cutter_axis {
+            CutterAxis::AlongX => along_x(),
+            CutterAxis::AlongZ => along_z(),
+            CutterAxis::Unknown => along_x() || along_z(),
         }
     }
 }
 
 /// The direction of the cutter, if the cut shows it: along Z on the face and in its holes, along X on a
 /// cylinder and in holes of the side.
-fn stands(motion: &Motion, tool: &ResolvedTool) -> Stands {
+fn cutter_axis(motion: &Motion, tool: &ResolvedTool) -> CutterAxis {
     let drills = tool.is_live_drill() || motion.cycle.is_some();
     match motion.virtual_move().map(|own| own.surface) {
-        Some(Surface::Face) => Stands::AlongZ,
-        Some(Surface::Cylinder { .. }) => Stands::AlongX,
-        None if drills && motion.from.x == motion.to.x => Stands::AlongZ,
-        None if drills && motion.from.z == motion.to.z => Stands::AlongX,
-        _ => Stands::Unknown,
+        Some(Surface::Face) => CutterAxis::AlongZ,
+        Some(Surface::Cylinder { .. }) => CutterAxis::AlongX,
+        None if drills && motion.from.x == motion.to.x => CutterAxis::AlongZ,
+        None if drills && motion.from.z == motion.to.z => CutterAxis::AlongX,
+        _ => CutterAxis::Unknown,
     }
 }
 
@@ -155,7 +155,7 @@ fn stands(motion: &Motion, tool: &ResolvedTool) -> Stands {
 fn places(motion: &Motion, c: f64) -> Vec<Place> {
     let (from, to) = motion.rotary.map_or((c, c), |rotary| (rotary.from, rotary.to));
     let around = (to - from).to_radians() * motion.from.x.abs().max(motion.to.x.abs());
-    let pieces = motion.length().hypot(around).ceil().clamp(1.0, MOST_PIECES) as u32;
+    let pieces = motion.length().hypot(around).ceil().clamp(1.0, MAX_PIECES) as u32;
     let at = |piece: u32| {
         let share = f64::from(piece) / f64::from(pieces);
         let part = motion.first_part(share);
@@ -178,5 +178,5 @@ fn spacing(way: &[Place]) -> f64 {
 fn is_within(region: &Region, at: Point) -> bool {
     [(0.0, 0.0), (INSIDE, 0.0), (0.0, INSIDE)]
         .iter()
-        .all(|(x, z)| region.holds(Point::new(at.x + x, at.z + z)))
+        .all(|(x, z)| region.contains(Point::new(at.x + x, at.z + z)))
 }
