@@ -10,9 +10,10 @@ mod values;
 use self::around::Around;
 use self::prefix::{Prefix, begins_with, prefix_at};
 use super::Query;
-use super::form::{Form, Half};
+use super::form::Form;
 use super::role::Role;
 use super::snippet::{Piece, Snippet};
+use crate::control::codes::cycles::CycleBlock;
 use crate::control::codes::{self, Function, G, GCode, M, MotionMode, Multiple};
 use crate::control::macros::Found;
 use crate::control::modal::State;
@@ -243,7 +244,7 @@ impl Proposing<'_> {
         let last = self.around.last?;
         let (_, block) = block_at(self.asked.text, Resume::inside(last, 0), last);
         match Form::of(&block, self.state, self.asked.codes) {
-            Form::Multiple(cycle, Half::First) => Some(Snippet::Second(cycle)),
+            Form::Multiple(cycle, CycleBlock::First) => Some(Snippet::Second(cycle)),
             _ => None,
         }
     }

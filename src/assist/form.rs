@@ -3,22 +3,12 @@
 //! In: a block, the state before it, the codes of the control. Out: its [`Form`], by the same rules as
 //! `control::interpreter`.
 
+use crate::control::codes::cycles::CycleBlock;
 use crate::control::codes::{self, G, Hole, M, MotionMode, Multiple};
 use crate::control::modal::State;
-use crate::control::words::plain;
+use crate::control::words::{letters, plain};
 use crate::setup::dialect::CodeList;
 use crate::text::block::{Block, Value, Word};
-
-/// Which block of a multiple cycle.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Half {
-    /// The first block, with the amounts.
-    First,
-    /// The second block, which cuts.
-    Second,
-    /// One block with everything, as on older controls.
-    Whole,
-}
 
 /// What the words of a block belong to.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -38,7 +28,7 @@ pub enum Form {
         own: bool,
     },
     /// G70 to G76.
-    Multiple(Multiple, Half),
+    Multiple(Multiple, CycleBlock),
     /// A one-shot code.
     OneShot(G),
     /// G65, G66.
@@ -88,7 +78,7 @@ impl Form {
         }
         let call = block.words.iter().find_map(|word| m_of(word).filter(|code| is_call(*code)));
         match (one_shot, hole, call) {
-            (Some(G::Multiple(cycle)), ..) => Self::Multiple(cycle, half(cycle, block)),
+            (Some(G::Multiple(cycle)), ..) => Self::Multiple(cycle, cycle_block(cycle, block)),
             (Some(code), ..) => Self::OneShot(code),
             (None, Some(hole), _) => Self::Hole { hole, own: true },
             (None, None, Some(call)) => Self::Call(call),
@@ -119,22 +109,7 @@ fn is_call(code: M) -> bool {
 }
 
 /// Which block of a multiple cycle it is, decided by its words.
-pub fn half(cycle: Multiple, block: &Block) -> Half {
-    let has = |letters: &[u8]| block.words.iter().any(|word| !word.comma && letters.contains(&word.address));
-    let cuts = match cycle {
-        Multiple::Finishing => true,
-        Multiple::RoughTurning | Multiple::RoughFacing | Multiple::Pattern => has(b"PQ"),
-        Multiple::FacePecking | Multiple::Grooving | Multiple::Threading => has(b"XZUW"),
-    };
-    let is_whole = match cycle {
-        Multiple::Finishing => false,
-        Multiple::RoughTurning | Multiple::RoughFacing | Multiple::Pattern => has(b"D"),
-        Multiple::FacePecking | Multiple::Grooving => has(b"IK"),
-        Multiple::Threading => has(b"K"),
-    };
-    match (cuts, is_whole) {
-        (false, _) => Half::First,
-        (true, false) => Half::Second,
-        (true, true) => Half::Whole,
-    }
+pub fn cycle_block(cycle: Multiple, block: &Block) -> CycleBlock {
+    let own = block.words.iter().filter(|word| !word.comma);
+    cycle.spec().block(own.fold(0, |given, word| given | letters(&[word.address])))
 }

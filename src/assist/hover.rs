@@ -4,9 +4,10 @@
 
 use super::Query;
 use super::fact::{Fact, Quantity};
-use super::form::{Form, Half, g_of};
+use super::form::{Form, g_of};
 use super::place::of_c;
 use super::role::Role;
+use crate::control::codes::cycles::CycleBlock;
 use crate::control::codes::{self, Function, G, Hole, MotionMode, Multiple};
 use crate::control::contour::ContourUse;
 use crate::control::macros;
@@ -214,7 +215,7 @@ impl<'a> Query<'a> {
         let mut facts = Vec::new();
         self.about_role(word, role, form, quantity, motions, &mut facts);
         let is_in_millimetres = || {
-            !matches!(form, Form::Multiple(_, Half::Whole))
+            !matches!(form, Form::Multiple(_, CycleBlock::Whole))
                 && self.amount_reading(word, form, before, reading) != units::Reading::Micrometres
         };
         if counts_increments(word, role, reading.decimal) && !(is_amount(role) && is_in_millimetres()) {
@@ -341,7 +342,7 @@ impl<'a> Query<'a> {
     fn amount(&self, word: &Word, form: Form, state: &State, reading: Reading) -> Option<f64> {
         let Value::Number { number, .. } = word.value else { return None };
         let increment = reading.unit.increment() * reading.unit.millimetres();
-        if matches!(form, Form::Multiple(_, Half::Whole)) {
+        if matches!(form, Form::Multiple(_, CycleBlock::Whole)) {
             // On older controls I and K are lengths, and D without a decimal point counts increments.
             return match word.address {
                 b'D' if !number.has_point() => Some(plain(word)? * increment),
@@ -363,7 +364,7 @@ impl<'a> Query<'a> {
             (PqUnit::Mm, _) => units::Reading::Millimetres(units::Because::Point),
             (PqUnit::Um, _) => units::Reading::Micrometres,
             (PqUnit::Auto, Form::Hole { .. }) => self.peck_reading(amount(word, increment), reading),
-            (PqUnit::Auto, Form::Multiple(Multiple::Threading, Half::First)) => {
+            (PqUnit::Auto, Form::Multiple(Multiple::Threading, CycleBlock::First)) => {
                 units::threading(amount(word, increment), None, None)
             }
             (PqUnit::Auto, Form::Multiple(Multiple::Threading, _)) => {
@@ -462,7 +463,7 @@ impl<'a> Query<'a> {
             }
             _ => {}
         }
-        if let Form::Multiple(_, Half::Second | Half::Whole) = form
+        if let Form::Multiple(_, CycleBlock::Second | CycleBlock::Whole) = form
             && matches!(role, Role::FirstDepth | Role::ThreadHeight | Role::PassDepth | Role::PassDepthZ)
         {
             self.about_passes(motions, facts);
@@ -485,7 +486,7 @@ impl<'a> Query<'a> {
                 mode,
                 MotionMode::Line | MotionMode::Arc(_) | MotionMode::Cycle(Single::Turning | Single::Facing)
             ),
-            Form::Multiple(_, Half::Second | Half::Whole) | Form::Hole { .. } => true,
+            Form::Multiple(_, CycleBlock::Second | CycleBlock::Whole) | Form::Hole { .. } => true,
             _ => false,
         };
         let has_feed = self.block.words.iter().any(|word| word.address == b'F');

@@ -2,8 +2,9 @@
 //!
 //! In: the text, its G code list. Out: entries in text order, with their depth. Does not need a run.
 
-use super::form::{Half, g_of, half};
+use super::form::{cycle_block, g_of};
 use super::names::{Name, Named, names, number_after};
+use crate::control::codes::cycles::CycleBlock;
 use crate::control::codes::{self, Function, G, MotionMode};
 use crate::control::words::plain;
 use crate::setup::dialect::CodeList;
@@ -183,7 +184,9 @@ impl Outlining<'_> {
     /// The cycle that a block executes.
     fn cycle(&self, block: &Block) -> Option<Function> {
         block.words.iter().find_map(|word| match g_of(word, self.codes)? {
-            code @ G::Multiple(cycle) if half(cycle, block) != Half::First => codes::function_of(code),
+            code @ G::Multiple(cycle) if cycle_block(cycle, block) != CycleBlock::First => {
+                codes::function_of(code)
+            }
             code @ (G::Motion(MotionMode::Cycle(_)) | G::Hole(_)) => codes::function_of(code),
             _ => None,
         })

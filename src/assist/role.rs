@@ -3,65 +3,15 @@
 //! In: a word and the form of its block. Out: its [`Role`]. The build fails if a role lacks a text in one of
 //! the languages (`sentences::assist`).
 
-use super::form::{Form, Half};
-use crate::control::codes::{G, Hole, M, MotionMode, Multiple, Plane};
+use super::form::Form;
+pub use crate::control::codes::role::Role;
+use crate::control::codes::{G, Hole, M, MotionMode, Plane};
 use crate::control::modal::State;
 use crate::cycles::single::Single;
 use crate::geometry::virtual_plane::Surface;
 use crate::setup::dialect::FeedMode;
 use crate::text::block::Word;
 use crate::units::Unit;
-
-/// Lists the roles once, for the enum and for tests of all roles.
-macro_rules! roles {
-    ($($name:ident)+) => {
-        /// The role of a word in its block, or the meaning of a code whose row in the table describes several
-        /// codes.
-        #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-        #[allow(missing_docs, reason = "sentences::assist says what each is")]
-        pub enum Role { $($name),+ }
-
-        impl Role {
-            /// All roles.
-            pub const ALL: &[Self] = &[$(Self::$name),+];
-        }
-    };
-}
-
-roles! {
-    // Numbers and marks
-    ProgramNumber SequenceNumber BlockSkip Percent Comment SetupNote MacroStatement Variable
-    // Codes whose row in the table describes several codes
-    InchInput MetricInput FeedPerMinute FeedPerTurn SpindleForward SpindleReverse SpindleStop PlaneXy PlaneZx
-    PlaneYz Absolute Incremental InitialLevel RPointLevel ProgramStop OptionalStop CAxisOn CAxisOff PullOutOn PullOutOff
-    DataInput DataEnd MacroOnce MacroModal MacroOff WorkFrame UnknownCode
-    ToolChange CoolantOn CoolantOff ChuckClamp ChuckUnclamp LiveTool LiveToolForward LiveToolReverse FirstOrientation SecondOrientation
-    TailstockForward TailstockBack SynchronousOn SynchronousOff ConveyorForward ConveyorStop InterlockOff InterlockOn
-    // Absolute and incremental coordinates
-    EndX EndZ EndC EndY WayX WayZ WayC WayY ViaX ViaZ ViaC ViaWayX ViaWayZ MachineX MachineZ OriginX OriginZ ShiftX ShiftZ LocalX LocalZ
-    // Corners and arcs
-    Chamfer Rounding LineAngle ArcRadius ArcCenterX ArcCenterZ ArcCenterC ArcCenterY CornerX CornerZ
-    // Feed, speed, tool
-    Feed Lead LeadChange ThreadsPerInch StartAngle SpindleSpeed CuttingSpeed HighestSpeed LowestSpeed ToolAndOffset
-    DwellSeconds DwellMilliseconds
-    // Single cycles
-    CycleEndX CycleEndZ CycleWayX CycleWayZ TaperX TaperZ Starts PullOutAcross PullOutAlong
-    // Cycles along a contour
-    ContourFirst ContourLast PassDepth PassDepthZ Escape AllowanceX AllowanceZ ReliefX ReliefZ PatternPasses FinishAfter
-    // Pecking
-    PeckRetract PeckEndX PeckEndZ PeckWayX PeckWayZ Peck StepOver BottomRelief
-    // Threading
-    ThreadPacked LeastDepth ThreadAllowance ThreadEndX ThreadEndZ ThreadWayX ThreadWayZ ThreadTaper ThreadHeight
-    FirstDepth InfeedMethod ThreadAngle
-    // Holes
-    HoleEndX HoleEndZ HoleWayX HoleWayZ HolePlaceX HolePlaceZ HoleAngle RPoint HolePeck HoleDwell Repeats
-    // Data, frames, references
-    DataNumber DataKind DataValue DataRadius DataTip ReferencePoint FrameNumber CylinderRadius
-    // Calls
-    CalledProgram CalledSequence CallRepeats BeginsAt ReturnsTo Argument
-    // The rest
-    Ignored
-}
 
 impl Role {
     /// The meaning of an M code whose row in the table describes several codes.
@@ -142,7 +92,7 @@ impl Role {
         match form {
             Form::Motion { mode, .. } => of_motion(letter, mode, c_axis),
             Form::Hole { hole, .. } => of_hole(letter, hole),
-            Form::Multiple(cycle, half) => of_multiple(letter, cycle, half),
+            Form::Multiple(cycle, block) => cycle.spec().role(block, letter),
             Form::OneShot(code) => of_one_shot(letter, code),
             Form::MacroCall => {
                 if letter == b'P' {
@@ -240,64 +190,6 @@ fn of_place(letter: u8) -> Role {
         b'W' => Role::WayZ,
         b'H' => Role::WayC,
         b'V' => Role::WayY,
-        _ => Role::Ignored,
-    }
-}
-
-fn of_multiple(letter: u8, cycle: Multiple, half: Half) -> Role {
-    let (first, whole) = (half == Half::First, half == Half::Whole);
-    if letter == b'F' {
-        return if cycle == Multiple::Threading { Role::Lead } else { Role::Feed };
-    }
-    match (cycle, letter) {
-        (Multiple::Finishing | Multiple::RoughTurning | Multiple::RoughFacing | Multiple::Pattern, b'P') => {
-            Role::ContourFirst
-        }
-        (Multiple::Finishing | Multiple::RoughTurning | Multiple::RoughFacing | Multiple::Pattern, b'Q') => {
-            Role::ContourLast
-        }
-        (Multiple::RoughTurning, b'U') if first => Role::PassDepth,
-        (Multiple::RoughFacing, b'W') if first => Role::PassDepthZ,
-        (Multiple::RoughTurning | Multiple::RoughFacing, b'R') if first => Role::Escape,
-        (Multiple::Pattern, b'U') if first => Role::ReliefX,
-        (Multiple::Pattern, b'W') if first => Role::ReliefZ,
-        (Multiple::Pattern, b'R') if first => Role::PatternPasses,
-        (Multiple::RoughTurning | Multiple::RoughFacing | Multiple::Pattern, b'U') if !first => {
-            Role::AllowanceX
-        }
-        (Multiple::RoughTurning | Multiple::RoughFacing | Multiple::Pattern, b'W') if !first => {
-            Role::AllowanceZ
-        }
-        (Multiple::RoughTurning, b'D') if whole => Role::PassDepth,
-        (Multiple::RoughFacing, b'D') if whole => Role::PassDepthZ,
-        (Multiple::RoughTurning | Multiple::RoughFacing, b'J') if !first => Role::FinishAfter,
-        (Multiple::Pattern, b'D') if whole => Role::PatternPasses,
-        (Multiple::Pattern, b'I') if whole => Role::ReliefX,
-        (Multiple::Pattern, b'K') if whole => Role::ReliefZ,
-        (Multiple::FacePecking | Multiple::Grooving, b'R') if first => Role::PeckRetract,
-        (Multiple::FacePecking | Multiple::Grooving, b'X') => Role::PeckEndX,
-        (Multiple::FacePecking | Multiple::Grooving, b'Z') => Role::PeckEndZ,
-        (Multiple::FacePecking | Multiple::Grooving, b'U') => Role::PeckWayX,
-        (Multiple::FacePecking | Multiple::Grooving, b'W') => Role::PeckWayZ,
-        (Multiple::FacePecking, b'Q' | b'K') | (Multiple::Grooving, b'P' | b'I') => Role::Peck,
-        (Multiple::FacePecking, b'P' | b'I') | (Multiple::Grooving, b'Q' | b'K') => Role::StepOver,
-        (Multiple::FacePecking | Multiple::Grooving, b'R' | b'D') => Role::BottomRelief,
-        (Multiple::Threading, b'P') if first => Role::ThreadPacked,
-        (Multiple::Threading, b'Q') if first => Role::LeastDepth,
-        (Multiple::Threading, b'R') if first => Role::ThreadAllowance,
-        (Multiple::Threading, b'X') => Role::ThreadEndX,
-        (Multiple::Threading, b'Z') => Role::ThreadEndZ,
-        (Multiple::Threading, b'U') => Role::ThreadWayX,
-        (Multiple::Threading, b'W') => Role::ThreadWayZ,
-        (Multiple::Threading, b'R') | (Multiple::Threading, b'I') if !first => Role::ThreadTaper,
-        (Multiple::Threading, b'P') if !whole => Role::ThreadHeight,
-        (Multiple::Threading, b'Q') if !whole => Role::FirstDepth,
-        (Multiple::Threading, b'Q') => Role::StartAngle,
-        (Multiple::Threading, b'K') => Role::ThreadHeight,
-        (Multiple::Threading, b'D') => Role::FirstDepth,
-        (Multiple::Threading, b'A') => Role::ThreadAngle,
-        (Multiple::Threading, b'P') => Role::InfeedMethod,
-        (Multiple::Threading, b'L') => Role::Starts,
         _ => Role::Ignored,
     }
 }

@@ -5,9 +5,11 @@
 
 use super::Query;
 use super::fact::Quantity;
-use super::form::{Form, Half};
+use super::form::Form;
 use super::hover::feed_of;
 use super::role::Role;
+pub use crate::control::codes::cycles::WhenOmitted;
+use crate::control::codes::cycles::{CycleBlock, CycleWord};
 use crate::control::codes::{self, G, Hole, M, MacroCall, MotionMode, Multiple, Plane};
 use crate::control::modal::{State, Target};
 use crate::control::words::Reading;
@@ -18,21 +20,6 @@ use crate::setup::dialect::{Control, Dialect};
 use crate::source::Span;
 use crate::text::block::{Value, Word};
 use crate::units::Diameter;
-
-/// Meaning of an omitted word.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum WhenOmitted {
-    /// The block is wrong, or does not do what was intended.
-    Missing,
-    /// The axis does not move.
-    Stays,
-    /// Zero.
-    Zero,
-    /// The value set by an earlier block.
-    AsSet,
-    /// Nothing: the word is optional.
-    Nothing,
-}
 
 /// A word of a signature.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -59,7 +46,7 @@ pub struct Line {
     /// What the words of the block belong to.
     pub form: Form,
     /// Its words.
-    pub slots: &'static [Slot],
+    pub slots: Vec<Slot>,
 }
 
 /// A slot, filled in for a given block.
@@ -126,26 +113,6 @@ const TURNING: &[Slot] = &[as_set(b"XU"), as_set(b"ZW"), zero(b"R"), as_set(b"F"
 const THREADING: &[Slot] = &[as_set(b"XU"), as_set(b"ZW"), zero(b"R"), as_set(b"F"), zero(b"Q")];
 const THREADING_GSK: &[Slot] =
     &[as_set(b"XU"), as_set(b"ZW"), zero(b"R"), as_set(b"F"), may(b"J"), may(b"K"), may(b"L")];
-const CONTOUR: &[Slot] = &[must(b"P"), must(b"Q")];
-const ROUGH_TURNING: &[Slot] = &[as_set(b"U"), as_set(b"R")];
-const ROUGH_FACING: &[Slot] = &[as_set(b"W"), as_set(b"R")];
-const ROUGHING: &[Slot] =
-    &[must(b"P"), must(b"Q"), zero(b"U"), zero(b"W"), as_set(b"F"), as_set(b"S"), as_set(b"T")];
-const ROUGHING_WHOLE: &[Slot] = &[must(b"P"), must(b"Q"), zero(b"U"), zero(b"W"), must(b"D"), as_set(b"F")];
-const PATTERN: &[Slot] = &[as_set(b"U"), as_set(b"W"), as_set(b"R")];
-const PATTERN_WHOLE: &[Slot] =
-    &[must(b"P"), must(b"Q"), zero(b"U"), zero(b"W"), zero(b"I"), zero(b"K"), must(b"D"), as_set(b"F")];
-const RETRACT: &[Slot] = &[as_set(b"R")];
-const FACE_PECKING: &[Slot] = &[stays(b"XU"), stays(b"ZW"), zero(b"P"), must(b"Q"), zero(b"R"), as_set(b"F")];
-const GROOVING: &[Slot] = &[stays(b"XU"), stays(b"ZW"), must(b"P"), zero(b"Q"), zero(b"R"), as_set(b"F")];
-const FACE_PECKING_WHOLE: &[Slot] =
-    &[stays(b"XU"), stays(b"ZW"), zero(b"I"), must(b"K"), zero(b"D"), as_set(b"F")];
-const GROOVING_WHOLE: &[Slot] =
-    &[stays(b"XU"), stays(b"ZW"), must(b"I"), zero(b"K"), zero(b"D"), as_set(b"F")];
-const MULTI_THREAD_FIRST: &[Slot] = &[as_set(b"P"), as_set(b"Q"), as_set(b"R")];
-const MULTI_THREAD: &[Slot] = &[must(b"XU"), stays(b"ZW"), zero(b"R"), must(b"P"), must(b"Q"), must(b"F")];
-const MULTI_THREAD_WHOLE: &[Slot] =
-    &[must(b"XU"), stays(b"ZW"), zero(b"I"), must(b"K"), must(b"D"), must(b"F"), zero(b"A"), may(b"P")];
 const FACE_HOLE: &[Slot] =
     &[stays(b"XU"), may(b"CH"), must(b"ZW"), zero(b"R"), may(b"Q"), zero(b"P"), as_set(b"F"), may(b"K")];
 const SIDE_HOLE: &[Slot] =
@@ -163,10 +130,10 @@ const RETURN: &[Slot] = &[may(b"P")];
 /// The blocks of a form, in order; empty if the form has no words.
 pub fn lines(form: Form, dialect: &Dialect) -> Vec<Line> {
     let list = dialect.code_list();
-    let line = |code: G, form: Form, slots: &'static [Slot]| {
+    let line = |code: G, form: Form, slots: Vec<Slot>| {
         codes::written(code, list).map(|code| Line { code, form, slots })
     };
-    let one = |code: G, slots: &'static [Slot]| line(code, form, slots).into_iter().collect();
+    let one = |code: G, slots: &[Slot]| line(code, form, slots.to_vec()).into_iter().collect();
     match form {
         Form::Motion { mode, .. } => one(
             G::Motion(mode),
@@ -183,13 +150,16 @@ pub fn lines(form: Form, dialect: &Dialect) -> Vec<Line> {
         ),
         Form::Hole { hole, .. } => one(G::Hole(hole), of_hole(hole)),
         Form::Multiple(cycle, half) => {
-            let own = |half: Half, slots| line(G::Multiple(cycle), Form::Multiple(cycle, half), slots);
-            match of_multiple(cycle, half) {
-                (None, slots) => own(half, slots).into_iter().collect(),
-                (Some(first), second) => {
-                    [own(Half::First, first), own(Half::Second, second)].into_iter().flatten().collect()
-                }
-            }
+            let blocks: &[CycleBlock] = match half {
+                CycleBlock::Whole => &[CycleBlock::Whole],
+                _ if cycle.spec().first.is_empty() => &[CycleBlock::Second],
+                _ => &[CycleBlock::First, CycleBlock::Second],
+            };
+            let own = |block: &CycleBlock| {
+                let slots = cycle.spec().words(*block).iter().filter_map(slot).collect();
+                line(G::Multiple(cycle), Form::Multiple(cycle, *block), slots)
+            };
+            blocks.iter().filter_map(own).collect()
         }
         Form::OneShot(code) => match code {
             G::Dwell => one(code, DWELL),
@@ -207,28 +177,15 @@ pub fn lines(form: Form, dialect: &Dialect) -> Vec<Line> {
                 M::Return => ("M99", RETURN),
                 _ => ("M98", CALL),
             };
-            vec![Line { code: code.to_owned(), form, slots }]
+            vec![Line { code: code.to_owned(), form, slots: slots.to_vec() }]
         }
         Form::Macro | Form::Nothing => Vec::new(),
     }
 }
 
-/// The words of a multiple cycle: of its first block, if any, and of the block that cuts.
-fn of_multiple(cycle: Multiple, half: Half) -> (Option<&'static [Slot]>, &'static [Slot]) {
-    match (cycle, half) {
-        (Multiple::Finishing, _) => (None, CONTOUR),
-        (Multiple::RoughTurning | Multiple::RoughFacing, Half::Whole) => (None, ROUGHING_WHOLE),
-        (Multiple::Pattern, Half::Whole) => (None, PATTERN_WHOLE),
-        (Multiple::FacePecking, Half::Whole) => (None, FACE_PECKING_WHOLE),
-        (Multiple::Grooving, Half::Whole) => (None, GROOVING_WHOLE),
-        (Multiple::Threading, Half::Whole) => (None, MULTI_THREAD_WHOLE),
-        (Multiple::RoughTurning, _) => (Some(ROUGH_TURNING), ROUGHING),
-        (Multiple::RoughFacing, _) => (Some(ROUGH_FACING), ROUGHING),
-        (Multiple::Pattern, _) => (Some(PATTERN), ROUGHING),
-        (Multiple::FacePecking, _) => (Some(RETRACT), FACE_PECKING),
-        (Multiple::Grooving, _) => (Some(RETRACT), GROOVING),
-        (Multiple::Threading, _) => (Some(MULTI_THREAD_FIRST), MULTI_THREAD),
-    }
+/// The slot of a word of a cycle, if the signature shows it.
+fn slot(word: &CycleWord) -> Option<Slot> {
+    word.otherwise.map(|otherwise| Slot { letters: word.letters, comma: false, otherwise })
 }
 
 fn of_hole(hole: Hole) -> &'static [Slot] {
@@ -243,7 +200,7 @@ impl Query<'_> {
         let mut lines = lines(form, self.dialect);
         let other_axes = other_axes(form, state);
         if let Some((line, slots)) = lines.first_mut().zip(other_axes) {
-            line.slots = slots;
+            line.slots = slots.to_vec();
         }
         let own = lines.iter().position(|line| line.form == form)?;
         // A block without a code has the form of a move only if it contains one of its words.

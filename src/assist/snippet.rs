@@ -4,6 +4,7 @@
 //! texts run without a message.
 
 use super::Query;
+use crate::control::codes::cycles::{CycleBlock, Sample};
 use crate::control::codes::{self, Compensation, G, Hole, MacroCall, MotionMode, Multiple};
 use crate::control::modal::State;
 use crate::control::words::Reading;
@@ -130,8 +131,6 @@ pub fn written(mm: f64, reading: Reading) -> String {
 const CLEAR: f64 = 2.0;
 /// Maximum distance of a tool that counts as near the face, mm.
 const NEAR: f64 = 20.0;
-/// Height of the thread, mm on radius.
-const THREAD_HEIGHT: f64 = 1.3;
 /// Spindle speed in the head of a program, rpm.
 const SPEED: f64 = 800.0;
 
@@ -222,14 +221,16 @@ impl Writing<'_> {
         match snippet {
             Snippet::Head => self.head(unit),
             Snippet::End => self.end(),
-            Snippet::Cycle(Multiple::Finishing) | Snippet::Second(Multiple::Finishing) => self.finishing(),
+            Snippet::Cycle(Multiple::Finishing) | Snippet::Second(Multiple::Finishing) => {
+                self.block(Multiple::Finishing, CycleBlock::Second)
+            }
             Snippet::Cycle(cycle) => {
-                self.first(cycle);
+                self.block(cycle, CycleBlock::First);
                 self.line();
-                self.second(cycle);
+                self.block(cycle, CycleBlock::Second);
                 self.contour(cycle);
             }
-            Snippet::Second(cycle) => self.second(cycle),
+            Snippet::Second(cycle) => self.block(cycle, CycleBlock::Second),
             Snippet::Pass(cycle) => self.pass(cycle),
             Snippet::Drilling => {
                 self.code(G::Hole(Hole::G83));
@@ -313,56 +314,32 @@ impl Writing<'_> {
         self.fixed("\nM05\nM30");
     }
 
-    /// The block with the amounts.
-    fn first(&mut self, cycle: Multiple) {
+    /// A block of a multiple cycle.
+    fn block(&mut self, cycle: Multiple, block: CycleBlock) {
         self.code(G::Multiple(cycle));
-        match cycle {
-            Multiple::Finishing => {}
-            Multiple::RoughTurning => self.lengths(&[("U", 2.0), ("R", 1.0)]),
-            Multiple::RoughFacing => self.lengths(&[("W", 2.0), ("R", 1.0)]),
-            Multiple::Pattern => {
-                self.lengths(&[("U", 4.0), ("W", 2.0)]);
-                self.fixed(" R");
-                self.fill("3");
-            }
-            Multiple::FacePecking | Multiple::Grooving => self.length("R", 0.5),
-            Multiple::Threading => {
-                self.fixed(" P");
-                self.fill("020060");
-                self.depth("Q", 0.1);
-                self.length("R", 0.05);
+        for word in cycle.spec().words(block) {
+            if let Some(sample) = word.sample {
+                self.sample(char::from(word.letters[0]), sample);
             }
         }
     }
 
-    /// The block that cuts.
-    fn second(&mut self, cycle: Multiple) {
-        self.code(G::Multiple(cycle));
-        match cycle {
-            Multiple::Finishing => {}
-            Multiple::RoughTurning | Multiple::RoughFacing | Multiple::Pattern => {
-                let (first, last) = self.sequences;
-                self.fixed(&format!(" P{first} Q{last}"));
-                self.lengths(&[("U", 0.4), ("W", 0.1)]);
-                self.feed(0.25);
+    /// A word with its sample.
+    fn sample(&mut self, letter: char, sample: Sample) {
+        let letter = letter.to_string();
+        match sample {
+            Sample::Length(mm) => self.length(&letter, mm),
+            Sample::Depth(mm) => self.depth(&letter, mm),
+            Sample::Feed(mm) => self.feed(mm),
+            Sample::Digits(digits) => {
+                self.fixed(&format!(" {letter}"));
+                self.fill(digits);
             }
-            Multiple::FacePecking => {
-                self.length("Z", self.along(2.0 / 3.0));
-                self.depth("Q", 5.0);
-                self.feed(0.1);
-            }
-            Multiple::Grooving => {
-                self.lengths(&[("X", self.inward(10.0)), ("Z", self.along(2.0 / 3.0))]);
-                self.depth("P", 2.0);
-                self.depth("Q", 2.0);
-                self.feed(0.1);
-            }
-            Multiple::Threading => {
-                self.lengths(&[("X", self.inward(2.0 * THREAD_HEIGHT)), ("Z", self.along(2.0 / 3.0))]);
-                self.depth("P", (self.outside - self.inward(2.0 * THREAD_HEIGHT)) / 2.0);
-                self.depth("Q", 0.4);
-                self.length("F", 2.0);
-            }
+            Sample::First => self.fixed(&format!(" {letter}{}", self.sequences.0)),
+            Sample::Last => self.fixed(&format!(" {letter}{}", self.sequences.1)),
+            Sample::Inward(most) => self.length(&letter, self.inward(most)),
+            Sample::Along(part) => self.length(&letter, self.along(part)),
+            Sample::Height(most) => self.depth(&letter, (self.outside - self.inward(most)) / 2.0),
         }
     }
 
@@ -396,13 +373,7 @@ impl Writing<'_> {
             _ => return,
         }
         self.line();
-        self.finishing();
-    }
-
-    fn finishing(&mut self) {
-        let (first, last) = self.sequences;
-        self.code(G::Multiple(Multiple::Finishing));
-        self.fixed(&format!(" P{first} Q{last}"));
+        self.block(Multiple::Finishing, CycleBlock::Second);
     }
 
     fn pass(&mut self, cycle: Single) {

@@ -3,11 +3,15 @@
 //! In: the number of a G or M word. Out: the meaning of the code and its modal group. `registry` lists the
 //! codes, and their spelling in each list of G codes; this file has the types of their meanings.
 
+pub mod cycles;
+mod function;
 mod registry;
+pub mod role;
 
+pub use function::{Function, Section};
 pub use registry::{
-    Effect, Function, GCode, Row, Section, function_of, g_code, g_codes, is_of_machine, m_code, m_codes,
-    m_function, rows, written,
+    Effect, GCode, Row, function_of, g_code, g_codes, is_of_machine, m_code, m_codes, m_function, rows,
+    written,
 };
 
 use super::words::plain;
@@ -17,6 +21,7 @@ use crate::motion::{Cycle, Quill, SpindleTurn, StopKind};
 use crate::setup::dialect::{CodeList, FeedMode};
 use crate::text::block::{Block, Word};
 use crate::units::Unit;
+use cycles::CycleSpec;
 
 /// Whether a code, given as ten times its number, is of modal group 01 on a control with list A or of GSK. A
 /// block has at most one of these.
@@ -244,22 +249,27 @@ pub enum Multiple {
 }
 
 impl Multiple {
+    /// Its code, blocks and words.
+    pub const fn spec(self) -> &'static CycleSpec {
+        match self {
+            Self::Finishing => &cycles::FINISHING,
+            Self::RoughTurning => &cycles::ROUGH_TURNING,
+            Self::RoughFacing => &cycles::ROUGH_FACING,
+            Self::Pattern => &cycles::PATTERN,
+            Self::FacePecking => &cycles::FACE_PECKING,
+            Self::Grooving => &cycles::GROOVING,
+            Self::Threading => &cycles::THREADING,
+        }
+    }
+
     /// Whether it roughs a contour, given by P and Q.
     pub fn is_roughing(self) -> bool {
-        matches!(self, Self::RoughTurning | Self::RoughFacing | Self::Pattern)
+        self.spec().reads_contour && self != Self::Finishing
     }
 
     /// The name of the cycle in motions.
     pub fn cycle(self) -> Cycle {
-        match self {
-            Self::Finishing => Cycle::Finishing,
-            Self::RoughTurning => Cycle::RoughTurning,
-            Self::RoughFacing => Cycle::RoughFacing,
-            Self::Pattern => Cycle::Pattern,
-            Self::FacePecking => Cycle::FacePecking,
-            Self::Grooving => Cycle::Grooving,
-            Self::Threading => Cycle::MultiThreading,
-        }
+        self.spec().cycle
     }
 }
 

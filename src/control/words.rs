@@ -70,6 +70,11 @@ impl<'b> Words<'b> {
         (before > 0).then(|| &self.block.words[before as usize - 1])
     }
 
+    /// The letters in the block, as the bits of [`letters`].
+    pub fn given(&self) -> u32 {
+        self.given
+    }
+
     /// Whether any of these letters is in the block.
     #[inline]
     pub fn has_any(&self, bits: u32) -> bool {

@@ -268,7 +268,7 @@ impl BlockCodes {
             | G::LocalFrame
             | G::Machine
             | G::MacroCall(_) => self.role = Role::Other,
-            G::Multiple(Multiple::FacePecking | Multiple::Grooving | Multiple::Threading) => {
+            G::Multiple(cycle) if !cycle.spec().reads_contour => {
                 (self.role, self.is_multiple) = (Role::Deep, true);
             }
             G::Multiple(cycle) => {

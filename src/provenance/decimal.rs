@@ -7,7 +7,9 @@
 //! number that is impossible as a length on a lathe.
 
 use super::statement::{Statement, Word};
+use crate::control::codes::cycles::Amount;
 use crate::control::codes::{G, Multiple, g_code};
+use crate::control::words::letters;
 use crate::message::{Message, said};
 use crate::setup::dialect::{CodeList, DecimalRule};
 use crate::source::Span;
@@ -81,23 +83,6 @@ impl NumberWithoutPoint {
     }
 }
 
-/// The meaning of a word in its statement, for judging its size.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Amount {
-    /// An absolute or incremental X, a diameter.
-    Diameter,
-    /// An absolute or incremental Z.
-    Length,
-    /// Depth of a cut, escape, or allowance of a roughing or grooving cycle.
-    Cut,
-    /// Total relief of G73.
-    Relief,
-    /// Finishing allowance of a thread.
-    ThreadAllowance,
-    /// A dwell.
-    Time,
-}
-
 impl Amount {
     /// The value from which it is impossible as millimetres, inches or seconds.
     ///
@@ -134,31 +119,10 @@ impl Amount {
         if among.dwells {
             return matches!(letter, b'X' | b'U').then_some(Self::Time);
         }
-        // The first of the two blocks of a cycle has amounts, the second a contour or a place.
-        let of_cycle = match (among.cycle, letter) {
-            (Some(Multiple::Pattern), b'U' | b'W') if !among.names_contour => Some(Self::Relief),
-            (Some(Multiple::Pattern | Multiple::RoughTurning | Multiple::RoughFacing), b'U' | b'W') => {
-                Some(Self::Cut)
-            }
-            (Some(Multiple::RoughTurning | Multiple::RoughFacing), b'R') if !among.names_contour => {
-                Some(Self::Cut)
-            }
-            (Some(Multiple::FacePecking | Multiple::Grooving), b'R') if !among.names_place => Some(Self::Cut),
-            (Some(Multiple::Threading), b'R') if !among.names_place => Some(Self::ThreadAllowance),
-            (
-                Some(
-                    Multiple::Finishing
-                    | Multiple::RoughTurning
-                    | Multiple::RoughFacing
-                    | Multiple::Pattern
-                    | Multiple::FacePecking
-                    | Multiple::Grooving
-                    | Multiple::Threading,
-                )
-                | None,
-                _,
-            ) => None,
-        };
+        let of_cycle = among.cycle.and_then(|cycle| {
+            let spec = cycle.spec();
+            spec.amount(spec.block(among.given), letter)
+        });
         of_cycle.or(match letter {
             b'X' | b'U' | b'Y' | b'V' => Some(Self::Diameter),
             b'Z' | b'W' => Some(Self::Length),
@@ -174,12 +138,8 @@ struct StatementContext {
     dwells: bool,
     /// The multiple cycle that it calls.
     cycle: Option<Multiple>,
-    /// P or Q.
-    names_contour: bool,
-    /// X, Z, U or W.
-    names_place: bool,
-    /// F.
-    has_feed: bool,
+    /// Its letters, as the bits of [`letters`].
+    given: u32,
     /// Number of G codes.
     codes: usize,
     /// G20 or G21.
@@ -192,6 +152,7 @@ impl StatementContext {
     fn of(statement: &Statement) -> Self {
         let mut among = Self::default();
         for word in statement.words() {
+            among.given |= letters(&[word.letter]);
             match word.letter {
                 b'G' => {
                     among.codes += 1;
@@ -204,14 +165,12 @@ impl StatementContext {
                         None => {}
                     }
                 }
-                b'P' | b'Q' => among.names_contour = true,
-                b'X' | b'Z' | b'U' | b'W' => among.names_place = true,
-                b'F' => among.has_feed = true,
                 _ => {}
             }
         }
+        let has = |any: &[u8]| among.given & letters(any) != 0;
         // In system C G20 and G21 are cycles.
-        if among.codes == 1 && among.has_feed && among.names_place {
+        if among.codes == 1 && has(b"F") && has(b"XZUW") {
             among.unit = None;
         }
         among

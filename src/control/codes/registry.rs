@@ -4,56 +4,14 @@
 //! supported codes. Lookup uses indices that are computed from the rows at compile time, so a code without a
 //! row is not recognised.
 
+use super::cycles::CycleSpec;
+use super::function::Function;
 use super::{Compensation, G, Group, Hole, HoleReturn, M, MacroCall, MotionMode, Multiple, Plane, Switch};
 use crate::cycles::single::Single;
 use crate::geometry::Turn;
 use crate::motion::{Quill, SpindleTurn, StopKind};
 use crate::setup::dialect::{CodeList, FeedMode};
 use crate::units::Unit;
-
-/// Defines the functions under their headings, in the order of the table.
-macro_rules! functions {
-    ($($section:ident { $($function:ident)+ })+) => {
-        /// A heading of the table.
-        #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-        #[allow(missing_docs, reason = "sentences::codes says what each is")]
-        pub enum Section { $($section),+ }
-
-        /// The function of a code: a row of the table.
-        #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-        #[allow(missing_docs, reason = "sentences::codes says what each is")]
-        pub enum Function { $($($function),+),+ }
-
-        impl Function {
-            /// All of them, in the order of the table.
-            pub const ALL: &[Function] = &[$($(Self::$function),+),+];
-
-            /// The heading of this function.
-            pub fn section(self) -> Section {
-                match self { $($(Self::$function)|+ => Section::$section),+ }
-            }
-        }
-    };
-}
-
-functions! {
-    Moves { Rapid Line ArcClockwise ArcCounterclockwise Dwell Chamfer Rounding GskCorner Angle }
-    Threads { Thread Tapping VariableThread }
-    SingleCycles { TurningCycle ThreadingCycle FacingCycle }
-    MultipleCycles { Finishing RoughTurning RoughFacing Pattern FacePecking Grooving MultiThreading }
-    HoleCycles { NoHole Drilling CounterBoring FaceDrilling FaceTapping FaceBoring BoringStop SideDrilling SideTapping
-        SideBoring HoleReturn }
-    Compensation { CompensationOff CompensationLeft CompensationRight }
-    MilledFaces { PolarOn PolarOff Cylinder }
-    Coordinates { Setting LocalFrame Machine Frame ExtendedFrame Distance CheckHome Home FromHome OtherHome Data }
-    Modes { Plane Unit Feed SurfaceSpeed ConstantSpeed Spindle Tool }
-    Flow { Pause End Call LocalCall CardCall Return MacroCall ModalMacro Variables If Goto While Output BlockSkip }
-    MachineFunctions { ToolChange Coolant Chuck LiveTool Orientation ThreadPullOut Tailstock RigidTapping Gear CAxis Synchronous
-        Conveyor Interlock OtherMachine }
-    OffStates { StrokeCheck ExactStop SpindleCheck Off }
-    NotYet { HighSpeed Skip AutomaticOffset Polygon Mirror OtherInterpolation OtherFeedControl OtherCompensation OtherCoordinates
-        OtherSynchronization OtherCycles OtherMacroCall }
-}
 
 /// How this project treats a code.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -105,7 +63,8 @@ const fn cycle(keys: [u16; 4], function: Function, cycle: Single) -> GCode {
 }
 
 /// G70 to G76, two numbers higher in system C.
-const fn multiple(key: u16, function: Function, cycle: Multiple) -> GCode {
+const fn multiple(cycle: Multiple) -> GCode {
+    let CycleSpec { key, function, .. } = *cycle.spec();
     spelled([key, key, key + 20, key], function, G::Multiple(cycle), 0)
 }
 
@@ -143,13 +102,13 @@ const G_CODES: &[GCode] = &[
     cycle([900, 770, 200, 900], Function::TurningCycle, Single::Turning),
     cycle([920, 780, 210, 920], Function::ThreadingCycle, Single::Threading),
     cycle([940, 790, 240, 940], Function::FacingCycle, Single::Facing),
-    multiple(700, Function::Finishing, Multiple::Finishing),
-    multiple(710, Function::RoughTurning, Multiple::RoughTurning),
-    multiple(720, Function::RoughFacing, Multiple::RoughFacing),
-    multiple(730, Function::Pattern, Multiple::Pattern),
-    multiple(740, Function::FacePecking, Multiple::FacePecking),
-    multiple(750, Function::Grooving, Multiple::Grooving),
-    multiple(760, Function::MultiThreading, Multiple::Threading),
+    multiple(Multiple::Finishing),
+    multiple(Multiple::RoughTurning),
+    multiple(Multiple::RoughFacing),
+    multiple(Multiple::Pattern),
+    multiple(Multiple::FacePecking),
+    multiple(Multiple::Grooving),
+    multiple(Multiple::Threading),
     same(800, Function::NoHole, G::NoHole, 10),
     hole(Function::Drilling, Hole::G81),
     hole(Function::CounterBoring, Hole::G82),

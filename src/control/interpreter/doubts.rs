@@ -4,9 +4,10 @@
 //! its start, end or path depends on something in doubt. The next absolute position of an axis makes that
 //! axis certain again.
 
+use super::Interpreter;
 use super::request::{OneShot, Request};
-use super::{AXES, Interpreter};
-use crate::control::codes::{self, Function, MotionMode, Multiple, Switch};
+use crate::control::codes::cycles::CycleBlock;
+use crate::control::codes::{self, Function, MotionMode, Switch};
 use crate::control::doubt::{Doubt, Doubts};
 use crate::control::events::Event;
 use crate::control::modal::Once;
@@ -94,7 +95,7 @@ impl Interpreter {
             // These return to their start point.
             Some(OneShot::Multiple(cycle)) => {
                 lost = Doubts::default();
-                if is_first_block(cycle, words) {
+                if cycle.spec().block(words.given()) == CycleBlock::First {
                     lost.add(Doubt::Cycle);
                 }
             }
@@ -239,9 +240,9 @@ impl Interpreter {
             }
         }
         let doubts = &mut self.state.doubts;
-        let first_block =
-            matches!(request.one_shot, Some(OneShot::Multiple(cycle)) if is_first_block(cycle, words));
-        if first_block {
+        if let Some(OneShot::Multiple(cycle)) = request.one_shot
+            && cycle.spec().block(words.given()) == CycleBlock::First
+        {
             doubts.remove(Doubt::Cycle);
         }
         if request.moved && before.has(Doubt::Path) {
@@ -313,16 +314,6 @@ impl Interpreter {
             }
         }
         found
-    }
-}
-
-/// Whether a block of a multiple cycle only sets its parameters.
-fn is_first_block(cycle: Multiple, words: &Words) -> bool {
-    match cycle {
-        Multiple::Finishing | Multiple::RoughTurning | Multiple::RoughFacing | Multiple::Pattern => {
-            !words.has_any(letters(b"PQ"))
-        }
-        Multiple::FacePecking | Multiple::Grooving | Multiple::Threading => !words.has_any(AXES),
     }
 }
 

@@ -4,10 +4,11 @@
 
 use super::Interpreter;
 use super::request::{CallCode, Exclusive, OneShot, Request};
-use crate::control::codes::{self, Compensation, G, M, MotionMode, Multiple, Switch};
+use crate::control::codes::{self, Compensation, G, M, MotionMode, Switch};
 use crate::control::contour::ContourUse;
 use crate::control::doubt::{Doubt, Doubts};
 use crate::control::events::Event;
+use crate::control::words::letters;
 use crate::control::words::{self, Words, quote};
 use crate::message::{Diagnostic, Fix, Severity, said};
 use crate::motion::{Quill, SpindleTurn};
@@ -263,19 +264,13 @@ early! {
         let Some(OneShot::Multiple(cycle)) = request.one_shot.filter(|_| request.macro_call.is_none()) else {
             return false;
         };
-        // The first words of the second block, and the words that both blocks have.
-        let (second, both): (&[u8], &[u8]) = match cycle {
-            Multiple::Finishing => (b"", b""),
-            Multiple::RoughTurning | Multiple::RoughFacing | Multiple::Pattern => (b"PQ", b"UWR"),
-            Multiple::FacePecking | Multiple::Grooving => (b"XZUW", b"R"),
-            Multiple::Threading => (b"XZUW", b"PQR"),
-        };
-        let at = block.words.iter().position(|word| second.contains(&word.address)).unwrap_or(0);
+        let spec = cycle.spec();
+        let second = |word: &Word| letters(&[word.address]) & spec.cuts_with != 0;
+        let at = block.words.iter().position(second).unwrap_or(0);
         let (before, behind) = block.words.split_at(at);
-        let is_in_both = |letter: &u8| {
-            [before, behind].iter().all(|words| words.iter().any(|word| word.address == *letter))
-        };
-        let Some(begins) = behind.first().filter(|_| both.iter().any(is_in_both)) else { return false };
+        let all = |words: &[Word]| words.iter().fold(0, |all, word| all | letters(&[word.address]));
+        let is_in_both = all(before) & all(behind) & spec.first_letters() != 0;
+        let Some(begins) = behind.first().filter(|_| is_in_both) else { return false };
         let list = control.dialect.code_list();
         let is_cycle = |word: &&Word| {
             let Value::Number { number, .. } = word.value else { return false };

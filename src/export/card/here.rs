@@ -3,7 +3,9 @@
 //! In: the function of a code, its block and the motions of the block. Out: a phrase for the setup sheet;
 //! `None` if the general description of the code is sufficient.
 
-use crate::control::codes::Function;
+use crate::assist::form::cycle_block;
+use crate::control::codes::cycles::CycleBlock;
+use crate::control::codes::{Function, Multiple};
 use crate::motion::{Motion, Step};
 use crate::sentences::Language;
 use crate::text::block::{Block, Value};
@@ -13,6 +15,7 @@ const LEVEL: f64 = 1e-6;
 
 /// The effect of the function in this block, whose motions are `own`.
 pub(super) fn here(function: Function, block: &Block, own: &[Motion], language: Language) -> Option<String> {
+    let is_first = |cycle: Multiple| cycle_block(cycle, block) == CycleBlock::First;
     let phrases = match function {
         Function::TurningCycle if is_taper(own, across)? => {
             ["turning cycle, taper", "锥面切削循环", "цикл точения конуса"]
@@ -28,28 +31,28 @@ pub(super) fn here(function: Function, block: &Block, own: &[Motion], language: 
             ["facing cycle, taper", "锥形端面切削循环", "цикл подрезки конического торца"]
         }
         Function::FacingCycle => ["facing cycle, straight", "端面切削循环", "цикл подрезки прямого торца"],
-        Function::RoughTurning if !has(block, b"P") => {
+        Function::RoughTurning if is_first(Multiple::RoughTurning) => {
             ["values for rough turning", "粗车循环参数", "параметры чернового точения"]
         }
         Function::RoughTurning => ["rough turning", "外（内）圆粗车循环", "черновое точение"],
-        Function::RoughFacing if !has(block, b"P") => {
+        Function::RoughFacing if is_first(Multiple::RoughFacing) => {
             ["values for rough facing", "端面粗车循环参数", "параметры черновой обработки торца"]
         }
         Function::RoughFacing => ["rough facing", "端面粗车循环", "черновая обработка торца"],
-        Function::Pattern if !has(block, b"P") => {
+        Function::Pattern if is_first(Multiple::Pattern) => {
             ["values for pattern repeating", "仿形循环参数", "параметры повторения контура"]
         }
-        Function::FacePecking if !has(block, b"XZUW") => {
+        Function::FacePecking if is_first(Multiple::FacePecking) => {
             ["values for pecking", "啄式循环参数", "параметры прерывистого сверления"]
         }
         Function::FacePecking if has(block, b"XU") => {
             ["grooves in the face, pecking", "端面切槽循环", "канавки на торце с выводом"]
         }
         Function::FacePecking => ["peck drilling", "端面啄式钻孔循环", "сверление с выводом"],
-        Function::Grooving if !has(block, b"XZUW") => {
+        Function::Grooving if is_first(Multiple::Grooving) => {
             ["values for grooving", "切槽循环参数", "параметры точения канавок"]
         }
-        Function::MultiThreading if !has(block, b"XZUW") => {
+        Function::MultiThreading if is_first(Multiple::Threading) => {
             ["values for multi-pass threading", "复合螺纹循环参数", "параметры многопроходной резьбы"]
         }
         Function::Setting => return Some(setting(block, language)).filter(|text| !text.is_empty()),

@@ -1,0 +1,461 @@
+//! What each multiple cycle (G70 to G76) is: its code, its blocks, and the words of each block with their roles.
+//!
+//! This is the only list of these words. The registry of codes, the check for two cycle blocks in one, the help,
+//! the snippets and the evidence for the decimal rule read it. The geometry of a cycle is in `crate::cycles`, its
+//! execution in `interpreter`, its sentences in `src/sentences`.
+
+use super::function::Function;
+use super::role::Role;
+use crate::control::words::letters;
+use crate::motion::Cycle;
+
+/// Which block of a multiple cycle.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum CycleBlock {
+    /// The first block, with the amounts.
+    First,
+    /// The second block, which cuts.
+    Second,
+    /// One block with everything, as on older controls.
+    Whole,
+}
+
+/// Meaning of an omitted word.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum WhenOmitted {
+    /// The block is wrong, or does not do what was intended.
+    Missing,
+    /// The axis does not move.
+    Stays,
+    /// Zero.
+    Zero,
+    /// The value set by an earlier block.
+    AsSet,
+    /// Nothing: the word is optional.
+    Nothing,
+}
+
+/// A kind of number whose size shows what it counts without a decimal point.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Amount {
+    /// A coordinate along X.
+    Diameter,
+    /// A coordinate along Z.
+    Length,
+    /// A depth of cut or an allowance.
+    Cut,
+    /// The excess of a casting.
+    Relief,
+    /// The last cut of a thread.
+    ThreadAllowance,
+    /// A dwell.
+    Time,
+}
+
+/// The value of a word in a snippet.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Sample {
+    /// A length, mm.
+    Length(f64),
+    /// A length that is written without a decimal point, mm.
+    Depth(f64),
+    /// A feed rate, mm per revolution.
+    Feed(f64),
+    /// Digits.
+    Digits(&'static str),
+    /// The first sequence number of the contour.
+    First,
+    /// The last sequence number of the contour.
+    Last,
+    /// A diameter that is smaller than the blank by at most this, mm.
+    Inward(f64),
+    /// A place along Z: this part of the length of the cut.
+    Along(f64),
+    /// The height from the blank to a diameter that is smaller by at most this, mm.
+    Height(f64),
+}
+
+/// A word of a block of a cycle.
+#[derive(Clone, Copy, Debug)]
+pub struct CycleWord {
+    /// Its possible letters, such as X or U.
+    pub letters: &'static [u8],
+    /// The role of each letter.
+    pub roles: &'static [Role],
+    /// Meaning if it is omitted; `None` if the signature of the block does not show it.
+    pub otherwise: Option<WhenOmitted>,
+    /// What its size shows, if it is an amount other than a coordinate.
+    pub amount: Option<Amount>,
+    /// Its value in a snippet, if the snippet contains it.
+    pub sample: Option<Sample>,
+}
+
+/// A multiple cycle.
+#[derive(Debug)]
+pub struct CycleSpec {
+    /// Its name in motions.
+    pub cycle: Cycle,
+    /// Its row in the table of codes.
+    pub function: Function,
+    /// Ten times its number in G-code systems A and B and on GSK; C has a number that is two higher.
+    pub key: u16,
+    /// Letters of which the block that cuts has at least one, as the bits of [`letters`]; 0 if every block cuts.
+    pub cuts_with: u32,
+    /// Letters that only the one-block form has.
+    pub whole_with: u32,
+    /// Whether it reads the contour that P and Q name.
+    pub reads_contour: bool,
+    /// The words of each form of the block.
+    pub first: &'static [CycleWord],
+    /// The words of the second block.
+    pub second: &'static [CycleWord],
+    /// The words of the one-block form.
+    pub whole: &'static [CycleWord],
+}
+
+impl CycleSpec {
+    /// Which block has these letters, the bits of [`letters`].
+    pub fn block(&self, given: u32) -> CycleBlock {
+        match (self.cuts_with == 0 || given & self.cuts_with != 0, given & self.whole_with != 0) {
+            (false, _) => CycleBlock::First,
+            (true, false) => CycleBlock::Second,
+            (true, true) => CycleBlock::Whole,
+        }
+    }
+
+    /// The words of a block.
+    pub fn words(&self, block: CycleBlock) -> &'static [CycleWord] {
+        match block {
+            CycleBlock::First => self.first,
+            CycleBlock::Second => self.second,
+            CycleBlock::Whole => self.whole,
+        }
+    }
+
+    /// The role of a letter in a block.
+    pub fn role(&self, block: CycleBlock, letter: u8) -> Role {
+        self.words(block).iter().find_map(|word| word.role(letter)).unwrap_or(Role::Ignored)
+    }
+
+    /// What the size of the word with a letter shows, if it is no coordinate.
+    pub fn amount(&self, block: CycleBlock, letter: u8) -> Option<Amount> {
+        self.words(block).iter().find(|word| word.letters.contains(&letter))?.amount
+    }
+
+    /// Letters of the amounts of the first block, as the bits of [`letters`].
+    pub fn first_letters(&self) -> u32 {
+        let amounts = self.first.iter().filter(|word| word.otherwise.is_some() || word.amount.is_some());
+        amounts.fold(0, |all, word| all | letters(word.letters))
+    }
+}
+
+impl CycleWord {
+    fn role(&self, letter: u8) -> Option<Role> {
+        let at = self.letters.iter().position(|own| *own == letter)?;
+        self.roles.get(at).copied()
+    }
+
+    const fn or(mut self, otherwise: WhenOmitted) -> Self {
+        self.otherwise = Some(otherwise);
+        self
+    }
+
+    const fn must(self) -> Self {
+        self.or(WhenOmitted::Missing)
+    }
+
+    const fn stays(self) -> Self {
+        self.or(WhenOmitted::Stays)
+    }
+
+    const fn zero(self) -> Self {
+        self.or(WhenOmitted::Zero)
+    }
+
+    const fn as_set(self) -> Self {
+        self.or(WhenOmitted::AsSet)
+    }
+
+    const fn may(self) -> Self {
+        self.or(WhenOmitted::Nothing)
+    }
+
+    const fn amount(mut self, amount: Amount) -> Self {
+        self.amount = Some(amount);
+        self
+    }
+
+    const fn sample(mut self, sample: Sample) -> Self {
+        self.sample = Some(sample);
+        self
+    }
+}
+
+/// A word that the signature does not show.
+const fn word(letters: &'static [u8], roles: &'static [Role]) -> CycleWord {
+    CycleWord { letters, roles, otherwise: None, amount: None, sample: None }
+}
+
+const FEED: CycleWord = word(b"F", &[Role::Feed]).as_set();
+/// F of a block whose signature does not show it.
+const HIDDEN_FEED: CycleWord = word(b"F", &[Role::Feed]);
+const LEAD: CycleWord = word(b"F", &[Role::Lead]).must();
+const CONTOUR_FIRST: CycleWord = word(b"P", &[Role::ContourFirst]).must().sample(Sample::First);
+const CONTOUR_LAST: CycleWord = word(b"Q", &[Role::ContourLast]).must().sample(Sample::Last);
+const ALLOWANCE_X: CycleWord =
+    word(b"U", &[Role::AllowanceX]).zero().amount(Amount::Cut).sample(Sample::Length(0.4));
+const ALLOWANCE_Z: CycleWord =
+    word(b"W", &[Role::AllowanceZ]).zero().amount(Amount::Cut).sample(Sample::Length(0.1));
+const FINISH_AFTER: CycleWord = word(b"J", &[Role::FinishAfter]);
+const SPEED: CycleWord = word(b"S", &[Role::SpindleSpeed]).as_set();
+const TOOL: CycleWord = word(b"T", &[Role::ToolAndOffset]).as_set();
+
+const CONTOUR_WITH: u32 = letters(b"PQ");
+const PLACE_WITH: u32 = letters(b"XZUW");
+
+/// G70.
+pub const FINISHING: CycleSpec = CycleSpec {
+    cycle: Cycle::Finishing,
+    function: Function::Finishing,
+    key: 700,
+    cuts_with: 0,
+    whole_with: 0,
+    reads_contour: true,
+    first: &[],
+    second: &[CONTOUR_FIRST, CONTOUR_LAST, HIDDEN_FEED],
+    whole: &[],
+};
+
+/// G71.
+pub const ROUGH_TURNING: CycleSpec = CycleSpec {
+    cycle: Cycle::RoughTurning,
+    function: Function::RoughTurning,
+    key: 710,
+    cuts_with: CONTOUR_WITH,
+    whole_with: letters(b"D"),
+    reads_contour: true,
+    first: &[
+        word(b"U", &[Role::PassDepth]).as_set().amount(Amount::Cut).sample(Sample::Length(2.0)),
+        word(b"R", &[Role::Escape]).as_set().amount(Amount::Cut).sample(Sample::Length(1.0)),
+        // Written in place of U.
+        word(b"W", &[Role::Ignored]).amount(Amount::Cut),
+        HIDDEN_FEED,
+    ],
+    second: ROUGHING,
+    whole: &[
+        CONTOUR_FIRST,
+        CONTOUR_LAST,
+        ALLOWANCE_X,
+        ALLOWANCE_Z,
+        word(b"D", &[Role::PassDepth]).must(),
+        FEED,
+        FINISH_AFTER,
+    ],
+};
+
+/// G72.
+pub const ROUGH_FACING: CycleSpec = CycleSpec {
+    cycle: Cycle::RoughFacing,
+    function: Function::RoughFacing,
+    key: 720,
+    first: &[
+        word(b"W", &[Role::PassDepthZ]).as_set().amount(Amount::Cut).sample(Sample::Length(2.0)),
+        word(b"R", &[Role::Escape]).as_set().amount(Amount::Cut).sample(Sample::Length(1.0)),
+        // Written in place of W.
+        word(b"U", &[Role::Ignored]).amount(Amount::Cut),
+        HIDDEN_FEED,
+    ],
+    whole: &[
+        CONTOUR_FIRST,
+        CONTOUR_LAST,
+        ALLOWANCE_X,
+        ALLOWANCE_Z,
+        word(b"D", &[Role::PassDepthZ]).must(),
+        FEED,
+        FINISH_AFTER,
+    ],
+    ..ROUGH_TURNING
+};
+
+/// The second block of G71 to G73.
+const ROUGHING: &[CycleWord] = &[
+    CONTOUR_FIRST,
+    CONTOUR_LAST,
+    ALLOWANCE_X,
+    ALLOWANCE_Z,
+    FEED.sample(Sample::Feed(0.25)),
+    SPEED,
+    TOOL,
+    FINISH_AFTER,
+];
+
+/// G73.
+pub const PATTERN: CycleSpec = CycleSpec {
+    cycle: Cycle::Pattern,
+    function: Function::Pattern,
+    key: 730,
+    first: &[
+        word(b"U", &[Role::ReliefX]).as_set().amount(Amount::Relief).sample(Sample::Length(4.0)),
+        word(b"W", &[Role::ReliefZ]).as_set().amount(Amount::Relief).sample(Sample::Length(2.0)),
+        word(b"R", &[Role::PatternPasses]).as_set().sample(Sample::Digits("3")),
+        HIDDEN_FEED,
+    ],
+    second: &[
+        CONTOUR_FIRST,
+        CONTOUR_LAST,
+        ALLOWANCE_X,
+        ALLOWANCE_Z,
+        FEED.sample(Sample::Feed(0.25)),
+        SPEED,
+        TOOL,
+    ],
+    whole: &[
+        CONTOUR_FIRST,
+        CONTOUR_LAST,
+        ALLOWANCE_X,
+        ALLOWANCE_Z,
+        word(b"I", &[Role::ReliefX]).zero(),
+        word(b"K", &[Role::ReliefZ]).zero(),
+        word(b"D", &[Role::PatternPasses]).must(),
+        FEED,
+    ],
+    ..ROUGH_TURNING
+};
+
+const PECK_END_X: CycleWord = word(b"XU", &[Role::PeckEndX, Role::PeckWayX]).stays();
+const PECK_END_Z: CycleWord = word(b"ZW", &[Role::PeckEndZ, Role::PeckWayZ]).stays();
+const BOTTOM_RELIEF: &[Role] = &[Role::BottomRelief];
+const PECK: &[Role] = &[Role::Peck];
+const STEP_OVER: &[Role] = &[Role::StepOver];
+const PECK_RETRACT: CycleWord =
+    word(b"R", &[Role::PeckRetract]).as_set().amount(Amount::Cut).sample(Sample::Length(0.5));
+
+/// G74.
+pub const FACE_PECKING: CycleSpec = CycleSpec {
+    cycle: Cycle::FacePecking,
+    function: Function::FacePecking,
+    key: 740,
+    cuts_with: PLACE_WITH,
+    whole_with: letters(b"IK"),
+    reads_contour: false,
+    first: &[
+        PECK_RETRACT,
+        word(b"QK", &[Role::Peck, Role::Peck]),
+        word(b"PI", &[Role::StepOver, Role::StepOver]),
+        word(b"D", BOTTOM_RELIEF),
+        HIDDEN_FEED,
+    ],
+    second: &[
+        PECK_END_X,
+        PECK_END_Z.sample(Sample::Along(2.0 / 3.0)),
+        word(b"P", STEP_OVER).zero(),
+        word(b"Q", PECK).must().sample(Sample::Depth(5.0)),
+        word(b"R", BOTTOM_RELIEF).zero(),
+        FEED.sample(Sample::Feed(0.1)),
+        word(b"D", BOTTOM_RELIEF),
+    ],
+    whole: &[
+        PECK_END_X,
+        PECK_END_Z,
+        word(b"I", STEP_OVER).zero(),
+        word(b"K", PECK).must(),
+        word(b"D", BOTTOM_RELIEF).zero(),
+        FEED,
+        word(b"P", STEP_OVER),
+        word(b"Q", PECK),
+        word(b"R", BOTTOM_RELIEF),
+    ],
+};
+
+/// G75.
+pub const GROOVING: CycleSpec = CycleSpec {
+    cycle: Cycle::Grooving,
+    function: Function::Grooving,
+    key: 750,
+    first: &[
+        PECK_RETRACT,
+        word(b"PI", &[Role::Peck, Role::Peck]),
+        word(b"QK", &[Role::StepOver, Role::StepOver]),
+        word(b"D", BOTTOM_RELIEF),
+        HIDDEN_FEED,
+    ],
+    second: &[
+        PECK_END_X.sample(Sample::Inward(10.0)),
+        PECK_END_Z.sample(Sample::Along(2.0 / 3.0)),
+        word(b"P", PECK).must().sample(Sample::Depth(2.0)),
+        word(b"Q", STEP_OVER).zero().sample(Sample::Depth(2.0)),
+        word(b"R", BOTTOM_RELIEF).zero(),
+        FEED.sample(Sample::Feed(0.1)),
+        word(b"D", BOTTOM_RELIEF),
+    ],
+    whole: &[
+        PECK_END_X,
+        PECK_END_Z,
+        word(b"I", PECK).must(),
+        word(b"K", STEP_OVER).zero(),
+        word(b"D", BOTTOM_RELIEF).zero(),
+        FEED,
+        word(b"P", PECK),
+        word(b"Q", STEP_OVER),
+        word(b"R", BOTTOM_RELIEF),
+    ],
+    ..FACE_PECKING
+};
+
+/// Height of the thread in a snippet, mm of diameter.
+const THREAD: f64 = 2.6;
+const THREAD_END_X: CycleWord = word(b"XU", &[Role::ThreadEndX, Role::ThreadWayX]).must();
+const THREAD_END_Z: CycleWord = word(b"ZW", &[Role::ThreadEndZ, Role::ThreadWayZ]).stays();
+const THREAD_HEIGHT: &[Role] = &[Role::ThreadHeight];
+const FIRST_DEPTH: &[Role] = &[Role::FirstDepth];
+const THREAD_TAPER: &[Role] = &[Role::ThreadTaper];
+const THREAD_ANGLE: &[Role] = &[Role::ThreadAngle];
+const STARTS: CycleWord = word(b"L", &[Role::Starts]);
+
+/// G76.
+pub const THREADING: CycleSpec = CycleSpec {
+    cycle: Cycle::MultiThreading,
+    function: Function::MultiThreading,
+    key: 760,
+    cuts_with: PLACE_WITH,
+    whole_with: letters(b"K"),
+    reads_contour: false,
+    first: &[
+        word(b"P", &[Role::ThreadPacked]).as_set().sample(Sample::Digits("020060")),
+        word(b"Q", &[Role::LeastDepth]).as_set().sample(Sample::Depth(0.1)),
+        word(b"R", &[Role::ThreadAllowance])
+            .as_set()
+            .amount(Amount::ThreadAllowance)
+            .sample(Sample::Length(0.05)),
+        word(b"F", &[Role::Lead]),
+        word(b"K", THREAD_HEIGHT),
+        word(b"D", FIRST_DEPTH),
+        word(b"A", THREAD_ANGLE),
+        STARTS,
+    ],
+    second: &[
+        THREAD_END_X.sample(Sample::Inward(THREAD)),
+        THREAD_END_Z.sample(Sample::Along(2.0 / 3.0)),
+        word(b"R", THREAD_TAPER).zero(),
+        word(b"P", THREAD_HEIGHT).must().sample(Sample::Height(THREAD)),
+        word(b"Q", FIRST_DEPTH).must().sample(Sample::Depth(0.4)),
+        LEAD.sample(Sample::Length(2.0)),
+        word(b"I", THREAD_TAPER),
+        word(b"D", FIRST_DEPTH),
+        word(b"A", THREAD_ANGLE),
+        STARTS,
+    ],
+    whole: &[
+        THREAD_END_X,
+        THREAD_END_Z,
+        word(b"I", THREAD_TAPER).zero(),
+        word(b"K", THREAD_HEIGHT).must(),
+        word(b"D", FIRST_DEPTH).must(),
+        LEAD,
+        word(b"A", THREAD_ANGLE).zero(),
+        word(b"P", &[Role::InfeedMethod]).may(),
+        word(b"R", THREAD_TAPER),
+        word(b"Q", &[Role::StartAngle]),
+        STARTS,
+    ],
+};
