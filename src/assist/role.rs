@@ -7,7 +7,6 @@ use super::form::Form;
 pub use crate::control::codes::role::Role;
 use crate::control::codes::{G, Hole, M, MotionMode, Plane};
 use crate::control::modal::State;
-use crate::cycles::single::Single;
 use crate::geometry::virtual_plane::Surface;
 use crate::setup::dialect::FeedMode;
 use crate::text::block::Word;
@@ -124,35 +123,17 @@ impl Role {
 }
 
 fn of_motion(letter: u8, mode: MotionMode, c_axis: bool) -> Role {
-    let threads = matches!(
-        mode,
-        MotionMode::Thread
-            | MotionMode::VariableThread
-            | MotionMode::Tapping
-            | MotionMode::Cycle(Single::Threading)
-    );
+    let threads = matches!(mode, MotionMode::Thread | MotionMode::VariableThread | MotionMode::Tapping);
     match (letter, mode) {
         (b'F' | b'E', _) if threads => return Role::Lead,
         (b'I', MotionMode::Thread | MotionMode::Tapping) => return Role::ThreadsPerInch,
         (b'Q', _) if threads => return Role::StartAngle,
         (b'K', MotionMode::VariableThread) => return Role::LeadChange,
-        (b'F', _) => return Role::Feed,
+        (b'F', mode) if !matches!(mode, MotionMode::Cycle(_)) => return Role::Feed,
         _ => {}
     }
     match mode {
-        MotionMode::Cycle(cycle) => match (letter, cycle) {
-            (b'X', _) => Role::CycleEndX,
-            (b'Z', _) => Role::CycleEndZ,
-            (b'U', _) => Role::CycleWayX,
-            (b'W', _) => Role::CycleWayZ,
-            (b'R', Single::Turning | Single::Threading) | (b'I', Single::Turning) => Role::TaperX,
-            (b'R' | b'K', Single::Facing) => Role::TaperZ,
-            (b'I', Single::Threading) => Role::ThreadsPerInch,
-            (b'L', Single::Threading) => Role::Starts,
-            (b'J', Single::Threading) => Role::PullOutAcross,
-            (b'K', Single::Threading) => Role::PullOutAlong,
-            _ => Role::Ignored,
-        },
+        MotionMode::Cycle(cycle) => cycle.spec().role(letter),
         MotionMode::Arc(_) => match letter {
             b'R' => Role::ArcRadius,
             b'I' => Role::ArcCenterX,

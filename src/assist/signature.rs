@@ -13,7 +13,6 @@ use crate::control::codes::cycles::{CycleBlock, CycleWord};
 use crate::control::codes::{self, G, Hole, M, MacroCall, MotionMode, Multiple, Plane};
 use crate::control::modal::{State, Target};
 use crate::control::words::Reading;
-use crate::cycles::single::Single;
 use crate::geometry::SAME;
 use crate::geometry::virtual_plane::Surface;
 use crate::setup::dialect::{Control, Dialect};
@@ -109,10 +108,6 @@ const XY_ARC: &[Slot] = &[stays(b"XU"), stays(b"YV"), must(b"RIJ"), as_set(b"F")
 const YZ_ARC: &[Slot] = &[stays(b"YV"), stays(b"ZW"), must(b"RJK"), as_set(b"F")];
 const THREAD: &[Slot] = &[stays(b"XU"), stays(b"ZW"), as_set(b"F"), zero(b"Q")];
 const VARIABLE_THREAD: &[Slot] = &[stays(b"XU"), stays(b"ZW"), as_set(b"F"), must(b"K")];
-const TURNING: &[Slot] = &[as_set(b"XU"), as_set(b"ZW"), zero(b"R"), as_set(b"F")];
-const THREADING: &[Slot] = &[as_set(b"XU"), as_set(b"ZW"), zero(b"R"), as_set(b"F"), zero(b"Q")];
-const THREADING_GSK: &[Slot] =
-    &[as_set(b"XU"), as_set(b"ZW"), zero(b"R"), as_set(b"F"), may(b"J"), may(b"K"), may(b"L")];
 const FACE_HOLE: &[Slot] =
     &[stays(b"XU"), may(b"CH"), must(b"ZW"), zero(b"R"), may(b"Q"), zero(b"P"), as_set(b"F"), may(b"K")];
 const SIDE_HOLE: &[Slot] =
@@ -135,17 +130,19 @@ pub fn lines(form: Form, dialect: &Dialect) -> Vec<Line> {
     };
     let one = |code: G, slots: &[Slot]| line(code, form, slots.to_vec()).into_iter().collect();
     match form {
+        Form::Motion { mode: mode @ MotionMode::Cycle(cycle), .. } => {
+            let spec = cycle.spec();
+            let words = if dialect.control == Control::Gsk { spec.on_gsk } else { spec.words };
+            line(G::Motion(mode), form, words.iter().filter_map(slot).collect()).into_iter().collect()
+        }
         Form::Motion { mode, .. } => one(
             G::Motion(mode),
             match mode {
-                MotionMode::Rapid => RAPID,
                 MotionMode::Line => LINE,
                 MotionMode::Arc(_) => ARC,
                 MotionMode::Thread | MotionMode::Tapping => THREAD,
                 MotionMode::VariableThread => VARIABLE_THREAD,
-                MotionMode::Cycle(Single::Threading) if dialect.control == Control::Gsk => THREADING_GSK,
-                MotionMode::Cycle(Single::Threading) => THREADING,
-                MotionMode::Cycle(Single::Turning | Single::Facing) => TURNING,
+                MotionMode::Rapid | MotionMode::Cycle(_) => RAPID,
             },
         ),
         Form::Hole { hole, .. } => one(G::Hole(hole), of_hole(hole)),

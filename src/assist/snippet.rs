@@ -4,7 +4,7 @@
 //! texts run without a message.
 
 use super::Query;
-use crate::control::codes::cycles::{CycleBlock, Sample};
+use crate::control::codes::cycles::{CycleBlock, CycleWord, Sample};
 use crate::control::codes::{self, Compensation, G, Hole, MacroCall, MotionMode, Multiple};
 use crate::control::modal::State;
 use crate::control::words::Reading;
@@ -317,7 +317,12 @@ impl Writing<'_> {
     /// A block of a multiple cycle.
     fn block(&mut self, cycle: Multiple, block: CycleBlock) {
         self.code(G::Multiple(cycle));
-        for word in cycle.spec().words(block) {
+        self.words(cycle.spec().words(block));
+    }
+
+    /// The words of a block that have a sample.
+    fn words(&mut self, words: &[CycleWord]) {
+        for word in words {
             if let Some(sample) = word.sample {
                 self.sample(char::from(word.letters[0]), sample);
             }
@@ -337,6 +342,8 @@ impl Writing<'_> {
             }
             Sample::First => self.fixed(&format!(" {letter}{}", self.sequences.0)),
             Sample::Last => self.fixed(&format!(" {letter}{}", self.sequences.1)),
+            Sample::Smaller(mm) => self.length(&letter, self.outside - mm),
+            Sample::Behind(mm) => self.length(&letter, self.face - mm),
             Sample::Inward(most) => self.length(&letter, self.inward(most)),
             Sample::Along(part) => self.length(&letter, self.along(part)),
             Sample::Height(most) => self.depth(&letter, (self.outside - self.inward(most)) / 2.0),
@@ -378,19 +385,7 @@ impl Writing<'_> {
 
     fn pass(&mut self, cycle: Single) {
         self.code(G::Motion(MotionMode::Cycle(cycle)));
-        match cycle {
-            Single::Turning => {
-                self.lengths(&[("X", self.outside - 2.0), ("Z", self.along(2.0 / 3.0))]);
-                self.feed(0.2);
-            }
-            Single::Facing => {
-                self.lengths(&[("X", self.inward(20.0)), ("Z", self.face - 1.0)]);
-                self.feed(0.2);
-            }
-            Single::Threading => {
-                self.lengths(&[("X", self.outside - 0.5), ("Z", self.along(2.0 / 3.0)), ("F", 2.0)]);
-            }
-        }
+        self.words(cycle.spec().words);
     }
 
     fn lengths(&mut self, words: &[(&str, f64)]) {

@@ -303,9 +303,7 @@ impl MotionMode {
             Self::Thread => 32,
             Self::Tapping => 33,
             Self::VariableThread => 34,
-            Self::Cycle(Single::Turning) => 90,
-            Self::Cycle(Single::Threading) => 92,
-            Self::Cycle(Single::Facing) => 94,
+            Self::Cycle(cycle) => u32::from(cycle.spec().keys[0]) / 10,
         }
     }
 }

@@ -1,4 +1,4 @@
-//! What each multiple cycle (G70 to G76) is: its code, its blocks, and the words of each block with their roles.
+//! What each turning cycle is: its code, its blocks, and the words of each block with their roles.
 //!
 //! This is the only list of these words. The registry of codes, the check for two cycle blocks in one, the help,
 //! the snippets and the evidence for the decimal rule read it. The geometry of a cycle is in `crate::cycles`, its
@@ -7,6 +7,7 @@
 use super::function::Function;
 use super::role::Role;
 use crate::control::words::letters;
+use crate::cycles::single::Single;
 use crate::motion::Cycle;
 
 /// Which block of a multiple cycle.
@@ -71,6 +72,10 @@ pub enum Sample {
     Inward(f64),
     /// A place along Z: this part of the length of the cut.
     Along(f64),
+    /// A diameter that is smaller than the blank by this, mm.
+    Smaller(f64),
+    /// A place along Z behind the face by this, mm.
+    Behind(f64),
     /// The height from the blank to a diameter that is smaller by at most this, mm.
     Height(f64),
 }
@@ -457,5 +462,109 @@ pub const THREADING: CycleSpec = CycleSpec {
         word(b"R", THREAD_TAPER),
         word(b"Q", &[Role::StartAngle]),
         STARTS,
+    ],
+};
+
+/// A single cycle.
+#[derive(Debug)]
+pub struct SingleSpec {
+    /// Its row in the table of codes.
+    pub function: Function,
+    /// Ten times its number in systems A, B and C and on GSK.
+    pub keys: [u16; 4],
+    /// Its words on FANUC.
+    pub words: &'static [CycleWord],
+    /// Its words on GSK.
+    pub on_gsk: &'static [CycleWord],
+}
+
+impl SingleSpec {
+    /// The role of a letter.
+    pub fn role(&self, letter: u8) -> Role {
+        self.words.iter().find_map(|word| word.role(letter)).unwrap_or(Role::Ignored)
+    }
+}
+
+impl Single {
+    /// Its code and words.
+    pub const fn spec(self) -> &'static SingleSpec {
+        match self {
+            Self::Turning => &SINGLE_TURNING,
+            Self::Threading => &SINGLE_THREADING,
+            Self::Facing => &SINGLE_FACING,
+        }
+    }
+}
+
+const CYCLE_END_X: CycleWord = word(b"XU", &[Role::CycleEndX, Role::CycleWayX]).as_set();
+const CYCLE_END_Z: CycleWord = word(b"ZW", &[Role::CycleEndZ, Role::CycleWayZ]).as_set();
+
+const TURNING_WORDS: &[CycleWord] = &[
+    CYCLE_END_X.sample(Sample::Smaller(2.0)),
+    CYCLE_END_Z.sample(Sample::Along(2.0 / 3.0)),
+    word(b"R", &[Role::TaperX]).zero(),
+    FEED.sample(Sample::Feed(0.2)),
+    word(b"I", &[Role::TaperX]),
+];
+
+/// G90.
+const SINGLE_TURNING: SingleSpec = SingleSpec {
+    function: Function::TurningCycle,
+    keys: [900, 770, 200, 900],
+    words: TURNING_WORDS,
+    on_gsk: TURNING_WORDS,
+};
+
+const FACING_WORDS: &[CycleWord] = &[
+    CYCLE_END_X.sample(Sample::Inward(20.0)),
+    CYCLE_END_Z.sample(Sample::Behind(1.0)),
+    word(b"R", &[Role::TaperZ]).zero(),
+    FEED.sample(Sample::Feed(0.2)),
+    word(b"K", &[Role::TaperZ]),
+];
+
+/// G94.
+const SINGLE_FACING: SingleSpec = SingleSpec {
+    function: Function::FacingCycle,
+    keys: [940, 790, 240, 940],
+    words: FACING_WORDS,
+    on_gsk: FACING_WORDS,
+};
+
+const SINGLE_LEAD: CycleWord = word(b"F", &[Role::Lead]).as_set().sample(Sample::Length(2.0));
+const SINGLE_THREAD_X: CycleWord = CYCLE_END_X.sample(Sample::Smaller(0.5));
+const SINGLE_THREAD_Z: CycleWord = CYCLE_END_Z.sample(Sample::Along(2.0 / 3.0));
+const SINGLE_TAPER: CycleWord = word(b"R", &[Role::TaperX]).zero();
+const START_ANGLE: CycleWord = word(b"Q", &[Role::StartAngle]);
+const PULL_OUT_ACROSS: CycleWord = word(b"J", &[Role::PullOutAcross]);
+const PULL_OUT_ALONG: CycleWord = word(b"K", &[Role::PullOutAlong]);
+/// Words of G92 for leads in other units.
+const OTHER_LEADS: CycleWord = word(b"EI", &[Role::Lead, Role::ThreadsPerInch]);
+
+/// G92.
+const SINGLE_THREADING: SingleSpec = SingleSpec {
+    function: Function::ThreadingCycle,
+    keys: [920, 780, 210, 920],
+    words: &[
+        SINGLE_THREAD_X,
+        SINGLE_THREAD_Z,
+        SINGLE_TAPER,
+        SINGLE_LEAD,
+        START_ANGLE.zero(),
+        OTHER_LEADS,
+        PULL_OUT_ACROSS,
+        PULL_OUT_ALONG,
+        STARTS,
+    ],
+    on_gsk: &[
+        SINGLE_THREAD_X,
+        SINGLE_THREAD_Z,
+        SINGLE_TAPER,
+        SINGLE_LEAD,
+        PULL_OUT_ACROSS.may(),
+        PULL_OUT_ALONG.may(),
+        STARTS.may(),
+        OTHER_LEADS,
+        START_ANGLE,
     ],
 };

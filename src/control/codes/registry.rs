@@ -4,7 +4,7 @@
 //! supported codes. Lookup uses indices that are computed from the rows at compile time, so a code without a
 //! row is not recognised.
 
-use super::cycles::CycleSpec;
+use super::cycles::{CycleSpec, SingleSpec};
 use super::function::Function;
 use super::{Compensation, G, Group, Hole, HoleReturn, M, MacroCall, MotionMode, Multiple, Plane, Switch};
 use crate::cycles::single::Single;
@@ -58,7 +58,8 @@ const fn mode(key: u16, function: Function, mode: MotionMode) -> GCode {
     same(key, function, G::Motion(mode), 1)
 }
 
-const fn cycle(keys: [u16; 4], function: Function, cycle: Single) -> GCode {
+const fn cycle(cycle: Single) -> GCode {
+    let SingleSpec { keys, function, .. } = *cycle.spec();
     spelled(keys, function, G::Motion(MotionMode::Cycle(cycle)), 1)
 }
 
@@ -99,9 +100,9 @@ const G_CODES: &[GCode] = &[
     differs_in_b_and_c(320, 330, Function::Thread, G::Motion(MotionMode::Thread), 1),
     spelled([NOT_THERE, NOT_THERE, NOT_THERE, 330], Function::Tapping, G::Motion(MotionMode::Tapping), 1),
     mode(340, Function::VariableThread, MotionMode::VariableThread),
-    cycle([900, 770, 200, 900], Function::TurningCycle, Single::Turning),
-    cycle([920, 780, 210, 920], Function::ThreadingCycle, Single::Threading),
-    cycle([940, 790, 240, 940], Function::FacingCycle, Single::Facing),
+    cycle(Single::Turning),
+    cycle(Single::Threading),
+    cycle(Single::Facing),
     multiple(Multiple::Finishing),
     multiple(Multiple::RoughTurning),
     multiple(Multiple::RoughFacing),
