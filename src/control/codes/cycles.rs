@@ -568,3 +568,33 @@ const SINGLE_THREADING: SingleSpec = SingleSpec {
         START_ANGLE,
     ],
 };
+
+#[cfg(test)]
+mod tests {
+    use super::{CycleBlock, CycleWord, Single};
+    use crate::control::codes::Multiple;
+
+    #[test]
+    fn each_letter_is_in_a_block_once_and_has_a_role() {
+        use Multiple::{FacePecking, Finishing, Grooving, Pattern, RoughFacing, RoughTurning, Threading};
+        let all = [Finishing, RoughTurning, RoughFacing, Pattern, FacePecking, Grooving, Threading];
+        let blocks = [CycleBlock::First, CycleBlock::Second, CycleBlock::Whole];
+        let multiples = all.iter().flat_map(|cycle| blocks.map(|block| cycle.spec().words(block)));
+        let singles = [Single::Turning, Single::Threading, Single::Facing];
+        let singles = singles.iter().flat_map(|cycle| [cycle.spec().words, cycle.spec().on_gsk]);
+        let mut count = 0;
+        for words in multiples.chain(singles) {
+            let mut seen = Vec::new();
+            for CycleWord { letters, roles, .. } in words {
+                assert_eq!(letters.len(), roles.len(), "{letters:?}");
+                assert!(
+                    letters.iter().all(|letter| !seen.contains(letter)),
+                    "{letters:?} twice in {words:?}"
+                );
+                seen.extend_from_slice(letters);
+                count += letters.len();
+            }
+        }
+        assert!(count > 100, "{count}");
+    }
+}
