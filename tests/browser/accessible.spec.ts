@@ -1,5 +1,5 @@
-// What axe finds wrong for readers of a screen: nothing, on the page, in every dialog, on pages of rules and of the
-// reference, in each language, light and dark.
+// axe (checks for screen readers) finds no violation on the page, in every dialog, on pages of rules and of the
+// reference, in each language, in light and dark.
 import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { chromiumTest as test, type ChromiumPage, expect } from './engines';
@@ -15,7 +15,7 @@ interface Violation {
   readonly nodes: readonly { readonly target: readonly unknown[]; readonly failureSummary?: string }[];
 }
 
-/** What is wrong with the page as it is now, each with the places. */
+/** Violations that axe reports for the current page, each with the selectors. */
 async function violations(page: ChromiumPage, where: string): Promise<string[]> {
   if (!(await page.evaluate(() => 'axe' in window))) await page.evaluate(AXE);
   const found = await page.evaluate(async () => {
@@ -32,14 +32,14 @@ async function violations(page: ChromiumPage, where: string): Promise<string[]> 
   );
 }
 
-/** A link of a task, or of an answer to it. */
+/** A link to a task, or to an answer to it. */
 async function linked(what: 'task' | 'answer'): Promise<string> {
   const said = what === 'task' ? { task: { sentence: 'Turn the shoulder', solution: PROGRAM } } : { name: 'Anna' };
   const made = await linkOf({ ...NOTHING_SAID, text: 'G00 X52 Z2\n', ...said });
   return made.kind === 'link' ? made.link : '';
 }
 
-/** What opens a dialog, by the order of languages; `at-once` where it is a menu. */
+/** Buttons that open a dialog, with their names in each language; `at-once` for a menu. */
 const DIALOGS: readonly { readonly what: string; readonly button: RegExp }[] = [
   { what: 'gallery', button: /^(Gallery…|全部示例…|Все примеры…)$/ },
   { what: 'share', button: /^(Share…|分享…|Поделиться…)$/ },
@@ -73,8 +73,8 @@ for (const locale of ['en', 'zh', 'ru'] as const) {
       await open(page);
       const wrong = await violations(page, 'first');
       await type(page, PROGRAM);
-      // What is proposed would come and go while axe looks at it: `completion` has tests of its own.
-      // It may come after the first Escape, so it has to stay away.
+      // Completions would open and close while axe runs; `completion` has its own tests. The list may open after the
+      // first Escape, so wait until it stays closed.
       await expect(async () => {
         await page.keyboard.press('Escape');
         await page.waitForTimeout(500);
@@ -143,7 +143,7 @@ for (const locale of ['en', 'zh', 'ru'] as const) {
 }
 
 for (const colorScheme of ['light', 'dark'] as const) {
-  test(`axe finds nothing in a manual with an element of each kind, and keys reach all of them in their order: ${colorScheme}`, async ({
+  test(`axe finds nothing in a manual with an element of each kind, and Tab reaches all of them in order: ${colorScheme}`, async ({
     page,
   }) => {
     const kinds = [
@@ -166,7 +166,7 @@ for (const colorScheme of ['light', 'dark'] as const) {
     );
     for (let which = 0; which < kinds.length; which++) await settled(page, which);
     expect(await violations(page, 'manual')).toEqual([]);
-    // Tab goes through the elements one after the other; each thing it stops at has a name.
+    // Tab moves through the elements in order; each focused control has a name.
     const stops: { element: number; name: string }[] = [];
     for (let at = 0; at < 200; at++) {
       await page.keyboard.press('Tab');

@@ -1,4 +1,4 @@
-// What the author of a manual says of an element beside its program: what is shown, what is marked, where the tool stands.
+// Attributes that the author of a manual sets on an element: visible parts, highlighted lines, position of the tool.
 import { expect, test, type BasicPage } from './engines';
 import { manual, openHtml, programOf, settled, type Playground } from './embedded';
 
@@ -30,7 +30,7 @@ function set(page: BasicPage, attribute: string, value: string | null): Promise<
   );
 }
 
-/** The scripts that were loaded, without their hashes. */
+/** Names of the loaded scripts, without their hashes. */
 function scripts(page: BasicPage): Promise<string[]> {
   return page.evaluate(() =>
     performance
@@ -40,7 +40,7 @@ function scripts(page: BasicPage): Promise<string[]> {
   );
 }
 
-/** How many pixels of the section have a colour of the style sheet. */
+/** Number of pixels in the section that have a colour of the style sheet. */
 function pixels(page: BasicPage, colour: string): Promise<number> {
   return page.evaluate((colour) => {
     const root = document.querySelector('gcode-playground')!.shadowRoot!;
@@ -63,7 +63,7 @@ function pixels(page: BasicPage, colour: string): Promise<number> {
   }, colour);
 }
 
-/** The text of the lines of the program that have a class. */
+/** Text of the program lines that have a class. */
 function lines(page: BasicPage, name: string): Promise<string[]> {
   return page.locator(`.${name}`).evaluateAll((elements) => elements.map((element) => element.textContent ?? ''));
 }
@@ -98,7 +98,7 @@ test('view="code" shows the program and its problems, without a picture', async 
   expect((await scripts(page)).filter((name) => ['further', 'playback'].includes(name))).toEqual([]);
 });
 
-test('controls names the parts of the page that are shown', async ({ page }) => {
+test('controls selects the parts of the page that are shown', async ({ page }) => {
   await show(page, 'controls="none"');
   await expect(page.getByRole('textbox', { name: 'Program' })).toBeVisible();
   await expect(page.getByRole('img', { name: /tool path/ })).toBeVisible();
@@ -151,12 +151,12 @@ test('highlight marks lines and their strokes until the reader chooses a block',
   expect(await lines(page, 'cm-marked-line')).toEqual([]);
 });
 
-test('highlight is there from the start, also in the picture alone', async ({ page }) => {
+test('highlight works from the start, also in the picture-only view', async ({ page }) => {
   await show(page, 'view="picture" highlight="5"');
   await expect.poll(() => pixels(page, 'highlight')).toBeGreaterThan(20);
 });
 
-test('lines shows a part of the program; the rest unfolds', async ({ page }) => {
+test('lines shows a part of the program, and the rest can be unfolded', async ({ page }) => {
   await show(page, 'lines="3-6"');
   await expect(page.getByRole('button', { name: 'Show lines 1–2' })).toBeVisible();
   expect((await lines(page, 'cm-line')).filter((line) => !line.startsWith('Show'))).toEqual(
@@ -170,11 +170,11 @@ test('lines shows a part of the program; the rest unfolds', async ({ page }) => 
 });
 
 for (const view of ['all', 'playback', 'picture']) {
-  test(`step puts the tool to its place at the start: view="${view}"`, async ({ page }) => {
+  test(`step places the tool at the start: view="${view}"`, async ({ page }) => {
     await show(page, `view="${view}" step="3"`);
     const drawn = await pixels(page, 'tool');
     expect(drawn).toBeGreaterThan(20);
-    // Of the path after that place nothing is drawn.
+    // The path after that position is not drawn.
     const cut = await pixels(page, 'feed');
     await set(page, 'step', 'line 6');
     await set(page, 'step', '4');
@@ -186,7 +186,7 @@ for (const view of ['all', 'playback', 'picture']) {
   });
 }
 
-test('fit says whether the picture shows the part or the whole path', async ({ page }) => {
+test('fit selects whether the picture shows the part or the whole path', async ({ page }) => {
   await show(page, 'view="picture"');
   const size = (): Promise<number> =>
     page.evaluate(async () => {
@@ -235,7 +235,7 @@ test('every attribute of the reference is a property', async ({ page }) => {
 });
 
 for (const view of ['picture', 'playback'] as const) {
-  test(`the drawing has all the room that the element has, however wide it is: view="${view}"`, async ({ page }) => {
+  test(`the drawing uses all the space of the element at any width: view="${view}"`, async ({ page }) => {
     await show(page, `view="${view}"`);
     for (const width of [320, 500, 700, 1000]) {
       for (const height of [260, 400, 560]) {
@@ -263,7 +263,7 @@ for (const view of ['picture', 'playback'] as const) {
         );
         const where = `${width} × ${height}: ${JSON.stringify(seen)}`;
         expect(seen.above, where).toBeLessThanOrEqual(2);
-        // What does not fit scrolls; nothing stays empty.
+        // Content that does not fit scrolls, and no space stays empty.
         expect(seen.left, where).toBeLessThanOrEqual(2);
         if (view === 'picture') expect(seen.height, where).toBeGreaterThanOrEqual(height - 4);
       }
@@ -271,7 +271,7 @@ for (const view of ['picture', 'playback'] as const) {
   });
 }
 
-test('a page that is being laid out, and has no width for a moment, leaves the picture as it is', async ({ page }) => {
+test('the picture does not change when the width is zero for a moment during layout', async ({ page }) => {
   await show(page, 'view="picture"');
   const size = (): Promise<string> =>
     page.evaluate(() => {
@@ -298,7 +298,7 @@ test('a page that is being laid out, and has no width for a moment, leaves the p
   expect(await pixels(page, 'feed')).toBe(cuts);
 });
 
-test('what is typed in an element is no command of the page around it', async ({ page }) => {
+test('keys typed in an element do not trigger shortcuts of the host page', async ({ page }) => {
   await openHtml(
     page,
     manual(
@@ -321,7 +321,8 @@ test('what is typed in an element is no command of the page around it', async ({
   await page.getByRole('slider', { name: 'Position' }).focus();
   await page.keyboard.press('ArrowRight');
   expect(await heard(), 'on the slider').toEqual([]);
-  // A page hears what commands it by more than one key, what leaves a text, and what is typed in its own fields.
+  // The host page still gets its shortcuts with modifiers, keys that leave a text field, and keys typed in its own
+  // fields.
   await textbox.focus();
   await page.keyboard.press('Escape');
   await page.keyboard.press('Control+k');
@@ -332,10 +333,10 @@ test('what is typed in an element is no command of the page around it', async ({
   expect(await heard()).toEqual(['keydown x', 'keyup x']);
 });
 
-test('in a column of any width no words at the foot run into others', async ({ page }) => {
+test('labels at the foot do not overlap at any width of the column', async ({ page }) => {
   for (const language of ['en', 'ru']) {
     await show(page, `language="${language}"`);
-    // Below that there are tabs, and what has no room in their line ends in an ellipsis.
+    // Below that width there are tabs, and labels that do not fit end in an ellipsis.
     for (let width = 740; width <= 1260; width += 40) {
       const overlaps = await page.evaluate(async (width) => {
         const element = document.querySelector<Playground>('gcode-playground')!;

@@ -1,10 +1,10 @@
-// Whatever is put in, the page answers within seconds, says something, and goes on working.
+// With any bad input, the page responds within seconds, shows a message, and keeps working.
 import { expect, test, type Page } from './engines';
 import { open, openFile, status, type } from './page';
 
 const FIVE_MB = 5 * 1024 * 1024;
 
-/** After the bad text a good one must run as ever. */
+/** After the bad text, a good program must run as usual. */
 async function stillWorks(page: Page): Promise<void> {
   await openFile(page, 'good.nc', Buffer.from('G0 X50 Z2\nG1 Z-20 F0.2\n'));
   await expect(status(page)).toContainText(/^2 motions/, { timeout: 15_000 });

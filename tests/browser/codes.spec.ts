@@ -1,4 +1,4 @@
-// The table of supported codes: opened from the help, the chosen control first, found by what is typed.
+// The table of supported codes: opened from the help, starts with the chosen control, filtered by typing.
 import { expect, test, type Page } from './engines';
 import { open, type } from './page';
 
@@ -15,12 +15,12 @@ async function openCodes(page: Page): Promise<void> {
   await expect(dialog(page)).toBeVisible();
 }
 
-test('by keyboard: opened, filtered, read, closed', async ({ page, engine }, info) => {
+test('the table is opened, filtered, read and closed by keyboard', async ({ page, engine }, info) => {
   await open(page);
   await page.getByLabel('Control').selectOption('fanuc');
   await page.getByRole('button', { name: 'Help (?)' }).focus();
   await page.keyboard.press('Enter');
-  // Firefox has scrolling boxes in the order of Tab, too.
+  // In Firefox, Tab also stops at scrollable boxes.
   for (let i = 0; i < (engine === 'firefox' ? 3 : 2); i++) await page.keyboard.press('Tab');
   await expect(page.getByRole('button', { name: 'Supported codes' })).toBeFocused();
   await page.keyboard.press('Enter');
@@ -52,7 +52,7 @@ test('by keyboard: opened, filtered, read, closed', async ({ page, engine }, inf
   await filter.fill('');
   await expect(row(page, 'G01')).toBeVisible();
 
-  // Tab reaches the table, which the arrow keys then move, and the close button.
+  // Tab reaches the table, which the arrow keys then scroll, and the close button.
   await page.keyboard.press('Tab');
   await expect(dialog(page).getByRole('region', { name: 'Supported codes' })).toBeFocused();
   await page.keyboard.press('Tab');
@@ -70,7 +70,7 @@ test('the control of the program comes first', async ({ page }) => {
   await expect(row(page, 'G33')).toContainText('tapping');
   await dialog(page).getByRole('button', { name: 'Close' }).click();
 
-  // System B, by what is written in it.
+  // System B is recognised from the program.
   await page.getByLabel('Control').selectOption('fanuc');
   await type(page, 'O1\nG21 G95\nG92 S2000\nM3 S500\nG0 X50 Z2\nG77 X40 Z-20 F0.2\nM30\n');
   await openCodes(page);

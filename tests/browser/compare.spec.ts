@@ -1,4 +1,4 @@
-// Another version of the program beside it: pasted, of a link, of a file.
+// Comparing the program with another version: pasted, from a link, from a file.
 import { expect, test, type BasicPage, type Locator } from './engines';
 import { editor, open, type } from './page';
 
@@ -20,7 +20,7 @@ async function compareWith(page: BasicPage, text: string): Promise<void> {
   await dialog(page).getByRole('button', { name: 'Compare', exact: true }).click();
 }
 
-test('a pasted version is laid beside the program: blocks, what they change, totals, paths', async ({ page }) => {
+test('a pasted version is compared with the program: blocks, their effect, totals, paths', async ({ page }) => {
   await open(page);
   await type(page, PROGRAM);
   await openDialog(page);
@@ -34,9 +34,9 @@ test('a pasted version is laid beside the program: blocks, what they change, tot
   await expect(result).toContainText('end point: X49.96 Z-20 → X50 Z-20');
   await expect(result.getByRole('row', { name: 'tools T0101 T0101' })).toBeVisible();
   await expect(result.getByRole('img', { name: /^Tool paths of both/ })).toBeVisible();
-  // The program is as it was, and the text that was pasted is still there.
+  // The program is unchanged, and the pasted text is still in the field.
   await expect(field(page)).toHaveValue(OTHER);
-  // A line of the program leads there.
+  // A line number links to the line of the program.
   await result.getByRole('button', { name: /line 5$/ }).click();
   await expect(dialog(page)).toBeHidden();
   await expect(page.locator('.cm-activeLine')).toHaveText('G00 X50');
@@ -45,7 +45,9 @@ test('a pasted version is laid beside the program: blocks, what they change, tot
   await expect(editor(page)).toContainText('/G00 X50');
 });
 
-test('numbers and blanks are no difference, and an empty field says what is missing', async ({ page }) => {
+test('different number formats and blanks are no difference, and an empty field reports what is missing', async ({
+  page,
+}) => {
   await open(page);
   await type(page, PROGRAM);
   await openDialog(page);
@@ -59,7 +61,7 @@ test('numbers and blanks are no difference, and an empty field says what is miss
   await expect(status).toHaveText('No difference.');
 });
 
-test('a link holds the other version, and macros that nothing else needed are loaded for it', async ({ page }) => {
+test('a link contains the other version, and loads the macros that only it needs', async ({ page }) => {
   await open(page);
   await type(page, PROGRAM);
   await openDialog(page);
@@ -69,10 +71,10 @@ test('a link holds the other version, and macros that nothing else needed are lo
   await expect(dialog(page)).toContainText('end point: X48 Z2 → X50 Z2');
 });
 
-test('an own program that is kept is chosen from a list', async ({ page }) => {
+test('a stored program is chosen from a list', async ({ page }) => {
   await open(page);
   await type(page, OTHER);
-  // It is kept, then another program is begun.
+  // The program is stored, then another one is started.
   await page.getByLabel('Example').selectOption('syn-g84-tap');
   await expect(editor(page)).toContainText('G84');
   await openDialog(page);
@@ -83,7 +85,7 @@ test('an own program that is kept is chosen from a list', async ({ page }) => {
   await expect(dialog(page)).toContainText('G00 X49.96');
 });
 
-test('a text that is no program is answered, as text', async ({ page }) => {
+test('a text that is not a program is compared as text', async ({ page }) => {
   await open(page);
   await type(page, PROGRAM);
   await openDialog(page);

@@ -1,4 +1,4 @@
-// What can be written at the cursor: by keys alone, in three languages.
+// Completion at the cursor: by keys alone, in three languages.
 import { chromiumTest, expect, test, type BasicPage, type Locator } from './engines';
 import { editor, open, type } from './page';
 import { runBeforeWorker } from './worker-script';
@@ -12,23 +12,23 @@ const SECOND_BLOCK = /\nG76 X[\d.]+ Z-?[\d.]+ P\d+ Q\d+ F[\d.]+$/;
 const HEIGHT = { en: 'thread height', zh: '牙型高度', ru: 'высота профиля' } as const;
 
 for (const locale of ['en', 'zh', 'ru'] as const) {
-  test(`a G76 is completed by keys alone, ${locale}`, async ({ page }) => {
+  test(`G76 is completed by keys alone, ${locale}`, async ({ page }) => {
     await open(page);
     await page.locator('#language').selectOption(locale);
     await type(page, HEAD);
     await page.keyboard.press('Control+End');
     await page.keyboard.type('G7');
-    // After the first block comes the second, with its words.
+    // After the first block, the second one is proposed with its words.
     await expect(list(page).getByRole('option').first()).toContainText('G76 X');
     await page.keyboard.press('Tab');
     await expect.poll(() => text(page)).toMatch(SECOND_BLOCK);
-    // Its places are filled one after the other, and Escape ends it.
+    // Its placeholders are filled in order, and Escape ends the snippet.
     await page.keyboard.type('31.4');
     await page.keyboard.press('Tab');
     await page.keyboard.type('-25');
     expect(await text(page)).toMatch(/\nG76 X31\.4 Z-25 P/);
     await page.keyboard.press('Escape');
-    // A word that is missing is proposed after a blank, with what it is.
+    // A missing word is proposed after a blank, with its meaning.
     await type(page, `${HEAD}G76 X31.4 Z-25 Q400 F2`);
     await page.keyboard.press('Control+End');
     await page.keyboard.type(' ');
@@ -36,7 +36,7 @@ for (const locale of ['en', 'zh', 'ru'] as const) {
   });
 }
 
-test('a key for the list is not lost while the list catches up with the last letter', async ({ page }) => {
+test('a key for the list is kept while the list updates for the last letter', async ({ page }) => {
   await open(page);
   for (const keys of [['Tab'], ['ArrowDown', 'Enter'], ['ArrowUp', 'ArrowDown', 'Tab']]) {
     await type(page, HEAD);
@@ -51,7 +51,7 @@ test('a key for the list is not lost while the list catches up with the last let
 });
 
 chromiumTest('the list comes though the next letter was typed while the last was looked for', async ({ page }) => {
-  // The answer to the first question arrives after the next letter.
+  // The answer to the first request arrives after the next letter.
   await runBeforeWorker(
     page,
     `
@@ -79,7 +79,7 @@ chromiumTest('the list comes though the next letter was typed while the last was
   await expect(list(page).getByRole('option').first()).toContainText('G76 X');
 });
 
-test('a key that came for a list that is no longer there does what it does without one', async ({ page }) => {
+test('a key meant for a list that is already closed has its normal effect', async ({ page }) => {
   await open(page);
   await type(page, `${HEAD}M`);
   await page.keyboard.press('Control+End');
@@ -91,14 +91,14 @@ test('a key that came for a list that is no longer there does what it does witho
   expect(await text(page)).toBe(`${HEAD}M30`);
 });
 
-test('a proposal that is pressed while the list catches up is taken', async ({ page }) => {
+test('a click on a proposal is accepted while the list updates', async ({ page }) => {
   await open(page);
   await type(page, HEAD);
   await page.keyboard.press('Control+End');
   await page.keyboard.type('G');
   const first = list(page).getByRole('option').first();
   await expect(first).toContainText('G76 X');
-  // The list is far outside of the page until its place has been measured.
+  // The list is positioned far outside the page until it has been measured.
   await expect.poll(async () => (await first.boundingBox())?.y ?? -1).toBeGreaterThan(0);
   const box = (await first.boundingBox())!;
   await page.mouse.move(box.x + box.width / 2, box.y + box.height / 2);
@@ -109,9 +109,7 @@ test('a proposal that is pressed while the list catches up is taken', async ({ p
   await expect(editor(page)).toBeFocused();
 });
 
-test('the list is turned off with one switch, which is remembered, and comes when it is asked for', async ({
-  page,
-}) => {
+test('one remembered switch turns the list off, and Ctrl+Space still opens it', async ({ page }) => {
   await open(page);
   await type(page, HEAD);
   await page.keyboard.press('F1');
@@ -126,13 +124,13 @@ test('the list is turned off with one switch, which is remembered, and comes whe
   await expect(list(page)).toHaveCount(0);
   await page.keyboard.press('Control+Space');
   await expect(list(page)).toContainText('G76');
-  // Tab leaves the editor where there is no list.
+  // Tab leaves the editor when no list is open.
   await page.keyboard.press('Escape');
   await page.keyboard.press('Tab');
   await expect(editor(page)).not.toBeFocused();
 });
 
-test('nothing of it is loaded before the reader is in the text', async ({ page }) => {
+test('completion is not loaded before the editor has the focus', async ({ page }) => {
   const loaded = (): Promise<number> =>
     page.evaluate(
       () =>

@@ -1,4 +1,4 @@
-// Cycles on the page: every example runs, a stroke says which pass it is, and a program can be expanded.
+// Cycles on the page: every example runs, a stroke names its pass, and a program can be expanded.
 import { expect, test, type Page } from './engines';
 import {
   between,
@@ -24,9 +24,9 @@ interface Summary {
 
 const CYCLE_CALL = /^\s*(N\d+\s*)?G7[0-6]\b/m;
 
-test('every example opens without an error and draws what is expected of it', async ({ page }) => {
+test('every example opens without an error and draws the expected motions', async ({ page }) => {
   await open(page);
-  // The newest report on each text the editor has held.
+  // The latest report for each text of the editor.
   await page.locator('gcode-playground').evaluate((element) => {
     const found: Record<string, Summary> = {};
     Reflect.set(window, 'reports', found);
@@ -49,7 +49,7 @@ test('every example opens without an error and draws what is expected of it', as
   }
 });
 
-test('a roughing pass names its cycle, its number and its step', async ({ page }) => {
+test('a roughing pass shows its cycle, its number and its step', async ({ page }) => {
   await open(page, '#s003-g71');
   await expect(status(page)).toContainText(`${motionCount('s003-g71')} motions`);
   await expect(status(page)).toContainText('no problems');
@@ -57,16 +57,16 @@ test('a roughing pass names its cycle, its number and its step', async ({ page }
   await page.mouse.move(place.x, place.y);
   await expect(tooltip(page)).toContainText('line 4');
   await expect(tooltip(page)).toContainText(/G71, pass 2 of 10: cut at feed to X33\.5 Z-60\.3/);
-  // The pointer rests: what the whole block does comes under it.
+  // While the pointer rests, the effect of the whole block is shown below.
   await expect(tooltip(page)).toContainText(/G71: 10 passes/);
 });
 
-test('a program is expanded, read, copied, taken over, and brought back', async ({ page }) => {
+test('a program is expanded, read, copied, replaced by the expanded one, and restored', async ({ page }) => {
   await open(page, '#s003-g71');
   const motions = `${motionCount('s003-g71')} motions`;
   await expect(status(page)).toContainText(motions);
 
-  await test.step('by keyboard: opened, read, closed', async () => {
+  await test.step('opened, read and closed by keyboard', async () => {
     await writeOut(page).focus();
     await page.keyboard.press('Enter');
     const text = dialog(page).getByRole('textbox');
@@ -90,7 +90,7 @@ test('a program is expanded, read, copied, taken over, and brought back', async 
     expect(copied).not.toMatch(CYCLE_CALL);
   });
 
-  await test.step('taken over: the tool path stays', async () => {
+  await test.step('replaced by the expanded program: the tool path is the same', async () => {
     await dialog(page).getByRole('button', { name: 'Put into the editor' }).click();
     await expect(dialog(page)).toBeHidden();
     expect(await value(page)).not.toMatch(CYCLE_CALL);
@@ -99,14 +99,14 @@ test('a program is expanded, read, copied, taken over, and brought back', async 
     await expect(page.getByText('Ctrl Z in the editor restores yours')).toBeVisible();
   });
 
-  await test.step('expanded again, it stays as it is', async () => {
+  await test.step('expanding it again changes nothing', async () => {
     await writeOut(page).click();
     await expect(dialog(page)).toContainText('nothing to expand');
     await expect(dialog(page).getByRole('button', { name: 'Put into the editor' })).toBeHidden();
     await dialog(page).getByRole('button', { name: 'Close' }).click();
   });
 
-  await test.step('undo brings the own program back', async () => {
+  await test.step('undo restores the original program', async () => {
     await editor(page).focus();
     await page.keyboard.press('Control+Z');
     expect(await value(page)).toBe(program('s003-g71'));
@@ -115,7 +115,7 @@ test('a program is expanded, read, copied, taken over, and brought back', async 
   });
 });
 
-test('there is nothing to expand without a motion, and its button speaks three languages', async ({ page }) => {
+test('a program without motions cannot be expanded, and the button has labels in three languages', async ({ page }) => {
   await open(page);
   await expect(writeOut(page)).toBeEnabled();
   await page.getByLabel('Language').selectOption('zh');

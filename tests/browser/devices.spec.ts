@@ -1,4 +1,4 @@
-// Elements in the page of a manual, on a phone, on a dark system and on paper, which only Playwright can pretend.
+// Elements in the page of a manual on a phone, in dark mode and in print, which only Playwright can emulate.
 import { chromiumTest as test, type ChromiumPage, expect } from './engines';
 import { manual, openHtml, settled, type Playground } from './embedded';
 
@@ -44,7 +44,7 @@ for (const width of [320, 375]) {
       expect(await page.evaluate(() => document.documentElement.scrollWidth)).toBeLessThanOrEqual(width);
       await page.screenshot({ path: info.outputPath('phone.png') });
 
-      // A finger over the drawing scrolls the page; once the drawing was tapped, it moves the drawing.
+      // Touch on the drawing scrolls the page; after a tap on the drawing, touch pans the drawing.
       await page
         .locator('gcode-playground')
         .evaluate((element) => element.shadowRoot!.querySelector('canvas')!.scrollIntoView({ block: 'center' }));
@@ -57,7 +57,7 @@ for (const width of [320, 375]) {
         await touch('touchStart', at.y);
         for (let y = at.y; y > at.y - 90; y -= 10) await touch('touchMove', y);
         await touch('touchEnd', at.y - 90);
-        // A page that was flung comes to rest.
+        // Wait until momentum scrolling has stopped.
         await page.evaluate(async () => {
           for (let last = NaN; last !== scrollY; await new Promise((done) => setTimeout(done, 300))) last = scrollY;
         });
@@ -87,7 +87,9 @@ for (const width of [320, 375]) {
   }
 }
 
-test('a light page on a dark system shows a light element, and a page for both a dark one', async ({ page }) => {
+test('with a dark system, a light page shows a light element, and a page for both schemes shows a dark one', async ({
+  page,
+}) => {
   await page.emulateMedia({ colorScheme: 'dark' });
   const ground = (): Promise<number> =>
     page.locator('gcode-playground').evaluate(
@@ -98,7 +100,7 @@ test('a light page on a dark system shows a light element, and a page for both a
           .map(Number)
           .reduce((sum, value) => sum + value, 0) / 3,
     );
-  // A page of its own: what a page said of colours is not forgotten with its text.
+  // Use a new page each time: replacing the content does not reset the colour scheme of a page.
   const heads = {
     plain: '',
     meta: '<meta name="color-scheme" content="light dark">',
@@ -116,7 +118,7 @@ test('a light page on a dark system shows a light element, and a page for both a
 });
 
 for (const view of ['all', 'picture', 'playback', 'code']) {
-  test(`a dark page prints light, with the program in its own lines: view="${view}"`, async ({ page }, info) => {
+  test(`a dark page prints light, with each program line on its own line: view="${view}"`, async ({ page }, info) => {
     await openHtml(
       page,
       manual(element(`view="${view}" caption="Figure 1"`), '<style>:root { color-scheme: dark; }</style>'),
@@ -143,7 +145,7 @@ for (const view of ['all', 'picture', 'playback', 'code']) {
       context.drawImage(image, 0, 0);
       const element = document.querySelector('gcode-playground')!.getBoundingClientRect();
       const { data } = context.getImageData(element.left, element.top, element.width, element.height);
-      // What is hatched is a light grey.
+      // The hatching is light grey.
       let bright = 0;
       for (let at = 0; at < data.length; at += 4) if (data[at]! + data[at + 1]! + data[at + 2]! > 500) bright++;
       return bright / (data.length / 4);
@@ -153,10 +155,10 @@ for (const view of ['all', 'picture', 'playback', 'code']) {
 }
 
 for (const view of ['all', 'picture', 'playback']) {
-  test(`printed before there is a picture, what stands in its place and the program are on paper: view="${view}"`, async ({
+  test(`printing before the picture is ready shows the placeholder and the program: view="${view}"`, async ({
     page,
   }, info) => {
-    // The interpreter never comes.
+    // The interpreter is never loaded.
     await page.route(/\.wasm$/, () => undefined);
     const fallback = '<svg slot="fallback" width="400" height="700"><rect width="400" height="700" fill="#ccc"/></svg>';
     const far = '<div style="height: 4000px"></div>';

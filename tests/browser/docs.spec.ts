@@ -1,4 +1,4 @@
-// The reference: from the help of the page to a document, and between the documents.
+// The reference: links from the help of the page to a document, and between documents.
 import { chromiumTest as test, expect } from './engines';
 import { manual, openHtml, settled } from './embedded';
 import { open } from './page';
@@ -34,7 +34,7 @@ test('the help of the published element leads to its own copy of the reference',
   await expect(reference.getByRole('heading', { level: 1 })).toHaveText('All rules');
 });
 
-test('attributes of the element name the folders of the documents and of the rule pages', async ({ page }) => {
+test('attributes of the element set the folders of the documents and of the rule pages', async ({ page }) => {
   await openHtml(
     page,
     manual(
@@ -53,7 +53,7 @@ test('attributes of the element name the folders of the documents and of the rul
   await expect(rules).toHaveAttribute('href', /^https?:.*\/pages\/en\/index\.html$/);
 });
 
-test('links lead from one document to another, to a part of it, and back to the playground', async ({ page }) => {
+test('links lead from one document to another, to a section of it, and back to the playground', async ({ page }) => {
   await page.goto('./docs/index.html');
   await page.getByRole('main').getByRole('link', { name: 'Supported codes' }).click();
   await expect(page).toHaveURL(/docs\/codes\.html$/);
@@ -67,7 +67,7 @@ test('links lead from one document to another, to a part of it, and back to the 
   await expect(page.locator('gcode-playground')).toBeVisible();
 });
 
-test('a narrow window shows the whole of a wide table by scrolling the table, not the page', async ({ page }) => {
+test('in a narrow window a wide table scrolls, not the page', async ({ page }) => {
   await page.setViewportSize({ width: 400, height: 800 });
   await page.goto('./docs/setup.html');
   const wide = await page.evaluate(() => document.documentElement.scrollWidth - document.documentElement.clientWidth);

@@ -1,4 +1,4 @@
-// Pages with elements of the playground in them, as a manual has them.
+// Pages with elements of the playground in them, as in a manual.
 import { expect, type BasicPage } from './engines';
 
 export interface Playground extends HTMLElement {
@@ -6,16 +6,19 @@ export interface Playground extends HTMLElement {
   readonly settled: Promise<number>;
 }
 
-/** A page of another site: empty and without a policy (www/vite.config.ts serves it). The built element is two folders up. */
+/**
+ * A page of another site: empty and without a policy (served by www/vite.config.ts). The built element is two folders
+ * up.
+ */
 export const FOREIGN = './foreign/site/page.html';
 export const SCRIPT = '<script type="module" async src="../../element.js"></script>';
 
-/** A page of this HTML, read by the browser's own parser. */
+/** Opens a page with this HTML, parsed by the browser's own parser. */
 export async function openHtml(page: BasicPage, html: string): Promise<void> {
   await openInPieces(page, html);
 }
 
-/** The HTML comes in pieces; the class of the element is there before the second of them. */
+/** The HTML arrives in pieces; the custom element is defined before the second piece. */
 export async function openInPieces(page: BasicPage, ...pieces: string[]): Promise<void> {
   await page.goto(FOREIGN);
   await page.evaluate(async (pieces) => {
@@ -24,7 +27,7 @@ export async function openInPieces(page: BasicPage, ...pieces: string[]): Promis
       document.write(piece);
       if (piece === pieces.at(-1)) document.close();
       await customElements.whenDefined('gcode-playground');
-      // The page is shown, and what follows it looks at it.
+      // Let the page render before the next piece arrives.
       await new Promise((done) => setTimeout(done, 100));
     }
   }, pieces);
@@ -35,7 +38,7 @@ export function manual(body: string, head = ''): string {
   return `<!doctype html><html lang="en"><head><meta charset="utf-8"><title>A manual</title>${SCRIPT}${head}</head><body>${body}</body></html>`;
 }
 
-/** Waits until an element shows all there is to show. */
+/** Waits until an element has finished loading and rendering. */
 export async function settled(page: BasicPage, which = 0): Promise<void> {
   await expect(page.locator('gcode-playground').nth(which)).toBeVisible();
   await page
@@ -44,7 +47,7 @@ export async function settled(page: BasicPage, which = 0): Promise<void> {
     .evaluate(async (element) => void (await (element as Playground).settled));
 }
 
-/** Presses each button of an element once, and closes what opens; how many buttons there were. */
+/** Clicks each button of an element once, and closes what opens. Returns the number of buttons. */
 export function pressEveryButton(page: BasicPage): Promise<number> {
   return page.locator('gcode-playground').evaluate(async (element) => {
     const root = element.shadowRoot!;
@@ -66,7 +69,7 @@ export function programOf(page: BasicPage, which = 0): Promise<string> {
     .evaluate((element) => (element as Playground).value);
 }
 
-/** What stands for `<` and `&` in the text of a page. */
+/** Escapes `<` and `&` for the text of a page. */
 export function escaped(text: string): string {
   return text.replaceAll('&', '&amp;').replaceAll('<', '&lt;');
 }

@@ -1,5 +1,5 @@
-// The element in other people's pages. Which ways of embedding there are, and what comes of each in each engine, is the
-// table in www/docs/element.md: it is what these tests expect, and a row without a test, or a test without a row, fails.
+// The element in other people's pages. The table in www/docs/element.md lists the ways of embedding and the expected
+// result in each engine. A row without a test, or a test without a row, fails.
 import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { test, expect } from './engines';
@@ -9,7 +9,7 @@ import { serve, type ServedSite, type Site } from './sites';
 const FILES = join(__dirname, '..', '..', 'www', 'dist', 'embed');
 const ID = 's000-o0002';
 
-/** What is reported: the motions of the picture that is shown, or what the element says instead. */
+/** The reported result: number of motions of the picture, or the message that the element shows instead. */
 interface Outcome {
   readonly motions?: number;
   readonly strokes?: number;
@@ -17,7 +17,7 @@ interface Outcome {
   readonly after: number;
 }
 
-/** Stands in the page of a manual and reports what comes of its element. `REPORT` is the address. */
+/** Script in the page of a manual that reports the result of its element to the address `REPORT`. */
 const REPORTER = `
 const begun = performance.now();
 const element = document.querySelector('gcode-playground');
@@ -48,20 +48,20 @@ setTimeout(() => {
 }, 4000);
 `;
 
-/** The page of the folder that is one element. */
+/** The page of the folder that contains one element. */
 const FRAME_PAGE = readFileSync(join(FILES, 'index.html'), 'utf8');
 
-/** How a manual embeds the element. `at` is the address of the folder of its files. */
+/** One way in which a manual embeds the element. `at` is the URL of the folder with the element's files. */
 interface Way {
-  /** Another origin has the files. */
+  /** The files are served from another origin. */
   readonly apart?: boolean;
   readonly folder?: string;
   readonly fileHeaders?: Record<string, string>;
-  /** The policy of the page. */
+  /** The Content-Security-Policy of the page. */
   policy?(own: string, other: string): string;
   readonly missing?: RegExp;
   readonly framed?: boolean;
-  /** The page in the frame is that of the folder, with the program in its address. */
+  /** The page in the frame is the one of the folder, with the program in its URL. */
   readonly addressed?: boolean;
 }
 
@@ -101,7 +101,7 @@ const WAYS: Readonly<Record<string, Way>> = {
   'the module is missing': { missing: /^core\.wasm$/ },
 };
 
-/** Where the link of a frame can lead. `OWN` is the origin of the frame. */
+/** Possible targets of the link in a frame. `OWN` is the origin of the frame. */
 const LINKS: readonly { readonly said?: string; readonly named?: string; readonly href: string | null }[] = [
   { href: 'OWN/embed/index.html' },
   { said: '', href: null },
@@ -123,7 +123,7 @@ const LINKS: readonly { readonly said?: string; readonly named?: string; readonl
   { named: 'https://lathe.example/play/', said: 'https://evil.example/', href: 'https://lathe.example/play/' },
 ];
 
-/** The link comes after the picture. */
+/** The link appears after the picture, so wait for the picture first. */
 async function expectNone(leadsTo: () => Promise<string | null>): Promise<void> {
   for (let at = 0; at < 15; at++) {
     expect(await leadsTo()).toBe(null);
@@ -163,7 +163,7 @@ test('"Open in the playground" of a frame leads to its own host, or to the page 
         });
       if (href !== null) await expect.poll(leadsTo, `${said} ${named}`).toBe(href.replace('OWN', own.origin));
       else await expectNone(leadsTo);
-      // Outside a frame there is no link, whatever the address says.
+      // Outside a frame there is no link, whatever the URL contains.
       if (said !== 'https://evil.example/') continue;
       await page.goto(`${own.origin}/embed/copy.html#program=G00%20X1&playground=${encodeURIComponent(said)}`);
       await expectNone(leadsTo);
@@ -173,7 +173,7 @@ test('"Open in the playground" of a frame leads to its own host, or to the page 
   }
 });
 
-/** The cells of the table: `shown` or `message` or `program`, by way and engine. */
+/** The cells of the table (`shown`, `message` or `program`) by way and engine. */
 function expected(): ReadonlyMap<string, Readonly<Record<string, string>>> {
   const document = readFileSync(join(__dirname, '..', '..', 'www', 'docs', 'element.md'), 'utf8');
   const table = document.split('<!-- ways -->')[1]?.split('<!-- /ways -->')[0] ?? '';
@@ -210,7 +210,7 @@ ${program(ID)}
 </html>`;
 }
 
-/** Opens a page that embeds the element in this way; what came of it. */
+/** Opens a page that embeds the element in this way, and returns the result. */
 async function embed(
   way: Way,
   view: string,
@@ -260,12 +260,12 @@ async function closeAll(sites: readonly (ServedSite | undefined)[]): Promise<voi
   await Promise.all(sites.map((site) => site?.close()));
 }
 
-test('the table of ways to embed has the ways that are tested', () => {
+test('the table of ways to embed lists exactly the tested ways', () => {
   expect([...TABLE.keys()].sort()).toEqual(Object.keys(WAYS).sort());
 });
 
 for (const [name, way] of Object.entries(WAYS)) {
-  // The whole element needs no more than the picture does.
+  // The whole element has the same requirements as the picture.
   for (const view of name.startsWith('a strict policy') || name.startsWith('Trusted')
     ? ['picture', 'all']
     : ['picture']) {

@@ -1,10 +1,10 @@
-// Files as they come from machines and old editors: they read well, and saving gives the same bytes back.
+// Files from machines and old editors: they are decoded correctly, and saving gives the same bytes.
 import { expect, test, type Page } from './engines';
 import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { editor, open, openFile, status, value } from './page';
 
-/** Held against the command line too. */
+/** The same cases are tested with the command line. */
 const cases = (
   JSON.parse(readFileSync(join(__dirname, '..', 'encodings.json'), 'utf8')) as {
     encoding: string;
@@ -15,7 +15,7 @@ const cases = (
 
 const encoding = (page: Page) => page.getByRole('combobox', { name: 'Encoding' });
 
-/** A page of its own for each file: a browser asks before it takes more than ten downloads from one. */
+/** Opens a new page for each file: a browser asks for permission after ten downloads from one page. */
 async function openAfresh(page: Page): Promise<void> {
   await page.goto('about:blank');
   await open(page);
@@ -28,10 +28,10 @@ async function save(page: Page): Promise<{ name: string; bytes: Buffer }> {
   return { name: download.suggestedFilename(), bytes: readFileSync(await download.path()) };
 }
 
-/** What the element holds, with every line end as one. */
+/** Text of the element with all line ends normalized to `\n`. */
 const folded = (text: string): string => text.replace(/\r\n?/g, '\n');
 
-/** Puts the cursor after the text a line (from 1) begins with. */
+/** Places the cursor after `text`, the start of a line (from 1). */
 async function cursorBehind(page: Page, line: number, text: string): Promise<void> {
   await editor(page).focus();
   await page.keyboard.press('Control+Home');
@@ -39,7 +39,7 @@ async function cursorBehind(page: Page, line: number, text: string): Promise<voi
   for (let i = 0; i < text.length; i++) await page.keyboard.press('ArrowRight');
 }
 
-test('Chinese, Russian and Western programs read well and are saved as they were', { tag: '@night' }, async ({
+test('Chinese, Russian and Western programs are decoded correctly and saved unchanged', { tag: '@night' }, async ({
   page,
 }) => {
   for (const [i, one] of cases.entries()) {
@@ -57,7 +57,7 @@ test('Chinese, Russian and Western programs read well and are saved as they were
   }
 });
 
-test('bytes of any kind are saved as they were', async ({ page }) => {
+test('arbitrary bytes are saved unchanged', async ({ page }) => {
   const all = Buffer.from(Array.from({ length: 256 }, (_, byte) => byte));
   const odd: [string, Buffer][] = [
     ['mixed.nc', Buffer.from('O1\r\nG0 X1\nG1 Z-1\r\rM8\n\rM30\r\n\u001a', 'latin1')],
@@ -85,7 +85,7 @@ test('bytes of any kind are saved as they were', async ({ page }) => {
   }
 });
 
-test('one word edited is the only change in the file', async ({ page }) => {
+test('editing one word changes nothing else in the file', async ({ page }) => {
   await open(page);
   const head = Buffer.from('O1 (', 'latin1');
   const chinese = Buffer.from([0xb4, 0xd6, 0xb3, 0xb5]);
@@ -96,7 +96,7 @@ test('one word edited is the only change in the file', async ({ page }) => {
   await page.keyboard.type('0');
   expect((await save(page)).bytes).toEqual(Buffer.concat([head, chinese, tail('50')]));
 
-  await test.step('undo brings back a line end of its own kind', async () => {
+  await test.step('undo restores a different line end', async () => {
     await cursorBehind(page, 2, 'G0 X50');
     await page.keyboard.press('Backspace');
     await cursorBehind(page, 3, 'G1 Z-9 F1');
@@ -109,7 +109,7 @@ test('one word edited is the only change in the file', async ({ page }) => {
     expect((await save(page)).bytes).toEqual(Buffer.concat([head, chinese, tail('5')]));
   });
 
-  await test.step('a new line ends as most do', async () => {
+  await test.step('a new line gets the most frequent line end', async () => {
     await cursorBehind(page, 4, '');
     await page.keyboard.type('M9\n');
     const changed = Buffer.from(tail('5').toString('latin1').replace('M30', 'M9\r\nM30'), 'latin1');
@@ -117,7 +117,7 @@ test('one word edited is the only change in the file', async ({ page }) => {
   });
 });
 
-test('a character without a place in the encoding is told, and the file saved as UTF-8', async ({ page }) => {
+test('a character outside of the encoding is reported, and the file is saved as UTF-8', async ({ page }) => {
   await open(page);
   // (Резец)
   const bytes = Buffer.concat([
@@ -142,9 +142,9 @@ test('a character without a place in the encoding is told, and the file saved as
   await expect(page.getByText('Windows-1251 中没有“😀”')).toBeVisible();
 });
 
-test('a wrong guess is put right, also after an edit', async ({ page }) => {
+test('a wrongly detected encoding can be corrected, also after an edit', async ({ page }) => {
   await open(page);
-  // 粗车 between Russian words: GB18030 is not what it was meant to be.
+  // 粗车 between Russian words: GB18030 is not the intended encoding.
   const bytes = Buffer.concat([Buffer.from('O1\n('), Buffer.from([0xb4, 0xd6, 0xb3, 0xb5]), Buffer.from(')\nG0 X1\n')]);
   await openFile(page, 'guess.nc', bytes);
   await expect.poll(() => value(page)).toBe('O1\n(粗车)\nG0 X1\n');
@@ -169,7 +169,9 @@ test('a wrong guess is put right, also after an edit', async ({ page }) => {
   await expect(encoding(page)).toHaveValue('windows-1251');
 });
 
-test('after a reload, and after undoing another file, a program is still saved as its own file', async ({ page }) => {
+test('after a reload, and after undoing another file, a program is still saved in its own encoding', async ({
+  page,
+}) => {
   await open(page);
   const first = Buffer.concat([Buffer.from('(Gr'), Buffer.from([0xf6, 0xdf]), Buffer.from('e)\r\nG0 X1 Z1\nM30\r\n')]);
   await openFile(page, 'first.nc', first);
@@ -194,7 +196,7 @@ test('after a reload, and after undoing another file, a program is still saved a
   expect((await waiting).suggestedFilename()).toBe('program.nc');
 });
 
-test('a file opened by an element that is in no document is refused', async ({ page }) => {
+test('an element outside of a document refuses to open a file', async ({ page }) => {
   await open(page);
   const said = await page.evaluate(async () => {
     const element = document.createElement('gcode-playground') as HTMLElement & { openFile(file: File): Promise<void> };

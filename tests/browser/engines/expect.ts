@@ -1,12 +1,12 @@
-// `expect` for every engine: what Playwright says of its own elements is said here of those of other engines.
-// Each matcher asks again until it holds or the time is up; its message says what was seen last.
+// `expect` for every engine: Playwright's assertions on locators, for the elements of other engines. Each matcher
+// retries until it passes or times out; its message contains the last value seen.
 import { expect as playwrights } from '@playwright/test';
 import { setTimeout as pause } from 'node:timers/promises';
 import type { Question } from './finder';
 import { ForeignLocator, ForeignPage } from './foreign';
 import type { BasicPage, Locator, Text } from './interface';
 
-/** How long a matcher asks, ms; as `expect.timeout` of playwright.config.ts. */
+/** Timeout of a matcher, ms; same as `expect.timeout` in playwright.config.ts. */
 const PATIENCE = 10_000;
 const PAUSE = 60;
 
@@ -65,7 +65,7 @@ function is(actual: unknown, wanted: Text): boolean {
   return wanted instanceof RegExp ? wanted.test(actual) : folded(actual) === folded(wanted);
 }
 
-/** Asks until the answers are as wanted. */
+/** Polls until the values are as expected. */
 async function until<T>(
   page: ForeignPage,
   what: string,
@@ -84,8 +84,8 @@ async function until<T>(
 
 function matchers(of: ForeignLocator, wantsIt: boolean): Matchers {
   /**
-   * Of one element. `none` is what holds where there is no element; without it, neither the
-   * matcher nor its opposite does.
+   * A matcher for one element. `none` is the result if there is no element; without it, neither the matcher nor its
+   * negation passes then.
    */
   const one = (
     name: string,
@@ -140,7 +140,7 @@ function matchers(of: ForeignLocator, wantsIt: boolean): Matchers {
     toHaveJSProperty: (name, value, patience) =>
       one(`toHaveJSProperty ${name} ${String(value)}`, { property: name }, (seen) => seen === value, patience),
     toHaveCount: (count, patience) =>
-      // Their texts, for the error.
+      // Texts of the elements, for the error message.
       until(
         of.owner,
         `${of}: toHaveCount ${count}`,

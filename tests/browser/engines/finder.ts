@@ -1,13 +1,12 @@
-// Runs in the page: finds elements by role, label, text or selector, through shadow roots, and reports how
-// they are. It is put into a page as one script, when it is first needed there. Names and roles are those
-// of dom-accessibility-api.
+// Runs in the page: finds elements by role, label, text or selector through shadow roots, and reports their state. It
+// is injected into a page as one script when it is first needed. Names and roles come from dom-accessibility-api.
 import { computeAccessibleName, getRole } from 'dom-accessibility-api';
 
 export type Wanted =
   | { readonly text: string; readonly exact: boolean }
   | { readonly source: string; readonly flags: string };
 
-/** One step on the way to elements; what it begins with is what the step before has found. */
+/** One step of a locator; it starts from the elements that the previous step has found. */
 export type Step =
   | { readonly by: 'css'; readonly css: string }
   | {
@@ -24,7 +23,7 @@ export type Step =
   | { readonly by: 'nth'; readonly index: number }
   | { readonly by: 'or'; readonly steps: readonly Step[] };
 
-/** What can be asked of elements. */
+/** Queries on elements. */
 export type Question =
   | 'text'
   | 'value'
@@ -66,7 +65,7 @@ const parentOf = (element: Element): Element | null => {
   return element.assignedSlot ?? element.parentElement ?? (root instanceof ShadowRoot ? root.host : null);
 };
 
-/** The text of an element, that of its shadow root included. */
+/** Text of an element, including its shadow root. */
 function textOf(node: Node): string {
   if (node instanceof Text) return node.data;
   if (node instanceof HTMLInputElement && ['button', 'submit'].includes(node.type)) return node.value;
@@ -81,15 +80,15 @@ function visible(element: Element): boolean {
   return width > 0 && height > 0 && element.checkVisibility({ visibilityProperty: true });
 }
 
-/** `getRole` knows of headers of columns only. */
+/** `getRole` only supports column headers. */
 function roleOf(element: Element): string | null {
   const header = element instanceof HTMLTableCellElement && element.tagName === 'TH' && !element.hasAttribute('role');
   return header && element.scope.startsWith('row') ? 'rowheader' : getRole(element);
 }
 
-/** Whether assistive technology hears of an element. */
+/** Whether an element is exposed to assistive technology. */
 function accessible(element: Element): boolean {
-  // Options are drawn by the system, and announced with their list.
+  // The system draws options, and announces them with their list.
   if (element instanceof HTMLOptionElement && element.parentElement instanceof HTMLSelectElement)
     return accessible(element.parentElement);
   for (let at: Element | null = element; at !== null; at = parentOf(at))
@@ -109,7 +108,7 @@ function labels(element: Element): string[] {
   return own === null ? labelled : [own, ...labelled];
 }
 
-/** The innermost elements with a text. */
+/** The innermost elements that contain a text. */
 function byText(node: ParentNode, wanted: Wanted, found: Element[]): void {
   for (const child of childrenOf(node)) {
     if (child instanceof HTMLScriptElement || child instanceof HTMLStyleElement) continue;
@@ -171,7 +170,7 @@ export function find(steps: readonly Step[], from: readonly ParentNode[] = [docu
   return steps.reduce<readonly ParentNode[]>(follow, from) as Element[];
 }
 
-/** The element with the keyboard, within shadow roots. */
+/** The focused element, through shadow roots. */
 export function active(): Element | null {
   let at = document.activeElement;
   while (at?.shadowRoot?.activeElement) at = at.shadowRoot.activeElement;
@@ -192,7 +191,7 @@ function enabled(element: Element): boolean {
   return !element.matches(':disabled') && element.closest('[aria-disabled=true]') === null;
 }
 
-/** The answer for each of the elements. */
+/** Answers the question for each of the elements. */
 export async function ask(steps: readonly Step[], question: Question): Promise<unknown[]> {
   const answer = (element: Element): unknown => {
     switch (question) {
@@ -223,7 +222,7 @@ export async function ask(steps: readonly Step[], question: Question): Promise<u
   return Promise.all(find(steps).map(answer));
 }
 
-/** The one element, or why there is none. */
+/** The only matching element, or the reason why there is none. */
 function one(steps: readonly Step[]): Element | string {
   const found = find(steps);
   if (found.length === 1) return found[0]!;
@@ -236,7 +235,7 @@ export type Ready = { readonly x: number; readonly y: number } | { readonly why:
 
 const frame = (): Promise<void> => new Promise((resolve) => void requestAnimationFrame(() => resolve()));
 
-/** What a click at a place would hit. */
+/** The element that a click at a position would hit. */
 function hit(x: number, y: number): Element | null {
   let [found, root]: [Element | null, Document | ShadowRoot] = [null, document];
   for (;;) {
@@ -248,7 +247,7 @@ function hit(x: number, y: number): Element | null {
   }
 }
 
-/** Where the pointer has to go to act on the one element, once that is seen, at rest, and not covered. */
+/** Position of the pointer for an action on the only element, once it is visible, stable and not covered. */
 export async function ready(steps: readonly Step[], to: 'click' | 'hover'): Promise<Ready> {
   const element = one(steps);
   if (typeof element === 'string') return { why: element };
@@ -271,7 +270,10 @@ export async function ready(steps: readonly Step[], to: 'click' | 'hover'): Prom
   return { why: `it is covered by ${covered}` };
 }
 
-/** Acts on the one element that need no pointer; the answer says why it cannot be done, or is empty. */
+/**
+ * Performs an action without the pointer on the only element. Returns the reason if it is impossible, otherwise an
+ * empty string.
+ */
 export function act(steps: readonly Step[], what: 'focus' | 'fill' | 'select' | 'scroll', text = ''): string {
   const element = one(steps);
   if (typeof element === 'string') return element;
@@ -305,7 +307,7 @@ export function act(steps: readonly Step[], what: 'focus' | 'fill' | 'select' | 
   }
 }
 
-/** Puts a text in at the cursor, all at once. */
+/** Inserts a text at the cursor in one step. */
 export function insert(text: string): void {
   document.execCommand('insertText', false, text);
 }

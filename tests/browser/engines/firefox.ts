@@ -14,7 +14,7 @@ import {
 import { DocumentLeft, type Driver, type Tab, within } from './driver';
 import { program } from './programs';
 
-/** The longest that Firefox may take for an answer, ms; a script may be long. */
+/** Timeout for a response of Firefox, ms; a script may take long. */
 const HANGS = 120_000;
 
 export async function firefox(viewport: { width: number; height: number }): Promise<Driver> {
@@ -43,7 +43,7 @@ export async function firefox(viewport: { width: number; height: number }): Prom
   };
 }
 
-/** What puppeteer calls a key; for it, `Space` is no key but a place. */
+/** puppeteer's name of a key; it has no key named `Space`, only the character. */
 function named(key: string): KeyInput {
   return (key === 'Space' ? ' ' : key === '\n' ? 'Enter' : key) as KeyInput;
 }
@@ -74,7 +74,7 @@ class FirefoxTab implements Tab {
     await this.page.reload({ waitUntil: 'load', timeout: 60_000 });
   }
   async back(): Promise<void> {
-    // puppeteer would wait for a document to load, and one that was put aside does not.
+    // puppeteer would wait for a load event, which a document restored from the back/forward cache does not fire.
     const here = await this.evaluate('performance.timeOrigin');
     await this.evaluate('void setTimeout(() => history.back())');
     while ((await this.evaluate('performance.timeOrigin').catch(() => here)) === here) await pause(20);

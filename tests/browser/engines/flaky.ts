@@ -1,8 +1,8 @@
-// A test that fails once and passes when it is tried again has found something: a fault of the page that shows only
-// sometimes, or a fault of the test. It is named at the end of the run, to be looked at. More than MOST of them fail it.
+// Flaky tests: a test that fails once and passes in a retry indicates an intermittent fault of the page or of the test.
+// They are listed at the end of the run. More than MOST of them fail the run.
 import type { Reporter, TestCase, TestResult } from '@playwright/test/reporter';
 
-/** This many tests of about 1,500 in three engines may need a second attempt before the run has failed. */
+/** Number of tests, of about 1,500 in three engines, that may need a retry before the run fails. */
 const MOST = 2;
 
 export default class Flaky implements Reporter {

@@ -1,5 +1,4 @@
-// A page of an engine that Playwright does not drive, made of its driver and of
-// `finder`, which runs in the page.
+// A page in an engine that Playwright does not drive, built on its driver and on `finder`, which runs in the page.
 import { readdirSync, statSync, writeFileSync } from 'node:fs';
 import { copyFile, mkdtemp, rm } from 'node:fs/promises';
 import { tmpdir } from 'node:os';
@@ -9,22 +8,22 @@ import { DocumentLeft, type Tab } from './driver';
 import type { Question, Ready, Step, Wanted } from './finder';
 import type { Box, Download, Finds, Keyboard, Locator, Mouse, Page, Role, Text } from './interface';
 
-/** How long an act waits until it can be done, ms. */
+/** Timeout of an action, ms. */
 export const PATIENCE = 10_000;
-/** Between two looks, ms. */
+/** Polling interval, ms. */
 const PAUSE = 60;
 
 const wanted = (text: Text, exact = false): Wanted =>
   text instanceof RegExp ? { source: text.source, flags: text.flags } : { text, exact };
 
 /**
- * A function and its arguments as an expression. What a transpiler leaves undefined, such as
- * `this`, is no part of it.
+ * A function and its arguments as an expression. Names that a transpiler leaves undefined, such as `this`, are not part
+ * of it.
  */
 const call = (act: string, args: readonly unknown[]): string =>
   `(${act})(${args.map((each) => (each === undefined ? 'undefined' : JSON.stringify(each))).join(',')})`;
 
-/** The ways to elements; who extends it says where they begin. */
+/** The methods that find elements; subclasses define the starting point. */
 abstract class Finder implements Finds {
   protected abstract step(...steps: Step[]): Locator;
 
@@ -108,7 +107,7 @@ export class ForeignLocator extends Finder implements Locator {
     return this.step({ by: 'or', steps: (other as ForeignLocator).steps });
   }
 
-  /** The answer for each element there is now. */
+  /** Answers for each element that exists now. */
   ask(question: Question): Promise<unknown[]> {
     return this.owner.find('ask', this.steps, question) as Promise<unknown[]>;
   }
@@ -118,7 +117,7 @@ export class ForeignLocator extends Finder implements Locator {
   async all(): Promise<Locator[]> {
     return Array.from({ length: await this.count() }, (_, i) => this.nth(i));
   }
-  /** The answer of the one element, once there is one. */
+  /** Answer for the only element, once it exists. */
   private one(question: Question): Promise<unknown> {
     return this.until(`asking ${JSON.stringify(question)}`, async () => {
       const answers = await this.ask(question);
@@ -197,7 +196,7 @@ export class ForeignLocator extends Finder implements Locator {
   private async act(what: string, text = ''): Promise<void> {
     await this.until(what, async () => ((await this.owner.find('act', this.steps, what, text)) as string) || true);
   }
-  /** Tries until the answer is no reason why not. */
+  /** Retries until the result is not a reason for failure (a string). */
   private async until<T>(what: string, look: () => Promise<T | string>): Promise<T> {
     const end = Date.now() + PATIENCE;
     for (;;) {
@@ -210,8 +209,8 @@ export class ForeignLocator extends Finder implements Locator {
 }
 
 /**
- * An engine that hands on changed sizes in the next frame says so to `window.onerror`. Nothing has failed, and Playwright, which hears of
- * exceptions alone, does not report it in Chromium.
+ * Engines report this to `window.onerror` when a ResizeObserver delivers sizes in the next frame. It is not a failure;
+ * Playwright only listens to exceptions and does not report it in Chromium.
  */
 const LATE_SIZES = 'ResizeObserver loop';
 
@@ -220,12 +219,12 @@ export class ForeignPage extends Finder implements Page {
   readonly mouse: Mouse;
   private readonly listeners: ((error: Error) => void)[] = [];
   private readonly popups: ForeignPage[] = [];
-  /** A page that was opened and is not yet where its link leads. */
+  /** An opened page that has not yet reached the target of its link. */
   private opening: Tab | undefined;
   private folder: Promise<string> | undefined;
   private address = '';
 
-  /** `finder` is the bundle of `finder.ts`; `base` the address that others are relative to. */
+  /** `finder` is the bundle of `finder.ts`; `base` is the base URL. */
   constructor(
     readonly tab: Tab,
     private readonly finder: string,
@@ -253,7 +252,7 @@ export class ForeignPage extends Finder implements Page {
     await this.tellErrors();
     await this.tab.back();
   }
-  /** As it was when `look` was last called. */
+  /** The URL at the last call of `look`. */
   url(): string {
     return this.address;
   }
@@ -277,7 +276,10 @@ export class ForeignPage extends Finder implements Page {
   async addInitScript(act: () => void): Promise<void> {
     await this.tab.addInitScript(call(String(act), []));
   }
-  /** Calls a function of `finder` in the page; one that only looks is called again in the next document where this one is left. */
+  /**
+   * Calls a function of `finder` in the page. A function without side effects is retried in the next document if the
+   * page navigates.
+   */
   async find(name: 'ask' | 'ready' | 'act' | 'insert', ...args: unknown[]): Promise<unknown> {
     const looks = name === 'ask' || name === 'ready';
     for (const end = Date.now() + PATIENCE; ; await pause(PAUSE)) {
@@ -288,7 +290,7 @@ export class ForeignPage extends Finder implements Page {
       }
     }
   }
-  /** Evaluates what needs `finder`, which is put in where a document does not have it yet. */
+  /** Evaluates an expression that needs `finder`, which is injected first if the document does not have it yet. */
   async installedAnd(expression: string): Promise<unknown> {
     const answer = (await this.tab.evaluate(`globalThis.finder ? (async () => [await ${expression}])() : null`)) as
       | [unknown]
@@ -328,7 +330,7 @@ export class ForeignPage extends Finder implements Page {
   }
   private async popup(): Promise<Page | undefined> {
     const tab = (this.opening ??= await this.tab.opened());
-    // On its way it has the address of an empty page, or nobody to ask for one.
+    // While the tab is navigating, its URL is about:blank or cannot be requested.
     if (tab === undefined || (await tab.url().catch(() => 'about:blank')) === 'about:blank') return undefined;
     this.opening = undefined;
     const page = new ForeignPage(tab, this.finder, this.base);
@@ -336,8 +338,7 @@ export class ForeignPage extends Finder implements Page {
     return page;
   }
   /**
-   * The next file that lies complete in the folder of saved files: at rest for a
-   * while, an empty one for long.
+   * The next complete file in the download folder: its size has been stable for a while; an empty file needs longer.
    */
   private async download(): Promise<Download | undefined> {
     const names = readdirSync(this.tab.downloads);
@@ -347,7 +348,7 @@ export class ForeignPage extends Finder implements Page {
       return Date.now() - mtimeMs > (size === 0 ? 1500 : 150);
     });
     if (name === undefined) return undefined;
-    // The folder is emptied, lest the next file be given another name.
+    // Move the file out of the folder; otherwise the next download would get another name.
     const path = join(await mkdtemp(join(await this.scratch(), 'saved-')), name);
     await copyFile(join(this.tab.downloads, name), path);
     await rm(join(this.tab.downloads, name));
@@ -361,7 +362,7 @@ export class ForeignPage extends Finder implements Page {
     for (const error of await this.errors()) for (const listener of this.listeners) listener(new Error(error));
   }
 
-  /** For the message of a failure: where the page is, how far it has come, and its errors. */
+  /** For error messages: URL of the page, its loading state and its errors. */
   async condition(): Promise<string> {
     const told = async (): Promise<string> => {
       const state = await this.tab.evaluate(
@@ -375,11 +376,11 @@ export class ForeignPage extends Finder implements Page {
     return (await this.tab.errors()).filter((error) => !error.includes(LATE_SIZES));
   }
 
-  /** A folder that lives as long as the page. */
+  /** A temporary folder that is deleted with the page. */
   scratch(): Promise<string> {
     return (this.folder ??= mkdtemp(join(tmpdir(), 'playground-page-')));
   }
-  /** Closes it; errors of the page that nobody has heard of yet are reported first. */
+  /** Closes the page, after reporting the remaining errors of the page. */
   async close(): Promise<void> {
     try {
       for (const popup of this.popups) await popup.close();
@@ -418,7 +419,7 @@ function keyboard(tab: Tab, insert: (text: string) => Promise<unknown>): Keyboar
       const held = names.slice(0, -1);
       const key = names.at(-1)!;
       for (const each of held) await tab.keyDown(each);
-      // A letter beside Control is that of the key, without Shift.
+      // A letter together with Control is that of the key, without Shift.
       const plain = key.length === 1 && held.length > 0 && !shift ? key.toLowerCase() : key;
       await tab.keyDown(plain);
       await tab.keyUp(plain);

@@ -1,6 +1,5 @@
-// `test` and `expect` of the tests that run in every engine: the page they are given is Playwright's
-// own in Chromium, and a `ForeignPage` in Firefox and WebKit. Which engine it is stands in the
-// project of playwright.config.ts.
+// `test` and `expect` of the tests that run in every engine: the page is Playwright's own in Chromium, and a
+// `ForeignPage` in Firefox and WebKit. The project in playwright.config.ts selects the engine.
 import {
   test as base,
   type Page as PlaywrightPage,
@@ -26,7 +25,7 @@ interface WorkerFixtures extends WorkerOptions {
   driver: Driver | undefined;
 }
 
-/** Runs in the page: it finds no service workers, as in a browser that has none. */
+/** Runs in the page: removes the service worker API, as in a browser without it. */
 const withoutStoring = (): void => void Reflect.deleteProperty(Navigator.prototype, 'serviceWorker');
 
 const VIEWPORT = { width: 1440, height: 900 };
@@ -50,7 +49,7 @@ const extended = base.extend<TestOptions, WorkerFixtures>({
   ],
   browser: [
     async ({ engine, playwright, launchOptions }, use) => {
-      // Engines that Playwright does not drive have none of its browsers.
+      // Engines that Playwright does not drive use no browser of Playwright.
       const browser = engine === 'chromium' ? await playwright.chromium.launch(launchOptions) : undefined;
       await use(browser as never);
       await browser?.close();
@@ -59,7 +58,7 @@ const extended = base.extend<TestOptions, WorkerFixtures>({
   ],
   page: async ({ driver, browser, server, storing }, use) => {
     if (driver === undefined) {
-      // With windows Chromium lets a page copy at a press; without them it needs this permission.
+      // Headed Chromium lets a page copy after a click; headless Chromium needs this permission.
       const context = await browser.newContext({ permissions: ['clipboard-write'] });
       if (storing === 'off') await context.addInitScript(withoutStoring);
       await use(await context.newPage());
@@ -74,7 +73,7 @@ const extended = base.extend<TestOptions, WorkerFixtures>({
   },
 });
 
-/** What a test of every engine is given, and no more. */
+/** The fixtures of a test for every engine. */
 interface Given extends TestOptions {
   page: Page;
   engine: EngineName;
@@ -82,10 +81,10 @@ interface Given extends TestOptions {
 
 export const test = extended as unknown as TestType<Given, object>;
 
-/** Playwright's own page, which is a `Page`, too, but for types of arguments. */
+/** Playwright's own page, which is also a `Page`, except for some argument types. */
 export type ChromiumPage = PlaywrightPage & Page;
 
-/** For what only Chromium has or reports: the page is Playwright's own, with all it can do. */
+/** For features that only Chromium has or reports: the page is Playwright's own, with its full interface. */
 export const chromiumTest = base.extend<TestOptions>({
   storing: ['off', { option: true }],
   context: async ({ context, storing }, use) => {

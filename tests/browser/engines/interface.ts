@@ -1,14 +1,11 @@
-// What the tests that run in every engine may ask of a page. It is a part of Playwright's interface, so
-// Playwright's own page is one of these, and `ForeignPage` is the other, on top of a driver that knows
-// nothing but scripts, keys and the pointer.
+// The page interface of tests that run in every engine. It is a subset of Playwright's interface, so Playwright's own
+// page implements it; `ForeignPage` is the other implementation, on top of a driver that only supports scripts, keys
+// and the pointer.
 
-/**
- * A text that is looked for: a string is found anywhere, upper and lower case alike,
- * unless it has to be `exact`.
- */
+/** A text to find: a string matches any substring, ignoring case, unless `exact` is set. */
 export type Text = string | RegExp;
 
-/** The roles the page has and the tests ask for. */
+/** Roles that the page uses and the tests query. */
 export type Role =
   | 'alert'
   | 'button'
@@ -56,14 +53,11 @@ export interface Finds {
   getByLabel(text: Text, options?: { exact?: boolean }): Locator;
   getByText(text: Text, options?: { exact?: boolean }): Locator;
   getByPlaceholder(text: Text, options?: { exact?: boolean }): Locator;
-  /** By a CSS selector, through shadow roots; `visible=true` keeps of what was found what can be seen. */
+  /** By a CSS selector, through shadow roots; `visible=true` keeps only the visible elements. */
   locator(selector: string, options?: { has?: Locator; hasText?: Text }): Locator;
 }
 
-/**
- * Elements, found anew whenever something is asked of them. An act waits until there is one
- * element and it can be acted on.
- */
+/** A query that is evaluated again for each call. An action waits until exactly one element matches and is ready. */
 export interface Locator extends Finds {
   filter(options: { has?: Locator; hasText?: Text }): Locator;
   first(): Locator;
@@ -78,7 +72,7 @@ export interface Locator extends Finds {
   focus(): Promise<void>;
   check(): Promise<void>;
   fill(text: string): Promise<void>;
-  /** By the value of the option, or the text that is shown. */
+  /** By the value of the option, or its visible text. */
   selectOption(value: string): Promise<unknown>;
   setInputFiles(file: { name: string; mimeType: string; buffer: Buffer }): Promise<void>;
   scrollIntoViewIfNeeded(): Promise<void>;
@@ -92,11 +86,11 @@ export interface Locator extends Finds {
 }
 
 export interface Keyboard {
-  /** A key with what is held meanwhile: `F9`, `Control+A`, `Alt+Shift+F9`. */
+  /** A key with modifiers: `F9`, `Control+A`, `Alt+Shift+F9`. */
   press(keys: string): Promise<void>;
-  /** Key by key. */
+  /** Types the text key by key. */
   type(text: string, options?: { delay?: number }): Promise<void>;
-  /** All at once, as an input method or a paste does it. */
+  /** Inserts the text in one step, as an input method or a paste does. */
   insertText(text: string): Promise<void>;
 }
 
@@ -108,28 +102,25 @@ export interface Mouse {
   wheel(deltaX: number, deltaY: number): Promise<void>;
 }
 
-/** A file the page has saved. */
+/** A file that the page has saved. */
 export interface Download {
   suggestedFilename(): string;
   path(): Promise<string>;
 }
 
-/** What most tests need of a page. */
+/** The part of the interface that most tests need. */
 export interface BasicPage extends Finds {
   readonly keyboard: Keyboard;
   readonly mouse: Mouse;
   goto(address: string): Promise<unknown>;
   reload(): Promise<unknown>;
-  /** To the page before, as with the button of the browser. */
+  /** Goes back in the history, like the browser's Back button. */
   goBack(): Promise<unknown>;
   url(): string;
-  /**
-   * Evaluates a function in the page; it uses nothing from outside itself, and its
-   * argument and result are JSON.
-   */
+  /** Evaluates a function in the page. It must not use variables from outside; its argument and result are JSON. */
   evaluate<R, A>(act: (argument: A) => R | Promise<R>, argument: A): Promise<R>;
   evaluate<R>(act: () => R | Promise<R>): Promise<R>;
-  /** Runs in every page before its own scripts. */
+  /** Runs in every document before its own scripts. */
   addInitScript(act: () => void): Promise<unknown>;
   setViewportSize(size: { width: number; height: number }): Promise<void>;
   waitForTimeout(ms: number): Promise<void>;
@@ -140,6 +131,6 @@ export interface BasicPage extends Finds {
 
 export interface Page extends BasicPage {
   waitForEvent(event: 'download'): Promise<Download>;
-  /** A page that a link opened beside this one. */
+  /** A page that a link opened in another tab. */
   waitForEvent(event: 'popup'): Promise<Page>;
 }

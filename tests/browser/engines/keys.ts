@@ -1,5 +1,4 @@
-// Keys by the code points that WebDriver gives those without a character of their own:
-// w3.org/TR/webdriver2, 17.4.2.
+// Code points that WebDriver assigns to keys without a character (w3.org/TR/webdriver2, 17.4.2).
 const KEYS: Readonly<Record<string, string>> = {
   Alt: '\ue00a',
   ArrowDown: '\ue015',
@@ -20,7 +19,7 @@ const KEYS: Readonly<Record<string, string>> = {
   Tab: '\ue004',
 };
 
-/** What WebDriver calls a key. */
+/** WebDriver's code of a key. */
 export function keyCode(key: string): string {
   const place = /^F(\d+)$/.exec(key)?.[1];
   return place === undefined ? (KEYS[key] ?? key) : String.fromCharCode(0xe030 + Number(place));
