@@ -1,4 +1,4 @@
-// Files the page saves besides the program: each kind is chosen from the menu, and holds what it should.
+// Exported files: each kind is chosen from the menu and has the expected content.
 import { expect, test, type Page } from './engines';
 import { readFileSync } from 'node:fs';
 import { motionCount, open, openFile, status, tab, type } from './page';
@@ -6,9 +6,9 @@ import { motionCount, open, openFile, status, tab, type } from './page';
 const button = (page: Page) => page.getByRole('button', { name: 'Export' });
 const menu = (page: Page) => page.getByRole('menu', { name: 'Export' });
 
-/** Chooses a kind of file; the name it is saved under and its bytes. */
+/** Chooses a kind of file; returns its file name and bytes. */
 async function save(page: Page, item: RegExp): Promise<{ name: string; bytes: Buffer; text: string }> {
-  // MiniBrowser lists downloads in the window, which leaves the page less and less room.
+  // MiniBrowser lists downloads inside the window, so the page becomes smaller with each one.
   if ((await button(page).count()) === 0) await tab(page, 'state').click();
   const saved = page.waitForEvent('download');
   await button(page).click();
@@ -18,7 +18,7 @@ async function save(page: Page, item: RegExp): Promise<{ name: string; bytes: Bu
   return { name: download.suggestedFilename(), bytes, text: bytes.toString('utf8') };
 }
 
-test('every kind of file holds the program', async ({ page }) => {
+test('every kind of file contains the program', async ({ page }) => {
   await open(page, '#s003-g71');
   const motions = motionCount('s003-g71');
   await expect(status(page)).toContainText(`${motions} motions`);
@@ -82,7 +82,7 @@ test('every kind of file holds the program', async ({ page }) => {
   });
 });
 
-test('files are named after the one that was opened, and the program keeps its encoding', async ({ page }) => {
+test('files are named after the opened file, and the program keeps its encoding', async ({ page }) => {
   await open(page);
   await openFile(
     page,
@@ -141,8 +141,8 @@ test('the menu works by keyboard', async ({ page }) => {
   await expect(button(page)).toBeFocused();
 });
 
-test('without a part the page says so', async ({ page }) => {
-  // An example that names no blank; without a cut there is none to guess.
+test('without a part the page shows a message', async ({ page }) => {
+  // An example without a blank; without a cut, no blank can be assumed.
   await open(page, '#s003-g71');
   await type(page, 'G0 X20 Z2\nM30');
   await expect(status(page)).toContainText('1 motion ');

@@ -1,5 +1,5 @@
-// Files that cannot be loaded, when the page starts and later: a notice with "Try again" stays until all works, nothing
-// claims to be under way, no old picture is without a word, and the page works once the files can be had.
+// Files that fail to load, at the start and later: a notice with "Try again" stays until everything works, no loading
+// state is shown meanwhile, an outdated picture is labelled, and the page works once the files are available.
 import { expect, test, type Page } from './engines';
 import { editor, type } from './page';
 import { DIST, storedSite, type Refusal, type StoredSite } from './stored-site';
@@ -17,7 +17,7 @@ const PARTS = 'Not all of the playground could be loaded';
 interface File {
   readonly pattern: RegExp;
   readonly says: string;
-  /** What the status line says meanwhile. */
+  /** Status line while the file is missing. */
   readonly status: string | RegExp;
 }
 
@@ -34,7 +34,7 @@ const FILES: Readonly<Record<string, File>> = {
   'the editor': { pattern: editorFile(), says: 'The editor could not be loaded', status: /^2 motions/ },
 };
 
-/** The file of the editor; another one has nearly the same name. */
+/** The file of the editor; another file has a similar name. */
 function editorFile(): RegExp {
   const file = /import\("\.\/assets\/(editor-[\w-]+)\.js"\)/.exec(readFileSync(join(DIST, 'element.js'), 'utf8'))?.[1];
   if (file === undefined) throw new Error('element.js imports no editor');
@@ -57,7 +57,7 @@ const oldPicture = (page: Page) => page.getByText('Old picture: the current prog
 const notice = (page: Page, says: string) => page.getByRole('alert').filter({ hasText: says });
 const online = (page: Page) => page.evaluate(() => void dispatchEvent(new Event('online')));
 
-/** All works, and nothing says otherwise. */
+/** Everything works, and no message says otherwise. */
 async function works(page: Page, motions: number): Promise<void> {
   await expect(status(page)).toContainText(`${motions} motions`);
   await expect(status(page)).toContainText('problem');
@@ -67,7 +67,7 @@ async function works(page: Page, motions: number): Promise<void> {
   await expect(oldPicture(page)).toHaveCount(0);
 }
 
-/** The notice is there, and nothing claims that the file is being loaded. */
+/** The notice is shown, and no message says that the file is loading. */
 async function fails(page: Page, { says, status: said }: File): Promise<void> {
   await expect(notice(page, says)).toBeVisible();
   await expect(notice(page, says).getByRole('button', { name: 'Try again' })).toBeVisible();
@@ -76,24 +76,24 @@ async function fails(page: Page, { says, status: said }: File): Promise<void> {
   await expect(page.getByText('Reading …')).toHaveCount(0);
 }
 
-/** What makes the page try again. */
+/** Actions that make the page retry. */
 const TRIGGERS: Readonly<Record<Refusal, (page: Page, says: string) => Promise<void>>> = {
   missing: (page) => press(page),
   closed: (page) => online(page),
   corrupted: (page, says) => notice(page, says).getByRole('button', { name: 'Try again' }).click(),
 };
 
-/** Keys in the program, whether or not the editor is there. */
+/** Types into the program, whether or not the editor is loaded. */
 async function press(page: Page): Promise<void> {
   await page.locator('gcode-playground').locator('.cm-content, pre.waiting').focus();
   await page.keyboard.press('Control+End');
   await page.keyboard.insertText(' ');
 }
 
-/** Browsers differ most in these: a module of WebAssembly, and a script that another one imports. */
+/** Browsers differ most in these two: a WebAssembly module, and a script imported by another script. */
 const IN_EVERY_ENGINE = ['the core module', 'the editor'];
 
-/** One way to fail is tried of each file; the others are left to the night. */
+/** One kind of failure per file runs by day; the others run at night. */
 const tagOf = (how: Refusal, everyEngine: boolean): string[] =>
   how !== 'missing' ? ['@night'] : everyEngine ? [] : ['@one-engine'];
 
@@ -120,9 +120,9 @@ for (const [name, file] of Object.entries(FILES)) {
   }
 }
 
-test('the network returns while the editor is tried again', async ({ page, engine }) => {
+test('the network returns while the editor is being retried', async ({ page, engine }) => {
   const site = await storedSite();
-  // WebKit keeps no failure of an import, and asks for the same address.
+  // WebKit does not cache a failed import, and requests the same URL.
   site.refuse(editorFile(), 'closed', engine === 'webkit' ? /editor/ : /again=/);
   await page.goto(`${site.address}#${new URLSearchParams(WITH_SETUP)}`);
   await works(page, 2).catch((error: unknown) => {
@@ -142,7 +142,8 @@ for (const how of ['missing', 'closed', 'corrupted'] as const) {
     await page.goto(`${site.address}#${new URLSearchParams(WITH_SETUP)}`);
     await expect(notice(page, library.says)).toBeVisible();
     site.refuse();
-    // Browsers keep the failure of a file that another one imports: all of them that of a script with a fault, Firefox every one.
+    // Browsers cache the failure of a file imported by another file: all of them for a script with a syntax error,
+    // Firefox for every failure.
     await TRIGGERS[how](page, library.says);
     if (how === 'corrupted' || engine === 'firefox')
       await notice(page, 'the page has to be reloaded').getByRole('button', { name: 'Reload' }).click();
@@ -151,7 +152,7 @@ for (const how of ['missing', 'closed', 'corrupted'] as const) {
   });
 }
 
-/** Before the scripts of the page: keeps its workers in `workers`. */
+/** Runs before the scripts of the page: stores its workers in `workers`. */
 const KEEPS_WORKERS = `
   window.workers = [];
   const Own = window.Worker;
@@ -181,7 +182,7 @@ async function open(page: Page, site: StoredSite): Promise<void> {
     .evaluate((element) => (element as HTMLElement & { settled: Promise<number> }).settled);
 }
 
-/** An error of the worker that nothing in it catches. */
+/** Throws an uncaught error in the worker. */
 async function workerFails(page: Page): Promise<void> {
   await page.evaluate(
     () =>
@@ -191,14 +192,14 @@ async function workerFails(page: Page): Promise<void> {
   );
 }
 
-test('an error of the worker: the notice stays until a program has run', async ({ page }) => {
+test('after an error of the worker, the notice stays until a program has run', async ({ page }) => {
   const site = await storedSite();
   await open(page, site);
   await workerFails(page);
   const failed = notice(page, 'The interpreter failed');
   await expect(failed).toBeVisible();
   await expect(status(page)).toHaveText('—');
-  // The picture is that of the program as it is.
+  // The picture is that of the current program.
   await expect(oldPicture(page)).toHaveCount(0);
   await failed.getByRole('button', { name: 'Try again' }).click();
   await works(page, 2);
@@ -210,13 +211,13 @@ test('an error of the worker: the notice stays until a program has run', async (
 });
 
 for (const how of ['missing', 'closed', 'corrupted'] as const) {
-  test(`an error of the worker, whose script is ${how} then`, { tag: tagOf(how, false) }, async ({ page }) => {
+  test(`an error of the worker while its script is ${how}`, { tag: tagOf(how, false) }, async ({ page }) => {
     const site = await storedSite();
     const worker = FILES['the script of the worker']!;
     await open(page, site);
     site.refuse(worker.pattern, how);
     await workerFails(page);
-    // A worker that had been kept by the browser still starts.
+    // A worker script that the browser has cached still starts.
     await expect(page.getByRole('alert').filter({ hasText: 'The interpreter' })).toBeVisible();
     await workerFails(page);
     await expect(
@@ -237,7 +238,7 @@ const LATER = {
 
 for (const [name, { program, motions }] of Object.entries(LATER)) {
   for (const how of ['missing', 'closed', 'corrupted'] as const) {
-    test(`what ${name} needs is ${how}`, { tag: tagOf(how, false) }, async ({ page }) => {
+    test(`the part for ${name} is ${how}`, { tag: tagOf(how, false) }, async ({ page }) => {
       const site = await storedSite();
       const pattern = /\/early-[\w-]{8}\.wasm$/;
       site.refuse(pattern, how);
@@ -267,7 +268,7 @@ for (const [name, { program, motions }] of Object.entries(LATER)) {
   }
 }
 
-test('the sentences of another language are missing', async ({ page }) => {
+test('the messages of another language are missing', async ({ page }) => {
   const site = await storedSite();
   await open(page, site);
   site.refuse(/\/ru-[\w-]{8}\.txt$/);
@@ -284,7 +285,7 @@ test('the sentences of another language are missing', async ({ page }) => {
   await site.stop();
 });
 
-test('the codes are missing: what was asked is answered when they can be had', async ({ page }) => {
+test('the codes are missing, and the request is answered once they are available', async ({ page }) => {
   const site = await storedSite();
   site.refuse(/\/late-[\w-]{8}\.wasm$/);
   await page.goto(`${site.address}#${new URLSearchParams({ program: PROGRAM, setup: '{}' })}`);
@@ -299,7 +300,7 @@ test('the codes are missing: what was asked is answered when they can be had', a
   await site.stop();
 });
 
-test('the proposals of the editor are missing', { tag: '@one-engine' }, async ({ page }) => {
+test('the completions of the editor are missing', { tag: '@one-engine' }, async ({ page }) => {
   const site = await storedSite();
   await open(page, site);
   site.refuse(/\/completion-[\w-]{8}\.js$/);
@@ -312,7 +313,7 @@ test('the proposals of the editor are missing', { tag: '@one-engine' }, async ({
   await site.stop();
 });
 
-test('the panels are missing, and other files as well: one notice after the other', async ({ page }) => {
+test('panels and other files are missing, and the notices are shown one at a time', async ({ page }) => {
   const site = await storedSite();
   const either = (...patterns: readonly RegExp[]): RegExp => new RegExp(patterns.map(({ source }) => source).join('|'));
   const panels = /\/further-[\w-]{8}\.js$/;
@@ -330,7 +331,7 @@ test('the panels are missing, and other files as well: one notice after the othe
   await site.stop();
 });
 
-test('typing tries again at most every two seconds', { tag: '@one-engine' }, async ({ page }) => {
+test('typing retries at most every two seconds', { tag: '@one-engine' }, async ({ page }) => {
   const site = await storedSite();
   const { pattern } = FILES['the core module']!;
   site.refuse(pattern);
@@ -347,7 +348,7 @@ test('typing tries again at most every two seconds', { tag: '@one-engine' }, asy
   const seconds = (Date.now() - begun) / 1000;
   const attempts = site.asked.filter((path) => pattern.test(path)).length - before;
   expect(attempts).toBeGreaterThan(0);
-  // Two more: one at the first key, one that was under way.
+  // Two more: one at the first key, and one that was already running.
   expect(attempts).toBeLessThanOrEqual(Math.ceil(seconds / 2) + 2);
   await expect(notice(page, INTERPRETER)).toBeVisible();
   await site.stop();

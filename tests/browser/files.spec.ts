@@ -1,10 +1,10 @@
-// Files and pasted texts on the page: dropped anywhere, what is said of them, and how long the program takes.
+// Files and pasted texts: dropped anywhere, messages about them, and the machining time.
 import { expect, test, type Page } from './engines';
 import { copy, drawing, editor, motionCount, open, openFile, status, value } from './page';
 
 const notice = (page: Page) => page.getByRole('alert');
 
-/** Drops a file on an element that a selector finds, through shadow roots; says whether the page took it. */
+/** Drops a file on the element that a selector finds, through shadow roots. Returns whether the page accepted it. */
 async function drop(page: Page, where: 'the drawing' | 'the header', name: string, text: string): Promise<boolean> {
   return page.evaluate(
     ({ where, name, text }) => {
@@ -31,30 +31,30 @@ for (const where of ['the drawing', 'the header'] as const) {
     await expect(notice(page)).toContainText('Opened dropped.nc');
     await expect(status(page)).toContainText('2 motions');
     expect(await value(page)).toBe(text);
-    // Nothing says any more that a file is held over the page.
+    // The drop indicator is hidden again.
     await expect(page.locator('gcode-playground')).not.toHaveAttribute('data-drop', /./);
   });
 }
 
-test('what was said of a file goes with its program', async ({ page }) => {
+test('the message about a file disappears with its program', async ({ page }) => {
   await open(page);
   const opened = (name: string) => openFile(page, name, new TextEncoder().encode('G00 X40 Z2\nG01 Z-10 F0.2\n'));
   await opened('mine.nc');
   await expect(notice(page)).toContainText('Opened mine.nc');
 
-  await test.step('an edit leaves it', async () => {
+  await test.step('an edit keeps the message', async () => {
     await editor(page).focus();
     await page.keyboard.press('Control+End');
     await page.keyboard.type('X50');
     await expect(status(page)).toContainText('3 motions');
     await expect(notice(page)).toContainText('Opened mine.nc');
   });
-  await test.step('another program does not', async () => {
+  await test.step('another program removes the message', async () => {
     await page.getByLabel('Example').selectOption('s003-g71');
     await expect(status(page)).toContainText(`${motionCount('s003-g71')} motions`);
     await expect(notice(page)).toBeHidden();
   });
-  await test.step('nor does undo, which brings the program before it back', async () => {
+  await test.step('undo, which restores the previous program, does not bring the message back', async () => {
     await opened('again.nc');
     await expect(notice(page)).toContainText('Opened again.nc');
     await editor(page).focus();
@@ -64,7 +64,7 @@ test('what was said of a file goes with its program', async ({ page }) => {
   });
 });
 
-test('a stray character in a pasted program is worth a line, which leads to the dialog', async ({ page }) => {
+test('a stray character in a pasted program is reported in one line, which opens the dialog', async ({ page }) => {
   await open(page);
   const text = 'O1\nG00 X32， Z2\nG01 X30 Z-30 F0.2\nM30\n';
   await copy(page, text);
@@ -82,7 +82,7 @@ test('a stray character in a pasted program is worth a line, which leads to the 
   expect(await value(page)).toBe(text.replace('，', ''));
 });
 
-test('the time is there without playing, and what each tool does in a table', async ({ page }) => {
+test('the time is shown before playing, and a table lists the work of each tool', async ({ page }) => {
   await open(page);
   const text = 'T0101 M3 S1000\nG98\nG00 X40 Z2\nG01 Z-10 F60\nT0202\nG00 X30 Z2\nG01 Z-4 F60\nM30\n';
   await openFile(page, 'two-tools.nc', new TextEncoder().encode(text));

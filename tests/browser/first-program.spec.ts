@@ -1,18 +1,18 @@
-// A student's first minutes: type a program, read the picture, make a mistake, find the block of a stroke.
+// A student's first minutes: type a program, read the drawing, make a mistake, find the block of a stroke.
 import { expect, test } from './engines';
 import { kept } from './own-programs';
 import { between, editor, locate, open, problems, program, selected, status, tooltip, type, value } from './page';
 
 test('types O0002, reads its strokes, breaks a line, selects a block from the picture', async ({ page }) => {
   await open(page);
-  // Its blank and start point come from the gallery; the text is typed.
+  // The blank and the start point come from the gallery; the text is typed.
   await page.getByLabel('Example').selectOption('s000-o0002');
   await expect(page.getByLabel('Control')).toHaveValue('gsk');
   await type(page, program('s000-o0002'));
   await expect(status(page)).toContainText(/^42 motions/);
   await expect(status(page)).toContainText('no problems');
 
-  // Strokes of several blocks lie on each other here: the one that ends nearest to the pointer is named.
+  // Strokes of several blocks overlap here: the tooltip names the one that ends nearest to the pointer.
   await test.step('the rapid of line 7 ends at X80', async () => {
     const place = await between(page, { x: 90, z: 3 }, { x: 80, z: 3 });
     await page.mouse.move(place.x, place.y);
@@ -27,7 +27,7 @@ test('types O0002, reads its strokes, breaks a line, selects a block from the pi
     await expect(tooltip(page)).toContainText('X105');
   });
 
-  await test.step('a broken line gets its squiggle at the column', async () => {
+  await test.step('a syntax error is underlined at its column', async () => {
     await page.getByText('X110 Z-30', { exact: false }).first().click();
     await page.keyboard.press('Home');
     for (let i = 0; i < 'X110 '.length; i++) await page.keyboard.press('ArrowRight');
@@ -46,7 +46,7 @@ test('types O0002, reads its strokes, breaks a line, selects a block from the pi
   });
 
   await test.step('a click on a stroke selects its block', async () => {
-    // The cone's last cut, X60 Z-30 to X120 Z-80, is line 14's alone.
+    // The cone's last cut, X60 Z-30 to X120 Z-80, belongs only to line 14.
     const place = await between(page, { x: 60, z: -30 }, { x: 120, z: -80 }, 0.4);
     await page.mouse.move(place.x, place.y);
     await expect(tooltip(page)).toContainText('line 14');
@@ -56,7 +56,7 @@ test('types O0002, reads its strokes, breaks a line, selects a block from the pi
   });
 });
 
-test('a pointer at rest names what lies under it once the program has changed', async ({ page }) => {
+test('a resting pointer shows the stroke under it after the program has changed', async ({ page }) => {
   await open(page);
   await type(page, 'G0 X50 Z2\nG1 Z-20 F0.2\n');
   await expect(status(page)).toContainText(/^2 motions/);
@@ -67,21 +67,21 @@ test('a pointer at rest names what lies under it once the program has changed', 
   await expect(tooltip(page)).toContainText('line 3');
 });
 
-test('the picture keeps its scale under the pointer while zooming, and fits again', async ({ page }) => {
+test('the drawing keeps the point under the pointer while zooming, and can be fitted again', async ({ page }) => {
   await open(page);
   const before = await locate(page, 60, -30);
   await page.mouse.move(before.x, before.y);
   await page.mouse.wheel(0, -400);
   await expect.poll(async () => (await locate(page, 120, -110)).x).toBeLessThan(before.x - 400);
   const after = await locate(page, 60, -30);
-  // The pointer's place is whole pixels; 400 px of wheel magnify the part lost by two.
+  // Pointer coordinates are whole pixels; zooming by 400 px of wheel magnifies the lost fraction by two.
   expect(Math.hypot(after.x - before.x, after.y - before.y)).toBeLessThan(2);
   await page.getByRole('button', { name: 'Show all' }).click();
   const fitted = await locate(page, 60, -30);
   expect(Math.hypot(fitted.x - before.x, fitted.y - before.y)).toBeLessThan(1);
 });
 
-test('what was typed is there again after a reload, and can be let go', async ({ page }) => {
+test('typed text is restored after a reload, and can be discarded', async ({ page }) => {
   await open(page);
   await expect(page.getByText('Restored your last program')).toHaveCount(0);
   await type(page, 'G0 X50 Z2\nG1 Z-20 F0.2\n');
@@ -92,7 +92,7 @@ test('what was typed is there again after a reload, and can be let go', async ({
   await expect(status(page)).toContainText(/^42 motions/);
 });
 
-test('an example that was changed is there again after a reload, and can be reset', async ({ page }) => {
+test('a changed example is restored after a reload, and can be reset', async ({ page }) => {
   await open(page, '#s003-g71');
   await expect.poll(() => value(page)).toBe(program('s003-g71'));
   await editor(page).focus();
@@ -104,7 +104,7 @@ test('an example that was changed is there again after a reload, and can be rese
   await expect.poll(() => value(page)).toBe(program('s003-g71'));
 });
 
-test('play moves the tool and marks its block; steps end at the ends of motions', async ({ page }) => {
+test('play moves the tool and marks its block, and steps stop at the ends of motions', async ({ page }) => {
   await open(page);
   await page.getByRole('button', { name: 'Next motion' }).click();
   const place = page.getByRole('slider', { name: 'Position along the path' });

@@ -1,5 +1,5 @@
-// Ten questions of a student in the first week, written down before the help was made: each is answered on the page within two
-// acts, a click on the word and one on "At the cursor".
+// Ten questions of a student in the first week, written before the help existed. Each is answered on the page in at
+// most two actions: a click on the word and one on "At the cursor".
 import { expect, test } from './engines';
 import { atCursor, open, type } from './page';
 
@@ -27,7 +27,7 @@ const SHAFT = [
   'M30',
 ].join('\n');
 
-/** A question, the line (from 1) and the word that it is about, and what of the answer has to be there. */
+/** A question, its line (from 1) and word, and the expected parts of the answer. */
 interface Asked {
   readonly question: string;
   readonly line: number;
@@ -102,7 +102,7 @@ const QUESTIONS: readonly Asked[] = [
 ];
 
 for (const locale of ['en', 'zh', 'ru'] as const) {
-  test(`ten questions of the first week are answered within two acts, ${locale}`, async ({ page }) => {
+  test(`ten questions of the first week are answered in two actions, ${locale}`, async ({ page }) => {
     await open(page);
     await page.locator('#language').selectOption(locale);
     await type(page, SHAFT);
@@ -112,7 +112,7 @@ for (const locale of ['en', 'zh', 'ru'] as const) {
         .nth(line - 1)
         .getByText(word, { exact: true })
         .click();
-      // Closed again for the next question.
+      // Close it again for the next question.
       await atCursor(page).locator('.at-cursor-toggle').click();
       await expect(atCursor(page)).toContainText(answer[locale]);
       await atCursor(page).locator('.at-cursor-toggle').click();

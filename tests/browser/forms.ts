@@ -1,7 +1,7 @@
-// The forms in which the page of a manual has a program.
+// Ways in which the page of a manual contains a program.
 import { escaped } from './embedded';
 
-/** What Markdown, HTML and templates like to eat. */
+/** Contains characters that Markdown, HTML and templates interpret. */
 export const PROGRAM = `O0001 (*EMPHASIS* _HERE_ \`AND\` [HERE](THERE))
 #100=#1*2+#3*4
 

@@ -1,22 +1,22 @@
-// The gallery: what is loaded when, searching it, and an example that is compared with another.
+// The gallery: lazy loading, search, and examples that are compared with another one.
 import { expect, test, type Page } from './engines';
 import { examples, motionCount, open, program, status, value } from './page';
 
 const button = (page: Page) => page.getByRole('button', { name: 'Gallery…' });
 const gallery = (page: Page) => page.getByRole('dialog', { name: 'Gallery' });
 
-test('an example is found by what it is about, and opened', async ({ page }) => {
+test('an example is found by its topic, and opened', async ({ page }) => {
   await open(page);
   await button(page).click();
   await expect(gallery(page).getByRole('status')).toHaveText(`${examples.length} examples`);
   await expect(gallery(page).getByRole('heading', { name: 'Threads' })).toBeVisible();
-  await test.step('with a picture of each program that cuts', async () => {
+  await test.step('each program with a cut has a picture', async () => {
     const drawn = await gallery(page)
       .getByRole('listitem')
       .evaluateAll((cards: readonly Element[]) =>
         cards.map((card) => card.querySelector('path.cut')?.getAttribute('d') ?? ''),
       );
-    // G50 and G96 set speeds, and move nothing.
+    // G50 and G96 only set speeds; nothing moves.
     expect(drawn.filter((path) => path === '')).toHaveLength(1);
     expect(drawn.join(' ')).not.toContain('NaN');
   });
@@ -33,7 +33,7 @@ test('an example is found by what it is about, and opened', async ({ page }) => 
   expect(await value(page)).toBe(program('syn-g84-tap'));
 });
 
-test('an address names an example, and going elsewhere opens another', async ({ page }) => {
+test('a URL selects an example, and changing the URL opens another one', async ({ page }) => {
   await open(page, '#s003-g71');
   await expect(status(page)).toContainText(`${motionCount('s003-g71')} motions`);
   await expect(page.getByText('Added to the printed program: M03 S600, M30')).toBeVisible();
@@ -44,12 +44,14 @@ test('an address names an example, and going elsewhere opens another', async ({ 
   await expect(page.getByLabel('Example')).toHaveValue('s003-g74');
 });
 
-test('an address that names nothing leads to the first example', async ({ page }) => {
+test('a URL with an unknown example opens the first example', async ({ page }) => {
   await open(page, '#no-such-example');
   await expect(status(page)).toContainText(`${motionCount('s000-o0002')} motions`);
 });
 
-test('the wrong part is laid over the right one, and the next example stands alone', async ({ page }) => {
+test('the wrong part is compared with the right one, and the next example is shown without comparison', async ({
+  page,
+}) => {
   await open(page, '#s004-g94-wrong');
   const differences = page.getByRole('button', { name: 'End comparison' });
   await expect(differences).toBeVisible();
@@ -57,13 +59,13 @@ test('the wrong part is laid over the right one, and the next example stands alo
   await page.getByLabel('Example').selectOption('s001-frag-g94');
   await expect(status(page)).toContainText(`${motionCount('s001-frag-g94')} motions`);
   await expect(differences).toBeHidden();
-  // From the list as from the address.
+  // Choosing it from the list has the same effect as the URL.
   await page.getByLabel('Example').selectOption('s004-g94-wrong');
   await expect(differences).toBeVisible();
   expect(await value(page)).toBe(program('s004-g94-wrong'));
 });
 
-test('no example greets with a warning but the one it is about', async ({ page }) => {
+test('examples show no warnings except the ones they demonstrate', async ({ page }) => {
   await open(page);
   for (const id of ['s003-g71', 's003-g76', 's004-g94-right', 's001-o6003', 'syn-four-tools', 'syn-macro-ellipse']) {
     await page.getByLabel('Example').selectOption(id);

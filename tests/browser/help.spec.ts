@@ -1,4 +1,4 @@
-// Help at the word and the state at the cursor: by keys, by the pointer, in three languages.
+// Help for the word and the state at the cursor: by keyboard, by pointer, in three languages.
 import { expect, test, type BasicPage, type Locator } from './engines';
 import { atCursor, editor, goTo, open, status, tab, type } from './page';
 
@@ -11,7 +11,7 @@ const row = (page: BasicPage, name: string): Locator =>
     .getByRole('row')
     .filter({ has: page.getByRole('rowheader', { name, exact: true }) });
 
-/** What is read out from now on; it stands there for a moment only. */
+/** Records announcements from now on; the live region shows each only for a moment. */
 async function announcements(page: BasicPage): Promise<() => Promise<string>> {
   await page.locator('.cm-announced').evaluate((live) => {
     const heard: string[] = [];
@@ -32,7 +32,7 @@ const IN_WORDS = {
 } as const;
 
 for (const locale of ['en', 'zh', 'ru'] as const) {
-  test(`what is Q here, by keys alone, ${locale}`, async ({ page }) => {
+  test(`the meaning of Q is shown by keys alone, ${locale}`, async ({ page }) => {
     await open(page);
     await page.locator('#language').selectOption(locale);
     await type(page, THREAD);
@@ -43,16 +43,16 @@ for (const locale of ['en', 'zh', 'ru'] as const) {
     await expect(panel).toContainText('Q400');
     await expect(panel).toContainText(IN_WORDS[locale].peck);
     await expect(panel).toContainText('0.4');
-    // It is read out, too.
+    // It is also announced.
     await expect.poll(heard).toContain(IN_WORDS[locale].peck);
-    // The code of the same block, and what is in force there.
+    // The code of the same block, and the active modal codes.
     await page.keyboard.press('Home');
     await expect(panel).toContainText('G76');
     await expect(panel).toContainText(IN_WORDS[locale].thread);
   });
 }
 
-test('the form of the block says what is missing and what is assumed for what is left out', async ({ page }) => {
+test('the signature of the block shows missing words and the defaults of omitted ones', async ({ page }) => {
   await open(page);
   await type(page, THREAD.replace(' P1299', ''));
   await goTo(page, 6, 'G76 X27.4 Z-25 '.length);
@@ -61,15 +61,15 @@ test('the form of the block says what is missing and what is assumed for what is
   await expect(form.locator('.missing').last()).toHaveText('P thread height, on radius. Missing.');
   await expect(form.locator('mark')).toHaveText('Q');
   await expect(form.locator('li.left-out')).toContainText('taper of the thread');
-  // It takes room; the block it is about stays in sight.
+  // The panel takes space; the block stays visible.
   await expect(page.locator('.cm-line').filter({ hasText: 'Q400' })).toBeInViewport();
-  // Written, it is missing no longer, and the block says what it makes.
+  // Once the word is written, it is no longer missing, and the effect of the block is shown.
   await page.keyboard.type('P1299 ');
   await expect(form.locator('.missing')).toHaveCount(0);
   await expect(atCursor(page).locator('.at-cursor-state')).toContainText(/G76: \d+ passes/);
 });
 
-test('the state before and after the block leads to the blocks that set it', async ({ page }) => {
+test('the state before and after the block links to the blocks that set it', async ({ page }) => {
   await open(page);
   await type(page, THREAD);
   await goTo(page, 7, 1);
@@ -79,14 +79,14 @@ test('the state before and after the block leads to the blocks that set it', asy
   await expect(row(page, 'X')).toHaveAttribute('class', /changed/);
   const speed = row(page, 'S').first();
   await expect(speed).toContainText('600');
-  // Buttons are reached by Tab from the text, and lead back into it.
+  // Buttons are reached by Tab from the text, and return the focus to it.
   await speed.getByRole('button', { name: 'To line 3' }).focus();
   await page.keyboard.press('Enter');
   await expect(editor(page)).toBeFocused();
   await expect(atCursor(page)).toContainText('before and after line 3');
 });
 
-test('inside a loop and a call the state is that of each time', async ({ page }) => {
+test('inside a loop and a call the state is that of the selected pass', async ({ page }) => {
   await open(page);
   await type(page, LOOP);
   await goTo(page, 9, 5);
@@ -99,16 +99,16 @@ test('inside a loop and a call the state is that of each time', async ({ page })
   await page.keyboard.press('Enter');
   await expect(panel).toContainText('time 2 of 5');
   await expect(row(page, '#24')).toContainText('38');
-  // A block that nothing comes to says so.
+  // A block that is never executed is described as such.
   await type(page, 'O1\nGOTO 5\nG00 X10\nN5 M30');
   await goTo(page, 3, 1);
   await expect(panel).toContainText('Line 3 is not carried out.');
 });
 
-test('the word under the pointer is explained', async ({ page }) => {
+test('a tooltip explains the word under the pointer', async ({ page }) => {
   await open(page);
   await type(page, THREAD);
-  // What comes with the report moves the lines.
+  // Panels that arrive with the report move the lines, so wait for it.
   await expect(status(page)).toContainText(/\b[1-9] problem/);
   const word = editor(page).locator('.cm-line').nth(4);
   const box = (await word.boundingBox())!;
@@ -119,7 +119,7 @@ test('the word under the pointer is explained', async ({ page }) => {
   await expect(card).toContainText('threading');
   await page.mouse.move(box.x + 8, box.y + 200);
   await expect(card).toBeHidden();
-  // Where there is a problem, that alone is shown: line 6 is too fast for its thread.
+  // Where there is a problem, the tooltip shows only the problem: in line 6 the spindle is too fast for the thread.
   const wrong = (await editor(page).locator('.cm-line').nth(5).boundingBox())!;
   await page.mouse.move(wrong.x + 8, wrong.y + wrong.height / 2);
   await page.mouse.move(wrong.x + 10, wrong.y + wrong.height / 2);
@@ -127,7 +127,7 @@ test('the word under the pointer is explained', async ({ page }) => {
   await expect(page.locator('.word-card')).toHaveCount(0);
 });
 
-test('an answer is that of the newest text', async ({ page }) => {
+test('an answer belongs to the latest text', async ({ page }) => {
   await open(page);
   await type(page, 'G00 X50 Z2\nG01 Z-10 F0.2\nM30');
   await goTo(page, 2, 9);
@@ -138,7 +138,7 @@ test('an answer is that of the newest text', async ({ page }) => {
   await expect(atCursor(page)).toContainText('F0.25');
 });
 
-test('nothing is loaded for it before the reader is in the text', async ({ page }) => {
+test('the help is not loaded before the editor has the focus', async ({ page }) => {
   await open(page);
   await expect(atCursor(page)).toContainText('what the word there is');
   await editor(page).focus();
@@ -146,7 +146,7 @@ test('nothing is loaded for it before the reader is in the text', async ({ page 
   await expect(atCursor(page)).toContainText('no word');
 });
 
-test('on a phone it stands with the problems', async ({ page }) => {
+test('on a phone the help is in the tab of the problems', async ({ page }) => {
   await page.setViewportSize({ width: 460, height: 700 });
   await open(page);
   await tab(page, 'program').click();

@@ -1,18 +1,18 @@
-// The first minute: three hints, each where there is something to do, then silence.
+// The first minute: three hints, each at the control it is about, then none.
 import { expect, test, type Page } from './engines';
 import { editor, open, play, status } from './page';
 
 const hint = (page: Page) => page.getByRole('note');
 const GOT_IT = 'Got it';
 
-test('what the reader does is not hinted at again, and nothing is hinted at in the end', async ({ page }) => {
+test('hints for actions already done are not shown, and finally there are none', async ({ page }) => {
   await open(page);
   await expect(hint(page)).toHaveText(/^Change a number in the program/);
   await editor(page).focus();
   await page.keyboard.press('Control+End');
   await page.keyboard.type('(MY OWN)');
   await expect(hint(page)).toHaveText(/^Play below shows the tool/);
-  // What is said of the change takes room above the button.
+  // The notice about the change takes space above the button.
   await page
     .locator('gcode-playground')
     .evaluate((element) => (element as unknown as { settled: Promise<number> }).settled);
@@ -27,7 +27,7 @@ test('what the reader does is not hinted at again, and nothing is hinted at in t
   await expect(hint(page)).toBeHidden();
 });
 
-test('a hint that is waved away leaves the next one, also after a reload', async ({ page }) => {
+test('a dismissed hint is followed by the next one, also after a reload', async ({ page }) => {
   await open(page);
   await page.getByRole('button', { name: GOT_IT }).click();
   await expect(hint(page)).toHaveText(/^Play below/);

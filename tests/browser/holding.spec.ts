@@ -1,4 +1,4 @@
-// What holds the tool while it plays: lines that the reader marks, single blocks, the block of the cursor.
+// Pausing while the program plays: breakpoints, single-block mode, the block at the cursor.
 import { expect, test, type BasicPage } from './engines';
 import { goTo, open, type } from './page';
 
@@ -16,7 +16,7 @@ const LOOP = [
   'M30',
 ].join('\n');
 
-/** The program, played so quickly that nobody waits. */
+/** Opens the program and plays it fast, so that the test does not wait. */
 async function openLoop(page: BasicPage): Promise<void> {
   await open(page);
   await type(page, LOOP);
@@ -25,7 +25,7 @@ async function openLoop(page: BasicPage): Promise<void> {
 
 const runningLine = (page: BasicPage): Promise<string | null> => page.locator('.cm-running-line').textContent();
 
-test('a marked line holds the tool in each round, and moves with its text', async ({ page }) => {
+test('a breakpoint pauses the tool in each pass, and moves with its line', async ({ page }) => {
   await openLoop(page);
   await goTo(page, 7);
   await page.keyboard.press('Control+F8');
@@ -35,12 +35,12 @@ test('a marked line holds the tool in each round, and moves with its text', asyn
   expect(await runningLine(page)).toBe('G0 Z[5-#1]');
   const first = await page.locator('.cell.x dd').textContent();
   await page.keyboard.press('Control+Enter');
-  // The same line in the second round, with another X.
+  // The same line in the second pass, with another X.
   await expect.poll(() => page.locator('.cell.x dd').textContent()).not.toBe(first);
   await expect(page.getByText('Held before line 7')).toBeVisible();
   await page.keyboard.press('Control+Enter');
   await expect(page.getByRole('button', { name: 'Play', exact: true })).toBeVisible();
-  // A line before it pushes it on; a click on the number takes it away.
+  // A line inserted before it moves the breakpoint; a click on the line number removes it.
   await goTo(page, 1);
   await page.keyboard.press('End');
   await page.keyboard.press('Enter');
@@ -49,7 +49,7 @@ test('a marked line holds the tool in each round, and moves with its text', asyn
   await expect(page.locator('.cm-lineNumbers .cm-breakpoint')).toHaveCount(0);
 });
 
-test('the switch for single blocks holds the tool after each of them', async ({ page }) => {
+test('single-block mode pauses the tool after each block', async ({ page }) => {
   await openLoop(page);
   await page.getByRole('button', { name: 'Single block' }).click();
   const lines = [];
@@ -61,7 +61,7 @@ test('the switch for single blocks holds the tool after each of them', async ({ 
   expect(lines).toEqual(['G0 X50 Z2', 'G1 X[40-#1] F1', 'G0 Z[5-#1]', 'G1 X[40-#1] F1']);
 });
 
-test('the block at the cursor is played alone, or played up to', async ({ page }) => {
+test('the block at the cursor is played alone, or the program is played up to it', async ({ page }) => {
   await openLoop(page);
   await goTo(page, 6);
   await page.keyboard.press('F10');
@@ -71,9 +71,9 @@ test('the block at the cursor is played alone, or played up to', async ({ page }
   await goTo(page, 10);
   await page.keyboard.press('Control+F10');
   await expect(page.getByText('Held before line 10')).toBeVisible();
-  // The cursor's line is marked for this once only.
+  // The pause at the cursor's line is temporary and sets no breakpoint.
   await expect(page.locator('.cm-breakpoint')).toHaveCount(0);
-  // By buttons, too.
+  // The buttons have the same effect.
   await page.keyboard.press('F1');
   await page.getByRole('button', { name: 'Stop here' }).click();
   await expect(page.locator('.cm-lineNumbers .cm-breakpoint')).toHaveText('10');

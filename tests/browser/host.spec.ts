@@ -1,10 +1,10 @@
-// The page around an element: its styles, its direction and its colours, and texts in it that look like scripts.
+// The host page of an element: its styles, direction and colours, and texts that look like scripts.
 import { expect, test, type BasicPage } from './engines';
 import { FOREIGN, manual, openHtml, programOf, settled, type Playground } from './embedded';
 
 const PROGRAM = '#100=#1+5;\nG97 S800 M03\nG00 X52 Z2\nG01 X40 F0.2\nZ-20\nX54\n';
 
-/** What pages do to their texts and buttons. */
+/** Typical global styles of a page for text and buttons. */
 const STYLES = `<style>
   html { font-size: 62.5%; }
   body { letter-spacing: 3px; text-transform: uppercase; font: italic 700 small-caps 30px/3 serif; word-spacing: 1em; text-indent: 3em; text-align: right; white-space: pre;
@@ -20,7 +20,7 @@ interface Looks {
   readonly size: string;
 }
 
-/** How all that is inside of an element looks. */
+/** Computed styles of everything inside an element. */
 function looks(page: BasicPage): Promise<Looks[]> {
   return page.evaluate(() => {
     const root = document.querySelector('gcode-playground')!.shadowRoot!;
@@ -62,7 +62,7 @@ function looks(page: BasicPage): Promise<Looks[]> {
   });
 }
 
-test('an element takes no more of the page than its own height', async ({ page }) => {
+test('an element takes no more space in the page than its own height', async ({ page }) => {
   await openHtml(
     page,
     manual(
@@ -93,7 +93,7 @@ for (const view of ['all', 'playback', 'code']) {
   });
 }
 
-test('in a page that reads from right to left, code and drawing read from left to right', async ({ page }) => {
+test('in a right-to-left page, code and drawing are left to right', async ({ page }) => {
   await openHtml(
     page,
     manual(`<gcode-playground caption="מבחן"><pre>${PROGRAM}</pre></gcode-playground>`).replace(
@@ -127,11 +127,11 @@ test('in a page that reads from right to left, code and drawing read from left t
   expect(right).toBeGreaterThan(left!);
 });
 
-/** The brightness of a corner of the drawing and of the ground of the program, 0 to 255. */
+/** Brightness of a corner of the drawing and of the background of the program, 0 to 255. */
 function brightness(page: BasicPage): Promise<[number, number]> {
   return page.evaluate(async () => {
     const element = document.querySelector('gcode-playground') as Playground;
-    // Colours that the page changes are heard with the next frame.
+    // A colour change of the page takes effect with the next frame.
     await new Promise((done) => setTimeout(done, 200));
     await element.settled;
     const canvas = element.shadowRoot!.querySelector('canvas')!;
@@ -148,7 +148,7 @@ function brightness(page: BasicPage): Promise<[number, number]> {
   });
 }
 
-test('the colours are those of the page around, also when they change', async ({ page }) => {
+test('the element uses the colours of the host page, also when they change', async ({ page }) => {
   const html = `<gcode-playground><pre>${PROGRAM}</pre></gcode-playground>`;
   const expectAll = async (range: 'light' | 'dark'): Promise<void> => {
     const all = await brightness(page);
@@ -162,7 +162,7 @@ test('the colours are those of the page around, also when they change', async ({
   await expectAll('light');
   await page.evaluate(() => document.documentElement.classList.add('night'));
   await expectAll('dark');
-  // The attribute has the last word.
+  // The attribute has priority.
   await page.evaluate(() => document.querySelector('gcode-playground')!.setAttribute('theme', 'light'));
   await expectAll('light');
   await page.evaluate(() => document.querySelector('gcode-playground')!.removeAttribute('theme'));
@@ -171,14 +171,14 @@ test('the colours are those of the page around, also when they change', async ({
   await expectAll('light');
 });
 
-test('what is in the slot fallback is shown until there is a picture, and without the script', async ({ page }) => {
+test('the slot fallback is shown until there is a picture, and without the script', async ({ page }) => {
   const html = `<gcode-playground view="picture"><svg slot="fallback" role="img" aria-label="drawn before" width="100" height="50"></svg><pre slot="fallback">${PROGRAM}</pre><script type="text/x-gcode">${PROGRAM}</script></gcode-playground>`;
   await page.goto(FOREIGN);
   await page.evaluate((html) => void (document.body.innerHTML = html), html);
   const before = page.getByRole('img', { name: 'drawn before' });
   await expect(before).toBeVisible();
   await expect(page.getByText('G97 S800 M03')).toBeVisible();
-  // The class is there, the program is not yet.
+  // The custom element is defined; the program is not there yet.
   await page.evaluate(async () => {
     const element = document.querySelector('gcode-playground')!;
     element.remove();
@@ -205,7 +205,7 @@ const SCRIPTS = [
   '`${window.ran = 5}`',
 ];
 
-test('texts that look like scripts run nothing, wherever they stand', { tag: '@night' }, async ({ page }) => {
+test('texts that look like scripts are not executed anywhere', { tag: '@night' }, async ({ page }) => {
   const quoted = (text: string): string =>
     text.replaceAll('&', '&amp;').replaceAll('"', '&quot;').replaceAll('<', '&lt;');
   const ATTRIBUTES = [
@@ -265,7 +265,7 @@ test('texts that look like scripts run nothing, wherever they stand', { tag: '@n
 
 const ran = (page: BasicPage): Promise<unknown> => page.evaluate(() => Reflect.get(window, 'ran') as unknown);
 
-test('what is stored, and what stands in an address, runs nothing either', { tag: '@night' }, async ({ page }) => {
+test('stored values and URLs do not execute scripts', { tag: '@night' }, async ({ page }) => {
   for (const script of SCRIPTS) {
     await page.goto(FOREIGN);
     await page.evaluate((script) => {

@@ -1,8 +1,8 @@
-// A tab, or the whole browser, that is killed at a random moment while somebody types: at the next start at most the
-// last second is missing.
+// A tab or the whole browser is killed at a random moment during typing; after the next start at most the last second
+// is missing.
 //
-// PLAYGROUND_KILLS says how often; by turns the tab is made to crash and the browser's processes are killed. What was
-// typed, and when, is noted outside of the browser.
+// PLAYGROUND_KILLS is the number of kills; they alternate between crashing the tab and killing the browser's processes.
+// The typed texts and their times are recorded outside of the browser.
 import { chromium, type Browser } from '@playwright/test';
 import { spawn } from 'node:child_process';
 import { mkdtemp, readFile, rm } from 'node:fs/promises';
@@ -12,10 +12,10 @@ import { chromiumTest as test, type ChromiumPage, expect } from './engines';
 import { editor, program, status, value } from './page';
 
 const KILLS = Number(process.env['PLAYGROUND_KILLS'] ?? 8);
-/** What may be missing, ms. */
+/** Longest time whose input may be missing, ms. */
 const MOST_MISSING = 1000;
 
-/** The same moments each time. */
+/** Seeded, so that each run uses the same moments. */
 function random(seed: number): () => number {
   let state = seed;
   return () => {
@@ -27,11 +27,11 @@ function random(seed: number): () => number {
 interface Running {
   readonly browser: Browser;
   page: ChromiumPage;
-  /** Ends all of its processes at once. */
+  /** Kills all processes immediately. */
   kill(): Promise<void>;
 }
 
-/** A browser of its own, with a profile that outlives it. */
+/** Starts a browser with a profile that survives it. */
 async function start(
   profile: string,
   { executablePath, args }: { readonly executablePath?: string; readonly args?: readonly string[] },
@@ -74,19 +74,22 @@ async function start(
   };
 }
 
-/** The tab's process ends; another tab takes its place. */
+/** Crashes the tab's process and opens a new tab. */
 async function crashTab(running: Running): Promise<void> {
   const { page } = running;
   const session = await page.context().newCDPSession(page);
   const crashed = new Promise<void>((done) => page.once('crash', () => done()));
-  // It is never answered.
+  // This command never gets a response.
   void session.send('Page.crash').catch(() => undefined);
   await crashed;
   running.page = (await page.context().newPage()) as ChromiumPage;
   await page.close().catch(() => undefined);
 }
 
-/** The list can have more than what the page begins with: it is shown before the dialog is filled. */
+/**
+ * The list can be newer than the text that the page starts with; the page shows the newer text before it fills the
+ * dialog.
+ */
 async function listCompared(page: ChromiumPage): Promise<void> {
   await page.getByRole('button', { name: 'My programs…' }).click();
   const dialog = page.getByRole('dialog', { name: 'My programs' });
@@ -105,7 +108,7 @@ async function openAt(page: ChromiumPage, address: string): Promise<void> {
     .evaluate((element) => (element as unknown as { settled: Promise<number> }).settled);
 }
 
-test('a tab or a browser that is killed while somebody types loses at most the last second', { tag: '@night' }, async ({
+test('killing a tab or a browser during typing loses at most the last second', { tag: '@night' }, async ({
   baseURL,
   launchOptions,
 }) => {
@@ -124,7 +127,7 @@ test('a tab or a browser that is killed while somebody types loses at most the l
       expect(await value(page), `start ${kill}`).toBe(before);
       await editor(page).focus();
       await page.keyboard.press('Control+End');
-      // What is typed names its place, so that what is there in the end says how much is missing.
+      // Each typed text contains its index, so that the final text shows how much is missing.
       const typed: { readonly at: number; readonly text: string }[] = [{ at: Date.now(), text: before }];
       const until = Date.now() + 300 + next() * 3000;
       for (let n = 0; Date.now() < until; n++) {
@@ -136,14 +139,14 @@ test('a tab or a browser that is killed while somebody types loses at most the l
       const killed = Date.now();
       if (kill % 2 === 0) await crashTab(running);
       else {
-        // No process is asked: none can write anything more.
+        // The processes are not asked to exit, so none can write anything more.
         await running.kill();
         running = await start(profile, launchOptions);
       }
       await openAt(running.page, address);
       await listCompared(running.page);
       const there = await value(running.page);
-      // Nobody else is there: nothing is a conflict.
+      // There is no other tab, so there is no conflict.
       await expect(running.page.locator('#own-news')).toBeEmpty();
       const missing = typed.findIndex(({ text }) => text === there);
       expect(missing, `after kill ${kill}: what is there was typed once:\n${there.slice(-80)}`).toBeGreaterThanOrEqual(

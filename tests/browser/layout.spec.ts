@@ -1,8 +1,8 @@
-// Where things stand: tabs where room is short.
+// Layout: tabs in small windows, and the divider.
 import { expect, test } from './engines';
 import { drawing, editor, open, problems, status, tab, type } from './page';
 
-test('where height is short, tabs show program, problems and state; the drawing stays', async ({ page }) => {
+test('in a low window, tabs show program, problems and state, and the drawing stays visible', async ({ page }) => {
   await page.setViewportSize({ width: 820, height: 420 });
   await open(page);
   await expect(tab(page, 'program')).toHaveAttribute('aria-selected', 'true');
@@ -15,7 +15,7 @@ test('where height is short, tabs show program, problems and state; the drawing 
   await expect(editor(page)).toBeHidden();
   await expect(drawing(page)).toBeVisible();
   await expect(page.getByRole('tabpanel', { name: /^Problems/ })).toBeVisible();
-  // Arrows move among the tabs, round and round.
+  // Arrow keys cycle through the tabs.
   await page.keyboard.press('ArrowRight');
   await expect(tab(page, 'state')).toHaveAttribute('aria-selected', 'true');
   await expect(status(page)).toContainText('1 motion');
@@ -26,7 +26,7 @@ test('where height is short, tabs show program, problems and state; the drawing 
   await page.keyboard.press('ArrowLeft');
   await expect(tab(page, 'state')).toHaveAttribute('aria-selected', 'true');
 
-  // A problem shows its block, wherever the reader is.
+  // F8 shows the block of a problem from any tab.
   await page.keyboard.press('F8');
   await expect(tab(page, 'program')).toHaveAttribute('aria-selected', 'true');
   await expect(editor(page)).toBeFocused();
@@ -36,7 +36,7 @@ test('where height is short, tabs show program, problems and state; the drawing 
   await expect(editor(page)).toBeFocused();
 });
 
-test('where there is room for everything there are no tabs', async ({ page }) => {
+test('in a large window there are no tabs', async ({ page }) => {
   await open(page);
   await type(page, 'G0 X50 Z2\nX\nM30');
   await expect(problems(page)).toBeVisible();
@@ -74,7 +74,7 @@ test('the controls of the playback bar do not overlap', async ({ page }) => {
   }
 });
 
-test('the divider is moved by keys, and stays where it was put', async ({ page }) => {
+test('the divider is moved by keys, and keeps its position', async ({ page }) => {
   await open(page);
   const divider = page.getByRole('separator', { name: 'Width of the program' });
   const width = async (): Promise<number> => (await drawing(page).boundingBox())?.width ?? 0;
@@ -90,7 +90,7 @@ test('the divider is moved by keys, and stays where it was put', async ({ page }
   await divider.focus();
   await page.keyboard.press('Enter');
   await expect(divider).toHaveAttribute('aria-valuenow', '40');
-  // And by the pointer.
+  // The pointer moves it as well.
   const box = await divider.boundingBox();
   const [x, y] = [(box?.x ?? 0) + 4, (box?.y ?? 0) + 200];
   await page.mouse.move(x, y);
@@ -100,7 +100,7 @@ test('the divider is moved by keys, and stays where it was put', async ({ page }
   await expect.poll(width).toBeGreaterThan(before + 80);
 });
 
-test('the keys of the playback work before anything has the focus', async ({ page }) => {
+test('playback keys work before any element has the focus', async ({ page }) => {
   await open(page);
   const slider = page.getByRole('slider');
   await page.evaluate(() => (document.activeElement as HTMLElement | null)?.blur());
@@ -111,7 +111,7 @@ test('the keys of the playback work before anything has the focus', async ({ pag
   await expect(page.getByRole('button', { name: 'Pause' })).toBeVisible();
 });
 
-test('the text of all of the page can be larger, that of the drawing too', async ({ page }) => {
+test('the text size of the whole page can be increased, also in the drawing', async ({ page }) => {
   await open(page);
   const height = async (): Promise<number> => (await page.locator('#language').boundingBox())?.height ?? 0;
   const before = await height();

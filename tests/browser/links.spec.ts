@@ -1,5 +1,5 @@
-// What a link holds, without a page: the links that are stored, for ever; the length of new ones; broken and hostile ones.
-// What the page does with them is in `share.spec.ts`.
+// Content of links, tested without a page: stored links stay valid forever, length of new links, broken and hostile
+// links. `share.spec.ts` tests what the page does with them.
 import { readdirSync, readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { deflateRawSync } from 'node:zlib';
@@ -21,7 +21,7 @@ function read(path: string): string | null {
   }
 }
 
-/** As the page does it, which loads what unpacks when it is first needed. */
+/** Like the page, which loads the decompression when it is first needed. */
 async function inAddress(hash: string): Promise<InAddress> {
   if (!hash.startsWith('#share=')) return inPage(hash);
   const opened = await openedLink(hash);
@@ -45,7 +45,7 @@ async function faultOf(hash: string): Promise<LinkFault['kind'] | 'not-loaded' |
   return found.kind === 'fault' ? found.fault.kind : 'none';
 }
 
-/** A link whose check is right, whatever it holds. */
+/** A link with a valid checksum for any content. */
 function forged(body: string): string {
   let crc = -1;
   for (const letter of Buffer.from(body, 'latin1')) {
@@ -58,13 +58,13 @@ function forged(body: string): string {
 const packedJson = (value: unknown): string =>
   forged(`z${deflateRawSync(JSON.stringify(value)).toString('base64url')}`);
 
-test('every stored link opens what it opened when it was stored', async () => {
+test('every stored link still opens the same content', async () => {
   const stored = storedLinks();
   expect(new Set(stored.map(({ version }) => version))).toEqual(new Set([0, 1]));
   for (const { what, link, opens } of stored) expect(await opened(link), what).toEqual({ ...NOTHING_SAID, ...opens });
 });
 
-test('a link of each program of the tests is at most 300 characters longer than its text, and opens it', async () => {
+test('a link to each program of the tests is at most 300 characters longer than its text, and opens it', async () => {
   let count = 0;
   for (const id of readdirSync(PROGRAMS)) {
     const text = read(join(id, 'program.nc'));
@@ -86,7 +86,7 @@ test('a link of each program of the tests is at most 300 characters longer than 
   expect(count).toBeGreaterThan(50);
 });
 
-test('a link is at most 300 characters longer than any text of the letters of programs, setup and text counted', async () => {
+test('a link to random G-code characters is at most 300 characters longer than the text, with and without a setup', async () => {
   const next = random(7);
   for (let round = 0; round < 200; round++) {
     const length = Math.floor(next() ** 3 * 30_000);
@@ -106,7 +106,7 @@ test('a link is at most 300 characters longer than any text of the letters of pr
   }
 });
 
-test('noise of all of Unicode comes back as it was, and never takes more than four thirds of its bytes', async () => {
+test('random Unicode text survives the round trip, and takes at most four thirds of its bytes', async () => {
   const next = random(11);
   for (let round = 0; round < 500; round++) {
     const shared = randomShared(next);
@@ -117,7 +117,7 @@ test('noise of all of Unicode comes back as it was, and never takes more than fo
   }
 });
 
-test('an address in plain text comes back as it was', async () => {
+test('a plain-text URL survives the round trip', async () => {
   const next = random(13);
   for (let round = 0; round < 200; round++) {
     const shared = JSON.parse(
@@ -129,7 +129,7 @@ test('an address in plain text comes back as it was', async () => {
   }
 });
 
-test('what mail programs do to a link is no harm: broken lines, a full stop after it', async () => {
+test('line breaks and a full stop that mail programs add to a link are ignored', async () => {
   const shared = { ...NOTHING_SAID, text: randomText(random(3), 400) };
   const link = await linkOf(shared);
   for (const changed of [
@@ -143,7 +143,7 @@ test('what mail programs do to a link is no harm: broken lines, a full stop afte
   }
 });
 
-test('a link that is cut anywhere says so, and how much is missing', async () => {
+test('a truncated link is reported, with the number of missing characters', async () => {
   for (const { link, version } of storedLinks()) {
     if (version === 0) continue;
     for (let length = '#share='.length; length < link.length; length++) {
@@ -152,7 +152,7 @@ test('a link that is cut anywhere says so, and how much is missing', async () =>
       const missing = found.kind === 'fault' && found.fault.kind === 'cut' ? found.fault.missing : undefined;
       if (missing !== undefined) expect(missing).toBe(link.length - length);
     }
-    // Without its mark it is the address of nothing we know.
+    // Without the prefix it is not a link of ours.
     for (let length = 2; length < '#share='.length; length++)
       expect(await faultOf(link.slice(0, length))).toBe('unknown');
   }
@@ -172,10 +172,10 @@ test('a link with any one character changed never opens another program', async 
   }
 });
 
-test('a link of a newer version says so, also where this one would not understand it', async () => {
+test('a link of a newer version is reported as such, also if this version cannot parse it', async () => {
   for (const hash of ['#share=2.17.anything', '#share=2', '#share=17.%7B%7D', '#share=999999.'])
     expect(await faultOf(hash), hash).toBe('newer');
-  // A key that this version does not know is no reason to open half of a link.
+  // A link with an unknown key is rejected, not opened in part.
   expect(await faultOf(packedJson({ p: 'G0 X1', z: 'new' }))).toBe('damaged');
 });
 
@@ -235,7 +235,7 @@ test('hostile links are refused: wrong types, missing fields, no JSON, no stream
     expect(await faultOf(hash), hash).not.toBe('none');
 });
 
-test('a name of 80 characters is read, and comes back as it was', async () => {
+test('a name of 80 characters survives the round trip', async () => {
   for (const name of ['Anna', '李'.repeat(80), '<img src=x onerror=alert(1)>', '\u202e\n'])
     expect(await opened(await linkOf({ ...NOTHING_SAID, text: 'G0 X1', name }))).toEqual({
       ...NOTHING_SAID,
@@ -245,7 +245,7 @@ test('a name of 80 characters is read, and comes back as it was', async () => {
   expect((await opened(packedJson({ p: 'G0', n: 'x'.repeat(80) }))).name).toHaveLength(80);
 });
 
-test('a small link that unpacks to very much is stopped at the limit', async () => {
+test('decompression of a small link stops at the size limit', async () => {
   const bomb = forged(`z${deflateRawSync(Buffer.alloc(300_000_000, 'A'), { level: 9 }).toString('base64url')}`);
   expect(bomb.length).toBeLessThan(LINK_LIMIT);
   const before = process.memoryUsage().arrayBuffers;
@@ -253,7 +253,7 @@ test('a small link that unpacks to very much is stopped at the limit', async () 
   expect(process.memoryUsage().arrayBuffers - before).toBeLessThan(50_000_000);
 });
 
-test('no link is made that could not be opened', async () => {
+test('a link that could not be opened is not created', async () => {
   const next = random(17);
   const noise = Array.from({ length: 1_200_000 }, () => String.fromCharCode(33 + Math.floor(next() * 90))).join('');
   expect(await made({ ...NOTHING_SAID, text: noise })).toMatchObject({ kind: 'too-long', limit: LINK_LIMIT });
@@ -265,7 +265,7 @@ test('no link is made that could not be opened', async () => {
   expect((await opened(await linkOf({ ...NOTHING_SAID, text: long }))).text).toBe(long);
 });
 
-test('an address of two million characters is refused without a look at it', async () => {
+test('a URL of two million characters is rejected without parsing', async () => {
   for (const hash of [
     `#share=1.${'A'.repeat(2_000_000)}`,
     `#share=1.1999999.z${'A'.repeat(2_000_000)}`,

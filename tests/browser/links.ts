@@ -1,4 +1,4 @@
-// Links that are stored, and random states of the page to make links of.
+// Stored links, and random page states to make links of.
 import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import type { Shared } from '../../www/src/files/shared-link';
@@ -6,20 +6,20 @@ import type { Shared } from '../../www/src/files/shared-link';
 export interface StoredLink {
   readonly what: string;
   readonly version: number;
-  /** From `#` on. */
+  /** Starts with `#`. */
   readonly link: string;
-  /** What is not named is not said. */
+  /** Values that are not listed are unset. */
   readonly opens: Partial<Shared>;
 }
 
-/** No link is ever taken out of the list, and none is changed: others have them. */
+/** Links are never removed from the list or changed: they have been published. */
 export function storedLinks(): readonly StoredLink[] {
   return JSON.parse(readFileSync(join(__dirname, '..', 'links.json'), 'utf8')) as readonly StoredLink[];
 }
 
 export type Random = () => number;
 
-/** Numbers from 0 to 1, the same ones each time. */
+/** Seeded random numbers from 0 to 1. */
 export function random(seed: number): Random {
   let state = seed >>> 0;
   return () => {
@@ -46,7 +46,7 @@ const RANGES = [
   [0xa0, 0x2fff],
 ] as const;
 
-/** Any Unicode text, halves of pairs and all line ends included. */
+/** Random Unicode text, including lone surrogates and all kinds of line ends. */
 export function randomText(next: Random, length: number): string {
   let text = '';
   while (text.length < length) {
@@ -59,12 +59,12 @@ export function randomText(next: Random, length: number): string {
   return text;
 }
 
-/** No address in plain text can hold half of a pair. */
+/** A plain-text URL cannot contain a lone surrogate. */
 export function wellFormed(text: string): string {
   return Buffer.from(text, 'utf8').toString('utf8');
 }
 
-/** Any state, whether or not it makes sense. */
+/** A random state, which need not make sense. */
 export function randomShared(next: Random): Shared {
   const maybe = <T>(make: () => T): T | null => (next() < 0.5 ? null : make());
   const any = (most: number): string => randomText(next, Math.floor(next() ** 2 * most));
@@ -84,7 +84,7 @@ export function randomShared(next: Random): Shared {
   };
 }
 
-/** A program that is run and drawn, under a setup of its own. */
+/** A program that runs and is drawn, with its own setup. */
 export function randomState(next: Random): Shared {
   const number = (low: number, high: number): string => String(Math.round((low + next() * (high - low)) * 10) / 10);
   const blocks = Array.from({ length: Math.floor(next() * 12) }, () =>

@@ -1,8 +1,7 @@
-// A program of a million lines, 20 MB: the page stays with the reader while it is opened,
-// read, edited and looked at.
+// A program of a million lines, 20 MB: the page stays responsive while it is opened, read, edited and viewed.
 //
-// Prints the longest task of the main thread in each phase. The aim is 50 ms; the bounds are for a busy
-// machine, on which a task takes several times as long.
+// Prints the longest task of the main thread in each phase. The aim is 50 ms; the limits are for a busy machine, on
+// which a task takes several times as long.
 import { chromiumTest as test, type ChromiumPage, expect } from './engines';
 import { writeFileSync } from 'node:fs';
 import { editor, locate, open, openFile, problems, status, value } from './page';
@@ -10,10 +9,10 @@ import { editor, locate, open, openFile, problems, status, value } from './page'
 const LINES = 1_000_000;
 /** Milliseconds. */
 const MOST = 900;
-/** The editor takes in the whole text once. */
+/** The editor processes the whole text once. */
 const MOST_OPENING = 1500;
 
-/** A walk of short cuts, one a line. */
+/** A path of short cuts, one per line. */
 function longProgram(lines: number): string {
   let [x, z, seed] = [100_000, -100_000, 1];
   const step = (): number => {
@@ -32,8 +31,8 @@ function longProgram(lines: number): string {
 }
 
 /**
- * Watches for tasks of the main thread that the browser calls long, 50 ms or more; and how
- * soon edits are reported on.
+ * Records long tasks of the main thread (50 ms or more, as the browser defines it) and the time until edits are
+ * reported.
  */
 async function watch(page: ChromiumPage): Promise<void> {
   await page.addInitScript(() => {
@@ -62,9 +61,9 @@ async function watch(page: ChromiumPage): Promise<void> {
   });
 }
 
-/** The longest of them since the last time, ms; 0 when there was none. */
+/** The longest of them since the last call, ms; 0 if there was none. */
 async function longest(page: ChromiumPage): Promise<number> {
-  // The observer hears of it a little later.
+  // The observer is called a little later.
   await page.waitForTimeout(300);
   return page.evaluate(() => {
     const found = Reflect.get(window, 'longest') as number;
@@ -74,7 +73,7 @@ async function longest(page: ChromiumPage): Promise<number> {
 }
 
 test(
-  'a million lines are opened, edited, scrolled and looked at without a halt',
+  'a million lines are opened, edited, scrolled and viewed without blocking',
   { tag: '@night' },
   async ({ page }, info) => {
     test.setTimeout(180_000);
@@ -92,7 +91,7 @@ test(
       console.log(`${name}: longest task ${figures[name] || 'below 50'} ms (took ${took} ms)`);
       expect.soft(figures[name], name).toBeLessThan(most);
     };
-    /** Waits until a text with this number of line ends has run. The status counts the empty last line too. */
+    /** Waits until a text with this number of line ends has run. The status also counts the empty last line. */
     const ran = async (lines: number): Promise<void> => {
       await expect(status(page)).toContainText(`${(lines + 1).toLocaleString('en')} lines`, { timeout: 60_000 });
     };
@@ -150,11 +149,11 @@ test(
 
 test('a long run can be stopped, and the next change runs', async ({ page }, info) => {
   await open(page);
-  // Two million blocks: long enough on any machine.
+  // Two million blocks: slow enough on any machine.
   const path = info.outputPath('blocks.nc');
   writeFileSync(path, `G1 F1 ${'X1;X2;X3;X4;X5;X6;X7;X8;X9;X10\n'.repeat(200_000)}M30\n`);
   const stop = page.getByRole('button', { name: 'Stop', exact: true });
-  // Pressed as soon as it is there, from within the page: on a fast machine it is there for a blink.
+  // Pressed from within the page as soon as it exists: on a fast machine it is visible only for a moment.
   const pressed = page.getByRole('button', { name: 'Stop', exact: true, includeHidden: true }).evaluate(
     (button: HTMLElement) =>
       new Promise<string>((resolve) => {
@@ -180,7 +179,7 @@ test('a long run can be stopped, and the next change runs', async ({ page }, inf
   await expect(status(page)).toContainText(/^2 motions/);
 });
 
-test('a file of 100 MB is refused with a message', async ({ page }, info) => {
+test('a file of 100 MB is rejected with a message', async ({ page }, info) => {
   const path = info.outputPath('huge.nc');
   writeFileSync(path, Buffer.alloc(100 * 1024 * 1024, 'G1 X1. Z1.\n'));
   await open(page);
@@ -190,13 +189,15 @@ test('a file of 100 MB is refused with a message', async ({ page }, info) => {
   await expect(status(page)).toContainText(/^2 motions/);
 });
 
-test('a change in every line of a long program is reported on soon', { tag: '@night' }, async ({ page }) => {
+test('a change in every line of a long program is reported soon', { tag: '@night' }, async ({ page }) => {
   test.setTimeout(120_000);
   const lines = 200_000;
   await open(page);
   await openFile(page, 'lines.nc', Buffer.from('G1 X1. Z-1. F0.2\n'.repeat(lines)));
   await expect(status(page)).toContainText('200,001 lines', { timeout: 30_000 });
-  /** Acts and waits for the report that follows; a worker that is silent for long is ended and makes none. */
+  /**
+   * Acts and waits for the report that follows; a worker that does not respond for long is terminated and sends none.
+   */
   const reported = async (act: () => Promise<void>): Promise<void> => {
     await page.locator('gcode-playground').evaluate((element) => {
       Reflect.set(window, 'reported', false);

@@ -1,5 +1,5 @@
-// What `gcode-playground embed` writes, read by the browsers themselves: without the element, which is what readers have
-// without JavaScript, the program stands in its own lines beside its picture; with the element it is the same program.
+// The output of `gcode-playground embed` in the browsers. Without the element (readers without JavaScript), the program
+// is shown line by line beside its picture; with the element it is the same program.
 import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { test, expect, type BasicPage } from './engines';
@@ -14,7 +14,7 @@ interface Playground extends HTMLElement {
   readonly settled: Promise<number>;
 }
 
-/** A page with this block of HTML, beside the modules of the built page. */
+/** Opens a page with this block of HTML, beside the modules of the built page. */
 async function openBlock(page: BasicPage, block: string): Promise<void> {
   await page.goto(FOREIGN);
   await page.evaluate((block) => {
@@ -44,7 +44,7 @@ for (const name of ['hard.html', 'hard.markdown']) {
     });
     expect(shown.text.trimEnd()).toBe(program);
     expect(shown.paragraphs).toEqual(['before', 'after']);
-    // Each line has a place of its own.
+    // Each line has its own vertical position.
     expect(shown.heights).toBe(program.split('\n').length);
     const [width, height] = shown.size;
     expect(width).toBeGreaterThan(200);
@@ -55,7 +55,7 @@ for (const name of ['hard.html', 'hard.markdown']) {
   });
 }
 
-test('the element takes the program that was embedded', async ({ page }) => {
+test('the element uses the embedded program', async ({ page }) => {
   await openBlock(page, written('hard.html'));
   const value = await page.evaluate(async () => {
     const script = document.createElement('script');

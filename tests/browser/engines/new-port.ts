@@ -1,11 +1,11 @@
-// A port for a server, and with it an origin, that no test of this worker had before. The system gives out a port again
-// after some hundred others, and a browser that serves all tests still has what an earlier test stored there.
+// Opens a server on a port, and thereby an origin, that no earlier test of this worker has used. The system reuses
+// ports after some hundred others, and the shared browser still has the storage of earlier tests.
 import type { Server } from 'node:http';
 import type { AddressInfo } from 'node:net';
 
 const given = new Set<number>();
 
-/** The number of the port; the server listens on it, and is heard on this machine alone. */
+/** Listens on the loopback interface and returns the number of the port. */
 export async function listenOnNewPort(server: Server): Promise<number> {
   for (;;) {
     await new Promise<void>((resolve, reject) => {

@@ -1,14 +1,14 @@
-// What a project of playwright.config.ts says.
+// Options that a project of playwright.config.ts sets.
 
 export type EngineName = 'chromium' | 'firefox' | 'webkit';
 
-/** Whether the page may store itself for use without a network; only tests of that need it, the others would only be slower. */
+/** Whether the page may use its service worker. Only tests of it need that; it would slow down the others. */
 export interface TestOptions {
   storing: 'off' | 'on';
 }
 
 export interface WorkerOptions {
   engine: EngineName;
-  /** Where the page is served. */
+  /** URL of the server of the page. */
   server: string;
 }

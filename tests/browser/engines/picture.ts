@@ -1,11 +1,11 @@
-// A dump of an X window, as `xwd` writes it, made a PNG.
+// Converts a dump of an X window, as `xwd` writes it, to PNG.
 import { crc32, deflateSync } from 'node:zlib';
 
-/** The dump's rows from `top` on, so many wide and high; 24-bit colour only. */
+/** Converts `height` rows of the dump from `top`, `width` pixels wide; 24-bit colour only. */
 export function png(dump: Buffer, area: { top: number; width: number; height: number }): Buffer {
   const field = (index: number): number => dump.readUInt32BE(4 * index);
-  // Of X11/XWDFile.h: `header_size`, `pixmap_width`, `byte_order`, `bytes_per_line`, `ncolors`. What
-  // `bits_per_pixel` says differs by the visual.
+  // From X11/XWDFile.h: `header_size`, `pixmap_width`, `byte_order`, `bytes_per_line`, `ncolors`. `bits_per_pixel` is
+  // not used, as its value differs by visual.
   const [header, wide, order, stride, colours] = [field(0), field(4), field(7), field(12), field(19)];
   if (stride !== 4 * wide || order !== 0)
     throw new Error(

@@ -1,5 +1,5 @@
-// Where the programs of an engine are: what the environment names (`cargo xtask test` does),
-// else Debian's usual places.
+// Paths of an engine's programs: from environment variables (`cargo xtask test` sets them), otherwise Debian's usual
+// paths.
 import { existsSync, readdirSync } from 'node:fs';
 
 const PLACES = {
@@ -16,7 +16,7 @@ const PLACES = {
   PLAYGROUND_XWD: () => ['/usr/bin/xwd'],
 };
 
-/** The path of a program; when it is missing, an error that says what to do. */
+/** Path of a program. If it is missing, throws an error that explains what to install. */
 export function program(variable: keyof typeof PLACES): string {
   const named = process.env[variable];
   if (named !== undefined && named !== '') return named;

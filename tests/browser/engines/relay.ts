@@ -1,18 +1,18 @@
-// A server in front of the page's own, which puts scripts into each document before all others. WebDriver has
-// no way to run a script so early, and none to hear of errors: both are done by what is put in.
+// A proxy in front of the page's server that injects scripts into each document before all others. WebDriver can
+// neither run a script so early nor report errors; the injected scripts do both.
 import { createServer } from 'node:http';
 import { listenOnNewPort } from './new-port';
 
 export interface Relay {
-  /** What is put in. */
+  /** The injected scripts. */
   readonly scripts: string[];
-  /** An address of the page's server as one of this, and back. */
+  /** Maps a URL of the page's server to this proxy, and back. */
   inFront(address: string): string;
   behind(address: string): string;
   close(): void;
 }
 
-/** Keeps errors that nobody catches, until they are asked for. */
+/** Stores uncaught errors until they are requested. */
 const ERRORS = `globalThis.errorsOfPage = [];
 addEventListener('error', ({ error, message }) => errorsOfPage.push(message + '\\n' + (error?.stack ?? '')));
 addEventListener('unhandledrejection', ({ reason }) => errorsOfPage.push(reason + '\\n' + (reason?.stack ?? '')));`;

@@ -1,5 +1,4 @@
-// Drives WebKitGTK's MiniBrowser on a display of its own (Xvfb) over WebDriver, whose
-// few calls are plain JSON.
+// Drives WebKitGTK's MiniBrowser on a separate display (Xvfb) over WebDriver, whose few commands are plain JSON.
 import { type ChildProcess, execFile, spawn } from 'node:child_process';
 import { mkdir, mkdtemp, readdir, rm, writeFile } from 'node:fs/promises';
 import { createServer } from 'node:net';
@@ -13,16 +12,16 @@ import { png } from './picture';
 import { program } from './programs';
 import { type Relay, relay } from './relay';
 
-/** The longest that an answer may take, ms; a script may be long. */
+/** Timeout for a response, ms; a script may take long. */
 const HANGS = 120_000;
 const STARTS = 60_000;
-/** Of the display: the window and its bars fit. */
+/** Size of the display: large enough for the window and its toolbars. */
 const SCREEN = '1600x1200x24';
 const ELEMENT = 'element-6066-11e4-a52e-4f735466cecf';
 
 type Json = Record<string, unknown>;
 
-/** What runs for one worker: the display and the driver. */
+/** Processes of one worker: the display and the driver. */
 interface Machine {
   readonly display: string;
   readonly downloads: string;
@@ -58,7 +57,7 @@ export async function webkit(viewport: { width: number; height: number }, server
       GDK_BACKEND: 'x11',
       GTK_A11Y: 'none',
       NO_AT_BRIDGE: '1',
-      // Without a graphics card the other way to the screen makes ten frames a second instead of sixty.
+      // Without a graphics card, the DMA-BUF renderer makes ten frames per second instead of sixty.
       WEBKIT_DISABLE_DMABUF_RENDERER: process.env['WEBKIT_DISABLE_DMABUF_RENDERER'] ?? '1',
     });
     started.push(driver);
@@ -85,7 +84,7 @@ export async function webkit(viewport: { width: number; height: number }, server
     return {
       open: async () => {
         for (const name of await readdir(downloads)) await rm(join(downloads, name));
-        // A relay of its own is an origin of its own, in which nothing is stored.
+        // A separate relay is a separate origin with empty storage.
         const tab = new WebKitTab(machine, session, session.window, await relay(server));
         await tab.resize(viewport.width, viewport.height);
         return tab;
@@ -103,7 +102,7 @@ export async function webkit(viewport: { width: number; height: number }, server
   }
 }
 
-/** A program in a group of processes of its own; it ends when this one does, however that happens. */
+/** Starts a program in its own process group, which ends together with this process in all cases. */
 function start(path: string, args: readonly string[], environment: NodeJS.ProcessEnv): ChildProcess {
   return spawn('setpriv', ['--pdeathsig', 'KILL', path, ...args], {
     env: { ...process.env, ...environment },
@@ -112,12 +111,12 @@ function start(path: string, args: readonly string[], environment: NodeJS.Proces
   });
 }
 
-/** Ends a program and what it has started. */
+/** Ends a program and its child processes. */
 function end({ pid }: ChildProcess): void {
   try {
     if (pid !== undefined) process.kill(-pid, 'SIGKILL');
   } catch {
-    // It has ended.
+    // It has already ended.
   }
 }
 
@@ -128,7 +127,7 @@ async function ended(child: ChildProcess): Promise<void> {
   await gone;
 }
 
-/** The number that Xvfb chose: the first that is free. */
+/** Display number that Xvfb chose: the first free one. */
 async function displayOf(xvfb: ChildProcess): Promise<string> {
   return new Promise((resolve, reject) => {
     let told = '';
@@ -166,11 +165,11 @@ async function listening({ call }: Machine, driver: ChildProcess): Promise<void>
   }
 }
 
-/** The browser, with one window. */
+/** A browser with one window. */
 interface Session {
   readonly path: string;
   readonly window: string;
-  /** The windows that are known, and the one that hears the calls. */
+  /** The known windows, and the one that receives commands. */
   readonly windows: Set<string>;
   current: string;
 }
@@ -212,7 +211,7 @@ class WebKitTab implements Tab {
   async goto(address: string): Promise<void> {
     const url = this.relay.inFront(address);
     await this.call('POST', '/url', { url });
-    // WebKitWebDriver loses the first load of a session at times, on a busy machine: the page stays blank.
+    // On a busy machine, WebKitWebDriver sometimes loses the first load of a session: the page stays blank.
     if ((await this.call('GET', '/url')) === 'about:blank') await this.call('POST', '/url', { url });
   }
   async reload(): Promise<void> {
@@ -301,7 +300,7 @@ class WebKitTab implements Tab {
       await this.call('POST', '/window/rect', { x: 0, y: 0, width: width + barsWide, height: height + barsHigh });
       seen = (await this.evaluate('[innerWidth, innerHeight]')) as [number, number];
       if (seen[0] === width && seen[1] === height) return;
-      // The bars around the page take the rest. The window may have its new size before the page has.
+      // The toolbars take the rest. The window may have its new size before the page has.
       const window = (await this.call('GET', '/window/rect')) as { width: number; height: number };
       [barsWide, barsHigh] = [Math.max(window.width - seen[0], 0), Math.max(window.height - seen[1], 0)];
     }
