@@ -1,5 +1,5 @@
-// Many elements on a page: one worker and one module for all of them, and a program that hangs or fails in one
-// of them is no matter of the others.
+// Many elements on a page: they share one worker and one module, and a program that hangs or fails in one element does
+// not affect the others.
 import { expect } from '@playwright/test';
 import { chromiumTest as test, type ChromiumPage } from './engines';
 import { FOREIGN } from './embedded';
@@ -12,7 +12,7 @@ import { runBeforeWorker } from './worker-script';
 const FILES = join(__dirname, '..', '..', 'www', 'dist', 'embed');
 
 const PROGRAM = program('s000-o0002');
-/** What the worker's watch takes, and some more. */
+/** Timeout of the worker's watchdog, with some margin. */
 const WATCH_MS = 25_000;
 
 interface Picture extends HTMLElement {
@@ -20,7 +20,7 @@ interface Picture extends HTMLElement {
   readonly settled: Promise<number>;
 }
 
-/** A page with so many elements, all with the same program. */
+/** Opens a page with `count` elements that all have the same program. */
 async function openMany(page: ChromiumPage, count: number): Promise<void> {
   await page.goto(FOREIGN);
   await page.evaluate(
@@ -44,7 +44,7 @@ async function openMany(page: ChromiumPage, count: number): Promise<void> {
   );
 }
 
-/** The width of the canvas of an element, and a number for what it shows: "640: 77". */
+/** Width of the canvas of an element and a hash of its pixels: "640: 77". */
 function shown(page: ChromiumPage, which: number): Promise<string> {
   return page.evaluate((which) => {
     const canvas = document.querySelectorAll('gcode-playground')[which]?.shadowRoot?.querySelector('canvas');
@@ -75,7 +75,7 @@ async function settled(page: ChromiumPage, which: number): Promise<void> {
   );
 }
 
-/** The worker does this in the midst of the run of any text that contains `(FAULT)`. */
+/** Injects a fault into the worker, in the middle of the run of any text that contains `(FAULT)`. */
 async function injectFault(page: ChromiumPage, fault: string): Promise<void> {
   await runBeforeWorker(
     page,
@@ -88,23 +88,23 @@ async function injectFault(page: ChromiumPage, fault: string): Promise<void> {
   );
 }
 
-test('thirty elements have one worker, and ask for each file once', async ({ page }) => {
+test('thirty elements share one worker, and request each file once', async ({ page }) => {
   const asked: string[] = [];
   page.on('request', (request) => asked.push(new URL(request.url()).pathname));
   await openMany(page, 30);
   expect(page.workers().length).toBe(1);
   const ours = asked.filter((path) => /\.(js|wasm)$/.test(path));
   expect(ours.filter((path, at) => ours.indexOf(path) !== at)).toEqual([]);
-  // Far from the view the pictures become small copies meanwhile: all of one size are the same.
+  // Pictures far from the viewport become small copies meanwhile: all pictures of one size are equal.
   const pictures = await Promise.all(Array.from({ length: 30 }, (_, which) => shown(page, which)));
   const sizes = new Set(pictures.map((picture) => picture.split(':')[0]));
   expect(new Set(pictures).size).toBe(sizes.size);
   expect(sizes.size).toBeLessThanOrEqual(2);
 });
 
-test('pictures far from the view are kept small, and are whole again when the reader comes', { tag: '@night' }, async ({
-  page,
-}) => {
+test('pictures far from the viewport are stored small, and are complete again after scrolling to them', {
+  tag: '@night',
+}, async ({ page }) => {
   await openMany(page, 12);
   const width = (which: number): Promise<number> =>
     page.evaluate(
@@ -115,7 +115,7 @@ test('pictures far from the view are kept small, and are whole again when the re
   const picture = await shown(page, 0);
   await expect.poll(() => width(11)).toBe(Math.ceil(whole / 2));
   expect(await width(0)).toBe(whole);
-  // A picture that changes out of sight is small again, too, soon after.
+  // A picture that changes outside the viewport is soon small again, too.
   await put(page, 10, 'G00 X50 Z2\nG01 Z-30 F0.2\n');
   await settled(page, 10);
   expect(await width(10)).toBe(whole);
@@ -124,7 +124,7 @@ test('pictures far from the view are kept small, and are whole again when the re
   await expect.poll(() => width(11)).toBe(whole);
   expect(await shown(page, 11)).toBe(picture);
   await expect.poll(() => width(0)).toBe(Math.ceil(whole / 2));
-  // Once they rest, the worker has nothing of them left to paint from but the program.
+  // After a pause, the worker only has the program left to paint them from.
   await page.waitForTimeout(4_000);
   await page.evaluate(() => document.querySelectorAll('gcode-playground')[0]!.scrollIntoView());
   await expect.poll(() => width(0)).toBe(whole);
@@ -135,7 +135,7 @@ for (const { fault, does, says } of [
   { fault: 'hangs', does: 'for (;;);', says: 'The run took too long' },
   { fault: 'fails', does: "throw new Error('a fault');", says: 'The interpreter failed' },
 ]) {
-  test(`a program that ${fault} leaves its neighbours their pictures`, {
+  test(`a program that ${fault} does not affect the pictures of other elements`, {
     tag: fault === 'hangs' ? '@night' : [],
   }, async ({ page }) => {
     await injectFault(page, does);
@@ -151,7 +151,7 @@ for (const { fault, does, says } of [
     expect(await shown(page, 0)).toBe(before);
     expect(await shown(page, 2)).toBe(before);
     await expect(page.locator('gcode-playground').nth(0).getByText(says)).toHaveCount(0);
-    // The one that failed goes on apart from the others, with its next program.
+    // The failed element continues separately from the others, with its next program.
     await put(page, 1, PROGRAM);
     await settled(page, 1);
     expect(await shown(page, 1)).toBe(before);
@@ -162,13 +162,13 @@ for (const { fault, does, says } of [
   });
 }
 
-/** As the reference has it. */
+/** The CSS rule from the reference. */
 const KEEPS_THE_PLACE =
   '<style>@media (scripting: enabled) { gcode-playground { display: block; height: 24rem; overflow: auto; } }</style>';
 
 const ASKS_EARLY = '<link rel="preload" as="fetch" type="application/wasm" crossorigin href="embed/core.wasm">';
 
-/** A page with so many elements, one below the other, as an author writes it. */
+/** Opens a page with `count` elements below each other, as an author writes it. */
 async function manual(page: ChromiumPage, count: number, attributes: string, act: () => Promise<void>): Promise<void> {
   const element = `<p>${'Words. '.repeat(60)}</p>\n<gcode-playground view="picture" ${attributes}>\n${PROGRAM}\n</gcode-playground>\n`;
   const html = `<!DOCTYPE html><html lang="en"><head><title>A manual</title>${KEEPS_THE_PLACE}${ASKS_EARLY}
@@ -198,7 +198,7 @@ async function manual(page: ChromiumPage, count: number, attributes: string, act
   }
 }
 
-/** How many elements have a picture. */
+/** Number of elements with a picture. */
 function drawn(page: ChromiumPage): Promise<number> {
   return page.evaluate(
     () =>
@@ -208,12 +208,12 @@ function drawn(page: ChromiumPage): Promise<number> {
   );
 }
 
-test('the reference says how a page keeps the place of an element, and asks early for what the picture needs', () => {
+test('the reference shows how to reserve space for an element and preload the files of the picture', () => {
   const reference = readFileSync(join(__dirname, '..', '..', 'www', 'docs', 'element.md'), 'utf8');
   for (const line of [KEEPS_THE_PLACE, ASKS_EARLY]) expect(reference).toContain(line);
 });
 
-test('elements start as they come near the view, and nothing on the page moves', async ({ page }) => {
+test('elements start when they come near the viewport, and the layout does not shift', async ({ page }) => {
   await manual(page, 30, '', async () => {
     await expect.poll(() => drawn(page)).toBeGreaterThan(1);
     await page.waitForTimeout(500);
@@ -243,7 +243,9 @@ test('elements start as they come near the view, and nothing on the page moves',
   });
 });
 
-test('one that waits for a click loads nothing before, and one that is asked starts', async ({ page }) => {
+test('an element that waits for a click loads nothing before it, and reading settled starts it too', async ({
+  page,
+}) => {
   await manual(page, 2, 'loading="click"', async () => {
     const show = page.getByRole('button', { name: 'Show the tool path' });
     await expect(show).toHaveCount(2);

@@ -1,4 +1,4 @@
-// The table of motions in words: the drawing's text, by keyboard, following the tool.
+// The table of motions in words: a text alternative of the drawing, navigated by keyboard, in sync with the tool.
 import { expect, test, type Page } from './engines';
 import { drawing, editor, open, openFile, status } from './page';
 
@@ -12,7 +12,7 @@ async function load(page: Page, text: string, motions: string): Promise<void> {
   await expect(status(page)).toContainText(new RegExp(`^${motions} motions`));
 }
 
-test('all motions are there in words, and the keys move the tool', async ({ page }) => {
+test('all motions are listed in words, and arrow keys move the tool', async ({ page }) => {
   await open(page);
   await load(page, TURNED, '10');
   const about = await drawing(page).first().getAttribute('aria-describedby');
@@ -26,7 +26,7 @@ test('all motions are there in words, and the keys move the tool', async ({ page
   await page.keyboard.press('ArrowDown');
   await expect(row(2)).toBeFocused();
   await expect(marked(page)).toContainText('infeed');
-  // What the block of the row does, for who hears the row.
+  // The effect of the row's block, for users of screen readers.
   const does = page.locator('.motions .does');
   await expect(does).toContainText('G90');
   await expect(does).toHaveAttribute('aria-live', 'polite');
@@ -39,7 +39,7 @@ test('all motions are there in words, and the keys move the tool', async ({ page
   await expect(button(page)).toBeFocused();
 });
 
-test('the row follows the tool, and a row that is clicked puts the tool there', async ({ page }) => {
+test('the selected row follows the tool, and a click on a row moves the tool there', async ({ page }) => {
   await open(page);
   await load(page, TURNED, '10');
   await button(page).click();
@@ -53,7 +53,7 @@ test('the row follows the tool, and a row that is clicked puts the tool there', 
   await expect(marked(page)).toContainText('pass 2 of 2');
   await expect(page.locator('.doing')).toContainText('G90, pass 2 of 2');
 
-  await test.step('it says what an edit has made of it, and in another language', async () => {
+  await test.step('the table is updated after an edit and a change of language', async () => {
     await load(page, TURNED.replace('X50', 'X48'), '10');
     await expect(table(page)).toContainText('cut at feed to X48 Z-30');
     await page.getByLabel('Language').selectOption('zh');
@@ -61,7 +61,7 @@ test('the row follows the tool, and a row that is clicked puts the tool there', 
   });
 });
 
-test('of a long program only the rows around the tool are on the page', async ({ page }) => {
+test('for a long program, the page only contains the rows around the tool', async ({ page }) => {
   await open(page);
   const lines = Array.from(
     { length: 5000 },

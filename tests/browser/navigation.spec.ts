@@ -1,4 +1,4 @@
-// Ways through a program: to all places of a number, by the outline, and folded parts. By keys, in three languages.
+// Navigation in a program: occurrences of a number, the outline, folding. By keyboard, in three languages.
 import { expect, test, type BasicPage, type Locator } from './engines';
 import { atCursor, editor, goTo, open, runAgain, selected, type } from './page';
 
@@ -32,20 +32,20 @@ test('F12 goes from P10 to N10, and Shift F12 back', async ({ page }) => {
   await page.keyboard.press('F12');
   await expect.poll(() => selected(page)).toBe('N10');
   await page.keyboard.press('Shift+F12');
-  // Back at the word it came from: typing goes in there.
+  // Back at the word it came from: typed text is inserted there.
   await expect(page.locator('.cm-activeLine')).toHaveText('G71 P10 Q20 U0.4 W0.1 F0.25');
-  // A variable: from where it gets its value to where it is read.
+  // A variable: from its assignment to where it is read.
   await goTo(page, 14, 2);
   await page.keyboard.press('F12');
   await expect.poll(() => selected(page)).toBe('#101');
   await expect(page.locator('.cm-activeLine')).toContainText('G00 X[#101+95]');
-  // Where no number stands, the key says what it is for.
+  // Where there is no number, the key shows its purpose.
   await goTo(page, 16, 3);
   await page.keyboard.press('F12');
   await expect(page.getByText('F12 goes from a sequence number')).toBeVisible();
 });
 
-test('the places of the number at the cursor are listed, and lead there', async ({ page }) => {
+test('the occurrences of the number at the cursor are listed and linked', async ({ page }) => {
   await open(page);
   await type(page, CONTOUR);
   await goTo(page, 8, 2);
@@ -53,18 +53,18 @@ test('the places of the number at the cursor are listed, and lead there', async 
   const places = atCursor(page).locator('.uses');
   await expect(places).toContainText('Places of N10');
   await expect(places.getByRole('listitem')).toHaveCount(3);
-  // What is above them comes a moment later.
+  // The content above the list arrives a moment later.
   await expect(atCursor(page)).toContainText('The control before and after line 8');
   await places.getByRole('button', { name: /13/ }).click();
   await expect(editor(page)).toBeFocused();
   await expect(page.locator('.cm-activeLine')).toContainText('G70 P10 Q20');
-  // A word that is no number has none.
+  // A word that is not a reference to a number has no occurrences.
   await goTo(page, 9, 1);
   await expect(places).toHaveCount(1);
   await expect(places).not.toBeVisible();
 });
 
-test('a button that is pressed while the program runs once more does what it says', async ({ page }) => {
+test('a button pressed during the next run has its usual effect', async ({ page }) => {
   await open(page);
   await type(page, CONTOUR);
   await goTo(page, 8, 2);
@@ -92,7 +92,7 @@ test('a button that is pressed while the program runs once more does what it say
 const OUTLINE = { en: 'Outline of the program', zh: '程序大纲', ru: 'Структура программы' } as const;
 
 for (const locale of ['en', 'zh', 'ru'] as const) {
-  test(`the outline is searched and left by keys alone, ${locale}`, async ({ page }) => {
+  test(`the outline is searched and closed by keys alone, ${locale}`, async ({ page }) => {
     await open(page);
     await page.locator('#language').selectOption(locale);
     await type(page, CONTOUR);
@@ -102,7 +102,7 @@ for (const locale of ['en', 'zh', 'ru'] as const) {
     await expect(dialog).toBeVisible();
     await expect(entries(page).first()).toContainText('O1000');
     await expect(entries(page).first()).toContainText('SHAFT');
-    // Where the cursor is.
+    // The block at the cursor is selected.
     await expect(dialog.locator('[aria-selected=true]')).toContainText('G70 P10 Q20');
     await page.keyboard.insertText('rough');
     await expect(dialog.locator('[aria-selected=true]')).toContainText('ROUGHING');
@@ -110,7 +110,7 @@ for (const locale of ['en', 'zh', 'ru'] as const) {
     await expect(dialog).not.toBeVisible();
     await expect(editor(page)).toBeFocused();
     await expect(page.locator('.cm-activeLine')).toContainText('N1 T0101');
-    // The cursor stays where it was when the outline is closed.
+    // Closing the outline does not move the cursor.
     await page.keyboard.press('Control+Shift+O');
     await expect(dialog).toBeVisible();
     await page.keyboard.press('ArrowDown');
@@ -120,7 +120,7 @@ for (const locale of ['en', 'zh', 'ru'] as const) {
   });
 }
 
-test('the outline is a button, too, and says when nothing is found', async ({ page }) => {
+test('a button opens the outline, which shows a message if nothing is found', async ({ page }) => {
   await open(page);
   await type(page, CONTOUR);
   await atCursor(page)
@@ -138,18 +138,18 @@ test('the outline is a button, too, and says when nothing is found', async ({ pa
   await expect(dialog).toContainText('There is nothing to list');
 });
 
-test('a program, a tool and a contour can be folded, and a place in them unfolds', async ({ page }) => {
+test('programs, tools and contours can be folded, and going to a folded line unfolds it', async ({ page }) => {
   await open(page);
   await type(page, CONTOUR);
   await goTo(page, 3, 1);
   await expect(page.locator('.fold-sign[title=Fold]').first()).toBeVisible();
-  // The bracket as the keyboard sends it with Shift.
+  // With Shift, the keyboard sends the brace.
   await page.keyboard.press('Control+Shift+{');
   const folded = page.locator('.folded-lines');
   await expect(folded).toHaveText(/^Show lines 4–/);
   await page.keyboard.press('Control+End');
   await page.keyboard.press('Control+Shift+O');
-  // What is typed at once goes into the outline, not into the program.
+  // Text typed immediately goes into the outline, not into the program.
   await page.keyboard.insertText('G71');
   await expect(page.locator('.outline-entry[aria-selected=true]')).toContainText('G71');
   await page.keyboard.press('Enter');

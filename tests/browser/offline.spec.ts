@@ -1,15 +1,15 @@
-// The page without a network: after the first visit all of it is there, a newer version is announced and never put in the
-// place of the one that is open, and a part that is not there says so and is tried again.
+// The page without a network: after the first visit everything works. A newer version is announced and never replaces
+// the open one; a missing part is reported and retried.
 import { join } from 'node:path';
 import { expect, test, type Page } from './engines';
 import { motionCount, editor, openFile, tab, type, value } from './page';
 import { DIST, nextBuild, storedSite, type StoredSite } from './stored-site';
 
 test.use({ storing: 'on' });
-// All of the page is fetched, and that more than once.
+// The whole page is fetched, more than once.
 test.setTimeout(180_000);
 
-/** Of the program; the line about a newer version is one, too. */
+/** Status of the program; the notice about a newer version is also a status. */
 const status = (page: Page) => page.locator('gcode-playground').getByRole('status');
 const stored = (page: Page) => page.getByText(/^(Works offline|可离线使用|Работает без сети)$/);
 const news = (page: Page) => page.getByText('There is a newer version of this page.');
@@ -50,7 +50,7 @@ test('after the first visit everything works without a network', async ({ page }
   await test.step('the part in 3D', async () => {
     await page.getByRole('button', { name: 'Show the part as a solid' }).click();
     const dialog = page.getByRole('dialog', { name: 'The part, a quarter cut away' });
-    // A browser without WebGL says that.
+    // A browser without WebGL shows a message instead.
     await expect(dialog.getByRole('img', { name: /three dimensions/ }).or(dialog.getByText('WebGL'))).toBeVisible();
     await closed(page);
   });
@@ -78,7 +78,7 @@ test('after the first visit everything works without a network', async ({ page }
     await expect(status(page)).toContainText('перемещени');
     await expect(stored(page)).toBeVisible();
   });
-  await test.step('a program is kept', async () => {
+  await test.step('a program is stored', async () => {
     await type(page, 'G00 X50 Z2\nG01 X40 Z-20 F0.2\nM30\n');
     await expect(status(page)).toContainText('2 перемещени');
     await page.reload();
@@ -106,11 +106,11 @@ test('after the first visit everything works without a network', async ({ page }
   });
 });
 
-test('a newer version is announced, and comes when the reader wants it', async ({ page }) => {
+test('a newer version is announced, and is loaded on request', async ({ page }) => {
   const site = await storedSite();
   await visitAndStore(page, site);
   site.publish(nextBuild());
-  // The tab of the first visit goes on; so does the next one, which finds the newer version.
+  // The tab of the first visit keeps its version, and so does the next one, which finds the newer version.
   await page.reload();
   await expect.poll(() => news(page).count(), { timeout: 60_000 }).toBe(1);
   expect(await page.evaluate(() => document.querySelector('meta[name=build]'))).toBe(null);
@@ -139,9 +139,9 @@ test('a newer version is announced, and comes when the reader wants it', async (
   await expect(status(page)).toContainText(/\d+ motions/);
 });
 
-test('a page that is not stored says what is missing, and tries again', async ({ page }) => {
+test('a page that is not stored reports what is missing, and retries', async ({ page }) => {
   const site = await storedSite();
-  // The service worker cannot be had: nothing is stored.
+  // The service worker is missing, so nothing is stored.
   site.publish(new Map([['service-worker.js', undefined]]));
   await visit(page, site);
   await expect(page.getByText('Not stored for offline use')).toBeVisible();
@@ -152,10 +152,10 @@ test('a page that is not stored says what is missing, and tries again', async ({
   await page.getByRole('button', { name: 'Gallery…' }).click();
   await expect(page.getByText('The examples could not be loaded')).toBeVisible();
   await site.start();
-  // The gallery comes by itself, unless the reader has gone on to something else.
+  // The gallery opens automatically, unless the user has switched to something else.
   await page.evaluate(() => void dispatchEvent(new Event('online')));
   await page.getByRole('dialog', { name: 'Gallery' }).getByRole('button', { name: 'Close', exact: true }).click();
-  // What would put another text in the place of this one waits for the reader.
+  // Anything that would replace the text waits for the user.
   const there = page.getByRole('alert').filter({ hasText: 'what was missing is there now' });
   await expect(there).toBeVisible();
   expect(await value(page)).not.toContain('Z-25');
@@ -164,7 +164,7 @@ test('a page that is not stored says what is missing, and tries again', async ({
   await site.stop();
 });
 
-test('opened from a disk the page says what to do instead', async ({ page }) => {
+test('a page opened from a disk explains what to do instead', async ({ page }) => {
   await page.goto(`file://${join(DIST, 'index.html')}`);
   for (const text of [
     'From a disk a browser loads no part of this page.',

@@ -1,4 +1,5 @@
-// The element's files on one host, a manual on another one: what authors copy from the documents works, and nothing else is asked.
+// The element's files on one host, a manual on another: the snippets in the documents work unchanged, and no other host
+// is contacted.
 import { spawn } from 'node:child_process';
 import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
@@ -12,7 +13,7 @@ const FILES = join(__dirname, '..', '..', 'www', 'dist', 'embed');
 const ID = 's000-o0002';
 const CORS = { 'access-control-allow-origin': '*' };
 
-/** What authors write, as a document has it: from a line that begins so to one that is so. */
+/** A snippet of a document, unchanged: from a line that starts with `begin` to a line equal to `end`. */
 function snippet(document: string, begin: string, end: string): string {
   const lines = readFileSync(join(__dirname, '..', '..', document), 'utf8').split('\n');
   const first = lines.findIndex((line) => line.trim().startsWith(begin));
@@ -23,7 +24,7 @@ function snippet(document: string, begin: string, end: string): string {
     .join('\n');
 }
 
-/** A host of the element's files. */
+/** Serves the element's files at an origin. */
 async function host(page: ChromiumPage, origin: string): Promise<void> {
   const version =
     /version = "([^"]+)"/.exec(readFileSync(join(__dirname, '..', '..', 'Cargo.toml'), 'utf8'))?.[1] ?? '';
@@ -88,7 +89,7 @@ test('the frame of the recipe, unchanged, shows its program', async ({ page }) =
   }
 });
 
-test('whatever a reader does, nothing is asked of any host but those of the page and of the element', {
+test('no user action sends a request to a host other than those of the page and of the element', {
   tag: '@night',
 }, async ({ page, context }) => {
   const other = await serve(FILES, () => ({ filesAt: '/embed/', fileHeaders: CORS }));
@@ -122,7 +123,9 @@ test('whatever a reader does, nothing is asked of any host but those of the page
   }
 });
 
-test('a host of the recipe gives its leave to all; where a host does not, the frame says so', async ({ page }) => {
+test('a host as in the recipe allows all origins, and without that header the frame shows a message', async ({
+  page,
+}) => {
   const server = snippet('www/docs/manuals.md', 'from http.server', 'test(Handler, port=8000)').replace(
     'port=8000',
     'port=0, bind="127.0.0.1"',

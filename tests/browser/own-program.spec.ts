@@ -1,13 +1,13 @@
-// Whose program is this: a text that takes the place of the one before is a program of its own, with a context of
-// its own, and one undo brings the one before back as it was. What an address held stays in it until the text differs.
+// Own programs: a text that replaces the previous one is a new program with its own context, and one undo restores the
+// previous program with its context. The program of a link stays in the URL until the text differs.
 import { expect, test, type Page } from './engines';
 import { copy, editor, open, openFile, problems, program, status, value } from './page';
 
 const OWN = 'G00 X32 Z2\nG90 X28 Z-30 F0.2\n';
-/** An example on a GSK control under a blank of its own. */
+/** An example for a GSK control with its own blank. */
 const EXAMPLE = 's000-o0002';
 
-/** How the program is run, as the element has it. */
+/** Attributes of the element that affect the run. */
 const context = (page: Page): Promise<Record<string, string | null>> =>
   page.locator('gcode-playground').evaluate((element) => {
     const { control, setup, blockSkip, program, origin } = element as unknown as Record<
@@ -38,7 +38,7 @@ async function expectExample(page: Page, before: Record<string, string | null>):
   await expect.poll(() => address(page)).toMatch(/#s000-o0002$/);
 }
 
-/** As a paste over everything does it. */
+/** Like a paste over the whole text. */
 async function pasteOver(page: Page, text: string): Promise<void> {
   await copy(page, text);
   await editor(page).focus();
@@ -48,7 +48,7 @@ async function pasteOver(page: Page, text: string): Promise<void> {
 
 const address = (page: Page): Promise<string> => page.evaluate(() => location.href);
 
-test('a text over everything is a program of its own, and one undo brings back the example', async ({ page }) => {
+test('a text that replaces everything is a new program, and one undo restores the example', async ({ page }) => {
   await open(page, `#${EXAMPLE}`);
   const before = await context(page);
   expect(before).toMatchObject({ control: 'gsk', origin: EXAMPLE });
@@ -76,14 +76,14 @@ test('a text over everything is a program of its own, and one undo brings back t
       await expectExample(page, before);
     });
   }
-  await test.step('redo brings the own program back without them', async () => {
+  await test.step('redo restores the own program without them', async () => {
     await page.keyboard.press('Control+Shift+z');
     await expect.poll(() => value(page)).toBe(OWN);
     await expectOwn(page);
   });
 });
 
-test('a program that is cut out and put back is the same one', async ({ page }) => {
+test('a program that is cut and pasted again is the same program', async ({ page }) => {
   await open(page, `#${EXAMPLE}`);
   const before = await context(page);
   await editor(page).focus();
@@ -98,7 +98,7 @@ test('a program that is cut out and put back is the same one', async ({ page }) 
   await expectOwn(page);
 });
 
-test('switches and tools of the program before do not reach the next one', async ({ page }) => {
+test('switches and tools of the previous program do not affect the next one', async ({ page }) => {
   await open(page, '#s002-g121-square');
   await page.locator('gcode-playground').evaluate((element) => {
     element.setAttribute('block-skip', '1');
@@ -110,7 +110,7 @@ test('switches and tools of the program before do not reach the next one', async
   await expect(status(page)).toContainText(/^4 motions/);
 });
 
-test('an edit, and a text that keeps most of the program, leave its context', async ({ page }) => {
+test('an edit, and a text that keeps most of the program, keep its context', async ({ page }) => {
   await open(page, `#${EXAMPLE}`);
   const before = await context(page);
   const text = program(EXAMPLE);
@@ -123,7 +123,7 @@ test('an edit, and a text that keeps most of the program, leave its context', as
   await expect(title(page)).toHaveCount(1);
 });
 
-test('a text that the page sets leaves what the page says of it', async ({ page }) => {
+test('a text set by the host page keeps the attributes set by the host page', async ({ page }) => {
   await open(page, `#${EXAMPLE}`);
   const before = await context(page);
   await page
@@ -133,7 +133,7 @@ test('a text that the page sets leaves what the page says of it', async ({ page 
   expect(await context(page)).toEqual(before);
 });
 
-test('the text it has already, set again after each key, leaves cursor and history', async ({ page }) => {
+test('setting the current text again after each key keeps cursor and history', async ({ page }) => {
   await open(page, `#${EXAMPLE}`);
   await page.locator('gcode-playground').evaluate((element) =>
     element.addEventListener('gcode-change', (event) => {
@@ -148,7 +148,7 @@ test('the text it has already, set again after each key, leaves cursor and histo
   await expect.poll(() => value(page)).toBe(program(EXAMPLE));
 });
 
-test('what the page sets beside a text is for that text', async ({ page }) => {
+test('attributes that the host page sets together with a text apply to that text', async ({ page }) => {
   await open(page, `#${EXAMPLE}`);
   await page.locator('gcode-playground').evaluate((element, text) => {
     element.setAttribute('setup', '{"stock": {"diameter": 60, "length": 80}}');
@@ -158,7 +158,7 @@ test('what the page sets beside a text is for that text', async ({ page }) => {
   expect(await context(page)).toMatchObject({ setup: '{"stock": {"diameter": 60, "length": 80}}' });
 });
 
-test('a program of its own is what a reload finds', async ({ page }) => {
+test('an own program is restored by a reload', async ({ page }) => {
   await open(page, `#${EXAMPLE}`);
   await pasteOver(page, OWN);
   await expectOwn(page);
@@ -168,7 +168,7 @@ test('a program of its own is what a reload finds', async ({ page }) => {
   await expectOwn(page);
 });
 
-test('the program of a link stays in the address until the text differs', async ({ page }) => {
+test('the program of a link stays in the URL until the text differs', async ({ page }) => {
   const hash = `#program=${encodeURIComponent('O0001\nG00 X20 Z2\nG01 Z-10 F0.1\nM30\n')}`;
   await open(page, hash);
   await editor(page).focus();

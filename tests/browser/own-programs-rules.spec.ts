@@ -1,5 +1,5 @@
-// The rules of the list of the reader's own programs, without a browser: which earlier states stay, what a program is
-// called, and what a file or a store of anybody's may say.
+// Rules of the list of own programs, without a browser: retention of earlier states, default names, and validation of
+// files and stored values.
 import { chromiumTest as test, expect } from './engines';
 import type * as Rules from '../../www/src/page/own-programs';
 import type * as Storage from '../../www/src/page/storage';
@@ -26,14 +26,14 @@ test.beforeAll(async () => {
   rules = await import('../../www/src/page/own-programs');
 });
 
-/** Ages of states that stay, of one state each `apart` up to `oldest`. */
+/** Ages of the retained states, if there is one state every `apart` up to `oldest`. */
 function staying(apart: number, oldest: number): number[] {
   const states = Array.from({ length: Math.floor(oldest / apart) }, (_, i) => ({ time: NOW - i * apart, length: 10 }));
   const gone = new Set(rules.superfluous(states, NOW));
   return states.filter((state) => !gone.has(state)).map(({ time }) => NOW - time);
 }
 
-test('of the last ten minutes all states stay, of a day one for each ten minutes, before it one for each day', () => {
+test('all states of the last ten minutes are kept, then one per ten minutes of a day, then one per day', () => {
   const recent = staying(15 * SECOND, 10 * MINUTE);
   expect(recent).toHaveLength(40);
   const ofToday = staying(MINUTE, 8 * HOUR).filter((age) => age >= 10 * MINUTE);
@@ -44,7 +44,7 @@ test('of the last ten minutes all states stay, of a day one for each ten minutes
   expect(before.length).toBeLessThanOrEqual(60);
 });
 
-test('there are never more than a hundred, nor more than so many characters, and the newest stay', () => {
+test('at most a hundred states and a limited number of characters are kept, and the newest have priority', () => {
   const states = Array.from({ length: 500 }, (_, i) => ({ time: NOW - i * SECOND, length: 10 }));
   const left = states.filter((state) => !rules.superfluous(states, NOW).includes(state));
   expect(left).toEqual(states.slice(0, rules.LIMITS.states));
@@ -53,7 +53,7 @@ test('there are never more than a hundred, nor more than so many characters, and
   expect(long.filter((state) => !rules.superfluous(long, NOW).includes(state))).toEqual(long.slice(0, 4));
 });
 
-test('a text becomes a state when the last one is a quarter of a minute old', () => {
+test('a text becomes a new state when the last one is 15 seconds old', () => {
   expect(rules.isWorthAState([], NOW)).toBe(true);
   expect(rules.isWorthAState([{ time: NOW - 14 * SECOND, length: 1 }], NOW)).toBe(false);
   expect(
@@ -67,7 +67,7 @@ test('a text becomes a state when the last one is a quarter of a minute old', ()
   ).toBe(true);
 });
 
-test('a program is called after its file, its example, its number and comment, or its first line', () => {
+test('a program is named after its file, its example, its number and comment, or its first line', () => {
   const name = (text: string, file?: string, title?: string) =>
     rules.nameOf(
       { ...PROGRAM, text, ...(file === undefined ? {} : { file: { name: file, encoding: 'utf-8' } }) },
@@ -83,10 +83,10 @@ test('a program is called after its file, its example, its number and comment, o
   expect(rules.nameBeside('Shaft (2)', ['Shaft', 'Shaft (2)'])).toBe('Shaft (3)');
 });
 
-/** A value of each type that JSON has. */
+/** A value of each JSON type. */
 const ANY: readonly unknown[] = [undefined, null, true, 0, -1, 1e300, NaN, '', 'x', [], [[]], {}, { text: 1 }];
 
-test('each stored value of each type is read without a fault, and nothing of a wrong type comes out', () => {
+test('stored values of any type are read without an exception, and values of a wrong type are dropped', () => {
   for (const of of ANY) {
     for (const key of [
       'gcode-playground:choices',
@@ -152,7 +152,7 @@ test('each stored value of each type is read without a fault, and nothing of a w
   }
 });
 
-test('a program of a file goes beside one of the same id with another text', () => {
+test('a program from a file is added beside one with the same id and another text', () => {
   const filed = {
     id: '0123456789abcdef',
     name: 'a',

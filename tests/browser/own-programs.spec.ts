@@ -1,5 +1,6 @@
-// The reader's own programs: every edit is in the list, earlier states come back, two tabs overwrite nothing, all
-// programs go into one file and come out of it, and what cannot be kept is said while the text stays.
+// The user's own programs: every edit is stored, earlier states can be restored, two tabs do not overwrite each other,
+// all programs can be saved to one file and imported, and a program that cannot be stored is reported and stays in the
+// editor.
 import { readFileSync } from 'node:fs';
 import { expect, test, type BasicPage, type Locator, type Page } from './engines';
 import { addUnseen, items, kept, list, secondTab } from './own-programs';
@@ -28,7 +29,7 @@ async function act(page: BasicPage, name: string, what: string): Promise<void> {
   await list(page).getByRole('button', { name: what, exact: true }).click();
 }
 
-/** The texts of all programs that the database has, in order of the alphabet. */
+/** Texts of all programs in the database, in alphabetical order. */
 async function textsInList(page: BasicPage): Promise<readonly string[]> {
   const texts = await page.evaluate(async () => {
     const answer = <T>(request: IDBRequest<T>): Promise<T> =>
@@ -49,7 +50,7 @@ async function typeAtEnd(page: BasicPage, text: string): Promise<void> {
   await page.keyboard.type(text);
 }
 
-test('an example that was changed, a file and a pasted text are in the list, and an example alone is not', async ({
+test('a changed example, a file and a pasted text are in the list, and an unchanged example is not', async ({
   page,
 }) => {
   await open(page);
@@ -74,7 +75,7 @@ test('an example that was changed, a file and a pasted text are in the list, and
   await test.step('each has a small picture', async () => {
     await expect.poll(() => items(page).nth(0).locator('path.cut').getAttribute('d')).toMatch(/^M[\d LMH-]+$/);
   });
-  await test.step('one is found by its name, or by its codes', async () => {
+  await test.step('a program is found by its name or its codes', async () => {
     await page.keyboard.type('flan');
     await expect(items(page)).toHaveCount(1);
     await list(page).getByRole('searchbox').fill('o0011 g01');
@@ -83,14 +84,14 @@ test('an example that was changed, a file and a pasted text are in the list, and
     await expect(list(page).getByRole('status')).toHaveText('No program matches.');
     await list(page).getByRole('searchbox').fill('');
   });
-  await test.step('and is opened with what goes with it', async () => {
+  await test.step('a program is opened with its context', async () => {
     await items(page).nth(2).getByRole('button').first().click();
     await expect(list(page)).toBeHidden();
     expect(await value(page)).toBe(`${program(EXAMPLE)}(mine)`);
     await expect(page.getByRole('combobox', { name: 'Control' })).toHaveValue('gsk');
     await expect(page.getByRole('combobox', { name: 'Example' })).toHaveValue(EXAMPLE);
   });
-  await test.step('another edit is of the same program', async () => {
+  await test.step('another edit changes the same program', async () => {
     await typeAtEnd(page, '(again)');
     await kept(page);
     await openList(page);
@@ -99,7 +100,7 @@ test('an example that was changed, a file and a pasted text are in the list, and
   });
 });
 
-test('a program is renamed, duplicated, and deleted with a way back', async ({ page }) => {
+test('a program is renamed, duplicated and deleted, and the deletion can be undone', async ({ page }) => {
   await open(page);
   await type(page, SHAFT);
   await kept(page);
@@ -120,7 +121,7 @@ test('a program is renamed, duplicated, and deleted with a way back', async ({ p
   await list(page).getByRole('button', { name: 'Undo' }).click();
   await expect(items(page)).toHaveCount(2);
   await close(page);
-  await test.step('a name that was given stays with an edit', async () => {
+  await test.step('an edit keeps a name that the user has given', async () => {
     await typeAtEnd(page, '(more)');
     await kept(page);
     await openList(page);
@@ -128,7 +129,7 @@ test('a program is renamed, duplicated, and deleted with a way back', async ({ p
     await act(page, 'My shaft <b>', 'Delete');
     await close(page);
   });
-  await test.step('the one that is open stays on the page, and is not there the next time', async () => {
+  await test.step('after it is deleted, the open program stays on the page, and is not restored the next time', async () => {
     expect(await value(page)).toBe(`${SHAFT}(more)`);
     await page.reload();
     await expect.poll(() => value(page)).toBe(program(EXAMPLE));
@@ -137,7 +138,7 @@ test('a program is renamed, duplicated, and deleted with a way back', async ({ p
   });
 });
 
-test('an earlier state comes back, and what was there is kept as one', async ({ page }) => {
+test('an earlier state is restored, and the current text becomes a state', async ({ page }) => {
   await open(page);
   await type(page, SHAFT);
   await kept(page);
@@ -163,7 +164,7 @@ test('an earlier state comes back, and what was there is kept as one', async ({ 
   await expect.poll(() => value(page)).toBe(`${SHAFT}(second)`);
 });
 
-test('all programs go into one file, and come back without overwriting any', async ({ page }) => {
+test('all programs are saved to one file, and imported without overwriting any', async ({ page }) => {
   await open(page);
   await type(page, SHAFT);
   await kept(page);
@@ -189,22 +190,22 @@ test('all programs go into one file, and come back without overwriting any', asy
       .locator('input[type=file]')
       .setInputFiles({ name: 'programs.json', mimeType: 'application/json', buffer: Buffer.from(text) });
   const status = list(page).getByRole('status');
-  await test.step('what is there is there already', async () => {
+  await test.step('existing programs are recognised', async () => {
     await take(file);
     await expect(status).toHaveText('Added: 0 programs. Already in the list: 2.');
     await expect(items(page)).toHaveCount(2);
   });
-  await test.step('another text under the same id comes beside it', async () => {
+  await test.step('another text with the same id is added as another program', async () => {
     await take(file.toString().replace('X32', 'X33'));
     await expect(status).toHaveText('Added: 1 program. Already in the list: 1.');
     await expect(items(page)).toHaveCount(3);
   });
-  await test.step('what was deleted comes back', async () => {
+  await test.step('deleted programs are restored', async () => {
     await act(page, 'O0012 BUSH', 'Delete');
     await take(file);
     await expect(status).toHaveText('Added: 1 program. Already in the list: 1.');
   });
-  await test.step('another file is refused, with the reason', async () => {
+  await test.step('a file of another kind is rejected with the reason', async () => {
     for (const [text, reason] of [
       ['G00 X1\n', 'no file of programs'],
       ['[]', 'no file of programs'],
@@ -229,7 +230,7 @@ test('all programs go into one file, and come back without overwriting any', asy
   });
 });
 
-test('what is asked for at once is done in turn: a file of programs taken while one is being deleted', async ({
+test('requests at the same time are executed in order: an import while a program is being deleted', async ({
   page,
 }) => {
   await open(page);
@@ -253,11 +254,11 @@ test('what is asked for at once is done in turn: a file of programs taken while 
   await expect(items(page)).toHaveCount(1);
 });
 
-test('a program that gave way to another one is kept with its last key', async ({ page }) => {
+test('a program that is replaced by another one is stored with its last edit', async ({ page }) => {
   await open(page);
   await type(page, SHAFT);
   await typeAtEnd(page, 'G4 X1');
-  // Before it was time to keep it.
+  // Before the timer stores it.
   await page.getByLabel('Example').selectOption('s003-g71');
   await expect.poll(() => value(page)).toBe(program('s003-g71'));
   await openList(page);
@@ -265,8 +266,8 @@ test('a program that gave way to another one is kept with its last key', async (
   await expect.poll(() => value(page)).toBe(`${SHAFT}G4 X1`);
 });
 
-// A browser can put a page aside as it is, with what it was about to write, and show it again when the reader goes back.
-test('a page that is left while the list is written keeps no other waiting, and goes on when it is shown again', async ({
+// A browser can freeze a page with pending writes in its back/forward cache, and restore it when the user goes back.
+test('leaving a page while the list is written does not block another page, and the page continues when restored', async ({
   page,
 }) => {
   await open(page, '#program=O1%0AG00%20X1');
@@ -288,7 +289,7 @@ test('a page that is left while the list is written keeps no other waiting, and 
   await expect(items(page).first()).toContainText('O4');
 });
 
-test('a page that is left before its list is open goes on when it is shown again', async ({ page, engine }) => {
+test('a page that is left before its list is open continues when it is restored', async ({ page, engine }) => {
   await open(page, '#program=O1%0AG00%20X1');
   await page.evaluate(() =>
     addEventListener('pageshow', ({ persisted }) => void (document.title = `shown again: ${persisted}`)),
@@ -297,13 +298,13 @@ test('a page that is left before its list is open goes on when it is shown again
   await page.goto('about:blank');
   await page.goBack();
   await expect.poll(() => value(page)).toContain('(A)');
-  // Chromium puts no page aside that a test drives, and loads it anew.
+  // Chromium keeps no page in the back/forward cache during a test, and loads it again.
   if (engine !== 'chromium') await expect.poll(() => page.evaluate(() => document.title)).toBe('shown again: true');
   await openList(page);
   await expect(items(page)).toHaveCount(1);
 });
 
-test('what another tab makes of a program, while the page that it was typed in is put aside, is not overwritten', async ({
+test('changes of another tab are not overwritten when the page of the program is restored', async ({
   page,
   engine,
 }) => {
@@ -311,7 +312,7 @@ test('what another tab makes of a program, while the page that it was typed in i
   await page.evaluate(() => void (document.documentElement.dataset['before'] = 'yes'));
   await typeAtEnd(page, '(A)');
   await page.goto('about:blank');
-  // The next page takes over what was left, and goes on with it.
+  // The next page takes over the pending text, and continues with it.
   await open(page);
   await expect.poll(() => value(page)).toContain('(A)');
   await typeAtEnd(page, '(B)');
@@ -319,10 +320,10 @@ test('what another tab makes of a program, while the page that it was typed in i
   const next = await page.evaluate(() => performance.timeOrigin);
   await page.goBack();
   await page.goBack();
-  // On the way there is no page to ask.
+  // During navigation there is no page to evaluate in.
   await expect.poll(() => page.evaluate(() => performance.timeOrigin).catch(() => next)).not.toBe(next);
   await expect.poll(() => value(page)).toContain('O1');
-  // Who has not put it aside loads it anew.
+  // A browser without the cached page loads it again.
   const isShownAgain = (await page.evaluate(() => document.documentElement.dataset['before'])) === 'yes';
   if (engine === 'webkit') expect(isShownAgain).toBe(true);
   if (isShownAgain) await expect(said(page)).toContainText('in another tab');
@@ -335,9 +336,7 @@ test('what another tab makes of a program, while the page that it was typed in i
   if (isShownAgain) expect(await textsInList(page)).toContain('O1\nG00 X1(A)(C)');
 });
 
-test('a program that is too long for the journal is not left without a question until the list has it', async ({
-  page,
-}) => {
+test('leaving asks for confirmation while a long program is unsaved', async ({ page }) => {
   const asks = (): Promise<boolean> =>
     page.evaluate(() => !dispatchEvent(new Event('beforeunload', { cancelable: true })));
   await open(page);
@@ -357,7 +356,7 @@ test('a program that is too long for the journal is not left without a question 
   expect((await textsInList(page)).map((text) => text.slice(0, 4))).toEqual(['%\nO1']);
 });
 
-test('a link takes the place of the program, which stays in the list', async ({ page }) => {
+test('a link replaces the program, which stays in the list', async ({ page }) => {
   await open(page);
   await type(page, SHAFT);
   await page.evaluate(() => {
@@ -369,7 +368,7 @@ test('a link takes the place of the program, which stays in the list', async ({ 
   await expect(items(page).nth(0)).toContainText('O0011 SHAFT');
 });
 
-test('the program that was kept before there was a list is taken into it once', async ({ page }) => {
+test('the program stored before the list existed is added to it once', async ({ page }) => {
   await page.goto('./docs/index.html');
   await page.evaluate(
     ({ text }) => {
@@ -387,7 +386,7 @@ test('the program that was kept before there was a list is taken into it once', 
   }
 });
 
-test('a list that is full takes no more, and says so; what is in the editor stays', async ({ page }) => {
+test('a full list reports that it stores no more, and the text stays in the editor', async ({ page }) => {
   await open(page);
   await openList(page);
   const programs = Array.from({ length: 1001 }, (_, i) => ({
@@ -411,7 +410,7 @@ test('a list that is full takes no more, and says so; what is in the editor stay
   await expect(said(page)).toContainText('The list of your programs is full: this program is not in it.');
   await page.reload();
   await expect.poll(() => value(page)).toBe(SHAFT);
-  await test.step('until there is room', async () => {
+  await test.step('storing resumes when there is room', async () => {
     await openList(page);
     await list(page).getByRole('searchbox').fill('Part 777');
     await act(page, 'Part 777', 'Delete');
@@ -426,7 +425,7 @@ test('a list that is full takes no more, and says so; what is in the editor stay
 
 // ---- two tabs ---------------------------------------------------------------------------------------
 
-/** A click in a tab that nobody may see, where nothing is painted. */
+/** Clicks a button in a hidden tab, where nothing is painted. */
 const press = (button: Locator): Promise<void> => button.evaluate((element) => element.click());
 
 async function openListUnseen(page: BasicPage): Promise<void> {
@@ -434,7 +433,7 @@ async function openListUnseen(page: BasicPage): Promise<void> {
   await expect(list(page).getByRole('status')).not.toHaveText('');
 }
 
-test('what another tab does to the same program is said, and shown where the reader wants it', async ({ page }) => {
+test('a change of the same program in another tab is reported, and shown on request', async ({ page }) => {
   await open(page);
   await type(page, SHAFT);
   await kept(page);
@@ -447,7 +446,7 @@ test('what another tab does to the same program is said, and shown where the rea
   await press(said(page).getByRole('button', { name: 'Show the other text' }));
   await expect.poll(() => value(page)).toBe(theirs);
   await expect(said(page)).toBeHidden();
-  await test.step('and it goes on as one program', async () => {
+  await test.step('both tabs continue with one program', async () => {
     await addUnseen(page, '(of the first)');
     await expect(said(second)).toContainText('This program was changed in another tab.');
     await openListUnseen(page);
@@ -471,14 +470,14 @@ test('two tabs that change the same program keep both texts', async ({ page }) =
   expect(mine).toContain('(of the first)');
   await press(items(page).filter({ hasText: 'O0011 SHAFT' }).last().getByRole('button').first());
   await expect.poll(() => value(page)).toContain('(of the second tab)');
-  await test.step('or at once where the reader says so', async () => {
+  await test.step('both texts are kept immediately on request', async () => {
     await addUnseen(second, '(more)');
     await press(said(page).getByRole('button', { name: 'Keep both' }));
     await expect(said(page)).toContainText('Both are kept');
     await openListUnseen(page);
     await expect(items(page)).toHaveCount(3);
   });
-  await test.step('and what is deleted in the other tab stays on the page', async () => {
+  await test.step('a program deleted in the other tab stays on the page', async () => {
     await press(list(page).getByRole('button', { name: 'Close' }));
     await openListUnseen(second);
     await press(list(second).getByRole('button', { name: 'What can be done with O0011 SHAFT (3)', exact: true }));
@@ -488,9 +487,9 @@ test('two tabs that change the same program keep both texts', async ({ page }) =
   });
 });
 
-// ---- when the browser does not keep it --------------------------------------------------------------
+// ---- storage failures -------------------------------------------------------------------------------
 
-/** The database answers as one that has no room, or is not allowed, as long as `window.refuses` says so. */
+/** The database fails as if full or forbidden while `window.refuses` is set. */
 const refusing = (): void => {
   Reflect.set(window, 'refuses', sessionStorage.getItem('refuses') ?? '');
   const refuse = (): void => {
@@ -514,7 +513,7 @@ const setRefusal = (page: Page, why: string): Promise<void> =>
     Reflect.set(window, 'refuses', why);
   }, why);
 
-test('a full store is said, the text stays, and is kept when there is room', async ({ page }) => {
+test('a full storage is reported, the text stays, and is stored once there is room', async ({ page }) => {
   await page.addInitScript(refusing);
   await open(page);
   await setRefusal(page, 'QuotaExceededError');
@@ -525,13 +524,15 @@ test('a full store is said, the text stays, and is kept when there is room', asy
   await said(page).getByRole('button', { name: 'Save file' }).click();
   expect(readFileSync(await (await saving).path(), 'utf8')).toBe(SHAFT);
   await setRefusal(page, '');
-  // Without another key.
+  // Without another key press.
   await expect(said(page)).toBeHidden();
   await openList(page);
   await expect(items(page)).toHaveCount(1);
 });
 
-test('a browser that refuses to keep a list keeps the last program, or says that it keeps none', async ({ page }) => {
+test('a browser that forbids the database stores the last program, or reports that it stores none', async ({
+  page,
+}) => {
   await page.addInitScript(refusing);
   await open(page);
   await setRefusal(page, 'NotAllowedError');
@@ -544,7 +545,7 @@ test('a browser that refuses to keep a list keeps the last program, or says that
   await expect(said(page).getByRole('button', { name: 'Save file' })).toBeVisible();
 });
 
-test('what is deleted while the page is open is said, and the text is kept again', async ({ page }) => {
+test('deleting the database while the page is open is reported, and the text is stored again', async ({ page }) => {
   await open(page);
   await type(page, SHAFT);
   await kept(page);
@@ -566,9 +567,9 @@ test('what is deleted while the page is open is said, and the text is kept again
   await expect.poll(() => value(page)).toBe(SHAFT);
 });
 
-// ---- what is stored can be anything -----------------------------------------------------------------
+// ---- arbitrary stored values ------------------------------------------------------------------------
 
-test('stored values of any type are read as what anybody can have written', { tag: '@night' }, async ({ page }) => {
+test('stored values of any type are treated as untrusted input', { tag: '@night' }, async ({ page }) => {
   await page.goto('./docs/index.html');
   const values: readonly unknown[] = [
     null,
@@ -632,7 +633,7 @@ test('stored values of any type are read as what anybody can have written', { ta
   }
 });
 
-test('a list whose rows are of any type is shown all the same', async ({ page }) => {
+test('a list whose rows are of any type is still shown', async ({ page }) => {
   await open(page);
   await type(page, SHAFT);
   await kept(page);

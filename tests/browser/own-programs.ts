@@ -1,13 +1,13 @@
-// What the tests know of "My programs", and of the same page in a second tab, which nobody may see.
+// Helpers for "My programs", and for the same page in a second, hidden tab.
 import { expect, type BasicPage, type Locator, type Page } from './engines';
 
 export const list = (page: BasicPage): Locator => page.getByRole('dialog', { name: 'My programs' });
 export const items = (page: BasicPage): Locator => list(page).getByRole('listitem');
 
-/** At most a second after a key, what was typed is kept. */
+/** Waits until typed text is stored, which takes at most a second. */
 export const kept = (page: BasicPage): Promise<void> => page.waitForTimeout(900);
 
-/** The page in a second tab, with what the address says after its `#`. */
+/** Opens the page in a second tab, with `hash` as the fragment of the URL. */
 export async function secondTab(page: Page, hash = ''): Promise<Page> {
   await page.evaluate((hash) => {
     const link = Object.assign(document.createElement('a'), {
@@ -26,12 +26,12 @@ export async function secondTab(page: Page, hash = ''): Promise<Page> {
   await second
     .locator('gcode-playground')
     .evaluate((element) => (element as unknown as { settled: Promise<number> }).settled);
-  // The list comes after the first picture.
+  // The list is loaded after the first picture.
   await second.waitForTimeout(500);
   return second;
 }
 
-/** Adds to the text as a reader does, in a tab that nobody may see. */
+/** Adds to the text like a user, in a hidden tab. */
 export async function addUnseen(page: BasicPage, text: string): Promise<void> {
   await page.locator('gcode-playground').evaluate((element, added) => {
     const content = element.shadowRoot?.querySelector('.cm-content') as HTMLElement;

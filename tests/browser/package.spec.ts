@@ -1,4 +1,5 @@
-// The npm package: packed, installed into projects that know nothing else of it, and used from Node, TypeScript, Vite and a plain page.
+// The npm package: packed, installed into otherwise empty projects, and used from Node, TypeScript, Vite and a plain
+// page.
 import { execFile, spawn } from 'node:child_process';
 import { copyFile, mkdir, mkdtemp, readdir, readFile, rm, writeFile } from 'node:fs/promises';
 import { tmpdir } from 'node:os';
@@ -30,7 +31,7 @@ test.beforeAll(async () => {
 });
 test.afterAll(() => rm(project, { recursive: true, force: true }));
 
-/** The indented block of a document that begins so. */
+/** The indented block of a document that starts with `start`. */
 async function block(document: string, start: string): Promise<string> {
   const text = await readFile(document, 'utf8');
   const blocks = text.split('\n').reduce<string[]>(
@@ -46,7 +47,7 @@ async function block(document: string, start: string): Promise<string> {
   return found;
 }
 
-test('it has what it says, no install scripts and no dependencies, and what TypeScript and editors ask for', async () => {
+test('it contains its listed files and metadata for TypeScript and editors, and no install scripts or dependencies', async () => {
   const folder = join(project, 'node_modules', 'gcode-playground');
   const { version, scripts, dependencies, customElements } = JSON.parse(
     await readFile(join(folder, 'package.json'), 'utf8'),
@@ -80,7 +81,7 @@ test('it has what it says, no install scripts and no dependencies, and what Type
     expect(licences).toMatch(new RegExp(`^${inside} `, 'm'));
 });
 
-test('the list of attributes is that of the element', async ({ page }) => {
+test('the list of attributes matches the element', async ({ page }) => {
   const manifest = JSON.parse(await readFile(join(PACKAGE, 'custom-elements.json'), 'utf8')) as {
     modules: {
       declarations: { attributes: { name: string }[]; events: { name: string }[]; members: { name: string }[] }[];
@@ -99,7 +100,7 @@ test('the list of attributes is that of the element', async ({ page }) => {
     });
     expect(declared?.attributes.map(({ name }) => name).sort()).toEqual([...observed].sort());
     for (const { name } of declared?.members ?? []) expect(properties).toContain(name);
-    // What TypeScript knows of the element is there.
+    // Members of the element in its TypeScript types.
     const typed = [
       ...(types
         .split('export class')[1]
@@ -148,8 +149,8 @@ test('from Node', async () => {
   await run(process.execPath, ['more.mjs'], { cwd: project });
 });
 
-test('in Node, every program of the tests says what it says on the command line', async () => {
-  // As xtask/src/native.rs builds it: then nothing is compiled anew after the tests.
+test('in Node, every program of the tests has the same output as on the command line', async () => {
+  // Same command as in xtask/src/native.rs, so that nothing is compiled again after the tests.
   await run('cargo', ['build', '--quiet', '--workspace', '--bin', 'gcode-playground', '--example', 'npx'], {
     cwd: join(WWW, '..'),
   });
@@ -159,7 +160,7 @@ test('in Node, every program of the tests says what it says on the command line'
   expect(Number(/^(\d+) programs/.exec(stdout)?.[1])).toBeGreaterThan(50);
 });
 
-test('from TypeScript, strictly', async () => {
+test('from TypeScript, in strict mode', async () => {
   await writeFile(
     join(project, 'program.ts'),
     `
@@ -187,7 +188,7 @@ test('from TypeScript, strictly', async () => {
     }
   `,
   );
-  // What the types need of React's.
+  // The parts of React's types that ours need.
   const react = join(project, 'node_modules', 'react');
   await mkdir(react, { recursive: true });
   await writeFile(join(react, 'package.json'), JSON.stringify({ name: 'react', types: 'index.d.ts' }));
@@ -217,7 +218,7 @@ test('from TypeScript, strictly', async () => {
   expect(stdout).toBe('');
 });
 
-/** Opens a page with this body, with the files of the package beside it. */
+/** Opens a page with this body, beside the files of the package. */
 async function inPage(page: ChromiumPage, body: string, act: () => Promise<void>): Promise<void> {
   const html = `<!DOCTYPE html><html lang="en"><head><title>A manual</title></head><body>${body}<script type="module" src="/gcode-playground/element.js"></script></body></html>`;
   const site = await serve(join(project, 'node_modules', 'gcode-playground'), () => ({
@@ -233,7 +234,7 @@ async function inPage(page: ChromiumPage, body: string, act: () => Promise<void>
   }
 }
 
-/** The motions of the only element of the page, once its picture is shown. */
+/** Number of motions of the page's only element, once its picture is shown. */
 function motionsShown(page: ChromiumPage): Promise<number> {
   return page.evaluate(async () => {
     await customElements.whenDefined('gcode-playground');
@@ -253,7 +254,7 @@ function motionsShown(page: ChromiumPage): Promise<number> {
   });
 }
 
-test('in a plain page, as its README has it', async ({ page }) => {
+test('in a plain page, as in its README', async ({ page }) => {
   const readme = await block(join(PACKAGE, 'README.md'), '<script type="module"');
   const site = await serve(join(project, 'node_modules', 'gcode-playground'), () => ({
     filesAt: '/gcode-playground/',
@@ -297,7 +298,7 @@ test('bundled by Vite, with `base: "./"`', async ({ page }) => {
   }
 });
 
-test("with Vite's development server, as its README has it", async ({ page }) => {
+test("with Vite's development server, as in its README", async ({ page }) => {
   test.setTimeout(120_000);
   const readme = await readFile(join(PACKAGE, 'README.md'), 'utf8');
   const setting = /`(optimizeDeps: [^`]+)`/.exec(readme)?.[1] ?? '';

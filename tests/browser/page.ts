@@ -1,4 +1,4 @@
-// What the browser tests know of the page: roles and words, and the element's one method for automation.
+// Helpers of the browser tests for the page: roles, labels, and the element's one method for automation.
 import { expect, type BasicPage, type Locator } from './engines';
 import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
@@ -9,12 +9,12 @@ interface Playground extends HTMLElement {
   locate(x: number, z: number): Promise<{ clientX: number; clientY: number }>;
 }
 
-/** The text of a program in tests/programs. */
+/** Text of a program in tests/programs. */
 export function program(id: string): string {
   return read(id, 'program.nc');
 }
 
-/** How many motions are expected of a program in tests/programs. */
+/** Expected number of motions of a program in tests/programs. */
 export function motionCount(id: string): number {
   return read(id, 'motions.jsonl')
     .split('\n')
@@ -31,7 +31,7 @@ export const status = (page: BasicPage): Locator => page.getByRole('status');
 export const drawing = (page: BasicPage): Locator => page.getByRole('img', { name: /tool path|轨迹|траектории/ });
 export const play = (page: BasicPage): Locator => page.getByRole('button', { name: 'Play' });
 export const tooltip = (page: BasicPage): Locator => page.getByRole('tooltip');
-/** What can be shown where there is no room for all of it at once. */
+/** Tabs of a small window. */
 const TABS = {
   drawing: /^(Drawing|图形|Чертёж)$/,
   program: /^(Program|程序|Программа)$/,
@@ -42,7 +42,10 @@ const TABS = {
 export const tab = (page: BasicPage, which: keyof typeof TABS): Locator => page.getByRole('tab', { name: TABS[which] });
 export const problems = (page: BasicPage): Locator => page.getByRole('region', { name: /^(Problems|问题|Замечания)$/ });
 
-/** Opens the page and waits until the first program has run and its part and messages are there. Any error on the page fails the test, and so does anything that its policy blocks. */
+/**
+ * Opens the page and waits until the first program has run and its part and messages are shown. Any error on the page
+ * fails the test, and so does any violation of its policy.
+ */
 export async function open(page: BasicPage, hash = ''): Promise<void> {
   page.on('pageerror', (error) => {
     throw error;
@@ -60,22 +63,22 @@ export async function open(page: BasicPage, hash = ''): Promise<void> {
   });
   await page.goto(`./${hash}`);
   await expect(status(page)).toContainText(/\d/);
-  // Of what is still coming it says so, with dots.
+  // The status ends with dots while something is still loading.
   await expect(status(page)).not.toContainText('…');
   await page.locator('gcode-playground').evaluate(atRest);
 }
 
-/** What comes after the first picture is there: a click goes where it was aimed. */
+/** Waits for content that arrives after the first picture, so that the layout no longer moves under a click. */
 async function atRest(element: Element): Promise<void> {
   await (element as Playground).settled;
   const examples = document.querySelector<HTMLSelectElement>('#example');
-  // The list of examples may be kept from coming.
+  // A test may block the list of examples.
   const end = performance.now() + 3000;
   while (examples !== null && examples.options.length < 2 && performance.now() < end)
     await new Promise((done) => setTimeout(done, 10));
 }
 
-/** Types the text in place of what is there, as a reader would: select all, then the keys. */
+/** Replaces the text like a user: select all, then type. */
 export async function type(page: BasicPage, text: string): Promise<void> {
   await editor(page).focus();
   await page.keyboard.press('Control+A');
@@ -83,11 +86,11 @@ export async function type(page: BasicPage, text: string): Promise<void> {
   await page.keyboard.insertText(text);
 }
 
-/** What stands under the editor about the word and the block at the cursor. */
+/** The panel below the editor about the word and the block at the cursor. */
 export const atCursor = (page: BasicPage): Locator =>
   page.getByRole('region', { name: /^(At the cursor|光标处|У курсора)/ });
 
-/** Puts the cursor into a line (from 1), after so many letters, with keys. */
+/** Moves the cursor by keys to a line (from 1), after `letter` characters. */
 export async function goTo(page: BasicPage, line: number, letter = 0): Promise<void> {
   await editor(page).focus();
   await page.keyboard.press('Control+Home');
@@ -96,21 +99,21 @@ export async function goTo(page: BasicPage, line: number, letter = 0): Promise<v
   for (let at = 0; at < letter; at++) await page.keyboard.press('ArrowRight');
 }
 
-/** Puts a text in at once, as opening a file does; for texts too long to be typed. */
+/** Opens a text as a file; for texts that are too long to type. */
 export async function openFile(page: BasicPage, name: string, bytes: Uint8Array): Promise<void> {
   await page
     .locator('header input[type=file]')
     .setInputFiles({ name, mimeType: 'text/plain', buffer: Buffer.from(bytes) });
 }
 
-/** The text in the editor, all of it. */
+/** The whole text of the editor. */
 export async function value(page: BasicPage): Promise<string> {
   return page.locator('gcode-playground').evaluate((element) => (element as Playground).value);
 }
 
 /**
- * Where a place (X a diameter, Z, mm) is on the screen, once the picture of the program is there:
- * what a run shows can move it.
+ * Screen position of a point (X as a diameter, Z; mm), once the picture is shown. The position changes with the picture
+ * of the next run.
  */
 export async function locate(page: BasicPage, x: number, z: number): Promise<{ x: number; y: number }> {
   const place = await page.locator('gcode-playground').evaluate(
@@ -123,7 +126,7 @@ export async function locate(page: BasicPage, x: number, z: number): Promise<{ x
   return { x: place.clientX, y: place.clientY };
 }
 
-/** The pixel a share of the way from one place to another: 0.5 is the middle of the stroke between them. */
+/** Pixel at a fraction of the way between two points: 0.5 is the middle of the stroke. */
 export async function between(
   page: BasicPage,
   from: { x: number; z: number },
@@ -134,8 +137,8 @@ export async function between(
 }
 
 /**
- * Puts a text into the clipboard as a reader does, by a field and its keys: scripts need a leave that not
- * every engine can be given.
+ * Copies a text to the clipboard like a user, by a field and its keys: scripts need a permission that cannot be granted
+ * in every engine.
  */
 export async function copy(page: BasicPage, text: string): Promise<void> {
   await page.evaluate((text) => {
@@ -148,7 +151,7 @@ export async function copy(page: BasicPage, text: string): Promise<void> {
   await page.evaluate(() => document.getElementById('clipboard')?.remove());
 }
 
-/** What is in the clipboard. The keyboard goes back to where it was. */
+/** The text in the clipboard. Restores the focus. */
 export async function clipboard(page: BasicPage): Promise<string> {
   await page.evaluate(() => {
     Reflect.set(window, 'before', document.activeElement);
@@ -167,7 +170,10 @@ export async function clipboard(page: BasicPage): Promise<string> {
   });
 }
 
-/** Runs the same text once more, in which no block is skipped, and waits until what is said of it has been answered. */
+/**
+ * Runs the same text again by changing the block-skip level, which no block uses, and waits until the requests about it
+ * have been answered.
+ */
 export async function runAgain(page: BasicPage): Promise<void> {
   await page.locator('gcode-playground').evaluate(async (element) => {
     element.setAttribute('block-skip', element.getAttribute('block-skip') === '9' ? '8' : '9');
@@ -176,7 +182,7 @@ export async function runAgain(page: BasicPage): Promise<void> {
   await page.waitForTimeout(500);
 }
 
-/** The text the reader has selected in the editor. */
+/** The selected text of the editor. */
 export async function selected(page: BasicPage): Promise<string> {
   return page.evaluate(() => {
     const root = document.querySelector('gcode-playground')?.shadowRoot;

@@ -1,5 +1,5 @@
-// The parts of the interpreter that are loaded after the first picture: until they are there the page shows
-// what is right and says what is coming; one that does not come is reported, and can be tried again.
+// Parts of the interpreter that are loaded after the first picture: until they arrive, the page shows only correct
+// content and reports what is loading; a part that fails to load is reported, and can be retried.
 import { expect, type Route } from '@playwright/test';
 import { chromiumTest as test, type ChromiumPage } from './engines';
 import { examples, motionCount, open, openFile, type } from './page';
@@ -9,7 +9,7 @@ const PROGRAM = 'G00 X50 Z2\nG01 X40 Z-20 F0.2\nM30\n';
 const PROGRAM_WITH_NOTE = `(STOCK D=60 LENGTH=80)\n${PROGRAM}`;
 const COMING = /^\d+ motions · \d+ lines · part and messages are loading …$/;
 
-/** Answers for the file of a part or a language as it likes. */
+/** Intercepts requests for the file of a part or a language. */
 async function route(page: ChromiumPage, part: string, answer: (route: Route) => Promise<void>): Promise<void> {
   await page.route(new RegExp(`/assets/${part}-[\\w-]{8}\\.(wasm|txt)$`), answer);
 }
@@ -20,15 +20,15 @@ async function late(route: Route): Promise<void> {
 }
 
 interface Watched {
-  /** What the status line said, one after the other. */
+  /** Successive texts of the status line. */
   readonly said: string[];
-  /** How many problems the panel listed then. */
+  /** Number of problems in the panel at each of them. */
   readonly listed: number[];
-  /** The size of what the canvas showed and a number for it, each time it changed. */
+  /** Size of the canvas and a hash of its pixels, for each change. */
   readonly pictures: string[];
 }
 
-/** Watches the page from its first moment until it is settled. */
+/** Records the page from its start until everything is loaded. */
 async function watched(page: ChromiumPage): Promise<Watched> {
   await page.addInitScript(() => {
     const seen = { said: [] as string[], listed: [] as number[], pictures: [] as string[] };
@@ -44,7 +44,7 @@ async function watched(page: ChromiumPage): Promise<Watched> {
         const list = root.querySelector('[part=problems]');
         add(seen.listed, list === null || (list as HTMLElement).hidden ? 0 : list.querySelectorAll('li').length);
         const canvas = root.querySelector('canvas');
-        // The canvas itself only takes images: its pixels are read from a copy.
+        // Pixels cannot be read from the canvas itself, which only accepts images; they are read from a copy.
         if (canvas !== null && canvas !== undefined && canvas.width > 1) {
           const context = new OffscreenCanvas(canvas.width, canvas.height).getContext('2d')!;
           context.drawImage(canvas, 0, 0);
@@ -64,24 +64,24 @@ async function watched(page: ChromiumPage): Promise<Watched> {
   return page.evaluate(() => (window as unknown as { seen: Watched }).seen);
 }
 
-/** There is nothing more to come. */
+/** Waits until nothing more is loading. */
 async function settled(page: ChromiumPage): Promise<void> {
   await page
     .locator('gcode-playground')
     .evaluate((element) => (element as HTMLElement & { settled: Promise<number> }).settled);
 }
 
-test('without delays the page ends at the same', async ({ page }) => {
+test('without delays the page ends in the same state', async ({ page }) => {
   const { said } = await watched(page);
   expect(said.at(-1)).toMatch(/^\d+ motions · \d+ lines · no problems/);
 });
 
 for (const part of ['late', 'en']) {
-  test(`${part} arrives three seconds late: the path is drawn, and nothing wrong is shown`, async ({ page }) => {
+  test(`${part} arrives three seconds late: the path is drawn, and no wrong state is shown`, async ({ page }) => {
     const atOnce = await watched(page);
     await route(page, part, late);
     const { said, listed, pictures } = await watched(page);
-    // Loading, the path, then all of it; the sizes of the page may settle between.
+    // Loading, the path, then everything; sizes of the layout may change in between.
     expect(said.filter((line) => !line.startsWith('Part …'))).toEqual([
       'Loading …',
       expect.stringMatching(COMING),
@@ -90,14 +90,17 @@ for (const part of ['late', 'en']) {
     expect(listed).toEqual(atOnce.listed.at(-1) === 0 ? [0] : [0, atOnce.listed.at(-1)]);
     expect(pictures.at(-1)).toBeDefined();
     expect(pictures.at(-1)).toBe(atOnce.pictures.at(-1));
-    // Nothing, the path, the path with its part, and none of them twice: panels that come late only take some room of the picture.
+    // Nothing, the path, the path with its part, each only once: panels that arrive late only reduce the size of the
+    // picture.
     const size = pictures.at(-1)?.split(' ')[0] ?? '';
     expect(pictures.filter((picture) => picture.startsWith(size)).length).toBeLessThanOrEqual(3);
   });
 }
 
 for (const part of ['early', 'early-late']) {
-  test(`${part} arrives three seconds late: nothing is drawn before, and then all is right`, async ({ page }) => {
+  test(`${part} arrives three seconds late: nothing is drawn before it, then everything is correct`, async ({
+    page,
+  }) => {
     const atOnce = await watched(page);
     await route(page, part, late);
     const { said, listed, pictures } = await watched(page);
@@ -112,7 +115,7 @@ for (const part of ['early', 'early-late']) {
   });
 }
 
-test('the editor has the line after the first picture', async ({ page }) => {
+test('the editor is loaded after the first picture', async ({ page }) => {
   await page.addInitScript(() => {
     const Own = window.Worker;
     window.Worker = class extends Own {
@@ -126,21 +129,21 @@ test('the editor has the line after the first picture', async ({ page }) => {
     };
   });
   await page.setViewportSize({ width: 1280, height: 800 });
-  // What the first program says of the setup takes its time.
+  // Delay the part that reads the setup of the first program.
   await route(page, 'early', late);
   await open(page);
   const [picture, editor] = await page.evaluate(() => {
     const files = performance
       .getEntriesByType('resource')
       .filter(({ name }) => /\/assets\/index-[\w-]{8}\.js$/.test(name));
-    // The later one; the other is the page's own.
+    // The later file; the other one is the page's own.
     return [Reflect.get(window, 'picture') as number, Math.max(...files.map(({ startTime }) => startTime))] as const;
   });
   expect(picture).toBeGreaterThan(LATE_MS);
   expect(editor).toBeGreaterThanOrEqual(picture);
 });
 
-test('what a comment says of the setup holds from the first picture', async ({ page }) => {
+test('a setup in a comment applies from the first picture', async ({ page }) => {
   await route(page, 'early', late);
   await page.goto(`./#${new URLSearchParams({ program: PROGRAM_WITH_NOTE, setup: '{}' })}`);
   await expect(page.getByRole('status')).toContainText('Loading …');
@@ -150,7 +153,7 @@ test('what a comment says of the setup holds from the first picture', async ({ p
   await expect(page.getByRole('button', { name: /Setup/ })).not.toContainText('inferred');
 });
 
-test('without a setup nothing of it is waited for before the first picture', async ({ page }) => {
+test('without a setup, the first picture does not wait for the setup part', async ({ page }) => {
   await route(page, 'early', late);
   await page.goto(`./#${new URLSearchParams({ program: PROGRAM, setup: '{}' })}`);
   await expect(page.getByRole('status')).toHaveText(COMING);
@@ -158,7 +161,7 @@ test('without a setup nothing of it is waited for before the first picture', asy
   await expect(page.getByRole('status')).toHaveText(/^2 motions · 4 lines · 1 problem$/);
 });
 
-test('a setup that cannot be loaded is reported; nothing is drawn without it, and it can be tried again', async ({
+test('a setup part that fails to load is reported, nothing is drawn without it, and it can be retried', async ({
   page,
 }) => {
   let broken = true;
@@ -173,13 +176,13 @@ test('a setup that cannot be loaded is reported; nothing is drawn without it, an
   await expect(notice).toBeVisible();
   await expect(page.getByRole('status')).toHaveText('—');
   broken = false;
-  // What was typed begins an attempt as well: the button may be gone by now.
+  // Typing also triggers a retry: the button may already be gone.
   await page.evaluate(() => void dispatchEvent(new Event('online')));
   await expect(notice).toBeHidden();
   await expect(page.getByRole('status')).toContainText('2 motions');
 });
 
-test('what is asked before its part is there is answered when it is', async ({ page }) => {
+test('a request made before its part is loaded is answered afterwards', async ({ page }) => {
   await route(page, 'late', late);
   await page.goto('./');
   await page.getByRole('button', { name: 'Help (?)' }).click();
@@ -187,20 +190,20 @@ test('what is asked before its part is there is answered when it is', async ({ p
   await expect(page.getByRole('rowheader', { name: 'G71', exact: true })).toBeVisible();
 });
 
-test('a part that cannot be loaded is reported; the rest works, and it can be tried again', async ({ page }) => {
+test('a part that fails to load is reported, the rest works, and it can be retried', async ({ page }) => {
   let broken = true;
   await route(page, 'late', (route) => (broken ? route.abort() : route.continue()));
   await page.goto('./');
   const notice = page.getByRole('alert').filter({ hasText: 'Not all of the playground could be loaded' });
   await expect(notice).toBeVisible();
   await expect(page.getByRole('status')).toContainText('part and messages could not be loaded');
-  // Editing goes on, and each run tries again.
+  // Editing still works, and each run retries.
   await type(page, 'G00 X50 Z2\nG01 X40 Z-20 F0.2\nG01 X');
   await expect(page.getByRole('status')).toContainText(/^2 motions/);
   await settled(page);
   await expect(notice).toBeVisible();
   broken = false;
-  // What was typed begins an attempt as well: the button may be gone by now.
+  // Typing also triggers a retry: the button may already be gone.
   await page.evaluate(() => void dispatchEvent(new Event('online')));
   await expect(notice).toBeHidden();
   await expect(page.getByRole('region', { name: 'Problems' }).getByRole('listitem').first()).toBeVisible();
@@ -209,7 +212,7 @@ test('a part that cannot be loaded is reported; the rest works, and it can be tr
 
 const ONLY_SOME_NEED = {
   'a program with macros': { program: 'G00 X50 Z2\n#1=40\nG01 X#1 Z-20 F0.2\nM30', says: '2 motions' },
-  // The nose radius stands in the program, so that no setup is read.
+  // The nose radius is set in the program, so that no setup is read.
   'a compensated program': {
     program: 'G10 P1 X0 Z0 R0.8 Q3\nT0101\nG00 X50 Z2\nG42 G00 X40 Z1\nG01 Z-20 F0.2\nX46\nG40 G00 X50 Z2\nM30',
     says: '5 motions',
@@ -220,7 +223,7 @@ const ONLY_SOME_NEED = {
 };
 
 for (const [name, { program, says }] of Object.entries(ONLY_SOME_NEED)) {
-  test(`${name} is drawn once what reads it is there, and not before`, async ({ page }) => {
+  test(`${name} is drawn once the part that reads it is loaded, and not before`, async ({ page }) => {
     await route(page, 'early', late);
     await page.goto(`./#${new URLSearchParams({ program, setup: '{}' })}`);
     await expect(page.getByRole('status')).toHaveText('Loading …');
@@ -234,13 +237,13 @@ for (const [name, { program, says }] of Object.entries(ONLY_SOME_NEED)) {
   });
 }
 
-test('a module that cannot be loaded is reported', async ({ page }) => {
+test('a module that fails to load is reported', async ({ page }) => {
   await page.route(/gcode_playground_bg-[\w-]+\.wasm$/, (route) => route.abort());
   await page.goto('./');
   await expect(page.getByRole('alert')).toContainText('The interpreter could not be loaded');
 });
 
-test('a module that could not be loaded comes when the network is back', async ({ page }) => {
+test('a module that failed to load is loaded when the network is back', async ({ page }) => {
   let broken = true;
   await page.route(/gcode_playground_bg-[\w-]+\.wasm$/, (route) => (broken ? route.abort() : route.continue()));
   await page.goto('./');
@@ -255,7 +258,7 @@ test('a module that could not be loaded comes when the network is back', async (
   await expect(notice).toBeHidden();
 });
 
-test('panels and the editor that could not be loaded come when they are tried again', async ({ page }) => {
+test('panels and the editor that failed to load are loaded by a retry', async ({ page }) => {
   let broken = true;
   await page.route(/\/assets\/(further|editor)-[\w-]+\.js/, (route) => (broken ? route.abort() : route.continue()));
   await page.goto('./');
@@ -272,15 +275,15 @@ test('panels and the editor that could not be loaded come when they are tried ag
   await expect(notice).toBeHidden();
 });
 
-test('another language while the part is being cut: its sentences are waited for', async ({ page }) => {
+test('changing the language while the part is computed waits for the messages of that language', async ({ page }) => {
   await route(page, 'ru', late);
   await open(page);
-  // Thousands of small corners: the part takes a while.
+  // Thousands of small corners make the part slow to compute.
   const waves = Array.from(
     { length: 6_000 },
     (_, at) => `X${(30 + (at % 2) * 4 + (at % 7) / 10).toFixed(1)} Z${(-at / 100).toFixed(2)}`,
   );
-  // It may be over sooner than an assertion looks again.
+  // It may finish before an assertion polls again.
   const begun = page.locator('gcode-playground').evaluate(
     (element) =>
       new Promise<void>((resolve) => {
@@ -299,7 +302,7 @@ test('another language while the part is being cut: its sentences are waited for
   await expect(page.getByRole('status')).toHaveText(/^6.001 перемещение.* замечани[ея]$/, { timeout: 30_000 });
 });
 
-test('the list of examples is loaded after the first picture, a program when it is shown', async ({ page }) => {
+test('the list of examples is loaded after the first picture, and a program when it is shown', async ({ page }) => {
   const asked: string[] = [];
   let shown = false;
   page.on('request', (request) => {

@@ -1,5 +1,5 @@
-// A text that holds more than a program: what is offered after it was pasted or opened, and
-// that nothing typed is lost.
+// Pasting or opening a text that contains more than a program: the page offers to extract programs, and typed text is
+// never lost.
 import { expect, test, type Page } from './engines';
 import { copy, editor, open, openFile, status, value } from './page';
 
@@ -14,17 +14,17 @@ const SLIDE = [
   'See figure 4.',
 ].join('\n');
 
-/** Pastes a text in place of what is in the editor. */
+/** Pastes a text over the text of the editor. */
 async function paste(page: Page, text: string): Promise<void> {
   await copy(page, text);
   await editor(page).focus();
   await page.keyboard.press('Control+A');
   await page.keyboard.press('Control+V');
-  // Engines ask the system for the clipboard, and go on meanwhile.
+  // Engines read the clipboard asynchronously.
   await expect.poll(() => value(page)).toBe(text);
 }
 
-test('a program is chosen, its question answered, and undo brings the text back', async ({ page }) => {
+test('a program is chosen, its question answered, and undo restores the text', async ({ page }) => {
   await open(page);
   await paste(page, SLIDE);
   await expect(dialog(page)).toBeVisible();
@@ -47,7 +47,7 @@ test('a program is chosen, its question answered, and undo brings the text back'
   expect(await value(page)).toBe(SLIDE);
 });
 
-test('the text stays when it is pasted as it is', async ({ page }) => {
+test('the text is unchanged when it is pasted as it is', async ({ page }) => {
   await open(page);
   await paste(page, SLIDE);
   await dialog(page).getByRole('button', { name: 'Paste as it is' }).click();
@@ -61,7 +61,7 @@ test('the text stays when it is pasted as it is', async ({ page }) => {
   expect(await value(page)).toBe(SLIDE);
 });
 
-test('only what was pasted is replaced', async ({ page }) => {
+test('only the pasted text is replaced', async ({ page }) => {
   await open(page);
   await paste(page, 'O9\nM30\n');
   await expect(editor(page)).toContainText('O9');
@@ -75,7 +75,9 @@ test('only what was pasted is replaced', async ({ page }) => {
   );
 });
 
-test('a plain program is pasted without a word, and a text without programs is said to have none', async ({ page }) => {
+test('a plain program is pasted without a message, and a text without programs is reported as such', async ({
+  page,
+}) => {
   await open(page);
   const plain = 'O1\nG00 X80.0 Z30.0\nG01 Z-20.0 F100 (cut)\nM30\n';
   await paste(page, plain);
@@ -90,7 +92,7 @@ test('a plain program is pasted without a word, and a text without programs is s
   await expect(page.getByText('No program was found in this text.')).toBeVisible();
 });
 
-test('all signs that were lost are answered at once, in a file that is opened', async ({ page }) => {
+test('all lost signs are answered in one step, in a file that is opened', async ({ page }) => {
   await open(page);
   const text = 'Setup sheet\nO6003\nG00 X70 Z3 to the start\nG90 X62 Z43 F0.3\nX60.4\nG90 X58.4 Z20 R2.3\nM30\n';
   await openFile(page, 'card.txt', new TextEncoder().encode(text));

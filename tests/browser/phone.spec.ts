@@ -1,9 +1,9 @@
-// On a phone and in the dark: touch, a small screen and the colours the system asks for, which only
-// Playwright can pretend. The screenshots go to test-results to be looked at; they are no goldens.
+// On a phone and in dark mode: touch, a small screen and the system's colour scheme, which only Playwright can emulate.
+// The screenshots in test-results are for manual review, not goldens.
 import { chromiumTest as test, type ChromiumPage, expect } from './engines';
 import { drawing, editor, open, play, status, tab } from './page';
 
-test('a phone shows drawing, playback, program and status at once, with nothing beyond the edge', async ({
+test('a phone shows drawing, playback, program and status together, with no overflow', async ({
   browser,
   baseURL,
 }, info) => {
@@ -46,7 +46,7 @@ test('light, and dark by the system or by choice', async ({ page }, info) => {
   expect(await ground()).toBe(dark);
 });
 
-test('the table of codes in Chinese and Russian, in the dark and on a phone', async ({
+test('the table of codes in Chinese and Russian, in dark mode and on a phone', async ({
   page,
   browser,
   baseURL,
@@ -83,11 +83,11 @@ test('the table of codes in Chinese and Russian, in the dark and on a phone', as
   await context.close();
 });
 
-test('on a phone a page of a rule fits', async ({ page }) => {
+test('the page of a rule fits on a phone', async ({ page }) => {
   await page.setViewportSize({ width: 400, height: 800 });
   for (const name of ['index', 'rapid-through-stock']) {
     await page.goto(`./rules/ru/${name}.html`);
-    // Not the playground, which the server answers with where there is no such page.
+    // Make sure it is not the playground, which the server returns for a missing page.
     await expect(page.locator('html')).toHaveAttribute('lang', 'ru');
     expect(await page.evaluate(() => document.documentElement.scrollWidth)).toBe(400);
   }

@@ -1,4 +1,4 @@
-// The picture alone: an element of a manual that shows what a program does, without what it takes to edit it.
+// The picture-only view: an element of a manual that shows the tool path of a program, without an editor.
 import { test, expect, type BasicPage } from './engines';
 import { FOREIGN } from './embedded';
 import { motionCount, program } from './page';
@@ -36,7 +36,7 @@ async function openPicture(page: BasicPage, view: string): Promise<void> {
   );
 }
 
-/** How many pixels of the picture have the colour of a cut. */
+/** Number of pixels with the colour of a cut. */
 function cuts(page: BasicPage): Promise<number> {
   return page.evaluate(() => {
     const root = document.querySelector('gcode-playground')?.shadowRoot;
@@ -60,7 +60,7 @@ function cuts(page: BasicPage): Promise<number> {
   });
 }
 
-/** The scripts that were loaded, without their hashes. */
+/** Names of the loaded scripts, without their hashes. */
 function scripts(page: BasicPage): Promise<string[]> {
   return page.evaluate(() =>
     performance
@@ -74,19 +74,17 @@ test('view="picture" draws the program and loads neither the editor nor the pane
   await openPicture(page, 'picture');
   expect(await cuts(page)).toBeGreaterThan(100);
   expect(await page.evaluate(() => (window as unknown as { told: number[] }).told)).toContain(motionCount(ID));
-  // Two pictures, of which one is hidden; no editor, no buttons, no line at the foot.
+  // Two pictures, one of them hidden; no editor, no buttons, no status line.
   await expect(page.getByRole('img')).toHaveCount(1);
   for (const role of ['textbox', 'button', 'slider', 'status', 'combobox'] as const)
     await expect(page.getByRole(role)).toHaveCount(0);
   const loaded = await scripts(page);
   expect(loaded).toContain('element');
-  // The link to the playground comes after the picture, and is as small as it sounds.
+  // The link to the playground is loaded after the picture, as a small script.
   expect(loaded.filter((name) => !['element', 'worker', 'open-link', 'written-link'].includes(name))).toEqual([]);
 });
 
-test('the picture is a property of the element, too: the rest comes and goes around the same program', async ({
-  page,
-}) => {
+test('view is also a property of the element, and changing it keeps the program', async ({ page }) => {
   await openPicture(page, 'picture');
   const text = await page.evaluate(() => (document.querySelector('gcode-playground') as Picture).value);
   await page.evaluate(() => {
@@ -104,7 +102,7 @@ test('the picture is a property of the element, too: the rest comes and goes aro
   expect(await cuts(page)).toBeGreaterThan(100);
 });
 
-test('any other view is all of it', async ({ page }) => {
+test('any other value of view shows everything', async ({ page }) => {
   await openPicture(page, 'something');
   await expect(page.getByRole('textbox', { name: 'Program' })).toBeVisible();
   expect(await page.evaluate(() => (document.querySelector('gcode-playground') as Picture).view)).toBe('all');
