@@ -1,11 +1,10 @@
-// Playing a program: steps, stops, the read-out, the text that follows. What it costs is measured in
-// playing-smoothly.spec.ts.
+// Playing a program: steps, stops, the readout, and the text that follows. playing-smoothly.spec.ts measures its cost.
 import { expect, test, type Page } from './engines';
 import { editor, motionCount, open, openFile, program, status, type } from './page';
 
 const slider = (page: Page) => page.getByRole('slider', { name: 'Position along the path' });
 const share = async (page: Page): Promise<number> => Number(await slider(page).inputValue());
-/** The value beside a name of the read-out. */
+/** The value beside a label of the readout. */
 const shown = (page: Page, name: string) =>
   page.locator('.cell', { has: page.locator('dt', { hasText: new RegExp(`^${name}$`) }) }).locator('dd');
 const running = (page: Page) => page.locator('.cm-running-line');
@@ -17,7 +16,7 @@ async function load(page: Page, text: string, motions: number): Promise<void> {
   await expect(status(page)).toContainText(new RegExp(`^${motions.toLocaleString('en')} motion`));
 }
 
-test('steps go by motion, block and pass, on and back, from the keyboard', async ({ page }) => {
+test('steps go forward and back by motion, block and pass, by keyboard', async ({ page }) => {
   await open(page);
   await load(page, 'M03 S500\nG00 X62 Z2\nG90 X50 Z-30 F0.2\nX45\nG00 X100\nM30\n', 10);
   await editor(page).focus();
@@ -39,7 +38,7 @@ test('steps go by motion, block and pass, on and back, from the keyboard', async
   await expect(running(page)).toHaveText('G90 X50 Z-30 F0.2');
 });
 
-test('it stops at M00, at M01 while that switch is on, and goes on from there', async ({ page }) => {
+test('playback stops at M00, at M01 if optional stop is on, and resumes from there', async ({ page }) => {
   await open(page);
   await load(page, STOPS, 5);
   const doing = page.locator('.doing');
@@ -64,7 +63,7 @@ test('it stops at M00, at M01 while that switch is on, and goes on from there', 
   await held('M00', 8);
 });
 
-test('the read-out tells feed, speed, time and tool, and what is not known', async ({ page }) => {
+test('the readout shows feed, speed, time and tool, and marks unknown values', async ({ page }) => {
   await open(page);
   await load(page, 'G99 G50 S1000\nT0101\nG96 S100 M03\nG00 X62 Z2\nX40\nG01 Z-30 F0.25\nG04 X3\nG00 X80\nM30\n', 5);
   await editor(page).focus();
@@ -81,14 +80,14 @@ test('the read-out tells feed, speed, time and tool, and what is not known', asy
   await expect(shown(page, 'Time')).toContainText('0:12 /');
 });
 
-test('the whole program takes about 20 s, whatever its length', { tag: '@night' }, async ({ page }) => {
+test('a program of any length plays in about 20 s', { tag: '@night' }, async ({ page }) => {
   await open(page);
   const programs: readonly [string, number][] = [
     ['G99 M3 S500\nG0 X50 Z2\nG1 Z-1 F0.2\n', 2],
     [program('s003-g71'), motionCount('s003-g71')],
   ];
   for (const [text, motions] of programs) {
-    // A run that begins after the button is pressed would pause the tool.
+    // A run that starts after the button is pressed would pause the playback.
     await load(page, text, motions);
     await page.getByRole('button', { name: 'Play', exact: true }).click();
     const begun = Date.now();
@@ -103,7 +102,7 @@ test('the whole program takes about 20 s, whatever its length', { tag: '@night' 
   }
 });
 
-test('the running block comes into sight, but not under the hands of a reader who scrolls', async ({ page }) => {
+test('the editor scrolls to the running block, except while the user scrolls', async ({ page }) => {
   await open(page);
   const cuts = Array.from({ length: 200 }, (_, i) => `G01 X50 Z-${i + 1}`).join('\n');
   await load(page, `G99 M03 S500\nG00 X50 Z2 F0.2\n${cuts}\nM30\n`, 201);
@@ -114,7 +113,7 @@ test('the running block comes into sight, but not under the hands of a reader wh
   await expect.poll(top).toBeGreaterThan(200);
   await expect(running(page)).toBeInViewport();
   await scroller.hover();
-  // A turn of the wheel that meets the last step of the block is undone by it: the reader turns again.
+  // The last step of a block can undo a turn of the wheel, so the test turns it again.
   await expect
     .poll(async () => {
       await page.mouse.wheel(0, -100_000);
@@ -130,7 +129,7 @@ test('the running block comes into sight, but not under the hands of a reader wh
 
 const PASSES = 'M03 S500\nG00 X62 Z2\nG90 X50 Z-30 F0.2\nX45\nX40\nG00 X100\nM30\n';
 
-test('it plays from the block at the cursor', async ({ page }) => {
+test('playback starts from the block at the cursor', async ({ page }) => {
   await open(page);
   await load(page, PASSES, 14);
   await editor(page).focus();
@@ -151,10 +150,10 @@ for (const [key, line, atX] of [
   ['Control+Shift+Enter', 'G01 X40 F20', '40.000'],
   ['Control+F10', 'G01 X40 F20', '50.000'],
 ] as const) {
-  test(`${key} right after typing waits for the path of what was typed`, async ({ page }) => {
+  test(`${key} right after typing waits for the path of the typed text`, async ({ page }) => {
     await open(page);
     await page.getByRole('combobox', { name: 'Speed' }).selectOption('50×');
-    // Where nothing moves there is nothing to play yet.
+    // Without motions there is nothing to play yet.
     await type(page, '(EMPTY)');
     await expect(page.getByRole('button', { name: 'Next motion' })).toBeDisabled();
     await type(page, 'G98 G00 X50 Z2\nG01 X40 F20');
@@ -182,7 +181,7 @@ test('an edit keeps the tool at its block', async ({ page }) => {
   expect(await share(page)).toBe(0);
 });
 
-test('the legend names what is in the picture, and no button lies over it', async ({ page }) => {
+test('the legend lists the contents of the picture, and no button covers it', async ({ page }) => {
   await open(page);
   await load(
     page,

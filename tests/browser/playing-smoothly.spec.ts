@@ -1,11 +1,11 @@
-// What playing costs: frames, drawings of the worker and long tasks, which only Chromium reports.
+// Cost of playing: frames, paints of the worker and long tasks, which only Chromium reports.
 import { chromiumTest as test, type ChromiumPage, expect } from './engines';
 import { open, openFile, status } from './page';
 
 const slider = (page: ChromiumPage) => page.getByRole('slider', { name: 'Position along the path' });
 const share = async (page: ChromiumPage): Promise<number> => Number(await slider(page).inputValue());
 
-/** Rough turning in some 2,000 motions, by cycles. */
+/** Rough turning by cycles, about 2,000 motions. */
 function longProgram(): string {
   const passes = Array.from(
     { length: 498 },
@@ -24,7 +24,7 @@ function longProgram(): string {
   ].join('\n');
 }
 
-/** Frames of the page and of the worker's canvas, and the longest tasks, ms, in some seconds. */
+/** Counts frames of the page and of the worker's canvas, and the longest tasks (ms), during `seconds`. */
 async function count(
   page: ChromiumPage,
   ms: number,
@@ -73,7 +73,7 @@ test(
     await expect(status(page)).toContainText(/^1,994 motions/);
     await page.getByRole('button', { name: 'Play', exact: true }).click();
     await expect.poll(() => share(page)).toBeGreaterThan(0.05);
-    // What the worker does in its frames: it draws.
+    // In its frames, the worker paints.
     await page.workers()[0]?.evaluate(() => {
       const drawn: number[] = [];
       Reflect.set(self, 'drawn', drawn);
@@ -106,7 +106,7 @@ test(
     expect(paused.asked).toBe(0);
     expect(paused.shown).toBe(1);
     await page.screenshot({ path: info.outputPath('playing.png') });
-    // Far below what is aimed at, for machines that do much else.
+    // Far below the target, for busy machines.
     expect(playing.shown / seconds).toBeGreaterThan(10);
   },
 );

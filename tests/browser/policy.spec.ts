@@ -1,4 +1,5 @@
-// The Content-Security-Policy of every page that the project makes, and the least one that a page with the element can have.
+// The Content-Security-Policy of every page of the project, and the strictest policy that a page with the element can
+// have.
 import { createHash } from 'node:crypto';
 import { readdirSync, readFileSync } from 'node:fs';
 import { join } from 'node:path';
@@ -10,16 +11,16 @@ import { serve, type Site } from './sites';
 const DIST = join(__dirname, '..', '..', 'www', 'dist');
 const EMBED = join(DIST, 'embed');
 const CORS = { 'access-control-allow-origin': '*' };
-/** One block has the letter O in the place of a zero. */
+/** One block contains the letter O instead of a zero. */
 const TEXT =
   'O0001 (STOCK D=50 LENGTH=80)\nT0101\nG97 S800 M03\nG00 X52 Z2 M08\nGO1 X40 Z-20 F0.2\nG00 X200 Z200 M09\nM30';
 
-/** Collects what the policy of the page blocks. */
+/** Records violations of the page's policy. */
 const collect = (): void => {
   const blocked: string[] = [];
   Object.assign(globalThis, { blocked });
   addEventListener('securitypolicyviolation', ({ effectiveDirective, blockedURI, sourceFile, lineNumber }) => {
-    // Some engines ask for the icon of a page that names none.
+    // Some engines request the icon of a page without one.
     if (!blockedURI.endsWith('/favicon.ico'))
       blocked.push(`${effectiveDirective}: ${blockedURI} (${sourceFile}:${lineNumber})`);
   });
@@ -27,7 +28,7 @@ const collect = (): void => {
 const blocked = (page: BasicPage): Promise<readonly string[]> =>
   page.evaluate(() => Reflect.get(globalThis, 'blocked') as string[]);
 
-/** The sources by directive. */
+/** Sources by directive. */
 function directives(policy: string): ReadonlyMap<string, readonly string[]> {
   return new Map(
     policy
@@ -40,14 +41,14 @@ function directives(policy: string): ReadonlyMap<string, readonly string[]> {
 const hashOf = (text: string): string =>
   `'sha256-${createHash('sha256').update(text.replaceAll('\r\n', '\n')).digest('base64')}'`;
 
-/** What is wrong with the policy of a page. */
+/** Faults in the policy of a page. */
 function faultsOf(path: string): readonly string[] {
   const html = readFileSync(path, 'utf8');
   const metas = [...html.matchAll(/<meta http-equiv="Content-Security-Policy" content="([^"]*)"/gi)];
   const policy = directives(metas[0]?.[1] ?? '');
   const scripts = policy.get('script-src') ?? [];
   const styles = policy.get('style-src') ?? [];
-  // The frame narrows its policy to its own host with its inline script; a test below shows that.
+  // The frame page restricts its policy to its own host by its inline script; see the test below.
   const isFrame = /embed[/\\](\d[^/\\]*[/\\])?index\.html$/.test(path);
   const isAllowed = isFrame
     ? /^('self'|'wasm-unsafe-eval'|'sha256-.{44}'|https?:)$/
@@ -76,7 +77,7 @@ function faultsOf(path: string): readonly string[] {
     ...[...html.matchAll(/<style\b[^>]*>(.*?)<\/style>/gs)].map(
       ([, text = '']) => [!styles.includes(hashOf(text)), 'an inline style sheet is blocked'] as const,
     ),
-    // In the tags, which are what is left without scripts and styles.
+    // In the tags that remain without scripts and styles.
     [
       /<[a-z][^>]*\s(on[a-z]+|style)\s*=[^>]*>/i.test(html.replace(/<(script|style)\b.*?<\/\1>/gs, '')),
       'an inline handler or style is blocked',
@@ -85,7 +86,7 @@ function faultsOf(path: string): readonly string[] {
   return faults.filter(([isFault]) => isFault).map(([, what]) => `${path}: ${what}`);
 }
 
-test('every built page has a policy before its content, and the policy allows no other inline script than its own', () => {
+test('every built page has a policy before its content, and the policy allows no inline scripts except its own', () => {
   const pages = readdirSync(DIST, { recursive: true, withFileTypes: true })
     .filter((file) => file.isFile() && file.name.endsWith('.html'))
     .map(({ parentPath, name }) => join(parentPath, name));
@@ -108,7 +109,7 @@ const PAGES = {
 } as const;
 
 for (const [name, address] of Object.entries(PAGES)) {
-  test(`nothing of it is blocked, and a script that is put into it does not run: ${name}`, async ({ page }) => {
+  test(`the policy blocks nothing of the page, and an injected script does not run: ${name}`, async ({ page }) => {
     await page.addInitScript(collect);
     await page.goto(address);
     if (name === 'the page' || name === 'the frame') await settled(page);
@@ -145,7 +146,7 @@ for (const [name, address] of Object.entries(PAGES)) {
   });
 }
 
-test('the page does all it can under its policy', async ({ page }) => {
+test('all features of the page work under its policy', async ({ page }) => {
   await page.addInitScript(collect);
   await page.addInitScript(() => {
     window.print = () => Reflect.set(window, 'printed', true);
@@ -197,7 +198,7 @@ test('the page does all it can under its policy', async ({ page }) => {
   expect(await blocked(page)).toEqual([]);
 });
 
-/** How wide the drawing is that goes to the printer. */
+/** Width of the drawing in print. */
 function pictureOnPaper(page: BasicPage): Promise<number> {
   return page.locator('gcode-playground').evaluate(async (element) => {
     dispatchEvent(new Event('beforeprint'));
@@ -209,7 +210,7 @@ function pictureOnPaper(page: BasicPage): Promise<number> {
   });
 }
 
-/** The policies that the reference states: for the same origin, and for another one. */
+/** The policies in the reference: for the same origin, and for another origin. */
 function stated(): readonly string[] {
   const reference = readFileSync(join(__dirname, '..', '..', 'www', 'docs', 'element.md'), 'utf8');
   return [...reference.matchAll(/^ {4}(default-src .*)$/gm)].map(([, policy = '']) => policy);
@@ -217,9 +218,7 @@ function stated(): readonly string[] {
 
 for (const [at, name] of ['the same origin', 'another origin'].entries()) {
   const tag = at === 0 ? '@night' : '@one-engine';
-  test(`an element from ${name} does all it can under the policy that the reference states`, { tag }, async ({
-    page,
-  }) => {
+  test(`an element from ${name} is fully functional under the policy in the reference`, { tag }, async ({ page }) => {
     const site = (host: string): Site => ({
       pages: {
         '/index.html': `<!DOCTYPE html><html lang="en"><head><title>A manual</title><script src="${host}/collect.js"></script><script type="module" src="${host}/embed/element.js"></script></head><body><gcode-playground><pre>\n${TEXT}\n</pre></gcode-playground></body></html>`,

@@ -1,10 +1,10 @@
-// The problems of a program: one count, one line for each rule and code, what of them is shown, and how they lead to
-// the program and to the drawing.
+// The problems of a program: one count, one line per rule and code, filters, and links to the program and to the
+// drawing.
 import { chromiumTest, expect, test, type BasicPage, type Page } from './engines';
 import { between, drawing, editor, open, openFile, problems, selected, status, tooltip, type, value } from './page';
 import { runBeforeWorker } from './worker-script';
 
-/** Sixty-six M codes nobody knows, one dear mistake among them, and a warning. */
+/** Sixty-six unknown M codes, with one serious mistake among them, and a warning. */
 const MANY = [
   'G99 T0101',
   'M3 S800',
@@ -24,7 +24,7 @@ async function settled(page: Page): Promise<void> {
     .evaluate((element) => (element as HTMLElement & { settled: Promise<number> }).settled);
 }
 
-test('the list and the line at the foot count the same: collisions, too', async ({ page }) => {
+test('the list and the status line show the same count, including collisions', async ({ page }) => {
   await open(page);
   await type(page, '(STOCK D=50 LENGTH=80)\nG99 T0101\nM3 S800\nG00 X60 Z2\nG00 X40 Z-20\nG00 X60\nG00 X100 Z100\nM30');
   await settled(page);
@@ -38,7 +38,7 @@ test('the list and the line at the foot count the same: collisions, too', async 
   await expect(status(page)).toContainText(count === 1 ? '1 problem' : `${count} problems`);
 });
 
-test('problems of one rule with one code are one line with its places', async ({ page }) => {
+test('problems of one rule with one code share one line with their line numbers', async ({ page }) => {
   await open(page);
   await type(page, MANY);
   await expect(problems(page).locator('.problems-toggle .count')).toHaveText(/6[67]|68/);
@@ -46,7 +46,7 @@ test('problems of one rule with one code are one line with its places', async ({
   await expect(group).toContainText('66 times');
   expect(await rows(page).count()).toBeLessThan(5);
 
-  await test.step('errors stand first, or the first place', async () => {
+  await test.step('problems are sorted by severity or by line', async () => {
     await expect(
       rows(page)
         .first()
@@ -62,13 +62,13 @@ test('problems of one rule with one code are one line with its places', async ({
     ).toBeVisible();
   });
 
-  await test.step('a place leads to its block', async () => {
+  await test.step('a line number leads to its block', async () => {
     await group.getByRole('button', { name: 'line 6', exact: true }).click();
     await expect.poll(() => selected(page)).toBe('M302');
     await expect(editor(page)).toBeFocused();
   });
 
-  await test.step('all places are there when asked for', async () => {
+  await test.step('all line numbers are shown on request', async () => {
     await expect(group.getByRole('button', { name: 'line 60', exact: true })).toHaveCount(0);
     await group.getByRole('button', { name: '56 more' }).click();
     await group.getByRole('button', { name: 'line 60', exact: true }).click();
@@ -76,7 +76,7 @@ test('problems of one rule with one code are one line with its places', async ({
   });
 });
 
-test('problems are filtered by severity and rule; the count stays', async ({ page }) => {
+test('problems are filtered by severity and rule, and the count does not change', async ({ page }) => {
   await open(page);
   await type(page, MANY);
   await expect(rows(page).filter({ hasText: 'M300' })).toHaveCount(1);
@@ -98,7 +98,7 @@ test('problems are filtered by severity and rule; the count stays', async ({ pag
   ).toBeVisible();
 });
 
-test('a rule is hidden here, everywhere at once, and shown again', async ({ page }) => {
+test('a rule can be hidden everywhere in one step, and shown again', async ({ page }) => {
   await open(page);
   await type(page, MANY);
   await problems(page).getByRole('button', { name: 'Hide this rule here: unknown-m-code' }).click();
@@ -108,11 +108,11 @@ test('a rule is hidden here, everywhere at once, and shown again', async ({ page
   await expect(problems(page)).toContainText('1 rule is hidden here');
   await problems(page).getByRole('button', { name: 'Show unknown-m-code' }).click();
   await expect(rows(page).filter({ hasText: 'M300' })).toHaveCount(1);
-  // An error is a move that is left out: that is not hidden by a click.
+  // An error means that a motion is missing, so it cannot be hidden by a click.
   await expect(rows(page).first().getByRole('button', { name: /^Hide/ })).toHaveCount(0);
 });
 
-test('a dot goes with its text', async ({ page }) => {
+test('a marker in the gutter disappears with its text', async ({ page }) => {
   await open(page);
   await type(page, 'G99 M3 S800\nG00 X50 Z2\n');
   const dots = page.locator('.cm-lint-marker-error');
@@ -125,7 +125,7 @@ test('a dot goes with its text', async ({ page }) => {
   await settled(page);
   await expect(dots).toHaveCount(0);
 
-  await test.step('and moves with its line', async () => {
+  await test.step('a marker moves with its line', async () => {
     await page.keyboard.type('\nG6');
     await expect(dots).toHaveCount(1);
     await page.keyboard.press('Home');
@@ -137,7 +137,7 @@ test('a dot goes with its text', async ({ page }) => {
   });
 });
 
-test('what a dot shows stands over its line, and its repair is made', async ({ page }) => {
+test('the tooltip of a marker is above its line, and its repair works', async ({ page }) => {
   await open(page);
   await type(page, 'G99 M3 S800\n\n\n\n\n\n\n\nG00 X60 Z–2\nG00 X50\nM30');
   await settled(page);
@@ -150,7 +150,7 @@ test('what a dot shows stands over its line, and its repair is made', async ({ p
   await popUp.getByRole('button').first().click();
   await expect.poll(() => value(page)).toContain('X60 Z-2');
 
-  await test.step('that of a word, in the first line too', async () => {
+  await test.step('the tooltip of a word is above it, also in the first line', async () => {
     await type(page, 'G00 X60 Z–2\nG00 X50\nM30');
     await settled(page);
     const word = page.locator('.cm-lintRange').first();
@@ -161,7 +161,7 @@ test('what a dot shows stands over its line, and its repair is made', async ({ p
   });
 });
 
-test('a problem that is chosen marks its stroke', async ({ page }) => {
+test('a selected problem highlights its stroke', async ({ page }) => {
   await open(page);
   await type(page, 'G99 T0101\nM3 S800\nG00 X50 Z2\nG01 Z-20 F0.2 M399\nX60\nG00 X100 Z100\nM30');
   await settled(page);
@@ -174,7 +174,7 @@ test('a problem that is chosen marks its stroke', async ({ page }) => {
   await expect.poll(async () => (await pixels(page, place)) === before).toBe(false);
 });
 
-test('the problem that F8 goes to is announced', async ({ page }) => {
+test('the problem selected by F8 is announced', async ({ page }) => {
   await open(page);
   await type(page, 'G99 M3 S800\nG00 X50 Z2\nM399\nG01 X60 Z- F0.2\nM30');
   await settled(page);
@@ -205,14 +205,14 @@ const CONTOUR = [
   'M30',
 ].join('\n');
 
-/** Puts the cursor after `X30 Z-25` of the contour. */
+/** Places the cursor after `X30 Z-25` of the contour. */
 async function toTypedBlock(page: BasicPage): Promise<void> {
   await page.keyboard.press('Control+Home');
   for (let i = 0; i < 7; i++) await page.keyboard.press('ArrowDown');
   await page.keyboard.press('End');
 }
 
-test('while a word is typed in a contour the picture of before stays, labelled with its run', async ({ page }) => {
+test('while a word of a contour is typed, the previous picture stays, labelled as such', async ({ page }) => {
   await open(page);
   await type(page, CONTOUR);
   await settled(page);
@@ -235,23 +235,23 @@ test('while a word is typed in a contour the picture of before stays, labelled w
   ).toBeVisible();
   expect(await drawing(page).getAttribute('aria-label')).toContain(`${motions} motions`);
 
-  await test.step('nothing of the new run lies under the pointer there', async () => {
+  await test.step('the pointer finds no motions of the new run there', async () => {
     await page.mouse.move(place.x, place.y);
     await page.mouse.move(place.x + 1, place.y);
     await settled(page);
     await expect(tooltip(page)).toBeHidden();
   });
 
-  await test.step('the word is whole again: so is the picture', async () => {
+  await test.step('the picture is updated when the word is complete', async () => {
     await page.keyboard.type('26');
     await expect(old).toBeHidden();
     await expect(status(page)).toContainText(`${motions} motions`);
   });
 
-  await test.step('who leaves the block sees what the program does now', async () => {
+  await test.step('leaving the block shows the current path of the program', async () => {
     for (let i = 0; i < 2; i++) await page.keyboard.press('Backspace');
     await expect(old).toBeVisible();
-    // ArrowDown may belong to the list of proposals, which opens a moment after the last key.
+    // The list of proposals opens a moment after the last key and would take ArrowDown, so use Ctrl+Home.
     await page.keyboard.press('Control+Home');
     await expect(old).toBeHidden();
     await expect(drawing(page)).not.toHaveAttribute('aria-label', new RegExp(`\\b${motions} motions`));
@@ -259,7 +259,7 @@ test('while a word is typed in a contour the picture of before stays, labelled w
 });
 
 chromiumTest('who leaves the block while its run is under way sees what the program does now', async ({ page }) => {
-  // The worker gets the move of the cursor after the first slice of the run.
+  // The worker receives the cursor move after the first slice of the run.
   await runBeforeWorker(
     page,
     `
@@ -273,7 +273,7 @@ chromiumTest('who leaves the block while its run is under way sees what the prog
       } else if (what?.kind === 'cursor' && held !== undefined) {
         const run = held;
         held = undefined;
-        // Its first slice is over at once.
+        // End the first slice immediately.
         const now = performance.now;
         let late = 0;
         performance.now = () => now.call(performance) + (late += 1_000);
@@ -307,7 +307,7 @@ chromiumTest('who leaves the block while its run is under way sees what the prog
   ).toBeVisible();
 });
 
-/** What a few pixels of the drawing around a place look like. */
+/** Pixels of the drawing around a position. */
 async function pixels(page: Page, place: { x: number; y: number }): Promise<string> {
   await settled(page);
   return page.locator('gcode-playground').evaluate((element, { x, y }) => {

@@ -1,5 +1,5 @@
-// Machines and tables of tools are kept under names, and a file of one is a setup. Programs of one's own begin with the
-// machine that is chosen; those of the page keep theirs.
+// Machines and tool tables are stored under names, and an exported file is a setup. Own programs start with the
+// selected machine; programs of the page keep their own setup.
 import { readFileSync } from 'node:fs';
 import { expect, test, type Locator, type Page } from './engines';
 import { copy, editor, open, openFile, status, value } from './page';
@@ -16,7 +16,7 @@ const machine = (page: Page): Locator => page.getByRole('button', { name: /^(Cho
 const setup = async (page: Page): Promise<unknown> =>
   JSON.parse((await page.locator('gcode-playground').getAttribute('setup')) ?? '{}');
 
-/** The run is over: the line with the button stays where it is. */
+/** Waits until the run is over, so that the line with the button does not move. */
 const settled = async (page: Page): Promise<unknown> =>
   page
     .locator('gcode-playground')
@@ -31,7 +31,7 @@ async function importProfile(page: Page, name: string, json: unknown): Promise<v
     .setInputFiles({ name, mimeType: 'application/json', buffer: Buffer.from(JSON.stringify(json)) });
 }
 
-test('a machine is imported, used for programs of one’s own, and exported as it came', async ({ page }) => {
+test('a machine is imported, used for own programs, and exported unchanged', async ({ page }) => {
   await open(page);
   await openFile(page, 'own.nc', Buffer.from(PROGRAM));
   await expect(page.getByText('own.nc').first()).toBeVisible();
@@ -44,7 +44,7 @@ test('a machine is imported, used for programs of one’s own, and exported as i
   await expect(page.locator('header').getByLabel('Control')).toHaveValue('gsk');
   await expect(page.getByRole('group', { name: 'How the program was read' })).toContainText('GSK 980TD (set)');
 
-  await test.step('the next program begins with it, an example has its own', async () => {
+  await test.step('the next program starts with the machine, and an example has its own setup', async () => {
     await page.getByLabel('Example').selectOption('s001-o6003');
     await expect(machine(page)).toHaveText('Choose machine');
     await copy(page, PROGRAM);
@@ -56,7 +56,7 @@ test('a machine is imported, used for programs of one’s own, and exported as i
     await page.reload();
     await expect(machine(page)).toHaveText('Machine: Shop 1');
   });
-  await test.step('the file is a setup', async () => {
+  await test.step('the exported file is a setup', async () => {
     await machine(page).click();
     const download = page.waitForEvent('download');
     await dialog(page).getByRole('button', { name: 'Export: Shop 1' }).click();
@@ -64,14 +64,16 @@ test('a machine is imported, used for programs of one’s own, and exported as i
     expect(file.suggestedFilename()).toBe('Shop 1.json');
     expect(JSON.parse(readFileSync(await file.path(), 'utf8'))).toEqual(SHOP);
   });
-  await test.step('without it the program is run on no machine in particular', async () => {
+  await test.step('without the machine, the program runs with the defaults', async () => {
     await dialog(page).getByRole('button', { name: 'Use no machine' }).click();
     await expect(machine(page)).toHaveText('Choose machine');
     expect(await setup(page)).toEqual({});
   });
 });
 
-test('machine and tools of a program are kept apart, and a file that is no setup is refused', async ({ page }) => {
+test('machine and tools of a program are stored separately, and a file that is not a setup is rejected', async ({
+  page,
+}) => {
   await open(page);
   await openFile(page, 'own.nc', Buffer.from(`(TOOL T0101 TYPE=TURNING R=0.8)\n(MACHINE RAPIDX=9000)\n${PROGRAM}`));
   await expect(status(page)).toContainText(/^4 motions/);

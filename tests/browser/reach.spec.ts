@@ -1,12 +1,12 @@
-// Who reaches the page how: by keyboard alone, in three languages. Phones and the dark are in phone.spec.ts.
-// The screenshots go to test-results to be looked at; they are no goldens.
+// Access to the page: by keyboard alone, in three languages. Phones and dark mode are in phone.spec.ts. The screenshots
+// in test-results are for manual review, not goldens.
 import { expect, test } from './engines';
 import { drawing, editor, examples, open, status, type } from './page';
 
-test('by keyboard alone: gallery, editor, problems, playing, help, drawing', async ({ page }) => {
+test('gallery, editor, problems, playback, help and drawing are usable by keyboard alone', async ({ page }) => {
   await open(page);
   await page.getByLabel('Example').focus();
-  // The list comes after the first picture.
+  // The list is loaded after the first picture.
   await expect(page.locator('#example option')).toHaveCount(examples.length);
   await page.keyboard.press('ArrowUp');
   await expect(page.getByLabel('Example')).not.toHaveValue('s000-o0002');
@@ -29,7 +29,7 @@ test('by keyboard alone: gallery, editor, problems, playing, help, drawing', asy
   await expect(page.getByRole('button', { name: 'Play' })).toBeVisible();
   await page.keyboard.press('F9');
 
-  // Tab leaves the editor, and the drawing is among what follows.
+  // Tab leaves the editor, and reaches the drawing later.
   await page.keyboard.press('Tab');
   await expect(editor(page)).not.toBeFocused();
   for (let i = 0; i < 8 && !(await drawing(page).evaluate((canvas) => canvas.matches(':focus'))); i++) {
@@ -44,7 +44,7 @@ test('by keyboard alone: gallery, editor, problems, playing, help, drawing', asy
   await expect(help).toBeHidden();
 });
 
-test('Chinese and Russian: the page and the messages change, the program stays', async ({ page }, info) => {
+test('in Chinese and Russian the page and its messages change, and the program does not', async ({ page }, info) => {
   await open(page);
   await type(page, 'G0 X50 Z2\nX\nM30');
   await expect(status(page)).toHaveText(/1 motion · \d lines · 1 problem/);

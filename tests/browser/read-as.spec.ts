@@ -1,5 +1,5 @@
-// How the program was read is always said in one line, and each thing that a setting decides leads to its field. A
-// message that points to a setting has a button that sets it.
+// One line always shows how the program was read, and each value that depends on a setting links to its field. A
+// message about a setting has a button that sets it.
 import { expect, test, type Locator, type Page } from './engines';
 import { editor, open, openFile, problems, value } from './page';
 
@@ -10,7 +10,7 @@ const setup = async (page: Page): Promise<unknown> =>
 
 const own = (page: Page, text: string): Promise<void> => openFile(page, 'own.nc', Buffer.from(text));
 
-test('control, system, unit, point, feed, block skip and program are said, and what was recognised or set', async ({
+test('the line shows control, system, unit, point, feed, block skip and program, and marks recognised and set values', async ({
   page,
 }) => {
   await open(page);
@@ -35,7 +35,7 @@ test('control, system, unit, point, feed, block skip and program are said, and w
   });
 });
 
-test('each thing that a setting decides leads to its field', async ({ page }) => {
+test('each value that depends on a setting links to its field', async ({ page }) => {
   await open(page);
   await own(page, 'O0007\nT0101\nG97 S800 M3\nG0 X40 Z2\nG1 Z-20 F0.2\nM30\n');
   await line(page).getByRole('button', { name: 'system A' }).click();
@@ -53,7 +53,7 @@ test('each thing that a setting decides leads to its field', async ({ page }) =>
   await expect(page.locator('header').getByLabel('Control')).toHaveValue('gsk');
 });
 
-test('a message that points to a setting has a button that sets it', async ({ page }) => {
+test('a message about a setting has a button that sets it', async ({ page }) => {
   await open(page);
   const milling =
     'O0001\nG90 G54 G17\nT1 M6\nG43 H1 Z50.\nS1200 M3\nG0 X10. Y20.\nG1 Z-2. F200\nX40. Y35.\nG0 Z50.\nM30\n';
@@ -63,7 +63,7 @@ test('a message that points to a setting has a button that sets it', async ({ pa
   await expect(line(page)).toContainText('Read as FANUC');
   expect(await setup(page)).toEqual({ dialect: { recognise: false } });
 
-  await test.step('a value that only the reader knows is entered in the form', async () => {
+  await test.step('a value that only the user knows is entered in the form', async () => {
     await own(page, 'O0001\nT0101\nG97 S800 M3\nG0 X40 Z2\nG1 Z-20 F0.2\nG53 X0 Z0\nM30\n');
     await problems(page).getByRole('button', { name: 'enter Reference point X' }).first().click();
     await expect(form(page).getByLabel('Reference point X (diameter)')).toBeFocused();
@@ -72,7 +72,7 @@ test('a message that points to a setting has a button that sets it', async ({ pa
     await expect.poll(() => setup(page)).toEqual({ dialect: { refPoint: { x: 250, z: 300 } } });
     await expect(problems(page).getByRole('button', { name: 'enter Reference point X' })).toHaveCount(0);
   });
-  await test.step('in the program, where the setup stands there; undo takes it out', async () => {
+  await test.step('a setup in the program is changed in the program, and undo removes the change', async () => {
     const text =
       '(STOCK D=50 LENGTH=60)\nO0001\nT0101\nG97 S300 M3\nG0 X52 Z-10\nG75 R1\nG75 X40 Z-20 P3 Q3 F0.1\nG0 X100 Z100\nM30\n';
     await own(page, text);

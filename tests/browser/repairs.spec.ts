@@ -1,23 +1,23 @@
-// Repairs: the safe fixes all at once and undone at once, the others one by one; and the levels
-// of rules in the setup form.
+// Repairs: safe fixes are applied and undone together, the others one by one; and the levels of rules in the setup
+// form.
 import { expect, test, type Locator, type Page } from './engines';
 import { editor, open, openFile, problems, type, value } from './page';
 
 const all = (page: Page): Locator => problems(page).getByRole('button', { name: /^Apply \d+ safe fix(es)?$/ });
 
-test('all safe repairs are one click and one undo', async ({ page }) => {
+test('all safe repairs take one click and one undo', async ({ page }) => {
   const before = 'GO1 X5O F0.1 M3 S500\nG00 X60 X61 Z–2\nM30 (END';
   const after = 'G01 X50 F0.1 M3 S500\nG00 X60 X61 Z-2\nM30 (END)';
   await open(page);
   await type(page, before);
   await expect(all(page)).toHaveText('Apply 4 safe fixes');
-  // A second click comes too late to do them twice.
+  // The second click must not apply them again.
   await all(page).dblclick();
   await expect.poll(() => value(page)).toBe(after);
   await expect(all(page)).toBeHidden();
   await expect(editor(page)).toBeFocused();
 
-  await test.step('a button that has the focus gives it to the program when a run takes it away', async () => {
+  await test.step('when a run removes the focused button, the focus moves to the program', async () => {
     await type(page, before);
     await all(page).focus();
     await page.evaluate((text) => {
@@ -27,7 +27,7 @@ test('all safe repairs are one click and one undo', async ({ page }) => {
     await expect(editor(page)).toBeFocused();
   });
 
-  await test.step('what has to be chosen stays with its message', async () => {
+  await test.step('a repair with alternatives stays with its message', async () => {
     const offered = problems(page).getByRole('button', { name: /^Fix: / });
     await expect(offered).toHaveCount(2);
     const [first, second] = await Promise.all([offered.first().boundingBox(), offered.last().boundingBox()]);
@@ -35,7 +35,7 @@ test('all safe repairs are one click and one undo', async ({ page }) => {
   });
 });
 
-test('one undo takes all repairs back', async ({ page }) => {
+test('one undo reverts all repairs', async ({ page }) => {
   const before = 'G00 X60 Z–2\nG00 X50 Z–3\nM30';
   await open(page);
   await type(page, before);
@@ -48,7 +48,7 @@ test('one undo takes all repairs back', async ({ page }) => {
   await expect(all(page)).toHaveText('Apply 2 safe fixes');
 });
 
-test('an edit elsewhere leaves the row of a problem as it is, and its repair is made where it stands now', async ({
+test('an edit elsewhere keeps the row of a problem, and its repair is applied at the new position', async ({
   page,
 }) => {
   const before = 'G00 X50 Z1\nG00 X60 Z–2\nM30';
@@ -76,7 +76,7 @@ test('an edit elsewhere leaves the row of a problem as it is, and its repair is 
   }
 });
 
-test('the tooltip of a problem stays where it first stands, and nothing of it is cut off', async ({ page }) => {
+test('the tooltip of a problem keeps its position, and is not clipped', async ({ page }) => {
   await open(page);
   await type(page, 'G00 X60 Z–2\nM30');
   for (const width of [1440, 500]) {
@@ -112,7 +112,9 @@ test('the tooltip of a problem stays where it first stands, and nothing of it is
   }
 });
 
-test('the classroom checklist is chosen in the setup form, and other levels stay', async ({ page }) => {
+test('the classroom checklist is selected in the setup form, and the levels of other rules are kept', async ({
+  page,
+}) => {
   await open(page);
   await openFile(page, 'own.nc', Buffer.from('O0001\n(RULES NO-PROGRAM-END=ERROR)\nG00 X40 Z2\n'));
   await expect(problems(page).getByRole('button', { name: /^Error: / })).toHaveCount(1);

@@ -6,7 +6,7 @@ import { open, type } from './page';
 
 const PROGRAM =
   'O0042\n(STOCK D=60 LENGTH=80)\nT0101\nG97 S800 M03\nG00 X62 Z2\nG90 X50 Z-20 F0.2\nX40\nG00 X100 Z100\nM30\n';
-/** By the rules of G90: in, along, out, back. */
+/** The steps of G90: infeed, cut, retract, return. */
 const DRAWN = [
   ['rapid', 40, 2],
   ['feed', 40, -20],
@@ -50,7 +50,7 @@ async function openReport(page: ChromiumPage, language: keyof typeof WORDS): Pro
 }
 
 for (const language of ['en', 'zh', 'ru'] as const) {
-  test(`a report has program, setup, block, what is drawn and what the machine did: ${language}`, async ({
+  test(`a report contains program, setup, block, drawn motions and the machine's behaviour: ${language}`, async ({
     page,
     context,
   }) => {
@@ -100,10 +100,10 @@ for (const language of ['en', 'zh', 'ru'] as const) {
   });
 }
 
-test('until what is drawn is there the report waits, and is not copied', async ({ page }) => {
+test('the report waits for the motions, and cannot be copied before', async ({ page }) => {
   await open(page);
   await type(page, PROGRAM);
-  // The table of motions is kept back for a while.
+  // Delay the table of motions.
   await page
     .locator('gcode-playground')
     .evaluate((element: HTMLElement & { exported(format: string): Promise<unknown> }) => {
@@ -122,7 +122,9 @@ test('until what is drawn is there the report waits, and is not copied', async (
   await expect(dialog.getByRole('button', { name: 'Copy', exact: true })).toBeEnabled();
 });
 
-test('a program with backticks stays whole in its report, and the link of the report opens it', async ({ page }) => {
+test('backticks in a program do not break its report, and the link in the report opens the program', async ({
+  page,
+}) => {
   await open(page);
   await type(page, '(A ``` B)\nG00 X40 Z2\nM30\n');
   await openReport(page, 'en');

@@ -1,11 +1,11 @@
-// Plain moves written as a cycle, on the page.
+// Rewriting plain moves as a cycle.
 import { expect, test, type Page } from './engines';
 import { editor, motionCount, open, problems, program, status, type, value } from './page';
 
 const button = (page: Page) => page.getByRole('button', { name: 'Write as a cycle…' });
 const dialog = (page: Page) => page.getByRole('dialog', { name: 'Write as a cycle' });
 
-test('four moves become a G90, and undo brings them back', async ({ page }) => {
+test('four moves become a G90, and undo restores them', async ({ page }) => {
   await open(page, '#s001-o0001');
   const motions = `${motionCount('s001-o0001')} motions`;
   await expect(status(page)).toContainText(motions);
@@ -25,7 +25,7 @@ test('four moves become a G90, and undo brings them back', async ({ page }) => {
   await expect.poll(() => value(page)).toBe(program('s001-o0001'));
 });
 
-test('by keys: the blocks at the cursor come first', async ({ page }) => {
+test('by keyboard, the blocks at the cursor are listed first', async ({ page }) => {
   await open(page);
   const cut = (x: number) => `G00 X${x}\nG01 Z-30 F0.1\nX62\nG00 Z2\n`;
   await type(page, `G00 X62 Z2\n${cut(56)}G00 X62 Z2 M08\nM09\n${cut(40)}`);
@@ -40,7 +40,7 @@ test('by keys: the blocks at the cursor come first', async ({ page }) => {
   await expect(problems(page)).not.toContainText('error');
 });
 
-test('a program without such moves says what would be one', async ({ page }) => {
+test('a program without such moves shows an example of them', async ({ page }) => {
   await open(page, '#s001-o0002');
   await button(page).click();
   await expect(dialog(page)).toContainText('No plain moves of this program');

@@ -1,9 +1,9 @@
-// How much room the drawing has in windows of all sizes: on phones, with a keyboard on the screen, at 200 %. Small windows and fingers
-// are pretended by Playwright. The screenshots go to test-results to be looked at; they are no goldens.
+// Space of the drawing in windows of all sizes: on phones, with an on-screen keyboard, at 200 %. Playwright emulates
+// small windows and touch. The screenshots in test-results are for manual review, not goldens.
 import { chromiumTest as test, type ChromiumPage, expect } from './engines';
 import { drawing, editor, open, problems, status, tab, type } from './page';
 
-/** A window, CSS pixels. At 200 % a window has half as many, each twice as large. */
+/** Size of a window, CSS pixels. At 200 % a window has half as many, each twice as large. */
 interface Window {
   readonly name: string;
   readonly width: number;
@@ -14,7 +14,7 @@ interface Window {
 
 const WINDOWS: readonly Window[] = [
   { name: 'phone', width: 390, height: 844, by: 'finger', ratio: 2 },
-  // What a keyboard leaves of it.
+  // The area above an on-screen keyboard.
   { name: 'phone with its keyboard', width: 390, height: 450, by: 'finger', ratio: 2 },
   { name: 'phone on its side', width: 844, height: 390, by: 'finger', ratio: 2 },
   { name: 'small phone', width: 320, height: 640, by: 'finger', ratio: 2 },
@@ -28,7 +28,7 @@ const WINDOWS: readonly Window[] = [
 for (const { name, width, height, by, ratio } of WINDOWS) {
   for (const locale of ['en', 'zh', 'ru'] as const) {
     test(
-      `the drawing keeps 240 pixels or half of the window: ${name}, ${locale}`,
+      `the drawing has at least 240 pixels or half of the window: ${name}, ${locale}`,
       { tag: locale === 'en' ? [] : '@night' },
       async ({ browser, baseURL }, info) => {
         const finger = by === 'finger';
@@ -45,7 +45,7 @@ for (const { name, width, height, by, ratio } of WINDOWS) {
         const least = Math.min(240, height / 2);
         const measured: string[] = [];
         const measure = async (when: string): Promise<void> => {
-          // While it plays nothing settles.
+          // During playback the layout never settles.
           if (when !== 'playing')
             await page
               .locator('gcode-playground')
@@ -59,7 +59,7 @@ for (const { name, width, height, by, ratio } of WINDOWS) {
           await page.screenshot({ path: info.outputPath(`${when}.png`) });
         };
         await measure('first');
-        // The menu of examples can be read.
+        // The menu of examples is wide enough to be readable.
         expect((await page.locator('#example').boundingBox())?.width).toBeGreaterThanOrEqual(120);
 
         await type(page, 'O1\nG50 S2000\nT0101\nG96 S150 M3\nG0 X52 Z2\nG90 X48 Z-30 F0.2\nX44\nX\nG0 X200 Z200\nM30');
@@ -84,7 +84,7 @@ for (const { name, width, height, by, ratio } of WINDOWS) {
           for (const part of [editor(page), problems(page), status(page)]) await expect(part).toBeInViewport();
         }
         await page.getByRole('button', { name: /^(Play|播放|Пуск)$/ }).click();
-        // What is read off while it plays takes room, too.
+        // The readout during playback takes space, too.
         await expect(page.locator('.readout')).not.toHaveClass(/idle/);
         await measure('playing');
         info.annotations.push({ type: 'canvas', description: measured.join(', ') });
@@ -94,7 +94,7 @@ for (const { name, width, height, by, ratio } of WINDOWS) {
   }
 }
 
-/** How many colours the picture has. */
+/** Number of colours in the picture. */
 function colours(page: ChromiumPage): Promise<number> {
   return page.evaluate(() => {
     const canvas = document.querySelector('gcode-playground')?.shadowRoot?.querySelector('canvas');
@@ -109,7 +109,7 @@ function colours(page: ChromiumPage): Promise<number> {
 }
 
 for (const colorScheme of ['light', 'dark'] as const) {
-  test(`where the system asks for its own colours the picture has them: ${colorScheme}`, async ({
+  test(`in forced-colours mode the picture uses the system colours: ${colorScheme}`, async ({
     browser,
     baseURL,
   }, info) => {
@@ -126,7 +126,7 @@ for (const colorScheme of ['light', 'dark'] as const) {
   });
 }
 
-test('on paper there are drawing, problems, setup and all of the program, in light colours', async ({
+test('a printout contains drawing, problems, setup and the whole program, in light colours', async ({
   browser,
   baseURL,
 }, info) => {
@@ -135,7 +135,7 @@ test('on paper there are drawing, problems, setup and all of the program, in lig
   await open(page);
   const lines = Array.from({ length: 120 }, (_, at) => `G01 X${60 - at / 10} Z-${at} F0.2`);
   await type(page, ['(STOCK D=70 LENGTH=150)', 'G00 X80 Z2', 'X', ...lines, 'M30'].join('\n'));
-  // The browser's own window to print is none of the test's.
+  // Suppress the browser's print dialog.
   await page.evaluate(() => {
     window.print = () => Reflect.set(window, 'printed', true);
   });

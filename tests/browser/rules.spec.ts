@@ -1,10 +1,10 @@
-// The pages of the rules: from a message to its page, in each language, and from there back with the program.
+// The pages of the rules: from a message to its page, in each language, and back with the program.
 import { expect, test, type Page } from './engines';
 import { editor, open, problems, type, value } from './page';
 
 const FAULTY = 'O0001 (STOCK D=50 LENGTH=80)\nT0101\nG97 S800 M03\nG00 X52 Z M08\nG00 X200 Z200 M09\nM30';
 
-/** Opens a link that leads to a page of its own. */
+/** Clicks a link that opens another tab. */
 async function follow(page: Page, click: () => Promise<void>): Promise<Page> {
   const [opened] = await Promise.all([page.waitForEvent('popup'), click()]);
   await opened.waitForLoadState();
@@ -21,7 +21,7 @@ for (const [language, more, heading, failing] of [
     await page.locator('#language').selectOption(language);
     await type(page, FAULTY);
     const link = page.getByRole('region', { name: /Problems|问题|Замечания/ }).getByRole('link', { name: more });
-    // Until the text is typed the link is that of the empty program.
+    // Until the text is typed, the link belongs to the empty program.
     await expect(link).toHaveAttribute('href', /number-missing/);
     await expect(link).toHaveCount(1);
     await expect(link).toHaveAttribute('rel', 'noopener');
@@ -42,7 +42,7 @@ for (const [language, more, heading, failing] of [
   });
 }
 
-test('the tooltip of a problem leads there too', async ({ page }) => {
+test('the tooltip of a problem links to the page as well', async ({ page }) => {
   await open(page);
   await type(page, FAULTY);
   await page.locator('.cm-lintRange-error').first().hover();
@@ -65,7 +65,7 @@ test('both programs open in the playground, in the language of the page', async 
   }
 });
 
-test('what is changed in a program of an address is kept, and found again', async ({ page }) => {
+test('a changed program of a URL is stored, and restored', async ({ page }) => {
   await open(
     page,
     `#program=${encodeURIComponent('O0001\nG00 X20 Z2\nM30')}&setup=${encodeURIComponent('{"dialect": {"control": "gsk"}}')}`,
@@ -81,7 +81,7 @@ test('what is changed in a program of an address is kept, and found again', asyn
   await expect(page.getByLabel('Control')).toHaveValue('gsk');
 });
 
-test('an address with a setup that is none is told, not fatal', async ({ page }) => {
+test('an invalid setup in a URL is reported, and is not fatal', async ({ page }) => {
   await open(page, '#program=M30&setup=nonsense');
   expect(await value(page)).toBe('M30');
   await expect(
@@ -93,7 +93,7 @@ test('an address with a setup that is none is told, not fatal', async ({ page })
   ).toBeVisible();
 });
 
-test('the list of all rules leads to each of them', async ({ page }) => {
+test('the list of all rules links to each of them', async ({ page }) => {
   await open(page);
   await page.getByRole('button', { name: 'Help (?)' }).click();
   const list = await follow(page, () => page.getByRole('link', { name: 'All rules' }).click());
@@ -109,7 +109,7 @@ test('the list of all rules leads to each of them', async ({ page }) => {
   await expect(list.getByRole('heading', { level: 1 })).toHaveText('Все правила');
 });
 
-test('the link of a problem stands beside it, its repair below', async ({ page }) => {
+test('the link of a problem is beside it, and its repair below', async ({ page }) => {
   await open(page);
   await type(page, 'GO1 X5\nM30');
   const item = problems(page).getByRole('listitem').first();

@@ -1,5 +1,5 @@
-// The setup form: what is assumed is shown as assumed, what is invalid is reported beside its field, and it
-// is kept where the reader says. Bad setups, wherever they stand, are reported and leave a picture.
+// The setup form: assumed values are marked, invalid values are reported at their fields, and the setup is stored where
+// the user chooses. Invalid setups in any place are reported and still give a picture.
 import { expect, test, type Locator, type Page } from './engines';
 import { editor, open, openFile, problems, status, value } from './page';
 
@@ -15,7 +15,7 @@ async function openForm(page: Page): Promise<void> {
   await expect(form(page)).toBeVisible();
 }
 
-/** The part is drawn where its material is: the pixel differs from that of the ground. */
+/** The part is drawn where it has material: the pixel differs from the background. */
 async function partIsThere(page: Page): Promise<void> {
   await expect(status(page)).toContainText(/^4 motions/);
   await expect(page.getByText('No motion yet')).toBeHidden();
@@ -28,7 +28,7 @@ async function begin(page: Page, text = PROGRAM): Promise<void> {
   await partIsThere(page);
 }
 
-test('what nobody has said is shown as assumed, and can be said by keyboard', async ({ page }) => {
+test('unset values are shown as assumed, and can be set by keyboard', async ({ page }) => {
   await begin(page);
   await expect(page.getByText('Tools assumed')).toBeVisible();
   await expect(page.getByText('Stock assumed: collisions not checked')).toBeVisible();
@@ -49,14 +49,14 @@ test('what nobody has said is shown as assumed, and can be said by keyboard', as
   expect(JSON.parse((await attribute(page)) ?? '')).toEqual({ stock: { diameter: 50, length: 25 } });
   expect(await value(page)).toBe(PROGRAM);
 
-  await test.step('it is kept with the text', async () => {
+  await test.step('the setup is stored with the text', async () => {
     await page.reload();
     await expect(page.getByText('Tools assumed')).toBeVisible();
     expect(JSON.parse((await attribute(page)) ?? '')).toMatchObject({ stock: { diameter: 50 } });
   });
 });
 
-test('an assumed stock can be taken over, and collisions are looked for', async ({ page }) => {
+test('an assumed stock can be accepted, and collisions are checked', async ({ page }) => {
   const crash = PROGRAM.replace('G0 X100 Z100', 'G0 X42 Z-23\nG0 X100 Z100');
   await open(page);
   await openFile(page, 'own.nc', Buffer.from(crash));
@@ -73,7 +73,7 @@ test('an assumed stock can be taken over, and collisions are looked for', async 
   expect(JSON.parse((await attribute(page)) ?? '')).toEqual({ stock: { diameter: 44, length: 25 } });
   expect(await value(page)).toBe(crash);
 
-  await test.step('in the program, where the setup stands there', async () => {
+  await test.step('a setup in the program is changed in the program', async () => {
     await openFile(page, 'other.nc', Buffer.from(`(MACHINE RAPIDX=8000)\n${PROGRAM}`));
     await expect(told).toBeVisible();
     await use.click();
@@ -82,9 +82,7 @@ test('an assumed stock can be taken over, and collisions are looked for', async 
   });
 });
 
-test('what was filled in and not applied is still there when the form is opened again, until another program is', async ({
-  page,
-}) => {
+test('unapplied input is restored when the form is opened again, until the program changes', async ({ page }) => {
   await begin(page);
   const left = form(page).getByText('not applied yet');
   await openForm(page);
@@ -108,7 +106,7 @@ test('what was filled in and not applied is still there when the form is opened 
   await expect(field(page, 'Stock', 'Diameter')).toHaveValue('');
   await expect(form(page).getByRole('region', { name: 'Tool T0303' })).toHaveCount(0);
 
-  // It stays while the program goes on, also in a group that is folded.
+  // It is kept while the program is edited, also in a collapsed group.
   await form(page).getByText('Machine', { exact: true }).click();
   const rapid = form(page).getByLabel('Rapid traverse X', { exact: true });
   await rapid.fill('9000');
@@ -124,7 +122,7 @@ test('what was filled in and not applied is still there when the form is opened 
   await expect(rapid).toHaveValue('9000');
   await form(page).getByRole('button', { name: 'Discard it' }).click();
 
-  // What is applied is left no more.
+  // Applied input is no longer restored.
   await field(page, 'Stock', 'Diameter').fill('52');
   await page.keyboard.press('Enter');
   await expect(form(page)).toBeHidden();
@@ -140,7 +138,7 @@ test('what was filled in and not applied is still there when the form is opened 
   await expect(field(page, 'Stock', 'Diameter')).toHaveValue('');
 });
 
-test('kept in the program it stands in comments, which one undo takes out', async ({ page }) => {
+test('a setup stored in the program is written as comments, and one undo removes them', async ({ page }) => {
   await begin(page);
   await openForm(page);
   await field(page, 'Stock', 'Diameter').fill('50');
@@ -172,7 +170,7 @@ test('kept in the program it stands in comments, which one undo takes out', asyn
   expect(await value(page)).toBe(PROGRAM);
 });
 
-test('one more tool can be named', async ({ page }) => {
+test('a tool can be added', async ({ page }) => {
   await begin(page);
   await openForm(page);
   await form(page).getByLabel('Another tool').fill('hammer');
@@ -183,7 +181,7 @@ test('one more tool can be named', async ({ page }) => {
   await expect(field(page, 'Tool T0303', 'Kind')).toBeFocused();
 });
 
-test('what is invalid is reported beside its field', async ({ page }) => {
+test('invalid values are reported at their fields', async ({ page }) => {
   await begin(page);
   await openForm(page);
   for (const [name, text, told] of [
@@ -236,7 +234,7 @@ for (const [what, note, told] of [
   });
 }
 
-test('a file of one’s own, and an emptied editor, begin without the setup of the example', async ({ page }) => {
+test('an opened file, and a cleared editor, start without the setup of the example', async ({ page }) => {
   await open(page, '#s001-o6003');
   const before = await attribute(page);
   expect(before).toContain('stock');
@@ -244,7 +242,7 @@ test('a file of one’s own, and an emptied editor, begin without the setup of t
   await expect(page.getByText('Stock assumed: collisions not checked')).toBeVisible();
   expect((await attribute(page)) ?? '').not.toContain('stock');
 
-  await test.step('undo brings the example back, and its setup', async () => {
+  await test.step('undo restores the example and its setup', async () => {
     await editor(page).focus();
     await page.keyboard.press('Control+z');
     await expect.poll(() => attribute(page)).toBe(before);
@@ -254,7 +252,7 @@ test('a file of one’s own, and an emptied editor, begin without the setup of t
     await page.keyboard.press('Control+z');
     await expect.poll(() => attribute(page)).toBe(before);
   });
-  await test.step('the control goes with the program, too', async () => {
+  await test.step('the control changes with the program, too', async () => {
     await page.getByRole('combobox', { name: 'Control' }).selectOption('gsk');
     await openFile(page, 'own.nc', Buffer.from(PROGRAM));
     await expect(page.getByText('Stock assumed: collisions not checked')).toBeVisible();
@@ -266,15 +264,14 @@ test('a file of one’s own, and an emptied editor, begin without the setup of t
   });
 });
 
-test('taking off the material of a long program shows how far it is, and can be stopped', async ({ page }) => {
+test('computing the part of a long program shows progress, and can be stopped', async ({ page }) => {
   await open(page);
   // Each pass leaves a wave, so that the part has many corners.
   const passes = Array.from(
     { length: 15_000 },
     (_, i) => `G1 X${(60 - i / 1000 - (i % 2) * 0.1).toFixed(3)} Z${(-(i % 300) / 3).toFixed(3)} F0.2`,
   );
-  // A fast machine may be done before a test that looks now and then presses the button:
-  // it is pressed in the page.
+  // A fast machine may finish before a polling test presses the button, so a script in the page presses it.
   const told = page.locator('gcode-playground').evaluate(
     (element) =>
       new Promise<string>((done) => {
@@ -300,7 +297,7 @@ test('taking off the material of a long program shows how far it is, and can be 
   await expect(page.getByRole('button', { name: 'Stop', exact: true })).toBeHidden();
 });
 
-test('how numbers without a point are read stands in the status line, and can be changed', async ({ page }) => {
+test('the status line shows how numbers without a point are read, and the reading can be changed', async ({ page }) => {
   const inches = 'O0001\nG20 G99 T0101\nG97 S800 M3\nG0 X2. Z.1\nG1 X1. F.016\nZ-1.\nX2.\nG0 W2000\nM30\n';
   await open(page);
   await openFile(page, 'inch.nc', Buffer.from(inches.replace('W2000', 'W.2')));
@@ -317,7 +314,7 @@ test('how numbers without a point are read stands in the status line, and can be
   await expect(status(page)).toContainText('W2000 is read as 2000 in');
 });
 
-test('the reading of numbers is decided for a file that is opened, not for what is typed', async ({ page }) => {
+test('the reading of numbers is detected for an opened file, not for typed text', async ({ page }) => {
   const rest = 'G20 G99 T0101\nG97 S800 M3\nG0 X2. Z2.\nG1 Z-1. F.01\nX3.\nG0 X4. Z3.\nM30\n';
   await begin(page, `O0001\n${rest}`);
   await editor(page).focus();
